@@ -1,0 +1,19 @@
+"""Drift Lab: how a slightly bent gyro triad becomes a wrong attitude, and what to do about it.
+
+Conventions, fixed here once for the whole package:
+
+* A quaternion is Hamilton's, **scalar last** ``[x, y, z, w]``, and maps body components to
+  reference components. It is the order of Larin (1987) and of `scipy.spatial.transform.Rotation`.
+* SI units and radians, always. Degrees per hour, arc seconds and ppm live on sliders, axis labels
+  and in tables only.
+* Arrays broadcast over their leading axes; the last axis (or the last two) is the object itself.
+* ``rate`` is the true angular rate in body axes, ``measured_rate`` what the gyros say.
+  The *misalignment* ``M`` holds the gyro triad's errors: ``measured_rate = (E + M) rate``.
+* Bad input raises `ValueError` with one sentence: which argument, what was expected, what came.
+
+Modules, in the order in which they build on each other: `quaternion`, `kinematics`, `drift`,
+`step_formulas`, `turn_calibration` (NumPy and SciPy only), `symbolic` (SymPy), `figures`
+(Matplotlib), `explorers` (ipywidgets). Importing the package itself loads none of them.
+"""
+
+__version__ = "0.1.0"

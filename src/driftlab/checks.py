@@ -1,0 +1,67 @@
+"""The one place where arguments are looked at: shape, finiteness, and the sentence that refuses."""
+
+import operator
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+FloatArray = NDArray[np.float64]
+ComplexArray = NDArray[np.complexfloating[Any, Any]]
+
+
+def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
+    """Return `value` as a float64 array, or refuse it in one sentence.
+
+    Parameters
+    ----------
+    value : array_like of real numbers
+    name : str
+        The argument's name, for the sentence.
+    *shape : int
+        What the last axes must be. Leading axes are free; without `shape` any shape goes.
+
+    Raises
+    ------
+    ValueError
+        If `value` is not real and numeric, is empty, has other last axes, or holds NaN or infinity.
+    """
+    expected = f"shape (..., {', '.join(map(str, shape))})" if shape else "real numbers"
+    try:
+        array = np.asarray(value)
+    except ValueError:  # NumPy's word for lists of unequal length
+        raise ValueError(f"{name}: expected {expected}, got rows of unequal length.") from None
+    if array.dtype.kind not in "fiu":
+        raise ValueError(f"{name}: expected real numbers, got dtype {array.dtype}.")
+    if shape and array.shape[-len(shape) :] != shape:
+        raise ValueError(f"{name}: expected {expected}, got shape {array.shape}.")
+    if array.size == 0:
+        raise ValueError(f"{name}: expected at least one value, got an empty array.")
+    array = array.astype(np.float64, copy=False)
+    if not np.isfinite(array).all():
+        count = array.size - np.count_nonzero(np.isfinite(array))
+        raise ValueError(f"{name}: expected finite numbers, got {count} NaN or infinite.")
+    return array
+
+
+def nonzero_vectors(value: ArrayLike, name: str) -> tuple[FloatArray, FloatArray]:
+    """Return vectors (..., 3) as unit vectors (..., 3) and norms (...), refusing a zero vector."""
+    vectors = finite_array(value, name, 3)
+    # Dividing by the largest entry first keeps the squares clear of underflow and overflow.
+    largest = np.abs(vectors).max(axis=-1, keepdims=True)
+    if not largest.all():
+        raise ValueError(f"{name}: expected nonzero vectors, got a zero vector.")
+    vectors = vectors / largest
+    norms = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return vectors / norms, (norms * largest)[..., 0]
+
+
+def whole_number(value: int, name: str, least: int = 1) -> int:
+    """Return `value` as an int, refusing what is not a whole number of at least `least`."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        number = None
+    if number is None or isinstance(value, bool) or number < least:
+        raise ValueError(f"{name}: expected a whole number of at least {least}, got {value!r}.")
+    return number
