@@ -56,6 +56,11 @@ def nonzero_vectors(value: ArrayLike, name: str) -> tuple[FloatArray, FloatArray
     return vectors / norms, (norms * largest)[..., 0]
 
 
+def lengths(vectors: FloatArray) -> FloatArray:
+    """Norms (...) of vectors (..., 3), without squares that underflow or overflow."""
+    return np.hypot(np.hypot(vectors[..., 0], vectors[..., 1]), vectors[..., 2])
+
+
 def whole_number(value: int, name: str, least: int = 1) -> int:
     """Return `value` as an int, refusing what is not a whole number of at least `least`."""
     try:

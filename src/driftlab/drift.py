@@ -8,7 +8,7 @@ is, to first order, n^T M n times the rate: only the symmetric part of M drifts.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import ComplexArray, FloatArray, finite_array, nonzero_vectors
+from .checks import ComplexArray, FloatArray, finite_array, lengths, nonzero_vectors
 from .quaternion import left_matrix, pure, right_matrix
 
 
@@ -70,12 +70,11 @@ def exact_roots(rate: ArrayLike, measured_rate: ArrayLike) -> ComplexArray:
     the difference of the two commuting halves of Omega_e.
     """
     rate = finite_array(rate, "rate", 3)
-    error = finite_array(measured_rate, "measured_rate", 3) - rate
-    norm, measured_norm = np.linalg.norm(rate, axis=-1), np.linalg.norm(rate + error, axis=-1)
-    total = norm + measured_norm
+    measured_rate = finite_array(measured_rate, "measured_rate", 3)
+    total = lengths(measured_rate) + lengths(rate)
     # |w_hat| - |w| without the loss of digits that the subtraction would bring.
-    squares = np.einsum("...i,...i->...", 2 * rate + error, error)
-    difference = np.divide(squares, total, out=np.zeros_like(total), where=total > 0)
+    middle = (measured_rate + rate) / np.where(total == 0, 1.0, total)[..., np.newaxis]
+    difference = np.einsum("...i,...i->...", middle, measured_rate - rate)
     return 1j * np.stack([total, -total, difference, -difference], axis=-1)
 
 
@@ -116,10 +115,9 @@ def drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArr
 def exact_drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
     """|(E + M) n| - 1 (...): drift rate in units of the turn rate, for any size of misalignment."""
     n, _ = nonzero_vectors(direction, "direction")
-    triad_matrix(misalignment)
     rho, across = _along_and_across(n, misalignment)
-    squares = 2 * rho + across + rho**2
-    return squares / (np.sqrt(1 + squares) + 1)
+    # |A n| - 1 = (|A n|^2 - 1)/(|A n| + 1), without the loss of digits of the subtraction.
+    return (2 * rho + rho**2 + across) / (lengths(measured_rate(n, misalignment)) + 1)
 
 
 def _along_and_across(n: FloatArray, misalignment: ArrayLike) -> tuple[FloatArray, FloatArray]:

@@ -10,7 +10,7 @@ closed form.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_array
+from .checks import FloatArray, finite_array, lengths
 from .quaternion import conjugate, from_rotation_vector, left_matrix, multiply, pure, right_matrix
 
 
@@ -100,7 +100,7 @@ def _half_turn(
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Cosine and sine of half the angle turned, and the unit axis (zero where the rate is zero)."""
     rate = finite_array(rate, name, 3)
-    norm = np.linalg.norm(rate, axis=-1)
+    norm = lengths(rate)
     axis = rate / np.where(norm == 0, 1.0, norm)[..., np.newaxis]
     return np.cos(0.5 * norm * time), np.sin(0.5 * norm * time), axis
 

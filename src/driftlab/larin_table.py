@@ -6,7 +6,7 @@ therefore a *reconstruction*: assumptions under which the printed digits follow.
 """
 
 from dataclasses import dataclass
-from decimal import ROUND_DOWN, Decimal
+from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Decimal
 from itertools import product
 
 import numpy as np
@@ -18,6 +18,7 @@ from .turn_calibration import YATES_AXES, TurnExperiment, exact_turn_estimate, w
 
 MISALIGNMENT: FloatArray = 1e-3 * np.array([[0.0, 0, 0], [0, 0, 0], [2, -2, 0]])
 """mu T of the experiment: i_z leans by 2e-3 to i_1 and by -2e-3 to i_2."""
+MISALIGNMENT.setflags(write=False)
 
 NAMES = ("sigma1*", "sigma2*", "sigma3*", "sigma4*", "sigma1**", "sigma2**", "sigma3**")
 
@@ -37,7 +38,7 @@ sqrt(3/2) is what comes out when (1, 1, 1) is divided by sqrt(2), like the other
 """
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Reconstruction:
     """One set of assumptions and the seven numbers that follow from it.
 
@@ -56,9 +57,15 @@ class Reconstruction:
 
     @property
     def agrees(self) -> list[bool]:
-        """Which of the seven agree with print in every digit, digits cut off, sign restored."""
+        """Which of the seven agree with print in every digit, the lost sign restored.
+
+        Digits are all rounded or all cut off, whichever makes more numbers agree.
+        """
+        return max((self._agrees(rule) for rule in (ROUND_DOWN, ROUND_HALF_EVEN)), key=sum)
+
+    def _agrees(self, rounding: str) -> list[bool]:
         return [
-            shorten(value, text, ROUND_DOWN) == Decimal(text)
+            Decimal(float(value)).quantize(Decimal(text), rounding=rounding) == Decimal(text)
             for value, text in zip(self.values, SIGN_RESTORED, strict=True)
         ]
 
@@ -115,11 +122,6 @@ def candidates() -> list[Reconstruction]:
     """Every combination of the assumptions, best agreement first."""
     every = [reconstruct(*names) for names in product(TRIADS, STEP_FORMULAS, SUM_FACTORS)]
     return sorted(every, key=lambda candidate: -sum(candidate.agrees))
-
-
-def shorten(value: float, like: str, rounding: str) -> Decimal:
-    """`value` with as many decimals as the printed number `like` has, rounded or cut off."""
-    return Decimal(float(value)).quantize(Decimal(like), rounding=rounding)
 
 
 def printed_interval(text: str) -> tuple[float, float]:

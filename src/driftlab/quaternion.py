@@ -3,13 +3,13 @@
 The product is Hamilton's; a rotation that happens later about *body* axes multiplies on the right.
 Everything here agrees with `scipy.spatial.transform.Rotation`, which is what to use for ordinary
 work; these functions exist because the book's subject is the algebra itself, because they
-broadcast over any leading axes, and because they are faster on long arrays.
+broadcast over any leading axes, and because products of long arrays take a fraction of the time.
 """
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_array
+from .checks import FloatArray, finite_array, lengths
 
 
 def multiply(first: ArrayLike, second: ArrayLike) -> FloatArray:
@@ -74,7 +74,7 @@ def from_rotation_vector(rotation_vector: ArrayLike) -> FloatArray:
     jumps of sign.
     """
     rotation_vector = finite_array(rotation_vector, "rotation_vector", 3)
-    half_angle = 0.5 * np.sqrt(np.einsum("...i,...i->...", rotation_vector, rotation_vector))
+    half_angle = 0.5 * lengths(rotation_vector)
     # sin(x)/x at x = 0 is 1; a tiny stand-in for 0 gives it without a division by zero.
     half_angle = np.maximum(half_angle, np.finfo(float).tiny)
     quaternion = np.empty((*half_angle.shape, 4))
@@ -89,16 +89,17 @@ def to_rotation_vector(quaternion: ArrayLike) -> FloatArray:
     The quaternion (..., 4) need not be of unit norm; a zero quaternion is refused.
     """
     quaternion = finite_array(quaternion, "quaternion", 4)
-    if not quaternion.any(axis=-1).all():
+    largest = np.abs(quaternion).max(axis=-1, keepdims=True)
+    if not largest.all():
         raise ValueError("quaternion: expected nonzero quaternions, got a zero quaternion.")
-    # q and -q are one rotation: take the one with the scalar part not negative.
-    quaternion = quaternion * np.where(quaternion[..., 3:] < 0, -1.0, 1.0)
-    vector, scalar = quaternion[..., :3], quaternion[..., 3:]
+    # All multiples of q are one rotation: take the one with the scalar part not negative, and of
+    # a size whose squares neither underflow nor overflow.
+    size = np.where(quaternion[..., 3:] < 0, -largest, largest)
+    vector, scalar = np.split(quaternion / size, [3], axis=-1)
     sine = np.linalg.norm(vector, axis=-1, keepdims=True)
     angle = 2.0 * np.arctan2(sine, scalar)
-    # Where the vector part vanishes, angle/sine tends to 2/scalar.
-    factor = np.divide(angle, sine, out=2.0 / np.where(scalar == 0, 1.0, scalar), where=sine > 0)
-    return factor * vector
+    # Where the vector part vanishes, the scalar part is 1 and angle/sine tends to 2.
+    return np.divide(angle, sine, out=np.full_like(sine, 2.0), where=sine > 0) * vector
 
 
 def rotation_angle(quaternion: ArrayLike) -> FloatArray:
@@ -121,7 +122,7 @@ def cumulative_product(quaternions: ArrayLike) -> FloatArray:
     Notes
     -----
     A parallel scan: the products of neighbours are half as many, their cumulative product is every
-    second answer, and one more product gives the rest. It needs log2(n) NumPy calls, not n.
+    second answer, and one more product gives the rest: about 2 log2(n) array products, not n.
     """
     quaternions = finite_array(quaternions, "quaternions", 4)
     if quaternions.ndim < 2:

@@ -17,9 +17,11 @@ from .step_formulas import step_formula
 
 PAIR_AXES: FloatArray = np.array([[1.0, 1, 0], [1, 0, 1], [0, 1, 1]]) / np.sqrt(2)
 """Larin's (3.4): turning about row s gives sigma_s itself."""
+PAIR_AXES.setflags(write=False)
 
 YATES_AXES: FloatArray = np.vstack([PAIR_AXES, np.ones(3) / np.sqrt(3)])
 """Larin's (3.4) and (3.5): the three pair axes and the space diagonal."""
+YATES_AXES.setflags(write=False)
 
 
 def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) -> FloatArray:
@@ -121,7 +123,10 @@ class TurnExperiment:
                 raise ValueError("rng: expected a numpy Generator to draw the noise, got None.")
             scale = self.angle_noise / np.sqrt(self.steps_per_turn)
             increments = increments + rng.normal(0.0, scale, increments.shape)
-        return cumulative_product(step_formula(self.step_formula)(increments))[..., -1, :]
+        steps = step_formula(self.step_formula)(increments)
+        # To unit norm, or the norms of many steps would multiply up to overflow.
+        steps /= np.linalg.norm(steps, axis=-1, keepdims=True)
+        return cumulative_product(steps)[..., -1, :]
 
     def estimate(
         self,
@@ -145,13 +150,13 @@ def weighing(estimates: ArrayLike) -> FloatArray:
     Notes
     -----
     Each result is half of a sum with two signs plus and two minus, so an offset common to all four
-    *numbers* cancels, and white noise keeps its variance.
+    *numbers* cancels, and independent noise of one size in all four keeps its variance.
     """
     signs = np.array([[1, -1, -1, 1], [-1, 1, -1, 1], [-1, -1, 1, 1]])
     return 0.5 * finite_array(estimates, "estimates", 4) @ signs.T
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class TurnFit:
     """Least-squares answer of `fit_turns`.
 
@@ -203,6 +208,6 @@ def fit_turns(estimates: ArrayLike, axes: ArrayLike, scale: str = "none") -> Tur
             f"axes: expected axes that determine {unknowns} unknowns, "
             f"got {len(n)} axes that determine {np.linalg.matrix_rank(design)}."
         )
-    solution = estimates @ np.linalg.pinv(design).T
-    covariance = np.linalg.inv(design.T @ design)
-    return TurnFit(solution[..., :3], solution[..., 3:], covariance)
+    inverse = np.linalg.pinv(design)
+    solution = estimates @ inverse.T
+    return TurnFit(solution[..., :3], solution[..., 3:], inverse @ inverse.T)

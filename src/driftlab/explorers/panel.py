@@ -1,0 +1,243 @@
+"""What every slider panel of the book is made of.
+
+An explorer is a `Picture`, a list of controls, and one function from the controls' values to the
+picture's data. The picture is a Matplotlib figure kept for the panel's life: its background is
+drawn once, a move of a slider redraws only the artists that move, and the result goes as a PNG into
+an image widget. There is no output area to flicker or to swallow an error: bad values show a
+sentence in the panel, and anything unforeseen shows its traceback there and is raised again.
+"""
+
+import html
+import io
+import math
+import traceback
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import ipywidgets as widgets
+import matplotlib
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from PIL import Image
+
+from ..figures.picture import STYLE, Picture
+
+ERROR_CLASS = "driftlab-error"
+"""HTML class of a traceback in a panel; the tests look for it."""
+
+PIXEL_RATIO = 1.5
+"""Pixels of the picture for one of the page, so that it is sharp on a dense screen."""
+
+Values = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Control:
+    """One quantity the reader can change.
+
+    Attributes
+    ----------
+    name : str
+        Key in the values handed to `Explorer.compute`.
+    label : str
+        What stands before the slider, with the unit.
+    start : float, int or str
+        Value at the start and after a reset.
+    low, high, step : float
+        Range of a slider. With ``log=True`` of a logarithmic one, `step` in decades.
+    choices : sequence of str
+        For a choice in place of a slider.
+    group : str
+        Heading of the column in which the control stands.
+    """
+
+    name: str
+    label: str
+    start: Any
+    low: float = 0.0
+    high: float = 1.0
+    step: float = 0.1
+    log: bool = False
+    choices: Sequence[str] = ()
+    group: str = ""
+
+    def widget(self) -> widgets.ValueWidget:
+        """Make the widget: a slider for a range, whole-numbered if `start` is, or a menu."""
+        common = {
+            "description": self.label,
+            "tooltip": self.label,
+            "style": {"description_width": "12em"},
+            "layout": {"width": "26em"},
+        }
+        if self.choices:
+            return widgets.Dropdown(options=list(self.choices), value=self.start, **common)
+        if self.log:
+            low, high = math.log10(self.low), math.log10(self.high)
+            return widgets.FloatLogSlider(
+                value=self.start, min=low, max=high, step=self.step, readout_format=".2g", **common
+            )
+        kind = widgets.IntSlider if isinstance(self.start, int) else widgets.FloatSlider
+        return kind(value=self.start, min=self.low, max=self.high, step=self.step, **common)
+
+
+class Explorer(widgets.VBox):
+    """A slider panel; subclasses say which controls, picture and computation.
+
+    Show it as the last line of a cell. Its values can be read and set in code as well:
+    ``explorer.values`` and ``explorer.set(size=0.1)``.
+    """
+
+    title: ClassVar[str]
+    picture_class: ClassVar[type[Picture[Any]]]
+    controls: ClassVar[Sequence[Control]]
+    presets: ClassVar[Mapping[str, Values]]
+    """By name, the values that differ from the start values."""
+
+    def compute(self, values: Values) -> Any:
+        """Return the picture's data. A `ValueError` becomes a sentence in the panel."""
+        raise NotImplementedError
+
+    def numbers(self, data: Any) -> Sequence[tuple[str, str]]:
+        """Return what stands beside the picture: names and formatted values with units."""
+        raise NotImplementedError
+
+    def call(self, values: Values) -> str:
+        """Return the Python lines that compute the same."""
+        raise NotImplementedError
+
+    def __init__(self) -> None:
+        self._widgets = {control.name: control.widget() for control in self.controls}
+        self._starts = {control.name: control.start for control in self.controls}
+        self._setting = False
+        self._picture = self.picture_class()
+        for artist in self._picture.moving:
+            artist.set_animated(True)
+        canvas = self._picture.figure.canvas
+        assert isinstance(canvas, FigureCanvasAgg)
+        width, height = canvas.get_width_height()
+        self._picture.figure.dpi = PIXEL_RATIO * self._picture.figure.dpi
+        self._canvas = canvas
+        with matplotlib.rc_context(STYLE):
+            canvas.draw()
+        self._background = canvas.copy_from_bbox(self._picture.figure.bbox)
+
+        self.image = widgets.Image(format="png", width=width, height=height)
+        self.message = widgets.HTML()
+        self.text = widgets.HTML()
+        self.code = widgets.HTML()
+        self.preset = widgets.Dropdown(
+            options=[("own values", ""), *((name, name) for name in self.presets)],
+            description="preset",
+            value=next(iter(self.presets)),
+        )
+        self.reset = widgets.Button(description="Reset", tooltip="Back to the start values")
+        for widget in self._widgets.values():
+            widget.observe(self._moved, "value")
+        self.preset.observe(self._preset_chosen, "value")
+        self.reset.on_click(lambda _: self.set(**self._starts))
+        super().__init__(
+            [
+                widgets.HTML(f"<b>{html.escape(self.title)}</b>"),
+                widgets.HBox([self.preset, self.reset]),
+                self._columns(),
+                self.message,
+                self.image,
+                self.text,
+                self.code,
+            ]
+        )
+        self.set(**self.presets[self.preset.value])
+
+    def _columns(self) -> widgets.Box:
+        groups: dict[str, list[widgets.Widget]] = {}
+        for control in self.controls:
+            groups.setdefault(control.group, []).append(self._widgets[control.name])
+        columns = [
+            widgets.VBox([widgets.HTML(html.escape(group)), *column])
+            for group, column in groups.items()
+        ]
+        return widgets.HBox(columns, layout={"flex_flow": "row wrap"})
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """The values of all controls."""
+        return {name: widget.value for name, widget in self._widgets.items()}
+
+    def set(self, **values: Any) -> None:
+        """Set some controls and redraw once."""
+        unknown = set(values) - set(self._widgets)
+        if unknown:
+            raise ValueError(
+                f"values: expected names from {', '.join(self._widgets)}, "
+                f"got {', '.join(sorted(unknown))}."
+            )
+        self._setting = True
+        try:
+            for name, value in values.items():
+                self._widgets[name].value = value
+        finally:
+            self._setting = False
+        self._name_preset()
+        self.redraw()
+
+    def _moved(self, _: Any) -> None:
+        if not self._setting:
+            self._name_preset()
+            self.redraw()
+
+    def _preset_chosen(self, change: Any) -> None:
+        if change["new"] and not self._setting:
+            self.set(**{**self._starts, **self.presets[change["new"]]})
+
+    def _name_preset(self) -> None:
+        """Let the preset menu say what the values are."""
+        now = self.values
+        matching = [
+            name
+            for name, preset in self.presets.items()
+            if all(now[key] == value for key, value in {**self._starts, **preset}.items())
+        ]
+        self._setting = True
+        self.preset.value = matching[0] if matching else ""
+        self._setting = False
+
+    def redraw(self) -> None:
+        """Compute and show the picture, the numbers and the code for the present values."""
+        values = self.values
+        try:
+            data = self.compute(values)
+        except ValueError as refusal:
+            self.message.value = (
+                f"<p role='alert'>No picture for these values. {html.escape(str(refusal))}</p>"
+            )
+            return
+        except Exception:
+            trace = html.escape(traceback.format_exc())
+            self.message.value = f"<pre role='alert' class='{ERROR_CLASS}'>{trace}</pre>"
+            raise
+        self._picture.update(data)
+        self.image.value = self._png()
+        self.text.value = _table(self.numbers(data))
+        self.code.value = f"<pre>{html.escape(self.call(values))}</pre>"
+        self.message.value = ""
+
+    def _png(self) -> bytes:
+        canvas = self._canvas
+        canvas.restore_region(self._background)
+        with matplotlib.rc_context(STYLE):
+            for artist in self._picture.moving:
+                artist.axes.draw_artist(artist)  # type: ignore[union-attr]
+        buffer = io.BytesIO()
+        # The picture is opaque: without the alpha channel there is a quarter less to compress.
+        pixels = np.asarray(canvas.buffer_rgba())[..., :3]
+        Image.fromarray(pixels).save(buffer, format="png", compress_level=1)
+        return buffer.getvalue()
+
+
+def _table(numbers: Sequence[tuple[str, str]]) -> str:
+    cells = "".join(
+        f"<span style='margin-right: 2em'>{html.escape(name)} <b>{html.escape(value)}</b></span> "
+        for name, value in numbers
+    )
+    return f"<div>{cells}</div>"

@@ -1,0 +1,153 @@
+"""Every published figure: what it is called, how it is computed and drawn, and what it shows."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from .. import larin_table
+from . import (
+    drift_by_symmetry,
+    drift_history,
+    drift_map,
+    error_motion,
+    frames,
+    larin_digits,
+    roots,
+    turn_bias,
+    weighing_designs,
+)
+from .picture import Picture
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One published figure.
+
+    Attributes
+    ----------
+    name : str
+        File name without ending; begins with the chapter's number.
+    compute : callable
+        Takes nothing, returns the picture's data.
+    picture : type of Picture
+    columns : callable or None
+        Data to CSV columns of equal length; None for a drawing that shows no numbers.
+    caption : callable
+        Data to the sentence under the figure, so that its numbers are computed.
+    """
+
+    name: str
+    compute: Callable[[], Any]
+    picture: type[Picture[Any]]
+    columns: Callable[[Any], dict[str, Any]] | None
+    caption: Callable[[Any], str]
+
+
+def _history_caption(data: drift_history.DriftHistory) -> str:
+    drift = 60 * np.degrees(data.exact_per_turn)
+    return (
+        "A symmetric triad, each gyro leaning by 1e-3 to the other two, turned "
+        f"{drift_history.TURNS} times. Along the axis the error grows by {drift:.1f} arcmin a "
+        "turn; across it, the error comes back to nearly nothing each time."
+    )
+
+
+CATALOGUE = (
+    Entry(
+        "00-frames",
+        frames.compute,
+        frames.FramesPicture,
+        None,
+        lambda _: (
+            "The frames of the papers. Each curved arrow is a positive angle: a right-handed "
+            "turn about its axis. Plotnikov's heading is positive from North to West."
+        ),
+    ),
+    Entry(
+        "01-error-motion",
+        lambda: error_motion.compute([0.1, 0.2, 0.1], [0.12, 0.15, 0.1]),
+        error_motion.ErrorMotionPicture,
+        error_motion.columns,
+        lambda data: (
+            "The four components of the error quaternion for a grossly wrong triad: the "
+            "lines are the product of two exponentials, the dots are the steps of a Runge-Kutta "
+            f"integrator with tolerance {data.tolerance:g}."
+        ),
+    ),
+    Entry(
+        "02-roots",
+        lambda: roots.compute(0.1, drift_by_symmetry.SYMMETRIC, [1, 1, 0.3]),
+        roots.RootsPicture,
+        roots.columns,
+        lambda data: (
+            "Roots of the characteristic equation for a symmetric triad. The vertical "
+            f"line marks the size {data.size:g} of the left panel. Larin's first-order roots err "
+            "by the size squared, with one more term by its cube; the printed equation spoils "
+            "the fast root."
+        ),
+    ),
+    Entry(
+        "03-drift-history",
+        lambda: drift_history.compute(1e-3 * drift_by_symmetry.SYMMETRIC, [1, 1, 0.5]),
+        drift_history.DriftHistoryPicture,
+        drift_history.columns,
+        _history_caption,
+    ),
+    Entry(
+        "03-drift-by-symmetry",
+        drift_by_symmetry.compute,
+        drift_by_symmetry.DriftBySymmetryPicture,
+        drift_by_symmetry.columns,
+        lambda _: (
+            "Drift per turn of a symmetric and of a skew deformation about the axis that is "
+            "worst for each, and the passage from one to the other about (1, 1, 1)."
+        ),
+    ),
+    Entry(
+        "03-drift-map",
+        lambda: drift_map.compute(larin_table.MISALIGNMENT),
+        drift_map.DriftMapPicture,
+        drift_map.columns,
+        lambda data: (
+            "Drift coefficient of the triad of Larin's table for every axis of rotation. "
+            f"The extremes {1e3 * data.principal[0]:.3f} and {1e3 * data.principal[2]:.3f} "
+            "(times 1e-3) lie on the eigenvectors of the symmetric part, marked by stars."
+        ),
+    ),
+    Entry(
+        "04-turn-bias",
+        lambda: turn_bias.compute(larin_table.MISALIGNMENT),
+        turn_bias.TurnBiasPicture,
+        turn_bias.columns,
+        lambda data: (
+            "Error of sigma2 of Larin's triad. More steps help until the bias of the "
+            f"method itself, {data.bias:.1e}, is reached; more turns lower the noise only "
+            f"({data.runs} runs for each dot)."
+        ),
+    ),
+    Entry(
+        "04-larin-digits",
+        larin_digits.compute,
+        larin_digits.LarinDigitsPicture,
+        larin_digits.columns,
+        lambda data: (
+            f"Of {len(data.labels)} candidates (reading of the triad, step formula), "
+            f"{int((data.agrees.sum(axis=1) == 7).sum())} gives all seven printed numbers, digit "
+            "for digit. For each, the most favourable forming of sigma4* and the more favourable "
+            "of rounding and cutting off is shown."
+        ),
+    ),
+    Entry(
+        "04-weighing-designs",
+        weighing_designs.compute,
+        weighing_designs.WeighingDesignsPicture,
+        weighing_designs.columns,
+        lambda data: (
+            f"Monte Carlo of {data.runs} runs; the bars are 95 % intervals, the strokes "
+            "closed forms. Without an offset least squares is best; with one, only the estimate "
+            "that solves for the offset is unharmed."
+        ),
+    ),
+)
