@@ -24,7 +24,7 @@ SHAPES = {
 
 AXIS_CONTROLS = (
     Control("azimuth", "azimuth, degrees", 45.0, -180.0, 180.0, 1.0, group="axis of the turns"),
-    Control("elevation", "elevation, degrees", 35.0, -90.0, 90.0, 1.0, group="axis of the turns"),
+    Control("elevation", "elevation, degrees", 15.0, -90.0, 90.0, 1.0, group="axis of the turns"),
 )
 
 

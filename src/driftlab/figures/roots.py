@@ -39,7 +39,7 @@ def compute(size: float, shape: ArrayLike, direction: ArrayLike) -> Roots:
     size = float(finite_array(size, "size"))
     if size < 0:
         raise ValueError(f"size: expected a number of at least 0, got {size!r}.")
-    branches: FloatArray = _by_formula(SIZES, shape, direction)[..., [0, 2]].imag
+    branches = _by_formula(SIZES, shape, direction)[..., [0, 2]].imag.astype(np.float64)
     return Roots(size, _by_formula(np.array(size), shape, direction), SIZES, branches)
 
 
@@ -96,7 +96,7 @@ class RootsPicture(Picture[Roots]):
         course.set(title="positive branches", xlabel=r"size of deformation $\mu$")
         course.set(ylabel=r"Im $s/|\omega|$", xlim=(0, 0.5), ylim=(-1.1, 3.2))
         error.set(title="distance from the exact root", xlabel=r"size of deformation $\mu$")
-        error.set(xscale="log", yscale="log", xlim=(1e-4, 0.5), ylim=(1e-13, 1))
+        error.set(xscale="log", yscale="log", xlim=(1e-4, 0.5), ylim=(1e-13, 100))
         error.set(ylabel=r"error$/|\omega|$")
         markers = ("o", "x", "+", "s")
         self.points, self.fast, self.slow = [], [], []
@@ -118,7 +118,7 @@ class RootsPicture(Picture[Roots]):
             self.line(error, **SERIES[4], label="as printed: slow root"),
         ]
         course.legend(loc="center left", bbox_to_anchor=(0.0, 0.585))
-        error.legend(loc="lower right")
+        error.legend(loc="upper left")
 
     def update(self, data: Roots) -> None:
         for i in range(len(FORMULAS)):
@@ -131,5 +131,5 @@ class RootsPicture(Picture[Roots]):
         ):
             # An error below rounding has no place on a logarithmic axis.
             line.set_data(data.sizes, np.where(values > 1e-15, values, np.nan))
-        for line, bounds in zip(self.here, ((-1.1, 3.2), (1e-13, 1)), strict=True):
+        for line, bounds in zip(self.here, ((-1.1, 3.2), (1e-13, 100)), strict=True):
             line.set_data([data.size, data.size], bounds)
