@@ -114,7 +114,7 @@ def error_transition_matrix(
     from each side; no series and no squaring. Larin, between (2.2) and (2.3).
     """
     left = conjugate(attitude_quaternion(rate, time))
-    right = attitude_quaternion(measured_rate, time)
+    right = attitude_quaternion(finite_array(measured_rate, "measured_rate", 3), time)
     weights = left[..., :, np.newaxis] * right[..., np.newaxis, :]
     return (weights.reshape(*weights.shape[:-2], 16) @ _TWO_SIDED).reshape(weights.shape)
 

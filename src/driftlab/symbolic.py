@@ -74,5 +74,8 @@ def rotation_exponential(rate: sp.Matrix, time: sp.Expr) -> sp.Matrix:
 
 
 def simplified(matrix: sp.Matrix) -> sp.Matrix:
-    """Expand every entry and simplify what is left; zero entries come out as zero."""
-    return matrix.applyfunc(lambda entry: sp.simplify(sp.expand(entry)))
+    """Bring every entry to the normal form of a rational expression: what is zero comes out as 0.
+
+    Square roots, sines and cosines count as symbols; ``sqrt(x)**2`` is x.
+    """
+    return matrix.applyfunc(sp.cancel)

@@ -1,13 +1,15 @@
-"""Write figures as SVG and their numbers as CSV, so that both repeat."""
+"""Publish figures: on a notebook page, or as SVG and CSV files whose content repeats."""
 
+import base64
 import csv
+import html
+import io
 from pathlib import Path
 from typing import Any
 
 import matplotlib
-from matplotlib.figure import Figure
 
-from .catalogue import Entry
+from .catalogue import CATALOGUE, Entry
 from .picture import STYLE
 
 GALLERY_NOTE = (
@@ -16,20 +18,53 @@ GALLERY_NOTE = (
 )
 
 
+class Plate:
+    """A published figure on a page: the picture, and its caption below it and as its alt text.
+
+    Attributes
+    ----------
+    data : object
+        What the figure's module computed.
+    caption : str
+    """
+
+    def __init__(self, entry: Entry) -> None:
+        self.data = entry.compute()
+        self.caption = entry.caption(self.data)
+        self._figure = entry.picture.draw(self.data)
+
+    def svg(self) -> bytes:
+        """The picture as SVG whose bytes repeat: no date, identifiers from a fixed salt."""
+        buffer = io.BytesIO()
+        with matplotlib.rc_context(STYLE):
+            self._figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
+        return buffer.getvalue()
+
+    def _repr_html_(self) -> str:
+        picture = base64.b64encode(self.svg()).decode()
+        caption = html.escape(self.caption)
+        return (
+            f'<figure style="margin: 0"><img alt="{caption}" style="max-width: 100%" '
+            f'src="data:image/svg+xml;base64,{picture}">'
+            f"<figcaption>{caption}</figcaption></figure>"
+        )
+
+
+def plate(name: str) -> Plate:
+    """Return a published figure by name, to be the last line of a notebook cell."""
+    entries = {entry.name: entry for entry in CATALOGUE}
+    if name not in entries:
+        raise ValueError(f"name: expected one of {', '.join(entries)}, got {name!r}.")
+    return Plate(entries[name])
+
+
 def write_entry(entry: Entry, folder: Path) -> list[str]:
     """Write one figure and its numbers; return its lines of the gallery."""
-    data = entry.compute()
-    save(entry.picture.draw(data), folder / f"{entry.name}.svg")
+    shown = Plate(entry)
+    (folder / f"{entry.name}.svg").write_bytes(shown.svg())
     if entry.columns:
-        write_columns(folder / f"{entry.name}.csv", entry.columns(data))
-    caption = entry.caption(data)
-    return [f"![{caption}]({entry.name}.svg)", "", f"**{entry.name}.** {caption}", ""]
-
-
-def save(figure: Figure, path: Path) -> None:
-    """Write a figure as SVG whose bytes repeat: no date, identifiers from a fixed salt."""
-    with matplotlib.rc_context(STYLE):
-        figure.savefig(path, format="svg", metadata={"Date": None, "Creator": None})
+        write_columns(folder / f"{entry.name}.csv", entry.columns(shown.data))
+    return [f"![{shown.caption}]({entry.name}.svg)", "", f"**{entry.name}.** {shown.caption}", ""]
 
 
 def write_columns(path: Path, columns: dict[str, Any]) -> None:
