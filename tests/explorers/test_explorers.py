@@ -1,0 +1,160 @@
+"""Every control of every explorer is moved, and a callback that raises fails the tests."""
+
+import io
+import random
+from typing import ClassVar
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from driftlab.explorers import EXPLORERS, DriftExplorer, RootsExplorer, TurnCalibrationExplorer
+from driftlab.explorers.panel import ERROR_CLASS, Control, Explorer
+from driftlab.figures.drift_by_symmetry import DriftBySymmetryPicture, compute
+
+every_explorer = pytest.mark.parametrize("explorer_class", EXPLORERS, ids=lambda e: e.__name__)
+
+
+def places(control: Control) -> list:
+    """Both ends of a slider and back, or every choice and back."""
+    ends = list(control.choices) if control.choices else [control.low, control.high]
+    return [*ends, control.start]
+
+
+@every_explorer
+def test_every_control_sweeps_to_both_ends_and_back(explorer_class: type[Explorer]) -> None:
+    explorer = explorer_class()
+    idle = {control.name for control in explorer.controls}
+    for preset in explorer.presets:
+        explorer.preset.value = preset
+        before, picture = explorer.values, explorer.image.value
+        for control in explorer.controls:
+            for place in places(control):
+                explorer._widgets[control.name].value = place
+                assert explorer.message.value == ""
+                if explorer.image.value != picture:
+                    idle.discard(control.name)
+            explorer._widgets[control.name].value = before[control.name]
+            assert explorer.image.value == picture
+        assert explorer.values == before
+    assert idle == set(), "these change no picture from any preset"
+
+
+@every_explorer
+def test_any_combination_gives_a_picture_numbers_and_code_that_runs(
+    explorer_class: type[Explorer],
+) -> None:
+    explorer = explorer_class()
+    rng = random.Random(7)
+    for _ in range(12):
+        explorer.set(**{
+            control.name: rng.choice(control.choices) if control.choices
+            else type(control.start)(rng.uniform(control.low, control.high))
+            for control in explorer.controls
+        })  # fmt: skip
+        assert explorer.message.value == ""
+        assert "nan" not in explorer.text.value
+        exec(explorer.call(explorer.values), {})
+
+
+@every_explorer
+def test_reset_and_presets(explorer_class: type[Explorer]) -> None:
+    explorer = explorer_class()
+    starts = {control.name: control.start for control in explorer.controls}
+    for name, values in explorer.presets.items():
+        explorer.preset.value = name
+        assert explorer.values == {**starts, **values}
+        assert explorer.preset.value == name
+    explorer.reset.click()
+    assert explorer.values == starts
+
+
+@every_explorer
+def test_picture_is_the_static_figure(explorer_class: type[Explorer]) -> None:
+    """Drawn move by move or all at once: the same pixels, and the same size."""
+    explorer = explorer_class()
+    figure = explorer.picture_class.draw(explorer.compute(explorer.values))
+    figure.dpi = explorer._picture.figure.dpi
+    figure.canvas.draw()
+    static = np.asarray(figure.canvas.buffer_rgba())[..., :3].astype(int)
+    moved = np.asarray(Image.open(io.BytesIO(explorer.image.value))).astype(int)
+    assert static.shape == moved.shape
+    # What moves is drawn above what stays, so the few pixels where they cross may differ.
+    assert np.mean(np.abs(static - moved) > 60) < 0.005
+
+
+def test_explorers_share_no_state() -> None:
+    first, second = RootsExplorer(), RootsExplorer()
+    picture = second.image.value
+    first.set(size=0.4)
+    assert second.image.value == picture
+    assert second.values["size"] != 0.4
+
+
+def test_own_values_are_not_called_a_preset() -> None:
+    explorer = RootsExplorer()
+    explorer.set(size=0.123)
+    assert explorer.preset.value == ""
+
+
+def test_unknown_control_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"values: expected names from shape, size.*got sise"):
+        RootsExplorer().set(sise=0.1)
+
+
+def test_numbers_beside_the_picture_are_the_package_s_own() -> None:
+    from driftlab.drift import drift_per_turn
+
+    explorer = DriftExplorer()
+    explorer.set(m12=1.5, m21=0.25, azimuth=30.0, elevation=0.0)
+    misalignment = 1e-3 * np.array([[0, 1.5, 1], [0.25, 0, 1], [1, 1, 0]])
+    axis = [np.cos(np.pi / 6), np.sin(np.pi / 6), 0]
+    arcmin = 60 * np.degrees(drift_per_turn(axis, misalignment))
+    assert f"{arcmin:.3f} arcmin" in explorer.text.value
+
+
+def test_noise_gives_a_spread_and_its_mean() -> None:
+    explorer = TurnCalibrationExplorer()
+    assert "mean of" not in explorer.text.value
+    explorer.preset.value = "Noisy gyros"
+    assert "mean of 12" in explorer.text.value
+
+
+class Fragile(Explorer):
+    """Refuses above 1 and breaks above 2."""
+
+    title = "fragile"
+    picture_class = DriftBySymmetryPicture
+    controls = (Control("x", "x", 0.5, 0.0, 3.0, 0.1),)
+    presets: ClassVar = {"start": {}}
+
+    def compute(self, values):
+        if values["x"] > 2:
+            raise ZeroDivisionError("broken <here>")
+        if values["x"] > 1:
+            raise ValueError("x: expected at most 1, got more & more.")
+        return compute()
+
+    def numbers(self, data):
+        return [("n", "1")]
+
+    def call(self, values):
+        return "pass"
+
+
+def test_a_refusal_is_a_sentence_in_the_panel_and_keeps_the_picture() -> None:
+    explorer = Fragile()
+    picture = explorer.image.value
+    explorer.set(x=1.5)
+    assert "x: expected at most 1, got more &amp; more." in explorer.message.value
+    assert explorer.image.value == picture
+    explorer.set(x=0.5)
+    assert explorer.message.value == ""
+
+
+def test_a_broken_callback_is_raised_and_shown() -> None:
+    explorer = Fragile()
+    with pytest.raises(ZeroDivisionError):
+        explorer._widgets["x"].value = 2.5
+    assert ERROR_CLASS in explorer.message.value
+    assert "broken &lt;here&gt;" in explorer.message.value

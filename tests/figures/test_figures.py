@@ -1,0 +1,225 @@
+"""The figures: what they compute, that they repeat, and that the published files are theirs."""
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from driftlab.drift import drift_coefficient, non_orthogonality
+from driftlab.figures import (
+    drift_by_symmetry,
+    drift_history,
+    drift_map,
+    error_motion,
+    larin_digits,
+    roots,
+    turn_bias,
+    turn_estimates,
+    weighing_designs,
+)
+from driftlab.figures.__main__ import main
+from driftlab.figures.catalogue import CATALOGUE, Entry
+from driftlab.figures.publish import Plate, plate
+from driftlab.larin_table import MISALIGNMENT
+from driftlab.turn_calibration import TurnExperiment
+from support import directions, matrices
+
+PUBLISHED = Path(__file__).parents[2] / "figures"
+
+
+def by_name(entry: Entry) -> str:
+    return entry.name
+
+
+def read(path: Path) -> dict[str, np.ndarray]:
+    with path.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.reader(file))
+    return dict(zip(rows[0], np.array(rows[1:]).T, strict=True))
+
+
+@pytest.mark.parametrize("entry", CATALOGUE, ids=by_name)
+def test_published_numbers_are_what_is_computed(entry: Entry) -> None:
+    path = PUBLISHED / f"{entry.name}.csv"
+    if entry.columns is None:
+        assert not path.exists()
+        return
+    published = read(path)
+    computed = entry.columns(entry.compute())
+    assert list(published) == list(computed)
+    for name, column in computed.items():
+        if isinstance(column[0], str):
+            assert list(published[name]) == list(column)
+        else:
+            # Twelve digits are written; other processors may round the last few differently.
+            np.testing.assert_allclose(published[name].astype(float), column, 1e-8, 1e-12, name)
+
+
+@pytest.mark.parametrize("entry", CATALOGUE, ids=by_name)
+def test_picture_repeats_byte_by_byte_and_has_a_caption(entry: Entry) -> None:
+    first, second = Plate(entry), Plate(entry)
+    assert first.svg() == second.svg()
+    assert first.svg().startswith(b"<?xml")
+    assert first.caption.endswith(".")
+    assert first._repr_html_().count(first.caption.split("'")[0]) == 2  # alt text and caption
+
+
+def test_the_folder_holds_the_catalogue_and_nothing_else(tmp_path: Path) -> None:
+    main(tmp_path)
+    assert {path.name for path in tmp_path.iterdir()} == {path.name for path in PUBLISHED.iterdir()}
+    gallery = (tmp_path / "README.md").read_text(encoding="utf-8")
+    assert gallery == (PUBLISHED / "README.md").read_text(encoding="utf-8")
+    assert all(f"({entry.name}.svg)" in gallery for entry in CATALOGUE)
+
+
+def test_unknown_plate() -> None:
+    with pytest.raises(ValueError, match=r"name: expected one of 00-frames.* got 'none'"):
+        plate("none")
+
+
+@given(matrices(1.0), directions())
+def test_roots_picture_shows_the_biquadratic(shape: np.ndarray, direction: np.ndarray) -> None:
+    data = roots.compute(0.1, shape, direction)
+    # The printed equation spoils the sum of the squares and keeps their product.
+    squares = data.roots[..., 0].imag ** 2 * data.roots[..., 2].imag ** 2
+    np.testing.assert_allclose(squares[3], squares[0], rtol=1e-6, atol=1e-12)
+
+
+def test_roots_errors_have_the_slopes_of_the_text() -> None:
+    data = roots.compute(0.1, drift_by_symmetry.SYMMETRIC, [1, 1, 0.3])
+    small = (data.sizes > 1e-4) & (data.sizes < 1e-2)
+    slopes = [
+        np.polyfit(np.log(data.sizes[small]), np.log(error[small]), 1)[0]
+        for error in np.moveaxis(roots.errors(data), -1, 1).reshape(-1, len(data.sizes))
+    ]
+    # first order: fast, slow; with the next term: fast, slow; as printed: fast, slow
+    np.testing.assert_allclose(slopes, [2, 2, 3, 3, 2, 3], atol=0.05)
+
+
+@given(matrices(2e-3), directions())
+def test_drift_history_stays_within_the_fixed_axes(
+    misalignment: np.ndarray, direction: np.ndarray
+) -> None:
+    data = drift_history.compute(misalignment, direction)
+    table = drift_history.columns(data)
+    assert np.degrees(np.abs(table["along_rad"])).max() < 12
+    assert 60 * np.degrees(table["across_rad"]).max() < 45
+    np.testing.assert_allclose(data.turns[::60], data.whole_turns, rtol=0, atol=1e-12)
+    # (2.3), made exact: once a turn the error is so many times the drift of one turn.
+    seen = np.linalg.norm(data.snapshots, axis=-1)
+    expected = np.abs(data.whole_turns * data.exact_per_turn)
+    np.testing.assert_allclose(seen, expected, rtol=1e-6, atol=1e-14)
+
+
+def test_drift_by_symmetry_slopes_and_cosine() -> None:
+    data = drift_by_symmetry.compute()
+    slope = [
+        np.polyfit(np.log(data.sizes), np.log(drift), 1)[0] for drift in (data.symmetric, data.skew)
+    ]
+    np.testing.assert_allclose(slope, [1, 2], atol=0.01)
+    # The skew part adds nothing about (1, 1, 1), its own axis; only second order is left.
+    expected = 4 * np.pi * np.cos(data.mixing)
+    np.testing.assert_allclose(data.mixed / data.mixed_size, expected, rtol=0, atol=1e-10)
+
+
+@given(matrices(1e-2))
+def test_drift_map_lies_between_its_principal_values(misalignment: np.ndarray) -> None:
+    data = drift_map.compute(misalignment)
+    assert data.coefficient.min() >= data.principal[0] - 1e-16
+    assert data.coefficient.max() <= data.principal[2] + 1e-16
+    at_axes = drift_coefficient(data.axes, misalignment)
+    np.testing.assert_allclose(at_axes, data.principal, rtol=0, atol=1e-16)
+
+
+def test_error_motion_integrator_keeps_its_tolerance() -> None:
+    rate, measured = [0.1, 0.2, 0.1], [0.12, 0.15, 0.1]
+    for tolerance in (1e-4, 1e-8):
+        data = error_motion.compute(rate, measured, tolerance=tolerance)
+        # The tolerance holds for one step; the steps' errors add up at worst.
+        worst = error_motion.integration_error(data, rate, measured).max()
+        assert worst < 2 * tolerance * len(data.integrated_time)
+
+
+@pytest.mark.parametrize("plan", turn_estimates.PLANS)
+def test_every_plan_finds_sigma_up_to_the_bias(plan: str) -> None:
+    data = turn_estimates.compute(MISALIGNMENT, plan)
+    np.testing.assert_array_equal(data.true, non_orthogonality(MISALIGNMENT)[[0, 0, 1], [1, 2, 2]])
+    # The bias of one estimate is half of the square of what lies across, at most 2 |M|^2;
+    # no plan weighs the estimates with more than 2 in all.
+    assert np.abs(data.runs - data.true).max() < 4 * np.linalg.norm(MISALIGNMENT) ** 2
+
+
+def test_only_a_fit_with_scale_is_unharmed_by_a_scale_error() -> None:
+    triad = MISALIGNMENT + 2e-4 * np.eye(3)
+    errors = {}
+    for plan in turn_estimates.PLANS:
+        data = turn_estimates.compute(triad, plan)
+        errors[plan] = np.abs(data.runs - data.true).max()
+    unharmed = [plan for plan, error in errors.items() if error < 1e-5]
+    assert unharmed == [plan for plan in turn_estimates.PLANS if "scale" in plan]
+
+
+def test_noise_of_turn_estimates_repeats_with_its_seed() -> None:
+    noisy = TurnExperiment(turns=2, angle_noise=1e-4)
+    runs = [turn_estimates.compute(MISALIGNMENT, experiment=noisy, seed=s).runs for s in (1, 1, 2)]
+    np.testing.assert_array_equal(runs[0], runs[1])
+    assert np.abs(runs[0] - runs[2]).max() > 0
+
+
+def test_turn_bias_floor_is_the_method_and_noise_falls_with_turns() -> None:
+    data = turn_bias.compute(MISALIGNMENT)
+    exact = data.by_formula[turn_bias.FORMULAS.index("exact")]
+    np.testing.assert_allclose(exact, data.bias, rtol=1e-6)
+    # A standard deviation from n runs has the relative deviation 1/sqrt(2n); allow four of them.
+    ratio = data.noise / turn_bias.expected_noise(data.turns)
+    assert np.abs(ratio - 1).max() < 4 / np.sqrt(2 * data.runs)
+
+
+def test_one_candidate_gives_all_seven_printed_numbers() -> None:
+    data = larin_digits.compute()
+    winners = [label for label, row in zip(data.labels, data.agrees, strict=True) if row.all()]
+    assert winners == ["unit third axis, pade"]
+
+
+def test_weighing_monte_carlo_agrees_with_the_closed_forms() -> None:
+    data = weighing_designs.compute()
+    # half_width is 1.96 standard deviations; ten comparisons, so allow four.
+    deviations = np.abs(data.measured - data.expected) / (data.half_width / 1.96)
+    assert deviations.max() < 4
+    # Variances by hand: 1; (1 + 1 + 1 + 9/4)/4; ...; 17/21; 2.
+    by_hand = np.sqrt([1, 21 / 16, 17 / 21, 2])
+    np.testing.assert_allclose(data.expected[0, [0, 1, 3, 4]], by_hand, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: roots.compute(-0.1, np.eye(3), [1, 0, 0]), "size: expected a number of at least"),
+        (lambda: roots.compute(0.1, np.eye(2), [1, 0, 0]), r"shape: expected shape \(..., 3, 3\)"),
+        (lambda: roots.compute(0.1, np.eye(3), [0, 0, 0]), "direction: expected nonzero"),
+        (lambda: error_motion.compute([1, 0, 0], [1, 0, 0], 0.0), "duration: expected a number"),
+        (
+            lambda: error_motion.compute([1, 0, 0], [1, 0, 0], tolerance=-1),
+            "tolerance: expected a number above 0",
+        ),
+        (lambda: drift_history.compute(np.eye(3), [0, 0, 0]), "direction: expected nonzero"),
+        (lambda: drift_history.compute(np.eye(3), [1, 0, 0], 0), "samples_per_turn: expected a"),
+        (lambda: turn_estimates.compute(np.eye(3), "guess"), "plan: expected one of three pair"),
+        (lambda: drift_map.compute(np.full((3, 3), np.nan)), "misalignment: expected finite"),
+    ],
+)  # fmt: skip
+def test_refusals(call, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        call()
+
+
+@given(st.floats(-180, 180), st.floats(-90, 90))
+def test_direction_is_a_unit_vector_with_its_angles(azimuth: float, elevation: float) -> None:
+    x, y, z = drift_map.direction(np.radians(azimuth), np.radians(elevation))
+    assert np.isclose(x**2 + y**2 + z**2, 1)
+    assert np.isclose(np.degrees(np.arcsin(np.clip(z, -1, 1))), elevation, atol=1e-5)
+    if abs(elevation) < 89:
+        turned = np.radians(azimuth) - np.arctan2(y, x)
+        assert np.isclose(np.cos(turned), 1)
