@@ -1,0 +1,50 @@
+"""What several tests share: random inputs, strategies, and the order at which an error shrinks."""
+
+from collections.abc import Callable
+
+import numpy as np
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+from scipy.spatial.transform import Rotation
+
+EPS = float(np.finfo(float).eps)
+IDENTITY = np.array([0.0, 0.0, 0.0, 1.0])
+
+
+def vectors(most: float = 10.0) -> st.SearchStrategy:
+    """Vectors (3,) of any direction and size, the zero vector included."""
+    return arrays(float, 3, elements=st.floats(-most, most))
+
+
+def directions() -> st.SearchStrategy:
+    """Vectors (3,) that are not zero."""
+    return vectors().filter(lambda vector: np.abs(vector).max() > 1e-3)
+
+
+def matrices(most: float) -> st.SearchStrategy:
+    """Misalignments (3, 3) with entries up to `most`."""
+    return arrays(float, (3, 3), elements=st.floats(-most, most))
+
+
+def quaternions() -> st.SearchStrategy:
+    """Unit quaternions (4,), scalar last."""
+    elements = arrays(float, 4, elements=st.floats(-1, 1))
+    return elements.filter(lambda q: np.linalg.norm(q) > 0.1).map(lambda q: q / np.linalg.norm(q))
+
+
+def random_quaternions(*shape: int, seed: int = 0) -> np.ndarray:
+    """Unit quaternions (*shape, 4), uniform over all rotations."""
+    flat = Rotation.random(int(np.prod(shape)), rng=np.random.default_rng(seed)).as_quat()
+    return flat.reshape(*shape, 4)
+
+
+def same_rotation(first: np.ndarray, second: np.ndarray, tolerance: float) -> bool:
+    """Are two quaternions equal or opposite, within `tolerance` in each component?"""
+    sign = np.sign(np.sum(first * second, axis=-1, keepdims=True))
+    return np.allclose(first, sign * second, rtol=0, atol=tolerance)
+
+
+def order_of(error: Callable[[float], float]) -> float:
+    """Fitted exponent of a positive error as its argument shrinks from 2^-6 to 2^-10."""
+    sizes = 2.0 ** -np.arange(6, 11)
+    return float(np.polyfit(np.log(sizes), np.log([error(size) for size in sizes]), 1)[0])

@@ -1,0 +1,82 @@
+"""The shared checks: what they let through unchanged, and the sentence with which they refuse."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from driftlab.checks import finite_array, lengths, nonzero_vectors, whole_number
+from support import EPS, directions
+
+
+@pytest.mark.parametrize("dtype", ["int8", "uint64", "float16", "float32", "float64"])
+def test_real_numbers_become_float64(dtype):
+    array = finite_array(np.array([1, 2, 3], dtype=dtype), "value", 3)
+    assert array.dtype == np.float64
+    np.testing.assert_array_equal(array, [1, 2, 3])
+
+
+def test_float64_is_not_copied():
+    value = np.arange(3.0)
+    assert finite_array(value, "value") is value
+
+
+@pytest.mark.parametrize(
+    ("value", "shape", "sentence"),
+    [
+        ([1, np.nan], (), "value: expected finite numbers, got 1 NaN or infinite."),
+        ([np.inf, -np.inf], (), "value: expected finite numbers, got 2 NaN or infinite."),
+        ([1j], (), "value: expected real numbers, got dtype complex128."),
+        ([True], (), "value: expected real numbers, got dtype bool."),
+        (["1"], (), "value: expected real numbers, got dtype <U1."),
+        (None, (), "value: expected real numbers, got dtype object."),
+        ([10**400], (), "value: expected real numbers, got dtype object."),
+        ([[1, 2], [3]], (), "value: expected real numbers, got rows of unequal length."),
+        ([[1, 2], [3]], (2,), r"value: expected shape (..., 2), got rows of unequal length."),
+        ([], (), "value: expected at least one value, got an empty array."),
+        (np.empty((0, 3)), (3,), "value: expected at least one value, got an empty array."),
+        (1.0, (3,), "value: expected shape (..., 3), got shape ()."),
+        (np.eye(4), (3, 3), "value: expected shape (..., 3, 3), got shape (4, 4)."),
+        (np.ones(3), (3, 3), "value: expected shape (..., 3, 3), got shape (3,)."),
+    ],
+)
+def test_finite_array_refuses_in_one_sentence(value, shape, sentence):
+    with pytest.raises(ValueError, match="value: ") as refusal:
+        finite_array(value, "value", *shape)
+    assert str(refusal.value) == sentence
+
+
+@given(directions(), st.integers(-1000, 1000))
+def test_unit_vectors_and_norms_at_every_scale(vector, exponent):
+    # Exact scaling by a power of two; a hypothesis entry below 1e-3 of the largest may become
+    # subnormal at 2^-1000 and lose its digits, but then weighs less than an ulp of the norm.
+    unit, norm = nonzero_vectors(np.ldexp(vector, exponent), "vector")
+    np.testing.assert_allclose(unit, vector / np.linalg.norm(vector), rtol=0, atol=4 * EPS)
+    np.testing.assert_allclose(np.ldexp(norm, -exponent), np.linalg.norm(vector), rtol=4 * EPS)
+    np.testing.assert_allclose(
+        lengths(np.ldexp(vector, exponent)), norm, rtol=4 * EPS, err_msg="lengths"
+    )
+
+
+def test_smallest_number_is_not_zero():
+    unit, norm = nonzero_vectors([0, 5e-324, 0], "vector")
+    np.testing.assert_array_equal(unit, [0, 1, 0])
+    assert norm == 5e-324
+
+
+def test_one_zero_vector_among_many_is_refused():
+    with pytest.raises(ValueError, match=r"^axis: expected nonzero vectors, got a zero vector"):
+        nonzero_vectors([[1, 0, 0], [0, 0, 0]], "axis")
+
+
+@pytest.mark.parametrize("value", [1, 7, np.int8(7), np.uint64(7), np.array(7)])
+def test_whole_numbers_pass(value):
+    number = whole_number(value, "turns")
+    assert type(number) is int
+    assert number == value
+
+
+@pytest.mark.parametrize("value", [0, -1, 1.0, 0.5, True, np.True_, "1", None, [1], np.nan])
+def test_whole_number_refuses(value):
+    with pytest.raises(ValueError, match=r"^turns: expected a whole number of at least 1, got "):
+        whole_number(value, "turns")

@@ -1,0 +1,153 @@
+"""What the package promises of every function of arrays: it broadcasts over leading axes, leaves
+its arguments alone, takes any real dtype, and refuses bad input by the argument's name."""
+
+import inspect
+import re
+from itertools import cycle, product
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike
+
+from driftlab import drift, kinematics, quaternion, turn_calibration
+
+Q, P = np.array([0.1, -0.3, 0.2, 0.9]), np.array([0.4, 0.5, -0.6, 0.2])
+RATE, MEASURED = np.array([0.7, -1.1, 0.4]), np.array([0.72, -1.13, 0.37])
+BENT = np.array([[0.03, -0.08, 0.05], [0.09, -0.02, 0.07], [-0.06, 0.04, 0.01]])
+TIME = np.array(1.5)
+
+# Each function with good arguments that have no leading axes.
+CASES = {
+    quaternion.multiply: {"first": Q, "second": P},
+    quaternion.conjugate: {"quaternion": Q},
+    quaternion.pure: {"vector": RATE},
+    quaternion.left_matrix: {"quaternion": Q},
+    quaternion.right_matrix: {"quaternion": Q},
+    quaternion.from_rotation_vector: {"rotation_vector": RATE},
+    quaternion.to_rotation_vector: {"quaternion": Q},
+    quaternion.rotation_angle: {"quaternion": Q},
+    quaternion.cumulative_product: {"quaternions": np.array([Q, P, Q])},
+    kinematics.rate_matrix: {"rate": RATE},
+    kinematics.error_composition_matrix: {"attitude": Q},
+    kinematics.error_rate_matrix: {"rate": RATE, "measured_rate": MEASURED},
+    kinematics.attitude_quaternion: {"rate": RATE, "time": TIME},
+    kinematics.error_quaternion: {"rate": RATE, "measured_rate": MEASURED, "time": TIME},
+    kinematics.error_transition_matrix: {"rate": RATE, "measured_rate": MEASURED, "time": TIME},
+    drift.triad_matrix: {"misalignment": BENT},
+    drift.measured_rate: {"rate": RATE, "misalignment": BENT},
+    drift.characteristic_polynomial: {"rate": RATE, "measured_rate": MEASURED},
+    drift.exact_roots: {"rate": RATE, "measured_rate": MEASURED},
+    drift.asymptotic_roots: {"rate": RATE, "misalignment": BENT},
+    drift.drift_coefficient: {"direction": RATE, "misalignment": BENT},
+    drift.exact_drift_coefficient: {"direction": RATE, "misalignment": BENT},
+    drift.drift_per_turn: {"direction": RATE, "misalignment": BENT},
+    drift.split_error_rate_matrix: {"rate": RATE, "measured_rate": MEASURED},
+    drift.non_orthogonality: {"misalignment": BENT},
+    drift.principal_drifts: {"misalignment": BENT},
+    drift.pairwise_non_orthogonality: {"axes": np.eye(3)[[1, 2, 0]]},
+    turn_calibration.turn_estimate: {"error_quaternion": Q, "axis": RATE},
+    turn_calibration.exact_turn_estimate: {"misalignment": BENT, "axis": RATE},
+    turn_calibration.TurnExperiment(1, 5).error_quaternion: {"misalignment": BENT, "axis": RATE},
+    turn_calibration.TurnExperiment(1, 5).estimate: {"misalignment": BENT, "axis": RATE},
+    turn_calibration.weighing: {"estimates": Q},
+}
+# Its two arguments share an axis instead of broadcasting; tested where it belongs.
+APART = {turn_calibration.fit_turns}
+
+BAD = {
+    "NaN": (lambda good: np.full_like(good, np.nan), "finite numbers"),
+    "infinite": (lambda good: np.full_like(good, -np.inf), "finite numbers"),
+    "complex": (lambda good: good + 0j, "got dtype complex128"),
+    "bool": (lambda good: good > 0, "got dtype bool"),
+    "text": (lambda good: good.astype(str), "got dtype <U"),
+    "none": (lambda good: None, "got dtype object"),
+    "ragged": (lambda good: [[1.0, 2.0], [3.0]], "got rows of unequal length"),
+    "empty": (lambda good: np.empty((0, *good.shape)), "got an empty array"),
+    "too long": (lambda good: np.ones((*good.shape[:-1], 5)), "got shape ("),
+    "scalar": (lambda good: 1.0, "got shape ()"),
+}
+ANY_SHAPE = ("too long", "scalar")  # not bad for times
+
+every_function = pytest.mark.parametrize(
+    ("function", "good"), CASES.items(), ids=[function.__name__ for function in CASES]
+)
+
+
+def results(function, arguments):
+    """The answer as a tuple of arrays, whether the function returns one or several."""
+    answer = function(**arguments)
+    return answer if isinstance(answer, tuple) else (answer,)
+
+
+def with_leading_axes(name, good, leading, rng):
+    """`good` with each copy along the leading axes bent a little, and read-only."""
+    value = good * (1 + 0.01 * rng.uniform(-1, 1, (*leading, *good.shape)))
+    if name == "axes":
+        value /= np.linalg.norm(value, axis=-1, keepdims=True)
+    value.setflags(write=False)
+    return value
+
+
+@every_function
+@pytest.mark.parametrize(
+    "shapes",
+    [[(4,)], [(2, 3)], [(2, 1, 3)], [(5, 1), (4,)], [(), (2, 3, 4)], [(2, 1, 3), (4, 1), ()]],
+    ids=str,
+)
+def test_broadcasts_over_leading_axes_and_writes_into_no_argument(function, good, shapes):
+    rng = np.random.default_rng(5)
+    leading = dict(zip(good, cycle(shapes), strict=False))
+    arguments = {
+        name: with_leading_axes(name, value, leading[name], rng) for name, value in good.items()
+    }
+    shape = np.broadcast_shapes(*leading.values())
+    together = results(function, arguments)
+    spread = {
+        name: np.broadcast_to(value, shape + good[name].shape) for name, value in arguments.items()
+    }
+    for index in np.ndindex(shape):
+        alone = results(function, {name: value[index] for name, value in spread.items()})
+        for one, many in zip(alone, together, strict=True):
+            assert many.shape == shape + np.shape(one)
+            # The same few operations in another order.
+            np.testing.assert_allclose(one, many[index], rtol=1e-13, atol=1e-14)
+
+
+@every_function
+@pytest.mark.parametrize("dtype", ["float32", "float16", "int64", "list"])
+def test_any_real_dtype_is_calculated_in_double(function, good, dtype):
+    # Whole numbers, which every dtype holds exactly.
+    whole = {name: np.ceil(value) for name, value in good.items()}
+    given = {
+        name: value.tolist() if dtype == "list" else value.astype(dtype)
+        for name, value in whole.items()
+    }
+    for one, other in zip(results(function, given), results(function, whole), strict=True):
+        assert one.dtype in (np.float64, np.complex128)
+        np.testing.assert_array_equal(one, other)
+
+
+@pytest.mark.parametrize(
+    ("function", "name", "bad"),
+    [
+        (function, name, bad)
+        for function, good in CASES.items()
+        for name, bad in product(good, BAD)
+        if name != "time" or bad not in ANY_SHAPE
+    ],
+    ids=lambda value: getattr(value, "__name__", value),
+)
+def test_bad_input_is_refused_by_name(function, name, bad):
+    make, words = BAD[bad]
+    good = CASES[function]
+    with pytest.raises(ValueError, match=f"^{name}: expected .*{re.escape(words)}"):
+        function(**(good | {name: make(good[name])}))
+
+
+def test_no_function_of_arrays_is_forgotten():
+    known = {getattr(function, "__func__", function) for function in CASES} | APART
+    for module in (quaternion, kinematics, drift, turn_calibration):
+        for name, function in inspect.getmembers(module, inspect.isfunction):
+            if function.__module__ == module.__name__ and not name.startswith("_"):
+                kinds = [p.annotation for p in inspect.signature(function).parameters.values()]
+                assert ArrayLike not in kinds or function in known, name
