@@ -151,3 +151,21 @@ def test_no_function_of_arrays_is_forgotten():
             if function.__module__ == module.__name__ and not name.startswith("_"):
                 kinds = [p.annotation for p in inspect.signature(function).parameters.values()]
                 assert ArrayLike not in kinds or function in known, name
+
+
+@pytest.mark.parametrize(
+    ("function", "good"),
+    [(function, good) for function, good in CASES.items() if len(good) > 1],
+    ids=lambda case: getattr(case, "__name__", ""),
+)
+def test_leading_axes_that_do_not_broadcast_are_refused_by_name(function, good):
+    first, second, *rest = good
+    arguments = {
+        first: np.tile(good[first], (2, *[1] * np.ndim(good[first]))),
+        second: np.tile(good[second], (3, *[1] * np.ndim(good[second]))),
+        **{name: good[name] for name in rest},
+    }
+    names = ".*".join(sorted(good, key=list(good).index))
+    expected = rf"{names}|{'.*'.join(reversed(list(good)))}"
+    with pytest.raises(ValueError, match=rf"^({expected}): expected leading axes that broadcast"):
+        function(**arguments)

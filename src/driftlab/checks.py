@@ -56,6 +56,24 @@ def nonzero_vectors(value: ArrayLike, name: str) -> tuple[FloatArray, FloatArray
     return vectors / norms, (norms * largest)[..., 0]
 
 
+def finite_arrays(**arguments: tuple[ArrayLike, *tuple[int, ...]]) -> list[FloatArray]:
+    """`finite_array` for several arguments at once, whose leading axes must broadcast.
+
+    ``finite_arrays(rate=(rate, 3), time=(time,))`` checks a `rate` (..., 3) and a `time` (...).
+    """
+    arrays = [finite_array(value, name, *shape) for name, (value, *shape) in arguments.items()]
+    depths = [len(shape) for _, *shape in arguments.values()]
+    leading = [a.shape[: a.ndim - depth] for a, depth in zip(arrays, depths, strict=True)]
+    try:
+        np.broadcast_shapes(*leading)
+    except ValueError:
+        raise ValueError(
+            f"{', '.join(arguments)}: expected leading axes that broadcast, "
+            f"got {' and '.join(map(str, leading))}."
+        ) from None
+    return arrays
+
+
 def lengths(vectors: FloatArray) -> FloatArray:
     """Norms (...) of vectors (..., 3), without squares that underflow or overflow."""
     return np.hypot(np.hypot(vectors[..., 0], vectors[..., 1]), vectors[..., 2])

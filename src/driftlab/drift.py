@@ -8,7 +8,14 @@ is, to first order, n^T M n times the rate: only the symmetric part of M drifts.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import ComplexArray, FloatArray, finite_array, lengths, nonzero_vectors
+from .checks import (
+    ComplexArray,
+    FloatArray,
+    finite_array,
+    finite_arrays,
+    lengths,
+    nonzero_vectors,
+)
 from .quaternion import left_matrix, pure, right_matrix
 
 
@@ -31,7 +38,7 @@ def triad_matrix(misalignment: ArrayLike) -> FloatArray:
 
 def measured_rate(rate: ArrayLike, misalignment: ArrayLike) -> FloatArray:
     """What the triad says (..., 3) of a true `rate` (..., 3), both in rad/s; Larin (1.5)."""
-    rate = finite_array(rate, "rate", 3)
+    rate, misalignment = finite_arrays(rate=(rate, 3), misalignment=(misalignment, 3, 3))
     return np.einsum("...ij,...j->...i", triad_matrix(misalignment), rate)
 
 
@@ -52,8 +59,8 @@ def characteristic_polynomial(
     -----
     The right coefficients are 1, 0, 2(|w|^2 + |w_hat|^2), 0, (|w_hat|^2 - |w|^2)^2.
     """
-    rate = finite_array(rate, "rate", 3)
-    error = finite_array(measured_rate, "measured_rate", 3) - rate
+    rate, measured_rate = finite_arrays(rate=(rate, 3), measured_rate=(measured_rate, 3))
+    error = measured_rate - rate
     rate_squared, along, error_squared = (
         np.einsum("...i,...i->...", a, b) for a, b in ((rate, rate), (rate, error), (error, error))
     )
@@ -69,8 +76,7 @@ def exact_roots(rate: ArrayLike, measured_rate: ArrayLike) -> ComplexArray:
     In the order +i(|w_hat|+|w|), -i(|w_hat|+|w|), +i(|w_hat|-|w|), -i(|w_hat|-|w|): the sum and
     the difference of the two commuting halves of Omega_e.
     """
-    rate = finite_array(rate, "rate", 3)
-    measured_rate = finite_array(measured_rate, "measured_rate", 3)
+    rate, measured_rate = finite_arrays(rate=(rate, 3), measured_rate=(measured_rate, 3))
     total = lengths(measured_rate) + lengths(rate)
     # |w_hat| - |w| without the loss of digits that the subtraction would bring.
     middle = (measured_rate + rate) / np.where(total == 0, 1.0, total)[..., np.newaxis]
@@ -92,6 +98,7 @@ def asymptotic_roots(rate: ArrayLike, misalignment: ArrayLike, *, order: int = 1
     """
     if order not in (1, 2):
         raise ValueError(f"order: expected 1 or 2, got {order!r}.")
+    rate, misalignment = finite_arrays(rate=(rate, 3), misalignment=(misalignment, 3, 3))
     direction, norm = nonzero_vectors(rate, "rate")
     coefficient, across = _along_and_across(direction, misalignment)
     if order == 2:
@@ -109,20 +116,26 @@ def drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArr
         Axis of the rotation in body axes; only its direction counts, it must not be zero.
     misalignment : array_like, shape (..., 3, 3)
     """
+    direction, misalignment = finite_arrays(
+        direction=(direction, 3), misalignment=(misalignment, 3, 3)
+    )
     return _along_and_across(nonzero_vectors(direction, "direction")[0], misalignment)[0]
 
 
 def exact_drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
     """|(E + M) n| - 1 (...): drift rate in units of the turn rate, for any size of misalignment."""
+    direction, misalignment = finite_arrays(
+        direction=(direction, 3), misalignment=(misalignment, 3, 3)
+    )
     n, _ = nonzero_vectors(direction, "direction")
     rho, across = _along_and_across(n, misalignment)
     # |A n| - 1 = (|A n|^2 - 1)/(|A n| + 1), without the loss of digits of the subtraction.
     return (2 * rho + rho**2 + across) / (lengths(measured_rate(n, misalignment)) + 1)
 
 
-def _along_and_across(n: FloatArray, misalignment: ArrayLike) -> tuple[FloatArray, FloatArray]:
+def _along_and_across(n: FloatArray, misalignment: FloatArray) -> tuple[FloatArray, FloatArray]:
     """n^T M n, and |M n|^2 - (n^T M n)^2, the square of the part of M n across n."""
-    error = np.einsum("...ij,...j->...i", finite_array(misalignment, "misalignment", 3, 3), n)
+    error = np.einsum("...ij,...j->...i", misalignment, n)
     along = np.einsum("...i,...i->...", n, error)
     across = error - along[..., np.newaxis] * n
     return along, np.einsum("...i,...i->...", across, across)
@@ -146,6 +159,7 @@ def split_error_rate_matrix(
     systematic drift. Larin gives them to first order; split like this they hold exactly: W is
     right multiplication by the part (|w_hat| - |w|) of the measured rate.
     """
+    rate, measured_rate = finite_arrays(rate=(rate, 3), measured_rate=(measured_rate, 3))
     n, norm = nonzero_vectors(rate, "rate")
     m, _ = nonzero_vectors(measured_rate, "measured_rate")
     drift_rate = exact_roots(rate, measured_rate)[..., 2].imag

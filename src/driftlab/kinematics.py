@@ -10,7 +10,7 @@ closed form.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_array, lengths
+from .checks import FloatArray, finite_array, finite_arrays, lengths
 from .quaternion import conjugate, from_rotation_vector, left_matrix, multiply, pure, right_matrix
 
 
@@ -42,8 +42,8 @@ def error_rate_matrix(rate: ArrayLike, measured_rate: ArrayLike) -> FloatArray:
     rate, measured_rate : array_like, shape (..., 3)
         True and measured angular rate in body axes, rad/s.
     """
-    measured = right_matrix(pure(finite_array(measured_rate, "measured_rate", 3)))
-    return measured - left_matrix(pure(finite_array(rate, "rate", 3)))
+    rate, measured_rate = finite_arrays(rate=(rate, 3), measured_rate=(measured_rate, 3))
+    return right_matrix(pure(measured_rate)) - left_matrix(pure(rate))
 
 
 def attitude_quaternion(rate: ArrayLike, time: ArrayLike) -> FloatArray:
@@ -51,7 +51,7 @@ def attitude_quaternion(rate: ArrayLike, time: ArrayLike) -> FloatArray:
 
     The exact solution of Larin (1.1), or of (1.2) when given the measured rate.
     """
-    rate, time = finite_array(rate, "rate", 3), finite_array(time, "time")
+    rate, time = finite_arrays(rate=(rate, 3), time=(time,))
     return from_rotation_vector(rate * time[..., np.newaxis])
 
 
@@ -75,9 +75,11 @@ def error_quaternion(rate: ArrayLike, measured_rate: ArrayLike, time: ArrayLike)
     b), a and b half the two angles turned. Multiplied out, four products of a sine and a cosine
     weigh four constant quaternions, so a long row of times costs one small matrix product.
     """
-    time = finite_array(time, "time")
-    cosine_true, sine_true, n = _half_turn(rate, "rate", time)
-    cosine_measured, sine_measured, m = _half_turn(measured_rate, "measured_rate", time)
+    rate, measured_rate, time = finite_arrays(
+        rate=(rate, 3), measured_rate=(measured_rate, 3), time=(time,)
+    )
+    cosine_true, sine_true, n = _half_turn(rate, time)
+    cosine_measured, sine_measured, m = _half_turn(measured_rate, time)
     weights = np.stack(
         [
             cosine_true * cosine_measured,
@@ -95,11 +97,8 @@ def error_quaternion(rate: ArrayLike, measured_rate: ArrayLike, time: ArrayLike)
     return np.einsum("...i,...ij->...j", weights, constants)
 
 
-def _half_turn(
-    rate: ArrayLike, name: str, time: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _half_turn(rate: FloatArray, time: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Cosine and sine of half the angle turned, and the unit axis (zero where the rate is zero)."""
-    rate = finite_array(rate, name, 3)
     norm = lengths(rate)
     axis = rate / np.where(norm == 0, 1.0, norm)[..., np.newaxis]
     return np.cos(0.5 * norm * time), np.sin(0.5 * norm * time), axis
@@ -113,8 +112,11 @@ def error_transition_matrix(
     The exponential of two commuting halves is the product of two quaternion multiplications, one
     from each side; no series and no squaring. Larin, between (2.2) and (2.3).
     """
+    rate, measured_rate, time = finite_arrays(
+        rate=(rate, 3), measured_rate=(measured_rate, 3), time=(time,)
+    )
     left = conjugate(attitude_quaternion(rate, time))
-    right = attitude_quaternion(finite_array(measured_rate, "measured_rate", 3), time)
+    right = attitude_quaternion(measured_rate, time)
     weights = left[..., :, np.newaxis] * right[..., np.newaxis, :]
     return (weights.reshape(*weights.shape[:-2], 16) @ _TWO_SIDED).reshape(weights.shape)
 

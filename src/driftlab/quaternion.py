@@ -9,7 +9,7 @@ broadcast over any leading axes, and because products of long arrays take a frac
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_array, lengths
+from .checks import FloatArray, finite_array, finite_arrays, lengths
 
 
 def multiply(first: ArrayLike, second: ArrayLike) -> FloatArray:
@@ -24,8 +24,8 @@ def multiply(first: ArrayLike, second: ArrayLike) -> FloatArray:
     -------
     ndarray, shape (..., 4)
     """
-    a = np.moveaxis(finite_array(first, "first", 4), -1, 0)
-    b = np.moveaxis(finite_array(second, "second", 4), -1, 0)
+    pair = finite_arrays(first=(first, 4), second=(second, 4))
+    a, b = (np.moveaxis(quaternion, -1, 0) for quaternion in pair)
     product: FloatArray = np.empty((*np.broadcast_shapes(a[0].shape, b[0].shape), 4))
     product[..., 0] = a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1]
     product[..., 1] = a[3] * b[1] + a[1] * b[3] + a[2] * b[0] - a[0] * b[2]

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_array, nonzero_vectors, whole_number
-from .drift import exact_drift_coefficient, triad_matrix
+from .checks import FloatArray, finite_array, finite_arrays, nonzero_vectors, whole_number
+from .drift import exact_drift_coefficient, measured_rate
 from .quaternion import cumulative_product, from_rotation_vector
 from .step_formulas import step_formula
 
@@ -36,13 +36,17 @@ def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) 
     turns : int
         Number k of whole turns. The estimate is unique while |n^T Sigma n| < 1/(2k).
     """
-    error = finite_array(error_quaternion, "error_quaternion", 4)
+    error, axis = finite_arrays(error_quaternion=(error_quaternion, 4), axis=(axis, 3))
     if not error.any(axis=-1).all():
         raise ValueError("error_quaternion: expected nonzero quaternions, got a zero quaternion.")
     turns = whole_number(turns, "turns")
     n, _ = nonzero_vectors(axis, "axis")
     along = np.einsum("...i,...i->...", error[..., :3], n)
     scalar = error[..., 3]
+    if not (np.abs(along) + np.abs(scalar)).all():
+        raise ValueError(
+            "error_quaternion: expected a turn about the axis, got half a turn across."
+        )
     # arctan(along/scalar), defined where the scalar part is zero as well.
     half_angle = np.arctan2(np.where(scalar < 0, -along, along), np.abs(scalar))
     return half_angle / (turns * np.pi)
@@ -55,8 +59,9 @@ def exact_turn_estimate(misalignment: ArrayLike, axis: ArrayLike, turns: int = 1
     n^T Sigma n is the bias of the method itself.
     """
     turns = whole_number(turns, "turns")
+    axis, misalignment = finite_arrays(axis=(axis, 3), misalignment=(misalignment, 3, 3))
     n, _ = nonzero_vectors(axis, "axis")
-    m, _ = nonzero_vectors(np.einsum("...ij,...j->...i", triad_matrix(misalignment), n), "axis")
+    m, _ = nonzero_vectors(measured_rate(n, misalignment), "axis")
     half_drift = turns * np.pi * exact_drift_coefficient(n, misalignment)
     return turn_estimate(from_rotation_vector(2 * half_drift[..., np.newaxis] * m), n, turns)
 
@@ -113,9 +118,9 @@ class TurnExperiment:
             Error after the turns. The true attitude is plus or minus one then, so that the
             computed attitude is the error itself, up to sign.
         """
+        axis, misalignment = finite_arrays(axis=(axis, 3), misalignment=(misalignment, 3, 3))
         n, _ = nonzero_vectors(axis, "axis")
-        step_angle = 2 * np.pi / self.steps_per_turn
-        increment = step_angle * np.einsum("...ij,...j->...i", triad_matrix(misalignment), n)
+        increment = 2 * np.pi / self.steps_per_turn * measured_rate(n, misalignment)
         count = self.turns * self.steps_per_turn
         increments = np.repeat(increment[..., np.newaxis, :], count, axis=-2)
         if self.angle_noise:

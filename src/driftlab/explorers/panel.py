@@ -68,7 +68,7 @@ class Control:
             "description": self.label,
             "tooltip": self.label,
             "style": {"description_width": "12em"},
-            "layout": {"width": "26em"},
+            "layout": {"width": "30em"},
         }
         if self.choices:
             return widgets.Dropdown(options=list(self.choices), value=self.start, **common)

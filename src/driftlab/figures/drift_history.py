@@ -124,10 +124,17 @@ class DriftHistoryPicture(Picture[DriftHistory]):
             history, color=GREY, linestyle="--", label=r"first order, $2\pi\rho$ a turn"
         )
         self.snapshots = self.line(
-            history, color=BLACK, linestyle="none", marker="o", label="seen once a turn"
+            history,
+            color=BLACK,
+            linestyle="none",
+            marker="o",
+            clip_on=False,
+            label="seen once a turn",
         )
         self.across = self.line(across, **SERIES[0])
-        self.across_snapshots = self.line(across, color=BLACK, linestyle="none", marker="o")
+        self.across_snapshots = self.line(
+            across, color=BLACK, linestyle="none", marker="o", clip_on=False
+        )
         history.legend(loc="lower left", ncols=2)
 
     def _three(self, panel: Axes, style: dict[str, object]) -> list[Line2D]:

@@ -75,14 +75,14 @@ def _arc(
 class FramesPicture(Picture[list[Frame]]):
     """One panel a frame; drawn once, for the page only."""
 
-    size = (10.0, 3.0)
+    size = (10.0, 2.7)
 
     def build(self) -> None:
         self.panels = self.figure.subplots(1, 3)
         self.figure.subplots_adjust(0.01, 0.01, 0.99, 0.88, wspace=0.05)
         for panel in self.panels:
             plain_axes(panel, 1.3)
-            panel.set_ylim(-0.75, 1.25)
+            panel.set_ylim(-0.5, 1.25)
 
     def update(self, data: list[Frame]) -> None:
         for panel, frame in zip(self.panels, data, strict=True):
@@ -94,8 +94,9 @@ class FramesPicture(Picture[list[Frame]]):
                 flat = project(arc.points)
                 panel.plot(*flat[:-3].T, color=BLUE)
                 _arrow(panel, flat[-6], flat[-1], color=BLUE)
-                away = flat[-1] + 0.17 * (flat[-1] - flat[-8]) / np.linalg.norm(flat[-1] - flat[-8])
-                panel.text(*away, arc.label, ha="center", va="center", color=BLUE)
+                x, y = 1.15 * flat[len(flat) // 2] + [0, 0.04]
+                side = "left" if x > 0 else "right"
+                panel.text(x, y, arc.label, ha=side, va="center", color=BLUE)
 
 
 def draw_arrows(panel: Axes, arrows: Arrows, **style: str) -> None:
