@@ -220,7 +220,7 @@ class TurnCalibrationExplorer(Explorer):
         Control("sigma2", "sigma2 (x, z), 1e-3", 1.0, -2.5, 2.5, 0.1, group="true triad"),
         Control("sigma3", "sigma3 (y, z), 1e-3", -1.0, -2.5, 2.5, 0.1, group="true triad"),
         Control("skew", "skew part, 1e-3", 0.0, -2.5, 2.5, 0.1, group="true triad"),
-        Control("scale", "common scale error, 1e-3", 0.0, -0.5, 0.5, 0.01, group="true triad"),
+        Control("scale", "common scale, 1e-3", 0.0, -0.5, 0.5, 0.01, group="true triad"),
         Control(
             "plan", "turns and weighing", next(iter(turn_estimates.PLANS)),
             choices=tuple(turn_estimates.PLANS), group="experiment",
@@ -230,7 +230,7 @@ class TurnCalibrationExplorer(Explorer):
         Control(
             "formula", "step formula", "taylor-4", choices=tuple(STEP_FORMULAS), group="experiment"
         ),
-        Control("noise", "gyro noise, arcsec a turn", 0.0, 0.0, 20.0, 0.5, group="experiment"),
+        Control("noise", "noise, arcsec a turn", 0.0, 0.0, 20.0, 0.5, group="experiment"),
     )  # fmt: skip
     presets: ClassVar = {
         "Larin's table": {"skew": 1.0, "formula": "pade"},
