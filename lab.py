@@ -55,8 +55,8 @@ usage: python3 lab.py [command]
               --no-browser   only print the address
               --port N       use this port
   test      check the project: ruff, mypy, pytest (with arguments: only pytest, with those)
-  figures   draw the figures of the README again
-  bench     measure how fast the simulations run
+  figures   rebuild every figure and table of the book
+  bench     print how fast the package is, against its peers
   lock      renew environment.txt from pyproject.toml
 """
 LOCK_HEADER = """\

@@ -1,6 +1,7 @@
 """What several tests share: random inputs, strategies, and the order at which an error shrinks."""
 
 from collections.abc import Callable
+from decimal import Decimal
 
 import numpy as np
 from hypothesis import strategies as st
@@ -48,3 +49,8 @@ def order_of(error: Callable[[float], float]) -> float:
     """Fitted exponent of a positive error as its argument shrinks from 2^-6 to 2^-10."""
     sizes = 2.0 ** -np.arange(6, 11)
     return float(np.polyfit(np.log(sizes), np.log([error(size) for size in sizes]), 1)[0])
+
+
+def printed(value: float, like: str, rounding: str) -> str:
+    """A number as it would be printed with as many decimals as `like`."""
+    return str(Decimal(float(value)).quantize(Decimal(like), rounding))

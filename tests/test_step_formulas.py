@@ -43,6 +43,16 @@ def runge_kutta(derivative, start):
     return start + (k1 + 2 * k2 + 2 * k3 + k4) / 6
 
 
+def kutta_merson(derivative, start):
+    """Merson's five stages, one step of length 1."""
+    k1 = derivative(start)
+    k2 = derivative(start + k1 / 3)
+    k3 = derivative(start + (k1 + k2) / 6)
+    k4 = derivative(start + (k1 + 3 * k3) / 8)
+    k5 = derivative(start + (k1 - 3 * k3 + 4 * k4) / 2)
+    return start + (k1 + 4 * k4 + k5) / 6
+
+
 def half(f):
     """Omega/2 of a step of length 1, whose exponential is the exact step."""
     return 0.5 * rate_matrix(f)
@@ -58,6 +68,7 @@ REFERENCES = {
     "taylor-2": lambda f: taylor(half(f), 2) @ IDENTITY,
     "taylor-3": lambda f: taylor(half(f), 3) @ IDENTITY,
     "taylor-4": lambda f: taylor(half(f), 4) @ IDENTITY,
+    "kutta-merson": lambda f: kutta_merson(lambda q: half(f) @ q, IDENTITY),
     "cayley": lambda f: pade(half(f), 1) @ IDENTITY,
     "pade": lambda f: from_matrix(pade(cross_matrix(f), 2)),
     "pade-half": lambda f: pade(half(f), 2) @ IDENTITY,
@@ -108,6 +119,7 @@ def test_axis_is_kept(name, f, angle):
         ("taylor-2", 3, 24),
         ("taylor-3", 5, 480),
         ("taylor-4", 5, -1920),
+        ("kutta-merson", 5, -11520),
         ("cayley", 3, -48),
         ("pade", 5, -720),
         ("pade-half", 5, -11520),

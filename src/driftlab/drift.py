@@ -155,7 +155,7 @@ def split_error_rate_matrix(
 ) -> tuple[FloatArray, FloatArray]:
     """V and W (..., 4, 4) with Omega_e = V + W and VW = WV; Larin, between (2.2) and (2.3).
 
-    V turns with the body and is the identity again after each turn, exp(V pi/|w|) = E. W is the
+    V is the part that comes back, exp(V t/2) = E after each whole turn t = 2 pi j/|w|. W is the
     systematic drift. Larin gives them to first order; split like this they hold exactly: W is
     right multiplication by the part (|w_hat| - |w|) of the measured rate.
     """

@@ -41,6 +41,8 @@ STEP_FORMULAS: Mapping[str, StepFormula] = MappingProxyType(
         "taylor-2": _polynomial_step([1], [1, -1 / 8]),
         "taylor-3": _polynomial_step([1, -1 / 24], [1, -1 / 8]),
         "taylor-4": _polynomial_step([1, -1 / 24], [1, -1 / 8, 1 / 384]),
+        # Kutta and Merson's five stages, of fourth order: one more term, not quite Taylor's.
+        "kutta-merson": _polynomial_step([1, -1 / 24, 1 / 2304], [1, -1 / 8, 1 / 384]),
         # Cayley transform of the 4x4 quaternion matrix, tan(angle/4) = p/4.
         "cayley": _polynomial_step([1], [1, -1 / 16]),
         # Diagonal [2/2] Pade approximant of the 3x3 rotation matrix: (1 + X/2 + X^2/12) over the

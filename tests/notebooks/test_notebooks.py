@@ -13,7 +13,9 @@ from nbformat.v4 import new_code_cell, new_notebook
 from driftlab.explorers.panel import ERROR_CLASS
 
 FOLDER = Path(__file__).parents[2] / "notebooks"
-NOTEBOOKS = sorted(FOLDER.rglob("*.ipynb"))
+NOTEBOOKS = sorted(
+    path for path in FOLDER.rglob("*.ipynb") if ".ipynb_checkpoints" not in path.parts
+)
 CHAPTERS = [path for path in NOTEBOOKS if path.parent == FOLDER and path.name[:2] != "00"]
 BONES = [
     "A puzzle",

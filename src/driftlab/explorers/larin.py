@@ -87,7 +87,7 @@ class ErrorMotionExplorer(Explorer):
             Control(f"error{i}", f"error {i}, deg/s", start, -3.0, 3.0, 0.05, group="gyro error")
             for i, start in zip((1, 2, 3), (1.0, -3.0, 0.0), strict=True)
         ),
-        Control("tolerance", "RK45 tolerance", 1e-3, 1e-9, 1e-1, 0.5, log=True, group="integrator"),
+        Control("tolerance", "RK45 tolerance", 1e-2, 1e-9, 1e-1, 0.5, log=True, group="integrator"),
     )
     presets: ClassVar = {
         "Gross error": {},
@@ -233,7 +233,7 @@ class TurnCalibrationExplorer(Explorer):
         Control("noise", "noise, arcsec a turn", 0.0, 0.0, 20.0, 0.5, group="experiment"),
     )  # fmt: skip
     presets: ClassVar = {
-        "Larin's table": {"skew": 1.0, "formula": "pade"},
+        "Larin's triad, axes as in (2.4)": {"skew": 1.0, "formula": "pade"},
         "Noisy gyros": {"noise": 5.0},
         "Coarse steps": {"steps": 12, "formula": "taylor-2"},
         "Scale error, three axes": {"scale": 0.2},

@@ -48,7 +48,7 @@ class Entry:
 def _history_caption(data: drift_history.DriftHistory) -> str:
     drift = 60 * np.degrees(data.exact_per_turn)
     return (
-        "A symmetric triad, each gyro leaning by 1e-3 to the other two, turned "
+        "A symmetric triad, each gyro leaning by 2e-3 to the other two, turned "
         f"{drift_history.TURNS} times. Along the axis the error grows by {drift:.1f} arcmin a "
         "turn; across it, the error comes back to nearly nothing each time."
     )
@@ -90,7 +90,7 @@ CATALOGUE = (
     ),
     Entry(
         "03-drift-history",
-        lambda: drift_history.compute(1e-3 * drift_by_symmetry.SYMMETRIC, [1, 1, 0.5]),
+        lambda: drift_history.compute(2e-3 * drift_by_symmetry.SYMMETRIC, [1, 1, 0.3]),
         drift_history.DriftHistoryPicture,
         drift_history.columns,
         _history_caption,
@@ -113,7 +113,8 @@ CATALOGUE = (
         lambda data: (
             "Drift coefficient of the triad of Larin's table for every axis of rotation. "
             f"The extremes {1e3 * data.principal[0]:.3f} and {1e3 * data.principal[2]:.3f} "
-            "(times 1e-3) lie on the eigenvectors of the symmetric part, marked by stars."
+            "(times 1e-3) lie, to first order, on the eigenvectors of the symmetric part, marked by "
+            "stars."
         ),
     ),
     Entry(
@@ -122,8 +123,9 @@ CATALOGUE = (
         turn_bias.TurnBiasPicture,
         turn_bias.columns,
         lambda data: (
-            "Error of sigma2 of Larin's triad. More steps help until the bias of the "
-            f"method itself, {data.bias:.1e}, is reached; more turns lower the noise only "
+            "Size of the error of sigma2 of Larin's triad. With many steps what remains is the "
+            f"bias of the method itself, {data.bias:.1e}; a dip on the way is where the error of "
+            "the integrator has the opposite sign and cancels it. More turns lower the noise only "
             f"({data.runs} runs for each dot)."
         ),
     ),
@@ -133,10 +135,10 @@ CATALOGUE = (
         larin_digits.LarinDigitsPicture,
         larin_digits.columns,
         lambda data: (
-            f"Of {len(data.labels)} candidates (reading of the triad, step formula), "
-            f"{int((data.agrees.sum(axis=1) == 7).sum())} gives all seven printed numbers, digit "
-            "for digit. For each, the most favourable forming of sigma4* and the more favourable "
-            "of rounding and cutting off is shown."
+            f"Of {data.agrees[..., 0].size} candidates (reading of the triad, step formula, number "
+            f"of steps), {data.winners} give all seven printed numbers, digit for digit. For each, "
+            "the most favourable forming of sigma4* and the more favourable of rounding and "
+            "cutting off is shown."
         ),
     ),
     Entry(

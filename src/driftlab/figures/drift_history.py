@@ -116,7 +116,7 @@ class DriftHistoryPicture(Picture[DriftHistory]):
         self.axis[0].set_label("axis of the turns")
         self.worst.set_label("worst axis")
         self.triad[0].set_label("gyro axes")
-        triad.legend(loc="lower center", ncols=2, bbox_to_anchor=(0.5, -0.16))
+        triad.legend(loc="lower left", ncols=2, bbox_to_anchor=(0.02, -0.16))
         self.frame_b[0].set_label("B, as computed")
         frames.legend(loc="lower center", bbox_to_anchor=(0.5, -0.16))
         self.along = self.line(history, **SERIES[0], label="full motion")

@@ -73,7 +73,7 @@ class DriftMapPicture(Picture[DriftMap]):
                 azimuth, elevation = np.degrees([np.arctan2(end[1], end[0]), np.arcsin(end[2])])
                 self.axes.plot(azimuth, elevation, marker="*", color=BLACK, markersize=12)
                 self.axes.annotate(
-                    f"{name} {1e3 * value + 0.0:.2f}",
+                    f"{name} {round(1e3 * value, 2) + 0.0:.2f}",
                     (azimuth, elevation),
                     (0, -16 if elevation > 60 else 10),
                     textcoords="offset points",

@@ -24,7 +24,7 @@ class ErrorMotion(NamedTuple):
 
 
 def compute(
-    rate: ArrayLike, measured_rate: ArrayLike, duration: float = 60.0, tolerance: float = 1e-3
+    rate: ArrayLike, measured_rate: ArrayLike, duration: float = 60.0, tolerance: float = 1e-2
 ) -> ErrorMotion:
     """Solve (1.4) twice from [0, 0, 0, 1].
 

@@ -45,7 +45,7 @@ def compute() -> list[Frame]:
             "Larin: body R, apparent B",
             Arrows(("$i_1$", "$i_2$", "$i_3$"), np.eye(3)),
             Arrows(("$1_B$", "$2_B$", ""), apparent),
-            [Arc(r"$\lambda_e$", _arc(up, east, APPARENT_ANGLE, 0.8))],
+            [Arc(r"$\lambda_e$", _arc(up, east, APPARENT_ANGLE, 0.65))],
         ),
         Frame(
             "Wu: 1 East, 2 North, 3 Up",
@@ -94,7 +94,7 @@ class FramesPicture(Picture[list[Frame]]):
                 flat = project(arc.points)
                 panel.plot(*flat[:-3].T, color=BLUE)
                 _arrow(panel, flat[-6], flat[-1], color=BLUE)
-                x, y = 1.15 * flat[len(flat) // 2] + [0, 0.04]
+                x, y = 1.15 * flat[len(flat) // 2] + [0, 0.05]
                 side = "left" if x > 0 else "right"
                 panel.text(x, y, arc.label, ha=side, va="center", color=BLUE)
 

@@ -58,10 +58,13 @@ def _by_formula(sizes: FloatArray, shape: FloatArray, direction: FloatArray) -> 
 
 
 def _printed_roots(direction: FloatArray, measured: FloatArray) -> ComplexArray:
-    """Roots of the biquadratic as printed, the slow ones with the sign of the exact ones."""
+    """Roots of the biquadratic as printed, the slow ones with the sign of the exact ones.
+
+    For a gross deformation they may leave the imaginary axis, which true roots never do.
+    """
     polynomial = characteristic_polynomial(direction, measured, as_printed=True)
     b, c = polynomial[..., 2], polynomial[..., 4]
-    fast = np.sqrt(0.5 * (b + np.sqrt(b**2 - 4 * c)))
+    fast = np.sqrt(0.5 * (b + np.sqrt(b**2 - 4 * c + 0j)))
     slow = np.sqrt(c) / fast * np.sign(exact_roots(direction, measured)[..., 2].imag)
     return 1j * np.stack([fast, -fast, slow, -slow], axis=-1)
 
@@ -104,7 +107,7 @@ class RootsPicture(Picture[Roots]):
             point = {"marker": marker, "color": style["color"], "linestyle": "none"}
             if marker in "os":
                 point |= {"fillstyle": "none", "markersize": 9 if marker == "o" else 5}
-            self.points.append(self.line(plane, **point))
+            self.points.append(self.line(plane, **point, label=name))
             self.fast.append(self.line(course, **style, label=name))
             self.slow.append(self.line(course, **style))
         self.here = [
@@ -117,6 +120,7 @@ class RootsPicture(Picture[Roots]):
             self.line(error, **SERIES[3], label="as printed: fast root"),
             self.line(error, **SERIES[4], label="as printed: slow root"),
         ]
+        plane.legend(loc="center", bbox_to_anchor=(0.5, 0.66), fontsize=7, handletextpad=0.1)
         course.legend(loc="center left", bbox_to_anchor=(0.0, 0.585))
         error.legend(loc="upper left")
 

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from ..checks import FloatArray
 from ..drift import drift_coefficient
 from ..turn_calibration import PAIR_AXES, TurnExperiment, exact_turn_estimate
-from .picture import BLACK, GREY, SERIES, Picture
+from .picture import GREY, SERIES, Picture
 
 FORMULAS = ("taylor-2", "cayley", "taylor-3", "taylor-4", "pade", "exact")
 ANGLE_NOISE = 2e-5
@@ -85,11 +85,12 @@ class TurnBiasPicture(Picture[TurnBias]):
         )
         steps.minorticks_off()
         markers = "osD^vx"
+        floor = {"color": GREY, "linewidth": 5, "alpha": 0.5, "label": "bias of the method"}
         self.formulas = [
             self.line(steps, **style, marker=marker, markersize=4, label=name)
             for name, style, marker in zip(FORMULAS, SERIES, markers, strict=False)
         ]
-        self.bias = self.line(steps, color=BLACK, linewidth=0.9, label="bias of the method")
+        self.bias = self.line(steps, **floor)
         steps.legend(loc="upper right", ncols=2)
         turns.set(title="k turns, exact steps, noisy gyros", xscale="log", yscale="log")
         turns.set(
@@ -102,7 +103,7 @@ class TurnBiasPicture(Picture[TurnBias]):
         self.expected = self.line(
             turns, color=GREY, linestyle="--", label=r"noise expected, falls as $1/\sqrt{k}$"
         )
-        self.turn_bias = self.line(turns, color=BLACK, linewidth=0.9, label="bias of the method")
+        self.turn_bias = self.line(turns, **floor)
         turns.legend(loc="upper right")
 
     def update(self, data: TurnBias) -> None:
