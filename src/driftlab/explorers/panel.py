@@ -21,6 +21,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from PIL import Image
 
+from ..checks import finite_array
 from ..figures.picture import STYLE, Picture
 
 ERROR_CLASS = "driftlab-error"
@@ -43,7 +44,7 @@ class Control:
     label : str
         What stands before the slider, with the unit.
     start : float, int or str
-        Value at the start and after a reset.
+        Value wherever a preset does not say another one.
     low, high, step : float
         Range of a slider. With ``log=True`` of a logarithmic one, `step` in decades.
     choices : sequence of str
@@ -80,6 +81,17 @@ class Control:
         kind = widgets.IntSlider if isinstance(self.start, int) else widgets.FloatSlider
         return kind(value=self.start, min=self.low, max=self.high, step=self.step, **common)
 
+    def check(self, value: Any) -> None:
+        """Refuse a value that the widget would refuse or silently move to an end."""
+        if self.choices:
+            if value not in self.choices:
+                known = ", ".join(self.choices)
+                raise ValueError(f"{self.name}: expected one of {known}, got {value!r}.")
+        elif not self.low <= finite_array(value, self.name) <= self.high:
+            raise ValueError(
+                f"{self.name}: expected a number from {self.low} to {self.high}, got {value!r}."
+            )
+
 
 class Explorer(widgets.VBox):
     """A slider panel; subclasses say which controls, picture and computation.
@@ -92,7 +104,7 @@ class Explorer(widgets.VBox):
     picture_class: ClassVar[type[Picture[Any]]]
     controls: ClassVar[Sequence[Control]]
     presets: ClassVar[Mapping[str, Values]]
-    """By name, the values that differ from the start values."""
+    """By name, the values that differ from the controls' own; the first is shown at the start."""
 
     def compute(self, values: Values) -> Any:
         """Return the picture's data. A `ValueError` becomes a sentence in the panel."""
@@ -108,8 +120,10 @@ class Explorer(widgets.VBox):
 
     def __init__(self) -> None:
         self._widgets = {control.name: control.widget() for control in self.controls}
-        self._starts = {control.name: control.start for control in self.controls}
-        self._setting = False
+        starts = {control.name: control.start for control in self.controls}
+        self._presets = {name: {**starts, **values} for name, values in self.presets.items()}
+        first = next(iter(self._presets))
+        self._setting = False  # whether values change by our own hand
         self._picture = self.picture_class()
         for artist in self._picture.moving:
             artist.set_animated(True)
@@ -127,15 +141,14 @@ class Explorer(widgets.VBox):
         self.text = widgets.HTML()
         self.code = widgets.HTML()
         self.preset = widgets.Dropdown(
-            options=[("own values", ""), *((name, name) for name in self.presets)],
+            options=[("own values", ""), *((name, name) for name in self._presets)],
             description="preset",
-            value=next(iter(self.presets)),
         )
-        self.reset = widgets.Button(description="Reset", tooltip="Back to the start values")
+        self.reset = widgets.Button(description="Reset", tooltip="Back to the first preset")
         for widget in self._widgets.values():
             widget.observe(self._moved, "value")
         self.preset.observe(self._preset_chosen, "value")
-        self.reset.on_click(lambda _: self.set(**self._starts))
+        self.reset.on_click(lambda _: self.set(**self._presets[first]))
         super().__init__(
             [
                 widgets.HTML(f"<b>{html.escape(self.title)}</b>"),
@@ -147,7 +160,7 @@ class Explorer(widgets.VBox):
                 self.code,
             ]
         )
-        self.set(**self.presets[self.preset.value])
+        self.set(**self._presets[first])
 
     def _columns(self) -> widgets.Box:
         groups: dict[str, list[widgets.Widget]] = {}
@@ -165,57 +178,59 @@ class Explorer(widgets.VBox):
         return {name: widget.value for name, widget in self._widgets.items()}
 
     def set(self, **values: Any) -> None:
-        """Set some controls and redraw once."""
-        unknown = set(values) - set(self._widgets)
-        if unknown:
-            raise ValueError(
-                f"values: expected names from {', '.join(self._widgets)}, "
-                f"got {', '.join(sorted(unknown))}."
-            )
+        """Set some controls and redraw once.
+
+        Raises
+        ------
+        ValueError
+            If there is no such control, or its value is out of range.
+        """
+        controls = {control.name: control for control in self.controls}
+        for name, value in values.items():
+            if name not in controls:
+                raise ValueError(f"values: expected names from {', '.join(controls)}, got {name}.")
+            controls[name].check(value)
         self._setting = True
         try:
             for name, value in values.items():
                 self._widgets[name].value = value
         finally:
             self._setting = False
-        self._name_preset()
-        self.redraw()
+        self._moved()
 
-    def _moved(self, _: Any) -> None:
+    def _moved(self, _: Any = None) -> None:
         if not self._setting:
             self._name_preset()
             self.redraw()
 
     def _preset_chosen(self, change: Any) -> None:
         if change["new"] and not self._setting:
-            self.set(**{**self._starts, **self.presets[change["new"]]})
+            self.set(**self._presets[change["new"]])
 
     def _name_preset(self) -> None:
         """Let the preset menu say what the values are."""
-        now = self.values
-        matching = [
-            name
-            for name, preset in self.presets.items()
-            if all(now[key] == value for key, value in {**self._starts, **preset}.items())
-        ]
+        matching = [name for name, preset in self._presets.items() if preset == self.values]
         self._setting = True
         self.preset.value = matching[0] if matching else ""
         self._setting = False
 
     def redraw(self) -> None:
         """Compute and show the picture, the numbers and the code for the present values."""
-        values = self.values
         try:
-            data = self.compute(values)
-        except ValueError as refusal:
-            self.message.value = (
-                f"<p role='alert'>No picture for these values. {html.escape(str(refusal))}</p>"
-            )
-            return
+            self._show(self.values)
         except Exception:
             trace = html.escape(traceback.format_exc())
             self.message.value = f"<pre role='alert' class='{ERROR_CLASS}'>{trace}</pre>"
             raise
+
+    def _show(self, values: Values) -> None:
+        try:
+            data = self.compute(values)
+        except ValueError as refusal:
+            reason = html.escape(str(refusal))
+            self.message.value = f"<p role='alert'>No picture for these values. {reason}</p>"
+            self.text.value = self.code.value = ""
+            return
         self._picture.update(data)
         self.image.value = self._png()
         self.text.value = _table(self.numbers(data))

@@ -113,8 +113,7 @@ CATALOGUE = (
         lambda data: (
             "Drift coefficient of the triad of Larin's table for every axis of rotation. "
             f"The extremes {1e3 * data.principal[0]:.3f} and {1e3 * data.principal[2]:.3f} "
-            "(times 1e-3) lie, to first order, on the eigenvectors of the symmetric part, marked by "
-            "stars."
+            "(times 1e-3) lie, to first order, on the eigenvectors of the symmetric part (stars)."
         ),
     ),
     Entry(
