@@ -2,7 +2,8 @@
 """The one door to Drift Lab: ``python3 lab.py`` sets everything up and opens the book.
 
 Only the standard library is used here. The packages of environment.txt and the book's own
-package go into ``.venv`` beside this file; nothing else on the computer is changed.
+package go into ``.venv`` beside this file, and so does what JupyterLab remembers of its windows.
+Elsewhere nothing is installed; Jupyter and IPython keep their usual small files in the home folder.
 """
 
 import argparse
@@ -386,8 +387,11 @@ def open_book(arguments: list[str]) -> int:
         "--ServerApp.port_retries=0",
         "--ServerApp.base_url=/",
         f"--ServerApp.open_browser={not options.no_browser}",
-        "--ServerApp.log_level=WARN",
-        "--LabApp.log_level=WARN",
+        # Or it would open the tabs of another folder's book as well.
+        f"--LabApp.workspaces_dir={VENV / 'workspaces'}",
+        # Not WARN: that alarms beginners with "not trusted" at each opening of a clean notebook.
+        "--ServerApp.log_level=ERROR",
+        "--LabApp.log_level=ERROR",
     ]
     if os.name != "nt" and os.geteuid() == 0:
         command.append("--allow-root")
@@ -444,17 +448,25 @@ def test(arguments: list[str]) -> int:
 
 
 def figures(arguments: list[str]) -> int:
+    expect_none(arguments)
     set_up()
-    return run("-m", "driftlab.figures", *arguments)
+    return run("-m", "driftlab.figures")
 
 
 def bench(arguments: list[str]) -> int:
+    expect_none(arguments)
     set_up()
-    return run("tests/benchmarks/bench.py", *arguments)
+    return run("tests/benchmarks/bench.py")
+
+
+def expect_none(arguments: list[str]) -> None:
+    if arguments:
+        raise Trouble(f"This command takes no arguments; there came: {' '.join(arguments)}.")
 
 
 def renew_lock(arguments: list[str]) -> int:
     """Write environment.txt with the newest packages that pyproject.toml allows."""
+    expect_none(arguments)
     scope = ["--extra=dev", "--universal", "--python-version=3.11", "--fork-strategy=fewest"]
     plain = ["--no-header", "--no-annotate", "--no-emit-index-url", "--no-emit-find-links"]
     with alone(), tempfile.TemporaryDirectory() as folder:

@@ -3,7 +3,7 @@
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
@@ -348,3 +348,26 @@ def test_pairwise_non_orthogonality_is_sigma_to_first_order():
 def test_axes_must_be_unit_vectors():
     with pytest.raises(ValueError, match=r"^axes: expected rows of unit length"):
         pairwise_non_orthogonality(np.diag([1, 1, 1.001]))
+
+
+@given(matrices(0.3))
+def test_exact_principal_drifts_are_the_singular_values_less_one(misalignment):
+    coefficients, axes = principal_drifts(misalignment, exact=True)
+    singular = np.linalg.svd(np.eye(3) + misalignment, compute_uv=False)[::-1]
+    # The squares are exact to rounding; the root divides by twice the singular value.
+    assume(singular[0] > 1e-2)
+    np.testing.assert_allclose(coefficients, singular - 1, rtol=0, atol=1e3 * EPS)
+    np.testing.assert_allclose(axes @ axes.T, np.eye(3), rtol=0, atol=16 * EPS)
+    at_axes = exact_drift_coefficient(axes, misalignment)
+    np.testing.assert_allclose(at_axes, coefficients, rtol=0, atol=1e3 * EPS)
+
+
+def test_exact_and_first_order_principal_drifts_part_at_second_order():
+    shape = np.array([[0.2, 1, 0.5], [-0.4, 0, 0.8], [1, 0.3, -0.6]])
+
+    def difference(size):
+        first, _ = principal_drifts(size * shape)
+        exact, _ = principal_drifts(size * shape, exact=True)
+        return np.abs(exact - first).max()
+
+    assert order_of(difference) == pytest.approx(2, abs=0.02)

@@ -1,5 +1,7 @@
 """The one place where arguments are looked at: shape, finiteness, and the sentence that refuses."""
 
+from __future__ import annotations
+
 import operator
 from typing import Any
 

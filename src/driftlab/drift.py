@@ -5,6 +5,8 @@ error rotates with |measured rate| - |rate| once the whole turns are taken out, 
 is, to first order, n^T M n times the rate: only the symmetric part of M drifts.
 """
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -142,10 +144,19 @@ def _along_and_across(n: FloatArray, misalignment: FloatArray) -> tuple[FloatArr
 
 
 def drift_per_turn(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
-    """Exact drift angle (...) in rad after one whole turn about `direction`: 2 pi (|A n| - 1).
+    """Exact drift angle (...) in rad after one whole turn: Larin (2.3), without approximation.
 
-    Larin's (2.3) with the exact rate in place of rho|w|; positive when the apparent frame runs
-    ahead. After j turns the error is j times this angle about the *measured* rate.
+    Parameters
+    ----------
+    direction : array_like, shape (..., 3)
+        Axis n of the turn in body axes; only its direction counts, it must not be zero.
+    misalignment : array_like, shape (..., 3, 3)
+        M, dimensionless: the triad measures A = E + M times the rate.
+
+    Notes
+    -----
+    2 pi (|A n| - 1), positive when the apparent frame runs ahead; 2 pi n^T M n to first order.
+    After j turns the error is j times this angle, about the *measured* rate.
     """
     return 2 * np.pi * exact_drift_coefficient(direction, misalignment)
 
@@ -174,17 +185,32 @@ def non_orthogonality(misalignment: ArrayLike) -> FloatArray:
     return 0.5 * (misalignment + np.swapaxes(misalignment, -1, -2))
 
 
-def principal_drifts(misalignment: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    """Extreme drift coefficients and the axes that give them, to first order.
+def principal_drifts(
+    misalignment: ArrayLike, *, exact: bool = False
+) -> tuple[FloatArray, FloatArray]:
+    """Extreme drift coefficients and the axes that give them; Larin, before (2.6).
+
+    Parameters
+    ----------
+    misalignment : array_like, shape (..., 3, 3)
+    exact : bool
+        Singular values of A = E + M, less one, in place of the eigenvalues of Sigma.
 
     Returns
     -------
     coefficients : ndarray, shape (..., 3)
-        Eigenvalues of Sigma, rising: rho lies between the first and the last, whatever the axis.
+        Rising: the drift coefficient lies between the first and the last, whatever the axis.
     axes : ndarray, shape (..., 3, 3)
         The unit axes as rows, in the same order, each with its largest entry positive.
     """
-    coefficients, vectors = np.linalg.eigh(non_orthogonality(misalignment))
+    misalignment = finite_array(misalignment, "misalignment", 3, 3)
+    symmetric = non_orthogonality(misalignment)
+    if exact:
+        # A^T A - E; its eigenvalues are the squares of the singular values of A, less one.
+        symmetric = 2 * symmetric + np.swapaxes(misalignment, -1, -2) @ misalignment
+    coefficients, vectors = np.linalg.eigh(symmetric)
+    if exact:
+        coefficients = coefficients / (np.sqrt(np.maximum(1 + coefficients, 0)) + 1)
     axes = np.swapaxes(vectors, -1, -2)
     largest = np.take_along_axis(axes, np.abs(axes).argmax(axis=-1, keepdims=True), axis=-1)
     return coefficients, axes * np.sign(largest)

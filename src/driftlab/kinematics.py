@@ -7,6 +7,8 @@ one. The two halves commute, whatever the rates. For constant rates this gives e
 closed form.
 """
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike
 

@@ -6,6 +6,8 @@ therefore a *reconstruction*: assumptions under which the printed digits follow.
 them do; `printed_digits` asks what the digits alone can tell.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Decimal
 from itertools import product

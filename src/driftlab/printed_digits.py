@@ -3,6 +3,8 @@
 Applied to the seven numbers of Larin's table, whose last three are weighings of the first four.
 """
 
+from __future__ import annotations
+
 from decimal import Decimal
 from itertools import chain
 

@@ -6,6 +6,8 @@ work; these functions exist because the book's subject is the algebra itself, be
 broadcast over any leading axes, and because products of long arrays take a fraction of the time.
 """
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike
 

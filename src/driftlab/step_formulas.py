@@ -6,6 +6,8 @@ give; with p = |f| the exact one is tan(p/2). Whatever the formula, the quaterni
 unit norm: its direction is the rotation.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 

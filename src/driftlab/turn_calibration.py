@@ -5,6 +5,8 @@ The body is back where it was, so what the computer shows is all error, and alon
 k pi n^T Sigma n, to first order, in the tangent of half its angle.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np
@@ -181,7 +183,7 @@ class TurnFit:
 
 
 def fit_turns(estimates: ArrayLike, axes: ArrayLike, scale: str = "none") -> TurnFit:
-    """Least squares on any set of turn axes, with or without scale-factor errors.
+    """Least squares on any set of turn axes, with or without scale-factor errors; Larin (3.4).
 
     Parameters
     ----------
@@ -192,6 +194,11 @@ def fit_turns(estimates: ArrayLike, axes: ArrayLike, scale: str = "none") -> Tur
     scale : {"none", "common", "each"}
         What else is unknown: nothing, one scale-factor error common to the three gyros (an offset
         common to all estimates: a wrong turn angle looks the same), or one for each gyro.
+
+    Returns
+    -------
+    TurnFit
+        The sigmas, the scale-factor errors, and their covariance for unit noise.
 
     Raises
     ------

@@ -76,8 +76,9 @@ def redraws(moves: int = 10) -> None:
         explorer = explorer_class()
         times = []
         for control in explorer.controls:
-            for place in control.choices or np.linspace(control.low, control.high, moves):
-                value = {control.name: place if control.choices else type(control.start)(place)}
+            listed = control.choices or control.stops
+            for place in listed or np.linspace(control.low, control.high, moves):
+                value = {control.name: place if listed else type(control.start)(place)}
                 start = perf_counter()
                 explorer.set(**value)
                 times.append(perf_counter() - start)

@@ -1,5 +1,6 @@
 """Every control of every explorer is moved, and a callback that raises fails the tests."""
 
+import base64
 import io
 import random
 from typing import ClassVar
@@ -17,7 +18,7 @@ every_explorer = pytest.mark.parametrize("explorer_class", EXPLORERS, ids=lambda
 
 def places(control: Control) -> list:
     """Both ends of a slider and back, or every choice and back."""
-    ends = list(control.choices) if control.choices else [control.low, control.high]
+    ends = list(control.choices or control.stops) or [control.low, control.high]
     return [*ends, control.start]
 
 
@@ -48,7 +49,8 @@ def test_any_combination_gives_a_picture_numbers_and_code_that_runs(
     rng = random.Random(7)
     for _ in range(12):
         explorer.set(**{
-            control.name: rng.choice(control.choices) if control.choices
+            control.name: rng.choice(control.choices or control.stops)
+            if control.choices or control.stops
             else type(control.start)(rng.uniform(control.low, control.high))
             for control in explorer.controls
         })  # fmt: skip
@@ -83,6 +85,43 @@ def test_picture_is_the_static_figure(explorer_class: type[Explorer]) -> None:
     assert np.mean(np.abs(static - moved) > 60) < 0.005
 
 
+@every_explorer
+def test_presets_lie_on_the_sliders_steps(explorer_class: type[Explorer]) -> None:
+    """A browser moves any other value to the next step, and the preset would not be itself."""
+    for control in explorer_class.controls:
+        for preset in explorer_class.presets.values():
+            value = preset.get(control.name, control.start)
+            control.check(value)
+            if not (control.choices or control.stops):
+                steps = (value - control.low) / control.step
+                assert steps == pytest.approx(round(steps), abs=1e-9), control.name
+
+
+def test_a_browser_s_last_digits_do_not_matter() -> None:
+    explorer = TurnCalibrationExplorer("Scale error, three axes")
+    explorer._widgets["scale"].value = -0.5 + 70 * 0.01
+    assert explorer._widgets["scale"].value != 0.2
+    assert explorer.values["scale"] == 0.2
+    assert explorer.preset.value == "Scale error, three axes"
+
+
+def test_opens_with_a_preset_and_goes_back_to_it() -> None:
+    explorer = DriftExplorer("Scale factor")
+    assert explorer.preset.value == "Scale factor"
+    explorer.set(m12=1.0)
+    explorer.reset.click()
+    assert explorer.preset.value == "Scale factor"
+    with pytest.raises(ValueError, match=r"preset: expected one of Symmetric triad, .* got 'new'"):
+        DriftExplorer("new")
+
+
+def test_a_page_without_widgets_has_the_picture() -> None:
+    explorer = RootsExplorer()
+    bundle = explorer._repr_mimebundle_()
+    assert "application/vnd.jupyter.widget-view+json" in bundle
+    assert base64.b64decode(bundle["image/png"]) == bytes(explorer.image.value)
+
+
 def test_explorers_share_no_state() -> None:
     first, second = RootsExplorer(), RootsExplorer()
     picture = second.image.value
@@ -93,7 +132,7 @@ def test_explorers_share_no_state() -> None:
 
 def test_own_values_are_not_called_a_preset() -> None:
     explorer = RootsExplorer()
-    explorer.set(size=0.123)
+    explorer.set(azimuth=12.0)
     assert explorer.preset.value == ""
 
 
@@ -101,9 +140,10 @@ def test_own_values_are_not_called_a_preset() -> None:
     ("values", "sentence"),
     [
         ({"sise": 0.1}, "values: expected names from shape, size, azimuth, elevation, got sise"),
-        ({"size": 0.9}, "size: expected a number from 0.0001 to 0.5, got 0.9"),
-        ({"size": "big"}, "size: expected real numbers, got dtype"),
-        ({"size": np.nan}, "size: expected finite numbers"),
+        ({"size": 0.9}, "size: expected one of 0.0001, .*, 0.5, got 0.9"),
+        ({"elevation": 91}, "elevation: expected a number from -90.0 to 90.0, got 91"),
+        ({"elevation": "up"}, "elevation: expected real numbers, got dtype"),
+        ({"elevation": np.nan}, "elevation: expected finite numbers"),
         ({"shape": "round"}, "shape: expected one of symmetric, skew.* got 'round'"),
     ],
 )

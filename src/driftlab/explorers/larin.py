@@ -22,6 +22,9 @@ SHAPES = {
     "scale factor of all three": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
 }
 
+SIZES = (1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5)
+TOLERANCES = (1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1)
+
 AXIS_CONTROLS = (
     Control("azimuth", "azimuth, degrees", 45.0, -180.0, 180.0, 1.0, group="axis of the turns"),
     Control("elevation", "elevation, degrees", 15.0, -90.0, 90.0, 1.0, group="axis of the turns"),
@@ -87,7 +90,7 @@ class ErrorMotionExplorer(Explorer):
             Control(f"error{i}", f"error {i}, deg/s", start, -3.0, 3.0, 0.05, group="gyro error")
             for i, start in zip((1, 2, 3), (1.0, -3.0, 0.0), strict=True)
         ),
-        Control("tolerance", "RK45 tolerance", 1e-2, 1e-9, 1e-1, 0.5, log=True, group="integrator"),
+        Control("tolerance", "RK45 tolerance", 1e-2, stops=TOLERANCES, group="integrator"),
     )
     presets: ClassVar = {
         "Gross error": {},
@@ -138,7 +141,7 @@ class RootsExplorer(Explorer):
     picture_class = roots.RootsPicture
     controls = (
         Control("shape", "shape T", "symmetric", choices=tuple(SHAPES), group="deformation"),
-        Control("size", "size mu", 0.1, 1e-4, 0.5, 0.02, log=True, group="deformation"),
+        Control("size", "size μ", 0.1, stops=SIZES, group="deformation"),
         *AXIS_CONTROLS,
     )
     presets: ClassVar = {
@@ -185,7 +188,7 @@ class DriftExplorer(Explorer):
         "Larin's triad": {
             **misalignment_values(MISALIGNMENT), "azimuth": 0.0, "elevation": 45.0
         },
-        "One gyro leans": {"m12": 2.0},
+        "One gyro leans": {"m12": 2.0, "elevation": 0.0},
         "Scale factor": misalignment_values(1e-3 * np.eye(3)),
     }  # fmt: skip
 
@@ -196,8 +199,8 @@ class DriftExplorer(Explorer):
         return [
             ("drift a turn, exact", f"{_arcmin(data.exact_per_turn)}"),
             ("first order", f"{_arcmin(data.first_order_per_turn)}"),
-            ("worst axis", np.array2string(data.worst_axis + 0.0, precision=3)),
-            ("drift a turn about it", f"{_arcmin(data.worst_first_order_per_turn)}"),
+            ("drift a turn about the worst axis", f"{_arcmin(data.worst_per_turn)}"),
+            ("which is", np.array2string(data.worst_axis.round(3) + 0.0, suppress_small=True)),
         ]
 
     def call(self, values: Values) -> str:
@@ -216,9 +219,9 @@ class TurnCalibrationExplorer(Explorer):
     title = "Calibration by turns: estimated against true non-orthogonality"
     picture_class = turn_estimates.TurnEstimatesPicture
     controls = (
-        Control("sigma1", "sigma1 (x, y), 1e-3", 0.0, -2.5, 2.5, 0.1, group="true triad"),
-        Control("sigma2", "sigma2 (x, z), 1e-3", 1.0, -2.5, 2.5, 0.1, group="true triad"),
-        Control("sigma3", "sigma3 (y, z), 1e-3", -1.0, -2.5, 2.5, 0.1, group="true triad"),
+        Control("sigma1", "σ₁ (x, y), 1e-3", 0.0, -2.5, 2.5, 0.1, group="true triad"),
+        Control("sigma2", "σ₂ (x, z), 1e-3", 1.0, -2.5, 2.5, 0.1, group="true triad"),
+        Control("sigma3", "σ₃ (y, z), 1e-3", -1.0, -2.5, 2.5, 0.1, group="true triad"),
         Control("skew", "skew part, 1e-3", 0.0, -2.5, 2.5, 0.1, group="true triad"),
         Control("scale", "common scale, 1e-3", 0.0, -0.5, 0.5, 0.01, group="true triad"),
         Control(
@@ -265,7 +268,7 @@ class TurnCalibrationExplorer(Explorer):
         runs = f", mean of {len(data.runs)}" if self.values["noise"] else ""
         rows = zip((1, 2, 3), data.true, data.runs.mean(axis=0), strict=True)
         return [
-            (f"sigma{i} true, estimated{runs}", f"{1e3 * true:.3f}, {1e3 * mean:.6f} (1e-3)")
+            (f"σ{'₀₁₂₃'[i]} true, estimated{runs}", f"{1e3 * true:.3f}, {1e3 * mean:.6f} (1e-3)")
             for i, true, mean in rows
         ]
 

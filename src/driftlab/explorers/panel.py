@@ -7,9 +7,9 @@ an image widget. There is no output area to flicker or to swallow an error: bad 
 sentence in the panel, and anything unforeseen shows its traceback there and is raised again.
 """
 
+import base64
 import html
 import io
-import math
 import traceback
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -46,9 +46,11 @@ class Control:
     start : float, int or str
         Value wherever a preset does not say another one.
     low, high, step : float
-        Range of a slider. With ``log=True`` of a logarithmic one, `step` in decades.
+        Range of a slider.
+    stops : sequence of float
+        For a slider that stops at these values only.
     choices : sequence of str
-        For a choice in place of a slider.
+        For a menu in place of a slider.
     group : str
         Heading of the column in which the control stands.
     """
@@ -59,34 +61,34 @@ class Control:
     low: float = 0.0
     high: float = 1.0
     step: float = 0.1
-    log: bool = False
+    stops: Sequence[float] = ()
     choices: Sequence[str] = ()
     group: str = ""
 
     def widget(self) -> widgets.ValueWidget:
         """Make the widget: a slider for a range, whole-numbered if `start` is, or a menu."""
         common = {
+            "value": self.start,
             "description": self.label,
             "tooltip": self.label,
-            "style": {"description_width": "12em"},
-            "layout": {"width": "30em"},
+            "style": {"description_width": "10em"},
+            "layout": {"width": "25em"},
         }
         if self.choices:
-            return widgets.Dropdown(options=list(self.choices), value=self.start, **common)
-        if self.log:
-            low, high = math.log10(self.low), math.log10(self.high)
-            return widgets.FloatLogSlider(
-                value=self.start, min=low, max=high, step=self.step, readout_format=".2g", **common
-            )
+            return widgets.Dropdown(options=list(self.choices), **common)
+        if self.stops:
+            options = [(f"{stop:g}", stop) for stop in self.stops]
+            return widgets.SelectionSlider(options=options, **common)
         kind = widgets.IntSlider if isinstance(self.start, int) else widgets.FloatSlider
-        return kind(value=self.start, min=self.low, max=self.high, step=self.step, **common)
+        return kind(min=self.low, max=self.high, step=self.step, **common)
 
     def check(self, value: Any) -> None:
-        """Refuse a value that the widget would refuse or silently move to an end."""
-        if self.choices:
-            if value not in self.choices:
-                known = ", ".join(self.choices)
-                raise ValueError(f"{self.name}: expected one of {known}, got {value!r}.")
+        """Refuse a value that the widget would refuse or silently move."""
+        if self.choices or self.stops:
+            known = self.choices or self.stops
+            if value not in known:
+                listed = ", ".join(map(str, known))
+                raise ValueError(f"{self.name}: expected one of {listed}, got {value!r}.")
         elif not self.low <= finite_array(value, self.name) <= self.high:
             raise ValueError(
                 f"{self.name}: expected a number from {self.low} to {self.high}, got {value!r}."
@@ -98,13 +100,18 @@ class Explorer(widgets.VBox):
 
     Show it as the last line of a cell. Its values can be read and set in code as well:
     ``explorer.values`` and ``explorer.set(size=0.1)``.
+
+    Parameters
+    ----------
+    preset : str, optional
+        Name of the preset to open with, and to go back to on Reset; the first if not given.
     """
 
     title: ClassVar[str]
     picture_class: ClassVar[type[Picture[Any]]]
     controls: ClassVar[Sequence[Control]]
     presets: ClassVar[Mapping[str, Values]]
-    """By name, the values that differ from the controls' own; the first is shown at the start."""
+    """By name, the values that differ from the controls' own."""
 
     def compute(self, values: Values) -> Any:
         """Return the picture's data. A `ValueError` becomes a sentence in the panel."""
@@ -118,25 +125,27 @@ class Explorer(widgets.VBox):
         """Return the Python lines that compute the same."""
         raise NotImplementedError
 
-    def __init__(self) -> None:
+    def __init__(self, preset: str | None = None) -> None:
+        if preset is not None and preset not in self.presets:
+            raise ValueError(f"preset: expected one of {', '.join(self.presets)}, got {preset!r}.")
         self._widgets = {control.name: control.widget() for control in self.controls}
         starts = {control.name: control.start for control in self.controls}
         self._presets = {name: {**starts, **values} for name, values in self.presets.items()}
-        first = next(iter(self._presets))
+        opening = self._presets[preset or next(iter(self.presets))]
         self._setting = False  # whether values change by our own hand
         self._picture = self.picture_class()
         for artist in self._picture.moving:
             artist.set_animated(True)
         canvas = self._picture.figure.canvas
         assert isinstance(canvas, FigureCanvasAgg)
-        width, height = canvas.get_width_height()
+        width, _ = canvas.get_width_height()
         self._picture.figure.dpi = PIXEL_RATIO * self._picture.figure.dpi
         self._canvas = canvas
         with matplotlib.rc_context(STYLE):
             canvas.draw()
         self._background = canvas.copy_from_bbox(self._picture.figure.bbox)
 
-        self.image = widgets.Image(format="png", width=width, height=height)
+        self.image = widgets.Image(format="png", width=width, layout={"max_width": "100%"})
         self.message = widgets.HTML()
         self.text = widgets.HTML()
         self.code = widgets.HTML()
@@ -144,23 +153,24 @@ class Explorer(widgets.VBox):
             options=[("own values", ""), *((name, name) for name in self._presets)],
             description="preset",
         )
-        self.reset = widgets.Button(description="Reset", tooltip="Back to the first preset")
+        self.reset = widgets.Button(description="Reset", tooltip="Back to the values at the start")
         for widget in self._widgets.values():
             widget.observe(self._moved, "value")
         self.preset.observe(self._preset_chosen, "value")
-        self.reset.on_click(lambda _: self.set(**self._presets[first]))
+        self.reset.on_click(lambda _: self.set(**opening))
         super().__init__(
             [
                 widgets.HTML(f"<b>{html.escape(self.title)}</b>"),
                 widgets.HBox([self.preset, self.reset]),
-                self._columns(),
-                self.message,
+                # The picture stands above the sliders, so that it does not move away from them.
                 self.image,
+                self.message,
                 self.text,
+                self._columns(),
                 self.code,
             ]
         )
-        self.set(**self._presets[first])
+        self.set(**opening)
 
     def _columns(self) -> widgets.Box:
         groups: dict[str, list[widgets.Widget]] = {}
@@ -175,7 +185,11 @@ class Explorer(widgets.VBox):
     @property
     def values(self) -> dict[str, Any]:
         """The values of all controls."""
-        return {name: widget.value for name, widget in self._widgets.items()}
+        # A browser counts in steps and sends back, say, 0.19999999999999998.
+        return {
+            name: round(widget.value, 9) if isinstance(widget.value, float) else widget.value
+            for name, widget in self._widgets.items()
+        }
 
     def set(self, **values: Any) -> None:
         """Set some controls and redraw once.
@@ -237,6 +251,11 @@ class Explorer(widgets.VBox):
         self.code.value = f"<pre>{html.escape(self.call(values))}</pre>"
         self.message.value = ""
 
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        """The live panel, and for pages that cannot show one, its picture."""
+        bundle = super()._repr_mimebundle_(**options)
+        return {**bundle, "image/png": base64.b64encode(self.image.value).decode()}
+
     def _png(self) -> bytes:
         canvas = self._canvas
         canvas.restore_region(self._background)
@@ -251,8 +270,7 @@ class Explorer(widgets.VBox):
 
 
 def _table(numbers: Sequence[tuple[str, str]]) -> str:
-    cells = "".join(
-        f"<span style='margin-right: 2em'>{html.escape(name)} <b>{html.escape(value)}</b></span> "
-        for name, value in numbers
-    )
-    return f"<div>{cells}</div>"
+    # Each pair stays on one line.
+    start = "<span style='display: inline-block; margin-right: 2em'>"
+    pairs = ((html.escape(name), html.escape(value)) for name, value in numbers)
+    return "".join(f"{start}{name} <b>{value}</b></span> " for name, value in pairs)

@@ -1,5 +1,6 @@
-"""Rebuild every published figure and table: ``python -m driftlab.figures [FOLDER]``."""
+"""Rebuild every published figure and table: ``python -m driftlab.figures [--output FOLDER]``."""
 
+import argparse
 import sys
 from pathlib import Path
 
@@ -28,4 +29,6 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "figures"))
+    parser = argparse.ArgumentParser(prog="driftlab.figures", description=__doc__)
+    parser.add_argument("--output", type=Path, default=Path("figures"), metavar="FOLDER")
+    main(parser.parse_args().output)

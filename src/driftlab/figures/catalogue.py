@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from .. import larin_table
+from ..turn_calibration import TurnExperiment
 from . import (
     drift_by_symmetry,
     drift_history,
@@ -16,6 +17,7 @@ from . import (
     larin_digits,
     roots,
     turn_bias,
+    turn_estimates,
     weighing_designs,
 )
 from .picture import Picture
@@ -126,6 +128,20 @@ CATALOGUE = (
             f"bias of the method itself, {data.bias:.1e}; a dip on the way is where the error of "
             "the integrator has the opposite sign and cancels it. More turns lower the noise only "
             f"({data.runs} runs for each dot)."
+        ),
+    ),
+    Entry(
+        "04-turn-estimates",
+        lambda: turn_estimates.compute(
+            larin_table.MISALIGNMENT,
+            experiment=TurnExperiment(1, 100, "taylor-4", turn_bias.ANGLE_NOISE),
+        ),
+        turn_estimates.TurnEstimatesPicture,
+        turn_estimates.columns,
+        lambda data: (
+            f"Larin's triad calibrated {len(data.runs)} times by one turn about each of three "
+            f"axes, with gyro noise of {3600 * np.degrees(turn_bias.ANGLE_NOISE):.1f} arc seconds "
+            "a turn. On the left the runs can hardly be told apart; on the right their errors can."
         ),
     ),
     Entry(

@@ -36,7 +36,7 @@ class DriftHistory(NamedTuple):
     worst_axis: FloatArray  # (3,)
     first_order_per_turn: float  # rad
     exact_per_turn: float  # rad
-    worst_first_order_per_turn: float  # rad, about the worst axis
+    worst_per_turn: float  # rad, about the worst axis
 
 
 def compute(
@@ -58,7 +58,7 @@ def compute(
     # At unit rate, one turn takes 2 pi seconds.
     time = 2 * np.pi * np.arange(TURNS * samples + 1) / samples
     error = to_rotation_vector(error_quaternion(n, measured, time))
-    coefficients, axes = principal_drifts(misalignment)
+    coefficients, axes = principal_drifts(misalignment, exact=True)
     worst = np.abs(coefficients).argmax()
     return DriftHistory(
         time / (2 * np.pi),
