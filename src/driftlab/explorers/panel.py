@@ -71,8 +71,8 @@ class Control:
             "value": self.start,
             "description": self.label,
             "tooltip": self.label,
-            "style": {"description_width": "10em"},
-            "layout": {"width": "25em"},
+            "style": {"description_width": "11em"},
+            "layout": {"width": "26em"},
         }
         if self.choices:
             return widgets.Dropdown(options=list(self.choices), **common)
