@@ -77,8 +77,15 @@ def finite_arrays(**arguments: tuple[ArrayLike, *tuple[int, ...]]) -> list[Float
 
 
 def lengths(vectors: FloatArray) -> FloatArray:
-    """Norms (...) of vectors (..., 3), without squares that underflow or overflow."""
-    return np.hypot(np.hypot(vectors[..., 0], vectors[..., 1]), vectors[..., 2])
+    """Norms (...) of vectors (..., 3), right for vectors of any size."""
+    squares = np.asarray(np.einsum("...i,...i->...", vectors, vectors))
+    norms = np.asarray(np.sqrt(squares))
+    # Where squares may have under- or overflowed, take the slower way that forms none.
+    unsafe = ~((squares > 1e-280) & (squares < 1e300))
+    if unsafe.any():
+        x, y, z = vectors[unsafe].T
+        norms[unsafe] = np.hypot(np.hypot(x, y), z)
+    return norms
 
 
 def whole_number(value: int, name: str, least: int = 1) -> int:
