@@ -12,8 +12,6 @@ from .picture import BLACK, BLUE, VERMILION, Picture
 
 SIX_AXES: FloatArray = np.vstack([PAIR_AXES, np.eye(3)])
 REPEATS = 12
-REACH = 3e-3
-"""Largest sigma that the picture shows."""
 
 
 class Plan(NamedTuple):
@@ -92,7 +90,7 @@ class TurnEstimatesPicture(Picture[TurnEstimates]):
         self.figure.subplots_adjust(0.08, 0.14, 0.985, 0.9, wspace=0.28)
         names = [r"$\sigma_1$", r"$\sigma_2$", r"$\sigma_3$"]
         values.set(title="true and estimated", ylabel=r"$10^{-3}$ rad", ylim=(-3, 3))
-        errors.set(title="size of the error", ylabel="rad", yscale="log", ylim=(1e-9, 1e-2))
+        errors.set(title="size of the error", ylabel="rad", yscale="log", ylim=(1e-9, 1))
         for axes in (values, errors):
             axes.set(xlim=(0.4, 3.6), xticks=[1, 2, 3])
             axes.set_xticklabels(names)
