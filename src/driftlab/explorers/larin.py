@@ -209,7 +209,7 @@ class DriftExplorer(Explorer):
             "from driftlab.figures.drift_map import direction\n"
             f"misalignment = {matrix_code(misalignment_of(values))}\n"
             f"drift_per_turn({axis_code(values)}, misalignment)\n"
-            "principal_drifts(misalignment)"
+            "principal_drifts(misalignment, exact=True)"
         )
 
 
