@@ -38,6 +38,7 @@ CASES = {
     drift.characteristic_polynomial: {"rate": RATE, "measured_rate": MEASURED},
     drift.exact_roots: {"rate": RATE, "measured_rate": MEASURED},
     drift.asymptotic_roots: {"rate": RATE, "misalignment": BENT},
+    drift.direction_from_angles: {"azimuth": TIME, "elevation": TIME / 2},
     drift.drift_coefficient: {"direction": RATE, "misalignment": BENT},
     drift.exact_drift_coefficient: {"direction": RATE, "misalignment": BENT},
     drift.drift_per_turn: {"direction": RATE, "misalignment": BENT},

@@ -109,6 +109,23 @@ def asymptotic_roots(rate: ArrayLike, misalignment: ArrayLike, *, order: int = 1
     return 1j * np.stack([fast, -fast, slow, -slow], axis=-1)
 
 
+def direction_from_angles(azimuth: ArrayLike, elevation: ArrayLike) -> FloatArray:
+    """Unit vector (..., 3) from its azimuth and elevation.
+
+    Parameters
+    ----------
+    azimuth : array_like, shape (...)
+        Angle about axis 3, counted from axis 1, rad.
+    elevation : array_like, shape (...)
+        Angle above the plane of axes 1 and 2, rad.
+    """
+    azimuth, elevation = np.broadcast_arrays(
+        *finite_arrays(azimuth=(azimuth,), elevation=(elevation,))
+    )
+    level = np.cos(elevation)
+    return np.stack([level * np.cos(azimuth), level * np.sin(azimuth), np.sin(elevation)], axis=-1)
+
+
 def drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
     """rho = n^T M n (...): drift rate in units of the turn rate, to first order; Larin (2.2).
 

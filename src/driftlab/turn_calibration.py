@@ -37,6 +37,11 @@ def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) 
         Body axis n of the turns; only its direction counts.
     turns : int
         Number k of whole turns. The estimate is unique while |n^T Sigma n| < 1/(2k).
+
+    Raises
+    ------
+    ValueError
+        Also for an error of half a turn across the axis, of which (3.3) makes 0/0.
     """
     error, axis = finite_arrays(error_quaternion=(error_quaternion, 4), axis=(axis, 3))
     if not error.any(axis=-1).all():

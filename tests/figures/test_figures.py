@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from driftlab.drift import drift_coefficient, non_orthogonality
+from driftlab.drift import direction_from_angles, drift_coefficient, non_orthogonality
 from driftlab.figures import (
     drift_by_symmetry,
     drift_history,
@@ -219,7 +219,7 @@ def test_refusals(call, sentence: str) -> None:
 
 @given(st.floats(-180, 180), st.floats(-90, 90))
 def test_direction_is_a_unit_vector_with_its_angles(azimuth: float, elevation: float) -> None:
-    x, y, z = drift_map.direction(np.radians(azimuth), np.radians(elevation))
+    x, y, z = direction_from_angles(np.radians(azimuth), np.radians(elevation))
     assert np.isclose(x**2 + y**2 + z**2, 1)
     assert np.isclose(np.degrees(np.arcsin(np.clip(z, -1, 1))), elevation, atol=1e-5)
     if abs(elevation) < 89:

@@ -5,8 +5,8 @@ from typing import ClassVar
 import numpy as np
 
 from ..checks import FloatArray
+from ..drift import direction_from_angles
 from ..figures import drift_history, error_motion, roots, turn_estimates
-from ..figures.drift_map import direction
 from ..larin_table import MISALIGNMENT
 from ..step_formulas import STEP_FORMULAS
 from ..turn_calibration import TurnExperiment
@@ -33,12 +33,12 @@ AXIS_CONTROLS = (
 
 def axis_of(values: Values) -> FloatArray:
     """Unit vector of `AXIS_CONTROLS`."""
-    return direction(np.radians(values["azimuth"]), np.radians(values["elevation"]))
+    return direction_from_angles(np.radians(values["azimuth"]), np.radians(values["elevation"]))
 
 
 def axis_code(values: Values) -> str:
     """Code for the same."""
-    return f"direction(*np.radians([{values['azimuth']}, {values['elevation']}]))"
+    return f"direction_from_angles(*np.radians([{values['azimuth']}, {values['elevation']}]))"
 
 
 ENTRIES = [f"m{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3)]
@@ -167,8 +167,8 @@ class RootsExplorer(Explorer):
     def call(self, values: Values) -> str:
         return (
             "import numpy as np\n"
-            "from driftlab.drift import asymptotic_roots, exact_roots, measured_rate\n"
-            "from driftlab.figures.drift_map import direction\n"
+            "from driftlab.drift import asymptotic_roots, direction_from_angles, exact_roots, "
+            "measured_rate\n"
             f"rate = {axis_code(values)}\n"
             f"misalignment = {values['size']} * np.array({SHAPES[values['shape']]})\n"
             "exact_roots(rate, measured_rate(rate, misalignment))\n"
@@ -205,8 +205,8 @@ class DriftExplorer(Explorer):
 
     def call(self, values: Values) -> str:
         return (
-            "import numpy as np\nfrom driftlab.drift import drift_per_turn, principal_drifts\n"
-            "from driftlab.figures.drift_map import direction\n"
+            "import numpy as np\n"
+            "from driftlab.drift import direction_from_angles, drift_per_turn, principal_drifts\n"
             f"misalignment = {matrix_code(misalignment_of(values))}\n"
             f"drift_per_turn({axis_code(values)}, misalignment)\n"
             "principal_drifts(misalignment, exact=True)"

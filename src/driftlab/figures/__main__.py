@@ -10,6 +10,7 @@ from .catalogue import CATALOGUE
 
 
 def main(folder: Path) -> None:
+    """Write all figures, their numbers and the gallery; print Larin's table."""
     folder.mkdir(parents=True, exist_ok=True)
     total = len(CATALOGUE)
     gallery = ["# The figures of the book", "", publish.GALLERY_NOTE, ""]

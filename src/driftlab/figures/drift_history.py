@@ -9,12 +9,7 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from ..checks import FloatArray, finite_array, nonzero_vectors, whole_number
-from ..drift import (
-    drift_coefficient,
-    drift_per_turn,
-    measured_rate,
-    principal_drifts,
-)
+from ..drift import drift_coefficient, drift_per_turn, measured_rate, principal_drifts
 from ..kinematics import error_quaternion
 from ..quaternion import to_rotation_vector
 from .picture import BLACK, BLUE, GREEN, GREY, SERIES, VERMILION, Picture, plain_axes, project

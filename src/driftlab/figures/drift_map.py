@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..checks import FloatArray
-from ..drift import drift_coefficient, principal_drifts
+from ..drift import direction_from_angles, drift_coefficient, principal_drifts
 from .picture import BLACK, Picture
 
 
@@ -20,18 +20,11 @@ class DriftMap(NamedTuple):
     axes: FloatArray  # (3, 3), rows
 
 
-def direction(azimuth: ArrayLike, elevation: ArrayLike) -> FloatArray:
-    """Unit vectors (..., 3) from azimuth about axis 3, counted from axis 1, and elevation, rad."""
-    azimuth, elevation = np.broadcast_arrays(np.asarray(azimuth), np.asarray(elevation))
-    level = np.cos(elevation)
-    return np.stack([level * np.cos(azimuth), level * np.sin(azimuth), np.sin(elevation)], axis=-1)
-
-
 def compute(misalignment: ArrayLike) -> DriftMap:
     """Drift coefficient of a misalignment (3, 3) for every axis of rotation."""
     azimuth = np.radians(np.linspace(-180, 180, 121))
     elevation = np.radians(np.linspace(-90, 90, 61))
-    axes = direction(azimuth, elevation[:, np.newaxis])
+    axes = direction_from_angles(azimuth, elevation[:, np.newaxis])
     return DriftMap(
         azimuth, elevation, drift_coefficient(axes, misalignment), *principal_drifts(misalignment)
     )

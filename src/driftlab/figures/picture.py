@@ -8,7 +8,6 @@ from importlib.resources import as_file, files
 from typing import Any, ClassVar, Generic, TypeVar
 
 import matplotlib
-import matplotlib.style
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -82,8 +81,7 @@ class Picture(Generic[Data]):
 def project(points: FloatArray, azimuth: float = -60.0, elevation: float = 24.0) -> FloatArray:
     """Parallel projection (..., 2) of points (..., 3), seen from azimuth and elevation in degrees.
 
-    The third axis points up on the page. It is all that three arrows need, and ten times quicker
-    to redraw than a 3-D axes.
+    The third axis points up on the page. It is all that three arrows need.
     """
     a, e = np.radians([azimuth, elevation])
     right = np.array([-np.sin(a), np.cos(a), 0.0])

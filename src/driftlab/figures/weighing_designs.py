@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..checks import FloatArray
+from ..drift import drift_coefficient
 from ..turn_calibration import PAIR_AXES, YATES_AXES, fit_turns, weighing
 from .picture import BLACK, BLUE, ORANGE, Picture
 
@@ -35,8 +36,8 @@ def compute(runs: int = 20_000, seed: int = 1987) -> WeighingDesigns:
     The true sigmas and the sizes of noise and offset are the module's `SIGMA`, `NOISE`, `OFFSET`.
     """
     rng = np.random.default_rng(seed)
-    x, y, z = YATES_AXES.T
-    true = np.column_stack([2 * x * y, 2 * x * z, 2 * y * z]) @ SIGMA
+    s1, s2, s3 = SIGMA
+    true = drift_coefficient(YATES_AXES, np.array([[0, s1, s2], [s1, 0, s3], [s2, s3, 0]]))
     noise = rng.normal(0.0, NOISE, (runs, 4))
     measured, half_width, expected = np.empty((3, 2, len(METHODS)))
     for row, offset in enumerate((0.0, OFFSET)):
