@@ -169,7 +169,8 @@ def test_zero_quaternion_is_refused(function):
         function([IDENTITY, np.zeros(4)])
 
 
-@pytest.mark.parametrize("count", [1, 2, 3, 4, 5, 7, 8, 9, 31, 32, 33])
+# Around five the scan begins to cut into blocks; squares fill their blocks, their neighbours not.
+@pytest.mark.parametrize("count", [1, 2, 4, 5, 6, 7, 9, 10, 35, 36, 37, 40, 1000])
 @pytest.mark.parametrize("leading", [(), (2,), (2, 3)])
 def test_cumulative_product_is_the_loop(count, leading):
     increments = random_quaternions(*leading, count, seed=count)
@@ -186,6 +187,21 @@ def test_cumulative_product_of_equal_increments_is_one_rotation():
     products = cumulative_product(np.tile(from_rotation_vector(increment), (1000, 1)))
     expected = from_rotation_vector(np.arange(1, 1001)[:, np.newaxis] * increment)
     assert same_rotation(products, expected, 1000 * PRODUCT)
+
+
+def test_cumulative_product_of_a_long_row_is_the_one_of_extended_precision():
+    # Each product errs by about eps in a random direction; about 2 sqrt(n) of them follow each
+    # other, and what every block inherits from its predecessors adds up over sqrt(n) blocks.
+    count = 40_000
+    rows = from_rotation_vector(np.random.default_rng(3).normal(size=(count, 3)))
+    exact = np.empty((count, 4), np.longdouble)
+    product = IDENTITY.astype(np.longdouble)
+    for i, (x, y, z, w) in enumerate(rows.astype(np.longdouble)):
+        product = product @ np.array([[w, -z, y, -x], [z, w, -x, -y], [-y, x, w, -z], [x, y, z, w]])
+        exact[i] = product
+    if np.finfo(np.longdouble).eps == EPS:
+        pytest.skip("this processor has no floating point numbers longer than double")
+    np.testing.assert_allclose(cumulative_product(rows), exact, rtol=0, atol=10 * 200 * EPS)
 
 
 def test_cumulative_product_needs_a_row():
