@@ -150,7 +150,7 @@ _Pair = tuple[NDArray[np.complex128], NDArray[np.complex128]]
 
 
 def _multiply_pairs(a: Any, b: Any, c: Any, d: Any) -> _Pair:
-    """Pair of (a + b i)∘(c + d i): since i c = conj(c) i, it is a c - b conj(d), a d + b conj(c)."""
+    """Pair of (a + b i)∘(c + d i). Since i c = conj(c) i: a c - b conj(d) and a d + b conj(c)."""
     first = a * c
     other = np.conjugate(d)
     other *= b

@@ -1,0 +1,268 @@
+"""Perelyaev & Chelnokov, section 1: Cayley transforms of a rotation and their Riccati equations.
+
+A skew matrix and an orthogonal one belong together by n = (E - k)(E + k)^-1, which is its own
+inverse. Applied to the 3x3 matrix of a rotation by phi about e it gives the vector -tan(phi/2) e,
+applied to the 4x4 matrix of its quaternion -tan(phi/4) e. The first is infinite at half a turn, the
+second at a whole turn only, and neither needs a sine or a cosine to give the rotation back.
+
+The vector of dimension 4 is minus the modified Rodrigues vector, that of dimension 3 minus the
+Rodrigues (Gibbs) vector. Both follow a Riccati equation, quadratic in the vector.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.integrate import solve_ivp
+
+from .checks import FloatArray, finite_array, finite_arrays, nonzero_vectors
+from .quaternion import pure, right_matrix
+
+_LIMIT = 1e6
+"""Without the shadow switch, an integration ends where the vector has become this long."""
+
+
+def cayley_transform(matrix: ArrayLike) -> FloatArray:
+    """Return (E - X)(E + X)^-1, which maps skew to orthogonal matrices and back; (1.2).
+
+    Parameters
+    ----------
+    matrix : array_like, shape (..., n, n)
+        A skew or an orthogonal matrix.
+
+    Returns
+    -------
+    ndarray, shape (..., n, n)
+
+    Raises
+    ------
+    ValueError
+        If E + X is singular: an orthogonal X turns some direction by half a turn.
+    """
+    x = finite_array(matrix, "matrix")
+    if x.ndim < 2 or x.shape[-1] != x.shape[-2]:
+        raise ValueError(f"matrix: expected shape (..., n, n), got shape {x.shape}.")
+    unit = np.eye(x.shape[-1])
+    # From here on the smallest singular value of E + X cannot be told from zero.
+    if np.linalg.cond(unit + x).max() > 1 / (x.shape[-1] * np.finfo(float).eps):
+        raise ValueError("matrix: expected one without the eigenvalue -1, got E + X singular.")
+    # The two factors commute, so the inverse may stand on the left.
+    return np.asarray(np.linalg.solve(unit + x, unit - x), np.float64)
+
+
+def skew_operator(vector: ArrayLike, dimension: int = 4) -> FloatArray:
+    """Skew matrix of a vector k or of a rate, in the pattern of (1.2) and (1.5).
+
+    Parameters
+    ----------
+    vector : array_like, shape (..., 3)
+    dimension : {4, 3}
+        4 for the matrix of ``p -> p∘k``; 3 for its last three rows and columns, in the paper's
+        scalar-first order: the matrix of ``p -> p × k``.
+
+    Returns
+    -------
+    ndarray, shape (..., dimension, dimension)
+        Rows and columns have the book's order, scalar last.
+    """
+    matrix = right_matrix(pure(finite_array(vector, "vector", 3)))
+    return matrix if _checked(dimension) == 4 else matrix[..., :3, :3]
+
+
+def cayley_vector(quaternion: ArrayLike, dimension: int = 4) -> FloatArray:
+    """Vector k of a rotation: -tan(phi/4) e for dimension 4, (1.9), -tan(phi/2) e for 3.
+
+    Parameters
+    ----------
+    quaternion : array_like, shape (..., 4)
+        Need not be of unit norm. For dimension 4 its sign counts: the quaternions q and -q have
+        different vectors, each the `shadow` of the other.
+    dimension : {4, 3}
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+
+    Raises
+    ------
+    ValueError
+        Where k is infinite: at whole turns (dimension 4) or half turns (dimension 3).
+    """
+    q = finite_array(quaternion, "quaternion", 4)
+    largest = np.abs(q).max(axis=-1, keepdims=True)
+    if not largest.all():
+        raise ValueError("quaternion: expected nonzero quaternions, got a zero quaternion.")
+    vector, scalar = np.split(q / largest, [3], axis=-1)
+    if _checked(dimension) == 3:
+        if not scalar.all():
+            raise ValueError(
+                "quaternion: expected no rotation by half a turn, where k is infinite."
+            )
+        return -vector / scalar
+    square = np.sum(vector**2, axis=-1, keepdims=True)
+    norm = np.sqrt(square + scalar**2)
+    if not np.all((square > 0) | (scalar > 0)):
+        raise ValueError("quaternion: expected no whole turn, where k is infinite.")
+    # v/(n + s) equals (n - s) v/|v|^2; each is free of cancellation for its own sign of s.
+    forward = 1 / np.where(scalar < 0, 1.0, norm + scalar)
+    backward = (norm - scalar) / np.where(scalar < 0, square, 1.0)
+    return -np.where(scalar < 0, backward, forward) * vector
+
+
+def rotation_quaternion(vector: ArrayLike, dimension: int = 4) -> FloatArray:
+    """Unit quaternion of a vector k: (1.8), without sine or cosine.
+
+    Parameters
+    ----------
+    vector : array_like, shape (..., 3)
+        k = -tan(phi/4) e for dimension 4, -tan(phi/2) e for 3.
+    dimension : {4, 3}
+
+    Returns
+    -------
+    ndarray, shape (..., 4)
+    """
+    k = finite_array(vector, "vector", 3)
+    # Numerator and denominator are divided by the largest entry: its square may overflow.
+    size = np.maximum(np.abs(k).max(axis=-1, keepdims=True), 1.0)
+    k, unit = k / size, 1 / size
+    square = np.sum(k**2, axis=-1, keepdims=True)
+    if _checked(dimension) == 3:
+        quaternion = np.concatenate([-k, unit], axis=-1)
+        return quaternion / np.sqrt(square + unit**2)
+    quaternion = np.concatenate([-2 * unit * k, unit**2 - square], axis=-1)
+    return quaternion / (unit**2 + square)
+
+
+def shadow(vector: ArrayLike) -> FloatArray:
+    """Vector -k/|k|^2 (..., 3) of dimension 4: the same rotation, by a whole turn less.
+
+    Where k is long its shadow is short, and the other way round; both have length 1 at half a
+    turn. A zero vector is refused, because its shadow is infinite.
+    """
+    direction, norm = nonzero_vectors(vector, "vector")
+    return -direction / norm[..., np.newaxis]
+
+
+def riccati_rate(vector: ArrayLike, rate: ArrayLike, dimension: int = 4) -> FloatArray:
+    """Time derivative of k; (1.7) and (1.11), and the equation of dimension 3 beside them.
+
+    Parameters
+    ----------
+    vector : array_like, shape (..., 3)
+        k, of either dimension.
+    rate : array_like, shape (..., 3)
+        Angular rate in body axes, rad/s.
+    dimension : {4, 3}
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        In 1/s. Dimension 4: ``(|k|² ω - 2 (k·ω) k + 2 k×ω - ω)/4``; dimension 3:
+        ``(-(k·ω) k + k×ω - ω)/2``.
+    """
+    k, omega = finite_arrays(vector=(vector, 3), rate=(rate, 3))
+    along = np.sum(k * omega, axis=-1, keepdims=True)
+    if _checked(dimension) == 3:
+        return 0.5 * (np.cross(k, omega) - along * k - omega)
+    square = np.sum(k * k, axis=-1, keepdims=True)
+    return 0.25 * ((square - 1) * omega - 2 * along * k + 2 * np.cross(k, omega))
+
+
+class RiccatiSolution(NamedTuple):
+    """What `integrate_riccati` returns."""
+
+    time: FloatArray
+    """Times (m,) that were reached, in s: fewer than asked for if the vector became too long."""
+    vector: FloatArray
+    """k (m, 3) at these times."""
+    attitude: FloatArray
+    """Unit quaternion (m, 4), continuous in time: each switch to the shadow changes its sign."""
+    switches: FloatArray
+    """Times (s,) of the switches to the shadow, in s."""
+    evaluations: int
+    """How often the integrator asked for the derivative."""
+
+
+def integrate_riccati(
+    rate: Callable[[float], ArrayLike],
+    times: ArrayLike,
+    *,
+    shadow_switch: bool = True,
+    tolerance: float = 1e-10,
+) -> RiccatiSolution:
+    """Integrate the Riccati equation (1.10) of dimension 4 from k = 0, through any angle.
+
+    Parameters
+    ----------
+    rate : callable
+        Angular rate (3,) in body axes, rad/s, at a time in s.
+    times : array_like, shape (m,)
+        Increasing times in s; k is zero at the first.
+    shadow_switch : bool
+        Whether to go on with the shadow whenever k becomes longer than 1. If not, the integration
+        ends where k runs to infinity, at a whole turn.
+    tolerance : float
+        Relative and absolute tolerance of the integrator, SciPy's DOP853.
+
+    Returns
+    -------
+    RiccatiSolution
+    """
+    grid = finite_array(times, "times")
+    if grid.ndim != 1 or len(grid) < 2 or not np.all(np.diff(grid) > 0):
+        raise ValueError(f"times: expected at least two increasing times (m,), got {times!r:.60}.")
+    limit = 1.0 if shadow_switch else _LIMIT
+
+    def derivative(time: float, k: FloatArray) -> FloatArray:
+        return riccati_rate(k, rate(time))
+
+    def too_long(_: float, k: FloatArray) -> float:
+        # The logarithm is as smooth near the limit as far below it; 1e-300 keeps it finite at 0.
+        return float(np.log((k @ k + 1e-300) / limit**2))
+
+    too_long.terminal = True  # type: ignore[attr-defined]
+    too_long.direction = 1.0  # type: ignore[attr-defined]
+
+    reached, vectors, turns = [grid[:1]], [np.zeros((1, 3))], [np.zeros(1)]
+    switches: list[float] = []
+    start, k, evaluations = grid[0], np.zeros(3), 0
+    while start < grid[-1]:
+        ahead = grid[grid > start]
+        answer: Any = solve_ivp(
+            derivative,
+            (start, grid[-1]),
+            k,
+            method="DOP853",
+            t_eval=ahead,
+            events=too_long,
+            rtol=tolerance,
+            atol=tolerance,
+        )
+        evaluations += answer.nfev
+        if len(answer.t):
+            reached.append(answer.t)
+            vectors.append(answer.y.T)
+            turns.append(np.full(len(answer.t), len(switches)))
+        if answer.status != 1 or not shadow_switch:
+            break
+        start, k = answer.t_events[0][0], shadow(answer.y_events[0][0])
+        switches.append(start)
+    vector = np.concatenate(vectors)
+    signs = 1.0 - 2.0 * (np.concatenate(turns)[:, np.newaxis] % 2)
+    return RiccatiSolution(
+        np.concatenate(reached),
+        vector,
+        signs * rotation_quaternion(vector),
+        np.array(switches),
+        evaluations,
+    )
+
+
+def _checked(dimension: int) -> int:
+    if dimension not in (3, 4):
+        raise ValueError(f"dimension: expected 3 or 4, got {dimension!r}.")
+    return dimension

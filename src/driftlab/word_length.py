@@ -1,0 +1,125 @@
+"""What a short word of the computer does to an attitude that is summed step by step.
+
+Perelyaev and Chelnokov remark, at the end of section 1, that the scalar part l0 of a step's
+quaternion is so close to 1 that a short word keeps nothing of the difference, and advise to carry
+1 - l0 instead. Here all arithmetic runs in the word that is asked for, in the order in which a
+computer on board would do it, so that the advice can be tried, and what it leaves undone be seen.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from .attitude_algorithms import attitude_algorithm, vectors_of_steps
+from .checks import finite_array
+
+Update = Literal["product", "complement", "compensated"]
+UPDATES: tuple[str, ...] = get_args(Update)
+"""Ways to put one more step to the attitude; see `integrate_in_word`."""
+
+
+def step_in_word(vectors: NDArray[Any], *, rotation_vector: bool = False) -> NDArray[Any]:
+    """Quaternion of a step and the complement of its scalar part, in the arithmetic of `vectors`.
+
+    Parameters
+    ----------
+    vectors : ndarray, shape (..., 3)
+        k of each step, in any floating dtype.
+    rotation_vector : bool
+        Whether they are rotation vectors instead.
+
+    Returns
+    -------
+    ndarray, shape (..., 5)
+        Vector part, l0, and 1 - l0 = 2|k|²/(1 + |k|²), which keeps its digits.
+    """
+    kind = vectors.dtype.type
+    square = (vectors[..., 0] ** 2 + vectors[..., 1] ** 2 + vectors[..., 2] ** 2)[..., np.newaxis]
+    if rotation_vector:
+        half = kind(0.5) * np.sqrt(square)
+        vector = vectors * (kind(0.5) * np.sinc(half / kind(np.pi)))
+        complement = kind(2) * np.sin(half / kind(2)) ** 2
+        return np.concatenate([vector, np.cos(half), complement], axis=-1)
+    scale = kind(2) / (kind(1) + square)
+    scalar = (kind(1) - square) / (kind(1) + square)
+    return np.concatenate([-scale * vectors, scalar, scale * square], axis=-1)
+
+
+def integrate_in_word(
+    increments: ArrayLike,
+    algorithm: str = "two-step-4",
+    *,
+    start: ArrayLike = (0.0, 0.0, 0.0, 1.0),
+    word: DTypeLike = np.float32,
+    update: Update = "product",
+) -> NDArray[Any]:
+    """Attitude after each step, computed one step after the other in a given word length.
+
+    Parameters
+    ----------
+    increments : array_like, shape (..., n, 3)
+        Integrals of the body rate over equal intervals, rad.
+    algorithm : str
+        A key of `attitude_algorithms.ALGORITHMS`.
+    start : array_like, shape (4,)
+        Attitude before the first increment.
+    word : dtype
+        A NumPy floating dtype, as float32 or float64.
+    update : {"product", "complement", "compensated"}
+        ``"product"`` multiplies by the step's quaternion; ``"complement"`` adds the change, in
+        which 1 - l0 stands for l0, the paper's advice; ``"compensated"`` does the same and carries
+        what the sum has rounded off into the next step, after Kahan.
+
+    Returns
+    -------
+    ndarray of `word`, shape (..., n // samples, 4)
+        Not normalised.
+    """
+    if update not in UPDATES:
+        raise ValueError(f"update: expected one of {', '.join(UPDATES)}, got {update!r}.")
+    dtype = np.dtype(word)
+    if dtype.kind != "f":
+        raise ValueError(f"word: expected a floating dtype, got {dtype}.")
+    chosen = attitude_algorithm(algorithm)
+    rows = finite_array(increments, "increments", 3).astype(dtype)
+    steps = step_in_word(
+        vectors_of_steps(chosen, rows), rotation_vector=chosen.iterate == "rotation vector"
+    )
+    attitude = np.broadcast_to(
+        finite_array(start, "start", 4).astype(dtype), (*steps.shape[:-2], 4)
+    )
+    x, y, z, scalar, complement = np.moveaxis(steps, -1, 0)
+    diagonal = scalar if update == "product" else -complement
+    # Columns of right multiplication by each step: component j of the attitude times column j.
+    columns = np.stack(
+        [
+            np.stack(column, axis=-1)
+            for column in (
+                (diagonal, -z, y, -x),
+                (z, diagonal, -x, -y),
+                (-y, x, diagonal, -z),
+                (x, y, z, diagonal),
+            )
+        ],
+        axis=-2,
+    )
+    columns = np.moveaxis(columns, -3, 0)
+    attitudes = np.empty((len(columns), *steps.shape[:-2], 4), dtype)
+    lost = np.zeros_like(attitude)
+    for i, column in enumerate(columns):
+        terms = attitude[..., np.newaxis] * column
+        change = (terms[..., 0, :] + terms[..., 1, :]) + (terms[..., 2, :] + terms[..., 3, :])
+        if update == "product":
+            attitude = change
+        elif update == "complement":
+            attitude = attitude + change
+        else:
+            change = change - lost
+            total = attitude + change
+            lost = (total - attitude) - change
+            attitude = total
+        attitudes[i] = attitude
+    return np.moveaxis(attitudes, 0, -2)
