@@ -19,7 +19,7 @@ from types import MappingProxyType
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from .cayley import rotation_quaternion
 from .checks import FloatArray, finite_array, finite_arrays
@@ -160,13 +160,29 @@ def step_quaternions(
 
 
 def step_vectors(
-    increments: ArrayLike, algorithm: str, *, history: ArrayLike | None = None
-) -> FloatArray:
-    """Vector of each step, (..., n // samples, 3): k, or the rotation vector if that is the method.
+    increments: ArrayLike,
+    algorithm: str,
+    *,
+    history: ArrayLike | None = None,
+    word: DTypeLike = np.float64,
+) -> NDArray[Any]:
+    """Vector of each step: k, or the rotation vector if that is the method.
 
-    Arguments as in `integrate`.
+    Parameters
+    ----------
+    increments, algorithm, history
+        As in `integrate`.
+    word : dtype
+        The floating dtype in which to calculate, once the increments are rounded to it.
+
+    Returns
+    -------
+    ndarray of `word`, shape (..., n // samples, 3)
     """
     chosen = attitude_algorithm(algorithm)
+    dtype = np.dtype(word)
+    if dtype.kind != "f":
+        raise ValueError(f"word: expected a floating dtype, got {dtype}.")
     rows = finite_array(increments, "increments", 3)
     if rows.ndim < 2:
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
@@ -189,113 +205,76 @@ def step_vectors(
             f"increments: expected at least {chosen.window} for {algorithm} to start without a "
             f"history, got {count}."
         )
-    return vectors_of_steps(chosen, rows, past)
+    past = past if past is None else past.astype(dtype)
+    return _vectors(chosen, rows.astype(dtype, copy=False), past)
 
 
-def vectors_of_steps(
-    algorithm: Algorithm, increments: NDArray[Any], history: NDArray[Any] | None = None
+def _vectors(
+    algorithm: Algorithm, increments: NDArray[Any], history: NDArray[Any] | None
 ) -> NDArray[Any]:
-    """`step_vectors` in the arithmetic of its arguments, which are not checked.
-
-    Parameters
-    ----------
-    algorithm : Algorithm
-    increments : ndarray, shape (..., n, 3)
-        Of any floating dtype; all calculations are done in it.
-    history : ndarray, shape (..., m, 3), optional
-    """
-    kind = increments.dtype.type
-    # Components apart: x, y, z are arrays (..., n) of their own, and cross products plain formulas.
-    columns = _columns(increments)
-    m = algorithm.samples
-    places = [[column[..., i::m] for column in columns] for i in range(m)]
-    gamma = [np.add.reduce([place[axis] for place in places]) for axis in range(3)]
+    """`step_vectors` of checked arguments, in their own arithmetic."""
+    kind, m = increments.dtype.type, algorithm.samples
+    # Components first, so that everything but a cross product is plain arithmetic.
+    rows = np.ascontiguousarray(np.moveaxis(increments, -1, 0))
+    gamma = sum((rows[..., i::m] for i in range(1, m)), rows[..., 0::m])
     if algorithm.memory:
-        correction = _correction_with_memory(algorithm, columns, history)
+        coning = _coning_with_memory(algorithm, rows, history)
     else:
-        correction = _weighted(algorithm.coning, places, kind)
-    corrected = [a + b for a, b in zip(gamma, correction, strict=True)]
+        coning = _weighted(algorithm.coning, [rows[..., i::m] for i in range(m)])
+    square = (gamma**2).sum(axis=0)
     if algorithm.iterate == "rotation vector":
-        return np.stack(corrected, axis=-1)
-    square = gamma[0] ** 2 + gamma[1] ** 2 + gamma[2] ** 2
-    if not (square < 4 * np.pi**2).all():
-        angle = float(np.sqrt(square.max()))
+        vectors = gamma + coning
+    elif not (square < 4 * np.pi**2).all():
         raise ValueError(
             "increments: expected less than a whole turn a step, where k is infinite, "
-            f"got {angle:.3g} rad."
+            f"got {float(np.sqrt(square.max())):.3g} rad."
         )
-    if algorithm.iterate == "first":
-        return np.stack([kind(-0.25) * a for a in gamma], axis=-1)
-    cubic = kind(-1 / 192) * square
-    k = [kind(-0.25) * a + cubic * b for a, b in zip(corrected, gamma, strict=True)]
-    if algorithm.iterate == "second":
-        # What the second iterate still has and the third removes.
-        residue = _cross(gamma, correction)
-        k = [a - kind(1 / 32) * b for a, b in zip(k, residue, strict=True)]
-    return np.stack(k, axis=-1)
+    elif algorithm.iterate == "first":
+        vectors = kind(-1 / 4) * gamma
+    else:
+        vectors = kind(-1 / 4) * (gamma + coning) - kind(1 / 192) * square * gamma
+        if algorithm.iterate == "second":
+            # What the second iterate still has and the third removes.
+            vectors -= kind(1 / 32) * _cross(gamma, coning)
+    return np.moveaxis(vectors, 0, -1)
 
 
-Vector = list[Any]
-"""Three components, each an array (...)."""
+def _cross(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
+    """Cross product along the first axis."""
+    return np.stack(
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    )
 
 
-def _columns(vectors: NDArray[Any]) -> Vector:
-    return [np.ascontiguousarray(vectors[..., axis]) for axis in range(3)]
-
-
-def _cross(a: Vector, b: Vector) -> Vector:
-    return [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-
-
-def _weighted(weights: Weights, places: list[Vector], kind: type[Any]) -> Vector:
-    """Sum of weight * g_i × g_j, where `places` holds the g at each place of the window.
+def _weighted(weights: Weights, places: list[NDArray[Any]]) -> NDArray[Any]:
+    """Sum of weight * g_i × g_j, where `places` holds the g (3, ...) at each place of the window.
 
     Cross products with a common right factor are summed before they are multiplied out.
     """
-    total: Vector = [kind(0)] * 3
+    kind = places[0].dtype.type
+    total = np.zeros_like(places[0])
     for j in sorted({j for _, j in weights}):
-        left: Vector = [kind(0)] * 3
-        for (i, other), weight in weights.items():
-            if other == j:
-                left = [a + kind(weight) * b for a, b in zip(left, places[i], strict=True)]
-        total = [a + b for a, b in zip(total, _cross(left, places[j]), strict=True)]
+        left = sum(kind(weight) * places[i] for (i, k), weight in weights.items() if k == j)
+        total += _cross(left, places[j])
     return total
 
 
-def _correction_with_memory(
-    algorithm: Algorithm, columns: Vector, history: NDArray[Any] | None
-) -> Vector:
-    """Coning correction (..., n) of an algorithm whose step is one increment with some before."""
-    kind, memory = columns[0].dtype.type, algorithm.memory
+def _coning_with_memory(
+    algorithm: Algorithm, rows: NDArray[Any], history: NDArray[Any] | None
+) -> NDArray[Any]:
+    """Coning correction (3, ..., n) of an algorithm whose step is one increment."""
     if history is not None:
-        past = _columns(history[..., history.shape[-2] - memory :, :])
-        leading = np.broadcast_shapes(columns[0].shape[:-1], past[0].shape[:-1])
-        columns = [
-            np.concatenate(
-                [np.broadcast_to(x, (*leading, x.shape[-1])) for x in (before, column)], axis=-1
-            )
-            for before, column in zip(past, columns, strict=True)
-        ]
-    count = columns[0].shape[-1]
-
-    def windows(first: int, last: int, width: int) -> list[Vector]:
-        """The increments at each place of the windows that begin at first, ..., last - 1."""
-        return [[column[..., first + i : last + i] for column in columns] for i in range(width)]
-
-    correction = _weighted(algorithm.coning, windows(0, count - memory, algorithm.window), kind)
+        past = np.moveaxis(history[..., history.shape[-2] - algorithm.memory :, :], -1, 0)
+        leading = np.broadcast_shapes(rows.shape[:-1], past.shape[:-1])
+        both = [np.broadcast_to(x, (*leading, x.shape[-1])) for x in (past, rows)]
+        rows = np.concatenate(both, axis=-1)
+    last = rows.shape[-1] - algorithm.memory
+    coning = _weighted(algorithm.coning, [rows[..., i : last + i] for i in range(algorithm.window)])
     if history is not None:
-        return correction
-    starts = [
-        _weighted(weights, windows(0, 1, algorithm.window), kind) for weights in algorithm.starts
-    ]
-    return [
-        np.concatenate([*(start[axis] for start in starts), correction[axis]], axis=-1)
-        for axis in range(3)
-    ]
+        return coning
+    first = [rows[..., i : i + 1] for i in range(algorithm.window)]
+    starts = [_weighted(weights, first) for weights in algorithm.starts]
+    return np.concatenate([*starts, coning], axis=-1)
 
 
 def coning_drift(

@@ -13,8 +13,8 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from .attitude_algorithms import attitude_algorithm, vectors_of_steps
-from .checks import finite_array
+from .attitude_algorithms import attitude_algorithm, step_vectors
+from .checks import finite_array, finite_arrays
 
 Update = Literal["product", "complement", "compensated"]
 UPDATES: tuple[str, ...] = get_args(Update)
@@ -64,7 +64,7 @@ def integrate_in_word(
         Integrals of the body rate over equal intervals, rad.
     algorithm : str
         A key of `attitude_algorithms.ALGORITHMS`.
-    start : array_like, shape (4,)
+    start : array_like, shape (..., 4)
         Attitude before the first increment.
     word : dtype
         A NumPy floating dtype, as float32 or float64.
@@ -80,17 +80,14 @@ def integrate_in_word(
     """
     if update not in UPDATES:
         raise ValueError(f"update: expected one of {', '.join(UPDATES)}, got {update!r}.")
-    dtype = np.dtype(word)
-    if dtype.kind != "f":
-        raise ValueError(f"word: expected a floating dtype, got {dtype}.")
-    chosen = attitude_algorithm(algorithm)
-    rows = finite_array(increments, "increments", 3).astype(dtype)
-    steps = step_in_word(
-        vectors_of_steps(chosen, rows), rotation_vector=chosen.iterate == "rotation vector"
-    )
-    attitude = np.broadcast_to(
-        finite_array(start, "start", 4).astype(dtype), (*steps.shape[:-2], 4)
-    )
+    vectors = step_vectors(increments, algorithm, word=word)
+    start = finite_array(start, "start", 4)
+    finite_arrays(increments=(vectors, *vectors.shape[-2:]), start=(start, 4))
+    method = attitude_algorithm(algorithm).iterate
+    steps = step_in_word(vectors, rotation_vector=method == "rotation vector")
+    dtype = steps.dtype
+    leading = np.broadcast_shapes(steps.shape[:-2], start.shape[:-1])
+    attitude = np.broadcast_to(start.astype(dtype), (*leading, 4))
     x, y, z, scalar, complement = np.moveaxis(steps, -1, 0)
     diagonal = scalar if update == "product" else -complement
     # Columns of right multiplication by each step: component j of the attitude times column j.
@@ -107,7 +104,7 @@ def integrate_in_word(
         axis=-2,
     )
     columns = np.moveaxis(columns, -3, 0)
-    attitudes = np.empty((len(columns), *steps.shape[:-2], 4), dtype)
+    attitudes = np.empty((len(columns), *leading, 4), dtype)
     lost = np.zeros_like(attitude)
     for i, column in enumerate(columns):
         terms = attitude[..., np.newaxis] * column
