@@ -17,7 +17,7 @@ from .attitude_algorithms import attitude_algorithm, step_vectors
 from .checks import finite_array, finite_arrays
 
 Update = Literal["product", "complement", "compensated"]
-UPDATES: tuple[str, ...] = get_args(Update)
+UPDATES: tuple[Update, ...] = get_args(Update)
 """Ways to put one more step to the attitude; see `integrate_in_word`."""
 
 

@@ -9,13 +9,19 @@ import numpy as np
 from .. import larin_table
 from ..turn_calibration import TurnExperiment
 from . import (
+    algorithm_laboratory,
+    algorithm_orders,
+    cayley_map,
+    coning_drift,
     drift_by_symmetry,
     drift_history,
     drift_map,
     error_motion,
     frames,
     larin_digits,
+    riccati_turns,
     roots,
+    short_word,
     turn_bias,
     turn_estimates,
     weighing_designs,
@@ -165,6 +171,64 @@ CATALOGUE = (
             f"Monte Carlo of {data.runs} runs; the bars are 95 % intervals, the strokes "
             "closed forms. Without an offset least squares is best; with one, only the estimate "
             "that solves for the offset is unharmed."
+        ),
+    ),
+    Entry(
+        "05-cayley-map",
+        lambda: cayley_map.compute(np.radians(130.0), [1, 1, 0.3]),
+        cayley_map.CayleyMapPicture,
+        cayley_map.columns,
+        lambda data: (
+            "The two Cayley vectors of a rotation about a given axis. The vector of dimension 3 is "
+            "infinite at half a turn (thin lines), that of dimension 4 at a whole turn (thick "
+            "lines at the edges); there its shadow, the vector of the quaternion with the other "
+            f"sign, is zero. The marks stand at {np.degrees(data.angle):.0f}°."
+        ),
+    ),
+    Entry(
+        "05-riccati-turns",
+        riccati_turns.compute,
+        riccati_turns.RiccatiTurnsPicture,
+        riccati_turns.columns,
+        lambda data: (
+            f"A body that passes the whole turn at {np.degrees(data.miss):.0f}° from the "
+            "singular attitude. Without the switch to the shadow the vector grows long, a fixed "
+            "step loses digits there for good, and a variable step pays with work; about a fixed "
+            "axis the integration ends."
+        ),
+    ),
+    Entry(
+        "06-algorithm-orders",
+        algorithm_orders.compute,
+        algorithm_orders.AlgorithmOrdersPicture,
+        algorithm_orders.columns,
+        lambda _: (
+            "Largest error of each algorithm in "
+            f"{algorithm_laboratory.DURATION:g} s against the rate at which the gyros are read. "
+            "The small cone and the fixed axis hide the third-order errors that the wide cone and "
+            "the swaying ship show. On a fixed axis rotation vectors leave rounding only."
+        ),
+    ),
+    Entry(
+        "06-coning-drift",
+        coning_drift.compute,
+        coning_drift.ConingDriftPicture,
+        coning_drift.columns,
+        lambda _: (
+            "Apparent drift of a body that does not turn on the whole: dots measured over "
+            f"{coning_drift.STEPS} steps, lines by the closed formula for small cones."
+        ),
+    ),
+    Entry(
+        "06-short-word",
+        short_word.compute,
+        short_word.ShortWordPicture,
+        short_word.columns,
+        lambda _: (
+            "Arithmetic in 32 bits. Carrying 1 - λ0 saves the digits of a single step, but the sum "
+            "over many steps still rounds them off; on the right, the error of the rate of a body "
+            f"on the turning Earth, rms over {short_word.STARTS} attitudes and "
+            f"{short_word.STEPS} steps."
         ),
     ),
 )

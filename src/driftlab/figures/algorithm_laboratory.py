@@ -1,0 +1,133 @@
+"""Attitude algorithms on one motion: the error over time, and against the sample rate."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from ..attitude_algorithms import ALGORITHMS, integrate
+from ..checks import FloatArray
+from ..motions import Coning, FixedAxis, Motion, Sway
+from ..quaternion import conjugate, multiply, rotation_angle
+from ..word_length import integrate_in_word
+from .picture import BLACK, GREY, SERIES, Picture
+
+DURATION = 2.0
+"""Seconds of motion."""
+RATES = (12, 24, 48, 96, 192, 384)
+"""Sample rates in Hz: each gives a multiple of six increments, so all algorithms can be tried."""
+MOTIONS = {"coning": Coning, "swaying ship": Sway, "fixed axis": FixedAxis}
+MARKERS = "osD^vPX"
+STYLES = {
+    name: {**style, "marker": marker, "markersize": 4.5}
+    for name, style, marker in zip(ALGORITHMS, SERIES, MARKERS, strict=False)
+}
+"""Line style of each algorithm, the same in every figure."""
+
+
+class AlgorithmLaboratory(NamedTuple):
+    """Errors are angles in rad, by algorithm in the order of `names`."""
+
+    names: tuple[str, ...]
+    rate: int  # Hz
+    times: list[FloatArray]  # s, ends of the steps
+    histories: list[FloatArray]  # error at these times
+    rates: FloatArray  # (m,), Hz
+    worst: FloatArray  # (algorithm, m): largest error during the motion for each rate
+
+
+def compute(
+    motion: Motion, rate: int, names: Sequence[str], *, short_word: bool = False
+) -> AlgorithmLaboratory:
+    """Try the algorithms `names` on a motion, at one sample rate in Hz and at all `RATES`."""
+    if rate not in RATES:
+        raise ValueError(f"rate: expected one of {', '.join(map(str, RATES))} Hz, got {rate!r}.")
+    worst = np.empty((len(names), len(RATES)))
+    times, histories = [], []
+    for j, sample_rate in enumerate(RATES):
+        count = round(DURATION * sample_rate)
+        increments = motion.increments(1 / sample_rate, count)
+        moments = np.arange(count + 1) / sample_rate
+        exact = motion.attitude(moments)
+        for i, name in enumerate(names):
+            method = integrate_in_word if short_word else integrate
+            found = np.asarray(method(increments, name, start=exact[0]), dtype=np.float64)
+            ends = slice(ALGORITHMS[name].samples, None, ALGORITHMS[name].samples)
+            error = rotation_angle(multiply(conjugate(exact[ends]), found))
+            worst[i, j] = error.max()
+            if sample_rate == rate:
+                times.append(moments[ends])
+                histories.append(error)
+    return AlgorithmLaboratory(
+        tuple(names), rate, times, histories, np.array(RATES, dtype=np.float64), worst
+    )
+
+
+def fitted_orders(data: AlgorithmLaboratory) -> list[float | None]:
+    """Slope of each algorithm's error over the sample interval; None where rounding hides it.
+
+    Fitted to the errors between 1e-2 and 1e-12 rad: above, the error is no longer small, below, it
+    is not told from rounding.
+    """
+    orders: list[float | None] = []
+    for errors in data.worst:
+        used = (errors < 1e-2) & (errors > 1e-12)
+        if used.sum() < 3:
+            orders.append(None)
+        else:
+            slope = np.polyfit(np.log(data.rates[used]), np.log(errors[used]), 1)[0]
+            orders.append(float(-slope))
+    return orders
+
+
+def columns(data: AlgorithmLaboratory) -> dict[str, FloatArray]:
+    """Columns of a CSV: the largest error for each rate, in rad."""
+    return {"rate_hz": data.rates, **dict(zip(data.names, data.worst, strict=True))}
+
+
+class AlgorithmLaboratoryPicture(Picture[AlgorithmLaboratory]):
+    """Error over time at one rate, and the largest error at all rates."""
+
+    size = (10.5, 4.4)
+
+    def build(self) -> None:
+        history, order = self.figure.subplots(1, 2, sharey=True)
+        self.figure.subplots_adjust(0.075, 0.21, 0.985, 0.92, wspace=0.08)
+        history.set(title="error after each step", xlabel="time, s", xlim=(0, DURATION))
+        history.set(ylabel="error of attitude, arc seconds", yscale="log", ylim=(1e-10, 1e6))
+        order.set(title=f"largest error in {DURATION:g} s", xscale="log", yscale="log")
+        order.set(xlabel="sample rate, Hz", xlim=(10, 460))
+        order.set_xticks(RATES, [str(rate) for rate in RATES])
+        order.minorticks_off()
+        ends = np.array([RATES[0], RATES[-1]])
+        for slope in (2, 3, 4):
+            values = 3e4 * (ends / ends[0]) ** -float(slope)
+            order.plot(ends, values, color=GREY, linewidth=0.8)
+            order.text(ends[1], values[1], f"order {slope}", color=GREY, ha="right", va="top")
+        self.here = self.line(order, color=BLACK, linewidth=0.8, linestyle=(0, (2, 2)))
+        self.histories = {
+            name: self.line(history, **{**style, "marker": ""}) for name, style in STYLES.items()
+        }
+        self.orders = {
+            name: self.line(order, **style, label=name) for name, style in STYLES.items()
+        }
+        self.figure.legend(
+            handles=list(self.orders.values()), loc="lower center", ncols=len(STYLES), fontsize=8
+        )
+
+    def update(self, data: AlgorithmLaboratory) -> None:
+        arc_seconds = 3600 * np.degrees(1.0)
+        for name in STYLES:
+            shown = data.names.index(name) if name in data.names else None
+            if shown is None:
+                self.histories[name].set_data([], [])
+                self.orders[name].set_data([], [])
+                continue
+            # No error at all has no place on a logarithmic axis.
+            history, worst = (
+                np.where(error > 0, arc_seconds * error, np.nan)
+                for error in (data.histories[shown], data.worst[shown])
+            )
+            self.histories[name].set_data(data.times[shown], history)
+            self.orders[name].set_data(data.rates, worst)
+        self.here.set_data([data.rate, data.rate], [1e-10, 1e6])
