@@ -76,9 +76,8 @@ def redraws(moves: int = 10) -> None:
         explorer = explorer_class()
         times = []
         for control in explorer.controls:
-            listed = control.choices or control.stops
-            for place in listed or np.linspace(control.low, control.high, moves):
-                value = {control.name: place if listed else type(control.start)(place)}
+            for place in control.options or np.linspace(control.low, control.high, moves):
+                value = {control.name: place if control.options else type(control.start)(place)}
                 start = perf_counter()
                 explorer.set(**value)
                 times.append(perf_counter() - start)

@@ -4,13 +4,15 @@ Show one as the last line of a notebook cell: ``DriftExplorer()``. `EXPLORERS` l
 """
 
 from .larin import DriftExplorer, ErrorMotionExplorer, RootsExplorer, TurnCalibrationExplorer
+from .perelyaev_chelnokov import AlgorithmLaboratoryExplorer, CayleyMapExplorer
 
-EXPLORERS = (ErrorMotionExplorer, RootsExplorer, DriftExplorer, TurnCalibrationExplorer)
+EXPLORERS = (
+    ErrorMotionExplorer,
+    RootsExplorer,
+    DriftExplorer,
+    TurnCalibrationExplorer,
+    CayleyMapExplorer,
+    AlgorithmLaboratoryExplorer,
+)
 
-__all__ = [
-    "EXPLORERS",
-    "DriftExplorer",
-    "ErrorMotionExplorer",
-    "RootsExplorer",
-    "TurnCalibrationExplorer",
-]
+__all__ = ["EXPLORERS", *(explorer.__name__ for explorer in EXPLORERS)]

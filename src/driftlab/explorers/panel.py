@@ -43,8 +43,8 @@ class Control:
         Key in the values handed to `Explorer.compute`.
     label : str
         What stands before the slider, with the unit.
-    start : float, int or str
-        Value wherever a preset does not say another one.
+    start : float, int, bool or str
+        Value wherever a preset does not say another one. A bool makes a box to tick.
     low, high, step : float
         Range of a slider.
     stops : sequence of float
@@ -65,8 +65,13 @@ class Control:
     choices: Sequence[str] = ()
     group: str = ""
 
+    @property
+    def options(self) -> Sequence[Any]:
+        """All values there are; empty for a range."""
+        return (False, True) if isinstance(self.start, bool) else self.choices or self.stops
+
     def widget(self) -> widgets.ValueWidget:
-        """Make the widget: a slider for a range, whole-numbered if `start` is, or a menu."""
+        """Make the widget: a slider for a range, whole-numbered if `start` is, a menu or a box."""
         common = {
             "value": self.start,
             "description": self.label,
@@ -74,6 +79,10 @@ class Control:
             "style": {"description_width": "11em"},
             "layout": {"width": "26em"},
         }
+        if isinstance(self.start, bool):
+            # The label stands beside the box, not before it, so it needs no column of its own.
+            box = {**common, "style": {"description_width": "0"}, "layout": {"width": "15em"}}
+            return widgets.Checkbox(indent=False, **box)
         if self.choices:
             return widgets.Dropdown(options=list(self.choices), **common)
         if self.stops:
@@ -84,10 +93,9 @@ class Control:
 
     def check(self, value: Any) -> None:
         """Refuse a value that the widget would refuse or silently move."""
-        if self.choices or self.stops:
-            known = self.choices or self.stops
-            if value not in known:
-                listed = ", ".join(map(str, known))
+        if self.options:
+            if value not in self.options:
+                listed = ", ".join(map(str, self.options))
                 raise ValueError(f"{self.name}: expected one of {listed}, got {value!r}.")
         elif not self.low <= finite_array(value, self.name) <= self.high:
             raise ValueError(

@@ -16,7 +16,11 @@ DURATION = 2.0
 """Seconds of motion."""
 RATES = (12, 24, 48, 96, 192, 384)
 """Sample rates in Hz: each gives a multiple of six increments, so all algorithms can be tried."""
-MOTIONS = {"coning": Coning, "swaying ship": Sway, "fixed axis": FixedAxis}
+MOTIONS: dict[str, type[Coning] | type[Sway] | type[FixedAxis]] = {
+    "coning": Coning,
+    "swaying ship": Sway,
+    "fixed axis": FixedAxis,
+}
 MARKERS = "osD^vPX"
 STYLES = {
     name: {**style, "marker": marker, "markersize": 4.5}
@@ -34,6 +38,7 @@ class AlgorithmLaboratory(NamedTuple):
     histories: list[FloatArray]  # error at these times
     rates: FloatArray  # (m,), Hz
     worst: FloatArray  # (algorithm, m): largest error during the motion for each rate
+    rounding: float  # below this an error is not told from rounding
 
 
 def compute(
@@ -58,20 +63,20 @@ def compute(
             if sample_rate == rate:
                 times.append(moments[ends])
                 histories.append(error)
+    rounding = 1e-5 if short_word else 1e-12
     return AlgorithmLaboratory(
-        tuple(names), rate, times, histories, np.array(RATES, dtype=np.float64), worst
+        tuple(names), rate, times, histories, np.array(RATES, dtype=np.float64), worst, rounding
     )
 
 
 def fitted_orders(data: AlgorithmLaboratory) -> list[float | None]:
     """Slope of each algorithm's error over the sample interval; None where rounding hides it.
 
-    Fitted to the errors between 1e-2 and 1e-12 rad: above, the error is no longer small, below, it
-    is not told from rounding.
+    Fitted to the errors below 1e-2 rad, where they are small, and above the level of rounding.
     """
     orders: list[float | None] = []
     for errors in data.worst:
-        used = (errors < 1e-2) & (errors > 1e-12)
+        used = (errors < 1e-2) & (errors > data.rounding)
         if used.sum() < 3:
             orders.append(None)
         else:

@@ -54,16 +54,15 @@ def measured_drift(algorithm: str, half_angle: float, frequency: float, rate: fl
 
 def compute() -> ConingDrift:
     """Measure the drift over frequencies and over sample rates."""
-    return ConingDrift(
-        FREQUENCIES,
-        np.array([
-            [abs(measured_drift(name, HALF_ANGLE, f, RATE)) for f in FREQUENCIES] for name in ALGORITHMS
-        ]),
-        RATES,
-        np.array([
-            [abs(measured_drift(name, HALF_ANGLE, FREQUENCY, r)) for r in RATES] for name in ALGORITHMS
-        ]),
-    )  # fmt: skip
+    by_frequency = [
+        [abs(measured_drift(name, HALF_ANGLE, float(frequency), RATE)) for frequency in FREQUENCIES]
+        for name in ALGORITHMS
+    ]
+    by_rate = [
+        [abs(measured_drift(name, HALF_ANGLE, FREQUENCY, float(rate))) for rate in RATES]
+        for name in ALGORITHMS
+    ]
+    return ConingDrift(FREQUENCIES, np.array(by_frequency), RATES, np.array(by_rate))
 
 
 def columns(data: ConingDrift) -> dict[str, FloatArray]:

@@ -1,0 +1,139 @@
+"""The slider panels of Part II."""
+
+from typing import ClassVar
+
+import numpy as np
+
+from ..attitude_algorithms import ALGORITHMS
+from ..checks import FloatArray
+from ..drift import direction_from_angles
+from ..figures import algorithm_laboratory, cayley_map
+from ..motions import Motion
+from .panel import Control, Explorer, Values
+
+
+class CayleyMapExplorer(Explorer):
+    """Both Cayley vectors of a rotation, and the way to their singularities."""
+
+    title = "The two Cayley vectors of a rotation"
+    picture_class = cayley_map.CayleyMapPicture
+    controls = (
+        Control("angle", "angle φ, degrees", 130.0, -360.0, 360.0, 1.0, group="rotation"),
+        Control("azimuth", "azimuth, degrees", 45.0, -180.0, 180.0, 1.0, group="its axis"),
+        Control("elevation", "elevation, degrees", 15.0, -90.0, 90.0, 1.0, group="its axis"),
+    )
+    presets: ClassVar = {
+        "Both finite": {},
+        "Half a turn": {"angle": 180.0},
+        "Three quarters": {"angle": 270.0},
+        "Nearly a whole turn": {"angle": 350.0},
+        "Whole turn": {"angle": 360.0},
+        "No rotation": {"angle": 0.0},
+    }
+
+    @staticmethod
+    def _axis(values: Values) -> FloatArray:
+        return direction_from_angles(*np.radians([values["azimuth"], values["elevation"]]))
+
+    def compute(self, values: Values) -> cayley_map.CayleyMap:
+        return cayley_map.compute(np.radians(values["angle"]), self._axis(values))
+
+    def numbers(self, data: cayley_map.CayleyMap) -> list[tuple[str, str]]:
+        def shown(along: float | None) -> str:
+            if along is None:
+                return "infinite"
+            return "(" + ", ".join(f"{x + 0.0:.4f}" for x in np.round(along * data.axis, 4)) + ")"
+
+        return [
+            ("vector of dimension 3", shown(data.along_3)),
+            ("from its singularity", f"{np.degrees(data.distance_3):.0f}°"),
+            ("vector of dimension 4", shown(data.along_4)),
+            ("from its singularity", f"{np.degrees(data.distance_4):.0f}°"),
+            ("shadow", shown(data.shadow)),
+        ]
+
+    def call(self, values: Values) -> str:
+        return (
+            "import numpy as np\n"
+            "from driftlab.cayley import cayley_vector\n"
+            "from driftlab.drift import direction_from_angles\n"
+            "from driftlab.quaternion import from_rotation_vector\n"
+            f"axis = direction_from_angles(*np.radians([{values['azimuth']}, "
+            f"{values['elevation']}]))\n"
+            f"rotation = from_rotation_vector(np.radians({values['angle']}) * axis)\n"
+            "for dimension in (3, 4):\n"
+            "    try:\n"
+            "        print(dimension, cayley_vector(rotation, dimension))\n"
+            "    except ValueError as refusal:\n"
+            "        print(dimension, refusal)"
+        )
+
+
+WORDS = {"64 bits": False, "32 bits": True}
+
+
+class AlgorithmLaboratoryExplorer(Explorer):
+    """Attitude algorithms on a motion of one's choice."""
+
+    title = "Algorithm laboratory: error of attitude from angle increments"
+    picture_class = algorithm_laboratory.AlgorithmLaboratoryPicture
+    controls = (
+        Control(
+            "motion", "motion", "coning", choices=tuple(algorithm_laboratory.MOTIONS),
+            group="motion",
+        ),
+        Control("amplitude", "amplitude, degrees", 1.0, 0.5, 60.0, 0.5, group="motion"),
+        Control("frequency", "frequency, Hz", 1.0, 0.1, 3.0, 0.1, group="motion"),
+        Control(
+            "rate", "sample rate, Hz", 96, stops=algorithm_laboratory.RATES, group="computer"
+        ),
+        Control("word", "word length", "64 bits", choices=tuple(WORDS), group="computer"),
+        *(Control(name, name, True, group="algorithms") for name in ALGORITHMS),
+    )  # fmt: skip
+    presets: ClassVar = {
+        "Small cone": {},
+        "Wide cone": {"amplitude": 60.0},
+        "Swaying ship": {"motion": "swaying ship", "amplitude": 30.0, "frequency": 0.5},
+        "Fixed axis": {"motion": "fixed axis", "amplitude": 57.0, "frequency": 0.5},
+        "Short word": {
+            "motion": "swaying ship", "amplitude": 30.0, "frequency": 0.5, "word": "32 bits"
+        },
+        "Too few samples": {"amplitude": 5.0, "frequency": 3.0, "rate": 12},
+    }  # fmt: skip
+
+    @staticmethod
+    def _motion(values: Values) -> Motion:
+        kind = algorithm_laboratory.MOTIONS[values["motion"]]
+        return kind(float(np.radians(values["amplitude"])), values["frequency"])
+
+    def compute(self, values: Values) -> algorithm_laboratory.AlgorithmLaboratory:
+        ticked = tuple(name for name in ALGORITHMS if values[name])
+        if not ticked:
+            raise ValueError("algorithms: expected at least one ticked, got none.")
+        return algorithm_laboratory.compute(
+            self._motion(values), values["rate"], ticked, short_word=WORDS[values["word"]]
+        )
+
+    def numbers(self, data: algorithm_laboratory.AlgorithmLaboratory) -> list[tuple[str, str]]:
+        orders = algorithm_laboratory.fitted_orders(data)
+        worst = 3600 * np.degrees([history.max() for history in data.histories])
+        return [
+            (name, f"{error:.3g}″" + ("" if order is None else f", order {order:.2f}"))
+            for name, error, order in zip(data.names, worst, orders, strict=True)
+        ]
+
+    def call(self, values: Values) -> str:
+        kind = algorithm_laboratory.MOTIONS[values["motion"]].__name__
+        short = WORDS[values["word"]]
+        name = next((name for name in ALGORITHMS if values[name]), "two-step-4")
+        function = "integrate_in_word" if short else "integrate"
+        module = "word_length" if short else "attitude_algorithms"
+        count = round(algorithm_laboratory.DURATION * values["rate"])
+        return (
+            "import numpy as np\n"
+            f"from driftlab.{module} import {function}\n"
+            f"from driftlab.motions import {kind}\n"
+            f"motion = {kind}(np.radians({values['amplitude']}), {values['frequency']})\n"
+            f"increments = motion.increments(1 / {values['rate']}, {count})\n"
+            f'{function}(increments, "{name}", start=motion.attitude(0.0))'
+        )
