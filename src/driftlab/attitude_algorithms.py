@@ -8,7 +8,8 @@ becomes a quaternion.
 
 The paper's section 2 is lost. The Picard algorithms below are derived from what is left of the
 paper, in chapter 06; they are a reconstruction and need not be the authors' own forms. The two
-rotation-vector algorithms are Miller's (1983) and are what a user would otherwise take.
+rotation-vector algorithms are what a user would otherwise take; the weights for three samples are
+Miller's (1983).
 """
 
 from __future__ import annotations

@@ -132,12 +132,11 @@ def picard_iterate(k: Series, rate: Series) -> Series:
 def exact_step_vector(rate: Series) -> Series:
     """Series of the true k over a step of length h, to the order of `rate`.
 
-    Each of Picard's iterates has one more true coefficient at least, so as many as there are
-    coefficients leave nothing to change.
+    Each of Picard's iterates has one more true coefficient than the one before.
     """
-    k = [sp.zeros(3, 1)] * len(rate)
-    for _ in rate:
-        k = picard_iterate(k, rate)
+    k = [sp.zeros(3, 1)]
+    for length in range(2, len(rate) + 1):
+        k = picard_iterate([*k, sp.zeros(3, 1)], rate[:length])
     return k
 
 

@@ -44,11 +44,19 @@ def measured_drift(algorithm: str, half_angle: float, frequency: float, rate: fl
     Seen from the axis of the cone all steps are alike, so the error's component along that axis
     grows by the same amount at each: a few steps tell the drift as well as many.
     """
-    motion = Coning(half_angle, frequency)
-    count = STEPS * ALGORITHMS[algorithm].samples
-    found = integrate(motion.increments(1 / rate, count), algorithm, start=motion.attitude(0.0))
+    motion, chosen = Coning(half_angle, frequency), ALGORITHMS[algorithm]
+    count = STEPS * chosen.samples
+    increments = motion.increments(1 / rate, chosen.memory + count)
+    # A past of its own keeps the start formulas of algorithms with memory out of the measurement.
+    found = integrate(
+        increments[chosen.memory :],
+        algorithm,
+        start=motion.attitude(chosen.memory / rate),
+        history=increments[: chosen.memory] if chosen.memory else None,
+    )
     # Apparent minus true attitude, in the reference frame, whose third axis is the cone's.
-    error = multiply(found[-1], conjugate(motion.attitude(count / rate)))
+    end = motion.attitude((chosen.memory + count) / rate)
+    error = multiply(found[-1], conjugate(end))
     return float(to_rotation_vector(error)[2] * rate / count)
 
 
