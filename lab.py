@@ -46,6 +46,8 @@ LOCK = HOME / ".setup.lock"  # beside .venv, not in it, so that a rebuild leaves
 LOG = HOME / ".setup.log"  # what the latest step of the set-up printed
 ENVIRONMENT = HOME / "environment.txt"
 PYPROJECT = HOME / "pyproject.toml"
+PEERS = VENV / "peers"  # for the benchmark only, and after everything else on its path
+PEERS_LIST = HOME / "tests/benchmarks/peers.txt"
 NOTEBOOK = "notebooks/00_start_here.ipynb"
 VERSION = f"{sys.version_info[0]}.{sys.version_info[1]}"
 
@@ -57,7 +59,7 @@ usage: python3 lab.py [command]
               --port N       use this port
   test      check the project: ruff, mypy, pytest (with arguments: only pytest, with those)
   figures   rebuild every figure and table of the book
-  bench     print how fast the package is, against its peers
+  bench     print how fast the package is, against its peers, which this command fetches
   lock      renew environment.txt from pyproject.toml
 """
 LOCK_HEADER = """\
@@ -456,7 +458,24 @@ def figures(arguments: list[str]) -> int:
 def bench(arguments: list[str]) -> int:
     expect_none(arguments)
     set_up()
+    try:
+        install_peers()
+    except Trouble as trouble:
+        say(f"The packages to compare with could not be had, so they are left out. {trouble}")
     return run("tests/benchmarks/bench.py")
+
+
+def install_peers() -> None:
+    """Install the packages that only the benchmark uses; return at once if they are there."""
+    wanted, done = PEERS_LIST.read_text("utf-8"), PEERS / "installed.txt"
+    with alone():
+        if done.exists() and done.read_text("utf-8") == wanted:
+            return
+        say("Fetching the packages to compare with; the first time takes about half a minute.")
+        shutil.rmtree(PEERS, ignore_errors=True)
+        options = ["--only-binary=:all:", "--progress-bar=off", "--target", str(PEERS)]
+        run_step([*pip_install(PYTHON), *options, "-r", str(PEERS_LIST)])
+        write(done, wanted)
 
 
 def expect_none(arguments: list[str]) -> None:

@@ -250,6 +250,33 @@ def test_without_network_the_old_environment_stays(finished: Path) -> None:
     assert run(finished, "figures", **NO_INDEX).said.strip() == "figures drawn"
 
 
+def test_the_benchmark_runs_without_the_peers_it_cannot_fetch(tiny: Path) -> None:
+    folder = tiny / "tests/benchmarks"
+    folder.mkdir(parents=True)
+    (folder / "bench.py").write_text("print('measured')\n", "utf-8")
+    peers = folder / "peers.txt"
+    peers.write_text("sixth-sense==1.0\n", "utf-8")
+    done = run(tiny, "bench", **NO_INDEX)
+    assert done.code == 0
+    assert "could not be had, so they are left out. The package index cannot be" in done.said
+    assert done.said.rstrip().endswith("measured")
+
+    peers.write_text("", "utf-8")
+    assert "Fetching the packages to compare with" in run(tiny, "bench", **NO_INDEX).said
+    again = run(tiny, "bench", **NO_INDEX)
+    assert again.said.strip() == "measured"
+
+
+def test_peers_are_pinned_and_none_of_the_environment_s() -> None:
+    pins = [
+        {line.split("==")[0] for line in path.read_text("utf-8").splitlines() if line[:1] != "#"}
+        for path in (ROOT / "tests/benchmarks/peers.txt", ROOT / "environment.txt")
+    ]
+    text = (ROOT / "tests/benchmarks/peers.txt").read_text("utf-8")
+    assert all("==" in line for line in text.splitlines() if line[:1] != "#")
+    assert pins[0].isdisjoint(pins[1])
+
+
 def test_a_moved_project_is_set_up_afresh(finished: Path, tmp_path: Path) -> None:
     moved = shutil.copytree(finished, tmp_path / "moved", symlinks=True)
     done = run(moved, "figures", **NO_INDEX)

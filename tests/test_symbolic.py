@@ -5,7 +5,8 @@ import pytest
 import sympy as sp
 from scipy.spatial.transform import Rotation
 
-from driftlab import kinematics, quaternion, symbolic
+from driftlab import cayley, kinematics, quaternion, symbolic
+from driftlab.attitude_algorithms import ALGORITHMS, step_quaternions, step_vectors
 
 RATE, MEASURED = np.array([0.3, -0.2, 0.7]), np.array([0.31, -0.25, 0.6])
 ATTITUDE = np.array([0.1, -0.5, 0.3, 0.8])
@@ -26,6 +27,17 @@ def numbers(matrix: sp.Matrix) -> np.ndarray:
         (
             symbolic.error_composition_matrix(sp.Matrix(ATTITUDE)),
             kinematics.error_composition_matrix(ATTITUDE),
+        ),
+        *(
+            (symbolic.skew_operator(sp.Matrix(RATE), n), cayley.skew_operator(RATE, n))
+            for n in (3, 4)
+        ),
+        *(
+            (
+                symbolic.riccati_rate(sp.Matrix(RATE), sp.Matrix(MEASURED), n),
+                cayley.riccati_rate(RATE, MEASURED, n),
+            )
+            for n in (3, 4)
         ),
         (symbolic.left_matrix(sp.Matrix(ATTITUDE)), quaternion.left_matrix(ATTITUDE)),
         (symbolic.right_matrix(sp.Matrix(ATTITUDE)), quaternion.right_matrix(ATTITUDE)),
@@ -48,3 +60,94 @@ def test_simplified_finds_a_hidden_zero() -> None:
     x = sp.symbols("x", positive=True)
     hidden = sp.Matrix([sp.sqrt(x) ** 2 - x, (x**2 - 1) / (x - 1) - x - 1, x / x - 2])
     assert symbolic.simplified(hidden) == sp.Matrix([0, 0, -1])
+
+
+# Rates over a step whose series have numbers for coefficients, in powers of time / step.
+SERIES = np.random.default_rng(9).normal(size=(4, 3))
+
+
+def series_of_numbers(length: int) -> symbolic.Series:
+    """`SERIES` as exact fractions, filled up with zeros."""
+    rows = [sp.Matrix([sp.nsimplify(round(x, 6)) for x in row]) for row in SERIES]
+    return rows + [sp.zeros(3, 1)] * (length - len(rows))
+
+
+def value(series: symbolic.Series, h: float) -> np.ndarray:
+    return sum(numbers(coefficient) * h**i for i, coefficient in enumerate(series))
+
+
+def test_exact_series_obeys_the_riccati_equation() -> None:
+    rate = series_of_numbers(7)
+    k = symbolic.exact_step_vector(rate)
+    t = sp.Symbol("t")
+    k_of_t, rate_of_t = (
+        sum((c * t**i for i, c in enumerate(series)), sp.zeros(3, 1)) for series in (k, rate)
+    )
+    residual = (k_of_t.diff(t) - symbolic.riccati_rate(k_of_t, rate_of_t)).expand()
+    # The sixth power of k is the last one known, so the fifth of its derivative is.
+    assert all(entry.coeff(t, i) == 0 for entry in residual for i in range(6))
+
+
+@pytest.mark.parametrize("name", ALGORITHMS)
+def test_series_of_an_algorithm_is_what_it_computes(name: str) -> None:
+    algorithm, rate, h = ALGORITHMS[name], series_of_numbers(8), 0.01
+    piece = h / algorithm.samples
+    edges = piece * np.arange(-algorithm.memory, algorithm.samples + 1)
+    coefficients = np.round(SERIES, 6)
+    integral = sum(
+        coefficients[i] * (edges[:, None] ** (i + 1)) / (i + 1) for i in range(len(SERIES))
+    )
+    increments = np.diff(integral, axis=0)
+    found = step_vectors(
+        increments[algorithm.memory :],
+        name,
+        history=increments[: algorithm.memory] if algorithm.memory else None,
+    )[0]
+    if algorithm.iterate == "rotation vector":
+        found = cayley.cayley_vector(quaternion.from_rotation_vector(found))
+    # The series ends before h^8; its coefficients and those of the rate are of order one.
+    expected = value(symbolic.algorithm_step_vector(algorithm, rate), h)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=100 * h**8 + 1e-17)
+
+
+def test_leading_error_of_an_exact_algorithm_is_refused() -> None:
+    steady = [symbolic.vector("w")] + [sp.zeros(3, 1)] * 4
+    # At a constant rate a rotation vector is exact, whatever the order.
+    with pytest.raises(ValueError, match=r"^rate: expected a longer series, got one that rotation"):
+        symbolic.leading_error(ALGORITHMS["rotation-vector-2"], steady)
+
+
+@pytest.mark.parametrize("name", ALGORITHMS)
+def test_program_computes_the_step(name: str) -> None:
+    algorithm = ALGORITHMS[name]
+    increments = 0.1 * np.random.default_rng(4).normal(size=(algorithm.window, 3))
+    values = {
+        symbol: increments[i, j]
+        for i in range(algorithm.window)
+        for j, symbol in enumerate(symbolic.vector(f"g{i}"))
+    }
+    program = symbolic.step_program(algorithm)
+    for symbol, expression in program:
+        assert symbol not in values, "assigned twice"
+        values[symbol] = float(expression.subs(values))
+    expected = step_quaternions(
+        increments[algorithm.memory :],
+        name,
+        history=increments[: algorithm.memory] if algorithm.memory else None,
+    )[0]
+    found = [values[symbol] for symbol, _ in program[-4:]]
+    np.testing.assert_allclose(found, expected, rtol=0, atol=4e-16)
+
+
+def test_operations_are_counted() -> None:
+    x, y = sp.symbols("x y", positive=True)
+    program = [
+        (sp.Symbol("a"), x + y - 1),
+        (sp.Symbol("b"), 3 * x * y),
+        (sp.Symbol("c"), -x / y),
+        (sp.Symbol("d"), x**2 * sp.sin(y)),
+        (sp.Symbol("e"), sp.sqrt(x) + 1 / x),
+        (sp.Symbol("f"), sp.cos(y)),
+    ]
+    expected = {"+": 3, "×": 4, "÷": 2, "sqrt": 1, "sin, cos": 2}
+    assert symbolic.operations(program) == expected

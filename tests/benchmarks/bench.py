@@ -1,11 +1,14 @@
 """Print how fast the package is, as ratios against peers in the same run: python3 lab.py bench.
 
 Absolute times depend on the machine; the ratios much less. Each time is the best of several
-repeats, a redraw the median of its moves.
+repeats, a redraw the median of its moves. The peers of peers.txt are left out if they are missing.
 """
 
+import sys
 import timeit
+import warnings
 from collections.abc import Callable
+from pathlib import Path
 from time import perf_counter
 
 import mpmath
@@ -13,9 +16,13 @@ import numpy as np
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
+from driftlab.attitude_algorithms import ALGORITHMS, integrate
 from driftlab.explorers import EXPLORERS
 from driftlab.kinematics import error_quaternion, error_rate_matrix, error_transition_matrix
 from driftlab.quaternion import cumulative_product, from_rotation_vector
+
+# Last, so that nothing of the environment is replaced.
+sys.path.append(str(Path(sys.prefix, "peers")))
 
 
 def best(call: Callable[[], object], repeats: int = 5) -> float:
@@ -65,10 +72,117 @@ def exponentials() -> None:
 def products() -> None:
     count = 10**6
     rng = np.random.default_rng(0)
-    increments = from_rotation_vector(1e-3 * rng.normal(size=(count, 3)))
-    ours = best(lambda: cumulative_product(increments), repeats=3)
+    quaternions = from_rotation_vector(1e-3 * rng.normal(size=(count, 3)))
+    ours = best(lambda: cumulative_product(quaternions), repeats=3)
     each = 1e9 * ours / count
     print(f"cumulative_product, {count}:       {1e3 * ours:8.1f} ms   {each:6.0f} ns each")
+    error = np.abs(cumulative_product(quaternions) - extended_product(quaternions)).max()
+    print(f"  largest error                      {float(error):8.1e}")
+
+
+def extended_product(quaternions: np.ndarray) -> np.ndarray:
+    """Cumulative product in NumPy's longest floating point numbers, one after the other."""
+    products = np.empty(quaternions.shape, np.longdouble)
+    product = np.array([0, 0, 0, 1], np.longdouble)
+    rows = np.moveaxis(quaternions.astype(np.longdouble), -1, 0)
+    x, y, z, w = rows
+    matrices = np.stack([w, z, -y, x, -z, w, x, y, y, -x, w, z, -x, -y, -z, w], axis=-1)
+    for i, matrix in enumerate(matrices.reshape(-1, 4, 4)):
+        product = matrix @ product
+        products[i] = product
+    return products
+
+
+def attitudes() -> None:
+    """Attitude from increments: the algorithms, and the peers on their own terms."""
+    count, rate = 10**6 - 10**6 % 6, 100.0
+    time = np.arange(count)[:, None] / rate
+    increments = np.sin(time * [2.0, 1.3, 0.7] + [0.0, 1.0, 2.0]) / rate
+    print(f"integrate, {count} increments:        ns each")
+    for name in ALGORITHMS:
+        ours = 1e9 * best(lambda name=name: integrate(increments, name), repeats=3) / count
+        print(f"  {name:28}       {ours:8.0f}")
+    ours = 1e9 * best(lambda: integrate(increments, "memory-4"), repeats=3) / count
+    print("peers, against memory-4:")
+    for name, peer in (
+        ("scipy Rotation, one by one", scipy_one_by_one),
+        ("ahrs, one by one", ahrs_one_by_one),
+        ("pyins, compiled, with navigation", pyins_navigation),
+    ):
+        try:
+            theirs, gap = peer(increments, rate)
+        except ImportError as missing:
+            print(f"  {name:34} left out: {missing}")
+        else:
+            print(f"  {name:34} {theirs:8.0f}        {theirs / ours:6.1f} x, gap {gap:.0e} rad")
+
+
+Peer = tuple[float, float]
+"""Nanoseconds for one increment, and the angle between the peer's last attitude and ours."""
+
+
+def gap_to(attitude: Rotation, increments: np.ndarray) -> float:
+    """Angle to the product of the increments as they are, which is what the peers compute."""
+    return float((Rotation.from_quat(integrate_plainly(increments)).inv() * attitude).magnitude())
+
+
+def integrate_plainly(increments: np.ndarray) -> np.ndarray:
+    return cumulative_product(from_rotation_vector(increments))[-1]
+
+
+def scipy_one_by_one(increments: np.ndarray, rate: float) -> Peer:
+    rows = increments[:10_000]
+
+    def run() -> Rotation:
+        attitude = Rotation.identity()
+        for row in rows:
+            attitude = attitude * Rotation.from_rotvec(row)
+        return attitude
+
+    return 1e9 * best(run, repeats=3) / len(rows), gap_to(run(), rows)
+
+
+def ahrs_one_by_one(increments: np.ndarray, rate: float) -> Peer:
+    from ahrs.filters import AngularRate
+
+    rows = increments[:10_000]
+    method = AngularRate(frequency=rate)
+
+    def run() -> np.ndarray:
+        attitude = np.array([1.0, 0.0, 0.0, 0.0])
+        for row in rows * rate:
+            attitude = method.update(attitude, row, method="closed")
+        return attitude
+
+    attitude = Rotation.from_quat(run(), scalar_first=True)
+    return 1e9 * best(run, repeats=3) / len(rows), gap_to(attitude, rows)
+
+
+def pyins_navigation(increments: np.ndarray, rate: float) -> Peer:
+    """Its integrator carries velocity and position along; there is no part for attitude alone."""
+    import pandas as pd
+    from pyins import earth, strapdown, transform, util
+
+    warnings.filterwarnings("ignore", message="The copy keyword is deprecated")
+    rows = increments[:100_000]
+    at_rest = np.zeros_like(rows)
+    columns = [*util.GYRO_COLS, *util.ACCEL_COLS]
+    index = np.arange(len(rows)) / rate
+    imu = pd.DataFrame(np.hstack([rows, at_rest]), index=index, columns=columns)
+    place = pd.Series([45.0, 30.0, *[0.0] * 7], index=util.TRAJECTORY_COLS, name=0.0)
+
+    def run() -> tuple[np.ndarray, pd.DataFrame]:
+        steps = strapdown.compute_increments_from_imu(imu, "increment")
+        navigation = strapdown.Integrator(place, with_altitude=False).integrate(steps)
+        return steps[["theta_x", "theta_y", "theta_z"]].to_numpy(), navigation
+
+    steps, navigation = run()
+    attitude = Rotation.from_matrix(transform.mat_from_rph(navigation.iloc[-1][util.RPH_COLS]))
+    # Its reference frame turns with the Earth.
+    latitude, seconds = np.radians(45.0), len(steps) / rate
+    turned = earth.RATE * seconds * np.array([np.cos(latitude), 0.0, -np.sin(latitude)])
+    gap = gap_to(Rotation.from_rotvec(turned) * attitude, steps)
+    return 1e9 * best(run, repeats=3) / len(rows), gap
 
 
 def redraws(moves: int = 10) -> None:
@@ -92,4 +206,5 @@ if __name__ == "__main__":
     error_quaternions()
     exponentials()
     products()
+    attitudes()
     redraws()

@@ -8,14 +8,22 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from driftlab import attitude_algorithms
+from driftlab.attitude_algorithms import ALGORITHMS
 from driftlab.drift import direction_from_angles, drift_coefficient, non_orthogonality
 from driftlab.figures import (
+    algorithm_laboratory,
+    algorithm_orders,
+    cayley_map,
+    coning_drift,
     drift_by_symmetry,
     drift_history,
     drift_map,
     error_motion,
     larin_digits,
+    riccati_turns,
     roots,
+    short_word,
     turn_bias,
     turn_estimates,
     weighing_designs,
@@ -24,6 +32,7 @@ from driftlab.figures.__main__ import main
 from driftlab.figures.catalogue import CATALOGUE, Entry
 from driftlab.figures.publish import Plate, plate
 from driftlab.larin_table import MISALIGNMENT
+from driftlab.motions import Coning
 from driftlab.turn_calibration import TurnExperiment
 from support import directions, matrices
 
@@ -225,3 +234,85 @@ def test_direction_is_a_unit_vector_with_its_angles(azimuth: float, elevation: f
     if abs(elevation) < 89:
         turned = np.radians(azimuth) - np.arctan2(y, x)
         assert np.isclose(np.cos(turned), 1)
+
+
+def test_cayley_map_shows_the_tangents_and_says_what_is_infinite() -> None:
+    degrees = np.array([-270.0, -90.0, 10.0, 130.0, 300.0])
+    for phi in np.radians(degrees):
+        data = cayley_map.compute(phi, [0.3, -2, 1])
+        found = [data.along_3, data.along_4, data.shadow]
+        np.testing.assert_allclose(
+            found, [-np.tan(phi / 2), -np.tan(phi / 4), 1 / np.tan(phi / 4)], rtol=1e-13
+        )
+    for angle, infinite in ((np.pi, "along_3"), (-2 * np.pi, "along_4"), (0.0, "shadow")):
+        data = cayley_map.compute(angle, [1, 0, 0])
+        names = [name for name in ("along_3", "along_4", "shadow") if getattr(data, name) is None]
+        assert names == [infinite]
+    with pytest.raises(ValueError, match=r"^angle: expected at most a whole turn either way"):
+        cayley_map.compute(7.0, [1, 0, 0])
+
+
+def test_riccati_turns_say_what_the_caption_says() -> None:
+    data = riccati_turns.compute()
+    assert data.ended.time[-1] < 1 < data.plain.time[-1] == data.switched.time[-1]
+    assert np.linalg.norm(data.switched.vector, axis=-1).max() < 1 + 1e-6
+    # Nearest to the singularity, after a turn: the vector of an angle of 2 pi less the miss.
+    longest = np.linalg.norm(data.plain.vector[data.plain.time < 1.5], axis=-1).max()
+    assert longest == pytest.approx(1 / np.tan(data.miss / 4), rel=1e-2)
+    plain, switched = data.fixed_errors[:, -1]
+    assert plain > 1000 * switched
+    # The closer the pass, the more work without the switch, and the same with it.
+    assert np.all(np.diff(data.evaluations[0]) > 0)
+    assert np.ptp(data.evaluations[1]) < 0.2 * data.evaluations[1].mean()
+    assert data.errors.max() < 1e-6
+
+
+def test_algorithm_orders_are_those_of_the_derivation_except_where_symmetry_hides_them() -> None:
+    data = algorithm_orders.compute()
+    orders = {
+        name: dict(zip(ALGORITHMS, row, strict=True))
+        for name, row in zip(("narrow", "wide", "ship", "axis"), data.orders, strict=True)
+    }
+    for name, algorithm in ALGORITHMS.items():
+        assert orders["ship"][name] == pytest.approx(algorithm.order, abs=0.1)
+        assert orders["wide"][name] == pytest.approx(algorithm.order, abs=0.15)
+        assert orders["narrow"][name] == pytest.approx(2 if name == "picard-1" else 4, abs=0.1)
+        if algorithm.iterate == "rotation vector":
+            assert orders["axis"][name] is None
+        else:
+            assert orders["axis"][name] == pytest.approx(2 if name == "picard-1" else 4, abs=0.1)
+
+
+@pytest.mark.parametrize("name", ALGORITHMS)
+def test_measured_coning_drift_is_the_closed_formula(name: str) -> None:
+    # Terms of the fourth power of the half angle are left out: 1e-4 of the second with 0.01 rad.
+    # Where the formula itself nearly vanishes, they are compared with the uncorrected drift.
+    for frequency, rate in ((1.0, 30.0), (5.0, 40.0), (5.0, 100.0)):
+        found = coning_drift.measured_drift(name, 0.01, frequency, rate)
+        plain = abs(attitude_algorithms.coning_drift("picard-1", 0.01, frequency, 1 / rate))
+        formula = attitude_algorithms.coning_drift(name, 0.01, frequency, 1 / rate)
+        assert found == pytest.approx(formula, rel=0, abs=1e-4 * plain)
+
+
+def test_short_word_saves_the_step_but_not_the_sum() -> None:
+    data = short_word.compute()
+    # 1 - l0 is a few operations on numbers rounded to 24 bits.
+    assert data.carried.max() < 8 * 2.0**-24
+    # A step whose 1 - l0 is below half the last digit before 1 stores l0 as 1.
+    lost = 2 * np.sin(data.angles / 4) ** 2 < 2.0**-25
+    assert np.all(data.subtracted[lost] == 1)
+    product, complement, compensated = data.earth
+    assert np.all(compensated < complement)
+    assert np.all(complement <= product)
+    # Where a step changes the attitude by less than half its last digit, it changes nothing.
+    assert product[-1] == pytest.approx(short_word.EARTH_RATE, rel=0.01)
+
+
+def test_laboratory_refuses_another_rate_and_shows_what_is_ticked() -> None:
+    motion = Coning(0.02, 1.0)
+    data = algorithm_laboratory.compute(motion, 48, ["two-step-4", "rotation-vector-3"])
+    assert [len(times) for times in data.times] == [48, 32]
+    assert data.worst.shape == (2, len(algorithm_laboratory.RATES))
+    assert data.histories[0].max() == data.worst[0, algorithm_laboratory.RATES.index(48)]
+    with pytest.raises(ValueError, match=r"^rate: expected one of 12, 24, .* Hz, got 50"):
+        algorithm_laboratory.compute(motion, 50, ["two-step-4"])
