@@ -183,7 +183,10 @@ def _scan(first: NDArray[np.complex128], second: NDArray[np.complex128]) -> None
         a[i], b[i] = _multiply_pairs(a[i - 1], b[i - 1], a[i], b[i])
     before_a, before_b = a[-1].copy(), b[-1].copy()
     _scan(before_a, before_b)
-    for i in range(length):
-        a[i, 1:], b[i, 1:] = _multiply_pairs(before_a[:-1], before_b[:-1], a[i, 1:], b[i, 1:])
+    # Some rows at a time: few enough to stay in the processor's cache, else as many as can be.
+    rows = max(1, 2**13 // (blocks * many))
+    for i in range(0, length, rows):
+        here = np.s_[i : i + rows, 1:]
+        a[here], b[here] = _multiply_pairs(before_a[:-1], before_b[:-1], a[here], b[here])
     first[:] = a.swapaxes(0, 1).reshape(-1, many)[:count]
     second[:] = b.swapaxes(0, 1).reshape(-1, many)[:count]

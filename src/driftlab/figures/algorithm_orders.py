@@ -8,9 +8,11 @@ from ..attitude_algorithms import ALGORITHMS
 from ..checks import FloatArray
 from ..motions import Coning, FixedAxis, Motion, Sway
 from . import algorithm_laboratory
-from .algorithm_laboratory import RATES, STYLES
-from .picture import GREY, Picture
+from .algorithm_laboratory import STYLES, draw_slopes
+from .picture import Picture
 
+RATES = (24, 48, 96, 192, 384, 768)
+"""Sample rates in Hz."""
 MOTIONS: dict[str, Motion] = {
     "small cone, half angle 1°, 1 Hz": Coning(float(np.radians(1.0)), 1.0),
     "wide cone, half angle 60°, 1 Hz": Coning(float(np.radians(60.0)), 1.0),
@@ -30,7 +32,7 @@ class AlgorithmOrders(NamedTuple):
 def compute() -> AlgorithmOrders:
     """Try every algorithm on every motion of `MOTIONS`."""
     trials = [
-        algorithm_laboratory.compute(motion, RATES[0], tuple(ALGORITHMS))
+        algorithm_laboratory.compute(motion, RATES[0], tuple(ALGORITHMS), rates=RATES)
         for motion in MOTIONS.values()
     ]
     return AlgorithmOrders(
@@ -59,16 +61,12 @@ class AlgorithmOrdersPicture(Picture[AlgorithmOrders]):
     def build(self) -> None:
         panels = self.figure.subplots(2, 2, sharex=True, sharey=True).ravel()
         self.figure.subplots_adjust(0.085, 0.135, 0.985, 0.955, wspace=0.06, hspace=0.16)
-        ends = np.array([RATES[0], RATES[-1]])
         self.lines = []
         for panel, title in zip(panels, MOTIONS, strict=True):
-            panel.set(title=title, xscale="log", yscale="log", xlim=(10, 460), ylim=(1e-16, 3))
+            panel.set(title=title, xscale="log", yscale="log", xlim=(21, 900), ylim=(1e-16, 3))
             panel.set_xticks(RATES, [str(rate) for rate in RATES])
             panel.minorticks_off()
-            for slope in (2, 3, 4):
-                values = 0.5 * (ends / ends[0]) ** -float(slope)
-                panel.plot(ends, values, color=GREY, linewidth=0.8)
-                panel.text(ends[1], values[1], f"order {slope}", color=GREY, ha="right", va="top")
+            draw_slopes(panel, RATES[0], 2e-12)
             self.lines.append([
                 self.line(panel, **style, label=name) for name, style in STYLES.items()
             ])  # fmt: skip
