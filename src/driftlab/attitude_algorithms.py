@@ -6,10 +6,14 @@ which can be estimated from cross products of neighbouring increments. An algori
 choices: how many increments make a step, how the correction is estimated, and how corrected gamma
 becomes a quaternion.
 
-The paper's section 2 is lost. The Picard algorithms below are derived from what is left of the
-paper, in chapter 06; they are a reconstruction and need not be the authors' own forms. The two
-rotation-vector algorithms are what a user would otherwise take; the weights for three samples are
-Miller's (1983).
+The copy of the paper at hand ends where section 2 begins. The algorithms below are derived in
+chapter 06 from what is left: `one-step-3`, `two-step-3` and `two-step-4` after the promises of the
+abstract, `picard-1` and `memory-4` beside them. They are a reconstruction and need not be the
+authors' own forms. The two rotation-vector algorithms are what a user would otherwise take; the
+weights for three samples are Miller's (1983).
+
+In the names, the last number is the global order, except that `picard-1` is the first iterate and
+that the two rotation-vector algorithms count their samples.
 """
 
 from __future__ import annotations
@@ -23,7 +27,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from .cayley import rotation_quaternion
-from .checks import FloatArray, finite_array, finite_arrays
+from .checks import FloatArray, finite_array, finite_arrays, whole_number
 from .quaternion import cumulative_product, from_rotation_vector, multiply
 
 Weights = Mapping[tuple[int, int], float]
@@ -64,6 +68,22 @@ class Algorithm:
     order: int
     starts: tuple[Weights, ...] = ()
 
+    def __post_init__(self) -> None:
+        whole_number(self.samples, "samples")
+        whole_number(self.memory, "memory", least=0)
+        if self.memory and self.samples > 1:
+            raise ValueError(f"memory: expected 0 with several samples a step, got {self.memory}.")
+        if len(self.starts) != self.memory:
+            raise ValueError(
+                f"starts: expected one for each of {self.memory} increments of memory, "
+                f"got {len(self.starts)}."
+            )
+        for i, j in (pair for weights in (self.coning, *self.starts) for pair in weights):
+            if not 0 <= i < j < self.window:
+                raise ValueError(
+                    f"coning: expected places 0 <= i < j < {self.window}, got {(i, j)}."
+                )
+
     @property
     def window(self) -> int:
         """Increments that one step looks at."""
@@ -103,16 +123,18 @@ ALGORITHMS: Mapping[str, Algorithm] = MappingProxyType(
 """Algorithms by name: `one-step-3` is A of the derivation, `two-step-4` B, `memory-4` C."""
 
 
-def attitude_algorithm(name: str) -> Algorithm:
-    """Return the algorithm called `name`, or refuse an unknown name with the list of known ones."""
-    if name not in ALGORITHMS:
-        raise ValueError(f"algorithm: expected one of {', '.join(ALGORITHMS)}, got {name!r}.")
-    return ALGORITHMS[name]
+def attitude_algorithm(algorithm: str | Algorithm) -> Algorithm:
+    """Return the algorithm of that name, or `algorithm` itself; an unknown name is refused."""
+    if isinstance(algorithm, Algorithm):
+        return algorithm
+    if algorithm not in ALGORITHMS:
+        raise ValueError(f"algorithm: expected one of {', '.join(ALGORITHMS)}, got {algorithm!r}.")
+    return ALGORITHMS[algorithm]
 
 
 def integrate(
     increments: ArrayLike,
-    algorithm: str = "two-step-4",
+    algorithm: str | Algorithm = "two-step-4",
     *,
     start: ArrayLike = (0.0, 0.0, 0.0, 1.0),
     history: ArrayLike | None = None,
@@ -123,12 +145,15 @@ def integrate(
     ----------
     increments : array_like, shape (..., n, 3)
         Integrals of the body rate over equal intervals, rad, in the order in which they happen.
-    algorithm : str
-        A key of `ALGORITHMS`.
+        They must be true integrals, as from an integrating gyro. Sampled rates times the interval
+        are not: the coning between two samples is lost in them, see chapter 06.
+    algorithm : str or Algorithm
+        A key of `ALGORITHMS`, or an algorithm of one's own.
     start : array_like, shape (..., 4)
-        Attitude before the first increment.
+        Attitude before the first increment; brought to unit norm.
     history : array_like, shape (..., m, 3), optional
-        The increments before the first, as many as the algorithm's memory; more are ignored.
+        The increments before the first, as many as the algorithm's memory; earlier ones, and any
+        history of an algorithm without memory, are not looked at.
         Without it an algorithm with memory starts by a formula of the same order that uses the
         increments that follow.
 
@@ -142,27 +167,31 @@ def integrate(
     ------
     ValueError
         If the algorithm is unknown; the increments do not make whole steps, are too few to start
-        without a history, or turn by a whole turn in one step, where k is infinite.
+        without a history, or turn by a whole turn in one step, where the true k is infinite. All
+        algorithms want steps that turn by much less than 1 rad.
     """
-    start = finite_array(start, "start", 4)
+    first = finite_array(start, "start", 4)
+    norm = np.linalg.norm(first, axis=-1, keepdims=True)
+    if not norm.all():
+        raise ValueError("start: expected nonzero quaternions, got a zero quaternion.")
     steps = cumulative_product(step_quaternions(increments, algorithm, history=history))
-    finite_arrays(increments=(steps, *steps.shape[-2:]), start=(start, 4))
-    return multiply(start[..., np.newaxis, :], steps)
+    finite_arrays(increments=(steps, *steps.shape[-2:]), start=(first, 4))
+    return multiply((first / norm)[..., np.newaxis, :], steps)
 
 
 def step_quaternions(
-    increments: ArrayLike, algorithm: str, *, history: ArrayLike | None = None
+    increments: ArrayLike, algorithm: str | Algorithm, *, history: ArrayLike | None = None
 ) -> FloatArray:
     """Rotations over the single steps, (..., n // samples, 4); arguments as in `integrate`."""
     vectors = step_vectors(increments, algorithm, history=history)
-    if ALGORITHMS[algorithm].iterate == "rotation vector":
+    if attitude_algorithm(algorithm).iterate == "rotation vector":
         return from_rotation_vector(vectors)
     return rotation_quaternion(vectors)
 
 
 def step_vectors(
     increments: ArrayLike,
-    algorithm: str,
+    algorithm: str | Algorithm,
     *,
     history: ArrayLike | None = None,
     word: DTypeLike = np.float64,
@@ -174,63 +203,88 @@ def step_vectors(
     increments, algorithm, history
         As in `integrate`.
     word : dtype
-        The floating dtype in which to calculate, once the increments are rounded to it.
+        float16, float32 or float64: the arithmetic, once the increments are rounded to it.
 
     Returns
     -------
     ndarray of `word`, shape (..., n // samples, 3)
     """
     chosen = attitude_algorithm(algorithm)
-    dtype = np.dtype(word)
-    if dtype.kind != "f":
-        raise ValueError(f"word: expected a floating dtype, got {dtype}.")
-    rows = finite_array(increments, "increments", 3)
-    if rows.ndim < 2:
+    dtype = _checked_word(word)
+    rows = finite_array(increments, "increments")
+    if rows.ndim < 2 or rows.shape[-1] != 3:
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
-    count = rows.shape[-2]
-    if count % chosen.samples:
+    if chosen.iterate != "rotation vector" and np.abs(rows).max() >= 2 * np.pi:
+        raise _too_far(float(np.abs(rows).max()))
+    count, left_over = rows.shape[-2], rows.shape[-2] % chosen.samples
+    if left_over:
         raise ValueError(
-            f"increments: expected a multiple of {chosen.samples} for {algorithm}, got {count}."
+            f"increments: expected a multiple of {chosen.samples} for {chosen.name}, got {count}; "
+            f"keep the last {left_over} for the next call."
         )
-    past = None
-    if history is not None:
-        past = finite_array(history, "history", 3)
-        if past.ndim < 2 or past.shape[-2] < chosen.memory:
+    if history is None or not chosen.memory:
+        if chosen.memory and count < chosen.window:
             raise ValueError(
-                f"history: expected shape (..., m, 3) with m at least {chosen.memory} for "
-                f"{algorithm}, got shape {past.shape}."
+                f"increments: expected at least {chosen.window} for {chosen.name} to start without "
+                f"a history, got {count}."
             )
-        finite_arrays(increments=(rows, count, 3), history=(past, *past.shape[-2:]))
-    elif chosen.memory and count < chosen.window:
+        return _vectors(chosen, _in_word(rows, dtype), past=0)
+    past = finite_array(history, "history", 3)
+    if past.ndim < 2 or past.shape[-2] < chosen.memory:
         raise ValueError(
-            f"increments: expected at least {chosen.window} for {algorithm} to start without a "
-            f"history, got {count}."
+            f"history: expected shape (..., m, 3) with m at least {chosen.memory} for "
+            f"{chosen.name}, got shape {past.shape}."
         )
-    past = past if past is None else past.astype(dtype)
-    return _vectors(chosen, rows.astype(dtype, copy=False), past)
+    finite_arrays(increments=(rows, count, 3), history=(past, *past.shape[-2:]))
+    leading = np.broadcast_shapes(rows.shape[:-2], past.shape[:-2])
+    both = [
+        np.broadcast_to(part, (*leading, *part.shape[-2:]))
+        for part in (past[..., -chosen.memory :, :], rows)
+    ]
+    return _vectors(chosen, _in_word(np.concatenate(both, axis=-2), dtype), past=chosen.memory)
 
 
-def _vectors(
-    algorithm: Algorithm, increments: NDArray[Any], history: NDArray[Any] | None
-) -> NDArray[Any]:
-    """`step_vectors` of checked arguments, in their own arithmetic."""
+def _checked_word(word: DTypeLike) -> np.dtype[Any]:
+    try:
+        dtype = np.dtype(word)
+    except TypeError:
+        dtype = np.dtype(object)
+    if dtype not in (np.float16, np.float32, np.float64):
+        raise ValueError(f"word: expected float16, float32 or float64, got {word!r}.")
+    return dtype
+
+
+def _in_word(rows: FloatArray, dtype: np.dtype[Any]) -> NDArray[Any]:
+    with np.errstate(over="ignore"):
+        rounded = rows.astype(dtype, copy=False)
+    if not np.isfinite(rounded).all():
+        raise ValueError(f"increments: expected numbers that {dtype} can hold, got larger ones.")
+    return rounded
+
+
+def _too_far(angle: float) -> ValueError:
+    return ValueError(
+        "increments: expected less than a whole turn a step, where the true k is infinite, "
+        f"got {angle:.3g} rad."
+    )
+
+
+def _vectors(algorithm: Algorithm, increments: NDArray[Any], past: int) -> NDArray[Any]:
+    """`step_vectors` of checked increments, the first `past` of which are history."""
     kind, m = increments.dtype.type, algorithm.samples
     # Components first, so that everything but a cross product is plain arithmetic.
     rows = np.ascontiguousarray(np.moveaxis(increments, -1, 0))
-    gamma = sum((rows[..., i::m] for i in range(1, m)), rows[..., 0::m])
     if algorithm.memory:
-        coning = _coning_with_memory(algorithm, rows, history)
+        gamma, coning = rows[..., past:], _coning_with_memory(algorithm, rows, past)
     else:
-        coning = _weighted(algorithm.coning, [rows[..., i::m] for i in range(m)])
-    square = (gamma**2).sum(axis=0)
+        places = [rows[..., i::m] for i in range(m)]
+        gamma, coning = sum(places[1:], places[0]), _weighted(algorithm.coning, places)
     if algorithm.iterate == "rotation vector":
-        vectors = gamma + coning
-    elif not (square < 4 * np.pi**2).all():
-        raise ValueError(
-            "increments: expected less than a whole turn a step, where k is infinite, "
-            f"got {float(np.sqrt(square.max())):.3g} rad."
-        )
-    elif algorithm.iterate == "first":
+        return np.moveaxis(gamma + coning, 0, -1)
+    square = (gamma**2).sum(axis=0)
+    if not (square < 4 * np.pi**2).all():
+        raise _too_far(float(np.sqrt(square.max())))
+    if algorithm.iterate == "first":
         vectors = kind(-1 / 4) * gamma
     else:
         vectors = kind(-1 / 4) * (gamma + coning) - kind(1 / 192) * square * gamma
@@ -260,18 +314,11 @@ def _weighted(weights: Weights, places: list[NDArray[Any]]) -> NDArray[Any]:
     return total
 
 
-def _coning_with_memory(
-    algorithm: Algorithm, rows: NDArray[Any], history: NDArray[Any] | None
-) -> NDArray[Any]:
+def _coning_with_memory(algorithm: Algorithm, rows: NDArray[Any], past: int) -> NDArray[Any]:
     """Coning correction (3, ..., n) of an algorithm whose step is one increment."""
-    if history is not None:
-        past = np.moveaxis(history[..., history.shape[-2] - algorithm.memory :, :], -1, 0)
-        leading = np.broadcast_shapes(rows.shape[:-1], past.shape[:-1])
-        both = [np.broadcast_to(x, (*leading, x.shape[-1])) for x in (past, rows)]
-        rows = np.concatenate(both, axis=-1)
     last = rows.shape[-1] - algorithm.memory
     coning = _weighted(algorithm.coning, [rows[..., i : last + i] for i in range(algorithm.window)])
-    if history is not None:
+    if past:
         return coning
     first = [rows[..., i : i + 1] for i in range(algorithm.window)]
     starts = [_weighted(weights, first) for weights in algorithm.starts]
@@ -279,31 +326,36 @@ def _coning_with_memory(
 
 
 def coning_drift(
-    algorithm: str, half_angle: ArrayLike, frequency: ArrayLike, sample_interval: ArrayLike
+    algorithm: str | Algorithm,
+    half_angle: ArrayLike,
+    frequency: ArrayLike,
+    sample_interval: ArrayLike,
 ) -> FloatArray:
     """Apparent drift about the axis of a small cone, rad/s; closed form.
 
     Parameters
     ----------
-    algorithm : str
-        A key of `ALGORITHMS`.
+    algorithm : str or Algorithm
+        A key of `ALGORITHMS`, or an algorithm of one's own.
     half_angle : array_like, shape (...)
         Half the opening angle of the cone, rad; terms of its fourth power are left out.
     frequency : array_like, shape (...)
-        Turns of the axis round the cone in a second, Hz.
+        Turns of the axis round the cone in a second, Hz; negative for the other sense.
     sample_interval : array_like, shape (...)
         Interval of one increment, s.
 
     Returns
     -------
     ndarray, shape (...)
-        Positive about the axis about which the coning turns. Zero means no error.
+        Positive about the axis of the cone. It changes its sign with the frequency, so an algorithm
+        that corrects too little drifts against the sense in which the axis runs round.
 
     Notes
     -----
     With x = 2 pi f h, the angle of coning in one interval, an increment and the one d later have
     the cross product 4 sin(x/2)^2 sin(d x) sin(a)^2 about the axis. The true correction over a step
-    of m intervals is sin(a)^2 (m x - sin(m x))/2. Derived in chapter 06.
+    of m intervals is sin(a)^2 (m x - sin(m x))/2. Derived in chapter 06. The two nearly cancel when
+    x is small: rounding leaves about 1e-16 m x sin(a)^2 of a step's drift.
     """
     chosen = attitude_algorithm(algorithm)
     angle, rate, interval = finite_arrays(

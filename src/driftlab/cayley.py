@@ -18,9 +18,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
-from .checks import FloatArray, finite_array, finite_arrays, nonzero_vectors
+from .checks import FloatArray, finite_array, finite_arrays, finite_number, nonzero_vectors
 from .quaternion import pure, right_matrix
 
+_SWITCH = 1.2
+"""Length at which the shadow takes over. Its own length is then 1/1.2: far enough from the switch
+that rounding cannot send it back at once."""
 _LIMIT = 1e6
 """Without the shadow switch, an integration ends where the vector has become this long."""
 
@@ -40,14 +43,16 @@ def cayley_transform(matrix: ArrayLike) -> FloatArray:
     Raises
     ------
     ValueError
-        If E + X is singular: an orthogonal X turns some direction by half a turn.
+        If E + X is singular to rounding. An orthogonal X has the eigenvalue -1 then; of skew ones
+        only those of odd order and a size of 1e15 come near.
     """
     x = finite_array(matrix, "matrix")
     if x.ndim < 2 or x.shape[-1] != x.shape[-2]:
         raise ValueError(f"matrix: expected shape (..., n, n), got shape {x.shape}.")
     unit = np.eye(x.shape[-1])
     # From here on the smallest singular value of E + X cannot be told from zero.
-    if np.linalg.cond(unit + x).max() > 1 / (x.shape[-1] * np.finfo(float).eps):
+    condition = np.linalg.cond(unit + x).max()
+    if not condition < 1 / (x.shape[-1] * np.finfo(float).eps):
         raise ValueError("matrix: expected one without the eigenvalue -1, got E + X singular.")
     # The two factors commute, so the inverse may stand on the left.
     return np.asarray(np.linalg.solve(unit + x, unit - x), np.float64)
@@ -89,27 +94,32 @@ def cayley_vector(quaternion: ArrayLike, dimension: int = 4) -> FloatArray:
     Raises
     ------
     ValueError
-        Where k is infinite: at whole turns (dimension 4) or half turns (dimension 3).
+        Where k is infinite: at whole turns (dimension 4) or half turns (dimension 3). A quaternion
+        that is a rounding error away from there has a finite vector, of a length of 1e15 or more.
     """
     q = finite_array(quaternion, "quaternion", 4)
     largest = np.abs(q).max(axis=-1, keepdims=True)
     if not largest.all():
         raise ValueError("quaternion: expected nonzero quaternions, got a zero quaternion.")
     vector, scalar = np.split(q / largest, [3], axis=-1)
-    if _checked(dimension) == 3:
-        if not scalar.all():
-            raise ValueError(
-                "quaternion: expected no rotation by half a turn, where k is infinite."
+    # Of the vector part, direction and size apart: its square would underflow near the pole.
+    scale = np.abs(vector).max(axis=-1, keepdims=True)
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+        if _checked(dimension) == 3:
+            k = -vector / scalar
+        else:
+            sine = (
+                scale * np.linalg.norm(vector / np.where(scale > 0, scale, 1), axis=-1)[..., None]
             )
-        return -vector / scalar
-    square = np.sum(vector**2, axis=-1, keepdims=True)
-    norm = np.sqrt(square + scalar**2)
-    if not np.all((square > 0) | (scalar > 0)):
-        raise ValueError("quaternion: expected no whole turn, where k is infinite.")
-    # v/(n + s) equals (n - s) v/|v|^2; each is free of cancellation for its own sign of s.
-    forward = 1 / np.where(scalar < 0, 1.0, norm + scalar)
-    backward = (norm - scalar) / np.where(scalar < 0, square, 1.0)
-    return -np.where(scalar < 0, backward, forward) * vector
+            norm = np.hypot(sine, scalar)
+            # v/(n + s) equals ((n - s)/|v|) v/|v|; either is free of cancellation for its sign.
+            forward = vector / (norm + scalar)
+            backward = (norm - scalar) / sine * (vector / sine)
+            k = -np.where(scalar < 0, backward, forward)
+    if not np.isfinite(k).all():
+        turn = "half" if dimension == 3 else "whole"
+        raise ValueError(f"quaternion: expected no {turn} turn, where k is infinite.")
+    return k
 
 
 def rotation_quaternion(vector: ArrayLike, dimension: int = 4) -> FloatArray:
@@ -144,7 +154,11 @@ def shadow(vector: ArrayLike) -> FloatArray:
     turn. A zero vector is refused, because its shadow is infinite.
     """
     direction, norm = nonzero_vectors(vector, "vector")
-    return -direction / norm[..., np.newaxis]
+    with np.errstate(over="ignore"):
+        other = -direction / norm[..., np.newaxis]
+    if not np.isfinite(other).all():
+        raise ValueError("vector: expected vectors with a finite shadow, got one too short.")
+    return other
 
 
 def riccati_rate(vector: ArrayLike, rate: ArrayLike, dimension: int = 4) -> FloatArray:
@@ -176,7 +190,7 @@ class RiccatiSolution(NamedTuple):
     """What `integrate_riccati` returns."""
 
     time: FloatArray
-    """Times (m,) that were reached, in s: fewer than asked for if the vector became too long."""
+    """Times (m,) in s. If the vector became too long, the last of them is when it did so."""
     vector: FloatArray
     """k (m, 3) at these times."""
     attitude: FloatArray
@@ -203,19 +217,24 @@ def integrate_riccati(
     times : array_like, shape (m,)
         Increasing times in s; k is zero at the first.
     shadow_switch : bool
-        Whether to go on with the shadow whenever k becomes longer than 1. If not, the integration
+        Whether to go on with the shadow whenever k becomes longer than 1.2. If not, the integration
         ends where k runs to infinity, at a whole turn.
     tolerance : float
-        Relative and absolute tolerance of the integrator, SciPy's DOP853.
+        Relative and absolute tolerance of the integrator, SciPy's DOP853. Its steps are never
+        longer than the widest gap of `times`, so that it sees what the rate does in between.
 
     Returns
     -------
     RiccatiSolution
     """
+    if not callable(rate):
+        raise ValueError(f"rate: expected a function of the time, got {type(rate).__name__}.")
+    if finite_number(tolerance, "tolerance") <= 0:
+        raise ValueError(f"tolerance: expected a positive number, got {tolerance!r}.")
     grid = finite_array(times, "times")
     if grid.ndim != 1 or len(grid) < 2 or not np.all(np.diff(grid) > 0):
         raise ValueError(f"times: expected at least two increasing times (m,), got {times!r:.60}.")
-    limit = 1.0 if shadow_switch else _LIMIT
+    limit = _SWITCH if shadow_switch else _LIMIT
 
     def derivative(time: float, k: FloatArray) -> FloatArray:
         return riccati_rate(k, rate(time))
@@ -231,25 +250,33 @@ def integrate_riccati(
     switches: list[float] = []
     start, k, evaluations = grid[0], np.zeros(3), 0
     while start < grid[-1]:
-        ahead = grid[grid > start]
         answer: Any = solve_ivp(
             derivative,
             (start, grid[-1]),
             k,
             method="DOP853",
-            t_eval=ahead,
+            t_eval=grid[grid > start],
             events=too_long,
             rtol=tolerance,
             atol=tolerance,
+            max_step=np.diff(grid).max(),
         )
         evaluations += answer.nfev
+        if answer.status < 0:
+            raise RuntimeError(f"The integration after {start:.6g} s failed: {answer.message}")
         if len(answer.t):
             reached.append(answer.t)
             vectors.append(answer.y.T)
             turns.append(np.full(len(answer.t), len(switches)))
-        if answer.status != 1 or not shadow_switch:
+        if answer.status == 0:
             break
-        start, k = answer.t_events[0][0], shadow(answer.y_events[0][0])
+        start, k = answer.t_events[0][0], answer.y_events[0][0]
+        if not shadow_switch:
+            reached.append(np.array([start]))
+            vectors.append(k[np.newaxis])
+            turns.append(np.zeros(1))
+            break
+        k = shadow(k)
         switches.append(start)
     vector = np.concatenate(vectors)
     signs = 1.0 - 2.0 * (np.concatenate(turns)[:, np.newaxis] % 2)

@@ -26,7 +26,8 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     Raises
     ------
     ValueError
-        If `value` is not real and numeric, is empty, has other last axes, or holds NaN or infinity.
+        If `value` is not real and numeric, is empty, has other last axes, or holds NaN, infinity or
+        masked values.
     """
     expected = f"shape (..., {', '.join(map(str, shape))})" if shape else "real numbers"
     try:
@@ -39,6 +40,8 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
         raise ValueError(f"{name}: expected {expected}, got shape {array.shape}.")
     if array.size == 0:
         raise ValueError(f"{name}: expected at least one value, got an empty array.")
+    if np.ma.is_masked(value):
+        raise ValueError(f"{name}: expected all values to be there, got masked ones.")
     array = array.astype(np.float64, copy=False)
     if not np.isfinite(array).all():
         count = array.size - np.count_nonzero(np.isfinite(array))
@@ -86,6 +89,14 @@ def lengths(vectors: FloatArray) -> FloatArray:
         x, y, z = vectors[unsafe].T
         norms[unsafe] = np.hypot(np.hypot(x, y), z)
     return norms
+
+
+def finite_number(value: ArrayLike, name: str) -> float:
+    """Return `value` as a float, refusing what is not one finite real number."""
+    number = finite_array(value, name)
+    if number.ndim:
+        raise ValueError(f"{name}: expected one number, got shape {number.shape}.")
+    return float(number)
 
 
 def whole_number(value: int, name: str, least: int = 1) -> int:

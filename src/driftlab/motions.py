@@ -12,7 +12,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_array, nonzero_vectors, whole_number
+from .checks import FloatArray, finite_array, finite_number, nonzero_vectors, whole_number
 from .quaternion import from_rotation_vector, multiply
 
 
@@ -45,7 +45,9 @@ class Coning:
     frequency: float
 
     def __post_init__(self) -> None:
-        _refuse_nan(self)
+        _check(self)
+        if abs(self.half_angle) > np.pi:
+            raise ValueError(f"half_angle: expected at most pi rad, got {self.half_angle!r}.")
 
     def attitude(self, time: ArrayLike) -> FloatArray:
         """Exact attitude (..., 4) at times (...) in s."""
@@ -92,7 +94,7 @@ class Sway:
     Attributes
     ----------
     amplitude : float
-        Amplitude of the roll in rad; pitch and heading sway by parts of it.
+        Amplitude of the roll in rad, at most pi; pitch and heading sway by parts of it.
     frequency : float
         Frequency of the roll in Hz; pitch and heading have others.
     """
@@ -101,7 +103,9 @@ class Sway:
     frequency: float
 
     def __post_init__(self) -> None:
-        _refuse_nan(self)
+        _check(self)
+        if abs(self.amplitude) > np.pi:
+            raise ValueError(f"amplitude: expected at most pi rad, got {self.amplitude!r}.")
 
     def attitude(self, time: ArrayLike) -> FloatArray:
         """Exact attitude (..., 4) at times (...) in s."""
@@ -127,16 +131,16 @@ class Sway:
     def increments(self, interval: float, count: int) -> FloatArray:
         """Integrals (count, 3) of the body rate, rad, over intervals in s from time 0 on.
 
-        The rate has no elementary integral. Ten points of Gauss and Legendre in each interval
-        leave an error below rounding for all intervals up to a quarter of the period.
+        The rate has no elementary integral. Sixteen points of Gauss and Legendre in each interval
+        leave an error of the size of rounding for intervals up to a quarter of the period.
         """
         middle = _middles(interval, count)
-        if self.frequency * interval > 0.25:
+        if abs(self.frequency * interval) > 0.25:
             raise ValueError(
                 f"interval: expected at most a quarter of the period, got {interval!r} s "
                 f"at {self.frequency!r} Hz."
             )
-        nodes, weights = np.polynomial.legendre.leggauss(10)
+        nodes, weights = np.polynomial.legendre.leggauss(16)
         rates = self.rate(middle[:, np.newaxis] + 0.5 * interval * nodes)
         return 0.5 * interval * np.einsum("j,ijk->ik", weights, rates)
 
@@ -167,7 +171,7 @@ class FixedAxis:
     axis: tuple[float, float, float] = (1.0, 2.0, 2.0)
 
     def __post_init__(self) -> None:
-        _refuse_nan(self)
+        _check(self)
 
     def attitude(self, time: ArrayLike) -> FloatArray:
         """Exact attitude (..., 4) at times (...) in s."""
@@ -194,14 +198,17 @@ class FixedAxis:
         return direction
 
 
-def _refuse_nan(motion: Coning | Sway | FixedAxis) -> None:
+def _check(motion: Coning | Sway | FixedAxis) -> None:
     for field in fields(motion):
-        finite_array(getattr(motion, field.name), field.name)
+        if field.name != "axis":
+            finite_number(getattr(motion, field.name), field.name)
+        else:
+            nonzero_vectors(getattr(motion, field.name), field.name)
 
 
 def _middles(interval: float, count: int) -> FloatArray:
     """Middle (count,) of each interval, in s."""
-    step = float(finite_array(interval, "interval"))
+    step = finite_number(interval, "interval")
     if step <= 0:
         raise ValueError(f"interval: expected a positive time, got {interval!r}.")
     return step * (np.arange(whole_number(count, "count"), dtype=np.float64) + 0.5)

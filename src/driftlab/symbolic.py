@@ -239,10 +239,11 @@ Program = list[tuple[sp.Symbol, sp.Expr]]
 """Assignments in their order, each of an expression in the symbols before it."""
 
 
-def step_program(algorithm: Algorithm) -> Program:
+def step_program(algorithm: Algorithm, *, series: bool = False) -> Program:
     """What a computer evaluates in one step, from the increments g0, g1, ... to the quaternion.
 
-    The last four assignments are the quaternion, scalar last.
+    The last four assignments are the quaternion, scalar last. With `series`, the sine and cosine of
+    a rotation vector are cut off after the terms that an algorithm of fourth order needs.
     """
     program: Program = []
 
@@ -268,6 +269,12 @@ def step_program(algorithm: Algorithm) -> Program:
         coning += let(f"left{j}", sum(left, sp.zeros(3, 1))).cross(g[j])
     coning = let("coning", coning)
     corrected = let("corrected", gamma + coning)
+    if algorithm.iterate == "rotation vector" and series:
+        square = number("square", corrected.dot(corrected))
+        scale = number("scale", sp.Rational(1, 2) - number("scaled", square / 48))
+        cosine = 1 + square * number("inner", square / 384 - sp.Rational(1, 8))
+        let("q", sp.Matrix([*(scale * corrected), cosine]))
+        return program
     if algorithm.iterate == "rotation vector":
         norm = number("norm", sp.sqrt(corrected.dot(corrected)))
         half = number("half", norm / 2)

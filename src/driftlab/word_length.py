@@ -1,9 +1,9 @@
-"""What a short word of the computer does to an attitude that is summed step by step.
+"""What a short word of the computer does to an attitude that is built up step by step.
 
 Perelyaev and Chelnokov remark, at the end of section 1, that the scalar part l0 of a step's
 quaternion is so close to 1 that a short word keeps nothing of the difference, and advise to carry
 1 - l0 instead. Here all arithmetic runs in the word that is asked for, in the order in which a
-computer on board would do it, so that the advice can be tried, and what it leaves undone be seen.
+computer on board would do it, so that the advice can be tried beside its alternatives.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from .attitude_algorithms import attitude_algorithm, step_vectors
+from .attitude_algorithms import Algorithm, attitude_algorithm, step_vectors
 from .checks import finite_array, finite_arrays
 
-Update = Literal["product", "complement", "compensated"]
+Update = Literal["product", "small terms first", "complement", "compensated"]
 UPDATES: tuple[Update, ...] = get_args(Update)
 """Ways to put one more step to the attitude; see `integrate_in_word`."""
 
@@ -36,8 +36,15 @@ def step_in_word(vectors: NDArray[Any], *, rotation_vector: bool = False) -> NDA
     ndarray, shape (..., 5)
         Vector part, l0, and 1 - l0 = 2|k|²/(1 + |k|²), which keeps its digits.
     """
+    finite_array(vectors, "vectors", 3)
     kind = vectors.dtype.type
-    square = (vectors[..., 0] ** 2 + vectors[..., 1] ** 2 + vectors[..., 2] ** 2)[..., np.newaxis]
+    with np.errstate(over="ignore"):
+        square = (vectors[..., 0] ** 2 + vectors[..., 1] ** 2 + vectors[..., 2] ** 2)[..., None]
+    if vectors.dtype.kind != "f" or not np.isfinite(square).all():
+        raise ValueError(
+            "vectors: expected floating numbers whose squares are finite, "
+            f"got {vectors.dtype} up to {np.abs(vectors).max()!r}."
+        )
     if rotation_vector:
         half = kind(0.5) * np.sqrt(square)
         vector = vectors * (kind(0.5) * np.sinc(half / kind(np.pi)))
@@ -50,7 +57,7 @@ def step_in_word(vectors: NDArray[Any], *, rotation_vector: bool = False) -> NDA
 
 def integrate_in_word(
     increments: ArrayLike,
-    algorithm: str = "two-step-4",
+    algorithm: str | Algorithm = "two-step-4",
     *,
     start: ArrayLike = (0.0, 0.0, 0.0, 1.0),
     word: DTypeLike = np.float32,
@@ -62,16 +69,18 @@ def integrate_in_word(
     ----------
     increments : array_like, shape (..., n, 3)
         Integrals of the body rate over equal intervals, rad.
-    algorithm : str
-        A key of `attitude_algorithms.ALGORITHMS`.
+    algorithm : str or Algorithm
+        As in `attitude_algorithms.integrate`.
     start : array_like, shape (..., 4)
         Attitude before the first increment.
     word : dtype
-        A NumPy floating dtype, as float32 or float64.
-    update : {"product", "complement", "compensated"}
-        ``"product"`` multiplies by the step's quaternion; ``"complement"`` adds the change, in
-        which 1 - l0 stands for l0, the paper's advice; ``"compensated"`` does the same and carries
-        what the sum has rounded off into the next step, after Kahan.
+        float16, float32 or float64.
+    update : {"product", "small terms first", "complement", "compensated"}
+        Each new component is a sum of four products, a large one with l0 and three small ones.
+        ``"product"`` adds the first two, the last two, and the sums; ``"small terms first"`` adds
+        the three small ones first; ``"complement"`` adds to the old component the three and the
+        one with -(1 - l0), the paper's advice; ``"compensated"`` does the same and carries what
+        this last sum has rounded off into the next step, after Kahan.
 
     Returns
     -------
@@ -81,15 +90,16 @@ def integrate_in_word(
     if update not in UPDATES:
         raise ValueError(f"update: expected one of {', '.join(UPDATES)}, got {update!r}.")
     vectors = step_vectors(increments, algorithm, word=word)
-    start = finite_array(start, "start", 4)
-    finite_arrays(increments=(vectors, *vectors.shape[-2:]), start=(start, 4))
+    first = finite_array(start, "start", 4)
+    finite_arrays(increments=(vectors, *vectors.shape[-2:]), start=(first, 4))
     method = attitude_algorithm(algorithm).iterate
     steps = step_in_word(vectors, rotation_vector=method == "rotation vector")
-    dtype = steps.dtype
-    leading = np.broadcast_shapes(steps.shape[:-2], start.shape[:-1])
-    attitude = np.broadcast_to(start.astype(dtype), (*leading, 4))
+    leading = np.broadcast_shapes(steps.shape[:-2], first.shape[:-1])
+    attitude = np.broadcast_to(first.astype(steps.dtype), (*leading, 4))
     x, y, z, scalar, complement = np.moveaxis(steps, -1, 0)
-    diagonal = scalar if update == "product" else -complement
+    diagonal = {"product": scalar, "small terms first": np.zeros_like(scalar)}.get(
+        update, -complement
+    )
     # Columns of right multiplication by each step: component j of the attitude times column j.
     columns = np.stack(
         [
@@ -103,14 +113,16 @@ def integrate_in_word(
         ],
         axis=-2,
     )
-    columns = np.moveaxis(columns, -3, 0)
-    attitudes = np.empty((len(columns), *leading, 4), dtype)
+    columns, scalars = np.moveaxis(columns, -3, 0), np.moveaxis(scalar, -1, 0)[..., np.newaxis]
+    attitudes = np.empty((len(columns), *leading, 4), steps.dtype)
     lost = np.zeros_like(attitude)
     for i, column in enumerate(columns):
         terms = attitude[..., np.newaxis] * column
         change = (terms[..., 0, :] + terms[..., 1, :]) + (terms[..., 2, :] + terms[..., 3, :])
         if update == "product":
             attitude = change
+        elif update == "small terms first":
+            attitude = scalars[i] * attitude + change
         elif update == "complement":
             attitude = attitude + change
         else:

@@ -81,7 +81,7 @@ class Control:
         }
         if isinstance(self.start, bool):
             # The label stands beside the box, not before it, so it needs no column of its own.
-            box = {**common, "style": {"description_width": "0"}, "layout": {"width": "15em"}}
+            box = {**common, "style": {"description_width": "0"}, "layout": {"width": "auto"}}
             return widgets.Checkbox(indent=False, **box)
         if self.choices:
             return widgets.Dropdown(options=list(self.choices), **common)
@@ -181,14 +181,18 @@ class Explorer(widgets.VBox):
         self.set(**opening)
 
     def _columns(self) -> widgets.Box:
-        groups: dict[str, list[widgets.Widget]] = {}
+        groups: dict[str, list[Control]] = {}
         for control in self.controls:
-            groups.setdefault(control.group, []).append(self._widgets[control.name])
-        columns = [
-            widgets.VBox([widgets.HTML(html.escape(group)), *column])
-            for group, column in groups.items()
-        ]
-        return widgets.HBox(columns, layout={"flex_flow": "row wrap"})
+            groups.setdefault(control.group, []).append(control)
+        boxes, columns = [], []
+        for group, members in groups.items():
+            row = [widgets.HTML(html.escape(group)), *(self._widgets[c.name] for c in members)]
+            if all(isinstance(control.start, bool) for control in members):
+                boxes.append(widgets.HBox(row, layout={"flex_flow": "row wrap"}))
+            else:
+                columns.append(widgets.VBox(row))
+        # Boxes to tick stand in one row, nearest to the picture.
+        return widgets.VBox([*boxes, widgets.HBox(columns, layout={"flex_flow": "row wrap"})])
 
     @property
     def values(self) -> dict[str, Any]:
@@ -250,7 +254,8 @@ class Explorer(widgets.VBox):
             data = self.compute(values)
         except ValueError as refusal:
             reason = html.escape(str(refusal))
-            self.message.value = f"<p role='alert'>No picture for these values. {reason}</p>"
+            excuse = "No picture for these values; the one above is the last."
+            self.message.value = f"<p role='alert'>{excuse} {reason}</p>"
             self.text.value = self.code.value = ""
             return
         self._picture.update(data)
@@ -278,7 +283,11 @@ class Explorer(widgets.VBox):
 
 
 def _table(numbers: Sequence[tuple[str, str]]) -> str:
-    # Each pair stays on one line.
-    start = "<span style='display: inline-block; margin-right: 2em'>"
+    # Columns of a fixed width: what the values are does not move what stands below.
+    width = "27em" if max(len(name) + len(value) for name, value in numbers) > 34 else "18em"
     pairs = ((html.escape(name), html.escape(value)) for name, value in numbers)
-    return "".join(f"{start}{name} <b>{value}</b></span> " for name, value in pairs)
+    cells = "".join(f"<span>{name} <b>{value}</b></span>" for name, value in pairs)
+    return (
+        "<div style='display: grid; white-space: nowrap; "
+        f"grid-template-columns: repeat(auto-fill, {width})'>{cells}</div>"
+    )

@@ -39,17 +39,23 @@ class CayleyMapExplorer(Explorer):
         return cayley_map.compute(np.radians(values["angle"]), self._axis(values))
 
     def numbers(self, data: cayley_map.CayleyMap) -> list[tuple[str, str]]:
-        def shown(along: float | None) -> str:
+        def length(along: float | None) -> str:
+            return "infinite" if along is None else f"{abs(along):.4f}"
+
+        def vector(along: float | None) -> str:
             if along is None:
                 return "infinite"
-            return "(" + ", ".join(f"{x + 0.0:.4f}" for x in np.round(along * data.axis, 4)) + ")"
+            return "(" + ", ".join(f"{x + 0.0:.3f}" for x in np.round(along * data.axis, 3)) + ")"
 
         return [
-            ("vector of dimension 3", shown(data.along_3)),
+            ("dimension 3", vector(data.along_3)),
+            ("length", length(data.along_3)),
             ("from its singularity", f"{np.degrees(data.distance_3):.0f}°"),
-            ("vector of dimension 4", shown(data.along_4)),
+            ("dimension 4", vector(data.along_4)),
+            ("length", length(data.along_4)),
             ("from its singularity", f"{np.degrees(data.distance_4):.0f}°"),
-            ("shadow", shown(data.shadow)),
+            ("shadow", vector(data.shadow)),
+            ("length", length(data.shadow)),
         ]
 
     def call(self, values: Values) -> str:
@@ -61,11 +67,9 @@ class CayleyMapExplorer(Explorer):
             f"axis = direction_from_angles(*np.radians([{values['azimuth']}, "
             f"{values['elevation']}]))\n"
             f"rotation = from_rotation_vector(np.radians({values['angle']}) * axis)\n"
-            "for dimension in (3, 4):\n"
-            "    try:\n"
-            "        print(dimension, cayley_vector(rotation, dimension))\n"
-            "    except ValueError as refusal:\n"
-            "        print(dimension, refusal)"
+            "# Where a vector is infinite, rounding leaves one of length 1e15 or more.\n"
+            "print(cayley_vector(rotation, 3))\n"
+            "print(cayley_vector(rotation, 4))"
         )
 
 
@@ -118,22 +122,29 @@ class AlgorithmLaboratoryExplorer(Explorer):
         orders = algorithm_laboratory.fitted_orders(data)
         worst = 3600 * np.degrees([history.max() for history in data.histories])
         return [
-            (name, f"{error:.3g}″" + ("" if order is None else f", order {order:.2f}"))
+            (name, f"{error:.2e}″, order {'not seen' if order is None else f'{order:.2f}'}")
             for name, error, order in zip(data.names, worst, orders, strict=True)
         ]
 
     def call(self, values: Values) -> str:
         kind = algorithm_laboratory.MOTIONS[values["motion"]].__name__
         short = WORDS[values["word"]]
-        name = next((name for name in ALGORITHMS if values[name]), "two-step-4")
+        names = [name for name in ALGORITHMS if values[name]]
         function = "integrate_in_word" if short else "integrate"
         module = "word_length" if short else "attitude_algorithms"
-        count = round(algorithm_laboratory.DURATION * values["rate"])
+        rate = values["rate"]
+        count = round(algorithm_laboratory.DURATION * rate)
         return (
             "import numpy as np\n"
             f"from driftlab.{module} import {function}\n"
             f"from driftlab.motions import {kind}\n"
+            "from driftlab.quaternion import conjugate, multiply, rotation_angle\n"
             f"motion = {kind}(np.radians({values['amplitude']}), {values['frequency']})\n"
-            f"increments = motion.increments(1 / {values['rate']}, {count})\n"
-            f'{function}(increments, "{name}", start=motion.attitude(0.0))'
+            f"increments = motion.increments(1 / {rate}, {count})\n"
+            f"for name in {names}:\n"
+            f"    attitude = {function}(increments, name, start=motion.attitude(0.0))\n"
+            f"    samples = {count} // len(attitude)\n"
+            f"    ends = samples * np.arange(1, len(attitude) + 1) / {rate}\n"
+            "    error = rotation_angle(multiply(conjugate(motion.attitude(ends)), attitude))\n"
+            "    print(name, 3600 * np.degrees(error.max()), 'arc seconds')"
         )

@@ -98,7 +98,7 @@ def columns(data: AlgorithmLaboratory) -> dict[str, FloatArray]:
 
 def draw_slopes(panel: Axes, rate: float, top: float) -> None:
     """Draw lines of order 2, 3 and 4 that begin at a sample rate in Hz and the error `top`."""
-    rates = np.array([rate, 6.0 * rate])
+    rates = np.array([rate, 9.0 * rate])
     for order in (2, 3, 4):
         errors = top * (rates / rates[0]) ** -float(order)
         panel.plot(rates, errors, color=GREY, linewidth=0.8)

@@ -12,6 +12,7 @@ from . import (
     algorithm_laboratory,
     algorithm_orders,
     cayley_map,
+    coning_area,
     coning_drift,
     drift_by_symmetry,
     drift_history,
@@ -191,10 +192,24 @@ CATALOGUE = (
         riccati_turns.RiccatiTurnsPicture,
         riccati_turns.columns,
         lambda data: (
-            f"A body that passes the whole turn at {np.degrees(data.miss):.0f}° from the "
-            "singular attitude. Without the switch to the shadow the vector grows long, a fixed "
-            "step loses digits there for good, and a variable step pays with work; about a fixed "
-            "axis the integration ends."
+            f"A body that passes the whole turn at {np.degrees(data.miss):.0f}° from the singular "
+            "attitude. Left: the vector with and without the switch to its shadow; about a fixed "
+            f"axis it is given up at a length of {np.linalg.norm(data.ended.vector[-1]):.0e}. "
+            "Middle: a fixed step loses digits at the singularity for good. Right: a variable step "
+            "reaches the same accuracy, with more work; each dot is a tolerance, each line a "
+            "distance from the singularity."
+        ),
+    ),
+    Entry(
+        "06-coning-area",
+        coning_area.compute,
+        coning_area.ConingAreaPicture,
+        coning_area.columns,
+        lambda data: (
+            "Across the axis of the cone the increments add up to a closed way. The rotation about "
+            "that axis is the area inside; sums of increments enclose a polygon and miss the "
+            f"slivers ({data.samples} samples a round are drawn). On the right, a pair of samples "
+            "with their triangle."
         ),
     ),
     Entry(
@@ -205,8 +220,9 @@ CATALOGUE = (
         lambda _: (
             "Largest error of each algorithm in "
             f"{algorithm_laboratory.DURATION:g} s against the rate at which the gyros are read. "
-            "The small cone and the fixed axis hide the third-order errors that the wide cone and "
-            "the swaying ship show. On a fixed axis rotation vectors leave rounding only."
+            "The small cone and the fixed axis hide the third-order errors that the ship shows; on "
+            "the wide cone they show as a wobble that does not grow. On a fixed axis rotation "
+            "vectors leave rounding only."
         ),
     ),
     Entry(
@@ -225,10 +241,10 @@ CATALOGUE = (
         short_word.ShortWordPicture,
         short_word.columns,
         lambda _: (
-            "Arithmetic in 32 bits. Carrying 1 - λ0 saves the digits of a single step, but the sum "
-            "over many steps still rounds them off; on the right, the error of the rate of a body "
-            f"on the turning Earth, rms over {short_word.STARTS} attitudes and "
-            f"{short_word.STEPS} steps."
+            "Arithmetic in 32 bits. Left: 1 - λ0 of one step. Middle: a body stands on the turning "
+            f"Earth; carrying 1 - λ0 does as adding the small terms first does, and only a "
+            "compensated sum helps. Right: what 1 - λ0 does save is the norm. Root mean square of "
+            f"{short_word.STARTS} attitudes."
         ),
     ),
 )

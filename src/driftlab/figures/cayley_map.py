@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from ..cayley import cayley_vector
 from ..checks import FloatArray, finite_array, nonzero_vectors
 from ..quaternion import from_rotation_vector
-from .picture import BLACK, BLUE, GREY, SERIES, VERMILION, Picture, plain_axes, project
+from .picture import BLACK, BLUE, GREY, PURPLE, SERIES, VERMILION, Picture, plain_axes, project
 
 REACH = 4.0
 """Longest vector that the picture shows."""
@@ -93,10 +93,7 @@ class CayleyMapPicture(Picture[CayleyMap]):
             triad.plot([0, tip[0]], [0, tip[1]], color=GREY, linewidth=1.2)
             triad.text(1.12 * tip[0], 1.12 * tip[1], label, ha="center", va="center")
         self.axis = self.line(triad, color=BLACK, linestyle="-.", linewidth=1.2, label="axis")
-        self.frame = [
-            self.line(triad, color=VERMILION, linestyle="--", marker="o", markersize=4)
-            for _ in range(3)
-        ]
+        self.frame = [self.line(triad, color=PURPLE, marker="o", markersize=4) for _ in range(3)]
         self.frame[0].set_label("turned frame")
         triad.legend(loc="lower left", ncols=2, bbox_to_anchor=(0.05, -0.1))
         curves.set(title="the vector's component along the axis", xlim=(-360, 360))

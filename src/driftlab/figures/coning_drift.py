@@ -9,7 +9,7 @@ from ..checks import FloatArray
 from ..motions import Coning
 from ..quaternion import conjugate, multiply, to_rotation_vector
 from .algorithm_laboratory import STYLES
-from .picture import Picture
+from .picture import Picture, long_table
 
 HALF_ANGLE = float(np.radians(1.0))
 FREQUENCY = 5.0
@@ -74,11 +74,15 @@ def compute() -> ConingDrift:
 
 
 def columns(data: ConingDrift) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV: the first panel, in rad/s."""
-    return {
-        "frequency_hz": data.frequencies,
-        **dict(zip(ALGORITHMS, data.by_frequency, strict=True)),
-    }
+    """Columns of the figure's CSV."""
+    curves = {}
+    for i, name in enumerate(ALGORITHMS):
+        curves[f"{name}, rad/s over coning frequency in Hz"] = (
+            data.frequencies,
+            data.by_frequency[i],
+        )
+        curves[f"{name}, rad/s over sample rate in Hz"] = (data.rates, data.by_rate[i])
+    return long_table(curves)
 
 
 class ConingDriftPicture(Picture[ConingDrift]):

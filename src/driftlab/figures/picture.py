@@ -4,6 +4,7 @@ A static figure and a slider panel are the same picture. `Picture.draw(data)` ma
 page; an explorer keeps one `Picture` and calls `update` at each move of a slider.
 """
 
+from collections.abc import Mapping
 from importlib.resources import as_file, files
 from typing import Any, ClassVar, Generic, TypeVar
 
@@ -14,6 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from numpy.typing import ArrayLike
 
 from ..checks import FloatArray
 
@@ -76,6 +78,16 @@ class Picture(Generic[Data]):
         (line,) = axes.plot([], [], **style)
         self.moving.append(line)
         return line
+
+
+def long_table(curves: Mapping[str, tuple[ArrayLike, ArrayLike]]) -> dict[str, Any]:
+    """Columns ``curve``, ``x``, ``y`` of a CSV for curves that have no abscissa in common."""
+    pairs = {name: np.broadcast_arrays(x, y) for name, (x, y) in curves.items()}
+    return {
+        "curve": [name for name, (x, _) in pairs.items() for _ in x],
+        "x": np.concatenate([x for x, _ in pairs.values()]),
+        "y": np.concatenate([y for _, y in pairs.values()]),
+    }
 
 
 def project(points: FloatArray, azimuth: float = -60.0, elevation: float = 24.0) -> FloatArray:
