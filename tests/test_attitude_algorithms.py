@@ -1,5 +1,6 @@
 """The attitude algorithms: their formulas, their orders, how they start, and their coning drift."""
 
+import mpmath
 import numpy as np
 import pytest
 from hypothesis import given
@@ -8,6 +9,7 @@ from hypothesis.extra.numpy import arrays
 
 from driftlab.attitude_algorithms import (
     ALGORITHMS,
+    Algorithm,
     attitude_algorithm,
     coning_drift,
     integrate,
@@ -158,6 +160,47 @@ def test_names_are_keys_and_cannot_be_replaced():
     assert attitude_algorithm("memory-4").window == 3
     with pytest.raises(TypeError, match="does not support item assignment"):
         ALGORITHMS["memory-4"] = None
+
+
+@given(rows=rows_of_increments)
+def test_algorithm_of_ones_own(rows):
+    """The mean of one-step-3 and picard-1: half the correction, and a start without any."""
+    own = Algorithm("own", 1, 1, {(0, 1): 1 / 24}, "third", 2, ({},))
+    assert attitude_algorithm(own) is own
+    expected = [picard_1(rows[0]) - cubic(rows[0])]
+    for before, g in zip(rows[:-1], rows[1:], strict=True):
+        expected.append((one_step_3(before, g) + picard_1(g) - cubic(g)) / 2)
+    np.testing.assert_allclose(step_vectors(rows, own), expected, rtol=0, atol=FORMULA)
+    np.testing.assert_array_equal(
+        integrate(rows, own)[-1:],
+        integrate(rows[-1:], own, start=integrate(rows, own)[-2], history=rows[:-1]),
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"samples": 0}, "samples: expected a whole number of at least 1, got 0"),
+        ({"memory": -1}, "memory: expected a whole number of at least 0, got -1"),
+        ({"memory": 1}, "memory: expected 0 with several samples a step, got 1"),
+        ({"starts": ({},)}, "starts: expected one for each of 0 increments of memory, got 1"),
+        (
+            {"samples": 1, "memory": 2, "starts": ({},)},
+            "starts: expected one for each of 2 increments of memory, got 1",
+        ),
+        ({"coning": {(1, 0): 0.5}}, r"coning: expected places 0 <= i < j < 2, got \(1, 0\)"),
+        ({"coning": {(0, 2): 0.5}}, r"coning: expected places 0 <= i < j < 2, got \(0, 2\)"),
+        (
+            {"samples": 1, "memory": 1, "starts": ({(0, 2): 0.5},)},
+            r"coning: expected places 0 <= i < j < 2, got \(0, 2\)",
+        ),
+    ],
+)
+def test_algorithms_that_do_not_fit_together_are_refused(arguments, words):
+    good = {"name": "own", "samples": 2, "memory": 0, "coning": {}, "iterate": "third", "order": 2}
+    assert Algorithm(**good).window == 2
+    with pytest.raises(ValueError, match=rf"^{words}\.$"):
+        Algorithm(**(good | arguments))
 
 
 # One step against the exact rotation
@@ -422,24 +465,11 @@ def test_history_has_the_leading_axes_of_the_increments(name):
         np.testing.assert_allclose(together[i, j], alone, rtol=0, atol=100 * EPS)
 
 
-def mixed_up(name, leading, past):
-    return pytest.param(
-        name, leading, past, marks=pytest.mark.xfail(strict=True, reason="wrong or no broadcasting")
-    )
-
-
+@with_memory
 @pytest.mark.parametrize(
-    ("name", "leading", "past"),
-    [
-        ("memory-4", (2, 1), (1, 3)),
-        mixed_up("memory-4", (), (3,)),
-        mixed_up("memory-4", (), (2,)),
-        mixed_up("memory-4", (3,), ()),
-        mixed_up("memory-4", (2, 3), ()),
-        ("two-step-4", (3,), ()),
-        mixed_up("two-step-4", (), (3,)),
-        mixed_up("two-step-4", (2, 1), (1, 3)),
-    ],
+    ("leading", "past"),
+    [((), (3,)), ((), (2,)), ((3,), ()), ((2, 3), ()), ((3,), (3,)), ((2, 1), (1, 3))],
+    ids=str,
 )
 def test_history_broadcasts(name, leading, past):
     rows, before = increments(*leading, 6), increments(*past, 2, seed=1)
@@ -451,6 +481,22 @@ def test_history_broadcasts(name, leading, past):
     for index in np.ndindex(shape):
         alone = step_vectors(rows[index], name, history=before[index])
         np.testing.assert_allclose(together[index], alone, rtol=0, atol=4 * EPS)
+
+
+@pytest.mark.parametrize("name", [name for name in ALGORITHMS if name not in MEMORY])
+def test_history_of_an_algorithm_without_memory_is_not_looked_at(name):
+    rows = increments(6)
+    np.testing.assert_array_equal(integrate(rows, name, history="none"), integrate(rows, name))
+
+
+@every_algorithm
+@pytest.mark.parametrize("factor", [-1.0, 1e-3, 30.0])
+def test_start_is_brought_to_unit_norm(name, factor):
+    rows, start = increments(6), random_quaternions(1)[0]
+    expected = np.sign(factor) * integrate(rows, name, start=start)
+    np.testing.assert_allclose(
+        integrate(rows, name, start=factor * start), expected, rtol=0, atol=4 * EPS
+    )
 
 
 @every_algorithm
@@ -480,14 +526,14 @@ def test_arguments_are_left_alone(name):
 
 
 @every_algorithm
-@pytest.mark.parametrize("word", ["float32", "float64", "longdouble"])
+@pytest.mark.parametrize("word", ["float16", "float32", "float64"])
 def test_vectors_in_another_word(name, word):
     rows, history = increments(2, 6), increments(2, 2, seed=1)
     for past in (None, history):
         vectors = step_vectors(rows, name, history=past, word=word)
         assert vectors.dtype == np.dtype(word)
         # Relative to sums of increments up to 0.5, good to an eps of the word.
-        bound = 4 * max(float(np.finfo(word).eps), EPS)
+        bound = 4 * float(np.finfo(word).eps)
         expected = step_vectors(rows, name, history=past)
         np.testing.assert_allclose(vectors, expected, rtol=0, atol=bound)
 
@@ -513,10 +559,13 @@ def test_unknown_algorithm_is_refused_with_the_known_ones(function):
     ("bad", "words"),
     [
         (np.zeros(3), r"shape \(\.\.\., n, 3\), got shape \(3,\)"),
-        (np.zeros((6, 4)), r"shape \(\.\.\., 3\), got shape \(6, 4\)"),
+        (np.zeros((6, 4)), r"shape \(\.\.\., n, 3\), got shape \(6, 4\)"),
         (np.zeros((0, 3)), "at least one value, got an empty array"),
         (np.full((2, 3), np.nan), "finite numbers, got 6 NaN or infinite"),
-        (np.zeros((5, 3)), "a multiple of 2 for two-step-4, got 5"),
+        (
+            np.zeros((5, 3)),
+            "a multiple of 2 for two-step-4, got 5; keep the last 1 for the next call",
+        ),
     ],
     ids=["one row", "four columns", "empty", "NaN", "odd"],
 )
@@ -526,13 +575,14 @@ def test_bad_increments_are_refused(function, bad, words):
 
 
 @pytest.mark.parametrize(
-    ("name", "count", "multiple"),
-    [("two-step-3", 3, 2), ("rotation-vector-2", 1, 2), ("rotation-vector-3", 4, 3)],
+    ("name", "count", "multiple", "rest"),
+    [("two-step-3", 3, 2, 1), ("rotation-vector-2", 1, 2, 1), ("rotation-vector-3", 5, 3, 2)],
 )
-def test_increments_that_make_no_whole_steps_are_refused(name, count, multiple):
+def test_increments_that_make_no_whole_steps_are_refused(name, count, multiple, rest):
     with pytest.raises(
         ValueError,
-        match=rf"^increments: expected a multiple of {multiple} for {name}, got {count}\.$",
+        match=rf"^increments: expected a multiple of {multiple} for {name}, got {count}; "
+        rf"keep the last {rest} for the next call\.$",
     ):
         integrate(increments(count), name)
 
@@ -586,6 +636,8 @@ def test_bad_starts_are_refused(name):
         integrate(increments(6), name, start=[0, 0, 1])
     with pytest.raises(ValueError, match=r"^start: expected finite numbers, got 1 NaN"):
         integrate(increments(6), name, start=[0, 0, np.nan, 1])
+    with pytest.raises(ValueError, match=r"^start: expected nonzero quaternions, got a zero"):
+        integrate(increments(6), name, start=[IDENTITY, np.zeros(4)])
     with pytest.raises(
         ValueError,
         match=r"^increments, start: expected leading axes that broadcast, got \(2,\) and \(3,\)\.$",
@@ -601,8 +653,8 @@ def test_whole_turn_in_a_step_is_refused_where_k_is_infinite(name):
     assert np.isfinite(integrate(below, name)).all()
     with pytest.raises(
         ValueError,
-        match=r"^increments: expected less than a whole turn a step, where k is infinite, "
-        r"got 6\.28 rad\.$",
+        match=r"^increments: expected less than a whole turn a step, where the true k is "
+        r"infinite, got 6\.28 rad\.$",
     ):
         integrate(above, name)
 
@@ -616,12 +668,23 @@ def test_whole_turns_in_a_step_are_nothing_to_a_rotation_vector(name):
     np.testing.assert_allclose(integrate(rows, name), expected, rtol=0, atol=100 * EPS)
 
 
-@pytest.mark.parametrize("word", [int, "complex64", bool])
-def test_words_that_are_not_floating_are_refused(word):
-    with pytest.raises(
-        ValueError, match=rf"^word: expected a floating dtype, got {np.dtype(word)}\.$"
-    ):
+@with_cayley
+def test_increments_whose_squares_are_infinite_are_refused_alike(name):
+    with pytest.raises(ValueError, match=r"^increments: expected less than a whole turn a step"):
+        integrate(np.full((6, 3), 1e200), name)
+
+
+@pytest.mark.parametrize("word", [int, "complex64", bool, "longdouble", "euler"])
+def test_other_words_are_refused(word):
+    with pytest.raises(ValueError, match=r"^word: expected float16, float32 or float64, got "):
         step_vectors(increments(6), "two-step-4", word=word)
+
+
+def test_increments_that_a_word_cannot_hold_are_refused():
+    with pytest.raises(
+        ValueError, match=r"^increments: expected numbers that float16 can hold, got larger ones\.$"
+    ):
+        step_vectors(np.full((2, 3), 1e5), "rotation-vector-2", word="float16")
 
 
 # The coning drift in closed form. Throughout, x is the angle of coning in the interval of one
@@ -702,12 +765,22 @@ def test_leading_term_of_the_coning_drift(name, power, divisor, x):
     np.testing.assert_allclose(a_step, expected, rtol=x**2 / 2)
 
 
-@pytest.mark.xfail(strict=True, reason="X - sin X and the estimate cancel to a few digits")
-def test_coning_drift_keeps_its_digits_at_slow_coning():
-    interval = one_interval(0.005)
-    a_step = coning_drift("rotation-vector-3", 0.3, 1, interval) * 3 * interval
-    expected = -(np.sin(0.3) ** 2) * 0.015**7 / 204120
-    np.testing.assert_allclose(a_step, expected, rtol=1e-3)
+@every_algorithm
+@pytest.mark.parametrize("x", [1e-3, 0.01, 0.1, 1.5])
+def test_coning_drift_in_fifty_digits(name, x):
+    chosen, half_angle, interval = ALGORITHMS[name], 0.3, one_interval(x)
+    with mpmath.workdps(50):
+        angle = 2 * mpmath.pi * mpmath.mpf(interval)
+        step = chosen.samples * angle
+        estimate = sum(
+            mpmath.mpf(weight) * 4 * mpmath.sin(angle / 2) ** 2 * mpmath.sin((j - i) * angle)
+            for (i, j), weight in chosen.coning.items()
+        )
+        expected = mpmath.sin(half_angle) ** 2 * (estimate - (step - mpmath.sin(step)) / 2)
+    a_step = coning_drift(name, half_angle, 1, interval) * chosen.samples * interval
+    # The two parts of the difference come from X and sin(X), each good to some eps.
+    bound = 4 * EPS * chosen.samples * x * np.sin(half_angle) ** 2
+    np.testing.assert_allclose(a_step, float(expected), rtol=8 * EPS, atol=bound)
 
 
 @every_algorithm

@@ -5,7 +5,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from driftlab.checks import finite_array, lengths, nonzero_vectors, whole_number
+from driftlab.checks import (
+    finite_array,
+    finite_number,
+    lengths,
+    nonzero_vectors,
+    whole_number,
+)
 from support import EPS, directions
 
 
@@ -30,6 +36,11 @@ def test_float64_is_not_copied():
         ([True], (), "value: expected real numbers, got dtype bool."),
         (["1"], (), "value: expected real numbers, got dtype <U1."),
         (None, (), "value: expected real numbers, got dtype object."),
+        (
+            np.ma.array([1.0, 2.0], mask=[False, True]),
+            (),
+            "value: expected all values to be there, got masked ones.",
+        ),
         ([10**400], (), "value: expected real numbers, got dtype object."),
         ([[1, 2], [3]], (), "value: expected real numbers, got rows of unequal length."),
         ([[1, 2], [3]], (2,), r"value: expected shape (..., 2), got rows of unequal length."),
@@ -80,3 +91,16 @@ def test_whole_numbers_pass(value):
 def test_whole_number_refuses(value):
     with pytest.raises(ValueError, match=r"^turns: expected a whole number of at least 1, got "):
         whole_number(value, "turns")
+
+
+def test_one_number_is_a_float():
+    assert finite_number(np.array(2), "value") == 2.0
+    assert type(finite_number(np.float32(2), "value")) is float
+    with pytest.raises(ValueError, match=r"^value: expected one number, got shape \(1,\)\.$"):
+        finite_number([2.0], "value")
+    with pytest.raises(ValueError, match=r"^value: expected finite numbers, got 1 NaN"):
+        finite_number(np.nan, "value")
+
+
+def test_nothing_masked_is_let_through():
+    np.testing.assert_array_equal(finite_array(np.ma.array([1.0, 2.0]), "value"), [1, 2])

@@ -139,6 +139,23 @@ def test_program_computes_the_step(name: str) -> None:
     np.testing.assert_allclose(found, expected, rtol=0, atol=4e-16)
 
 
+def test_program_with_a_series_is_of_fourth_order() -> None:
+    increments = np.random.default_rng(4).normal(size=(2, 3))
+    symbols = [symbol for i in range(2) for symbol in symbolic.vector(f"g{i}")]
+    program = symbolic.step_program(ALGORITHMS["rotation-vector-2"], series=True)
+
+    def error(size: float) -> float:
+        values = dict(zip(symbols, size * increments.ravel(), strict=True))
+        for symbol, expression in program:
+            values[symbol] = float(expression.subs(values))
+        found = np.array([values[symbol] for symbol, _ in program[-4:]])
+        exact = step_quaternions(size * increments, "rotation-vector-2")[0]
+        return quaternion.rotation_angle(quaternion.multiply(quaternion.conjugate(exact), found))
+
+    # phi^5/1920 of one step.
+    assert np.log2(error(0.1) / error(0.05)) == pytest.approx(5, abs=0.05)
+
+
 def test_operations_are_counted() -> None:
     x, y = sp.symbols("x y", positive=True)
     program = [

@@ -4,6 +4,7 @@ Absolute times depend on the machine; the ratios much less. Each time is the bes
 repeats, a redraw the median of its moves. The peers of peers.txt are left out if they are missing.
 """
 
+import platform
 import sys
 import timeit
 import warnings
@@ -98,15 +99,16 @@ def attitudes() -> None:
     count, rate = 10**6 - 10**6 % 6, 100.0
     time = np.arange(count)[:, None] / rate
     increments = np.sin(time * [2.0, 1.3, 0.7] + [0.0, 1.0, 2.0]) / rate
-    print(f"integrate, {count} increments:        ns each")
+    print(f"integrate, {count} increments in one call")
     for name in ALGORITHMS:
         ours = 1e9 * best(lambda name=name: integrate(increments, name), repeats=3) / count
-        print(f"  {name:28}       {ours:8.0f}")
+        print(f"  {name:34} {ours:8.0f} ns each")
     ours = 1e9 * best(lambda: integrate(increments, "memory-4"), repeats=3) / count
-    print("peers, against memory-4:")
+    print("the same with others, as a multiple of memory-4; and the angle, in rad, from their last")
+    print("attitude to the product of the increments that they were given")
     for name, peer in (
-        ("scipy Rotation, one by one", scipy_one_by_one),
-        ("ahrs, one by one", ahrs_one_by_one),
+        ("scipy Rotation, a Python loop", scipy_one_by_one),
+        ("ahrs, a Python loop", ahrs_one_by_one),
         ("pyins, compiled, with navigation", pyins_navigation),
     ):
         try:
@@ -114,7 +116,7 @@ def attitudes() -> None:
         except ImportError as missing:
             print(f"  {name:34} left out: {missing}")
         else:
-            print(f"  {name:34} {theirs:8.0f}        {theirs / ours:6.1f} x, gap {gap:.0e} rad")
+            print(f"  {name:34} {theirs:8.0f} ns each {theirs / ours:6.1f} x   {gap:.0e}")
 
 
 Peer = tuple[float, float]
@@ -203,6 +205,7 @@ def redraws(moves: int = 10) -> None:
 
 
 if __name__ == "__main__":
+    print(f"Python {platform.python_version()}, NumPy {np.__version__}, {platform.machine()}")
     error_quaternions()
     exponentials()
     products()
