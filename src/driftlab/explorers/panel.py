@@ -284,10 +284,9 @@ class Explorer(widgets.VBox):
 
 def _table(numbers: Sequence[tuple[str, str]]) -> str:
     # Columns of a fixed width: what the values are does not move what stands below.
-    width = "27em" if max(len(name) + len(value) for name, value in numbers) > 34 else "18em"
     pairs = ((html.escape(name), html.escape(value)) for name, value in numbers)
     cells = "".join(f"<span>{name} <b>{value}</b></span>" for name, value in pairs)
     return (
         "<div style='display: grid; white-space: nowrap; "
-        f"grid-template-columns: repeat(auto-fill, {width})'>{cells}</div>"
+        f"grid-template-columns: repeat(auto-fill, 26em)'>{cells}</div>"
     )

@@ -119,7 +119,7 @@ class AlgorithmLaboratoryPicture(Picture[AlgorithmLaboratory]):
         order.set(xlabel="sample rate, Hz", xlim=(10.5, 220))
         order.set_xticks(RATES, [str(rate) for rate in RATES])
         order.minorticks_off()
-        draw_slopes(order, RATES[0], 1e-6)
+        draw_slopes(order, RATES[0], 5e-6)
         self.here = self.line(order, color=BLACK, linewidth=0.8, linestyle=(0, (2, 2)))
         self.histories = {
             name: self.line(history, **{**style, "marker": ""}) for name, style in STYLES.items()
