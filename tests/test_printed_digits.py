@@ -44,7 +44,7 @@ def test_interval_holds_what_was_printed_of_it(value, like, rounding):
     text = printed(value, like, rounding)
     low, high = printed_interval(text)
     if Decimal(text) == 0:  # a zero has lost its sign with its digits
-        low = -high
+        low, high = min(low, -high), max(high, -low)
     assert low <= value <= high
 
 
