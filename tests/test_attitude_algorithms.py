@@ -805,3 +805,23 @@ def test_coning_drift_depends_on_the_angle_per_interval(name):
 def test_coning_drift_refuses_intervals_that_are_not_positive(interval):
     with pytest.raises(ValueError, match=r"^sample_interval: expected positive times, got "):
         coning_drift("memory-4", 0.1, 1, [0.1, interval])
+
+
+def test_an_unknown_iterate_is_refused():
+    with pytest.raises(ValueError, match=r"^iterate: expected one of first, .*, got 'fourth'\.$"):
+        Algorithm("mine", 1, 0, {}, "fourth", 4)
+
+
+def test_weights_that_are_no_numbers_are_refused():
+    with pytest.raises(ValueError, match=r"^coning: expected finite numbers, got 1 NaN"):
+        Algorithm("mine", 2, 0, {(0, 1): np.nan}, "third", 4)
+
+
+def test_a_list_is_no_algorithm():
+    with pytest.raises(ValueError, match=r"^algorithm: expected one of picard-1, .* got \['a'\]"):
+        integrate(np.ones((2, 3)), ["a"])
+
+
+def test_angles_that_cannot_be_angles_are_refused():
+    with pytest.raises(ValueError, match=r"^increments: expected angles in rad, got 1e\+200\.$"):
+        integrate([[1e200, 0, 0]] * 2, "rotation-vector-2")

@@ -10,6 +10,7 @@ from driftlab.checks import (
     finite_number,
     lengths,
     nonzero_vectors,
+    unit_quaternions,
     whole_number,
 )
 from support import EPS, directions
@@ -104,3 +105,14 @@ def test_one_number_is_a_float():
 
 def test_nothing_masked_is_let_through():
     np.testing.assert_array_equal(finite_array(np.ma.array([1.0, 2.0]), "value"), [1, 2])
+
+
+@pytest.mark.parametrize("size", [1e-310, 1e-200, 1.0, 1e200])
+def test_quaternions_of_any_size_become_unit_ones(size):
+    expected = np.array([[0.5, -0.5, 0.5, 0.5], [0, 0.6, 0, -0.8]])
+    found = unit_quaternions(size * np.array([[1, -1, 1, 1], [0, 3, 0, -4]]), "value")
+    # Of numbers below 2e-308 some last digits are gone before they come here.
+    bound = 4 * EPS if size > 1e-300 else 1e-13
+    np.testing.assert_allclose(found, expected, rtol=0, atol=bound)
+    with pytest.raises(ValueError, match=r"^value: expected nonzero quaternions, got a zero q"):
+        unit_quaternions([[1, 0, 0, 0], [0, 0, 0, 0]], "value")

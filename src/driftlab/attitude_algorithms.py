@@ -21,13 +21,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from .cayley import rotation_quaternion
-from .checks import FloatArray, finite_array, finite_arrays, whole_number
+from .checks import FloatArray, finite_array, finite_arrays, unit_quaternions, whole_number
 from .quaternion import cumulative_product, from_rotation_vector, multiply
 
 Weights = Mapping[tuple[int, int], float]
@@ -78,6 +78,13 @@ class Algorithm:
                 f"starts: expected one for each of {self.memory} increments of memory, "
                 f"got {len(self.starts)}."
             )
+        if self.iterate not in get_args(Iterate):
+            raise ValueError(
+                f"iterate: expected one of {', '.join(get_args(Iterate))}, got {self.iterate!r}."
+            )
+        for weights in (self.coning, *self.starts):
+            if weights:
+                finite_array(list(weights.values()), "coning")
         for i, j in (pair for weights in (self.coning, *self.starts) for pair in weights):
             if not 0 <= i < j < self.window:
                 raise ValueError(
@@ -120,14 +127,14 @@ ALGORITHMS: Mapping[str, Algorithm] = MappingProxyType(
         )
     }
 )
-"""Algorithms by name: `one-step-3` is A of the derivation, `two-step-4` B, `memory-4` C."""
+"""Algorithms by name, in the order of the tables of chapter 06."""
 
 
 def attitude_algorithm(algorithm: str | Algorithm) -> Algorithm:
     """Return the algorithm of that name, or `algorithm` itself; an unknown name is refused."""
     if isinstance(algorithm, Algorithm):
         return algorithm
-    if algorithm not in ALGORITHMS:
+    if not isinstance(algorithm, str) or algorithm not in ALGORITHMS:
         raise ValueError(f"algorithm: expected one of {', '.join(ALGORITHMS)}, got {algorithm!r}.")
     return ALGORITHMS[algorithm]
 
@@ -167,16 +174,13 @@ def integrate(
     ------
     ValueError
         If the algorithm is unknown; the increments do not make whole steps, are too few to start
-        without a history, or turn by a whole turn in one step, where the true k is infinite. All
+        without a history, or, where k is used, turn by a whole turn in one step. All
         algorithms want steps that turn by much less than 1 rad.
     """
-    first = finite_array(start, "start", 4)
-    norm = np.linalg.norm(first, axis=-1, keepdims=True)
-    if not norm.all():
-        raise ValueError("start: expected nonzero quaternions, got a zero quaternion.")
+    first = unit_quaternions(start, "start")
     steps = cumulative_product(step_quaternions(increments, algorithm, history=history))
     finite_arrays(increments=(steps, *steps.shape[-2:]), start=(first, 4))
-    return multiply((first / norm)[..., np.newaxis, :], steps)
+    return multiply(first[..., np.newaxis, :], steps)
 
 
 def step_quaternions(
@@ -214,8 +218,11 @@ def step_vectors(
     rows = finite_array(increments, "increments")
     if rows.ndim < 2 or rows.shape[-1] != 3:
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
-    if chosen.iterate != "rotation vector" and np.abs(rows).max() >= 2 * np.pi:
-        raise _too_far(float(np.abs(rows).max()))
+    largest = float(np.abs(rows).max())
+    if largest >= 2 * np.pi and chosen.iterate != "rotation vector":
+        raise _too_far(largest)
+    if largest > 1e12:  # not even the rounding of such an angle is small
+        raise ValueError(f"increments: expected angles in rad, got {largest:.3g}.")
     count, left_over = rows.shape[-2], rows.shape[-2] % chosen.samples
     if left_over:
         raise ValueError(
@@ -355,14 +362,14 @@ def coning_drift(
     With x = 2 pi f h, the angle of coning in one interval, an increment and the one d later have
     the cross product 4 sin(x/2)^2 sin(d x) sin(a)^2 about the axis. The true correction over a step
     of m intervals is sin(a)^2 (m x - sin(m x))/2. Derived in chapter 06. The two nearly cancel when
-    x is small: rounding leaves about 1e-16 m x sin(a)^2 of a step's drift.
+    x is small: rounding leaves an error of about 1e-16 m x sin(a)^2 in the drift of a step.
     """
     chosen = attitude_algorithm(algorithm)
     angle, rate, interval = finite_arrays(
         half_angle=(half_angle,), frequency=(frequency,), sample_interval=(sample_interval,)
     )
     if (interval <= 0).any():
-        raise ValueError(f"sample_interval: expected positive times, got {interval.min()!r}.")
+        raise ValueError(f"sample_interval: expected positive times, got {interval.min():g}.")
     x = 2 * np.pi * rate * interval
     step = chosen.samples * x
     estimate = np.zeros_like(x)

@@ -21,7 +21,7 @@ from scipy.integrate import solve_ivp
 from .checks import FloatArray, finite_array, finite_arrays, finite_number, nonzero_vectors
 from .quaternion import pure, right_matrix
 
-_SWITCH = 1.2
+SWITCH = 1.2
 """Length at which the shadow takes over. Its own length is then 1/1.2: far enough from the switch
 that rounding cannot send it back at once."""
 _LIMIT = 1e6
@@ -44,7 +44,7 @@ def cayley_transform(matrix: ArrayLike) -> FloatArray:
     ------
     ValueError
         If E + X is singular to rounding. An orthogonal X has the eigenvalue -1 then; of skew ones
-        only those of odd order and a size of 1e15 come near.
+        only those come near that are singular, or nearly so, and of a size of 1e15.
     """
     x = finite_array(matrix, "matrix")
     if x.ndim < 2 or x.shape[-1] != x.shape[-2]:
@@ -148,7 +148,7 @@ def rotation_quaternion(vector: ArrayLike, dimension: int = 4) -> FloatArray:
 
 
 def shadow(vector: ArrayLike) -> FloatArray:
-    """Vector -k/|k|^2 (..., 3) of dimension 4: the same rotation, by a whole turn less.
+    """Vector -k/|k|^2 (..., 3) of dimension 4: the same attitude, reached the other way round.
 
     Where k is long its shadow is short, and the other way round; both have length 1 at half a
     turn. A zero vector is refused, because its shadow is infinite.
@@ -234,10 +234,13 @@ def integrate_riccati(
     grid = finite_array(times, "times")
     if grid.ndim != 1 or len(grid) < 2 or not np.all(np.diff(grid) > 0):
         raise ValueError(f"times: expected at least two increasing times (m,), got {times!r:.60}.")
-    limit = _SWITCH if shadow_switch else _LIMIT
+    limit = SWITCH if shadow_switch else _LIMIT
 
     def derivative(time: float, k: FloatArray) -> FloatArray:
-        return riccati_rate(k, rate(time))
+        value = finite_array(rate(time), "rate", 3)
+        if value.ndim != 1:
+            raise ValueError(f"rate: expected shape (3,) at a time, got shape {value.shape}.")
+        return riccati_rate(k, value)
 
     def too_long(_: float, k: FloatArray) -> float:
         # The logarithm is as smooth near the limit as far below it; 1e-300 keeps it finite at 0.
@@ -290,6 +293,6 @@ def integrate_riccati(
 
 
 def _checked(dimension: int) -> int:
-    if dimension not in (3, 4):
+    if not isinstance(dimension, int) or dimension not in (3, 4):
         raise ValueError(f"dimension: expected 3 or 4, got {dimension!r}.")
     return dimension

@@ -61,6 +61,17 @@ def nonzero_vectors(value: ArrayLike, name: str) -> tuple[FloatArray, FloatArray
     return vectors / norms, (norms * largest)[..., 0]
 
 
+def unit_quaternions(value: ArrayLike, name: str) -> FloatArray:
+    """Return quaternions (..., 4) brought to unit norm, refusing a zero quaternion."""
+    quaternions = finite_array(value, name, 4)
+    # Dividing by the largest entry first, as for vectors.
+    largest = np.abs(quaternions).max(axis=-1, keepdims=True)
+    if not largest.all():
+        raise ValueError(f"{name}: expected nonzero quaternions, got a zero quaternion.")
+    quaternions = quaternions / largest
+    return quaternions / np.linalg.norm(quaternions, axis=-1, keepdims=True)
+
+
 def finite_arrays(**arguments: tuple[ArrayLike, *tuple[int, ...]]) -> list[FloatArray]:
     """`finite_array` for several arguments at once, whose leading axes must broadcast.
 

@@ -203,7 +203,9 @@ def _check(motion: Coning | Sway | FixedAxis) -> None:
         if field.name != "axis":
             finite_number(getattr(motion, field.name), field.name)
         else:
-            nonzero_vectors(getattr(motion, field.name), field.name)
+            direction, _ = nonzero_vectors(getattr(motion, field.name), field.name)
+            if direction.ndim != 1:
+                raise ValueError(f"axis: expected shape (3,), got shape {direction.shape}.")
 
 
 def _middles(interval: float, count: int) -> FloatArray:

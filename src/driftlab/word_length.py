@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from .attitude_algorithms import Algorithm, attitude_algorithm, step_vectors
-from .checks import finite_array, finite_arrays
+from .checks import finite_array, finite_arrays, unit_quaternions
 
 Update = Literal["product", "small terms first", "complement", "compensated"]
 UPDATES: tuple[Update, ...] = get_args(Update)
@@ -37,13 +37,14 @@ def step_in_word(vectors: NDArray[Any], *, rotation_vector: bool = False) -> NDA
         Vector part, l0, and 1 - l0 = 2|k|²/(1 + |k|²), which keeps its digits.
     """
     finite_array(vectors, "vectors", 3)
+    vectors = np.asarray(vectors)
     kind = vectors.dtype.type
     with np.errstate(over="ignore"):
         square = (vectors[..., 0] ** 2 + vectors[..., 1] ** 2 + vectors[..., 2] ** 2)[..., None]
     if vectors.dtype.kind != "f" or not np.isfinite(square).all():
         raise ValueError(
             "vectors: expected floating numbers whose squares are finite, "
-            f"got {vectors.dtype} up to {np.abs(vectors).max()!r}."
+            f"got {vectors.dtype} up to {np.abs(vectors).max():g}."
         )
     if rotation_vector:
         half = kind(0.5) * np.sqrt(square)
@@ -72,7 +73,7 @@ def integrate_in_word(
     algorithm : str or Algorithm
         As in `attitude_algorithms.integrate`.
     start : array_like, shape (..., 4)
-        Attitude before the first increment.
+        Attitude before the first increment; brought to unit norm.
     word : dtype
         float16, float32 or float64.
     update : {"product", "small terms first", "complement", "compensated"}
@@ -90,7 +91,7 @@ def integrate_in_word(
     if update not in UPDATES:
         raise ValueError(f"update: expected one of {', '.join(UPDATES)}, got {update!r}.")
     vectors = step_vectors(increments, algorithm, word=word)
-    first = finite_array(start, "start", 4)
+    first = unit_quaternions(start, "start")
     finite_arrays(increments=(vectors, *vectors.shape[-2:]), start=(first, 4))
     method = attitude_algorithm(algorithm).iterate
     steps = step_in_word(vectors, rotation_vector=method == "rotation vector")

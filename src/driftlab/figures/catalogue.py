@@ -206,8 +206,9 @@ CATALOGUE = (
         coning_area.ConingAreaPicture,
         coning_area.columns,
         lambda data: (
-            "Across the axis of the cone the increments add up to a closed way. The rotation about "
-            "that axis is the area inside; sums of increments enclose a polygon and miss the "
+            "Across the axis of the cone the increments add up to a closed way. On a narrow cone "
+            "the rotation about that axis is the area inside; sums of increments enclose a polygon "
+            "and miss the "
             f"slivers ({data.samples} samples a round are drawn). On the right, a pair of samples "
             "with their triangle."
         ),

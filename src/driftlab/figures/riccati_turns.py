@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..cayley import (
+    SWITCH,
     RiccatiSolution,
     integrate_riccati,
     riccati_rate,
@@ -109,7 +110,7 @@ def _fixed_step(motion: _TwoSpins, times: FloatArray, switch: bool) -> FloatArra
         third = riccati_rate(k + h / 2 * second, middle)
         fourth = riccati_rate(k + h * third, motion.rate(time + h))
         k = k + h / 6 * (first + 2 * second + 2 * third + fourth)
-        if switch and k @ k > 1:
+        if switch and k @ k > SWITCH**2:
             k = shadow(k)
         vectors.append(k)
     return rotation_quaternion(vectors)
