@@ -9,15 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from driftlab.attitude_algorithms import (
-    ALGORITHMS,
-    Algorithm,
-    attitude_algorithm,
-    coning_drift,
-    integrate,
-    step_quaternions,
-    step_vectors,
-)
+from driftlab.algorithm_table import ALGORITHMS, Algorithm, attitude_algorithm, coning_drift
+from driftlab.attitude_algorithms import integrate, step_quaternions, step_vectors
 from driftlab.cayley import rotation_quaternion
 from driftlab.motions import Coning, FixedAxis, Sway
 from driftlab.quaternion import (

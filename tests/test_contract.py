@@ -11,6 +11,7 @@ import pytest
 from numpy.typing import ArrayLike
 
 from driftlab import (
+    algorithm_table,
     attitude_algorithms,
     cayley,
     drift,
@@ -89,7 +90,7 @@ CASES = {
         "history": INCREMENTS[:2],
     },
     fixed(attitude_algorithms.step_vectors, algorithm="one-step-3"): {"increments": INCREMENTS},
-    fixed(attitude_algorithms.coning_drift, algorithm="two-step-4"): {
+    fixed(algorithm_table.coning_drift, algorithm="two-step-4"): {
         "half_angle": TIME,
         "frequency": TIME,
         "sample_interval": TIME,
@@ -211,6 +212,7 @@ def test_no_function_of_arrays_is_forgotten():
         drift,
         turn_calibration,
         cayley,
+        algorithm_table,
         attitude_algorithms,
         motions,
         word_length,

@@ -6,7 +6,8 @@ import sympy as sp
 from scipy.spatial.transform import Rotation
 
 from driftlab import cayley, kinematics, quaternion, symbolic
-from driftlab.attitude_algorithms import ALGORITHMS, step_quaternions, step_vectors
+from driftlab.algorithm_table import ALGORITHMS
+from driftlab.attitude_algorithms import step_quaternions, step_vectors
 
 RATE, MEASURED = np.array([0.3, -0.2, 0.7]), np.array([0.31, -0.25, 0.6])
 ATTITUDE = np.array([0.1, -0.5, 0.3, 0.8])

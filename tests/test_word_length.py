@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from driftlab.attitude_algorithms import ALGORITHMS, integrate
+from driftlab.algorithm_table import ALGORITHMS
+from driftlab.attitude_algorithms import integrate
 from driftlab.cayley import rotation_quaternion
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
 from driftlab.word_length import UPDATES, integrate_in_word, step_in_word

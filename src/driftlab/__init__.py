@@ -12,9 +12,9 @@ Conventions, fixed here once for the whole package:
 * Bad input raises `ValueError` with one sentence: which argument, what was expected, what came.
 
 Modules, in the order in which they build on each other: `quaternion`, `kinematics`, `drift`,
-`step_formulas`, `turn_calibration`, `larin_table`, `cayley`, `attitude_algorithms`, `word_length`,
-`motions` (NumPy and SciPy only), `symbolic` (SymPy), `figures` (Matplotlib), `explorers`
-(ipywidgets). Importing the package itself loads none of them.
+`step_formulas`, `turn_calibration`, `larin_table`, `cayley`, `algorithm_table`,
+`attitude_algorithms`, `word_length`, `motions` (NumPy and SciPy only), `symbolic` (SymPy),
+`figures` (Matplotlib), `explorers` (ipywidgets). Importing the package itself loads none of them.
 """
 
 __version__ = "0.1.0"

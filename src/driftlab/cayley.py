@@ -18,7 +18,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
-from .checks import FloatArray, finite_array, finite_arrays, finite_number, nonzero_vectors
+from .checks import (
+    FloatArray,
+    finite_array,
+    finite_arrays,
+    finite_number,
+    lengths,
+    nonzero_vectors,
+    unit_quaternions,
+)
 from .quaternion import pure, right_matrix
 
 SWITCH = 1.2
@@ -97,24 +105,15 @@ def cayley_vector(quaternion: ArrayLike, dimension: int = 4) -> FloatArray:
         Where k is infinite: at whole turns (dimension 4) or half turns (dimension 3). A quaternion
         that is a rounding error away from there has a finite vector, of a length of 1e15 or more.
     """
-    q = finite_array(quaternion, "quaternion", 4)
-    largest = np.abs(q).max(axis=-1, keepdims=True)
-    if not largest.all():
-        raise ValueError("quaternion: expected nonzero quaternions, got a zero quaternion.")
-    vector, scalar = np.split(q / largest, [3], axis=-1)
-    # Of the vector part, direction and size apart: its square would underflow near the pole.
-    scale = np.abs(vector).max(axis=-1, keepdims=True)
+    vector, scalar = np.split(unit_quaternions(quaternion, "quaternion"), [3], axis=-1)
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
         if _checked(dimension) == 3:
             k = -vector / scalar
         else:
-            sine = (
-                scale * np.linalg.norm(vector / np.where(scale > 0, scale, 1), axis=-1)[..., None]
-            )
-            norm = np.hypot(sine, scalar)
-            # v/(n + s) equals ((n - s)/|v|) v/|v|; either is free of cancellation for its sign.
-            forward = vector / (norm + scalar)
-            backward = (norm - scalar) / sine * (vector / sine)
+            sine = lengths(vector)[..., np.newaxis]
+            # v/(1 + s) equals ((1 - s)/|v|) v/|v|; either is free of cancellation for its sign.
+            forward = vector / (1 + scalar)
+            backward = (1 - scalar) / sine * (vector / sine)
             k = -np.where(scalar < 0, backward, forward)
     if not np.isfinite(k).all():
         turn = "half" if dimension == 3 else "whole"

@@ -13,7 +13,8 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from .attitude_algorithms import Algorithm, attitude_algorithm, step_vectors
+from .algorithm_table import Algorithm, attitude_algorithm
+from .attitude_algorithms import step_vectors
 from .checks import finite_array, finite_arrays, unit_quaternions
 
 Update = Literal["product", "small terms first", "complement", "compensated"]

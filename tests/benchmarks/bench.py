@@ -17,7 +17,8 @@ import numpy as np
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
-from driftlab.attitude_algorithms import ALGORITHMS, integrate
+from driftlab.algorithm_table import ALGORITHMS
+from driftlab.attitude_algorithms import integrate
 from driftlab.explorers import EXPLORERS
 from driftlab.kinematics import error_quaternion, error_rate_matrix, error_transition_matrix
 from driftlab.quaternion import cumulative_product, from_rotation_vector
@@ -125,11 +126,8 @@ Peer = tuple[float, float]
 
 def gap_to(attitude: Rotation, increments: np.ndarray) -> float:
     """Angle to the product of the increments as they are, which is what the peers compute."""
-    return float((Rotation.from_quat(integrate_plainly(increments)).inv() * attitude).magnitude())
-
-
-def integrate_plainly(increments: np.ndarray) -> np.ndarray:
-    return cumulative_product(from_rotation_vector(increments))[-1]
+    product = cumulative_product(from_rotation_vector(increments))[-1]
+    return float((Rotation.from_quat(product).inv() * attitude).magnitude())
 
 
 def scipy_one_by_one(increments: np.ndarray, rate: float) -> Peer:

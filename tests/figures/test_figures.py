@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from driftlab import attitude_algorithms
-from driftlab.attitude_algorithms import ALGORITHMS
+from driftlab import algorithm_table
+from driftlab.algorithm_table import ALGORITHMS
 from driftlab.drift import direction_from_angles, drift_coefficient, non_orthogonality
 from driftlab.figures import (
     algorithm_laboratory,
@@ -282,7 +282,7 @@ def test_slivers_are_the_coning_drift(samples: int) -> None:
     missing = np.array([data.polygon_area, data.paired_area]) - data.circle_area
     for name, area in zip(("picard-1", "two-step-4"), missing, strict=True):
         # Drift over a round of one second, to the second power of the half angle.
-        drift = attitude_algorithms.coning_drift(name, 1e-3, 1.0, 1 / samples)
+        drift = algorithm_table.coning_drift(name, 1e-3, 1.0, 1 / samples)
         assert drift == pytest.approx(np.sin(1e-3) ** 2 * area, rel=1e-9)
     with pytest.raises(ValueError, match=r"^samples: expected an even number, got 5"):
         coning_area.compute(5)
@@ -317,8 +317,8 @@ def test_measured_coning_drift_is_the_closed_formula(name: str) -> None:
     # Where the formula itself nearly vanishes, they are compared with the uncorrected drift.
     for frequency, rate in ((1.0, 30.0), (5.0, 40.0), (5.0, 100.0)):
         found = coning_drift.measured_drift(name, 0.01, frequency, rate)
-        plain = abs(attitude_algorithms.coning_drift("picard-1", 0.01, frequency, 1 / rate))
-        formula = attitude_algorithms.coning_drift(name, 0.01, frequency, 1 / rate)
+        plain = abs(algorithm_table.coning_drift("picard-1", 0.01, frequency, 1 / rate))
+        formula = algorithm_table.coning_drift(name, 0.01, frequency, 1 / rate)
         assert found == pytest.approx(formula, rel=0, abs=1e-4 * plain)
 
 

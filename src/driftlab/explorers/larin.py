@@ -5,11 +5,11 @@ from typing import ClassVar
 import numpy as np
 
 from ..checks import FloatArray
-from ..drift import direction_from_angles
 from ..figures import drift_history, error_motion, roots, turn_estimates
 from ..larin_table import MISALIGNMENT
 from ..step_formulas import STEP_FORMULAS
 from ..turn_calibration import TurnExperiment
+from .axis import AXIS_CONTROLS, axis_code, axis_of
 from .panel import Control, Explorer, Values
 
 ARC_SECOND = float(np.radians(1 / 3600))
@@ -24,22 +24,6 @@ SHAPES = {
 
 SIZES = (1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5)
 TOLERANCES = (1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1)
-
-AXIS_CONTROLS = (
-    Control("azimuth", "azimuth, degrees", 45.0, -180.0, 180.0, 1.0, group="axis of the turns"),
-    Control("elevation", "elevation, degrees", 15.0, -90.0, 90.0, 1.0, group="axis of the turns"),
-)
-
-
-def axis_of(values: Values) -> FloatArray:
-    """Unit vector of `AXIS_CONTROLS`."""
-    return direction_from_angles(np.radians(values["azimuth"]), np.radians(values["elevation"]))
-
-
-def axis_code(values: Values) -> str:
-    """Code for the same."""
-    return f"direction_from_angles(*np.radians([{values['azimuth']}, {values['elevation']}]))"
-
 
 ENTRIES = [f"m{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3)]
 

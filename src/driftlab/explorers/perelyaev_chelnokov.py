@@ -4,11 +4,10 @@ from typing import ClassVar
 
 import numpy as np
 
-from ..attitude_algorithms import ALGORITHMS
-from ..checks import FloatArray
-from ..drift import direction_from_angles
+from ..algorithm_table import ALGORITHMS
 from ..figures import algorithm_laboratory, cayley_map
 from ..motions import Motion
+from .axis import AXIS_CONTROLS, axis_code, axis_of
 from .panel import Control, Explorer, Values
 
 
@@ -19,8 +18,7 @@ class CayleyMapExplorer(Explorer):
     picture_class = cayley_map.CayleyMapPicture
     controls = (
         Control("angle", "angle φ, degrees", 130.0, -360.0, 360.0, 1.0, group="rotation"),
-        Control("azimuth", "azimuth, degrees", 45.0, -180.0, 180.0, 1.0, group="its axis"),
-        Control("elevation", "elevation, degrees", 15.0, -90.0, 90.0, 1.0, group="its axis"),
+        *AXIS_CONTROLS,
     )
     presets: ClassVar = {
         "Both finite": {},
@@ -31,12 +29,8 @@ class CayleyMapExplorer(Explorer):
         "No rotation": {"angle": 0.0},
     }
 
-    @staticmethod
-    def _axis(values: Values) -> FloatArray:
-        return direction_from_angles(*np.radians([values["azimuth"], values["elevation"]]))
-
     def compute(self, values: Values) -> cayley_map.CayleyMap:
-        return cayley_map.compute(np.radians(values["angle"]), self._axis(values))
+        return cayley_map.compute(np.radians(values["angle"]), axis_of(values))
 
     def numbers(self, data: cayley_map.CayleyMap) -> list[tuple[str, str]]:
         def length(along: float | None) -> str:
@@ -64,8 +58,7 @@ class CayleyMapExplorer(Explorer):
             "from driftlab.cayley import cayley_vector\n"
             "from driftlab.drift import direction_from_angles\n"
             "from driftlab.quaternion import from_rotation_vector\n"
-            f"axis = direction_from_angles(*np.radians([{values['azimuth']}, "
-            f"{values['elevation']}]))\n"
+            f"axis = {axis_code(values)}\n"
             f"rotation = from_rotation_vector(np.radians({values['angle']}) * axis)\n"
             "# Where a vector is infinite, rounding leaves one of length 1e15 or more.\n"
             "print(cayley_vector(rotation, 3))\n"

@@ -6,7 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..attitude_algorithms import ALGORITHMS, integrate
+from ..algorithm_table import ALGORITHMS
+from ..attitude_algorithms import integrate
 from ..checks import FloatArray
 from ..motions import Coning, FixedAxis, Motion, Sway
 from ..quaternion import conjugate, multiply, rotation_angle

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..attitude_algorithms import ALGORITHMS
+from ..algorithm_table import ALGORITHMS
 from ..checks import FloatArray
 from ..motions import Coning, FixedAxis, Motion, Sway
 from . import algorithm_laboratory

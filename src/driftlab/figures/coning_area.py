@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 from matplotlib.patches import Polygon
+from scipy.spatial.transform import Rotation
 
 from ..checks import FloatArray, whole_number
 from ..motions import Coning
@@ -42,9 +43,7 @@ def compute(samples: int = 8) -> ConingArea:
     # The chords of pairs make a polygon of half as many corners.
     pairs = increments[0::2] + increments[1::2]
     segments = (2 / 3) * _cross(increments[0::2], increments[1::2]).sum()
-    turned = motion.attitude(np.arange(fine + 1) / fine)
-    x, y, z, w = np.moveaxis(turned, -1, 0)
-    third = np.stack([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x**2 + y**2)], axis=-1)
+    third = Rotation.from_quat(motion.attitude(np.arange(fine + 1) / fine)).apply([0, 0, 1])
     return ConingArea(
         samples,
         third,

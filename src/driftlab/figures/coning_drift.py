@@ -4,7 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..attitude_algorithms import ALGORITHMS, coning_drift, integrate
+from ..algorithm_table import ALGORITHMS, coning_drift
+from ..attitude_algorithms import integrate
 from ..checks import FloatArray
 from ..motions import Coning
 from ..quaternion import conjugate, multiply, to_rotation_vector

@@ -1,0 +1,22 @@
+"""An axis that the reader chooses: the same two sliders wherever there is one."""
+
+import numpy as np
+
+from ..checks import FloatArray
+from ..drift import direction_from_angles
+from .panel import Control, Values
+
+AXIS_CONTROLS = (
+    Control("azimuth", "azimuth, degrees", 45.0, -180.0, 180.0, 1.0, group="axis of rotation"),
+    Control("elevation", "elevation, degrees", 15.0, -90.0, 90.0, 1.0, group="axis of rotation"),
+)
+
+
+def axis_of(values: Values) -> FloatArray:
+    """Unit vector of `AXIS_CONTROLS`."""
+    return direction_from_angles(np.radians(values["azimuth"]), np.radians(values["elevation"]))
+
+
+def axis_code(values: Values) -> str:
+    """Code for the same."""
+    return f"direction_from_angles(*np.radians([{values['azimuth']}, {values['elevation']}]))"
