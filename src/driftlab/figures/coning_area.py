@@ -150,5 +150,7 @@ class ConingAreaPicture(Picture[ConingArea]):
         for label, a, b in zip(
             self.labels, (first, middle, first), (middle, last, last), strict=True
         ):
-            away = (a + b) / 2 - centre
-            label.set_position(tuple((a + b) / 2 + 0.8 * margin * away / np.linalg.norm(away)))
+            # Beside the middle of its side, on the far side of the triangle, clear of the arc.
+            normal = np.array([b[1] - a[1], a[0] - b[0]]) / np.linalg.norm(b - a)
+            outwards = normal * np.sign(normal @ (a - centre))
+            label.set_position(tuple((a + b) / 2 + 0.75 * margin * outwards))
