@@ -171,12 +171,12 @@ def _vectors(algorithm: Algorithm, increments: NDArray[Any], past: int) -> NDArr
         vectors = kind(-1 / 4) * (gamma + coning) - kind(1 / 192) * square * gamma
         if algorithm.iterate == "second":
             # What the second iterate still has and the third removes.
-            vectors -= kind(1 / 32) * _cross(gamma, coning)
+            vectors -= kind(1 / 32) * cross(gamma, coning)
     return np.moveaxis(vectors, 0, -1)
 
 
-def _cross(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
-    """Cross product along the first axis."""
+def cross(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
+    """Cross product of vectors whose components stand along the *first* axis, (3, ...)."""
     return np.stack(
         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
     )
@@ -191,7 +191,7 @@ def _weighted(weights: Weights, places: list[NDArray[Any]]) -> NDArray[Any]:
     total = np.zeros_like(places[0])
     for j in sorted({j for _, j in weights}):
         left = sum(kind(weight) * places[i] for (i, k), weight in weights.items() if k == j)
-        total += _cross(left, places[j])
+        total += cross(left, places[j])
     return total
 
 

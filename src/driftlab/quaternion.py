@@ -50,6 +50,22 @@ def pure(vector: ArrayLike) -> FloatArray:
     return np.concatenate([vector, np.zeros_like(vector[..., :1])], axis=-1)
 
 
+def rotate(quaternion: ArrayLike, vector: ArrayLike) -> FloatArray:
+    """Reference components (..., 3) of body components `vector` (..., 3): q∘v∘conj(q).
+
+    `quaternion` (..., 4) must be of unit norm. The conjugate rotates the other way.
+    """
+    pair = finite_arrays(quaternion=(quaternion, 4), vector=(vector, 3))
+    (x, y, z, w), v = (np.moveaxis(array, -1, 0) for array in pair)
+    # v + 2 w u×v + 2 u×(u×v) with u the vector part, and t = 2 u×v formed once.
+    t = 2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])
+    rotated: FloatArray = np.empty((*t[0].shape, 3))
+    rotated[..., 0] = v[0] + w * t[0] + y * t[2] - z * t[1]
+    rotated[..., 1] = v[1] + w * t[1] + z * t[0] - x * t[2]
+    rotated[..., 2] = v[2] + w * t[2] + x * t[1] - y * t[0]
+    return rotated
+
+
 def left_matrix(quaternion: ArrayLike) -> FloatArray:
     """Matrix (..., 4, 4) of multiplication from the left: ``left_matrix(q) @ p = q∘p``."""
     return _combine(quaternion, _LEFT_UNITS)

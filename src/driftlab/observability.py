@@ -1,0 +1,191 @@
+"""What a rotation scheme can show: information, directions that stay in the dark, accuracy.
+
+The same error model as the filter's, along the true motion of the table and without any data. A
+direction of the state that never shows in the velocity is a null vector of the Gramian.
+"""
+
+from __future__ import annotations
+
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+
+from .checks import FloatArray, finite_number
+from .earth import checked_latitude, earth_rate, gravity
+from .error_model import (
+    AXES,
+    FULL,
+    ErrorModel,
+    attitude_matrix,
+    free_growth,
+    process_noise,
+    transition,
+)
+from .installation import skew_matrix
+from .quaternion import from_rotation_vector, multiply
+from .sensors import Noise, Spread, Unit
+from .system_calibration import kalman_step
+from .turntable import Scheme, segments
+
+STEP = 10.0
+"""Longest step in s of a pause; a rotation is cut finer."""
+_TURN = np.radians(30.0)  # rad: most that a step turns
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
+
+
+class UnobservableWarning(UserWarning):
+    """Some errors cannot be found, however long one measures."""
+
+
+class Passage(NamedTuple):
+    """The error equations along a scheme, in s steps."""
+
+    model: ErrorModel
+    start: FloatArray  # (4,), attitude at the beginning
+    durations: FloatArray  # (s,), s
+    transitions: FloatArray  # (s, size, size)
+
+
+def passage(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -> Passage:
+    """Transition matrices of the errors along a scheme, at a `latitude` in rad."""
+    place = float(checked_latitude(finite_number(latitude, "latitude")))
+    axes, rates, lengths, starts = [], [], [], []
+    row = segments(scheme, 1e-3)
+    for segment in row:
+        turn = abs(segment.rate) * segment.duration
+        count = int(np.ceil(max(segment.duration / STEP, turn / _TURN) - 1e-9))
+        step = segment.duration / count
+        turned = segment.rate * step * np.arange(count)[:, np.newaxis] * segment.axis
+        starts.append(multiply(segment.attitude, from_rotation_vector(turned)))
+        axes.append(np.tile(segment.axis, (count, 1)))
+        rates.append(np.full(count, segment.rate))
+        lengths.append(np.full(count, step))
+    axis, rate, duration, start = map(np.concatenate, (axes, rates, lengths, starts))
+    # Gauss's places in each step, and the integrals from its beginning to them.
+    place_of = 0.5 * (1 + _NODES)
+    times = duration[:, np.newaxis] * 0.5 * _WEIGHTS
+    turn = (rate * duration)[:, np.newaxis] * place_of
+    turned = from_rotation_vector(turn[..., np.newaxis] * axis[:, np.newaxis])
+    to_local = multiply(start[:, np.newaxis], turned)
+    to_body = np.swapaxes(attitude_matrix(to_local), -1, -2)
+    earth = earth_rate(place)
+    spin = rate[:, np.newaxis, np.newaxis] * axis[:, np.newaxis] + to_body @ earth
+    force = to_body @ np.array([0.0, 0.0, float(gravity(place))])
+    # The local axes of the step's beginning do not turn on with the Earth.
+    since = from_rotation_vector((duration[:, np.newaxis] * place_of)[..., np.newaxis] * earth)
+    share = times[..., np.newaxis]
+    matrices = transition(
+        model,
+        free_growth(place, duration),
+        attitude_matrix(multiply(since, to_local)),
+        times,
+        share * spin,
+        share * force,
+        _PASSED,
+    )
+    return Passage(model, row[0].attitude, duration, matrices)
+
+
+def _passed() -> FloatArray:
+    """How much of each share of a Gauss quadrature has passed at each of its places."""
+    powers = np.arange(len(_NODES))
+    # Weights that integrate all polynomials of that degree from -1 to each place.
+    integrals = (_NODES[:, np.newaxis] ** (powers + 1) - (-1.0) ** (powers + 1)) / (powers + 1)
+    vandermonde = _NODES[:, np.newaxis] ** powers
+    return integrals @ np.linalg.inv(vandermonde) / _WEIGHTS
+
+
+_PASSED = _passed()
+
+
+def expected_covariance(
+    way: Passage, noise: Noise, spread: Spread, update: float = 1.0
+) -> FloatArray:
+    """Covariance (size, size) that the filter will have at the end of the scheme.
+
+    The measurements of a step, one each `update` in s, count as one at its end.
+    """
+    covariance = way.model.covariance(spread, way.start)
+    added = process_noise(noise, way.transitions[:, 3:6, :3], way.durations, way.model.size)
+    variances = noise.velocity**2 * update / way.durations
+    for matrix, more, variance in zip(way.transitions, added, variances, strict=True):
+        covariance = kalman_step(covariance, matrix, more, np.zeros(3), variance).covariance
+    return covariance
+
+
+def observability_matrix(way: Passage) -> FloatArray:
+    """What the velocity after each step shows of the state at the start: (3 s, size).
+
+    Its square is the Gramian: the information on that state if the velocity is measured all the
+    time, with a density of one, and nothing disturbs the sensors.
+    """
+    since, rows = np.eye(way.model.size), []
+    for duration, matrix in zip(way.durations, way.transitions, strict=True):
+        since = matrix @ since
+        rows.append(np.sqrt(duration) * since[3:6])
+    return np.concatenate(rows)
+
+
+class Darkness(NamedTuple):
+    """What the velocity does not show."""
+
+    eigenvalues: FloatArray  # (size,), ascending: of the Gramian with all states in typical sizes
+    directions: FloatArray  # (m, size): the null directions, in states
+    words: list[str]  # what they are
+
+
+def null_directions(way: Passage) -> Darkness:
+    """Directions of the state that no measurement of the velocity can show.
+
+    To be comparable, each state is counted in its standard deviation of a typical unit. A direction
+    is dark if it shows less than 1e-10 of what the brightest does: rounding.
+    """
+    model = way.model
+    scale = np.sqrt(np.diag(model.covariance(Spread(), way.start)))
+    scale[3:6] = 0.01
+    # The singular values of this matrix have twice the digits that eigenvalues of its square have.
+    seen = observability_matrix(way) * scale
+    # Rows of zeros, so that there are never fewer rows than states.
+    padded = np.concatenate([seen, np.zeros((model.size, model.size))])
+    _, values, vectors = np.linalg.svd(padded, full_matrices=False)
+    dark = vectors[values < 1e-10 * values[0]]
+    words, rest = [], dark
+    if model is FULL:
+        for axis, state in zip(AXES, _common_misalignments(way.start) / scale, strict=True):
+            direction = state / np.linalg.norm(state)
+            if np.linalg.norm(direction - (dark @ direction) @ dark) < 1e-3:
+                words.append(f"both triads turned together about {axis}, the attitude with them")
+                rest = _without(rest, direction)
+    if len(rest):
+        share = np.linalg.norm(rest, axis=0)
+        names = [name for name, part in zip(model.names, share, strict=True) if part > 0.05]
+        words.append(f"{len(rest)} among {', '.join(names)}")
+    return Darkness(values[::-1] ** 2, dark * scale, words)
+
+
+def _without(rows: FloatArray, direction: FloatArray) -> FloatArray:
+    """Orthonormal rows (m - 1, n) that span what rows (m, n) span across a direction (n,) there."""
+    left = rows - np.outer(rows @ direction, direction)
+    return np.linalg.svd(left, full_matrices=False)[2][: len(rows) - 1]
+
+
+def _common_misalignments(attitude: FloatArray) -> FloatArray:
+    """States (3, 30) of both triads turned by 1 rad about x, y or z, the attitude with them."""
+    turns = skew_matrix(np.eye(3))
+    none = np.zeros((3, 3))
+    states = FULL.state(Unit(none, turns, none, turns))
+    states[:, :3] = attitude_matrix(attitude).T
+    return states
+
+
+def warn_if_unobservable(way: Passage) -> None:
+    """Warn with `UnobservableWarning` that names what a scheme leaves in the dark."""
+    dark = null_directions(way)
+    if dark.words:
+        warnings.warn(
+            f"scheme: leaves {len(dark.directions)} directions of {way.model.size} unobservable: "
+            f"{'; '.join(dark.words)}.",
+            UnobservableWarning,
+            stacklevel=2,
+        )
