@@ -8,13 +8,18 @@ Conventions, fixed here once for the whole package:
   and in tables only.
 * Arrays broadcast over their leading axes; the last axis (or the last two) is the object itself.
 * ``rate`` is the true angular rate in body axes, ``measured_rate`` what the gyros say.
-  The *misalignment* ``M`` holds the gyro triad's errors: ``measured_rate = (E + M) rate``.
+  In Parts I and II the *misalignment* ``M`` holds all errors of the gyro triad: ``measured_rate =
+  (E + M) rate``. From Part III on such matrices are ``gyro_error`` and ``accelerometer_error``,
+  and misalignment is their skew part only, as in most of the field.
+* Local axes are East, North, Up.
 * Bad input raises `ValueError` with one sentence: which argument, what was expected, what came.
 
 Modules, in the order in which they build on each other: `quaternion`, `kinematics`, `drift`,
 `step_formulas`, `turn_calibration`, `larin_table`, `cayley`, `algorithm_table`,
-`attitude_algorithms`, `word_length`, `motions` (NumPy and SciPy only), `symbolic` (SymPy),
-`figures` (Matplotlib), `explorers` (ipywidgets). Importing the package itself loads none of them.
+`attitude_algorithms`, `word_length`, `motions`, `installation`, `earth`, `strapdown`, `turntable`,
+`sensors`, `error_model`, `system_calibration`, `observability`, `calibration_trial`,
+`navigation_in_place`, `monte_carlo` (NumPy and SciPy only), `symbolic` (SymPy), `figures`
+(Matplotlib), `explorers` (ipywidgets). Importing the package itself loads none of them.
 """
 
 __version__ = "0.1.0"

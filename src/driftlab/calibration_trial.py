@@ -7,7 +7,7 @@ of states, and those of the innovations to three.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -61,8 +61,8 @@ class TableTrial:
     scheme: Scheme = NINETEEN_POSITIONS
     latitude: float = float(np.radians(37.5))
     frame: str = "averaged"
-    spread: Spread = Spread()
-    noise: Noise = Noise()
+    spread: Spread = field(default_factory=Spread)
+    noise: Noise = field(default_factory=Noise)
     sample_interval: float = 0.05
     update_interval: float = 1.0
     keep: int = 20

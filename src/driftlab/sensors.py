@@ -90,7 +90,7 @@ class Spread:
     gyro_bias: float = 0.3 * degree / hour
     accelerometer_bias: float = 300 * micro * g
     scale: float = 100 * micro
-    installation: float = 100 * arcsecond
+    installation: float = 40 * arcsecond
 
     def __post_init__(self) -> None:
         _check_sizes(self)

@@ -212,7 +212,7 @@ def turning_average(rotation_vector: ArrayLike) -> FloatArray:
     return sine * np.eye(3) + cosine * cross + (1 - sine) * np.outer(n, n)
 
 
-def at_rest(
+def stand(
     attitude: ArrayLike, latitude: float, interval: float, count: int, altitude: float = 0.0
 ) -> Record:
     """Record of a unit that stands in one attitude (4,) for `count` intervals of time."""
