@@ -105,9 +105,17 @@ class TableTrial:
         lead = () if runs is None else (whole_number(runs, "runs"),)
         if unit is None:
             unit = random_units(self.spread, rng, *lead)
+        # Each run has noise of its own, also of one and the same unit.
+        one = checked_unit(unit)
+        unit = Unit(
+            np.broadcast_to(one.gyro_bias, (*lead, 3)),
+            np.broadcast_to(one.gyro_error, (*lead, 3, 3)),
+            np.broadcast_to(one.accelerometer_bias, (*lead, 3)),
+            np.broadcast_to(one.accelerometer_error, (*lead, 3, 3)),
+        )
         samples = round(self.update_interval / self.sample_interval)
         record = simulate(self.scheme, self.latitude, self.sample_interval, whole=samples)
-        angle, velocity = measure(record, checked_unit(unit), self.noise, rng)
+        angle, velocity = measure(record, unit, self.noise, rng)
         updates = len(record.angle_increments) // samples
         reference = self.noise.velocity * rng.standard_normal((*lead, updates, 3))
         # The table tells its attitude with an error.

@@ -87,8 +87,9 @@ def navigate_in_place(
     meridian, across = curvature_radii(latitude)
     east = way.longitude * across * np.cos(latitude)
     true = unit_quaternions(reference, "reference")[..., np.newaxis, :]
+    times: FloatArray = each * seconds * np.arange(1.0, count // each + 1)
     return InPlace(
-        np.arange(1, count // each + 1) * (each * seconds),
+        times,
         attitude_error(way.attitude, true),
         way.velocity[..., :2],
         np.stack([east, (way.latitude - latitude) * meridian], axis=-1),
