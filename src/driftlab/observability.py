@@ -28,7 +28,7 @@ from .sensors import Noise, Spread, Unit
 from .system_calibration import kalman_step
 from .turntable import Scheme, segments
 
-STEP = 10.0
+STEP = 20.0
 """Longest step in s of a pause; a rotation is cut finer."""
 _TURN = np.radians(30.0)  # rad: most that a step turns
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
