@@ -87,23 +87,21 @@ class ErrorModel:
         the attitude error as well. To first order.
         """
         body_to_local = attitude_matrix(unit_quaternions(attitude, "attitude"))
-        columns = []
-        for unit_state in np.eye(FULL.size):
-            unit = FULL.unit(unit_state)
-            small = np.zeros(3)
-            if self.frame is not None:
-                small = misalignment_vector(unit.gyro_error, unit.accelerometer_error, self.frame)
-            turn = skew_matrix(small)
-            state = self.state(
-                unit._replace(
-                    gyro_error=unit.gyro_error - turn,
-                    accelerometer_error=unit.accelerometer_error - turn,
-                )
+        states = np.eye(FULL.size)
+        unit = FULL.unit(states)
+        small = np.zeros((FULL.size, 3))
+        if self.frame is not None:
+            small = misalignment_vector(unit.gyro_error, unit.accelerometer_error, self.frame)
+        turn = skew_matrix(small)
+        reduced = self.state(
+            unit._replace(
+                gyro_error=unit.gyro_error - turn,
+                accelerometer_error=unit.accelerometer_error - turn,
             )
-            state[:6] = unit_state[:6]
-            state[:3] -= body_to_local @ small
-            columns.append(state)
-        return np.stack(columns, axis=1)
+        )
+        reduced[:, :6] = states[:, :6]
+        reduced[:, :3] -= small @ body_to_local.T
+        return reduced.T
 
     def covariance(self, spread: Spread, attitude: ArrayLike) -> FloatArray:
         """Covariance (size, size) of the states before a calibration that starts in `attitude`.
@@ -190,6 +188,39 @@ def transition(
     matrix[..., 6:, :] = np.eye(model.size)[6:]
     matrix[..., :6, :] = free @ moved
     return matrix
+
+
+def transition_of_increments(
+    model: ErrorModel,
+    free: FloatArray,
+    attitude: FloatArray,
+    angle_increments: FloatArray,
+    velocity_increments: FloatArray,
+    interval: float,
+) -> FloatArray:
+    """Transition matrix (..., size, size) of the errors while a unit navigates for a short time.
+
+    Parameters
+    ----------
+    model, free
+        As in `transition`; `free` for the whole time.
+    attitude : ndarray, shape (..., n + 1, 4)
+        Computed attitudes before and after each pair of increments.
+    angle_increments, velocity_increments : ndarray, shape (..., 2 n, 3)
+        What the attitudes were computed from: increments without the errors known so far.
+    interval : float
+        Of one increment, s.
+    """
+    matrices = attitude_matrix(attitude)
+    # Local axes turn by an arc second or so in a second; here they count as fixed.
+    middle = 0.5 * (matrices[..., :-1, :, :] + matrices[..., 1:, :, :])
+    angle = angle_increments[..., 0::2, :] + angle_increments[..., 1::2, :]
+    velocity = velocity_increments[..., 0::2, :] + velocity_increments[..., 1::2, :]
+    count = angle.shape[-2]
+    # In the middle of a pair, half of it has passed.
+    passed = np.tri(count) - 0.5 * np.eye(count)
+    times = np.full(count, 2 * interval)
+    return transition(model, free, middle, times, angle, velocity, passed)
 
 
 def _effects(basis: FloatArray, times: FloatArray, values: FloatArray) -> FloatArray:

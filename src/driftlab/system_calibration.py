@@ -18,10 +18,9 @@ from .checks import FloatArray, finite_array, finite_number, unit_quaternions, w
 from .earth import checked_latitude
 from .error_model import (
     ErrorModel,
-    attitude_matrix,
     free_growth,
     process_noise,
-    transition,
+    transition_of_increments,
 )
 from .quaternion import from_rotation_vector, multiply
 from .sensors import Noise, Spread, Unit, compensate
@@ -144,11 +143,8 @@ def calibrate(
         )
     kept = [*range(whole_number(keep, "keep"), updates, keep), updates]
     each = angle.shape[-2] // updates
-    duration = each * finite_number(interval, "interval")
-    parts = each // 2
-    times = np.full(parts, duration / parts)
-    # In the middle of a part, half of it has passed.
-    passed = np.tri(parts) - 0.5 * np.eye(parts)
+    seconds = finite_number(interval, "interval")
+    duration = each * seconds
     free = free_growth(place, duration)
     lead = np.broadcast_shapes(
         angle.shape[:-2], velocity.shape[:-2], reference.shape[:-2], attitude.shape[:-1]
@@ -163,16 +159,13 @@ def calibrate(
     for k in range(updates):
         rows = np.s_[..., k * each : (k + 1) * each, :]
         true_angle, true_velocity = compensate(
-            angle[rows], velocity[rows], model.unit(state), interval
+            angle[rows], velocity[rows], model.unit(state), seconds
         )
-        way = navigate(now, true_angle, true_velocity, interval)
-        body_to_local = attitude_matrix(
-            np.concatenate([now.attitude[..., np.newaxis, :], way.attitude], axis=-2)
+        way = navigate(now, true_angle, true_velocity, seconds)
+        attitudes = np.concatenate([now.attitude[..., np.newaxis, :], way.attitude], axis=-2)
+        growth = transition_of_increments(
+            model, free, attitudes, true_angle, true_velocity, seconds
         )
-        middle = 0.5 * (body_to_local[..., :-1, :, :] + body_to_local[..., 1:, :, :])
-        angles = true_angle[..., 0::2, :] + true_angle[..., 1::2, :]
-        velocities = true_velocity[..., 0::2, :] + true_velocity[..., 1::2, :]
-        growth = transition(model, free, middle, times, angles, velocities, passed)
         arrived = last_of(way)
         step = kalman_step(
             covariance,
@@ -192,15 +185,8 @@ def calibrate(
         surprises.append(step.surprise)
         if k + 1 in kept:
             history.append((state, covariance, now.attitude, now.velocity))
-    states, covariances, attitudes, velocities = (
-        np.stack(row) for row in zip(*history, strict=True)
-    )
+    # The history as an axis after those of the runs.
+    stacked = (np.stack(row, axis=len(lead)) for row in zip(*history, strict=True))
     return Calibration(
-        model,
-        duration * np.array(kept),
-        np.moveaxis(states, 0, -2),
-        np.moveaxis(covariances, 0, -3),
-        np.moveaxis(attitudes, 0, -2),
-        np.moveaxis(velocities, 0, -2),
-        np.stack(surprises, axis=-1),
+        model, duration * np.array(kept), *stacked, surprise=np.stack(surprises, axis=-1)
     )

@@ -190,8 +190,9 @@ def redraws(moves: int = 10) -> None:
         explorer = explorer_class()
         times = []
         for control in explorer.controls:
-            for place in control.options or np.linspace(control.low, control.high, moves):
-                value = {control.name: place if control.options else type(control.start)(place)}
+            listed = control.options or control.examples
+            for place in listed or np.linspace(control.low, control.high, moves):
+                value = {control.name: place if listed else type(control.start)(place)}
                 start = perf_counter()
                 explorer.set(**value)
                 times.append(perf_counter() - start)

@@ -17,8 +17,8 @@ every_explorer = pytest.mark.parametrize("explorer_class", EXPLORERS, ids=lambda
 
 
 def places(control: Control) -> list:
-    """Both ends of a slider and back, or every choice and back."""
-    ends = list(control.options) or [control.low, control.high]
+    """Both ends of a slider and back, or every choice or example and back."""
+    ends = list(control.options or control.examples) or [control.low, control.high]
     return [*ends, control.start]
 
 
@@ -49,8 +49,8 @@ def test_any_combination_gives_a_picture_numbers_and_code_that_runs(
     rng = random.Random(7)
     for _ in range(12):
         explorer.set(**{
-            control.name: rng.choice(control.options)
-            if control.options
+            control.name: rng.choice(control.options or control.examples)
+            if control.options or control.examples
             else type(control.start)(rng.uniform(control.low, control.high))
             for control in explorer.controls
         })  # fmt: skip
@@ -92,7 +92,7 @@ def test_presets_lie_on_the_sliders_steps(explorer_class: type[Explorer]) -> Non
         for preset in explorer_class.presets.values():
             value = preset.get(control.name, control.start)
             control.check(value)
-            if not control.options:
+            if not (control.options or control.examples):
                 steps = (value - control.low) / control.step
                 assert steps == pytest.approx(round(steps), abs=1e-9), control.name
 

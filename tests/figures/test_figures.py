@@ -30,7 +30,8 @@ from driftlab.figures import (
     weighing_designs,
 )
 from driftlab.figures.__main__ import main
-from driftlab.figures.catalogue import CATALOGUE, Entry
+from driftlab.figures.catalogue import CATALOGUE
+from driftlab.figures.entry import Entry
 from driftlab.figures.picture import long_table
 from driftlab.figures.publish import Plate, plate
 from driftlab.larin_table import MISALIGNMENT

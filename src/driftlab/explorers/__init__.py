@@ -5,6 +5,7 @@ Show one as the last line of a notebook cell: ``DriftExplorer()``. `EXPLORERS` l
 
 from .larin import DriftExplorer, ErrorMotionExplorer, RootsExplorer, TurnCalibrationExplorer
 from .perelyaev_chelnokov import AlgorithmLaboratoryExplorer, CayleyMapExplorer
+from .wu import CalibrationRunExplorer, ObservabilityExplorer, SplitExplorer
 
 EXPLORERS = (
     ErrorMotionExplorer,
@@ -13,6 +14,9 @@ EXPLORERS = (
     TurnCalibrationExplorer,
     CayleyMapExplorer,
     AlgorithmLaboratoryExplorer,
+    SplitExplorer,
+    ObservabilityExplorer,
+    CalibrationRunExplorer,
 )
 
 __all__ = ["EXPLORERS", *(explorer.__name__ for explorer in EXPLORERS)]

@@ -51,6 +51,8 @@ class Control:
         For a slider that stops at these values only.
     choices : sequence of str
         For a menu in place of a slider.
+    examples : sequence of str
+        For a line of text in place of a slider; any text goes, these are good ones.
     group : str
         Heading of the column in which the control stands.
     """
@@ -63,15 +65,16 @@ class Control:
     step: float = 0.1
     stops: Sequence[float] = ()
     choices: Sequence[str] = ()
+    examples: Sequence[str] = ()
     group: str = ""
 
     @property
     def options(self) -> Sequence[Any]:
-        """All values there are; empty for a range."""
+        """All values there are; empty for a range and for text."""
         return (False, True) if isinstance(self.start, bool) else self.choices or self.stops
 
     def widget(self) -> widgets.ValueWidget:
-        """Make the widget: a slider for a range, whole-numbered if `start` is, a menu or a box."""
+        """Make the widget: a slider (whole-numbered if `start` is), a menu, a box or a text."""
         common = {
             "value": self.start,
             "description": self.label,
@@ -83,6 +86,10 @@ class Control:
             # The label stands beside the box, not before it, so it needs no column of its own.
             box = {**common, "style": {"description_width": "0"}, "layout": {"width": "auto"}}
             return widgets.Checkbox(indent=False, **box)
+        if self.examples:
+            # Taken when the reader presses Enter or leaves the line, not at each letter.
+            wide = {**common, "layout": {"width": "52em"}}
+            return widgets.Text(continuous_update=False, **wide)
         if self.choices:
             return widgets.Dropdown(options=list(self.choices), **common)
         if self.stops:
@@ -97,6 +104,9 @@ class Control:
             if value not in self.options:
                 listed = ", ".join(map(str, self.options))
                 raise ValueError(f"{self.name}: expected one of {listed}, got {value!r}.")
+        elif self.examples:
+            if not isinstance(value, str):
+                raise ValueError(f"{self.name}: expected text, got {value!r}.")
         elif not self.low <= finite_array(value, self.name) <= self.high:
             raise ValueError(
                 f"{self.name}: expected a number from {self.low} to {self.high}, got {value!r}."
@@ -284,8 +294,12 @@ class Explorer(widgets.VBox):
 
 def _table(numbers: Sequence[tuple[str, str]]) -> str:
     # Columns of a fixed width: what the values are does not move what stands below.
-    pairs = ((html.escape(name), html.escape(value)) for name, value in numbers)
-    cells = "".join(f"<span>{name} <b>{value}</b></span>" for name, value in pairs)
+    cells = ""
+    for name, value in numbers:
+        # What does not fit into a column has a row for itself.
+        wide = len(name) + len(value) > 44
+        style = " style='grid-column: 1 / -1; white-space: normal'" if wide else ""
+        cells += f"<span{style}>{html.escape(name)} <b>{html.escape(value)}</b></span>"
     return (
         "<div style='display: grid; white-space: nowrap; "
         f"grid-template-columns: repeat(auto-fill, 26em)'>{cells}</div>"

@@ -9,7 +9,8 @@ from typing import Any
 
 import matplotlib
 
-from .catalogue import CATALOGUE, Entry
+from .catalogue import CATALOGUE
+from .entry import Entry
 from .picture import STYLE
 
 GALLERY_NOTE = (

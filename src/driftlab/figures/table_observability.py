@@ -66,11 +66,11 @@ def _ratios(data: TableObservability) -> FloatArray:
 class TableObservabilityPicture(Picture[TableObservability]):
     """Eigenvalues on the left, accuracy of each sensor error on the right."""
 
-    size = (10.5, 4.6)
+    size = (10.5, 4.0)
 
     def build(self) -> None:
         values, ratios = self.figure.subplots(1, 2, gridspec_kw={"width_ratios": [0.62, 1.0]})
-        self.figure.subplots_adjust(0.065, 0.36, 0.99, 0.92, wspace=0.16)
+        self.figure.subplots_adjust(0.065, 0.27, 0.99, 0.91, wspace=0.16)
         values.set(title="eigenvalues of the Gramian", xlabel="number", yscale="log")
         values.set(xlim=(0, 31), ylim=(FLOOR / 5, 10), ylabel="relative to the largest")
         values.set_yticks([1e-20, 1e-15, 1e-10, 1e-5, 1])
@@ -79,32 +79,25 @@ class TableObservabilityPicture(Picture[TableObservability]):
         self.bright = self.line(values, color=BLUE, marker="o", linestyle="none", markersize=4)
         self.dark = self.line(values, color=VERMILION, marker="X", linestyle="none", markersize=7)
         ratios.set(title="deviation after the scheme, over that before", yscale="log")
-        ratios.set(xlim=(-0.7, 23.7), ylim=(5e-4, 2))
+        ratios.set(xlim=(-0.7, len(SLOTS) - 0.3), ylim=(5e-4, 2))
         ratios.axhline(1.0, color=BLACK, linewidth=0.8)
-        ratios.set_xticks(range(24), [""] * 24)
+        ratios.set_xticks(range(len(SLOTS)), SLOTS, rotation=55, ha="right", fontsize=7.5)
         self.ratios = self.line(ratios, color=BLUE, marker="o", linestyle="none", markersize=5)
-        # The names change with the choice of axes, so they move like the dots.
-        self.names = [
-            ratios.text(i + 0.25, 3.6e-4, "", rotation=55, ha="right", va="top", fontsize=7.5)
-            for i in range(24)
-        ]
-        self.moving.extend(self.names)
 
     def update(self, data: TableObservability) -> None:
         numbers = np.arange(1, len(data.eigenvalues) + 1)
         values = np.maximum(data.eigenvalues, FLOOR)
         self.dark.set_data(numbers[: data.dark], np.full(data.dark, FLOOR))
         self.bright.set_data(numbers[data.dark :], values[data.dark :])
-        ratios = _ratios(data)[6:]
-        self.ratios.set_data(np.arange(len(ratios)), ratios)
-        shown = [_short(name) for name in data.names[6:]]
-        for i, text in enumerate(self.names):
-            text.set_text(shown[i] if i < len(shown) else "")
+        self.ratios.set_data(
+            [SLOTS.index(_slot(name)) for name in data.names[6:]], _ratios(data)[6:]
+        )
 
 
-def _short(name: str) -> str:
-    for long, short in (
-        ("accelerometer", "acc."), ("installation ", ""), ("non-orthogonality", "sym.")
-    ):  # fmt: skip
-        name = name.replace(long, short)
-    return name
+def _slot(name: str) -> str:
+    """Place of a sensor error on the axis, the same for all choices of states."""
+    words = name.replace("accelerometer", "acc.").split()
+    return " ".join(word for word in words if word not in ("installation", "non-orthogonality"))
+
+
+SLOTS = [_slot(name) for name in FULL.names[6:]]

@@ -92,6 +92,20 @@ def cayley_transform(matrix: sp.Matrix) -> sp.Matrix:
     return (unit - matrix) * (unit + matrix).inv()
 
 
+def cross_matrix(v: sp.Matrix) -> sp.Matrix:
+    """Matrix of the cross product u -> v × u."""
+    return sp.Matrix.hstack(*(v.cross(sp.eye(3).col(i)) for i in range(3)))
+
+
+def rotation_matrix(k: sp.Matrix) -> sp.Matrix:
+    """Any rotation of less than half a turn, without sines: rational in three parameters.
+
+    The Cayley transform of order three: body to reference components for k = -tan(phi/2) e, as in
+    `driftlab.cayley.rotation_quaternion` with dimension 3.
+    """
+    return simplified(cayley_transform(skew_operator(k, dimension=3))).T
+
+
 def riccati_rate(k: sp.Matrix, rate: sp.Matrix, dimension: int = 4) -> sp.Matrix:
     """Time derivative of k; Perelyaev & Chelnokov (1.11), and its counterpart of dimension 3."""
     if dimension == 3:

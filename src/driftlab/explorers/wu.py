@@ -1,0 +1,221 @@
+"""The slider panels of Part III."""
+
+from typing import ClassVar
+
+import numpy as np
+from scipy.constants import arcsecond, degree, hour, micro
+
+from ..checks import FloatArray
+from ..error_model import ERROR_MODELS, FULL
+from ..figures import calibration_run, split_triad, table_observability
+from ..figures.calibration_errors import unit_of
+from ..installation import BODY_FRAMES
+from ..sensors import TYPICAL, Noise
+from ..turntable import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
+from .panel import Control, Explorer, Values
+
+PLACES = [(row, column) for row in range(3) for column in range(3)]
+
+
+def _entry(row: int, column: int) -> str:
+    return f"k{'xyz'[row]}{'xyz'[column]}"
+
+
+def _entry_unit(row: int, column: int) -> float:
+    return micro if row == column else arcsecond
+
+
+def _entries(matrix: FloatArray) -> dict[str, float]:
+    """Values of the nine sliders that give a matrix (3, 3)."""
+    return {
+        _entry(*place): round(float(matrix[place] / _entry_unit(*place)), 6) for place in PLACES
+    }
+
+
+class SplitExplorer(Explorer):
+    """An error matrix taken apart."""
+
+    title = "Taking an installation-error matrix apart"
+    picture_class = split_triad.SplitTriadPicture
+    controls = tuple(
+        Control(
+            _entry(row, column),
+            f"scale {'xyz'[row]}, ppm"
+            if row == column
+            else f"{'xyz'[row]} gyro to axis {'xyz'[column]}, arc seconds",
+            0.0,
+            -500.0 if row == column else -100.0,
+            500.0 if row == column else 100.0,
+            10.0 if row == column else 5.0,
+            group=f"gyro {'xyz'[row]}",
+        )
+        for row, column in PLACES
+    )
+    presets: ClassVar = {
+        "Typical unit": _entries(TYPICAL.gyro_error),
+        "One gyro leans": {"kxy": 80.0},
+        "Turned as a whole": {"kxy": -80.0, "kyx": 80.0},
+        "Two gyros close up": {"kxy": 80.0, "kyx": 80.0},
+        "Scale only": {"kxx": 400.0, "kyy": -200.0},
+        "No error": {},
+    }
+
+    @staticmethod
+    def _matrix(values: Values) -> FloatArray:
+        entries = [values[_entry(*place)] * _entry_unit(*place) for place in PLACES]
+        return np.array(entries).reshape(3, 3)
+
+    def compute(self, values: Values) -> split_triad.SplitTriad:
+        return split_triad.compute(self._matrix(values))
+
+    def numbers(self, data: split_triad.SplitTriad) -> list[tuple[str, str]]:
+        _, scale, symmetric, _ = data.parts
+        rows = []
+        for i, (axis, (j, k)) in enumerate(zip("xyz", ((0, 1), (0, 2), (1, 2)), strict=True)):
+            pair = "xyz"[j] + "xyz"[k]
+            rows += [
+                (f"scale {axis}", f"{scale[i, i] / micro + 0.0:.1f} ppm"),
+                (f"non-orthogonality {pair}", f"{symmetric[j, k] / arcsecond + 0.0:.1f}″"),
+                (f"misalignment about {axis}", f"{data.vector[i] / arcsecond + 0.0:.1f}″"),
+            ]
+        return rows
+
+    def call(self, values: Values) -> str:
+        rows = [[values[_entry(row, column)] for column in range(3)] for row in range(3)]
+        return (
+            "import numpy as np\n"
+            "from scipy.constants import arcsecond, micro\n"
+            "from driftlab.installation import misalignment_vector, split\n"
+            "unit = np.where(np.eye(3, dtype=bool), micro, arcsecond)\n"
+            f"matrix = unit * np.array({rows})\n"
+            "scale, non_orthogonality, misalignment = split(matrix)\n"
+            "print(misalignment_vector(matrix) / arcsecond)"
+        )
+
+
+STATES = {
+    "all 30": FULL,
+    **{f"27, {frame}": ERROR_MODELS[frame] for frame in BODY_FRAMES},
+}
+STARTS = ("Up East North", "East North Up", "North Up East")
+
+
+class ObservabilityExplorer(Explorer):
+    """What a rotation scheme of one's own can show."""
+
+    title = "Observability laboratory: what a rotation scheme can show"
+    picture_class = table_observability.TableObservabilityPicture
+    controls = (
+        Control(
+            "rotations", "rotations", NINETEEN_POSITIONS.rotations,
+            examples=(EIGHTEEN_ROTATIONS.rotations, "+90X +90Y +90Z", "+90Z", ""), group="scheme",
+        ),
+        Control("start", "x, y, z at first", STARTS[0], choices=STARTS, group="scheme"),
+        Control("dwell", "pause, s", 120.0, 10.0, 300.0, 10.0, group="scheme"),
+        Control("rate", "turn rate, deg/s", 10.0, 2.0, 40.0, 1.0, group="scheme"),
+        Control("states", "states", "27, averaged", choices=tuple(STATES), group="filter"),
+        Control("latitude", "latitude, degrees", 37.5, -80.0, 80.0, 0.5, group="filter"),
+        Control("gyro", "gyro noise, 0.001 deg/√h", 5.0, 0.0, 50.0, 0.5, group="noise"),
+        Control("accelerometer", "acc. noise, µg/√Hz", 5.0, 0.0, 100.0, 1.0, group="noise"),
+        Control("velocity", "velocity noise, mm/s", 10.0, 1.0, 100.0, 1.0, group="noise"),
+    )  # fmt: skip
+    presets: ClassVar = {
+        "19 positions, 27 states": {},
+        "19 positions, all 30": {"states": "all 30"},
+        "18 rotations": {"rotations": EIGHTEEN_ROTATIONS.rotations, "start": "East North Up"},
+        "18 rotations, bad start": {
+            "rotations": EIGHTEEN_ROTATIONS.rotations, "start": "North Up East"
+        },
+        "About one axis only": {"rotations": "+90Z +90Z +90Z +90Z"},
+        "Hurried": {"dwell": 10.0, "rate": 40.0},
+    }  # fmt: skip
+
+    @staticmethod
+    def _scheme(values: Values) -> Scheme:
+        x, y, z = values["start"].split()
+        rate = float(np.radians(values["rate"]))
+        return Scheme(values["rotations"], (x, y, z), values["dwell"], rate)
+
+    def compute(self, values: Values) -> table_observability.TableObservability:
+        noise = Noise(
+            values["gyro"] * 1e-3 * degree / float(np.sqrt(hour)),
+            values["accelerometer"] * micro * 9.80665,
+            values["velocity"] * 1e-3,
+        )
+        return table_observability.compute(
+            self._scheme(values),
+            STATES[values["states"]],
+            noise,
+            float(np.radians(values["latitude"])),
+        )
+
+    def numbers(self, data: table_observability.TableObservability) -> list[tuple[str, str]]:
+        size = len(data.names)
+        rows = [("rank", f"{size - data.dark} of {size}")]
+        rows += [("in the dark", words) for words in data.words]
+        for name, deviation in zip(data.names[6:], data.after[6:], strict=True):
+            scale, unit = unit_of(name)
+            rows.append((name, f"{deviation / scale:.3g} {unit}"))
+        return rows
+
+    def call(self, values: Values) -> str:
+        model = STATES[values["states"]]
+        name = "FULL" if model is FULL else f"ERROR_MODELS[{model.frame!r}]"
+        imported = "FULL" if model is FULL else "ERROR_MODELS"
+        start = tuple(values["start"].split())
+        return (
+            "import numpy as np\n"
+            f"from driftlab.error_model import {imported}\n"
+            "from driftlab.observability import null_directions, passage\n"
+            "from driftlab.turntable import Scheme\n"
+            f"scheme = Scheme({values['rotations']!r}, {start},\n"
+            f"                dwell={values['dwell']}, rate=np.radians({values['rate']}))\n"
+            f"way = passage(scheme, np.radians({values['latitude']}), {name})\n"
+            "print(null_directions(way).words)"
+        )
+
+
+class CalibrationRunExplorer(Explorer):
+    """One sensor error after the other, all along a calibration."""
+
+    title = "A calibration, sensor error by sensor error"
+    picture_class = calibration_run.CalibrationRunPicture
+    controls = (
+        Control(
+            "parameter", "sensor error", "gyro bias x", choices=calibration_run.PARAMETERS,
+            group="what",
+        ),
+        Control(
+            "frame", "body axes", "averaged", choices=tuple(BODY_FRAMES[:3]), group="what"
+        ),
+        Control("minute", "moment, minutes", 40.0, 0.0, 40.0, 0.5, group="when"),
+    )  # fmt: skip
+    presets: ClassVar = {
+        "Gyro bias": {},
+        "Gyro scale": {"parameter": "gyro scale x"},
+        "Gyro non-orthogonality": {"parameter": "gyro off-diagonal 1"},
+        "Accelerometer bias": {"parameter": "accelerometer bias x"},
+        "Accelerometer installation": {"parameter": "accelerometer off-diagonal xy"},
+    }
+
+    def compute(self, values: Values) -> calibration_run.CalibrationRun:
+        return calibration_run.compute(values["parameter"], values["frame"], values["minute"])
+
+    def numbers(self, data: calibration_run.CalibrationRun) -> list[tuple[str, str]]:
+        size, unit = unit_of(data.name)
+        at = data.shown
+        return [
+            (data.name, ""),
+            ("moment", f"{data.times[at] / 60:.1f} min"),
+            ("estimate", f"{data.estimate[at] / size:.4f} {unit}"),
+            ("true", f"{data.true / size:.4f} {unit}"),
+            ("error", f"{(data.true - data.estimate[at]) / size:.4f} {unit}"),
+            ("three deviations", f"{3 * data.deviation[at] / size:.4f} {unit}"),
+        ]
+
+    def call(self, values: Values) -> str:
+        return (
+            "from driftlab.figures import calibration_run\n"
+            f"history = calibration_run.compute({values['parameter']!r}, {values['frame']!r})\n"
+            "print(history.name, history.estimate[-1], history.deviation[-1])"
+        )
