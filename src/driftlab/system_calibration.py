@@ -54,8 +54,8 @@ def kalman_step(
 
     Notes
     -----
-    The short form P - K H P needs half the work of Joseph's. Rounding makes it lopsided and then
-    negative after some hundred steps, so it is made symmetric each time.
+    The short form P - K H P needs half the work of Joseph's. Rounding makes it lopsided, and in
+    filters with badly scaled states then negative, so it is made symmetric each time.
     """
     predicted = transition @ covariance @ np.swapaxes(transition, -1, -2)
     predicted += noise
@@ -135,6 +135,11 @@ def calibrate(
     reference = finite_array(reference_velocity, "reference_velocity", 3)
     attitude = unit_quaternions(start, "start")
     updates = reference.shape[-2] if reference.ndim > 1 else 0
+    if velocity.ndim < 2 or velocity.shape[-2] != angle.shape[-2:][0]:
+        raise ValueError(
+            f"velocity_increments: expected as many as angle_increments, {angle.shape[-2:][0]}, "
+            f"got shape {velocity.shape}."
+        )
     if updates == 0 or angle.ndim < 2 or angle.shape[-2] % (2 * updates):
         raise ValueError(
             "reference_velocity: expected shape (..., updates, 3), with a number of updates that "
@@ -185,8 +190,16 @@ def calibrate(
         surprises.append(step.surprise)
         if k + 1 in kept:
             history.append((state, covariance, now.attitude, now.velocity))
-    # The history as an axis after those of the runs.
-    stacked = (np.stack(row, axis=len(lead)) for row in zip(*history, strict=True))
+    # The history is an axis after those of the runs.
+    states, covariances, attitudes, velocities = (
+        np.stack(row, axis=len(lead)) for row in zip(*history, strict=True)
+    )
     return Calibration(
-        model, duration * np.array(kept), *stacked, surprise=np.stack(surprises, axis=-1)
+        model,
+        duration * np.array(kept),
+        states,
+        covariances,
+        attitudes,
+        velocities,
+        np.stack(surprises, axis=-1),
     )

@@ -6,16 +6,16 @@ repeats, a redraw the median of its moves. The peers of peers.txt are left out i
 
 import platform
 import sys
-import timeit
 import warnings
-from collections.abc import Callable
 from pathlib import Path
 from time import perf_counter
 
 import mpmath
 import numpy as np
+from on_the_table import calibration, navigation
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
+from timing import best
 
 from driftlab.algorithm_table import ALGORITHMS
 from driftlab.attitude_algorithms import integrate
@@ -25,12 +25,6 @@ from driftlab.quaternion import cumulative_product, from_rotation_vector
 
 # Last, so that nothing of the environment is replaced.
 sys.path.append(str(Path(sys.prefix, "peers")))
-
-
-def best(call: Callable[[], object], repeats: int = 5) -> float:
-    """Seconds of the quickest of several calls, after one to warm up."""
-    call()
-    return min(timeit.repeat(call, number=1, repeat=repeats))
 
 
 def error_quaternions() -> None:
@@ -209,4 +203,6 @@ if __name__ == "__main__":
     exponentials()
     products()
     attitudes()
+    navigation()
+    calibration()
     redraws()

@@ -37,7 +37,7 @@ def compute(units: int = UNITS, seed: int = SEED) -> InPlaceClaim:
     sizes: dict[tuple[str, str, str], FloatArray] = {}
     for frame in FRAMES:
         table = TableTrial(
-            scheme=QUICK, frame=frame, sample_interval=0.5, update_interval=9.0, keep=10_000
+            scheme=QUICK, frame=frame, sample_interval=0.25, update_interval=9.0, keep=10_000
         )
         found = sweep(table.run, units, seed=seed, batch=units)[0]
         _, turn = unit_in_axes(found.unit, frame)
