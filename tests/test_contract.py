@@ -13,12 +13,21 @@ from numpy.typing import ArrayLike
 from driftlab import (
     algorithm_table,
     attitude_algorithms,
+    calibration_trial,
     cayley,
     drift,
+    earth,
+    error_model,
+    installation,
     kinematics,
     motions,
+    navigation_in_place,
     quaternion,
+    sensors,
+    strapdown,
+    system_calibration,
     turn_calibration,
+    turntable,
     word_length,
 )
 
@@ -26,6 +35,7 @@ Q, P = np.array([0.1, -0.3, 0.2, 0.9]), np.array([0.4, 0.5, -0.6, 0.2])
 RATE, MEASURED = np.array([0.7, -1.1, 0.4]), np.array([0.72, -1.13, 0.37])
 BENT = np.array([[0.03, -0.08, 0.05], [0.09, -0.02, 0.07], [-0.06, 0.04, 0.01]])
 TIME = np.array(1.5)
+LATITUDE = np.array(0.7)
 INCREMENTS = np.array([RATE, MEASURED, -RATE, RATE[[1, 2, 0]]])
 
 
@@ -101,12 +111,40 @@ CASES = {
     motions.Sway(0.3, 0.5).rate: {"time": TIME},
     motions.FixedAxis(0.3, 0.5).attitude: {"time": TIME},
     motions.FixedAxis(0.3, 0.5).rate: {"time": TIME},
+    quaternion.rotate: {"quaternion": Q, "vector": RATE},
+    installation.split: {"matrix": BENT},
+    installation.misalignment_vector: {"gyro_error": BENT},
+    installation.body_frame_rotation: {"gyro_error": BENT},
+    fixed(installation.body_frame_rotation, frame="upper triangle"): {"gyro_error": BENT},
+    fixed(installation.body_frame_rotation, frame="lower triangle"): {"gyro_error": BENT},
+    installation.change_body_frame: {"matrix": BENT, "rotation": BENT},
+    installation.skew_matrix: {"vector": RATE},
+    earth.earth_rate: {"latitude": LATITUDE},
+    earth.checked_latitude: {"latitude": LATITUDE},
+    earth.curvature_radii: {"latitude": LATITUDE},
+    earth.gravity: {"latitude": LATITUDE, "altitude": TIME},
+    earth.position_vector: {"latitude": LATITUDE, "altitude": TIME},
 }
 # Tested where they belong.
 APART = {
     turn_calibration.fit_turns,  # its two arguments share an axis instead of broadcasting
     cayley.integrate_riccati,  # takes a row of times and returns all that it knows about them
     word_length.integrate_in_word,  # answers in the word that it is asked for
+    # Positions in m are too large for half precision.
+    earth.geodetic,
+    earth.gravitation,
+    # Their arguments and answers are records of several arrays.
+    strapdown.at_rest,
+    strapdown.navigate,
+    turntable.stand,
+    turntable.turning_average,
+    sensors.compensate,
+    error_model.free_growth,
+    system_calibration.calibrate,
+    calibration_trial.estimation_errors,
+    calibration_trial.attitude_of_axes,
+    calibration_trial.attitude_error,
+    navigation_in_place.navigate_in_place,
 }
 
 BAD = {
@@ -123,7 +161,16 @@ BAD = {
 }
 # Times, angles and the like have no axes of their own, so no shape of theirs is bad.
 ANY_SHAPE = ("too long", "scalar")
-WITHOUT_AXES = ("time", "azimuth", "elevation", "half_angle", "frequency", "sample_interval")
+WITHOUT_AXES = (
+    "time",
+    "azimuth",
+    "elevation",
+    "half_angle",
+    "frequency",
+    "sample_interval",
+    "latitude",
+    "altitude",
+)
 # To have no history is not bad.
 ALLOWED = [("history", "none")]
 
@@ -216,6 +263,15 @@ def test_no_function_of_arrays_is_forgotten():
         attitude_algorithms,
         motions,
         word_length,
+        installation,
+        earth,
+        strapdown,
+        turntable,
+        sensors,
+        error_model,
+        system_calibration,
+        calibration_trial,
+        navigation_in_place,
     ):
         for name, function in inspect.getmembers(module, inspect.isfunction):
             if function.__module__ == module.__name__ and not name.startswith("_"):

@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 from driftlab import cayley, kinematics, quaternion, symbolic
 from driftlab.algorithm_table import ALGORITHMS
 from driftlab.attitude_algorithms import step_quaternions, step_vectors
+from driftlab.installation import skew_matrix
 
 RATE, MEASURED = np.array([0.3, -0.2, 0.7]), np.array([0.31, -0.25, 0.6])
 ATTITUDE = np.array([0.1, -0.5, 0.3, 0.8])
@@ -169,3 +170,20 @@ def test_operations_are_counted() -> None:
     ]
     expected = {"+": 3, "×": 4, "÷": 2, "sqrt": 1, "sin, cos": 2}
     assert symbolic.operations(program) == expected
+
+
+def test_cross_matrix_is_the_cross_product() -> None:
+    v, u = symbolic.vector("v"), symbolic.vector("u")
+    assert symbolic.cross_matrix(v) * u == v.cross(u)
+    np.testing.assert_array_equal(
+        numbers(symbolic.cross_matrix(sp.Matrix(RATE))), skew_matrix(RATE)
+    )
+
+
+def test_rotation_matrix_is_that_of_the_cayley_vector() -> None:
+    k = symbolic.vector("k")
+    matrix = symbolic.rotation_matrix(k)
+    assert symbolic.simplified(matrix * matrix.T) == sp.eye(3)
+    found = numbers(matrix.subs(dict(zip(k, RATE, strict=True))))
+    expected = quaternion.rotate(cayley.rotation_quaternion(RATE, dimension=3), np.eye(3)).T
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-15)

@@ -49,8 +49,9 @@ def kalman_step(
     covariance, transition, noise : ndarray, shape (..., size, size)
         Covariance before the step, transition matrix, process noise.
     velocity_error : ndarray, shape (..., 3)
-        Computed minus measured velocity: states 3, 4, 5 and noise of the variance
-        `velocity_variance`. Wu (51), (52).
+        Computed minus measured velocity: states 3, 4, 5 and noise. Wu (51), (52).
+    velocity_variance : float
+        Of that noise, (m/s)^2 in each component.
 
     Notes
     -----

@@ -8,10 +8,24 @@ from typing import ClassVar
 import numpy as np
 import pytest
 from PIL import Image
+from scipy.constants import degree, g, hour, micro
 
-from driftlab.explorers import EXPLORERS, DriftExplorer, RootsExplorer, TurnCalibrationExplorer
+from driftlab.error_model import ERROR_MODELS
+from driftlab.explorers import (
+    EXPLORERS,
+    CalibrationRunExplorer,
+    DriftExplorer,
+    ObservabilityExplorer,
+    RootsExplorer,
+    SplitExplorer,
+    TurnCalibrationExplorer,
+)
 from driftlab.explorers.panel import ERROR_CLASS, Control, Explorer
+from driftlab.figures import calibration_run
 from driftlab.figures.drift_by_symmetry import DriftBySymmetryPicture, compute
+from driftlab.observability import expected_covariance, passage
+from driftlab.sensors import Noise, Spread
+from driftlab.turntable import NINETEEN_POSITIONS
 
 every_explorer = pytest.mark.parametrize("explorer_class", EXPLORERS, ids=lambda e: e.__name__)
 
@@ -215,3 +229,60 @@ def test_a_broken_callback_is_raised_and_shown(place: float, error: type[Excepti
         explorer._widgets["x"].value = place
     assert ERROR_CLASS in explorer.message.value
     assert "broken &lt;here&gt;" in explorer.message.value
+
+
+def test_a_scheme_is_typed_and_a_wrong_word_gives_a_sentence() -> None:
+    explorer = ObservabilityExplorer()
+    picture = explorer.image.value
+    explorer._widgets["rotations"].value = "+90X +90W"
+    assert "expected words like +90Y or -180X" in explorer.message.value
+    assert "got &#x27;+90W&#x27;" in explorer.message.value
+    assert explorer.image.value == picture
+    explorer._widgets["rotations"].value = "+90X +90Y"
+    assert explorer.message.value == ""
+    assert explorer.image.value != picture
+    with pytest.raises(ValueError, match="rotations: expected text, got 90"):
+        explorer.set(rotations=90)
+
+
+def test_observability_panel_says_rank_directions_and_deviations() -> None:
+    explorer = ObservabilityExplorer("19 positions, all 30")
+    assert "rank <b>27 of 30</b>" in explorer.text.value
+    assert "both triads turned together about y, the attitude with them" in explorer.text.value
+    # A long text has a row for itself, a short one a column.
+    assert explorer.text.value.count("grid-column: 1 / -1") == 3
+    explorer.preset.value = "19 positions, 27 states"
+    assert "rank <b>27 of 27</b>" in explorer.text.value
+    assert "in the dark" not in explorer.text.value
+    noise = Noise(0.005 * degree / np.sqrt(hour), 5 * micro * g, 0.01)
+    model = ERROR_MODELS["averaged"]
+    way = passage(NINETEEN_POSITIONS, np.radians(37.5), model)
+    covariance = expected_covariance(way, noise, Spread())
+    bias = np.sqrt(covariance[6, 6]) / (degree / hour)
+    assert f"gyro bias x <b>{bias:.3g} deg/h</b>" in explorer.text.value
+
+
+def test_split_panel_says_the_three_parts() -> None:
+    explorer = SplitExplorer("One gyro leans")
+    for words in ("non-orthogonality xy <b>40.0″</b>", "misalignment about z <b>-40.0″</b>"):
+        assert words in explorer.text.value
+    explorer.preset.value = "Turned as a whole"
+    assert "non-orthogonality xy <b>0.0″</b>" in explorer.text.value
+    assert "misalignment about z <b>80.0″</b>" in explorer.text.value
+
+
+def test_calibration_panel_agrees_with_the_run() -> None:
+    explorer = CalibrationRunExplorer("Gyro scale")
+    explorer.set(minute=20.0)
+    trial = calibration_run.trial("averaged")
+    at = int(np.abs(trial.calibration.times - 1200).argmin())
+    state = trial.calibration.model.names.index("gyro scale x")
+    for name, value in (
+        ("estimate", trial.calibration.state[at, state]),
+        ("true", trial.unit.gyro_error[0, 0]),
+        ("error", trial.errors[at, state]),
+        ("three deviations", 3 * trial.calibration.deviations[at, state]),
+    ):
+        said = explorer.text.value.split(f"{name} <b>")[1].split(" ppm")[0]
+        # The averaged axes change a scale factor by second order only: 0.01 ppm.
+        assert float(said) == pytest.approx(value / micro, abs=0.02)

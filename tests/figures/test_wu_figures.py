@@ -1,0 +1,140 @@
+"""The figures of Part III: what they compute."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.constants import micro
+from scipy.stats import binom
+
+from driftlab.figures import (
+    calibration_errors,
+    calibration_run,
+    equivalent_start,
+    filter_consistency,
+    in_place,
+    in_place_claim,
+    plane_axes,
+    scheme_directions,
+    split_triad,
+    table_observability,
+)
+from driftlab.installation import BODY_FRAMES, misalignment_vector, skew_matrix
+from driftlab.sensors import TYPICAL
+
+
+def test_split_triad_shows_the_whole_and_its_parts() -> None:
+    data = split_triad.compute(TYPICAL.gyro_error)
+    np.testing.assert_allclose(data.parts[0], TYPICAL.gyro_error, rtol=0, atol=0)
+    np.testing.assert_allclose(data.parts[1:].sum(axis=0), data.parts[0], rtol=0, atol=1e-18)
+    np.testing.assert_allclose(data.parts[3], skew_matrix(data.vector), rtol=0, atol=1e-18)
+
+
+# Farther apart than a right angle the two are left-handed.
+@given(st.floats(-0.7, 0.7), st.floats(-0.7, 0.7))
+def test_plane_axes_turn_by_the_mean_angle(x: float, y: float) -> None:
+    """Wu (44), for angles of any size."""
+    data = plane_axes.compute((x, y))
+    assert data.averaged == pytest.approx((x + y) / 2, abs=1e-12)
+    assert data.usual == pytest.approx(x, abs=1e-12)
+
+
+def test_equivalent_start_is_of_second_order_and_exact_for_a_rotation() -> None:
+    data = equivalent_start.compute()
+    _, symmetric, skew, derivative = data.tilts
+    assert symmetric[-1] > 10 * skew.max()
+    # The total derivative, to first order: the square of some 40 arc seconds, times the turns.
+    np.testing.assert_allclose(skew, derivative, rtol=0, atol=2e-7)
+    attitude, turned, velocity = data.left
+    large = data.sizes > 1e-4
+    for left in (attitude[large], velocity[large]):
+        slope = np.polyfit(np.log(data.sizes[large]), np.log(left), 1)[0]
+        assert slope == pytest.approx(2, abs=0.05)
+    assert turned.max() < 1e-12
+    gyros, accelerometers, both, both_and_start = data.speeds
+    # What the first order leaves over is a tilt of the size squared, and as much times pi/4 again
+    # for each quarter turn; gravity makes a velocity of it.
+    square = np.sum(misalignment_vector(TYPICAL.gyro_error) ** 2)
+    tilt = square * (1 + np.pi / 4 * len(equivalent_start.SCHEME.turns))
+    assert both_and_start.max() < 9.81 * tilt * data.times[-1]
+    assert min(gyros.max(), accelerometers.max(), both.max()) > 1000 * both_and_start.max()
+
+
+def test_scheme_directions_end_pauses_along_an_axis() -> None:
+    data = scheme_directions.compute()
+    for times, up in zip(data.times, data.up, strict=True):
+        assert len(times) == len(up)
+        np.testing.assert_allclose(np.linalg.norm(up, axis=-1), 1, rtol=0, atol=1e-12)
+        resting = np.linalg.norm(np.diff(up, axis=0), axis=-1) < 1e-12
+        largest = np.abs(up[:-1][resting]).max(axis=-1)
+        np.testing.assert_allclose(largest, 1, rtol=0, atol=1e-9)
+
+
+def test_calibration_run_is_what_the_trial_found() -> None:
+    found = calibration_run.trial("averaged")
+    assert found.calibration.model.names[6:9] == calibration_run.PARAMETERS[:3]
+    for i, parameter in enumerate(calibration_run.PARAMETERS):
+        data = calibration_run.compute(parameter, minute=10.0)
+        np.testing.assert_allclose(data.true - data.estimate, found.errors[:, 6 + i], atol=1e-12)
+        assert data.times[data.shown] == pytest.approx(600, abs=3)
+    with pytest.raises(ValueError, match=r"parameter: expected one of gyro bias x, .*got 'new'"):
+        calibration_run.compute("new")
+
+
+def test_calibration_errors_stay_below_the_stated_deviations() -> None:
+    data = calibration_errors.compute()
+    last = data.errors[-1] / data.deviations[-1]
+    # Of 21 normal numbers one lies outside 4.5 in 7000 cases.
+    assert np.abs(last).max() < 4.5
+    assert (data.deviations[-1] < data.deviations[0]).all()
+    assert calibration_errors.unit_of("gyro scale x") == (micro, "ppm")
+    assert calibration_errors.unit_of("accelerometer installation xy")[1] == "arc seconds"
+
+
+def test_filter_consistency_of_the_published_runs() -> None:
+    data = filter_consistency.compute()
+    low, high = data.innovation_mean_bounds
+    assert low < data.innovation_mean < high
+    # Of 814 independent values 95 % lie inside, with a standard deviation of 0.8 %.
+    assert data.inside == pytest.approx(0.95, abs=0.025)
+    low, high = data.state_bounds
+    assert low < data.states[-1] < high
+    by_frame = dict(zip(BODY_FRAMES, data.by_frame, strict=True))
+    # Bent units make the model of first order too sure of itself, the triangles most.
+    assert (data.by_frame[:, -1] > data.by_frame[:, 0]).all()
+    for triangle in ("upper triangle", "lower triangle"):
+        assert by_frame[triangle][-1] > 1.3 * by_frame["averaged"][-1]
+
+
+def test_table_observability_draws_zero_for_the_dark() -> None:
+    data = table_observability.compute()
+    assert data.dark == 3
+    assert (data.eigenvalues[:3] < table_observability.FLOOR).all()
+    assert data.eigenvalues[3] > 1e-10
+    assert len(data.words) == 3
+    drawn = table_observability.TableObservabilityPicture()
+    drawn.update(data)
+    assert len(drawn.dark.get_xdata()) == 3
+    assert len(drawn.bright.get_xdata()) == 27
+    assert len(drawn.ratios.get_xdata()) == 24
+
+
+def test_in_place_curves_are_one_if_each_starts_from_its_own_axes() -> None:
+    data = in_place.compute()
+    own, table = in_place.STARTS
+    averaged, usual = in_place.FRAMES
+    for quantity in ("velocity", "position"):
+        curves = {key: getattr(run, quantity) for key, run in data.runs.items()}
+        apart = np.abs(curves[averaged, own] - curves[usual, own]).max()
+        assert apart < 0.1 * np.abs(curves[averaged, own]).max()
+        assert np.abs(curves[averaged, table] - curves[usual, table]).max() > 5 * apart
+
+
+def test_in_place_claim_verdict_counts() -> None:
+    verdict = in_place_claim.verdict(np.array([0.5, 0.9, 0.99, 1.2]))
+    assert (verdict.better, verdict.units) == (3, 4)
+    assert verdict.median == pytest.approx(0.945)
+    # Clopper and Pearson: the chance of 3 or more is 2.5 % at the lower bound.
+    low, high = verdict.interval
+    assert binom.sf(2, 4, low) == pytest.approx(0.025)
+    assert binom.cdf(3, 4, high) == pytest.approx(0.025)
