@@ -20,7 +20,7 @@ from .error_model import error_model
 from .installation import body_frame_rotation, change_body_frame
 from .observability import passage, warn_if_unobservable
 from .quaternion import conjugate, from_rotation_vector, multiply, to_rotation_vector
-from .sensors import Noise, Spread, Unit, checked_unit, measure, random_units
+from .sensors import Noise, Spread, Unit, broadcast_unit, checked_unit, measure, random_units
 from .system_calibration import Calibration, calibrate
 from .turntable import NINETEEN_POSITIONS, Scheme, simulate
 
@@ -106,13 +106,7 @@ class TableTrial:
         if unit is None:
             unit = random_units(self.spread, rng, *lead)
         # Each run has noise of its own, also of one and the same unit.
-        one = checked_unit(unit)
-        unit = Unit(
-            np.broadcast_to(one.gyro_bias, (*lead, 3)),
-            np.broadcast_to(one.gyro_error, (*lead, 3, 3)),
-            np.broadcast_to(one.accelerometer_bias, (*lead, 3)),
-            np.broadcast_to(one.accelerometer_error, (*lead, 3, 3)),
-        )
+        unit = broadcast_unit(checked_unit(unit), *lead)
         samples = round(self.update_interval / self.sample_interval)
         record = simulate(self.scheme, self.latitude, self.sample_interval, whole=samples)
         angle, velocity = measure(record, unit, self.noise, rng)

@@ -159,6 +159,9 @@ def transition(
 ) -> FloatArray:
     """Transition matrix (..., size, size) of the errors over an interval; Wu (49), (50).
 
+    What arises within the interval grows on as if it had been there from the beginning: an error
+    of the order of the Earth's turn in that time.
+
     Parameters
     ----------
     model : ErrorModel
@@ -277,7 +280,10 @@ def _model(
     ):
         names += [f"{sensor} bias {axis}" for axis in AXES]
         names += _named(f"{sensor} scale", _DIAGONAL) + _named(f"{sensor} {rest}", places)
-    return ErrorModel(frame, basis, _units(_DIAGONAL + accelerometer), tuple(names))
+    other = _units(_DIAGONAL + accelerometer)
+    for shared in (basis, other):
+        shared.setflags(write=False)
+    return ErrorModel(frame, basis, other, tuple(names))
 
 
 FULL = _model(None, _OFF_DIAGONAL, _OFF_DIAGONAL)

@@ -58,9 +58,11 @@ def split(matrix: ArrayLike) -> InstallationParts:
 def misalignment_vector(
     gyro_error: ArrayLike, accelerometer_error: ArrayLike | None = None, frame: str = "averaged"
 ) -> FloatArray:
-    """Small rotation (..., 3) in rad that leads to the chosen body axes, to first order.
+    """Small rotation (..., 3) in rad of body *components* into those of the chosen axes.
 
-    Subtracting its skew matrix from both error matrices is the change of axes; Wu (40), (42).
+    The axes themselves turn the other way: for two gyros in a plane that lean by +theta it is
+    -theta. To first order. Subtracting its skew matrix from both error matrices is the change of
+    axes; Wu (40), (42).
 
     Parameters
     ----------

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import arcminute, arcsecond, degree, g, hour, micro
 
-from .checks import FloatArray, finite_arrays, finite_number
+from .checks import FloatArray, finite_array, finite_arrays, finite_number
 from .turntable import Record
 
 
@@ -130,7 +130,7 @@ def measure(
     rng : numpy.random.Generator, optional
         Needed for noise.
     """
-    checked_unit(unit)
+    unit = checked_unit(unit)
     found = []
     for true, bias, error, walk in (
         (record.angle_increments, unit.gyro_bias, unit.gyro_error, "angle_random_walk"),
@@ -155,30 +155,64 @@ def measure(
 def compensate(
     angle_increments: ArrayLike, velocity_increments: ArrayLike, unit: Unit, interval: float
 ) -> tuple[FloatArray, FloatArray]:
-    """True increments, each (..., n, 3), from measured ones and the errors of the unit (...)."""
+    """True increments, each (..., n, 3), from measured ones and the errors of the unit (...).
+
+    Raises
+    ------
+    ValueError
+        If an error matrix leaves a triad flat, so that nothing can be taken out.
+    """
+    unit = checked_unit(unit)
+    for name in ("gyro_error", "accelerometer_error"):
+        if (np.linalg.cond(np.eye(3) + getattr(unit, name)) > 1e12).any():
+            raise ValueError(f"{name}: expected a triad E + K that spans space, got a flat one.")
+    angle = finite_array(angle_increments, "angle_increments", 3)
+    velocity = finite_array(velocity_increments, "velocity_increments", 3)
+    return without_errors(angle, velocity, unit, finite_number(interval, "interval"))
+
+
+def without_errors(
+    angle: FloatArray, velocity: FloatArray, unit: Unit, interval: float
+) -> tuple[FloatArray, FloatArray]:
+    """`compensate` for those who have checked their arguments already."""
     return (
-        _compensated(angle_increments, unit.gyro_bias, unit.gyro_error, interval),
-        _compensated(
-            velocity_increments, unit.accelerometer_bias, unit.accelerometer_error, interval
-        ),
+        _without_errors(angle, unit.gyro_bias, unit.gyro_error, interval),
+        _without_errors(velocity, unit.accelerometer_bias, unit.accelerometer_error, interval),
     )
 
 
-def _compensated(
-    measured: ArrayLike, bias: FloatArray, error: FloatArray, interval: float
+def _without_errors(
+    measured: FloatArray, bias: FloatArray, error: FloatArray, interval: float
 ) -> FloatArray:
     inverse = np.linalg.inv(np.eye(3) + error)
-    plain = np.asarray(measured) - (interval * bias)[..., np.newaxis, :]
+    plain = measured - (interval * bias)[..., np.newaxis, :]
     return plain @ np.swapaxes(inverse, -1, -2)
 
 
 def checked_unit(unit: Unit) -> Unit:
-    """Return the unit with its numbers as arrays, refusing wrong shapes and NaN by name."""
+    """Return the unit as arrays with common leading axes, refusing wrong shapes and NaN by name."""
+    checked = finite_arrays(
+        gyro_bias=(unit.gyro_bias, 3),
+        gyro_error=(unit.gyro_error, 3, 3),
+        accelerometer_bias=(unit.accelerometer_bias, 3),
+        accelerometer_error=(unit.accelerometer_error, 3, 3),
+    )
+    return broadcast_unit(Unit(*checked))
+
+
+def broadcast_unit(unit: Unit, *shape: int) -> Unit:
+    """Return the unit with leading axes that are broadcast to each other, and to `shape`."""
+    cores = (1, 2, 1, 2)
+    own = (array.shape[: array.ndim - core] for array, core in zip(unit, cores, strict=True))
+    lead = np.broadcast_shapes(shape, *own)
     return Unit(
-        *finite_arrays(
-            gyro_bias=(unit.gyro_bias, 3),
-            gyro_error=(unit.gyro_error, 3, 3),
-            accelerometer_bias=(unit.accelerometer_bias, 3),
-            accelerometer_error=(unit.accelerometer_error, 3, 3),
+        *(
+            np.broadcast_to(array, lead + array.shape[array.ndim - core :])
+            for array, core in zip(unit, cores, strict=True)
         )
     )
+
+
+for _unit in (PERFECT, TYPICAL):
+    for _array in _unit:
+        _array.setflags(write=False)

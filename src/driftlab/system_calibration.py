@@ -23,7 +23,7 @@ from .error_model import (
     transition_of_increments,
 )
 from .quaternion import from_rotation_vector, multiply
-from .sensors import Noise, Spread, Unit, compensate
+from .sensors import Noise, Spread, Unit, without_errors
 from .strapdown import at_rest, last_of, navigate
 
 
@@ -164,7 +164,7 @@ def calibrate(
     surprises, history = [], []
     for k in range(updates):
         rows = np.s_[..., k * each : (k + 1) * each, :]
-        true_angle, true_velocity = compensate(
+        true_angle, true_velocity = without_errors(
             angle[rows], velocity[rows], model.unit(state), seconds
         )
         way = navigate(now, true_angle, true_velocity, seconds)
