@@ -24,7 +24,7 @@ from driftlab.observability import (
 from driftlab.sensors import Noise, Spread, Unit
 from driftlab.turntable import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, SCHEMES, Scheme, simulate
 from support import EPS
-from test_error_model import allowed, numerical_growth
+from test_error_growth import allowed, numerical_growth
 
 LATITUDE = float(np.radians(37.5))
 AVERAGED = ERROR_MODELS["averaged"]

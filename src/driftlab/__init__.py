@@ -17,9 +17,10 @@ Conventions, fixed here once for the whole package:
 Modules, in the order in which they build on each other: `quaternion`, `kinematics`, `drift`,
 `step_formulas`, `turn_calibration`, `larin_table`, `cayley`, `algorithm_table`,
 `attitude_algorithms`, `word_length`, `motions`, `installation`, `earth`, `strapdown`, `turntable`,
-`sensors`, `error_model`, `system_calibration`, `observability`, `calibration_trial`,
-`navigation_in_place`, `monte_carlo` (NumPy and SciPy only), `symbolic` (SymPy), `figures`
-(Matplotlib), `explorers` (ipywidgets). Importing the package itself loads none of them.
+`sensors`, `error_model`, `error_growth`, `system_calibration`, `observability`,
+`calibration_trial`, `navigation_in_place`, `monte_carlo` (NumPy and SciPy only), `symbolic`
+(SymPy), `figures` (Matplotlib), `explorers` (ipywidgets). Importing the package itself loads none
+of them.
 """
 
 __version__ = "0.1.0"

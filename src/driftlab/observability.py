@@ -13,18 +13,15 @@ import numpy as np
 
 from .checks import FloatArray, finite_number
 from .earth import checked_latitude, earth_rate, gravity
+from .error_growth import free_growth, process_noise, transition
 from .error_model import (
     AXES,
     ERROR_MODELS,
     FULL,
     ErrorModel,
-    attitude_matrix,
-    free_growth,
-    process_noise,
-    transition,
 )
 from .installation import skew_matrix
-from .quaternion import from_rotation_vector, multiply
+from .quaternion import from_rotation_vector, multiply, to_matrix
 from .sensors import Noise, Spread, Unit
 from .system_calibration import kalman_step
 from .turntable import Scheme, segments
@@ -69,7 +66,7 @@ def passage(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -> Passag
     turn = (rate * duration)[:, np.newaxis] * place_of
     turned = from_rotation_vector(turn[..., np.newaxis] * axis[:, np.newaxis])
     to_local = multiply(start[:, np.newaxis], turned)
-    to_body = np.swapaxes(attitude_matrix(to_local), -1, -2)
+    to_body = np.swapaxes(to_matrix(to_local), -1, -2)
     earth = earth_rate(place)
     spin = rate[:, np.newaxis, np.newaxis] * axis[:, np.newaxis] + to_body @ earth
     force = to_body @ np.array([0.0, 0.0, float(gravity(place))])
@@ -79,7 +76,7 @@ def passage(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -> Passag
     matrices = transition(
         model,
         free_growth(place, duration),
-        attitude_matrix(multiply(since, to_local)),
+        to_matrix(multiply(since, to_local)),
         times,
         share * spin,
         share * force,
@@ -202,7 +199,7 @@ def _common_misalignments(attitude: FloatArray) -> FloatArray:
     turns = skew_matrix(np.eye(3))
     none = np.zeros((3, 3))
     states = FULL.state(Unit(none, turns, none, turns))
-    states[:, :3] = attitude_matrix(attitude).T
+    states[:, :3] = to_matrix(attitude).T
     return states
 
 

@@ -66,6 +66,12 @@ def rotate(quaternion: ArrayLike, vector: ArrayLike) -> FloatArray:
     return rotated
 
 
+def to_matrix(quaternion: ArrayLike) -> FloatArray:
+    """Matrix (..., 3, 3) of the rotation that a unit quaternion (..., 4) describes."""
+    quaternion = finite_array(quaternion, "quaternion", 4)
+    return np.swapaxes(rotate(quaternion[..., np.newaxis, :], np.eye(3)), -1, -2)
+
+
 def left_matrix(quaternion: ArrayLike) -> FloatArray:
     """Matrix (..., 4, 4) of multiplication from the left: ``left_matrix(q) @ p = q∘p``."""
     return _combine(quaternion, _LEFT_UNITS)

@@ -16,12 +16,8 @@ from numpy.typing import ArrayLike
 
 from .checks import FloatArray, finite_array, finite_number, unit_quaternions, whole_number
 from .earth import checked_latitude
-from .error_model import (
-    ErrorModel,
-    free_growth,
-    process_noise,
-    transition_of_increments,
-)
+from .error_growth import free_growth, process_noise, transition_of_increments
+from .error_model import ErrorModel
 from .quaternion import from_rotation_vector, multiply
 from .sensors import Noise, Spread, Unit, without_errors
 from .strapdown import at_rest, last_of, navigate

@@ -1,0 +1,88 @@
+"""Rotating a vector by a quaternion, against SciPy's Rotation and the sandwich product."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from scipy.spatial.transform import Rotation
+
+from driftlab.quaternion import conjugate, multiply, pure, rotate
+from support import EPS, IDENTITY, quaternions, random_quaternions, vectors
+
+# Vectors up to 10 in each component, so up to 17.4 long. Two cross products and three sums, each
+# of numbers up to twice that long: some ten roundings. The norm of q is good to an eps, too.
+BOUND = 20 * 17.4 * EPS
+
+
+def test_quarter_turn_about_up_takes_east_to_north():
+    quarter = np.sqrt(0.5) * np.array([0, 0, 1, 1])
+    turned = rotate(quarter, np.eye(3))
+    np.testing.assert_allclose(turned, [[0, 1, 0], [-1, 0, 0], [0, 0, 1]], rtol=0, atol=4 * EPS)
+
+
+def test_no_rotation_changes_nothing():
+    vector = np.array([0.3, -1e200, 5e-300])
+    np.testing.assert_array_equal(rotate(IDENTITY, vector), vector)
+
+
+@given(quaternions(), vectors())
+def test_rotation_is_scipys(q, vector):
+    expected = Rotation.from_quat(q).apply(vector)
+    np.testing.assert_allclose(rotate(q, vector), expected, rtol=0, atol=BOUND)
+
+
+@given(quaternions(), vectors())
+def test_rotation_is_the_sandwich_product(q, vector):
+    sandwich = multiply(multiply(q, pure(vector)), conjugate(q))
+    np.testing.assert_allclose(pure(rotate(q, vector)), sandwich, rtol=0, atol=BOUND)
+
+
+@given(quaternions(), vectors())
+def test_length_is_kept(q, vector):
+    length = np.linalg.norm(rotate(q, vector))
+    assert length == pytest.approx(np.linalg.norm(vector), rel=0, abs=BOUND)
+
+
+@given(quaternions(), vectors())
+def test_sign_of_the_quaternion_does_not_matter(q, vector):
+    np.testing.assert_array_equal(rotate(-q, vector), rotate(q, vector))
+
+
+@given(quaternions(), quaternions(), vectors())
+def test_product_rotates_by_the_second_and_then_by_the_first(p, q, vector):
+    np.testing.assert_allclose(
+        rotate(multiply(p, q), vector), rotate(p, rotate(q, vector)), rtol=0, atol=3 * BOUND
+    )
+
+
+@given(quaternions(), vectors())
+def test_conjugate_undoes_it(q, vector):
+    back = rotate(conjugate(q), rotate(q, vector))
+    np.testing.assert_allclose(back, vector, rtol=0, atol=2 * BOUND)
+
+
+@given(quaternions(), vectors(), vectors())
+def test_cross_products_are_rotated_along(q, first, second):
+    # The product is up to 17.4 times as large as a factor, and has two of them.
+    np.testing.assert_allclose(
+        rotate(q, np.cross(first, second)),
+        np.cross(rotate(q, first), rotate(q, second)),
+        rtol=0,
+        atol=3 * 17.4 * BOUND,
+    )
+
+
+def test_axes_of_the_two_arguments_broadcast():
+    q = random_quaternions(2, 1, 4, seed=3)
+    vector = np.random.default_rng(3).normal(size=(5, 1, 3))
+    together = rotate(q, vector)
+    assert together.shape == (2, 5, 4, 3)
+    for i, j, k in np.ndindex(2, 5, 4):
+        expected = Rotation.from_quat(q[i, 0, k]).apply(vector[j, 0])
+        np.testing.assert_allclose(together[i, j, k], expected, rtol=0, atol=BOUND)
+
+
+@given(quaternions())
+def test_matrix_is_scipys(q):
+    expected = Rotation.from_quat(q).as_matrix()
+    np.testing.assert_allclose(to_matrix(q), expected, rtol=0, atol=2 * BOUND)
+    np.testing.assert_allclose(to_matrix(q) @ to_matrix(q).T, np.eye(3), rtol=0, atol=2 * BOUND)
