@@ -1,0 +1,303 @@
+"""Many runs: the same on any executor, and bounds that chi-square numbers keep to."""
+
+import time
+from collections import Counter
+from concurrent.futures import (
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+)
+from multiprocessing import get_context
+from threading import Timer
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.stats import binom, chi2, norm
+
+from driftlab.calibration_trial import TableTrial
+from driftlab.monte_carlo import mean_square_bounds, print_progress, sweep
+from driftlab.turntable import NINETEEN_POSITIONS, Scheme
+
+
+def draws(rng, runs):
+    """A row of numbers for each run; at the top of the module, so that processes find it."""
+    return rng.standard_normal((runs, 3))
+
+
+def at_leisure(rng, runs):
+    """Takes longer for larger numbers, so that batches end in an order of their own."""
+    numbers = rng.random(runs)
+    time.sleep(0.02 * numbers[0])
+    return numbers
+
+
+class Shelf(Executor):
+    """Keeps tasks until there are `count`, then does those of `order`: all, the last first."""
+
+    def __init__(self, count, order=None):
+        self.count, self.order = count, order or range(count - 1, -1, -1)
+        self.futures, self.tasks = [], []
+
+    def submit(self, function, /, *arguments):
+        self.futures.append(Future())
+        self.tasks.append((function, arguments))
+        if len(self.tasks) == self.count:
+            for k in self.order:
+                function, arguments = self.tasks[k]
+                try:
+                    self.futures[k].set_result(function(*arguments))
+                except BaseException as error:
+                    self.futures[k].set_exception(error)
+            # Who waits for the others waits in vain, but not for ever.
+            patience = Timer(20, self.give_up)
+            patience.daemon = True
+            patience.start()
+        return self.futures[-1]
+
+    def give_up(self):
+        for future in self.futures:
+            if not future.done():
+                future.set_exception(TimeoutError())
+
+
+# Runs, batches, seeds
+
+
+@given(runs=st.integers(1, 60), batch=st.integers(1, 70), seed=st.integers(0, 2**64))
+def test_batches_add_up(runs, batch, seed):
+    sizes = []
+    results = sweep(lambda rng, size: sizes.append(size) or size, runs, seed=seed, batch=batch)
+    assert results == sizes
+    assert sum(sizes) == runs
+    assert set(sizes[:-1]) <= {batch}
+    assert 1 <= sizes[-1] <= batch
+
+
+def test_batches_are_of_ten_if_not_said():
+    assert sweep(lambda rng, size: size, 25, seed=0) == [10, 10, 5]
+
+
+def test_each_batch_has_a_generator_of_its_own_from_the_seed():
+    children = np.random.SeedSequence(42).spawn(3)
+    expected = [
+        np.random.default_rng(child).standard_normal((size, 3))
+        for child, size in zip(children, (4, 4, 2), strict=True)
+    ]
+    for one, other in zip(sweep(draws, 10, seed=42, batch=4), expected, strict=True):
+        np.testing.assert_array_equal(one, other)
+    # No two batches, and no two seeds, draw the same.
+    several = np.concatenate([*expected, *sweep(draws, 10, seed=43, batch=4)])
+    assert len(np.unique(several)) == several.size
+
+
+def test_first_batches_do_not_depend_on_the_number_of_runs():
+    few, many = sweep(draws, 8, seed=3, batch=4), sweep(draws, 30, seed=3, batch=4)
+    for one, other in zip(few, many, strict=False):
+        np.testing.assert_array_equal(one, other)
+
+
+# Executors
+
+
+def test_executor_changes_nothing():
+    expected = sweep(at_leisure, 23, seed=5, batch=2)
+    assert len(expected) == 12
+    with ThreadPoolExecutor(4) as threads:
+        found = sweep(at_leisure, 23, seed=5, batch=2, executor=threads)
+    backwards = sweep(at_leisure, 23, seed=5, batch=2, executor=Shelf(12))
+    for results in (found, backwards):
+        assert len(results) == 12
+        for one, other in zip(results, expected, strict=True):
+            np.testing.assert_array_equal(one, other)
+
+
+def test_trials_in_processes_are_those_of_this_one():
+    """The method of a trial is found by other processes, and its result finds back."""
+    scheme = Scheme(NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=3.0)
+    trial = TableTrial(scheme, sample_interval=0.5, update_interval=3.0)
+    expected = sweep(trial.run, 3, seed=1, batch=2)
+    # Started afresh: a fork of a process with threads, as those of BLAS, may hang.
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as processes:
+        found = sweep(trial.run, 3, seed=1, batch=2, executor=processes)
+    assert [len(trial.errors) for trial in found] == [2, 1]
+    for one, other in zip(found, expected, strict=True):
+        np.testing.assert_array_equal(one.errors, other.errors)
+        np.testing.assert_array_equal(one.squared_errors, other.squared_errors)
+        np.testing.assert_array_equal(one.calibration.covariance, other.calibration.covariance)
+        np.testing.assert_array_equal(one.unit.gyro_error, other.unit.gyro_error)
+
+
+# Progress
+
+
+@pytest.mark.parametrize("executor", [None, "threads", "shelf"])
+def test_progress_is_told_after_each_batch(executor):
+    calls = []
+    executors = {None: None, "threads": ThreadPoolExecutor(2), "shelf": Shelf(3)}
+    chosen = executors[executor]
+    sweep(
+        draws,
+        25,
+        seed=0,
+        batch=10,
+        executor=chosen,
+        progress=lambda done, total: calls.append((done, total)),
+    )
+    executors["threads"].shutdown()
+    done = [0, *(done for done, _ in calls)]
+    assert [total for _, total in calls] == [25, 25, 25]
+    # In the order in which they end; two of ten runs and one of five.
+    assert Counter(np.diff(done).tolist()) == {10: 2, 5: 1}
+    if executor is None:
+        assert done == [0, 10, 20, 25]
+
+
+@pytest.mark.parametrize(
+    ("done", "bar"),
+    [
+        (0, "[" + 40 * "." + "] 0 of 25"),
+        (1, "[#" + 39 * "." + "] 1 of 25"),
+        (10, "[" + 16 * "#" + 24 * "." + "] 10 of 25"),
+        (24, "[" + 38 * "#" + 2 * "." + "] 24 of 25"),
+    ],
+)
+def test_bar_grows_on_one_line(capsys, done, bar):
+    print_progress(done, 25)
+    assert capsys.readouterr().out == "\r" + bar
+
+
+def test_bar_ends_its_line_when_full(capsys):
+    sweep(draws, 4, seed=0, batch=2, progress=lambda *counts: print_progress(*counts, width=6))
+    assert capsys.readouterr().out == "\r[###...] 2 of 4\r[######] 4 of 4\n"
+
+
+# Failures
+
+
+class GoneWrong(Exception):
+    pass
+
+
+def fails(rng, runs):
+    raise GoneWrong(f"with {runs} runs")
+
+
+@pytest.mark.parametrize("executor", [None, "threads", "shelf"])
+def test_failure_of_a_batch_comes_out(executor):
+    with ThreadPoolExecutor(1) as threads:
+        chosen = {None: None, "threads": threads, "shelf": Shelf(5)}[executor]
+        with pytest.raises(GoneWrong, match=r"^with \d runs$"):
+            sweep(fails, 9, seed=0, batch=2, executor=chosen)
+
+
+def test_failure_leaves_no_batch_waiting():
+    shelf = Shelf(5, order=[1])
+    with pytest.raises(GoneWrong):
+        sweep(fails, 10, seed=0, batch=2, executor=shelf)
+    assert [future.cancelled() for future in shelf.futures] == [True, False, True, True, True]
+
+
+@pytest.mark.parametrize("interruption", [KeyboardInterrupt, GoneWrong])
+def test_interruption_between_two_batches_leaves_none_waiting(interruption):
+    """As from the stop button of a notebook, while the bar is drawn."""
+
+    def progress(done, total):
+        raise interruption
+
+    shelf = Shelf(4, order=[2])
+    with pytest.raises(interruption):
+        sweep(draws, 8, seed=0, batch=2, executor=shelf, progress=progress)
+    assert [future.cancelled() for future in shelf.futures] == [True, True, False, True]
+
+
+def test_failure_here_stops_at_once():
+    calls = []
+
+    def task(rng, runs):
+        calls.append(runs)
+        if len(calls) == 2:
+            raise GoneWrong
+        return runs
+
+    told = []
+    with pytest.raises(GoneWrong):
+        sweep(task, 10, seed=0, batch=2, progress=lambda *counts: told.append(counts))
+    assert calls == [2, 2]
+    assert told == [(2, 10)]
+
+
+# Bounds of chi-square numbers
+
+
+@given(freedom=st.integers(1, 60), runs=st.integers(1, 1000), confidence=st.floats(0.01, 0.999))
+def test_bounds_keep_equal_tails_outside(freedom, runs, confidence):
+    low, high = mean_square_bounds(freedom, runs, confidence)
+    tail = (1 - confidence) / 2
+    assert chi2.cdf(runs * low, freedom * runs) == pytest.approx(tail, rel=1e-6)
+    assert chi2.sf(runs * high, freedom * runs) == pytest.approx(tail, rel=1e-6)
+    assert (type(low), type(high)) == (float, float)
+
+
+def test_bounds_are_those_of_tables():
+    """Chi-square of 10 degrees: 2.5 % below 3.247 and above 20.483; 0.5 %: 2.156 and 25.188."""
+    assert mean_square_bounds(10, 1) == pytest.approx((3.247, 20.483), abs=5e-4)
+    assert mean_square_bounds(5, 2) == pytest.approx((3.247 / 2, 20.483 / 2), abs=5e-4)
+    assert mean_square_bounds(1, 10, 0.99) == pytest.approx((0.2156, 2.5188), abs=5e-5)
+
+
+def test_bounds_are_nearly_normal_for_many_runs():
+    """The mean of n squares of m components has the mean m and the variance 2 m/n."""
+    low, high = mean_square_bounds(27, 10_000)
+    most = norm.isf(0.025) * np.sqrt(2 * 27 / 10_000)
+    assert (high - low) / 2 == pytest.approx(most, rel=1e-3)
+    # The middle is moved by the third moment: 2/3 of z^2 - 1, over n.
+    assert (high + low) / 2 - 27 == pytest.approx(
+        2 / 3 * (norm.isf(0.025) ** 2 - 1) / 1e4, rel=0.01
+    )
+
+
+def test_simulated_errors_keep_to_the_bounds():
+    rng = np.random.default_rng(6)
+    repeats, freedom, runs = 4000, 3, 20
+    squares = (rng.standard_normal((repeats, runs, freedom)) ** 2).sum(axis=-1)
+    low, high = mean_square_bounds(freedom, runs, 0.9)
+    means = squares.mean(axis=-1)
+    for outside in (means < low, means > high):
+        # 5 % on each side: binomial, with one in a hundred of the tests kept out.
+        assert abs(outside.sum() - 200) <= binom.ppf(0.995, repeats, 0.05) - 200
+
+
+@pytest.mark.parametrize("confidence", [0, 1, -0.5, 1.5, float("nan")])
+def test_confidences_that_are_none_are_refused(confidence):
+    with pytest.raises(
+        ValueError, match=rf"^confidence: expected a number between 0 and 1, got {confidence}\.$"
+    ):
+        mean_square_bounds(3, 10, confidence)
+
+
+@pytest.mark.parametrize(
+    ("name", "bad", "least"),
+    [
+        ("runs", 0, 1),
+        ("runs", -3, 1),
+        ("runs", 2.0, 1),
+        ("batch", 0, 1),
+        ("batch", 2.5, 1),
+        ("seed", -1, 0),
+        ("seed", 1.0, 0),
+        ("seed", None, 0),
+        ("seed", True, 0),
+    ],
+)
+def test_numbers_that_make_no_sense_are_refused_by_name(name, bad, least):
+    def never(rng, runs):
+        raise AssertionError
+
+    arguments = {"runs": 5, "seed": 0, "batch": 2} | {name: bad}
+    with pytest.raises(
+        ValueError, match=rf"^{name}: expected a whole number of at least {least}, got {bad!r}\.$"
+    ):
+        sweep(never, **arguments)
