@@ -34,9 +34,17 @@ class Trial(NamedTuple):
 
     @property
     def squared_errors(self) -> FloatArray:
-        """Squared errors (..., k) in units of the covariance that the filter states (NEES)."""
-        scaled = np.linalg.solve(self.calibration.covariance, self.errors[..., np.newaxis])
-        return np.einsum("...i,...i->...", self.errors, scaled[..., 0])
+        """Squared errors (..., k) in units of the covariance that the filter states (NEES).
+
+        States that were known from the beginning, with a spread of zero, do not count.
+        """
+        covariance = self.calibration.covariance
+        variances = np.einsum("...ii->...i", covariance)
+        open_states = np.flatnonzero(variances.reshape(-1, variances.shape[-1]).any(axis=0))
+        errors = self.errors[..., open_states]
+        block = covariance[..., open_states[:, np.newaxis], open_states]
+        scaled = np.linalg.solve(block, errors[..., np.newaxis])
+        return np.einsum("...i,...i->...", errors, scaled[..., 0])
 
 
 @dataclass(frozen=True)
@@ -53,7 +61,9 @@ class TableTrial:
     spread, noise : Spread, Noise
         What units, setting-up and noise are drawn from, and what the filter is told.
     sample_interval, update_interval : float
-        Of the sensors and of the filter, s. An update takes an even number of samples.
+        Of the sensors and of the filter, s. An update takes an even number of samples. If the table
+        turns by more than 2 or 3 degrees in a sample, the computation itself begins to err by a
+        part of what the filter looks for.
     keep : int
         The history keeps each `keep`-th update, and the last.
     """
@@ -68,6 +78,11 @@ class TableTrial:
     keep: int = 20
 
     def __post_init__(self) -> None:
+        for name, kind in (("scheme", Scheme), ("spread", Spread), ("noise", Noise)):
+            if not isinstance(getattr(self, name), kind):
+                raise ValueError(
+                    f"{name}: expected a {kind.__name__}, got {getattr(self, name)!r}."
+                )
         checked_latitude(finite_number(self.latitude, "latitude"))
         error_model(self.frame)
         whole_number(self.keep, "keep")
@@ -90,8 +105,8 @@ class TableTrial:
         ----------
         rng : numpy.random.Generator
         runs : int, optional
-            How many at once, along a leading axis of the result; one without such an axis if not
-            given.
+            How many at once, along a leading axis of the result. If not given, as many as `unit`
+            has, or one without a leading axis.
         unit : Unit, optional
             Without it units are drawn from `spread`.
 
@@ -105,8 +120,16 @@ class TableTrial:
         lead = () if runs is None else (whole_number(runs, "runs"),)
         if unit is None:
             unit = random_units(self.spread, rng, *lead)
+        try:
+            unit = broadcast_unit(checked_unit(unit), *lead)
+        except ValueError as mismatch:
+            if "broadcast" not in str(mismatch):
+                raise
+            raise ValueError(
+                f"unit, runs: expected leading axes that fit {runs!r} runs, got others."
+            ) from None
         # Each run has noise of its own, also of one and the same unit.
-        unit = broadcast_unit(checked_unit(unit), *lead)
+        lead = unit.gyro_bias.shape[:-1]
         samples = round(self.update_interval / self.sample_interval)
         record = simulate(self.scheme, self.latitude, self.sample_interval, whole=samples)
         angle, velocity = measure(record, unit, self.noise, rng)

@@ -171,6 +171,6 @@ ERROR_MODELS = MappingProxyType({
 
 def error_model(name: str) -> ErrorModel:
     """Return the error model of a choice of body axes, refusing unknown names."""
-    if name not in ERROR_MODELS:
+    if not isinstance(name, str) or name not in ERROR_MODELS:
         raise ValueError(f"frame: expected one of {', '.join(BODY_FRAMES)}, got {name!r}.")
     return ERROR_MODELS[name]

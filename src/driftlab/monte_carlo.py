@@ -79,7 +79,7 @@ def sweep(
 
 def print_progress(done: int, total: int, width: int = 40) -> None:
     """Show a bar on the terminal or under a notebook cell."""
-    filled = width * done // total
+    filled = width * done // max(total, 1)
     bar = "#" * filled + "." * (width - filled)
     print(f"\r[{bar}] {done} of {total}", end="\n" if done == total else "", flush=True)
 
@@ -91,6 +91,7 @@ def mean_square_bounds(freedom: int, runs: int, confidence: float = 0.95) -> tup
     """
     if not 0 < confidence < 1:
         raise ValueError(f"confidence: expected a number between 0 and 1, got {confidence!r}.")
+    many = whole_number(runs, "runs")
     tails = np.array([1 - confidence, 1 + confidence]) / 2
-    low, high = chi2.ppf(tails, freedom * runs) / runs
+    low, high = chi2.ppf(tails, whole_number(freedom, "freedom") * many) / many
     return float(low), float(high)

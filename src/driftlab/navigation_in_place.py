@@ -55,7 +55,8 @@ def navigate_in_place(
     latitude : float
         rad.
     duration, interval, every : float
-        Of the navigation, between the increments, and between two results, s.
+        Of the navigation, between the increments, and between two results, s. The latter is rounded
+        to an even number of increments, and the duration to a whole number of results.
     noise, rng
         As in `driftlab.sensors.measure`.
 
@@ -74,8 +75,8 @@ def navigate_in_place(
     count = each * max(1, round(duration / (each * seconds)))
     record = stand(attitude, latitude, seconds, count)
     angle, velocity = compensate(*measure(record, unit, noise, rng), found, seconds)
-    believed = unit_quaternions(start, "start")
-    lead = np.broadcast_shapes(angle.shape[:-2], believed.shape[:-1])
+    believed, axes = unit_quaternions(start, "start"), unit_quaternions(reference, "reference")
+    lead = np.broadcast_shapes(angle.shape[:-2], believed.shape[:-1], axes.shape[:-1])
     way = navigate(
         at_rest(latitude, np.broadcast_to(believed, (*lead, 4))),
         angle,
@@ -86,11 +87,10 @@ def navigate_in_place(
     )
     meridian, across = curvature_radii(latitude)
     east = way.longitude * across * np.cos(latitude)
-    true = unit_quaternions(reference, "reference")[..., np.newaxis, :]
     times: FloatArray = each * seconds * np.arange(1.0, count // each + 1)
     return InPlace(
         times,
-        attitude_error(way.attitude, true),
+        attitude_error(way.attitude, axes[..., np.newaxis, :]),
         way.velocity[..., :2],
         np.stack([east, (way.latitude - latitude) * meridian], axis=-1),
     )

@@ -48,6 +48,8 @@ class Passage(NamedTuple):
 def passage(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -> Passage:
     """Transition matrices of the errors along a scheme, at a `latitude` in rad."""
     place = float(checked_latitude(finite_number(latitude, "latitude")))
+    if not isinstance(model, ErrorModel):
+        raise ValueError(f"model: expected an ErrorModel, got {model!r}.")
     axes, rates, lengths, starts = [], [], [], []
     row = segments(scheme, 1e-3)
     for segment in row:
@@ -148,7 +150,7 @@ def null_directions(way: Passage) -> Darkness:
     """
     seen, model = observability_matrix(way), way.model
     values, dark = _null_space(seen, model, way.start)
-    if model is not FULL:
+    if model.frame is not None:
         return Darkness(values, dark, _among(model, dark, way.start))
     words = []
     scale = _typical(model, way.start)

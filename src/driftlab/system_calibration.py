@@ -132,19 +132,23 @@ def calibrate(
     reference = finite_array(reference_velocity, "reference_velocity", 3)
     attitude = unit_quaternions(start, "start")
     updates = reference.shape[-2] if reference.ndim > 1 else 0
-    if velocity.ndim < 2 or velocity.shape[-2] != angle.shape[-2:][0]:
+    count = angle.shape[-2] if angle.ndim > 1 else 0
+    if velocity.ndim < 2 or velocity.shape[-2] != count:
         raise ValueError(
-            f"velocity_increments: expected as many as angle_increments, {angle.shape[-2:][0]}, "
-            f"got shape {velocity.shape}."
+            "angle_increments, velocity_increments: expected as many rows of both, "
+            f"got shapes {angle.shape} and {velocity.shape}."
         )
-    if updates == 0 or angle.ndim < 2 or angle.shape[-2] % (2 * updates):
+    if updates == 0 or count % (2 * updates):
         raise ValueError(
             "reference_velocity: expected shape (..., updates, 3), with a number of updates that "
-            f"divides {angle.shape[-2] if angle.ndim > 1 else 0} increments into even parts, "
-            f"got shape {reference.shape}."
+            f"divides {count} increments into even parts, got shape {reference.shape}."
+        )
+    if noise.velocity <= 0:
+        raise ValueError(
+            f"noise: expected a deviation of the velocity above 0, got {noise.velocity!r} m/s."
         )
     kept = [*range(whole_number(keep, "keep"), updates, keep), updates]
-    each = angle.shape[-2] // updates
+    each = count // updates
     seconds = finite_number(interval, "interval")
     duration = each * seconds
     free = free_growth(place, duration)
