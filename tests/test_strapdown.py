@@ -461,7 +461,8 @@ def test_state_at_rest_has_the_shape_of_all_that_it_is_made_of():
     np.testing.assert_array_equal(state.longitude, np.full((4, 3), 2.0))
     np.testing.assert_array_equal(state.altitude, np.full((4, 3), 5.0))
     np.testing.assert_array_equal(state.velocity, np.zeros((4, 3, 3)))
-    np.testing.assert_array_equal(state.attitude[:, 1], attitude[:, 0])
+    # Brought to unit norm, which they have but for rounding.
+    np.testing.assert_allclose(state.attitude[:, 1], attitude[:, 0], rtol=0, atol=4 * EPS)
 
 
 def test_state_at_rest_is_on_the_ellipsoid_at_longitude_zero_unless_told():
@@ -490,8 +491,8 @@ GOOD = {
 @pytest.mark.parametrize(
     ("bad", "words"),
     [
-        ({"interval": 0}, r"interval: expected a positive time, got 0\."),
-        ({"interval": -0.1}, r"interval: expected a positive time, got -0\.1\."),
+        ({"interval": 0}, r"interval: expected a positive time of at most 20 s, got 0\."),
+        ({"interval": -0.1}, r"interval: expected a positive time of at most 20 s, got -0\.1\."),
         ({"interval": np.nan}, "interval: expected finite numbers"),
         ({"interval": [0.1, 0.1]}, r"interval: expected one number, got shape \(2,\)"),
         ({"every": 3}, r"every: expected an even divisor .*increments, 12, got 3\."),
@@ -548,3 +549,27 @@ def test_states_that_cannot_be_are_refused():
         ValueError, match=r"^latitude, longitude, altitude, attitude: expected leading axes"
     ):
         at_rest([0.1, 0.2], random_quaternions(3))
+
+
+def test_attitudes_are_brought_to_unit_norm():
+    state = at_rest(0.8, [0, 0, 0, 2])
+    np.testing.assert_array_equal(state.attitude, [0, 0, 0, 1])
+    record = stand([0, 0, 0, 1], 0.8, 0.1, 20)
+    doubled = state._replace(attitude=2 * state.attitude)
+    once, twice = (navigate(start, *record[1:3], 0.1) for start in (state, doubled))
+    np.testing.assert_allclose(twice.velocity, once.velocity, rtol=0, atol=1e-9)
+    with pytest.raises(ValueError, match="attitude: expected nonzero quaternions"):
+        at_rest(0.8, np.zeros(4))
+
+
+@pytest.mark.parametrize("field", ["longitude", "altitude", "velocity", "attitude"])
+def test_states_are_refused_by_the_name_of_the_field(field):
+    good = at_rest(0.8, [0, 0, 0, 1])
+    record = stand([0, 0, 0, 1], 0.8, 0.1, 20)
+    bad = good._replace(**{field: np.nan * getattr(good, field)})
+    with pytest.raises(ValueError, match=f"^{field}: expected finite numbers"):
+        navigate(bad, *record[1:3], 0.1)
+    plain = good._replace(latitude=0.8, longitude=0.0, altitude=0.0)
+    assert navigate(plain, *record[1:3], 0.1).latitude.shape == (10,)
+    with pytest.raises(ValueError, match="interval: expected a positive time of at most 20 s"):
+        navigate(good, *record[1:3], 500.0)

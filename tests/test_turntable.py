@@ -464,3 +464,27 @@ def test_average_of_a_small_turn_is_half_of_it(size):
 @pytest.mark.parametrize("size", [5e-324, 1e-300, 1e-160])
 def test_turns_whose_squares_are_lost_do_no_harm(size):
     np.testing.assert_allclose(turning_average([0, size, 0]), np.eye(3), rtol=0, atol=4 * EPS)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (
+            ([0, 0, 0, 1], 0.8, -0.1, 3),
+            r"interval, attitude: expected a positive time .* got -0\.1",
+        ),
+        (([0, 0, 0, 1], 0.8, 0.0, 3), r"interval, attitude: expected a positive time .* got 0\.0"),
+        ((np.eye(4), 0.8, 0.1, 3), r"one attitude \(4,\), got 0\.1 s and shape \(4, 4\)"),
+    ],
+)
+def test_standing_wants_a_time_and_one_attitude(arguments, words):
+    with pytest.raises(ValueError, match=words):
+        stand(*arguments)
+
+
+def test_schemes_of_other_kinds_are_refused():
+    with pytest.raises(ValueError, match=r"rotations: expected text, got None"):
+        Scheme(None)
+    for start in (3, [["Up"], 1, 2]):
+        with pytest.raises(ValueError, match=r"start: expected three of East, West, .*got"):
+            Scheme("+90X", start)

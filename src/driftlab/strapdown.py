@@ -18,12 +18,20 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .attitude_algorithms import cross, step_quaternions
-from .checks import FloatArray, finite_array, finite_arrays, finite_number, whole_number
+from .checks import (
+    FloatArray,
+    finite_array,
+    finite_arrays,
+    finite_number,
+    unit_quaternions,
+    whole_number,
+)
 from .earth import EARTH_RATE, checked_latitude, geodetic, gravitation, position_vector
 from .quaternion import conjugate, cumulative_product, multiply, rotate
 
 CHUNK = 40.0
 """Seconds of motion over which the fixed point on gravitation runs at once."""
+_LONGEST = 20.0  # s: interval for which the fixed point still settles quickly
 _SETTLED = 1e-7  # m: change of the position at which the fixed point stops
 
 
@@ -40,9 +48,15 @@ class Navigation(NamedTuple):
 def at_rest(
     latitude: ArrayLike, attitude: ArrayLike, longitude: ArrayLike = 0.0, altitude: ArrayLike = 0.0
 ) -> Navigation:
-    """Return the state of a unit that stands on the Earth: angles in rad, attitude (..., 4)."""
+    """Return the state of a unit that stands on the Earth: angles in rad, altitude in m.
+
+    The attitude (..., 4), body to East, North, Up, is brought to unit norm.
+    """
     place = finite_arrays(
-        latitude=(latitude,), longitude=(longitude,), altitude=(altitude,), attitude=(attitude, 4)
+        latitude=(latitude,),
+        longitude=(longitude,),
+        altitude=(altitude,),
+        attitude=(unit_quaternions(attitude, "attitude"), 4),
     )
     checked_latitude(latitude)
     leading = np.broadcast_shapes(*(a.shape for a in place[:3]), place[3].shape[:-1])
@@ -80,7 +94,8 @@ def navigate(
         Increments between two results; even, because a step is made of two, and a divisor of n.
     hold_altitude : bool
         Put altitude and vertical velocity back to the start's altitude and to zero every `CHUNK`
-        seconds, as a barometer would. Without help a computed altitude runs away within an hour.
+        seconds, as a barometer would, and in all results. Without help a computed altitude runs
+        away within an hour.
 
     Returns
     -------
@@ -93,15 +108,17 @@ def navigate(
         If shapes do not fit, n is not a multiple of `every`, or the start is at a pole.
     """
     seconds = finite_number(interval, "interval")
-    if seconds <= 0:
-        raise ValueError(f"interval: expected a positive time, got {interval!r}.")
+    if not 0 < seconds <= _LONGEST:
+        raise ValueError(
+            f"interval: expected a positive time of at most {_LONGEST:g} s, got {interval!r}."
+        )
+    start = _checked(start)
     angle, velocity = _rows(angle_increments, velocity_increments)
     count = angle.shape[-2]
     if whole_number(every, "every", least=2) % 2 or count % every:
         raise ValueError(
             f"every: expected an even divisor of the number of increments, {count}, got {every!r}."
         )
-    checked_latitude(start.latitude)
     to_inertial = _from_local(start.latitude, np.zeros_like(start.longitude))
     first = multiply(to_inertial, start.attitude)[..., np.newaxis, :]
     attitude = multiply(first, cumulative_product(step_quaternions(angle, "two-step-4")))
@@ -142,17 +159,32 @@ def last_of(states: Navigation) -> Navigation:
 def velocity_of_pairs(angle: FloatArray, velocity: FloatArray) -> FloatArray:
     """Velocity increments (..., n // 2, 3) of pairs, in the body axes at the start of each pair.
 
-    With g and v the increments of a pair, g1, g2, v1, v2 its halves: v + g×v/2 + g×(g×v)/6 is the
-    rotation of the axes under constant rate and force, and 2/3 (g1×v2 + v1×g2) is sculling: the
-    part of the same integral that comes from changing rate and force.
+    With g1, g2, v1, v2 the increments of a pair, p = g1 + g2 + 2/3 g1×g2 is its rotation vector and
+    v = v1 + v2. Under a constant rate and force the body's turn adds p×v/2 + p×(p×v)/6 + ...; where
+    they change there is sculling, s = 2/3 (g1×v2 + v1×g2), which is turned by p/2 in its turn.
     """
     # Components first, so that everything but a cross product is plain arithmetic.
     angles, velocities = np.moveaxis(angle, -1, 0), np.moveaxis(velocity, -1, 0)
     g1, g2, v1, v2 = (row[..., i::2] for row in (angles, velocities) for i in (0, 1))
-    g, v = g1 + g2, v1 + v2
-    turned = cross(g, v)
-    pairs = v + turned / 2 + cross(g, turned) / 6 + (cross(g1, v2) + cross(v1, g2)) * (2 / 3)
+    p = g1 + g2 + (2 / 3) * cross(g1, g2)
+    v = v1 + v2
+    sculling = (2 / 3) * (cross(g1, v2) + cross(v1, g2))
+    once = cross(p, v)
+    twice = cross(p, once)
+    pairs = v + once / 2 + twice / 6 + cross(p, twice) / 24 + sculling + cross(p, sculling) / 2
     return np.moveaxis(pairs, 0, -1)
+
+
+def _checked(state: Navigation) -> Navigation:
+    """Return the state as arrays, refusing what is not one by the name of the field."""
+    latitude, longitude, altitude, velocity, attitude = finite_arrays(
+        latitude=(state.latitude,),
+        longitude=(state.longitude,),
+        altitude=(state.altitude,),
+        velocity=(state.velocity, 3),
+        attitude=(unit_quaternions(state.attitude, "attitude"), 4),
+    )
+    return Navigation(checked_latitude(latitude), longitude, altitude, velocity, attitude)
 
 
 def _rows(angle: ArrayLike, velocity: ArrayLike) -> tuple[FloatArray, FloatArray]:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
-from .checks import FloatArray, finite_number, unit_quaternions, whole_number
+from .checks import FloatArray, finite_array, finite_number, unit_quaternions, whole_number
 from .earth import checked_latitude, earth_rate, gravity
 from .quaternion import conjugate, from_rotation_vector, multiply, rotate
 
@@ -58,7 +58,10 @@ class Scheme:
                 raise ValueError(
                     f"{name}: expected a positive number, got {getattr(self, name)!r}."
                 )
-        axes = [DIRECTIONS.get(word) for word in self.start]
+        if not isinstance(self.rotations, str):
+            raise ValueError(f"rotations: expected text, got {self.rotations!r}.")
+        words = self.start if isinstance(self.start, tuple | list) else ()
+        axes = [DIRECTIONS.get(word) for word in words if isinstance(word, str)]
         if len(axes) != 3 or None in axes or np.linalg.det(np.array(axes, float)) != 1:
             raise ValueError(
                 f"start: expected three of {', '.join(DIRECTIONS)} for x, y, z, right-handed, "
@@ -202,7 +205,7 @@ def _sense(
 
 def turning_average(rotation_vector: ArrayLike) -> FloatArray:
     """Mean (3, 3) of the rotation matrices on the way from none to `rotation_vector` (3,), rad."""
-    vector = np.asarray(rotation_vector, float)
+    vector = finite_array(rotation_vector, "rotation_vector", 3)
     angle = float(np.linalg.norm(vector))
     if angle == 0:
         return np.eye(3)
@@ -216,12 +219,15 @@ def stand(
     attitude: ArrayLike, latitude: float, interval: float, count: int, altitude: float = 0.0
 ) -> Record:
     """Record of a unit that stands in one attitude (4,) for `count` intervals of time."""
-    standing = Segment(
-        np.array([0.0, 0.0, 1.0]),
-        0.0,
-        whole_number(count, "count") * finite_number(interval, "interval"),
-        unit_quaternions(attitude, "attitude"),
-    )
+    seconds = finite_number(interval, "interval")
+    stood = unit_quaternions(attitude, "attitude")
+    if seconds <= 0 or stood.ndim != 1:
+        raise ValueError(
+            "interval, attitude: expected a positive time and one attitude (4,), "
+            f"got {interval!r} s and shape {stood.shape}."
+        )
+    up_axis = np.array([0.0, 0.0, 1.0])
+    standing = Segment(up_axis, 0.0, whole_number(count, "count") * seconds, stood)
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     up = np.array([0.0, 0.0, float(gravity(place, finite_number(altitude, "altitude")))])
     turned, pushed, attitudes = _sense(standing, earth_rate(place), up, interval)

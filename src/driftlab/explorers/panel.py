@@ -297,7 +297,7 @@ def _table(numbers: Sequence[tuple[str, str]]) -> str:
     cells = ""
     for name, value in numbers:
         # What does not fit into a column has a row for itself.
-        wide = len(name) + len(value) > 44
+        wide = len(name) + len(value) > 50
         style = " style='grid-column: 1 / -1; white-space: normal'" if wide else ""
         cells += f"<span{style}>{html.escape(name)} <b>{html.escape(value)}</b></span>"
     return (
