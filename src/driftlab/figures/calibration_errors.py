@@ -52,8 +52,8 @@ def columns(data: CalibrationErrors) -> dict[str, FloatArray]:
     table = {"time_s": data.times[rows]}
     for i, name in enumerate(data.names):
         size, _ = unit_of(name)
-        table[f"error of {name}"] = (data.errors[rows, i] / size).round(4)
-        table[f"deviation of {name}"] = (data.deviations[rows, i] / size).round(4)
+        table[f"error of {name}"] = (data.errors[rows, i] / size).round(3)
+        table[f"deviation of {name}"] = (data.deviations[rows, i] / size).round(3)
     return table
 
 

@@ -104,8 +104,10 @@ def _left(record: Record, vector: FloatArray) -> tuple[float, float, float]:
 def columns(data: EquivalentStart) -> dict[str, FloatArray]:
     """Columns of the figure's CSV: the right panel."""
     names = ("skew_triad_rad", "turned_triad_rad", "two_skew_triads_m_s")
-    # What a turned triad leaves is rounding, which is not the same everywhere.
-    return {"size_rad": data.sizes, **dict(zip(names, data.left.round(10), strict=True))}
+    # Rounding is not the same everywhere: what a turned triad leaves is nothing else, and a
+    # velocity inherits it from positions of millions of metres.
+    rounded = (left.round(digits) for left, digits in zip(data.left, (10, 10, 5), strict=True))
+    return {"size_rad": data.sizes, **dict(zip(names, rounded, strict=True))}
 
 
 class EquivalentStartPicture(Picture[EquivalentStart]):

@@ -92,7 +92,7 @@ def columns(data: FilterConsistency) -> dict[str, FloatArray]:
     for name, values in zip(BODY_FRAMES, data.by_frame, strict=True):
         curves[f"states over installation errors in rad, {name}"] = (data.sizes, values)
     table = long_table(curves)
-    return {**table, "y": table["y"].round(5)}
+    return {**table, "y": table["y"].round(3)}
 
 
 class FilterConsistencyPicture(Picture[FilterConsistency]):

@@ -58,7 +58,7 @@ def columns(data: InPlaceErrors) -> dict[str, FloatArray]:
     for (frame, start), run in data.runs.items():
         for title, quantity, axis, unit, name in PANELS:
             values = getattr(run, quantity)[rows, axis] / unit
-            table[f"{title} in {name}, {FRAMES[frame]}, start from {start}"] = values.round(5)
+            table[f"{title} in {name}, {FRAMES[frame]}, start from {start}"] = values.round(3)
     return table
 
 

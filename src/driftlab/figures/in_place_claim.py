@@ -72,7 +72,7 @@ def verdict(ratios: FloatArray) -> Verdict:
 def columns(data: InPlaceClaim) -> dict[str, FloatArray]:
     """Columns of the figure's CSV: the ratios in rising order."""
     return {
-        f"{quantity}, start from {start}": ratios.round(6)
+        f"{quantity}, start from {start}": ratios.round(3)
         for (start, quantity), ratios in data.ratios.items()
     }
 

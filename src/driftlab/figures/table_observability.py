@@ -51,9 +51,9 @@ def compute(
 def columns(data: TableObservability) -> dict[str, FloatArray | list[str]]:
     """Columns of the figure's CSV; eigenvalues as logarithms, zero as the floor."""
     return {
-        "log10 of eigenvalue": np.log10(np.maximum(data.eigenvalues, FLOOR)).round(4),
+        "log10 of eigenvalue": np.log10(np.maximum(data.eigenvalues, FLOOR)).round(3),
         "state": list(data.names),
-        "after_over_before": _ratios(data).round(6),
+        "after_over_before": _ratios(data).round(5),
     }
 
 
