@@ -522,7 +522,7 @@ GOOD = {
         ),
         (
             {"start": GOOD["start"]._replace(latitude=np.array(np.pi / 2))},
-            r"latitude: expected at most 89\.9 degrees .* got 90 degrees",
+            r"latitude: expected at most 89\.9 degrees .* that is 90 degrees",
         ),
         (
             {"start": GOOD["start"]._replace(latitude=np.array(np.nan))},

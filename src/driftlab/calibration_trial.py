@@ -1,8 +1,8 @@
 """Calibrations whose truth is known: made-up units on a simulated table, and what is left.
 
 A trial draws units and noise, lets the filter work, and compares. A filter is consistent if its
-errors are as large as it says: then the squares of `Trial.normalised_errors` average to the number
-of states, and those of the innovations to three.
+errors are as large as it says: then `Trial.squared_errors` average to the number of states, and
+`Calibration.surprise` to three.
 """
 
 from __future__ import annotations
@@ -26,11 +26,20 @@ from .turntable import NINETEEN_POSITIONS, Scheme, simulate
 
 
 class Trial(NamedTuple):
-    """A calibration beside the truth."""
+    """A calibration beside the truth.
+
+    Attributes
+    ----------
+    calibration : Calibration
+    unit : Unit
+        The true errors, in the table's axes; `unit_in_axes` turns them into the filter's.
+    errors : ndarray, shape (..., k, size)
+        Of the states, in the filter's axes, at the times of the calibration.
+    """
 
     calibration: Calibration
-    unit: Unit  # the true errors, in the table's axes
-    errors: FloatArray  # (..., k, size): of the states, in the model's axes
+    unit: Unit
+    errors: FloatArray
 
     @property
     def squared_errors(self) -> FloatArray:
@@ -60,10 +69,12 @@ class TableTrial:
         Choice of body axes, one of `driftlab.installation.BODY_FRAMES`.
     spread, noise : Spread, Noise
         What units, setting-up and noise are drawn from, and what the filter is told.
+    told : Noise, optional
+        What the filter is told of the noise, if not the truth.
     sample_interval, update_interval : float
         Of the sensors and of the filter, s. An update takes an even number of samples. If the table
         turns by more than 2 or 3 degrees in a sample, the computation itself begins to err by a
-        part of what the filter looks for.
+        part of what the filter looks for. Pauses and turns are drawn out to whole updates.
     keep : int
         The history keeps each `keep`-th update, and the last.
     """
@@ -73,6 +84,7 @@ class TableTrial:
     frame: str = "averaged"
     spread: Spread = field(default_factory=Spread)
     noise: Noise = field(default_factory=Noise)
+    told: Noise | None = None
     sample_interval: float = 0.05
     update_interval: float = 1.0
     keep: int = 20
@@ -146,7 +158,7 @@ class TableTrial:
             start=multiply(tilt, record.attitude[0]),
             model=model,
             spread=self.spread,
-            noise=self.noise,
+            noise=self.noise if self.told is None else self.told,
             keep=self.keep,
         )
         places = np.round(calibration.times / self.sample_interval).astype(int)

@@ -32,7 +32,7 @@ def checked_latitude(latitude: ArrayLike) -> FloatArray:
     if worst > _NEAREST_TO_POLE:
         raise ValueError(
             "latitude: expected at most 89.9 degrees from the equator, because East and North are "
-            f"lost at a pole, got {np.degrees(worst):.6g} degrees."
+            f"lost at a pole, got {worst:.6g} rad, that is {np.degrees(worst):.6g} degrees."
         )
     return values
 

@@ -17,12 +17,24 @@ from .turntable import Record
 
 
 class Unit(NamedTuple):
-    """The errors of an inertial unit: 24 numbers, or arrays of them with leading axes."""
+    """The errors of an inertial unit: 24 numbers, or arrays of them with leading axes.
 
-    gyro_bias: FloatArray  # (..., 3), rad/s
-    gyro_error: FloatArray  # (..., 3, 3), K of the gyro triad
-    accelerometer_bias: FloatArray  # (..., 3), m/s^2
-    accelerometer_error: FloatArray  # (..., 3, 3), L of the accelerometer triad
+    Attributes
+    ----------
+    gyro_bias : ndarray, shape (..., 3)
+        rad/s.
+    gyro_error : ndarray, shape (..., 3, 3)
+        K of the gyro triad, without unit.
+    accelerometer_bias : ndarray, shape (..., 3)
+        m/s^2.
+    accelerometer_error : ndarray, shape (..., 3, 3)
+        L of the accelerometer triad.
+    """
+
+    gyro_bias: FloatArray
+    gyro_error: FloatArray
+    accelerometer_bias: FloatArray
+    accelerometer_error: FloatArray
 
 
 PERFECT = Unit(np.zeros(3), np.zeros((3, 3)), np.zeros(3), np.zeros((3, 3)))

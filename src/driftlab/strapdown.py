@@ -36,13 +36,25 @@ _SETTLED = 1e-7  # m: change of the position at which the fixed point stops
 
 
 class Navigation(NamedTuple):
-    """Where a unit is, how it moves and stands; each with the same leading axes."""
+    """Where a unit is, how it moves and stands; each with the same leading axes.
 
-    latitude: FloatArray  # (...), rad
-    longitude: FloatArray  # (...), rad, from -pi to pi
-    altitude: FloatArray  # (...), m above the ellipsoid
-    velocity: FloatArray  # (..., 3), m/s: East, North, Up
-    attitude: FloatArray  # (..., 4), body to East, North, Up
+    Attributes
+    ----------
+    latitude, longitude : ndarray, shape (...)
+        rad; longitudes from -pi to pi.
+    altitude : ndarray, shape (...)
+        m above the ellipsoid.
+    velocity : ndarray, shape (..., 3)
+        m/s against the Earth: East, North, Up.
+    attitude : ndarray, shape (..., 4)
+        Body to East, North, Up.
+    """
+
+    latitude: FloatArray
+    longitude: FloatArray
+    altitude: FloatArray
+    velocity: FloatArray
+    attitude: FloatArray
 
 
 def at_rest(
@@ -115,6 +127,8 @@ def navigate(
     start = _checked(start)
     angle, velocity = _rows(angle_increments, velocity_increments)
     count = angle.shape[-2]
+    if count % 2:
+        raise ValueError(f"angle_increments: expected an even number of rows, got {count}.")
     if whole_number(every, "every", least=2) % 2 or count % every:
         raise ValueError(
             f"every: expected an even divisor of the number of increments, {count}, got {every!r}."

@@ -69,15 +69,32 @@ def kalman_step(
 
 
 class Calibration(NamedTuple):
-    """History of a calibration, every so many updates."""
+    """History of a calibration, every so many updates.
+
+    Attributes
+    ----------
+    model : ErrorModel
+    times : ndarray, shape (k,)
+        s since the start.
+    state : ndarray, shape (..., k, size)
+        Sensor errors found, in the model's own body axes; attitude and velocity are zero here.
+    covariance : ndarray, shape (..., k, size, size)
+    attitude : ndarray, shape (..., k, 4)
+        Attitude found of the model's own axes, body to East, North, Up.
+    velocity : ndarray, shape (..., k, 3)
+        Velocity found, m/s.
+    surprise : ndarray, shape (..., updates)
+        Squared normalised innovations of all updates. Their mean is near three if what the filter
+        is told is true; much more says that it is not.
+    """
 
     model: ErrorModel
-    times: FloatArray  # (k,), s
-    state: FloatArray  # (..., k, size): sensor errors found; attitude and velocity are zero here
-    covariance: FloatArray  # (..., k, size, size)
-    attitude: FloatArray  # (..., k, 4): attitude found
-    velocity: FloatArray  # (..., k, 3): velocity found, m/s
-    surprise: FloatArray  # (..., updates): squared normalised innovations, all of them
+    times: FloatArray
+    state: FloatArray
+    covariance: FloatArray
+    attitude: FloatArray
+    velocity: FloatArray
+    surprise: FloatArray
 
     @property
     def deviations(self) -> FloatArray:
@@ -86,7 +103,10 @@ class Calibration(NamedTuple):
 
     @property
     def unit(self) -> Unit:
-        """Sensor errors found at the end."""
+        """Sensor errors found at the end, in the model's own body axes.
+
+        `calibration_trial.unit_in_axes` turns known errors into the same axes.
+        """
         return self.model.unit(self.state[..., -1, :])
 
 

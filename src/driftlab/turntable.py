@@ -37,8 +37,8 @@ class Scheme:
     Attributes
     ----------
     rotations : str
-        Words like ``+90Y`` or ``-180X``: sign, angle in degrees, body axis. A pause comes before
-        the first rotation and after each one, so there is one position more than rotations.
+        Words like ``+90Y`` or ``-180X``: sign, angle in degrees up to 3600, body axis. A pause
+        comes before the first rotation and after each one: one position more than rotations.
     start : tuple of str
         Where the body axes x, y and z point at first: keys of `DIRECTIONS`, right-handed.
     dwell : float
@@ -73,13 +73,15 @@ class Scheme:
     def turns(self) -> list[tuple[FloatArray, float]]:
         """Unit vector (3,) in body axes and signed angle in rad of each rotation."""
         turns = []
-        for word in self.rotations.split():
+        for word in self.rotations.replace("−", "-").split():
             match = re.fullmatch(r"([+-]\d+(?:\.\d+)?)([A-Za-z])", word)
             if not match or match[2].upper() not in _AXES or float(match[1]) == 0:
                 raise ValueError(
                     "rotations: expected words like +90Y or -180X: sign, degrees, "
                     f"axis X, Y or Z, got {word!r}."
                 )
+            if abs(float(match[1])) > 3600:
+                raise ValueError(f"rotations: expected at most 3600 degrees a word, got {word!r}.")
             turns.append((np.eye(3)[_AXES[match[2].upper()]], float(np.radians(float(match[1])))))
         return turns
 

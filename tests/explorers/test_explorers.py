@@ -238,6 +238,10 @@ def test_a_scheme_is_typed_and_a_wrong_word_gives_a_sentence() -> None:
     assert "expected words like +90Y or -180X" in explorer.message.value
     assert "got &#x27;+90W&#x27;" in explorer.message.value
     assert explorer.image.value == picture
+    explorer._widgets["rotations"].value = "+99999999X"
+    assert "expected at most 3600 degrees a word" in explorer.message.value
+    explorer._widgets["rotations"].value = "+90X −90Y"  # a pasted minus is one too
+    assert explorer.message.value == ""
     explorer._widgets["rotations"].value = "+90X +90Y"
     assert explorer.message.value == ""
     assert explorer.image.value != picture
@@ -250,7 +254,10 @@ def test_observability_panel_says_rank_directions_and_deviations() -> None:
     assert "rank <b>27 of 30</b>" in explorer.text.value
     assert "both triads turned together about y, the attitude with them" in explorer.text.value
     # A long text has a row for itself, a short one a column.
-    assert explorer.text.value.count("grid-column: 1 / -1") == 3
+    assert (
+        "<span style='grid-column: 1 / -1; white-space: normal'>in the dark" in explorer.text.value
+    )
+    assert "<span>rank" in explorer.text.value
     explorer.preset.value = "19 positions, 27 states"
     assert "rank <b>27 of 27</b>" in explorer.text.value
     assert "in the dark" not in explorer.text.value
@@ -258,8 +265,9 @@ def test_observability_panel_says_rank_directions_and_deviations() -> None:
     model = ERROR_MODELS["averaged"]
     way = passage(NINETEEN_POSITIONS, np.radians(37.5), model)
     covariance = expected_covariance(way, noise, Spread())
-    bias = np.sqrt(covariance[6, 6]) / (degree / hour)
-    assert f"gyro bias x <b>{bias:.3g} deg/h</b>" in explorer.text.value
+    biases = np.sqrt(np.diag(covariance)[6:9]) / (degree / hour)
+    said = ", ".join(f"{bias:.2g}" for bias in biases)
+    assert f"gyro bias x, y, z <b>{said} deg/h</b>" in explorer.text.value
 
 
 def test_split_panel_says_the_three_parts() -> None:

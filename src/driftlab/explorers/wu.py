@@ -1,5 +1,6 @@
 """The slider panels of Part III."""
 
+from itertools import groupby
 from typing import ClassVar
 
 import numpy as np
@@ -40,9 +41,9 @@ class SplitExplorer(Explorer):
     controls = tuple(
         Control(
             _entry(row, column),
-            f"scale {'xyz'[row]}, ppm"
+            f"K_{'xyz'[row]}{'xyz'[row]}, scale, ppm"
             if row == column
-            else f"{'xyz'[row]} gyro to axis {'xyz'[column]}, arc seconds",
+            else f"K_{'xyz'[row]}{'xyz'[column]}, to axis {'xyz'[column]}, ″",
             0.0,
             -500.0 if row == column else -100.0,
             500.0 if row == column else 100.0,
@@ -115,7 +116,7 @@ class ObservabilityExplorer(Explorer):
         Control("rate", "turn rate, deg/s", 10.0, 2.0, 40.0, 1.0, group="scheme"),
         Control("states", "states", "27, averaged", choices=tuple(STATES), group="filter"),
         Control("latitude", "latitude, degrees", 37.5, -80.0, 80.0, 0.5, group="filter"),
-        Control("gyro", "gyro noise, 0.001 deg/√h", 5.0, 0.0, 50.0, 0.5, group="noise"),
+        Control("gyro", "gyro noise, 1e-3 °/√h", 5.0, 0.0, 50.0, 0.5, group="noise"),
         Control("accelerometer", "acc. noise, µg/√Hz", 5.0, 0.0, 100.0, 1.0, group="noise"),
         Control("velocity", "velocity noise, mm/s", 10.0, 1.0, 100.0, 1.0, group="noise"),
     )  # fmt: skip
@@ -153,9 +154,14 @@ class ObservabilityExplorer(Explorer):
         size = len(data.names)
         rows = [("rank", f"{size - data.dark} of {size}")]
         rows += [("in the dark", words) for words in data.words]
-        for name, deviation in zip(data.names[6:], data.after[6:], strict=True):
-            scale, unit = unit_of(name)
-            rows.append((name, f"{deviation / scale:.3g} {unit}"))
+        # One entry for each kind of error, so that the sliders stay close to the picture.
+        errors = zip(data.names[6:], data.after[6:], strict=True)
+        for kind, members in groupby(errors, key=lambda error: error[0].rsplit(" ", 1)[0]):
+            names, deviations = zip(*members, strict=True)
+            scale, unit = unit_of(names[0])
+            places = ", ".join(name.rsplit(" ", 1)[1] for name in names)
+            values = ", ".join(f"{deviation / scale:.2g}" for deviation in deviations)
+            rows.append((f"{kind} {places}", f"{values} {unit}"))
         return rows
 
     def call(self, values: Values) -> str:
@@ -210,7 +216,7 @@ class CalibrationRunExplorer(Explorer):
             ("estimate", f"{data.estimate[at] / size:.4f} {unit}"),
             ("true", f"{data.true / size:.4f} {unit}"),
             ("error", f"{(data.true - data.estimate[at]) / size:.4f} {unit}"),
-            ("three deviations", f"{3 * data.deviation[at] / size:.4f} {unit}"),
+            ("three deviations", f"{3 * data.deviation[at] / size:.4g} {unit}"),
         ]
 
     def call(self, values: Values) -> str:

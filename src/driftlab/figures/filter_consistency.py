@@ -103,7 +103,9 @@ class FilterConsistencyPicture(Picture[FilterConsistency]):
     def build(self) -> None:
         self.states, self.innovations, self.frames = self.figure.subplots(1, 3)
         self.figure.subplots_adjust(0.055, 0.26, 0.985, 0.91, wspace=0.22)
-        self.states.set(title="27 states", xlabel="time, minutes")
+        self.states.set(
+            title="27 states", xlabel="time, minutes", ylabel="mean over what it should be"
+        )
         self.innovations.set(title="innovations", xlabel="time, minutes")
         self.frames.set(title="27 states at the end", xscale="log", yscale="log")
         self.frames.set(xlabel="installation errors, arc seconds")
