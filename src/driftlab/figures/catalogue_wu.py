@@ -34,12 +34,13 @@ def _consistency_caption(data: filter_consistency.FilterConsistency) -> str:
     low, high = data.state_bounds
     inside = np.mean((data.states > low) & (data.states < high))
     return (
-        f"Calibrations of random units, {filter_consistency.RUNS} in the left and middle panels. Left: squared normalised errors "
-        f"of all states, each value of one; {inside:.0%} of the values lie within their bounds, "
-        "and neighbouring values hang together. Middle: the same of the innovations, "
-        f"{data.inside:.1%} within theirs. Right: {filter_consistency.RUNS_BY_FRAME} for each dot, at the end of a shorter "
-        "scheme, for units bent more and more. The linear filter becomes too sure of itself, and the choice of body axes "
-        "decides when."
+        f"Calibrations of random units, {filter_consistency.RUNS} in the left and middle panels. "
+        f"Left: squared normalised errors of all states, each value of one; {inside:.0%} of the "
+        "values lie within their bounds, and neighbouring values hang together. Middle: the same "
+        f"of the innovations, {data.inside:.1%} within theirs. Right: "
+        f"{filter_consistency.RUNS_BY_FRAME} for each dot, at the end of a shorter scheme, for "
+        "units bent more and more. The linear filter becomes too sure of itself, and the choice of "
+        "body axes decides when."
     )
 
 
@@ -65,8 +66,8 @@ ENTRIES = (
         split_triad.columns,
         lambda _: (
             "The gyro triad of a typical unit, and what each part of its error matrix alone would "
-            "do: change the lengths (too little here to be seen), close and open the angles, turn all "
-            "three axes together. Thin lines are the ideal axes. "
+            "do: change the lengths (too little here to be seen), close and open the angles, turn "
+            "all three axes together. Thin lines are the ideal axes. "
             f"Errors are drawn {split_triad.EXAGGERATION:g} times too large."
         ),
     ),
@@ -137,8 +138,8 @@ ENTRIES = (
         lambda _: (
             "The paper's Figs. 3 to 5, simulated from its description: the typical unit of "
             "this chapter, calibrated with either choice of body axes, navigates at rest. If each "
-            "computer starts from the true attitude of its own axes, the curves nearly are one. If both "
-            "start from the table's axes, each has its own distance to them as an initial error."
+            "computer starts from the true attitude of its own axes, the curves nearly are one. If "
+            "both start from the table's axes, each has its own distance to them as initial error."
         ),
     ),
     Entry(
