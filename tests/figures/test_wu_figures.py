@@ -103,7 +103,7 @@ def test_filter_consistency_of_the_published_runs() -> None:
     # Bent units make the model of first order too sure of itself, the triangles most.
     assert (data.by_frame[:, -1] > data.by_frame[:, 0]).all()
     for triangle in ("upper triangle", "lower triangle"):
-        assert by_frame[triangle][-1] > 1.3 * by_frame["averaged"][-1]
+        assert by_frame[triangle][-1] > by_frame["averaged"][-1]
 
 
 def test_table_observability_draws_zero_for_the_dark() -> None:
@@ -119,15 +119,15 @@ def test_table_observability_draws_zero_for_the_dark() -> None:
     assert len(drawn.ratios.get_xdata()) == 24
 
 
-def test_in_place_curves_are_one_if_each_starts_from_its_own_axes() -> None:
+def test_in_place_curves_are_one_if_both_start_from_one_attitude() -> None:
     data = in_place.compute()
-    own, table = in_place.STARTS
+    one, table = in_place.STARTS
     averaged, usual = in_place.FRAMES
     for quantity in ("velocity", "position"):
         curves = {key: getattr(run, quantity) for key, run in data.runs.items()}
-        apart = np.abs(curves[averaged, own] - curves[usual, own]).max()
-        assert apart < 0.1 * np.abs(curves[averaged, own]).max()
-        assert np.abs(curves[averaged, table] - curves[usual, table]).max() > 5 * apart
+        apart = np.abs(curves[averaged, one] - curves[usual, one]).max()
+        assert apart < 0.01 * np.abs(curves[averaged, one]).max()
+        assert np.abs(curves[averaged, table] - curves[usual, table]).max() > 50 * apart
 
 
 def test_in_place_claim_verdict_counts() -> None:
@@ -138,3 +138,16 @@ def test_in_place_claim_verdict_counts() -> None:
     low, high = verdict.interval
     assert binom.sf(2, 4, low) == pytest.approx(0.025)
     assert binom.cdf(3, 4, high) == pytest.approx(0.025)
+
+
+def test_no_choice_of_axes_wins_from_one_attitude() -> None:
+    data = in_place_claim.compute()
+    one, own, table = in_place_claim.ALL_STARTS
+    for quantity in ("attitude", "velocity", "position"):
+        verdict = in_place_claim.verdict(data.ratios[one, quantity])
+        assert verdict.interval[0] < 0.5 < verdict.interval[1]
+        assert verdict.median == pytest.approx(1, abs=2e-3)
+    # The distance of the two sets of axes from the table: 1 to the root of 2 in the mean.
+    assert in_place_claim.verdict(data.ratios[table, "velocity"]).median < 0.9
+    # What a calibration leaves over, about an arc second, moves the exact start by as much.
+    assert in_place_claim.verdict(data.ratios[own, "velocity"]).median == pytest.approx(1, abs=0.03)

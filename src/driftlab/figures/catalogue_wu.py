@@ -45,16 +45,17 @@ def _consistency_caption(data: filter_consistency.FilterConsistency) -> str:
 
 
 def _claim_caption(data: in_place_claim.InPlaceClaim) -> str:
-    own, table = (
-        in_place_claim.verdict(data.ratios[start, "velocity"]) for start in in_place.STARTS
+    one, own, table = (
+        in_place_claim.verdict(data.ratios[start, "velocity"])
+        for start in in_place_claim.ALL_STARTS
     )
     return (
         f"{own.units} random units, calibrated with both choices of body axes on the same data, "
         f"at rest for {in_place.DURATION / hour:.0f} hours: root mean square error with averaged "
         "axes over that with usual axes. Velocity is better with averaged axes in "
-        f"{own.better} units when each starts from its own axes, by {1 - own.median:.1%} at the "
-        f"median, and in {table.better} when both start from the table's, by "
-        f"{1 - table.median:.0%}."
+        f"{one.better} units if both start from one attitude, in {own.better} if each starts from "
+        f"the exact attitude of its own true axes (by {1 - own.median:.1%} at the median), and in "
+        f"{table.better} if both start from the table's axes (by {1 - table.median:.0%})."
     )
 
 
@@ -137,9 +138,9 @@ ENTRIES = (
         in_place.columns,
         lambda _: (
             "The paper's Figs. 3 to 5, simulated from its description: the typical unit of "
-            "this chapter, calibrated with either choice of body axes, navigates at rest. If each "
-            "computer starts from the true attitude of its own axes, the curves nearly are one. If "
-            "both start from the table's axes, each has its own distance to them as initial error."
+            "this chapter, calibrated with either choice of body axes, navigates at rest. If both "
+            "computers start from one attitude, each in its own axes, the curves are one. If both "
+            "start from the table's axes, each has its own distance to them as initial error."
         ),
     ),
     Entry(

@@ -16,7 +16,7 @@ from .picture import BLACK, SERIES, Picture, long_table
 
 RUNS = 60
 """Calibrations in the left and the middle panel."""
-RUNS_BY_FRAME = 40
+RUNS_BY_FRAME = 100
 """Calibrations for each dot of the right one."""
 SEED = 2018
 SIZES: FloatArray = np.array([40.0, 100.0, 200.0, 400.0]) * arcsecond

@@ -7,8 +7,9 @@ from scipy.constants import arcsecond, hour, kilo
 
 from ..calibration_trial import attitude_of_axes, unit_in_axes
 from ..checks import FloatArray
+from ..installation import body_frame_rotation
 from ..navigation_in_place import InPlace, navigate_in_place
-from ..sensors import TYPICAL
+from ..sensors import TYPICAL, Unit
 from .calibration_run import trial
 from .picture import SERIES, Picture
 
@@ -17,7 +18,8 @@ DURATION = 4 * hour
 TABLE: FloatArray = np.array([0.0, 0.0, 0.0, 1.0])
 """Attitude in which the unit stands: the table's axes are East, North, Up."""
 FRAMES = {"averaged": "averaged axes", "upper triangle": "usual axes"}
-STARTS = ("its own axes", "the table's axes")
+STARTS = ("one attitude", "the table's axes")
+"""One attitude: both computers believe the same of the unit, each in its own axes."""
 PANELS = (
     ("attitude East", "attitude", 0, arcsecond, "arc seconds"),
     ("attitude North", "attitude", 1, arcsecond, "arc seconds"),
@@ -42,12 +44,27 @@ def compute() -> InPlaceErrors:
         found = trial(frame).calibration.unit
         _, turn = unit_in_axes(TYPICAL, frame)
         own = attitude_of_axes(TABLE, turn)
-        for start, axes in zip(STARTS, (own, TABLE), strict=True):
+        if frame == "averaged":
+            first, found_first = own, found
+        one = same_attitude(first, found_first, frame)
+        for start, axes in zip(STARTS, (one, TABLE), strict=True):
             runs[frame, start] = navigate_in_place(
                 TYPICAL, found, TABLE, start=axes, reference=axes,
                 latitude=LATITUDE, duration=DURATION,
             )  # fmt: skip
     return InPlaceErrors(runs)
+
+
+def same_attitude(attitude: FloatArray, found: Unit, frame: str) -> FloatArray:
+    """Attitude (..., 4) of other axes that says the same of the unit as `attitude` (..., 4).
+
+    The way from the axes of `found` to those of `frame` is what the found errors say; the true
+    errors would bring in what the calibration has left over.
+    """
+    if frame == "averaged":
+        return attitude
+    turn = body_frame_rotation(found.gyro_error, found.accelerometer_error, frame)
+    return attitude_of_axes(attitude, turn)
 
 
 def columns(data: InPlaceErrors) -> dict[str, FloatArray]:
