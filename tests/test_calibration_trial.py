@@ -275,12 +275,13 @@ def test_unit_in_other_axes_says_the_same(gyro, accelerometer, frame, rate):
         "averaged": chosen - chosen.T,
         "lower triangle": np.tril(chosen, -1),
     }.get(frame, np.triu(chosen, 1))
-    np.testing.assert_allclose(left_out, 0, atol=32 * EPS)
+    # Rounding of a decomposition of order three, and of two products.
+    np.testing.assert_allclose(left_out, 0, atol=128 * EPS)
     # So the 21 numbers of the model are all of it.
     model = ERROR_MODELS[frame]
     whole = model.unit(model.state(turned))
     for one, other in zip(whole, turned, strict=True):
-        np.testing.assert_allclose(one, other, rtol=0, atol=32 * EPS)
+        np.testing.assert_allclose(one, other, rtol=0, atol=128 * EPS)
 
 
 def test_unit_in_its_own_axes_stays():

@@ -138,6 +138,7 @@ APART = {
     # Their arguments and answers are records of several arrays.
     strapdown.at_rest,
     strapdown.navigate,
+    strapdown.increment_rows,
     turntable.stand,
     turntable.turning_average,
     sensors.compensate,

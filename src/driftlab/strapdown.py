@@ -125,7 +125,7 @@ def navigate(
             f"interval: expected a positive time of at most {_LONGEST:g} s, got {interval!r}."
         )
     start = _checked(start)
-    angle, velocity = _rows(angle_increments, velocity_increments)
+    angle, velocity = increment_rows(angle_increments, velocity_increments)
     count = angle.shape[-2]
     if count % 2:
         raise ValueError(f"angle_increments: expected an even number of rows, got {count}.")
@@ -201,7 +201,8 @@ def _checked(state: Navigation) -> Navigation:
     return Navigation(checked_latitude(latitude), longitude, altitude, velocity, attitude)
 
 
-def _rows(angle: ArrayLike, velocity: ArrayLike) -> tuple[FloatArray, FloatArray]:
+def increment_rows(angle: ArrayLike, velocity: ArrayLike) -> tuple[FloatArray, FloatArray]:
+    """Return angle and velocity increments (..., n, 3) as arrays, refusing unlike numbers."""
     rows = []
     for name, value in (("angle_increments", angle), ("velocity_increments", velocity)):
         row = finite_array(value, name, 3)

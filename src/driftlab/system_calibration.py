@@ -20,7 +20,7 @@ from .error_growth import free_growth, process_noise, transition_of_increments
 from .error_model import ErrorModel
 from .quaternion import from_rotation_vector, multiply
 from .sensors import Noise, Spread, Unit, without_errors
-from .strapdown import at_rest, last_of, navigate
+from .strapdown import at_rest, increment_rows, last_of, navigate
 
 
 class Update(NamedTuple):
@@ -147,17 +147,11 @@ def calibrate(
         The history keeps each `keep`-th update, and the last.
     """
     place = float(checked_latitude(finite_number(latitude, "latitude")))
-    angle = finite_array(angle_increments, "angle_increments", 3)
-    velocity = finite_array(velocity_increments, "velocity_increments", 3)
+    angle, velocity = increment_rows(angle_increments, velocity_increments)
     reference = finite_array(reference_velocity, "reference_velocity", 3)
     attitude = unit_quaternions(start, "start")
     updates = reference.shape[-2] if reference.ndim > 1 else 0
-    count = angle.shape[-2] if angle.ndim > 1 else 0
-    if velocity.ndim < 2 or velocity.shape[-2] != count:
-        raise ValueError(
-            "angle_increments, velocity_increments: expected as many rows of both, "
-            f"got shapes {angle.shape} and {velocity.shape}."
-        )
+    count = angle.shape[-2]
     if updates == 0 or count % (2 * updates):
         raise ValueError(
             "reference_velocity: expected shape (..., updates, 3), with a number of updates that "
