@@ -22,6 +22,8 @@ from .quaternion import from_rotation_vector, multiply
 from .sensors import Noise, Spread, Unit, without_errors
 from .strapdown import at_rest, increment_rows, last_of, navigate
 
+_UNIT = np.eye(3)  # made once, for the many steps of a filter
+
 
 class Update(NamedTuple):
     """What one step of the filter gives."""
@@ -54,14 +56,14 @@ def kalman_step(
     The short form P - K H P needs half the work of Joseph's. Rounding makes it lopsided, and in
     filters with badly scaled states then negative, so it is made symmetric each time.
     """
-    predicted = transition @ covariance @ np.swapaxes(transition, -1, -2)
+    predicted = transition @ covariance @ transition.mT
     predicted += noise
     seen = predicted[..., 3:6]
-    innovation = seen[..., 3:6, :] + velocity_variance * np.eye(3)
+    innovation = seen[..., 3:6, :] + velocity_variance * _UNIT
     weights = np.linalg.inv(innovation)
     gain = seen @ weights
-    after = predicted - gain @ np.swapaxes(seen, -1, -2)
-    after = 0.5 * (after + np.swapaxes(after, -1, -2))
+    after = predicted - gain @ seen.mT
+    after = 0.5 * (after + after.mT)
     column = velocity_error[..., np.newaxis]
     correction = (gain @ column)[..., 0]
     surprise = (velocity_error[..., np.newaxis, :] @ weights @ column)[..., 0, 0]

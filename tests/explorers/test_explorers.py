@@ -20,7 +20,8 @@ from driftlab.explorers import (
     SplitExplorer,
     TurnCalibrationExplorer,
 )
-from driftlab.explorers.panel import ERROR_CLASS, Control, Explorer
+from driftlab.explorers.control import Control
+from driftlab.explorers.panel import ERROR_CLASS, Explorer
 from driftlab.figures import calibration_run
 from driftlab.figures.drift_by_symmetry import DriftBySymmetryPicture, compute
 from driftlab.observability import expected_covariance, passage

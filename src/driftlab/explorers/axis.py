@@ -4,7 +4,8 @@ import numpy as np
 
 from ..checks import FloatArray
 from ..drift import direction_from_angles
-from .panel import Control, Values
+from .control import Control
+from .panel import Values
 
 AXIS_CONTROLS = (
     Control("azimuth", "azimuth, degrees", 45.0, -180.0, 180.0, 1.0, group="axis of rotation"),

@@ -10,7 +10,8 @@ from ..larin_table import MISALIGNMENT
 from ..step_formulas import STEP_FORMULAS
 from ..turn_calibration import TurnExperiment
 from .axis import AXIS_CONTROLS, axis_code, axis_of
-from .panel import Control, Explorer, Values
+from .control import Control
+from .panel import Explorer, Values
 
 ARC_SECOND = float(np.radians(1 / 3600))
 

@@ -12,7 +12,6 @@ import html
 import io
 import traceback
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import ipywidgets as widgets
@@ -21,8 +20,8 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from PIL import Image
 
-from ..checks import finite_array
 from ..figures.picture import STYLE, Picture
+from .control import Control
 
 ERROR_CLASS = "driftlab-error"
 """HTML class of a traceback in a panel; the tests look for it."""
@@ -31,86 +30,6 @@ PIXEL_RATIO = 1.5
 """Pixels of the picture for one of the page, so that it is sharp on a dense screen."""
 
 Values = Mapping[str, Any]
-
-
-@dataclass(frozen=True)
-class Control:
-    """One quantity the reader can change.
-
-    Attributes
-    ----------
-    name : str
-        Key in the values handed to `Explorer.compute`.
-    label : str
-        What stands before the slider, with the unit.
-    start : float, int, bool or str
-        Value wherever a preset does not say another one. A bool makes a box to tick.
-    low, high, step : float
-        Range of a slider.
-    stops : sequence of float
-        For a slider that stops at these values only.
-    choices : sequence of str
-        For a menu in place of a slider.
-    examples : sequence of str
-        For a line of text in place of a slider; any text goes, these are good ones.
-    group : str
-        Heading of the column in which the control stands.
-    """
-
-    name: str
-    label: str
-    start: Any
-    low: float = 0.0
-    high: float = 1.0
-    step: float = 0.1
-    stops: Sequence[float] = ()
-    choices: Sequence[str] = ()
-    examples: Sequence[str] = ()
-    group: str = ""
-
-    @property
-    def options(self) -> Sequence[Any]:
-        """All values there are; empty for a range and for text."""
-        return (False, True) if isinstance(self.start, bool) else self.choices or self.stops
-
-    def widget(self) -> widgets.ValueWidget:
-        """Make the widget: a slider (whole-numbered if `start` is), a menu, a box or a text."""
-        common = {
-            "value": self.start,
-            "description": self.label,
-            "tooltip": self.label,
-            "style": {"description_width": "11em"},
-            "layout": {"width": "26em"},
-        }
-        if isinstance(self.start, bool):
-            # The label stands beside the box, not before it, so it needs no column of its own.
-            box = {**common, "style": {"description_width": "0"}, "layout": {"width": "auto"}}
-            return widgets.Checkbox(indent=False, **box)
-        if self.examples:
-            # Taken when the reader presses Enter or leaves the line, not at each letter.
-            wide = {**common, "layout": {"width": "52em"}}
-            return widgets.Text(continuous_update=False, **wide)
-        if self.choices:
-            return widgets.Dropdown(options=list(self.choices), **common)
-        if self.stops:
-            options = [(f"{stop:g}", stop) for stop in self.stops]
-            return widgets.SelectionSlider(options=options, **common)
-        kind = widgets.IntSlider if isinstance(self.start, int) else widgets.FloatSlider
-        return kind(min=self.low, max=self.high, step=self.step, **common)
-
-    def check(self, value: Any) -> None:
-        """Refuse a value that the widget would refuse or silently move."""
-        if self.options:
-            if value not in self.options:
-                listed = ", ".join(map(str, self.options))
-                raise ValueError(f"{self.name}: expected one of {listed}, got {value!r}.")
-        elif self.examples:
-            if not isinstance(value, str):
-                raise ValueError(f"{self.name}: expected text, got {value!r}.")
-        elif not self.low <= finite_array(value, self.name) <= self.high:
-            raise ValueError(
-                f"{self.name}: expected a number from {self.low} to {self.high}, got {value!r}."
-            )
 
 
 class Explorer(widgets.VBox):

@@ -8,7 +8,8 @@ from ..algorithm_table import ALGORITHMS
 from ..figures import algorithm_laboratory, cayley_map
 from ..motions import Motion
 from .axis import AXIS_CONTROLS, axis_code, axis_of
-from .panel import Control, Explorer, Values
+from .control import Control
+from .panel import Explorer, Values
 
 
 class CayleyMapExplorer(Explorer):

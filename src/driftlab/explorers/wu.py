@@ -13,7 +13,8 @@ from ..figures.calibration_errors import unit_of
 from ..installation import BODY_FRAMES
 from ..sensors import TYPICAL, Noise
 from ..turntable import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
-from .panel import Control, Explorer, Values
+from .control import Control
+from .panel import Explorer, Values
 
 PLACES = [(row, column) for row in range(3) for column in range(3)]
 

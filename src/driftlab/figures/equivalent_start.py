@@ -7,7 +7,7 @@ import numpy as np
 from ..attitude_algorithms import integrate
 from ..calibration_trial import attitude_error
 from ..checks import FloatArray
-from ..installation import skew_matrix, split
+from ..installation import misalignment_vector, skew_matrix, split
 from ..quaternion import conjugate, from_rotation_vector, multiply, rotate, rotation_angle
 from ..sensors import PERFECT, TYPICAL, Unit, measure
 from ..strapdown import Navigation, at_rest, navigate
@@ -42,8 +42,7 @@ def compute() -> EquivalentStart:
     times: FloatArray = 2 * INTERVAL * np.arange(1.0, steps + 1)
     parts = split(TYPICAL.gyro_error)
     tilts = [np.linalg.norm(_tilt(record, part), axis=-1) for part in parts]
-    skew = parts.misalignment
-    vector = np.array([skew[2, 1], skew[0, 2], skew[1, 0]])
+    vector = misalignment_vector(TYPICAL.gyro_error)
     there = rotate(_inertial(record), vector)
     begins = rotate(record.attitude[0], vector)
     tilts.append(np.linalg.norm(there - begins, axis=-1))

@@ -95,7 +95,7 @@ class InPlaceClaimPicture(Picture[InPlaceClaim]):
             panel.set(title=f"start from {start}", xscale="log", xlim=(0.3, 3.3), ylim=(0, 1))
             panel.set_xticks([0.3, 0.5, 1, 2, 3], ["0.3", "0.5", "1", "2", "3"])
             panel.minorticks_off()
-            panel.set_xlabel("error, averaged over usual axes")
+            panel.set_xlabel("error with averaged axes / with usual axes")
             panel.axvline(1.0, color=BLACK, linewidth=0.8)
             panel.axhline(0.5, color=GREY, linewidth=0.8)
         self.panels[0].set_ylabel("part of the units below")
