@@ -26,7 +26,15 @@ from .checks import (
     unit_quaternions,
     whole_number,
 )
-from .earth import EARTH_RATE, checked_latitude, geodetic, gravitation, position_vector
+from .earth import (
+    EARTH_RATE,
+    checked_latitude,
+    geodetic,
+    gravitation,
+    ground_velocity,
+    local_axes,
+    position_vector,
+)
 from .quaternion import conjugate, cumulative_product, multiply, rotate
 
 CHUNK = 40.0
@@ -133,7 +141,7 @@ def navigate(
         raise ValueError(
             f"every: expected an even divisor of the number of increments, {count}, got {every!r}."
         )
-    to_inertial = _from_local(start.latitude, np.zeros_like(start.longitude))
+    to_inertial = local_axes(start.latitude, np.zeros_like(start.longitude))
     first = multiply(to_inertial, start.attitude)[..., np.newaxis, :]
     attitude = multiply(first, cumulative_product(step_quaternions(angle, "two-step-4")))
     before = np.concatenate(
@@ -141,7 +149,7 @@ def navigate(
     )
     pushes = rotate(before, velocity_of_pairs(angle, velocity))
     position = position_vector(start.latitude, start.altitude)
-    speed = rotate(to_inertial, start.velocity) + _earth_cross(position)
+    speed = rotate(to_inertial, start.velocity) + ground_velocity(position)
     positions, speeds = np.empty_like(pushes), np.empty_like(pushes)
     size = max(1, int(CHUNK / (2 * seconds)))
     for begin in range(0, pushes.shape[-2], size):
@@ -253,7 +261,7 @@ def _at_altitude(
     """Inertial position and velocity (..., 3) put to an altitude, moving along the level."""
     latitude, longitude, found = geodetic(position)
     up = np.broadcast_to(np.array([0.0, 0.0, 1.0]), position.shape)
-    up = rotate(_from_local(latitude, longitude), up)
+    up = rotate(local_axes(latitude, longitude), up)
     climb = np.einsum("...i,...i->...", speed, up)
     return (
         position + (altitude - found)[..., np.newaxis] * up,
@@ -270,34 +278,12 @@ def _to_local(
 ) -> Navigation:
     """From inertial to local axes; `times` (n,) in s since the axes were one in longitude."""
     latitude, inertial_longitude, altitude = geodetic(position)
-    to_local = conjugate(_from_local(latitude, inertial_longitude))
+    to_local = conjugate(local_axes(latitude, inertial_longitude))
     longitude = start_longitude[..., np.newaxis] + inertial_longitude - EARTH_RATE * times
     return Navigation(
         latitude,
         (longitude + np.pi) % (2 * np.pi) - np.pi,
         altitude,
-        rotate(to_local, speed - _earth_cross(position)),
+        rotate(to_local, speed - ground_velocity(position)),
         multiply(to_local, attitude),
     )
-
-
-def _from_local(latitude: FloatArray, longitude: FloatArray) -> FloatArray:
-    """Quaternion (..., 4) from East, North, Up to Earth-centred axes."""
-    half_tilt, half_turn = np.pi / 4 - latitude / 2, np.pi / 4 + longitude / 2
-    sine_tilt, cosine_tilt = np.sin(half_tilt), np.cos(half_tilt)
-    sine_turn, cosine_turn = np.sin(half_turn), np.cos(half_turn)
-    return np.stack(
-        [
-            cosine_turn * sine_tilt,
-            sine_turn * sine_tilt,
-            sine_turn * cosine_tilt,
-            cosine_turn * cosine_tilt,
-        ],
-        axis=-1,
-    )
-
-
-def _earth_cross(position: FloatArray) -> FloatArray:
-    """Velocity (..., 3) of the turning Earth at a position (..., 3)."""
-    x, y, z = np.moveaxis(position, -1, 0)
-    return EARTH_RATE * np.stack([-y, x, np.zeros_like(z)], axis=-1)
