@@ -132,11 +132,10 @@ class TableTrial:
         lead = () if runs is None else (whole_number(runs, "runs"),)
         if unit is None:
             unit = random_units(self.spread, rng, *lead)
+        unit = checked_unit(unit)
         try:
-            unit = broadcast_unit(checked_unit(unit), *lead)
-        except ValueError as mismatch:
-            if "broadcast" not in str(mismatch):
-                raise
+            unit = broadcast_unit(unit, *lead)
+        except ValueError:
             raise ValueError(
                 f"unit, runs: expected leading axes that fit {runs!r} runs, got others."
             ) from None

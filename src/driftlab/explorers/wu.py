@@ -4,7 +4,7 @@ from itertools import groupby
 from typing import ClassVar
 
 import numpy as np
-from scipy.constants import arcsecond, degree, hour, micro
+from scipy.constants import arcsecond, degree, g, hour, micro
 
 from ..checks import FloatArray
 from ..error_model import ERROR_MODELS, FULL
@@ -141,7 +141,7 @@ class ObservabilityExplorer(Explorer):
     def compute(self, values: Values) -> table_observability.TableObservability:
         noise = Noise(
             values["gyro"] * 1e-3 * degree / float(np.sqrt(hour)),
-            values["accelerometer"] * micro * 9.80665,
+            values["accelerometer"] * micro * g,
             values["velocity"] * 1e-3,
         )
         return table_observability.compute(
