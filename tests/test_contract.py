@@ -19,6 +19,9 @@ from driftlab import (
     earth,
     error_growth,
     error_model,
+    gyrocompass,
+    gyrocompass_operation,
+    horizon_axes,
     installation,
     kinematics,
     motions,
@@ -29,6 +32,7 @@ from driftlab import (
     system_calibration,
     turn_calibration,
     turntable,
+    voyage,
     word_length,
 )
 
@@ -37,6 +41,8 @@ RATE, MEASURED = np.array([0.7, -1.1, 0.4]), np.array([0.72, -1.13, 0.37])
 BENT = np.array([[0.03, -0.08, 0.05], [0.09, -0.02, 0.07], [-0.06, 0.04, 0.01]])
 TIME = np.array(1.5)
 LATITUDE = np.array(0.7)
+PITCH = np.array(-0.4)
+LEVEL = np.array([11.0, -7.0])
 INCREMENTS = np.array([RATE, MEASURED, -RATE, RATE[[1, 2, 0]]])
 
 
@@ -126,6 +132,42 @@ CASES = {
     earth.curvature_radii: {"latitude": LATITUDE},
     earth.gravity: {"latitude": LATITUDE, "altitude": TIME},
     earth.position_vector: {"latitude": LATITUDE, "altitude": TIME},
+    horizon_axes.attitude_from_angles: {"heading": TIME, "pitch": PITCH, "roll": TIME},
+    horizon_axes.angles_from_attitude: {"attitude": Q},
+    horizon_axes.geographic_rate: {"latitude": LATITUDE, "velocity": LEVEL},
+    horizon_axes.heading_error_of_attitude: {
+        "attitude_error": RATE,
+        "heading": TIME,
+        "pitch": PITCH,
+    },
+    gyrocompass.sensed_at_rest: {"attitude": Q, "latitude": LATITUDE, "gravity": TIME},
+    gyrocompass.align: {"angular_rate": RATE, "specific_force": np.array([0.3, 0.5, -0.6])},
+    gyrocompass.alignment_errors: {
+        "heading": TIME,
+        "pitch": PITCH,
+        "latitude": LATITUDE,
+        "rate_error": RATE,
+        "force_error": MEASURED,
+        "gravity": TIME,
+    },
+    gyrocompass.alignment_attitude_error: {
+        "latitude": LATITUDE,
+        "rate_error": RATE,
+        "force_error": MEASURED,
+        "gravity": TIME,
+    },
+    gyrocompass.operating_heading_error: {
+        "latitude": LATITUDE,
+        "velocity": LEVEL,
+        "tilt": LEVEL,
+        "tilt_rate": LEVEL,
+        "drift": LEVEL,
+        "yaw_error": TIME,
+        "heading": TIME,
+        "pitch": PITCH,
+    },
+    gyrocompass.speed_deviation: {"latitude": LATITUDE, "velocity": LEVEL},
+    fixed(voyage.smooth_step, begin=0.5, duration=3.0): {"times": TIME},
 }
 # Tested where they belong.
 APART = {
@@ -148,6 +190,8 @@ APART = {
     calibration_trial.attitude_of_axes,
     calibration_trial.attitude_error,
     navigation_in_place.navigate_in_place,
+    gyrocompass_operation.operate,
+    voyage.voyage,
 }
 
 BAD = {
@@ -173,9 +217,15 @@ WITHOUT_AXES = (
     "sample_interval",
     "latitude",
     "altitude",
+    "heading",
+    "pitch",
+    "roll",
+    "yaw_error",
+    "gravity",
+    "times",
 )
-# To have no history is not bad.
-ALLOWED = [("history", "none")]
+# To have no history is not bad, and gravity is known where none is given.
+ALLOWED = [("history", "none"), ("gravity", "none")]
 
 every_function = pytest.mark.parametrize(
     ("function", "good"), CASES.items(), ids=[function.__name__ for function in CASES]
@@ -276,6 +326,10 @@ def test_no_function_of_arrays_is_forgotten():
         system_calibration,
         calibration_trial,
         navigation_in_place,
+        horizon_axes,
+        gyrocompass,
+        gyrocompass_operation,
+        voyage,
     ):
         for name, function in inspect.getmembers(module, inspect.isfunction):
             if function.__module__ == module.__name__ and not name.startswith("_"):

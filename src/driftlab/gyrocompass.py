@@ -1,0 +1,344 @@
+"""Plotnikov et al.: heading from gravity and the Earth's rotation, and its errors.
+
+Axes and angles are those of `driftlab.horizon_axes`, which are the paper's. The paper's formulas
+have no numbers. They are called by their subject here: (heading), (alignment heading), (alignment
+pitch), (alignment roll), (operating heading).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .checks import FloatArray, finite_arrays, lengths, nonzero_vectors, unit_quaternions
+from .earth import EARTH_RATE, checked_latitude
+from .earth import gravity as normal_gravity
+from .horizon_axes import (
+    EARTH_RADIUS,
+    attitude_from_angles,
+    geographic_rate,
+    pitch_and_roll,
+    refuse_vertical,
+)
+from .quaternion import conjugate, rotate
+
+_LEAST_COLATITUDE = np.radians(0.1)
+
+
+class Alignment(NamedTuple):
+    """What a body at rest can tell of itself, each (...), rad."""
+
+    heading: FloatArray
+    pitch: FloatArray
+    roll: FloatArray
+    latitude: FloatArray
+
+    @property
+    def attitude(self) -> FloatArray:
+        """Quaternion (..., 4), body to North, Up, East: well defined in every attitude."""
+        return attitude_from_angles(self.heading, self.pitch, self.roll)
+
+
+class AlignmentErrors(NamedTuple):
+    """First-order errors, computed minus true, each (...) unless said otherwise, rad.
+
+    Attributes
+    ----------
+    heading, pitch, roll, latitude : ndarray
+    heading_terms : ndarray, shape (..., 4)
+        The summands of `heading` in the paper's order: east gyro; east accelerometer by tan pitch;
+        north accelerometer by tan pitch; east accelerometer by tan latitude.
+    """
+
+    heading: FloatArray
+    pitch: FloatArray
+    roll: FloatArray
+    latitude: FloatArray
+    heading_terms: FloatArray
+
+
+def sensed_at_rest(
+    attitude: ArrayLike, latitude: ArrayLike, gravity: ArrayLike | None = None
+) -> tuple[FloatArray, FloatArray]:
+    """Angular rate and specific force, each (..., 3) in body axes, of a body at rest on the Earth.
+
+    Parameters
+    ----------
+    attitude : array_like, shape (..., 4)
+        Body to North, Up, East.
+    latitude : array_like, shape (...)
+        rad.
+    gravity : array_like, shape (...), optional
+        m/s^2; normal gravity of the latitude if not given.
+    """
+    body, place, pull = finite_arrays(
+        attitude=(unit_quaternions(attitude, "attitude"), 4),
+        latitude=(latitude,),
+        gravity=(normal_gravity(latitude) if gravity is None else gravity,),
+    )
+    lead = np.broadcast_shapes(body.shape[:-1], place.shape, pull.shape)
+    to_body = np.broadcast_to(conjugate(body), (*lead, 4))
+    up = pull[..., np.newaxis] * np.array([0.0, 1.0, 0.0])
+    return rotate(to_body, geographic_rate(place)), rotate(to_body, up)
+
+
+def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
+    """Heading, pitch, roll and latitude of a body at rest, from its own sensors alone.
+
+    Parameters
+    ----------
+    angular_rate, specific_force : array_like, shape (..., 3)
+        Means over the time of alignment, in body axes forward, up, right. Units do not matter:
+        only directions count.
+
+    Raises
+    ------
+    ValueError
+        If either is zero, or if they are parallel within 0.1 degrees as at a pole, where nothing
+        points North.
+    """
+    rate, force = finite_arrays(angular_rate=(angular_rate, 3), specific_force=(specific_force, 3))
+    (turn, _), (up, _) = (
+        nonzero_vectors(array, name)
+        for array, name in ((rate, "angular_rate"), (force, "specific_force"))
+    )
+    across = lengths(np.cross(turn, up))
+    if across.min() < np.sin(_LEAST_COLATITUDE):
+        raise ValueError(
+            "angular_rate, specific_force: expected directions more than 0.1 degrees from parallel,"
+            " because nothing points North at a pole, got an angle of "
+            f"{np.degrees(np.arcsin(across.min())):.3g} degrees."
+        )
+    latitude = np.arctan2(np.einsum("...i,...i->...", turn, up), across)
+    pitch, roll = pitch_and_roll(up)
+    along = turn[..., 1] * np.cos(roll) - turn[..., 2] * np.sin(roll)
+    forward = turn[..., 0] * np.cos(pitch) - along * np.sin(pitch)
+    right = turn[..., 1] * np.sin(roll) + turn[..., 2] * np.cos(roll)
+    return Alignment(*np.broadcast_arrays(np.arctan2(right, forward), pitch, roll, latitude))
+
+
+def alignment_errors(
+    heading: ArrayLike,
+    pitch: ArrayLike,
+    latitude: ArrayLike,
+    rate_error: ArrayLike,
+    force_error: ArrayLike,
+    gravity: ArrayLike | None = None,
+) -> AlignmentErrors:
+    """First-order errors of `align`; (alignment heading), (alignment pitch), (alignment roll).
+
+    The third term of the paper's heading error carries a factor tan(latitude) that does not belong
+    there; it is left out. The error of the latitude is not in the paper.
+
+    Parameters
+    ----------
+    heading, pitch, latitude : array_like, shape (...)
+        rad. The roll does not matter.
+    rate_error : array_like, shape (..., 3)
+        Drift rates of the gyros resolved in North, Up, East, rad/s.
+    force_error : array_like, shape (..., 3)
+        Zero offsets of the accelerometers, so resolved, m/s^2.
+    gravity : array_like, shape (...), optional
+        m/s^2; normal gravity of the latitude if not given.
+
+    Raises
+    ------
+    ValueError
+        Within 0.1 degrees of a pole, or of a vertical body: there heading and roll are not two
+        angles. `alignment_attitude_error` has no such limit.
+    """
+    heading, pitch, place, drift, offset, pull = _alignment_arguments(
+        latitude, rate_error, force_error, gravity, heading=(heading,), pitch=(pitch,)
+    )
+    refuse_vertical(pitch)
+    north, _, east = np.moveaxis(offset / pull[..., np.newaxis], -1, 0)
+    cosine, sine = np.cos(heading), np.sin(heading)
+    terms = np.stack(
+        np.broadcast_arrays(
+            drift[..., 2] / (EARTH_RATE * np.cos(place)),
+            east * cosine * np.tan(pitch),
+            north * sine * np.tan(pitch),
+            -east * np.tan(place),
+        ),
+        axis=-1,
+    )
+    across = drift[..., 1] * np.cos(place) - drift[..., 0] * np.sin(place)
+    return AlignmentErrors(
+        terms.sum(axis=-1),
+        north * cosine - east * sine,
+        -(east * cosine + north * sine) / np.cos(pitch),
+        north + across / EARTH_RATE,
+        terms,
+    )
+
+
+def alignment_attitude_error(
+    latitude: ArrayLike,
+    rate_error: ArrayLike,
+    force_error: ArrayLike,
+    gravity: ArrayLike | None = None,
+) -> FloatArray:
+    """First-order attitude error of `align`, as a rotation vector (..., 3) in North, Up, East, rad.
+
+    The computed attitude is the true one, then turned by this vector. It holds in every attitude,
+    the vertical included. Arguments as for `alignment_errors`.
+
+    Parameters
+    ----------
+    latitude : array_like, shape (...)
+    rate_error, force_error : array_like, shape (..., 3)
+    gravity : array_like, shape (...), optional
+    """
+    place, drift, offset, pull = _alignment_arguments(latitude, rate_error, force_error, gravity)
+    north, _, east = np.moveaxis(offset / pull[..., np.newaxis], -1, 0)
+    up = drift[..., 2] / (EARTH_RATE * np.cos(place)) - east * np.tan(place)
+    return np.stack(np.broadcast_arrays(-east, up, north), axis=-1)
+
+
+def _alignment_arguments(
+    latitude: ArrayLike,
+    rate_error: ArrayLike,
+    force_error: ArrayLike,
+    gravity: ArrayLike | None,
+    **angles: tuple[ArrayLike],
+) -> list[FloatArray]:
+    pull = normal_gravity(latitude) if gravity is None else gravity
+    arguments = finite_arrays(
+        **angles,
+        latitude=(latitude,),
+        rate_error=(rate_error, 3),
+        force_error=(force_error, 3),
+        gravity=(pull,),
+    )
+    checked_latitude(arguments[-4])
+    if (arguments[-1] <= 0).any():
+        raise ValueError(f"gravity: expected positive numbers, got {arguments[-1].min():g}.")
+    return arguments
+
+
+class OperatingHeadingError(NamedTuple):
+    """The terms of (operating heading), each (...), rad.
+
+    Attributes
+    ----------
+    east_rate, north_rate : ndarray
+        What errors of the horizon's rates about East and about North make of the compass angle.
+    yaw : ndarray
+        Minus the error of the yaw.
+    tilt : ndarray
+        The tilt of the horizon as it shows in a pitched body.
+    """
+
+    east_rate: FloatArray
+    north_rate: FloatArray
+    yaw: FloatArray
+    tilt: FloatArray
+
+    @property
+    def compass_angle(self) -> FloatArray:
+        """Error (...) of the compass angle Psi_K: the left-hand side of the formula."""
+        return self.east_rate + self.north_rate + self.yaw + self.tilt
+
+    @property
+    def heading(self) -> FloatArray:
+        """Error (...) of the heading Psi = psi + Psi_K: the errors of the yaw cancel."""
+        return self.east_rate + self.north_rate + self.tilt
+
+
+def operating_heading_error(
+    latitude: ArrayLike,
+    velocity: ArrayLike,
+    tilt: ArrayLike,
+    tilt_rate: ArrayLike,
+    drift: ArrayLike,
+    yaw_error: ArrayLike,
+    heading: ArrayLike,
+    pitch: ArrayLike,
+    radius: float = EARTH_RADIUS,
+) -> OperatingHeadingError:
+    """First-order heading error of the compass at work, term by term; (operating heading).
+
+    Parameters
+    ----------
+    latitude : array_like, shape (...)
+        rad.
+    velocity : array_like, shape (..., 2)
+        North and East, m/s.
+    tilt : array_like, shape (..., 2)
+        alpha and chi, rad: how far the modelled horizon is turned about North and about East.
+    tilt_rate : array_like, shape (..., 2)
+        Their derivatives, rad/s.
+    drift : array_like, shape (..., 2)
+        Drift rates of the gyros about North and about East, rad/s.
+    yaw_error : array_like, shape (...)
+        Error of psi, the yaw of the body in the modelled horizon, rad.
+    heading, pitch : array_like, shape (...)
+        rad; the pitch at most 89.9 degrees.
+    radius : float
+        Of the Earth, m.
+
+    Raises
+    ------
+    ValueError
+        Also if the horizon does not turn about any level axis: a body that moves West as fast as
+        the Earth moves East has no compass.
+    """
+    place, speed, tilts, tilt_rates, drifts, yaw, heading, pitch = finite_arrays(
+        latitude=(latitude,),
+        velocity=(velocity, 2),
+        tilt=(tilt, 2),
+        tilt_rate=(tilt_rate, 2),
+        drift=(drift, 2),
+        yaw_error=(yaw_error,),
+        heading=(heading,),
+        pitch=(pitch,),
+    )
+    refuse_vertical(pitch)
+    north, up, east = np.moveaxis(geographic_rate(place, speed, radius), -1, 0)
+    squared = _level_rate_squared(north, east)
+    (alpha, chi), (alpha_rate, chi_rate) = np.moveaxis(tilts, -1, 0), np.moveaxis(tilt_rates, -1, 0)
+    # Errors of the two level rates of the modelled horizon: its gyros drift, and its axes turn and
+    # are turned. The paper's denominator is R^2 times `squared`, and its v1 is -R times `east`.
+    east_error = chi_rate - alpha * up + drifts[..., 1]
+    north_error = alpha_rate + chi * up + drifts[..., 0]
+    terms = np.broadcast_arrays(
+        north * east_error / squared,
+        -east * north_error / squared,
+        -yaw,
+        (alpha * np.cos(heading) - chi * np.sin(heading)) * np.tan(pitch),
+    )
+    return OperatingHeadingError(*terms)
+
+
+def speed_deviation(
+    latitude: ArrayLike, velocity: ArrayLike, radius: float = EARTH_RADIUS
+) -> FloatArray:
+    """Angle (...) from North to what a moving compass takes for it, rad, positive about Up.
+
+    The compass finds the level part of the rate of the local axes, in which the ship's own way
+    round the Earth is contained. What it shows as heading is too large by this angle.
+
+    Parameters
+    ----------
+    latitude : array_like, shape (...)
+        rad.
+    velocity : array_like, shape (..., 2)
+        North and East, m/s.
+    radius : float
+        Of the Earth, m.
+    """
+    north, _, east = np.moveaxis(geographic_rate(latitude, velocity, radius), -1, 0)
+    _level_rate_squared(north, east)
+    return np.arctan2(east, north)
+
+
+def _level_rate_squared(north: FloatArray, east: FloatArray) -> FloatArray:
+    squared = north**2 + east**2
+    if squared.min() < (1e-6 * EARTH_RATE) ** 2:
+        raise ValueError(
+            "latitude, velocity: expected local axes that turn about a level axis, "
+            f"got a level rate of {np.sqrt(squared.min()):.1g} rad/s."
+        )
+    return squared

@@ -1,0 +1,275 @@
+"""The gyrocompass at work: quaternion equations in the horizontal frame, corrected by gravity.
+
+The computer carries a horizon, a frame eta that it keeps level. It integrates the quaternion from
+the body to the horizon, resolves the specific force W in the horizon, and turns the horizon after
+what it finds:
+
+    2 Lambda' = Lambda∘w - w_eta∘Lambda,
+    w_eta1 = k1 W3 + k2 ∫W3 dt,  w_eta3 = -k1 W1 - k2 ∫W1 dt,  w_eta2 given.
+
+The heading is the yaw of the body in the horizon plus the angle at which the level part of w_eta
+stands in it. The paper describes these equations and does not print them; they are reconstructed.
+Axes and angles are those of `driftlab.horizon_axes`.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .attitude_algorithms import cross
+from .checks import FloatArray, finite_arrays, finite_number, unit_quaternions, whole_number
+from .earth import EARTH_RATE
+from .gyrocompass import Alignment
+from .horizon_axes import EARTH_RADIUS, Angles, angles_from_attitude
+from .quaternion import from_rotation_vector
+from .strapdown import increment_rows
+
+
+class Tuning(NamedTuple):
+    """How the horizon follows the accelerometers.
+
+    Attributes
+    ----------
+    proportional : float
+        k1, rad/s for each m/s^2.
+    integral : float
+        k2, rad/s^2 for each m/s^2.
+    """
+
+    proportional: float
+    integral: float
+
+
+class Horizon(NamedTuple):
+    """State of the computer.
+
+    Attributes
+    ----------
+    attitude : ndarray, shape (..., 4)
+        Body to horizon.
+    rate : ndarray, shape (..., 2)
+        The integrals in the horizon's level rates w_eta1 and w_eta3, rad/s.
+    """
+
+    attitude: FloatArray
+    rate: FloatArray
+
+
+class Operation(NamedTuple):
+    """What the instrument computed, and the state in which it can go on.
+
+    Attributes
+    ----------
+    times : ndarray, shape (k,)
+        s from the start.
+    attitude : ndarray, shape (..., k, 4)
+        Body to horizon.
+    rate : ndarray, shape (..., k, 2)
+        Level rates w_eta1 and w_eta3 of the horizon, rad/s.
+    last : Horizon
+    """
+
+    times: FloatArray
+    attitude: FloatArray
+    rate: FloatArray
+    last: Horizon
+
+    @property
+    def yaw_pitch_roll(self) -> Angles:
+        """Angles (..., k) of the body in the horizon; the first is the yaw psi."""
+        return angles_from_attitude(self.attitude)
+
+    @property
+    def compass_angle(self) -> FloatArray:
+        """Psi_K (..., k), rad: from the compass's North to the horizon's first axis."""
+        return np.arctan2(self.rate[..., 1], self.rate[..., 0])
+
+    @property
+    def heading(self) -> FloatArray:
+        """Psi = psi + Psi_K (..., k), rad, from -pi to pi; (heading)."""
+        total = self.yaw_pitch_roll.heading + self.compass_angle
+        return np.arctan2(np.sin(total), np.cos(total))
+
+
+def schuler_tuning(radius: float = EARTH_RADIUS) -> Tuning:
+    """Tuning without ballistic error: k1 = 0 and k2 = 1/R, with the Earth's radius in m."""
+    if finite_number(radius, "radius") <= 0:
+        raise ValueError(f"radius: expected a positive number, got {radius!r}.")
+    return Tuning(0.0, 1 / radius)
+
+
+def damped_tuning(
+    natural_frequency: float, gravity: float, damping: float = float(np.sqrt(0.5))
+) -> Tuning:
+    """Tuning of a horizon that settles, for accelerated alignment: k2 = wn^2/g, k1 = 2 zeta wn/g.
+
+    Parameters
+    ----------
+    natural_frequency : float
+        wn, rad/s.
+    gravity : float
+        g, m/s^2.
+    damping : float
+        zeta, without unit.
+    """
+    sizes = {"natural_frequency": natural_frequency, "gravity": gravity, "damping": damping}
+    for name, value in sizes.items():
+        if finite_number(value, name) <= 0:
+            raise ValueError(f"{name}: expected a positive number, got {value!r}.")
+    return Tuning(2 * damping * natural_frequency / gravity, natural_frequency**2 / gravity)
+
+
+def horizon_of(alignment: Alignment) -> Horizon:
+    """Horizon (...) that begins as North, Up, East of a trigonometric alignment (...)."""
+    north = EARTH_RATE * np.cos(alignment.latitude)
+    return Horizon(alignment.attitude, np.stack([north, np.zeros_like(north)], axis=-1))
+
+
+def operate(
+    start: Horizon,
+    angle_increments: ArrayLike,
+    velocity_increments: ArrayLike,
+    interval: float,
+    tuning: Tuning,
+    azimuth_rate: ArrayLike,
+    *,
+    every: int = 1,
+) -> Operation:
+    """Carry the horizon along the increments of gyros and accelerometers.
+
+    Parameters
+    ----------
+    start : Horizon
+        State before the first increment, leading axes (...).
+    angle_increments, velocity_increments : array_like, shape (..., n, 3)
+        Integrals of angular rate (rad) and specific force (m/s) in body axes over equal intervals.
+    interval : float
+        s.
+    tuning : Tuning
+    azimuth_rate : array_like, shape (...)
+        w_eta2, rad/s: U sin(latitude), with the latitude from the alignment. On its own the
+        instrument has no better one; the heading does not depend on it to first order.
+    every : int
+        Increments between two results; a divisor of n.
+
+    Returns
+    -------
+    Operation
+        Results after each `every` increments.
+
+    Raises
+    ------
+    ValueError
+        Also if the tuning is too stiff for the interval: the horizon must follow slowly in it.
+    """
+    seconds = finite_number(interval, "interval")
+    if seconds <= 0:
+        raise ValueError(f"interval: expected a positive time, got {interval!r}.")
+    k1, k2 = (finite_number(value, name) for name, value in tuning._asdict().items())
+    # W is close to g times the tilt, so these are the loop's gain in one interval.
+    if max(k1 * 9.8 * seconds, k2 * 9.8 * seconds**2) > 1:
+        raise ValueError(
+            "tuning, interval: expected a horizon that follows slowly in one interval, "
+            f"got gains {k1 * 9.8 * seconds:.3g} and {k2 * 9.8 * seconds**2:.3g} of at most 1."
+        )
+    angle, velocity = increment_rows(angle_increments, velocity_increments)
+    count = angle.shape[-2]
+    if count % whole_number(every, "every"):
+        raise ValueError(
+            f"every: expected a divisor of the number of increments, {count}, got {every!r}."
+        )
+    attitude, rate, turn, *_ = finite_arrays(
+        attitude=(unit_quaternions(start.attitude, "attitude"), 4),
+        rate=(start.rate, 2),
+        azimuth_rate=(azimuth_rate,),
+        angle_increments=(angle, count, 3),
+        velocity_increments=(velocity, count, 3),
+    )
+    lead = np.broadcast_shapes(
+        attitude.shape[:-1], rate.shape[:-1], turn.shape, angle.shape[:-2], velocity.shape[:-2]
+    )
+    first = (
+        [np.broadcast_to(attitude[..., i], lead) for i in range(4)],
+        [np.broadcast_to(rate[..., i], lead) for i in range(2)],
+        np.broadcast_to(turn, lead),
+    )
+    quaternions = from_rotation_vector(angle)
+    force = force_at_start(angle, velocity) / seconds
+    rows = _integrate(first, _steps(quaternions, lead), _steps(force, lead), seconds, k1, k2, every)
+    found = np.moveaxis(np.array(rows), (0, 1), (-2, -1))  # (..., k, 8)
+    last = Horizon(found[..., -1, :4], found[..., -1, 6:])
+    times: FloatArray = seconds * every * np.arange(1.0, len(rows) + 1)
+    return Operation(times, found[..., :4], found[..., 4:6], last)
+
+
+def force_at_start(angle: FloatArray, velocity: FloatArray) -> FloatArray:
+    """Velocity increments (..., n, 3) in the body axes at the start of each interval.
+
+    The body turns at a constant rate while the force stands still in the body.
+    """
+    a, v = np.moveaxis(angle, -1, 0), np.moveaxis(velocity, -1, 0)
+    once = cross(a, v)
+    return np.moveaxis(v + once / 2 + cross(a, once) / 6, 0, -1)
+
+
+def _steps(values: FloatArray, lead: tuple[int, ...]) -> Any:
+    """Rows of components, step by step: lists of floats, or of arrays if there are leading axes."""
+    spread = np.broadcast_to(values, (*lead, *values.shape[-2:]))
+    # One run is done in Python's own floats, which are much faster than arrays of one number.
+    return spread.tolist() if not lead else np.moveaxis(spread, (-2, -1), (0, 1))
+
+
+def _integrate(
+    first: Any, turns: Any, forces: Any, interval: float, k1: float, k2: float, every: int
+) -> list[Any]:
+    """Rows of attitude, level rates, and their integrals, after each `every` steps.
+
+    All operations are plain arithmetic, so the same lines serve floats and arrays. In a step the
+    horizon goes halfway, looks at the force there, and goes all the way with what it has seen: a
+    leapfrog, which keeps the amplitude of an undamped oscillation.
+    """
+    (x, y, z, w), (i1, i3), u = first
+    if np.ndim(u) == 0:
+        x, y, z, w, i1, i3, u = map(float, (x, y, z, w, i1, i3, u))
+    half = 0.5 * interval
+    r1, r3 = i1, i3
+    rows = []
+    for number, ((a, b, c, d), (f1, f2, f3)) in enumerate(zip(turns, forces, strict=True), 1):
+        # The force in the horizon at the beginning of the step, v + 2 w q×v + 2 q×(q×v) ...
+        t1, t2, t3 = 2 * (y * f3 - z * f2), 2 * (z * f1 - x * f3), 2 * (x * f2 - y * f1)
+        g1 = f1 + w * t1 + y * t3 - z * t2
+        g2 = f2 + w * t2 + z * t1 - x * t3
+        g3 = f3 + w * t3 + x * t2 - y * t1
+        # ... and in the horizon of the middle, which has turned by half of its rates.
+        w1 = g1 - half * (u * g3 - r3 * g2)
+        w3 = g3 - half * (r1 * g2 - u * g1)
+        i1, i3 = i1 + half * k2 * w3, i3 - half * k2 * w1
+        r1, r3 = i1 + k1 * w3, i3 - k1 * w1
+        i1, i3 = i1 + half * k2 * w3, i3 - half * k2 * w1
+        # The body's turn on the right of the quaternion, ...
+        x, y, z, w = (
+            w * a + x * d + y * c - z * b,
+            w * b + y * d + z * a - x * c,
+            w * c + z * d + x * b - y * a,
+            w * d - x * a - y * b - z * c,
+        )
+        # ... the horizon's on the left, by series: it turns by little.
+        h1, h2, h3 = half * r1, half * u, half * r3
+        s = h1 * h1 + h2 * h2 + h3 * h3
+        small = 1 - s / 6
+        h1, h2, h3, h4 = h1 * small, h2 * small, h3 * small, 1 - s / 2 + s * s / 24
+        x, y, z, w = (
+            h4 * x - h1 * w - h2 * z + h3 * y,
+            h4 * y - h2 * w - h3 * x + h1 * z,
+            h4 * z - h3 * w - h1 * y + h2 * x,
+            h4 * w + h1 * x + h2 * y + h3 * z,
+        )
+        length = 1.5 - 0.5 * (x * x + y * y + z * z + w * w)
+        x, y, z, w = length * x, length * y, length * z, length * w
+        if number % every == 0:
+            # The integrals are those of the end of the step; r1, r3 belong to its middle.
+            rows.append((x, y, z, w, i1 + k1 * w3, i3 - k1 * w1, i1, i3))
+    return rows

@@ -1,0 +1,142 @@
+"""A vehicle under way on a spherical Earth: what ideal sensors integrate along a known motion.
+
+The motion is given at equally spaced times: level velocity, heading, pitch and roll. Between two
+times the velocity changes evenly and the body turns at a constant rate, so that the increments
+belong to the motion exactly, up to the square of the angle of one interval.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .checks import FloatArray, finite_arrays, finite_number
+from .earth import EARTH_RATE, checked_latitude, local_axes
+from .earth import gravity as normal_gravity
+from .horizon_axes import (
+    EARTH_RADIUS,
+    FROM_EAST_NORTH_UP,
+    attitude_from_angles,
+    geographic_rate,
+)
+from .quaternion import conjugate, from_rotation_vector, multiply, rotate, to_rotation_vector
+
+
+class Voyage(NamedTuple):
+    """True motion of a vehicle, and what ideal sensors integrate on board.
+
+    Attributes
+    ----------
+    interval : float
+        s.
+    angle_increments, velocity_increments : ndarray, shape (..., n, 3)
+        Of each interval, body axes, rad and m/s.
+    attitude : ndarray, shape (..., n + 1, 4)
+        Body to North, Up, East.
+    latitude : ndarray, shape (..., n + 1)
+        rad.
+    velocity : ndarray, shape (..., n + 1, 2)
+        North and East, m/s.
+    """
+
+    interval: float
+    angle_increments: FloatArray
+    velocity_increments: FloatArray
+    attitude: FloatArray
+    latitude: FloatArray
+    velocity: FloatArray
+
+    @property
+    def times(self) -> FloatArray:
+        """Times (n + 1,) in s from the start."""
+        return np.asarray(self.interval * np.arange(self.latitude.shape[-1]), np.float64)
+
+
+def voyage(
+    latitude: float,
+    velocity: ArrayLike,
+    heading: ArrayLike,
+    pitch: ArrayLike = 0.0,
+    roll: ArrayLike = 0.0,
+    *,
+    interval: float,
+    gravity: float | None = None,
+    radius: float = EARTH_RADIUS,
+) -> Voyage:
+    """Sensor increments of a vehicle that moves level over a sphere.
+
+    Parameters
+    ----------
+    latitude : float
+        At the start, rad.
+    velocity : array_like, shape (n + 1, 2)
+        North and East, m/s, at the ends of the intervals.
+    heading, pitch, roll : array_like, shape (n + 1,) or ()
+        rad, at the same times.
+    interval : float
+        s.
+    gravity : float, optional
+        m/s^2, the same all along the way; normal gravity of the start if not given.
+    radius : float
+        Of the Earth, m.
+
+    Raises
+    ------
+    ValueError
+        Also if the way comes within 0.1 degrees of a pole.
+    """
+    seconds = finite_number(interval, "interval")
+    if seconds <= 0:
+        raise ValueError(f"interval: expected a positive time, got {interval!r}.")
+    start = float(checked_latitude(finite_number(latitude, "latitude")))
+    speed, *angles = finite_arrays(
+        velocity=(velocity, 2), heading=(heading,), pitch=(pitch,), roll=(roll,)
+    )
+    if speed.ndim != 2 or len(speed) < 2:
+        raise ValueError(f"velocity: expected shape (n + 1, 2), n > 0, got shape {speed.shape}.")
+    attitude = attitude_from_angles(*(np.broadcast_to(a, len(speed)) for a in angles))
+    mean = 0.5 * (speed[1:] + speed[:-1])
+    place = start + seconds / radius * _sums(mean[:, 0])
+    checked_latitude(place)
+    middle = 0.5 * (place[1:] + place[:-1])
+    longitude = _sums(seconds * (mean[:, 1] / (radius * np.cos(middle)) + EARTH_RATE))
+    to_inertial = multiply(
+        multiply(local_axes(place, longitude), conjugate(FROM_EAST_NORTH_UP)), attitude
+    )
+    angle = to_rotation_vector(multiply(conjugate(to_inertial[:-1]), to_inertial[1:]))
+    pull = float(normal_gravity(start)) if gravity is None else finite_number(gravity, "gravity")
+    force = _specific_force(middle, mean, np.diff(speed, axis=0) / seconds, pull, radius)
+    halfway = multiply(to_inertial[:-1], from_rotation_vector(0.5 * angle))
+    # Local axes in the middle of the interval, at whose components the force is known.
+    centre = multiply(
+        local_axes(middle, 0.5 * (longitude[1:] + longitude[:-1])), conjugate(FROM_EAST_NORTH_UP)
+    )
+    push = seconds * rotate(multiply(conjugate(halfway), centre), force)
+    return Voyage(seconds, angle, push, attitude, place, speed)
+
+
+def _sums(values: FloatArray) -> FloatArray:
+    """Running sums (n + 1,) of values (n,), zero first."""
+    return np.concatenate([[0.0], np.cumsum(values)])
+
+
+def _specific_force(
+    latitude: FloatArray, velocity: FloatArray, rate: FloatArray, gravity: float, radius: float
+) -> FloatArray:
+    """Specific force (n, 3) in North, Up, East of a level motion with the velocity's `rate`."""
+    # Local axes turn with the Earth and along the way, and the velocity is one against the Earth.
+    turn = geographic_rate(latitude, velocity, radius) + geographic_rate(latitude)
+    moving = np.stack([velocity[:, 0], np.zeros(len(velocity)), velocity[:, 1]], axis=-1)
+    change = np.stack([rate[:, 0], np.full(len(rate), gravity), rate[:, 1]], axis=-1)
+    return change + np.cross(turn, moving)
+
+
+def smooth_step(times: ArrayLike, begin: float, duration: float) -> FloatArray:
+    """Rise (...) from 0 to 1 at times (...) in s, with continuous first and second derivatives."""
+    (time,) = finite_arrays(times=(times,))
+    if finite_number(duration, "duration") <= 0:
+        raise ValueError(f"duration: expected a positive time, got {duration!r}.")
+    x = np.clip((time - finite_number(begin, "begin")) / duration, 0.0, 1.0)
+    return x**3 * (10 - 15 * x + 6 * x**2)
