@@ -140,7 +140,7 @@ CASES = {
         "heading": TIME,
         "pitch": PITCH,
     },
-    gyrocompass.sensed_at_rest: {"attitude": Q, "latitude": LATITUDE, "gravity": TIME},
+    voyage.sensed_at_rest: {"attitude": Q, "latitude": LATITUDE, "gravity": TIME},
     gyrocompass.align: {"angular_rate": RATE, "specific_force": np.array([0.3, 0.5, -0.6])},
     gyrocompass.alignment_errors: {
         "heading": TIME,

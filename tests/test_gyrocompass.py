@@ -13,7 +13,6 @@ from driftlab.gyrocompass import (
     alignment_attitude_error,
     alignment_errors,
     operating_heading_error,
-    sensed_at_rest,
     speed_deviation,
 )
 from driftlab.horizon_axes import (
@@ -25,6 +24,7 @@ from driftlab.horizon_axes import (
     heading_error_of_attitude,
 )
 from driftlab.quaternion import conjugate, multiply, rotate, to_rotation_vector
+from driftlab.voyage import sensed_at_rest
 from support import order_of, quaternions, random_quaternions, same_rotation
 
 LATITUDE = np.radians(51.5)

@@ -8,7 +8,6 @@ from driftlab.gyrocompass import (
     align,
     alignment_errors,
     operating_heading_error,
-    sensed_at_rest,
     speed_deviation,
 )
 from driftlab.gyrocompass_operation import (
@@ -27,7 +26,7 @@ from driftlab.quaternion import (
     rotate,
     to_rotation_vector,
 )
-from driftlab.voyage import smooth_step, voyage
+from driftlab.voyage import sensed_at_rest, smooth_step, voyage
 
 LATITUDE = np.radians(51.5)
 GRAVITY = float(gravity(LATITUDE))

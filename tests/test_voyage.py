@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 
 from driftlab.earth import EARTH_RATE
-from driftlab.gyrocompass import sensed_at_rest
 from driftlab.horizon_axes import EARTH_RADIUS, attitude_from_angles, geographic_rate
 from driftlab.quaternion import conjugate, rotate
-from driftlab.voyage import smooth_step, voyage
+from driftlab.voyage import sensed_at_rest, smooth_step, voyage
 
 LATITUDE, GRAVITY = 0.9, 9.81
 

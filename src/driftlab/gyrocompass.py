@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_arrays, lengths, nonzero_vectors, unit_quaternions
+from .checks import FloatArray, finite_arrays, lengths, nonzero_vectors
 from .earth import EARTH_RATE, checked_latitude
 from .earth import gravity as normal_gravity
 from .horizon_axes import (
@@ -22,7 +22,6 @@ from .horizon_axes import (
     pitch_and_roll,
     refuse_vertical,
 )
-from .quaternion import conjugate, rotate
 
 _LEAST_COLATITUDE = np.radians(0.1)
 
@@ -57,31 +56,6 @@ class AlignmentErrors(NamedTuple):
     roll: FloatArray
     latitude: FloatArray
     heading_terms: FloatArray
-
-
-def sensed_at_rest(
-    attitude: ArrayLike, latitude: ArrayLike, gravity: ArrayLike | None = None
-) -> tuple[FloatArray, FloatArray]:
-    """Angular rate and specific force, each (..., 3) in body axes, of a body at rest on the Earth.
-
-    Parameters
-    ----------
-    attitude : array_like, shape (..., 4)
-        Body to North, Up, East.
-    latitude : array_like, shape (...)
-        rad.
-    gravity : array_like, shape (...), optional
-        m/s^2; normal gravity of the latitude if not given.
-    """
-    body, place, pull = finite_arrays(
-        attitude=(unit_quaternions(attitude, "attitude"), 4),
-        latitude=(latitude,),
-        gravity=(normal_gravity(latitude) if gravity is None else gravity,),
-    )
-    lead = np.broadcast_shapes(body.shape[:-1], place.shape, pull.shape)
-    to_body = np.broadcast_to(conjugate(body), (*lead, 4))
-    up = pull[..., np.newaxis] * np.array([0.0, 1.0, 0.0])
-    return rotate(to_body, geographic_rate(place)), rotate(to_body, up)
 
 
 def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:

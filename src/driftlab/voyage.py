@@ -1,6 +1,6 @@
-"""A vehicle under way on a spherical Earth: what ideal sensors integrate along a known motion.
+"""A vehicle on a spherical Earth, under way or at rest: what ideal sensors say on board.
 
-The motion is given at equally spaced times: level velocity, heading, pitch and roll. Between two
+A motion is given at equally spaced times: level velocity, heading, pitch and roll. Between two
 times the velocity changes evenly and the body turns at a constant rate, so that the increments
 belong to the motion exactly, up to the square of the angle of one interval.
 """
@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_arrays, finite_number
+from .checks import FloatArray, finite_arrays, finite_number, unit_quaternions
 from .earth import EARTH_RATE, checked_latitude, local_axes
 from .earth import gravity as normal_gravity
 from .horizon_axes import (
@@ -131,6 +131,31 @@ def _specific_force(
     moving = np.stack([velocity[:, 0], np.zeros(len(velocity)), velocity[:, 1]], axis=-1)
     change = np.stack([rate[:, 0], np.full(len(rate), gravity), rate[:, 1]], axis=-1)
     return change + np.cross(turn, moving)
+
+
+def sensed_at_rest(
+    attitude: ArrayLike, latitude: ArrayLike, gravity: ArrayLike | None = None
+) -> tuple[FloatArray, FloatArray]:
+    """Angular rate and specific force, each (..., 3) in body axes, of a body at rest on the Earth.
+
+    Parameters
+    ----------
+    attitude : array_like, shape (..., 4)
+        Body to North, Up, East.
+    latitude : array_like, shape (...)
+        rad.
+    gravity : array_like, shape (...), optional
+        m/s^2; normal gravity of the latitude if not given.
+    """
+    body, place, pull = finite_arrays(
+        attitude=(unit_quaternions(attitude, "attitude"), 4),
+        latitude=(latitude,),
+        gravity=(normal_gravity(latitude) if gravity is None else gravity,),
+    )
+    lead = np.broadcast_shapes(body.shape[:-1], place.shape, pull.shape)
+    to_body = np.broadcast_to(conjugate(body), (*lead, 4))
+    up = pull[..., np.newaxis] * np.array([0.0, 1.0, 0.0])
+    return rotate(to_body, geographic_rate(place)), rotate(to_body, up)
 
 
 def smooth_step(times: ArrayLike, begin: float, duration: float) -> FloatArray:
