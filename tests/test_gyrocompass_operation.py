@@ -384,7 +384,8 @@ GOOD = {
         ({"start": Horizon(np.ones(3), np.zeros(2))}, r"^attitude: expected shape \(..., 4\)"),
         ({"start": Horizon(np.ones(4), np.zeros(3))}, r"^rate: expected shape \(..., 2\)"),
         ({"start": Horizon(np.zeros(4), np.zeros(2))}, "^attitude: expected nonzero"),
-        ({"azimuth_rate": np.zeros(2), "angle_increments": np.zeros((3, 4, 3))}, "broadcast"),
+        ({"azimuth_rate": np.zeros(3)}, r"^azimuth_rate: expected shape \(..., 4\)"),
+        ({"azimuth_rate": np.zeros((2, 4)), "angle_increments": np.zeros((3, 4, 3))}, "broadcast"),
     ],
 )
 def test_refusals(arguments, words):

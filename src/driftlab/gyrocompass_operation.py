@@ -20,7 +20,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .attitude_algorithms import cross
-from .checks import FloatArray, finite_arrays, finite_number, unit_quaternions, whole_number
+from .checks import (
+    FloatArray,
+    finite_array,
+    finite_arrays,
+    finite_number,
+    unit_quaternions,
+    whole_number,
+)
 from .earth import EARTH_RATE
 from .gyrocompass import Alignment
 from .horizon_axes import EARTH_RADIUS, Angles, angles_from_attitude
@@ -122,6 +129,46 @@ def damped_tuning(
     return Tuning(2 * damping * natural_frequency / gravity, natural_frequency**2 / gravity)
 
 
+def settled_deviation(
+    angle_random_walk: float, natural_frequency: float, damping: float = float(np.sqrt(0.5))
+) -> float:
+    """Standard deviation in rad/s of the integrals `Horizon.rate` of a damped horizon under noise.
+
+    White gyro noise N passes a low-pass filter of second order: N sqrt(wn/(4 zeta)).
+
+    Parameters
+    ----------
+    angle_random_walk : float
+        N, rad/sqrt(s).
+    natural_frequency, damping : float
+        Of `damped_tuning`.
+    """
+    return float(angle_random_walk * np.sqrt(natural_frequency / (4 * damping)))
+
+
+def swing_deviation(
+    angle_random_walk: float, time: ArrayLike, gravity: float, radius: float = EARTH_RADIUS
+) -> FloatArray:
+    """Standard deviation (...) in rad/s of `Horizon.rate` under Schuler's tuning and white noise.
+
+    From a horizon without error: N ws sqrt(t/2 - sin(2 ws t)/(4 ws)) with ws^2 = g/R. Nothing
+    damps the swing, so it grows with the square root of the time.
+
+    Parameters
+    ----------
+    angle_random_walk : float
+        N, rad/sqrt(s).
+    time : array_like, shape (...)
+        s.
+    gravity, radius : float
+        g in m/s^2 and R in m.
+    """
+    t = finite_array(time, "time")
+    schuler = np.sqrt(gravity / radius)
+    swing = t / 2 - np.sin(2 * schuler * t) / (4 * schuler)
+    return np.asarray(angle_random_walk * schuler * np.sqrt(np.maximum(swing, 0.0)))
+
+
 def horizon_of(alignment: Alignment) -> Horizon:
     """Horizon (...) that begins as North, Up, East of a trigonometric alignment (...)."""
     north = EARTH_RATE * np.cos(alignment.latitude)
@@ -149,9 +196,9 @@ def operate(
     interval : float
         s.
     tuning : Tuning
-    azimuth_rate : array_like, shape (...)
-        w_eta2, rad/s: U sin(latitude), with the latitude from the alignment. On its own the
-        instrument has no better one; the heading does not depend on it to first order.
+    azimuth_rate : array_like, shape (..., n) or ()
+        w_eta2, rad/s, one for all intervals or one for each. On its own the instrument has no
+        better one than U sin(latitude), with the latitude from the alignment.
     every : int
         Increments between two results; a divisor of n.
 
@@ -184,25 +231,30 @@ def operate(
     attitude, rate, turn, *_ = finite_arrays(
         attitude=(unit_quaternions(start.attitude, "attitude"), 4),
         rate=(start.rate, 2),
-        azimuth_rate=(azimuth_rate,),
+        azimuth_rate=(_one_each(azimuth_rate, count), count),
         angle_increments=(angle, count, 3),
         velocity_increments=(velocity, count, 3),
     )
     lead = np.broadcast_shapes(
-        attitude.shape[:-1], rate.shape[:-1], turn.shape, angle.shape[:-2], velocity.shape[:-2]
+        attitude.shape[:-1], rate.shape[:-1], turn.shape[:-1], angle.shape[:-2], velocity.shape[:-2]
     )
-    first = (
-        [np.broadcast_to(attitude[..., i], lead) for i in range(4)],
-        [np.broadcast_to(rate[..., i], lead) for i in range(2)],
-        np.broadcast_to(turn, lead),
-    )
-    quaternions = from_rotation_vector(angle)
+    first = [
+        np.broadcast_to(values[..., i], lead)
+        for values, n in ((attitude, 4), (rate, 2))
+        for i in range(n)
+    ]
     force = force_at_start(angle, velocity) / seconds
-    rows = _integrate(first, _steps(quaternions, lead), _steps(force, lead), seconds, k1, k2, every)
+    steps = (_steps(part, lead) for part in (from_rotation_vector(angle), force, turn[..., None]))
+    rows = _integrate(first if lead else map(float, first), steps, seconds, k1, k2, every)
     found = np.moveaxis(np.array(rows), (0, 1), (-2, -1))  # (..., k, 8)
     last = Horizon(found[..., -1, :4], found[..., -1, 6:])
     times: FloatArray = seconds * every * np.arange(1.0, len(rows) + 1)
     return Operation(times, found[..., :4], found[..., 4:6], last)
+
+
+def _one_each(azimuth_rate: ArrayLike, count: int) -> FloatArray:
+    rate = finite_array(azimuth_rate, "azimuth_rate")
+    return np.broadcast_to(rate, count) if rate.ndim == 0 else rate
 
 
 def force_at_start(angle: FloatArray, velocity: FloatArray) -> FloatArray:
@@ -223,7 +275,7 @@ def _steps(values: FloatArray, lead: tuple[int, ...]) -> Any:
 
 
 def _integrate(
-    first: Any, turns: Any, forces: Any, interval: float, k1: float, k2: float, every: int
+    first: Any, steps: Any, interval: float, k1: float, k2: float, every: int
 ) -> list[Any]:
     """Rows of attitude, level rates, and their integrals, after each `every` steps.
 
@@ -231,13 +283,11 @@ def _integrate(
     horizon goes halfway, looks at the force there, and goes all the way with what it has seen: a
     leapfrog, which keeps the amplitude of an undamped oscillation.
     """
-    (x, y, z, w), (i1, i3), u = first
-    if np.ndim(u) == 0:
-        x, y, z, w, i1, i3, u = map(float, (x, y, z, w, i1, i3, u))
+    x, y, z, w, i1, i3 = first
     half = 0.5 * interval
     r1, r3 = i1, i3
     rows = []
-    for number, ((a, b, c, d), (f1, f2, f3)) in enumerate(zip(turns, forces, strict=True), 1):
+    for number, ((a, b, c, d), (f1, f2, f3), (u,)) in enumerate(zip(*steps, strict=True), 1):
         # The force in the horizon at the beginning of the step, v + 2 w q×v + 2 q×(q×v) ...
         t1, t2, t3 = 2 * (y * f3 - z * f2), 2 * (z * f1 - x * f3), 2 * (x * f2 - y * f1)
         g1 = f1 + w * t1 + y * t3 - z * t2

@@ -1,0 +1,178 @@
+"""One bent triad through all four papers: drift per turn, two calibrations, and the heading."""
+
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.constants import arcsecond, minute
+
+from ..algorithm_table import coning_drift
+from ..calibration_trial import TableTrial
+from ..checks import FloatArray, finite_array, finite_number
+from ..drift import drift_per_turn
+from ..gyrocompass import alignment_errors
+from ..horizon_axes import attitude_from_angles
+from ..installation import skew_matrix
+from ..quaternion import rotate
+from ..sensors import PERFECT
+from ..turn_calibration import PAIR_AXES, TurnExperiment
+from ..voyage import sensed_at_rest
+from .alignment_budget import LATITUDE
+from .operation import Operation, ship, take_along
+from .picture import SERIES, Picture
+
+STAGES = ("as built", "after turns", "after the filter")
+NON_ORTHOGONALITY: FloatArray = np.array([-30.0, 20.0, 30.0]) * arcsecond
+MISALIGNMENT: FloatArray = np.array([20.0, 25.0, 20.0]) * arcsecond
+AXES: FloatArray = np.vstack([np.eye(3), PAIR_AXES])
+"""Axes of the drift per turn: forward, up, right, and between each two."""
+AXIS_NAMES = ("f", "u", "r", "f+u", "f+r", "u+r")
+TURNS = TurnExperiment(turns=1, angle_noise=1.8 * arcsecond)
+"""Larin's test: a turn about each pair axis, with noise of 0.005 deg/sqrt(h) for 36 s."""
+CONING_FREQUENCY, SAMPLE_INTERVAL = 5.0, 0.01
+"""Of the shaking mount, Hz, and of the increments, s."""
+INTERVAL = 8.0
+"""Step of the voyage, s."""
+SEED = 11
+
+
+class Capstone(NamedTuple):
+    """What is left of one triad at three stages, and what it does."""
+
+    known: FloatArray  # (3, 6), rad: true errors, found by turns, found by the filter
+    per_turn: FloatArray  # (3, 6), rad: drift per turn about AXES
+    headings: FloatArray  # (n,), rad
+    aligned: FloatArray  # (3, n), rad: heading error after alignment
+    runs: tuple[Operation, ...]  # three
+
+
+def bent_triad(non_orthogonality: ArrayLike, misalignment: ArrayLike) -> FloatArray:
+    """Error matrix (3, 3) of gyros from its symmetric pairs xy, xz, yz and its turn, (3,) each."""
+    xy, xz, yz = finite_array(non_orthogonality, "non_orthogonality", 3)
+    symmetric = np.array([[0.0, xy, xz], [xy, 0.0, yz], [xz, yz, 0.0]])
+    return symmetric + skew_matrix(finite_array(misalignment, "misalignment", 3))
+
+
+def parts(matrix: FloatArray) -> FloatArray:
+    """Pairs xy, xz, yz and turn about x, y, z: six numbers of an error matrix (3, 3)."""
+    half = 0.5 * (matrix + matrix.T)
+    rest = 0.5 * (matrix - matrix.T)
+    return np.array([half[0, 1], half[0, 2], half[1, 2], rest[2, 1], rest[0, 2], rest[1, 0]])
+
+
+@cache
+def filter_leftover() -> FloatArray:
+    """What one real calibration of the default triad leaves, (3, 3): found minus true.
+
+    The filter works in axes that the accelerometers fix, so it finds how the gyros stand to them.
+    The noise it leaves does not depend on the bend to first order, so other bends get the same.
+    """
+    true = bent_triad(NON_ORTHOGONALITY, MISALIGNMENT)
+    unit = PERFECT._replace(gyro_error=true)
+    trial = TableTrial(frame="accelerometers").run(np.random.default_rng(SEED), unit=unit)
+    leftover: FloatArray = trial.calibration.unit.gyro_error - true
+    leftover.setflags(write=False)
+    return leftover
+
+
+def found_by_turns(bent: FloatArray) -> FloatArray:
+    """Symmetric pairs xy, xz, yz (3,) that one turn about each pair axis shows."""
+    return TURNS.estimate(bent, PAIR_AXES, np.random.default_rng(SEED))
+
+
+def compute(
+    non_orthogonality: ArrayLike = NON_ORTHOGONALITY,
+    misalignment: ArrayLike = MISALIGNMENT,
+    latitude: float = LATITUDE,
+    turn: float = float(np.radians(90.0)),
+    speed: float = 10.0,
+    half_angle: float = 0.0,
+    algorithm: str = "two-step-4",
+) -> Capstone:
+    """Follow a triad all the way.
+
+    Errors of the triad in rad; `turn` of the ship in rad; `half_angle` of a coning of the mount
+    about the right axis, rad, of which the attitude `algorithm` makes a drift.
+    """
+    bent = bent_triad(non_orthogonality, misalignment)
+    sigma = found_by_turns(bent)
+    by_turns = bent_triad(sigma, np.zeros(3))
+    leftover = filter_leftover()
+    left = np.stack([bent, bent - by_turns, -leftover])
+    cone = coning_drift(algorithm, finite_number(half_angle, "half_angle"), CONING_FREQUENCY,
+                        SAMPLE_INTERVAL)  # fmt: skip
+    shaken = np.array([0.0, 0.0, float(cone)])
+    headings = np.radians(np.arange(-180.0, 180.1, 10.0))
+    attitude = attitude_from_angles(headings, 0.0, 0.0)
+    rate, _ = sensed_at_rest(attitude, latitude)
+    drifts = rotate(attitude, rate @ np.swapaxes(left, -1, -2) + shaken)
+    aligned = alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
+    way = ship(latitude, speed, 0.0, turn, INTERVAL)
+    rates = way.angle_increments / way.interval
+    runs = tuple(take_along(way, rates @ error.T + shaken, np.zeros(3), log=True) for error in left)
+    return Capstone(
+        np.stack([parts(bent), parts(by_turns), parts(bent + leftover)]),
+        drift_per_turn(AXES, left[:, np.newaxis]),
+        headings,
+        aligned,
+        runs,
+    )
+
+
+def columns(data: Capstone) -> dict[str, FloatArray]:
+    """Columns of the figure's CSV: the heading under way, each four minutes."""
+    rows = slice(29, None, 30)
+    table = {"time_s": data.runs[0].times[rows]}
+    for stage, run in zip(STAGES, data.runs, strict=True):
+        table[f"heading_error_deg, {stage}"] = np.degrees(run.heading_error[rows]).round(6)
+    return table
+
+
+class CapstonePicture(Picture[Capstone]):
+    """What is known, what drifts, and what the heading has of it."""
+
+    size = (10.5, 5.8)
+
+    def build(self) -> None:
+        panels = self.figure.subplots(2, 2)
+        self.figure.subplots_adjust(0.065, 0.085, 0.985, 0.95, wspace=0.17, hspace=0.36)
+        known, turns, aligned, under_way = panels.ravel()
+        known.set(title="1 the bend and what is found of it, arc seconds", ylim=(-110, 110))
+        known.set_xticks(range(6), ["fu", "fr", "ur", "turn f", "turn u", "turn r"])
+        turns.set(title="2 drift in one turn about an axis, arc seconds", ylim=(-650, 650))
+        turns.set_xticks(range(6), AXIS_NAMES)
+        aligned.set(title="3 heading error after alignment, arc minutes", ylim=(-5, 5))
+        aligned.set(xlabel="heading, degrees", xlim=(-180, 180))
+        aligned.set_xticks(range(-180, 181, 60))
+        under_way.set(title="4 heading error under way, degrees", ylim=(-1, 1))
+        under_way.set(xlabel="time, minutes", xlim=(0, 120))
+        labels = ("true", "found by turns", "found by the filter")
+        self.known, self.turns = [], []
+        for i, (label, stage) in enumerate(zip(labels, STAGES, strict=True)):
+            places = np.arange(6) + 0.27 * (i - 1)
+            style = {"color": SERIES[i]["color"], "hatch": ("", "///", "...")[i]}
+            for panel, bars, words in (
+                (known, self.known, label), (turns, self.turns, stage)
+            ):  # fmt: skip
+                group = panel.bar(places, np.zeros(6), 0.25, edgecolor="white", label=words,
+                                  **style)  # fmt: skip
+                bars.append(group)
+                self.moving.extend(group)
+        self.aligned = [self.line(aligned, **SERIES[i]) for i in range(3)]
+        self.under_way = [
+            self.line(under_way, **SERIES[i], label=stage) for i, stage in enumerate(STAGES)
+        ]
+        known.legend(loc="upper right", ncols=3, fontsize=7.5)
+        turns.legend(loc="upper right", ncols=3, fontsize=7.5)
+        under_way.legend(loc="lower left", ncols=3, fontsize=7.5)
+
+    def update(self, data: Capstone) -> None:
+        for groups, rows in ((self.known, data.known), (self.turns, data.per_turn)):
+            for group, row in zip(groups, rows, strict=True):
+                for bar, value in zip(group, row / arcsecond, strict=True):
+                    bar.set_height(value)
+        for line, row in zip(self.aligned, data.aligned, strict=True):
+            line.set_data(np.degrees(data.headings), 60 * np.degrees(row))
+        for line, run in zip(self.under_way, data.runs, strict=True):
+            line.set_data(run.times / minute, np.degrees(run.heading_error))
