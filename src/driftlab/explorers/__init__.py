@@ -5,6 +5,7 @@ Show one as the last line of a notebook cell: ``DriftExplorer()``. `EXPLORERS` l
 
 from .larin import DriftExplorer, ErrorMotionExplorer, RootsExplorer, TurnCalibrationExplorer
 from .perelyaev_chelnokov import AlgorithmLaboratoryExplorer, CayleyMapExplorer
+from .plotnikov import AlignmentBudgetExplorer, CapstoneExplorer, GyrocompassExplorer
 from .wu import CalibrationRunExplorer, ObservabilityExplorer, SplitExplorer
 
 EXPLORERS = (
@@ -17,6 +18,9 @@ EXPLORERS = (
     SplitExplorer,
     ObservabilityExplorer,
     CalibrationRunExplorer,
+    AlignmentBudgetExplorer,
+    GyrocompassExplorer,
+    CapstoneExplorer,
 )
 
 __all__ = ["EXPLORERS", *(explorer.__name__ for explorer in EXPLORERS)]

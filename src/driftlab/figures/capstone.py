@@ -4,6 +4,8 @@ from functools import cache
 from typing import NamedTuple
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike
 from scipy.constants import arcsecond, minute
 
@@ -20,7 +22,7 @@ from ..turn_calibration import PAIR_AXES, TurnExperiment
 from ..voyage import sensed_at_rest
 from .alignment_budget import LATITUDE
 from .operation import Operation, ship, take_along
-from .picture import SERIES, Picture
+from .picture import BLACK, SERIES, Picture
 
 STAGES = ("as built", "after turns", "after the filter")
 NON_ORTHOGONALITY: FloatArray = np.array([-30.0, 20.0, 30.0]) * arcsecond
@@ -32,7 +34,7 @@ TURNS = TurnExperiment(turns=1, angle_noise=1.8 * arcsecond)
 """Larin's test: a turn about each pair axis, with noise of 0.005 deg/sqrt(h) for 36 s."""
 CONING_FREQUENCY, SAMPLE_INTERVAL = 5.0, 0.01
 """Of the shaking mount, Hz, and of the increments, s."""
-INTERVAL = 8.0
+INTERVAL = 12.0
 """Step of the voyage, s."""
 SEED = 11
 
@@ -70,7 +72,9 @@ def filter_leftover() -> FloatArray:
     """
     true = bent_triad(NON_ORTHOGONALITY, MISALIGNMENT)
     unit = PERFECT._replace(gyro_error=true)
-    trial = TableTrial(frame="accelerometers").run(np.random.default_rng(SEED), unit=unit)
+    trial = TableTrial(frame="accelerometers", sample_interval=0.1).run(
+        np.random.default_rng(SEED), unit=unit
+    )
     leftover: FloatArray = trial.calibration.unit.gyro_error - true
     leftover.setflags(write=False)
     return leftover
@@ -122,7 +126,7 @@ def compute(
 
 def columns(data: Capstone) -> dict[str, FloatArray]:
     """Columns of the figure's CSV: the heading under way, each four minutes."""
-    rows = slice(29, None, 30)
+    rows = slice(19, None, 20)
     table = {"time_s": data.runs[0].times[rows]}
     for stage, run in zip(STAGES, data.runs, strict=True):
         table[f"heading_error_deg, {stage}"] = np.degrees(run.heading_error[rows]).round(6)
@@ -132,15 +136,17 @@ def columns(data: Capstone) -> dict[str, FloatArray]:
 class CapstonePicture(Picture[Capstone]):
     """What is known, what drifts, and what the heading has of it."""
 
-    size = (10.5, 5.8)
+    size = (10.5, 5.2)
 
     def build(self) -> None:
         panels = self.figure.subplots(2, 2)
         self.figure.subplots_adjust(0.065, 0.085, 0.985, 0.95, wspace=0.17, hspace=0.36)
         known, turns, aligned, under_way = panels.ravel()
         known.set(title="1 the bend and what is found of it, arc seconds", ylim=(-110, 110))
+        known.axhline(0, color=BLACK, linewidth=0.8)
         known.set_xticks(range(6), ["fu", "fr", "ur", "turn f", "turn u", "turn r"])
         turns.set(title="2 drift in one turn about an axis, arc seconds", ylim=(-650, 650))
+        turns.axhline(0, color=BLACK, linewidth=0.8)
         turns.set_xticks(range(6), AXIS_NAMES)
         aligned.set(title="3 heading error after alignment, arc minutes", ylim=(-5, 5))
         aligned.set(xlabel="heading, degrees", xlim=(-180, 180))
@@ -148,17 +154,8 @@ class CapstonePicture(Picture[Capstone]):
         under_way.set(title="4 heading error under way, degrees", ylim=(-1, 1))
         under_way.set(xlabel="time, minutes", xlim=(0, 120))
         labels = ("true", "found by turns", "found by the filter")
-        self.known, self.turns = [], []
-        for i, (label, stage) in enumerate(zip(labels, STAGES, strict=True)):
-            places = np.arange(6) + 0.27 * (i - 1)
-            style = {"color": SERIES[i]["color"], "hatch": ("", "///", "...")[i]}
-            for panel, bars, words in (
-                (known, self.known, label), (turns, self.turns, stage)
-            ):  # fmt: skip
-                group = panel.bar(places, np.zeros(6), 0.25, edgecolor="white", label=words,
-                                  **style)  # fmt: skip
-                bars.append(group)
-                self.moving.extend(group)
+        self.known = [self._stems(known, i, label) for i, label in enumerate(labels)]
+        self.turns = [self._stems(turns, i, stage) for i, stage in enumerate(STAGES)]
         self.aligned = [self.line(aligned, **SERIES[i]) for i in range(3)]
         self.under_way = [
             self.line(under_way, **SERIES[i], label=stage) for i, stage in enumerate(STAGES)
@@ -167,11 +164,18 @@ class CapstonePicture(Picture[Capstone]):
         turns.legend(loc="upper right", ncols=3, fontsize=7.5)
         under_way.legend(loc="lower left", ncols=3, fontsize=7.5)
 
+    def _stems(self, panel: Axes, number: int, label: str) -> Line2D:
+        """Six stems with a marker, as one line that is broken between them."""
+        style = {"color": SERIES[number]["color"], "marker": "os^"[number], "markersize": 5.5}
+        line = self.line(panel, **style, linewidth=2.0, markevery=(1, 3), label=label)
+        line.set_xdata(np.repeat(np.arange(6) + 0.22 * (number - 1), 3))
+        return line
+
     def update(self, data: Capstone) -> None:
-        for groups, rows in ((self.known, data.known), (self.turns, data.per_turn)):
-            for group, row in zip(groups, rows, strict=True):
-                for bar, value in zip(group, row / arcsecond, strict=True):
-                    bar.set_height(value)
+        for lines, rows in ((self.known, data.known), (self.turns, data.per_turn)):
+            for line, row in zip(lines, rows, strict=True):
+                foot, gap = np.zeros(6), np.full(6, np.nan)
+                line.set_ydata(np.stack([foot, row / arcsecond, gap], axis=-1).ravel())
         for line, row in zip(self.aligned, data.aligned, strict=True):
             line.set_data(np.degrees(data.headings), 60 * np.degrees(row))
         for line, run in zip(self.under_way, data.runs, strict=True):

@@ -93,8 +93,8 @@ class RestartsPicture(Picture[Restarts]):
         )
         step = noise(WHITE[1]).interval / 60
         unit = degree / hour
-        second.plot(step * np.arange(0, len(data.raw), 5), data.raw[::5] / unit, color=GREY, linewidth=0.3,
-                    label="every fifth sample")  # fmt: skip
+        second.plot(step * np.arange(0, len(data.raw), 5), data.raw[::5] / unit, color=GREY,
+                    linewidth=0.3, label="every fifth sample")  # fmt: skip
         second.plot(step * (np.arange(len(data.averaged)) + WINDOW - 1), data.averaged / unit,
                     color=BLACK, label=f"mean of {WINDOW}")  # fmt: skip
         second.legend(loc="upper right", fontsize=8)
