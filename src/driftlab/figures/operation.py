@@ -215,8 +215,9 @@ class OperationPicture(Picture[Operation]):
         self.east = self.line(tilt, **SERIES[1], label="about East")
         self.yaw = self.line(halves, **SERIES[2], label="yaw psi")
         self.compass = self.line(halves, **SERIES[4], label="compass angle Psi_K")
-        for panel in panels:
+        for panel in (heading, tilt):
             panel.legend(loc="lower left")
+        halves.legend(loc="upper left")
 
     def update(self, data: Operation) -> None:
         minutes = data.times / minute
