@@ -135,6 +135,10 @@ CASES = {
     horizon_axes.attitude_from_angles: {"heading": TIME, "pitch": PITCH, "roll": TIME},
     horizon_axes.angles_from_attitude: {"attitude": Q},
     horizon_axes.geographic_rate: {"latitude": LATITUDE, "velocity": LEVEL},
+    horizon_axes.level_coriolis: {"latitude": LATITUDE, "velocity": LEVEL},
+    fixed(gyrocompass_operation.swing_deviation, angle_random_walk=1e-6, gravity=9.8): {
+        "time": TIME
+    },
     horizon_axes.heading_error_of_attitude: {
         "attitude_error": RATE,
         "heading": TIME,

@@ -299,6 +299,108 @@ def test_a_body_that_outruns_the_earth_has_no_compass():
         speed_deviation(LATITUDE, [0.0, west])
 
 
-def test_gravity_must_pull():
+@pytest.mark.parametrize("gravity", [0.0, -9.8, 1e-320])
+def test_gravity_must_pull(gravity):
     with pytest.raises(ValueError, match=r"^gravity: expected positive"):
-        alignment_errors(0.0, 0.0, LATITUDE, DRIFT, OFFSET, gravity=0.0)
+        alignment_errors(0.0, 0.0, LATITUDE, DRIFT, OFFSET, gravity=gravity)
+    with pytest.raises(ValueError, match=r"^gravity: expected positive"):
+        sensed_at_rest([0, 0, 0, 1], LATITUDE, gravity=[9.8, gravity])
+
+
+# One bad element among good ones, and both sides of each limit
+
+
+def test_one_bad_element_is_enough():
+    rate, force = np.array([[7e-5, 1e-5, 0], [0, 7e-5, 0]]), np.array([0, 9.8, 0])
+    with pytest.raises(ValueError, match=r"at a pole, got an angle of 0 degrees"):
+        align(rate, force)
+    with pytest.raises(ValueError, match=r"^gravity: expected positive"):
+        alignment_errors(0.0, 0.0, LATITUDE, DRIFT, OFFSET, gravity=[9.8, 0.0])
+    west = -EARTH_RADIUS * EARTH_RATE * np.cos(LATITUDE)
+    for velocity in ([[0.0, 0.0], [0.0, west]], [[0.0, west], [0.0, 0.0]]):
+        with pytest.raises(ValueError, match=r"^latitude, velocity: expected local axes"):
+            speed_deviation(LATITUDE, velocity)
+        with pytest.raises(ValueError, match=r"^latitude, velocity: expected local axes"):
+            operating_heading_error(LATITUDE, velocity, [0, 0], [0, 0], [0, 0], 0, 0, 0)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_the_limits_are_where_they_are_said_to_be(sign):
+    just_inside, just_outside = np.radians([89.899, 89.901])
+    rest = np.zeros((3, 2))
+    align(*sensed_at_rest([0, 0, 0, 1], sign * just_inside))
+    near_pole = 7e-5 * np.array([np.cos(just_outside), sign * np.sin(just_outside), 0])
+    with pytest.raises(ValueError, match=r"got an angle of 0\.099 degrees"):
+        align(near_pole, [0, 9.8, 0])
+    for formula in (
+        lambda pitch: alignment_errors(0.0, pitch, LATITUDE, DRIFT, OFFSET),
+        lambda pitch: heading_error_of_attitude([1e-3, 0, 0], 0.0, pitch),
+        lambda pitch: operating_heading_error(LATITUDE, [1.0, 2.0], *rest, 0.0, 0.0, pitch),
+    ):
+        formula(sign * just_inside)
+        with pytest.raises(ValueError, match=r"^pitch: expected at most 89.9 degrees"):
+            formula(sign * just_outside)
+
+
+def test_the_latitude_keeps_its_digits_near_the_pole():
+    place = np.radians(89.89)
+    found = align(*sensed_at_rest(attitude_from_angles(0.3, 0.4, 0.5), place))
+    assert found.latitude == pytest.approx(place, abs=1e-15)
+
+
+def test_every_field_has_all_the_leading_axes():
+    many = alignment_errors(np.zeros(3), 0.1, [[0.5], [0.6]], DRIFT, OFFSET)
+    assert [field.shape for field in many] == [(2, 3)] * 4 + [(2, 3, 4)]
+    assert all(field.flags.writeable for field in many)
+
+
+def test_quaternions_of_any_norm_are_attitudes():
+    attitude = attitude_from_angles(0.4, 0.3, 0.2)
+    for factor in (-1.0, 3.0, 1e-9, 1e150):
+        found = angles_from_attitude(factor * attitude)
+        assert np.allclose(found, (0.4, 0.3, 0.2), atol=1e-14)
+        rate, _ = sensed_at_rest(factor * attitude, LATITUDE)
+        assert np.linalg.norm(rate) == pytest.approx(EARTH_RATE)
+
+
+# The Earth's radius
+
+
+def test_the_mean_radius():
+    semi_major, semi_minor = 6378137.0, 6356752.314245
+    assert pytest.approx((2 * semi_major + semi_minor) / 3, rel=1e-12) == EARTH_RADIUS
+
+
+def test_any_radius_will_do():
+    velocity, radius = np.array([12.0, -30.0]), 3.4e6
+    north, up, east = geographic_rate(LATITUDE, velocity, radius)
+    assert north == pytest.approx(EARTH_RATE * np.cos(LATITUDE) - 30 / radius, rel=1e-14)
+    assert east == pytest.approx(-12 / radius, rel=1e-14)
+    expected = EARTH_RATE * np.sin(LATITUDE) - 30 / radius * np.tan(LATITUDE)
+    assert up == pytest.approx(expected, rel=1e-14)
+    assert speed_deviation(LATITUDE, velocity, radius) == pytest.approx(np.arctan2(east, north))
+    found = operating_heading_error(
+        LATITUDE, velocity, [1e-4, 2e-4], [0, 0], [0, 0], 0.0, 0.0, 0.0, radius
+    )
+    turned = np.cross([north, up, east], [1e-4, 0.0, 2e-4])
+    expected = (north * turned[2] - east * turned[0]) / (north**2 + east**2)
+    assert found.compass_angle == pytest.approx(expected, rel=1e-12)
+
+
+def test_who_outruns_the_earth_sees_north_behind():
+    # At latitude 80 the ground moves East at 80 m/s.
+    deviation = speed_deviation(np.radians(80.0), [10.0, -300.0])
+    assert abs(deviation) > np.pi / 2
+
+
+@pytest.mark.parametrize("radius", [0.0, -1.0, np.nan, np.inf])
+def test_a_radius_is_a_positive_number(radius):
+    for formula in (
+        lambda: geographic_rate(LATITUDE, [1.0, 2.0], radius),
+        lambda: speed_deviation(LATITUDE, [1.0, 2.0], radius),
+        lambda: operating_heading_error(
+            LATITUDE, [1.0, 2.0], [0, 0], [0, 0], [0, 0], 0, 0, 0, radius
+        ),
+    ):
+        with pytest.raises(ValueError, match=r"^radius: expected"):
+            formula()

@@ -5,7 +5,7 @@ import pytest
 
 from driftlab.earth import EARTH_RATE
 from driftlab.horizon_axes import EARTH_RADIUS, attitude_from_angles, geographic_rate
-from driftlab.quaternion import conjugate, rotate
+from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotate
 from driftlab.voyage import sensed_at_rest, smooth_step, voyage
 
 LATITUDE, GRAVITY = 0.9, 9.81
@@ -100,8 +100,13 @@ def test_smooth_step_rises_once():
         ({"velocity": np.zeros((2, 3, 2))}, r"^velocity: expected shape \(n \+ 1, 2\)"),
         ({"heading": np.zeros(3)}, "^velocity, heading, pitch, roll: expected leading axes"),
         ({"roll": np.nan}, "^roll: expected finite"),
-        ({"interval": 0.0}, "^interval: expected a positive time"),
+        ({"interval": 0.0}, "^interval: expected a positive number"),
         ({"gravity": np.inf}, "^gravity: expected finite"),
+        ({"gravity": -9.8}, "^gravity: expected a positive number"),
+        ({"radius": 0.0}, "^radius: expected a positive number"),
+        ({"radius": np.nan}, "^radius: expected finite"),
+        ({"heading": np.zeros((5, 1))}, r"^heading: expected shape \(n \+ 1,\)"),
+        ({"pitch": np.zeros((1, 5))}, r"^pitch: expected shape \(n \+ 1,\)"),
     ],
 )
 def test_refusals(arguments, words):
@@ -115,6 +120,43 @@ def test_a_way_over_the_pole_is_refused():
         voyage(1.5, np.broadcast_to([100.0, 0.0], (101, 2)), 0.0, interval=60.0)
 
 
-def test_smooth_step_refuses_a_jump():
-    with pytest.raises(ValueError, match=r"^duration: expected a positive time"):
+def test_any_radius_will_do():
+    """A small planet: everything that has R in it is larger."""
+    velocity, radius = np.broadcast_to([20.0, 30.0], (11, 2)), 1e5
+    found = voyage(0.5, velocity, 0.0, interval=1.0, gravity=GRAVITY, radius=radius)
+    assert found.latitude[-1] == pytest.approx(0.5 + 200.0 / radius)
+    middle = 0.5 * (found.latitude[1:] + found.latitude[:-1])
+    rate = geographic_rate(middle, velocity[1:], radius)
+    assert np.allclose(found.angle_increments, rate, rtol=1e-6)
+    turn = rate + geographic_rate(middle)
+    moving = np.array([20.0, 0.0, 30.0])
+    expected = np.array([0.0, GRAVITY, 0.0]) + np.cross(turn, moving)
+    assert np.allclose(found.velocity_increments, expected, rtol=0, atol=2e-6)
+
+
+def test_increments_of_a_turning_body_are_means_of_a_force_that_stands_still():
+    """Against a sum over many small parts of the interval; the angle is a large one."""
+    heading, pitch, roll = [0.0, 0.15], [0.0, 0.1], [0.0, -0.1]
+    # In a thousandth of a second the Earth turns by nothing that matters.
+    found = voyage(LATITUDE, np.zeros((2, 2)), heading, pitch, roll, interval=1e-3)
+    fractions = (np.arange(2000) + 0.5) / 2000
+    turned = from_rotation_vector(fractions[:, np.newaxis] * found.angle_increments[0])
+    body = multiply(found.attitude[0], turned)
+    force = sensed_at_rest(body, LATITUDE)[1].mean(axis=0)
+    angle = np.linalg.norm(found.angle_increments[0])
+    mean = found.velocity_increments[0] / 1e-3
+    assert np.allclose(mean, force, rtol=0, atol=9.8 * angle**4 / 200)
+
+
+def test_the_velocity_is_a_copy():
+    velocity = np.zeros((3, 2))
+    found = voyage(LATITUDE, velocity, 0.0, interval=1.0)
+    velocity[0] = 99.0
+    assert not found.velocity.any()
+
+
+def test_smooth_step_refuses_nonsense():
+    with pytest.raises(ValueError, match=r"^begin: expected finite"):
+        smooth_step(0.0, np.nan, 1.0)
+    with pytest.raises(ValueError, match=r"^duration: expected a positive number"):
         smooth_step(0.0, 0.0, 0.0)

@@ -110,6 +110,15 @@ def finite_number(value: ArrayLike, name: str) -> float:
     return float(number)
 
 
+def positive_number(value: ArrayLike, name: str) -> float:
+    """Return `value` as a float, refusing what is not one finite number above zero."""
+    number = finite_number(value, name)
+    # Below the smallest normal number its reciprocal overflows.
+    if number < np.finfo(float).tiny:
+        raise ValueError(f"{name}: expected a positive number, got {value!r}.")
+    return number
+
+
 def whole_number(value: int, name: str, least: int = 1) -> int:
     """Return `value` as an int, refusing what is not a whole number of at least `least`."""
     try:

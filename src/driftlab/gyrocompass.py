@@ -18,6 +18,7 @@ from .earth import gravity as normal_gravity
 from .horizon_axes import (
     EARTH_RADIUS,
     attitude_from_angles,
+    checked_gravity,
     geographic_rate,
     pitch_and_roll,
     refuse_vertical,
@@ -90,7 +91,8 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
     along = turn[..., 1] * np.cos(roll) - turn[..., 2] * np.sin(roll)
     forward = turn[..., 0] * np.cos(pitch) - along * np.sin(pitch)
     right = turn[..., 1] * np.sin(roll) + turn[..., 2] * np.cos(roll)
-    return Alignment(*np.broadcast_arrays(np.arctan2(right, forward), pitch, roll, latitude))
+    found = np.broadcast_arrays(np.arctan2(right, forward), pitch, roll, latitude)
+    return Alignment(*map(np.array, found))
 
 
 def alignment_errors(
@@ -121,7 +123,7 @@ def alignment_errors(
     ------
     ValueError
         Within 0.1 degrees of a pole, or of a vertical body: there heading and roll are not two
-        angles. `alignment_attitude_error` has no such limit.
+        angles. `alignment_attitude_error` has no limit in pitch.
     """
     heading, pitch, place, drift, offset, pull = _alignment_arguments(
         latitude, rate_error, force_error, gravity, heading=(heading,), pitch=(pitch,)
@@ -139,12 +141,18 @@ def alignment_errors(
         axis=-1,
     )
     across = drift[..., 1] * np.cos(place) - drift[..., 0] * np.sin(place)
-    return AlignmentErrors(
+    heading_error, pitch_error, roll_error, latitude_error = np.broadcast_arrays(
         terms.sum(axis=-1),
         north * cosine - east * sine,
         -(east * cosine + north * sine) / np.cos(pitch),
         north + across / EARTH_RATE,
-        terms,
+    )
+    return AlignmentErrors(
+        heading_error.copy(),
+        pitch_error.copy(),
+        roll_error.copy(),
+        latitude_error.copy(),
+        np.broadcast_to(terms, (*heading_error.shape, 4)).copy(),
     )
 
 
@@ -187,8 +195,7 @@ def _alignment_arguments(
         gravity=(pull,),
     )
     checked_latitude(arguments[-4])
-    if (arguments[-1] <= 0).any():
-        raise ValueError(f"gravity: expected positive numbers, got {arguments[-1].min():g}.")
+    checked_gravity(arguments[-1])
     return arguments
 
 
@@ -283,13 +290,13 @@ def operating_heading_error(
         -yaw,
         (alpha * np.cos(heading) - chi * np.sin(heading)) * np.tan(pitch),
     )
-    return OperatingHeadingError(*terms)
+    return OperatingHeadingError(*map(np.array, terms))
 
 
 def speed_deviation(
     latitude: ArrayLike, velocity: ArrayLike, radius: float = EARTH_RADIUS
 ) -> FloatArray:
-    """Angle (...) from North to what a moving compass takes for it, rad, positive about Up.
+    """Angle (...) from what a moving compass takes for North to North, rad, positive about Up.
 
     The compass finds the level part of the rate of the local axes, in which the ship's own way
     round the Earth is contained. What it shows as heading is too large by this angle.

@@ -7,9 +7,9 @@ what it finds:
     2 Lambda' = Lambda∘w - w_eta∘Lambda,
     w_eta1 = k1 W3 + k2 ∫W3 dt,  w_eta3 = -k1 W1 - k2 ∫W1 dt,  w_eta2 given.
 
-The heading is the yaw of the body in the horizon plus the angle at which the level part of w_eta
-stands in it. The paper describes these equations and does not print them; they are reconstructed.
-Axes and angles are those of `driftlab.horizon_axes`.
+The heading is the yaw of the body in the horizon plus the angle from the level part of w_eta to the
+horizon's first axis. The paper describes these equations and does not print them; they are
+reconstructed. Axes and angles are those of `driftlab.horizon_axes`.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ from .checks import (
     finite_array,
     finite_arrays,
     finite_number,
+    positive_number,
     unit_quaternions,
     whole_number,
 )
@@ -33,6 +34,8 @@ from .gyrocompass import Alignment
 from .horizon_axes import EARTH_RADIUS, Angles, angles_from_attitude
 from .quaternion import from_rotation_vector
 from .strapdown import increment_rows
+
+_MOST_TURN = 0.1  # rad in one interval, for which the series of a turn is exact to 1e-11
 
 
 class Tuning(NamedTuple):
@@ -75,7 +78,8 @@ class Operation(NamedTuple):
     attitude : ndarray, shape (..., k, 4)
         Body to horizon.
     rate : ndarray, shape (..., k, 2)
-        Level rates w_eta1 and w_eta3 of the horizon, rad/s.
+        Level rates w_eta1 and w_eta3 of the horizon, rad/s: the integrals at these times, and the
+        proportional part as its mean over the last interval.
     last : Horizon
     """
 
@@ -103,9 +107,7 @@ class Operation(NamedTuple):
 
 def schuler_tuning(radius: float = EARTH_RADIUS) -> Tuning:
     """Tuning without ballistic error: k1 = 0 and k2 = 1/R, with the Earth's radius in m."""
-    if finite_number(radius, "radius") <= 0:
-        raise ValueError(f"radius: expected a positive number, got {radius!r}.")
-    return Tuning(0.0, 1 / radius)
+    return Tuning(0.0, 1 / positive_number(radius, "radius"))
 
 
 def damped_tuning(
@@ -122,11 +124,9 @@ def damped_tuning(
     damping : float
         zeta, without unit.
     """
-    sizes = {"natural_frequency": natural_frequency, "gravity": gravity, "damping": damping}
-    for name, value in sizes.items():
-        if finite_number(value, name) <= 0:
-            raise ValueError(f"{name}: expected a positive number, got {value!r}.")
-    return Tuning(2 * damping * natural_frequency / gravity, natural_frequency**2 / gravity)
+    frequency = positive_number(natural_frequency, "natural_frequency")
+    pull, ratio = positive_number(gravity, "gravity"), positive_number(damping, "damping")
+    return Tuning(2 * ratio * frequency / pull, frequency * frequency / pull)
 
 
 def settled_deviation(
@@ -143,7 +143,10 @@ def settled_deviation(
     natural_frequency, damping : float
         Of `damped_tuning`.
     """
-    return float(angle_random_walk * np.sqrt(natural_frequency / (4 * damping)))
+    frequency = positive_number(natural_frequency, "natural_frequency")
+    ratio = positive_number(damping, "damping")
+    walk = finite_number(angle_random_walk, "angle_random_walk")
+    return float(walk * np.sqrt(frequency / (4 * ratio)))
 
 
 def swing_deviation(
@@ -164,9 +167,10 @@ def swing_deviation(
         g in m/s^2 and R in m.
     """
     t = finite_array(time, "time")
-    schuler = np.sqrt(gravity / radius)
+    walk = finite_number(angle_random_walk, "angle_random_walk")
+    schuler = np.sqrt(positive_number(gravity, "gravity") / positive_number(radius, "radius"))
     swing = t / 2 - np.sin(2 * schuler * t) / (4 * schuler)
-    return np.asarray(angle_random_walk * schuler * np.sqrt(np.maximum(swing, 0.0)))
+    return np.asarray(walk * schuler * np.sqrt(np.maximum(swing, 0.0)))
 
 
 def horizon_of(alignment: Alignment) -> Horizon:
@@ -197,8 +201,8 @@ def operate(
         s.
     tuning : Tuning
     azimuth_rate : array_like, shape (..., n) or ()
-        w_eta2, rad/s, one for all intervals or one for each. On its own the instrument has no
-        better one than U sin(latitude), with the latitude from the alignment.
+        w_eta2, rad/s, one for all intervals or one for each. Without a log it is U sin(latitude),
+        with the latitude from the alignment. An error of it acts like a drift about Up.
     every : int
         Increments between two results; a divisor of n.
 
@@ -212,15 +216,14 @@ def operate(
     ValueError
         Also if the tuning is too stiff for the interval: the horizon must follow slowly in it.
     """
-    seconds = finite_number(interval, "interval")
-    if seconds <= 0:
-        raise ValueError(f"interval: expected a positive time, got {interval!r}.")
+    seconds = positive_number(interval, "interval")
     k1, k2 = (finite_number(value, name) for name, value in tuning._asdict().items())
-    # W is close to g times the tilt, so these are the loop's gain in one interval.
-    if max(k1 * 9.8 * seconds, k2 * 9.8 * seconds**2) > 1:
+    # W is close to g times the tilt, so these are the loop's gains in one interval.
+    gains = 9.8 * np.array([k1 * seconds, k2 * seconds**2])
+    if not (gains.min() >= 0 and gains.max() <= 1):
         raise ValueError(
-            "tuning, interval: expected a horizon that follows slowly in one interval, "
-            f"got gains {k1 * 9.8 * seconds:.3g} and {k2 * 9.8 * seconds**2:.3g} of at most 1."
+            "tuning, interval: expected a horizon that follows slowly in one interval, with gains "
+            f"k1 g h and k2 g h^2 from 0 to 1, got {gains[0]:.3g} and {gains[1]:.3g}."
         )
     angle, velocity = increment_rows(angle_increments, velocity_increments)
     count = angle.shape[-2]
@@ -238,6 +241,12 @@ def operate(
     lead = np.broadcast_shapes(
         attitude.shape[:-1], rate.shape[:-1], turn.shape[:-1], angle.shape[:-2], velocity.shape[:-2]
     )
+    for name, values in (("rate", rate), ("azimuth_rate", turn)):
+        if seconds * np.abs(values).max() > _MOST_TURN:
+            raise ValueError(
+                f"{name}: expected rad/s that turn the horizon by at most {_MOST_TURN:g} rad in "
+                f"one interval, got {np.abs(values).max():.3g} rad/s for {seconds:g} s."
+            )
     first = [
         np.broadcast_to(values[..., i], lead)
         for values, n in ((attitude, 4), (rate, 2))
@@ -247,6 +256,11 @@ def operate(
     steps = (_steps(part, lead) for part in (from_rotation_vector(angle), force, turn[..., None]))
     rows = _integrate(first if lead else map(float, first), steps, seconds, k1, k2, every)
     found = np.moveaxis(np.array(rows), (0, 1), (-2, -1))  # (..., k, 8)
+    if not np.isfinite(found).all():
+        raise ValueError(
+            "angle_increments, velocity_increments: expected increments that a horizon can follow, "
+            f"got up to {np.abs(angle).max():.3g} rad and {np.abs(velocity).max():.3g} m/s."
+        )
     last = Horizon(found[..., -1, :4], found[..., -1, 6:])
     times: FloatArray = seconds * every * np.arange(1.0, len(rows) + 1)
     return Operation(times, found[..., :4], found[..., 4:6], last)
@@ -260,11 +274,12 @@ def _one_each(azimuth_rate: ArrayLike, count: int) -> FloatArray:
 def force_at_start(angle: FloatArray, velocity: FloatArray) -> FloatArray:
     """Velocity increments (..., n, 3) in the body axes at the start of each interval.
 
-    The body turns at a constant rate while the force stands still in the body.
+    The body turns at a constant rate while the force, most of which is gravity, stands still in
+    space.
     """
     a, v = np.moveaxis(angle, -1, 0), np.moveaxis(velocity, -1, 0)
     once = cross(a, v)
-    return np.moveaxis(v + once / 2 + cross(a, once) / 6, 0, -1)
+    return np.moveaxis(v + once / 2 + cross(a, once) / 12, 0, -1)
 
 
 def _steps(values: FloatArray, lead: tuple[int, ...]) -> Any:
@@ -285,7 +300,6 @@ def _integrate(
     """
     x, y, z, w, i1, i3 = first
     half = 0.5 * interval
-    r1, r3 = i1, i3
     rows = []
     for number, ((a, b, c, d), (f1, f2, f3), (u,)) in enumerate(zip(*steps, strict=True), 1):
         # The force in the horizon at the beginning of the step, v + 2 w q×v + 2 q×(q×v) ...
@@ -293,9 +307,11 @@ def _integrate(
         g1 = f1 + w * t1 + y * t3 - z * t2
         g2 = f2 + w * t2 + z * t1 - x * t3
         g3 = f3 + w * t3 + x * t2 - y * t1
-        # ... and in the horizon of the middle, which has turned by half of its rates.
-        w1 = g1 - half * (u * g3 - r3 * g2)
-        w3 = g3 - half * (r1 * g2 - u * g1)
+        # ... and in the horizon of the middle. It has turned by half of the integrals' rates and,
+        # solved for the force there, by half of the proportional part.
+        share = 1 / (1 + half * k1 * g2)
+        w1 = share * (g1 - half * (u * g3 - i3 * g2))
+        w3 = share * (g3 - half * (i1 * g2 - u * g1))
         i1, i3 = i1 + half * k2 * w3, i3 - half * k2 * w1
         r1, r3 = i1 + k1 * w3, i3 - k1 * w1
         i1, i3 = i1 + half * k2 * w3, i3 - half * k2 * w1
@@ -309,7 +325,7 @@ def _integrate(
         # ... the horizon's on the left, by series: it turns by little.
         h1, h2, h3 = half * r1, half * u, half * r3
         s = h1 * h1 + h2 * h2 + h3 * h3
-        small = 1 - s / 6
+        small = 1 - s / 6 + s * s / 120
         h1, h2, h3, h4 = h1 * small, h2 * small, h3 * small, 1 - s / 2 + s * s / 24
         x, y, z, w = (
             h4 * x - h1 * w - h2 * z + h3 * y,

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_arrays, unit_quaternions
+from .checks import FloatArray, finite_arrays, positive_number, unit_quaternions
 from .earth import EARTH_RATE, FLATTENING, SEMI_MAJOR_AXIS, checked_latitude
 from .quaternion import conjugate, rotate
 
@@ -50,7 +50,8 @@ def geographic_rate(
     """
     place, speed = finite_arrays(latitude=(latitude,), velocity=(velocity, 2))
     checked_latitude(place)
-    north, east = speed[..., 0] / radius, speed[..., 1] / radius
+    speed = speed / positive_number(radius, "radius")
+    north, east = speed[..., 0], speed[..., 1]
     return np.stack(
         np.broadcast_arrays(
             EARTH_RATE * np.cos(place) + east,
@@ -152,3 +153,10 @@ def heading_error_of_attitude(
     refuse_vertical(pitch)
     across = error[..., 0] * np.cos(heading) - error[..., 2] * np.sin(heading)
     return error[..., 1] - across * np.tan(pitch)
+
+
+def checked_gravity(gravity: FloatArray) -> FloatArray:
+    """Return gravity (...) in m/s^2, refusing what does not pull."""
+    if gravity.min() < np.finfo(float).tiny:
+        raise ValueError(f"gravity: expected positive numbers, got {gravity.min():g}.")
+    return gravity

@@ -12,13 +12,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_arrays, finite_number, unit_quaternions
+from .checks import FloatArray, finite_arrays, finite_number, positive_number, unit_quaternions
 from .earth import EARTH_RATE, checked_latitude, local_axes
 from .earth import gravity as normal_gravity
 from .horizon_axes import (
     EARTH_RADIUS,
     FROM_EAST_NORTH_UP,
     attitude_from_angles,
+    checked_gravity,
     geographic_rate,
 )
 from .quaternion import conjugate, from_rotation_vector, multiply, rotate, to_rotation_vector
@@ -87,15 +88,17 @@ def voyage(
     ValueError
         Also if the way comes within 0.1 degrees of a pole.
     """
-    seconds = finite_number(interval, "interval")
-    if seconds <= 0:
-        raise ValueError(f"interval: expected a positive time, got {interval!r}.")
+    seconds = positive_number(interval, "interval")
+    radius = positive_number(radius, "radius")
     start = float(checked_latitude(finite_number(latitude, "latitude")))
     speed, *angles = finite_arrays(
         velocity=(velocity, 2), heading=(heading,), pitch=(pitch,), roll=(roll,)
     )
     if speed.ndim != 2 or len(speed) < 2:
         raise ValueError(f"velocity: expected shape (n + 1, 2), n > 0, got shape {speed.shape}.")
+    for name, values in zip(("heading", "pitch", "roll"), angles, strict=True):
+        if values.ndim > 1:
+            raise ValueError(f"{name}: expected shape (n + 1,) or (), got shape {values.shape}.")
     attitude = attitude_from_angles(*(np.broadcast_to(a, len(speed)) for a in angles))
     mean = 0.5 * (speed[1:] + speed[:-1])
     place = start + seconds / radius * _sums(mean[:, 0])
@@ -106,7 +109,7 @@ def voyage(
         multiply(local_axes(place, longitude), conjugate(FROM_EAST_NORTH_UP)), attitude
     )
     angle = to_rotation_vector(multiply(conjugate(to_inertial[:-1]), to_inertial[1:]))
-    pull = float(normal_gravity(start)) if gravity is None else finite_number(gravity, "gravity")
+    pull = float(normal_gravity(start)) if gravity is None else positive_number(gravity, "gravity")
     force = _specific_force(middle, mean, np.diff(speed, axis=0) / seconds, pull, radius)
     halfway = multiply(to_inertial[:-1], from_rotation_vector(0.5 * angle))
     # Local axes in the middle of the interval, at whose components the force is known.
@@ -114,7 +117,9 @@ def voyage(
         local_axes(middle, 0.5 * (longitude[1:] + longitude[:-1])), conjugate(FROM_EAST_NORTH_UP)
     )
     push = seconds * rotate(multiply(conjugate(halfway), centre), force)
-    return Voyage(seconds, angle, push, attitude, place, speed)
+    # The mean over an interval of a force that stands still while the body turns.
+    push = push + np.cross(angle, np.cross(angle, push)) / 24
+    return Voyage(seconds, angle, push, attitude, place, speed.copy())
 
 
 def _sums(values: FloatArray) -> FloatArray:
@@ -152,6 +157,7 @@ def sensed_at_rest(
         latitude=(latitude,),
         gravity=(normal_gravity(latitude) if gravity is None else gravity,),
     )
+    checked_gravity(pull)
     lead = np.broadcast_shapes(body.shape[:-1], place.shape, pull.shape)
     to_body = np.broadcast_to(conjugate(body), (*lead, 4))
     up = pull[..., np.newaxis] * np.array([0.0, 1.0, 0.0])
@@ -161,7 +167,6 @@ def sensed_at_rest(
 def smooth_step(times: ArrayLike, begin: float, duration: float) -> FloatArray:
     """Rise (...) from 0 to 1 at times (...) in s, with continuous first and second derivatives."""
     (time,) = finite_arrays(times=(times,))
-    if finite_number(duration, "duration") <= 0:
-        raise ValueError(f"duration: expected a positive time, got {duration!r}.")
-    x = np.clip((time - finite_number(begin, "begin")) / duration, 0.0, 1.0)
+    length = positive_number(duration, "duration")
+    x = np.clip((time - finite_number(begin, "begin")) / length, 0.0, 1.0)
     return x**3 * (10 - 15 * x + 6 * x**2)

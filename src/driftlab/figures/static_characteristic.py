@@ -32,7 +32,8 @@ class StaticCharacteristic(NamedTuple):
 
     runs: FloatArray  # (RUNS, n), rad: of the shown unit
     formula: FloatArray  # (n,), rad: of its lasting errors, first order
-    largest: FloatArray  # (len(LASTING), UNITS), rad: of the averaged characteristic
+    lasting: FloatArray  # (m,), deg/h: deviations of the drift that lasts
+    largest: FloatArray  # (m, UNITS), rad: of the averaged characteristic
 
 
 def trial(lasting: float, units: int, rng: np.random.Generator) -> tuple[FloatArray, ...]:
@@ -65,7 +66,7 @@ def compute() -> StaticCharacteristic:
             east = -forward * np.sin(DIAL) + right * np.cos(DIAL)
             formula = east / (EARTH_RATE * np.cos(LATITUDE)) + north[unit, 0, 0]
             runs = errors[unit]
-    return StaticCharacteristic(runs, formula, np.array(largest))
+    return StaticCharacteristic(runs, formula, LASTING, np.array(largest))
 
 
 def columns(data: StaticCharacteristic) -> dict[str, FloatArray]:
