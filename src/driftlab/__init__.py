@@ -11,15 +11,17 @@ Conventions, fixed here once for the whole package:
   In Parts I and II the *misalignment* ``M`` holds all errors of the gyro triad: ``measured_rate =
   (E + M) rate``. From Part III on such matrices are ``gyro_error`` and ``accelerometer_error``,
   and misalignment is their skew part only, as in most of the field.
-* Local axes are East, North, Up.
+* Local axes are East, North, Up. In Part IV they are North, Up, East, as in its paper, with body axes
+  forward, up, right and headings from North to West; see `horizon_axes`.
 * Bad input raises `ValueError` with one sentence: which argument, what was expected, what came.
 
 Modules, in the order in which they build on each other: `quaternion`, `kinematics`, `drift`,
 `step_formulas`, `turn_calibration`, `larin_table`, `cayley`, `algorithm_table`,
 `attitude_algorithms`, `word_length`, `motions`, `installation`, `earth`, `strapdown`, `turntable`,
 `sensors`, `error_model`, `error_growth`, `system_calibration`, `observability`,
-`calibration_trial`, `navigation_in_place`, `monte_carlo` (NumPy and SciPy only), `symbolic`
-(SymPy), `figures` (Matplotlib), `explorers` (ipywidgets). Importing the package itself loads none
+`calibration_trial`, `navigation_in_place`, `monte_carlo`, `horizon_axes`, `voyage`, `gyrocompass`,
+`gyrocompass_operation`, `gyro_noise`, `compass_trials` (NumPy and SciPy only), `symbolic` (SymPy),
+`figures` (Matplotlib), `explorers` (ipywidgets). Importing the package itself loads none
 of them.
 """
 
