@@ -423,6 +423,10 @@ def test_many_runs_at_once_are_each_what_it_is_alone():
             assert np.allclose(alone.attitude, together.attitude[i, j], rtol=0, atol=1e-15)
             assert np.allclose(alone.rate, together.rate[i, j], rtol=1e-12, atol=1e-18)
             assert np.allclose(alone.last.rate, together.last.rate[i, j], rtol=1e-12)
+    # Leading axes of one argument alone.
+    level = operate(Horizon(tilts[0, 0], rate), angle, velocity[0], 0.1, tuning, AZIMUTH_RATE)
+    alone = operate(Horizon(tilts[0, 0], rate), angle[1], velocity[0], 0.1, tuning, AZIMUTH_RATE)
+    assert np.allclose(level.attitude[1], alone.attitude, rtol=0, atol=1e-15)
 
 
 def test_a_run_in_two_parts_is_one_run():

@@ -11,8 +11,8 @@ Conventions, fixed here once for the whole package:
   In Parts I and II the *misalignment* ``M`` holds all errors of the gyro triad: ``measured_rate =
   (E + M) rate``. From Part III on such matrices are ``gyro_error`` and ``accelerometer_error``,
   and misalignment is their skew part only, as in most of the field.
-* Local axes are East, North, Up. In Part IV they are North, Up, East, as in its paper, with body axes
-  forward, up, right and headings from North to West; see `horizon_axes`.
+* Local axes are East, North, Up. In Part IV they are North, Up, East, as in its paper, with body
+  axes forward, up, right and headings from North to West; see `horizon_axes`.
 * Bad input raises `ValueError` with one sentence: which argument, what was expected, what came.
 
 Modules, in the order in which they build on each other: `quaternion`, `kinematics`, `drift`,

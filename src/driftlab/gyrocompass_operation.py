@@ -277,7 +277,7 @@ def force_at_start(angle: FloatArray, velocity: FloatArray) -> FloatArray:
     The body turns at a constant rate while the force, most of which is gravity, stands still in
     space.
     """
-    a, v = np.moveaxis(angle, -1, 0), np.moveaxis(velocity, -1, 0)
+    a, v = (np.moveaxis(part, -1, 0) for part in np.broadcast_arrays(angle, velocity))
     once = cross(a, v)
     return np.moveaxis(v + once / 2 + cross(a, once) / 12, 0, -1)
 

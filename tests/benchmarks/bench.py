@@ -12,6 +12,7 @@ from time import perf_counter
 
 import mpmath
 import numpy as np
+from on_board import gyrocompass
 from on_the_table import calibration, navigation
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
@@ -205,4 +206,5 @@ if __name__ == "__main__":
     attitudes()
     navigation()
     calibration()
+    gyrocompass()
     redraws()
