@@ -38,17 +38,13 @@ def gyrocompass() -> None:
 
     ours, many = best(run, repeats=3), best(lambda: run(runs=RUNS), repeats=1)
     print(f"operate, {DURATION / 3600:.0f} h at {1 / INTERVAL:.0f} Hz:              {ours:8.2f} s")
-    print(
-        f"  {RUNS} runs at once                    {many:8.2f} s  {RUNS * ours / many:8.1f} x each"
-    )
+    print(f"  {RUNS} runs at once, all of them      {many:8.2f} s  {many / ours:8.1f} x")
     loop = count / 2000 * by_rotations(2000)
-    print(
-        f"  scipy Rotation, a Python loop      {loop:8.2f} s  {loop / ours:8.1f} x (of 2000 steps)"
-    )
+    print(f"  scipy Rotation, from 2000 steps    {loop:8.2f} s  {loop / ours:8.1f} x")
     begin = perf_counter()
     reference = by_solve_ivp()
     seconds = perf_counter() - begin
-    print(f"  scipy solve_ivp, the same equations{seconds:8.2f} s  {seconds / ours:8.1f} x")
+    print(f"  solve_ivp, rates constant and known{seconds:8.2f} s  {seconds / ours:8.1f} x")
     print(f"  heading, distance to solve_ivp     {abs(float(run()) - reference):8.1e} rad")
 
 
