@@ -15,10 +15,12 @@ from driftlab import (
     attitude_algorithms,
     calibration_trial,
     cayley,
+    compass_trials,
     drift,
     earth,
     error_growth,
     error_model,
+    gyro_noise,
     gyrocompass,
     gyrocompass_operation,
     horizon_axes,
@@ -136,13 +138,19 @@ CASES = {
     horizon_axes.angles_from_attitude: {"attitude": Q},
     horizon_axes.geographic_rate: {"latitude": LATITUDE, "velocity": LEVEL},
     horizon_axes.level_coriolis: {"latitude": LATITUDE, "velocity": LEVEL},
-    fixed(gyrocompass_operation.swing_deviation, angle_random_walk=1e-6, gravity=9.8): {
-        "time": TIME
-    },
+    fixed(gyro_noise.swing_deviation, angle_random_walk=1e-6, gravity=9.8): {"time": TIME},
     horizon_axes.heading_error_of_attitude: {
         "attitude_error": RATE,
         "heading": TIME,
         "pitch": PITCH,
+    },
+    compass_trials.table_heading_error: {
+        "dial": TIME,
+        "drift": 1e-6 * RATE,
+        "offset": RATE,
+        "latitude": LATITUDE,
+        "north_error": PITCH,
+        "tilt": 1e-2 * LEVEL,
     },
     voyage.sensed_at_rest: {"attitude": Q, "latitude": LATITUDE, "gravity": TIME},
     gyrocompass.align: {"angular_rate": RATE, "specific_force": np.array([0.3, 0.5, -0.6])},
@@ -196,6 +204,9 @@ APART = {
     navigation_in_place.navigate_in_place,
     gyrocompass_operation.operate,
     voyage.voyage,
+    # Their last axis is a row, and shorter or gone in the answer.
+    gyro_noise.moving_average,
+    compass_trials.range_over_deviation,
 }
 
 BAD = {
@@ -227,6 +238,8 @@ WITHOUT_AXES = (
     "yaw_error",
     "gravity",
     "times",
+    "dial",
+    "north_error",
 )
 # To have no history is not bad, and gravity is known where none is given.
 ALLOWED = [("history", "none"), ("gravity", "none")]
@@ -333,6 +346,8 @@ def test_no_function_of_arrays_is_forgotten():
         horizon_axes,
         gyrocompass,
         gyrocompass_operation,
+        gyro_noise,
+        compass_trials,
         voyage,
     ):
         for name, function in inspect.getmembers(module, inspect.isfunction):

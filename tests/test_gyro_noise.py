@@ -208,3 +208,25 @@ def test_a_window_longer_than_the_row_is_refused():
     words = r"^window: expected at most the number of values, 5, got 6\.$"
     with pytest.raises(ValueError, match=words):
         moving_average(np.ones((9, 5)), 6)
+
+
+@pytest.mark.parametrize("correlation_time", [1e6, 1e9, 1e15])
+def test_what_hardly_changes_does_not_average_away(correlation_time):
+    noise = GyroNoise(0.0, 1.0, correlation_time, 0.1)
+    assert noise.deviation_of_mean(1) == 1.0
+    # 1 - n h/(3 T) to first order in n h/T.
+    expected = np.sqrt(1 - 100 * 0.1 / (3 * correlation_time))
+    assert noise.deviation_of_mean(100) == pytest.approx(expected, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ([1.0, np.nan, 2.0], "^values: expected finite"),
+        ([[1.0], [2.0, 3.0]], "^values: expected real numbers, got rows"),
+        ([1.0, 2.0], "^window: expected at most the number of values, 2"),
+    ],
+)
+def test_moving_average_refuses_what_is_no_row(values, words):
+    with pytest.raises(ValueError, match=words):
+        moving_average(values, 3)

@@ -61,10 +61,12 @@ def range_over_deviation(values: ArrayLike) -> FloatArray:
     sample = finite_array(values, "values")
     if sample.ndim == 0 or sample.shape[-1] < 2:
         raise ValueError(f"values: expected at least two a sample, got shape {sample.shape}.")
-    deviation = sample.std(axis=-1, ddof=1)
-    if not deviation.all():
+    reach = np.ptp(sample, axis=-1)
+    if not reach.all():
         raise ValueError("values: expected samples that spread, got equal values.")
-    return np.asarray(np.ptp(sample, axis=-1) / deviation)
+    # In units of the range, so that no square underflows.
+    scaled = (sample - sample[..., :1]) / reach[..., np.newaxis]
+    return np.asarray(1 / scaled.std(axis=-1, ddof=1))
 
 
 def most_range_over_deviation(count: int) -> float:

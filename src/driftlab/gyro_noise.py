@@ -1,4 +1,4 @@
-"""Noise of a gyro at rest, and what a moving average leaves of it.
+"""Noise of a gyro at rest, and what is left of it by a moving average and by a horizon.
 
 Two parts: white noise, which averages away with the square root of the window, and a slow part, a
 Gauss-Markov process, which does so only in windows much longer than its correlation time.
@@ -9,10 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.constants import degree, hour
 from scipy.signal import lfilter
 
-from .checks import FloatArray, finite_number, whole_number
+from .checks import FloatArray, finite_array, finite_number, positive_number, whole_number
+from .horizon_axes import EARTH_RADIUS
 
 
 @dataclass(frozen=True)
@@ -57,21 +59,66 @@ class GyroNoise:
     def deviation_of_mean(self, count: int) -> float:
         """Standard deviation in rad/s of the mean of `count` samples, in closed form."""
         number = whole_number(count, "count")
-        kept = np.exp(-self.interval / self.correlation_time)
-        # Sum of kept^|i - j| over all pairs of samples.
-        away = -np.expm1(-self.interval / self.correlation_time)
-        pairs = number * (1 + kept) / away - 2 * kept * (1 - kept**number) / away**2
-        return float(np.sqrt(self.white**2 / number + self.slow**2 * pairs / number**2))
+        lags = np.arange(1, number)
+        # Sum of the correlations of all pairs of samples, pair by pair of equal distance.
+        decay = np.exp(-self.interval / self.correlation_time * lags)
+        pairs = number + 2 * np.sum((number - lags) * decay)
+        return float(np.hypot(self.white / np.sqrt(number), self.slow * np.sqrt(pairs) / number))
 
 
-def moving_average(values: FloatArray, window: int) -> FloatArray:
+def moving_average(values: ArrayLike, window: int) -> FloatArray:
     """Means (..., n - window + 1) of each `window` values in a row of `values` (..., n)."""
+    row = np.atleast_1d(finite_array(values, "values"))
     length = whole_number(window, "window")
-    if length > values.shape[-1]:
+    if length > row.shape[-1]:
         raise ValueError(
-            f"window: expected at most the number of values, {values.shape[-1]}, got {window!r}."
+            f"window: expected at most the number of values, {row.shape[-1]}, got {window!r}."
         )
-    sums = np.cumsum(values, axis=-1)
+    sums = np.cumsum(row, axis=-1)
     sums = np.concatenate([np.zeros_like(sums[..., :1]), sums], axis=-1)
     means: FloatArray = (sums[..., length:] - sums[..., :-length]) / length
     return means
+
+
+def settled_deviation(
+    angle_random_walk: float, natural_frequency: float, damping: float = float(np.sqrt(0.5))
+) -> float:
+    """Standard deviation in rad/s of the integrals `Horizon.rate` of a damped horizon under noise.
+
+    White gyro noise N passes a low-pass filter of second order: N sqrt(wn/(4 zeta)).
+
+    Parameters
+    ----------
+    angle_random_walk : float
+        N, rad/sqrt(s).
+    natural_frequency, damping : float
+        Of `damped_tuning`.
+    """
+    frequency = positive_number(natural_frequency, "natural_frequency")
+    ratio = positive_number(damping, "damping")
+    walk = finite_number(angle_random_walk, "angle_random_walk")
+    return float(walk * np.sqrt(frequency / (4 * ratio)))
+
+
+def swing_deviation(
+    angle_random_walk: float, time: ArrayLike, gravity: float, radius: float = EARTH_RADIUS
+) -> FloatArray:
+    """Standard deviation (...) in rad/s of `Horizon.rate` under Schuler's tuning and white noise.
+
+    From a horizon without error: N ws sqrt(t/2 - sin(2 ws t)/(4 ws)) with ws^2 = g/R. Nothing
+    damps the swing, so it grows with the square root of the time.
+
+    Parameters
+    ----------
+    angle_random_walk : float
+        N, rad/sqrt(s).
+    time : array_like, shape (...)
+        s.
+    gravity, radius : float
+        g in m/s^2 and R in m.
+    """
+    t = finite_array(time, "time")
+    walk = finite_number(angle_random_walk, "angle_random_walk")
+    schuler = np.sqrt(positive_number(gravity, "gravity") / positive_number(radius, "radius"))
+    swing = t / 2 - np.sin(2 * schuler * t) / (4 * schuler)
+    return np.asarray(walk * schuler * np.sqrt(np.maximum(swing, 0.0)))

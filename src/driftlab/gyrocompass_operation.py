@@ -129,50 +129,6 @@ def damped_tuning(
     return Tuning(2 * ratio * frequency / pull, frequency * frequency / pull)
 
 
-def settled_deviation(
-    angle_random_walk: float, natural_frequency: float, damping: float = float(np.sqrt(0.5))
-) -> float:
-    """Standard deviation in rad/s of the integrals `Horizon.rate` of a damped horizon under noise.
-
-    White gyro noise N passes a low-pass filter of second order: N sqrt(wn/(4 zeta)).
-
-    Parameters
-    ----------
-    angle_random_walk : float
-        N, rad/sqrt(s).
-    natural_frequency, damping : float
-        Of `damped_tuning`.
-    """
-    frequency = positive_number(natural_frequency, "natural_frequency")
-    ratio = positive_number(damping, "damping")
-    walk = finite_number(angle_random_walk, "angle_random_walk")
-    return float(walk * np.sqrt(frequency / (4 * ratio)))
-
-
-def swing_deviation(
-    angle_random_walk: float, time: ArrayLike, gravity: float, radius: float = EARTH_RADIUS
-) -> FloatArray:
-    """Standard deviation (...) in rad/s of `Horizon.rate` under Schuler's tuning and white noise.
-
-    From a horizon without error: N ws sqrt(t/2 - sin(2 ws t)/(4 ws)) with ws^2 = g/R. Nothing
-    damps the swing, so it grows with the square root of the time.
-
-    Parameters
-    ----------
-    angle_random_walk : float
-        N, rad/sqrt(s).
-    time : array_like, shape (...)
-        s.
-    gravity, radius : float
-        g in m/s^2 and R in m.
-    """
-    t = finite_array(time, "time")
-    walk = finite_number(angle_random_walk, "angle_random_walk")
-    schuler = np.sqrt(positive_number(gravity, "gravity") / positive_number(radius, "radius"))
-    swing = t / 2 - np.sin(2 * schuler * t) / (4 * schuler)
-    return np.asarray(walk * schuler * np.sqrt(np.maximum(swing, 0.0)))
-
-
 def horizon_of(alignment: Alignment) -> Horizon:
     """Horizon (...) that begins as North, Up, East of a trigonometric alignment (...)."""
     north = EARTH_RATE * np.cos(alignment.latitude)

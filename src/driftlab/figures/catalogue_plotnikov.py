@@ -124,7 +124,7 @@ def _restarts_caption(data: restarts.Restarts) -> str:
         f"series. Middle: noise of {averaging_window.WHITE[1]:g} degrees per hour a sample; after "
         f"the average {averaged[1]:.3f}, and {averaged[0]:.3f} where it was "
         f"{averaging_window.WHITE[0]:g}. Right: of "
-        f"{restarts.TRIALS} normal samples {np.mean(data.ranges >= ratio):.2%} have a range as "
+        f"{restarts.TRIALS} normal samples {np.mean(data.ranges >= ratio):.1%} have a range as "
         f"large as the printed one, {np.mean(data.ranges >= low):.0%} one that could be rounded "
         "to it."
     )

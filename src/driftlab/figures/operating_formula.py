@@ -55,11 +55,11 @@ def columns(data: OperatingFormula) -> dict[str, FloatArray]:
 class OperatingFormulaPicture(Picture[OperatingFormula]):
     """The terms and their sum; and what is missing without each."""
 
-    size = (10.5, 4.1)
+    size = (10.5, 4.3)
 
     def build(self) -> None:
         self.panels = self.figure.subplots(1, 2)
-        self.figure.subplots_adjust(0.065, 0.24, 0.985, 0.91, wspace=0.2)
+        self.figure.subplots_adjust(0.065, 0.28, 0.985, 0.91, wspace=0.2)
         terms, gaps = self.panels
         terms.set(title="error of the compass angle, degrees")
         gaps.set(title="simulated minus formula, size, degrees", yscale="log", ylim=(1e-4, 3))

@@ -122,8 +122,9 @@ def take_along(
         azimuth_rate = 0.5 * (vertical[1:] + vertical[:-1])
         north, east = np.moveaxis(level_coriolis(way.latitude, way.velocity), -1, 0)
         known = np.stack([north, np.zeros_like(north), east], axis=-1)
-        known = 0.5 * (known[1:] + known[:-1])
-        force = force - interval * rotate(conjugate(way.attitude[:-1]), known)
+        # In body axes, like the specific force; the mean of both ends is that of the interval.
+        known = rotate(conjugate(way.attitude), known)
+        force = force - interval * 0.5 * (known[1:] + known[:-1])
     found = operate(
         Horizon(bent, start.rate),
         way.angle_increments + interval * drift,

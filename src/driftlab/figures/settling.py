@@ -7,13 +7,12 @@ from scipy.constants import degree, hour, minute
 
 from ..checks import FloatArray
 from ..earth import EARTH_RATE, gravity
+from ..gyro_noise import settled_deviation, swing_deviation
 from ..gyrocompass_operation import (
     Horizon,
     damped_tuning,
     operate,
     schuler_tuning,
-    settled_deviation,
-    swing_deviation,
 )
 from ..horizon_axes import EARTH_RADIUS
 from ..quaternion import from_rotation_vector, to_rotation_vector
