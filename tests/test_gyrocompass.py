@@ -116,8 +116,11 @@ def test_alignment_equals_a_triad_of_directions():
 
 def test_only_directions_count():
     rate, force = sensed_at_rest([0.1, 0.2, 0.3, 0.9], LATITUDE)
-    for found, again in zip(align(rate, force), align(1e-200 * rate, 1e150 * force), strict=True):
-        assert found == pytest.approx(again, abs=1e-14)
+    once, again = align(rate, force), align(1e-200 * rate, 1e150 * force)
+    assert np.allclose(once[:4], again[:4], rtol=0, atol=1e-14)
+    # The level rate has the unit of the rate.
+    assert once.level_rate == pytest.approx(EARTH_RATE * np.cos(LATITUDE), rel=1e-13)
+    assert again.level_rate == pytest.approx(1e-200 * once.level_rate, rel=1e-13)
 
 
 @pytest.mark.parametrize("latitude", [-1.5, -0.3, 0.0, 0.9, 1.5])

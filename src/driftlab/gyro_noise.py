@@ -47,7 +47,9 @@ class GyroNoise:
 
     def samples(self, count: int, rng: np.random.Generator, *shape: int) -> FloatArray:
         """Rates (*shape, count) in rad/s, each row a gyro switched on anew."""
-        size = (*shape, whole_number(count, "count"))
+        size = (*(whole_number(n, "shape") for n in shape), whole_number(count, "count"))
+        if not isinstance(rng, np.random.Generator):
+            raise ValueError(f"rng: expected a numpy Generator to draw the noise, got {rng!r}.")
         kept = float(np.exp(-self.interval / self.correlation_time))
         draws = rng.standard_normal(size)
         # The first value has the spread of all; later ones forget it little by little.
@@ -96,7 +98,7 @@ def settled_deviation(
     """
     frequency = positive_number(natural_frequency, "natural_frequency")
     ratio = positive_number(damping, "damping")
-    walk = finite_number(angle_random_walk, "angle_random_walk")
+    walk = _checked_walk(angle_random_walk)
     return float(walk * np.sqrt(frequency / (4 * ratio)))
 
 
@@ -117,8 +119,16 @@ def swing_deviation(
     gravity, radius : float
         g in m/s^2 and R in m.
     """
-    t = finite_array(time, "time")
-    walk = finite_number(angle_random_walk, "angle_random_walk")
+    t, walk = finite_array(time, "time"), _checked_walk(angle_random_walk)
+    if t.min() < 0:
+        raise ValueError(f"time: expected times from 0 on, got {t.min():g} s.")
     schuler = np.sqrt(positive_number(gravity, "gravity") / positive_number(radius, "radius"))
     swing = t / 2 - np.sin(2 * schuler * t) / (4 * schuler)
     return np.asarray(walk * schuler * np.sqrt(np.maximum(swing, 0.0)))
+
+
+def _checked_walk(angle_random_walk: float) -> float:
+    walk = finite_number(angle_random_walk, "angle_random_walk")
+    if walk < 0:
+        raise ValueError(f"angle_random_walk: expected a number of at least 0, got {walk!r}.")
+    return walk

@@ -28,12 +28,21 @@ _LEAST_COLATITUDE = np.radians(0.1)
 
 
 class Alignment(NamedTuple):
-    """What a body at rest can tell of itself, each (...), rad."""
+    """What a body at rest can tell of itself, each (...).
+
+    Attributes
+    ----------
+    heading, pitch, roll, latitude : ndarray
+        rad.
+    level_rate : ndarray
+        Level part of the angular rate, in its unit: U cos(latitude) but for errors.
+    """
 
     heading: FloatArray
     pitch: FloatArray
     roll: FloatArray
     latitude: FloatArray
+    level_rate: FloatArray
 
     @property
     def attitude(self) -> FloatArray:
@@ -65,8 +74,8 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
     Parameters
     ----------
     angular_rate, specific_force : array_like, shape (..., 3)
-        Means over the time of alignment, in body axes forward, up, right. Units do not matter:
-        only directions count.
+        Means over the time of alignment, in body axes forward, up, right. Units do not matter to
+        the angles: only directions count.
 
     Raises
     ------
@@ -75,10 +84,8 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
         points North.
     """
     rate, force = finite_arrays(angular_rate=(angular_rate, 3), specific_force=(specific_force, 3))
-    (turn, _), (up, _) = (
-        nonzero_vectors(array, name)
-        for array, name in ((rate, "angular_rate"), (force, "specific_force"))
-    )
+    turn, size = nonzero_vectors(rate, "angular_rate")
+    up, _ = nonzero_vectors(force, "specific_force")
     across = lengths(np.cross(turn, up))
     if across.min() < np.sin(_LEAST_COLATITUDE):
         raise ValueError(
@@ -91,7 +98,7 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
     along = turn[..., 1] * np.cos(roll) - turn[..., 2] * np.sin(roll)
     forward = turn[..., 0] * np.cos(pitch) - along * np.sin(pitch)
     right = turn[..., 1] * np.sin(roll) + turn[..., 2] * np.cos(roll)
-    found = np.broadcast_arrays(np.arctan2(right, forward), pitch, roll, latitude)
+    found = np.broadcast_arrays(np.arctan2(right, forward), pitch, roll, latitude, size * across)
     return Alignment(*map(np.array, found))
 
 

@@ -29,7 +29,6 @@ from .checks import (
     unit_quaternions,
     whole_number,
 )
-from .earth import EARTH_RATE
 from .gyrocompass import Alignment
 from .horizon_axes import EARTH_RADIUS, Angles, angles_from_attitude
 from .quaternion import from_rotation_vector
@@ -130,8 +129,12 @@ def damped_tuning(
 
 
 def horizon_of(alignment: Alignment) -> Horizon:
-    """Horizon (...) that begins as North, Up, East of a trigonometric alignment (...)."""
-    north = EARTH_RATE * np.cos(alignment.latitude)
+    """Horizon (...) that begins as North, Up, East of a trigonometric alignment (...) in rad/s.
+
+    It turns as the gyros say, drifts included. With U cos(latitude) in place of that it would begin
+    to swing.
+    """
+    north = np.asarray(alignment.level_rate)
     return Horizon(alignment.attitude, np.stack([north, np.zeros_like(north)], axis=-1))
 
 
@@ -173,7 +176,10 @@ def operate(
         Also if the tuning is too stiff for the interval: the horizon must follow slowly in it.
     """
     seconds = positive_number(interval, "interval")
-    k1, k2 = (finite_number(value, name) for name, value in tuning._asdict().items())
+    k1, k2 = (
+        finite_number(value, f"tuning.{name}")
+        for name, value in zip(Tuning._fields, tuning, strict=True)
+    )
     # W is close to g times the tilt, so these are the loop's gains in one interval.
     gains = 9.8 * np.array([k1 * seconds, k2 * seconds**2])
     if not (gains.min() >= 0 and gains.max() <= 1):
@@ -187,9 +193,12 @@ def operate(
         raise ValueError(
             f"every: expected a divisor of the number of increments, {count}, got {every!r}."
         )
+    beginning, level = start
     attitude, rate, turn, *_ = finite_arrays(
-        attitude=(unit_quaternions(start.attitude, "attitude"), 4),
-        rate=(start.rate, 2),
+        **{
+            "start.attitude": (unit_quaternions(beginning, "start.attitude"), 4),
+            "start.rate": (level, 2),
+        },
         azimuth_rate=(_one_each(azimuth_rate, count), count),
         angle_increments=(angle, count, 3),
         velocity_increments=(velocity, count, 3),
@@ -197,7 +206,7 @@ def operate(
     lead = np.broadcast_shapes(
         attitude.shape[:-1], rate.shape[:-1], turn.shape[:-1], angle.shape[:-2], velocity.shape[:-2]
     )
-    for name, values in (("rate", rate), ("azimuth_rate", turn)):
+    for name, values in (("start.rate", rate), ("azimuth_rate", turn)):
         if seconds * np.abs(values).max() > _MOST_TURN:
             raise ValueError(
                 f"{name}: expected rad/s that turn the horizon by at most {_MOST_TURN:g} rad in "

@@ -2,9 +2,10 @@
 
 An explorer is a `Picture`, a list of controls, and one function from the controls' values to the
 picture's data. The picture is a Matplotlib figure kept for the panel's life: its background is
-drawn once, a move of a slider redraws only the artists that move, and the result goes as a PNG into
-an image widget. There is no output area to flicker or to swallow an error: bad values show a
-sentence in the panel, and anything unforeseen shows its traceback there and is raised again.
+drawn once, and anew only if the axes have changed their reach, a move of a slider redraws only the
+artists that move, and the result goes as a PNG into an image widget. There is no output area to
+flicker or to swallow an error: bad values show a sentence in the panel, and anything unforeseen
+shows its traceback there and is raised again.
 """
 
 import base64
@@ -78,9 +79,7 @@ class Explorer(widgets.VBox):
         width, _ = canvas.get_width_height()
         self._picture.figure.dpi = PIXEL_RATIO * self._picture.figure.dpi
         self._canvas = canvas
-        with matplotlib.rc_context(STYLE):
-            canvas.draw()
-        self._background = canvas.copy_from_bbox(self._picture.figure.bbox)
+        self._draw_background()
 
         self.image = widgets.Image(format="png", width=width, layout={"max_width": "100%"})
         self.message = widgets.HTML()
@@ -198,8 +197,16 @@ class Explorer(widgets.VBox):
         bundle = super()._repr_mimebundle_(**options)
         return {**bundle, "image/png": base64.b64encode(self.image.value).decode()}
 
+    def _draw_background(self) -> None:
+        with matplotlib.rc_context(STYLE):
+            self._canvas.draw()
+        self._background = self._canvas.copy_from_bbox(self._picture.figure.bbox)
+        self._picture.rescaled = False
+
     def _png(self) -> bytes:
         canvas = self._canvas
+        if self._picture.rescaled:
+            self._draw_background()
         canvas.restore_region(self._background)
         with matplotlib.rc_context(STYLE):
             for artist in self._picture.moving:

@@ -15,7 +15,7 @@ BODY_AXES = ("forward", "up", "right")
 
 
 def _degrees(angle: float) -> str:
-    return f"{np.degrees(angle) + 0.0:.4f}°"
+    return "none" if np.isnan(angle) else f"{np.degrees(angle) + 0.0:.4f}°"
 
 
 def _sensor_controls(drift: FloatArray, offset: FloatArray, most: float) -> tuple[Control, ...]:
@@ -65,10 +65,12 @@ class AlignmentBudgetExplorer(Explorer):
     )
     presets: ClassVar = {
         "A bit of everything": {},
+        "No errors, level, to the North": {"heading": 0.0, "pitch": 0.0, "roll": 0.0, **NO_ERRORS},
         "One gyro, level": {"pitch": 0.0, "roll": 0.0, **NO_ERRORS, "gyro_right": 0.04},
         "One accelerometer, level": {"pitch": 0.0, "roll": 0.0, **NO_ERRORS, "acc_right": 2.0},
         "Far North": {"latitude": 85.0},
         "Nearly vertical": {"pitch": 85.0},
+        "Vertical": {"pitch": 90.0},
         "Upside down": {"roll": 180.0},
     }
 
@@ -99,7 +101,8 @@ class AlignmentBudgetExplorer(Explorer):
             f"{_sensor_lines(values)}"
             f"attitude = attitude_from_angles(*np.radians([{heading}, {pitch}, {roll}]))\n"
             f"rate, force = sensed_at_rest(attitude, np.radians({latitude}))\n"
-            f"print(np.degrees(align(rate + drift, force + offset).heading) - {heading})"
+            f"error = align(rate + drift, force + offset).heading - np.radians({heading})\n"
+            "print(np.degrees(np.arctan2(np.sin(error), np.cos(error))))"
         )
 
 
@@ -158,11 +161,13 @@ class GyrocompassExplorer(Explorer):
 
     def numbers(self, data: operation.Operation) -> list[tuple[str, str]]:
         worst = np.abs(data.tilt).max(axis=0) / arcminute
-        formula = data.formula.heading
+        gap = np.abs(data.heading_error - data.formula.heading).max()
+        # Of first order: good while all angles are small.
+        large = max(np.abs(data.yaw_error).max(), np.abs(data.compass_error).max()) > 0.2
         return [
             ("largest heading error", _degrees(np.abs(data.heading_error).max())),
             ("at the end", _degrees(data.heading_error[-1])),
-            ("largest gap to the formula", _degrees(np.abs(data.heading_error - formula).max())),
+            ("largest gap to the formula", "too large errors for it" if large else _degrees(gap)),
             ("largest tilt about North", f"{worst[0]:.3f}′"),
             ("largest tilt about East", f"{worst[1]:.3f}′"),
             ("largest speed deviation", _degrees(np.abs(data.deviation).max())),
@@ -196,14 +201,14 @@ class CapstoneExplorer(Explorer):
     controls = (
         *(
             Control(f"pair_{i}", f"{pair}, ″", round(float(value / arcsecond), 6), -100.0, 100.0,
-                    2.0, group="non-orthogonality")
+                    1.0, group="non-orthogonality")
             for i, (pair, value) in enumerate(
                 zip(PAIRS, capstone.NON_ORTHOGONALITY, strict=True)
             )
         ),
         *(
             Control(f"turn_{axis}", f"about {axis}, ″", round(float(value / arcsecond), 6), -100.0,
-                    100.0, 2.0, group="misalignment")
+                    100.0, 1.0, group="misalignment")
             for axis, value in zip(BODY_AXES, capstone.MISALIGNMENT, strict=True)
         ),
         Control("latitude", "latitude, degrees", 51.5, -85.0, 85.0, 0.5, group="ship"),
@@ -214,6 +219,10 @@ class CapstoneExplorer(Explorer):
     )  # fmt: skip
     presets: ClassVar = {
         "Bent and turned": {},
+        "The puzzle": {
+            **{f"pair_{i}": 0.0 for i in range(3)}, **{f"turn_{axis}": 0.0 for axis in BODY_AXES},
+            "pair_0": -15.0, "turn_right": 15.0,
+        },
         "Bent only": {f"turn_{axis}": 0.0 for axis in BODY_AXES},
         "Turned as a whole": {f"pair_{i}": 0.0 for i in range(3)},
         "Straight": {

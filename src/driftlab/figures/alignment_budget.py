@@ -26,8 +26,8 @@ TERMS = (
     "sum, first order",
     "exact",
 )
-REACH = 0.5
-"""Half width of the axes, degrees."""
+STEPS = (0.5, 2.0, 10.0, 50.0, 180.0)
+"""How far the axes may reach, degrees."""
 
 
 class AlignmentBudget(NamedTuple):
@@ -57,12 +57,20 @@ def compute(
     place = finite_number(latitude, "latitude")
     headings = np.radians(np.arange(-180.0, 180.1, 5.0))
     every = np.append(headings, finite_number(heading, "heading"))
+    vertical = abs(finite_number(pitch, "pitch")) > np.radians(89.9)
     attitude = attitude_from_angles(every, pitch, roll)
     rate, force = sensed_at_rest(attitude, place)
     true, found = align(rate, force), align(rate + drifts, force + offsets)
     local = rotate(attitude, drifts), rotate(attitude, offsets)
-    formula = alignment_errors(every, pitch, place, *local)
+    # In a vertical body heading and roll have no errors of their own; the attitude has.
+    formula = alignment_errors(every, 0.0 if vertical else pitch, place, *local)
     gaps = [_wrapped(a - b) for a, b in zip(found, true, strict=True)]
+    if vertical:
+        nothing = np.full_like(every, np.nan)
+        formula = formula._replace(
+            heading=nothing, roll=nothing, heading_terms=np.full((len(every), 4), np.nan)
+        )
+        gaps[0] = gaps[2] = nothing
     turned = alignment_attitude_error(place, local[0][-1], local[1][-1])
     return AlignmentBudget(
         np.append(formula.heading_terms[-1], [formula.heading[-1], gaps[0][-1]]),
@@ -101,9 +109,10 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
     def build(self) -> None:
         left, right = self.figure.subplots(1, 2, width_ratios=(1, 1.15))
         self.figure.subplots_adjust(0.155, 0.19, 0.97, 0.91, wspace=0.2)
+        self.left, self.right = left, right
         rows = -np.arange(len(TERMS))
         left.set_yticks(rows, TERMS)
-        left.set(title="heading error by term", xlabel="degrees", xlim=(-REACH, REACH))
+        left.set(title="heading error by term", xlabel="degrees")
         left.set_ylim(-len(TERMS) + 0.4, 0.6)
         left.axvline(0, color=BLACK, linewidth=0.8)
         left.axhline(-3.5, color=BLACK, linewidth=0.8, linestyle=":")
@@ -113,7 +122,7 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
             bar.set_color(style["color"])
             self.moving.append(bar)
         right.set(title="the same errors at other headings", xlabel="heading, degrees")
-        right.set(ylabel="heading error, degrees", xlim=(-180, 180), ylim=(-REACH, REACH))
+        right.set(ylabel="heading error, degrees", xlim=(-180, 180))
         right.set_xticks(
             [-180, -90, 0, 90, 180], ["South", "−90\nEast", "North", "90\nWest", "South"]
         )
@@ -126,8 +135,10 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
 
     def update(self, data: AlignmentBudget) -> None:
         for bar, value in zip(self.bars, np.degrees(data.bars), strict=True):
-            # A bar that leaves the axes ends at their edge; the numbers tell the rest.
-            bar.set_width(np.clip(value, -REACH, REACH))
+            bar.set_width(np.nan_to_num(value))
+        shown = np.degrees([*data.bars, *data.exact, *data.first_order])
+        self.reach(self.left, "x", shown, STEPS)
+        self.reach(self.right, "y", shown, STEPS)
         degrees = np.degrees(data.headings)
         self.first_order.set_data(degrees, np.degrees(data.first_order))
         self.exact.set_data(degrees, np.degrees(data.exact))

@@ -84,7 +84,8 @@ class AlignmentTermsPicture(Picture[AlignmentTerms]):
             panel.set_title(f"over {name}; {rest}", fontsize=9)
             reach = 180 if name == "heading" else 90
             panel.set(xlabel=f"{name}, degrees", xlim=(-reach, reach), ylim=(-0.8, 0.8))
-            panel.set_xticks(np.arange(-reach, reach + 1, reach // 3))
+            # Without the ends, whose labels would run into those of the next panel.
+            panel.set_xticks(np.arange(-reach, reach + 1, reach // 3)[1:-1])
         self.panels[0].set_ylabel("heading error, degrees")
 
     def update(self, data: AlignmentTerms) -> None:

@@ -90,6 +90,6 @@ class AveragingWindowPicture(Picture[AveragingWindow]):
             )  # fmt: skip
             self.panel.plot(
                 data.windows, np.degrees(data.white_alone[i]), color=style["color"],
-                linestyle=":", linewidth=1.0, label="formula, white noise alone",
+                linestyle=(":", (0, (1, 4)))[i], linewidth=1.0, label="formula, white noise alone",
             )  # fmt: skip
         self.panel.legend(loc="upper right", fontsize=8)

@@ -15,7 +15,7 @@ TUNINGS: dict[str, dict[str, Any]] = {
     "Schuler, with a log": {"log": True},
     "too stiff: k2 = 2/R": {"tuning_factor": 2.0},
     "too soft: k2 = 0.5/R": {"tuning_factor": 0.5},
-    "damped: k2 = 1/R, zeta = 0.5": {"damping": 0.5},
+    "damped: k2 = 1/R, ratio 0.5": {"damping": 0.5},
 }
 
 

@@ -34,7 +34,7 @@ TURNS = TurnExperiment(turns=1, angle_noise=1.8 * arcsecond)
 """Larin's test: a turn about each pair axis, with noise of 0.005 deg/sqrt(h) for 36 s."""
 CONING_FREQUENCY, SAMPLE_INTERVAL = 5.0, 0.01
 """Of the shaking mount, Hz, and of the increments, s."""
-INTERVAL = 12.0
+INTERVAL = 15.0
 """Step of the voyage, s."""
 SEED = 11
 
@@ -50,7 +50,10 @@ class Capstone(NamedTuple):
 
 
 def bent_triad(non_orthogonality: ArrayLike, misalignment: ArrayLike) -> FloatArray:
-    """Error matrix (3, 3) of gyros from its symmetric pairs xy, xz, yz and its turn, (3,) each."""
+    """Error matrix (3, 3) of gyros from its symmetric pairs xy, xz, yz and its turn, (3,) each.
+
+    A pair is the entry of the symmetric part: half of what the two axes miss of a right angle.
+    """
     xy, xz, yz = finite_array(non_orthogonality, "non_orthogonality", 3)
     symmetric = np.array([[0.0, xy, xz], [xy, 0.0, yz], [xz, yz, 0.0]])
     return symmetric + skew_matrix(finite_array(misalignment, "misalignment", 3))
@@ -101,9 +104,8 @@ def compute(
     """
     bent = bent_triad(non_orthogonality, misalignment)
     sigma = found_by_turns(bent)
-    by_turns = bent_triad(sigma, np.zeros(3))
     leftover = filter_leftover()
-    left = np.stack([bent, bent - by_turns, -leftover])
+    left = np.stack([bent, bent - bent_triad(sigma, np.zeros(3)), -leftover])
     cone = coning_drift(algorithm, finite_number(half_angle, "half_angle"), CONING_FREQUENCY,
                         SAMPLE_INTERVAL)  # fmt: skip
     shaken = np.array([0.0, 0.0, float(cone)])
@@ -116,7 +118,8 @@ def compute(
     rates = way.angle_increments / way.interval
     runs = tuple(take_along(way, rates @ error.T + shaken, np.zeros(3), log=True) for error in left)
     return Capstone(
-        np.stack([parts(bent), parts(by_turns), parts(bent + leftover)]),
+        # Turns say nothing of the misalignment.
+        np.stack([parts(bent), np.append(sigma, [np.nan] * 3), parts(bent + leftover)]),
         drift_per_turn(AXES, left[:, np.newaxis]),
         headings,
         aligned,
@@ -126,7 +129,7 @@ def compute(
 
 def columns(data: Capstone) -> dict[str, FloatArray]:
     """Columns of the figure's CSV: the heading under way, each four minutes."""
-    rows = slice(19, None, 20)
+    rows = slice(15, None, 16)
     table = {"time_s": data.runs[0].times[rows]}
     for stage, run in zip(STAGES, data.runs, strict=True):
         table[f"heading_error_deg, {stage}"] = np.degrees(run.heading_error[rows]).round(6)
@@ -142,18 +145,19 @@ class CapstonePicture(Picture[Capstone]):
         panels = self.figure.subplots(2, 2)
         self.figure.subplots_adjust(0.065, 0.085, 0.985, 0.95, wspace=0.17, hspace=0.36)
         known, turns, aligned, under_way = panels.ravel()
-        known.set(title="1 the bend and what is found of it, arc seconds", ylim=(-110, 110))
+        self.heading_panels = aligned, under_way
+        known.set(title="1 the bend and what is found of it, arc seconds", ylim=(-110, 150))
         known.set_xlim(-0.6, 5.6)
         known.axhline(0, color=BLACK, linewidth=0.8)
         known.set_xticks(range(6), ["fu", "fr", "ur", "turn f", "turn u", "turn r"])
-        turns.set(title="2 drift in one turn about an axis, arc seconds", ylim=(-650, 650))
+        turns.set(title="2 drift in one turn about an axis, arc seconds", ylim=(-700, 900))
         turns.set_xlim(-0.6, 5.6)
         turns.axhline(0, color=BLACK, linewidth=0.8)
         turns.set_xticks(range(6), AXIS_NAMES)
-        aligned.set(title="3 heading error after alignment, arc minutes", ylim=(-5, 5))
+        aligned.set(title="3 heading error after alignment, arc minutes")
         aligned.set(xlabel="heading, degrees", xlim=(-180, 180))
         aligned.set_xticks(range(-180, 181, 60))
-        under_way.set(title="4 heading error under way, degrees", ylim=(-1, 1))
+        under_way.set(title="4 heading error under way, degrees")
         under_way.set(xlabel="time, minutes", xlim=(0, 120))
         labels = ("true", "found by turns", "found by the filter")
         self.known = [self._stems(known, i, label) for i, label in enumerate(labels)]
@@ -178,6 +182,10 @@ class CapstonePicture(Picture[Capstone]):
             for line, row in zip(lines, rows, strict=True):
                 foot, gap = np.zeros(6), np.full(6, np.nan)
                 line.set_ydata(np.stack([foot, row / arcsecond, gap], axis=-1).ravel())
+        aligned, under_way = self.heading_panels
+        self.reach(aligned, "y", 60 * np.degrees(data.aligned), (3.0, 15.0, 75.0, 400.0))
+        errors = [np.degrees(run.heading_error) for run in data.runs]
+        self.reach(under_way, "y", errors, (1.0, 5.0, 25.0, 200.0))
         for line, row in zip(self.aligned, data.aligned, strict=True):
             line.set_data(np.degrees(data.headings), 60 * np.degrees(row))
         for line, run in zip(self.under_way, data.runs, strict=True):

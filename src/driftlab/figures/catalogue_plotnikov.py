@@ -37,7 +37,7 @@ def _terms_caption(data: alignment_terms.AlignmentTerms) -> str:
         "The four terms of the alignment's heading error for one set of sensor errors given in "
         "North, Up, East, and the exact error beside their sum. In the first two panels the "
         f"formula with its misprint is off by up to {printed:.2f} degrees, without it by up to "
-        f"{corrected:.1g}."
+        f"{corrected:.1g}; toward the poles the misprint grows without bound."
     )
 
 
@@ -47,8 +47,8 @@ def _vertical_caption(data: over_the_vertical.OverTheVertical) -> str:
         "of roll is 180 and −180 degrees at once. Right: errors of "
         f"{over_the_vertical.RUNS} alignments with random sensor errors: heading and roll reach "
         f"{_largest(data.heading_error):.0f} degrees half a degree from the vertical, while the "
-        f"attitude is never worse than {_largest(data.attitude_error):.2f} degrees and heading "
-        "plus roll stays with it on the way up."
+        f"attitude stays within {_largest(data.attitude_error):.2f} in root mean square, and "
+        "heading plus roll with it."
     )
 
 
@@ -95,23 +95,26 @@ def _ballistic_caption(data: ballistic_error.BallisticError) -> str:
 
 
 def _formula_caption(data: operating_formula.OperatingFormula) -> str:
+    before = data.run.times < operation.TURN[0]
+    without = [_largest(gap[before]) for gap in data.gaps[1:]]
     return (
         "Everything wrong at once on a fast craft with its bow up. Left: the error of the compass "
         f"angle, up to {_largest(data.run.compass_error):.1f} degrees, and the formula's terms, "
-        "given the tilts and the yaw error of the simulation. Right: with all terms at most "
-        f"{_largest(data.gaps[0]):.1g} degrees are missing, which is of second order; without any "
-        f"one of them up to {min(_largest(gap) for gap in data.gaps[1:]):.1g} or more."
+        "given the tilts and the yaw error of the simulation. Right: until the turn at most "
+        f"{_largest(data.gaps[0][before]):.2g} degrees are missing with all terms, and "
+        f"{min(without):.2g} or more without any one of them. After it the craft goes nearly West, "
+        "and the term with the velocity North fades."
     )
 
 
 def _static_caption(data: static_characteristic.StaticCharacteristic) -> str:
     medians = np.degrees(np.median(data.largest, axis=1))
-    nearest = int(np.abs(medians - static_characteristic.PRINTED).argmin())
+    lasting = np.interp(static_characteristic.PRINTED, medians, data.lasting)
     return (
         "The paper's Fig. 1, simulated from its description; its own plot is lost. Left: one unit, "
         "three runs around the dial. Right: the largest error of the averaged characteristic over "
         f"random units; the printed {static_characteristic.PRINTED:g} degrees are the median for "
-        f"a lasting drift of {static_characteristic.LASTING[nearest]:g} degrees per hour a gyro."
+        f"a lasting drift with a deviation of {lasting:.3f} degrees per hour a gyro."
     )
 
 
@@ -121,7 +124,8 @@ def _restarts_caption(data: restarts.Restarts) -> str:
     averaged = data.deviations[:, 1] / (degree / hour)
     return (
         "The paper's Fig. 2, simulated from its description; its own plot is lost. Left: one "
-        f"series. Middle: noise of {averaging_window.WHITE[1]:g} degrees per hour a sample; after "
+        f"series, with gyro noise of {averaging_window.WHITE[0]:g} degrees per hour a sample, "
+        f"averaged. Middle: noise of {averaging_window.WHITE[1]:g} degrees per hour a sample; after "
         f"the average {averaged[1]:.3f}, and {averaged[0]:.3f} where it was "
         f"{averaging_window.WHITE[0]:g}. Right: of "
         f"{restarts.TRIALS} normal samples {np.mean(data.ranges >= ratio):.1%} have a range as "
@@ -134,8 +138,10 @@ def _capstone_caption(data: capstone.Capstone) -> str:
     turns = np.abs(data.per_turn).max(axis=1) / arcsecond
     headings = [_largest(run.heading_error) for run in data.runs]
     return (
-        "One bent triad through all four papers. Turns find how it is bent, not how it is turned; "
-        "the filter finds both. The drift in a turn falls from "
+        "One bent triad through all four papers; f, u, r are its forward, upper and right axis. "
+        "Panel 1: turns find what pairs of axes miss of a right angle, half of it here; the filter "
+        "also finds how the triad is turned. Panels 2 to 4: what is left of it, in a turn, at rest "
+        "and under way. The drift in a turn falls from "
         f"{turns[0]:.0f} to {turns[1]:.1f} and {turns[2]:.0f} arc seconds, the heading error of a "
         f"ship that turns by 90 degrees from {headings[0]:.2f} to {headings[1]:.2f} and "
         f"{headings[2]:.3f} degrees."

@@ -198,16 +198,16 @@ class OperationPicture(Picture[Operation]):
 
     def build(self) -> None:
         panels = self.figure.subplots(1, 3)
-        self.figure.subplots_adjust(0.05, 0.14, 0.985, 0.91, wspace=0.24)
-        heading, tilt, halves = panels
+        self.figure.subplots_adjust(0.06, 0.14, 0.985, 0.91, wspace=0.2)
+        heading, tilt, halves = self.panels = panels
         for panel in panels:
             panel.set(xlabel="time, minutes", xlim=(0, DURATION / minute))
             panel.set_xticks(range(0, 121, 20))
             for begin, length in (UNDER_WAY, TURN):
                 panel.axvspan(begin / minute, (begin + length) / minute, color="#ececec", zorder=0)
-        heading.set(title="heading error, degrees", ylim=(-1, 1))
-        tilt.set(title="tilt of the horizon, arc minutes", ylim=(-3, 3))
-        halves.set(title="its two parts, and the speed deviation", ylim=(-3, 3), ylabel="degrees")
+        heading.set(title="heading error, degrees")
+        tilt.set(title="tilt of the horizon, arc minutes")
+        halves.set(title="errors of its two parts, degrees")
         self.error = self.line(heading, color=SERIES[0]["color"], linewidth=3.0, alpha=0.6,
                                label="simulated")  # fmt: skip
         self.formula = self.line(heading, color=BLACK, linewidth=1.0, label="formula")
@@ -222,6 +222,11 @@ class OperationPicture(Picture[Operation]):
 
     def update(self, data: Operation) -> None:
         minutes = data.times / minute
+        heading, tilt, halves = self.panels
+        self.reach(heading, "y", np.degrees(data.heading_error), (1.0, 5.0, 25.0, 200.0))
+        self.reach(tilt, "y", data.tilt / arcminute, (3.0, 15.0, 75.0, 1000.0))
+        parts = [data.yaw_error, data.compass_error, data.deviation]
+        self.reach(halves, "y", np.degrees(parts), (3.0, 15.0, 75.0, 200.0))
         self.error.set_data(minutes, np.degrees(data.heading_error))
         self.formula.set_data(minutes, np.degrees(data.formula.heading))
         self.deviation.set_data(minutes, np.degrees(data.deviation))

@@ -4,7 +4,7 @@ A static figure and a slider panel are the same picture. `Picture.draw(data)` ma
 page; an explorer keeps one `Picture` and calls `update` at each move of a slider.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from importlib.resources import as_file, files
 from typing import Any, ClassVar, Generic, TypeVar
 
@@ -47,12 +47,15 @@ class Picture(Generic[Data]):
     figure : matplotlib.figure.Figure
     moving : list of Artist
         The artists that `update` changes. Everything else is drawn once and kept.
+    rescaled : bool
+        Whether `update` has changed the axes as well, so that everything must be drawn anew.
     """
 
     size: ClassVar[tuple[float, float]] = (9.0, 3.8)
 
     def __init__(self) -> None:
         self.moving: list[Artist] = []
+        self.rescaled = False
         with matplotlib.rc_context(STYLE):
             self.figure = Figure(figsize=self.size)
             FigureCanvasAgg(self.figure)
@@ -72,6 +75,18 @@ class Picture(Generic[Data]):
         picture = cls()
         picture.update(data)
         return picture.figure
+
+    def reach(self, axes: Axes, direction: str, values: ArrayLike, steps: Sequence[float]) -> None:
+        """Let axes reach as far on both sides of zero as the smallest step that holds all values.
+
+        Few steps keep pictures comparable, and what is large does not leave them.
+        """
+        sizes = np.abs(np.asarray(values, float))
+        largest = sizes.max(initial=0.0, where=np.isfinite(sizes))
+        step = next((step for step in steps if largest <= step), steps[-1])
+        if getattr(axes, f"get_{direction}lim")() != (-step, step):
+            getattr(axes, f"set_{direction}lim")(-step, step)
+            self.rescaled = True
 
     def line(self, axes: Axes, **style: Any) -> Line2D:
         """Add an empty line that `update` will move."""

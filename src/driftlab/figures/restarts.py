@@ -1,6 +1,6 @@
 """Plotnikov Fig. 2, simulated from its description: 26 restarts, and what their spread can say."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.constants import degree, hour
@@ -12,7 +12,7 @@ from ..gyrocompass import align
 from ..voyage import sensed_at_rest
 from .alignment_budget import LATITUDE
 from .averaging_window import WHITE, noise
-from .picture import BLACK, GREY, SERIES, Picture
+from .picture import BLACK, GREY, SERIES, Picture, long_table
 
 RESTARTS = 26
 WINDOW = 625
@@ -58,12 +58,23 @@ def compute() -> Restarts:
     )
 
 
-def columns(data: Restarts) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV: the restarts."""
-    return {
-        "restart": np.arange(1.0, RESTARTS + 1),
-        "heading_deg": np.degrees(data.heading).round(8),
-    }
+def columns(data: Restarts) -> dict[str, Any]:
+    """Columns of the figure's CSV."""
+    density, edges = np.histogram(data.ranges, np.arange(2.5, 7.3, 0.1), density=True)
+    unit, rows = degree / hour, slice(None, None, 125)
+    return long_table(
+        {
+            "heading, degrees over restart": (
+                np.arange(1.0, RESTARTS + 1),
+                np.degrees(data.heading).round(8),
+            ),
+            "mean rate, deg/h over last sample": (
+                np.arange(len(data.averaged))[rows] + WINDOW - 1,
+                (data.averaged[rows] / unit).round(8),
+            ),
+            "density over range in deviations": ((edges[1:] - 0.05).round(4), density.round(6)),
+        }
+    )
 
 
 class RestartsPicture(Picture[Restarts]):
@@ -79,7 +90,7 @@ class RestartsPicture(Picture[Restarts]):
         first.set(ylabel="heading, degrees", ylim=(-0.25, 0.25))
         second.set(title="gyro noise, one restart", xlabel="time, minutes", ylabel="deg/h")
         third.set(title=f"range of {RESTARTS} values over deviation", xlabel="ratio")
-        third.set(ylabel="probability density", xlim=(2.5, 7.3))
+        third.set(ylabel="probability density", xlim=(2.5, 7.3), ylim=(0, 1.6))
 
     def update(self, data: Restarts) -> None:
         first, second, third = self.panels
