@@ -1,8 +1,10 @@
 """Every control of every explorer is moved, and a callback that raises fails the tests."""
 
 import base64
+import contextlib
 import io
 import random
+import re
 from typing import ClassVar
 
 import numpy as np
@@ -13,8 +15,11 @@ from scipy.constants import degree, g, hour, micro
 from driftlab.error_model import ERROR_MODELS
 from driftlab.explorers import (
     EXPLORERS,
+    AlignmentBudgetExplorer,
     CalibrationRunExplorer,
+    CapstoneExplorer,
     DriftExplorer,
+    GyrocompassExplorer,
     ObservabilityExplorer,
     RootsExplorer,
     SplitExplorer,
@@ -295,3 +300,47 @@ def test_calibration_panel_agrees_with_the_run() -> None:
         said = explorer.text.value.split(f"{name} <b>")[1].split(" ppm")[0]
         # The averaged axes change a scale factor by second order only: 0.01 ppm.
         assert float(said) == pytest.approx(value / micro, abs=0.02)
+
+
+def test_axes_that_must_reach_farther_are_drawn_anew_and_come_back() -> None:
+    panel = GyrocompassExplorer()
+    at_first, background = panel.image.value, panel._background
+    panel.set(damping=0.5)
+    assert panel._background is not background
+    far = panel._picture.panels[0].get_ylim()
+    assert far == (-25.0, 25.0)
+    background = panel._background
+    panel.set(damping=0.55)
+    assert panel._background is background  # the same step: nothing to draw but lines
+    panel.set(damping=0.0)
+    assert panel._picture.panels[0].get_ylim() == (-1.0, 1.0)
+    assert panel.image.value == at_first
+
+
+def test_a_vertical_body_still_shows_its_attitude() -> None:
+    panel = AlignmentBudgetExplorer()
+    panel.set(pitch=90.0)
+    assert panel.message.value == ""
+    assert "sum, first order <b>none</b>" in panel.text.value
+    assert re.search(r"attitude error, exact <b>0\.\d+°</b>", panel.text.value)
+
+
+def test_panels_of_part_four_say_what_their_code_prints() -> None:
+    """The call beside the picture, run by itself, gives the panel's number."""
+    for explorer_class, name, place in (
+        (AlignmentBudgetExplorer, "exact", 0),
+        (GyrocompassExplorer, "at the end", 0),
+        (CapstoneExplorer, "heading under way, as built", 0),
+    ):
+        for preset in explorer_class.presets:
+            panel = explorer_class()
+            panel.set(**panel._presets[preset])
+            found = re.search(rf"<span>{name} <b>(-?\d+\.\d+)°</b>", panel.text.value)
+            if found is None:  # no heading in a vertical body
+                assert preset == "Vertical"
+                continue
+            output = io.StringIO()
+            with contextlib.redirect_stdout(output):
+                exec(panel.call(panel.values), {})
+            printed = float(re.findall(r"-?\d+\.?\d*(?:e-?\d+)?", output.getvalue())[place])
+            assert float(found[1]) == pytest.approx(printed, abs=1e-4), preset

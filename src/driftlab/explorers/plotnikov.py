@@ -57,7 +57,7 @@ class AlignmentBudgetExplorer(Explorer):
     title = "Error budget of an alignment"
     picture_class = alignment_budget.AlignmentBudgetPicture
     controls = (
-        Control("latitude", "latitude, degrees", 51.5, -90.0, 90.0, 0.5, group="place"),
+        Control("latitude", "latitude, degrees", 51.5, -89.5, 89.5, 0.5, group="place"),
         Control("heading", "heading to West, degrees", 40.0, -180.0, 180.0, 1.0, group="place"),
         Control("pitch", "pitch, degrees", 30.0, -90.0, 90.0, 1.0, group="place"),
         Control("roll", "roll, degrees", 10.0, -180.0, 180.0, 1.0, group="place"),
@@ -267,5 +267,5 @@ class CapstoneExplorer(Explorer):
             f"    np.array({turns}) * arcsecond,\n"
             f"    *np.radians([{values['latitude']}, {values['turn']}]),\n"
             f"    half_angle={values['cone']} * arcminute, algorithm={values['algorithm']!r})\n"
-            "print([np.degrees(abs(run.heading_error).max()) for run in story.runs])"
+            "print(*(np.degrees(abs(run.heading_error).max()) for run in story.runs))"
         )

@@ -125,8 +125,8 @@ def _restarts_caption(data: restarts.Restarts) -> str:
     return (
         "The paper's Fig. 2, simulated from its description; its own plot is lost. Left: one "
         f"series, with gyro noise of {averaging_window.WHITE[0]:g} degrees per hour a sample, "
-        f"averaged. Middle: noise of {averaging_window.WHITE[1]:g} degrees per hour a sample; after "
-        f"the average {averaged[1]:.3f}, and {averaged[0]:.3f} where it was "
+        f"averaged. Middle: noise of {averaging_window.WHITE[1]:g} degrees per hour a sample; "
+        f"after the average {averaged[1]:.3f}, and {averaged[0]:.3f} where it was "
         f"{averaging_window.WHITE[0]:g}. Right: of "
         f"{restarts.TRIALS} normal samples {np.mean(data.ranges >= ratio):.1%} have a range as "
         f"large as the printed one, {np.mean(data.ranges >= low):.0%} one that could be rounded "
