@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from .checks import FloatArray, finite_array, finite_arrays, whole_number
 from .gyrocompass import align
-from .horizon_axes import attitude_from_angles
+from .horizon_axes import attitude_from_angles, wrapped
 from .quaternion import from_rotation_vector, multiply
 from .voyage import sensed_at_rest
 
@@ -52,8 +52,7 @@ def table_heading_error(
         from_rotation_vector(leaning), attitude_from_angles(shown + north, 0.0, 0.0)
     )
     rate, force = sensed_at_rest(attitude, place)
-    gap = align(rate + drifts, force + offsets).heading - shown
-    return np.asarray(np.arctan2(np.sin(gap), np.cos(gap)))
+    return wrapped(align(rate + drifts, force + offsets).heading - shown)
 
 
 def range_over_deviation(values: ArrayLike) -> FloatArray:

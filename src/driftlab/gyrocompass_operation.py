@@ -30,7 +30,7 @@ from .checks import (
     whole_number,
 )
 from .gyrocompass import Alignment
-from .horizon_axes import EARTH_RADIUS, Angles, angles_from_attitude
+from .horizon_axes import EARTH_RADIUS, Angles, angles_from_attitude, wrapped
 from .quaternion import from_rotation_vector
 from .strapdown import increment_rows
 
@@ -100,8 +100,7 @@ class Operation(NamedTuple):
     @property
     def heading(self) -> FloatArray:
         """Psi = psi + Psi_K (..., k), rad, from -pi to pi; (heading)."""
-        total = self.yaw_pitch_roll.heading + self.compass_angle
-        return np.arctan2(np.sin(total), np.cos(total))
+        return wrapped(self.yaw_pitch_roll.heading + self.compass_angle)
 
 
 def schuler_tuning(radius: float = EARTH_RADIUS) -> Tuning:

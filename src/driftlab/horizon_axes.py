@@ -118,6 +118,11 @@ def angles_from_attitude(attitude: ArrayLike) -> Angles:
     return Angles(np.arctan2(right[..., 0], right[..., 2]), pitch, roll)
 
 
+def wrapped(angle: FloatArray) -> FloatArray:
+    """Angles (...) in rad brought to -pi to pi."""
+    return np.asarray(np.arctan2(np.sin(angle), np.cos(angle)))
+
+
 def pitch_and_roll(up: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Pitch and roll (...) in rad from the direction Up (..., 3) in body axes."""
     # Not arcsin, which loses half of the digits near the vertical.

@@ -1,8 +1,9 @@
 """A vehicle on a spherical Earth, under way or at rest: what ideal sensors say on board.
 
 A motion is given at equally spaced times: level velocity, heading, pitch and roll. Between two
-times the velocity changes evenly and the body turns at a constant rate, so that the increments
-belong to the motion exactly, up to the square of the angle of one interval.
+times the velocity changes evenly and the body turns at a constant rate, the short way. The angle
+increments then belong to the motion exactly, and the velocity increments up to small terms: the
+fourth power of the angle of one interval, and the square of the change of velocity over R.
 """
 
 from __future__ import annotations
@@ -32,13 +33,13 @@ class Voyage(NamedTuple):
     ----------
     interval : float
         s.
-    angle_increments, velocity_increments : ndarray, shape (..., n, 3)
+    angle_increments, velocity_increments : ndarray, shape (n, 3)
         Of each interval, body axes, rad and m/s.
-    attitude : ndarray, shape (..., n + 1, 4)
+    attitude : ndarray, shape (n + 1, 4)
         Body to North, Up, East.
-    latitude : ndarray, shape (..., n + 1)
+    latitude : ndarray, shape (n + 1,)
         rad.
-    velocity : ndarray, shape (..., n + 1, 2)
+    velocity : ndarray, shape (n + 1, 2)
         North and East, m/s.
     """
 

@@ -142,7 +142,7 @@ class GyrocompassExplorer(Explorer):
         "Whole turn": {"turn": 360.0},
     }  # fmt: skip
 
-    def compute(self, values: Values) -> operation.Operation:
+    def compute(self, values: Values) -> operation.ErrorsUnderWay:
         latitude, course, turn = (
             float(np.radians(values[name])) for name in ("latitude", "course", "turn")
         )
@@ -159,7 +159,7 @@ class GyrocompassExplorer(Explorer):
             log=values["log"],
         )
 
-    def numbers(self, data: operation.Operation) -> list[tuple[str, str]]:
+    def numbers(self, data: operation.ErrorsUnderWay) -> list[tuple[str, str]]:
         worst = np.abs(data.tilt).max(axis=0) / arcminute
         gap = np.abs(data.heading_error - data.formula.heading).max()
         # Of first order: good while all angles are small.

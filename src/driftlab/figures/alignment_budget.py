@@ -8,7 +8,7 @@ from scipy.constants import degree, g, hour, milli
 
 from ..checks import FloatArray, finite_array, finite_number
 from ..gyrocompass import align, alignment_attitude_error, alignment_errors
-from ..horizon_axes import attitude_from_angles
+from ..horizon_axes import attitude_from_angles, wrapped
 from ..quaternion import conjugate, multiply, rotate, rotation_angle
 from ..voyage import sensed_at_rest
 from .picture import BLACK, SERIES, Picture
@@ -64,7 +64,7 @@ def compute(
     local = rotate(attitude, drifts), rotate(attitude, offsets)
     # In a vertical body heading and roll have no errors of their own; the attitude has.
     formula = alignment_errors(every, 0.0 if vertical else pitch, place, *local)
-    gaps = [_wrapped(a - b) for a, b in zip(found, true, strict=True)]
+    gaps = [wrapped(a - b) for a, b in zip(found, true, strict=True)]
     if vertical:
         nothing = np.full_like(every, np.nan)
         formula = formula._replace(
@@ -86,10 +86,6 @@ def compute(
         gaps[0][:-1],
         formula.heading[:-1],
     )
-
-
-def _wrapped(angle: FloatArray) -> FloatArray:
-    return np.asarray(np.arctan2(np.sin(angle), np.cos(angle)))
 
 
 def columns(data: AlignmentBudget) -> dict[str, FloatArray]:

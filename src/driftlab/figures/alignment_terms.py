@@ -6,7 +6,7 @@ import numpy as np
 
 from ..checks import FloatArray
 from ..gyrocompass import align, alignment_errors
-from ..horizon_axes import attitude_from_angles
+from ..horizon_axes import attitude_from_angles, wrapped
 from ..quaternion import conjugate, rotate
 from ..voyage import sensed_at_rest
 from .alignment_budget import DRIFT, LATITUDE, OFFSET
@@ -48,7 +48,7 @@ def compute() -> AlignmentTerms:
         gap = found.heading - at["heading"]
         formula = alignment_errors(at["heading"], at["pitch"], at["latitude"], DRIFT, OFFSET)
         terms[panel] = np.degrees(formula.heading_terms)
-        exact[panel] = np.degrees(np.arctan2(np.sin(gap), np.cos(gap)))
+        exact[panel] = np.degrees(wrapped(gap))
         surplus = formula.heading_terms[:, 2] * (np.tan(at["latitude"]) - 1)
         printed[panel] = np.degrees(formula.heading + surplus)
     return AlignmentTerms(terms, exact, printed)

@@ -22,7 +22,7 @@ TUNINGS: dict[str, dict[str, Any]] = {
 class BallisticError(NamedTuple):
     """By tuning."""
 
-    runs: dict[str, operation.Operation]
+    runs: dict[str, operation.ErrorsUnderWay]
 
 
 def compute() -> BallisticError:
@@ -59,8 +59,7 @@ class BallisticErrorPicture(Picture[BallisticError]):
             strict=True,
         ):
             panel.set(title=title, xlabel="time, minutes", xlim=(0, 120), ylim=(-6, 6))
-            for begin, length in (operation.UNDER_WAY, operation.TURN):
-                panel.axvspan(begin / minute, (begin + length) / minute, color="#ececec", zorder=0)
+            operation.shade_manoeuvres(panel)
 
     def update(self, data: BallisticError) -> None:
         tilt, heading = self.panels

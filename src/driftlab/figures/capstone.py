@@ -21,7 +21,7 @@ from ..sensors import PERFECT
 from ..turn_calibration import PAIR_AXES, TurnExperiment
 from ..voyage import sensed_at_rest
 from .alignment_budget import LATITUDE
-from .operation import Operation, ship, take_along
+from .operation import ErrorsUnderWay, ship, take_along
 from .picture import BLACK, SERIES, Picture
 
 STAGES = ("as built", "after turns", "after the filter")
@@ -46,7 +46,7 @@ class Capstone(NamedTuple):
     per_turn: FloatArray  # (3, 6), rad: drift per turn about AXES
     headings: FloatArray  # (n,), rad
     aligned: FloatArray  # (3, n), rad: heading error after alignment
-    runs: tuple[Operation, ...]  # three
+    runs: tuple[ErrorsUnderWay, ...]  # three
 
 
 def bent_triad(non_orthogonality: ArrayLike, misalignment: ArrayLike) -> FloatArray:

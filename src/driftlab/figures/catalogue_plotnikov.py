@@ -71,7 +71,7 @@ def _settling_caption(data: settling.Settling) -> str:
     )
 
 
-def _operation_caption(data: operation.Operation) -> str:
+def _operation_caption(data: operation.ErrorsUnderWay) -> str:
     gap = _largest(data.heading_error - data.formula.heading)
     return (
         "A ship gathers way to the North and turns West (shaded); gyros drift by a few hundredths "

@@ -27,7 +27,7 @@ SETTING: dict[str, Any] = {
 class OperatingFormula(NamedTuple):
     """One voyage, and how far the formula is off with all of its terms and without each."""
 
-    run: operation.Operation
+    run: operation.ErrorsUnderWay
     gaps: FloatArray  # (5, n), rad: simulated minus formula; all terms, then each left out
 
 
@@ -65,8 +65,7 @@ class OperatingFormulaPicture(Picture[OperatingFormula]):
         gaps.set(title="simulated minus formula, size, degrees", yscale="log", ylim=(1e-4, 3))
         for panel in self.panels:
             panel.set(xlabel="time, minutes", xlim=(0, 120))
-            for begin, length in (operation.UNDER_WAY, operation.TURN):
-                panel.axvspan(begin / minute, (begin + length) / minute, color="#ececec", zorder=0)
+            operation.shade_manoeuvres(panel)
 
     def update(self, data: OperatingFormula) -> None:
         terms, gaps = self.panels

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 from scipy.constants import arcminute, degree, hour, minute
 
@@ -10,7 +11,7 @@ from ..checks import FloatArray, finite_array, finite_number
 from ..earth import EARTH_RATE, gravity
 from ..gyrocompass import OperatingHeadingError, align, operating_heading_error, speed_deviation
 from ..gyrocompass_operation import Horizon, Tuning, horizon_of, operate
-from ..horizon_axes import EARTH_RADIUS, geographic_rate, level_coriolis
+from ..horizon_axes import EARTH_RADIUS, geographic_rate, level_coriolis, wrapped
 from ..quaternion import (
     conjugate,
     from_rotation_vector,
@@ -33,7 +34,7 @@ TURN = (50 * minute, 4 * minute)
 DRIFT: FloatArray = np.array([0.01, 0.03, 0.01]) * degree / hour
 
 
-class Operation(NamedTuple):
+class ErrorsUnderWay(NamedTuple):
     """Errors of a compass under way, each (n,) at the same times."""
 
     times: FloatArray  # s
@@ -71,7 +72,7 @@ def compute(
     pitch: float = 0.0,
     log: bool = False,
     interval: float = INTERVAL,
-) -> Operation:
+) -> ErrorsUnderWay:
     """Take a compass along a voyage of a ship.
 
     `drift` and `offset` (3,) are those of gyros and accelerometers in body axes, in SI. The other
@@ -99,7 +100,7 @@ def take_along(
     damping: float = 0.0,
     tilt: float = 0.0,
     log: bool = False,
-) -> Operation:
+) -> ErrorsUnderWay:
     """Align a compass at the beginning of a voyage, let it work, and look at its errors.
 
     `drift` (n, 3) is that of each interval, rad/s in body axes, `offset` (3,) that of the
@@ -136,15 +137,17 @@ def take_along(
     return errors_of(found.attitude, found.rate, way, drift)
 
 
-def errors_of(attitude: FloatArray, rate: FloatArray, way: Voyage, drift: FloatArray) -> Operation:
+def errors_of(
+    attitude: FloatArray, rate: FloatArray, way: Voyage, drift: FloatArray
+) -> ErrorsUnderWay:
     """Errors of a horizon (n, 4) with level rates (n, 2), and what the formula makes of them."""
     true = way.attitude[1:]
     # Turned by minus the vector that turns the components.
     tilt = -to_rotation_vector(multiply(attitude, conjugate(true)))[:, [0, 2]]
     pitch, heading = _pitch_and_heading(true)
     deviation = speed_deviation(way.latitude[1:], way.velocity[1:])
-    compass_error = _wrapped(np.arctan2(rate[:, 1], rate[:, 0]) - deviation)
-    yaw_error = _wrapped(_pitch_and_heading(attitude)[1] - heading)
+    compass_error = wrapped(np.arctan2(rate[:, 1], rate[:, 0]) - deviation)
+    yaw_error = wrapped(_pitch_and_heading(attitude)[1] - heading)
     formula = operating_heading_error(
         way.latitude[1:],
         way.velocity[1:],
@@ -155,7 +158,7 @@ def errors_of(attitude: FloatArray, rate: FloatArray, way: Voyage, drift: FloatA
         heading,
         pitch,
     )
-    return Operation(
+    return ErrorsUnderWay(
         way.times[1:],
         yaw_error + compass_error,
         deviation,
@@ -172,11 +175,7 @@ def _pitch_and_heading(attitude: FloatArray) -> tuple[FloatArray, FloatArray]:
     return np.arctan2(up, np.hypot(north, east)), np.arctan2(-east, north)
 
 
-def _wrapped(angle: FloatArray) -> FloatArray:
-    return np.asarray(np.arctan2(np.sin(angle), np.cos(angle)))
-
-
-def columns(data: Operation) -> dict[str, FloatArray]:
+def columns(data: ErrorsUnderWay) -> dict[str, FloatArray]:
     """Columns of the figure's CSV, each two minutes."""
     rows = slice(29, None, 30)
     return {
@@ -191,7 +190,13 @@ def columns(data: Operation) -> dict[str, FloatArray]:
     }
 
 
-class OperationPicture(Picture[Operation]):
+def shade_manoeuvres(panel: Axes) -> None:
+    """Shade the times, in minutes, at which the ship gathers way and turns."""
+    for begin, length in (UNDER_WAY, TURN):
+        panel.axvspan(begin / minute, (begin + length) / minute, color="#ececec", zorder=0)
+
+
+class OperationPicture(Picture[ErrorsUnderWay]):
     """Heading error, tilts of the horizon, and the two halves of the heading error."""
 
     size = (10.5, 3.9)
@@ -203,8 +208,7 @@ class OperationPicture(Picture[Operation]):
         for panel in panels:
             panel.set(xlabel="time, minutes", xlim=(0, DURATION / minute))
             panel.set_xticks(range(0, 121, 20))
-            for begin, length in (UNDER_WAY, TURN):
-                panel.axvspan(begin / minute, (begin + length) / minute, color="#ececec", zorder=0)
+            shade_manoeuvres(panel)
         heading.set(title="heading error, degrees")
         tilt.set(title="tilt of the horizon, arc minutes")
         halves.set(title="errors of its two parts, degrees")
@@ -220,7 +224,7 @@ class OperationPicture(Picture[Operation]):
             panel.legend(loc="lower left")
         halves.legend(loc="upper left")
 
-    def update(self, data: Operation) -> None:
+    def update(self, data: ErrorsUnderWay) -> None:
         minutes = data.times / minute
         heading, tilt, halves = self.panels
         self.reach(heading, "y", np.degrees(data.heading_error), (1.0, 5.0, 25.0, 200.0))

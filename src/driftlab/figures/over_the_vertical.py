@@ -6,7 +6,7 @@ import numpy as np
 
 from ..checks import FloatArray
 from ..gyrocompass import align
-from ..horizon_axes import angles_from_attitude, attitude_from_angles
+from ..horizon_axes import angles_from_attitude, attitude_from_angles, wrapped
 from ..quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
 from ..voyage import sensed_at_rest
 from .alignment_budget import DRIFT, LATITUDE, OFFSET
@@ -44,8 +44,7 @@ def compute() -> OverTheVertical:
     found = align(rate + drift, force + offset)
 
     def spread(gap: FloatArray) -> FloatArray:
-        wrapped = np.arctan2(np.sin(gap), np.cos(gap))
-        return np.asarray(np.sqrt(np.mean(wrapped**2, axis=0)))
+        return np.asarray(np.sqrt(np.mean(wrapped(gap) ** 2, axis=0)))
 
     away = rotation_angle(multiply(found.attitude, conjugate(attitude)))
     return OverTheVertical(
