@@ -7,6 +7,7 @@ import random
 import re
 from typing import ClassVar
 
+import ipywidgets as widgets
 import numpy as np
 import pytest
 from PIL import Image
@@ -344,3 +345,13 @@ def test_panels_of_part_four_say_what_their_code_prints() -> None:
                 exec(panel.call(panel.values), {})
             printed = float(re.findall(r"-?\d+\.?\d*(?:e-?\d+)?", output.getvalue())[place])
             assert float(found[1]) == pytest.approx(printed, abs=1e-4), preset
+
+
+def test_a_slider_shows_every_step_it_makes() -> None:
+    for explorer_class in EXPLORERS:
+        for widget in explorer_class()._widgets.values():
+            if isinstance(widget, widgets.FloatSlider):
+                shown = {f"{widget.min + k * widget.step:{widget.readout_format}}" for k in (0, 1)}
+                assert len(shown) == 2, widget.description
+                step = float(f"{widget.step:{widget.readout_format}}")
+                assert step == pytest.approx(widget.step), widget.description

@@ -71,8 +71,12 @@ class Control:
         if self.stops:
             options = [(f"{stop:g}", stop) for stop in self.stops]
             return widgets.SelectionSlider(options=options, **common)
-        kind = widgets.IntSlider if isinstance(self.start, int) else widgets.FloatSlider
-        return kind(min=self.low, max=self.high, step=self.step, **common)
+        ends = {"min": self.low, "max": self.high, "step": self.step}
+        if isinstance(self.start, int):
+            return widgets.IntSlider(**ends, **common)
+        # As many decimals as a step has, and two at least.
+        decimals = max(2, len(f"{self.step:f}".rstrip("0").partition(".")[2]))
+        return widgets.FloatSlider(readout_format=f".{decimals}f", **ends, **common)
 
     def check(self, value: Any) -> None:
         """Refuse a value that the widget would refuse or silently move."""

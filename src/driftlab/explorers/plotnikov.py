@@ -57,10 +57,10 @@ class AlignmentBudgetExplorer(Explorer):
     title = "Error budget of an alignment"
     picture_class = alignment_budget.AlignmentBudgetPicture
     controls = (
-        Control("latitude", "latitude, degrees", 51.5, -89.5, 89.5, 0.5, group="place"),
-        Control("heading", "heading to West, degrees", 40.0, -180.0, 180.0, 1.0, group="place"),
-        Control("pitch", "pitch, degrees", 30.0, -90.0, 90.0, 1.0, group="place"),
-        Control("roll", "roll, degrees", 10.0, -180.0, 180.0, 1.0, group="place"),
+        Control("latitude", "latitude, °", 51.5, -89.5, 89.5, 0.5, group="place"),
+        Control("heading", "heading to West, °", 40.0, -180.0, 180.0, 1.0, group="place"),
+        Control("pitch", "pitch, °", 30.0, -90.0, 90.0, 1.0, group="place"),
+        Control("roll", "roll, °", 10.0, -180.0, 180.0, 1.0, group="place"),
         *_sensor_controls(alignment_budget.DRIFT, alignment_budget.OFFSET, 0.2),
     )
     presets: ClassVar = {
@@ -112,10 +112,10 @@ class GyrocompassExplorer(Explorer):
     title = "A gyrocompass at work"
     picture_class = operation.OperationPicture
     controls = (
-        Control("latitude", "latitude, degrees", 51.5, -85.0, 85.0, 0.5, group="ship"),
+        Control("latitude", "latitude, °", 51.5, -85.0, 85.0, 0.5, group="ship"),
         Control("speed", "speed, m/s", 10.0, 0.0, 30.0, 0.5, group="ship"),
-        Control("course", "course to West, degrees", 0.0, -180.0, 180.0, 5.0, group="ship"),
-        Control("turn", "then turns by, degrees", 90.0, -360.0, 360.0, 5.0, group="ship"),
+        Control("course", "course to West, °", 0.0, -180.0, 180.0, 5.0, group="ship"),
+        Control("turn", "then turns by, °", 90.0, -360.0, 360.0, 5.0, group="ship"),
         Control(
             "tuning", "tuning k2 R", 1.0, stops=(0.25, 0.5, 0.8, 0.95, 1.0, 1.05, 1.25, 2.0, 4.0),
             group="instrument",
@@ -211,8 +211,8 @@ class CapstoneExplorer(Explorer):
                     100.0, 1.0, group="misalignment")
             for axis, value in zip(BODY_AXES, capstone.MISALIGNMENT, strict=True)
         ),
-        Control("latitude", "latitude, degrees", 51.5, -85.0, 85.0, 0.5, group="ship"),
-        Control("turn", "ship turns by, degrees", 90.0, -360.0, 360.0, 5.0, group="ship"),
+        Control("latitude", "latitude, °", 51.5, -85.0, 85.0, 0.5, group="ship"),
+        Control("turn", "ship turns by, °", 90.0, -360.0, 360.0, 5.0, group="ship"),
         Control("cone", "mount shakes by, ′", 0.0, 0.0, 10.0, 0.1, group="ship"),
         Control("algorithm", "attitude algorithm", "two-step-4", choices=tuple(ALGORITHMS),
                 group="ship"),
