@@ -440,6 +440,31 @@ def test_the_heading_error_under_way_is_what_the_formula_says() -> None:
     np.testing.assert_array_equal(data.formula.yaw, -data.yaw_error)
 
 
+def test_the_formula_holds_at_any_latitude_on_any_course_after_any_turn() -> None:
+    """What it leaves is of second order in the angles that there are."""
+    rng = np.random.default_rng(17)
+    for _ in range(12):
+        latitude = float(rng.uniform(-1.2, 1.2))
+        run = operation.compute(
+            latitude,
+            float(rng.uniform(0, 30)),
+            *map(float, rng.uniform(-np.pi, np.pi, 2)),
+            drift=1e-7 * rng.normal(size=3),
+            offset=3e-4 * rng.normal(size=3),
+            pitch=float(rng.uniform(-1.2, 1.2)),
+            tilt=1e-4 * float(rng.normal()),
+            log=True,
+        )
+        level = EARTH_RATE * np.cos(latitude)
+        # Tilts over the cosine of the pitch, and errors of both level rates over the rate itself.
+        angles = largest(run.yaw_error) + 4 * largest(run.tilt)
+        angles += largest(np.gradient(run.tilt, run.times, axis=0)) / level + 4e-7 / level
+        gap = largest(run.compass_error - run.formula.compass_angle)
+        # The step adds what is known of it at 51.5 degrees.
+        assert gap < angles**2 + np.radians(0.001)
+        assert gap < 0.1 * largest(run.compass_error)
+
+
 def test_the_yaw_runs_away_and_the_compass_angle_takes_it_back() -> None:
     """With a drift about Up alone: the yaw is its sum, and half of it or more is taken back."""
     drift = 0.5 * HOURLY
