@@ -460,7 +460,7 @@ def test_the_formula_holds_at_any_latitude_on_any_course_after_any_turn() -> Non
         angles = largest(run.yaw_error) + 4 * largest(run.tilt)
         angles += largest(np.gradient(run.tilt, run.times, axis=0)) / level + 4e-7 / level
         gap = largest(run.compass_error - run.formula.compass_angle)
-        # A third of the square: products of two of them, not of their sum; and the step's own error.
+        # Products of two of them are less than the square of their sum; and there is the step.
         assert gap < 0.3 * angles**2 + 2e-6
         assert gap < 0.1 * largest(run.compass_error)
 
