@@ -34,7 +34,7 @@ TURNS = TurnExperiment(turns=1, angle_noise=1.8 * arcsecond)
 """Larin's test: a turn about each pair axis, with noise of 0.005 deg/sqrt(h) for 36 s."""
 CONING_FREQUENCY, SAMPLE_INTERVAL = 5.0, 0.01
 """Of the shaking mount, Hz, and of the increments, s."""
-INTERVAL = 15.0
+INTERVAL = 16.0
 """Step of the voyage, s."""
 SEED = 11
 
@@ -129,7 +129,7 @@ def compute(
 
 def columns(data: Capstone) -> dict[str, FloatArray]:
     """Columns of the figure's CSV: the heading under way, each four minutes."""
-    rows = slice(15, None, 16)
+    rows = slice(14, None, 15)
     table = {"time_s": data.runs[0].times[rows]}
     for stage, run in zip(STAGES, data.runs, strict=True):
         table[f"heading_error_deg, {stage}"] = np.degrees(run.heading_error[rows]).round(6)
@@ -139,7 +139,7 @@ def columns(data: Capstone) -> dict[str, FloatArray]:
 class CapstonePicture(Picture[Capstone]):
     """What is known, what drifts, and what the heading has of it."""
 
-    size = (10.5, 5.2)
+    size = (9.8, 4.9)
 
     def build(self) -> None:
         panels = self.figure.subplots(2, 2)
