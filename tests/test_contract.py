@@ -16,6 +16,8 @@ from driftlab import (
     calibration_trial,
     cayley,
     compass_trials,
+    compass_under_way,
+    compass_voyage,
     drift,
     earth,
     error_growth,
@@ -137,7 +139,7 @@ CASES = {
     horizon_axes.attitude_from_angles: {"heading": TIME, "pitch": PITCH, "roll": TIME},
     horizon_axes.angles_from_attitude: {"attitude": Q},
     horizon_axes.geographic_rate: {"latitude": LATITUDE, "velocity": LEVEL},
-    horizon_axes.level_coriolis: {"latitude": LATITUDE, "velocity": LEVEL},
+    compass_under_way.level_coriolis: {"latitude": LATITUDE, "velocity": LEVEL},
     fixed(gyro_noise.swing_deviation, angle_random_walk=1e-6, gravity=9.8): {"time": TIME},
     horizon_axes.heading_error_of_attitude: {
         "attitude_error": RATE,
@@ -178,7 +180,7 @@ CASES = {
         "heading": TIME,
         "pitch": PITCH,
     },
-    gyrocompass.speed_deviation: {"latitude": LATITUDE, "velocity": LEVEL},
+    compass_under_way.speed_deviation: {"latitude": LATITUDE, "velocity": LEVEL},
     fixed(voyage.smooth_step, begin=0.5, duration=3.0): {"times": TIME},
 }
 # Tested where they belong.
@@ -203,6 +205,7 @@ APART = {
     calibration_trial.attitude_error,
     navigation_in_place.navigate_in_place,
     gyrocompass_operation.operate,
+    compass_voyage.take_along,
     voyage.voyage,
     # Their last axis is a row, and shorter or gone in the answer.
     gyro_noise.moving_average,
@@ -346,6 +349,8 @@ def test_no_function_of_arrays_is_forgotten():
         horizon_axes,
         gyrocompass,
         gyrocompass_operation,
+        compass_under_way,
+        compass_voyage,
         gyro_noise,
         compass_trials,
         voyage,

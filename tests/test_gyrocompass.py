@@ -7,13 +7,12 @@ import pytest
 from hypothesis import given
 from scipy.spatial.transform import Rotation
 
+from driftlab.compass_under_way import operating_heading_error, speed_deviation
 from driftlab.earth import EARTH_RATE, earth_rate
 from driftlab.gyrocompass import (
     align,
     alignment_attitude_error,
     alignment_errors,
-    operating_heading_error,
-    speed_deviation,
 )
 from driftlab.horizon_axes import (
     EARTH_RADIUS,

@@ -4,12 +4,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from driftlab.compass_under_way import operating_heading_error, speed_deviation
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.gyrocompass import (
     align,
     alignment_errors,
-    operating_heading_error,
-    speed_deviation,
 )
 from driftlab.gyrocompass_operation import (
     Horizon,

@@ -19,10 +19,10 @@ Modules, in the order in which they build on each other: `quaternion`, `kinemati
 `step_formulas`, `turn_calibration`, `larin_table`, `cayley`, `algorithm_table`,
 `attitude_algorithms`, `word_length`, `motions`, `installation`, `earth`, `strapdown`, `turntable`,
 `sensors`, `error_model`, `error_growth`, `system_calibration`, `observability`,
-`calibration_trial`, `navigation_in_place`, `monte_carlo`, `horizon_axes`, `voyage`, `gyrocompass`,
-`gyrocompass_operation`, `gyro_noise`, `compass_trials` (NumPy and SciPy only), `symbolic` (SymPy),
-`figures` (Matplotlib), `explorers` (ipywidgets). Importing the package itself loads none
-of them.
+`calibration_trial`, `navigation_in_place`, `monte_carlo`, `horizon_axes`, `voyage`,
+`compass_under_way`, `gyrocompass`, `gyrocompass_operation`, `compass_voyage`, `gyro_noise`,
+`compass_trials` (NumPy and SciPy only), `symbolic` (SymPy), `figures` (Matplotlib), `explorers`
+(ipywidgets). Importing the package itself loads none of them.
 """
 
 __version__ = "0.1.0"

@@ -216,7 +216,7 @@ def operate(
         for values, n in ((attitude, 4), (rate, 2))
         for i in range(n)
     ]
-    force = force_at_start(angle, velocity) / seconds
+    force = _force_at_start(angle, velocity) / seconds
     steps = (_steps(part, lead) for part in (from_rotation_vector(angle), force, turn[..., None]))
     rows = _integrate(first if lead else map(float, first), steps, seconds, k1, k2, every)
     found = np.moveaxis(np.array(rows), (0, 1), (-2, -1))  # (..., k, 8)
@@ -235,7 +235,7 @@ def _one_each(azimuth_rate: ArrayLike, count: int) -> FloatArray:
     return np.broadcast_to(rate, count) if rate.ndim == 0 else rate
 
 
-def force_at_start(angle: FloatArray, velocity: FloatArray) -> FloatArray:
+def _force_at_start(angle: FloatArray, velocity: FloatArray) -> FloatArray:
     """Velocity increments (..., n, 3) in the body axes at the start of each interval.
 
     The body turns at a constant rate while the force, most of which is gravity, stands still in

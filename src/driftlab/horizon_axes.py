@@ -62,31 +62,6 @@ def geographic_rate(
     )
 
 
-def level_coriolis(
-    latitude: ArrayLike, velocity: ArrayLike, radius: float = EARTH_RADIUS
-) -> FloatArray:
-    """Level specific force (..., 2) of an even motion that a horizon must not follow, m/s^2.
-
-    A horizon that is turned by ``W/R`` follows changes of velocity. At an even velocity there is
-    specific force all the same, North and East, because local axes turn. Part of it belongs to the
-    change of the Earth's level rate with the latitude; the rest is this. With the velocity from a
-    log it can be taken out of W.
-
-    Parameters
-    ----------
-    latitude : array_like, shape (...)
-        rad, not a pole.
-    velocity : array_like, shape (..., 2)
-        North and East, m/s.
-    radius : float
-        Of the Earth, m.
-    """
-    place, speed = finite_arrays(latitude=(latitude,), velocity=(velocity, 2))
-    turn = geographic_rate(place, speed, radius)[..., 1]
-    north, east = np.moveaxis(speed, -1, 0)
-    return np.stack([(turn + EARTH_RATE * np.sin(place)) * east, -turn * north], axis=-1)
-
-
 def attitude_from_angles(heading: ArrayLike, pitch: ArrayLike, roll: ArrayLike) -> FloatArray:
     """Quaternion (..., 4), body to North, Up, East, of angles (...) in rad."""
     angles = finite_arrays(heading=(heading,), pitch=(pitch,), roll=(roll,))

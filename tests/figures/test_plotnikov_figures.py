@@ -12,6 +12,8 @@ from scipy.stats import beta, binom, chi, chi2, kstest, studentized_range
 
 from driftlab.algorithm_table import coning_drift
 from driftlab.calibration_trial import TableTrial
+from driftlab.compass_under_way import speed_deviation
+from driftlab.compass_voyage import ship
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.figures import (
     alignment_budget,
@@ -26,7 +28,7 @@ from driftlab.figures import (
     settling,
     static_characteristic,
 )
-from driftlab.gyrocompass import align, speed_deviation
+from driftlab.gyrocompass import align
 from driftlab.horizon_axes import (
     EARTH_RADIUS,
     angles_from_attitude,
@@ -488,7 +490,7 @@ def test_the_speed_deviation_is_that_of_the_course() -> None:
     np.testing.assert_allclose(data.deviation[northward], expected, rtol=2e-4)
     assert largest(data.deviation[data.times > 54 * 60]) < 1e-12
     assert largest(data.deviation[data.times <= 10 * 60]) == 0
-    westward = operation.ship(LATITUDE, 10.0, 0.0, np.pi / 2, 4.0)
+    westward = ship(LATITUDE, 10.0, 0.0, np.pi / 2, 4.0)
     np.testing.assert_allclose(westward.velocity[-1], [0, -10], atol=1e-12)
     np.testing.assert_allclose(
         data.deviation, speed_deviation(westward.latitude[1:], westward.velocity[1:])
@@ -697,7 +699,7 @@ def test_what_a_real_calibration_leaves_does_not_depend_on_the_bend() -> None:
 
 def test_the_ship_of_the_figures_turns_with_its_local_axes() -> None:
     """The rate about Up that a log tells: that of the local axes, whose sum the gyros have."""
-    way = operation.ship(LATITUDE, 10.0, 0.5, 0.0, 4.0)
+    way = ship(LATITUDE, 10.0, 0.5, 0.0, 4.0)
     gyros = rotate(way.attitude[:-1], way.angle_increments).sum(axis=0)
     rates = geographic_rate(way.latitude, way.velocity)
     np.testing.assert_allclose(gyros, 4.0 * 0.5 * (rates[1:] + rates[:-1]).sum(axis=0), rtol=1e-5)

@@ -7,6 +7,7 @@ from scipy.constants import arcminute, arcsecond, degree, g, hour, milli
 
 from ..algorithm_table import ALGORITHMS
 from ..checks import FloatArray
+from ..compass_voyage import ErrorsUnderWay
 from ..figures import alignment_budget, capstone, operation
 from .control import Control
 from .panel import Explorer, Values
@@ -142,7 +143,7 @@ class GyrocompassExplorer(Explorer):
         "Whole turn": {"turn": 360.0},
     }  # fmt: skip
 
-    def compute(self, values: Values) -> operation.ErrorsUnderWay:
+    def compute(self, values: Values) -> ErrorsUnderWay:
         latitude, course, turn = (
             float(np.radians(values[name])) for name in ("latitude", "course", "turn")
         )
@@ -159,7 +160,7 @@ class GyrocompassExplorer(Explorer):
             log=values["log"],
         )
 
-    def numbers(self, data: operation.ErrorsUnderWay) -> list[tuple[str, str]]:
+    def numbers(self, data: ErrorsUnderWay) -> list[tuple[str, str]]:
         worst = np.abs(data.tilt).max(axis=0) / arcminute
         gap = np.abs(data.heading_error - data.formula.heading).max()
         # Of first order: good while all angles are small.

@@ -133,8 +133,8 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
         for bar, value in zip(self.bars, np.degrees(data.bars), strict=True):
             bar.set_width(np.nan_to_num(value))
         shown = np.degrees([*data.bars, *data.exact, *data.first_order])
-        self.reach(self.left, "x", shown, STEPS)
-        self.reach(self.right, "y", shown, STEPS)
+        self.set_reach(self.left, "x", shown, STEPS)
+        self.set_reach(self.right, "y", shown, STEPS)
         degrees = np.degrees(data.headings)
         self.first_order.set_data(degrees, np.degrees(data.first_order))
         self.exact.set_data(degrees, np.degrees(data.exact))

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.constants import arcminute, minute
 
 from ..checks import FloatArray
+from ..compass_voyage import ErrorsUnderWay
 from . import operation
 from .picture import SERIES, Picture
 
@@ -22,7 +23,7 @@ TUNINGS: dict[str, dict[str, Any]] = {
 class BallisticError(NamedTuple):
     """By tuning."""
 
-    runs: dict[str, operation.ErrorsUnderWay]
+    runs: dict[str, ErrorsUnderWay]
 
 
 def compute() -> BallisticError:

@@ -12,16 +12,16 @@ from scipy.constants import arcsecond, minute
 from ..algorithm_table import coning_drift
 from ..calibration_trial import TableTrial
 from ..checks import FloatArray, finite_array, finite_number
+from ..compass_voyage import ErrorsUnderWay, ship, take_along
 from ..drift import drift_per_turn
 from ..gyrocompass import alignment_errors
 from ..horizon_axes import attitude_from_angles
-from ..installation import skew_matrix
+from ..installation import misalignment_vector, skew_matrix, split
 from ..quaternion import rotate
 from ..sensors import PERFECT
 from ..turn_calibration import PAIR_AXES, TurnExperiment
 from ..voyage import sensed_at_rest
 from .alignment_budget import LATITUDE
-from .operation import ErrorsUnderWay, ship, take_along
 from .picture import BLACK, SERIES, Picture
 
 STAGES = ("as built", "after turns", "after the filter")
@@ -61,9 +61,8 @@ def bent_triad(non_orthogonality: ArrayLike, misalignment: ArrayLike) -> FloatAr
 
 def parts(matrix: FloatArray) -> FloatArray:
     """Pairs xy, xz, yz and turn about x, y, z: six numbers of an error matrix (3, 3)."""
-    half = 0.5 * (matrix + matrix.T)
-    rest = 0.5 * (matrix - matrix.T)
-    return np.array([half[0, 1], half[0, 2], half[1, 2], rest[2, 1], rest[0, 2], rest[1, 0]])
+    pairs = split(matrix).non_orthogonality[[0, 0, 1], [1, 2, 2]]
+    return np.append(pairs, misalignment_vector(matrix))
 
 
 @cache
@@ -116,7 +115,7 @@ def compute(
     aligned = alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
     way = ship(latitude, speed, 0.0, turn, INTERVAL)
     rates = way.angle_increments / way.interval
-    runs = tuple(take_along(way, rates @ error.T + shaken, np.zeros(3), log=True) for error in left)
+    runs = tuple(take_along(way, rates @ error.T + shaken, log=True) for error in left)
     return Capstone(
         # Turns say nothing of the misalignment.
         np.stack([parts(bent), np.append(sigma, [np.nan] * 3), parts(bent + leftover)]),
@@ -183,9 +182,9 @@ class CapstonePicture(Picture[Capstone]):
                 foot, gap = np.zeros(6), np.full(6, np.nan)
                 line.set_ydata(np.stack([foot, row / arcsecond, gap], axis=-1).ravel())
         aligned, under_way = self.heading_panels
-        self.reach(aligned, "y", 60 * np.degrees(data.aligned), (3.0, 15.0, 75.0, 400.0))
+        self.set_reach(aligned, "y", 60 * np.degrees(data.aligned), (3.0, 15.0, 75.0, 400.0))
         errors = [np.degrees(run.heading_error) for run in data.runs]
-        self.reach(under_way, "y", errors, (1.0, 5.0, 25.0, 200.0))
+        self.set_reach(under_way, "y", errors, (1.0, 5.0, 25.0, 200.0))
         for line, row in zip(self.aligned, data.aligned, strict=True):
             line.set_data(np.degrees(data.headings), 60 * np.degrees(row))
         for line, run in zip(self.under_way, data.runs, strict=True):

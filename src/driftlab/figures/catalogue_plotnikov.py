@@ -4,6 +4,7 @@ import numpy as np
 from scipy.constants import arcminute, arcsecond, degree, hour
 
 from ..checks import FloatArray
+from ..compass_voyage import TURN, ErrorsUnderWay
 from . import (
     alignment_budget,
     alignment_terms,
@@ -71,7 +72,7 @@ def _settling_caption(data: settling.Settling) -> str:
     )
 
 
-def _operation_caption(data: operation.ErrorsUnderWay) -> str:
+def _operation_caption(data: ErrorsUnderWay) -> str:
     gap = _largest(data.heading_error - data.formula.heading)
     return (
         "A ship gathers way to the North and turns West (shaded); gyros drift by a few hundredths "
@@ -95,7 +96,7 @@ def _ballistic_caption(data: ballistic_error.BallisticError) -> str:
 
 
 def _formula_caption(data: operating_formula.OperatingFormula) -> str:
-    before = data.run.times < operation.TURN[0]
+    before = data.run.times < TURN[0]
     without = [_largest(gap[before]) for gap in data.gaps[1:]]
     return (
         "Everything wrong at once on a fast craft with its bow up. Left: the error of the compass "

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.constants import degree, g, hour, milli, minute
 
 from ..checks import FloatArray
+from ..compass_voyage import ErrorsUnderWay
 from . import operation
 from .picture import BLACK, SERIES, Picture
 
@@ -27,7 +28,7 @@ SETTING: dict[str, Any] = {
 class OperatingFormula(NamedTuple):
     """One voyage, and how far the formula is off with all of its terms and without each."""
 
-    run: operation.ErrorsUnderWay
+    run: ErrorsUnderWay
     gaps: FloatArray  # (5, n), rad: simulated minus formula; all terms, then each left out
 
 

@@ -1,61 +1,19 @@
-"""A ship's gyrocompass for two hours: alignment, gathering way, a turn; and the error formula."""
-
-from typing import NamedTuple
+"""A ship's gyrocompass for two hours: its errors, and the paper's formula for them."""
 
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 from scipy.constants import arcminute, degree, hour, minute
 
-from ..checks import FloatArray, finite_array, finite_number
-from ..earth import EARTH_RATE, gravity
-from ..gyrocompass import OperatingHeadingError, align, operating_heading_error, speed_deviation
-from ..gyrocompass_operation import Horizon, Tuning, horizon_of, operate
-from ..horizon_axes import EARTH_RADIUS, geographic_rate, level_coriolis, wrapped
-from ..quaternion import (
-    conjugate,
-    from_rotation_vector,
-    multiply,
-    rotate,
-    to_rotation_vector,
-)
-from ..voyage import Voyage, sensed_at_rest, smooth_step, voyage
+from ..checks import FloatArray
+from ..compass_voyage import DURATION, TURN, UNDER_WAY, ErrorsUnderWay, ship, take_along
 from .alignment_budget import LATITUDE
 from .picture import BLACK, SERIES, Picture
 
-DURATION = 2 * hour
 INTERVAL = 4.0
-"""Step of the simulation, s. The increments hold the motion exactly, and what is shown swings
-within minutes and hours, so that a long step will do; `tests` compare it with ten a second."""
-UNDER_WAY = (10 * minute, 2 * minute)
-"""Beginning and length of gathering way, s."""
-TURN = (50 * minute, 4 * minute)
-"""Beginning and length of the turn, s."""
+"""Step of the simulation, s. The increments hold the motion whatever the step, and what is shown
+swings within minutes and hours, so that a long step will do."""
 DRIFT: FloatArray = np.array([0.01, 0.03, 0.01]) * degree / hour
-
-
-class ErrorsUnderWay(NamedTuple):
-    """Errors of a compass under way, each (n,) at the same times."""
-
-    times: FloatArray  # s
-    heading_error: FloatArray  # rad: shown minus true, the speed deviation taken out
-    deviation: FloatArray  # rad: the speed deviation
-    formula: OperatingHeadingError  # terms, rad
-    tilt: FloatArray  # (n, 2), rad: of the horizon about North and East
-    yaw_error: FloatArray  # rad
-    compass_error: FloatArray  # rad
-
-
-def ship(
-    latitude: float, speed: float, course: float, turn: float, interval: float, pitch: float = 0.0
-) -> Voyage:
-    """Return the voyage of a ship that lies still, gathers way along its course, and turns."""
-    times = interval * np.arange(round(DURATION / interval) + 1)
-    heading = course + turn * smooth_step(times, *TURN)
-    way = finite_number(speed, "speed") * smooth_step(times, *UNDER_WAY)
-    # A positive heading is West of North.
-    velocity = np.stack([way * np.cos(heading), -way * np.sin(heading)], axis=-1)
-    return voyage(latitude, velocity, heading, pitch, interval=interval)
 
 
 def compute(
@@ -73,106 +31,16 @@ def compute(
     log: bool = False,
     interval: float = INTERVAL,
 ) -> ErrorsUnderWay:
-    """Take a compass along a voyage of a ship.
-
-    `drift` and `offset` (3,) are those of gyros and accelerometers in body axes, in SI. The other
-    arguments are those of `ship` and of `take_along`.
-    """
-    way = ship(latitude, speed, course, turn, interval, pitch)
-    drifts, offsets = finite_array(drift, "drift", 3), finite_array(offset, "offset", 3)
+    """Take a compass along a voyage of a ship; arguments as for `ship` and `take_along`."""
     return take_along(
-        way,
-        np.broadcast_to(drifts, way.angle_increments.shape),
-        offsets,
+        ship(latitude, speed, course, turn, interval, pitch),
+        drift,
+        offset,
         tuning_factor=tuning_factor,
         damping=damping,
         tilt=tilt,
         log=log,
     )
-
-
-def take_along(
-    way: Voyage,
-    drift: FloatArray,
-    offset: FloatArray,
-    *,
-    tuning_factor: float = 1.0,
-    damping: float = 0.0,
-    tilt: float = 0.0,
-    log: bool = False,
-) -> ErrorsUnderWay:
-    """Align a compass at the beginning of a voyage, let it work, and look at its errors.
-
-    `drift` (n, 3) is that of each interval, rad/s in body axes, `offset` (3,) that of the
-    accelerometers, m/s^2. `tuning_factor` is k2 R, `damping` the damping ratio of the horizon's
-    swing, `tilt` an error of the aligned horizon about East, rad. With a `log` the computer knows
-    velocity and latitude, takes `level_coriolis` out of the specific force, and turns in azimuth as
-    it must.
-    """
-    latitude, interval = float(way.latitude[0]), way.interval
-    pull = float(gravity(latitude))
-    rate, up = sensed_at_rest(way.attitude[0], latitude)
-    aligned = align(rate + drift[0], up + offset)
-    start = horizon_of(aligned)
-    bent = multiply(from_rotation_vector([0.0, 0.0, -tilt]), start.attitude)
-    swing = np.sqrt(pull / EARTH_RADIUS * tuning_factor)
-    force = way.velocity_increments + interval * offset
-    azimuth_rate = np.asarray(EARTH_RATE * np.sin(aligned.latitude))
-    if log:
-        vertical = geographic_rate(way.latitude, way.velocity)[:, 1]
-        azimuth_rate = 0.5 * (vertical[1:] + vertical[:-1])
-        north, east = np.moveaxis(level_coriolis(way.latitude, way.velocity), -1, 0)
-        known = np.stack([north, np.zeros_like(north), east], axis=-1)
-        # In body axes, like the specific force; the mean of both ends is that of the interval.
-        known = rotate(conjugate(way.attitude), known)
-        force = force - interval * 0.5 * (known[1:] + known[:-1])
-    found = operate(
-        Horizon(bent, start.rate),
-        way.angle_increments + interval * drift,
-        force,
-        interval,
-        Tuning(2 * damping * float(swing) / pull, tuning_factor / EARTH_RADIUS),
-        azimuth_rate,
-    )
-    return errors_of(found.attitude, found.rate, way, drift)
-
-
-def errors_of(
-    attitude: FloatArray, rate: FloatArray, way: Voyage, drift: FloatArray
-) -> ErrorsUnderWay:
-    """Errors of a horizon (n, 4) with level rates (n, 2), and what the formula makes of them."""
-    true = way.attitude[1:]
-    # Turned by minus the vector that turns the components.
-    tilt = -to_rotation_vector(multiply(attitude, conjugate(true)))[:, [0, 2]]
-    pitch, heading = _pitch_and_heading(true)
-    deviation = speed_deviation(way.latitude[1:], way.velocity[1:])
-    compass_error = wrapped(np.arctan2(rate[:, 1], rate[:, 0]) - deviation)
-    yaw_error = wrapped(_pitch_and_heading(attitude)[1] - heading)
-    formula = operating_heading_error(
-        way.latitude[1:],
-        way.velocity[1:],
-        tilt,
-        np.gradient(tilt, way.interval, axis=0),
-        rotate(true, drift)[:, [0, 2]],
-        yaw_error,
-        heading,
-        pitch,
-    )
-    return ErrorsUnderWay(
-        way.times[1:],
-        yaw_error + compass_error,
-        deviation,
-        formula,
-        tilt,
-        yaw_error,
-        compass_error,
-    )
-
-
-def _pitch_and_heading(attitude: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Pitch and heading (n,) from where the bow points."""
-    north, up, east = np.moveaxis(rotate(attitude, np.array([1.0, 0.0, 0.0])), -1, 0)
-    return np.arctan2(up, np.hypot(north, east)), np.arctan2(-east, north)
 
 
 def columns(data: ErrorsUnderWay) -> dict[str, FloatArray]:
@@ -227,10 +95,10 @@ class OperationPicture(Picture[ErrorsUnderWay]):
     def update(self, data: ErrorsUnderWay) -> None:
         minutes = data.times / minute
         heading, tilt, halves = self.panels
-        self.reach(heading, "y", np.degrees(data.heading_error), (1.0, 5.0, 25.0, 200.0))
-        self.reach(tilt, "y", data.tilt / arcminute, (3.0, 15.0, 75.0, 1000.0))
+        self.set_reach(heading, "y", np.degrees(data.heading_error), (1.0, 5.0, 25.0, 200.0))
+        self.set_reach(tilt, "y", data.tilt / arcminute, (3.0, 15.0, 75.0, 1000.0))
         parts = [data.yaw_error, data.compass_error, data.deviation]
-        self.reach(halves, "y", np.degrees(parts), (3.0, 15.0, 75.0, 200.0))
+        self.set_reach(halves, "y", np.degrees(parts), (3.0, 15.0, 75.0, 200.0))
         self.error.set_data(minutes, np.degrees(data.heading_error))
         self.formula.set_data(minutes, np.degrees(data.formula.heading))
         self.deviation.set_data(minutes, np.degrees(data.deviation))

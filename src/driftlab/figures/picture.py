@@ -76,7 +76,9 @@ class Picture(Generic[Data]):
         picture.update(data)
         return picture.figure
 
-    def reach(self, axes: Axes, direction: str, values: ArrayLike, steps: Sequence[float]) -> None:
+    def set_reach(
+        self, axes: Axes, direction: str, values: ArrayLike, steps: Sequence[float]
+    ) -> None:
         """Let axes reach as far on both sides of zero as the smallest step that holds all values.
 
         Few steps keep pictures comparable, and what is large does not leave them.

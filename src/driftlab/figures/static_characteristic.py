@@ -7,7 +7,9 @@ from scipy.constants import arcminute, degree, hour
 
 from ..checks import FloatArray
 from ..compass_trials import table_heading_error
-from ..earth import EARTH_RATE
+from ..gyrocompass import alignment_errors
+from ..horizon_axes import attitude_from_angles
+from ..quaternion import rotate
 from .alignment_budget import LATITUDE
 from .picture import BLACK, SERIES, Picture, long_table
 
@@ -62,9 +64,9 @@ def compute() -> StaticCharacteristic:
         if len(largest) == SHOWN + 1:
             # The unit whose largest error is nearest to the printed one.
             unit = int(np.abs(np.degrees(worst) - PRINTED).argmin())
-            forward, _, right = drift[unit, 0, 0]
-            east = -forward * np.sin(DIAL) + right * np.cos(DIAL)
-            formula = east / (EARTH_RATE * np.cos(LATITUDE)) + north[unit, 0, 0]
+            local = rotate(attitude_from_angles(DIAL, 0.0, 0.0), drift[unit, 0, 0])
+            aligned = alignment_errors(DIAL, 0.0, LATITUDE, local, np.zeros(3))
+            formula = aligned.heading + north[unit, 0, 0]
             runs = errors[unit]
     return StaticCharacteristic(runs, formula, LASTING, np.array(largest))
 

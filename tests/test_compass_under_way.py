@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
+from driftlab.compass_under_way import level_coriolis
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.gyrocompass_operation import Horizon, operate, schuler_tuning
-from driftlab.horizon_axes import EARTH_RADIUS, geographic_rate, level_coriolis
+from driftlab.horizon_axes import EARTH_RADIUS, geographic_rate
 from driftlab.quaternion import conjugate, multiply, rotate, to_rotation_vector
 from driftlab.voyage import voyage
 from support import EPS
