@@ -95,7 +95,7 @@ class OperationPicture(Picture[ErrorsUnderWay]):
     def update(self, data: ErrorsUnderWay) -> None:
         minutes = data.times / minute
         heading, tilt, halves = self.panels
-        self.set_reach(heading, "y", np.degrees(data.heading_error), (1.0, 5.0, 25.0, 200.0))
+        self.set_reach(heading, "y", np.degrees(data.heading_error), (1.0, 5.0, 25.0, 75.0, 200.0))
         self.set_reach(tilt, "y", data.tilt / arcminute, (3.0, 15.0, 75.0, 1000.0))
         parts = [data.yaw_error, data.compass_error, data.deviation]
         self.set_reach(halves, "y", np.degrees(parts), (3.0, 15.0, 75.0, 200.0))
