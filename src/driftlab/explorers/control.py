@@ -54,9 +54,10 @@ class Control:
         common = {
             "value": self.start,
             "description": self.label,
-            "tooltip": self.label,
+            # Hovering shows it, and a screen reader says it.
+            "tooltip": f"{self.group}: {self.label}" if self.group else self.label,
             "style": {"description_width": "11em"},
-            "layout": {"width": "26em"},
+            "layout": {"width": "auto"},
         }
         if isinstance(self.start, bool):
             # The label stands beside the box, not before it, so it needs no column of its own.
@@ -64,8 +65,7 @@ class Control:
             return widgets.Checkbox(indent=False, **box)
         if self.examples:
             # Taken when the reader presses Enter or leaves the line, not at each letter.
-            wide = {**common, "layout": {"width": "52em"}}
-            return widgets.Text(continuous_update=False, **wide)
+            return widgets.Text(continuous_update=False, **common)
         if self.choices:
             return widgets.Dropdown(options=list(self.choices), **common)
         if self.stops:

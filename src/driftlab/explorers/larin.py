@@ -253,7 +253,7 @@ class TurnCalibrationExplorer(Explorer):
         runs = f", mean of {len(data.runs)}" if self.values["noise"] else ""
         rows = zip((1, 2, 3), data.true, data.runs.mean(axis=0), strict=True)
         return [
-            (f"σ{'₀₁₂₃'[i]} true, estimated{runs}", f"{1e3 * true:.3f}, {1e3 * mean:.6f} (1e-3)")
+            (f"σ{'₀₁₂₃'[i]} true, found{runs}, 1e-3", f"{1e3 * true:.3f}, {1e3 * mean:.6f}")
             for i, true, mean in rows
         ]
 

@@ -13,6 +13,7 @@ import html
 import io
 import traceback
 from collections.abc import Mapping, Sequence
+from importlib.resources import files
 from typing import Any, ClassVar
 
 import ipywidgets as widgets
@@ -26,6 +27,11 @@ from .control import Control
 
 ERROR_CLASS = "driftlab-error"
 """HTML class of a traceback in a panel; the tests look for it."""
+
+PANEL_CLASS = "driftlab-panel"
+"""HTML class of every panel; the script and the style below look for it."""
+
+NAMES_SCRIPT = (files(__package__) / "names.js").read_text("utf-8")
 
 PIXEL_RATIO = 1.5
 """Pixels of the picture for one of the page, so that it is sharp on a dense screen."""
@@ -96,31 +102,37 @@ class Explorer(widgets.VBox):
         self.reset.on_click(lambda _: self.set(**opening))
         super().__init__(
             [
+                _script(NAMES_SCRIPT),
                 widgets.HTML(f"<b>{html.escape(self.title)}</b>"),
                 widgets.HBox([self.preset, self.reset]),
                 # The picture stands above the sliders, so that it does not move away from them.
                 self.image,
                 self.message,
                 self.text,
-                self._columns(),
+                *self._rows(),
                 self.code,
             ]
         )
+        self.add_class(PANEL_CLASS)
         self.set(**opening)
 
-    def _columns(self) -> widgets.Box:
+    def _rows(self) -> list[widgets.Box]:
+        """The controls by group: boxes to tick and lines of text across, sliders in columns."""
         groups: dict[str, list[Control]] = {}
         for control in self.controls:
             groups.setdefault(control.group, []).append(control)
-        boxes, columns = [], []
+        across, columns = [], []
         for group, members in groups.items():
-            row = [widgets.HTML(html.escape(group)), *(self._widgets[c.name] for c in members)]
+            heading = [widgets.HTML(_compact(html.escape(group)))] if group else []
+            row = [*heading, *(self._widgets[control.name] for control in members)]
             if all(isinstance(control.start, bool) for control in members):
-                boxes.append(widgets.HBox(row, layout={"flex_flow": "row wrap"}))
+                across.append(widgets.HBox(row, layout={"flex_flow": "row wrap"}))
+            elif all(control.examples for control in members):
+                across.append(widgets.VBox(row))
             else:
-                columns.append(widgets.VBox(row))
-        # Boxes to tick stand in one row, nearest to the picture.
-        return widgets.VBox([*boxes, widgets.HBox(columns, layout={"flex_flow": "row wrap"})])
+                # As many columns as the page has room for; the sliders share what is left over.
+                columns.append(widgets.VBox(row, layout={"flex": "1 1 26em", "max_width": "40em"}))
+        return [*across, widgets.HBox(columns, layout={"flex_flow": "row wrap"})]
 
     @property
     def values(self) -> dict[str, Any]:
@@ -174,7 +186,7 @@ class Explorer(widgets.VBox):
             self._show(self.values)
         except Exception:
             trace = html.escape(traceback.format_exc())
-            self.message.value = f"<pre role='alert' class='{ERROR_CLASS}'>{trace}</pre>"
+            self._say(f"<pre role='alert' class='{ERROR_CLASS}'>{trace}</pre>")
             raise
 
     def _show(self, values: Values) -> None:
@@ -183,14 +195,18 @@ class Explorer(widgets.VBox):
         except ValueError as refusal:
             reason = html.escape(str(refusal))
             excuse = "No picture for these values; the one above is the last."
-            self.message.value = f"<p role='alert'>{excuse} {reason}</p>"
+            self._say(f"<p role='alert'>{excuse} {reason}</p>")
             self.text.value = self.code.value = ""
             return
         self._picture.update(data)
         self.image.value = self._png()
         self.text.value = _table(self.numbers(data))
         self.code.value = f"<pre>{html.escape(self.call(values))}</pre>"
-        self.message.value = ""
+        self._say("")
+
+    def _say(self, message: str) -> None:
+        self.message.value = message
+        self.message.layout.display = None if message else "none"
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         """The live panel, and for pages that cannot show one, its picture."""
@@ -218,15 +234,33 @@ class Explorer(widgets.VBox):
         return buffer.getvalue()
 
 
+def _script(code: str) -> widgets.Output:
+    """Return a widget that runs JavaScript in the page and shows nothing."""
+    output = {
+        "output_type": "display_data",
+        "data": {"application/javascript": code},
+        "metadata": {},
+    }
+    return widgets.Output(outputs=(output,), layout={"display": "none"})
+
+
+def _compact(content: str, style: str = "") -> str:
+    """Content of an HTML widget in lines closer than those of a slider."""
+    return f"<div style='line-height: 1.5; {style}'>{content}</div>"
+
+
 def _table(numbers: Sequence[tuple[str, str]]) -> str:
     # Columns of a fixed width: what the values are does not move what stands below.
     cells = ""
     for name, value in numbers:
-        # What does not fit into a column has a row for itself.
-        wide = len(name) + len(value) > 50
-        style = " style='grid-column: 1 / -1; white-space: normal'" if wide else ""
-        cells += f"<span{style}>{html.escape(name)} <b>{html.escape(value)}</b></span>"
-    return (
-        "<div style='display: grid; white-space: nowrap; "
-        f"grid-template-columns: repeat(auto-fill, 26em)'>{cells}</div>"
+        # What does not fit into a column has two, or a row for itself.
+        length = len(name) + len(value)
+        column = "auto" if length < 40 else "span 2" if length < 80 else "1 / -1"
+        wrap = "normal" if length >= 80 else "nowrap"
+        cells += (
+            f"<span style='grid-column: {column}; white-space: {wrap}'>"
+            f"{html.escape(name)} <b>{html.escape(value)}</b></span>"
+        )
+    return _compact(
+        cells, "display: grid; grid-template-columns: repeat(auto-fill, minmax(21.5em, 1fr))"
     )

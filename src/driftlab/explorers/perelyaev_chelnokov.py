@@ -116,7 +116,7 @@ class AlgorithmLaboratoryExplorer(Explorer):
         orders = algorithm_laboratory.fitted_orders(data)
         worst = 3600 * np.degrees([history.max() for history in data.histories])
         return [
-            (name, f"{error:.2e}″, order {'not seen' if order is None else f'{order:.2f}'}")
+            (name, f"{error:.2e}″, order {'none' if order is None else f'{order:.2f}'}")
             for name, error, order in zip(data.names, worst, orders, strict=True)
         ]
 

@@ -173,7 +173,7 @@ class GyrocompassExplorer(Explorer):
             ("largest tilt about East", f"{worst[1]:.3f}′"),
             ("largest speed deviation", _degrees(np.abs(data.deviation).max())),
             ("yaw error at the end", _degrees(data.yaw_error[-1])),
-            ("compass angle error at the end", _degrees(data.compass_error[-1])),
+            ("compass error at the end", _degrees(data.compass_error[-1])),
         ]
 
     def call(self, values: Values) -> str:
@@ -250,9 +250,9 @@ class CapstoneExplorer(Explorer):
             drift = np.abs(data.per_turn[i]).max() / arcsecond
             rows += [
                 (f"drift in a turn, {stage}", f"{drift:.1f}″"),
-                (f"heading after alignment, {stage}",
+                (f"aligned heading, {stage}",
                  f"{np.abs(data.aligned[i]).max() / arcminute:.3f}′"),
-                (f"heading under way, {stage}",
+                (f"under way, {stage}",
                  _degrees(np.abs(data.runs[i].heading_error).max())),
             ]  # fmt: skip
         return rows

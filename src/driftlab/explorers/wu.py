@@ -110,7 +110,7 @@ class ObservabilityExplorer(Explorer):
     controls = (
         Control(
             "rotations", "rotations", NINETEEN_POSITIONS.rotations,
-            examples=(EIGHTEEN_ROTATIONS.rotations, "+90X +90Y +90Z", "+90Z", ""), group="scheme",
+            examples=(EIGHTEEN_ROTATIONS.rotations, "+90X +90Y +90Z", "+90Z", ""),
         ),
         Control("start", "x, y, z at first", STARTS[0], choices=STARTS, group="scheme"),
         Control("dwell", "pause, s", 120.0, 10.0, 300.0, 10.0, group="scheme"),

@@ -1,0 +1,77 @@
+"""A JupyterLab on loopback that serves a copy of the book, for the browser to open."""
+
+import json
+import os
+import secrets
+import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+CHAPTERS = Path(__file__).parents[2] / "notebooks"
+
+
+@contextmanager
+def book_server(folder: Path) -> Iterator[tuple[str, str]]:
+    """Serve copies of all chapters from `folder`; yield the address and the token.
+
+    Nothing of the user's is read or written: settings, workspaces and runtime files of the server
+    lie in `folder` as well.
+    """
+    book = folder / "notebooks"
+    shutil.copytree(CHAPTERS, book, ignore=shutil.ignore_patterns(".ipynb_checkpoints"))
+    quiet = {"disabledExtensions": {"@jupyterlab/apputils-extension:announcements": True}}
+    (folder / "config/labconfig").mkdir(parents=True)
+    (folder / "config/labconfig/page_config.json").write_text(json.dumps(quiet), "utf-8")
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    address, token = f"http://127.0.0.1:{port}", secrets.token_hex(24)
+    environment = {
+        **os.environ,
+        "JUPYTER_CONFIG_DIR": str(folder / "config"),
+        "JUPYTER_RUNTIME_DIR": str(folder / "runtime"),
+        "JUPYTER_DATA_DIR": str(folder / "data"),
+        "JUPYTERLAB_SETTINGS_DIR": str(folder / "settings"),
+        "JUPYTERLAB_WORKSPACES_DIR": str(folder / "workspaces"),
+        "IPYTHONDIR": str(folder / "ipython"),
+        "JUPYTER_TOKEN": token,
+    }
+    command = [
+        *[sys.executable, "-m", "jupyterlab", "--no-browser", f"--ServerApp.root_dir={book}"],
+        *["--ServerApp.ip=127.0.0.1", f"--ServerApp.port={port}", "--ServerApp.port_retries=0"],
+        # So that a test can ask the application for its notebook and its kernel.
+        "--LabApp.expose_app_in_browser=True",
+    ]
+    if os.name != "nt" and os.geteuid() == 0:
+        command.append("--allow-root")
+    log = folder / "server.log"
+    with log.open("wb") as output:
+        server = subprocess.Popen(
+            command, env=environment, stdin=subprocess.DEVNULL, stdout=output, stderr=output
+        )
+    try:
+        wait_for(server, f"{address}/api/status", token, log)
+        yield address, token
+    finally:
+        server.terminate()
+        server.wait(30)
+
+
+def wait_for(server: subprocess.Popen[bytes], url: str, token: str, log: Path) -> None:
+    """Return when the server answers to the token."""
+    request = urllib.request.Request(url, headers={"Authorization": f"token {token}"})
+    direct = urllib.request.build_opener(urllib.request.ProxyHandler({}))
+    deadline = time.monotonic() + 120
+    while server.poll() is None and time.monotonic() < deadline:
+        try:
+            with direct.open(request, timeout=5):
+                return
+        except OSError:
+            time.sleep(0.1)
+    raise RuntimeError("JupyterLab did not start: " + log.read_text("utf-8", "replace")[-2000:])
