@@ -47,19 +47,33 @@ class Control:
     @property
     def options(self) -> Sequence[Any]:
         """All values there are; empty for a range and for text."""
-        return (False, True) if isinstance(self.start, bool) else self.choices or self.stops
+        return (False, True) if self.is_box else self.choices or self.stops
+
+    @property
+    def is_box(self) -> bool:
+        """Whether it is a box to tick."""
+        return isinstance(self.start, bool)
+
+    @property
+    def is_slider(self) -> bool:
+        """Whether it is a slider: no box, menu or line of text."""
+        return not (self.is_box or self.choices or self.examples)
+
+    @property
+    def full_name(self) -> str:
+        """Label with the group: what hovering shows, and what a screen reader says."""
+        return f"{self.group}: {self.label}" if self.group else self.label
 
     def widget(self) -> widgets.ValueWidget:
         """Make the widget: a slider (whole-numbered if `start` is), a menu, a box or a text."""
         common = {
             "value": self.start,
             "description": self.label,
-            # Hovering shows it, and a screen reader says it.
-            "tooltip": f"{self.group}: {self.label}" if self.group else self.label,
+            "tooltip": self.full_name,
             "style": {"description_width": "11em"},
             "layout": {"width": "auto"},
         }
-        if isinstance(self.start, bool):
+        if self.is_box:
             # The label stands beside the box, not before it, so it needs no column of its own.
             box = {**common, "style": {"description_width": "0"}, "layout": {"width": "auto"}}
             return widgets.Checkbox(indent=False, **box)

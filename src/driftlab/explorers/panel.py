@@ -31,6 +31,12 @@ ERROR_CLASS = "driftlab-error"
 PANEL_CLASS = "driftlab-panel"
 """HTML class of every panel; the script and the style below look for it."""
 
+FOCUS_STYLE = (
+    f"<style>.{PANEL_CLASS} :focus-visible "
+    "{ outline: 2px solid currentColor !important; outline-offset: 1px; }</style>"
+)
+"""Where the keyboard is must be seen on every kind of control."""
+
 NAMES_SCRIPT = (files(__package__) / "names.js").read_text("utf-8")
 
 PIXEL_RATIO = 1.5
@@ -87,7 +93,8 @@ class Explorer(widgets.VBox):
         self._canvas = canvas
         self._draw_background()
 
-        self.image = widgets.Image(format="png", width=width, layout={"max_width": "100%"})
+        fitting = {"max_width": "100%", "margin": "0"}
+        self.image = widgets.Image(format="png", width=width, layout=fitting)
         self.message = widgets.HTML()
         self.text = widgets.HTML()
         self.code = widgets.HTML()
@@ -103,7 +110,7 @@ class Explorer(widgets.VBox):
         super().__init__(
             [
                 _script(NAMES_SCRIPT),
-                widgets.HTML(f"<b>{html.escape(self.title)}</b>"),
+                widgets.HTML(f"{FOCUS_STYLE}<b>{html.escape(self.title)}</b>"),
                 widgets.HBox([self.preset, self.reset]),
                 # The picture stands above the sliders, so that it does not move away from them.
                 self.image,
@@ -125,7 +132,7 @@ class Explorer(widgets.VBox):
         for group, members in groups.items():
             heading = [widgets.HTML(_compact(html.escape(group)))] if group else []
             row = [*heading, *(self._widgets[control.name] for control in members)]
-            if all(isinstance(control.start, bool) for control in members):
+            if all(control.is_box for control in members):
                 across.append(widgets.HBox(row, layout={"flex_flow": "row wrap"}))
             elif all(control.examples for control in members):
                 across.append(widgets.VBox(row))

@@ -1,0 +1,232 @@
+"""One slider panel in a page: what a reader sees of it and does to it."""
+
+import base64
+import io
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
+from playwright.sync_api import Locator, Page
+
+from driftlab.explorers.control import Control
+from driftlab.explorers.panel import PANEL_CLASS, Explorer
+
+# At rest the kernel owes no answer, and a few frames in a row find the panel as it was: ipywidgets
+# holds a move back while the kernel works on the one before.
+SETTLE = """async (panel) => {
+  const image = panel.querySelector("img");
+  const state = () => [image.src, panel.textContent, panel.clientWidth].join();
+  const end = performance.now() + 60000;
+  let before, same = 0;
+  while (same < 4) {
+    if (performance.now() > end) throw new Error("the panel does not come to rest");
+    await new Promise(requestAnimationFrame);
+    same = !window.unanswered.size && image.complete && state() === before ? same + 1 : 0;
+    before = state();
+  }
+}"""
+
+PICTURE = """async (panel) => {
+  const bytes = await (await fetch(panel.querySelector("img").src)).bytes();
+  let text = "";
+  for (let i = 0; i < bytes.length; i += 32768) {
+    text += String.fromCharCode(...bytes.subarray(i, i + 32768));
+  }
+  return btoa(text);
+}"""
+
+NUMBERS = """panel => [...panel.querySelectorAll("span > b")].map(value => [
+  value.previousSibling.textContent.slice(0, -1), value.textContent,
+])"""
+
+# By the name of each control: what its readout, menu, line or box says.
+SHOWN = """panel => [
+  ...[...panel.querySelectorAll("[role=slider]")].map(handle => [
+    handle.ariaLabel, handle.closest(".widget-slider").querySelector(".widget-readout").textContent,
+  ]),
+  ...[...panel.querySelectorAll("select, input")].map(input => [
+    input.labels[0].innerText,
+    input.type === "checkbox" ? input.checked : input.value.replaceAll("\u00a0", " "),
+  ]),
+]"""
+
+GRIP = """handle => {
+  const box = handle.getBoundingClientRect();
+  const track = handle.closest(".noUi-base").getBoundingClientRect();
+  return [box.x + box.width / 2, box.y + box.height / 2, track.left, track.right];
+}"""
+
+FOCUSED_NAME = """() => {
+  const element = document.activeElement;
+  if (element.getAttribute("role") === "textbox") return "";  // a readout; its slider came before
+  return element.ariaLabel ?? element.labels?.[0]?.innerText ?? "";
+}"""
+
+# Text wider than its box, and boxes that stick out of the panel or the panel out of the cell.
+CUT_OFF = """panel => {
+  const found = [];
+  const texts = "label, .widget-readout, select, button, span, b, pre";
+  for (const element of panel.querySelectorAll(texts)) {
+    if (element.scrollWidth > element.clientWidth + 1 && element.clientWidth) {
+      found.push(element.textContent);
+    }
+  }
+  const room = panel.closest(".jp-OutputArea-output").getBoundingClientRect();
+  const boxes = "img, label, input, select, button, span, .slider";
+  for (const element of panel.querySelectorAll(boxes)) {
+    const box = element.getBoundingClientRect();
+    if (!box.width) continue;  // not shown
+    if (box.left < room.left - 1 || box.right > room.right + 1) found.push(element.outerHTML);
+  }
+  return found;
+}"""
+
+
+class PanelPage:
+    """The first panel in sight.
+
+    Parameters
+    ----------
+    page : Page
+    explorer_class : type of Explorer
+        What the panel is meant to be.
+    """
+
+    def __init__(self, page: Page, explorer_class: type[Explorer]) -> None:
+        self.page = page
+        self.explorer_class = explorer_class
+        heading = page.get_by_text(explorer_class.title, exact=True)
+        self.panel = page.locator(f".{PANEL_CLASS}").filter(has=heading)
+        self.image = self.panel.locator("img")
+        self.image.wait_for()
+        self.settle()
+
+    def settle(self) -> None:
+        """Wait until nothing changes any more."""
+        self.panel.evaluate(SETTLE)
+
+    def picture(self) -> bytes:
+        """The PNG on display."""
+        return base64.b64decode(self.panel.evaluate(PICTURE))
+
+    def numbers(self) -> list[tuple[str, str]]:
+        """Names and values beside the picture."""
+        return [(name, value) for name, value in self.panel.evaluate(NUMBERS)]
+
+    def code(self) -> str:
+        """The Python lines below the sliders."""
+        return self.panel.locator("pre").inner_text()
+
+    @staticmethod
+    def name(control: Control) -> str:
+        """What a screen reader calls a control."""
+        return control.full_name if control.is_slider else control.label
+
+    def element(self, control: Control) -> Locator:
+        """What takes the keys of a control, found as a screen reader finds it."""
+        role = (
+            "checkbox"
+            if control.is_box
+            else "combobox"
+            if control.choices
+            else "textbox"
+            if control.examples
+            else "slider"
+        )
+        return self.panel.get_by_role(role, name=self.name(control), exact=True)  # type: ignore[arg-type]
+
+    def values(self) -> dict[str, Any]:
+        """What the panel says the values of all controls are."""
+        shown = dict(self.panel.evaluate(SHOWN))
+        return {
+            control.name: self._read(control, shown[self.name(control)])
+            for control in self.explorer_class.controls
+        }
+
+    @staticmethod
+    def _read(control: Control, shown: Any) -> Any:
+        if control.is_box or control.choices or control.examples:
+            return shown
+        text = shown.replace("−", "-")
+        return next((s for s in control.stops if f"{s:g}" == text), type(control.start)(text))
+
+    def press(self, control: Control, *keys: str) -> None:
+        """Press keys on a control."""
+        self.element(control).focus()
+        for key in keys:
+            self.page.keyboard.press(key)
+
+    def choose_preset(self, name: str) -> None:
+        self.panel.get_by_role("combobox", name="preset").select_option(label=name)
+        self.settle()
+
+    def reset(self) -> None:
+        self.panel.get_by_role("button", name="Reset").click()
+        self.settle()
+
+    def preset(self) -> str:
+        """What the preset menu says."""
+        menu = self.panel.get_by_role("combobox", name="preset")
+        return str(menu.evaluate("menu => menu.value.replaceAll('\u00a0', ' ')"))
+
+    def _grip(self, control: Control) -> tuple[float, float, float, float]:
+        """Middle of a slider's handle and both ends of its track, in the page."""
+        handle = self.element(control)
+        handle.scroll_into_view_if_needed()
+        x, y, left, right = handle.evaluate(GRIP)
+        return x, y, left, right
+
+    def drag(self, control: Control) -> None:
+        """Drag a slider to the farther end of its track and a quarter back."""
+        x, y, left, right = self._grip(control)
+        far, near = (left, right) if x > (left + right) / 2 else (right, left)
+        mouse = self.page.mouse
+        mouse.move(x, y)
+        mouse.down()
+        mouse.move(far, y, steps=3)
+        mouse.move(0.75 * far + 0.25 * near, y, steps=2)
+        mouse.up()
+        self.settle()
+
+    def sweep(self, control: Control) -> None:
+        """Drag a slider to both ends and back without waiting for pictures."""
+        x, y, left, right = self._grip(control)
+        mouse = self.page.mouse
+        mouse.move(x, y)
+        mouse.down()
+        for place in (right, left, x):
+            mouse.move(place, y, steps=25)
+        mouse.up()
+
+    def focused_name(self) -> str:
+        """Accessible name of the element with the focus."""
+        return str(self.page.evaluate(FOCUSED_NAME))
+
+    def focus_is_visible(self) -> bool:
+        """Tell by pixels whether the element with the focus looks different without it."""
+        element = self.page.evaluate_handle("document.activeElement").as_element()
+        assert element is not None
+        element.scroll_into_view_if_needed()
+        box = element.bounding_box()
+        assert box is not None
+        clip = {
+            "x": box["x"] - 4, "y": box["y"] - 4,
+            "width": box["width"] + 8, "height": box["height"] + 8,
+        }  # fmt: skip
+        with_focus = self.page.screenshot(clip=clip, caret="initial")
+        element.evaluate("element => element.blur()")
+        without = self.page.screenshot(clip=clip, caret="initial")
+        element.focus()
+        pixels = [
+            np.asarray(Image.open(io.BytesIO(png)).convert("L"), int)
+            for png in (with_focus, without)
+        ]
+        return bool(np.sum(np.abs(pixels[0] - pixels[1]) > 60) >= 20)
+
+    def cut_off(self) -> list[str]:
+        """What of the panel does not fit into the room it has."""
+        return list(self.panel.evaluate(CUT_OFF))
+
+    def screenshot(self, path: Path) -> None:
+        self.page.screenshot(path=path)
