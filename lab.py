@@ -46,8 +46,9 @@ LOCK = HOME / ".setup.lock"  # beside .venv, not in it, so that a rebuild leaves
 LOG = HOME / ".setup.log"  # what the latest step of the set-up printed
 ENVIRONMENT = HOME / "environment.txt"
 PYPROJECT = HOME / "pyproject.toml"
-PEERS = VENV / "peers"  # for the benchmark only, and after everything else on its path
-PEERS_LIST = HOME / "tests/benchmarks/peers.txt"
+# What only tests and benchmarks use lies aside, and comes after everything else on their path.
+PEERS, PEERS_LIST = VENV / "peers", HOME / "tests/benchmarks/peers.txt"
+DRIVER, DRIVER_LIST = VENV / "browser", HOME / "tests/browser/driver.txt"
 NOTEBOOK = "notebooks/00_start_here.ipynb"
 VERSION = f"{sys.version_info[0]}.{sys.version_info[1]}"
 
@@ -444,6 +445,7 @@ def free_port() -> int:
 def test(arguments: list[str]) -> int:
     """Check the project; pytest comes last so that its summary closes the output."""
     set_up()
+    install_aside("what drives the browser", DRIVER, DRIVER_LIST)
     if arguments:
         return run("-m", "pytest", *arguments)
     return max([run("-m", "ruff", "check"), run("-m", "mypy"), run("-m", "pytest")])
@@ -458,24 +460,25 @@ def figures(arguments: list[str]) -> int:
 def bench(arguments: list[str]) -> int:
     expect_none(arguments)
     set_up()
-    try:
-        install_peers()
-    except Trouble as trouble:
-        say(f"The packages to compare with could not be had, so they are left out. {trouble}")
+    install_aside("the packages to compare with", PEERS, PEERS_LIST)
+    install_aside("what drives the browser", DRIVER, DRIVER_LIST)
     return run("tests/benchmarks/bench.py")
 
 
-def install_peers() -> None:
-    """Install the packages that only the benchmark uses; return at once if they are there."""
-    wanted, done = PEERS_LIST.read_text("utf-8"), PEERS / "installed.txt"
-    with alone():
-        if done.exists() and done.read_text("utf-8") == wanted:
-            return
-        say("Fetching the packages to compare with; the first time takes about half a minute.")
-        shutil.rmtree(PEERS, ignore_errors=True)
-        options = ["--only-binary=:all:", "--progress-bar=off", "--target", str(PEERS)]
-        run_step([*pip_install(PYTHON), *options, "-r", str(PEERS_LIST)])
-        write(done, wanted)
+def install_aside(what: str, folder: Path, listing: Path) -> None:
+    """Install packages into a folder of their own; say so if they cannot be had."""
+    wanted, done = listing.read_text("utf-8"), folder / "installed.txt"
+    try:
+        with alone():
+            if done.exists() and done.read_text("utf-8") == wanted:
+                return
+            say(f"Fetching {what}; the first time takes about half a minute.")
+            shutil.rmtree(folder, ignore_errors=True)
+            options = ["--only-binary=:all:", "--progress-bar=off", "--target", str(folder)]
+            run_step([*pip_install(PYTHON), *options, "-r", str(listing)])
+            write(done, wanted)
+    except Trouble as trouble:
+        say(f"Going on without {what}. {trouble}")
 
 
 def expect_none(arguments: list[str]) -> None:

@@ -198,6 +198,13 @@ def redraws(moves: int = 10) -> None:
         )
 
 
+def browser_latencies() -> None:
+    sys.path += [str(Path(__file__).parents[1]), str(Path(__file__).parents[1] / "browser")]
+    from latency import latencies
+
+    latencies()
+
+
 if __name__ == "__main__":
     print(f"Python {platform.python_version()}, NumPy {np.__version__}, {platform.machine()}")
     error_quaternions()
@@ -208,3 +215,4 @@ if __name__ == "__main__":
     calibration()
     gyrocompass()
     redraws()
+    browser_latencies()

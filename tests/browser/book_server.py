@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-CHAPTERS = Path(__file__).parents[2] / "notebooks"
+from book import CHAPTERS
 
 
 @contextmanager

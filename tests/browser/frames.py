@@ -1,13 +1,17 @@
 """What a screen shows of a picture while something happens, frame by frame."""
 
+from __future__ import annotations
+
 import base64
 import io
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from PIL import Image
-from playwright.sync_api import Locator, Page
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Locator, Page
 
 # The size of the picture and its place in the panel, at each frame; all that differ.
 WATCH_SIZE = """(image) => {

@@ -1,9 +1,14 @@
 """One notebook open in JupyterLab, and everything that goes wrong in it."""
 
+from __future__ import annotations
+
 import re
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
-from playwright.sync_api import ConsoleMessage, Page, Request
+if TYPE_CHECKING:
+    from playwright.sync_api import ConsoleMessage, Page, Request
+
 
 PATIENCE = 60_000
 """Milliseconds before a page counts as hung."""

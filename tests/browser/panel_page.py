@@ -1,16 +1,20 @@
 """One slider panel in a page: what a reader sees of it and does to it."""
 
+from __future__ import annotations
+
 import base64
 import io
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from PIL import Image
-from playwright.sync_api import Locator, Page
 
 from driftlab.explorers.control import Control
 from driftlab.explorers.panel import PANEL_CLASS, Explorer
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Locator, Page
 
 # At rest the kernel owes no answer, and a few frames in a row find the panel as it was: ipywidgets
 # holds a move back while the kernel works on the one before.
@@ -63,6 +67,25 @@ FOCUSED_NAME = """() => {
   return element.ariaLabel ?? element.labels?.[0]?.innerText ?? "";
 }"""
 
+# From the key to the first chance to do something after another picture has been painted.
+TIME_MOVE = """place => {
+  const old = place.querySelector("img").src;
+  let pressed;
+  const note = event => { pressed = event.timeStamp; };
+  place.addEventListener("keydown", note, { capture: true, once: true });
+  window.moved = new Promise((resolve) => {
+    const observer = new MutationObserver(async () => {
+      const image = place.querySelector("img");
+      if (!image || image.src === old) return;
+      observer.disconnect();
+      await image.decode();
+      requestAnimationFrame(() => setTimeout(() => resolve(performance.now() - pressed)));
+    });
+    observer.observe(place, { attributes: true, childList: true, subtree: true });
+    setTimeout(() => { observer.disconnect(); resolve(null); }, 3000);
+  });
+}"""
+
 # Text wider than its box, and boxes that stick out of the panel or the panel out of the cell.
 CUT_OFF = """panel => {
   const found = [];
@@ -81,6 +104,15 @@ CUT_OFF = """panel => {
   }
   return found;
 }"""
+
+
+def time_of_move(handle: Locator, place: Locator, key: str) -> float | None:
+    """Milliseconds from a key on a handle to a new picture in `place`; None if none comes."""
+    handle.focus()
+    place.evaluate(TIME_MOVE)
+    handle.page.keyboard.press(key)
+    took = handle.page.evaluate("window.moved")
+    return None if took is None else float(took)
 
 
 class PanelPage:

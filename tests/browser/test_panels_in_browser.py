@@ -1,15 +1,13 @@
 """Every slider panel of the book, in the chapter that shows it, as a reader finds it."""
 
-import ast
 import io
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-import nbformat
 import numpy as np
 import pytest
-from book_server import CHAPTERS
+from book import PLACES, Place
 from frames import blank_frames, frames_of, sizes_during
 from notebook_page import NotebookPage
 from panel_page import PanelPage
@@ -24,27 +22,6 @@ from panel_numbers import assert_shown, shown_numbers
 SCREENSHOTS = Path(__file__).parent / "screenshots"
 SCREENS = {"1280x800": (1280, 800), "1024x768": (1024, 768)}
 
-
-class Place(NamedTuple):
-    """Where in the book a panel is shown."""
-
-    chapter: str
-    cell: int
-    explorer: str
-    arguments: tuple[str, ...]
-
-
-def places() -> Iterator[Place]:
-    """All cells of the book whose last line is a panel."""
-    for path in sorted(CHAPTERS.glob("*.ipynb")):
-        for index, cell in enumerate(nbformat.read(path, as_version=4).cells):
-            if cell.cell_type == "code" and "Explorer(" in cell.source:
-                call = ast.parse(cell.source).body[-1].value
-                arguments = tuple(ast.literal_eval(argument) for argument in call.args)
-                yield Place(path.name, index, call.func.id, arguments)
-
-
-PLACES = list(places())
 
 # The tests of one chapter come together, so that each chapter is opened and run once.
 every_panel = pytest.mark.parametrize(

@@ -1,0 +1,249 @@
+"""Every control of every explorer is moved, each alone and all at once, and no fault stays hidden.
+
+The faults that a sweep must see are put into a small explorer on purpose, one after the other.
+"""
+
+import random
+from collections.abc import Iterator
+from typing import Any, ClassVar
+
+import ipywidgets as widgets
+import pytest
+
+from driftlab.explorers import EXPLORERS, DriftExplorer
+from driftlab.explorers.control import Control
+from driftlab.explorers.panel import ERROR_CLASS, Explorer
+from driftlab.figures.picture import Picture
+from panel_numbers import assert_shown, shown_numbers
+
+every_explorer = pytest.mark.parametrize("explorer_class", EXPLORERS, ids=lambda e: e.__name__)
+
+
+def places(control: Control) -> list:
+    """Both ends of a slider and back, or every choice or example and back."""
+    ends = list(control.options or control.examples) or [control.low, control.high]
+    return [*ends, control.start]
+
+
+def any_place(control: Control, rng: random.Random) -> Any:
+    listed = control.options or control.examples
+    if listed:
+        return rng.choice(listed)
+    return type(control.start)(rng.uniform(control.low, control.high))
+
+
+def parts_of(widget: widgets.Widget) -> Iterator[widgets.Widget]:
+    yield widget
+    for child in getattr(widget, "children", ()):
+        yield from parts_of(child)
+
+
+def hidden_errors(explorer: Explorer) -> list[str]:
+    """Tracebacks in the state of any widget of a panel, where no exception comes out."""
+    found = []
+    for part in parts_of(explorer):
+        found += [out["evalue"] for out in getattr(part, "outputs", ()) if "evalue" in out]
+        value = getattr(part, "value", "")
+        if isinstance(value, str) and (ERROR_CLASS in value or "Traceback" in value):
+            found.append(value)
+    return found
+
+
+def assert_sound(explorer: Explorer) -> None:
+    """Fail if anything in the panel tells of an error."""
+    assert hidden_errors(explorer) == []
+    assert explorer.message.value == ""
+    assert "nan" not in explorer.text.value
+
+
+def sweep(explorer: Explorer) -> None:
+    """Move each control alone, from every preset, to all its places and back."""
+    idle = {control.name for control in explorer.controls}
+    for preset in explorer.presets:
+        explorer.preset.value = preset
+        before, picture = explorer.values, explorer.image.value
+        for control in explorer.controls:
+            for place in places(control):
+                explorer._widgets[control.name].value = place
+                assert_sound(explorer)
+                if explorer.image.value != picture:
+                    idle.discard(control.name)
+            explorer._widgets[control.name].value = before[control.name]
+            assert explorer.image.value == picture, "the picture depends on the way to the values"
+        assert explorer.values == before
+    assert idle == set(), "these change no picture from any preset"
+
+
+def combine(explorer: Explorer, count: int = 12) -> None:
+    """Set all controls at once, at random, and run the code that the panel shows."""
+    rng = random.Random(7)
+    for _ in range(count):
+        values = {control.name: any_place(control, rng) for control in explorer.controls}
+        explorer.set(**values)
+        assert_sound(explorer)
+        exec(explorer.call(explorer.values), {})
+
+
+@every_explorer
+def test_every_control_sweeps_to_both_ends_and_back(explorer_class: type[Explorer]) -> None:
+    sweep(explorer_class())
+
+
+@every_explorer
+def test_any_combination_gives_a_picture_numbers_and_code_that_runs(
+    explorer_class: type[Explorer],
+) -> None:
+    combine(explorer_class())
+
+
+@every_explorer
+def test_numbers_beside_the_picture_are_the_package_s_own(explorer_class: type[Explorer]) -> None:
+    explorer = explorer_class()
+    rng = random.Random(11)
+    for preset in explorer.presets:
+        explorer.preset.value = preset
+        assert_shown(explorer_class.__name__, explorer.values, shown_numbers(explorer.text.value))
+    for _ in range(8):
+        explorer.set(**{control.name: any_place(control, rng) for control in explorer.controls})
+        assert_shown(explorer_class.__name__, explorer.values, shown_numbers(explorer.text.value))
+
+
+class DotPicture(Picture[float]):
+    """One dot at a height."""
+
+    size = (2.0, 1.0)
+
+    def build(self) -> None:
+        axes = self.figure.subplots()
+        axes.set(xlim=(-1, 1), ylim=(-1, 5))
+        self.dot = self.line(axes, marker="o")
+
+    def update(self, data: float) -> None:
+        self.dot.set_data([0.0], [data])
+
+
+class Sound(Explorer):
+    """Shows the sum of two numbers."""
+
+    title = "sound"
+    picture_class = DotPicture
+    controls = (Control("x", "x", 0.5, 0.0, 3.0, 0.1), Control("y", "y", 0.0, 0.0, 1.0, 0.1))
+    presets: ClassVar = {"start": {}, "another": {"x": 1.0}}
+
+    def compute(self, values):
+        return values["x"] + values["y"]
+
+    def numbers(self, data):
+        return [("sum", f"{data:.3f}")]
+
+    def call(self, values):
+        return f"assert {values['x']} >= 0"
+
+
+class RaisesAtAnEnd(Sound):
+    def compute(self, values):
+        if values["x"] == 3:
+            raise ZeroDivisionError("at the end")
+        return super().compute(values)
+
+
+class Refuses(Sound):
+    def compute(self, values):
+        if values["x"] == 3:
+            raise ValueError("x: expected less than 3")
+        return super().compute(values)
+
+
+class HidesItsError(Sound):
+    """Its callback fails, shows a traceback and says nothing: as an Output widget does."""
+
+    def redraw(self):
+        try:
+            super().redraw()
+            if self.values["x"] == 3:
+                raise ZeroDivisionError("hidden")
+        except ZeroDivisionError as error:
+            fault = {"output_type": "error", "ename": "", "evalue": str(error), "traceback": []}
+            self.children[0].outputs = (fault,)
+
+
+class SaysNan(Sound):
+    def numbers(self, data):
+        return [("sum", f"{data if data < 3 else float('nan')}")]
+
+
+class Deaf(Sound):
+    def compute(self, values):
+        return values["x"]
+
+
+class Remembers(Sound):
+    """Its picture depends on what it showed before."""
+
+    def compute(self, values):
+        self.past = max(getattr(self, "past", 0.0), super().compute(values))
+        return self.past
+
+
+class Forgets(Sound):
+    """Puts one slider back when another moves."""
+
+    def redraw(self):
+        super().redraw()
+        if self.values["x"] == 3:
+            self._widgets["y"].value = 1.0
+
+
+def test_a_sound_explorer_passes() -> None:
+    sweep(Sound())
+    combine(Sound())
+
+
+@pytest.mark.parametrize(
+    ("broken", "error"),
+    [
+        (RaisesAtAnEnd, "at the end"),
+        (Refuses, "expected less than 3"),
+        (HidesItsError, "hidden"),
+        (SaysNan, "'nan' not in"),
+        (Deaf, "these change no picture"),
+        (Remembers, "depends on the way"),
+        (Forgets, "depends on the way"),
+    ],
+)
+def test_a_sweep_sees_every_fault(broken: type[Explorer], error: str) -> None:
+    with pytest.raises((AssertionError, ZeroDivisionError), match=error):
+        sweep(broken())
+
+
+class FailsTogether(Sound):
+    """Sound as long as one slider at a time is moved."""
+
+    def compute(self, values):
+        if values["x"] > 1.1 and values["y"] > 0.2:
+            raise ZeroDivisionError("together")
+        return super().compute(values)
+
+
+class ShowsBadCode(Sound):
+    def call(self, values):
+        return f"1 / ({values['x']} < 1)"
+
+
+@pytest.mark.parametrize("broken", [FailsTogether, ShowsBadCode])
+def test_random_combinations_see_what_a_sweep_does_not(broken: type[Explorer]) -> None:
+    sweep(broken())
+    with pytest.raises(ZeroDivisionError):
+        combine(broken())
+
+
+class WrongSign(DriftExplorer):
+    def numbers(self, data):
+        return [(name, value.lstrip("-")) for name, value in super().numbers(data)]
+
+
+def test_a_wrong_number_is_seen() -> None:
+    explorer = WrongSign()
+    explorer.set(m12=-2.0, m21=-2.0)
+    with pytest.raises(AssertionError, match="drift a turn"):
+        assert_shown("DriftExplorer", explorer.values, shown_numbers(explorer.text.value))
