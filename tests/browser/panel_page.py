@@ -139,7 +139,7 @@ class PanelPage:
         self.panel.evaluate(SETTLE)
 
     def picture(self) -> bytes:
-        """The PNG on display."""
+        """The file of the picture on display."""
         return base64.b64decode(self.panel.evaluate(PICTURE))
 
     def numbers(self) -> list[tuple[str, str]]:
@@ -251,8 +251,8 @@ class PanelPage:
         without = self.page.screenshot(clip=clip, caret="initial")
         element.focus()
         pixels = [
-            np.asarray(Image.open(io.BytesIO(png)).convert("L"), int)
-            for png in (with_focus, without)
+            np.asarray(Image.open(io.BytesIO(file)).convert("L"), int)
+            for file in (with_focus, without)
         ]
         return bool(np.sum(np.abs(pixels[0] - pixels[1]) > 60) >= 20)
 

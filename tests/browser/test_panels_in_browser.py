@@ -1,5 +1,6 @@
 """Every slider panel of the book, in the chapter that shows it, as a reader finds it."""
 
+import html
 import io
 from collections.abc import Iterator
 from pathlib import Path
@@ -67,11 +68,9 @@ class Panel(NamedTuple):
         self.twin.set(**values)
         assert self.twin.message.value == ""
         assert self.shown.numbers() == shown_numbers(self.twin.text.value)
-        assert self.shown.code() == self.twin.code.value[len("<pre>") : -len("</pre>")].replace(
-            "&#x27;", "'"
-        )
+        assert f"<pre>{html.escape(self.shown.code())}</pre>" == self.twin.code.value
         pictures = (self.shown.picture(), self.twin.image.value)
-        pixels = [np.asarray(Image.open(io.BytesIO(png))) for png in pictures]
+        pixels = [np.asarray(Image.open(io.BytesIO(file))) for file in pictures]
         np.testing.assert_array_equal(*pixels, err_msg=f"not the picture of {values}")
         assert_shown(type(self.twin).__name__, values, self.shown.numbers())
 

@@ -96,7 +96,7 @@ def test_a_page_without_widgets_has_the_picture() -> None:
     explorer = RootsExplorer()
     bundle = explorer._repr_mimebundle_()
     assert "application/vnd.jupyter.widget-view+json" in bundle
-    assert base64.b64decode(bundle["image/png"]) == bytes(explorer.image.value)
+    assert base64.b64decode(bundle["image/jpeg"]) == bytes(explorer.image.value)
 
 
 def test_explorers_share_no_state() -> None:
