@@ -4,8 +4,8 @@ An explorer is a `Picture`, a list of controls, and one function from the contro
 picture's data. The picture is a Matplotlib figure kept for the panel's life: its background is
 drawn once, and anew only if the axes have changed their reach, a move of a slider redraws only the
 artists that move, and the result goes as a JPEG into an image widget: at this quality nobody sees
-the difference, and a PNG takes several times as long to make. There is no output area to flicker or to
-swallow an error: bad values show a sentence in the panel, and anything unforeseen shows its
+the difference, and a PNG takes several times as long to make. There is no output area to flicker or
+to swallow an error: bad values show a sentence in the panel, and anything unforeseen shows its
 traceback there and is raised again.
 """
 
