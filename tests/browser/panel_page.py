@@ -261,4 +261,7 @@ class PanelPage:
         return list(self.panel.evaluate(CUT_OFF))
 
     def screenshot(self, path: Path) -> None:
+        """Keep the page as it is with the panel at its top."""
+        self.panel.evaluate("panel => panel.scrollIntoView({ block: 'start' })")
+        self.page.wait_for_timeout(300)
         self.page.screenshot(path=path)
