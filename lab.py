@@ -473,10 +473,13 @@ def install_aside(what: str, folder: Path, listing: Path) -> None:
             if done.exists() and done.read_text("utf-8") == wanted:
                 return
             say(f"Fetching {what}; the first time takes about half a minute.")
-            shutil.rmtree(folder, ignore_errors=True)
-            options = ["--only-binary=:all:", "--progress-bar=off", "--target", str(folder)]
+            fresh = folder.with_name(folder.name + ".new")  # what is there stays until it is here
+            shutil.rmtree(fresh, ignore_errors=True)
+            options = ["--only-binary=:all:", "--progress-bar=off", "--target", str(fresh)]
             run_step([*pip_install(PYTHON), *options, "-r", str(listing)])
-            write(done, wanted)
+            write(fresh / done.name, wanted)
+            shutil.rmtree(folder, ignore_errors=True)
+            fresh.rename(folder)
     except Trouble as trouble:
         say(f"Going on without {what}. {trouble}")
 

@@ -15,6 +15,14 @@ from pathlib import Path
 
 from book import CHAPTERS
 
+# As an argument made inside the process the token is in no list of processes, and unlike
+# JUPYTER_TOKEN it wins over any configuration that switches tokens off.
+SERVER = """\
+import os, sys
+from jupyterlab.labapp import main
+main([*sys.argv[1:], "--IdentityProvider.token=" + os.environ.pop("BOOK_TOKEN")])
+"""
+
 
 @contextmanager
 def book_server(folder: Path) -> Iterator[tuple[str, str]]:
@@ -33,17 +41,17 @@ def book_server(folder: Path) -> Iterator[tuple[str, str]]:
         port = probe.getsockname()[1]
     address, token = f"http://127.0.0.1:{port}", secrets.token_hex(24)
     environment = {
-        **os.environ,
+        **{name: value for name, value in os.environ.items() if not name.startswith("JUPYTER")},
         "JUPYTER_CONFIG_DIR": str(folder / "config"),
         "JUPYTER_RUNTIME_DIR": str(folder / "runtime"),
         "JUPYTER_DATA_DIR": str(folder / "data"),
         "JUPYTERLAB_SETTINGS_DIR": str(folder / "settings"),
         "JUPYTERLAB_WORKSPACES_DIR": str(folder / "workspaces"),
         "IPYTHONDIR": str(folder / "ipython"),
-        "JUPYTER_TOKEN": token,
+        "BOOK_TOKEN": token,
     }
     command = [
-        *[sys.executable, "-m", "jupyterlab", "--no-browser", f"--ServerApp.root_dir={book}"],
+        *[sys.executable, "-c", SERVER, "--no-browser", f"--ServerApp.root_dir={book}"],
         *["--ServerApp.ip=127.0.0.1", f"--ServerApp.port={port}", "--ServerApp.port_retries=0"],
         # So that a test can ask the application for its notebook and its kernel.
         "--LabApp.expose_app_in_browser=True",

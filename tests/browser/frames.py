@@ -24,6 +24,11 @@ WATCH_SIZE = """(image) => {
   };
   watch();
 }"""
+IN_SIGHT = """(image) => {
+  const box = image.getBoundingClientRect();
+  const corners = [[box.left + 1, box.top + 1], [box.right - 1, box.bottom - 1]];
+  return corners.every(([x, y]) => document.elementFromPoint(x, y) === image);
+}"""
 STOP_WATCHING = "() => { cancelAnimationFrame(window.watching); return window.sizes; }"
 
 
@@ -34,6 +39,7 @@ def frames_of(page: Page, picture: Locator, act: Callable[[], object]) -> list[n
     """
     box = picture.bounding_box()
     assert box is not None
+    assert picture.evaluate(IN_SIGHT), "the picture is not wholly in sight"
     cut = tuple(
         round(n) for n in (box["x"], box["y"], box["x"] + box["width"], box["y"] + box["height"])
     )
@@ -60,8 +66,9 @@ def ink(frame: np.ndarray) -> float:
 
 
 def blank_frames(frames: list[np.ndarray]) -> int:
-    """Count the frames that have less than half the ink of the last, which is at rest."""
-    return sum(ink(frame) < 0.5 * ink(frames[-1]) for frame in frames)
+    """Count the frames that have less than half the ink of the fullest."""
+    inks = [ink(frame) for frame in frames]
+    return sum(each < 0.5 * max(inks) for each in inks)
 
 
 def sizes_during(page: Page, picture: Locator, act: Callable[[], object]) -> list[str]:

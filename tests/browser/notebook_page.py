@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 PATIENCE = 60_000
 """Milliseconds before a page counts as hung."""
 
-FOREIGN = r"No such comm( target registered)?: "
+FOREIGN = r"^.*No such comm( target registered)?: .*$"
 """What the kernel says when a page asks for widgets before the first cell has imported them."""
 
 RUN_ALL = """async () => {
@@ -87,7 +87,7 @@ class NotebookPage:
             self.trouble.append(f"console: {message.text} ({message.location.get('url')})")
 
     def _note_request(self, request: Request) -> None:
-        if not request.url.startswith((self.address, "blob:", "data:")):
+        if not request.url.startswith((self.address + "/", "blob:", "data:")):
             self.trouble.append(f"request to the network: {request.url}")
 
     def open(self, notebook: str) -> None:
@@ -116,12 +116,22 @@ class NotebookPage:
             wanted,
         )
 
+    def files_are_shown(self) -> bool:
+        """Tell whether the list of files is there."""
+        return not self.page.evaluate("window.jupyterapp.shell.leftCollapsed")
+
+    def count_cells(self) -> int:
+        """Number of cells of the notebook."""
+        return int(
+            self.page.evaluate("window.jupyterapp.shell.currentWidget.content.widgets.length")
+        )
+
     def all_trouble(self) -> list[str]:
         """Everything that went wrong: in the page, in the kernel, in outputs and in panels."""
         from_kernel = [
             text
             for text in self.page.evaluate("window.trouble || []")
-            if not re.search(FOREIGN, text)
+            if re.sub(FOREIGN, "", text, flags=re.MULTILINE).strip()
         ]
         tracebacks = self.page.evaluate(
             "[...document.querySelectorAll('.driftlab-error')].map(e => e.textContent)"

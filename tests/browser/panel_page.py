@@ -168,6 +168,10 @@ class PanelPage:
         )
         return self.panel.get_by_role(role, name=self.name(control), exact=True)  # type: ignore[arg-type]
 
+    def readout(self, control: Control) -> Locator:
+        """Where a slider shows its value and takes another."""
+        return self.panel.get_by_role("textbox", name=control.full_name, exact=True)
+
     def values(self) -> dict[str, Any]:
         """What the panel says the values of all controls are."""
         shown = dict(self.panel.evaluate(SHOWN))
@@ -220,6 +224,11 @@ class PanelPage:
         mouse.move(0.75 * far + 0.25 * near, y, steps=2)
         mouse.up()
         self.settle()
+
+    def bring_into_sight(self, control: Control) -> None:
+        """Scroll until a slider is at the lower edge, so that the picture is in sight as well."""
+        self.element(control).evaluate("handle => handle.scrollIntoView({ block: 'end' })")
+        self.page.wait_for_timeout(300)
 
     def sweep(self, control: Control) -> None:
         """Drag a slider to both ends and back without waiting for pictures."""

@@ -80,8 +80,8 @@ def panel(chapter: NotebookPage, place: Place) -> Iterator[Panel]:
     """The panel as its cell has made it; at the end nothing may have gone wrong anywhere."""
     chapter.show_cell(place.cell)
     shown = PanelPage(chapter.page, getattr(explorers, place.explorer))
-    shown.reset()
     yield Panel(shown, getattr(explorers, place.explorer)(*place.arguments))
+    shown.reset()
     assert chapter.all_trouble() == []
 
 
@@ -89,6 +89,50 @@ def panel(chapter: NotebookPage, place: Place) -> Iterator[Panel]:
 def test_opens_with_picture_and_numbers(panel: Panel) -> None:
     assert panel.shown.values() == panel.twin.values
     panel.assert_agrees()
+
+
+@every_panel
+def test_a_screen_reader_is_told_what_there_is(panel: Panel) -> None:
+    shown, twin = panel
+    assert shown.image.get_attribute("alt") == twin.title
+    for control in twin.controls:
+        element = shown.element(control)
+        assert element.count() == 1
+        if control.is_slider and not control.stops:
+            readout = shown.readout(control)
+            assert readout.count() == 1
+            assert element.get_attribute("aria-valuetext") == readout.inner_text()
+
+
+@every_panel
+def test_a_number_can_be_typed_over_a_readout(panel: Panel) -> None:
+    shown, twin = panel
+    control = next(c for c in twin.controls if c.is_slider and not c.stops)
+    near = control.low + control.step
+    # Enter takes it and so does leaving; a decimal comma is a point.
+    for leave, text, value in (
+        ("Enter", f"{near:g}".replace(".", ","), near),
+        ("Tab", f"{control.high:g}", control.high),
+        ("Tab", "nonsense", control.high),
+    ):
+        shown.readout(control).fill(text)
+        shown.page.keyboard.press(leave)
+        shown.settle()
+        assert shown.values()[control.name] == pytest.approx(value)
+    panel.assert_agrees()
+
+
+@every_panel
+def test_keys_in_a_panel_are_no_commands_of_jupyterlab(panel: Panel, chapter: NotebookPage) -> None:
+    shown, twin = panel
+    slider = next(control for control in twin.controls if control.is_slider)
+    before = chapter.count_cells()
+    shown.press(slider, "x", "b", "d", "d", "Enter", "Escape")
+    assert chapter.count_cells() == before
+    chapter.show_files(True)
+    shown.press(slider, "Control+b")  # but this one is
+    assert not chapter.files_are_shown()
+    chapter.show_files(True)
 
 
 @every_panel
@@ -125,7 +169,7 @@ def keys_for(control: Control) -> list[tuple[str, object]]:
 @every_panel
 def test_every_control_obeys_the_keyboard(panel: Panel) -> None:
     shown, twin = panel
-    idle = set(twin.controls)
+    idle = list(twin.controls)
     for preset in twin.presets:
         for control in tuple(idle):
             shown.choose_preset(preset)
@@ -137,17 +181,16 @@ def test_every_control_obeys_the_keyboard(panel: Panel) -> None:
                 shown.settle()
                 found = shown.values()[control.name]
                 assert found == (value if isinstance(value, str) else pytest.approx(value))
-                if shown.picture() != picture:
-                    idle.discard(control)
+                if shown.picture() != picture and control in idle:
+                    idle.remove(control)
             panel.assert_agrees()
-    assert idle == set(), "these change no picture from any preset"
+    assert idle == [], "these change no picture from any preset"
 
 
 @every_panel
 def test_every_slider_obeys_the_mouse(panel: Panel) -> None:
     shown, twin = panel
-    sliders = {control for control in twin.controls if control.is_slider}
-    idle = set(sliders)
+    idle = [control for control in twin.controls if control.is_slider]
     for preset in twin.presets:
         for control in tuple(idle):
             shown.choose_preset(preset)
@@ -156,9 +199,9 @@ def test_every_slider_obeys_the_mouse(panel: Panel) -> None:
             after = shown.values()
             assert {name for name in before if after[name] != before[name]} == {control.name}
             if shown.picture() != picture:
-                idle.discard(control)
+                idle.remove(control)
             panel.assert_agrees()
-    assert idle == set(), "these change no picture from any preset"
+    assert idle == [], "these change no picture from any preset"
 
 
 @every_panel
@@ -182,8 +225,7 @@ def test_tab_reaches_every_control_and_shows_where_it_is(panel: Panel) -> None:
 def test_picture_is_never_blank_and_stays_in_its_place(panel: Panel) -> None:
     shown, twin = panel
     slider = next(control for control in twin.controls if control.is_slider)
-    shown.element(slider).scroll_into_view_if_needed()
-    shown.image.scroll_into_view_if_needed()
+    shown.bring_into_sight(slider)
     sizes = []
 
     def slide() -> None:
@@ -191,7 +233,7 @@ def test_picture_is_never_blank_and_stays_in_its_place(panel: Panel) -> None:
 
     frames = frames_of(shown.page, shown.image, slide)
     shown.settle()
-    assert len(np.unique([frame.tobytes() for frame in frames])) > 5
+    assert len({frame.tobytes() for frame in frames}) > 2, "no motion was recorded"
     assert blank_frames(frames) == 0
     assert len(sizes) == 1
 

@@ -74,6 +74,14 @@ def test_presets_lie_on_the_sliders_steps(explorer_class: type[Explorer]) -> Non
                 assert steps == pytest.approx(round(steps), abs=1e-9), control.name
 
 
+@every_explorer
+def test_every_control_has_a_name_of_its_own(explorer_class: type[Explorer]) -> None:
+    names = [control.full_name for control in explorer_class.controls]
+    assert len(set(names)) == len(names)
+    labels = [control.label for control in explorer_class.controls if not control.is_slider]
+    assert len({*labels, "preset"}) == len(labels) + 1
+
+
 def test_a_browser_s_last_digits_do_not_matter() -> None:
     explorer = TurnCalibrationExplorer("Scale error, three axes")
     explorer._widgets["scale"].value = -0.5 + 70 * 0.01
@@ -206,9 +214,9 @@ def test_observability_panel_says_rank_directions_and_deviations() -> None:
     assert "rank <b>27 of 30</b>" in explorer.text.value
     assert "both triads turned together about y, the attitude with them" in explorer.text.value
     # A short number has one column, a longer one two, the longest a row for itself.
-    assert "grid-column: auto; white-space: nowrap'>rank" in explorer.text.value
-    assert "grid-column: span 2; white-space: nowrap'>in the dark" in explorer.text.value
-    assert "grid-column: 1 / -1; white-space: normal'>accelerometer inst" in explorer.text.value
+    assert "flex: 0 0 21.5em; max-width: 100%'>rank" in explorer.text.value
+    assert "flex: 0 0 43em; max-width: 100%'>in the dark" in explorer.text.value
+    assert "flex: 0 0 100%; max-width: 100%'>accelerometer inst" in explorer.text.value
     explorer.preset.value = "19 positions, 27 states"
     assert "rank <b>27 of 27</b>" in explorer.text.value
     assert "in the dark" not in explorer.text.value

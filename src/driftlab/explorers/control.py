@@ -8,6 +8,9 @@ import ipywidgets as widgets
 
 from ..checks import finite_array
 
+STOPS_CLASS = "driftlab-stops"
+"""HTML class of a slider with stops; the script in the page looks for it."""
+
 
 @dataclass(frozen=True)
 class Control:
@@ -84,7 +87,9 @@ class Control:
             return widgets.Dropdown(options=list(self.choices), **common)
         if self.stops:
             options = [(f"{stop:g}", stop) for stop in self.stops]
-            return widgets.SelectionSlider(options=options, **common)
+            slider = widgets.SelectionSlider(options=options, **common)
+            slider.add_class(STOPS_CLASS)
+            return slider
         ends = {"min": self.low, "max": self.high, "step": self.step}
         if isinstance(self.start, int):
             return widgets.IntSlider(**ends, **common)

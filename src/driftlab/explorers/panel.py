@@ -258,17 +258,14 @@ def _compact(content: str, style: str = "") -> str:
 
 
 def _table(numbers: Sequence[tuple[str, str]]) -> str:
-    # Columns of a fixed width: what the values are does not move what stands below.
+    # Cells of a fixed width: what the values are does not move what stands below.
     cells = ""
     for name, value in numbers:
         # What does not fit into a column has two, or a row for itself.
         length = len(name) + len(value)
-        column = "auto" if length < 40 else "span 2" if length < 80 else "1 / -1"
-        wrap = "normal" if length >= 80 else "nowrap"
+        width = "21.5em" if length < 40 else "43em" if length < 80 else "100%"
         cells += (
-            f"<span style='grid-column: {column}; white-space: {wrap}'>"
+            f"<span style='flex: 0 0 {width}; max-width: 100%'>"
             f"{html.escape(name)} <b>{html.escape(value)}</b></span>"
         )
-    return _compact(
-        cells, "display: grid; grid-template-columns: repeat(auto-fill, minmax(21.5em, 1fr))"
-    )
+    return _compact(cells, "display: flex; flex-wrap: wrap")

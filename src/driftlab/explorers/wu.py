@@ -223,6 +223,8 @@ class CalibrationRunExplorer(Explorer):
     def call(self, values: Values) -> str:
         return (
             "from driftlab.figures import calibration_run\n"
-            f"history = calibration_run.compute({values['parameter']!r}, {values['frame']!r})\n"
-            "print(history.name, history.estimate[-1], history.deviation[-1])"
+            f"history = calibration_run.compute({values['parameter']!r}, {values['frame']!r}, "
+            f"{values['minute']})\n"
+            "print(history.name, history.estimate[history.shown],\n"
+            "      3 * history.deviation[history.shown], 'in SI units')"
         )
