@@ -104,7 +104,7 @@ class ErrorMotionExplorer(Explorer):
             ("true rate", f"{true_size:.3f} deg/s"),
             ("measured rate", f"{size:.3f} deg/s"),
             ("their sum, fast", f"{size + true_size:.3f} deg/s"),
-            ("their difference, slow", f"{size - true_size + 0.0:.3f} deg/s"),
+            ("their difference, slow", f"{size - true_size:.3f} deg/s"),
             ("RK45 steps", f"{len(data.integrated_time) - 1}"),
             ("its worst error", f"{worst:.1e}"),
         ]
@@ -147,7 +147,7 @@ class RootsExplorer(Explorer):
     def numbers(self, data: roots.Roots) -> list[tuple[str, str]]:
         fast, slow = data.roots[:, 0].imag, data.roots[:, 2].imag
         rows = zip(roots.FORMULAS, fast, slow, strict=True)
-        return [(name, f"{a:.9f} i, {b + 0.0:.9f} i") for name, a, b in rows]
+        return [(name, f"{a:.9f} i, {b:.9f} i") for name, a, b in rows]
 
     def call(self, values: Values) -> str:
         return (
@@ -185,7 +185,7 @@ class DriftExplorer(Explorer):
             ("drift a turn, exact", f"{_arcmin(data.exact_per_turn)}"),
             ("first order", f"{_arcmin(data.first_order_per_turn)}"),
             ("drift a turn about the worst axis", f"{_arcmin(data.worst_per_turn)}"),
-            ("which is", np.array2string(data.worst_axis.round(3) + 0.0, suppress_small=True)),
+            ("which is", np.array2string(data.worst_axis.round(3), suppress_small=True)),
         ]
 
     def call(self, values: Values) -> str:
@@ -269,4 +269,4 @@ class TurnCalibrationExplorer(Explorer):
 
 
 def _arcmin(angle: float) -> str:
-    return f"{60 * np.degrees(angle) + 0.0:.3f} arcmin"
+    return f"{60 * np.degrees(angle):.3f} arcmin"

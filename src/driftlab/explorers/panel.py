@@ -12,6 +12,7 @@ traceback there and is raised again.
 import base64
 import html
 import io
+import re
 import traceback
 from collections.abc import Mapping, Sequence
 from importlib.resources import files
@@ -260,7 +261,9 @@ def _compact(content: str, style: str = "") -> str:
 def _table(numbers: Sequence[tuple[str, str]]) -> str:
     # Cells of a fixed width: what the values are does not move what stands below.
     cells = ""
-    for name, value in numbers:
+    for name, number in numbers:
+        # What rounds to zero has no sign.
+        value = re.sub(r"-(0(\.0*)?)(?![\d.e])", r"\1", number)
         # What does not fit into a column has two, or a row for itself.
         length = len(name) + len(value)
         width = "21.5em" if length < 40 else "43em" if length < 80 else "100%"

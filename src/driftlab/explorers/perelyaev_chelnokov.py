@@ -40,7 +40,7 @@ class CayleyMapExplorer(Explorer):
         def vector(along: float | None) -> str:
             if along is None:
                 return "infinite"
-            return "(" + ", ".join(f"{x + 0.0:.3f}" for x in np.round(along * data.axis, 3)) + ")"
+            return "(" + ", ".join(f"{x:.3f}" for x in np.round(along * data.axis, 3)) + ")"
 
         return [
             ("dimension 3", vector(data.along_3)),

@@ -16,7 +16,7 @@ BODY_AXES = ("forward", "up", "right")
 
 
 def _degrees(angle: float) -> str:
-    return "none" if np.isnan(angle) else f"{np.degrees(angle) + 0.0:.4f}°"
+    return "none" if np.isnan(angle) else f"{np.degrees(angle):.4f}°"
 
 
 def _sensor_controls(drift: FloatArray, offset: FloatArray, most: float) -> tuple[Control, ...]:

@@ -76,9 +76,9 @@ class SplitExplorer(Explorer):
         for i, (axis, (j, k)) in enumerate(zip("xyz", ((0, 1), (0, 2), (1, 2)), strict=True)):
             pair = "xyz"[j] + "xyz"[k]
             rows += [
-                (f"scale {axis}", f"{scale[i, i] / micro + 0.0:.1f} ppm"),
-                (f"non-orthogonality {pair}", f"{symmetric[j, k] / arcsecond + 0.0:.1f}″"),
-                (f"misalignment about {axis}", f"{data.vector[i] / arcsecond + 0.0:.1f}″"),
+                (f"scale {axis}", f"{scale[i, i] / micro:.1f} ppm"),
+                (f"non-orthogonality {pair}", f"{symmetric[j, k] / arcsecond:.1f}″"),
+                (f"misalignment about {axis}", f"{data.vector[i] / arcsecond:.1f}″"),
             ]
         return rows
 
@@ -226,5 +226,5 @@ class CalibrationRunExplorer(Explorer):
             f"history = calibration_run.compute({values['parameter']!r}, {values['frame']!r}, "
             f"{values['minute']})\n"
             "print(history.name, history.estimate[history.shown],\n"
-            "      3 * history.deviation[history.shown], 'in SI units')"
+            "      3 * history.deviation[history.shown])  # in SI units"
         )

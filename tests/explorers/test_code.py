@@ -1,0 +1,127 @@
+"""The code that a panel shows, run by itself, gives what the panel is about."""
+
+import ast
+import contextlib
+import io
+import random
+import re
+
+import numpy as np
+import pytest
+from scipy.constants import arcsecond, degree, g, hour, micro
+
+from driftlab import explorers
+from driftlab.drift import asymptotic_roots, drift_per_turn
+from driftlab.kinematics import error_quaternion
+from panel_numbers import (
+    NUMBER,
+    SHAPES,
+    Values,
+    algorithm_laboratory,
+    axis_of,
+    calibration,
+    cayley_map,
+    listed,
+    observability,
+    split_triad,
+    turn_calibration,
+)
+
+
+def results_of(code: str) -> tuple[np.ndarray, str]:
+    """All numbers that the lines of a code give or print, and what they print."""
+    printed, names, found = io.StringIO(), {}, []
+    with contextlib.redirect_stdout(printed):
+        for line in ast.parse(code).body:
+            if isinstance(line, ast.Expr):
+                value = eval(compile(ast.Expression(line.value), "", "eval"), names)
+                parts = value if isinstance(value, tuple) else (value,)
+                found += [np.ravel(part) for part in parts if part is not None]
+            else:
+                exec(compile(ast.Module([line], []), "", "exec"), names)
+    text = printed.getvalue()
+    found.append(np.array(re.findall(NUMBER, text), float))
+    return np.concatenate(found), text
+
+
+def shown(rows: list[tuple[str, str]], name: str) -> np.ndarray:
+    """Numbers of one row of a panel."""
+    (text,) = (value for shown_name, value in rows if shown_name == name)
+    return np.array(re.findall(NUMBER, text), float)
+
+
+def error_at_the_end(values: Values) -> np.ndarray:
+    rate = np.radians(listed(values, "rate1 rate2 rate3"))
+    error = np.radians(listed(values, "error1 error2 error3"))
+    return error_quaternion(rate, rate + error, 60.0)
+
+
+def first_order_roots(values: Values) -> np.ndarray:
+    return asymptotic_roots(axis_of(values), values["size"] * SHAPES[values["shape"]])
+
+
+def drift(values: Values) -> np.ndarray:
+    entries = [values[f"m{row}{column}"] for row in (1, 2, 3) for column in (1, 2, 3)]
+    return drift_per_turn(axis_of(values), 1e-3 * np.reshape(entries, (3, 3)))
+
+
+def estimates(values: Values) -> np.ndarray:
+    return [] if values["noise"] else [1e-3 * shown([r], r[0])[1] for r in turn_calibration(values)]
+
+
+def cayley(values: Values) -> np.ndarray:
+    return shown([cayley_map(values)[0]], "dimension 3")
+
+
+def worst_errors(values: Values) -> list[float]:
+    return [shown([row], row[0])[0] for row in algorithm_laboratory(values)]
+
+
+def estimate(values: Values) -> float:
+    (text,) = (text for name, text in calibration(values) if name == "estimate")
+    number, unit = text.split(" ", 1)
+    sizes = {"deg/h": degree / hour, "ppm": micro, "arc seconds": arcsecond, "µg": micro * g}
+    return float(number) * sizes[unit]
+
+
+@pytest.mark.parametrize(
+    ("name", "expected", "tolerance"),
+    [
+        ("ErrorMotionExplorer", error_at_the_end, {"rel": 1e-9, "abs": 1e-12}),
+        ("RootsExplorer", first_order_roots, {"rel": 1e-12}),
+        ("DriftExplorer", drift, {"rel": 1e-12}),
+        ("TurnCalibrationExplorer", estimates, {"abs": 1e-9}),
+        ("CayleyMapExplorer", cayley, {"abs": 1e-3, "rel": 1e-3}),
+        ("AlgorithmLaboratoryExplorer", worst_errors, {"rel": 0.01}),
+        ("CalibrationRunExplorer", estimate, {"abs": 1e-9}),
+    ],
+)
+def test_code_gives_the_numbers_of_its_panel(name, expected, tolerance) -> None:
+    panel = getattr(explorers, name)()
+    rng = random.Random(5)
+    for _ in range(4):
+        for control in panel.controls:
+            steps = round((control.high - control.low) / control.step)
+            place = control.low + control.step * rng.randint(1, steps - 1)
+            listed_place = control.options and rng.choice(control.options)
+            panel.set(**{control.name: listed_place or type(control.start)(round(place, 9))})
+        found, _ = results_of(panel.call(panel.values))
+        for number in np.ravel(expected(panel.values)):
+            assert any(other == pytest.approx(number, **tolerance) for other in found)
+
+
+def test_code_of_the_split_gives_its_parts() -> None:
+    panel = explorers.SplitExplorer("Typical unit")
+    panel.set(kxy=35.0, kzx=-60.0)
+    found, _ = results_of(panel.call(panel.values))
+    rows = split_triad(panel.values)
+    expected = [shown(rows, f"misalignment about {axis}")[0] for axis in "xyz"]
+    np.testing.assert_allclose(found, expected, atol=0.05)
+
+
+def test_code_of_the_laboratory_of_schemes_names_what_is_dark() -> None:
+    panel = explorers.ObservabilityExplorer("About one axis only")
+    _, printed = results_of(panel.call(panel.values))
+    dark = [words for name, words in observability(panel.values) if name == "in the dark"]
+    assert dark
+    assert all(words in printed for words in dark)
