@@ -28,8 +28,8 @@ main([*sys.argv[1:], "--IdentityProvider.token=" + os.environ.pop("BOOK_TOKEN")]
 def book_server(folder: Path) -> Iterator[tuple[str, str]]:
     """Serve copies of all chapters from `folder`; yield the address and the token.
 
-    Nothing of the user's is read or written: settings, workspaces and runtime files of the server
-    lie in `folder` as well.
+    Settings, workspaces and runtime files of the server lie in `folder` as well, and none of the
+    user's is read or written.
     """
     book = folder / "notebooks"
     shutil.copytree(CHAPTERS, book, ignore=shutil.ignore_patterns(".ipynb_checkpoints"))
