@@ -429,11 +429,8 @@ def test_the_book_opens_on_a_machine_that_never_saw_it(tmp_path: Path) -> None:
         assert notebook["writable"]
 
         kernel = ask(f"{base}/api/kernels", token, "POST")
-        said = said_by_kernel(
-            tmp_path / f"runtime/kernel-{kernel['id']}.json",
-            "import driftlab; print(driftlab.__file__)",
-        )
-        assert said.strip() == str(folder / "src/driftlab/__init__.py")
+        path = path_of_the_package(tmp_path / f"runtime/kernel-{kernel['id']}.json")
+        assert path == folder / "src/driftlab/__init__.py"
 
         if os.name != "nt":  # Windows has no way to send Ctrl-C from here
             os.killpg(process.pid, signal.SIGINT)
@@ -444,19 +441,21 @@ def test_the_book_opens_on_a_machine_that_never_saw_it(tmp_path: Path) -> None:
             assert not list((tmp_path / "runtime").glob("jpserver-*"))
 
 
-def said_by_kernel(connection_file: Path, code: str) -> str:
-    """Run `code` in the kernel and return what it prints."""
+def path_of_the_package(connection_file: Path) -> Path:
+    """Ask the kernel which `driftlab` it imports."""
     client = BlockingKernelClient()
     client.load_connection_file(str(connection_file))
     client.start_channels()
-    printed = []
-
-    def keep(message: dict[str, dict[str, str]]) -> None:
-        printed.append(message["content"].get("text", ""))
-
     try:
-        client.wait_for_ready(timeout=60)
-        client.execute_interactive(code, output_hook=keep, timeout=60)
+        # Not wait_for_ready: it takes a kernel for dead whose heart is late by one second.
+        reply = client.execute(
+            "import driftlab",
+            user_expressions={"path": "driftlab.__file__"},
+            reply=True,
+            timeout=120,
+        )
     finally:
         client.stop_channels()
-    return "".join(printed)
+    assert reply["content"]["status"] == "ok", reply["content"]
+    path = reply["content"]["user_expressions"]["path"]["data"]["text/plain"]
+    return Path(ast.literal_eval(path))
