@@ -12,16 +12,13 @@ import urllib.request
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from runpy import run_path
 
 from book import CHAPTERS
 
-# As an argument made inside the process the token is in no list of processes, and unlike
-# JUPYTER_TOKEN it wins over any configuration that switches tokens off.
-SERVER = """\
-import os, sys
-from jupyterlab.labapp import main
-main([*sys.argv[1:], "--IdentityProvider.token=" + os.environ.pop("BOOK_TOKEN")])
-"""
+# Starts JupyterLab as lab.py does: its token comes from DRIFTLAB_TOKEN and wins over any
+# configuration that switches tokens off.
+SERVER = run_path(str(CHAPTERS.parent / "lab.py"), run_name="lab")["SERVER"]
 
 
 @contextmanager
@@ -48,7 +45,7 @@ def book_server(folder: Path) -> Iterator[tuple[str, str]]:
         "JUPYTERLAB_SETTINGS_DIR": str(folder / "settings"),
         "JUPYTERLAB_WORKSPACES_DIR": str(folder / "workspaces"),
         "IPYTHONDIR": str(folder / "ipython"),
-        "BOOK_TOKEN": token,
+        "DRIFTLAB_TOKEN": token,
     }
     command = [
         *[sys.executable, "-c", SERVER, "--no-browser", f"--ServerApp.root_dir={book}"],

@@ -21,7 +21,6 @@ MOVES = 30
 # The usual way: interact draws a new figure into an output area. The same picture as the panel.
 INTERACT = """
 %matplotlib inline
-import matplotlib.pyplot as plt
 import numpy as np
 from ipywidgets import interact
 from driftlab.drift import direction_from_angles

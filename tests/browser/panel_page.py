@@ -116,7 +116,7 @@ def time_of_move(handle: Locator, place: Locator, key: str) -> float | None:
 
 
 class PanelPage:
-    """The first panel in sight.
+    """A panel, found by its title.
 
     Parameters
     ----------

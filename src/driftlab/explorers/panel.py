@@ -38,7 +38,7 @@ FOCUS_STYLE = (
 )
 """Where the keyboard is must be seen on every kind of control."""
 
-NAMES_SCRIPT = (files(__package__) / "names.js").read_text("utf-8")
+ACCESSIBILITY_SCRIPT = (files(__package__) / "accessibility.js").read_text("utf-8")
 
 PIXEL_RATIO = 1.25
 """Pixels of the picture for one of the page: more are sharper, and take longer to compress."""
@@ -110,7 +110,7 @@ class Explorer(widgets.VBox):
         self.reset.on_click(lambda _: self.set(**opening))
         super().__init__(
             [
-                _script(NAMES_SCRIPT),
+                _script(ACCESSIBILITY_SCRIPT),
                 widgets.HTML(f"{FOCUS_STYLE}<b>{html.escape(self.title)}</b>"),
                 widgets.HBox([self.preset, self.reset]),
                 # The picture stands above the sliders, so that it does not move away from them.

@@ -1,6 +1,6 @@
 // What ipywidgets leaves undone for readers who use the keyboard or a screen reader. One observer
 // and one pair of listeners serve all panels, whenever and wherever the page shows one.
-if (!window.driftlabNames) {
+if (!window.driftlabAccessibility) {
   const readoutOf = (node) => node.closest?.(".driftlab-panel .widget-readout");
   const set = (element, attribute, text) => {
     if (element.getAttribute(attribute) !== text) element.setAttribute(attribute, text);
@@ -29,8 +29,8 @@ if (!window.driftlabNames) {
       }
     }
   };
-  window.driftlabNames = new MutationObserver(nameAll);
-  window.driftlabNames.observe(document.body, {
+  window.driftlabAccessibility = new MutationObserver(nameAll);
+  window.driftlabAccessibility.observe(document.body, {
     attributeFilter: ["aria-valuetext"],
     childList: true,
     subtree: true,
