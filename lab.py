@@ -70,10 +70,12 @@ LOCK_HEADER = """\
 
 # The token travels in the environment because other users can read command lines. It becomes
 # an argument inside the process because arguments, unlike JUPYTER_TOKEN, also win over a user's
-# configuration that switches tokens off.
+# configuration that switches tokens off. The book's matrices are small: threads for them only
+# get in the way of the browser.
 SERVER = """\
 import os, sys
 from jupyterlab.labapp import main
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 main([*sys.argv[1:], "--IdentityProvider.token=" + os.environ.pop("DRIFTLAB_TOKEN")])
 """
 

@@ -23,7 +23,7 @@ from .error_model import (
 from .installation import skew_matrix
 from .quaternion import from_rotation_vector, multiply, to_matrix
 from .sensors import Noise, Spread, Unit
-from .system_calibration import kalman_step
+from .system_calibration import covariance_step
 from .turntable import Scheme, segments
 
 STEP = 10.0
@@ -51,23 +51,27 @@ def passage(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -> Passag
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     if not isinstance(model, ErrorModel):
         raise ValueError(f"model: expected an ErrorModel, got {model!r}.")
-    axes, rates, lengths, starts = [], [], [], []
     row = segments(scheme, 1e-3)
     time = sum(segment.duration for segment in row)
     if time > STEP * _MOST_STEPS:
         raise ValueError(
             f"scheme: expected at most {STEP * _MOST_STEPS:g} s in all, got {time:.3g} s."
         )
+    distinct, lengths, begun, alike = [], [], [], []
     for segment in row:
         turn = abs(segment.rate) * segment.duration
         count = int(np.ceil(max(segment.duration / STEP, turn / _TURN) - 1e-9))
-        step = segment.duration / count
-        turned = segment.rate * step * np.arange(count)[:, np.newaxis] * segment.axis
-        starts.append(multiply(segment.attitude, from_rotation_vector(turned)))
-        axes.append(np.tile(segment.axis, (count, 1)))
-        rates.append(np.full(count, segment.rate))
-        lengths.append(np.full(count, step))
-    axis, rate, duration, start = map(np.concatenate, (axes, rates, lengths, starts))
+        # The steps of a pause are all alike: one stands for them.
+        kinds = count if segment.rate else 1
+        distinct += [segment] * kinds
+        lengths += [segment.duration / count] * kinds
+        begun += list(range(kinds))
+        alike += [count // kinds] * kinds
+    duration, rate = np.array(lengths), np.array([segment.rate for segment in distinct])
+    axis = np.array([segment.axis for segment in distinct])
+    attitude = np.array([segment.attitude for segment in distinct])
+    turned = (rate * duration * np.array(begun))[:, np.newaxis] * axis
+    start = multiply(attitude, from_rotation_vector(turned))
     # Gauss's places in each step, and the integrals from its beginning to them.
     place_of = 0.5 * (1 + _NODES)
     times = duration[:, np.newaxis] * 0.5 * _WEIGHTS
@@ -90,7 +94,9 @@ def passage(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -> Passag
         share * force,
         _PASSED,
     )
-    return Passage(model, row[0].attitude, duration, matrices)
+    return Passage(
+        model, row[0].attitude, np.repeat(duration, alike), np.repeat(matrices, alike, axis=0)
+    )
 
 
 def _passed() -> FloatArray:
@@ -123,7 +129,7 @@ def expected_covariance(
     added = process_noise(noise, way.transitions[:, 3:6, :3], way.durations, way.model.size)
     variances = noise.velocity**2 * update / way.durations
     for matrix, more, variance in zip(way.transitions, added, variances, strict=True):
-        covariance = kalman_step(covariance, matrix, more, np.zeros(3), variance).covariance
+        covariance, _, _ = covariance_step(covariance, matrix, more, variance)
     return covariance
 
 

@@ -122,7 +122,8 @@ def to_rotation_vector(quaternion: ArrayLike) -> FloatArray:
     # All multiples of q are one rotation: take the one with the scalar part not negative, and of
     # a size whose squares neither underflow nor overflow.
     size = np.where(quaternion[..., 3:] < 0, -largest, largest)
-    vector, scalar = np.split(quaternion / size, [3], axis=-1)
+    scaled: FloatArray = quaternion / size
+    vector, scalar = scaled[..., :3], scaled[..., 3:]
     sine = np.linalg.norm(vector, axis=-1, keepdims=True)
     angle = 2.0 * np.arctan2(sine, scalar)
     # Where the vector part vanishes, the scalar part is 1 and angle/sine tends to 2.

@@ -9,10 +9,10 @@ linear model holds.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from .checks import FloatArray, finite_array, finite_number, unit_quaternions, whole_number
 from .earth import checked_latitude
@@ -51,6 +51,27 @@ def kalman_step(
     velocity_variance : float
         Of that noise, (m/s)^2 in each component.
 
+    """
+    after, gain, weights = covariance_step(covariance, transition, noise, velocity_variance)
+    column = velocity_error[..., np.newaxis]
+    correction = (gain @ column)[..., 0]
+    surprise = (velocity_error[..., np.newaxis, :] @ weights @ column)[..., 0, 0]
+    return Update(correction, after, surprise)
+
+
+def covariance_step(
+    covariance: FloatArray, transition: FloatArray, noise: FloatArray, velocity_variance: float
+) -> tuple[FloatArray, NDArray[Any], NDArray[Any]]:
+    """What `kalman_step` does whatever is measured.
+
+    Returns
+    -------
+    covariance : ndarray, shape (..., size, size)
+        After the step.
+    gain : ndarray, shape (..., size, 3)
+    weights : ndarray, shape (..., 3, 3)
+        Inverse of the innovation's covariance.
+
     Notes
     -----
     The short form P - K H P needs half the work of Joseph's. Rounding makes it lopsided, and in
@@ -59,15 +80,10 @@ def kalman_step(
     predicted = transition @ covariance @ transition.mT
     predicted += noise
     seen = predicted[..., 3:6]
-    innovation = seen[..., 3:6, :] + velocity_variance * _UNIT
-    weights = np.linalg.inv(innovation)
+    weights = np.linalg.inv(seen[..., 3:6, :] + velocity_variance * _UNIT)
     gain = seen @ weights
-    after = predicted - gain @ seen.mT
-    after = 0.5 * (after + after.mT)
-    column = velocity_error[..., np.newaxis]
-    correction = (gain @ column)[..., 0]
-    surprise = (velocity_error[..., np.newaxis, :] @ weights @ column)[..., 0, 0]
-    return Update(correction, after, surprise)
+    predicted -= gain @ seen.mT
+    return 0.5 * (predicted + predicted.mT), gain, weights
 
 
 class Calibration(NamedTuple):

@@ -67,6 +67,7 @@ class Scheme:
                 f"start: expected three of {', '.join(DIRECTIONS)} for x, y, z, right-handed, "
                 f"got {self.start!r}."
             )
+        object.__setattr__(self, "start", tuple(self.start))  # a list cannot be a key of a cache
         self.turns  # noqa: B018  (a word that makes no sense is refused now, not later)
 
     @property

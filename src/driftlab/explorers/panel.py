@@ -237,9 +237,10 @@ class Explorer(widgets.VBox):
                 artist.axes.draw_artist(artist)  # type: ignore[union-attr]
         buffer = io.BytesIO()
         pixels = canvas.buffer_rgba()
-        picture = Image.frombuffer("RGBA", canvas.get_width_height(), pixels, "raw", "RGBA", 0, 1)
+        # X: the fourth byte means nothing. The picture is opaque.
+        picture = Image.frombuffer("RGBX", canvas.get_width_height(), pixels, "raw", "RGBX", 0, 1)
         # Colours as fine as the rest, or thin coloured lines would fade.
-        picture.convert("RGB").save(buffer, format="jpeg", quality=90, subsampling=0)
+        picture.save(buffer, format="jpeg", quality=90, subsampling=0)
         return buffer.getvalue()
 
 

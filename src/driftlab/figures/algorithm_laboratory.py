@@ -7,10 +7,10 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..algorithm_table import ALGORITHMS
-from ..attitude_algorithms import integrate
+from ..attitude_algorithms import step_quaternions
 from ..checks import FloatArray
 from ..motions import Coning, FixedAxis, Motion, Sway
-from ..quaternion import conjugate, multiply, rotation_angle
+from ..quaternion import conjugate, cumulative_product, multiply, rotation_angle
 from ..word_length import integrate_in_word
 from .picture import BLACK, GREY, SERIES, Picture
 
@@ -55,25 +55,44 @@ def compute(
     if rate not in rates:
         raise ValueError(f"rate: expected one of {', '.join(map(str, rates))} Hz, got {rate!r}.")
     worst = np.empty((len(names), len(rates)))
-    times, histories = [], []
+    histories: dict[int, FloatArray] = {}
     for j, sample_rate in enumerate(rates):
         count = round(DURATION * sample_rate)
         increments = motion.increments(1 / sample_rate, count)
         moments = np.arange(count + 1) / sample_rate
         exact = motion.attitude(moments)
-        for i, name in enumerate(names):
-            method = integrate_in_word if short_word else integrate
-            found = np.asarray(method(increments, name, start=exact[0]), dtype=np.float64)
-            ends = slice(ALGORITHMS[name].samples, None, ALGORITHMS[name].samples)
-            error = rotation_angle(multiply(conjugate(exact[ends]), found))
-            worst[i, j] = error.max()
+        # Algorithms whose steps are equally long go together: each call has its price.
+        for samples in sorted({ALGORITHMS[name].samples for name in names}):
+            group = [i for i, name in enumerate(names) if ALGORITHMS[name].samples == samples]
+            chosen = [names[i] for i in group]
+            found = _attitudes(increments, chosen, exact[0], short_word=short_word)
+            errors = rotation_angle(multiply(conjugate(exact[samples::samples]), found))
+            worst[group, j] = errors.max(axis=-1)
             if sample_rate == rate:
-                times.append(moments[ends])
-                histories.append(error)
+                histories |= dict(zip(group, errors, strict=True))
+    steps = [ALGORITHMS[name].samples / rate for name in names]
+    times = [step * np.arange(1.0, len(histories[i]) + 1) for i, step in enumerate(steps)]
     rounding = 1e-5 if short_word else 1e-12
     return AlgorithmLaboratory(
-        tuple(names), rate, times, histories, np.array(rates, dtype=np.float64), worst, rounding
+        tuple(names),
+        rate,
+        times,
+        [histories[i] for i in range(len(names))],
+        np.array(rates, dtype=np.float64),
+        worst,
+        rounding,
     )
+
+
+def _attitudes(
+    increments: FloatArray, names: Sequence[str], start: FloatArray, *, short_word: bool
+) -> FloatArray:
+    """Attitudes (algorithm, n // samples, 4) of algorithms with equally many samples a step."""
+    if short_word:
+        attitudes = [integrate_in_word(increments, name, start=start) for name in names]
+        return np.array(attitudes, dtype=np.float64)
+    steps = [step_quaternions(increments, name) for name in names]
+    return multiply(start, cumulative_product(np.stack(steps)))
 
 
 def fitted_orders(data: AlgorithmLaboratory) -> list[float | None]:

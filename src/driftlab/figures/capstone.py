@@ -1,6 +1,6 @@
 """One bent triad through all four papers: drift per turn, two calibrations, and the heading."""
 
-from functools import cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -20,7 +20,7 @@ from ..installation import misalignment_vector, skew_matrix, split
 from ..quaternion import rotate
 from ..sensors import PERFECT
 from ..turn_calibration import PAIR_AXES, TurnExperiment
-from ..voyage import sensed_at_rest
+from ..voyage import Voyage, sensed_at_rest
 from .alignment_budget import LATITUDE
 from .picture import BLACK, SERIES, Picture
 
@@ -113,7 +113,11 @@ def compute(
     rate, _ = sensed_at_rest(attitude, latitude)
     drifts = rotate(attitude, rate @ np.swapaxes(left, -1, -2) + shaken)
     aligned = alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
-    way = ship(latitude, speed, 0.0, turn, INTERVAL)
+    way = _way(
+        finite_number(latitude, "latitude"),
+        finite_number(speed, "speed"),
+        finite_number(turn, "turn"),
+    )
     rates = way.angle_increments / way.interval
     runs = tuple(take_along(way, rates @ error.T + shaken, log=True) for error in left)
     return Capstone(
@@ -124,6 +128,12 @@ def compute(
         aligned,
         runs,
     )
+
+
+@lru_cache(maxsize=1)
+def _way(latitude: float, speed: float, turn: float) -> Voyage:
+    """The voyage does not depend on the triad: kept for a reader who moves only that."""
+    return ship(latitude, speed, 0.0, turn, INTERVAL)
 
 
 def columns(data: Capstone) -> dict[str, FloatArray]:

@@ -1,12 +1,19 @@
 """What a rotation scheme shows: eigenvalues of the Gramian, and the accuracy to expect."""
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
-from ..checks import FloatArray
+from ..checks import FloatArray, finite_number
 from ..error_model import FULL, ErrorModel
-from ..observability import expected_covariance, null_directions, passage
+from ..observability import (
+    Darkness,
+    Passage,
+    expected_covariance,
+    null_directions,
+    passage,
+)
 from ..sensors import Noise, Spread
 from ..turntable import NINETEEN_POSITIONS, Scheme
 from .picture import BLACK, BLUE, GREY, VERMILION, Picture
@@ -34,8 +41,7 @@ def compute(
     latitude: float = LATITUDE,
 ) -> TableObservability:
     """Follow the error equations of a model along a scheme; typical spread and noise."""
-    way = passage(scheme, latitude, model)
-    dark = null_directions(way)
+    way, dark = _followed(scheme, finite_number(latitude, "latitude"), model)
     spread = Spread()
     covariance = expected_covariance(way, Noise() if noise is None else noise, spread)
     return TableObservability(
@@ -46,6 +52,13 @@ def compute(
         np.sqrt(np.diag(model.covariance(spread, way.start))),
         np.sqrt(np.diag(covariance)),
     )
+
+
+@lru_cache(maxsize=1)
+def _followed(scheme: Scheme, latitude: float, model: ErrorModel) -> tuple[Passage, Darkness]:
+    """What does not depend on the noise: kept for a reader who moves only that."""
+    way = passage(scheme, latitude, model)
+    return way, null_directions(way)
 
 
 def columns(data: TableObservability) -> dict[str, FloatArray | list[str]]:
