@@ -13,19 +13,11 @@ from scipy.constants import arcsecond, degree, g, hour, micro
 from driftlab import explorers
 from driftlab.drift import asymptotic_roots, drift_per_turn
 from driftlab.kinematics import error_quaternion
-from panel_numbers import (
-    NUMBER,
-    SHAPES,
-    Values,
-    algorithm_laboratory,
-    axis_of,
-    calibration,
-    cayley_map,
-    listed,
-    observability,
-    split_triad,
-    turn_calibration,
-)
+from panel_numbers import NUMBER
+from panel_numbers.larin import SHAPES, turn_calibration
+from panel_numbers.perelyaev_chelnokov import algorithm_laboratory, cayley_map
+from panel_numbers.values import Values, axis_of, listed
+from panel_numbers.wu import calibration, observability, split_triad
 
 
 def results_of(code: str) -> tuple[np.ndarray, str]:

@@ -33,6 +33,14 @@ from driftlab.observability import expected_covariance, passage
 from driftlab.sensors import Noise, Spread
 from driftlab.turntable import NINETEEN_POSITIONS
 
+UNITS = {
+    *("degrees", "°", "″", "′", "arcsec a turn", "deg/s", "°/h", "1e-3 °/√h"),
+    *("m/s", "mm/s", "mg", "µg/√Hz", "Hz", "s", "minutes", "ppm", "1e-3"),
+}
+PURE_NUMBERS = {
+    *("size μ", "RK45 tolerance", "turns k", "steps in a turn", "tuning k2 R", "damping ratio"),
+}
+
 every_explorer = pytest.mark.parametrize("explorer_class", EXPLORERS, ids=lambda e: e.__name__)
 
 
@@ -80,6 +88,14 @@ def test_every_control_has_a_name_of_its_own(explorer_class: type[Explorer]) -> 
     assert len(set(names)) == len(names)
     labels = [control.label for control in explorer_class.controls if not control.is_slider]
     assert len({*labels, "preset"}) == len(labels) + 1
+
+
+@every_explorer
+def test_every_slider_says_its_unit(explorer_class: type[Explorer]) -> None:
+    for control in explorer_class.controls:
+        if control.is_slider:
+            unit = control.label.rpartition(", ")[2]
+            assert unit in UNITS or control.label in PURE_NUMBERS, control.label
 
 
 def test_a_browser_s_last_digits_do_not_matter() -> None:

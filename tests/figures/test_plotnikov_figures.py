@@ -404,6 +404,18 @@ def test_a_ship_at_rest_solves_the_equations_of_the_working_compass(damping: flo
     assert largest(found.deviation) == 0
 
 
+def test_a_kept_voyage_is_the_voyage_of_its_own_numbers() -> None:
+    numbers = {"latitude": 0.9, "speed": 10.0, "course": 0.3, "turn": 1.0, "interval": 60.0}
+    first = operation.kept_ship(**numbers)
+    assert operation.kept_ship(**numbers) is first
+    for name, value in numbers.items():
+        changed = {**numbers, name: 0.5 * value}
+        for ours, right in zip(operation.kept_ship(**changed), ship(**changed), strict=True):
+            np.testing.assert_array_equal(ours, right)
+    with pytest.raises(ValueError, match="latitude: expected one number, got shape"):
+        operation.compute(latitude=[0.9])
+
+
 def test_a_perfect_compass_on_a_ship_at_rest_shows_no_error() -> None:
     found = operation.compute(speed=0.0, drift=np.zeros(3))
     # Of second order in the Earth's turn of one step; the swing shows in the heading as its rate.

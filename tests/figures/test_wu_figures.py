@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from scipy.constants import micro
 from scipy.stats import binom
 
+from driftlab.error_model import ERROR_MODELS
 from driftlab.figures import (
     calibration_errors,
     calibration_run,
@@ -20,7 +21,9 @@ from driftlab.figures import (
     table_observability,
 )
 from driftlab.installation import BODY_FRAMES, misalignment_vector, skew_matrix
-from driftlab.sensors import TYPICAL
+from driftlab.observability import expected_covariance, null_directions, passage
+from driftlab.sensors import TYPICAL, Noise, Spread
+from driftlab.turntable import Scheme
 
 
 def test_split_triad_shows_the_whole_and_its_parts() -> None:
@@ -151,3 +154,17 @@ def test_no_choice_of_axes_wins_from_one_attitude() -> None:
     assert in_place_claim.verdict(data.ratios[table, "velocity"]).median < 0.9
     # What a calibration leaves over, about an arc second, moves the exact start by as much.
     assert in_place_claim.verdict(data.ratios[own, "velocity"]).median == pytest.approx(1, abs=0.03)
+
+
+def test_observability_of_a_table_is_that_of_its_own_scheme_model_latitude_and_noise() -> None:
+    scheme = Scheme("+90Z -90X", ["East", "North", "Up"])
+    for latitude in (0.6, -0.6):
+        for model in ERROR_MODELS.values():
+            for noise in (Noise(), Noise(velocity=0.1)):
+                data = table_observability.compute(scheme, model, noise, latitude)
+                way = passage(scheme, latitude, model)
+                after = np.sqrt(np.diag(expected_covariance(way, noise, Spread())))
+                np.testing.assert_array_equal(data.after, after)
+                assert data.words == null_directions(way).words
+    with pytest.raises(ValueError, match="latitude: expected one number, got shape"):
+        table_observability.compute(scheme, latitude=[0.6])

@@ -1,6 +1,6 @@
 """One bent triad through all four papers: drift per turn, two calibrations, and the heading."""
 
-from functools import cache, lru_cache
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -12,7 +12,7 @@ from scipy.constants import arcsecond, minute
 from ..algorithm_table import coning_drift
 from ..calibration_trial import TableTrial
 from ..checks import FloatArray, finite_array, finite_number
-from ..compass_voyage import ErrorsUnderWay, ship, take_along
+from ..compass_voyage import ErrorsUnderWay, take_along
 from ..drift import drift_per_turn
 from ..gyrocompass import alignment_errors
 from ..horizon_axes import attitude_from_angles
@@ -20,8 +20,9 @@ from ..installation import misalignment_vector, skew_matrix, split
 from ..quaternion import rotate
 from ..sensors import PERFECT
 from ..turn_calibration import PAIR_AXES, TurnExperiment
-from ..voyage import Voyage, sensed_at_rest
+from ..voyage import sensed_at_rest
 from .alignment_budget import LATITUDE
+from .operation import kept_ship
 from .picture import BLACK, SERIES, Picture
 
 STAGES = ("as built", "after turns", "after the filter")
@@ -113,11 +114,7 @@ def compute(
     rate, _ = sensed_at_rest(attitude, latitude)
     drifts = rotate(attitude, rate @ np.swapaxes(left, -1, -2) + shaken)
     aligned = alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
-    way = _way(
-        finite_number(latitude, "latitude"),
-        finite_number(speed, "speed"),
-        finite_number(turn, "turn"),
-    )
+    way = kept_ship(latitude=latitude, speed=speed, course=0.0, turn=turn, interval=INTERVAL)
     rates = way.angle_increments / way.interval
     runs = tuple(take_along(way, rates @ error.T + shaken, log=True) for error in left)
     return Capstone(
@@ -128,12 +125,6 @@ def compute(
         aligned,
         runs,
     )
-
-
-@lru_cache(maxsize=1)
-def _way(latitude: float, speed: float, turn: float) -> Voyage:
-    """The voyage does not depend on the triad: kept for a reader who moves only that."""
-    return ship(latitude, speed, 0.0, turn, INTERVAL)
 
 
 def columns(data: Capstone) -> dict[str, FloatArray]:

@@ -1,12 +1,15 @@
 """A ship's gyrocompass for two hours: its errors, and the paper's formula for them."""
 
+from functools import lru_cache
+
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 from scipy.constants import arcminute, degree, hour, minute
 
-from ..checks import FloatArray
+from ..checks import FloatArray, finite_number
 from ..compass_voyage import DURATION, TURN, UNDER_WAY, ErrorsUnderWay, ship, take_along
+from ..voyage import Voyage
 from .alignment_budget import LATITUDE
 from .picture import BLACK, SERIES, Picture
 
@@ -33,7 +36,14 @@ def compute(
 ) -> ErrorsUnderWay:
     """Take a compass along a voyage of a ship; arguments as for `ship` and `take_along`."""
     return take_along(
-        ship(latitude, speed, course, turn, interval, pitch),
+        kept_ship(
+            latitude=latitude,
+            speed=speed,
+            course=course,
+            turn=turn,
+            interval=interval,
+            pitch=pitch,
+        ),
         drift,
         offset,
         tuning_factor=tuning_factor,
@@ -41,6 +51,17 @@ def compute(
         tilt=tilt,
         log=log,
     )
+
+
+def kept_ship(**numbers: float) -> Voyage:
+    """`ship` of the same arguments; the last two voyages are kept.
+
+    A reader who moves the sliders of the instrument does not wait for the ship.
+    """
+    return _kept(**{name: finite_number(value, name) for name, value in numbers.items()})
+
+
+_kept = lru_cache(maxsize=2)(ship)
 
 
 def columns(data: ErrorsUnderWay) -> dict[str, FloatArray]:

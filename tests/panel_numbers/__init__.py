@@ -1,0 +1,58 @@
+"""What must stand beside the picture of each panel, computed without the panel and its figure.
+
+The functions in the modules beside this one go from the values of a panel's controls straight to
+the numerics. What is on display must be the same rows, words and units, with as many digits; only
+the last one may differ by one.
+"""
+
+import html
+import re
+from collections.abc import Callable
+
+from . import larin, perelyaev_chelnokov, plotnikov, wu
+from .values import Rows, Values
+
+NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
+
+
+def shown_numbers(table: str) -> Rows:
+    """Names and values in the HTML of a panel's table."""
+    pairs = re.findall(r">([^<>]*) <b>([^<>]*)</b>", table)
+    return [(html.unescape(name), html.unescape(value)) for name, value in pairs]
+
+
+def assert_shown(explorer: str, values: Values, shown: Rows) -> None:
+    """Fail unless what a panel shows is what the numerics give."""
+    for _, text in shown:
+        assert not re.search(r"-0(\.0*)?(?![\d.])", text), f"a negative zero: {text}"
+    expected = BY_EXPLORER[explorer](values)
+    assert [name for name, _ in shown] == [name for name, _ in expected]
+    for (name, text), (_, right) in zip(shown, expected, strict=True):
+        assert_same_text(text, right, name)
+
+
+def assert_same_text(shown: str, expected: str, name: str) -> None:
+    """Fail unless two texts differ by rounding only."""
+    assert re.sub(NUMBER, "#", shown) == re.sub(NUMBER, "#", expected), f"{name}: {shown}"
+    pairs = zip(re.findall(NUMBER, shown), re.findall(NUMBER, expected), strict=True)
+    for ours, theirs in pairs:
+        digits = [len(number.partition("e")[0].partition(".")[2]) for number in (ours, theirs)]
+        assert digits[0] == digits[1], f"{name}: {shown}, expected {expected}"
+        place = 10.0 ** (int(theirs.partition("e")[2] or 0) - digits[1])
+        assert abs(float(ours) - float(theirs)) < 1.01 * place, f"{name}: {shown} not {expected}"
+
+
+BY_EXPLORER: dict[str, Callable[[Values], Rows]] = {
+    "ErrorMotionExplorer": larin.error_motion,
+    "RootsExplorer": larin.roots,
+    "DriftExplorer": larin.drift,
+    "TurnCalibrationExplorer": larin.turn_calibration,
+    "CayleyMapExplorer": perelyaev_chelnokov.cayley_map,
+    "AlgorithmLaboratoryExplorer": perelyaev_chelnokov.algorithm_laboratory,
+    "SplitExplorer": wu.split_triad,
+    "ObservabilityExplorer": wu.observability,
+    "CalibrationRunExplorer": wu.calibration,
+    "AlignmentBudgetExplorer": plotnikov.alignment_budget,
+    "GyrocompassExplorer": plotnikov.gyrocompass,
+    "CapstoneExplorer": plotnikov.capstone,
+}

@@ -1,0 +1,81 @@
+"""Rows of the panels of Part III."""
+
+import numpy as np
+from scipy.constants import arcsecond, degree, g, hour, micro, milli
+
+from driftlab.error_model import ERROR_MODELS, FULL
+from driftlab.figures import calibration_run
+from driftlab.observability import expected_covariance, null_directions, passage
+from driftlab.sensors import Noise, Spread
+from driftlab.turntable import Scheme
+
+from .values import Rows, Values
+
+
+def split_triad(values: Values) -> Rows:
+    units = np.where(np.eye(3, dtype=bool), micro, arcsecond)
+    matrix = units * [[values[f"k{row}{column}"] for column in "xyz"] for row in "xyz"]
+    rows = []
+    for i, (j, k) in enumerate(((0, 1), (0, 2), (1, 2))):
+        # The vector of a skew matrix: K_zy, K_xz, K_yx less their mirrors, halved.
+        a, b = (i + 2) % 3, (i + 1) % 3
+        turned = 0.5 * (matrix[a, b] - matrix[b, a])
+        rows += [
+            (f"scale {'xyz'[i]}", f"{matrix[i, i] / micro:.1f} ppm"),
+            (
+                f"non-orthogonality {'xyz'[j]}{'xyz'[k]}",
+                f"{0.5 * (matrix[j, k] + matrix[k, j]) / arcsecond:.1f}″",
+            ),
+            (f"misalignment about {'xyz'[i]}", f"{turned / arcsecond:.1f}″"),
+        ]
+    return rows
+
+
+def observability(values: Values) -> Rows:
+    x, y, z = values["start"].split()
+    scheme = Scheme(values["rotations"], (x, y, z), values["dwell"], np.radians(values["rate"]))
+    states = values["states"]
+    model = FULL if states == "all 30" else ERROR_MODELS[states.removeprefix("27, ")]
+    way = passage(scheme, np.radians(values["latitude"]), model)
+    noise = Noise(
+        values["gyro"] * 1e-3 * degree / np.sqrt(hour),
+        values["accelerometer"] * micro * g,
+        values["velocity"] * milli,
+    )
+    after = np.sqrt(np.diag(expected_covariance(way, noise, Spread())))
+    dark = null_directions(way)
+    rows = [("rank", f"{model.size - len(dark.directions)} of {model.size}")]
+    rows += [("in the dark", words) for words in dark.words]
+    kinds = dict.fromkeys(name.rpartition(" ")[0] for name in model.names[6:])
+    for kind in kinds:
+        size, unit = unit_of(kind)
+        states = [i for i, name in enumerate(model.names) if name.rpartition(" ")[0] == kind]
+        places = ", ".join(model.names[i].rpartition(" ")[2] for i in states)
+        found = ", ".join(f"{after[i] / size:.2g}" for i in states)
+        rows.append((f"{kind} {places}", f"{found} {unit}"))
+    return rows
+
+
+def unit_of(name: str) -> tuple[float, str]:
+    """Size in SI and name of the unit in which a sensor error is told."""
+    if "bias" in name:
+        return (degree / hour, "deg/h") if "gyro" in name else (micro * g, "µg")
+    return (micro, "ppm") if "scale" in name else (arcsecond, "arc seconds")
+
+
+def calibration(values: Values) -> Rows:
+    trial = calibration_run.trial(values["frame"])
+    found = trial.calibration
+    at = np.abs(found.times - 60 * values["minute"]).argmin()
+    state = 6 + calibration_run.PARAMETERS.index(values["parameter"])
+    name = found.model.names[state]
+    size, unit = unit_of(name)
+    estimate, three = found.state[at, state] / size, 3 * found.deviations[at, state] / size
+    return [
+        (name, ""),
+        ("moment", f"{found.times[at] / 60:.1f} min"),
+        ("estimate", f"{estimate:.4f} {unit}"),
+        ("true", f"{estimate + trial.errors[at, state] / size:.4f} {unit}"),
+        ("error", f"{trial.errors[at, state] / size:.4f} {unit}"),
+        ("three deviations", f"{three:.4g} {unit}"),
+    ]
