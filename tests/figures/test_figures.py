@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from driftlab import algorithm_table
 from driftlab.algorithm_table import ALGORITHMS
+from driftlab.attitude_algorithms import integrate
 from driftlab.drift import direction_from_angles, drift_coefficient, non_orthogonality
 from driftlab.figures import (
     algorithm_laboratory,
@@ -35,8 +36,10 @@ from driftlab.figures.entry import Entry
 from driftlab.figures.picture import long_table
 from driftlab.figures.publish import Plate, plate
 from driftlab.larin_table import MISALIGNMENT
-from driftlab.motions import Coning
+from driftlab.motions import Coning, Sway
+from driftlab.quaternion import conjugate, multiply, rotation_angle
 from driftlab.turn_calibration import TurnExperiment
+from driftlab.word_length import integrate_in_word
 from support import directions, matrices
 
 PUBLISHED = Path(__file__).parents[2] / "figures"
@@ -360,3 +363,17 @@ def test_laboratory_refuses_another_rate_and_shows_what_is_ticked() -> None:
     assert data.histories[0].max() == data.worst[0, algorithm_laboratory.RATES.index(48)]
     with pytest.raises(ValueError, match=r"^rate: expected one of 12, 24, .* Hz, got 50"):
         algorithm_laboratory.compute(motion, 50, ["two-step-4"])
+    with pytest.raises(ValueError, match=r"^algorithm: expected one of picard-1, .* got 'euler'"):
+        algorithm_laboratory.compute(motion, 48, ["euler"])
+
+
+def test_laboratory_gives_each_algorithm_its_own_error_in_any_order() -> None:
+    motion = Sway(0.1, 0.5)
+    for short_word, method in ((False, integrate), (True, integrate_in_word)):
+        for names in (list(ALGORITHMS), list(ALGORITHMS)[::-1], ["rotation-vector-3", "picard-1"]):
+            data = algorithm_laboratory.compute(motion, 24, names, short_word=short_word)
+            increments = motion.increments(1 / 24, 48)
+            for i, name in enumerate(names):
+                found = method(increments, name, start=motion.attitude(0.0))
+                error = rotation_angle(multiply(conjugate(motion.attitude(data.times[i])), found))
+                np.testing.assert_allclose(data.histories[i], error, rtol=0, atol=1e-14)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..algorithm_table import ALGORITHMS
+from ..algorithm_table import ALGORITHMS, attitude_algorithm
 from ..attitude_algorithms import step_quaternions
 from ..checks import FloatArray
 from ..motions import Coning, FixedAxis, Motion, Sway
@@ -54,6 +54,7 @@ def compute(
     """Try the algorithms `names` on a motion, at one sample rate in Hz and at all `rates`."""
     if rate not in rates:
         raise ValueError(f"rate: expected one of {', '.join(map(str, rates))} Hz, got {rate!r}.")
+    samples = [attitude_algorithm(name).samples for name in names]
     worst = np.empty((len(names), len(rates)))
     histories: dict[int, FloatArray] = {}
     for j, sample_rate in enumerate(rates):
@@ -62,16 +63,15 @@ def compute(
         moments = np.arange(count + 1) / sample_rate
         exact = motion.attitude(moments)
         # Algorithms whose steps are equally long go together: each call has its price.
-        for samples in sorted({ALGORITHMS[name].samples for name in names}):
-            group = [i for i, name in enumerate(names) if ALGORITHMS[name].samples == samples]
+        for step in sorted(set(samples)):
+            group = [i for i, length in enumerate(samples) if length == step]
             chosen = [names[i] for i in group]
             found = _attitudes(increments, chosen, exact[0], short_word=short_word)
-            errors = rotation_angle(multiply(conjugate(exact[samples::samples]), found))
+            errors = rotation_angle(multiply(conjugate(exact[step::step]), found))
             worst[group, j] = errors.max(axis=-1)
             if sample_rate == rate:
                 histories |= dict(zip(group, errors, strict=True))
-    steps = [ALGORITHMS[name].samples / rate for name in names]
-    times = [step * np.arange(1.0, len(histories[i]) + 1) for i, step in enumerate(steps)]
+    times = [step * np.arange(1.0, len(histories[i]) + 1) / rate for i, step in enumerate(samples)]
     rounding = 1e-5 if short_word else 1e-12
     return AlgorithmLaboratory(
         tuple(names),
