@@ -369,9 +369,9 @@ def test_laboratory_refuses_another_rate_and_shows_what_is_ticked() -> None:
 
 def test_laboratory_gives_each_algorithm_its_own_error_in_any_order() -> None:
     motion = Sway(0.1, 0.5)
-    for short_word, method in ((False, integrate), (True, integrate_in_word)):
+    for short, method in ((False, integrate), (True, integrate_in_word)):
         for names in (list(ALGORITHMS), list(ALGORITHMS)[::-1], ["rotation-vector-3", "picard-1"]):
-            data = algorithm_laboratory.compute(motion, 24, names, short_word=short_word)
+            data = algorithm_laboratory.compute(motion, 24, names, short_word=short)
             increments = motion.increments(1 / 24, 48)
             for i, name in enumerate(names):
                 found = method(increments, name, start=motion.attitude(0.0))
