@@ -15,11 +15,25 @@ def test_one_drift_is_the_same_drift_in_each_interval():
     assert np.array_equal(once.heading_error, each.heading_error)
 
 
+@pytest.mark.parametrize("log", [False, True])
+def test_several_drifts_at_once_are_as_many_voyages(log):
+    drifts = 1e-7 * np.random.default_rng(3).normal(size=(2, 7, *WAY.angle_increments.shape))
+    arguments = {"offset": [1e-4, 0.0, 2e-4], "damping": 0.2, "tilt": 1e-4, "log": log}
+    together = take_along(WAY, drifts, **arguments)
+    for run in np.ndindex(2, 7):
+        alone = take_along(WAY, drifts[run], **arguments)
+        for name in ("heading_error", "tilt", "yaw_error", "compass_error"):
+            np.testing.assert_array_equal(getattr(together, name)[run], getattr(alone, name))
+        np.testing.assert_array_equal(together.formula.heading[run], alone.formula.heading)
+    np.testing.assert_array_equal(together.deviation, alone.deviation)
+    np.testing.assert_array_equal(together.times, alone.times)
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
         ({"drift": [1e-7, np.nan, 0.0]}, "^drift: expected finite"),
-        ({"drift": np.zeros((7, 3))}, r"^drift, offset: expected shapes \(120, 3\) or \(3,\)"),
+        ({"drift": np.zeros((7, 3))}, r"^drift, offset: expected shapes \(\.\.\., 120, 3\) or"),
         ({"offset": np.zeros((120, 3))}, r"^drift, offset: .* got \(3,\) and \(120, 3\)"),
         ({"offset": [0.0, np.inf, 0.0]}, "^offset: expected finite"),
         ({"tuning_factor": 0.0}, "^tuning_factor: expected a positive number"),

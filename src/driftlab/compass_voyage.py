@@ -41,15 +41,15 @@ class ErrorsUnderWay(NamedTuple):
     ----------
     times : ndarray, shape (n,)
         s.
-    heading_error : ndarray, shape (n,)
+    heading_error : ndarray, shape (..., n)
         rad, the speed deviation taken out.
     deviation : ndarray, shape (n,)
         The speed deviation, rad.
     formula : OperatingHeadingError
-        Its terms, each (n,).
-    tilt : ndarray, shape (n, 2)
+        Its terms, each (..., n).
+    tilt : ndarray, shape (..., n, 2)
         Of the horizon about North and about East, rad.
-    yaw_error, compass_error : ndarray, shape (n,)
+    yaw_error, compass_error : ndarray, shape (..., n)
         Of the two parts of the heading, rad; that of the compass angle without the deviation.
     """
 
@@ -103,7 +103,7 @@ def take_along(
     Parameters
     ----------
     way : Voyage
-    drift : array_like, shape (n, 3) or (3,)
+    drift : array_like, shape (..., n, 3) or (3,)
         Of the gyros in body axes, for each interval or for all, rad/s.
     offset : array_like, shape (3,)
         Of the accelerometers in body axes, m/s^2.
@@ -118,23 +118,26 @@ def take_along(
         specific force, and turns in azimuth as it must.
     """
     errors, offsets = finite_array(drift, "drift", 3), finite_array(offset, "offset", 3)
-    if errors.shape not in ((3,), way.angle_increments.shape) or offsets.shape != (3,):
+    increments = way.angle_increments.shape
+    if (errors.ndim > 1 and errors.shape[-2:] != increments) or offsets.shape != (3,):
         raise ValueError(
-            f"drift, offset: expected shapes {way.angle_increments.shape} or (3,) and (3,), "
+            f"drift, offset: expected shapes (..., {increments[0]}, 3) or (3,) and (3,), "
             f"got {errors.shape} and {offsets.shape}."
         )
-    drifts = np.broadcast_to(errors, way.angle_increments.shape)
+    drifts = np.broadcast_to(errors, (*errors.shape[:-2], *increments))
     stiffness = positive_number(tuning_factor, "tuning_factor")
     ratio = finite_number(damping, "damping")
     latitude, interval = float(way.latitude[0]), way.interval
     pull = float(gravity(latitude))
     rate, up = sensed_at_rest(way.attitude[0], latitude)
-    aligned = align(rate + drifts[0], up + offsets)
+    aligned = align(rate + drifts[..., 0, :], up + offsets)
     start = horizon_of(aligned)
     bent = multiply(from_rotation_vector([0.0, 0.0, -finite_number(tilt, "tilt")]), start.attitude)
     swing = float(np.sqrt(pull / EARTH_RADIUS * stiffness))
     force = way.velocity_increments + interval * offsets
-    azimuth_rate = np.asarray(EARTH_RATE * np.sin(aligned.latitude))
+    azimuth_rate = np.broadcast_to(
+        (EARTH_RATE * np.sin(aligned.latitude))[..., np.newaxis], drifts.shape[:-1]
+    )
     if log:
         vertical = geographic_rate(way.latitude, way.velocity)[:, 1]
         azimuth_rate = 0.5 * (vertical[1:] + vertical[:-1])
@@ -158,7 +161,7 @@ def _errors_of(found: Operation, way: Voyage, drift: FloatArray) -> ErrorsUnderW
     """What the instrument found against the truth, and what the formula makes of it."""
     true = way.attitude[1:]
     # Turned by minus the vector that turns the components.
-    tilt = -to_rotation_vector(multiply(found.attitude, conjugate(true)))[:, [0, 2]]
+    tilt = -to_rotation_vector(multiply(found.attitude, conjugate(true)))[..., [0, 2]]
     heading, pitch, _ = angles_from_attitude(true)
     deviation = speed_deviation(way.latitude[1:], way.velocity[1:])
     compass_error = wrapped(found.compass_angle - deviation)
@@ -167,8 +170,8 @@ def _errors_of(found: Operation, way: Voyage, drift: FloatArray) -> ErrorsUnderW
         way.latitude[1:],
         way.velocity[1:],
         tilt,
-        np.gradient(tilt, way.interval, axis=0),
-        rotate(true, drift)[:, [0, 2]],
+        np.gradient(tilt, way.interval, axis=-2),
+        rotate(true, drift)[..., [0, 2]],
         yaw_error,
         heading,
         pitch,

@@ -14,6 +14,7 @@ reconstructed. Axes and angles are those of `driftlab.horizon_axes`.
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -34,6 +35,8 @@ from .horizon_axes import EARTH_RADIUS, Angles, angles_from_attitude, wrapped
 from .quaternion import from_rotation_vector
 from .strapdown import increment_rows
 
+_FEW = 12
+"""Up to so many runs are done one by one in Python's own floats, faster than in short arrays."""
 _MOST_TURN = 0.1  # rad in one interval, for which the series of a turn is exact to 1e-11
 
 
@@ -211,22 +214,37 @@ def operate(
                 f"{name}: expected rad/s that turn the horizon by at most {_MOST_TURN:g} rad in "
                 f"one interval, got {np.abs(values).max():.3g} rad/s for {seconds:g} s."
             )
-    first = [
-        np.broadcast_to(values[..., i], lead)
-        for values, n in ((attitude, 4), (rate, 2))
-        for i in range(n)
-    ]
+    first = np.concatenate(
+        [np.broadcast_to(part, (*lead, part.shape[-1])) for part in (attitude, rate)], axis=-1
+    )
     force = _force_at_start(angle, velocity) / seconds
-    steps = (_steps(part, lead) for part in (from_rotation_vector(angle), force, turn[..., None]))
-    rows = _integrate(first if lead else map(float, first), steps, seconds, k1, k2, every)
-    found = np.moveaxis(np.array(rows), (0, 1), (-2, -1))  # (..., k, 8)
+    steps = [
+        np.broadcast_to(part, (*lead, *part.shape[-2:]))
+        for part in (from_rotation_vector(angle), force, turn[..., np.newaxis])
+    ]
+    if math.prod(lead) <= _FEW:
+        runs = [
+            _integrate(
+                first[run].tolist(), [s[run].tolist() for s in steps], seconds, k1, k2, every
+            )
+            for run in np.ndindex(lead)
+        ]
+        found = np.reshape(runs, (*lead, count // every, 8))
+    else:
+        # Step by step all runs at once.
+        rows = _integrate(
+            np.moveaxis(first, -1, 0),
+            [np.moveaxis(part, (-2, -1), (0, 1)) for part in steps],
+            *(seconds, k1, k2, every),
+        )
+        found = np.moveaxis(np.array(rows), (0, 1), (-2, -1))
     if not np.isfinite(found).all():
         raise ValueError(
             "angle_increments, velocity_increments: expected increments that a horizon can follow, "
             f"got up to {np.abs(angle).max():.3g} rad and {np.abs(velocity).max():.3g} m/s."
         )
     last = Horizon(found[..., -1, :4], found[..., -1, 6:])
-    times: FloatArray = seconds * every * np.arange(1.0, len(rows) + 1)
+    times: FloatArray = seconds * every * np.arange(1.0, count // every + 1)
     return Operation(times, found[..., :4], found[..., 4:6], last)
 
 
@@ -244,13 +262,6 @@ def _force_at_start(angle: FloatArray, velocity: FloatArray) -> FloatArray:
     a, v = (np.moveaxis(part, -1, 0) for part in np.broadcast_arrays(angle, velocity))
     once = cross(a, v)
     return np.moveaxis(v + once / 2 + cross(a, once) / 12, 0, -1)
-
-
-def _steps(values: FloatArray, lead: tuple[int, ...]) -> Any:
-    """Rows of components, step by step: lists of floats, or of arrays if there are leading axes."""
-    spread = np.broadcast_to(values, (*lead, *values.shape[-2:]))
-    # One run is done in Python's own floats, which are much faster than arrays of one number.
-    return spread.tolist() if not lead else np.moveaxis(spread, (-2, -1), (0, 1))
 
 
 def _integrate(

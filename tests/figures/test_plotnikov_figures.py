@@ -651,7 +651,7 @@ def test_a_coning_mount_adds_one_drift_at_all_stages() -> None:
 def test_errors_under_way_of_bend_and_turn_add_up() -> None:
     nothing = np.zeros(3)
     whole, bend, turn, none = (
-        capstone.compute(*parts).runs[0].heading_error
+        capstone.compute(*parts).under_way.heading_error[0]
         for parts in (
             (capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT),
             (capstone.NON_ORTHOGONALITY, nothing),
@@ -666,12 +666,12 @@ def test_errors_under_way_of_bend_and_turn_add_up() -> None:
 
 def test_each_calibration_makes_the_heading_under_way_better() -> None:
     data = capstone.compute()
-    errors = np.degrees([largest(run.heading_error) for run in data.runs])
+    errors = np.degrees([largest(error) for error in data.under_way.heading_error])
     assert errors[1] < 0.5 * errors[0]
     assert errors[2] < 0.02 * errors[1]
     # After the turns the turn of the triad is left, and nothing else to speak of.
-    turned = capstone.compute(np.zeros(3)).runs[0].heading_error
-    assert largest(data.runs[1].heading_error - turned) < 0.02 * largest(turned)
+    turned = capstone.compute(np.zeros(3)).under_way.heading_error[0]
+    assert largest(data.under_way.heading_error[1] - turned) < 0.02 * largest(turned)
 
 
 def test_the_step_is_short_enough_for_the_bent_triad(
@@ -679,16 +679,15 @@ def test_the_step_is_short_enough_for_the_bent_triad(
 ) -> None:
     coarse = capstone.compute()
     step = int(capstone.INTERVAL)
-    assert coarse.runs[0].times[0] == step > 1
+    assert coarse.under_way.times[0] == step > 1
     monkeypatch.setattr(capstone, "INTERVAL", 1.0)
-    fine = capstone.compute()
-    for long, short in zip(coarse.runs, fine.runs, strict=True):
-        np.testing.assert_allclose(long.times, short.times[step - 1 :: step])
-        gap = np.degrees(largest(long.heading_error - short.heading_error[step - 1 :: step]))
-        # A thousandth of what the bent triad has, in each of the stages.
-        assert gap < 0.0005
-    assert np.degrees(largest(fine.runs[0].heading_error)) == pytest.approx(0.797, abs=0.001)
-    assert np.degrees(largest(fine.runs[1].heading_error)) == pytest.approx(0.315, abs=0.001)
+    fine = capstone.compute().under_way
+    np.testing.assert_allclose(coarse.under_way.times, fine.times[step - 1 :: step])
+    gap = coarse.under_way.heading_error - fine.heading_error[:, step - 1 :: step]
+    # A thousandth of what the bent triad has, in each of the stages.
+    assert np.degrees(largest(gap)) < 0.0005
+    assert np.degrees(largest(fine.heading_error[0])) == pytest.approx(0.797, abs=0.001)
+    assert np.degrees(largest(fine.heading_error[1])) == pytest.approx(0.315, abs=0.001)
 
 
 def test_what_a_real_calibration_leaves_does_not_depend_on_the_bend() -> None:

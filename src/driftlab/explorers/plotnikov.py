@@ -253,7 +253,7 @@ class CapstoneExplorer(Explorer):
                 (f"aligned heading, {stage}",
                  f"{np.abs(data.aligned[i]).max() / arcminute:.3f}′"),
                 (f"under way, {stage}",
-                 _degrees(np.abs(data.runs[i].heading_error).max())),
+                 _degrees(np.abs(data.under_way.heading_error[i]).max())),
             ]  # fmt: skip
         return rows
 
@@ -268,5 +268,5 @@ class CapstoneExplorer(Explorer):
             f"    np.array({turns}) * arcsecond,\n"
             f"    *np.radians([{values['latitude']}, {values['turn']}]),\n"
             f"    half_angle={values['cone']} * arcminute, algorithm={values['algorithm']!r})\n"
-            "print(*(np.degrees(abs(run.heading_error).max()) for run in story.runs))"
+            "print(*np.degrees(abs(story.under_way.heading_error).max(axis=-1)))"
         )

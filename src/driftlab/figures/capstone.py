@@ -47,7 +47,7 @@ class Capstone(NamedTuple):
     per_turn: FloatArray  # (3, 6), rad: drift per turn about AXES
     headings: FloatArray  # (n,), rad
     aligned: FloatArray  # (3, n), rad: heading error after alignment
-    runs: tuple[ErrorsUnderWay, ...]  # three
+    under_way: ErrorsUnderWay  # of three runs
 
 
 def bent_triad(non_orthogonality: ArrayLike, misalignment: ArrayLike) -> FloatArray:
@@ -116,23 +116,23 @@ def compute(
     aligned = alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
     way = kept_ship(latitude=latitude, speed=speed, course=0.0, turn=turn, interval=INTERVAL)
     rates = way.angle_increments / way.interval
-    runs = tuple(take_along(way, rates @ error.T + shaken, log=True) for error in left)
+    under_way = take_along(way, rates @ np.swapaxes(left, -1, -2) + shaken, log=True)
     return Capstone(
         # Turns say nothing of the misalignment.
         np.stack([parts(bent), np.append(sigma, [np.nan] * 3), parts(bent + leftover)]),
         drift_per_turn(AXES, left[:, np.newaxis]),
         headings,
         aligned,
-        runs,
+        under_way,
     )
 
 
 def columns(data: Capstone) -> dict[str, FloatArray]:
     """Columns of the figure's CSV: the heading under way, each four minutes."""
     rows = slice(14, None, 15)
-    table = {"time_s": data.runs[0].times[rows]}
-    for stage, run in zip(STAGES, data.runs, strict=True):
-        table[f"heading_error_deg, {stage}"] = np.degrees(run.heading_error[rows]).round(6)
+    table = {"time_s": data.under_way.times[rows]}
+    for stage, error in zip(STAGES, data.under_way.heading_error, strict=True):
+        table[f"heading_error_deg, {stage}"] = np.degrees(error[rows]).round(6)
     return table
 
 
@@ -184,9 +184,9 @@ class CapstonePicture(Picture[Capstone]):
                 line.set_ydata(np.stack([foot, row / arcsecond, gap], axis=-1).ravel())
         aligned, under_way = self.heading_panels
         self.set_reach(aligned, "y", 60 * np.degrees(data.aligned), (3.0, 15.0, 75.0, 400.0))
-        errors = [np.degrees(run.heading_error) for run in data.runs]
+        errors = np.degrees(data.under_way.heading_error)
         self.set_reach(under_way, "y", errors, (1.0, 5.0, 25.0, 200.0))
         for line, row in zip(self.aligned, data.aligned, strict=True):
             line.set_data(np.degrees(data.headings), 60 * np.degrees(row))
-        for line, run in zip(self.under_way, data.runs, strict=True):
-            line.set_data(run.times / minute, np.degrees(run.heading_error))
+        for line, error in zip(self.under_way, errors, strict=True):
+            line.set_data(data.under_way.times / minute, error)

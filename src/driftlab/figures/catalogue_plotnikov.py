@@ -137,7 +137,7 @@ def _restarts_caption(data: restarts.Restarts) -> str:
 
 def _capstone_caption(data: capstone.Capstone) -> str:
     turns = np.abs(data.per_turn).max(axis=1) / arcsecond
-    headings = [_largest(run.heading_error) for run in data.runs]
+    headings = [_largest(error) for error in data.under_way.heading_error]
     return (
         "One bent triad through all four papers; f, u, r are its forward, upper and right axis. "
         "Panel 1: turns find what pairs of axes miss of a right angle, half of it here; the filter "
