@@ -405,6 +405,15 @@ def test_many_runs_at_once_are_each_what_it_is_alone(number):
     assert np.allclose(level.attitude[1], alone.attitude, rtol=0, atol=1e-15)
 
 
+@pytest.mark.parametrize("lead", [(), (2,), (7, 2)])
+def test_a_horizon_that_cannot_follow_is_refused_in_one_run_and_in_many(lead):
+    # Upside down under two g the proportional part divides by zero.
+    velocity = np.broadcast_to([0.0, -19.6, 0.0], (*lead, 4, 3))
+    start = Horizon([0.0, 0.0, 0.0, 1.0], [0.0, 0.0])
+    with np.errstate(all="ignore"), pytest.raises(ValueError, match="that a horizon can follow"):
+        operate(start, np.zeros((4, 3)), velocity, 1.0, Tuning(1 / 9.8, 0.0), 0.0)
+
+
 def test_a_run_in_two_parts_is_one_run():
     angle, velocity = at_rest([0.1, 0.2, 0.3, 0.9], 400, 1.0, drift=(1e-7, 0, 2e-7))
     tuning = damped_tuning(0.02, GRAVITY)

@@ -222,22 +222,7 @@ def operate(
         np.broadcast_to(part, (*lead, *part.shape[-2:]))
         for part in (from_rotation_vector(angle), force, turn[..., np.newaxis])
     ]
-    if math.prod(lead) <= _FEW:
-        runs = [
-            _integrate(
-                first[run].tolist(), [s[run].tolist() for s in steps], seconds, k1, k2, every
-            )
-            for run in np.ndindex(lead)
-        ]
-        found = np.reshape(runs, (*lead, count // every, 8))
-    else:
-        # Step by step all runs at once.
-        rows = _integrate(
-            np.moveaxis(first, -1, 0),
-            [np.moveaxis(part, (-2, -1), (0, 1)) for part in steps],
-            *(seconds, k1, k2, every),
-        )
-        found = np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+    found = _results(first, steps, seconds, k1, k2, every)
     if not np.isfinite(found).all():
         raise ValueError(
             "angle_increments, velocity_increments: expected increments that a horizon can follow, "
@@ -262,6 +247,25 @@ def _force_at_start(angle: FloatArray, velocity: FloatArray) -> FloatArray:
     a, v = (np.moveaxis(part, -1, 0) for part in np.broadcast_arrays(angle, velocity))
     once = cross(a, v)
     return np.moveaxis(v + once / 2 + cross(a, once) / 12, 0, -1)
+
+
+def _results(
+    first: FloatArray, steps: list[FloatArray], interval: float, k1: float, k2: float, every: int
+) -> FloatArray:
+    """Results (..., k, 8) of `_integrate` from first (..., 6) with steps (..., n, m)."""
+    lead = first.shape[:-1]
+    if math.prod(lead) > _FEW:
+        components = [np.moveaxis(part, (-2, -1), (0, 1)) for part in steps]
+        rows = _integrate(np.moveaxis(first, -1, 0), components, interval, k1, k2, every)
+        return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+    try:
+        runs = [
+            _integrate(first[i].tolist(), [s[i].tolist() for s in steps], interval, k1, k2, every)
+            for i in np.ndindex(lead)
+        ]
+    except ZeroDivisionError:  # where arrays have infinity
+        return np.array(np.inf)
+    return np.reshape(runs, (*lead, -1, 8))
 
 
 def _integrate(

@@ -46,11 +46,17 @@ class Passage(NamedTuple):
     transitions: FloatArray  # (s, size, size)
 
 
+def checked_model(model: ErrorModel) -> ErrorModel:
+    """Return an error model itself; anything else is refused."""
+    if not isinstance(model, ErrorModel):
+        raise ValueError(f"model: expected an ErrorModel, got {model!r}.")
+    return model
+
+
 def passage(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -> Passage:
     """Transition matrices of the errors along a scheme, at a `latitude` in rad."""
     place = float(checked_latitude(finite_number(latitude, "latitude")))
-    if not isinstance(model, ErrorModel):
-        raise ValueError(f"model: expected an ErrorModel, got {model!r}.")
+    checked_model(model)
     row = segments(scheme, 1e-3)
     time = sum(segment.duration for segment in row)
     if time > STEP * _MOST_STEPS:

@@ -50,7 +50,6 @@ def kalman_step(
         Computed minus measured velocity: states 3, 4, 5 and noise. Wu (51), (52).
     velocity_variance : float
         Of that noise, (m/s)^2 in each component.
-
     """
     after, gain, weights = covariance_step(covariance, transition, noise, velocity_variance)
     column = velocity_error[..., np.newaxis]

@@ -16,7 +16,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
-from .checks import FloatArray, finite_array, finite_number, unit_quaternions, whole_number
+from .checks import (
+    FloatArray,
+    finite_array,
+    finite_number,
+    positive_number,
+    unit_quaternions,
+    whole_number,
+)
 from .earth import checked_latitude, earth_rate, gravity
 from .quaternion import conjugate, from_rotation_vector, multiply, rotate
 
@@ -53,11 +60,9 @@ class Scheme:
     rate: float = float(np.radians(10.0))
 
     def __post_init__(self) -> None:
+        # Plain numbers and a tuple, so that a scheme can be the key of a cache.
         for name in ("dwell", "rate"):
-            if finite_number(getattr(self, name), name) <= 0:
-                raise ValueError(
-                    f"{name}: expected a positive number, got {getattr(self, name)!r}."
-                )
+            object.__setattr__(self, name, positive_number(getattr(self, name), name))
         if not isinstance(self.rotations, str):
             raise ValueError(f"rotations: expected text, got {self.rotations!r}.")
         words = self.start if isinstance(self.start, tuple | list) else ()
@@ -67,7 +72,7 @@ class Scheme:
                 f"start: expected three of {', '.join(DIRECTIONS)} for x, y, z, right-handed, "
                 f"got {self.start!r}."
             )
-        object.__setattr__(self, "start", tuple(self.start))  # a list cannot be a key of a cache
+        object.__setattr__(self, "start", tuple(self.start))
         self.turns  # noqa: B018  (a word that makes no sense is refused now, not later)
 
     @property

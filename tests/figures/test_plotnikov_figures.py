@@ -412,8 +412,12 @@ def test_a_kept_voyage_is_the_voyage_of_its_own_numbers() -> None:
         changed = {**numbers, name: 0.5 * value}
         for ours, right in zip(operation.kept_ship(**changed), ship(**changed), strict=True):
             np.testing.assert_array_equal(ours, right)
+    with pytest.raises(ValueError, match="read-only"):
+        first.velocity[0] = 1.0
     with pytest.raises(ValueError, match="latitude: expected one number, got shape"):
         operation.compute(latitude=[0.9])
+    with pytest.raises(ValueError, match=r"drift: expected shape \(n, 3\) or \(3,\), got shape"):
+        operation.compute(drift=np.zeros((2, 120, 3)), interval=60.0)
 
 
 def test_a_perfect_compass_on_a_ship_at_rest_shows_no_error() -> None:

@@ -166,5 +166,13 @@ def test_observability_of_a_table_is_that_of_its_own_scheme_model_latitude_and_n
                 after = np.sqrt(np.diag(expected_covariance(way, noise, Spread())))
                 np.testing.assert_array_equal(data.after, after)
                 assert data.words == null_directions(way).words
+                data.words.clear()  # nothing that is kept
     with pytest.raises(ValueError, match="latitude: expected one number, got shape"):
         table_observability.compute(scheme, latitude=[0.6])
+    with pytest.raises(ValueError, match="model: expected an ErrorModel, got"):
+        table_observability.compute(scheme, ["x"])
+    odd = Scheme("+90Z -90X", ("East", "North", "Up"), np.array(120.0), np.radians(10.0))
+    assert (
+        table_observability.compute(odd, latitude=0.6).words
+        == null_directions(passage(scheme, 0.6)).words
+    )

@@ -34,7 +34,12 @@ def compute(
     log: bool = False,
     interval: float = INTERVAL,
 ) -> ErrorsUnderWay:
-    """Take a compass along a voyage of a ship; arguments as for `ship` and `take_along`."""
+    """Take a compass along a voyage of a ship; arguments as for `ship` and `take_along`.
+
+    One voyage: a drift for each interval, or one for all.
+    """
+    if np.ndim(drift) > 2:
+        raise ValueError(f"drift: expected shape (n, 3) or (3,), got shape {np.shape(drift)}.")
     return take_along(
         kept_ship(
             latitude=latitude,
@@ -61,7 +66,13 @@ def kept_ship(**numbers: float) -> Voyage:
     return _kept(**{name: finite_number(value, name) for name, value in numbers.items()})
 
 
-_kept = lru_cache(maxsize=2)(ship)
+@lru_cache(maxsize=2)
+def _kept(**numbers: float) -> Voyage:
+    way = ship(**numbers)
+    for part in way:
+        if isinstance(part, np.ndarray):
+            part.setflags(write=False)
+    return way
 
 
 def columns(data: ErrorsUnderWay) -> dict[str, FloatArray]:

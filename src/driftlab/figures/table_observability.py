@@ -10,6 +10,7 @@ from ..error_model import FULL, ErrorModel
 from ..observability import (
     Darkness,
     Passage,
+    checked_model,
     expected_covariance,
     null_directions,
     passage,
@@ -41,14 +42,14 @@ def compute(
     latitude: float = LATITUDE,
 ) -> TableObservability:
     """Follow the error equations of a model along a scheme; typical spread and noise."""
-    way, dark = _followed(scheme, finite_number(latitude, "latitude"), model)
+    way, dark = _followed(scheme, finite_number(latitude, "latitude"), checked_model(model))
     spread = Spread()
     covariance = expected_covariance(way, Noise() if noise is None else noise, spread)
     return TableObservability(
         model.names,
         dark.eigenvalues / dark.eigenvalues[-1],
         len(dark.directions),
-        dark.words,
+        list(dark.words),
         np.sqrt(np.diag(model.covariance(spread, way.start))),
         np.sqrt(np.diag(covariance)),
     )
