@@ -1,4 +1,4 @@
-"""Imports run one way: numerics, symbolic, figures, explorers; and the door itself loads none."""
+"""Imports run one way: numerics, symbolic, figures, exercises, explorers; and the door itself loads none."""
 
 import ast
 import subprocess
@@ -15,6 +15,7 @@ LAYERS = {
     "numerics": {"numpy", "scipy"},
     "symbolic": {"sympy"},
     "figures": {"matplotlib"},
+    "exercises": set(),
     # Pillow, which Matplotlib brings along, writes the picture of an explorer.
     "explorers": {"ipywidgets", "IPython", "PIL"},
 }

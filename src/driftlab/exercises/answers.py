@@ -1,0 +1,332 @@
+"""What counts as the answer to an exercise, and what a wrong answer says of the slip behind it.
+
+An exercise computes what is right, and what each likely mistake would give, with the package
+itself; nothing is typed in. A wrong answer that equals one of the mistakes is told so. What is
+right is never printed.
+"""
+
+from __future__ import annotations
+
+import re
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from .slips import slips
+
+Numbers = NDArray[np.float64] | NDArray[np.complex128]
+
+KINDS = ("predict", "slide", "explain", "compute")
+"""What an exercise asks for: a guess before looking, a try in a panel, a reason, a computation."""
+
+
+class Verdict(NamedTuple):
+    """What `check` thinks of an answer.
+
+    Attributes
+    ----------
+    right : bool or None
+        None if there is no answer yet.
+    says : str
+        One or two sentences for the reader.
+    """
+
+    right: bool | None
+    says: str
+
+
+class UnreadableError(ValueError):
+    """An answer that cannot be compared: another form, another shape, not finite."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Exercise(ABC):
+    """An exercise that answers back.
+
+    Attributes
+    ----------
+    kind : str
+        One of `KINDS`.
+    remark : str
+        What is worth seeing in the answer, told to who has found it.
+    """
+
+    kind: str
+    remark: str = ""
+
+    def verdict(self, answer: Any) -> Verdict:
+        """Judge `answer`; ``...`` and None mean that there is none yet."""
+        if _is_missing(answer):
+            return Verdict(None, "not answered yet.")
+        try:
+            reason = self._objection(answer)
+        except UnreadableError as error:
+            return Verdict(False, f"not readable. {error}")
+        if reason is None:
+            return Verdict(True, f"right. {self.remark}".rstrip())
+        return Verdict(False, f"not yet. {reason}".rstrip())
+
+    @abstractmethod
+    def expected(self) -> str:
+        """What is right, in words, for a teacher's list."""
+
+    @abstractmethod
+    def _objection(self, answer: Any) -> str | None:
+        """Return None if `answer` is right, else what can be said of it, perhaps nothing."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Value(Exercise):
+    """A number or an array of numbers.
+
+    Attributes
+    ----------
+    right : callable
+        Gives the value.
+    unit : str
+        The unit that the exercise asks for, one of `slips.UNITS`; "1" for pure numbers.
+    accuracy : float
+        Largest allowed deviation of any entry, as a part of the largest entry.
+    absolute : float
+        The same as a number, in the unit. The larger of the two counts.
+    mistakes : mapping
+        What to say of a likely mistake, and a callable that gives the value it leads to.
+    quaternion : bool
+        The value is a unit quaternion, scalar last; the opposite sign is as right.
+    any_order : bool
+        The entries may come in any order.
+    """
+
+    right: Callable[[], Any]
+    unit: str = "1"
+    accuracy: float = 1e-3
+    absolute: float = 0.0
+    mistakes: Mapping[str, Callable[[], Any]] = field(default_factory=dict)
+    quaternion: bool = False
+    any_order: bool = False
+
+    def expected(self) -> str:
+        value = numbers(self.right())
+        with np.printoptions(precision=3, suppress=True):
+            text = f"{value:.3g}" if value.ndim == 0 else str(value)
+        return text if self.unit == "1" else f"{text} {self.unit}"
+
+    def _objection(self, answer: Any) -> str | None:
+        given, right = numbers(answer), numbers(self.right())
+        if given.shape != right.shape:
+            raise UnreadableError(f"Expected {_form(right)}, got {_form(given)}.")
+        mistakes = ((says, numbers(value())) for says, value in self.mistakes.items())
+        return objection(
+            given,
+            right,
+            mistakes,
+            tolerance=max(self.accuracy * float(np.abs(right).max()), self.absolute),
+            unit=self.unit,
+            quaternion=self.quaternion,
+            any_order=self.any_order,
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Formula(Exercise):
+    """A formula: a SymPy expression, a matrix of them, or a Python function.
+
+    It is right if it gives the right values at `COUNT` random places, whatever its form.
+
+    Attributes
+    ----------
+    arguments : tuple of str
+        The arguments of a function, in this order, or the symbols of an expression.
+    draw : callable
+        Gives values of the arguments, from a generator of random numbers.
+    right : callable
+        The formula, as a function of the arguments.
+    accuracy : float
+        Largest allowed deviation, as a part of the largest value.
+    mistakes : mapping
+        What to say of a likely mistake, and the formula that it leads to.
+    """
+
+    arguments: tuple[str, ...]
+    draw: Callable[[np.random.Generator], tuple[Any, ...]]
+    right: Callable[..., Any]
+    accuracy: float = 1e-6
+    mistakes: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+
+    COUNT: ClassVar[int] = 7
+
+    def expected(self) -> str:
+        return f"a formula in {', '.join(self.arguments)}; see the solutions"
+
+    def _objection(self, answer: Any) -> str | None:
+        rng = np.random.default_rng(1)
+        places = [self.draw(rng) for _ in range(self.COUNT)]
+
+        def values(function: Callable[..., Any]) -> Numbers:
+            return np.array([numbers(function(*place)) for place in places])
+
+        right = values(self.right)
+        given = values(self._function(answer, places[0]))
+        if given.shape != right.shape:
+            raise UnreadableError(f"Expected {_form(right[0])}, got {_form(given[0])}.")
+        mistakes = ((says, values(function)) for says, function in self.mistakes.items())
+        tolerance = self.accuracy * float(np.abs(right).max())
+        return objection(given, right, mistakes, tolerance=tolerance)
+
+    def _function(self, answer: Any, place: tuple[Any, ...]) -> Callable[..., Any]:
+        """The answer as a function that complains in words if it cannot be evaluated."""
+        names = ", ".join(self.arguments)
+        if isinstance(answer, (sp.Basic, sp.MatrixBase)):
+            if any(np.ndim(value) for value in place):
+                raise UnreadableError(f"Expected a Python function of ({names}).")
+            symbols = {str(symbol): symbol for symbol in answer.free_symbols}
+            unknown = sorted(symbols.keys() - set(self.arguments))
+            if unknown:
+                raise UnreadableError(
+                    f"Expected an expression in {names}, found also {', '.join(unknown)}."
+                )
+            answer = sp.lambdify([symbols.get(n, sp.Symbol(n)) for n in self.arguments], answer)
+        elif isinstance(answer, (int, float)) and not isinstance(answer, bool):
+            constant = answer
+            return lambda *place: constant
+        elif not callable(answer):
+            raise UnreadableError(
+                f"Expected an expression or a function of ({names}), got {_name(answer)}."
+            )
+
+        def function(*place: Any) -> Any:
+            try:
+                return answer(*place)
+            except Exception as error:
+                raise UnreadableError(
+                    f"Called with values of ({names}), your function raised "
+                    f"{type(error).__name__}: {error}"
+                ) from error
+
+        return function
+
+
+@dataclass(frozen=True, kw_only=True)
+class Choice(Exercise):
+    """One or several of the statements a, b, c, ... of the exercise.
+
+    Attributes
+    ----------
+    right : str
+        The letters of all true statements.
+    wrong : mapping
+        The other letters, and what is wrong with each.
+    """
+
+    right: str
+    wrong: Mapping[str, str]
+
+    def expected(self) -> str:
+        return ", ".join(self.right)
+
+    def _objection(self, answer: Any) -> str | None:
+        letters = sorted({*self.right, *self.wrong})
+        words = [answer] if isinstance(answer, str) else answer
+        if not isinstance(words, Iterable) or not all(isinstance(word, str) for word in words):
+            raise UnreadableError(f"Expected letters from {letters[0]} to {letters[-1]}, as text.")
+        chosen = sorted({*re.findall(r"[a-z]", " ".join(words).lower().replace("and", " "))})
+        if not chosen or not set(chosen) <= set(letters):
+            raise UnreadableError(f"Expected letters from {letters[0]} to {letters[-1]}.")
+        for letter in chosen:
+            if letter in self.wrong:
+                return f"({letter}) {self.wrong[letter]}"
+        if set(chosen) < set(self.right):
+            return "What you chose is true, and something else is too."
+        return None
+
+
+def numbers(value: Any) -> Numbers:
+    """Return `value`, of any form that stands for numbers, as an array.
+
+    Raises
+    ------
+    UnreadableError
+        If it is something else, has symbols, or is not finite.
+    """
+    if isinstance(value, sp.MatrixBase):
+        flat = value.shape[0] if 1 in value.shape and value.shape[1] == 1 else value.shape
+        value = np.array(value.tolist(), dtype=object).reshape(flat)
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise UnreadableError("Expected numbers, got rows of unequal length.") from None
+    if array.dtype == object:
+        symbols = {str(s) for entry in array.flat for s in getattr(entry, "free_symbols", ())}
+        if symbols:
+            raise UnreadableError(f"Expected numbers, found the symbols {', '.join(symbols)}.")
+        try:
+            array = np.array([complex(entry) for entry in array.flat]).reshape(array.shape)
+        except (TypeError, ValueError):
+            raise UnreadableError(f"Expected numbers, got {_name(value)}.") from None
+    if array.dtype.kind not in "iufc" or array.size == 0:
+        raise UnreadableError(f"Expected numbers, got {_name(value)}.")
+    if not np.isfinite(array).all():
+        raise UnreadableError("Expected finite numbers, got NaN or infinity.")
+    return array.astype(np.complex128) if np.iscomplex(array).any() else np.real(array) * 1.0
+
+
+def objection(
+    given: Numbers,
+    right: Numbers,
+    mistakes: Iterable[tuple[str, Numbers]],
+    *,
+    tolerance: float,
+    unit: str = "1",
+    quaternion: bool = False,
+    any_order: bool = False,
+) -> str | None:
+    """Return None if `given` is right within `tolerance`, else the mistake that explains it.
+
+    The exercise's own `mistakes` come first, then the slips that anyone makes anywhere. If none of
+    them fits, the sentence is empty, or says that it was close.
+    """
+
+    def agree(a: Numbers, b: Numbers, tolerance: float) -> bool:
+        if a.shape != b.shape:
+            return False
+        if any_order:
+            a, b = np.sort_complex(a), np.sort_complex(b)
+        near = np.abs(a - b).max() <= tolerance
+        return bool(near or (quaternion and np.abs(a + b).max() <= tolerance))
+
+    if agree(given, right, tolerance):
+        return None
+
+    def candidates() -> Iterator[tuple[str, Numbers]]:
+        yield from mistakes
+        yield from slips(right, unit=unit, quaternion=quaternion)
+
+    for says, value in candidates():
+        # A mistake is as exact as the answer would be, each by its own size.
+        sizes = float(np.abs(value).max()), float(np.abs(right).max())
+        if agree(given, value, tolerance * sizes[0] / sizes[1] if all(sizes) else tolerance):
+            return says
+    if agree(given, right, 10 * tolerance):
+        return "Close: keep more digits, or look for a small term that was left out."
+    return ""
+
+
+def _is_missing(answer: Any) -> bool:
+    if answer is None or answer is Ellipsis:
+        return True
+    if isinstance(answer, str):
+        return not answer.strip(" ?.")
+    return isinstance(answer, (list, tuple)) and any(map(_is_missing, answer))
+
+
+def _form(array: Numbers) -> str:
+    return "a number" if array.ndim == 0 else f"an array of shape {array.shape}"
+
+
+def _name(value: Any) -> str:
+    return f"a {type(value).__name__}"

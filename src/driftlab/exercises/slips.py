@@ -1,0 +1,67 @@
+"""Slips that anyone makes anywhere: another unit, a sign, a half angle, the order of components."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.constants import arcminute, arcsecond, degree, g, hour, kilo, knot, micro, milli, minute
+
+UNITS: dict[str, dict[str, float]] = {
+    "angle": {
+        "radians": 1.0,
+        "degrees": degree,
+        "arc minutes": arcminute,
+        "arc seconds": arcsecond,
+    },
+    "rate": {
+        "rad/s": 1.0,
+        "degrees per second": degree,
+        "degrees per hour": degree / hour,
+        "radians per hour": 1 / hour,
+        "arc seconds per second": arcsecond,
+    },
+    "acceleration": {"m/s²": 1.0, "g": g, "mg": milli * g, "µg": micro * g},
+    "length": {"m": 1.0, "km": kilo},
+    "speed": {"m/s": 1.0, "km/h": kilo / hour, "knots": knot},
+    "time": {"s": 1.0, "min": minute, "h": hour},
+    "frequency": {"Hz": 2 * np.pi, "angular frequency in rad/s": 1.0},
+    "pure": {"1": 1.0, "%": 0.01, "ppm": micro},
+}
+"""Units that an exercise may ask for, by what they measure, in those of the SI."""
+
+
+def slips(
+    right: NDArray[Any], *, unit: str = "1", quaternion: bool = False
+) -> Iterator[tuple[str, NDArray[Any]]]:
+    """Give what to say of each common slip, and the answer that it makes of the `right` one."""
+    yield from _units(right, unit)
+    if quaternion:
+        yield (
+            "The scalar stands first; in this book it is the last of the four.",
+            np.roll(right, 1, axis=-1),
+        )
+        conjugate = right * [-1, -1, -1, 1]
+        yield "This is the opposite rotation: look at the order of the two factors.", conjugate
+        yield (
+            "This is the opposite rotation, with the scalar first; in this book it is last.",
+            np.roll(conjugate, 1, axis=-1),
+        )
+    yield (
+        "The sign is reversed: look at the order of a product, or at what is taken from what.",
+        (-right),
+    )
+    yield "This is twice as much: look for an angle and its half, or for a mean.", 2 * right
+    yield "This is half as much: look for an angle and its half, or for a mean.", right / 2
+    if right.ndim == 2 and right.shape[0] == right.shape[1]:
+        yield "This is the transpose.", right.T
+
+
+def _units(right: NDArray[Any], unit: str) -> Iterator[tuple[str, NDArray[Any]]]:
+    kind = next(kind for kind in UNITS.values() if unit in kind)
+    for other, size in kind.items():
+        if other != unit and unit != "1":
+            wanted, got = ("as a pure number" if u == "1" else f"in {u}" for u in (unit, other))
+            yield f"The answer is asked {wanted}; this is {got}.", right * kind[unit] / size

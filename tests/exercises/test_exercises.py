@@ -1,0 +1,90 @@
+"""Every exercise of the book: its mistakes are told apart, wrong answers get the right reason."""
+
+import re
+
+import numpy as np
+import pytest
+
+from driftlab.exercises import EXERCISES, KINDS, check, expected_answers, verdict
+from driftlab.exercises.answers import Choice, Formula, Value, numbers
+from wrong_answers import WRONG
+
+VALUES = {n: e for n, e in EXERCISES.items() if isinstance(e, Value)}
+FORMULAS = {n: e for n, e in EXERCISES.items() if isinstance(e, Formula)}
+
+
+def test_chapters_have_four_or_more_of_every_kind_in_order():
+    chapters = {number.split(".")[0] for number in EXERCISES}
+    assert chapters <= {str(chapter) for chapter in range(1, 12)}
+    for chapter in chapters:
+        numbers_of = [n for n in EXERCISES if n.split(".")[0] == chapter]
+        assert numbers_of == [f"{chapter}.{i}" for i in range(1, len(numbers_of) + 1)]
+        assert len(numbers_of) >= 4
+        assert {EXERCISES[n].kind for n in numbers_of} == set(KINDS)
+
+
+@pytest.mark.parametrize("number", EXERCISES)
+@pytest.mark.parametrize("answer", [..., None, "", "?", "...", [1.0, ...]])
+def test_what_is_not_answered_is_neither_right_nor_wrong(number, answer):
+    assert verdict(number, answer) == (None, "not answered yet.")
+
+
+@pytest.mark.parametrize("number", EXERCISES)
+def test_wrong_answer_is_refused_with_its_reason(number):
+    assert WRONG.get(number), "no wrong answer to try"
+    for answer, words in WRONG[number]:
+        right, says = verdict(number, answer)
+        assert right is False
+        assert re.search(words, says), says
+
+
+@pytest.mark.parametrize("number", VALUES)
+def test_right_value_passes_and_each_mistake_is_told_apart(number):
+    exercise = VALUES[number]
+    assert exercise.verdict(exercise.right()).right
+    for says, value in exercise.mistakes.items():
+        assert exercise.verdict(value()) == (False, f"not yet. {says}")
+
+
+@pytest.mark.parametrize("number", FORMULAS)
+def test_right_formula_passes_and_each_mistake_is_told_apart(number):
+    exercise = FORMULAS[number]
+    assert exercise.verdict(exercise.right).right
+    for says, function in exercise.mistakes.items():
+        assert exercise.verdict(function) == (False, f"not yet. {says}")
+
+
+@pytest.mark.parametrize("number", VALUES)
+def test_no_wrong_answer_is_told_the_right_one(number):
+    exercise = VALUES[number]
+    right = {f"{entry:.3g}" for entry in np.abs(numbers(exercise.right())).flat if entry > 0.1}
+    said = " ".join(verdict(number, answer).says for answer, _ in WRONG[number])
+    assert not right & set(re.findall(r"\d+\.?\d*", said))
+
+
+@pytest.mark.parametrize("number", [n for n, e in EXERCISES.items() if isinstance(e, Choice)])
+def test_choice_names_what_is_wrong_with_every_other_statement(number):
+    exercise = EXERCISES[number]
+    letters = "".join(sorted({*exercise.right, *exercise.wrong}))
+    assert letters == "abcdefgh"[: len(letters)]
+    assert not set(exercise.right) & set(exercise.wrong)
+    assert exercise.verdict(exercise.right).right
+    for letter, reason in exercise.wrong.items():
+        assert exercise.verdict(exercise.right + letter) == (False, f"not yet. ({letter}) {reason}")
+
+
+def test_check_prints_one_line_and_refuses_an_unknown_number(capsys):
+    check("1.3", "bce")
+    assert capsys.readouterr().out.startswith("Exercise 1.3: right. ")
+    with pytest.raises(
+        ValueError, match=r'^number: expected one of "1\.1" to "\d+\.\d", got \'x\''
+    ):
+        check("x", 1)
+
+
+def test_list_for_teachers_has_every_exercise_of_a_kind():
+    found = [number for kind in KINDS for number in expected_answers(kind)]
+    assert sorted(found) == sorted(EXERCISES)
+    assert expected_answers("predict")["1.1"] == "[180.   0.   0.] degrees"
+    with pytest.raises(ValueError, match=r"^kind: expected one of predict, .*, got 'guess'"):
+        expected_answers("guess")

@@ -1,0 +1,26 @@
+"""Wrong answers to the exercises of chapter 01."""
+
+import numpy as np
+
+WRONG = {
+    "1.1": [
+        ([180, 360, 720], "a whole turn more or less"),
+        ([90, 180, 360], "how far the body has turned"),
+        (np.radians([180, 0, 0]), "asked in degrees"),
+        ([180, 360, 0], "After half a turn"),
+    ],
+    "1.2": [
+        (0.3, "the two sizes"),
+        (-2.67, "sign"),
+        (0.0465, "asked in degrees per second"),
+    ],
+    "1.3": [
+        ("abce", r"^not yet. \(a\)"),
+        ("bcde", r"\(d\)"),
+        ("be", "something else is too"),
+    ],
+    "1.4": [
+        ([0.9999896, 0.0037533, -0.0000140, 0.0025795], "scalar stands first"),
+        ([-0.0028260, 0.0003542, -0.0035538, 0.9999896], "seen from the fixed frame"),
+    ],
+}
