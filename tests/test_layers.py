@@ -1,4 +1,4 @@
-"""Imports run one way: numerics, symbolic, figures, exercises, explorers; and the door itself loads none."""
+"""Imports run one way: numerics, symbolic, figures, exercises, explorers; the door loads none."""
 
 import ast
 import subprocess

@@ -96,16 +96,14 @@ class FramesPicture(Picture[list[Frame]]):
                 _arrow(panel, flat[-6], flat[-1], color=BLUE)
                 x, y = 1.15 * flat[len(flat) // 2] + [0, 0.05]
                 side = "left" if x > 0 else "right"
-                panel.text(x, y, arc.label, ha=side, va="center", color=BLUE)
+                panel.text(x, y, arc.label, ha=side, va="center")
 
 
 def draw_arrows(panel: Axes, arrows: Arrows, **style: str) -> None:
     """Draw three labelled arrows in a projected panel."""
     for label, tip in zip(arrows.labels, project(arrows.tips), strict=True):
         _arrow(panel, np.zeros(2), tip, **style)
-        panel.text(
-            1.13 * tip[0], 1.13 * tip[1], label, ha="center", va="center", color=style["color"]
-        )
+        panel.text(1.13 * tip[0], 1.13 * tip[1], label, ha="center", va="center")
 
 
 def _arrow(panel: Axes, tail: FloatArray, tip: FloatArray, **style: str) -> None:

@@ -22,9 +22,10 @@ from ..checks import FloatArray
 with as_file(files(__package__) / "driftlab.mplstyle") as _path:
     STYLE = matplotlib.rc_params_from_file(_path, use_default_template=True)
 
-# Okabe and Ito's colours; each line also has a dash pattern or a marker of its own.
-BLACK, BLUE, ORANGE, GREEN = "#000000", "#0072B2", "#E69F00", "#009E73"
-VERMILION, PURPLE, SKY, GREY = "#D55E00", "#CC79A7", "#56B4E9", "#767676"
+# Okabe and Ito's colours, orange and sky darkened until their contrast to white is above 3 to 1;
+# each line also has a dash pattern or a marker of its own.
+BLACK, BLUE, ORANGE, GREEN = "#000000", "#0072B2", "#BF8400", "#009E73"
+VERMILION, PURPLE, SKY, GREY = "#D55E00", "#CC79A7", "#3A97D3", "#767676"
 SERIES: tuple[dict[str, Any], ...] = (
     {"color": BLUE, "linestyle": "-"},
     {"color": VERMILION, "linestyle": "--"},

@@ -62,12 +62,20 @@ class PlaneAxesPicture(Picture[PlaneAxes]):
             beside = (0.09, 0.09 if panel is given else -0.09)
             _pair(panel, np.full(2, angle), ("$x$", "$y$"), 1.3, color=BLACK)
             _pair(panel, data.gyros, ("x gyro", "y gyro"), 1.0, beside, color=BLUE, linestyle="--")
-        _pair(given, data.accelerometers, ("x acc.", "y acc."), 0.8, color=VERMILION, linestyle=":")
+        _pair(
+            given,
+            data.accelerometers,
+            ("x acc.", "y acc."),
+            0.8,
+            (-0.02, -0.02),
+            color=VERMILION,
+            linestyle=":",
+        )
         for panel, angle in ((usual, data.usual), (averaged, data.averaged)):
             _pair(panel, np.zeros(2), ("", ""), 0.75, color=GREY)
             arc = np.linspace(0, angle, 30)
             panel.plot(0.62 * np.cos(arc), 0.62 * np.sin(arc), color=GREEN)
-            panel.text(0.68, 0.04, f"{angle:.2f} rad", color=GREEN)
+            panel.text(0.68, 0.04, f"{angle:.2f} rad")
 
 
 def _pair(
@@ -86,4 +94,4 @@ def _pair(
         panel.plot([0, tip[0]], [0, tip[1]], **style)
         x, y = tip + (aside * np.array([-along[1], along[0]]) if aside else 0.05 * along)
         place = "right" if aside > 0 else ("center" if right and not aside else "left")
-        panel.text(x, y, label, color=style["color"], ha=place, va="center")
+        panel.text(x, y, label, ha=place, va="center")

@@ -1,0 +1,79 @@
+"""What can be tested of how well a figure can be seen: contrast, captions, no word of a colour."""
+
+import re
+from functools import cache
+
+import numpy as np
+import pytest
+from matplotlib.collections import Collection
+from matplotlib.colors import to_rgb
+from matplotlib.lines import Line2D
+from matplotlib.text import Text
+
+from driftlab.explorers import EXPLORERS
+from driftlab.figures import picture
+from driftlab.figures.catalogue import CATALOGUE
+from driftlab.figures.entry import Entry
+from driftlab.figures.publish import Plate
+
+COLOUR_WORDS = re.compile(
+    r"\b(red|blue|green|orange|purple|violet|yellow|gr[ae]y|pink|cyan|magenta|vermilion)\b", re.I
+)
+
+shown = cache(Plate)
+every_figure = pytest.mark.parametrize("entry", CATALOGUE, ids=lambda entry: entry.name)
+
+
+def contrast(first, second="white"):
+    """Contrast of two colours by WCAG 2.2, from 1 to 21."""
+    luminances = []
+    for colour in (first, second):
+        parts = np.array(to_rgb(colour))
+        linear = np.where(parts <= 0.04045, parts / 12.92, ((parts + 0.055) / 1.055) ** 2.4)
+        luminances.append(linear @ [0.2126, 0.7152, 0.0722])
+    low, high = sorted(luminances)
+    return (high + 0.05) / (low + 0.05)
+
+
+def test_contrast_itself():
+    assert contrast("black") == pytest.approx(21)
+    assert contrast("white") == pytest.approx(1)
+    assert contrast("#767676") == pytest.approx(4.54, abs=0.01)
+
+
+def test_every_line_style_of_the_book_stands_out_from_the_page():
+    for style in picture.SERIES:
+        assert contrast(style["color"]) >= 3, style
+    # What differs in colour differs in its dashes too.
+    assert len({str(style["linestyle"]) for style in picture.SERIES}) == len(picture.SERIES)
+
+
+@every_figure
+def test_lines_and_texts_stand_out_from_the_page(entry: Entry) -> None:
+    figure = shown(entry)._figure
+    for text in figure.findobj(Text):
+        if text.get_text().strip() and text.get_visible():
+            assert contrast(text.get_color()) >= 4.5, text
+    grids = {id(line) for axes in figure.axes for line in axes.get_xgridlines()}
+    grids |= {id(line) for axes in figure.axes for line in axes.get_ygridlines()}
+    for line in figure.findobj(Line2D):
+        if id(line) not in grids and line.get_visible() and line.get_linestyle() != "None":
+            assert contrast(line.get_color()) >= 3, line
+    for points in figure.findobj(Collection):
+        for edge in points.get_edgecolor():
+            assert edge[3] == 0 or contrast(edge) >= 3 or contrast(edge) == 1, points
+
+
+@every_figure
+def test_caption_is_sentences_and_names_no_colour(entry: Entry) -> None:
+    caption, figure = shown(entry).caption, shown(entry)._figure
+    assert re.match(r"[A-Z0-9“(].*[.”)]$", caption, re.DOTALL), caption
+    written = [caption, *(text.get_text() for text in figure.findobj(Text))]
+    assert not [words for words in written if COLOUR_WORDS.search(words)]
+
+
+@pytest.mark.parametrize("explorer", EXPLORERS, ids=lambda explorer: explorer.__name__)
+def test_panel_names_no_colour(explorer) -> None:
+    labels = [control.label for control in explorer.controls]
+    for words in [explorer.title, *explorer.presets, *labels]:
+        assert not COLOUR_WORDS.search(words), words
