@@ -1,6 +1,8 @@
 """Every exercise of the book: its mistakes are told apart, wrong answers get the right reason."""
 
 import re
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -71,6 +73,14 @@ def test_choice_names_what_is_wrong_with_every_other_statement(number):
     assert exercise.verdict(exercise.right).right
     for letter, reason in exercise.wrong.items():
         assert exercise.verdict(exercise.right + letter) == (False, f"not yet. ({letter}) {reason}")
+
+
+def test_importing_the_exercises_loads_no_plotting():
+    code = "import sys, driftlab.exercises; print('matplotlib' in sys.modules)"
+    answer = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert answer.stdout.strip() == "False"
 
 
 def test_check_prints_one_line_and_refuses_an_unknown_number(capsys):

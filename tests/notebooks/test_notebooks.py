@@ -1,6 +1,7 @@
 """Every notebook is clean in the repository, runs from a clean kernel, and hides no error."""
 
 import re
+from functools import cache
 from itertools import pairwise
 from pathlib import Path
 
@@ -10,13 +11,16 @@ from nbclient import NotebookClient
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
 
+from driftlab.exercises import EXERCISES
 from driftlab.explorers.panel import ERROR_CLASS
 
 FOLDER = Path(__file__).parents[2] / "notebooks"
 NOTEBOOKS = sorted(
     path for path in FOLDER.rglob("*.ipynb") if ".ipynb_checkpoints" not in path.parts
 )
-CHAPTERS = [path for path in NOTEBOOKS if path.parent == FOLDER and path.name[:2] != "00"]
+CHAPTERS = sorted(FOLDER.glob("0[1-9]_*.ipynb")) + sorted(FOLDER.glob("1[01]_*.ipynb"))
+SOLUTIONS = [FOLDER / "solutions" / path.name for path in CHAPTERS]
+PAGES = [*NOTEBOOKS, *sorted(FOLDER.rglob("*.md"))]
 BONES = [
     "A puzzle",
     "What you will be able to do",
@@ -30,7 +34,12 @@ BONES = [
 TIMEOUT = 300
 """Seconds before a cell counts as hung."""
 
-every_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+
+def name_of(path: Path) -> str:
+    return path.relative_to(FOLDER).as_posix()
+
+
+every_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=name_of)
 # nbclient and its kernel client close their sockets when they are collected, some of them late.
 pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")
 
@@ -38,6 +47,20 @@ pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::Depr
 def execute(notebook: NotebookNode) -> NotebookNode:
     NotebookClient(notebook, timeout=TIMEOUT, resources={"metadata": {"path": FOLDER}}).execute()
     return notebook
+
+
+@cache
+def executed(path: Path) -> NotebookNode:
+    """A notebook of the book after a run from a clean kernel, in its own folder."""
+    return execute(nbformat.read(path, as_version=4))
+
+
+def markdown(path: Path) -> str:
+    """The text of a notebook or of a page."""
+    if path.suffix == ".md":
+        return path.read_text(encoding="utf-8")
+    cells = nbformat.read(path, as_version=4).cells
+    return "\n\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
 
 
 def hidden_errors(notebook: NotebookNode) -> list[str]:
@@ -63,8 +86,20 @@ def hidden_errors(notebook: NotebookNode) -> list[str]:
 
 @every_notebook
 def test_runs_from_a_clean_kernel_without_hidden_errors(path: Path) -> None:
-    notebook = execute(nbformat.read(path, as_version=4))
-    assert hidden_errors(notebook) == []
+    assert hidden_errors(executed(path)) == []
+
+
+@every_notebook
+def test_every_picture_has_a_caption_and_an_alternative_text(path: Path) -> None:
+    for cell in executed(path).cells:
+        for output in cell.get("outputs", ()):
+            data = output.get("data", {})
+            if "application/vnd.jupyter.widget-view+json" in data:
+                continue  # a panel describes its picture in words of its own
+            assert not [kind for kind in data if kind.startswith("image/")], cell.id
+            for picture in re.findall(r"<img[^>]*>", data.get("text/html", "")):
+                assert re.search(r'alt="[^"]{20,}"', picture), cell.id
+                assert "<figcaption>" in data["text/html"], cell.id
 
 
 @every_notebook
@@ -80,38 +115,66 @@ def test_is_committed_clean(path: Path) -> None:
             assert len(cell.source.splitlines()) <= 25, f"{cell.id} is long; move it to the package"
 
 
-@every_notebook
+@pytest.mark.parametrize("path", PAGES, ids=name_of)
 def test_headings_go_down_one_level_at_a_time(path: Path) -> None:
-    levels = [
-        len(hashes)
-        for cell in nbformat.read(path, as_version=4).cells
-        if cell.cell_type == "markdown"
-        for hashes in re.findall(r"^(#+) ", cell.source, flags=re.MULTILINE)
-    ]
+    text = re.sub(r"^```.*?^```", "", markdown(path), flags=re.MULTILINE | re.DOTALL)
+    levels = [len(hashes) for hashes in re.findall(r"^(#+) ", text, flags=re.MULTILINE)]
     assert levels[0] == 1
     assert levels.count(1) == 1
     assert all(after <= before + 1 for before, after in pairwise(levels))
 
 
-@every_notebook
+@pytest.mark.parametrize("path", PAGES, ids=name_of)
 def test_links_lead_somewhere(path: Path) -> None:
-    for cell in nbformat.read(path, as_version=4).cells:
-        if cell.cell_type == "markdown":
-            for target in re.findall(r"\]\((?!https?:)([^)#]+)\)", cell.source):
-                assert (path.parent / target).exists(), target
+    for target in re.findall(r"\]\((?!https?:)([^)#]+)\)", markdown(path)):
+        assert (path.parent / target).exists(), target
 
 
-@pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", PAGES, ids=name_of)
+def test_no_text_counts_on_colours(path: Path) -> None:
+    words = r"\b(red|blue|green|orange|purple|violet|yellow|gr[ae]y|pink|cyan|magenta)\b"
+    assert not re.findall(words, markdown(path), flags=re.IGNORECASE)
+
+
+@pytest.mark.parametrize("path", CHAPTERS, ids=name_of)
 def test_chapter_has_its_bones_in_order(path: Path) -> None:
-    text = "\n".join(
-        cell.source
-        for cell in nbformat.read(path, as_version=4).cells
-        if cell.cell_type == "markdown"
-    )
-    headings = re.findall(r"^## (.*)$", text, flags=re.MULTILINE)
+    headings = re.findall(r"^## (.*)$", markdown(path), flags=re.MULTILINE)
     assert [
         next((bone for bone in BONES if heading.startswith(bone)), heading) for heading in headings
     ] == BONES
+
+
+@pytest.mark.parametrize("path", CHAPTERS, ids=name_of)
+def test_chapter_asks_its_exercises_and_no_other(path: Path) -> None:
+    chapter = str(int(path.name[:2]))
+    expected = [n for n in EXERCISES if n.split(".")[0] == chapter]
+    asked = re.findall(r"^### ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
+    assert asked == [(number, EXERCISES[number].kind.capitalize()) for number in expected]
+    notebook = executed(path)
+    code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
+    assert (
+        re.findall(r'^answer = \.\.\.\ncheck\("([\d.]+)", answer\)', code, re.MULTILINE) == expected
+    )
+    printed = [text for cell in notebook.cells for text in printed_by(cell)]
+    assert printed.count("not answered yet.") == len(expected)
+
+
+@pytest.mark.parametrize("path", SOLUTIONS, ids=name_of)
+def test_every_exercise_has_a_solution_that_is_right(path: Path) -> None:
+    chapter = str(int(path.name[:2]))
+    expected = [n for n in EXERCISES if n.split(".")[0] == chapter]
+    headings = re.findall(r"^## ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
+    assert headings == [(number, EXERCISES[number].kind.capitalize()) for number in expected]
+    printed = [text for cell in executed(path).cells for text in printed_by(cell)]
+    assert len(printed) == len(expected)
+    for says in printed:
+        assert says.startswith("right."), says
+
+
+def printed_by(cell: NotebookNode) -> list[str]:
+    """What `check` said in a cell, without the exercise's number."""
+    outputs = "".join(output.get("text", "") for output in cell.get("outputs", ()))
+    return re.findall(r"^Exercise [\d.]+: (.*)$", outputs, flags=re.MULTILINE)
 
 
 BROKEN_EXPLORER = """

@@ -91,9 +91,10 @@ class Value(Exercise):
     unit : str
         The unit that the exercise asks for, one of `slips.UNITS`; "1" for pure numbers.
     accuracy : float
-        Largest allowed deviation of any entry, as a part of the largest entry.
+        Largest allowed deviation of any entry, as a part of the largest entry; 1e-3 if neither
+        this nor `absolute` is given.
     absolute : float
-        The same as a number, in the unit. The larger of the two counts.
+        The same as a number, in the unit. If both are given, the larger one counts.
     mistakes : mapping
         What to say of a likely mistake, and a callable that gives the value it leads to.
     quaternion : bool
@@ -104,8 +105,8 @@ class Value(Exercise):
 
     right: Callable[[], Any]
     unit: str = "1"
-    accuracy: float = 1e-3
-    absolute: float = 0.0
+    accuracy: float | None = None
+    absolute: float | None = None
     mistakes: Mapping[str, Callable[[], Any]] = field(default_factory=dict)
     quaternion: bool = False
     any_order: bool = False
@@ -121,11 +122,12 @@ class Value(Exercise):
         if given.shape != right.shape:
             raise UnreadableError(f"Expected {_form(right)}, got {_form(given)}.")
         mistakes = ((says, numbers(value())) for says, value in self.mistakes.items())
+        part = self.accuracy or (0.0 if self.absolute else 1e-3)
         return objection(
             given,
             right,
             mistakes,
-            tolerance=max(self.accuracy * float(np.abs(right).max()), self.absolute),
+            tolerance=max(part * float(np.abs(right).max()), self.absolute or 0.0),
             unit=self.unit,
             quaternion=self.quaternion,
             any_order=self.any_order,
@@ -307,9 +309,10 @@ def objection(
         yield from slips(right, unit=unit, quaternion=quaternion)
 
     for says, value in candidates():
-        # A mistake is as exact as the answer would be, each by its own size.
-        sizes = float(np.abs(value).max()), float(np.abs(right).max())
-        if agree(given, value, tolerance * sizes[0] / sizes[1] if all(sizes) else tolerance):
+        # A mistake is as exact as the answer would be, each by its own size; zero has none.
+        size, other = float(np.abs(right).max()), float(np.abs(value).max())
+        scale = other / size if other > tolerance and size > 0 else 1.0
+        if agree(given, value, tolerance * scale):
             return says
     if agree(given, right, 10 * tolerance):
         return "Close: keep more digits, or look for a small term that was left out."

@@ -21,13 +21,12 @@ UNITS: dict[str, dict[str, float]] = {
         "degrees per second": degree,
         "degrees per hour": degree / hour,
         "radians per hour": 1 / hour,
-        "arc seconds per second": arcsecond,
     },
     "acceleration": {"m/s²": 1.0, "g": g, "mg": milli * g, "µg": micro * g},
     "length": {"m": 1.0, "km": kilo},
     "speed": {"m/s": 1.0, "km/h": kilo / hour, "knots": knot},
     "time": {"s": 1.0, "min": minute, "h": hour},
-    "frequency": {"Hz": 2 * np.pi, "angular frequency in rad/s": 1.0},
+    "frequency": {"Hz": 2 * np.pi, "radians per second": 1.0},
     "pure": {"1": 1.0, "%": 0.01, "ppm": micro},
 }
 """Units that an exercise may ask for, by what they measure, in those of the SI."""

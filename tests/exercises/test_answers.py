@@ -1,0 +1,167 @@
+"""How an answer is judged: any form of the right one passes, a slip is called by its name."""
+
+import re
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given
+from hypothesis import strategies as st
+
+from driftlab.exercises.answers import Choice, Formula, Value
+from driftlab.exercises.slips import UNITS
+
+QUARTER = Value(kind="compute", right=lambda: np.pi / 2, unit="radians")
+VECTOR = Value(kind="compute", right=lambda: np.array([1.0, -2.0, 0.5]))
+TURN = Value(
+    kind="compute", right=lambda: np.array([0.6, 0.0, 0.0, 0.8]), quaternion=True, accuracy=1e-6
+)
+ROOTS = Value(kind="compute", right=lambda: np.array([2j, -2j, 1j, -1j]), any_order=True)
+MATRIX = Value(kind="compute", right=lambda: np.array([[0.0, 1.0], [2.0, 3.0]]))
+NOTHING = Value(kind="predict", right=lambda: 0.0, absolute=0.1, unit="degrees")
+EARTH = Formula(
+    kind="compute",
+    arguments=("U", "phi"),
+    draw=lambda rng: (rng.uniform(0.5, 2), rng.uniform(0.1, 1.4)),
+    right=lambda U, phi: U * np.cos(phi),
+    mistakes={"The sine for the cosine.": lambda U, phi: U * np.sin(phi)},
+)
+COLUMN = Formula(
+    kind="compute",
+    arguments=("v",),
+    draw=lambda rng: (rng.normal(size=3),),
+    right=lambda v: 2 * v,
+)
+STATEMENT = Choice(kind="explain", right="bd", wrong={"a": "is false.", "c": "is not true."})
+
+
+@pytest.mark.parametrize(
+    ("exercise", "answer"),
+    [
+        (QUARTER, 1.5708),
+        (QUARTER, sp.pi / 2),
+        (QUARTER, np.float32(np.pi / 2)),
+        (QUARTER, np.array(np.pi / 2)),
+        (QUARTER, Fraction(355, 226)),
+        (QUARTER, sp.Rational(355, 226)),
+        (QUARTER, np.pi / 2 + 0j),
+        (VECTOR, [1, -2, 0.5]),
+        (VECTOR, (1, -2, Fraction(1, 2))),
+        (VECTOR, sp.Matrix([1, -2, sp.Rational(1, 2)])),
+        (VECTOR, [sp.Integer(1), -2.0, sp.Rational(1, 2)]),
+        (TURN, [0.6, 0, 0, 0.8]),
+        (TURN, [-0.6, 0, 0, -0.8]),
+        (ROOTS, [1j, 2j, -1j, -2j]),
+        (ROOTS, [sp.I, 2 * sp.I, -sp.I, -2 * sp.I]),
+        (MATRIX, [[0, 1], [2, 3]]),
+        (MATRIX, sp.Matrix([[0, 1], [2, 3]])),
+        (NOTHING, 0),
+        (NOTHING, -0.05),
+        (EARTH, lambda U, phi: U * np.sin(np.pi / 2 - phi)),
+        (EARTH, sp.Symbol("U", positive=True) * sp.cos(sp.Symbol("phi"))),
+        (EARTH, sp.Symbol("U") * sp.sin(sp.pi / 2 - sp.Symbol("phi", real=True))),
+        (COLUMN, lambda v: [2 * x for x in v]),
+        (STATEMENT, "bd"),
+        (STATEMENT, "B and D"),
+        (STATEMENT, ["(d)", "b"]),
+        (STATEMENT, {"b", "d"}),
+    ],
+)
+def test_any_form_of_the_right_answer_passes(exercise, answer):
+    assert exercise.verdict(answer) == (True, "right.")
+
+
+@pytest.mark.parametrize(
+    ("exercise", "answer", "words"),
+    [
+        (QUARTER, 90, "asked in radians; this is in degrees"),
+        (QUARTER, -np.pi / 2, "sign is reversed"),
+        (QUARTER, np.pi, "twice as much"),
+        (QUARTER, np.pi / 4, "half as much"),
+        (QUARTER, 1.575, "Close"),
+        (QUARTER, 0.3, "^not yet.$"),
+        (QUARTER, 1j, "^not yet.$"),
+        (TURN, [0.8, 0.6, 0, 0], "scalar stands first"),
+        (TURN, [-0.6, 0, 0, 0.8], "opposite rotation: look at the order"),
+        (TURN, [0.8, -0.6, 0, 0], "opposite rotation, with the scalar first"),
+        (MATRIX, [[0, 2], [1, 3]], "transpose"),
+        (EARTH, lambda U, phi: U * np.sin(phi), "sine for the cosine"),
+        (EARTH, sp.sin(sp.Symbol("phi")) * sp.Symbol("U"), "sine for the cosine"),
+        (EARTH, lambda U, phi: -U * np.cos(phi), "sign is reversed"),
+        (EARTH, 0.7, "^not yet.$"),
+        (STATEMENT, "abd", r"\(a\) is false."),
+        (STATEMENT, "b", "something else is too"),
+    ],
+)
+def test_slip_is_called_by_its_name(exercise, answer, words):
+    verdict = exercise.verdict(answer)
+    assert verdict.right is False
+    assert re.search(words, verdict.says), verdict.says
+
+
+@pytest.mark.parametrize(
+    ("exercise", "answer", "words"),
+    [
+        (QUARTER, "90", "Expected numbers, got a str."),
+        (QUARTER, True, "Expected numbers, got a bool."),
+        (QUARTER, [1, 2], "Expected a number, got an array of shape (2,)."),
+        (QUARTER, float("nan"), "Expected finite numbers, got NaN or infinity."),
+        (QUARTER, sp.oo, "Expected finite numbers, got NaN or infinity."),
+        (QUARTER, sp.Symbol("x"), "Expected numbers, found the symbols x."),
+        (QUARTER, {"a": 1}, "Expected numbers, got a dict."),
+        (QUARTER, [], "Expected numbers, got a list."),
+        (VECTOR, 1.0, "Expected an array of shape (3,), got a number."),
+        (VECTOR, [[1, 2], [3]], "Expected numbers, got rows of unequal length."),
+        (EARTH, "U*cos(phi)", "Expected an expression or a function of (U, phi), got a str."),
+        (EARTH, sp.Symbol("u"), "Expected an expression in U, phi, found also u."),
+        (EARTH, lambda U: U, "your function raised TypeError"),
+        (EARTH, lambda U, phi: 1 / 0, "your function raised ZeroDivisionError"),
+        (EARTH, lambda U, phi: None, "Expected numbers, got a NoneType."),
+        (EARTH, lambda U, phi: [U, phi], "Expected a number, got an array of shape (2,)."),
+        (COLUMN, sp.Symbol("v"), "Expected a Python function of (v)."),
+        (STATEMENT, "e", "Expected letters from a to d."),
+        (STATEMENT, 2, "Expected letters from a to d, as text."),
+    ],
+)
+def test_what_cannot_be_read_is_refused_in_words(exercise, answer, words):
+    verdict = exercise.verdict(answer)
+    assert verdict.right is False
+    assert verdict.says.startswith("not readable. ")
+    assert words in verdict.says
+
+
+UNIT_PAIRS = [
+    (kind, asked, given)
+    for kind, units in UNITS.items()
+    for asked in units
+    for given in units
+    if asked != given and asked != "1"
+]
+
+
+@pytest.mark.parametrize(("kind", "asked", "given"), UNIT_PAIRS)
+def test_every_other_unit_is_noticed(kind, asked, given):
+    exercise = Value(kind="compute", right=lambda: 0.123 / UNITS[kind][asked], unit=asked)
+    says = exercise.verdict(0.123 / UNITS[kind][given]).says
+    assert f"is asked in {asked}" in says
+    assert given in says or given == "1"
+
+
+@given(st.floats(-1e6, 1e6), st.floats(-1e6, 1e6), st.floats(1e-9, 0.1))
+def test_right_is_what_lies_within_the_accuracy(right, answer, accuracy):
+    exercise = Value(kind="compute", right=lambda: right, accuracy=accuracy)
+    assert exercise.verdict(answer).right == (abs(answer - right) <= accuracy * abs(right))
+
+
+def test_remark_is_told_to_who_has_found_it_only():
+    exercise = Value(kind="compute", right=lambda: 1.0, remark="Now see.")
+    assert exercise.verdict(1.0).says == "right. Now see."
+    assert "Now see" not in exercise.verdict(2.5).says
+
+
+def test_expected_answers_are_words():
+    assert QUARTER.expected() == "1.57 radians"
+    assert VECTOR.expected() == "[ 1.  -2.   0.5]"
+    assert STATEMENT.expected() == "b, d"
+    assert EARTH.expected() == "a formula in U, phi; see the solutions"

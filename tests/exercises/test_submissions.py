@@ -1,0 +1,40 @@
+"""What is read out of a saved notebook is what `check` had said in it."""
+
+import json
+from contextlib import redirect_stdout
+from io import StringIO
+
+import nbformat
+import pytest
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
+
+from driftlab.exercises import check
+from driftlab.exercises.submissions import saved_verdicts
+
+
+def said(number, answer):
+    with redirect_stdout(StringIO()) as out:
+        check(number, answer)
+    return new_code_cell(outputs=[new_output("stream", name="stdout", text=out.getvalue())])
+
+
+def test_each_kind_of_verdict_is_read(tmp_path):
+    cells = [
+        new_markdown_cell("Exercise 1.9: right."),
+        said("1.1", [180, 0, 0]),
+        said("1.2", 7.5),
+        said("1.3", ...),
+        said("1.4", [1, 2]),
+        new_code_cell(outputs=[new_output("display_data", {"text/plain": "Exercise 1.8: right."})]),
+    ]
+    path = tmp_path / "mine.ipynb"
+    nbformat.write(new_notebook(cells=cells), path)
+    assert saved_verdicts(path) == {"1.1": True, "1.2": False, "1.3": None, "1.4": False}
+
+
+@pytest.mark.parametrize("content", ["", "{}", "[]", "[1]", json.dumps({"cells": [3]}), "é"])
+def test_what_is_not_a_notebook_is_refused_in_words(tmp_path, content):
+    path = tmp_path / "other.txt"
+    path.write_bytes(content.encode("latin-1"))
+    with pytest.raises(ValueError, match=r"^path: expected a notebook, got '.*other\.txt'\.$"):
+        saved_verdicts(path)

@@ -1,0 +1,79 @@
+"""Wrong answers to the exercises of chapter 06."""
+
+import numpy as np
+import sympy as sp
+
+from driftlab.quaternion import from_rotation_vector, multiply
+
+x = sp.Symbol("x")
+G1, G2 = np.array([0.3, -0.1, 0.4]), np.array([0.35, 0.15, 0.25])
+
+
+def step(coning, *, k_factor=1 / 4, cubic=1 / 192):
+    """Quaternion of the step by hand, from a coning correction, scalar last."""
+    gamma = G1 + G2
+    k = -k_factor * (gamma + coning) - cubic * (gamma @ gamma) * gamma
+    return np.array([*(-2 * k), 1 - k @ k]) / (1 + k @ k)
+
+
+def by_half_angle():
+    gamma, coning = G1 + G2, 2 / 3 * np.cross(G1, G2)
+    k = -(gamma + coning) / 4 - (gamma @ gamma) * gamma / 192
+    return np.array([*-k, 1]) / np.sqrt(1 + k @ k)
+
+
+RIGHT_STEP = step(2 / 3 * np.cross(G1, G2))
+
+WRONG = {
+    "6.1": [
+        ([4, 16], "powers of the global order"),
+        ([2, 2], "each leaves more"),
+        ([32, 8], "exchanged"),
+        ([16, 62], "twice as much"),
+    ],
+    "6.2": [
+        (48, "A lower rate is enough"),
+        (12, "There none is below"),
+        (96, "not yet"),
+    ],
+    "6.3": [
+        (269, "look at the order"),
+        (215, "goes by the local order"),
+        (162, "higher, not lower"),
+    ],
+    "6.4": [
+        ("acef", r"\(e\).*widest cone"),
+        ("b", r"\(b\) confuses the two orders"),
+        ("acdf", r"\(d\) draws the wrong lesson"),
+        ("af", "something else is too"),
+    ],
+    "6.5": [
+        ([27 / 40, 9 / 20, 27 / 40], "Miller"),
+        ([57 / 80, 57 / 80, 33 / 80], "first increment and the last"),
+        ([57 / 40, 33 / 40, 57 / 40], "twice as much"),
+        ([-57 / 320, -33 / 320, -57 / 320], "belong to k"),
+    ],
+    "6.6": [
+        (sp.Rational(1, 12), "limit for a cone"),
+        ((x - sp.sin(x)) / (2 * x**2 * sp.sin(x)), "arc for the chord"),
+        ((x - sp.sin(x)) / (4 * sp.sin(x / 2) ** 2 * sp.sin(x)), "twice as much"),
+        (-(x - sp.sin(x)) / (8 * sp.sin(x / 2) ** 2 * sp.sin(x)), "sign is reversed"),
+    ],
+    "6.7": [
+        (np.roll(RIGHT_STEP, 1), "scalar stands first"),
+        (RIGHT_STEP * [-1, -1, -1, 1], "k points against the axis"),
+        (step(2 / 3 * np.cross(G2, G1)), "factors exchanged"),
+        (by_half_angle(), "quarter of the angle"),
+        (step(np.zeros(3)), "cross product is missing"),
+        (
+            multiply(from_rotation_vector(G2), from_rotation_vector(G1)),
+            "the first of the two has to stand on the left",
+        ),
+    ],
+    "6.8": [
+        ("acf", r"\(a\) trusts a table"),
+        ("bcd", r"\(b\) trusts a spline"),
+        ("cdef", r"\(e\) is false"),
+        ("cf", "something else is too"),
+    ],
+}
