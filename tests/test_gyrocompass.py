@@ -406,3 +406,28 @@ def test_a_radius_is_a_positive_number(radius):
     ):
         with pytest.raises(ValueError, match=r"^radius: expected"):
             formula()
+
+
+def north_term(north, east):
+    """Heading error from a drift about North of 1e-7 rad/s at latitude 0.9."""
+    errors = operating_heading_error(0.9, [north, east], [0, 0], [0, 0], [1e-7, 0], 0, 0, 0)
+    return errors.heading
+
+
+def test_effect_of_the_north_drift_goes_with_the_velocity_north_only():
+    level = EARTH_RADIUS * EARTH_RATE * np.cos(0.9)
+    assert north_term(0.0, 300.0) == 0  # due East it is not there at all
+    speeds = np.linspace(0, level, 20)
+    assert (np.diff([north_term(speed, 0.0) for speed in speeds]) > 0).all()
+    assert north_term(1.1 * level, 0.0) < north_term(level, 0.0) > north_term(0.9 * level, 0.0)
+    easts = np.linspace(-0.5 * level, 0.5 * level, 20)
+    assert (np.diff([north_term(10.0, east) for east in easts]) < 0).all()
+
+
+def test_east_drift_does_more_than_north_drift_up_to_the_speed_of_the_ground():
+    level = EARTH_RADIUS * EARTH_RATE * np.cos(0.9)
+    for speed in (0.0, 10.0, 0.99 * level):
+        drifts = [[1e-7, 0], [0, 1e-7]]
+        errors = operating_heading_error(0.9, [speed, 0.0], [0, 0], [0, 0], drifts, 0, 0, 0)
+        north, east = np.abs(errors.heading)
+        assert east > north

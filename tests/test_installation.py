@@ -334,3 +334,22 @@ def test_triads_that_are_left_handed_or_flat_are_refused(frame, triad):
         ValueError, match=rf"^{name}: expected a right-handed triad E \+ K, got a left-handed or a "
     ):
         body_frame_rotation(*((BENT, many) if frame == "accelerometers" else (many,)), frame=frame)
+
+
+def test_an_attitude_error_known_at_three_attitudes_shows_the_misalignment():
+    """phi(t) - phi(0) = (C(t) - C(0)) kappa, so Wu's "cannot be separated" goes too far."""
+    kappa = np.array([2e-4, -3e-4, 1e-4])
+    first = Rotation.from_rotvec([0.3, -0.2, 0.5])
+    attitudes, errors = [first.as_matrix()], [np.zeros(3)]
+    for axis in np.eye(3)[:2]:
+        begin, turn = attitudes[-1], (np.pi / 2) * axis
+        # phi' = -C (kappa × omega), by the midpoint rule over a quarter turn in many steps.
+        parts = (np.arange(2000) + 0.5) / 2000
+        on_the_way = begin @ Rotation.from_rotvec(np.outer(parts, turn)).as_matrix()
+        driven = -(on_the_way @ np.cross(kappa, turn)).mean(axis=0)
+        attitudes.append(begin @ Rotation.from_rotvec(turn).as_matrix())
+        errors.append(errors[-1] + driven)
+    design = np.vstack([attitude - attitudes[0] for attitude in attitudes[1:]])
+    assert np.linalg.matrix_rank(design) == 3
+    found = np.linalg.lstsq(design, np.concatenate(errors[1:]), rcond=None)[0]
+    np.testing.assert_allclose(found, kappa, rtol=1e-6)

@@ -17,7 +17,14 @@ from driftlab.kinematics import (
     error_transition_matrix,
     rate_matrix,
 )
-from driftlab.quaternion import conjugate, from_rotation_vector, left_matrix, multiply, pure
+from driftlab.quaternion import (
+    conjugate,
+    from_rotation_vector,
+    left_matrix,
+    multiply,
+    pure,
+    to_rotation_vector,
+)
 from driftlab.quaternion import right_matrix as right
 from support import EPS, IDENTITY, quaternions, vectors
 
@@ -178,3 +185,14 @@ def test_angle_of_a_billion_radians():
         conjugate(attitude_quaternion(RATE, 1e9)) @ right(attitude_quaternion(MEASURED, 1e9)).T
     )
     np.testing.assert_allclose(error, expected, rtol=0, atol=8e9 * EPS)
+
+
+def test_triad_matrix_follows_from_the_error_at_any_one_time():
+    """Larin, section 1: (1.4) and (1.5) may serve to find A from the error at all times."""
+    triad = np.eye(3) + np.array([[0.01, -0.02, 0.03], [0.02, 0.0, 0.01], [-0.03, 0.02, -0.01]])
+    rates, time = np.array([[0.3, 0.1, -0.2], [-0.1, 0.4, 0.2], [0.2, 0.1, 0.5]]), 2.0
+    errors = error_quaternion(rates, rates @ triad.T, time)
+    # The apparent attitude is the true one times the error, and turns at the measured rate.
+    apparent = multiply(from_rotation_vector(rates * time), errors)
+    measured = to_rotation_vector(apparent) / time
+    np.testing.assert_allclose(np.linalg.solve(rates, measured).T, triad, rtol=0, atol=50 * EPS)

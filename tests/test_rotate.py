@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from scipy.spatial.transform import Rotation
 
-from driftlab.quaternion import conjugate, multiply, pure, rotate, to_matrix
+from driftlab.quaternion import conjugate, from_rotation_vector, multiply, pure, rotate, to_matrix
 from support import EPS, IDENTITY, quaternions, random_quaternions, vectors
 
 # Vectors up to 10 in each component, so up to 17.4 long. Two cross products and three sums, each
@@ -86,3 +86,10 @@ def test_matrix_is_scipys(q):
     expected = Rotation.from_quat(q).as_matrix()
     np.testing.assert_allclose(to_matrix(q), expected, rtol=0, atol=2 * BOUND)
     np.testing.assert_allclose(to_matrix(q) @ to_matrix(q).T, np.eye(3), rtol=0, atol=2 * BOUND)
+
+
+@given(vectors())
+def test_axis_of_a_rotation_has_the_same_components_in_both_frames(rotation_vector):
+    turned = rotate(from_rotation_vector(rotation_vector), rotation_vector)
+    size = np.linalg.norm(rotation_vector)
+    np.testing.assert_allclose(turned, rotation_vector, rtol=0, atol=8 * EPS * size)

@@ -4,8 +4,8 @@ The state is: attitude error phi and velocity error dv (East, North, Up), gyro b
 matrix, accelerometer biases and accelerometer matrix. All 24 numbers of a unit make 30 states, of
 which three directions cannot be seen. A choice of body axes takes three numbers out: 27 states.
 
-Signs: the computed attitude is ``(E - [phi×]) C``, an error is computed minus true, and what is
-left in the sensors after compensation is true minus assumed.
+Signs: the computed attitude is ``(E - [phi×]) C``, a velocity error is computed minus true, and
+what is left in the sensors after compensation is true minus assumed.
 """
 
 from __future__ import annotations

@@ -8,7 +8,6 @@ from ..algorithm_table import ALGORITHMS, Algorithm, coning_drift
 from ..attitude_algorithms import step_quaternions, step_vectors
 from ..cayley import rotation_quaternion
 from ..checks import FloatArray
-from ..figures.algorithm_laboratory import RATES, compute
 from ..motions import Sway
 from ..quaternion import conjugate, from_rotation_vector, multiply
 from .answers import Choice, Exercise, Formula, Value
