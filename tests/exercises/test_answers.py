@@ -33,6 +33,13 @@ COLUMN = Formula(
     draw=lambda rng: (rng.normal(size=3),),
     right=lambda v: 2 * v,
 )
+PAIR = Value(kind="compute", right=lambda: np.array([1e-3, 200.0]), absolute=(1e-4, 1.0))
+VECTOR_FORMULA = Formula(
+    kind="compute",
+    arguments=("x",),
+    draw=lambda rng: (rng.normal(),),
+    right=lambda x: np.array([x, x**2]),
+)
 STATEMENT = Choice(kind="explain", right="bd", wrong={"a": "is false.", "c": "is not true."})
 
 
@@ -62,6 +69,9 @@ STATEMENT = Choice(kind="explain", right="bd", wrong={"a": "is false.", "c": "is
         (EARTH, sp.Symbol("U", positive=True) * sp.cos(sp.Symbol("phi"))),
         (EARTH, sp.Symbol("U") * sp.sin(sp.pi / 2 - sp.Symbol("phi", real=True))),
         (COLUMN, lambda v: [2 * x for x in v]),
+        (PAIR, [1.05e-3, 200.9]),
+        (VECTOR_FORMULA, sp.Matrix([sp.Symbol("x"), sp.Symbol("x") ** 2])),
+        (VECTOR_FORMULA, lambda x: sp.Matrix([x, x**2])),
         (STATEMENT, "bd"),
         (STATEMENT, "B and D"),
         (STATEMENT, ["(d)", "b"]),
@@ -82,6 +92,8 @@ def test_any_form_of_the_right_answer_passes(exercise, answer):
         (QUARTER, 1.575, "Close"),
         (QUARTER, 0.3, "^not yet.$"),
         (QUARTER, 1j, "^not yet.$"),
+        (PAIR, [5e-3, 200.0], "^not yet.$"),
+        (PAIR, [1e-3, 198.0], "Close"),
         (TURN, [0.8, 0.6, 0, 0], "scalar stands first"),
         (TURN, [-0.6, 0, 0, 0.8], "opposite rotation: look at the order"),
         (TURN, [0.8, -0.6, 0, 0], "opposite rotation, with the scalar first"),
@@ -162,6 +174,6 @@ def test_remark_is_told_to_who_has_found_it_only():
 
 def test_expected_answers_are_words():
     assert QUARTER.expected() == "1.57 radians"
-    assert VECTOR.expected() == "[ 1.  -2.   0.5]"
+    assert VECTOR.expected() == "1, -2, 0.5"
     assert STATEMENT.expected() == "b, d"
     assert EARTH.expected() == "a formula in U, phi; see the solutions"

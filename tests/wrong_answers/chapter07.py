@@ -30,7 +30,7 @@ WRONG = {
         ([[-30, 20, 60], [90, -50, -40]], "wrong sign"),
         ([[30, -20, -60], [30, -20, -60]], "already"),
         ([[-60, 30, -20], [90, -50, -40]], r"C\(0\) is missing"),
-        (np.array([[30, -20, -60], [90, -50, -40]]) / 3600, "this is in degrees"),
+        (np.radians([[30, -20, -60], [90, -50, -40]]) / 3600, "this is in radians"),
     ],
     "7.5": [
         (sp.zeros(3, 3), "symmetric part of a sum"),

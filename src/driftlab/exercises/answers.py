@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, NamedTuple
 
@@ -75,6 +75,10 @@ class Exercise(ABC):
     def expected(self) -> str:
         """What is right, in words, for a teacher's list."""
 
+    def told(self) -> list[str]:
+        """What the likely mistakes of this exercise are told."""
+        return []
+
     @abstractmethod
     def _objection(self, answer: Any) -> str | None:
         """Return None if `answer` is right, else what can be said of it, perhaps nothing."""
@@ -93,8 +97,9 @@ class Value(Exercise):
     accuracy : float
         Largest allowed deviation of any entry, as a part of the largest entry; 1e-3 if neither
         this nor `absolute` is given.
-    absolute : float
-        The same as a number, in the unit. If both are given, the larger one counts.
+    absolute : float or sequence of float
+        The same in the unit, for all entries or one by one. If both are given, the larger one
+        counts.
     mistakes : mapping
         What to say of a likely mistake, and a callable that gives the value it leads to.
     quaternion : bool
@@ -106,28 +111,32 @@ class Value(Exercise):
     right: Callable[[], Any]
     unit: str = "1"
     accuracy: float | None = None
-    absolute: float | None = None
+    absolute: float | Sequence[float] = 0.0
     mistakes: Mapping[str, Callable[[], Any]] = field(default_factory=dict)
     quaternion: bool = False
     any_order: bool = False
 
     def expected(self) -> str:
-        value = numbers(self.right())
-        with np.printoptions(precision=3, suppress=True):
-            text = f"{value:.3g}" if value.ndim == 0 else str(value)
+        right = numbers(self.right())
+        right = np.where(np.abs(right) < 1e-9 * np.abs(right).max(), 0, right)
+        text = ", ".join(f"{entry:.3g}" for entry in right.flat)
         return text if self.unit == "1" else f"{text} {self.unit}"
+
+    def told(self) -> list[str]:
+        return list(self.mistakes)
 
     def _objection(self, answer: Any) -> str | None:
         given, right = numbers(answer), numbers(self.right())
         if given.shape != right.shape:
             raise UnreadableError(f"Expected {_form(right)}, got {_form(given)}.")
         mistakes = ((says, numbers(value())) for says, value in self.mistakes.items())
-        part = self.accuracy or (0.0 if self.absolute else 1e-3)
+        absolute = np.asarray(self.absolute, dtype=float)
+        part = self.accuracy or (0.0 if absolute.any() else 1e-3)
         return objection(
             given,
             right,
             mistakes,
-            tolerance=max(part * float(np.abs(right).max()), self.absolute or 0.0),
+            tolerance=np.maximum(part * np.abs(right).max(), absolute),
             unit=self.unit,
             quaternion=self.quaternion,
             any_order=self.any_order,
@@ -165,6 +174,9 @@ class Formula(Exercise):
     def expected(self) -> str:
         return f"a formula in {', '.join(self.arguments)}; see the solutions"
 
+    def told(self) -> list[str]:
+        return list(self.mistakes)
+
     def _objection(self, answer: Any) -> str | None:
         rng = np.random.default_rng(1)
         places = [self.draw(rng) for _ in range(self.COUNT)]
@@ -192,6 +204,8 @@ class Formula(Exercise):
                 raise UnreadableError(
                     f"Expected an expression in {names}, found also {', '.join(unknown)}."
                 )
+            if isinstance(answer, sp.MatrixBase) and answer.shape[1] == 1:
+                answer = list(answer)  # a column is an array of its entries here
             answer = sp.lambdify([symbols.get(n, sp.Symbol(n)) for n in self.arguments], answer)
         elif isinstance(answer, (int, float)) and not isinstance(answer, bool):
             constant = answer
@@ -230,6 +244,9 @@ class Choice(Exercise):
 
     def expected(self) -> str:
         return ", ".join(self.right)
+
+    def told(self) -> list[str]:
+        return [f"({letter}) {reason}" for letter, reason in self.wrong.items()]
 
     def _objection(self, answer: Any) -> str | None:
         letters = sorted({*self.right, *self.wrong})
@@ -282,7 +299,7 @@ def objection(
     right: Numbers,
     mistakes: Iterable[tuple[str, Numbers]],
     *,
-    tolerance: float,
+    tolerance: float | NDArray[np.float64],
     unit: str = "1",
     quaternion: bool = False,
     any_order: bool = False,
@@ -293,13 +310,13 @@ def objection(
     them fits, the sentence is empty, or says that it was close.
     """
 
-    def agree(a: Numbers, b: Numbers, tolerance: float) -> bool:
+    def agree(a: Numbers, b: Numbers, tolerance: float | NDArray[np.float64]) -> bool:
         if a.shape != b.shape:
             return False
         if any_order:
             a, b = np.sort_complex(a), np.sort_complex(b)
-        near = np.abs(a - b).max() <= tolerance
-        return bool(near or (quaternion and np.abs(a + b).max() <= tolerance))
+        near = (np.abs(a - b) <= tolerance).all()
+        return bool(near or (quaternion and (np.abs(a + b) <= tolerance).all()))
 
     if agree(given, right, tolerance):
         return None
@@ -311,7 +328,7 @@ def objection(
     for says, value in candidates():
         # A mistake is as exact as the answer would be, each by its own size; zero has none.
         size, other = float(np.abs(right).max()), float(np.abs(value).max())
-        scale = other / size if other > tolerance and size > 0 else 1.0
+        scale = other / size if other > 1e-9 * size > 0 else 1.0
         if agree(given, value, tolerance * scale):
             return says
     if agree(given, right, 10 * tolerance):

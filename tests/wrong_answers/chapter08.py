@@ -1,0 +1,56 @@
+"""Wrong answers to the exercises of chapter 08."""
+
+import sympy as sp
+
+from driftlab.turntable import Scheme
+
+_Q, _T, _M, _N = sp.symbols("q T m N", positive=True)
+
+WRONG = {
+    "8.1": [
+        ("abde", r"\(b\)"),
+        ("acde", r"\(c\)"),
+        ("adef", r"\(f\)"),
+        ("de", "something else is too"),
+    ],
+    "8.2": [
+        ([[1.16, 2.0, 8.0], [9.3, 5.0, 1.05]], "exchanged"),
+        ([[86, 25, 1.1], [1.3, 4, 64]], "ratios of variances"),
+        ([[10, 10, 1], [1, 1, 10]], "one noise alone"),
+    ],
+    "8.3": [
+        (_Q * sp.sqrt(_T), "deviation of the angle"),
+        (_Q / _T, "random walk"),
+        (lambda q, time: q, "grow like the time"),
+        (_Q**2 / _T, "variance"),
+    ],
+    "8.4": [
+        (2 / (_M * _N), "variance of the mean"),
+        (sp.sqrt(2 / _M) / _N, "fall like the number of runs"),
+        (sp.sqrt(2 * _M / _N), "divided by the number of states"),
+        (1 / sp.sqrt(_M * _N), "square of a normal number"),
+    ],
+    "8.5": [
+        ("+90Z +90Z +90Z +90Z +90Z", "In the dark stay 9 among accelerometer bias x"),
+        ("+90X +90Y +90Z +90X +90Y +90Z", "7 positions"),
+        ("+90X +90Y +90Z +90X +90Y", "Nothing stays in the dark. But accelerometer scale y"),
+        # All six faces up, but never a turn about y.
+        ("-90X -90Z -180Z +90Z +90X", "gyro scale y"),
+        (Scheme("+180X"), "2 positions"),
+        ("90X", "not readable. rotations: expected words"),
+        (Scheme("+360X +360Y +360Z +360X +360Y", rate=0.01), "not readable. The turns alone"),
+        (6, "not readable. Expected a Scheme"),
+    ],
+    "8.6": [
+        ("abde", r"\(b\)"),
+        ("c", r"\(c\)"),
+        ("adef", r"\(f\)"),
+        ("a", "something else is too"),
+    ],
+    "8.7": [
+        (2.0, "Twice the deviation"),
+        (4.0, "were all"),
+        (1.0, "told the truth"),
+        (11.4, "three components"),
+    ],
+}
