@@ -1,7 +1,7 @@
 """What a rotation scheme can show: information, directions that stay in the dark, accuracy.
 
 The same error model as the filter's, along the true motion of the table and without any data. A
-direction of the state that never shows in the velocity is a null vector of the Gramian.
+direction of the state that never shows in the velocity is a null direction of the Gramian.
 """
 
 from __future__ import annotations

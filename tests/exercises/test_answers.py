@@ -40,7 +40,18 @@ VECTOR_FORMULA = Formula(
     draw=lambda rng: (rng.normal(),),
     right=lambda x: np.array([x, x**2]),
 )
+GENEROUS = Value(kind="slide", right=lambda: 50.0, absolute=4.0)
 STATEMENT = Choice(kind="explain", right="bd", wrong={"a": "is false.", "c": "is not true."})
+
+
+def doubled_in_place(v):
+    v *= 2
+    return v
+
+
+class Unwilling:
+    def __array__(self, *arguments, **options):
+        raise RuntimeError("not today")
 
 
 @pytest.mark.parametrize(
@@ -76,6 +87,16 @@ STATEMENT = Choice(kind="explain", right="bd", wrong={"a": "is false.", "c": "is
         (STATEMENT, "B and D"),
         (STATEMENT, ["(d)", "b"]),
         (STATEMENT, {"b", "d"}),
+        (STATEMENT, (letter for letter in "db")),
+        (STATEMENT, np.array("bd")),
+        (STATEMENT, np.array(["b", "d"])),
+        (VECTOR, np.array([[1.0], [-2.0], [0.5]])),
+        (VECTOR, sp.Matrix([[1, -2, 0.5]])),
+        (ROOTS, {2j, -2j, 1j, -1j}),
+        (EARTH, sp.Lambda(sp.symbols("a b"), sp.Symbol("a") * sp.cos(sp.Symbol("b")))),
+        (VECTOR_FORMULA, [sp.Symbol("x"), sp.Symbol("x") ** 2]),
+        (VECTOR_FORMULA, np.array([sp.Symbol("x"), sp.Symbol("x") ** 2])),
+        (COLUMN, doubled_in_place),
     ],
 )
 def test_any_form_of_the_right_answer_passes(exercise, answer):
@@ -102,6 +123,12 @@ def test_any_form_of_the_right_answer_passes(exercise, answer):
         (EARTH, sp.sin(sp.Symbol("phi")) * sp.Symbol("U"), "sine for the cosine"),
         (EARTH, lambda U, phi: -U * np.cos(phi), "sign is reversed"),
         (EARTH, 0.7, "^not yet.$"),
+        (EARTH, Fraction(7, 10), "^not yet.$"),
+        (EARTH, np.float32(0.7), "^not yet.$"),
+        (QUARTER, 1.6, "^not yet.$"),
+        (GENEROUS, 60.0, "^not yet.$"),
+        (GENEROUS, 41.0, "^not yet.$"),
+        (GENEROUS, 57.0, "Close"),
         (STATEMENT, "abd", r"\(a\) is false."),
         (STATEMENT, "b", "something else is too"),
     ],
@@ -127,13 +154,22 @@ def test_slip_is_called_by_its_name(exercise, answer, words):
         (VECTOR, [[1, 2], [3]], "Expected numbers, got rows of unequal length."),
         (EARTH, "U*cos(phi)", "Expected an expression or a function of (U, phi), got a str."),
         (EARTH, sp.Symbol("u"), "Expected an expression in U, phi, found also u."),
-        (EARTH, lambda U: U, "your function raised TypeError"),
-        (EARTH, lambda U, phi: 1 / 0, "your function raised ZeroDivisionError"),
+        (EARTH, lambda U: U, "Your answer raised TypeError"),
+        (EARTH, lambda U, phi: 1 / 0, "Your answer raised ZeroDivisionError"),
         (EARTH, lambda U, phi: None, "Expected numbers, got a NoneType."),
         (EARTH, lambda U, phi: [U, phi], "Expected a number, got an array of shape (2,)."),
         (COLUMN, sp.Symbol("v"), "Expected a Python function of (v)."),
-        (STATEMENT, "e", "Expected letters from a to d."),
+        (STATEMENT, "e", "Expected letters from a to d, found 'e'."),
         (STATEMENT, 2, "Expected letters from a to d, as text."),
+        (STATEMENT, {"a": False, "b": True}, "Expected letters from a to d, as text."),
+        (STATEMENT, ["b", 4], "Expected letters from a to d, as text."),
+        (STATEMENT, "bс", r"Expected letters from a to d, found '\u0441'."),
+        (STATEMENT, "()", "Expected letters from a to d."),
+        (QUARTER, 10**400, "OverflowError"),
+        (QUARTER, Unwilling(), "RuntimeError: not today"),
+        (EARTH, lambda U, phi: 10**400, "OverflowError"),
+        (EARTH, sp.Derivative(sp.Symbol("U") ** 2, sp.Symbol("U")), "Your answer raised"),
+        (COLUMN, lambda v: [1] * int(9 + 9 * v[0]), "Expected an array of shape (3,)"),
     ],
 )
 def test_what_cannot_be_read_is_refused_in_words(exercise, answer, words):

@@ -107,6 +107,7 @@ def test_filter_consistency_of_the_published_runs() -> None:
     assert (data.by_frame[:, -1] > data.by_frame[:, 0]).all()
     for triangle in ("upper triangle", "lower triangle"):
         assert by_frame[triangle][-1] > by_frame["averaged"][-1]
+    assert by_frame["accelerometers"][-1] < by_frame["averaged"][-1]
 
 
 def test_table_observability_draws_zero_for_the_dark() -> None:

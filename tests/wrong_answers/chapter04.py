@@ -24,7 +24,7 @@ WRONG = {
         (75, "still has a share"),
         (64, "taylor-4"),
         (46, "just cancels the bias"),
-        (90, "^not yet. Close"),
+        (84, "^not yet. Close"),
     ],
     "4.3": [
         ("abcd", r"\(c\) has only the part"),

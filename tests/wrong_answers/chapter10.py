@@ -42,7 +42,7 @@ WRONG = {
     ],
     "10.7": [
         (0.0006, "without any outliers"),
-        (5.6, "in percent"),
+        (5.6, "this is in %"),
         (0.0777, "n - 1 below"),
     ],
 }

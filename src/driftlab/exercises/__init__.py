@@ -62,7 +62,7 @@ def check(number: str, answer: Any) -> None:
 
 def verdict(number: str, answer: Any) -> Verdict:
     """Return what `check` prints, and whether the answer is right; arguments as there."""
-    if number not in EXERCISES:
+    if not isinstance(number, str) or number not in EXERCISES:
         last = list(EXERCISES)[-1]
         raise ValueError(f'number: expected one of "1.1" to "{last}", got {number!r}.')
     return EXERCISES[number].verdict(answer)

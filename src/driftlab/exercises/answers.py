@@ -7,10 +7,11 @@ right is never printed.
 
 from __future__ import annotations
 
-import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from copy import deepcopy
 from dataclasses import dataclass, field
+from numbers import Number
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -105,7 +106,7 @@ class Value(Exercise):
     quaternion : bool
         The value is a unit quaternion, scalar last; the opposite sign is as right.
     any_order : bool
-        The entries may come in any order.
+        The entries may come in any order; `absolute` is then one number.
     """
 
     right: Callable[[], Any]
@@ -126,9 +127,10 @@ class Value(Exercise):
         return list(self.mistakes)
 
     def _objection(self, answer: Any) -> str | None:
-        given, right = numbers(answer), numbers(self.right())
-        if given.shape != right.shape:
-            raise UnreadableError(f"Expected {_form(right)}, got {_form(given)}.")
+        right = numbers(self.right())
+        if self.any_order and isinstance(answer, (set, frozenset)):
+            answer = list(answer)
+        given = _fit(_read(numbers, answer), right)
         mistakes = ((says, numbers(value())) for says, value in self.mistakes.items())
         absolute = np.asarray(self.absolute, dtype=float)
         part = self.accuracy or (0.0 if absolute.any() else 1e-3)
@@ -185,46 +187,36 @@ class Formula(Exercise):
             return np.array([numbers(function(*place)) for place in places])
 
         right = values(self.right)
-        given = values(self._function(answer, places[0]))
-        if given.shape != right.shape:
-            raise UnreadableError(f"Expected {_form(right[0])}, got {_form(given[0])}.")
+        function = _read(self._function, answer, places[0])
+        # An answer may change its arguments; the places are still needed.
+        given = _read(lambda: [_fit(numbers(function(*deepcopy(p))), right[0]) for p in places])
         mistakes = ((says, values(function)) for says, function in self.mistakes.items())
         tolerance = self.accuracy * float(np.abs(right).max())
-        return objection(given, right, mistakes, tolerance=tolerance)
+        return objection(np.array(given), right, mistakes, tolerance=tolerance)
 
     def _function(self, answer: Any, place: tuple[Any, ...]) -> Callable[..., Any]:
-        """The answer as a function that complains in words if it cannot be evaluated."""
+        """The answer, a function, an expression or a constant, as a function."""
         names = ", ".join(self.arguments)
-        if isinstance(answer, (sp.Basic, sp.MatrixBase)):
-            if any(np.ndim(value) for value in place):
-                raise UnreadableError(f"Expected a Python function of ({names}).")
-            symbols = {str(symbol): symbol for symbol in answer.free_symbols}
-            unknown = sorted(symbols.keys() - set(self.arguments))
-            if unknown:
-                raise UnreadableError(
-                    f"Expected an expression in {names}, found also {', '.join(unknown)}."
-                )
-            if isinstance(answer, sp.MatrixBase) and answer.shape[1] == 1:
-                answer = list(answer)  # a column is an array of its entries here
-            answer = sp.lambdify([symbols.get(n, sp.Symbol(n)) for n in self.arguments], answer)
-        elif isinstance(answer, (int, float)) and not isinstance(answer, bool):
-            constant = answer
-            return lambda *place: constant
-        elif not callable(answer):
+        if isinstance(answer, sp.Lambda):
+            return sp.lambdify(answer.variables, answer.expr)
+        if callable(answer) and not isinstance(answer, sp.Basic):
+            return answer
+        entries = _entries(answer)
+        if not all(isinstance(entry, (sp.Basic, Number)) for entry in entries):
             raise UnreadableError(
                 f"Expected an expression or a function of ({names}), got {_name(answer)}."
             )
-
-        def function(*place: Any) -> Any:
-            try:
-                return answer(*place)
-            except Exception as error:
-                raise UnreadableError(
-                    f"Called with values of ({names}), your function raised "
-                    f"{type(error).__name__}: {error}"
-                ) from error
-
-        return function
+        symbols = {str(symbol): symbol for entry in entries for symbol in _symbols(entry)}
+        unknown = sorted(symbols.keys() - set(self.arguments))
+        if unknown:
+            raise UnreadableError(
+                f"Expected an expression in {names}, found also {', '.join(unknown)}."
+            )
+        if symbols and any(np.ndim(value) for value in place):
+            raise UnreadableError(f"Expected a Python function of ({names}).")
+        if isinstance(answer, np.ndarray):
+            answer = answer.tolist()
+        return sp.lambdify([symbols.get(n, sp.Symbol(n)) for n in self.arguments], answer)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -250,12 +242,21 @@ class Choice(Exercise):
 
     def _objection(self, answer: Any) -> str | None:
         letters = sorted({*self.right, *self.wrong})
-        words = [answer] if isinstance(answer, str) else answer
-        if not isinstance(words, Iterable) or not all(isinstance(word, str) for word in words):
-            raise UnreadableError(f"Expected letters from {letters[0]} to {letters[-1]}, as text.")
-        chosen = sorted({*re.findall(r"[a-z]", " ".join(words).lower().replace("and", " "))})
-        if not chosen or not set(chosen) <= set(letters):
-            raise UnreadableError(f"Expected letters from {letters[0]} to {letters[-1]}.")
+        expected = f"Expected letters from {letters[0]} to {letters[-1]}"
+        if isinstance(answer, np.ndarray):
+            answer = answer.ravel().tolist()
+        if isinstance(answer, Mapping) or not isinstance(answer, Iterable):
+            raise UnreadableError(f"{expected}, as text.")
+        words = [answer] if isinstance(answer, str) else list(answer)
+        if not all(isinstance(word, str) for word in words):
+            raise UnreadableError(f"{expected}, as text.")
+        text = " ".join(words).lower().replace("and", " ")
+        chosen = sorted({letter for letter in text if letter.isalnum()})
+        for letter in chosen:
+            if letter not in letters:
+                raise UnreadableError(f"{expected}, found {letter!a}.")
+        if not chosen:
+            raise UnreadableError(f"{expected}.")
         for letter in chosen:
             if letter in self.wrong:
                 return f"({letter}) {self.wrong[letter]}"
@@ -273,14 +274,13 @@ def numbers(value: Any) -> Numbers:
         If it is something else, has symbols, or is not finite.
     """
     if isinstance(value, sp.MatrixBase):
-        flat = value.shape[0] if 1 in value.shape and value.shape[1] == 1 else value.shape
-        value = np.array(value.tolist(), dtype=object).reshape(flat)
+        value = value.tolist()
     try:
         array = np.asarray(value)
     except ValueError:
         raise UnreadableError("Expected numbers, got rows of unequal length.") from None
     if array.dtype == object:
-        symbols = {str(s) for entry in array.flat for s in getattr(entry, "free_symbols", ())}
+        symbols = {str(symbol) for entry in array.flat for symbol in _symbols(entry)}
         if symbols:
             raise UnreadableError(f"Expected numbers, found the symbols {', '.join(symbols)}.")
         try:
@@ -326,14 +326,47 @@ def objection(
         yield from slips(right, unit=unit, quaternion=quaternion)
 
     for says, value in candidates():
-        # A mistake is as exact as the answer would be, each by its own size; zero has none.
+        # A mistake is as exact as the answer would be, each by its own size; zero is rather exact.
         size, other = float(np.abs(right).max()), float(np.abs(value).max())
-        scale = other / size if other > 1e-9 * size > 0 else 1.0
+        scale = max(other / size, 1e-6) if size > 0 else 1.0
         if agree(given, value, tolerance * scale):
             return says
-    if agree(given, right, 10 * tolerance):
+    # Ten times a fine tolerance is close; of a generous one the double is.
+    if agree(given, right, np.clip(0.02 * np.abs(right), 2 * tolerance, 10 * tolerance)):
         return "Close: keep more digits, or look for a small term that was left out."
     return ""
+
+
+def _read(reading: Callable[..., Any], *arguments: Any) -> Any:
+    """Read an answer; whatever goes wrong in it is told, and stops nothing."""
+    try:
+        return reading(*arguments)
+    except UnreadableError:
+        raise
+    except Exception as error:
+        raise UnreadableError(f"Your answer raised {type(error).__name__}: {error}") from error
+
+
+def _fit(given: Numbers, right: Numbers) -> Numbers:
+    """A row or a column of numbers in the shape of what is right; any other shape is refused."""
+    if given.shape != right.shape and given.squeeze().shape == right.shape:
+        given = given.squeeze()
+    if given.shape != right.shape:
+        raise UnreadableError(f"Expected {_form(right)}, got {_form(given)}.")
+    return given
+
+
+def _entries(answer: Any) -> list[Any]:
+    """The entries of a matrix, an array or nested lists; of anything else, itself."""
+    if isinstance(answer, (list, tuple)):
+        return [entry for part in answer for entry in _entries(part)]
+    if isinstance(answer, (sp.MatrixBase, np.ndarray)):
+        return list(np.array(answer, dtype=object).flat)
+    return [answer]
+
+
+def _symbols(entry: Any) -> set[sp.Symbol]:
+    return entry.free_symbols if isinstance(entry, sp.Basic) else set()
 
 
 def _is_missing(answer: Any) -> bool:

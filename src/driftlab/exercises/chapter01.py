@@ -86,8 +86,8 @@ EXERCISES: dict[str, Exercise] = {
         kind="explain",
         right="bce",
         wrong={
-            "a": "undoes the apparent attitude first: it leads from the fixed frame's opposite of "
-            "the error. Try it with a small error about one axis, and look at the sign.",
+            "a": "is the inverse: it leads from the apparent attitude to the true one. Try it with "
+            "a small error about one axis, and look at the sign.",
             "d": "would be true if the difference of the rates stood still as seen from the fixed "
             "frame. It stands still as seen from the body.",
         },

@@ -102,6 +102,9 @@ EXERCISES: dict[str, Exercise] = {
             "numbers.": _first_order_zero,
             "There the slow root is largest. Look for the place where two formulas agree, not for "
             "the largest root.": _first_order_largest,
+            "One of the two belongs to Larin's slow root: he has zero there, the truth has not.": (
+                lambda: np.array([0.0, 90.0])
+            ),
             "One of the two is the right axis, by the name that the exercise leaves out: azimuths "
             "are asked from −179 degrees up.": lambda: _first_order_exact() - [0, 360],
         },

@@ -66,7 +66,7 @@ EXERCISES: dict[str, Exercise] = {
         right="ade",
         wrong={
             "b": "is what no three numbers can do: for every choice of them there are attitudes "
-            "near which they, or their rates of change, grow without limit.",
+            "near which they, or their rates of change, grow without limit, or jump.",
             "c": "is false. The solution of the linear equation is known in closed form, and k is "
             "a fraction made of its components.",
             "f": "takes the length for the attitude. Divide by the length: the direction of the "

@@ -31,7 +31,7 @@ COARSE = TableTrial(
     update_interval=9.0,
     keep=10_000,
 )
-RUNS = 20
+RUNS = 60
 
 
 def _deviations(scheme: Scheme, noise: Noise) -> FloatArray:
@@ -229,7 +229,7 @@ EXERCISES: dict[str, Exercise] = {
     "8.7": Value(
         kind="compute",
         right=_surprise,
-        accuracy=0.04,
+        accuracy=0.055,
         mistakes={
             "Twice the deviation is four times the variance, and squares are compared here.": (
                 lambda: COARSE.noise.velocity / TOLD.velocity

@@ -196,7 +196,7 @@ EXERCISES: dict[str, Exercise] = {
         kind="slide",
         right=_slider,
         unit="arc seconds",
-        absolute=10.0,
+        absolute=13.0,
         mistakes={
             "There the preset stands. It is a turn to the East that leaves no swing then.": (
                 lambda: _slider(right_gyro=-1.0)

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.constants import arcminute, arcsecond, degree, g, hour, kilo, knot, micro, milli, minute
+from scipy.constants import arcminute, arcsecond, degree, hour, micro, minute
 
 UNITS: dict[str, dict[str, float]] = {
     "angle": {
@@ -22,9 +22,6 @@ UNITS: dict[str, dict[str, float]] = {
         "degrees per hour": degree / hour,
         "radians per hour": 1 / hour,
     },
-    "acceleration": {"m/s²": 1.0, "g": g, "mg": milli * g, "µg": micro * g},
-    "length": {"m": 1.0, "km": kilo},
-    "speed": {"m/s": 1.0, "km/h": kilo / hour, "knots": knot},
     "time": {"s": 1.0, "min": minute, "h": hour},
     "frequency": {"Hz": 2 * np.pi, "radians per second": 1.0},
     "pure": {"1": 1.0, "%": 0.01, "ppm": micro},
@@ -52,8 +49,10 @@ def slips(
         "The sign is reversed: look at the order of a product, or at what is taken from what.",
         (-right),
     )
-    yield "This is twice as much: look for an angle and its half, or for a mean.", 2 * right
-    yield "This is half as much: look for an angle and its half, or for a mean.", right / 2
+    # Of one number among zeros the half may be another of the numbers that one looks for.
+    if right.ndim == 0 or np.count_nonzero(right) > 1:
+        yield "This is twice as much: look for an angle and its half, or for a mean.", 2 * right
+        yield "This is half as much: look for an angle and its half, or for a mean.", right / 2
     if right.ndim == 2 and right.shape[0] == right.shape[1]:
         yield "This is the transpose.", right.T
 
@@ -61,6 +60,6 @@ def slips(
 def _units(right: NDArray[Any], unit: str) -> Iterator[tuple[str, NDArray[Any]]]:
     kind = next(kind for kind in UNITS.values() if unit in kind)
     for other, size in kind.items():
-        if other != unit and unit != "1":
+        if other != unit:
             wanted, got = ("as a pure number" if u == "1" else f"in {u}" for u in (unit, other))
             yield f"The answer is asked {wanted}; this is {got}.", right * kind[unit] / size

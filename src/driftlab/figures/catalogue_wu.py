@@ -109,7 +109,7 @@ ENTRIES = (
         lambda data: (
             f"All {len(data.names)} states on the nineteen positions. Left: {data.dark} "
             "eigenvalues of the Gramian are zero but for rounding (crosses). Right: biases and "
-            "scale factors become known all the same; of the off-diagonal entries only "
+            "scale errors become known all the same; of the off-diagonal entries only "
             "combinations do."
         ),
     ),
