@@ -8,6 +8,7 @@ from pathlib import Path
 import nbformat
 import pytest
 from nbclient import NotebookClient
+from nbconvert import SlidesExporter
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
 
@@ -175,6 +176,55 @@ def printed_by(cell: NotebookNode) -> list[str]:
     """What `check` said in a cell, without the exercise's number."""
     outputs = "".join(output.get("text", "") for output in cell.get("outputs", ()))
     return re.findall(r"^Exercise [\d.]+: (.*)$", outputs, flags=re.MULTILINE)
+
+
+@pytest.mark.parametrize("path", [FOLDER / "00_start_here.ipynb", *CHAPTERS], ids=name_of)
+def test_chapter_can_be_shown_as_slides(path: Path) -> None:
+    notebook = executed(path)
+    types = {cell.id: cell.metadata["slideshow"]["slide_type"] for cell in notebook.cells}
+    assert set(types.values()) <= {"slide", "subslide", "-", "skip"}
+    assert types[notebook.cells[0].id] == "slide"
+    for cell in notebook.cells:
+        shown = types[cell.id]
+        # A heading opens a slide, so it must stand at the beginning of its cell.
+        headings = re.findall(r"^(#+) ", cell.source, re.MULTILINE)
+        if cell.cell_type == "markdown" and headings and shown != "skip":
+            assert cell.source.startswith("#"), cell.id
+            assert shown == ("slide" if len(headings[0]) <= 2 else "subslide"), cell.id
+        if "Explorer(" in cell.source or cell.source.startswith("answer = ..."):
+            assert shown == "skip", f"{cell.id}: neither sliders nor answers live on a slide"
+    html, _ = SlidesExporter(exclude_input=True).from_notebook_node(notebook)
+    opened = [shown for shown in types.values() if shown in ("slide", "subslide")]
+    # A row of slides is a section with a section for each slide in it.
+    assert html.count("<section>") == len(opened) + opened.count("slide")
+
+
+def test_minutes_are_the_same_wherever_they_stand() -> None:
+    readme = (FOLDER.parent / "README.md").read_text(encoding="utf-8")
+    page = markdown(FOLDER / "for_instructors.ipynb")
+    for path in CHAPTERS:
+        number = path.name[:2]
+        (stated,) = re.findall(r"About (\d+) minutes", markdown(path))
+        assert re.search(rf"^\| {number} \|.*\| {stated} \|", readme, re.MULTILINE), number
+        assert re.search(rf"^\| {number} [^|]*\| {stated} \|", page, re.MULTILINE), number
+
+
+def test_glossary_has_three_languages_and_names_chapters() -> None:
+    text = markdown(FOLDER / "12_ledger_and_glossary.ipynb").split("## Glossary")[1]
+    rows = [
+        [cell.strip() for cell in line.strip("|").split("|")]
+        for line in text.splitlines()
+        if line.startswith("| ")
+    ]
+    header, terms = rows[0], rows[1:]
+    assert header == ["English", "Russian", "Chinese", "what it means here", "chapter"]
+    assert [term[0].lower() for term in terms] == sorted(term[0].lower() for term in terms)
+    for english, russian, chinese, meaning, chapter in terms:
+        assert re.search(r"[a-z]", english)
+        assert re.search(r"[а-яё]", russian), english
+        assert re.search(r"[\u4e00-\u9fff]", chinese), english
+        assert meaning.endswith("."), english
+        assert len(list(FOLDER.glob(f"{chapter}_*.ipynb"))) == 1, english
 
 
 BROKEN_EXPLORER = """
