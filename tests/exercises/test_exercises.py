@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from driftlab.exercises import EXERCISES, KINDS, check, of_kind, verdict
-from driftlab.exercises.answers import Choice, Formula, Value, numbers
+from driftlab.exercises.answers import Choice, Formula, Value
+from driftlab.exercises.reading import numbers
 from wrong_answers import WRONG
 
 VALUES = {n: e for n, e in EXERCISES.items() if isinstance(e, Value)}

@@ -1,7 +1,8 @@
 """The exercises of the book, which answer back: ``check("3.2", answer)``.
 
 Each chapter's exercises are data in a module of their own: what is right, and what likely mistakes
-lead to, both as computed by the package. `answers` judges, `slips` knows what goes wrong anywhere.
+lead to, both as computed by the package. `reading` takes an answer in any form, `answers` judges
+it, `slips` finds the mistake that explains it.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ right is never printed.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from copy import deepcopy
 from dataclasses import dataclass, field
 from numbers import Number
@@ -16,11 +16,9 @@ from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 import sympy as sp
-from numpy.typing import NDArray
 
-from .slips import slips
-
-Numbers = NDArray[np.float64] | NDArray[np.complex128]
+from .reading import Numbers, UnreadableError, entries, fit, name, numbers, read, symbols
+from .slips import objection
 
 KINDS = ("predict", "slide", "explain", "compute")
 """What an exercise asks for: a guess before looking, a try in a panel, a reason, a computation."""
@@ -39,10 +37,6 @@ class Verdict(NamedTuple):
 
     right: bool | None
     says: str
-
-
-class UnreadableError(ValueError):
-    """An answer that cannot be compared: another form, another shape, not finite."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -130,7 +124,7 @@ class Value(Exercise):
         right = numbers(self.right())
         if self.any_order and isinstance(answer, (set, frozenset)):
             answer = list(answer)
-        given = _fit(_read(numbers, answer), right)
+        given = fit(read(numbers, answer), right)
         mistakes = ((says, numbers(value())) for says, value in self.mistakes.items())
         absolute = np.asarray(self.absolute, dtype=float)
         part = self.accuracy or (0.0 if absolute.any() else 1e-3)
@@ -187,9 +181,9 @@ class Formula(Exercise):
             return np.array([numbers(function(*place)) for place in places])
 
         right = values(self.right)
-        function = _read(self._function, answer, places[0])
+        function = read(self._function, answer, places[0])
         # An answer may change its arguments; the places are still needed.
-        given = _read(lambda: [_fit(numbers(function(*deepcopy(p))), right[0]) for p in places])
+        given = read(lambda: [fit(numbers(function(*deepcopy(p))), right[0]) for p in places])
         mistakes = ((says, values(function)) for says, function in self.mistakes.items())
         tolerance = self.accuracy * float(np.abs(right).max())
         return objection(np.array(given), right, mistakes, tolerance=tolerance)
@@ -201,22 +195,22 @@ class Formula(Exercise):
             return sp.lambdify(answer.variables, answer.expr)
         if callable(answer) and not isinstance(answer, sp.Basic):
             return answer
-        entries = _entries(answer)
-        if not all(isinstance(entry, (sp.Basic, Number)) for entry in entries):
+        parts = entries(answer)
+        if not all(isinstance(part, (sp.Basic, Number)) for part in parts):
             raise UnreadableError(
-                f"Expected an expression or a function of ({names}), got {_name(answer)}."
+                f"Expected an expression or a function of ({names}), got {name(answer)}."
             )
-        symbols = {str(symbol): symbol for entry in entries for symbol in _symbols(entry)}
-        unknown = sorted(symbols.keys() - set(self.arguments))
+        own = {str(symbol): symbol for part in parts for symbol in symbols(part)}
+        unknown = sorted(own.keys() - set(self.arguments))
         if unknown:
             raise UnreadableError(
                 f"Expected an expression in {names}, found also {', '.join(unknown)}."
             )
-        if symbols and any(np.ndim(value) for value in place):
+        if own and any(np.ndim(value) for value in place):
             raise UnreadableError(f"Expected a Python function of ({names}).")
         if isinstance(answer, np.ndarray):
             answer = answer.tolist()
-        return sp.lambdify([symbols.get(n, sp.Symbol(n)) for n in self.arguments], answer)
+        return sp.lambdify([own.get(n, sp.Symbol(n)) for n in self.arguments], answer)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -265,121 +259,9 @@ class Choice(Exercise):
         return None
 
 
-def numbers(value: Any) -> Numbers:
-    """Return `value`, of any form that stands for numbers, as an array.
-
-    Raises
-    ------
-    UnreadableError
-        If it is something else, has symbols, or is not finite.
-    """
-    if isinstance(value, sp.MatrixBase):
-        value = value.tolist()
-    try:
-        array = np.asarray(value)
-    except ValueError:
-        raise UnreadableError("Expected numbers, got rows of unequal length.") from None
-    if array.dtype == object:
-        symbols = {str(symbol) for entry in array.flat for symbol in _symbols(entry)}
-        if symbols:
-            raise UnreadableError(f"Expected numbers, found the symbols {', '.join(symbols)}.")
-        try:
-            array = np.array([complex(entry) for entry in array.flat]).reshape(array.shape)
-        except (TypeError, ValueError):
-            raise UnreadableError(f"Expected numbers, got {_name(value)}.") from None
-    if array.dtype.kind not in "iufc" or array.size == 0:
-        raise UnreadableError(f"Expected numbers, got {_name(value)}.")
-    if not np.isfinite(array).all():
-        raise UnreadableError("Expected finite numbers, got NaN or infinity.")
-    return array.astype(np.complex128) if np.iscomplex(array).any() else np.real(array) * 1.0
-
-
-def objection(
-    given: Numbers,
-    right: Numbers,
-    mistakes: Iterable[tuple[str, Numbers]],
-    *,
-    tolerance: float | NDArray[np.float64],
-    unit: str = "1",
-    quaternion: bool = False,
-    any_order: bool = False,
-) -> str | None:
-    """Return None if `given` is right within `tolerance`, else the mistake that explains it.
-
-    The exercise's own `mistakes` come first, then the slips that anyone makes anywhere. If none of
-    them fits, the sentence is empty, or says that it was close.
-    """
-
-    def agree(a: Numbers, b: Numbers, tolerance: float | NDArray[np.float64]) -> bool:
-        if a.shape != b.shape:
-            return False
-        if any_order:
-            a, b = np.sort_complex(a), np.sort_complex(b)
-        near = (np.abs(a - b) <= tolerance).all()
-        return bool(near or (quaternion and (np.abs(a + b) <= tolerance).all()))
-
-    if agree(given, right, tolerance):
-        return None
-
-    def candidates() -> Iterator[tuple[str, Numbers]]:
-        yield from mistakes
-        yield from slips(right, unit=unit, quaternion=quaternion)
-
-    for says, value in candidates():
-        # A mistake is as exact as the answer would be, each by its own size; zero is rather exact.
-        size, other = float(np.abs(right).max()), float(np.abs(value).max())
-        scale = max(other / size, 1e-6) if size > 0 else 1.0
-        if agree(given, value, tolerance * scale):
-            return says
-    # Ten times a fine tolerance is close; of a generous one the double is.
-    if agree(given, right, np.clip(0.02 * np.abs(right), 2 * tolerance, 10 * tolerance)):
-        return "Close: keep more digits, or look for a small term that was left out."
-    return ""
-
-
-def _read(reading: Callable[..., Any], *arguments: Any) -> Any:
-    """Read an answer; whatever goes wrong in it is told, and stops nothing."""
-    try:
-        return reading(*arguments)
-    except UnreadableError:
-        raise
-    except Exception as error:
-        raise UnreadableError(f"Your answer raised {type(error).__name__}: {error}") from error
-
-
-def _fit(given: Numbers, right: Numbers) -> Numbers:
-    """A row or a column of numbers in the shape of what is right; any other shape is refused."""
-    if given.shape != right.shape and given.squeeze().shape == right.shape:
-        given = given.squeeze()
-    if given.shape != right.shape:
-        raise UnreadableError(f"Expected {_form(right)}, got {_form(given)}.")
-    return given
-
-
-def _entries(answer: Any) -> list[Any]:
-    """The entries of a matrix, an array or nested lists; of anything else, itself."""
-    if isinstance(answer, (list, tuple)):
-        return [entry for part in answer for entry in _entries(part)]
-    if isinstance(answer, (sp.MatrixBase, np.ndarray)):
-        return list(np.array(answer, dtype=object).flat)
-    return [answer]
-
-
-def _symbols(entry: Any) -> set[sp.Symbol]:
-    return entry.free_symbols if isinstance(entry, sp.Basic) else set()
-
-
 def _is_missing(answer: Any) -> bool:
     if answer is None or answer is Ellipsis:
         return True
     if isinstance(answer, str):
         return not answer.strip(" ?.")
     return isinstance(answer, (list, tuple)) and any(map(_is_missing, answer))
-
-
-def _form(array: Numbers) -> str:
-    return "a number" if array.ndim == 0 else f"an array of shape {array.shape}"
-
-
-def _name(value: Any) -> str:
-    return f"a {type(value).__name__}"

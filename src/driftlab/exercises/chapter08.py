@@ -14,7 +14,8 @@ from ..error_model import ERROR_MODELS
 from ..observability import expected_covariance, null_directions, passage
 from ..sensors import Noise, Spread
 from ..turntable import NINETEEN_POSITIONS, Scheme, segments
-from .answers import Choice, Exercise, Formula, UnreadableError, Value, Verdict
+from .answers import Choice, Exercise, Formula, Value, Verdict
+from .reading import UnreadableError
 
 LATITUDE = float(np.radians(37.5))
 MODEL = ERROR_MODELS["averaged"]

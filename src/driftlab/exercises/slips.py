@@ -1,13 +1,15 @@
-"""Slips that anyone makes anywhere: another unit, a sign, a half angle, the order of components."""
+"""Which slip a wrong answer shows: the exercise's own, or one that anyone makes anywhere."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import arcminute, arcsecond, degree, hour, micro, minute
+
+from .reading import Numbers
 
 UNITS: dict[str, dict[str, float]] = {
     "angle": {
@@ -27,6 +29,49 @@ UNITS: dict[str, dict[str, float]] = {
     "pure": {"1": 1.0, "%": 0.01, "ppm": micro},
 }
 """Units that an exercise may ask for, by what they measure, in those of the SI."""
+
+
+def objection(
+    given: Numbers,
+    right: Numbers,
+    mistakes: Iterable[tuple[str, Numbers]],
+    *,
+    tolerance: float | NDArray[np.float64],
+    unit: str = "1",
+    quaternion: bool = False,
+    any_order: bool = False,
+) -> str | None:
+    """Return None if `given` is right within `tolerance`, else the mistake that explains it.
+
+    The exercise's own `mistakes` come first, then the slips that anyone makes anywhere. If none of
+    them fits, the sentence is empty, or says that it was close.
+    """
+
+    def agree(a: Numbers, b: Numbers, tolerance: float | NDArray[np.float64]) -> bool:
+        if a.shape != b.shape:
+            return False
+        if any_order:
+            a, b = np.sort_complex(a), np.sort_complex(b)
+        near = (np.abs(a - b) <= tolerance).all()
+        return bool(near or (quaternion and (np.abs(a + b) <= tolerance).all()))
+
+    if agree(given, right, tolerance):
+        return None
+
+    def candidates() -> Iterator[tuple[str, Numbers]]:
+        yield from mistakes
+        yield from slips(right, unit=unit, quaternion=quaternion)
+
+    for says, value in candidates():
+        # A mistake is as exact as the answer would be, each by its own size; zero is rather exact.
+        size, other = float(np.abs(right).max()), float(np.abs(value).max())
+        scale = max(other / size, 1e-6) if size > 0 else 1.0
+        if agree(given, value, tolerance * scale):
+            return says
+    # Ten times a fine tolerance is close; of a generous one the double is.
+    if agree(given, right, np.clip(0.02 * np.abs(right), 2 * tolerance, 10 * tolerance)):
+        return "Close: keep more digits, or look for a small term that was left out."
+    return ""
 
 
 def slips(

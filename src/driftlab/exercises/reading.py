@@ -1,0 +1,85 @@
+"""Answers in any form that stands for numbers, read as arrays; what cannot be read is told."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+Numbers = NDArray[np.float64] | NDArray[np.complex128]
+
+
+class UnreadableError(ValueError):
+    """An answer that cannot be compared: another form, another shape, not finite."""
+
+
+def numbers(value: Any) -> Numbers:
+    """Return `value`, of any form that stands for numbers, as an array.
+
+    Raises
+    ------
+    UnreadableError
+        If it is something else, has symbols, or is not finite.
+    """
+    if isinstance(value, sp.MatrixBase):
+        value = value.tolist()
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise UnreadableError("Expected numbers, got rows of unequal length.") from None
+    if array.dtype == object:
+        found = {str(symbol) for entry in array.flat for symbol in symbols(entry)}
+        if found:
+            raise UnreadableError(f"Expected numbers, found the symbols {', '.join(found)}.")
+        try:
+            array = np.array([complex(entry) for entry in array.flat]).reshape(array.shape)
+        except (TypeError, ValueError):
+            raise UnreadableError(f"Expected numbers, got {name(value)}.") from None
+    if array.dtype.kind not in "iufc" or array.size == 0:
+        raise UnreadableError(f"Expected numbers, got {name(value)}.")
+    if not np.isfinite(array).all():
+        raise UnreadableError("Expected finite numbers, got NaN or infinity.")
+    return array.astype(np.complex128) if np.iscomplex(array).any() else np.real(array) * 1.0
+
+
+def read(reading: Callable[..., Any], *arguments: Any) -> Any:
+    """Read an answer; whatever goes wrong in it is told, and stops nothing."""
+    try:
+        return reading(*arguments)
+    except UnreadableError:
+        raise
+    except Exception as error:
+        raise UnreadableError(f"Your answer raised {type(error).__name__}: {error}") from error
+
+
+def fit(given: Numbers, right: Numbers) -> Numbers:
+    """A row or a column of numbers in the shape of what is right; any other shape is refused."""
+    if given.shape != right.shape and given.squeeze().shape == right.shape:
+        given = given.squeeze()
+    if given.shape != right.shape:
+        raise UnreadableError(f"Expected {form(right)}, got {form(given)}.")
+    return given
+
+
+def entries(answer: Any) -> list[Any]:
+    """The entries of a matrix, an array or nested lists; of anything else, itself."""
+    if isinstance(answer, (list, tuple)):
+        return [entry for part in answer for entry in entries(part)]
+    if isinstance(answer, (sp.MatrixBase, np.ndarray)):
+        return list(np.array(answer, dtype=object).flat)
+    return [answer]
+
+
+def symbols(entry: Any) -> set[sp.Symbol]:
+    return entry.free_symbols if isinstance(entry, sp.Basic) else set()
+
+
+def form(array: Numbers) -> str:
+    return "a number" if array.ndim == 0 else f"an array of shape {array.shape}"
+
+
+def name(value: Any) -> str:
+    return f"a {type(value).__name__}"
