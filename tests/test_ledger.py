@@ -141,6 +141,7 @@ def test_tables_have_a_row_for_each_entry():
 
 def test_table_is_markdown_with_as_many_cells_in_every_row():
     lines = ledger.Table([("a", "b"), ("$|x| + 1$", "c")])._repr_markdown_().splitlines()
+    assert ledger.Table([(r"$\|x\|$",)])._repr_markdown_().splitlines()[0] == r"| $\Vert x\Vert $ |"
     assert lines == ["| a | b |", "| --- | --- |", r"| $\vert x\vert  + 1$ | c |"]
 
 

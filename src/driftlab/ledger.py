@@ -242,7 +242,11 @@ def _names(entry: Entry) -> str:
 
 def _without_bars(cell: str) -> str:
     """A bar would end the cell of a table, in a formula as well."""
-    return re.sub(r"\$[^$]*\$", lambda formula: formula[0].replace("|", r"\vert "), cell)
+
+    def without(formula: re.Match[str]) -> str:
+        return formula[0].replace(r"\|", r"\Vert ").replace("|", r"\vert ")
+
+    return re.sub(r"\$[^$]*\$", without, cell)
 
 
 if __name__ == "__main__":

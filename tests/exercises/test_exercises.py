@@ -87,8 +87,10 @@ def test_importing_the_exercises_loads_no_plotting():
 def test_check_prints_one_line_and_refuses_an_unknown_number(capsys):
     check("1.3", "bce")
     assert capsys.readouterr().out.startswith("Exercise 1.3: right. ")
-    with pytest.raises(ValueError, match=r'^number: expected one of "1\.1" to "11\.\d", got \'x\''):
+    with pytest.raises(ValueError, match=r'^number: expected "1\.1" to "11\.\d", got \'x\''):
         check("x", 1)
+    with pytest.raises(ValueError, match=r'^number: expected "1\.1" to "1\.4", got '):
+        check("1.5", 1)
 
 
 def test_lists_for_teachers_have_every_exercise_with_its_answer_and_its_mistakes():

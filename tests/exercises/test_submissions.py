@@ -9,7 +9,7 @@ import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
 from driftlab.exercises import check
-from driftlab.exercises.submissions import saved_verdicts
+from driftlab.exercises.submissions import class_summary, saved_verdicts
 
 
 def said(number, answer):
@@ -38,3 +38,23 @@ def test_what_is_not_a_notebook_is_refused_in_words(tmp_path, content):
     path.write_bytes(content.encode("latin-1"))
     with pytest.raises(ValueError, match=r"^path: expected a notebook, got '.*other\.txt'\.$"):
         saved_verdicts(path)
+
+
+def test_class_is_counted_once_each_and_a_broken_file_does_not_stop_it(tmp_path):
+    first = new_notebook(cells=[said("1.3", "bce"), said("1.1", ...)])
+    second = new_notebook(cells=[said("1.1", [180, 0, 0]), said("10.2", "a"), said("1.3", "a")])
+    for name, notebook in (("ann", first), ("bob", second), ("ann/.ipynb_checkpoints", first)):
+        (tmp_path / name).mkdir()
+        nbformat.write(notebook, tmp_path / name / "01.ipynb")
+    broken = tmp_path / "bob" / "empty.ipynb"
+    broken.write_text("")
+    summary = class_summary(tmp_path)
+    assert (summary.notebooks, summary.unreadable) == (2, [broken])
+    assert list(summary.counts) == ["1.1", "1.3", "10.2"]
+    assert summary.counts["1.1"] == {"open": 1, "right": 1}
+    assert summary.counts["1.3"] == {"right": 1, "wrong": 1}
+
+
+def test_folder_that_is_not_there_is_refused(tmp_path):
+    with pytest.raises(ValueError, match=r"^folder: expected a folder, got '.*nowhere'\.$"):
+        class_summary(tmp_path / "nowhere")

@@ -43,7 +43,7 @@ WRONG = {
         ([-135, 45], "where the slow root is largest|where two formulas agree"),
         ([0, -180], "from −179 degrees up"),
         (np.radians([0, 180]), "asked in degrees"),
-        (0, "Expected an array of shape"),
+        (0, "Expected 2 numbers"),
     ],
     "2.3": [
         ("abce", r"\(a\) asks for too much"),

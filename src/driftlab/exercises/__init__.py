@@ -64,8 +64,9 @@ def check(number: str, answer: Any) -> None:
 def verdict(number: str, answer: Any) -> Verdict:
     """Return what `check` prints, and whether the answer is right; arguments as there."""
     if not isinstance(number, str) or number not in EXERCISES:
-        last = list(EXERCISES)[-1]
-        raise ValueError(f'number: expected one of "1.1" to "{last}", got {number!r}.')
+        chapter = str(number).split(".")[0]
+        known = [n for n in EXERCISES if n.split(".")[0] == chapter] or list(EXERCISES)
+        raise ValueError(f'number: expected "{known[0]}" to "{known[-1]}", got {number!r}.')
     return EXERCISES[number].verdict(answer)
 
 

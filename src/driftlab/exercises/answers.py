@@ -157,6 +157,8 @@ class Formula(Exercise):
         Largest allowed deviation, as a part of the largest value.
     mistakes : mapping
         What to say of a likely mistake, and the formula that it leads to.
+    aliases : mapping
+        Other names of symbols that are taken for one of the arguments.
     """
 
     arguments: tuple[str, ...]
@@ -164,6 +166,7 @@ class Formula(Exercise):
     right: Callable[..., Any]
     accuracy: float = 1e-6
     mistakes: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+    aliases: Mapping[str, str] = field(default_factory=dict)
 
     COUNT: ClassVar[int] = 7
 
@@ -200,7 +203,8 @@ class Formula(Exercise):
             raise UnreadableError(
                 f"Expected an expression or a function of ({names}), got {name(answer)}."
             )
-        own = {str(symbol): symbol for part in parts for symbol in symbols(part)}
+        found = {symbol for part in parts for symbol in symbols(part)}
+        own = {self.aliases.get(str(symbol), str(symbol)): symbol for symbol in found}
         unknown = sorted(own.keys() - set(self.arguments))
         if unknown:
             raise UnreadableError(

@@ -60,6 +60,9 @@ EXERCISES: dict[str, Exercise] = {
         right=lambda: drift_coefficient(AXES, OPPOSITE_SCALES),
         absolute=0.01,
         mistakes={
+            "That would be right as a plain number; thousandths are asked.": (
+                lambda: 1e-3 * drift_coefficient(AXES, OPPOSITE_SCALES)
+            ),
             "The second axis is the first, turned the other way. Does the apparent frame then run "
             "ahead of the turn, or lag behind it?": (
                 lambda: np.where(AXES[:, 0] < 0, -1, 1) * drift_coefficient(AXES, OPPOSITE_SCALES)

@@ -51,6 +51,9 @@ def _same_as_gyro(latitude_term: float = 1.0, sign: float = 1.0) -> float:
     return float(np.degrees(found))
 
 
+CHAPTER_NAMES = {"phi": "varphi", "gravity": "g"}
+"""What the symbols are called in the code of the chapter."""
+
 BOX = ("Psi", "theta", "gamma", "varphi", "U", "g", "d_x", "d_y", "d_z", "a_x", "a_y", "a_z")
 
 
@@ -166,6 +169,7 @@ EXERCISES: dict[str, Exercise] = {
     "9.3": Formula(
         kind="compute",
         arguments=BOX,
+        aliases=CHAPTER_NAMES,
         draw=_some_box,
         right=lambda *box: _two_alignments(*box).mean(),
         mistakes={
@@ -210,6 +214,7 @@ EXERCISES: dict[str, Exercise] = {
     "9.5": Formula(
         kind="compute",
         arguments=COMPASS,
+        aliases=CHAPTER_NAMES,
         draw=_some_compass,
         right=_without_forward,
         mistakes={

@@ -95,6 +95,9 @@ def _best_at_the_end() -> float:
     return TUNINGS[int(np.argmin(np.abs(_voyages()[:, -1])))]
 
 
+CHAPTER_NAMES = {"phi": "varphi", "gravity": "g", "v1": "v_1", "v3": "v_3"}
+"""What the symbols are called in the code of the chapter."""
+
 HANGING = ("U", "varphi", "g", "R", "v_1", "v_3")
 
 
@@ -227,6 +230,7 @@ EXERCISES: dict[str, Exercise] = {
     "10.6": Formula(
         kind="compute",
         arguments=HANGING,
+        aliases=CHAPTER_NAMES,
         draw=_some_way,
         right=_hangs,
         accuracy=5e-3,

@@ -26,6 +26,8 @@ def numbers(value: Any) -> Numbers:
     """
     if isinstance(value, sp.MatrixBase):
         value = value.tolist()
+    if isinstance(value, str):
+        raise UnreadableError("Expected numbers without quotation marks, such as 1.5 or [1, 2].")
     try:
         array = np.asarray(value)
     except ValueError:
@@ -78,7 +80,11 @@ def symbols(entry: Any) -> set[sp.Symbol]:
 
 
 def form(array: Numbers) -> str:
-    return "a number" if array.ndim == 0 else f"an array of shape {array.shape}"
+    if array.ndim == 0:
+        return "one number"
+    if array.ndim == 1:
+        return f"{array.size} numbers in a list"
+    return f"an array of shape {array.shape}"
 
 
 def name(value: Any) -> str:

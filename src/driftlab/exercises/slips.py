@@ -68,9 +68,11 @@ def objection(
         scale = max(other / size, 1e-6) if size > 0 else 1.0
         if agree(given, value, tolerance * scale):
             return says
-    # Ten times a fine tolerance is close; of a generous one the double is.
-    if agree(given, right, np.clip(0.02 * np.abs(right), 2 * tolerance, 10 * tolerance)):
-        return "Close: keep more digits, or look for a small term that was left out."
+    # Close is a fiftieth off, but never finer than twice a generous tolerance, and of a fine one
+    # no more than ten times, or four digits.
+    most = np.maximum(10 * tolerance, 1e-4 * np.abs(right).max())
+    if agree(given, right, np.clip(0.02 * np.abs(right), 2 * tolerance, most)):
+        return "Close: more digits are needed, a finer look, or a small term that was left out."
     return ""
 
 

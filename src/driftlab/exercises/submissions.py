@@ -4,7 +4,63 @@ from __future__ import annotations
 
 import json
 import re
+from collections import Counter
 from pathlib import Path
+from typing import NamedTuple
+
+
+class Summary(NamedTuple):
+    """How a class stands.
+
+    Attributes
+    ----------
+    notebooks : int
+        How many were read.
+    unreadable : list of Path
+        Files that are no notebooks, whatever their names say.
+    counts : dict of str to Counter
+        By the exercise's number, in order: how many have it "right", "wrong" and "open".
+    """
+
+    notebooks: int
+    unreadable: list[Path]
+    counts: dict[str, Counter[str]]
+
+
+def class_summary(folder: str | Path) -> Summary:
+    """Count what the saved notebooks in a folder, and in the folders in it, say.
+
+    Parameters
+    ----------
+    folder : path
+        Copies that Jupyter keeps in ``.ipynb_checkpoints`` are left out.
+
+    Raises
+    ------
+    ValueError
+        If there is no such folder.
+    """
+    if not Path(folder).is_dir():
+        raise ValueError(f"folder: expected a folder, got {str(folder)!r}.")
+    words = {True: "right", False: "wrong", None: "open"}
+    unreadable, counts = [], dict[str, Counter[str]]()
+    paths = [
+        path
+        for path in sorted(Path(folder).rglob("*.ipynb"))
+        if ".ipynb_checkpoints" not in path.parts
+    ]
+    for path in paths:
+        try:
+            verdicts = saved_verdicts(path)
+        except ValueError:
+            unreadable.append(path)
+            continue
+        for number, right in verdicts.items():
+            counts.setdefault(number, Counter())[words[right]] += 1
+    by_number = sorted(counts, key=lambda number: [int(part) for part in number.split(".")])
+    return Summary(
+        len(paths) - len(unreadable), unreadable, {number: counts[number] for number in by_number}
+    )
 
 
 def saved_verdicts(path: str | Path) -> dict[str, bool | None]:
@@ -36,5 +92,5 @@ def saved_verdicts(path: str | Path) -> dict[str, bool | None]:
     return {
         number: words.get(said, False)
         for text in texts
-        for number, said in re.findall(r"^Exercise ([\d.]+): ([^.]*)\.", text, re.MULTILINE)
+        for number, said in re.findall(r"^Exercise (\d+\.\d+): ([^.]*)\.", text, re.MULTILINE)
     }

@@ -48,8 +48,8 @@ def _vertical_caption(data: over_the_vertical.OverTheVertical) -> str:
         "of roll is 180 and −180 degrees at once. Right: errors of "
         f"{over_the_vertical.RUNS} alignments with random sensor errors: heading and roll reach "
         f"{_largest(data.heading_error):.0f} degrees half a degree from the vertical, while the "
-        f"attitude stays within {_largest(data.attitude_error):.2f} in root mean square, and "
-        "heading plus roll with it."
+        f"attitude stays within {_largest(data.attitude_error):.2f} degrees in root mean square, "
+        "and heading plus roll with it."
     )
 
 
