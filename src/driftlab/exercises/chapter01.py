@@ -11,6 +11,7 @@ from .answers import Choice, Exercise, Value
 BODY_TURNS = 2 * np.pi * np.array([1 / 4, 1 / 2, 1])
 BENT = np.array([[1, 1e-2, 0], [0, 1, 0], [0, 0, 1]])
 SECONDS = 20.0
+TRUE_RATE, TOO_LITTLE = 12.0, 0.3  # degrees a second, of the panel's preset and its slider
 
 
 def _reversed_gyro() -> FloatArray:
@@ -20,8 +21,8 @@ def _reversed_gyro() -> FloatArray:
 
 
 def _same_size() -> float:
-    """False rate across that makes up for one of -0.3 along a rate of 12, in degrees a second."""
-    return np.sqrt(12**2 - (12 - 0.3) ** 2)
+    """False rate across that makes up for what is too little along, in degrees a second."""
+    return np.sqrt(TRUE_RATE**2 - (TRUE_RATE - TOO_LITTLE) ** 2)
 
 
 def _error(matrix: FloatArray = BENT) -> FloatArray:
@@ -78,7 +79,7 @@ EXERCISES: dict[str, Exercise] = {
         accuracy=0.02,
         mistakes={
             "That makes up for the false rate along the true one as if both pointed the same way; "
-            "it is the two sizes that must agree.": lambda: 0.3,
+            "it is the two sizes that must agree.": lambda: TOO_LITTLE,
         },
         remark="The two rates are now far apart, and yet the error comes back to zero every turn.",
     ),
