@@ -77,7 +77,8 @@ def test_three_directions_are_dark_with_all_states(scheme):
     way = passage(scheme, LATITUDE)
     dark = null_directions(way)
     assert_dark(way, dark.directions, common_misalignments(way.start))
-    # Rounding below, information above: a gap of sixteen decades at least.
+    # Rounding below, information above. These are squares of singular values, so their rounding
+    # is the square of an eps; eigenvalues of the Gramian itself are tested further down.
     values = dark.eigenvalues
     assert (np.diff(values) >= 0).all()
     assert values[2] < 1e-25 * values[-1]
@@ -200,10 +201,11 @@ def test_dark_is_what_shows_nothing_beside_the_brightest():
     assert_dark(way, dim.directions, common_misalignments(way.start))
 
 
-def test_eigenvalues_are_those_of_the_gramian():
+@pytest.mark.parametrize("model", [FULL, AVERAGED], ids=["30 states", "27 states"])
+def test_eigenvalues_are_those_of_the_gramian(model):
     """Information on the start, by steps: duration times the square of what the velocity shows."""
-    way = passage(NINETEEN_POSITIONS, LATITUDE, AVERAGED)
-    gramian, since = np.zeros((27, 27)), np.eye(27)
+    way = passage(NINETEEN_POSITIONS, LATITUDE, model)
+    gramian, since = np.zeros((model.size, model.size)), np.eye(model.size)
     for duration, matrix in zip(way.durations, way.transitions, strict=True):
         since = matrix @ since
         gramian += duration * since[3:6].T @ since[3:6]
@@ -213,6 +215,10 @@ def test_eigenvalues_are_those_of_the_gramian():
     np.testing.assert_allclose(
         null_directions(way).eigenvalues, expected, rtol=1e-9, atol=64 * EPS * expected[-1]
     )
+    # Zero but for rounding, and far from it.
+    dark = model.size - 27
+    assert (np.abs(expected[:dark]) < EPS * expected[-1]).all()
+    assert expected[dark] > 1e-8 * expected[-1]
 
 
 # Warnings

@@ -99,6 +99,12 @@ def test_the_lost_sign_is_the_only_single_misprint_that_mends_the_table():
     assert single_misprints(PRINTED) == [(NAMES.index("sigma4*"), "-0.165e-5")]
 
 
+def test_a_digit_less_would_mend_the_table_as_well():
+    """So the sign is the only misprint of its kind, not of any kind."""
+    assert PRINTED[2] == "-1.001e-3"
+    assert is_consistent((*PRINTED[:2], "-1.00e-3", *PRINTED[3:]))
+
+
 def test_single_misprints_find_a_digit_that_was_changed():
     wrong = (*SIGN_RESTORED[:4], "0.981e-6", *SIGN_RESTORED[5:])
     found = single_misprints(wrong)

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from driftlab.algorithm_table import ALGORITHMS
-from driftlab.attitude_algorithms import integrate
+from driftlab.attitude_algorithms import integrate, step_vectors
 from driftlab.cayley import rotation_quaternion
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
 from driftlab.word_length import UPDATES, integrate_in_word, step_in_word
@@ -123,10 +123,44 @@ def test_short_word_loses_the_earths_rotation(update, start):
 
 
 @pytest.mark.parametrize("start", STARTS, ids=str)
-def test_complement_is_no_better_than_to_add_small_terms_first(start):
+def test_complement_does_as_small_terms_first_where_the_scalar_part_is_stored_as_one(start):
     """1 - l0 is 3e-15 here: whether it is kept or not is nothing beside an eps of 1e-7."""
     first, complement = (drift_at_earth_rate(name, start) for name in UPDATES[1:3])
     assert complement == pytest.approx(first, rel=0.01)
+
+
+def turning(count):
+    """Increments (count, 3) of a turn by 1 rad/s about a fixed axis, at 2 kHz."""
+    return np.tile(5e-4 * np.array([0.6, 0.0, 0.8]), (count, 1))
+
+
+def on_a_cone(count):
+    """Increments (count, 3) on a cone of half angle 1 deg, 5 times a second, at 1 kHz."""
+    tilt, turned = np.radians(1), 2 * np.pi * 5 * 1e-3 * np.arange(count + 1)
+    angles = [
+        np.sin(tilt) * np.sin(turned),
+        -np.sin(tilt) * np.cos(turned),
+        (1 - np.cos(tilt)) * turned,
+    ]
+    return np.diff(np.stack(angles, axis=-1), axis=0)
+
+
+@pytest.mark.parametrize("motion", [turning, on_a_cone])
+def test_complement_keeps_the_attitude_where_the_scalar_part_is_not_stored_as_one(motion):
+    """Not the norm alone: products with a rounded l0 shrink the components unequally."""
+    increments = motion(4000)
+    steps = step_in_word(step_vectors(increments, "two-step-4", word=np.float32))
+    assert np.median(1 - steps[:, 3]) > 0
+    starts = random_quaternions(16).astype(np.float32)
+    exact = integrate(increments, start=starts)[:, -1]
+    errors = {}
+    for update in UPDATES:
+        found = integrate_in_word(increments, start=starts, update=update)[:, -1].astype(float)
+        found /= np.linalg.norm(found, axis=-1, keepdims=True)
+        angles = rotation_angle(multiply(conjugate(exact), found))
+        errors[update] = np.sqrt(np.mean(angles**2))
+    assert errors["complement"] < min(errors["product"], errors["small terms first"]) / 10
+    assert errors["compensated"] < errors["complement"] / 3
 
 
 @pytest.mark.parametrize("start", STARTS, ids=str)

@@ -334,7 +334,7 @@ def test_short_word_saves_the_step_but_not_the_sum() -> None:
     lost = 2 * np.sin(data.angles / 4) ** 2 < 2.0**-25
     assert np.all(data.subtracted[lost] == 1)
     product, small_first, complement, compensated = data.earth
-    # 1 - l0 does no more for the attitude than a better order of adding.
+    # At steps as small as these l0 is stored as 1, so 1 - l0 does no more than a better order.
     np.testing.assert_allclose(small_first, complement, rtol=0.01)
     assert np.all(complement <= product)
     # The compensated sum errs by the last digit of the attitude, whatever the rate.
@@ -343,7 +343,7 @@ def test_short_word_saves_the_step_but_not_the_sum() -> None:
     # Where a step changes the attitude by less than half its last digit, it changes nothing.
     turn = short_word.EARTH_RATE * short_word.SECONDS
     assert product[-1] == pytest.approx(turn, rel=0.01)
-    # What it does serve is the norm.
+    # At larger steps it serves the norm.
     worst = data.norms.max(axis=1)
     assert worst[2] < worst[:2].min() / 50
 

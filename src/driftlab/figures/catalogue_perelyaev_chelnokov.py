@@ -83,9 +83,9 @@ ENTRIES = (
         short_word.columns,
         lambda _: (
             "Arithmetic in 32 bits. Left: 1 - λ0 of one step. Middle: a body stands on the turning "
-            f"Earth; carrying 1 - λ0 does as adding the small terms first does, and only a "
-            "compensated sum helps. Right: what 1 - λ0 does save is the norm. Root mean square of "
-            f"{short_word.STARTS} attitudes."
+            "Earth and λ0 is stored as 1; carrying 1 - λ0 does as adding the small terms first "
+            "does, and a compensated sum far better. Right: at larger steps 1 - λ0 keeps the norm. "
+            f"Root mean square of {short_word.STARTS} attitudes."
         ),
     ),
 )
