@@ -320,8 +320,8 @@ def test_attitude_of_turned_axes_maps_turned_components(attitude, turn, vector):
 
 def test_attitudes_of_turned_axes_broadcast():
     rng = np.random.default_rng(2)
-    attitudes = Rotation.random(5, rng=rng).as_quat()
-    turns = Rotation.random(6, rng=rng).as_matrix().reshape(2, 3, 1, 3, 3)
+    attitudes = Rotation.from_quat(rng.normal(size=(5, 4))).as_quat()
+    turns = Rotation.from_quat(rng.normal(size=(6, 4))).as_matrix().reshape(2, 3, 1, 3, 3)
     together = attitude_of_axes(attitudes, turns)
     assert together.shape == (2, 3, 5, 4)
     for i, j, k in np.ndindex(2, 3, 5):
@@ -343,7 +343,7 @@ def test_attitude_error_is_the_rotation_that_was_made(true, phi):
 
 def test_small_attitude_error_is_that_of_the_first_order():
     phi = 1e-6 * np.array([1.0, -2.0, 3.0])
-    true = Rotation.random(rng=np.random.default_rng(3)).as_matrix()
+    true = Rotation.from_quat(np.random.default_rng(3).normal(size=4)).as_matrix()
     computed = Rotation.from_matrix((np.eye(3) - skew_matrix(phi)) @ true).as_quat()
     found = attitude_error(computed, Rotation.from_matrix(true).as_quat())
     np.testing.assert_allclose(found, phi, rtol=0, atol=1e-11)
@@ -355,7 +355,7 @@ def test_errors_of_a_perfect_calibration_are_zero(frame):
     model, rng = ERROR_MODELS[frame], np.random.default_rng(4)
     units = random_units(Spread(), rng, 2)
     true, turn = unit_in_axes(units, frame)
-    attitude = Rotation.random(5, rng=rng).as_quat()
+    attitude = Rotation.from_quat(rng.normal(size=(5, 4))).as_quat()
     state = np.repeat(model.state(true)[:, np.newaxis], 5, axis=1)
     found = Calibration(
         model,
