@@ -202,7 +202,7 @@ def estimation_errors(calibration: Calibration, unit: Unit, attitude: ArrayLike)
 
 def attitude_of_axes(attitude: ArrayLike, rotation: FloatArray) -> FloatArray:
     """Attitude (..., 4) of turned body axes: `rotation` (..., 3, 3) leads to their components."""
-    back = np.swapaxes(rotation, -1, -2)
+    back = np.array(np.swapaxes(rotation, -1, -2))  # a copy: SciPy 1.14 takes no read-only array
     turned = Rotation.from_matrix(back.reshape(-1, 3, 3)).as_quat().reshape(*back.shape[:-2], 4)
     return multiply(unit_quaternions(attitude, "attitude"), turned)
 

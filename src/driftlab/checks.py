@@ -122,9 +122,10 @@ def positive_number(value: ArrayLike, name: str) -> float:
 def whole_number(value: int, name: str, least: int = 1) -> int:
     """Return `value` as an int, refusing what is not a whole number of at least `least`."""
     try:
-        number = operator.index(value)
+        # NumPy 2.0 takes its own truth values for whole numbers, with a warning.
+        number = None if isinstance(value, bool | np.bool) else operator.index(value)
     except TypeError:
         number = None
-    if number is None or isinstance(value, bool) or number < least:
+    if number is None or number < least:
         raise ValueError(f"{name}: expected a whole number of at least {least}, got {value!r}.")
     return number
