@@ -2,11 +2,19 @@
 
 from collections.abc import Callable
 from decimal import Decimal
+from importlib import import_module
+from pathlib import Path
+from pkgutil import walk_packages
+from types import ModuleType
 
 import numpy as np
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+import driftlab
+
+ROOT = Path(__file__).parents[1]
+"""The project's folder."""
 EPS = float(np.finfo(float).eps)
 IDENTITY = np.array([0.0, 0.0, 0.0, 1.0])
 
@@ -62,3 +70,10 @@ def order_of(error: Callable[[float], float]) -> float:
 def printed(value: float, like: str, rounding: str) -> str:
     """A number as it would be printed with as many decimals as `like`."""
     return str(Decimal(float(value)).quantize(Decimal(like), rounding))
+
+
+def helper_modules() -> list[ModuleType]:
+    """All modules of the helper: everything but the book, SymPy, the checks and what is private."""
+    names = (module.name for module in walk_packages(driftlab.__path__, "driftlab."))
+    apart = ("driftlab.book", "driftlab.checks", "driftlab.symbolic", "driftlab._")
+    return [import_module(name) for name in names if not name.startswith(apart)]

@@ -8,11 +8,11 @@ from hypothesis import strategies as st
 from driftlab.checks import (
     finite_array,
     finite_number,
-    lengths,
     nonzero_vectors,
     unit_quaternions,
     whole_number,
 )
+from driftlab.vectors import lengths
 from support import EPS, directions
 
 

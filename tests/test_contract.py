@@ -10,35 +10,26 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 
-from driftlab import (
-    algorithm_table,
-    attitude_algorithms,
-    calibration_trial,
-    cayley,
-    compass_trials,
-    compass_under_way,
-    compass_voyage,
-    drift,
-    earth,
-    error_growth,
-    error_model,
-    gyro_noise,
-    gyrocompass,
-    gyrocompass_operation,
-    horizon_axes,
-    installation,
-    kinematics,
-    motions,
-    navigation_in_place,
-    quaternion,
-    sensors,
-    strapdown,
-    system_calibration,
+from driftlab import earth, frames, imu, quaternion, strapdown, triad, vectors
+from driftlab.attitude import cayley, coning_algorithms, finite_precision, integration, riccati
+from driftlab.calibration import error_dynamics, error_model, filter, static_navigation
+from driftlab.calibration import simulation as calibration_simulation
+from driftlab.drift.systematic_drift import (
+    characteristic_equation,
+    error_kinematics,
+    systematic_drift,
     turn_calibration,
-    turntable,
-    voyage,
-    word_length,
 )
+from driftlab.gyrocompass.alignment import (
+    alignment,
+    heading_error,
+    levelling,
+    noise,
+    simulation,
+    trials,
+)
+from driftlab.motion import profiles, turntable, vehicle
+from support import helper_modules
 
 Q, P = np.array([0.1, -0.3, 0.2, 0.9]), np.array([0.4, 0.5, -0.6, 0.2])
 RATE, MEASURED = np.array([0.7, -1.1, 0.4]), np.array([0.72, -1.13, 0.37])
@@ -66,25 +57,29 @@ CASES = {
     quaternion.to_rotation_vector: {"quaternion": Q},
     quaternion.rotation_angle: {"quaternion": Q},
     quaternion.cumulative_product: {"quaternions": np.array([Q, P, Q])},
-    kinematics.rate_matrix: {"rate": RATE},
-    kinematics.error_composition_matrix: {"attitude": Q},
-    kinematics.error_rate_matrix: {"rate": RATE, "measured_rate": MEASURED},
-    kinematics.attitude_quaternion: {"rate": RATE, "time": TIME},
-    kinematics.error_quaternion: {"rate": RATE, "measured_rate": MEASURED, "time": TIME},
-    kinematics.error_transition_matrix: {"rate": RATE, "measured_rate": MEASURED, "time": TIME},
-    drift.triad_matrix: {"misalignment": BENT},
-    drift.measured_rate: {"rate": RATE, "misalignment": BENT},
-    drift.characteristic_polynomial: {"rate": RATE, "measured_rate": MEASURED},
-    drift.exact_roots: {"rate": RATE, "measured_rate": MEASURED},
-    drift.asymptotic_roots: {"rate": RATE, "misalignment": BENT},
-    drift.direction_from_angles: {"azimuth": TIME, "elevation": TIME},
-    drift.drift_coefficient: {"direction": RATE, "misalignment": BENT},
-    drift.exact_drift_coefficient: {"direction": RATE, "misalignment": BENT},
-    drift.drift_per_turn: {"direction": RATE, "misalignment": BENT},
-    drift.split_error_rate_matrix: {"rate": RATE, "measured_rate": MEASURED},
-    drift.non_orthogonality: {"misalignment": BENT},
-    drift.principal_drifts: {"misalignment": BENT},
-    drift.pairwise_non_orthogonality: {"axes": np.eye(3)[[1, 2, 0]]},
+    error_kinematics.rate_matrix: {"rate": RATE},
+    error_kinematics.error_composition_matrix: {"attitude": Q},
+    error_kinematics.error_rate_matrix: {"rate": RATE, "measured_rate": MEASURED},
+    error_kinematics.attitude_quaternion: {"rate": RATE, "time": TIME},
+    error_kinematics.error_quaternion: {"rate": RATE, "measured_rate": MEASURED, "time": TIME},
+    error_kinematics.error_transition_matrix: {
+        "rate": RATE,
+        "measured_rate": MEASURED,
+        "time": TIME,
+    },
+    triad.triad_matrix: {"misalignment": BENT},
+    triad.measured_rate: {"rate": RATE, "misalignment": BENT},
+    characteristic_equation.characteristic_polynomial: {"rate": RATE, "measured_rate": MEASURED},
+    characteristic_equation.exact_roots: {"rate": RATE, "measured_rate": MEASURED},
+    characteristic_equation.asymptotic_roots: {"rate": RATE, "misalignment": BENT},
+    vectors.direction_from_angles: {"azimuth": TIME, "elevation": TIME},
+    systematic_drift.drift_coefficient: {"direction": RATE, "misalignment": BENT},
+    systematic_drift.exact_drift_coefficient: {"direction": RATE, "misalignment": BENT},
+    systematic_drift.drift_per_turn: {"direction": RATE, "misalignment": BENT},
+    characteristic_equation.split_error_rate_matrix: {"rate": RATE, "measured_rate": MEASURED},
+    triad.non_orthogonality: {"misalignment": BENT},
+    systematic_drift.principal_drifts: {"misalignment": BENT},
+    triad.pairwise_non_orthogonality: {"axes": np.eye(3)[[1, 2, 0]]},
     turn_calibration.turn_estimate: {"error_quaternion": Q, "axis": RATE},
     turn_calibration.exact_turn_estimate: {"misalignment": BENT, "axis": RATE},
     turn_calibration.TurnExperiment(1, 5).error_quaternion: {"misalignment": BENT, "axis": RATE},
@@ -94,59 +89,59 @@ CASES = {
     cayley.skew_operator: {"vector": RATE},
     cayley.cayley_vector: {"quaternion": Q},
     cayley.rotation_quaternion: {"vector": RATE},
-    cayley.riccati_rate: {"vector": RATE, "rate": MEASURED},
+    riccati.riccati_rate: {"vector": RATE, "rate": MEASURED},
     fixed(cayley.skew_operator, dimension=3): {"vector": RATE},
     fixed(cayley.cayley_vector, dimension=3): {"quaternion": Q},
     fixed(cayley.rotation_quaternion, dimension=3): {"vector": RATE},
-    fixed(cayley.riccati_rate, dimension=3): {"vector": RATE, "rate": MEASURED},
+    fixed(riccati.riccati_rate, dimension=3): {"vector": RATE, "rate": MEASURED},
     cayley.shadow: {"vector": RATE},
-    attitude_algorithms.integrate: {"increments": INCREMENTS, "start": Q},
-    fixed(attitude_algorithms.integrate, algorithm="memory-4"): {
+    integration.integrate: {"increments": INCREMENTS, "start": Q},
+    fixed(integration.integrate, algorithm="memory-4"): {
         "increments": INCREMENTS,
         "start": Q,
     },
-    fixed(attitude_algorithms.step_quaternions, algorithm="two-step-4"): {"increments": INCREMENTS},
-    fixed(attitude_algorithms.step_quaternions, algorithm="memory-4"): {
+    fixed(integration.step_quaternions, algorithm="two-step-4"): {"increments": INCREMENTS},
+    fixed(integration.step_quaternions, algorithm="memory-4"): {
         "increments": INCREMENTS,
         "history": INCREMENTS[:2],
     },
-    fixed(attitude_algorithms.step_vectors, algorithm="one-step-3"): {"increments": INCREMENTS},
-    fixed(algorithm_table.coning_drift, algorithm="two-step-4"): {
+    fixed(integration.step_vectors, algorithm="one-step-3"): {"increments": INCREMENTS},
+    fixed(coning_algorithms.coning_drift, algorithm="two-step-4"): {
         "half_angle": TIME,
         "frequency": TIME,
         "sample_interval": TIME,
     },
-    motions.Coning(0.3, 0.5).attitude: {"time": TIME},
-    motions.Coning(0.3, 0.5).rate: {"time": TIME},
-    motions.Sway(0.3, 0.5).attitude: {"time": TIME},
-    motions.Sway(0.3, 0.5).rate: {"time": TIME},
-    motions.FixedAxis(0.3, 0.5).attitude: {"time": TIME},
-    motions.FixedAxis(0.3, 0.5).rate: {"time": TIME},
+    profiles.Coning(0.3, 0.5).attitude: {"time": TIME},
+    profiles.Coning(0.3, 0.5).rate: {"time": TIME},
+    profiles.Sway(0.3, 0.5).attitude: {"time": TIME},
+    profiles.Sway(0.3, 0.5).rate: {"time": TIME},
+    profiles.FixedAxis(0.3, 0.5).attitude: {"time": TIME},
+    profiles.FixedAxis(0.3, 0.5).rate: {"time": TIME},
     quaternion.rotate: {"quaternion": Q, "vector": RATE},
     quaternion.to_matrix: {"quaternion": Q},
-    installation.split: {"matrix": BENT},
-    installation.misalignment_vector: {"gyro_error": BENT},
-    installation.body_frame_rotation: {"gyro_error": BENT},
-    fixed(installation.body_frame_rotation, frame="upper triangle"): {"gyro_error": BENT},
-    fixed(installation.body_frame_rotation, frame="lower triangle"): {"gyro_error": BENT},
-    installation.change_body_frame: {"matrix": BENT, "rotation": BENT},
-    installation.skew_matrix: {"vector": RATE},
+    triad.split: {"matrix": BENT},
+    triad.misalignment_vector: {"gyro_error": BENT},
+    triad.body_frame_rotation: {"gyro_error": BENT},
+    fixed(triad.body_frame_rotation, frame="upper triangle"): {"gyro_error": BENT},
+    fixed(triad.body_frame_rotation, frame="lower triangle"): {"gyro_error": BENT},
+    triad.change_body_frame: {"matrix": BENT, "rotation": BENT},
+    vectors.cross_matrix: {"vector": RATE},
     earth.earth_rate: {"latitude": LATITUDE},
     earth.checked_latitude: {"latitude": LATITUDE},
     earth.curvature_radii: {"latitude": LATITUDE},
     earth.gravity: {"latitude": LATITUDE, "altitude": TIME},
     earth.position_vector: {"latitude": LATITUDE, "altitude": TIME},
-    horizon_axes.attitude_from_angles: {"heading": TIME, "pitch": PITCH, "roll": TIME},
-    horizon_axes.angles_from_attitude: {"attitude": Q},
-    horizon_axes.geographic_rate: {"latitude": LATITUDE, "velocity": LEVEL},
-    compass_under_way.level_coriolis: {"latitude": LATITUDE, "velocity": LEVEL},
-    fixed(gyro_noise.swing_deviation, angle_random_walk=1e-6, gravity=9.8): {"time": TIME},
-    horizon_axes.heading_error_of_attitude: {
+    frames.attitude_from_angles: {"heading": TIME, "pitch": PITCH, "roll": TIME},
+    frames.angles_from_attitude: {"attitude": Q},
+    frames.geographic_rate: {"latitude": LATITUDE, "velocity": LEVEL},
+    heading_error.level_coriolis: {"latitude": LATITUDE, "velocity": LEVEL},
+    fixed(noise.swing_deviation, angle_random_walk=1e-6, gravity=9.8): {"time": TIME},
+    heading_error.heading_error_of_attitude: {
         "attitude_error": RATE,
         "heading": TIME,
         "pitch": PITCH,
     },
-    compass_trials.table_heading_error: {
+    trials.table_heading_error: {
         "dial": TIME,
         "drift": 1e-6 * RATE,
         "offset": RATE,
@@ -154,9 +149,9 @@ CASES = {
         "north_error": PITCH,
         "tilt": 1e-2 * LEVEL,
     },
-    voyage.sensed_at_rest: {"attitude": Q, "latitude": LATITUDE, "gravity": TIME},
-    gyrocompass.align: {"angular_rate": RATE, "specific_force": np.array([0.3, 0.5, -0.6])},
-    gyrocompass.alignment_errors: {
+    vehicle.sensed_at_rest: {"attitude": Q, "latitude": LATITUDE, "gravity": TIME},
+    alignment.align: {"angular_rate": RATE, "specific_force": np.array([0.3, 0.5, -0.6])},
+    alignment.alignment_errors: {
         "heading": TIME,
         "pitch": PITCH,
         "latitude": LATITUDE,
@@ -164,13 +159,13 @@ CASES = {
         "force_error": MEASURED,
         "gravity": TIME,
     },
-    gyrocompass.alignment_attitude_error: {
+    alignment.alignment_attitude_error: {
         "latitude": LATITUDE,
         "rate_error": RATE,
         "force_error": MEASURED,
         "gravity": TIME,
     },
-    gyrocompass.operating_heading_error: {
+    heading_error.operating_heading_error: {
         "latitude": LATITUDE,
         "velocity": LEVEL,
         "tilt": LEVEL,
@@ -180,36 +175,36 @@ CASES = {
         "heading": TIME,
         "pitch": PITCH,
     },
-    compass_under_way.speed_deviation: {"latitude": LATITUDE, "velocity": LEVEL},
-    fixed(voyage.smooth_step, begin=0.5, duration=3.0): {"times": TIME},
+    heading_error.speed_deviation: {"latitude": LATITUDE, "velocity": LEVEL},
+    fixed(vehicle.smooth_step, begin=0.5, duration=3.0): {"times": TIME},
 }
 # Tested where they belong.
 APART = {
     turn_calibration.fit_turns,  # its two arguments share an axis instead of broadcasting
-    cayley.integrate_riccati,  # takes a row of times and returns all that it knows about them
-    word_length.integrate_in_word,  # answers in the word that it is asked for
+    riccati.integrate_riccati,  # takes a row of times and returns all that it knows about them
+    finite_precision.integrate_in_word,  # answers in the word that it is asked for
     # Positions in m are too large for half precision.
     earth.geodetic,
     earth.gravitation,
     # Their arguments and answers are records of several arrays.
     strapdown.at_rest,
     strapdown.navigate,
-    strapdown.increment_rows,
+    imu.increment_rows,
     turntable.stand,
-    turntable.turning_average,
-    sensors.compensate,
-    error_growth.free_growth,
-    system_calibration.calibrate,
-    calibration_trial.estimation_errors,
-    calibration_trial.attitude_of_axes,
-    calibration_trial.attitude_error,
-    navigation_in_place.navigate_in_place,
-    gyrocompass_operation.operate,
-    compass_voyage.take_along,
-    voyage.voyage,
+    vectors.turning_average,
+    imu.compensate,
+    error_dynamics.free_growth,
+    filter.calibrate,
+    calibration_simulation.estimation_errors,
+    error_model.attitude_of_axes,
+    error_model.attitude_error,
+    static_navigation.navigate_in_place,
+    levelling.operate,
+    simulation.take_along,
+    vehicle.voyage,
     # Their last axis is a row, and shorter or gone in the answer.
-    gyro_noise.moving_average,
-    compass_trials.range_over_deviation,
+    noise.moving_average,
+    trials.range_over_deviation,
 }
 
 BAD = {
@@ -326,35 +321,7 @@ def test_bad_input_is_refused_by_name(function, name, bad):
 def test_no_function_of_arrays_is_forgotten():
     known = {getattr(f, "__func__", getattr(f, "func", f)) for f in CASES} | APART
     found = set()
-    for module in (
-        quaternion,
-        kinematics,
-        drift,
-        turn_calibration,
-        cayley,
-        algorithm_table,
-        attitude_algorithms,
-        motions,
-        word_length,
-        installation,
-        earth,
-        strapdown,
-        turntable,
-        sensors,
-        error_model,
-        error_growth,
-        system_calibration,
-        calibration_trial,
-        navigation_in_place,
-        horizon_axes,
-        gyrocompass,
-        gyrocompass_operation,
-        compass_under_way,
-        compass_voyage,
-        gyro_noise,
-        compass_trials,
-        voyage,
-    ):
+    for module in helper_modules():
         for name, function in inspect.getmembers(module, inspect.isfunction):
             if function.__module__ == module.__name__ and not name.startswith("_"):
                 # The modules keep their annotations as text; `eval_str` makes them types again.

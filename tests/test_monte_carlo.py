@@ -17,9 +17,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.stats import binom, chi2, norm
 
-from driftlab.calibration_trial import TableTrial
+from driftlab.calibration.simulation import TableTrial
 from driftlab.monte_carlo import mean_square_bounds, print_progress, sweep
-from driftlab.turntable import NINETEEN_POSITIONS, Scheme
+from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme
 
 
 def draws(rng, runs):

@@ -5,7 +5,14 @@ import pytest
 from hypothesis import given
 from scipy.spatial.transform import Rotation
 
-from driftlab.quaternion import conjugate, from_rotation_vector, multiply, pure, rotate, to_matrix
+from driftlab.quaternion import (
+    conjugate,
+    from_rotation_vector,
+    multiply,
+    pure,
+    rotate,
+    to_matrix,
+)
 from support import EPS, IDENTITY, quaternions, random_quaternions, vectors
 
 # Vectors up to 10 in each component, so up to 17.4 long. Two cross products and three sums, each

@@ -9,9 +9,9 @@ from scipy.spatial.transform import Rotation
 
 from driftlab import strapdown
 from driftlab.earth import EARTH_RATE, curvature_radii, earth_rate, gravity
+from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme, simulate, stand
 from driftlab.quaternion import multiply, pure, rotate
 from driftlab.strapdown import Navigation, at_rest, last_of, navigate, velocity_of_pairs
-from driftlab.turntable import NINETEEN_POSITIONS, Scheme, simulate, stand
 from support import EPS, order_of, random_quaternions, same_rotation
 
 RADIUS = 6.4e6  # m, about the Earth's

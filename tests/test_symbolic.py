@@ -5,10 +5,12 @@ import pytest
 import sympy as sp
 from scipy.spatial.transform import Rotation
 
-from driftlab import cayley, kinematics, quaternion, symbolic
-from driftlab.algorithm_table import ALGORITHMS
-from driftlab.attitude_algorithms import step_quaternions, step_vectors
-from driftlab.installation import skew_matrix
+from driftlab import quaternion, symbolic
+from driftlab.attitude import cayley, riccati
+from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.integration import step_quaternions, step_vectors
+from driftlab.drift.systematic_drift import error_kinematics
+from driftlab.vectors import cross_matrix
 
 RATE, MEASURED = np.array([0.3, -0.2, 0.7]), np.array([0.31, -0.25, 0.6])
 ATTITUDE = np.array([0.1, -0.5, 0.3, 0.8])
@@ -21,14 +23,14 @@ def numbers(matrix: sp.Matrix) -> np.ndarray:
 @pytest.mark.parametrize(
     ("symbolic_matrix", "numeric"),
     [
-        (symbolic.rate_matrix(sp.Matrix(RATE)), kinematics.rate_matrix(RATE)),
+        (symbolic.rate_matrix(sp.Matrix(RATE)), error_kinematics.rate_matrix(RATE)),
         (
             symbolic.error_rate_matrix(sp.Matrix(RATE), sp.Matrix(MEASURED)),
-            kinematics.error_rate_matrix(RATE, MEASURED),
+            error_kinematics.error_rate_matrix(RATE, MEASURED),
         ),
         (
             symbolic.error_composition_matrix(sp.Matrix(ATTITUDE)),
-            kinematics.error_composition_matrix(ATTITUDE),
+            error_kinematics.error_composition_matrix(ATTITUDE),
         ),
         *(
             (symbolic.skew_operator(sp.Matrix(RATE), n), cayley.skew_operator(RATE, n))
@@ -37,7 +39,7 @@ def numbers(matrix: sp.Matrix) -> np.ndarray:
         *(
             (
                 symbolic.riccati_rate(sp.Matrix(RATE), sp.Matrix(MEASURED), n),
-                cayley.riccati_rate(RATE, MEASURED, n),
+                riccati.riccati_rate(RATE, MEASURED, n),
             )
             for n in (3, 4)
         ),
@@ -176,7 +178,7 @@ def test_cross_matrix_is_the_cross_product() -> None:
     v, u = symbolic.vector("v"), symbolic.vector("u")
     assert symbolic.cross_matrix(v) * u == v.cross(u)
     np.testing.assert_array_equal(
-        numbers(symbolic.cross_matrix(sp.Matrix(RATE))), skew_matrix(RATE)
+        numbers(symbolic.cross_matrix(sp.Matrix(RATE))), cross_matrix(RATE)
     )
 
 

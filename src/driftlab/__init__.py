@@ -12,17 +12,18 @@ Conventions, fixed here once for the whole package:
   (E + M) rate``. From Part III on such matrices are ``gyro_error`` and ``accelerometer_error``,
   and misalignment is their skew part only, as in most of the field.
 * Local axes are East, North, Up. In Part IV they are North, Up, East, as in its paper, with body
-  axes forward, up, right and headings from North to West; see `horizon_axes`.
+  axes forward, up, right and headings from North to West; see `frames`.
 * Bad input raises `ValueError` with one sentence: which argument, what was expected, what came.
 
-Modules, in the order in which they build on each other: `quaternion`, `kinematics`, `drift`,
-`step_formulas`, `turn_calibration`, `larin_table`, `cayley`, `algorithm_table`,
-`attitude_algorithms`, `word_length`, `motions`, `installation`, `earth`, `strapdown`, `turntable`,
-`sensors`, `error_model`, `error_growth`, `system_calibration`, `observability`,
-`calibration_trial`, `navigation_in_place`, `monte_carlo`, `horizon_axes`, `voyage`,
-`compass_under_way`, `gyrocompass`, `gyrocompass_operation`, `compass_voyage`, `gyro_noise`,
-`compass_trials` (NumPy and SciPy only), `symbolic` (SymPy), `figures` (Matplotlib), `explorers`
-(ipywidgets). Importing the package itself loads none of them.
+Ground floor: `checks`, `vectors`, `quaternion`, `earth`, `frames`, `triad`, `imu`, `strapdown`,
+`monte_carlo`. On it stand the subjects: `motion`, `drift`, `attitude`, `calibration`,
+`gyrocompass`. All of these need NumPy and SciPy only. `symbolic` (SymPy) and `book` (Matplotlib,
+ipywidgets) come with ``pip install driftlab[book]``. ``python -m driftlab`` lists what there is;
+nothing is loaded before it is asked for.
 """
 
+from driftlab._lazy import attach
+
 __version__ = "0.1.0"
+
+__getattr__, __dir__, __all__ = attach(__name__, __file__)

@@ -90,18 +90,6 @@ def finite_arrays(**arguments: tuple[ArrayLike, *tuple[int, ...]]) -> list[Float
     return arrays
 
 
-def lengths(vectors: FloatArray) -> FloatArray:
-    """Norms (...) of vectors (..., 3), right for vectors of any size."""
-    squares = np.asarray(np.einsum("...i,...i->...", vectors, vectors))
-    norms = np.asarray(np.sqrt(squares))
-    # Where squares may have under- or overflowed, take the slower way that forms none.
-    unsafe = ~((squares > 1e-280) & (squares < 1e300))
-    if unsafe.any():
-        x, y, z = vectors[unsafe].T
-        norms[unsafe] = np.hypot(np.hypot(x, y), z)
-    return norms
-
-
 def finite_number(value: ArrayLike, name: str) -> float:
     """Return `value` as a float, refusing what is not one finite real number."""
     number = finite_array(value, name)

@@ -133,23 +133,18 @@ def gravitation(position: ArrayLike) -> FloatArray:
     return np.stack([level * x, level * y, -down * sine], axis=-1)
 
 
-def local_axes(latitude: FloatArray, longitude: FloatArray) -> FloatArray:
-    """Quaternion (..., 4) from East, North, Up to Earth-centred axes."""
-    half_tilt, half_turn = np.pi / 4 - latitude / 2, np.pi / 4 + longitude / 2
-    sine_tilt, cosine_tilt = np.sin(half_tilt), np.cos(half_tilt)
-    sine_turn, cosine_turn = np.sin(half_turn), np.cos(half_turn)
-    return np.stack(
-        [
-            cosine_turn * sine_tilt,
-            sine_turn * sine_tilt,
-            sine_turn * cosine_tilt,
-            cosine_turn * cosine_tilt,
-        ],
-        axis=-1,
-    )
-
-
 def ground_velocity(position: FloatArray) -> FloatArray:
     """Velocity (..., 3) of the turning Earth at a position (..., 3)."""
     x, y, z = np.moveaxis(position, -1, 0)
     return EARTH_RATE * np.stack([-y, x, np.zeros_like(z)], axis=-1)
+
+
+EARTH_RADIUS = SEMI_MAJOR_AXIS * (1 - FLATTENING / 3)
+"""Mean radius R of the ellipsoid, m. The paper's Earth is a sphere."""
+
+
+def checked_gravity(gravity: FloatArray) -> FloatArray:
+    """Return gravity (...) in m/s^2, refusing what does not pull."""
+    if gravity.min() < np.finfo(float).tiny:
+        raise ValueError(f"gravity: expected positive numbers, got {gravity.min():g}.")
+    return gravity

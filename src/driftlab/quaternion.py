@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import FloatArray, finite_array, finite_arrays, lengths
+from .checks import FloatArray, finite_array, finite_arrays
+from .vectors import lengths
 
 
 def multiply(first: ArrayLike, second: ArrayLike) -> FloatArray:

@@ -17,10 +17,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .attitude_algorithms import cross, step_quaternions
+from driftlab.attitude.integration import step_quaternions
+
 from .checks import (
     FloatArray,
-    finite_array,
     finite_arrays,
     finite_number,
     unit_quaternions,
@@ -32,10 +32,12 @@ from .earth import (
     geodetic,
     gravitation,
     ground_velocity,
-    local_axes,
     position_vector,
 )
+from .frames import local_axes
+from .imu import increment_rows
 from .quaternion import conjugate, cumulative_product, multiply, rotate
+from .vectors import cross
 
 CHUNK = 40.0
 """Seconds of motion over which the fixed point on gravitation runs at once."""
@@ -207,22 +209,6 @@ def _checked(state: Navigation) -> Navigation:
         attitude=(unit_quaternions(state.attitude, "attitude"), 4),
     )
     return Navigation(checked_latitude(latitude), longitude, altitude, velocity, attitude)
-
-
-def increment_rows(angle: ArrayLike, velocity: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    """Return angle and velocity increments (..., n, 3) as arrays, refusing unlike numbers."""
-    rows = []
-    for name, value in (("angle_increments", angle), ("velocity_increments", velocity)):
-        row = finite_array(value, name, 3)
-        if row.ndim < 2:
-            raise ValueError(f"{name}: expected shape (..., n, 3), got shape {row.shape}.")
-        rows.append(row)
-    if rows[0].shape[-2] != rows[1].shape[-2]:
-        raise ValueError(
-            "velocity_increments: expected as many as angle_increments, "
-            f"{rows[0].shape[-2]}, got {rows[1].shape[-2]}."
-        )
-    return rows[0], rows[1]
 
 
 def _fall(

@@ -18,10 +18,14 @@ from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 from timing import best
 
-from driftlab.algorithm_table import ALGORITHMS
-from driftlab.attitude_algorithms import integrate
-from driftlab.explorers import EXPLORERS
-from driftlab.kinematics import error_quaternion, error_rate_matrix, error_transition_matrix
+from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.integration import integrate
+from driftlab.book.panels import EXPLORERS
+from driftlab.drift.error_kinematics import (
+    error_quaternion,
+    error_rate_matrix,
+    error_transition_matrix,
+)
 from driftlab.quaternion import cumulative_product, from_rotation_vector
 
 # Last, so that nothing of the environment is replaced.

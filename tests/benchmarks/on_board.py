@@ -7,11 +7,11 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 from timing import best
 
-from driftlab.earth import EARTH_RATE
-from driftlab.gyrocompass_operation import Horizon, operate, schuler_tuning
-from driftlab.horizon_axes import EARTH_RADIUS, attitude_from_angles
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE
+from driftlab.frames import attitude_from_angles
+from driftlab.gyrocompass.levelling import Horizon, operate, schuler_tuning
+from driftlab.motion.vehicle import sensed_at_rest
 from driftlab.quaternion import from_rotation_vector, multiply
-from driftlab.voyage import sensed_at_rest
 
 LATITUDE = np.radians(51.5)
 DURATION, INTERVAL, RUNS = 7200.0, 0.1, 26

@@ -9,14 +9,14 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 from timing import best
 
-from driftlab.calibration_trial import TableTrial
-from driftlab.error_model import ERROR_MODELS
+from driftlab.calibration.error_model import ERROR_MODELS
+from driftlab.calibration.kalman import kalman_step
+from driftlab.calibration.observability import expected_covariance, passage
+from driftlab.calibration.simulation import TableTrial
+from driftlab.imu import Noise, Spread
 from driftlab.monte_carlo import print_progress, sweep
-from driftlab.observability import expected_covariance, passage
-from driftlab.sensors import Noise, Spread
+from driftlab.motion.turntable import NINETEEN_POSITIONS, Record, Scheme, simulate
 from driftlab.strapdown import at_rest, navigate
-from driftlab.system_calibration import kalman_step
-from driftlab.turntable import NINETEEN_POSITIONS, Record, Scheme, simulate
 
 if TYPE_CHECKING:
     pass

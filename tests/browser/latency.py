@@ -6,7 +6,6 @@ from pathlib import Path
 
 import nbformat
 import numpy as np
-from book import PLACES, Place
 from book_server import book_server
 from chromium import NoBrowser, chromium
 from frames import blank_frames, frames_of
@@ -14,7 +13,8 @@ from nbformat.v4 import new_code_cell, new_notebook
 from notebook_page import NotebookPage
 from panel_page import PanelPage, time_of_move
 
-from driftlab import explorers
+from book import PLACES, Place
+from driftlab.book import panels
 
 MOVES = 30
 
@@ -23,7 +23,7 @@ INTERACT = """
 %matplotlib inline
 import numpy as np
 from ipywidgets import interact
-from driftlab.drift import direction_from_angles
+from driftlab.vectors import direction_from_angles
 from driftlab.figures import drift_history
 misalignment = 1e-3 * (np.ones((3, 3)) - np.eye(3))
 @interact(azimuth=(-180.0, 180.0, 1.0))
@@ -75,7 +75,7 @@ def say(name: str, times: list[float], more: str = "") -> None:
 def panel_moves(page: NotebookPage, place: Place) -> list[float]:
     """Times of moves of all sliders in turn; a move that changes no picture has none."""
     page.show_cell(place.cell)
-    panel = PanelPage(page.page, getattr(explorers, place.explorer))
+    panel = PanelPage(page.page, getattr(panels, place.explorer))
     sliders = [control for control in panel.explorer_class.controls if control.is_slider]
     times: list[float] = []
     for turn, slider in enumerate(cycle(sliders)):

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from PIL import Image
 
-from driftlab.explorers.control import Control
-from driftlab.explorers.panel import PANEL_CLASS, Explorer
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import PANEL_CLASS, Explorer
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page

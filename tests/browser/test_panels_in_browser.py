@@ -8,16 +8,16 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from book import PLACES, Place
 from frames import blank_frames, frames_of, sizes_during
 from notebook_page import NotebookPage
 from panel_page import PanelPage
 from PIL import Image
 
-from driftlab import explorers
-from driftlab.explorers import EXPLORERS
-from driftlab.explorers.control import Control
-from driftlab.explorers.panel import Explorer
+from book import PLACES, Place
+from driftlab.book import panels
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import Explorer
+from driftlab.book.panels import EXPLORERS
 from panel_numbers import assert_shown, shown_numbers
 
 SCREENSHOTS = Path(__file__).parent / "screenshots"
@@ -79,8 +79,8 @@ class Panel(NamedTuple):
 def panel(chapter: NotebookPage, place: Place) -> Iterator[Panel]:
     """The panel as its cell has made it; at the end nothing may have gone wrong anywhere."""
     chapter.show_cell(place.cell)
-    shown = PanelPage(chapter.page, getattr(explorers, place.explorer))
-    yield Panel(shown, getattr(explorers, place.explorer)(*place.arguments))
+    shown = PanelPage(chapter.page, getattr(panels, place.explorer))
+    yield Panel(shown, getattr(panels, place.explorer)(*place.arguments))
     shown.reset()
     assert chapter.all_trouble() == []
 

@@ -9,8 +9,8 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from driftlab.exercises.answers import Choice, Formula, Value
-from driftlab.exercises.slips import UNITS
+from driftlab.book.machinery.answers import Choice, Formula, Value
+from driftlab.book.machinery.slips import UNITS
 
 QUARTER = Value(kind="compute", right=lambda: np.pi / 2, unit="radians")
 VECTOR = Value(kind="compute", right=lambda: np.array([1.0, -2.0, 0.5]))

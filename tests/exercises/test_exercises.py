@@ -7,11 +7,12 @@ import sys
 import numpy as np
 import pytest
 
-from driftlab.exercises import EXERCISES, KINDS, check, of_kind, verdict
-from driftlab.exercises.answers import Choice, Formula, Value
-from driftlab.exercises.reading import numbers
+from driftlab.book.exercises import KINDS, check, exercises, of_kind, verdict
+from driftlab.book.machinery.answers import Choice, Formula, Value
+from driftlab.book.machinery.reading import numbers
 from wrong_answers import WRONG
 
+EXERCISES = exercises()
 VALUES = {n: e for n, e in EXERCISES.items() if isinstance(e, Value)}
 FORMULAS = {n: e for n, e in EXERCISES.items() if isinstance(e, Formula)}
 
@@ -77,7 +78,7 @@ def test_choice_names_what_is_wrong_with_every_other_statement(number):
 
 
 def test_importing_the_exercises_loads_no_plotting():
-    code = "import sys, driftlab.exercises; print('matplotlib' in sys.modules)"
+    code = "import sys, driftlab.book.exercises; print('matplotlib' in sys.modules)"
     answer = subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
     )

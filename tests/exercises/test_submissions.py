@@ -8,8 +8,8 @@ import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
-from driftlab.exercises import check
-from driftlab.exercises.submissions import class_summary, saved_verdicts
+from driftlab.book.exercises import check
+from driftlab.book.machinery.submissions import class_summary, saved_verdicts
 
 
 def said(number, answer):

@@ -12,8 +12,14 @@ import pytest
 from PIL import Image
 from scipy.constants import degree, g, hour, micro
 
-from driftlab.error_model import ERROR_MODELS
-from driftlab.explorers import (
+from driftlab.book.ch03_systematic_drift.figures.drift_by_symmetry import (
+    DriftBySymmetryPicture,
+    compute,
+)
+from driftlab.book.ch08_system_calibration.figures import calibration_run
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
+from driftlab.book.panels import (
     EXPLORERS,
     AlignmentBudgetExplorer,
     CalibrationRunExplorer,
@@ -25,13 +31,10 @@ from driftlab.explorers import (
     SplitExplorer,
     TurnCalibrationExplorer,
 )
-from driftlab.explorers.control import Control
-from driftlab.explorers.panel import ERROR_CLASS, Explorer
-from driftlab.figures import calibration_run
-from driftlab.figures.drift_by_symmetry import DriftBySymmetryPicture, compute
-from driftlab.observability import expected_covariance, passage
-from driftlab.sensors import Noise, Spread
-from driftlab.turntable import NINETEEN_POSITIONS
+from driftlab.calibration.error_model import ERROR_MODELS
+from driftlab.calibration.observability import expected_covariance, passage
+from driftlab.imu import Noise, Spread
+from driftlab.motion.turntable import NINETEEN_POSITIONS
 
 UNITS = {
     *("degrees", "°", "″", "′", "arcsec a turn", "deg/s", "°/h", "1e-3 °/√h"),

@@ -10,10 +10,10 @@ from typing import Any, ClassVar
 import ipywidgets as widgets
 import pytest
 
-from driftlab.explorers import EXPLORERS, DriftExplorer
-from driftlab.explorers.control import Control
-from driftlab.explorers.panel import ERROR_CLASS, Explorer
-from driftlab.figures.picture import Picture
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
+from driftlab.book.machinery.picture import Picture
+from driftlab.book.panels import EXPLORERS, DriftExplorer
 from panel_numbers import assert_shown, shown_numbers
 
 every_explorer = pytest.mark.parametrize("explorer_class", EXPLORERS, ids=lambda e: e.__name__)

@@ -5,16 +5,16 @@ from functools import cache
 
 import numpy as np
 import pytest
+from driftlab.book.catalogue import CATALOGUE
+from driftlab.book.machinery.entry import Entry
 from matplotlib.collections import Collection
 from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
-from driftlab.explorers import EXPLORERS
-from driftlab.figures import picture
-from driftlab.figures.catalogue import CATALOGUE
-from driftlab.figures.entry import Entry
-from driftlab.figures.publish import Plate
+from driftlab.book.machinery import picture
+from driftlab.book.machinery.publish import Plate
+from driftlab.book.panels import EXPLORERS
 
 COLOUR_WORDS = re.compile(
     r"\b(red|blue|green|orange|purple|violet|yellow|gr[ae]y|pink|cyan|magenta|vermilion)\b", re.I

@@ -5,41 +5,47 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from driftlab.book.catalogue import CATALOGUE
+from driftlab.book.machinery.entry import Entry
+from driftlab.figures.__main__ import main
 from hypothesis import given
 from hypothesis import strategies as st
 
-from driftlab import algorithm_table
-from driftlab.algorithm_table import ALGORITHMS
-from driftlab.attitude_algorithms import integrate
-from driftlab.drift import direction_from_angles, drift_coefficient, non_orthogonality
-from driftlab.figures import (
-    algorithm_laboratory,
-    algorithm_orders,
-    cayley_map,
-    coning_area,
-    coning_drift,
+from driftlab.attitude import coning_algorithms
+from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.finite_precision import integrate_in_word
+from driftlab.attitude.integration import integrate
+from driftlab.book.ch01_rotation_and_error_kinematics.figures import error_motion
+from driftlab.book.ch02_characteristic_equation.figures import roots
+from driftlab.book.ch03_systematic_drift.figures import (
     drift_by_symmetry,
     drift_history,
     drift_map,
-    error_motion,
+)
+from driftlab.book.ch04_calibration_by_turns.figures import (
     larin_digits,
-    riccati_turns,
-    roots,
-    short_word,
     turn_bias,
     turn_estimates,
     weighing_designs,
 )
-from driftlab.figures.__main__ import main
-from driftlab.figures.catalogue import CATALOGUE
-from driftlab.figures.entry import Entry
-from driftlab.figures.picture import long_table
-from driftlab.figures.publish import Plate, plate
-from driftlab.larin_table import MISALIGNMENT
-from driftlab.motions import Coning, Sway
+from driftlab.book.ch05_cayley_and_riccati.figures import cayley_map, riccati_turns
+from driftlab.book.ch06_picard_algorithms.figures import (
+    algorithm_laboratory,
+    algorithm_orders,
+    coning_area,
+    coning_drift,
+    short_word,
+)
+from driftlab.book.figures import plate
+from driftlab.book.machinery.picture import long_table
+from driftlab.book.machinery.publish import Plate
+from driftlab.book.scenarios import LARIN_TRIAD, SYMMETRIC
+from driftlab.drift.systematic_drift import drift_coefficient
+from driftlab.drift.turn_calibration import TurnExperiment
+from driftlab.motion.profiles import Coning, Sway
 from driftlab.quaternion import conjugate, multiply, rotation_angle
-from driftlab.turn_calibration import TurnExperiment
-from driftlab.word_length import integrate_in_word
+from driftlab.triad import non_orthogonality
+from driftlab.vectors import direction_from_angles
 from support import directions, matrices
 
 PUBLISHED = Path(__file__).parents[2] / "figures"
@@ -103,7 +109,7 @@ def test_roots_picture_shows_the_biquadratic(shape: np.ndarray, direction: np.nd
 
 
 def test_roots_errors_have_the_slopes_of_the_text() -> None:
-    data = roots.compute(0.1, drift_by_symmetry.SYMMETRIC, [1, 1, 0.3])
+    data = roots.compute(0.1, SYMMETRIC, [1, 1, 0.3])
     small = (data.sizes > 1e-4) & (data.sizes < 1e-2)
     slopes = [
         np.polyfit(np.log(data.sizes[small]), np.log(error[small]), 1)[0]
@@ -159,15 +165,15 @@ def test_error_motion_integrator_keeps_its_tolerance() -> None:
 
 @pytest.mark.parametrize("plan", turn_estimates.PLANS)
 def test_every_plan_finds_sigma_up_to_the_bias(plan: str) -> None:
-    data = turn_estimates.compute(MISALIGNMENT, plan)
-    np.testing.assert_array_equal(data.true, non_orthogonality(MISALIGNMENT)[[0, 0, 1], [1, 2, 2]])
+    data = turn_estimates.compute(LARIN_TRIAD, plan)
+    np.testing.assert_array_equal(data.true, non_orthogonality(LARIN_TRIAD)[[0, 0, 1], [1, 2, 2]])
     # The bias of one estimate is half of the square of what lies across, at most 2 |M|^2;
     # no plan weighs the estimates with more than 2 in all.
-    assert np.abs(data.runs - data.true).max() < 4 * np.linalg.norm(MISALIGNMENT) ** 2
+    assert np.abs(data.runs - data.true).max() < 4 * np.linalg.norm(LARIN_TRIAD) ** 2
 
 
 def test_only_a_fit_with_scale_is_unharmed_by_a_scale_error() -> None:
-    triad = MISALIGNMENT + 2e-4 * np.eye(3)
+    triad = LARIN_TRIAD + 2e-4 * np.eye(3)
     errors = {}
     for plan in turn_estimates.PLANS:
         data = turn_estimates.compute(triad, plan)
@@ -178,13 +184,13 @@ def test_only_a_fit_with_scale_is_unharmed_by_a_scale_error() -> None:
 
 def test_noise_of_turn_estimates_repeats_with_its_seed() -> None:
     noisy = TurnExperiment(turns=2, angle_noise=1e-4)
-    runs = [turn_estimates.compute(MISALIGNMENT, experiment=noisy, seed=s).runs for s in (1, 1, 2)]
+    runs = [turn_estimates.compute(LARIN_TRIAD, experiment=noisy, seed=s).runs for s in (1, 1, 2)]
     np.testing.assert_array_equal(runs[0], runs[1])
     assert np.abs(runs[0] - runs[2]).max() > 0
 
 
 def test_turn_bias_floor_is_the_method_and_noise_falls_with_turns() -> None:
-    data = turn_bias.compute(MISALIGNMENT)
+    data = turn_bias.compute(LARIN_TRIAD)
     exact = data.by_formula[turn_bias.FORMULAS.index("exact")]
     np.testing.assert_allclose(exact, data.bias, rtol=1e-6)
     # A standard deviation from n runs has the relative deviation 1/sqrt(2n); allow four of them.
@@ -286,7 +292,7 @@ def test_slivers_are_the_coning_drift(samples: int) -> None:
     missing = np.array([data.polygon_area, data.paired_area]) - data.circle_area
     for name, area in zip(("picard-1", "two-step-4"), missing, strict=True):
         # Drift over a round of one second, to the second power of the half angle.
-        drift = algorithm_table.coning_drift(name, 1e-3, 1.0, 1 / samples)
+        drift = coning_algorithms.coning_drift(name, 1e-3, 1.0, 1 / samples)
         assert drift == pytest.approx(np.sin(1e-3) ** 2 * area, rel=1e-9)
     with pytest.raises(ValueError, match=r"^samples: expected an even number, got 5"):
         coning_area.compute(5)
@@ -321,8 +327,8 @@ def test_measured_coning_drift_is_the_closed_formula(name: str) -> None:
     # Where the formula itself nearly vanishes, they are compared with the uncorrected drift.
     for frequency, rate in ((1.0, 30.0), (5.0, 40.0), (5.0, 100.0)):
         found = coning_drift.measured_drift(name, 0.01, frequency, rate)
-        plain = abs(algorithm_table.coning_drift("picard-1", 0.01, frequency, 1 / rate))
-        formula = algorithm_table.coning_drift(name, 0.01, frequency, 1 / rate)
+        plain = abs(coning_algorithms.coning_drift("picard-1", 0.01, frequency, 1 / rate))
+        formula = coning_algorithms.coning_drift(name, 0.01, frequency, 1 / rate)
         assert found == pytest.approx(formula, rel=0, abs=1e-4 * plain)
 
 

@@ -10,34 +10,31 @@ from scipy.constants import arcminute, arcsecond
 from scipy.integrate import solve_ivp
 from scipy.stats import beta, binom, chi, chi2, kstest, studentized_range
 
-from driftlab.algorithm_table import coning_drift
-from driftlab.calibration_trial import TableTrial
-from driftlab.compass_under_way import speed_deviation
-from driftlab.compass_voyage import ship
-from driftlab.earth import EARTH_RATE, gravity
-from driftlab.figures import (
+from driftlab.attitude.coning_algorithms import coning_drift
+from driftlab.book.ch09_aligning_a_gyrocompass.figures import (
     alignment_budget,
     alignment_terms,
     averaging_window,
+    over_the_vertical,
+)
+from driftlab.book.ch10_gyrocompass_at_work.figures import (
     ballistic_error,
-    capstone,
     operating_formula,
     operation,
-    over_the_vertical,
     restarts,
     settling,
     static_characteristic,
 )
-from driftlab.gyrocompass import align
-from driftlab.horizon_axes import (
-    EARTH_RADIUS,
-    angles_from_attitude,
-    attitude_from_angles,
-    geographic_rate,
-)
+from driftlab.book.ch11_one_triad.figures import capstone
+from driftlab.book.scenarios import ship
+from driftlab.calibration.simulation import TableTrial
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
+from driftlab.frames import angles_from_attitude, attitude_from_angles, geographic_rate
+from driftlab.gyrocompass.alignment import align
+from driftlab.gyrocompass.heading_error import speed_deviation
+from driftlab.imu import PERFECT
+from driftlab.motion.vehicle import sensed_at_rest
 from driftlab.quaternion import from_rotation_vector, multiply, rotate
-from driftlab.sensors import PERFECT
-from driftlab.voyage import sensed_at_rest
 from support import order_of
 
 LATITUDE = alignment_budget.LATITUDE

@@ -7,30 +7,33 @@ from hypothesis import strategies as st
 from scipy.constants import micro
 from scipy.stats import binom
 
-from driftlab.error_model import ERROR_MODELS
-from driftlab.figures import (
+from driftlab.book.ch07_installation_errors.figures import (
+    equivalent_start,
+    plane_axes,
+    split_triad,
+)
+from driftlab.book.ch08_system_calibration.figures import (
     calibration_errors,
     calibration_run,
-    equivalent_start,
     filter_consistency,
     in_place,
     in_place_claim,
-    plane_axes,
     scheme_directions,
-    split_triad,
     table_observability,
 )
-from driftlab.installation import BODY_FRAMES, misalignment_vector, skew_matrix
-from driftlab.observability import expected_covariance, null_directions, passage
-from driftlab.sensors import TYPICAL, Noise, Spread
-from driftlab.turntable import Scheme
+from driftlab.calibration.error_model import ERROR_MODELS
+from driftlab.calibration.observability import expected_covariance, null_directions, passage
+from driftlab.imu import TYPICAL, Noise, Spread
+from driftlab.motion.turntable import Scheme
+from driftlab.triad import BODY_FRAMES, misalignment_vector
+from driftlab.vectors import cross_matrix
 
 
 def test_split_triad_shows_the_whole_and_its_parts() -> None:
     data = split_triad.compute(TYPICAL.gyro_error)
     np.testing.assert_allclose(data.parts[0], TYPICAL.gyro_error, rtol=0, atol=0)
     np.testing.assert_allclose(data.parts[1:].sum(axis=0), data.parts[0], rtol=0, atol=1e-18)
-    np.testing.assert_allclose(data.parts[3], skew_matrix(data.vector), rtol=0, atol=1e-18)
+    np.testing.assert_allclose(data.parts[3], cross_matrix(data.vector), rtol=0, atol=1e-18)
 
 
 # Farther apart than a right angle the two are left-handed.

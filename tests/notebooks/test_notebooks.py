@@ -12,8 +12,8 @@ from nbconvert import SlidesExporter
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
 
-from driftlab.exercises import EXERCISES
-from driftlab.explorers.panel import ERROR_CLASS
+from driftlab.book.exercises import EXERCISES
+from driftlab.book.machinery.panel import ERROR_CLASS
 
 FOLDER = Path(__file__).parents[2] / "notebooks"
 NOTEBOOKS = sorted(
@@ -229,7 +229,7 @@ def test_glossary_has_three_languages_and_names_chapters() -> None:
 
 
 BROKEN_EXPLORER = """
-from driftlab.explorers import RootsExplorer
+from driftlab.book import RootsExplorer
 class Broken(RootsExplorer):
     def compute(self, values):
         if values["size"] > 0.2:

@@ -4,17 +4,16 @@ import numpy as np
 from scipy.constants import arcminute, arcsecond
 from scipy.integrate import solve_ivp
 
-from driftlab.drift import (
+from driftlab.book.ch04_calibration_by_turns.figures import turn_estimates
+from driftlab.drift.characteristic_equation import (
     asymptotic_roots,
     characteristic_polynomial,
-    drift_per_turn,
     exact_roots,
-    measured_rate,
-    principal_drifts,
 )
-from driftlab.figures import turn_estimates
+from driftlab.drift.systematic_drift import drift_per_turn, principal_drifts
+from driftlab.drift.turn_calibration import TurnExperiment, fit_turns, weighing
 from driftlab.quaternion import from_rotation_vector, multiply, pure
-from driftlab.turn_calibration import TurnExperiment, fit_turns, weighing
+from driftlab.triad import measured_rate
 
 from .values import Rows, Values, axis_of, listed
 

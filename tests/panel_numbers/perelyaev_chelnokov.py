@@ -3,12 +3,12 @@
 import numpy as np
 from scipy.constants import arcsecond
 
-from driftlab.algorithm_table import ALGORITHMS
-from driftlab.attitude_algorithms import integrate
-from driftlab.cayley import cayley_vector
-from driftlab.motions import Coning, FixedAxis, Sway
+from driftlab.attitude.cayley import cayley_vector
+from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.finite_precision import integrate_in_word
+from driftlab.attitude.integration import integrate
+from driftlab.motion.profiles import Coning, FixedAxis, Sway
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
-from driftlab.word_length import integrate_in_word
 
 from .values import Rows, Values, axis_of
 

@@ -5,17 +5,18 @@ from functools import cache
 import numpy as np
 from scipy.constants import arcminute, arcsecond, degree, g, hour, milli
 
-from driftlab.algorithm_table import coning_drift
-from driftlab.calibration_trial import TableTrial
-from driftlab.compass_voyage import ship, take_along
-from driftlab.drift import drift_per_turn
-from driftlab.gyrocompass import align, alignment_attitude_error, alignment_errors
-from driftlab.horizon_axes import attitude_from_angles, wrapped
-from driftlab.installation import skew_matrix
+from driftlab.attitude.coning_algorithms import coning_drift
+from driftlab.book.scenarios import ship
+from driftlab.calibration.simulation import TableTrial
+from driftlab.drift.systematic_drift import drift_per_turn
+from driftlab.drift.turn_calibration import TurnExperiment
+from driftlab.frames import attitude_from_angles
+from driftlab.gyrocompass.alignment import align, alignment_attitude_error, alignment_errors
+from driftlab.gyrocompass.simulation import take_along
+from driftlab.imu import PERFECT
+from driftlab.motion.vehicle import sensed_at_rest
 from driftlab.quaternion import conjugate, multiply, rotate, rotation_angle
-from driftlab.sensors import PERFECT
-from driftlab.turn_calibration import TurnExperiment
-from driftlab.voyage import sensed_at_rest
+from driftlab.vectors import cross_matrix, wrapped
 
 from .values import Rows, Values, listed
 
@@ -88,7 +89,7 @@ def gyrocompass(values: Values) -> Rows:
 
 def capstone(values: Values) -> Rows:
     xy, xz, yz = listed(values, "pair_0 pair_1 pair_2") * arcsecond
-    turned = skew_matrix(listed(values, "turn_forward turn_up turn_right") * arcsecond)
+    turned = cross_matrix(listed(values, "turn_forward turn_up turn_right") * arcsecond)
     bent = np.array([[0, xy, xz], [xy, 0, yz], [xz, yz, 0]]) + turned
     # One turn about each axis between two of the triad's, each read with noise, shows a pair.
     between = [[1, 1, 0], [1, 0, 1], [0, 1, 1]] / np.sqrt(2)
@@ -126,7 +127,7 @@ def capstone(values: Values) -> Rows:
 def filter_leftover() -> np.ndarray:
     """What the filter leaves in the gyros of the unit with which the panel opens."""
     true = np.array([[0, -30, 20], [-30, 0, 30], [20, 30, 0]]) * arcsecond
-    true = true + skew_matrix(np.array([20, 25, 20]) * arcsecond)
+    true = true + cross_matrix(np.array([20, 25, 20]) * arcsecond)
     unit = PERFECT._replace(gyro_error=true)
     trial = TableTrial(frame="accelerometers", sample_interval=0.1)
     found = trial.run(np.random.default_rng(11), unit=unit).calibration.unit

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from driftlab.drift import direction_from_angles
+from driftlab.vectors import direction_from_angles
 
 Values = Mapping[str, float | int | bool | str]
 Rows = list[tuple[str, str]]

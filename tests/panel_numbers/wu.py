@@ -3,11 +3,11 @@
 import numpy as np
 from scipy.constants import arcsecond, degree, g, hour, micro, milli
 
-from driftlab.error_model import ERROR_MODELS, FULL
-from driftlab.figures import calibration_run
-from driftlab.observability import expected_covariance, null_directions, passage
-from driftlab.sensors import Noise, Spread
-from driftlab.turntable import Scheme
+from driftlab.book.ch08_system_calibration.figures import calibration_run
+from driftlab.calibration.error_model import ERROR_MODELS, FULL
+from driftlab.calibration.observability import expected_covariance, null_directions, passage
+from driftlab.imu import Noise, Spread
+from driftlab.motion.turntable import Scheme
 
 from .values import Rows, Values
 

@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from driftlab.turntable import Scheme
+from driftlab.motion.turntable import Scheme
 
 _Q, _T, _M, _N = sp.symbols("q T m N", positive=True)
 

@@ -1,6 +1,6 @@
 """The book's objects in SymPy: rotations and rates, and the steps of attitude algorithms."""
 
-from .objects import (
+from driftlab.symbolic.objects import (
     IDENTITY,
     cayley_transform,
     conjugate,
@@ -20,12 +20,8 @@ from .objects import (
     skew_operator,
     vector,
 )
-from .step_cost import (
-    Program,
-    operations,
-    step_program,
-)
-from .step_series import (
+from driftlab.symbolic.step_cost import Program, operations, step_program
+from driftlab.symbolic.step_series import (
     Series,
     algorithm_step_vector,
     exact_step_vector,

@@ -101,7 +101,7 @@ def rotation_matrix(k: sp.Matrix) -> sp.Matrix:
     """Any rotation of less than half a turn, without sines: rational in three parameters.
 
     The Cayley transform of order three: body to reference components for k = -tan(phi/2) e, as in
-    `driftlab.cayley.rotation_quaternion` with dimension 3.
+    `driftlab.attitude.cayley.rotation_quaternion` with dimension 3.
     """
     return simplified(cayley_transform(skew_operator(k, dimension=3))).T
 

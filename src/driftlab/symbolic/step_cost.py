@@ -2,7 +2,8 @@
 
 import sympy as sp
 
-from ..algorithm_table import Algorithm
+from driftlab.attitude.coning_algorithms import Algorithm
+
 from .objects import vector
 
 Program = list[tuple[sp.Symbol, sp.Expr]]

@@ -5,7 +5,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..algorithm_table import Algorithm
+from driftlab.attitude.coning_algorithms import Algorithm
 
 Series = list[sp.Matrix]
 """A vector as a power series: the coefficients of 1, h, h^2, ... up to some order."""

@@ -1,0 +1,137 @@
+"""What a short word of the computer does to an attitude that is built up step by step.
+
+Perelyaev and Chelnokov remark, at the end of section 1, that the scalar part l0 of a step's
+quaternion is so close to 1 that a short word keeps nothing of the difference, and advise to carry
+1 - l0 instead. Here all arithmetic runs in the word that is asked for, in the order in which a
+computer on board would do it, so that the advice can be tried beside its alternatives.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from driftlab.checks import finite_array, finite_arrays, unit_quaternions
+
+from .coning_algorithms import Algorithm, attitude_algorithm
+from .integration import step_vectors
+
+Update = Literal["product", "small terms first", "complement", "compensated"]
+UPDATES: tuple[Update, ...] = get_args(Update)
+"""Ways to put one more step to the attitude; see `integrate_in_word`."""
+
+
+def step_in_word(vectors: NDArray[Any], *, rotation_vector: bool = False) -> NDArray[Any]:
+    """Quaternion of a step and the complement of its scalar part, in the arithmetic of `vectors`.
+
+    Parameters
+    ----------
+    vectors : ndarray, shape (..., 3)
+        k of each step, in any floating dtype.
+    rotation_vector : bool
+        Whether they are rotation vectors instead.
+
+    Returns
+    -------
+    ndarray, shape (..., 5)
+        Vector part, l0, and 1 - l0 = 2|k|²/(1 + |k|²), which keeps its digits.
+    """
+    finite_array(vectors, "vectors", 3)
+    vectors = np.asarray(vectors)
+    kind = vectors.dtype.type
+    with np.errstate(over="ignore"):
+        square = (vectors[..., 0] ** 2 + vectors[..., 1] ** 2 + vectors[..., 2] ** 2)[..., None]
+    if vectors.dtype.kind != "f" or not np.isfinite(square).all():
+        raise ValueError(
+            "vectors: expected floating numbers whose squares are finite, "
+            f"got {vectors.dtype} up to {np.abs(vectors).max():g}."
+        )
+    if rotation_vector:
+        half = kind(0.5) * np.sqrt(square)
+        vector = vectors * (kind(0.5) * np.sinc(half / kind(np.pi)))
+        complement = kind(2) * np.sin(half / kind(2)) ** 2
+        return np.concatenate([vector, np.cos(half), complement], axis=-1)
+    scale = kind(2) / (kind(1) + square)
+    scalar = (kind(1) - square) / (kind(1) + square)
+    return np.concatenate([-scale * vectors, scalar, scale * square], axis=-1)
+
+
+def integrate_in_word(
+    increments: ArrayLike,
+    algorithm: str | Algorithm = "two-step-4",
+    *,
+    start: ArrayLike = (0.0, 0.0, 0.0, 1.0),
+    word: DTypeLike = np.float32,
+    update: Update = "product",
+) -> NDArray[Any]:
+    """Attitude after each step, computed one step after the other in a given word length.
+
+    Parameters
+    ----------
+    increments : array_like, shape (..., n, 3)
+        Integrals of the body rate over equal intervals, rad.
+    algorithm : str or Algorithm
+        As in `attitude_algorithms.integrate`.
+    start : array_like, shape (..., 4)
+        Attitude before the first increment; brought to unit norm.
+    word : dtype
+        float16, float32 or float64.
+    update : {"product", "small terms first", "complement", "compensated"}
+        Each new component is a sum of four products, a large one with l0 and three small ones.
+        ``"product"`` adds the first two, the last two, and the sums; ``"small terms first"`` adds
+        the three small ones first; ``"complement"`` adds to the old component the three and the
+        one with -(1 - l0), the paper's advice; ``"compensated"`` does the same and carries what
+        this last sum has rounded off into the next step, after Kahan.
+
+    Returns
+    -------
+    ndarray of `word`, shape (..., n // samples, 4)
+        Not normalised.
+    """
+    if update not in UPDATES:
+        raise ValueError(f"update: expected one of {', '.join(UPDATES)}, got {update!r}.")
+    vectors = step_vectors(increments, algorithm, word=word)
+    first = unit_quaternions(start, "start")
+    finite_arrays(increments=(vectors, *vectors.shape[-2:]), start=(first, 4))
+    method = attitude_algorithm(algorithm).iterate
+    steps = step_in_word(vectors, rotation_vector=method == "rotation vector")
+    leading = np.broadcast_shapes(steps.shape[:-2], first.shape[:-1])
+    attitude = np.broadcast_to(first.astype(steps.dtype), (*leading, 4))
+    x, y, z, scalar, complement = np.moveaxis(steps, -1, 0)
+    diagonal = {"product": scalar, "small terms first": np.zeros_like(scalar)}.get(
+        update, -complement
+    )
+    # Columns of right multiplication by each step: component j of the attitude times column j.
+    columns = np.stack(
+        [
+            np.stack(column, axis=-1)
+            for column in (
+                (diagonal, -z, y, -x),
+                (z, diagonal, -x, -y),
+                (-y, x, diagonal, -z),
+                (x, y, z, diagonal),
+            )
+        ],
+        axis=-2,
+    )
+    columns, scalars = np.moveaxis(columns, -3, 0), np.moveaxis(scalar, -1, 0)[..., np.newaxis]
+    attitudes = np.empty((len(columns), *leading, 4), steps.dtype)
+    lost = np.zeros_like(attitude)
+    for i, column in enumerate(columns):
+        terms = attitude[..., np.newaxis] * column
+        change = (terms[..., 0, :] + terms[..., 1, :]) + (terms[..., 2, :] + terms[..., 3, :])
+        if update == "product":
+            attitude = change
+        elif update == "small terms first":
+            attitude = scalars[i] * attitude + change
+        elif update == "complement":
+            attitude = attitude + change
+        else:
+            change = change - lost
+            total = attitude + change
+            lost = (total - attitude) - change
+            attitude = total
+        attitudes[i] = attitude
+    return np.moveaxis(attitudes, 0, -2)

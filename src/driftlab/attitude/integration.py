@@ -1,0 +1,201 @@
+"""Attitude from the angle increments of gyros, by an algorithm of `algorithm_table`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from driftlab.checks import FloatArray, finite_array, finite_arrays, unit_quaternions
+from driftlab.quaternion import cumulative_product, from_rotation_vector, multiply
+from driftlab.vectors import cross
+
+from .cayley import rotation_quaternion
+from .coning_algorithms import Algorithm, Weights, attitude_algorithm
+
+
+def integrate(
+    increments: ArrayLike,
+    algorithm: str | Algorithm = "two-step-4",
+    *,
+    start: ArrayLike = (0.0, 0.0, 0.0, 1.0),
+    history: ArrayLike | None = None,
+) -> FloatArray:
+    """Attitude after each step, from angle increments.
+
+    Parameters
+    ----------
+    increments : array_like, shape (..., n, 3)
+        Integrals of the body rate over equal intervals, rad, in the order in which they happen.
+        They must be true integrals, as from an integrating gyro. Sampled rates times the interval
+        are not: the coning between two samples is lost in them, see chapter 06.
+    algorithm : str or Algorithm
+        A key of `ALGORITHMS`, or an algorithm of one's own.
+    start : array_like, shape (..., 4)
+        Attitude before the first increment; brought to unit norm.
+    history : array_like, shape (..., m, 3), optional
+        The increments before the first, as many as the algorithm's memory; earlier ones, and any
+        history of an algorithm without memory, are not looked at.
+        Without it an algorithm with memory starts by a formula of the same order that uses the
+        increments that follow.
+
+    Returns
+    -------
+    ndarray, shape (..., n // samples, 4)
+        Attitude at the end of each step. The last one, with the last increments as `history`, is
+        where a next call goes on.
+
+    Raises
+    ------
+    ValueError
+        If the algorithm is unknown; the increments do not make whole steps, are too few to start
+        without a history, or, where k is used, turn by a whole turn in one step. All
+        algorithms want steps that turn by much less than 1 rad.
+    """
+    first = unit_quaternions(start, "start")
+    steps = cumulative_product(step_quaternions(increments, algorithm, history=history))
+    finite_arrays(increments=(steps, *steps.shape[-2:]), start=(first, 4))
+    return multiply(first[..., np.newaxis, :], steps)
+
+
+def step_quaternions(
+    increments: ArrayLike, algorithm: str | Algorithm, *, history: ArrayLike | None = None
+) -> FloatArray:
+    """Rotations over the single steps, (..., n // samples, 4); arguments as in `integrate`."""
+    vectors = step_vectors(increments, algorithm, history=history)
+    if attitude_algorithm(algorithm).iterate == "rotation vector":
+        return from_rotation_vector(vectors)
+    return rotation_quaternion(vectors)
+
+
+def step_vectors(
+    increments: ArrayLike,
+    algorithm: str | Algorithm,
+    *,
+    history: ArrayLike | None = None,
+    word: DTypeLike = np.float64,
+) -> NDArray[Any]:
+    """Vector of each step: k, or the rotation vector if that is the method.
+
+    Parameters
+    ----------
+    increments, algorithm, history
+        As in `integrate`.
+    word : dtype
+        float16, float32 or float64: the arithmetic, once the increments are rounded to it.
+
+    Returns
+    -------
+    ndarray of `word`, shape (..., n // samples, 3)
+    """
+    chosen = attitude_algorithm(algorithm)
+    dtype = _checked_word(word)
+    rows = finite_array(increments, "increments")
+    if rows.ndim < 2 or rows.shape[-1] != 3:
+        raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
+    largest = float(np.abs(rows).max())
+    if largest >= 2 * np.pi and chosen.iterate != "rotation vector":
+        raise _too_far(largest)
+    if largest > 1e12:  # not even the rounding of such an angle is small
+        raise ValueError(f"increments: expected angles in rad, got {largest:.3g}.")
+    count, left_over = rows.shape[-2], rows.shape[-2] % chosen.samples
+    if left_over:
+        raise ValueError(
+            f"increments: expected a multiple of {chosen.samples} for {chosen.name}, got {count}; "
+            f"keep the last {left_over} for the next call."
+        )
+    if history is None or not chosen.memory:
+        if chosen.memory and count < chosen.window:
+            raise ValueError(
+                f"increments: expected at least {chosen.window} for {chosen.name} to start without "
+                f"a history, got {count}."
+            )
+        return _vectors(chosen, _in_word(rows, dtype), past=0)
+    past = finite_array(history, "history", 3)
+    if past.ndim < 2 or past.shape[-2] < chosen.memory:
+        raise ValueError(
+            f"history: expected shape (..., m, 3) with m at least {chosen.memory} for "
+            f"{chosen.name}, got shape {past.shape}."
+        )
+    finite_arrays(increments=(rows, count, 3), history=(past, *past.shape[-2:]))
+    leading = np.broadcast_shapes(rows.shape[:-2], past.shape[:-2])
+    both = [
+        np.broadcast_to(part, (*leading, *part.shape[-2:]))
+        for part in (past[..., -chosen.memory :, :], rows)
+    ]
+    return _vectors(chosen, _in_word(np.concatenate(both, axis=-2), dtype), past=chosen.memory)
+
+
+def _checked_word(word: DTypeLike) -> np.dtype[Any]:
+    try:
+        dtype = np.dtype(word)
+    except TypeError:
+        dtype = np.dtype(object)
+    if dtype not in (np.float16, np.float32, np.float64):
+        raise ValueError(f"word: expected float16, float32 or float64, got {word!r}.")
+    return dtype
+
+
+def _in_word(rows: FloatArray, dtype: np.dtype[Any]) -> NDArray[Any]:
+    with np.errstate(over="ignore"):
+        rounded = rows.astype(dtype, copy=False)
+    if not np.isfinite(rounded).all():
+        raise ValueError(f"increments: expected numbers that {dtype} can hold, got larger ones.")
+    return rounded
+
+
+def _too_far(angle: float) -> ValueError:
+    return ValueError(
+        "increments: expected less than a whole turn a step, where the true k is infinite, "
+        f"got {angle:.3g} rad."
+    )
+
+
+def _vectors(algorithm: Algorithm, increments: NDArray[Any], past: int) -> NDArray[Any]:
+    """`step_vectors` of checked increments, the first `past` of which are history."""
+    kind, m = increments.dtype.type, algorithm.samples
+    # Components first, so that everything but a cross product is plain arithmetic.
+    rows = np.ascontiguousarray(np.moveaxis(increments, -1, 0))
+    if algorithm.memory:
+        gamma, coning = rows[..., past:], _coning_with_memory(algorithm, rows, past)
+    else:
+        places = [rows[..., i::m] for i in range(m)]
+        gamma, coning = sum(places[1:], places[0]), _weighted(algorithm.coning, places)
+    if algorithm.iterate == "rotation vector":
+        return np.moveaxis(gamma + coning, 0, -1)
+    square = (gamma**2).sum(axis=0)
+    if not (square < 4 * np.pi**2).all():
+        raise _too_far(float(np.sqrt(square.max())))
+    if algorithm.iterate == "first":
+        vectors = kind(-1 / 4) * gamma
+    else:
+        vectors = kind(-1 / 4) * (gamma + coning) - kind(1 / 192) * square * gamma
+        if algorithm.iterate == "second":
+            # What the second iterate still has and the third removes.
+            vectors -= kind(1 / 32) * cross(gamma, coning)
+    return np.moveaxis(vectors, 0, -1)
+
+
+def _weighted(weights: Weights, places: list[NDArray[Any]]) -> NDArray[Any]:
+    """Sum of weight * g_i × g_j, where `places` holds the g (3, ...) at each place of the window.
+
+    Cross products with a common right factor are summed before they are multiplied out.
+    """
+    kind = places[0].dtype.type
+    total = np.zeros_like(places[0])
+    for j in sorted({j for _, j in weights}):
+        left = sum(kind(weight) * places[i] for (i, k), weight in weights.items() if k == j)
+        total += cross(left, places[j])
+    return total
+
+
+def _coning_with_memory(algorithm: Algorithm, rows: NDArray[Any], past: int) -> NDArray[Any]:
+    """Coning correction (3, ..., n) of an algorithm whose step is one increment."""
+    last = rows.shape[-1] - algorithm.memory
+    coning = _weighted(algorithm.coning, [rows[..., i : last + i] for i in range(algorithm.window)])
+    if past:
+        return coning
+    first = [rows[..., i : i + 1] for i in range(algorithm.window)]
+    starts = [_weighted(weights, first) for weights in algorithm.starts]
+    return np.concatenate([*starts, coning], axis=-1)

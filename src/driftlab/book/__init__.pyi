@@ -1,0 +1,27 @@
+from . import scenarios as scenarios
+from .ch01_rotation_and_error_kinematics.panels import ErrorMotionExplorer as ErrorMotionExplorer
+from .ch02_characteristic_equation.panels import RootsExplorer as RootsExplorer
+from .ch03_systematic_drift.panels import DriftExplorer as DriftExplorer
+from .ch04_calibration_by_turns.panels import TurnCalibrationExplorer as TurnCalibrationExplorer
+from .ch05_cayley_and_riccati.panels import CayleyMapExplorer as CayleyMapExplorer
+from .ch06_picard_algorithms.panels import (
+    AlgorithmLaboratoryExplorer as AlgorithmLaboratoryExplorer,
+)
+from .ch07_installation_errors.panels import SplitExplorer as SplitExplorer
+from .ch08_system_calibration.panels import CalibrationRunExplorer as CalibrationRunExplorer
+from .ch08_system_calibration.panels import ObservabilityExplorer as ObservabilityExplorer
+from .ch09_aligning_a_gyrocompass.panels import AlignmentBudgetExplorer as AlignmentBudgetExplorer
+from .ch10_gyrocompass_at_work.panels import GyrocompassExplorer as GyrocompassExplorer
+from .ch11_one_triad.panels import CapstoneExplorer as CapstoneExplorer
+from .exercises import check as check
+from .exercises import exercises as exercises
+from .exercises import of_kind as of_kind
+from .exercises import verdict as verdict
+from .figures import figure as figure
+from .ledger import STATUSES as STATUSES
+from .ledger import Table as Table
+from .ledger import chapter_table as chapter_table
+from .ledger import ledger as ledger
+from .ledger import paper_table as paper_table
+from .ledger import summary_table as summary_table
+from .machinery.submissions import class_summary as class_summary

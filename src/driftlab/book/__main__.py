@@ -1,0 +1,55 @@
+"""What is written from the book: ``python -m driftlab.book figures`` or ``... errata``."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from .ch04_calibration_by_turns import printed_table
+from .figures import figure_definitions
+from .ledger import errata
+from .machinery.publish import GALLERY_NOTE, write_columns, write_entry
+
+
+def write_figures(folder: Path) -> None:
+    """Write all figures, their numbers and the gallery; print Larin's numbers."""
+    folder.mkdir(parents=True, exist_ok=True)
+    definitions = figure_definitions()
+    gallery = ["# The figures of the book", "", GALLERY_NOTE, ""]
+    for done, (name, definition) in enumerate(definitions.items(), start=1):
+        print(f"{done}/{len(definitions)} {name}", flush=True)
+        gallery += write_entry(definition, folder)
+    table = printed_table.larin_table()
+    write_columns(folder / "04-larin-table.csv", {"name": printed_table.NAMES, **table})
+    (folder / "README.md").write_text("\n".join(gallery), encoding="utf-8", newline="\n")
+    print(f"\nLarin's numbers, written to {folder / '04-larin-table.csv'}:\n")
+    print(f"{'':10}{'printed':>14}{'reconstructed':>18}{'exact method':>18}")
+    rows = (printed_table.NAMES, printed_table.PRINTED, table["reconstructed"], table["exact"])
+    for name, printed, reconstructed, exact in zip(*rows, strict=True):
+        print(f"{name:10}{printed:>14}{reconstructed:>18.6e}{exact:>18.6e}")
+    print("\nThe printed sigma4* has lost its minus sign (chapter 4).")
+
+
+def write_errata(file: Path) -> None:
+    """Write what is wrong in print, from the ledger."""
+    file.write_text(errata(), encoding="utf-8", newline="\n")
+    print(f"Written: {file}")
+
+
+def main() -> None:
+    """Do what the command line says."""
+    parser = argparse.ArgumentParser(prog="python -m driftlab.book", description=__doc__)
+    commands = parser.add_subparsers(required=True)
+    for name, write, default in (
+        ("figures", write_figures, Path("figures")),
+        ("errata", write_errata, Path("ERRATA.md")),
+    ):
+        command = commands.add_parser(name, help=write.__doc__)
+        command.add_argument("--output", type=Path, default=default)
+        command.set_defaults(write=write)
+    options = parser.parse_args()
+    options.write(options.output)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,114 @@
+"""Exercises of chapter 01: rotation and error kinematics."""
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from driftlab.book.machinery.answers import Choice, Exercise, Value
+from driftlab.checks import FloatArray
+from driftlab.drift.error_kinematics import error_quaternion, error_rate_matrix
+from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
+
+BODY_TURNS = 2 * np.pi * np.array([1 / 4, 1 / 2, 1])
+BENT = np.array([[1, 1e-2, 0], [0, 1, 0], [0, 0, 1]])
+SECONDS = 20.0
+TRUE_RATE, TOO_LITTLE = 12.0, 0.3  # degrees a second, of the panel's preset and its slider
+
+
+def _reversed_gyro() -> FloatArray:
+    """Error angles, in degrees, of a triad whose third gyro says the opposite of the truth."""
+    error = error_quaternion([0, 0, 1], [0, 0, -1], BODY_TURNS)
+    return np.degrees(rotation_angle(error))
+
+
+def _same_size() -> float:
+    """False rate across that makes up for what is too little along, in degrees a second."""
+    return np.sqrt(TRUE_RATE**2 - (TRUE_RATE - TOO_LITTLE) ** 2)
+
+
+def _error(matrix: FloatArray = BENT) -> FloatArray:
+    """Error quaternion after `SECONDS` of the rate (sin t, cos t, 1/2), by (1.4)."""
+
+    def slope(time: float, error: FloatArray) -> FloatArray:
+        rate = np.array([np.sin(time), np.cos(time), 0.5])
+        return error_rate_matrix(rate, matrix @ rate) @ error / 2
+
+    solution = solve_ivp(slope, (0, SECONDS), [0, 0, 0, 1], "DOP853", rtol=1e-12, atol=1e-13)
+    return solution.y[:, -1]
+
+
+def _error_in_fixed_frame() -> FloatArray:
+    def slope(time: float, attitude: FloatArray) -> FloatArray:
+        rate = np.array([np.sin(time), np.cos(time), 0.5, 0])
+        return multiply(attitude, rate) / 2
+
+    steps = solve_ivp(slope, (0, SECONDS), [0, 0, 0, 1], "DOP853", rtol=1e-12, atol=1e-13)
+    attitude = steps.y[:, -1]
+    return multiply(multiply(attitude, _error()), conjugate(attitude))
+
+
+def _rates_taken_for_constant() -> FloatArray:
+    rate = np.array([np.sin(SECONDS), np.cos(SECONDS), 0.5])
+    return multiply(
+        from_rotation_vector(-rate * SECONDS), from_rotation_vector(BENT @ rate * SECONDS)
+    )
+
+
+EXERCISES: dict[str, Exercise] = {
+    "1.1": Value(
+        kind="predict",
+        right=_reversed_gyro,
+        unit="degrees",
+        absolute=0.5,
+        mistakes={
+            "That is how far the body has turned. The computer has turned as far, the other way.": (
+                lambda: np.degrees(BODY_TURNS)
+            ),
+            "Twice the turn is right as a number; but a whole turn more or less is no error.": (
+                lambda: 2 * np.degrees(BODY_TURNS)
+            ),
+            "After half a turn: do turns to the one and to the other side end differently?": (
+                lambda: np.array([180, 360, 0])
+            ),
+        },
+        remark="A test that turns the body by halves of a turn would never find the wrong wire.",
+    ),
+    "1.2": Value(
+        kind="slide",
+        right=_same_size,
+        unit="degrees per second",
+        accuracy=0.02,
+        mistakes={
+            "That makes up for the false rate along the true one as if both pointed the same way; "
+            "it is the two sizes that must agree.": lambda: TOO_LITTLE,
+        },
+        remark="The two rates are now far apart, and yet the error comes back to zero every turn.",
+    ),
+    "1.3": Choice(
+        kind="explain",
+        right="bce",
+        wrong={
+            "a": "is the inverse: it leads from the apparent attitude to the true one. Try it with "
+            "a small error about one axis, and look at the sign.",
+            "d": "would be true if the difference of the rates stood still as seen from the fixed "
+            "frame. It stands still as seen from the body.",
+        },
+        remark="Seen from the body the matrix is constant; so Larin's choice can be solved.",
+    ),
+    "1.4": Value(
+        kind="compute",
+        right=_error,
+        accuracy=1e-6,
+        quaternion=True,
+        mistakes={
+            "This is the error as seen from the fixed frame; (1.3) sees it from the body.": (
+                _error_in_fixed_frame
+            ),
+            "The entry stands at the wrong side of the diagonal: gyro x picks up the second "
+            "component of the rate.": lambda: _error(BENT.T),
+            "The exact solution holds for constant rates only; these change.": (
+                _rates_taken_for_constant
+            ),
+        },
+        remark="Two integrations and one of the difference agree: (1.4) holds for changing rates.",
+    ),
+}

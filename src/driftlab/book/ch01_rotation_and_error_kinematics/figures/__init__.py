@@ -1,0 +1,19 @@
+"""The published figures of chapter 01, with their captions."""
+
+from driftlab.book.machinery.publish import FigureDefinition
+
+from . import error_motion
+
+FIGURES = (
+    FigureDefinition(
+        "01-error-motion",
+        lambda: error_motion.compute([0.1, 0.2, 0.1], [0.12, 0.15, 0.1]),
+        error_motion.ErrorMotionPicture,
+        error_motion.columns,
+        lambda data: (
+            "The four components of the error quaternion for a grossly wrong triad: the "
+            "lines are the product of two exponentials, the dots are the steps of a Runge-Kutta "
+            f"integrator with tolerance {data.tolerance:g}."
+        ),
+    ),
+)

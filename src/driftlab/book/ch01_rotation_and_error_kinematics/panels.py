@@ -1,0 +1,76 @@
+"""The slider panel of chapter 01."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.checks import FloatArray
+
+from .figures import error_motion
+
+TOLERANCES = (1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1)
+
+
+class ErrorMotionExplorer(Explorer):
+    """Components of the error quaternion for any true and measured rate."""
+
+    title = "Error quaternion for a constant true and measured rate"
+    picture_class = error_motion.ErrorMotionPicture
+    controls = (
+        *(
+            Control(f"rate{i}", f"true rate {i}, deg/s", start, -15.0, 15.0, 0.5, group="true rate")
+            for i, start in zip((1, 2, 3), (6.0, 12.0, 6.0), strict=True)
+        ),
+        *(
+            Control(f"error{i}", f"error {i}, deg/s", start, -3.0, 3.0, 0.05, group="gyro error")
+            for i, start in zip((1, 2, 3), (1.0, -3.0, 0.0), strict=True)
+        ),
+        Control("tolerance", "RK45 tolerance", 1e-2, stops=TOLERANCES, group="integrator"),
+    )
+    presets: ClassVar = {
+        "Gross error": {},
+        "Error along the rate": {
+            "rate1": 0.0, "rate2": 0.0, "rate3": 12.0, "error1": 0.0, "error2": 0.0, "error3": 1.0
+        },
+        "Error across the rate": {
+            "rate1": 0.0, "rate2": 0.0, "rate3": 12.0, "error1": 1.0, "error2": 0.0, "error3": 0.0
+        },
+        "A true zero": {"rate1": 0.0, "rate2": 0.0, "rate3": 0.0},
+    }  # fmt: skip
+
+    @staticmethod
+    def _rates(values: Values) -> tuple[FloatArray, FloatArray]:
+        rate = np.radians([values[f"rate{i}"] for i in (1, 2, 3)])
+        return rate, rate + np.radians([values[f"error{i}"] for i in (1, 2, 3)])
+
+    def compute(self, values: Values) -> error_motion.ErrorMotion:
+        return error_motion.compute(*self._rates(values), tolerance=values["tolerance"])
+
+    def numbers(self, data: error_motion.ErrorMotion) -> list[tuple[str, str]]:
+        rate, measured = self._rates(self.values)
+        worst = error_motion.integration_error(data, rate, measured).max()
+        true_size, size = np.degrees(np.linalg.norm([rate, measured], axis=-1))
+        return [
+            ("true rate", f"{true_size:.3f} deg/s"),
+            ("measured rate", f"{size:.3f} deg/s"),
+            ("their sum, fast", f"{size + true_size:.3f} deg/s"),
+            ("their difference, slow", f"{size - true_size:.3f} deg/s"),
+            ("RK45 steps", f"{len(data.integrated_time) - 1}"),
+            ("its worst error", f"{worst:.1e}"),
+        ]
+
+    def call(self, values: Values) -> str:
+        rate = [values[f"rate{i}"] for i in (1, 2, 3)]
+        error = [values[f"error{i}"] for i in (1, 2, 3)]
+        return (
+            "import numpy as np\nfrom driftlab.drift import error_quaternion\n"
+            f"rate = np.radians({rate})\nmeasured_rate = rate + np.radians({error})\n"
+            "error_quaternion(rate, measured_rate, np.linspace(0, 60, 601))"
+        )
+
+
+PANELS = (ErrorMotionExplorer,)

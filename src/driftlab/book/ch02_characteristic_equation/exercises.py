@@ -1,0 +1,160 @@
+"""Exercises of chapter 02: the characteristic equation and its roots."""
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+import sympy as sp
+
+from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.checks import FloatArray
+from driftlab.drift.characteristic_equation import asymptotic_roots, exact_roots
+from driftlab.drift.systematic_drift import (
+    drift_coefficient,
+    exact_drift_coefficient,
+)
+from driftlab.triad import measured_rate
+from driftlab.vectors import direction_from_angles
+
+AZIMUTHS = np.arange(-179.0, 181.0)
+LEANS = 0.3 * np.array([[0, 1, 0], [0, 0, 0], [0, 0, 0]])
+RATE = np.array([0.3, -0.2, 0.6])
+SHAPE = np.array([[0.2, 1, 0.5], [-0.4, 0, 0.8], [1, 0.3, -0.6]])
+SIZES = np.array([0.1, 0.05])
+
+
+def _slow_roots() -> tuple[FloatArray, FloatArray]:
+    """Slow root about the axes of `AZIMUTHS`, 15 degrees up: to first order, and what it lacks."""
+    axes = direction_from_angles(np.radians(AZIMUTHS), np.radians(15))
+    first_order = drift_coefficient(axes, LEANS)
+    return first_order, exact_drift_coefficient(axes, LEANS) - first_order
+
+
+def _first_order_exact() -> FloatArray:
+    return AZIMUTHS[np.abs(_slow_roots()[1]) < 1e-12]
+
+
+def _first_order_zero() -> FloatArray:
+    first_order, lacks = _slow_roots()
+    return AZIMUTHS[(np.abs(first_order) < 1e-12) & (lacks > 1e-12)]
+
+
+def _first_order_largest() -> FloatArray:
+    first_order, _ = _slow_roots()
+    return AZIMUTHS[first_order > first_order.max() - 1e-12]
+
+
+@cache
+def _cubic(*, printed: bool = False, powers: int = 3) -> Callable[..., float]:
+    """Coefficient of mu^3 in the fast root, a function of rho_1 and tau.
+
+    Of the root of (2.1) as printed if asked for, or of the exact root with the binomial series
+    sqrt(1 + x) = 1 + x/2 - ... cut off after a power of x.
+    """
+    mu, rho, tau, x = sp.symbols("mu rho_1 tau x", real=True)
+    across = rho**2 + tau**2
+    if printed:
+        sum_of_squares = 4 + 4 * mu * rho + mu**2 * across
+        product = (2 * mu * rho + mu**2 * across) ** 2
+        root = sp.sqrt((sum_of_squares + sp.sqrt(sum_of_squares**2 - 4 * product)) / 2)
+        expansion = sp.series(root, mu, 0, 4).removeO()
+    else:
+        binomial = sp.series(sp.sqrt(1 + x), x, 0, powers + 1).removeO()
+        expansion = 1 + binomial.subs(x, 2 * mu * rho + mu**2 * across)
+    return sp.lambdify((rho, tau), sp.expand(expansion).coeff(mu, 3))
+
+
+def _errors(weight: float = 1.0) -> FloatArray:
+    """Error of the fast root at `SIZES`, its mu^3 term multiplied by `weight`; rad/s."""
+    speed = np.linalg.norm(RATE)
+    error = SHAPE @ RATE / speed
+    along = error @ RATE / speed
+    term = _cubic()(along, np.sqrt(error @ error - along**2))
+    misalignments = SIZES[:, np.newaxis, np.newaxis] * SHAPE
+    series = asymptotic_roots(RATE, misalignments, order=2)[:, 0].imag
+    exact = exact_roots(RATE, measured_rate(RATE, misalignments))[:, 0].imag
+    return series + weight * speed * SIZES**3 * term - exact
+
+
+EXERCISES: dict[str, Exercise] = {
+    "2.1": Choice(
+        kind="predict",
+        right="ace",
+        wrong={
+            "b": "holds to first order only. What the gyros pick up across the axis makes the "
+            "measured rate a little longer.",
+            "d": "sets the size of each row, not the angles between the rows. Two axes that lean "
+            "to each other report more than there is about the line between them.",
+            "f": "makes every measured rate longer or shorter in one and the same proportion.",
+        },
+        remark="All three keep every length: the triad matrix is orthogonal, a rotation or a "
+        "reflection. The slow root cannot tell a wrong sign from a good gyro.",
+    ),
+    "2.2": Value(
+        kind="slide",
+        right=_first_order_exact,
+        unit="degrees",
+        absolute=0.5,
+        any_order=True,
+        mistakes={
+            "There Larin's slow root is zero, and the true one is not: compare the two rows of "
+            "numbers.": _first_order_zero,
+            "There the slow root is largest. Look for the place where two formulas agree, not for "
+            "the largest root.": _first_order_largest,
+            "One of the two belongs to Larin's slow root: he has zero there, the truth has not.": (
+                lambda: np.array([0.0, 90.0])
+            ),
+            "One of the two is the right axis, by the name that the exercise leaves out: azimuths "
+            "are asked from −179 degrees up.": lambda: _first_order_exact() - [0, 360],
+        },
+        remark="Nothing lies across the axis there. The elevation does not matter: a whole plane.",
+    ),
+    "2.3": Choice(
+        kind="explain",
+        right="bce",
+        wrong={
+            "a": "asks for too much: the determinant knows the two lengths and no direction.",
+            "d": "would be so for a matrix that lacks eigenvectors. A skew matrix has a full set "
+            "of them, also for equal roots.",
+            "f": "confuses one solution with all. A zero root says that some errors stay; the one "
+            "that starts at no error is not among them, unless the two rates are equal.",
+        },
+        remark="Singular is what a calibration should make it.",
+    ),
+    "2.4": Formula(
+        kind="compute",
+        arguments=("rho_1", "tau"),
+        draw=lambda rng: tuple(rng.uniform(0.5, 2, 2)),
+        right=lambda rho, tau: _cubic()(rho, tau),
+        mistakes={
+            "The sign: the longer the part along the axis, the less the part across adds to the "
+            "length.": lambda rho, tau: -_cubic()(rho, tau),
+            "The cube in the binomial series is missing; it has a term in μ³ as well.": (
+                lambda rho, tau: _cubic(powers=2)(rho, tau)
+            ),
+            "This is the term of (2.1) as printed. Start from the exact root.": (
+                lambda rho, tau: _cubic(printed=True)(rho, tau)
+            ),
+            "This is the third derivative; the series divides it by a factorial.": (
+                lambda rho, tau: 6 * _cubic()(rho, tau)
+            ),
+        },
+        remark="It is the same for the slow root. And it is zero where nothing lies across.",
+    ),
+    "2.5": Value(
+        kind="compute",
+        right=_errors,
+        unit="rad/s",
+        mistakes={
+            "That is the error without the new term.": lambda: _errors(0),
+            "The new term is added with the wrong sign.": lambda: _errors(-1),
+            "The new term lacks a factor: the series is in units of the rate's size.": (
+                lambda: _errors(1 / float(np.linalg.norm(RATE)))
+            ),
+            "This is in units of the rate's size; the roots are in radians per second.": (
+                lambda: _errors() / np.linalg.norm(RATE)
+            ),
+        },
+        remark="Half the size, and about a sixteenth of the error: the fourth power.",
+    ),
+}

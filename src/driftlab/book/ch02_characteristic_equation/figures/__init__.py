@@ -1,0 +1,21 @@
+"""The published figures of chapter 02, with their captions."""
+
+from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.scenarios import SYMMETRIC
+
+from . import roots
+
+FIGURES = (
+    FigureDefinition(
+        "02-roots",
+        lambda: roots.compute(0.1, SYMMETRIC, [1, 1, 0.3]),
+        roots.RootsPicture,
+        roots.columns,
+        lambda data: (
+            "Roots of the characteristic equation for a symmetric triad. The vertical "
+            f"line marks the size {data.size:g} of the left panel. Larin's first-order roots err "
+            "by the size squared, with one more term by its cube; the printed equation spoils "
+            "the fast root."
+        ),
+    ),
+)

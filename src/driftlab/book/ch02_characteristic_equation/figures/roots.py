@@ -1,0 +1,144 @@
+"""Roots of the characteristic equation against the size of the deformation; Larin (2.1), (2.2)."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.book.machinery.picture import BLACK, SERIES, Picture
+from driftlab.checks import ComplexArray, FloatArray, finite_array, nonzero_vectors
+from driftlab.drift.characteristic_equation import (
+    asymptotic_roots,
+    characteristic_polynomial,
+    exact_roots,
+)
+from driftlab.triad import measured_rate
+
+SIZES: FloatArray = np.concatenate([np.geomspace(1e-5, 1e-2, 25), np.linspace(0.0125, 0.5, 40)])
+FORMULAS = ("exact", "first order, (2.2)", "with the next term", "(2.1) as printed")
+
+
+class Roots(NamedTuple):
+    """Roots in units of the rate; last axis as in `exact_roots`."""
+
+    size: float
+    roots: ComplexArray  # (formula, 4) at `size`
+    sizes: FloatArray  # (m,)
+    branches: FloatArray  # (formula, m, 2): imaginary part of the fast and of the slow root
+
+
+def compute(size: float, shape: ArrayLike, direction: ArrayLike) -> Roots:
+    """Roots by every formula for M = size * shape, and their course over all sizes.
+
+    Parameters
+    ----------
+    size : float
+        mu, at least 0.
+    shape : array_like, shape (3, 3)
+        T, for instance with a largest entry of one.
+    direction : array_like, shape (3,)
+        Axis of the rotation in body axes.
+    """
+    direction, _ = nonzero_vectors(direction, "direction")
+    shape = finite_array(shape, "shape", 3, 3)
+    size = float(finite_array(size, "size"))
+    if size < 0:
+        raise ValueError(f"size: expected a number of at least 0, got {size!r}.")
+    branches = _by_formula(SIZES, shape, direction)[..., [0, 2]].imag.astype(np.float64)
+    return Roots(size, _by_formula(np.array(size), shape, direction), SIZES, branches)
+
+
+def _by_formula(sizes: FloatArray, shape: FloatArray, direction: FloatArray) -> ComplexArray:
+    """Roots (formula, ..., 4) for an array of sizes (...)."""
+    misalignment = sizes[..., np.newaxis, np.newaxis] * shape
+    measured = measured_rate(direction, misalignment)
+    return np.stack(
+        [
+            exact_roots(direction, measured),
+            asymptotic_roots(direction, misalignment),
+            asymptotic_roots(direction, misalignment, order=2),
+            _printed_roots(direction, measured),
+        ]
+    )
+
+
+def _printed_roots(direction: FloatArray, measured: FloatArray) -> ComplexArray:
+    """Roots of the biquadratic as printed, the slow ones with the sign of the exact ones.
+
+    For a gross deformation they may leave the imaginary axis, which true roots never do.
+    """
+    polynomial = characteristic_polynomial(direction, measured, as_printed=True)
+    b, c = polynomial[..., 2], polynomial[..., 4]
+    fast = np.sqrt(0.5 * (b + np.sqrt(b**2 - 4 * c + 0j)))
+    slow = np.sqrt(c) / fast * np.sign(exact_roots(direction, measured)[..., 2].imag)
+    return 1j * np.stack([fast, -fast, slow, -slow], axis=-1)
+
+
+def errors(data: Roots) -> FloatArray:
+    """Distance (3, m, 2) of the approximate roots from the exact ones, in units of the rate."""
+    return np.abs(data.branches[1:] - data.branches[0])
+
+
+def columns(data: Roots) -> dict[str, FloatArray]:
+    """Columns of the figure's CSV."""
+    names = ("exact", "first_order", "second_order", "as_printed")
+    table = {"size": data.sizes}
+    for i, name in enumerate(names):
+        table |= {f"fast_{name}": data.branches[i, :, 0], f"slow_{name}": data.branches[i, :, 1]}
+    return table
+
+
+class RootsPicture(Picture[Roots]):
+    """Complex plane, branches over size, and errors over size."""
+
+    size = (10.5, 4.0)
+
+    def build(self) -> None:
+        plane, course, error = self.figure.subplots(
+            1, 3, gridspec_kw={"width_ratios": [0.7, 1.1, 1.3]}
+        )
+        self.figure.subplots_adjust(0.065, 0.14, 0.985, 0.9, wspace=0.32)
+        plane.set(title="roots in the complex plane", xlabel=r"Re $s/|\omega|$")
+        plane.set(ylabel=r"Im $s/|\omega|$", xlim=(-0.5, 0.5), ylim=(-3.2, 3.2))
+        plane.axvline(0, color=BLACK, linewidth=0.8)
+        course.set(title="positive branches", xlabel=r"size of deformation $\mu$")
+        course.set(ylabel=r"Im $s/|\omega|$", xlim=(0, 0.5), ylim=(-1.1, 3.2))
+        error.set(title="distance from the exact root", xlabel=r"size of deformation $\mu$")
+        error.set(xscale="log", yscale="log", xlim=(1e-4, 0.5), ylim=(1e-13, 100))
+        error.set(ylabel=r"error$/|\omega|$")
+        markers = ("o", "x", "+", "s")
+        self.points, self.fast, self.slow = [], [], []
+        for name, marker, style in zip(FORMULAS, markers, SERIES, strict=False):
+            point = {"marker": marker, "color": style["color"], "linestyle": "none"}
+            if marker in "os":
+                point |= {"fillstyle": "none", "markersize": 9 if marker == "o" else 5}
+            self.points.append(self.line(plane, **point, label=name))
+            self.fast.append(self.line(course, **style, label=name))
+            self.slow.append(self.line(course, **style))
+        self.here = [
+            self.line(axes, color=BLACK, linewidth=0.8, linestyle=(0, (2, 2)))
+            for axes in (course, error)
+        ]
+        self.errors = [
+            self.line(error, **SERIES[1], label="first order: both roots"),
+            self.line(error, **SERIES[2], label="with the next term: both roots"),
+            self.line(error, **SERIES[3], label="as printed: fast root"),
+            self.line(error, **SERIES[4], label="as printed: slow root"),
+        ]
+        plane.legend(loc="center", bbox_to_anchor=(0.5, 0.66), fontsize=7, handletextpad=0.1)
+        course.legend(loc="center left", bbox_to_anchor=(0.0, 0.585))
+        error.legend(loc="upper left")
+
+    def update(self, data: Roots) -> None:
+        for i in range(len(FORMULAS)):
+            self.points[i].set_data(data.roots[i].real, data.roots[i].imag)
+            self.fast[i].set_data(data.sizes, data.branches[i, :, 0])
+            self.slow[i].set_data(data.sizes, data.branches[i, :, 1])
+        first, second, printed = errors(data)
+        for line, values in zip(
+            self.errors, (first[:, 0], second[:, 0], printed[:, 0], printed[:, 1]), strict=True
+        ):
+            # An error below rounding has no place on a logarithmic axis.
+            line.set_data(data.sizes, np.where(values > 1e-15, values, np.nan))
+        for line, bounds in zip(self.here, ((-1.1, 3.2), (1e-13, 100)), strict=True):
+            line.set_data([data.size, data.size], bounds)

@@ -1,0 +1,60 @@
+"""The slider panel of chapter 02."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.scenarios import SHAPES
+
+from .figures import roots
+
+SIZES = (1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5)
+
+
+class RootsExplorer(Explorer):
+    """Roots of (2.1): exact, asymptotic, and as printed."""
+
+    title = "Roots of the characteristic equation against deformation and axis"
+    picture_class = roots.RootsPicture
+    controls = (
+        Control("shape", "shape T", "symmetric", choices=tuple(SHAPES), group="deformation"),
+        Control("size", "size μ", 0.1, stops=SIZES, group="deformation"),
+        *AXIS_CONTROLS,
+    )
+    presets: ClassVar = {
+        "Symmetric triad": {},
+        "Skew triad": {"shape": "skew"},
+        "Larin's triad": {
+            "shape": "third axis bent, as in Larin's table", "size": 2e-3, "azimuth": 0.0,
+            "elevation": 45.0,
+        },
+        "Across the error": {
+            "shape": "x leans to axis 2 only", "size": 0.3, "azimuth": 90.0, "elevation": 0.0
+        },
+    }  # fmt: skip
+
+    def compute(self, values: Values) -> roots.Roots:
+        return roots.compute(values["size"], SHAPES[values["shape"]], axis_of(values))
+
+    def numbers(self, data: roots.Roots) -> list[tuple[str, str]]:
+        fast, slow = data.roots[:, 0].imag, data.roots[:, 2].imag
+        rows = zip(roots.FORMULAS, fast, slow, strict=True)
+        return [(name, f"{a:.9f} i, {b:.9f} i") for name, a, b in rows]
+
+    def call(self, values: Values) -> str:
+        return (
+            "import numpy as np\n"
+            "from driftlab.drift import asymptotic_roots, exact_roots\n"
+            "from driftlab.vectors import direction_from_angles\n"
+            "measured_rate\n"
+            f"rate = {axis_code(values)}\n"
+            f"misalignment = {values['size']} * np.array({SHAPES[values['shape']]})\n"
+            "exact_roots(rate, measured_rate(rate, misalignment))\n"
+            "asymptotic_roots(rate, misalignment)"
+        )
+
+
+PANELS = (RootsExplorer,)

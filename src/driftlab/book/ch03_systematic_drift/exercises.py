@@ -1,0 +1,173 @@
+"""Exercises of chapter 03: the systematic drift."""
+
+from typing import Any
+
+import numpy as np
+
+from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.scenarios import LARIN_TRIAD
+from driftlab.checks import FloatArray
+from driftlab.drift.systematic_drift import (
+    drift_coefficient,
+    drift_per_turn,
+    principal_drifts,
+)
+from driftlab.drift.turn_calibration import PAIR_AXES
+from driftlab.quaternion import from_rotation_vector, multiply, to_rotation_vector
+from driftlab.triad import measured_rate
+
+OPPOSITE_SCALES = np.diag([1.0, -1, 0])
+AXES = np.array([[1.0, 0, 0], [-1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, 0, 1]])
+DIAGONAL = np.ones(3)
+REACH = 2e-3 * np.ones((3, 3))
+"""All nine sliders of the panel at their upper ends."""
+LOOPS = PAIR_AXES[1:]
+
+
+def _by_first_powers() -> FloatArray:
+    unit = AXES / np.linalg.norm(AXES, axis=1, keepdims=True)
+    return (unit @ OPPOSITE_SCALES).sum(axis=1)
+
+
+def _arcmin(angle: Any) -> Any:
+    return 60 * np.degrees(angle)
+
+
+def _loops(first: FloatArray = LOOPS[0], second: FloatArray = LOOPS[1]) -> FloatArray:
+    """Rotation vector from R to B after one loop of Larin's triad about each axis, arc minutes."""
+    apparent = [
+        from_rotation_vector(2 * np.pi * measured_rate(axis, LARIN_TRIAD))
+        for axis in (first, second)
+    ]
+    return _arcmin(to_rotation_vector(multiply(*apparent)))
+
+
+def _loops_added() -> FloatArray:
+    """The same if the rotation vectors of the two loops could be added."""
+    measured = measured_rate(LOOPS, LARIN_TRIAD)
+    directions = measured / np.linalg.norm(measured, axis=1, keepdims=True)
+    return _arcmin(drift_per_turn(LOOPS, LARIN_TRIAD) @ directions)
+
+
+def _largest_drift(symmetric: FloatArray) -> float:
+    """Angle a turn from what stands for Sigma."""
+    return float(2 * np.pi * np.linalg.eigvalsh(symmetric)[-1])
+
+
+EXERCISES: dict[str, Exercise] = {
+    "3.1": Value(
+        kind="predict",
+        right=lambda: drift_coefficient(AXES, OPPOSITE_SCALES),
+        absolute=0.01,
+        mistakes={
+            "That would be right as a plain number; thousandths are asked.": (
+                lambda: 1e-3 * drift_coefficient(AXES, OPPOSITE_SCALES)
+            ),
+            "The second axis is the first, turned the other way. Does the apparent frame then run "
+            "ahead of the turn, or lag behind it?": (
+                lambda: np.where(AXES[:, 0] < 0, -1, 1) * drift_coefficient(AXES, OPPOSITE_SCALES)
+            ),
+            "The components of the axis enter with their first power here. Each stands in the "
+            "coefficient twice, on the left and on the right of M.": _by_first_powers,
+            "That is the size of the whole rate error Mn. Only its part along the axis drifts, and "
+            "that part has a sign.": (
+                lambda: (
+                    np.linalg.norm(AXES @ OPPOSITE_SCALES, axis=1) / np.linalg.norm(AXES, axis=1)
+                )
+            ),
+            "An axis is a unit vector: the last two have to be divided by their lengths.": (
+                lambda: np.einsum("ki,ij,kj->k", AXES, OPPOSITE_SCALES, AXES)
+            ),
+        },
+        remark="The map has two hills and two hollows on the equator; the planes between them do "
+        "not drift.",
+    ),
+    "3.2": Value(
+        kind="slide",
+        right=lambda: _arcmin(drift_per_turn(DIAGONAL, REACH)),
+        unit="arc minutes",
+        accuracy=0.005,
+        mistakes={
+            "These are the six leans alone. A scale error drifts as well.": (
+                lambda: _arcmin(drift_per_turn(DIAGONAL, REACH - 2e-3 * np.eye(3)))
+            ),
+            "More is possible: some sliders are not at their ends.": (
+                lambda: _arcmin(drift_per_turn(DIAGONAL, 2e-3 * np.eye(3)))
+            ),
+            "That is the angle after all the turns of the picture; the drift in one is asked.": (
+                lambda: 5 * _arcmin(drift_per_turn(DIAGONAL, REACH))
+            ),
+        },
+        remark="All nine matter equally: about the space diagonal every product of two components "
+        "is the same.",
+    ),
+    "3.3": Choice(
+        kind="explain",
+        right="ad",
+        wrong={
+            "b": "forgets that the axis stands in the coefficient twice: with the opposite sign it "
+            "gives the same. The skew part lies across the axis in both senses.",
+            "c": "counts the three entries off the diagonal of Σ. Scale errors stand on it.",
+            "e": "is not enough: what vanishes on a cone is not seen by any number of axes on it.",
+            "f": "counts entries. To first order a skew part leaves nothing to see after a whole "
+            "turn, about whichever axis.",
+        },
+        remark="One mounting, one number. Six numbers are the whole symmetric part.",
+    ),
+    "3.4": Value(
+        kind="compute",
+        right=_loops,
+        unit="arc minutes",
+        accuracy=1e-4,
+        mistakes={
+            "The order of the two loops: what happens later about body axes multiplies on the "
+            "right.": lambda: _loops(LOOPS[1], LOOPS[0]),
+            "This is first order. Each drift is about the measured axis, and two rotations about "
+            "different axes do not add like vectors.": (
+                lambda: _arcmin(2 * np.pi * drift_coefficient(LOOPS, LARIN_TRIAD) @ LOOPS)
+            ),
+            "Each loop is right, but two rotations about different axes do not add like vectors.": (
+                _loops_added
+            ),
+            "The second loop has the wrong sense.": lambda: _loops(LOOPS[0], -LOOPS[1]),
+        },
+        remark="There and back cancels whatever the triad; two different axes do not.",
+    ),
+    "3.5": Formula(
+        kind="compute",
+        arguments=("misalignment",),
+        draw=lambda rng: (rng.normal(0, 1e-3, (3, 3)),),
+        right=lambda misalignment: 2 * np.pi * principal_drifts(misalignment)[0][-1],
+        mistakes={
+            "M is not symmetric. A routine for symmetric matrices reads one half of it and takes "
+            "the other for its mirror image; what drifts is the mean of M and its transpose.": (
+                _largest_drift
+            ),
+            "The same with the other half: what drifts is the mean of M and its transpose.": (
+                lambda misalignment: _largest_drift(misalignment.T)
+            ),
+            "The half is missing: Σ is the mean of M and its transpose, not their sum.": (
+                lambda misalignment: _largest_drift(misalignment + misalignment.T)
+            ),
+            "The half is missing off the diagonal, where Σ has the mean of two entries.": (
+                lambda misalignment: _largest_drift(
+                    misalignment + misalignment.T - np.diag(np.diag(misalignment))
+                )
+            ),
+            "These are eigenvalues of M itself. Its skew part changes them, but does not drift.": (
+                lambda misalignment: 2 * np.pi * np.linalg.eigvals(misalignment).real.max()
+            ),
+            "This is the coefficient; the angle after one turn is asked.": (
+                lambda misalignment: principal_drifts(misalignment)[0][-1]
+            ),
+            "This is the exact drift; first order is asked.": (
+                lambda misalignment: 2 * np.pi * principal_drifts(misalignment, exact=True)[0][-1]
+            ),
+            "This is the largest size. The largest value is asked; some triads lag behind more "
+            "than they run ahead.": (
+                lambda misalignment: 2 * np.pi * np.abs(principal_drifts(misalignment)[0]).max()
+            ),
+        },
+        remark="One eigenvalue answers for all axes at once.",
+    ),
+}

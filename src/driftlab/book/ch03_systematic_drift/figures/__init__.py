@@ -1,0 +1,49 @@
+"""The published figures of chapter 03, with their captions."""
+
+import numpy as np
+
+from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.scenarios import LARIN_TRIAD, SYMMETRIC
+
+from . import drift_by_symmetry, drift_history, drift_map
+
+
+def _history_caption(data: drift_history.DriftHistory) -> str:
+    drift = 60 * np.degrees(data.exact_per_turn)
+    return (
+        "A symmetric triad, each gyro leaning by 2e-3 to the other two, turned "
+        f"{drift_history.TURNS} times. Along the axis the error grows by {drift:.1f} arcmin a "
+        "turn; across it, the error comes back to nearly nothing each time."
+    )
+
+
+FIGURES = (
+    FigureDefinition(
+        "03-drift-history",
+        lambda: drift_history.compute(2e-3 * SYMMETRIC, [1, 1, 0.3]),
+        drift_history.DriftHistoryPicture,
+        drift_history.columns,
+        _history_caption,
+    ),
+    FigureDefinition(
+        "03-drift-by-symmetry",
+        drift_by_symmetry.compute,
+        drift_by_symmetry.DriftBySymmetryPicture,
+        drift_by_symmetry.columns,
+        lambda _: (
+            "Drift per turn of a symmetric and of a skew deformation about the axis that is "
+            "worst for each, and the passage from one to the other about (1, 1, 1)."
+        ),
+    ),
+    FigureDefinition(
+        "03-drift-map",
+        lambda: drift_map.compute(LARIN_TRIAD),
+        drift_map.DriftMapPicture,
+        drift_map.columns,
+        lambda data: (
+            "Drift coefficient of the triad of Larin's table for every axis of rotation. "
+            f"The extremes {1e3 * data.principal[0]:.3f} and {1e3 * data.principal[2]:.3f} "
+            "(times 1e-3) lie, to first order, on the eigenvectors of the symmetric part (stars)."
+        ),
+    ),
+)

@@ -1,0 +1,87 @@
+"""The slider panels of Part I."""
+
+from typing import ClassVar
+
+import numpy as np
+
+from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, matrix_code
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.scenarios import LARIN_TRIAD, SHAPES
+from driftlab.checks import FloatArray
+
+from .figures import drift_history
+
+ENTRIES = [f"m{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3)]
+
+MISALIGNMENT_CONTROLS = tuple(
+    Control(
+        entry,
+        f"{gyro} {'scale' if gyro == 'xyz'[column] else f'to axis {column + 1}'}, 1e-3",
+        0.0,
+        -2.0,
+        2.0,
+        0.05,
+        group=f"gyro {gyro}",
+    )
+    for entry, (gyro, column) in zip(
+        ENTRIES, ((gyro, column) for gyro in "xyz" for column in range(3)), strict=True
+    )
+)
+"""The nine entries of the misalignment, row by row: what each gyro picks up of each body axis."""
+
+
+def misalignment_of(values: Values) -> FloatArray:
+    """Misalignment (3, 3) of `MISALIGNMENT_CONTROLS`."""
+    return 1e-3 * np.array([values[entry] for entry in ENTRIES]).reshape(3, 3)
+
+
+def misalignment_values(misalignment: FloatArray) -> dict[str, float]:
+    """Values of `MISALIGNMENT_CONTROLS` that give a misalignment (3, 3)."""
+    rounded = np.round(1e3 * np.asarray(misalignment).ravel(), 6)
+    return dict(zip(ENTRIES, rounded.tolist(), strict=True))
+
+
+class DriftExplorer(Explorer):
+    """The error of a bent triad over the turns."""
+
+    title = "Drift of a bent triad, turn after turn"
+    picture_class = drift_history.DriftHistoryPicture
+    controls = (*MISALIGNMENT_CONTROLS, *AXIS_CONTROLS)
+    presets: ClassVar = {
+        "Symmetric triad": misalignment_values(1e-3 * np.array(SHAPES["symmetric"])),
+        "Skew triad": misalignment_values(2e-3 * np.array(SHAPES["skew"])),
+        "Larin's triad": {
+            **misalignment_values(LARIN_TRIAD), "azimuth": 0.0, "elevation": 45.0
+        },
+        "One gyro leans": {"m12": 2.0, "elevation": 0.0},
+        "Scale factor": misalignment_values(1e-3 * np.eye(3)),
+    }  # fmt: skip
+
+    def compute(self, values: Values) -> drift_history.DriftHistory:
+        return drift_history.compute(misalignment_of(values), axis_of(values))
+
+    def numbers(self, data: drift_history.DriftHistory) -> list[tuple[str, str]]:
+        return [
+            ("drift a turn, exact", f"{_arcmin(data.exact_per_turn)}"),
+            ("first order", f"{_arcmin(data.first_order_per_turn)}"),
+            ("drift a turn about the worst axis", f"{_arcmin(data.worst_per_turn)}"),
+            ("which is", np.array2string(data.worst_axis.round(3), suppress_small=True)),
+        ]
+
+    def call(self, values: Values) -> str:
+        return (
+            "import numpy as np\n"
+            "from driftlab.drift import drift_per_turn, principal_drifts\n"
+            "from driftlab.vectors import direction_from_angles\n"
+            f"misalignment = {matrix_code(misalignment_of(values))}\n"
+            f"drift_per_turn({axis_code(values)}, misalignment)\n"
+            "principal_drifts(misalignment, exact=True)"
+        )
+
+
+def _arcmin(angle: float) -> str:
+    return f"{60 * np.degrees(angle):.3f} arcmin"
+
+
+PANELS = (DriftExplorer,)

@@ -1,0 +1,202 @@
+"""Exercises of chapter 04: calibrating a triad by turns."""
+
+from functools import cache
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.scenarios import LARIN_TRIAD
+from driftlab.checks import FloatArray
+from driftlab.drift.systematic_drift import drift_coefficient
+from driftlab.drift.turn_calibration import (
+    PAIR_AXES,
+    YATES_AXES,
+    TurnExperiment,
+    exact_turn_estimate,
+    fit_turns,
+    weighing,
+)
+
+EQUAL = 1e-3 * (np.ones((3, 3)) - np.eye(3))
+STEPS = np.arange(20, 101)
+DIAGONALS = np.array([[1.0, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
+EDGES = np.array([[1.0, 1, 0], [1, -1, 0], [1, 0, 1], [1, 0, -1], [0, 1, 1], [0, 1, -1]])
+AS_PRINTED, AS_DERIVED = 1.0, 1.5
+"""What multiplies the fourth turn estimate to give the sum of the sigmas."""
+
+
+def _weighing_error(factor: float, *, weight: float = 1.0) -> float:
+    """Error of sigma1** for three equal sigmas, the fourth estimate multiplied by `factor`."""
+    estimates = drift_coefficient(YATES_AXES, EQUAL) * [1, 1, 1, factor]
+    error = float(weighing(estimates)[0] - EQUAL[0, 1])
+    return weight * round(error, 12)  # what is zero but for rounding, is zero
+
+
+@cache
+def _errors(formula: str) -> FloatArray:
+    """Error of sigma2 for Larin's triad, one turn of each number of `STEPS`."""
+    experiments = [TurnExperiment(1, int(steps), formula) for steps in STEPS]
+    found = [experiment.estimate(LARIN_TRIAD, PAIR_AXES[1]) for experiment in experiments]
+    return np.array(found) - drift_coefficient(PAIR_AXES[1], LARIN_TRIAD)
+
+
+def _bias() -> float:
+    """Bias of the method for the same turn: the error that no number of steps removes."""
+    exact = exact_turn_estimate(LARIN_TRIAD, PAIR_AXES[1])
+    return float(exact - drift_coefficient(PAIR_AXES[1], LARIN_TRIAD))
+
+
+def _steps_to_stay_near(limit: float, formula: str = "pade") -> int:
+    """Least number of steps from which the error stays within a tenth of `limit` around it."""
+    outside = np.abs(_errors(formula) - limit) > 0.1 * abs(limit)
+    return int(STEPS[outside].max() + 1)
+
+
+def _mean_variances(
+    *plans: FloatArray, scale: str = "none", diagonal_is_sum: bool = False
+) -> FloatArray:
+    """Mean variance of the three sigmas for each plan of axes, each estimate of variance one.
+
+    If asked for, as if a turn about a space diagonal gave the whole sum of the sigmas.
+    """
+
+    def mean_variance(axes: FloatArray) -> float:
+        covariance = fit_turns(np.zeros(len(axes)), axes, scale).covariance
+        if diagonal_is_sum:
+            x, y, z = (axes / np.linalg.norm(axes, axis=1, keepdims=True)).T
+            design = np.column_stack([2 * x * y, 2 * x * z, 2 * y * z])
+            design[axes.all(axis=1)] *= AS_DERIVED
+            covariance = np.linalg.inv(design.T @ design)
+        return float(np.diag(covariance)[:3].mean())
+
+    return np.array([mean_variance(axes) for axes in plans])
+
+
+def _sigma(estimates: ArrayLike, scale: str = "common", number: int = 1) -> float:
+    return float(fit_turns(estimates, YATES_AXES, scale).sigma[number - 1])
+
+
+def _yates(factor: float, e1: float, e2: float, e3: float, e4: float) -> float:
+    return float(weighing([e1, e2, e3, factor * e4])[0])
+
+
+EXERCISES: dict[str, Exercise] = {
+    "4.1": Value(
+        kind="predict",
+        right=lambda: _weighing_error(AS_PRINTED),
+        accuracy=0.02,
+        mistakes={
+            "A turn about the space diagonal does not give the sum of the three: it gives 2/3 of "
+            "(3.5). As printed, the formula takes the one for the other.": (
+                lambda: _weighing_error(AS_DERIVED)
+            ),
+            "The fourth number is too small, not too large: the print leaves out a factor that is "
+            "more than one.": lambda: _weighing_error(AS_DERIVED**2),
+            "By that much the fourth number is wrong. The weighing does not take all of it.": (
+                lambda: _weighing_error(AS_PRINTED, weight=2)
+            ),
+            "That is what is found, or the sign is reversed. What is found less what is true is "
+            "asked.": lambda: _weighing_error(AS_PRINTED, weight=-1),
+            "That is the part of one sigma. The part belongs to the sum of the three.": (
+                lambda: _weighing_error(AS_PRINTED, weight=1 / 3)
+            ),
+            "That is in thousandths; a plain number is asked.": (
+                lambda: _weighing_error(AS_PRINTED, weight=1e3)
+            ),
+        },
+        remark="Half of the sigma itself is lost. Larin's example, with the sum zero, shows none "
+        "of it.",
+    ),
+    "4.2": Value(
+        kind="slide",
+        right=lambda: _steps_to_stay_near(_bias()),
+        absolute=1.0,
+        mistakes={
+            "At a hundred steps the integrator still has a share in the error. The formula `exact` "
+            "shows the bias of the method alone.": (
+                lambda: _steps_to_stay_near(float(_errors("pade")[-1]))
+            ),
+            "That belongs to the formula `taylor-4`.": (
+                lambda: _steps_to_stay_near(_bias(), "taylor-4")
+            ),
+            "There the error is smallest: the integrator's own just cancels the bias. With more "
+            "steps it grows again.": lambda: STEPS[np.abs(_errors("pade")).argmin()],
+        },
+        remark="The formula's angle error is negative and the bias positive, hence the dip.",
+    ),
+    "4.3": Choice(
+        kind="explain",
+        right="abd",
+        wrong={
+            "c": "has only the part of the bias along the axis. The parts across turn with the "
+            "body and come back to zero after a whole turn.",
+            "e": "forgets that the misalignment adds up at the same pace: the angle of the bias "
+            "grows with the time, and so does what it is divided by.",
+            "f": "takes two different things for one. The bias of the method is quadratic in M, "
+            "and the same in both senses.",
+        },
+        remark="So turn both ways, as fast as the table and the gyros bear.",
+    ),
+    "4.4": Value(
+        kind="compute",
+        right=lambda: _mean_variances(YATES_AXES, DIAGONALS, EDGES),
+        accuracy=2e-3,
+        mistakes={
+            "Your turn about the space diagonal measures the whole sum of the sigmas. It measures "
+            "2/3 of (3.5), with the same noise.": (
+                lambda: _mean_variances(YATES_AXES, DIAGONALS, EDGES, diagonal_is_sum=True)
+            ),
+            "The first number is that of the paper's weighing, four equal noises on the sigmas "
+            "and their sum. The fourth turn measures 2/3 of (3.5), with the same noise.": (
+                lambda: np.append(
+                    _mean_variances(YATES_AXES, diagonal_is_sum=True),
+                    _mean_variances(DIAGONALS, EDGES),
+                )
+            ),
+            "A better plan gives up all four of Larin's axes but one. Adding to his three pair "
+            "axes cannot do better than he did.": (
+                lambda: _mean_variances(YATES_AXES, YATES_AXES, EDGES)
+            ),
+            "An offset is solved for as well; least squares without one is asked.": (
+                lambda: _mean_variances(YATES_AXES, DIAGONALS, EDGES, scale="common")
+            ),
+            "These are standard deviations.": (
+                lambda: np.sqrt(_mean_variances(YATES_AXES, DIAGONALS, EDGES))
+            ),
+            "These are the sums of the three variances; the means are asked.": (
+                lambda: 3 * _mean_variances(YATES_AXES, DIAGONALS, EDGES)
+            ),
+        },
+        remark="The four space diagonals of a cube weigh all three sigmas in every turn. A turn "
+        "for a turn they do better than the six.",
+    ),
+    "4.5": Formula(
+        kind="compute",
+        arguments=("e_1", "e_2", "e_3", "e_4"),
+        draw=lambda rng: tuple(rng.normal(size=4)),
+        right=lambda *estimates: _sigma(estimates),
+        mistakes={
+            "The fourth estimate stands for the sum of the sigmas here, but it is 2/3 of (3.5). An "
+            "offset cancels, and the sigmas come out wrong.": (
+                lambda *estimates: _yates(AS_PRINTED, *estimates)
+            ),
+            "That is right without an offset. With one, a quarter of it stays, as in the text: its "
+            "factor multiplies the offset too.": (
+                lambda *estimates: _yates(AS_DERIVED, *estimates)
+            ),
+            "The factor of the fourth estimate is upside down: an estimate of 2/3 of the sum has "
+            "to be made larger, not smaller.": (
+                lambda *estimates: _yates(1 / AS_DERIVED, *estimates)
+            ),
+            "That is least squares without an offset; an offset goes into it.": (
+                lambda *estimates: _sigma(estimates, "none")
+            ),
+            "The first turn alone takes the offset in full.": lambda *estimates: estimates[0],
+            "That is the second sigma.": lambda *estimates: _sigma(estimates, number=2),
+            "That is the third sigma.": lambda *estimates: _sigma(estimates, number=3),
+        },
+        remark="Nothing of the offset is left. The price is noise: the squares of the four factors "
+        "add up to two.",
+    ),
+}

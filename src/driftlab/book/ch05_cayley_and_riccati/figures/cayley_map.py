@@ -1,0 +1,139 @@
+"""Both Cayley vectors of a rotation, and how far each is from its singularity; (1.2), (1.3)."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.spatial.transform import Rotation
+
+from driftlab.attitude.cayley import cayley_vector
+from driftlab.book.machinery.picture import (
+    BLACK,
+    BLUE,
+    GREY,
+    PURPLE,
+    SERIES,
+    VERMILION,
+    Picture,
+    plain_axes,
+    project,
+)
+from driftlab.checks import FloatArray, finite_array, nonzero_vectors
+from driftlab.quaternion import from_rotation_vector
+
+REACH = 4.0
+"""Longest vector that the picture shows."""
+
+# Angles of the curves, in rad: every one a little away from the singular ones.
+ANGLES: FloatArray = np.radians(np.arange(-359.5, 360.0, 1.0))
+
+
+class CayleyMap(NamedTuple):
+    """Vectors as their component along the axis; None where a vector is infinite."""
+
+    angle: float  # rad
+    axis: FloatArray  # (3,)
+    along_3: float | None  # -tan(phi/2)
+    along_4: float | None  # -tan(phi/4)
+    shadow: float | None  # cot(phi/4): of the quaternion with the other sign
+    distance_3: float  # rad to the nearest angle where the vector of dimension 3 is infinite
+    distance_4: float
+    turned: FloatArray  # (3, 3): rows are the turned body axes in the reference frame
+    angles: FloatArray  # (m,), rad
+    curves: FloatArray  # (3, m): the three components over all angles
+
+
+def compute(angle: float, axis: ArrayLike) -> CayleyMap:
+    """Vectors of the rotation by `angle` in rad, from -2 pi to 2 pi, about `axis` (3,)."""
+    direction, _ = nonzero_vectors(axis, "axis")
+    phi = float(finite_array(angle, "angle"))
+    if abs(phi) > 2 * np.pi:
+        raise ValueError(f"angle: expected at most a whole turn either way, got {angle!r} rad.")
+    # In the middle of rounding errors, a singular angle is the singular angle.
+    distance_3 = abs(abs(phi) - np.pi)
+    distance_4 = 2 * np.pi - abs(phi)
+    quaternion = from_rotation_vector(phi * direction)
+    return CayleyMap(
+        phi,
+        direction,
+        _along(quaternion, direction, 3) if distance_3 > 1e-9 else None,
+        _along(quaternion, direction, 4) if distance_4 > 1e-9 else None,
+        _along(-quaternion, direction, 4) if abs(phi) > 1e-9 else None,
+        distance_3,
+        distance_4,
+        Rotation.from_rotvec(phi * direction).as_matrix().T,
+        ANGLES,
+        _curves(),
+    )
+
+
+def _along(quaternion: FloatArray, direction: FloatArray, dimension: int) -> float:
+    return float(cayley_vector(quaternion, dimension) @ direction)
+
+
+def _curves() -> FloatArray:
+    axis = np.array([0.0, 0.0, 1.0])
+    quaternions = from_rotation_vector(ANGLES[:, np.newaxis] * axis)
+    return np.stack(
+        [
+            cayley_vector(quaternions, 3) @ axis,
+            cayley_vector(quaternions, 4) @ axis,
+            cayley_vector(-quaternions, 4) @ axis,
+        ]
+    )
+
+
+def columns(data: CayleyMap) -> dict[str, FloatArray]:
+    """Columns of the figure's CSV."""
+    names = ("dimension_3", "dimension_4", "shadow")
+    return {"angle_deg": np.degrees(data.angles), **dict(zip(names, data.curves, strict=True))}
+
+
+class CayleyMapPicture(Picture[CayleyMap]):
+    """The turned frame, and both vectors against the angle."""
+
+    size = (10.5, 4.4)
+
+    def build(self) -> None:
+        triad, curves = self.figure.subplots(1, 2, gridspec_kw={"width_ratios": [0.7, 1.6]})
+        self.figure.subplots_adjust(0.01, 0.2, 0.985, 0.92, wspace=0.13)
+        plain_axes(triad)
+        triad.set_title("body frame, turned about the axis")
+        for label, tip in zip(("$i_1$", "$i_2$", "$i_3$"), project(np.eye(3)), strict=True):
+            triad.plot([0, tip[0]], [0, tip[1]], color=GREY, linewidth=1.2)
+            triad.text(1.12 * tip[0], 1.12 * tip[1], label, ha="center", va="center")
+        self.axis = self.line(triad, color=BLACK, linestyle="-.", linewidth=1.2, label="axis")
+        self.frame = [self.line(triad, color=PURPLE, marker="o", markersize=4) for _ in range(3)]
+        self.frame[0].set_label("turned frame")
+        triad.legend(loc="lower left", ncols=2, bbox_to_anchor=(0.05, -0.1))
+        curves.set(title="the vector's component along the axis", xlim=(-360, 360))
+        curves.set(xlabel=r"angle $\varphi$, degrees", ylim=(-REACH, REACH))
+        curves.set_xticks(range(-360, 361, 90))
+        labels = (
+            r"dimension 3: $-\tan(\varphi/2)$",
+            r"dimension 4: $-\tan(\varphi/4)$",
+            r"shadow of dimension 4: $\cot(\varphi/4)$",
+        )
+        # The curves never move, so they are drawn here once.
+        for label, values, style in zip(labels, _curves(), SERIES, strict=False):
+            shown = np.where(np.abs(values) < 2 * REACH, values, np.nan)
+            curves.plot(np.degrees(ANGLES), shown, **style, label=label)
+        for angle in (-180, 180):
+            curves.axvline(angle, color=BLUE, linewidth=0.8)
+        for angle in (-360, 360):
+            curves.axvline(angle, color=VERMILION, linewidth=2.5)
+        self.here = self.line(curves, color=BLACK, linewidth=0.8, linestyle=(0, (2, 2)))
+        self.dots = [
+            self.line(curves, marker=marker, markersize=8, linestyle="none", color=style["color"])
+            for marker, style in zip("os^", SERIES, strict=False)
+        ]
+        curves.legend(loc="upper center", ncols=3, bbox_to_anchor=(0.5, -0.14))
+
+    def update(self, data: CayleyMap) -> None:
+        self.axis.set_data(*project(np.stack([-1.1 * data.axis, 1.1 * data.axis])).T)
+        for line, tip in zip(self.frame, project(data.turned), strict=True):
+            line.set_data([0, tip[0]], [0, tip[1]])
+        angle = np.degrees(data.angle)
+        self.here.set_data([angle, angle], [-REACH, REACH])
+        for line, value in zip(self.dots, (data.along_3, data.along_4, data.shadow), strict=True):
+            line.set_data([], []) if value is None else line.set_data([angle], [value])

@@ -1,0 +1,220 @@
+"""Exercises of chapter 06: Picard algorithms for angle increments."""
+
+from functools import cache
+
+import numpy as np
+
+from driftlab.attitude.cayley import rotation_quaternion
+from driftlab.attitude.coning_algorithms import ALGORITHMS, Algorithm, coning_drift
+from driftlab.attitude.integration import step_quaternions, step_vectors
+from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.checks import FloatArray
+from driftlab.motion.profiles import Sway
+from driftlab.quaternion import conjugate, from_rotation_vector, multiply
+
+HALVES = np.array([[0.3, -0.1, 0.4], [0.35, 0.15, 0.25]])
+
+
+def _growth(name: str) -> float:
+    """Factor of the drift on the puzzle's bracket if it shakes at 10 Hz in place of 5 Hz."""
+    slow, fast = coning_drift(name, np.radians(1.0), [5.0, 10.0], 0.01)
+    return float(fast / slow)
+
+
+@cache
+def _on_the_ship() -> tuple[tuple[int, ...], FloatArray]:
+    """The panel's sample rates, and its errors (algorithm, rate) on the ship in arc seconds."""
+    # Matplotlib comes along with it, so it waits until it is needed.
+    from driftlab.book.ch06_picard_algorithms.figures.algorithm_laboratory import RATES, compute
+
+    worst = compute(Sway(np.radians(30), 0.5), RATES[0], tuple(ALGORITHMS)).worst
+    return RATES, 3600 * np.degrees(worst)
+
+
+def _lowest_rate(needed: int) -> int:
+    """Lowest of the panel's rates at which `needed` algorithms stay below one arc second."""
+    rates, errors = _on_the_ship()
+    return rates[int(np.argmax((errors < 1).sum(axis=0) >= needed))]
+
+
+def _extrapolated(order: float) -> float:
+    """Rate at which `picard-1` comes to one arc second, if its error were of that order."""
+    rates, errors = _on_the_ship()
+    return float(rates[-1] * errors[0, -1] ** (1 / order))
+
+
+def _weights(*, at_middle: bool = False) -> FloatArray:
+    """Weights of g1×g2, g1×g3 and g2×g3 that give the coning correction of a quadratic rate.
+
+    With ``at_middle`` the rate in the middle of each third stands for its mean.
+    """
+    ends, powers = np.arange(4) / 3, np.arange(3)
+    pieces = np.diff(ends[:, np.newaxis] ** (powers + 1), axis=0) / (powers + 1)
+    if at_middle:
+        pieces = (np.arange(3) + 0.5)[:, np.newaxis] ** powers / 3.0 ** (powers + 1)
+    # One equation for each cross product of two coefficients of the rate, one unknown for each
+    # of two increments.
+    pairs = [(0, 1), (0, 2), (1, 2)]
+    matrix = [
+        [pieces[i, p] * pieces[j, q] - pieces[i, q] * pieces[j, p] for i, j in pairs]
+        for p, q in pairs
+    ]
+    true = [(1 / (p + 1) - 1 / (q + 1)) / (p + q + 2) / 2 for p, q in pairs]
+    return np.linalg.solve(matrix, true)
+
+
+def _miller() -> list[float]:
+    weights = ALGORITHMS["rotation-vector-3"].coning
+    return [weights[pair] for pair in ((0, 1), (0, 2), (1, 2))]
+
+
+def _step(weight: float = 2 / 3) -> FloatArray:
+    algorithm = Algorithm("two halves", 2, 0, {(0, 1): weight}, "third", 4)
+    return step_quaternions(HALVES, algorithm)[0]
+
+
+def _turned_one_after_the_other(first: int) -> FloatArray:
+    halves = from_rotation_vector(HALVES)
+    return multiply(halves[first], halves[1 - first])
+
+
+EXERCISES: dict[str, Exercise] = {
+    "6.1": Value(
+        kind="predict",
+        right=lambda: [_growth("picard-1"), _growth("two-step-4")],
+        accuracy=0.05,
+        mistakes={
+            "Those are the powers of the global order: how the error at a given time grows with "
+            "the step, on one and the same motion. Here the motion has changed and the step has "
+            "not: look at the drift of one sample.": (
+                lambda: [2.0 ** ALGORITHMS[name].order for name in ("picard-1", "two-step-4")]
+            ),
+            "The rounds are twice as many, and each leaves more than before.": lambda: [2, 2],
+            "The two are exchanged.": lambda: [_growth("two-step-4"), _growth("picard-1")],
+        },
+        remark="The closed formula lies a little below the powers of two that the series gives.",
+    ),
+    "6.2": Value(
+        kind="slide",
+        right=lambda: _lowest_rate(1),
+        unit="Hz",
+        mistakes={
+            "There nearly all are below one arc second. A lower rate is enough for some.": (
+                lambda: _lowest_rate(len(ALGORITHMS) - 1)
+            ),
+            "There none is below one arc second: look at the exponents, and at the order.": (
+                lambda: _on_the_ship()[0][0]
+            ),
+        },
+        remark="Three algorithms of fourth order manage it; the one with three samples does not.",
+    ),
+    "6.3": Value(
+        kind="slide",
+        right=lambda: _extrapolated(2),
+        unit="Hz",
+        accuracy=0.02,
+        mistakes={
+            "The error would have to shrink as the rate grows; look at the order beside the "
+            "picture.": lambda: _extrapolated(1),
+            "That goes by the local order. The errors of the steps add up: one power is lost.": (
+                lambda: _extrapolated(3)
+            ),
+            "The rate has to become higher, not lower.": lambda: _extrapolated(-2),
+        },
+        remark="Nearly ten times the rate that the better ones need, for want of a cross product.",
+    ),
+    "6.4": Choice(
+        kind="explain",
+        right="acf",
+        wrong={
+            "b": "confuses the two orders: the first wrong power in one step of `one-step-3` is "
+            "one more than its global order.",
+            "d": "draws the wrong lesson. On a narrow cone the error of third order is nearly "
+            "invisible, so one finds an order there that holds nowhere else.",
+            "e": "holds to the second power of the half angle only. Try the widest cone of the "
+            "panel and let it run for a minute.",
+        },
+        remark="An order is a promise for all smooth motions; a single motion may be kinder.",
+    ),
+    "6.5": Value(
+        kind="compute",
+        right=_weights,
+        mistakes={
+            "Those are Miller's. They are made for a narrow cone, not for a quadratic rate.": (
+                _miller
+            ),
+            "The second of the three belongs to the first increment and the last.": (
+                lambda: _weights()[[0, 2, 1]]
+            ),
+            "You took the rate in the middle of a third for its mean; increments are integrals.": (
+                lambda: _weights(at_middle=True)
+            ),
+            "Those belong to k. The correction is asked that is added to the increment.": (
+                lambda: -_weights() / 4
+            ),
+        },
+        remark="They are exact for a quadratic rate, and on a cone worse than Miller's.",
+    ),
+    "6.6": Formula(
+        kind="compute",
+        arguments=("x",),
+        draw=lambda rng: (float(rng.uniform(0.3, 2.5)),),
+        right=lambda x: (x - np.sin(x)) / (8 * np.sin(x / 2) ** 2 * np.sin(x)),
+        mistakes={
+            "That is the limit for a cone that is sampled often. At other x it leaves a drift.": (
+                lambda x: 1 / 12
+            ),
+            "That takes the arc for the chord: the increments across the axis are shorter.": (
+                lambda x: (x - np.sin(x)) / (2 * x**2 * np.sin(x))
+            ),
+            "That needs the true correction over one sample; this is the one over a pair.": (
+                lambda x: (2 * x - np.sin(2 * x)) / (8 * np.sin(x / 2) ** 2 * np.sin(x))
+            ),
+        },
+        remark="Such a weight is right at one frequency; on a much slower cone 1/12 does better.",
+    ),
+    "6.7": Value(
+        kind="compute",
+        right=_step,
+        accuracy=2e-6,
+        quaternion=True,
+        mistakes={
+            "The cross product has its factors exchanged.": lambda: _step(-2 / 3),
+            "The cross product is missing: you know only the sum of the two increments.": (
+                lambda: _step(0)
+            ),
+            "That is the first iterate, of second order: it has neither the cross product nor the "
+            "cubic term.": lambda: step_quaternions([HALVES.sum(axis=0)], "picard-1")[0],
+            "The step turns half as far: the tangent in k is of a quarter of the angle.": (
+                lambda: rotation_quaternion(step_vectors(HALVES, "two-step-4")[0], 3)
+            ),
+            "This is the opposite rotation: k points against the axis.": lambda: conjugate(_step()),
+            "This is what `two-step-3` gives: the shorter formula is the better one.": (
+                lambda: step_quaternions(HALVES, "two-step-3")[0]
+            ),
+            "This is the rotation vector with a sine, as in `rotation-vector-2`.": (
+                lambda: step_quaternions(HALVES, "rotation-vector-2")[0]
+            ),
+            "One turn after the other takes the rate for constant in each half. It corrects by "
+            "half of the cross product, where a changing rate needs two thirds.": (
+                lambda: _turned_one_after_the_other(0)
+            ),
+            "One turn after the other takes the rate for constant in each half; besides, the "
+            "first of the two has to stand on the left.": lambda: _turned_one_after_the_other(1),
+        },
+        remark="No sine and no root, and its length is one.",
+    ),
+    "6.8": Choice(
+        kind="explain",
+        right="cdf",
+        wrong={
+            "a": "trusts a table of algorithms that are fed with true integrals. These increments "
+            "are guessed, and what is lost in them no weight brings back.",
+            "b": "trusts a spline with two and a half samples a round. Try it: most of the drift "
+            "stays.",
+            "e": "is false: true integrals help, but at two and a half samples a round the cross "
+            "products of neighbours tell little of the area between the samples.",
+        },
+        remark="The choice among the seven comes last; first the increments must be true and many.",
+    ),
+}

@@ -1,0 +1,179 @@
+"""Exercises of chapter 07: installation errors, taken apart."""
+
+from functools import cache
+
+import numpy as np
+from scipy.constants import arcsecond
+
+from driftlab.attitude.integration import integrate
+from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.calibration.error_model import attitude_error
+from driftlab.checks import FloatArray
+from driftlab.imu import PERFECT, measure
+from driftlab.motion.turntable import Record, Scheme, simulate
+from driftlab.quaternion import from_rotation_vector, multiply, rotate
+from driftlab.triad import misalignment_vector, split
+from driftlab.vectors import cross_matrix
+
+LEAN: FloatArray = 40.0 * np.outer([1, 0, 0], [0, 1, 0])  # arc seconds
+
+KAPPA: FloatArray = np.array([60.0, -30.0, 20.0]) * arcsecond
+SCHEME = Scheme("+90X +90Y", ("Up", "East", "North"), dwell=5.0)
+LATITUDE = float(np.radians(37.5))
+INTERVAL = 0.05
+
+
+def _lean() -> FloatArray:
+    """Non-orthogonality of x and y, and the turn (3,) of the averaged axes, in arc seconds."""
+    # The axes turn the other way than the components.
+    return np.array([split(LEAN).non_orthogonality[0, 1], *(0.0 - misalignment_vector(LEAN))])
+
+
+def _skew(*vector: float) -> FloatArray:
+    return cross_matrix(np.array(vector)) + 0.0
+
+
+@cache
+def _record() -> Record:
+    return simulate(SCHEME, LATITUDE, INTERVAL, whole=2)
+
+
+def _error(gyro_error: FloatArray, start: FloatArray, of_earth: bool = False) -> FloatArray:
+    """Attitude error (3,) in arc seconds at the end, of a computer that starts with `start` (3,).
+
+    With `of_earth` it is counted wrongly, from axes that turn with the Earth.
+    """
+    record = _record()
+    first = record.attitude[0]
+    measured, _ = measure(record, PERFECT._replace(gyro_error=gyro_error))
+    begin = multiply(from_rotation_vector(-start), first)
+    found = integrate(measured, "two-step-4", start=begin)[-1]
+    true = integrate(record.angle_increments, "two-step-4", start=first)[-1]
+    return attitude_error(found, record.attitude[-1] if of_earth else true) / arcsecond
+
+
+def _two_units(
+    start: FloatArray | None = None,
+    gyro_error: FloatArray | None = None,
+    of_earth: bool = False,
+) -> FloatArray:
+    """Errors (2, 3) of the ideal unit that starts wrong and of the misaligned one."""
+    none = np.zeros(3)
+    if start is None:
+        start = -rotate(_record().attitude[0], KAPPA)
+    if gyro_error is None:
+        gyro_error = cross_matrix(KAPPA)
+    return np.stack([_error(np.zeros((3, 3)), start, of_earth), _error(gyro_error, none, of_earth)])
+
+
+def _hidden(*vector: float) -> FloatArray:
+    """Second order of the symmetric factor of E + [κ×]."""
+    return -(_skew(*vector) @ _skew(*vector)) / 2
+
+
+EXERCISES: dict[str, Exercise] = {
+    "7.1": Value(
+        kind="predict",
+        right=_lean,
+        unit="arc seconds",
+        absolute=0.5,
+        mistakes={
+            "The last three are κ, the rotation of the components. The axes turn the other way.": (
+                lambda: _lean() * [1, -1, -1, -1]
+            ),
+            "The first number is the change of the angle between the two axes. The matrix has a "
+            "part of it on each side of the diagonal.": lambda: _lean() * [2, 1, 1, 1],
+            "This follows gyro x alone, as the upper triangle does. Averaged axes follow both "
+            "gyros, and y has stayed where it was.": lambda: 2 * _lean(),
+            "Taken for a turn of the whole triad. Has gyro y turned as well?": (
+                lambda: 2 * _lean() * [0, 1, 1, 1]
+            ),
+            "Taken for an error of the angle alone, so that the averaged axes would stay. Which "
+            "symmetric matrix would that be?": lambda: 2 * _lean() * [1, 0, 0, 0],
+            "The axis of the turn is wrong: what leans from x towards y turns about neither.": (
+                lambda: _lean()[[0, 3, 1, 2]]
+            ),
+        },
+        remark="One wrong entry is half non-orthogonality and half misalignment.",
+    ),
+    "7.2": Value(
+        kind="slide",
+        right=lambda: _skew(40, 40, 40),
+        unit="arc seconds",
+        absolute=1.0,
+        mistakes={
+            "This is non-orthogonality and nothing else: the matrix equals its transpose.": (
+                lambda: -np.abs(_skew(40, 40, 40))
+            ),
+            "All misalignments are negative. Begin with the entry that is given, and its sign.": (
+                lambda: _skew(-40, -40, -40)
+            ),
+            "The sensitive axis z has not moved.": lambda: _skew(0, 0, 40),
+            "One misalignment is negative: the one about x.": (lambda: _skew(-40, 40, 40)),
+            "One misalignment is negative: the one about y.": lambda: _skew(40, -40, 40),
+        },
+        remark="The axis of the turn is the diagonal, equally far from all three gyros.",
+    ),
+    "7.3": Choice(
+        kind="explain",
+        right="ade",
+        wrong={
+            "b": "names what belongs to the unit: each sum is a change of the angle between two "
+            "sensitive axes, and these two travel together.",
+            "c": "is the consequence of one choice of body axes. Mounted otherwise, all six "
+            "entries are others, above and below the diagonal.",
+            "f": "takes the question for one of accuracy. A perfect table has axes of its own, "
+            "and the bracket between them and the unit remains.",
+        },
+        remark="Six of the nine numbers belong to the triad, three to the bracket.",
+    ),
+    "7.4": Value(
+        kind="compute",
+        right=_two_units,
+        unit="arc seconds",
+        accuracy=5e-3,
+        mistakes={
+            "The first row has the wrong sign: the computed attitude is (E - [φ×]) C, so the "
+            "rotation vector that goes before C is -φ.": (
+                lambda: _two_units(rotate(_record().attitude[0], KAPPA))
+            ),
+            "The second row is φ - Cκ already. What is asked is φ itself, before the comparison.": (
+                lambda: np.stack([_two_units()[0]] * 2)
+            ),
+            "The second row has the sign of the opposite misalignment: look at the matrix of the "
+            "cross product, κ first.": lambda: _two_units(gyro_error=-cross_matrix(KAPPA)),
+            "The ideal unit starts with -κ. But κ stands in body axes, and φ in those of the "
+            "table: C(0) is missing.": lambda: _two_units(-KAPPA),
+            "The errors contain the turn of the Earth: `integrate` stays in axes that do not turn, "
+            "and the attitudes of the record are counted from axes that do.": (
+                lambda: _two_units(of_earth=True)
+            ),
+        },
+        remark="The two rows differ by the carried κ, and by nothing else to first order.",
+    ),
+    "7.5": Formula(
+        kind="compute",
+        arguments=("kappa_1", "kappa_2", "kappa_3"),
+        draw=lambda rng: tuple(rng.normal(size=3)),
+        right=_hidden,
+        mistakes={
+            "Zero is (M + Mᵀ)/2 - E. But the symmetric factor of a product is not the symmetric "
+            "part of a sum: S S is M Mᵀ.": lambda *vector: np.zeros((3, 3)),
+            "This is M Mᵀ - E, the square of what is asked: S S - E.": (
+                lambda *vector: 2 * _hidden(*vector)
+            ),
+            "This is the second order that a true rotation has. What is asked is what E + [κ×] "
+            "has instead of it.": lambda *vector: -_hidden(*vector),
+            "The lengths of the axes are right; the angles between them change as well.": (
+                lambda *vector: np.diag(np.diag(_hidden(*vector)))
+            ),
+            "The scale is missing: what moves across its own direction also becomes longer.": (
+                lambda *vector: _hidden(*vector) - np.diag(np.diag(_hidden(*vector)))
+            ),
+            "One term of [κ×][κ×] = κκᵀ - κᵀκ E is missing.": (
+                lambda *vector: -np.outer(vector, vector) / 2
+            ),
+        },
+        remark="Scale on the diagonal, non-orthogonality beside it: both hide at second order.",
+    ),
+}

@@ -1,0 +1,55 @@
+"""The published figures of chapter 07, with their captions."""
+
+import numpy as np
+from scipy.constants import arcsecond
+
+from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.imu import TYPICAL
+
+from . import equivalent_start, plane_axes, split_triad
+
+
+def _equivalent_start_caption(data: equivalent_start.EquivalentStart) -> str:
+    largest = data.tilts.max(axis=1) / arcsecond
+    return (
+        "A unit on a turntable. Left: scale errors and non-orthogonality drift, the latter to "
+        f"{largest[1]:.0f} arc seconds; misalignment comes back, and is what the total derivative "
+        f"says to {np.abs(data.tilts[2] - data.tilts[3]).max() / arcsecond:.1g} arc seconds. "
+        "Middle: two triads turned together are without effect only if the start is turned as "
+        "well. Right: what remains is of second order for a skew matrix, and only rounding for a "
+        "true rotation."
+    )
+
+
+FIGURES = (
+    FigureDefinition(
+        "07-split-triad",
+        lambda: split_triad.compute(TYPICAL.gyro_error),
+        split_triad.SplitTriadPicture,
+        split_triad.columns,
+        lambda _: (
+            "The gyro triad of a typical unit, and what each part of its error matrix alone would "
+            "do: change the lengths (too little here to be seen), close and open the angles, turn "
+            "all three axes together. Thin lines are the ideal axes. "
+            f"Errors are drawn {split_triad.EXAGGERATION:g} times too large."
+        ),
+    ),
+    FigureDefinition(
+        "07-plane-axes",
+        plane_axes.compute,
+        plane_axes.PlaneAxesPicture,
+        plane_axes.columns,
+        lambda data: (
+            "Two gyros and two accelerometers in a plane. The usual body axes go with the x gyro "
+            f"and turn by {data.usual:.2f} rad; the averaged ones turn by {data.averaged:.2f} rad, "
+            f"the mean of the angles {data.gyros[0]:.2f} and {data.gyros[1]:.2f} of the two gyros."
+        ),
+    ),
+    FigureDefinition(
+        "07-equivalent-start",
+        equivalent_start.compute,
+        equivalent_start.EquivalentStartPicture,
+        equivalent_start.columns,
+        _equivalent_start_caption,
+    ),
+)

@@ -1,0 +1,96 @@
+"""The slider panel of chapter 07."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+from scipy.constants import arcsecond, micro
+
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.checks import FloatArray
+from driftlab.imu import TYPICAL
+
+from .figures import split_triad
+
+PLACES = [(row, column) for row in range(3) for column in range(3)]
+
+
+def _entry(row: int, column: int) -> str:
+    return f"k{'xyz'[row]}{'xyz'[column]}"
+
+
+def _entry_unit(row: int, column: int) -> float:
+    return micro if row == column else arcsecond
+
+
+def _entries(matrix: FloatArray) -> dict[str, float]:
+    """Values of the nine sliders that give a matrix (3, 3)."""
+    return {
+        _entry(*place): round(float(matrix[place] / _entry_unit(*place)), 6) for place in PLACES
+    }
+
+
+class SplitExplorer(Explorer):
+    """An error matrix taken apart."""
+
+    title = "Taking an installation-error matrix apart"
+    picture_class = split_triad.SplitTriadPicture
+    controls = tuple(
+        Control(
+            _entry(row, column),
+            f"K_{'xyz'[row]}{'xyz'[row]}, scale, ppm"
+            if row == column
+            else f"K_{'xyz'[row]}{'xyz'[column]}, to axis {'xyz'[column]}, ″",
+            0.0,
+            -500.0 if row == column else -100.0,
+            500.0 if row == column else 100.0,
+            10.0 if row == column else 5.0,
+            group=f"gyro {'xyz'[row]}",
+        )
+        for row, column in PLACES
+    )
+    presets: ClassVar = {
+        "Typical unit": _entries(TYPICAL.gyro_error),
+        "One gyro leans": {"kxy": 80.0},
+        "Turned as a whole": {"kxy": -80.0, "kyx": 80.0},
+        "Two gyros close up": {"kxy": 80.0, "kyx": 80.0},
+        "Scale only": {"kxx": 400.0, "kyy": -200.0},
+        "No error": {},
+    }
+
+    @staticmethod
+    def _matrix(values: Values) -> FloatArray:
+        entries = [values[_entry(*place)] * _entry_unit(*place) for place in PLACES]
+        return np.array(entries).reshape(3, 3)
+
+    def compute(self, values: Values) -> split_triad.SplitTriad:
+        return split_triad.compute(self._matrix(values))
+
+    def numbers(self, data: split_triad.SplitTriad) -> list[tuple[str, str]]:
+        _, scale, symmetric, _ = data.parts
+        rows = []
+        for i, (axis, (j, k)) in enumerate(zip("xyz", ((0, 1), (0, 2), (1, 2)), strict=True)):
+            pair = "xyz"[j] + "xyz"[k]
+            rows += [
+                (f"scale {axis}", f"{scale[i, i] / micro:.1f} ppm"),
+                (f"non-orthogonality {pair}", f"{symmetric[j, k] / arcsecond:.1f}″"),
+                (f"misalignment about {axis}", f"{data.vector[i] / arcsecond:.1f}″"),
+            ]
+        return rows
+
+    def call(self, values: Values) -> str:
+        rows = [[values[_entry(row, column)] for column in range(3)] for row in range(3)]
+        return (
+            "import numpy as np\n"
+            "from scipy.constants import arcsecond, micro\n"
+            "from driftlab.triad import misalignment_vector, split\n"
+            "unit = np.where(np.eye(3, dtype=bool), micro, arcsecond)\n"
+            f"matrix = unit * np.array({rows})\n"
+            "scale, non_orthogonality, misalignment = split(matrix)\n"
+            "print(misalignment_vector(matrix) / arcsecond)"
+        )
+
+
+PANELS = (SplitExplorer,)

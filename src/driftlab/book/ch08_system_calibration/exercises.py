@@ -1,0 +1,247 @@
+"""Exercises of chapter 08: calibrating the whole system."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value, Verdict
+from driftlab.book.machinery.reading import UnreadableError
+from driftlab.calibration.error_model import ERROR_MODELS
+from driftlab.calibration.observability import expected_covariance, null_directions, passage
+from driftlab.calibration.simulation import TableTrial
+from driftlab.checks import FloatArray
+from driftlab.imu import Noise, Spread
+from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme, segments
+
+LATITUDE = float(np.radians(37.5))
+MODEL = ERROR_MODELS["averaged"]
+SHOWN = [
+    MODEL.names.index(name)
+    for name in ("gyro bias x", "gyro non-orthogonality xy", "accelerometer bias x")
+]
+
+TOLD = Noise(velocity=0.005)
+COARSE = TableTrial(
+    scheme=Scheme(NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=63.0),
+    told=TOLD,
+    sample_interval=0.25,
+    update_interval=9.0,
+    keep=10_000,
+)
+RUNS = 60
+
+
+def _deviations(scheme: Scheme, noise: Noise) -> FloatArray:
+    """Standard deviations (27,) of the states that are expected after a scheme."""
+    way = passage(scheme, LATITUDE, MODEL)
+    return np.sqrt(np.diag(expected_covariance(way, noise, Spread())))
+
+
+@cache
+def _growth() -> FloatArray:
+    """Factors (2, 3) for ten times the gyro noise, and for ten times that of the velocity."""
+    noise = Noise()
+    louder = (
+        replace(noise, angle_random_walk=10 * noise.angle_random_walk),
+        replace(noise, velocity=10 * noise.velocity),
+    )
+    before, *after = (_deviations(NINETEEN_POSITIONS, each) for each in (noise, *louder))
+    return np.stack([deviations / before for deviations in after])[:, SHOWN]
+
+
+@cache
+def _surprise() -> float:
+    """Mean squared normalised innovation, over its degrees of freedom, of a misinformed filter."""
+    trial = COARSE.run(np.random.default_rng(8), RUNS)
+    return float(trial.calibration.surprise.mean()) / 3
+
+
+def _duration(scheme: Scheme) -> float:
+    return sum(segment.duration for segment in segments(scheme, 1e-3))
+
+
+@cache
+def _compared(scheme: Scheme) -> tuple[float, str]:
+    """Largest deviation of a sensor error over that of the nineteen positions, and its name.
+
+    The pauses are made as long as the whole time of the nineteen positions allows.
+    """
+    turning = _duration(scheme) - scheme.positions * scheme.dwell
+    pause = (_duration(NINETEEN_POSITIONS) - turning) / scheme.positions
+    if pause < 1:
+        raise UnreadableError("The turns alone take longer than all the nineteen positions.")
+    timed = replace(scheme, dwell=pause)
+    ratios = _deviations(timed, Noise()) / _deviations(NINETEEN_POSITIONS, Noise())
+    worst = 6 + int(ratios[6:].argmax())
+    return float(ratios[worst]), MODEL.names[worst]
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Positions(Exercise):
+    """A scheme of a few positions that shows all states, and none of them too badly."""
+
+    positions: int
+    most: float
+
+    def verdict(self, answer: Any) -> Verdict:
+        found = super().verdict(answer)
+        if not found.right:
+            return found
+        ratio, name = _compared(_scheme(answer))
+        return found._replace(
+            says=f"{found.says} The worst of yours is {name}: {ratio:.1f} times the deviation."
+        )
+
+    def expected(self) -> str:
+        return "a scheme; see the solutions"
+
+    def told(self) -> list[str]:
+        return [
+            "How many positions the scheme has, if not as many as asked.",
+            "Which states it leaves in the dark.",
+            "Which sensor error is known worst, if it is far worse than with nineteen positions.",
+        ]
+
+    def _objection(self, answer: Any) -> str | None:
+        scheme = _scheme(answer)
+        if scheme.positions != self.positions:
+            return (
+                f"This scheme has {scheme.positions} positions: one more than there are rotations."
+            )
+        try:
+            dark = null_directions(passage(scheme, LATITUDE, MODEL))
+        except ValueError as error:
+            raise UnreadableError(str(error)) from None
+        if dark.words:
+            return f"In the dark stay {'; '.join(dark.words)}."
+        ratio, name = _compared(scheme)
+        if ratio > self.most:
+            return (
+                f"Nothing stays in the dark. But {name} has {ratio:.0f} times the deviation that "
+                "the nineteen positions reach. Ask which pair of positions, or which turn, would "
+                "show it."
+            )
+        return None
+
+
+def _scheme(answer: Any) -> Scheme:
+    """The answer as a scheme; text stands for the rotations of one."""
+    if isinstance(answer, Scheme):
+        return answer
+    if not isinstance(answer, str):
+        raise UnreadableError("Expected a Scheme, or its rotations as text.")
+    try:
+        return Scheme(answer)
+    except ValueError as error:
+        raise UnreadableError(str(error)) from None
+
+
+EXERCISES: dict[str, Exercise] = {
+    "8.1": Choice(
+        kind="predict",
+        right="ade",
+        wrong={
+            "b": "is found in the turns, and the turns are the same. A pause only has to show the "
+            "level before and after each, and half a minute does.",
+            "c": "leaves a tilt after a turn about another axis. The tilt shows in a part of a "
+            "minute.",
+            "f": "is an angle between an accelerometer and the gyros. What finds it is how often "
+            "the table turns, more than how long it rests.",
+        },
+        remark="What shows as a constant rate or acceleration needs time; what shows as an angle "
+        "needs turns.",
+    ),
+    "8.2": Value(
+        kind="slide",
+        right=_growth,
+        absolute=0.5,
+        mistakes={
+            "The two rows are exchanged: the gyro noise comes first.": lambda: _growth()[::-1],
+            "This is the old deviation over the new one.": lambda: 1 / _growth(),
+            "These are ratios of variances; deviations are their roots.": lambda: _growth() ** 2,
+            "This would hold if each error had one noise alone. Look at the non-orthogonality "
+            "under both.": lambda: np.array([[10, 10, 1], [1, 1, 10]]),
+            "These are roots of the ratios. The panel shows deviations already.": (
+                lambda: np.sqrt(_growth())
+            ),
+        },
+        remark="The non-orthogonality has both noises, and neither alone makes it ten times as "
+        "large.",
+    ),
+    "8.3": Formula(
+        kind="compute",
+        arguments=("q", "T"),
+        draw=lambda rng: (rng.uniform(1e-6, 1e-4), rng.uniform(10, 4000)),
+        right=lambda q, T: q / np.sqrt(T),
+        mistakes={
+            "This is the deviation of the angle after that time. The bias is an angle over the "
+            "time.": lambda q, T: q * np.sqrt(T),
+            "The deviation of the angle was taken to grow like the time. What grows so is the "
+            "effect of a bias; white noise is slower.": lambda q, T: q,
+            "The angle was taken to have the same deviation at all times. It is a random walk.": (
+                lambda q, T: q / T
+            ),
+            "This is the variance.": lambda q, T: q**2 / T,
+        },
+        remark="Four times the time halves it, and no filter and no scheme can do better.",
+    ),
+    "8.4": Formula(
+        kind="compute",
+        arguments=("m", "N"),
+        draw=lambda rng: (float(rng.integers(1, 31)), float(rng.integers(2, 200))),
+        right=lambda m, N: np.sqrt(2 / (m * N)),
+        mistakes={
+            "This is the variance of the mean.": lambda m, N: 2 / (m * N),
+            "The deviation of a mean was taken to fall like the number of runs. It is its variance "
+            "that does.": lambda m, N: np.sqrt(2 / m) / N,
+            "This is for a single run.": lambda m, N: np.sqrt(2 / m),
+            "The mean has not been divided by the number of states yet.": (
+                lambda m, N: np.sqrt(2 * m / N)
+            ),
+            "The square of a normal number has another variance than the number itself.": (
+                lambda m, N: 1 / np.sqrt(m * N)
+            ),
+        },
+        remark="Units that err badly make the true spread larger than that.",
+    ),
+    "8.5": _Positions(
+        kind="compute",
+        positions=6,
+        most=20.0,
+        remark="Every direction is seen, and none too badly.",
+    ),
+    "8.6": Choice(
+        kind="explain",
+        right="ade",
+        wrong={
+            "b": "would need a velocity that depends on them, if only a little. Noise hides; it "
+            "does not show.",
+            "c": "takes them for something that is measured, only badly. Set the pauses to 300 s "
+            "and look.",
+            "f": "finds nothing out. These axes are chosen so that three numbers are zero; how "
+            "they lie in the case of the unit remains as unknown.",
+        },
+        remark="A filter that knows something before may be sure of what it never sees.",
+    ),
+    "8.7": Value(
+        kind="compute",
+        right=_surprise,
+        accuracy=0.055,
+        mistakes={
+            "Twice the deviation is four times the variance, and squares are compared here.": (
+                lambda: COARSE.noise.velocity / TOLD.velocity
+            ),
+            "This would hold if the velocity noise were all. In the innovation there is also what "
+            "the filter does not know of its own velocity, and that is told rightly.": (
+                lambda: (COARSE.noise.velocity / TOLD.velocity) ** 2
+            ),
+            "This is what a filter finds that is told the truth.": lambda: 1.0,
+            "The mean has not been divided by the three components yet.": lambda: 3 * _surprise(),
+        },
+        remark="This test needs no truth: it works on a real table as well.",
+    ),
+}

@@ -1,0 +1,117 @@
+"""What a rotation scheme shows: eigenvalues of the Gramian, and the accuracy to expect."""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from driftlab.book.machinery.picture import BLACK, BLUE, GREY, VERMILION, Picture
+from driftlab.calibration.error_model import FULL, ErrorModel
+from driftlab.calibration.observability import (
+    Darkness,
+    Passage,
+    checked_model,
+    expected_covariance,
+    null_directions,
+    passage,
+)
+from driftlab.checks import FloatArray, finite_number
+from driftlab.imu import Noise, Spread
+from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme
+
+LATITUDE = float(np.radians(37.5))
+FLOOR = 1e-21
+"""Below it an eigenvalue, relative to the largest, is drawn as zero."""
+
+
+class TableObservability(NamedTuple):
+    """One scheme and one choice of states."""
+
+    names: tuple[str, ...]
+    eigenvalues: FloatArray  # (size,), ascending, relative to the largest
+    dark: int  # how many of them are zero
+    words: list[str]  # which directions they belong to
+    before: FloatArray  # (size,): standard deviations known before, SI
+    after: FloatArray  # (size,): expected after the scheme
+
+
+def compute(
+    scheme: Scheme = NINETEEN_POSITIONS,
+    model: ErrorModel = FULL,
+    noise: Noise | None = None,
+    latitude: float = LATITUDE,
+) -> TableObservability:
+    """Follow the error equations of a model along a scheme; typical spread and noise."""
+    way, dark = _followed(scheme, finite_number(latitude, "latitude"), checked_model(model))
+    spread = Spread()
+    covariance = expected_covariance(way, Noise() if noise is None else noise, spread)
+    return TableObservability(
+        model.names,
+        dark.eigenvalues / dark.eigenvalues[-1],
+        len(dark.directions),
+        list(dark.words),
+        np.sqrt(np.diag(model.covariance(spread, way.start))),
+        np.sqrt(np.diag(covariance)),
+    )
+
+
+@lru_cache(maxsize=1)
+def _followed(scheme: Scheme, latitude: float, model: ErrorModel) -> tuple[Passage, Darkness]:
+    """What does not depend on the noise: kept for a reader who moves only that."""
+    way = passage(scheme, latitude, model)
+    return way, null_directions(way)
+
+
+def columns(data: TableObservability) -> dict[str, FloatArray | list[str]]:
+    """Columns of the figure's CSV; eigenvalues as logarithms, zero as the floor."""
+    return {
+        "log10 of eigenvalue": np.log10(np.maximum(data.eigenvalues, FLOOR)).round(3),
+        "state": list(data.names),
+        "after_over_before": _ratios(data).round(5),
+    }
+
+
+def _ratios(data: TableObservability) -> FloatArray:
+    """Deviation after the scheme over that before; one where nothing was known or to be known."""
+    known = data.before > 0
+    return np.where(known, data.after / np.where(known, data.before, 1.0), 1.0)
+
+
+class TableObservabilityPicture(Picture[TableObservability]):
+    """Eigenvalues on the left, accuracy of each sensor error on the right."""
+
+    size = (10.5, 4.0)
+
+    def build(self) -> None:
+        values, ratios = self.figure.subplots(1, 2, gridspec_kw={"width_ratios": [0.62, 1.0]})
+        self.figure.subplots_adjust(0.065, 0.27, 0.99, 0.91, wspace=0.16)
+        values.set(title="eigenvalues of the Gramian", xlabel="number", yscale="log")
+        values.set(xlim=(0, 31), ylim=(FLOOR / 5, 10), ylabel="relative to the largest")
+        values.set_yticks([1e-20, 1e-15, 1e-10, 1e-5, 1])
+        values.axhline(FLOOR, color=GREY, linewidth=0.8)
+        values.text(30.5, 1.5 * FLOOR, "zero", color=GREY, ha="right")
+        self.bright = self.line(values, color=BLUE, marker="o", linestyle="none", markersize=4)
+        self.dark = self.line(values, color=VERMILION, marker="X", linestyle="none", markersize=7)
+        ratios.set(title="deviation after the scheme, over that before", yscale="log")
+        ratios.set(xlim=(-0.7, len(SLOTS) - 0.3), ylim=(5e-4, 2))
+        ratios.axhline(1.0, color=BLACK, linewidth=0.8)
+        ratios.set_xticks(range(len(SLOTS)), SLOTS, rotation=55, ha="right", fontsize=7.5)
+        self.ratios = self.line(ratios, color=BLUE, marker="o", linestyle="none", markersize=5)
+
+    def update(self, data: TableObservability) -> None:
+        numbers = np.arange(1, len(data.eigenvalues) + 1)
+        values = np.maximum(data.eigenvalues, FLOOR)
+        self.dark.set_data(numbers[: data.dark], np.full(data.dark, FLOOR))
+        self.bright.set_data(numbers[data.dark :], values[data.dark :])
+        self.ratios.set_data(
+            [SLOTS.index(_slot(name)) for name in data.names[6:]], _ratios(data)[6:]
+        )
+
+
+def _slot(name: str) -> str:
+    """Place of a sensor error on the axis, the same for all choices of states."""
+    words = name.replace("accelerometer", "acc.").split()
+    return " ".join(word for word in words if word not in ("installation", "non-orthogonality"))
+
+
+SLOTS = [_slot(name) for name in FULL.names[6:]]

@@ -1,0 +1,154 @@
+"""The slider panels of Part III."""
+
+from itertools import groupby
+from typing import ClassVar
+
+import numpy as np
+from scipy.constants import degree, g, hour, micro
+
+from driftlab.book.ch08_system_calibration.figures.calibration_errors import unit_of
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.calibration.error_model import ERROR_MODELS, FULL
+from driftlab.imu import Noise
+from driftlab.motion.turntable import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
+from driftlab.triad import BODY_FRAMES
+
+from .figures import calibration_run, table_observability
+
+STATES = {
+    "all 30": FULL,
+    **{f"27, {frame}": ERROR_MODELS[frame] for frame in BODY_FRAMES},
+}
+STARTS = ("Up East North", "East North Up", "North Up East")
+
+
+class ObservabilityExplorer(Explorer):
+    """What a rotation scheme of one's own can show."""
+
+    title = "Observability laboratory: what a rotation scheme can show"
+    picture_class = table_observability.TableObservabilityPicture
+    controls = (
+        Control(
+            "rotations", "rotations", NINETEEN_POSITIONS.rotations,
+            examples=(EIGHTEEN_ROTATIONS.rotations, "+90X +90Y +90Z", "+90Z", ""),
+        ),
+        Control("start", "x, y, z at first", STARTS[0], choices=STARTS, group="scheme"),
+        Control("dwell", "pause, s", 120.0, 10.0, 300.0, 10.0, group="scheme"),
+        Control("rate", "turn rate, deg/s", 10.0, 2.0, 40.0, 1.0, group="scheme"),
+        Control("states", "states", "27, averaged", choices=tuple(STATES), group="filter"),
+        Control("latitude", "latitude, degrees", 37.5, -80.0, 80.0, 0.5, group="filter"),
+        Control("gyro", "gyro noise, 1e-3 °/√h", 5.0, 0.0, 50.0, 0.5, group="noise"),
+        Control("accelerometer", "acc. noise, µg/√Hz", 5.0, 0.0, 100.0, 1.0, group="noise"),
+        Control("velocity", "velocity noise, mm/s", 10.0, 1.0, 100.0, 1.0, group="noise"),
+    )  # fmt: skip
+    presets: ClassVar = {
+        "19 positions, 27 states": {},
+        "19 positions, all 30": {"states": "all 30"},
+        "18 rotations": {"rotations": EIGHTEEN_ROTATIONS.rotations, "start": "East North Up"},
+        "18 rotations, bad start": {
+            "rotations": EIGHTEEN_ROTATIONS.rotations, "start": "North Up East"
+        },
+        "About one axis only": {"rotations": "+90Z +90Z +90Z +90Z"},
+        "Hurried": {"dwell": 10.0, "rate": 40.0},
+    }  # fmt: skip
+
+    @staticmethod
+    def _scheme(values: Values) -> Scheme:
+        x, y, z = values["start"].split()
+        rate = float(np.radians(values["rate"]))
+        return Scheme(values["rotations"], (x, y, z), values["dwell"], rate)
+
+    def compute(self, values: Values) -> table_observability.TableObservability:
+        noise = Noise(
+            values["gyro"] * 1e-3 * degree / float(np.sqrt(hour)),
+            values["accelerometer"] * micro * g,
+            values["velocity"] * 1e-3,
+        )
+        return table_observability.compute(
+            self._scheme(values),
+            STATES[values["states"]],
+            noise,
+            float(np.radians(values["latitude"])),
+        )
+
+    def numbers(self, data: table_observability.TableObservability) -> list[tuple[str, str]]:
+        size = len(data.names)
+        rows = [("rank", f"{size - data.dark} of {size}")]
+        rows += [("in the dark", words) for words in data.words]
+        # One entry for each kind of error, so that the sliders stay close to the picture.
+        errors = zip(data.names[6:], data.after[6:], strict=True)
+        for kind, members in groupby(errors, key=lambda error: error[0].rsplit(" ", 1)[0]):
+            names, deviations = zip(*members, strict=True)
+            scale, unit = unit_of(names[0])
+            places = ", ".join(name.rsplit(" ", 1)[1] for name in names)
+            values = ", ".join(f"{deviation / scale:.2g}" for deviation in deviations)
+            rows.append((f"{kind} {places}", f"{values} {unit}"))
+        return rows
+
+    def call(self, values: Values) -> str:
+        model = STATES[values["states"]]
+        name = "FULL" if model is FULL else f"ERROR_MODELS[{model.frame!r}]"
+        imported = "FULL" if model is FULL else "ERROR_MODELS"
+        start = tuple(values["start"].split())
+        return (
+            "import numpy as np\n"
+            f"from driftlab.error_model import {imported}\n"
+            "from driftlab.calibration import null_directions, passage\n"
+            "from driftlab.motion import Scheme\n"
+            f"scheme = Scheme({values['rotations']!r}, {start},\n"
+            f"                dwell={values['dwell']}, rate=np.radians({values['rate']}))\n"
+            f"way = passage(scheme, np.radians({values['latitude']}), {name})\n"
+            "print(null_directions(way).words)"
+        )
+
+
+class CalibrationRunExplorer(Explorer):
+    """One sensor error after the other, all along a calibration."""
+
+    title = "A calibration, sensor error by sensor error"
+    picture_class = calibration_run.CalibrationRunPicture
+    controls = (
+        Control(
+            "parameter", "sensor error", "gyro bias x", choices=calibration_run.PARAMETERS,
+            group="what",
+        ),
+        Control(
+            "frame", "body axes", "averaged", choices=tuple(BODY_FRAMES[:3]), group="what"
+        ),
+        Control("minute", "moment, minutes", 40.0, 0.0, 40.0, 0.5, group="when"),
+    )  # fmt: skip
+    presets: ClassVar = {
+        "Gyro bias": {},
+        "Gyro scale": {"parameter": "gyro scale x"},
+        "Gyro non-orthogonality": {"parameter": "gyro off-diagonal 1"},
+        "Accelerometer bias": {"parameter": "accelerometer bias x"},
+        "Accelerometer installation": {"parameter": "accelerometer off-diagonal xy"},
+    }
+
+    def compute(self, values: Values) -> calibration_run.CalibrationRun:
+        return calibration_run.compute(values["parameter"], values["frame"], values["minute"])
+
+    def numbers(self, data: calibration_run.CalibrationRun) -> list[tuple[str, str]]:
+        size, unit = unit_of(data.name)
+        at = data.shown
+        return [
+            (data.name, ""),
+            ("moment", f"{data.times[at] / 60:.1f} min"),
+            ("estimate", f"{data.estimate[at] / size:.4f} {unit}"),
+            ("true", f"{data.true / size:.4f} {unit}"),
+            ("error", f"{(data.true - data.estimate[at]) / size:.4f} {unit}"),
+            ("three deviations", f"{3 * data.deviation[at] / size:.4g} {unit}"),
+        ]
+
+    def call(self, values: Values) -> str:
+        return (
+            "from driftlab.figures import calibration_run\n"
+            f"history = calibration_run.compute({values['parameter']!r}, {values['frame']!r}, "
+            f"{values['minute']})\n"
+            "print(history.name, history.estimate[history.shown],\n"
+            "      3 * history.deviation[history.shown])  # in SI units"
+        )
+
+
+PANELS = (ObservabilityExplorer, CalibrationRunExplorer)

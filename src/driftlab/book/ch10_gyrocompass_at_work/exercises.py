@@ -1,0 +1,271 @@
+"""Exercises of chapter 10: the gyrocompass at work."""
+
+from functools import cache
+
+import numpy as np
+from scipy.constants import arcminute, degree, hour
+
+from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.scenarios import UNDER_WAY, ship
+from driftlab.checks import FloatArray
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
+from driftlab.gyrocompass.heading_error import level_coriolis, speed_deviation
+from driftlab.gyrocompass.simulation import ErrorsUnderWay, take_along
+from driftlab.gyrocompass.trials import normal_ranges, range_over_deviation
+
+LATITUDE = float(np.radians(51.5))
+GRAVITY = float(gravity(LATITUDE))
+PERIOD = 2 * np.pi * np.sqrt(EARTH_RADIUS / GRAVITY)
+SPEED, INTERVAL = 10.0, 4.0
+LOG_ERROR = 0.1
+GROWTH = 0.01 * degree / hour / hour
+TUNINGS = (0.25, 0.5, 0.8, 0.95, 1.0, 1.05, 1.25, 2.0, 4.0)
+"""The stops of the panel's slider."""
+VALUES, TRIALS = 26, 120_000
+WITHIN = 5.56
+
+
+@cache
+def _to_the_east() -> FloatArray:
+    """Speed deviation, tilt after gathering way, mean tilt over the next swing: arc minutes."""
+    run = take_along(ship(LATITUDE, SPEED, -np.pi / 2, 0.0, INTERVAL), np.zeros(3))
+    begin = sum(UNDER_WAY)
+    after = np.searchsorted(run.times, begin)
+    swing = (run.times > begin) & (run.times <= begin + PERIOD)
+    tilts = run.tilt[after], run.tilt[swing].mean(axis=0)
+    return np.array([abs(run.deviation[after]), *np.linalg.norm(tilts, axis=-1)]) / arcminute
+
+
+def _guess(deviation: float = 0.0, gathering: float = 0.0, even: float = 1.0) -> FloatArray:
+    """Answer to 10.1 in arc minutes; the tilt on an even way counts in U sin(latitude) v/g."""
+    hanging = even * EARTH_RATE * np.sin(LATITUDE) * SPEED / GRAVITY
+    return np.array([deviation, gathering, hanging]) / arcminute
+
+
+def _to_the_north() -> float:
+    return float(-speed_deviation(LATITUDE, [SPEED, 0.0]))
+
+
+def _plumb_line() -> float:
+    """Largest lean of the plumb line while the ship gathers way, rad."""
+    way = ship(LATITUDE, SPEED, -np.pi / 2, 0.0, 1.0)
+    return float(np.abs(way.velocity_increments[:, 0] / way.velocity_increments[:, 1]).max())
+
+
+def _wrong_log() -> float:
+    """How many times more the log's error does to the deviation than to the mean tilt."""
+    right, wrong = [SPEED, 0.0], [SPEED + LOG_ERROR, 0.0]
+    turned = speed_deviation(LATITUDE, wrong) - speed_deviation(LATITUDE, right)
+    pushed = level_coriolis(LATITUDE, wrong) - level_coriolis(LATITUDE, right)
+    return float(np.abs(turned) / (np.linalg.norm(pushed) / GRAVITY))
+
+
+@cache
+def _growing_drift() -> ErrorsUnderWay:
+    """Errors at the quay with a drift about East that grows."""
+    quay = ship(LATITUDE, 0.0, 0.0, 0.0, INTERVAL)
+    drift = np.zeros_like(quay.angle_increments)
+    drift[:, 2] = GROWTH * quay.times[:-1]  # none in the interval that the alignment reads
+    return take_along(quay, drift)
+
+
+def _heading_and_yaw() -> FloatArray:
+    run = _growing_drift()
+    return np.degrees([run.heading_error[-1], run.yaw_error[-1]])
+
+
+def _no_swing(level_rate: float) -> FloatArray:
+    """Answer to 10.4 in degrees if the last drift stood against `level_rate`."""
+    return np.degrees([GROWTH * _growing_drift().times[-1] / level_rate, 0.0])
+
+
+@cache
+def _voyages() -> FloatArray:
+    """Heading errors (tunings, times) of the panel's first preset."""
+    from .figures import operation
+
+    return np.array([operation.compute(tuning_factor=k).heading_error for k in TUNINGS])
+
+
+def _best_tuning() -> float:
+    return TUNINGS[int(np.argmin(np.abs(_voyages()).max(axis=1)))]
+
+
+def _best_at_the_end() -> float:
+    return TUNINGS[int(np.argmin(np.abs(_voyages()[:, -1])))]
+
+
+CHAPTER_NAMES = {"phi": "varphi", "gravity": "g", "v1": "v_1", "v3": "v_3"}
+"""What the symbols are called in the code of the chapter."""
+
+HANGING = ("U", "varphi", "g", "R", "v_1", "v_3")
+
+
+def _some_way(rng: np.random.Generator) -> tuple[float, ...]:
+    # Real sizes: a term of the order R U²/g, which is first order too, is small on the Earth only.
+    earth, place, pull = rng.uniform([5e-5, 0.3, 9.7], [9e-5, 1.2, 9.9])
+    return earth, place, pull, rng.uniform(6.3e6, 6.4e6), *rng.uniform(-20.0, 20.0, 2)
+
+
+def _hangs(earth: float, place: float, pull: float, _: float, north: float, east: float) -> float:
+    """Tilt about East on an even way without a log."""
+    return -earth * np.sin(place) * east / pull
+
+
+@cache
+def _wide_ranges(width: float = 3.0) -> FloatArray:
+    """Two ratios (2, TRIALS) of samples with outliers: range over deviation, by n - 1 and by n."""
+    rng = np.random.default_rng(10)
+    wide = np.where(rng.random((TRIALS, VALUES)) < 0.1, width, 1.0)
+    ratio = range_over_deviation(wide * rng.standard_normal(wide.shape))
+    return np.array([ratio, ratio * np.sqrt(VALUES / (VALUES - 1))])
+
+
+def _how_often(width: float = 3.0, divided_by_n: bool = False) -> float:
+    return float(np.mean(_wide_ranges(width)[int(divided_by_n)] >= WITHIN))
+
+
+def _without_outliers() -> float:
+    """The same for normal samples, as many and from the same seed as in the chapter."""
+    return float(np.mean(normal_ranges(VALUES, 200_000, np.random.default_rng(1)) >= WITHIN))
+
+
+EXERCISES: dict[str, Exercise] = {
+    "10.1": Value(
+        kind="predict",
+        right=_to_the_east,
+        unit="arc minutes",
+        absolute=0.015,
+        mistakes={
+            "The way North turns the level rate aside. A way East has the direction of the Earth's "
+            "own turn: it makes the level rate longer and does not turn it.": (
+                lambda: _guess(_to_the_north())
+            ),
+            "The plumb line leans, but the tuned horizon does not follow it.": (
+                lambda: _guess(gathering=_plumb_line())
+            ),
+            "On an even way there is a Coriolis force, and a part of it looks like a tilt.": (
+                lambda: _guess(even=0.0)
+            ),
+            "That is the largest tilt, or the one for the whole Coriolis force; the horizon swings "
+            "about the middle.": lambda: _guess(even=2.0),
+            "Not the cosine: on a level way the Coriolis force that is level comes from the part "
+            "of the Earth's rate about Up.": (lambda: _guess(even=1 / np.tan(LATITUDE))),
+        },
+        remark="The deviation asks for the way North, the Coriolis tilt for the speed alone.",
+    ),
+    "10.2": Choice(
+        kind="explain",
+        right="abd",
+        wrong={
+            "c": "does not fit the brackets: a tilt about East stands in that for North, which has "
+            "the factor of the velocity North. In that for East only its rate stands.",
+            "e": "is not so: both channels have the same gains, and the same period.",
+            "f": "forgets the factor of the second bracket, which grows with the velocity North.",
+        },
+        remark="A compass reads a rate; what swings quickly against the Earth shows most.",
+    ),
+    "10.3": Value(
+        kind="compute",
+        right=_wrong_log,
+        accuracy=0.03,
+        mistakes={
+            "A horizon that is not in balance swings out twice as far as it hangs; the mean is "
+            "asked, and on a way North half of the Coriolis force is no tilt.": (
+                lambda: _wrong_log() / 2
+            ),
+            "That is the ratio of the tilt to the deviation; the other one is asked.": (
+                lambda: 1 / _wrong_log()
+            ),
+            "Not the sine: the speed deviation stands against the level part of the Earth's "
+            "rate.": (lambda: _wrong_log() / np.tan(LATITUDE)),
+            "Not the cosine: the Coriolis force that is level comes from the part of the Earth's "
+            "rate about Up.": lambda: _wrong_log() * np.tan(LATITUDE),
+            "A Coriolis force is an acceleration; it becomes a tilt when it is divided by g.": (
+                lambda: _wrong_log() / GRAVITY
+            ),
+        },
+        remark="A poor log is good enough for the horizon, and not for the deviation.",
+    ),
+    "10.4": Value(
+        kind="compute",
+        right=_heading_and_yaw,
+        unit="degrees",
+        absolute=(0.002, 5e-4),
+        mistakes={
+            "That is the other way round: the yaw hardly notices a drift about East.": (
+                lambda: _heading_and_yaw()[::-1]
+            ),
+            "That is the drift over the level rate. A drift that grows also makes the horizon "
+            "swing.": lambda: _no_swing(EARTH_RATE * np.cos(LATITUDE)),
+            "Sine for cosine, and no swing: North is told by the level part of the Earth's rate.": (
+                lambda: _no_swing(EARTH_RATE * np.sin(LATITUDE))
+            ),
+            "Only the level part of the Earth's rate tells where North is; and there is a swing.": (
+                lambda: _no_swing(EARTH_RATE)
+            ),
+            "That is the angle by which the gyro has drifted. Gravity holds the horizon; the drift "
+            "goes into the correction, in which North is read.": (
+                lambda: [np.degrees(GROWTH) * _growing_drift().times[-1] ** 2 / 2, 0.0]
+            ),
+        },
+        remark="It grows like the drift itself: the yaw has nothing to cancel it with.",
+    ),
+    "10.5": Value(
+        kind="slide",
+        right=_best_tuning,
+        absolute=0.01,
+        mistakes={
+            "That is Schuler's own. On this voyage another stop of the slider has a smaller "
+            "largest error.": lambda: 1.0,
+            "The right side of Schuler's, but too far: now the acceleration tilts the horizon.": (
+                lambda: 0.8
+            ),
+            "That has the smallest error at the end; the largest on the way is asked.": (
+                _best_at_the_end
+            ),
+        },
+        remark="Turn the ship to the other side, and Schuler's is best: it was luck.",
+    ),
+    "10.6": Formula(
+        kind="compute",
+        arguments=HANGING,
+        aliases=CHAPTER_NAMES,
+        draw=_some_way,
+        right=_hangs,
+        accuracy=5e-3,
+        mistakes={
+            "Look at the sign: the tilt must take away from the force that the way makes.": (
+                lambda *way: -_hangs(*way)
+            ),
+            "That is the whole Coriolis force. Half of it is wanted: the horizon falls behind the "
+            "meridian, so its level rates must change.": lambda *way: 2 * _hangs(*way),
+            "The horizon falls behind the meridian: with the other sign of that, the correction "
+            "would need a force the other way.": lambda *way: 3 * _hangs(*way),
+            "The Coriolis force of a way North points East or West, and so tilts about North.": (
+                lambda u, place, pull, r, v1, v3: _hangs(u, place, pull, r, v3, v1)
+            ),
+            "The level Coriolis force comes from the part of the Earth's rate about Up.": (
+                lambda *way: _hangs(*way) / np.tan(way[1])
+            ),
+            "A force is not yet a tilt: g is missing.": lambda *way: _hangs(*way) * way[2],
+            "Without acceleration there is a force all the same: the axes turn.": lambda *way: 0.0,
+        },
+        remark="On every course the tilt is about the line of the way itself.",
+    ),
+    "10.7": Value(
+        kind="compute",
+        right=_how_often,
+        accuracy=0.06,
+        mistakes={
+            "Three times as wide means three times the standard deviation, not the variance.": (
+                lambda: _how_often(np.sqrt(3))
+            ),
+            "That is without any outliers.": _without_outliers,
+            "With n - 1 below, as usual for a sample, the deviation is a little larger.": (
+                lambda: _how_often(divided_by_n=True)
+            ),
+        },
+        remark="One restart in ten gone astray makes the printed numbers nothing unusual.",
+    ),
+}

@@ -1,0 +1,141 @@
+"""The published figures of chapter 10, with their captions."""
+
+import numpy as np
+from scipy.constants import arcminute, degree, hour
+
+from driftlab.book.ch09_aligning_a_gyrocompass.figures import averaging_window
+from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.scenarios import TURN
+from driftlab.checks import FloatArray
+from driftlab.gyrocompass.simulation import ErrorsUnderWay
+
+from . import (
+    ballistic_error,
+    operating_formula,
+    operation,
+    restarts,
+    settling,
+    static_characteristic,
+)
+
+
+def _largest(values: FloatArray) -> float:
+    return float(np.degrees(np.abs(values).max()))
+
+
+def _settling_caption(data: settling.Settling) -> str:
+    return (
+        "Left: a horizon that is half a degree out of level and does not know where North is "
+        f"settles; the heading error ends at {np.degrees(data.settling_heading[-1]):.1g} degrees. "
+        f"Right: {settling.RUNS} such runs with gyro noise, left to Schuler's tuning. The noise of "
+        "the last moment becomes a swing, and new noise feeds it; the formula says one deviation."
+    )
+
+
+def _operation_caption(data: ErrorsUnderWay) -> str:
+    gap = _largest(data.heading_error - data.formula.heading)
+    return (
+        "A ship gathers way to the North and turns West (shaded); gyros drift by a few hundredths "
+        f"of a degree per hour. The heading error reaches {_largest(data.heading_error):.2f} "
+        f"degrees, the formula follows within {gap:.1g}. The yaw runs away and the compass angle "
+        f"takes it back. The speed deviation, up to {_largest(data.deviation):.1f} degrees, is "
+        "counted apart."
+    )
+
+
+def _ballistic_caption(data: ballistic_error.BallisticError) -> str:
+    tilts = [np.abs(run.tilt).max() / arcminute for run in data.runs.values()]
+    damped = _largest(list(data.runs.values())[-1].heading_error)
+    return (
+        "One voyage, perfect sensors, five horizons. Schuler's tuning does not feel that the ship "
+        f"gathers way; what tilts it by up to {tilts[0]:.1f} arc minutes is the Coriolis force, "
+        f"and with a log to take that out {tilts[1]:.1g} are left. Other tunings tilt by up to "
+        f"{max(tilts[2:]):.0f}. The damped one answers at once, by {damped:.0f} degrees of "
+        "heading, beyond the axes."
+    )
+
+
+def _formula_caption(data: operating_formula.OperatingFormula) -> str:
+    before = data.run.times < TURN[0]
+    without = [_largest(gap[before]) for gap in data.gaps[1:]]
+    return (
+        "Everything wrong at once on a fast craft with its bow up. Left: the error of the compass "
+        f"angle, up to {_largest(data.run.compass_error):.1f} degrees, and the formula's terms, "
+        "given the tilts and the yaw error of the simulation. Right: until the turn at most "
+        f"{_largest(data.gaps[0][before]):.2g} degrees are missing with all terms, and "
+        f"{min(without):.2g} or more without any one of them. After it the craft goes nearly West, "
+        "and the term with the velocity North fades."
+    )
+
+
+def _static_caption(data: static_characteristic.StaticCharacteristic) -> str:
+    medians = np.degrees(np.median(data.largest, axis=1))
+    lasting = np.interp(static_characteristic.PRINTED, medians, data.lasting)
+    return (
+        "The paper's Fig. 1, simulated from its description; its own plot is lost. Left: one unit, "
+        "three runs around the dial. Right: the largest error of the averaged characteristic over "
+        f"random units; the printed {static_characteristic.PRINTED:g} degrees are the median for "
+        f"a lasting drift with a deviation of {lasting:.3f} degrees per hour a gyro."
+    )
+
+
+def _restarts_caption(data: restarts.Restarts) -> str:
+    ratio = restarts.PRINTED_SPREAD / restarts.PRINTED_DEVIATION
+    low, _ = restarts.rounding()
+    averaged = data.deviations[:, 1] / (degree / hour)
+    return (
+        "The paper's Fig. 2, simulated from its description; its own plot is lost. Left: one "
+        f"series, with gyro noise of {averaging_window.WHITE[0]:g} degrees per hour a sample, "
+        f"averaged. Middle: noise of {averaging_window.WHITE[1]:g} degrees per hour a sample; "
+        f"after the average {averaged[1]:.3f}, and {averaged[0]:.3f} where it was "
+        f"{averaging_window.WHITE[0]:g}. Right: of "
+        f"{restarts.TRIALS} normal samples {np.mean(data.ranges >= ratio):.1%} have a range as "
+        f"large as the printed one, {np.mean(data.ranges >= low):.0%} one that could be rounded "
+        "to it."
+    )
+
+
+FIGURES = (
+    FigureDefinition(
+        "10-settling",
+        settling.compute,
+        settling.SettlingPicture,
+        settling.columns,
+        _settling_caption,
+    ),
+    FigureDefinition(
+        "10-ballistic-error",
+        ballistic_error.compute,
+        ballistic_error.BallisticErrorPicture,
+        ballistic_error.columns,
+        _ballistic_caption,
+    ),
+    FigureDefinition(
+        "10-operation",
+        operation.compute,
+        operation.OperationPicture,
+        operation.columns,
+        _operation_caption,
+    ),
+    FigureDefinition(
+        "10-operating-formula",
+        operating_formula.compute,
+        operating_formula.OperatingFormulaPicture,
+        operating_formula.columns,
+        _formula_caption,
+    ),
+    FigureDefinition(
+        "10-static-characteristic",
+        static_characteristic.compute,
+        static_characteristic.StaticCharacteristicPicture,
+        static_characteristic.columns,
+        _static_caption,
+    ),
+    FigureDefinition(
+        "10-restarts",
+        restarts.compute,
+        restarts.RestartsPicture,
+        restarts.columns,
+        _restarts_caption,
+    ),
+)

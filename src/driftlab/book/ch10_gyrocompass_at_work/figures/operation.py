@@ -1,0 +1,141 @@
+"""A ship's gyrocompass for two hours: its errors, and the paper's formula for them."""
+
+from functools import lru_cache
+
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import ArrayLike
+from scipy.constants import arcminute, degree, hour, minute
+
+from driftlab.book.ch09_aligning_a_gyrocompass.figures.alignment_budget import LATITUDE
+from driftlab.book.machinery.picture import BLACK, SERIES, Picture
+from driftlab.book.scenarios import DURATION, TURN, UNDER_WAY, ship
+from driftlab.checks import FloatArray, finite_number
+from driftlab.gyrocompass.simulation import ErrorsUnderWay, take_along
+from driftlab.motion.vehicle import Voyage
+
+INTERVAL = 4.0
+"""Step of the simulation, s. The increments hold the motion whatever the step, and what is shown
+swings within minutes and hours, so that a long step will do."""
+DRIFT: FloatArray = np.array([0.01, 0.03, 0.01]) * degree / hour
+
+
+def compute(
+    latitude: float = LATITUDE,
+    speed: float = 10.0,
+    course: float = 0.0,
+    turn: float = float(np.radians(90.0)),
+    drift: ArrayLike = DRIFT,
+    offset: ArrayLike = (0.0, 0.0, 0.0),
+    *,
+    tuning_factor: float = 1.0,
+    damping: float = 0.0,
+    tilt: float = 0.0,
+    pitch: float = 0.0,
+    log: bool = False,
+    interval: float = INTERVAL,
+) -> ErrorsUnderWay:
+    """Take a compass along a voyage of a ship; arguments as for `ship` and `take_along`.
+
+    One voyage: a drift for each interval, or one for all.
+    """
+    if np.ndim(drift) > 2:
+        raise ValueError(f"drift: expected shape (n, 3) or (3,), got shape {np.shape(drift)}.")
+    return take_along(
+        kept_ship(
+            latitude=latitude,
+            speed=speed,
+            course=course,
+            turn=turn,
+            interval=interval,
+            pitch=pitch,
+        ),
+        drift,
+        offset,
+        tuning_factor=tuning_factor,
+        damping=damping,
+        tilt=tilt,
+        log=log,
+    )
+
+
+def kept_ship(**numbers: float) -> Voyage:
+    """`ship` of the same arguments; the last two voyages are kept.
+
+    A reader who moves the sliders of the instrument does not wait for the ship.
+    """
+    return _kept(**{name: finite_number(value, name) for name, value in numbers.items()})
+
+
+@lru_cache(maxsize=2)
+def _kept(**numbers: float) -> Voyage:
+    way = ship(**numbers)
+    for part in way:
+        if isinstance(part, np.ndarray):
+            part.setflags(write=False)
+    return way
+
+
+def columns(data: ErrorsUnderWay) -> dict[str, FloatArray]:
+    """Columns of the figure's CSV, each two minutes."""
+    rows = slice(29, None, 30)
+    return {
+        "time_s": data.times[rows],
+        "heading_error_deg": np.degrees(data.heading_error[rows]).round(7),
+        "formula_deg": np.degrees(data.formula.heading[rows]).round(7),
+        "speed_deviation_deg": np.degrees(data.deviation[rows]).round(7),
+        "tilt_north_arcmin": (data.tilt[rows, 0] / arcminute).round(6),
+        "tilt_east_arcmin": (data.tilt[rows, 1] / arcminute).round(6),
+        "yaw_error_deg": np.degrees(data.yaw_error[rows]).round(7),
+        "compass_angle_error_deg": np.degrees(data.compass_error[rows]).round(7),
+    }
+
+
+def shade_manoeuvres(panel: Axes) -> None:
+    """Shade the times, in minutes, at which the ship gathers way and turns."""
+    for begin, length in (UNDER_WAY, TURN):
+        panel.axvspan(begin / minute, (begin + length) / minute, color="#ececec", zorder=0)
+
+
+class OperationPicture(Picture[ErrorsUnderWay]):
+    """Heading error, tilts of the horizon, and the two halves of the heading error."""
+
+    size = (10.5, 3.9)
+
+    def build(self) -> None:
+        panels = self.figure.subplots(1, 3)
+        self.figure.subplots_adjust(0.06, 0.14, 0.985, 0.91, wspace=0.2)
+        heading, tilt, halves = self.panels = panels
+        for panel in panels:
+            panel.set(xlabel="time, minutes", xlim=(0, DURATION / minute))
+            panel.set_xticks(range(0, 121, 20))
+            shade_manoeuvres(panel)
+        heading.set(title="heading error, degrees")
+        tilt.set(title="tilt of the horizon, arc minutes")
+        halves.set(title="errors of its two parts, degrees")
+        self.error = self.line(heading, color=SERIES[0]["color"], linewidth=3.0, alpha=0.6,
+                               label="simulated")  # fmt: skip
+        self.formula = self.line(heading, color=BLACK, linewidth=1.0, label="formula")
+        self.deviation = self.line(halves, **SERIES[3], label="speed deviation")
+        self.north = self.line(tilt, **SERIES[0], label="about North")
+        self.east = self.line(tilt, **SERIES[1], label="about East")
+        self.yaw = self.line(halves, **SERIES[2], label="yaw psi")
+        self.compass = self.line(halves, **SERIES[4], label="compass angle Psi_K")
+        for panel in (heading, tilt):
+            panel.legend(loc="lower left")
+        halves.legend(loc="upper left")
+
+    def update(self, data: ErrorsUnderWay) -> None:
+        minutes = data.times / minute
+        heading, tilt, halves = self.panels
+        self.set_reach(heading, "y", np.degrees(data.heading_error), (1.0, 5.0, 25.0, 75.0, 200.0))
+        self.set_reach(tilt, "y", data.tilt / arcminute, (3.0, 15.0, 75.0, 1000.0))
+        parts = [data.yaw_error, data.compass_error, data.deviation]
+        self.set_reach(halves, "y", np.degrees(parts), (3.0, 15.0, 75.0, 200.0))
+        self.error.set_data(minutes, np.degrees(data.heading_error))
+        self.formula.set_data(minutes, np.degrees(data.formula.heading))
+        self.deviation.set_data(minutes, np.degrees(data.deviation))
+        self.north.set_data(minutes, data.tilt[:, 0] / arcminute)
+        self.east.set_data(minutes, data.tilt[:, 1] / arcminute)
+        self.yaw.set_data(minutes, np.degrees(data.yaw_error))
+        self.compass.set_data(minutes, np.degrees(data.compass_error))

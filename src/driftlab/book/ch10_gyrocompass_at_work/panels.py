@@ -1,0 +1,100 @@
+"""The slider panels of Part IV."""
+
+from typing import ClassVar
+
+import numpy as np
+from scipy.constants import arcminute, degree, hour
+
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.machinery.sensor_controls import BODY_AXES, _degrees, _sensor_controls
+from driftlab.gyrocompass.simulation import ErrorsUnderWay
+
+from .figures import operation
+
+
+class GyrocompassExplorer(Explorer):
+    """A compass on board, for two hours."""
+
+    title = "A gyrocompass at work"
+    picture_class = operation.OperationPicture
+    controls = (
+        Control("latitude", "latitude, °", 51.5, -85.0, 85.0, 0.5, group="ship"),
+        Control("speed", "speed, m/s", 10.0, 0.0, 30.0, 0.5, group="ship"),
+        Control("course", "course to West, °", 0.0, -180.0, 180.0, 5.0, group="ship"),
+        Control("turn", "then turns by, °", 90.0, -360.0, 360.0, 5.0, group="ship"),
+        Control(
+            "tuning", "tuning k2 R", 1.0, stops=(0.25, 0.5, 0.8, 0.95, 1.0, 1.05, 1.25, 2.0, 4.0),
+            group="instrument",
+        ),
+        Control("damping", "damping ratio", 0.0, 0.0, 1.0, 0.05, group="instrument"),
+        Control("tilt", "tilt at the start, ′", 0.0, -3.0, 3.0, 0.1, group="instrument"),
+        *_sensor_controls(operation.DRIFT, np.zeros(3), 0.1)[:3],
+        Control("log", "a log tells the velocity", False, group=""),
+    )  # fmt: skip
+    presets: ClassVar = {
+        "Small drifts, a turn": {},
+        "Perfect sensors": {f"gyro_{axis}": 0.0 for axis in BODY_AXES},
+        "Perfect sensors and a log": {
+            **{f"gyro_{axis}": 0.0 for axis in BODY_AXES}, "log": True
+        },
+        "Swinging for 84 minutes": {
+            **{f"gyro_{axis}": 0.0 for axis in BODY_AXES}, "speed": 0.0, "turn": 0.0, "tilt": 1.0
+        },
+        "Tuned too stiffly": {f"gyro_{axis}": 0.0 for axis in BODY_AXES} | {"tuning": 2.0},
+        "Damped": {f"gyro_{axis}": 0.0 for axis in BODY_AXES} | {"damping": 0.5},
+        "Open azimuth": {
+            "gyro_forward": 0.0, "gyro_up": 0.1, "gyro_right": 0.0, "speed": 0.0, "turn": 0.0
+        },
+        "Whole turn": {"turn": 360.0},
+    }  # fmt: skip
+
+    def compute(self, values: Values) -> ErrorsUnderWay:
+        latitude, course, turn = (
+            float(np.radians(values[name])) for name in ("latitude", "course", "turn")
+        )
+        gyros = np.array([values[f"gyro_{axis}"] for axis in BODY_AXES])
+        return operation.compute(
+            latitude,
+            values["speed"],
+            course,
+            turn,
+            gyros * degree / hour,
+            tuning_factor=values["tuning"],
+            damping=values["damping"],
+            tilt=values["tilt"] * arcminute,
+            log=values["log"],
+        )
+
+    def numbers(self, data: ErrorsUnderWay) -> list[tuple[str, str]]:
+        worst = np.abs(data.tilt).max(axis=0) / arcminute
+        gap = np.abs(data.heading_error - data.formula.heading).max()
+        # Of first order: good while all angles are small.
+        large = max(np.abs(data.yaw_error).max(), np.abs(data.compass_error).max()) > 0.2
+        return [
+            ("largest heading error", _degrees(np.abs(data.heading_error).max())),
+            ("at the end", _degrees(data.heading_error[-1])),
+            ("largest gap to the formula", "too large errors for it" if large else _degrees(gap)),
+            ("largest tilt about North", f"{worst[0]:.3f}′"),
+            ("largest tilt about East", f"{worst[1]:.3f}′"),
+            ("largest speed deviation", _degrees(np.abs(data.deviation).max())),
+            ("yaw error at the end", _degrees(data.yaw_error[-1])),
+            ("compass error at the end", _degrees(data.compass_error[-1])),
+        ]
+
+    def call(self, values: Values) -> str:
+        gyros = [values[f"gyro_{axis}"] for axis in BODY_AXES]
+        return (
+            "import numpy as np\n"
+            "from scipy.constants import arcminute, degree, hour\n"
+            "from driftlab.figures import operation\n"
+            f"run = operation.compute(*np.radians([{values['latitude']}]), {values['speed']},\n"
+            f"    *np.radians([{values['course']}, {values['turn']}]),\n"
+            f"    np.array({gyros}) * degree / hour, tuning_factor={values['tuning']},\n"
+            f"    damping={values['damping']}, tilt={values['tilt']} * arcminute,\n"
+            f"    log={values['log']})\n"
+            "print(np.degrees(run.heading_error[-1]), np.degrees(run.formula.heading[-1]))"
+        )
+
+
+PANELS = (GyrocompassExplorer,)

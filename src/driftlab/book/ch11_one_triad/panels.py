@@ -1,0 +1,98 @@
+"""The slider panel of chapter 11."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+from scipy.constants import arcminute, arcsecond
+
+from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.machinery.sensor_controls import BODY_AXES, _degrees
+
+from .figures import capstone
+
+PAIRS = ("forward-up", "forward-right", "up-right")
+
+
+class CapstoneExplorer(Explorer):
+    """One bent triad, from the bend to the heading."""
+
+    title = "One triad through all four papers"
+    picture_class = capstone.CapstonePicture
+    controls = (
+        *(
+            Control(f"pair_{i}", f"{pair}, ″", round(float(value / arcsecond), 6), -100.0, 100.0,
+                    1.0, group="non-orthogonality")
+            for i, (pair, value) in enumerate(
+                zip(PAIRS, capstone.NON_ORTHOGONALITY, strict=True)
+            )
+        ),
+        *(
+            Control(f"turn_{axis}", f"about {axis}, ″", round(float(value / arcsecond), 6), -100.0,
+                    100.0, 1.0, group="misalignment")
+            for axis, value in zip(BODY_AXES, capstone.MISALIGNMENT, strict=True)
+        ),
+        Control("latitude", "latitude, °", 51.5, -85.0, 85.0, 0.5, group="ship"),
+        Control("turn", "ship turns by, °", 90.0, -360.0, 360.0, 5.0, group="ship"),
+        Control("cone", "mount shakes by, ′", 0.0, 0.0, 10.0, 0.1, group="ship"),
+        Control("algorithm", "attitude algorithm", "two-step-4", choices=tuple(ALGORITHMS),
+                group="ship"),
+    )  # fmt: skip
+    presets: ClassVar = {
+        "Bent and turned": {},
+        "The puzzle": {
+            **{f"pair_{i}": 0.0 for i in range(3)}, **{f"turn_{axis}": 0.0 for axis in BODY_AXES},
+            "pair_0": -15.0, "turn_right": 15.0,
+        },
+        "Bent only": {f"turn_{axis}": 0.0 for axis in BODY_AXES},
+        "Turned as a whole": {f"pair_{i}": 0.0 for i in range(3)},
+        "Straight": {
+            **{f"pair_{i}": 0.0 for i in range(3)}, **{f"turn_{axis}": 0.0 for axis in BODY_AXES}
+        },
+        "The ship turns right round": {"turn": 360.0},
+        "A shaking mount, no correction": {"cone": 3.0, "algorithm": "picard-1"},
+        "A shaking mount, corrected": {"cone": 3.0},
+    }  # fmt: skip
+
+    def compute(self, values: Values) -> capstone.Capstone:
+        return capstone.compute(
+            np.array([values[f"pair_{i}"] for i in range(3)]) * arcsecond,
+            np.array([values[f"turn_{axis}"] for axis in BODY_AXES]) * arcsecond,
+            float(np.radians(values["latitude"])),
+            float(np.radians(values["turn"])),
+            half_angle=values["cone"] * arcminute,
+            algorithm=values["algorithm"],
+        )
+
+    def numbers(self, data: capstone.Capstone) -> list[tuple[str, str]]:
+        rows = []
+        for i, stage in enumerate(capstone.STAGES):
+            drift = np.abs(data.per_turn[i]).max() / arcsecond
+            rows += [
+                (f"drift in a turn, {stage}", f"{drift:.1f}″"),
+                (f"aligned heading, {stage}",
+                 f"{np.abs(data.aligned[i]).max() / arcminute:.3f}′"),
+                (f"under way, {stage}",
+                 _degrees(np.abs(data.under_way.heading_error[i]).max())),
+            ]  # fmt: skip
+        return rows
+
+    def call(self, values: Values) -> str:
+        pairs = [values[f"pair_{i}"] for i in range(3)]
+        turns = [values[f"turn_{axis}"] for axis in BODY_AXES]
+        return (
+            "import numpy as np\n"
+            "from scipy.constants import arcminute, arcsecond\n"
+            "from driftlab.figures import capstone\n"
+            f"story = capstone.compute(np.array({pairs}) * arcsecond,\n"
+            f"    np.array({turns}) * arcsecond,\n"
+            f"    *np.radians([{values['latitude']}, {values['turn']}]),\n"
+            f"    half_angle={values['cone']} * arcminute, algorithm={values['algorithm']!r})\n"
+            "print(*np.degrees(abs(story.under_way.heading_error).max(axis=-1)))"
+        )
+
+
+PANELS = (CapstoneExplorer,)

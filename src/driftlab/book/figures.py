@@ -1,0 +1,32 @@
+"""The published figures of the book: ``figure("03-drift-map")`` shows one on a page."""
+
+from __future__ import annotations
+
+from .chapters import chapters_with, part_of
+from .machinery.publish import FigureDefinition, PublishedFigure
+
+
+def figure_definitions(chapter: str | None = None) -> dict[str, FigureDefinition]:
+    """Return what the figures of the book, or of one chapter, are made of, by name."""
+    chapters = chapters_with("figures") if chapter is None else [chapter]
+    return {each.name: each for c in chapters for each in part_of(c, "figures").FIGURES}
+
+
+def figure(name: str) -> PublishedFigure:
+    """Return a published figure by name, to be the last line of a notebook cell.
+
+    Parameters
+    ----------
+    name : str
+        Name of its file in the folder ``figures``: "03-drift-map".
+
+    Raises
+    ------
+    ValueError
+        If there is none of that name.
+    """
+    chapter = str(name)[:2]
+    known = figure_definitions(chapter if chapter in chapters_with("figures") else None)
+    if name not in known:
+        raise ValueError(f"name: expected one of {', '.join(known)}, got {name!r}.")
+    return PublishedFigure(known[name])

@@ -1,0 +1,249 @@
+"""The equation ledger: what became of every equation, table, figure and claim of the four papers.
+
+The entries stand in ``ledger.toml`` beside this module. Chapters show their own part of them,
+chapter 12 all of them, and ``python -m driftlab.book errata`` writes the corrected ones to
+ERRATA.md.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+
+PAPERS = {
+    "larin": "V. B. Larin, *On the calibration of a spatial angular-rate meter*, 1987",
+    "perelyaev-chelnokov": (
+        "S. E. Perelyaev, Yu. N. Chelnokov, *New algorithms for determining the inertial "
+        "orientation of an object*, 2014"
+    ),
+    "wu": (
+        "Wu Huali, Xiao Zhicai, Zhou Dawang, Wang Lingling, on decoupling the installation-error "
+        "matrices of an inertial navigation system, 2018"
+    ),
+    "plotnikov": (
+        "P. K. Plotnikov, A. V. Mikheev, S. G. Naumov, *Errors of a strapdown gyrocompass for "
+        "objects with unlimited rotation angles*, after 2012"
+    ),
+}
+"""The four papers by the name that an entry gives, in the order of the book."""
+
+STATUSES = {
+    "reproduced": "derived or computed anew, and equal to the print",
+    "corrected": "the print is wrong, and the right form is proved",
+    "reconstructed": "not printed, or lost in the copy at hand; built anew from what is said of it",
+    "not recoverable": "cannot be had from the copy at hand, nor built anew from what it says",
+}
+"""The four words, and what they mean."""
+
+KINDS = ("equation", "table", "figure", "claim")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Entry:
+    """What became of one equation, table, figure or claim.
+
+    Attributes
+    ----------
+    paper : str
+        One of `PAPERS`.
+    label : str
+        The number in the paper, or a short name of a claim.
+    kind : str
+        One of `KINDS`.
+    says : str
+        What it states.
+    status : str
+        One of `STATUSES`.
+    remark : str
+        What there is to know of it, if anything.
+    printed, right, proof : str
+        Of a corrected one: what the paper has, what is right, and how that is proved.
+    chapter, section : str
+        Where the book treats it: number of the chapter, heading in it.
+    functions : tuple of str
+        What computes it, dotted.
+    tests : tuple of str
+        What would fail if it were wrong: a test, or a cell of a notebook that asserts it.
+    """
+
+    paper: str
+    label: str
+    kind: str
+    says: str
+    status: str
+    chapter: str
+    section: str
+    remark: str = ""
+    printed: str = ""
+    right: str = ""
+    proof: str = ""
+    functions: tuple[str, ...] = ()
+    tests: tuple[str, ...] = ()
+
+
+class Table:
+    """Rows of Markdown, to be the last line of a notebook cell.
+
+    Attributes
+    ----------
+    rows : list of tuple of str
+        The first one is the header.
+    """
+
+    def __init__(self, rows: Iterable[tuple[str, ...]]) -> None:
+        self.rows = list(rows)
+
+    def _repr_markdown_(self) -> str:
+        header, *rows = self.rows
+        lines = [header, ("---",) * len(header), *rows]
+        return "\n".join(f"| {' | '.join(map(_without_bars, line))} |" for line in lines)
+
+
+@cache
+def ledger() -> tuple[Entry, ...]:
+    """Return all entries, in the order of the papers."""
+    data = tomllib.loads(files(__package__).joinpath("ledger.toml").read_text(encoding="utf-8"))
+    return tuple(
+        Entry(**entry | {key: tuple(entry.get(key, ())) for key in ("functions", "tests")})
+        for entry in data["entry"]
+    )
+
+
+def chapter_table(chapter: str) -> Table:
+    """Return what one chapter found of its paper, for the end of that chapter.
+
+    What was corrected has a row each, the rest a row for each status. Chapter 12 has it all.
+
+    Parameters
+    ----------
+    chapter : str
+        Its number, "01" to "10".
+
+    Raises
+    ------
+    ValueError
+        If no entry is treated there.
+    """
+    found = [entry for entry in ledger() if entry.chapter == chapter]
+    if not found:
+        chapters = sorted({entry.chapter for entry in ledger()})
+        raise ValueError(f"chapter: expected one of {', '.join(chapters)}, got {chapter!r}.")
+    rows = [("status", "what")]
+    for status in STATUSES:
+        those = [entry for entry in found if entry.status == status]
+        if status == "corrected":
+            rows += [
+                (
+                    f"*{status}*",
+                    f"**{entry.label}**: in print {entry.printed}; right is {entry.right}.",
+                )
+                for entry in those
+            ]
+        elif those:
+            rows.append((f"*{status}*", ", ".join(entry.label for entry in those)))
+    return Table(rows)
+
+
+def paper_table(paper: str) -> Table:
+    """Return all entries of one paper, with where to find each in the book.
+
+    Parameters
+    ----------
+    paper : str
+        One of `PAPERS`.
+
+    Raises
+    ------
+    ValueError
+        If it is another.
+    """
+    return Table(
+        [
+            ("", "what it states", "status", "in the book", "computed and tested by"),
+            *(
+                (
+                    f"**{entry.label}**",
+                    entry.says,
+                    _status(entry),
+                    f"{entry.chapter}, *{entry.section}*",
+                    _names(entry),
+                )
+                for entry in _entries_of(paper)
+            ),
+        ]
+    )
+
+
+def summary_table() -> Table:
+    """Return how many entries of each paper have which status."""
+    rows = []
+    for paper, title in PAPERS.items():
+        statuses = [entry.status for entry in _entries_of(paper)]
+        counts = [statuses.count(status) for status in STATUSES]
+        rows.append((title, *map(str, counts), str(sum(counts))))
+    return Table([("", *STATUSES, "in all"), *rows])
+
+
+def errata() -> str:
+    """Return the text of ERRATA.md: what is wrong in print, what is right, how it is proved."""
+    lines = [
+        "# Errata of the four papers",
+        "",
+        "What Drift Lab found to be wrong in print, with the right form and its proof. Written by "
+        "`python -m driftlab.book errata` from the equation ledger; do not edit. The whole ledger, "
+        "with what was reproduced, reconstructed and not recoverable, is chapter 12 of the book.",
+        "",
+    ]
+    for paper, title in PAPERS.items():
+        lines += [f"## {title}", ""]
+        for entry in _entries_of(paper):
+            if entry.status == "corrected":
+                where = f"Chapter {entry.chapter}, *{entry.section}*"
+                tests = ", ".join(f"`{test}`" for test in entry.tests)
+                lines += [
+                    f"### {entry.label}",
+                    "",
+                    f"{entry.says}",
+                    "",
+                    f"- In print: {entry.printed}",
+                    f"- Right: {entry.right}",
+                    f"- Proof: {entry.proof}",
+                    f"- Where: {where}{f'; checked by {tests}' if tests else ''}.",
+                    "",
+                ]
+    return "\n".join(lines)
+
+
+def _entries_of(paper: str) -> list[Entry]:
+    if paper not in PAPERS:
+        raise ValueError(f"paper: expected one of {', '.join(PAPERS)}, got {paper!r}.")
+    return [entry for entry in ledger() if entry.paper == paper]
+
+
+def _status(entry: Entry) -> str:
+    """The status, with what is right or to be known of it."""
+    correction = f"in print {entry.printed}; right is {entry.right}." if entry.printed else ""
+    more = " ".join(filter(None, [correction, entry.remark]))
+    return f"*{entry.status}*: {more}" if more else f"*{entry.status}*"
+
+
+def _names(entry: Entry) -> str:
+    """Functions and tests, folded away: their names are long."""
+    names = [*entry.functions, *entry.tests]
+    if not names:
+        return ""
+    count = f"{len(entry.tests)} test{'s' * (len(entry.tests) != 1)}"
+    return f"<details><summary>{count}</summary>{'<br>'.join(names)}</details>"
+
+
+def _without_bars(cell: str) -> str:
+    """A bar would end the cell of a table, in a formula as well."""
+
+    def without(formula: re.Match[str]) -> str:
+        return formula[0].replace(r"\|", r"\Vert ").replace("|", r"\vert ")
+
+    return re.sub(r"\$[^$]*\$", without, cell)

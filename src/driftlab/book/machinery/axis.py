@@ -1,0 +1,29 @@
+"""An axis that the reader chooses: the same two sliders wherever there is one."""
+
+import numpy as np
+
+from driftlab.checks import FloatArray
+from driftlab.vectors import direction_from_angles
+
+from .control import Control
+from .panel import Values
+
+AXIS_CONTROLS = (
+    Control("azimuth", "azimuth, degrees", 45.0, -180.0, 180.0, 1.0, group="axis of rotation"),
+    Control("elevation", "elevation, degrees", 15.0, -90.0, 90.0, 1.0, group="axis of rotation"),
+)
+
+
+def axis_of(values: Values) -> FloatArray:
+    """Unit vector of `AXIS_CONTROLS`."""
+    return direction_from_angles(np.radians(values["azimuth"]), np.radians(values["elevation"]))
+
+
+def axis_code(values: Values) -> str:
+    """Code for the same."""
+    return f"direction_from_angles(*np.radians([{values['azimuth']}, {values['elevation']}]))"
+
+
+def matrix_code(misalignment: FloatArray) -> str:
+    """Code for a misalignment."""
+    return f"1e-3 * np.array({np.round(1e3 * misalignment, 6).tolist()})"

@@ -1,0 +1,127 @@
+"""What every figure of the book is made with: a picture drawn once, whose artists then only move.
+
+A static figure and a slider panel are the same picture. `Picture.draw(data)` makes the figure for a
+page; an explorer keeps one `Picture` and calls `update` at each move of a slider.
+"""
+
+from collections.abc import Mapping, Sequence
+from importlib.resources import as_file, files
+from typing import Any, ClassVar, Generic, TypeVar
+
+import matplotlib
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from numpy.typing import ArrayLike
+
+from driftlab.checks import FloatArray
+
+with as_file(files(__package__) / "driftlab.mplstyle") as _path:
+    STYLE = matplotlib.rc_params_from_file(_path, use_default_template=True)
+
+# Okabe and Ito's colours, orange and sky darkened until their contrast to white is above 3 to 1;
+# each line also has a dash pattern or a marker of its own.
+BLACK, BLUE, ORANGE, GREEN = "#000000", "#0072B2", "#BF8400", "#009E73"
+VERMILION, PURPLE, SKY, GREY = "#D55E00", "#CC79A7", "#3A97D3", "#767676"
+SERIES: tuple[dict[str, Any], ...] = (
+    {"color": BLUE, "linestyle": "-"},
+    {"color": VERMILION, "linestyle": "--"},
+    {"color": GREEN, "linestyle": "-."},
+    {"color": PURPLE, "linestyle": ":"},
+    {"color": BLACK, "linestyle": (0, (5, 1, 1, 1, 1, 1))},
+    {"color": ORANGE, "linestyle": (0, (8, 2))},
+    {"color": SKY, "linestyle": (0, (1, 1))},
+    {"color": GREY, "linestyle": (0, (3, 2))},
+)
+
+Data = TypeVar("Data")
+
+
+class Picture(Generic[Data]):
+    """A figure with artists made once; subclasses build axes in `build` and move them in `update`.
+
+    Attributes
+    ----------
+    figure : matplotlib.figure.Figure
+    moving : list of Artist
+        The artists that `update` changes. Everything else is drawn once and kept.
+    rescaled : bool
+        Whether `update` has changed the axes as well, so that everything must be drawn anew.
+    """
+
+    size: ClassVar[tuple[float, float]] = (9.0, 3.8)
+
+    def __init__(self) -> None:
+        self.moving: list[Artist] = []
+        self.rescaled = False
+        with matplotlib.rc_context(STYLE):
+            self.figure = Figure(figsize=self.size)
+            FigureCanvasAgg(self.figure)
+            self.build()
+
+    def build(self) -> None:
+        """Make axes and artists."""
+        raise NotImplementedError
+
+    def update(self, data: Data) -> None:
+        """Move the artists to `data`."""
+        raise NotImplementedError
+
+    @classmethod
+    def draw(cls, data: Data) -> Figure:
+        """Return a figure of `data`, for a page or a file."""
+        picture = cls()
+        picture.update(data)
+        return picture.figure
+
+    def set_reach(
+        self, axes: Axes, direction: str, values: ArrayLike, steps: Sequence[float]
+    ) -> None:
+        """Let axes reach as far on both sides of zero as the smallest step that holds all values.
+
+        Few steps keep pictures comparable, and what is large does not leave them.
+        """
+        sizes = np.abs(np.asarray(values, float))
+        largest = sizes.max(initial=0.0, where=np.isfinite(sizes))
+        step = next((step for step in steps if largest <= step), steps[-1])
+        if getattr(axes, f"get_{direction}lim")() != (-step, step):
+            getattr(axes, f"set_{direction}lim")(-step, step)
+            self.rescaled = True
+
+    def line(self, axes: Axes, **style: Any) -> Line2D:
+        """Add an empty line that `update` will move."""
+        (line,) = axes.plot([], [], **style)
+        self.moving.append(line)
+        return line
+
+
+def long_table(curves: Mapping[str, tuple[ArrayLike, ArrayLike]]) -> dict[str, Any]:
+    """Columns ``curve``, ``x``, ``y`` of a CSV for curves that have no abscissa in common."""
+    pairs = {name: np.broadcast_arrays(x, y) for name, (x, y) in curves.items()}
+    return {
+        "curve": [name for name, (x, _) in pairs.items() for _ in x],
+        "x": np.concatenate([x for x, _ in pairs.values()]),
+        "y": np.concatenate([y for _, y in pairs.values()]),
+    }
+
+
+def project(points: FloatArray, azimuth: float = -60.0, elevation: float = 24.0) -> FloatArray:
+    """Parallel projection (..., 2) of points (..., 3), seen from azimuth and elevation in degrees.
+
+    The third axis points up on the page. It is all that three arrows need.
+    """
+    a, e = np.radians([azimuth, elevation])
+    right = np.array([-np.sin(a), np.cos(a), 0.0])
+    up = np.array([-np.sin(e) * np.cos(a), -np.sin(e) * np.sin(a), np.cos(e)])
+    return points @ np.stack([right, up], axis=-1)
+
+
+def plain_axes(axes: Axes, reach: float = 1.25) -> None:
+    """Turn axes into an empty square sheet for a projected drawing."""
+    axes.set_aspect("equal")
+    axes.set_xlim(-reach, reach)
+    axes.set_ylim(-reach, reach)
+    axes.axis("off")

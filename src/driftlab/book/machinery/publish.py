@@ -1,0 +1,95 @@
+"""Publish figures: on a notebook page, or as SVG and CSV files whose content repeats."""
+
+from __future__ import annotations
+
+import base64
+import csv
+import html
+import io
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+
+from .picture import STYLE, Picture
+
+GALLERY_NOTE = (
+    "Rebuilt from seeds by `python3 lab.py figures`; do not edit. The numbers behind a figure are "
+    "in the CSV of the same name."
+)
+
+
+@dataclass(frozen=True)
+class FigureDefinition:
+    """What a published figure is made of.
+
+    Attributes
+    ----------
+    name : str
+        File name without ending; begins with the chapter's number.
+    compute : callable
+        Takes nothing, returns the picture's data.
+    picture : type of Picture
+    columns : callable or None
+        Data to CSV columns of equal length; None for a drawing that shows no numbers.
+    caption : callable
+        Data to the sentence under the figure, so that its numbers are computed.
+    """
+
+    name: str
+    compute: Callable[[], Any]
+    picture: type[Picture[Any]]
+    columns: Callable[[Any], dict[str, Any]] | None
+    caption: Callable[[Any], str]
+
+
+class PublishedFigure:
+    """A figure on a page: the picture, and its caption below it and as its alt text.
+
+    Attributes
+    ----------
+    data : object
+        What the figure's module computed.
+    caption : str
+    """
+
+    def __init__(self, entry: FigureDefinition) -> None:
+        self.data = entry.compute()
+        self.caption = entry.caption(self.data)
+        self._figure = entry.picture.draw(self.data)
+
+    def svg(self) -> bytes:
+        """The picture as SVG whose bytes repeat: no date, identifiers from a fixed salt."""
+        buffer = io.BytesIO()
+        with matplotlib.rc_context(STYLE):
+            self._figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
+        return buffer.getvalue()
+
+    def _repr_html_(self) -> str:
+        picture = base64.b64encode(self.svg()).decode()
+        caption = html.escape(self.caption)
+        return (
+            f'<figure style="margin: 0"><img alt="{caption}" style="max-width: 100%" '
+            f'src="data:image/svg+xml;base64,{picture}">'
+            f"<figcaption>{caption}</figcaption></figure>"
+        )
+
+
+def write_entry(entry: FigureDefinition, folder: Path) -> list[str]:
+    """Write one figure and its numbers; return its lines of the gallery."""
+    shown = PublishedFigure(entry)
+    (folder / f"{entry.name}.svg").write_bytes(shown.svg())
+    if entry.columns:
+        write_columns(folder / f"{entry.name}.csv", entry.columns(shown.data))
+    return [f"![{shown.caption}]({entry.name}.svg)", "", f"**{entry.name}.** {shown.caption}", ""]
+
+
+def write_columns(path: Path, columns: dict[str, Any]) -> None:
+    """Write columns of equal length as CSV, numbers to twelve digits."""
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        for row in zip(*columns.values(), strict=True):
+            writer.writerow([x if isinstance(x, str) else f"{x:.12g}" for x in row])

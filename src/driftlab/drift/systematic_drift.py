@@ -1,0 +1,103 @@
+"""Larin, section 2: characteristic equation, its roots, and the systematic drift of a bent triad.
+
+A triad with misalignment M measures ``(E + M) rate``. With n the direction of a constant rate, the
+error rotates with |measured rate| - |rate| once the whole turns are taken out, and that difference
+is, to first order, n^T M n times the rate: only the symmetric part of M drifts.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    finite_arrays,
+    nonzero_vectors,
+)
+from driftlab.triad import measured_rate, non_orthogonality
+from driftlab.vectors import lengths
+
+
+def drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
+    """rho = n^T M n (...): drift rate in units of the turn rate, to first order; Larin (2.2).
+
+    Parameters
+    ----------
+    direction : array_like, shape (..., 3)
+        Axis of the rotation in body axes; only its direction counts, it must not be zero.
+    misalignment : array_like, shape (..., 3, 3)
+    """
+    direction, misalignment = finite_arrays(
+        direction=(direction, 3), misalignment=(misalignment, 3, 3)
+    )
+    return _along_and_across(nonzero_vectors(direction, "direction")[0], misalignment)[0]
+
+
+def exact_drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
+    """|(E + M) n| - 1 (...): drift rate in units of the turn rate, for any size of misalignment."""
+    direction, misalignment = finite_arrays(
+        direction=(direction, 3), misalignment=(misalignment, 3, 3)
+    )
+    n, _ = nonzero_vectors(direction, "direction")
+    rho, across = _along_and_across(n, misalignment)
+    # |A n| - 1 = (|A n|^2 - 1)/(|A n| + 1), without the loss of digits of the subtraction.
+    return (2 * rho + rho**2 + across) / (lengths(measured_rate(n, misalignment)) + 1)
+
+
+def _along_and_across(n: FloatArray, misalignment: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """n^T M n, and |M n|^2 - (n^T M n)^2, the square of the part of M n across n."""
+    error = np.einsum("...ij,...j->...i", misalignment, n)
+    along = np.einsum("...i,...i->...", n, error)
+    across = error - along[..., np.newaxis] * n
+    return along, np.einsum("...i,...i->...", across, across)
+
+
+def drift_per_turn(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
+    """Exact drift angle (...) in rad after one whole turn: Larin (2.3), without approximation.
+
+    Parameters
+    ----------
+    direction : array_like, shape (..., 3)
+        Axis n of the turn in body axes; only its direction counts, it must not be zero.
+    misalignment : array_like, shape (..., 3, 3)
+        M, dimensionless: the triad measures A = E + M times the rate.
+
+    Notes
+    -----
+    2 pi (|A n| - 1), positive when the apparent frame runs ahead; 2 pi n^T M n to first order.
+    After j turns the error is j times this angle, about the *measured* rate.
+    """
+    return 2 * np.pi * exact_drift_coefficient(direction, misalignment)
+
+
+def principal_drifts(
+    misalignment: ArrayLike, *, exact: bool = False
+) -> tuple[FloatArray, FloatArray]:
+    """Extreme drift coefficients and the axes that give them; Larin, before (2.6).
+
+    Parameters
+    ----------
+    misalignment : array_like, shape (..., 3, 3)
+    exact : bool
+        Singular values of A = E + M, less one, in place of the eigenvalues of Sigma.
+
+    Returns
+    -------
+    coefficients : ndarray, shape (..., 3)
+        Rising: the drift coefficient lies between the first and the last, whatever the axis.
+    axes : ndarray, shape (..., 3, 3)
+        The unit axes as rows, in the same order, each with its largest entry positive.
+    """
+    misalignment = finite_array(misalignment, "misalignment", 3, 3)
+    symmetric = non_orthogonality(misalignment)
+    if exact:
+        # A^T A - E; its eigenvalues are the squares of the singular values of A, less one.
+        symmetric = 2 * symmetric + np.swapaxes(misalignment, -1, -2) @ misalignment
+    coefficients, vectors = np.linalg.eigh(symmetric)
+    if exact:
+        coefficients = coefficients / (np.sqrt(np.maximum(1 + coefficients, 0)) + 1)
+    axes = np.swapaxes(vectors, -1, -2)
+    largest = np.take_along_axis(axes, np.abs(axes).argmax(axis=-1, keepdims=True), axis=-1)
+    return coefficients, axes * np.sign(largest)

@@ -1,0 +1,232 @@
+"""An inertial unit on a turntable: rotation schemes as data, and what ideal sensors say on them.
+
+A scheme is a row of rotations about body axes with pauses between them. The table stands on the
+turning Earth; its centre does not move. The integrals of angular rate and specific force over any
+interval are known in closed form, so nothing here is an integration of anything else.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.spatial.transform import Rotation
+
+from driftlab.checks import (
+    FloatArray,
+    finite_number,
+    positive_number,
+    unit_quaternions,
+    whole_number,
+)
+from driftlab.earth import checked_latitude, earth_rate, gravity
+from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotate
+from driftlab.vectors import turning_average
+
+DIRECTIONS = MappingProxyType({
+    "East": (1, 0, 0), "West": (-1, 0, 0),
+    "North": (0, 1, 0), "South": (0, -1, 0),
+    "Up": (0, 0, 1), "Down": (0, 0, -1),
+})  # fmt: skip
+"""The directions that body axes can be set to, in East, North, Up."""
+
+_AXES = {"X": 0, "Y": 1, "Z": 2}
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """Pauses and rotations of a turntable, in the order in which they happen.
+
+    Attributes
+    ----------
+    rotations : str
+        Words like ``+90Y`` or ``-180X``: sign, angle in degrees up to 3600, body axis. A pause
+        comes before the first rotation and after each one: one position more than rotations.
+    start : tuple of str
+        Where the body axes x, y and z point at first: keys of `DIRECTIONS`, right-handed.
+    dwell : float
+        Length of each pause, s.
+    rate : float
+        Rate of the rotations, rad/s.
+    """
+
+    rotations: str
+    start: tuple[str, str, str] = ("East", "North", "Up")
+    dwell: float = 120.0
+    rate: float = float(np.radians(10.0))
+
+    def __post_init__(self) -> None:
+        # Plain numbers and a tuple, so that a scheme can be the key of a cache.
+        for name in ("dwell", "rate"):
+            object.__setattr__(self, name, positive_number(getattr(self, name), name))
+        if not isinstance(self.rotations, str):
+            raise ValueError(f"rotations: expected text, got {self.rotations!r}.")
+        words = self.start if isinstance(self.start, tuple | list) else ()
+        axes = [DIRECTIONS.get(word) for word in words if isinstance(word, str)]
+        if len(axes) != 3 or None in axes or np.linalg.det(np.array(axes, float)) != 1:
+            raise ValueError(
+                f"start: expected three of {', '.join(DIRECTIONS)} for x, y, z, right-handed, "
+                f"got {self.start!r}."
+            )
+        object.__setattr__(self, "start", tuple(self.start))
+        self.turns  # noqa: B018  (a word that makes no sense is refused now, not later)
+
+    @property
+    def turns(self) -> list[tuple[FloatArray, float]]:
+        """Unit vector (3,) in body axes and signed angle in rad of each rotation."""
+        turns = []
+        for word in self.rotations.replace("−", "-").split():
+            match = re.fullmatch(r"([+-]\d+(?:\.\d+)?)([A-Za-z])", word)
+            if not match or match[2].upper() not in _AXES or float(match[1]) == 0:
+                raise ValueError(
+                    "rotations: expected words like +90Y or -180X: sign, degrees, "
+                    f"axis X, Y or Z, got {word!r}."
+                )
+            if abs(float(match[1])) > 3600:
+                raise ValueError(f"rotations: expected at most 3600 degrees a word, got {word!r}.")
+            turns.append((np.eye(3)[_AXES[match[2].upper()]], float(np.radians(float(match[1])))))
+        return turns
+
+    @property
+    def positions(self) -> int:
+        """Number of pauses."""
+        return len(self.turns) + 1
+
+    @property
+    def start_attitude(self) -> FloatArray:
+        """Attitude (4,) at the start, body to East, North, Up."""
+        # The columns of the matrix are where the body axes point.
+        columns = np.array([DIRECTIONS[word] for word in self.start], float).T
+        return Rotation.from_matrix(columns).as_quat()
+
+
+NINETEEN_POSITIONS = Scheme(
+    "+90Y +90Y +90Y -90Y -90Y -90Y +90Z +90X +90X +90X -90X -90X -90X +90Z +90Z -90Z -90Z -90Z",
+    ("Up", "East", "North"),
+)
+"""Nineteen positions, of a public demo of the PSINS toolbox, there after Xie Bo (2011)."""
+
+EIGHTEEN_ROTATIONS = Scheme(
+    "+90Y +180Y +180Y +90Z +180Z +180Z +90X +180X +180X "
+    "+90X +90X +90X +90Z +90Z +90Z +90Y +90Y +90Y",
+    ("East", "North", "Up"),
+)
+"""Eighteen rotations, commonly printed as those of Camberlein and Mazzanti (1985); not confirmed.
+
+The contents of the paper's own Table 1 are lost in the copy at hand.
+"""
+
+SCHEMES = MappingProxyType({"19 positions": NINETEEN_POSITIONS, "18 rotations": EIGHTEEN_ROTATIONS})
+
+
+class Record(NamedTuple):
+    """What ideal sensors integrate on the table, and the truth."""
+
+    interval: float  # s
+    angle_increments: FloatArray  # (n, 3), rad: rotation against inertial space, body axes
+    velocity_increments: FloatArray  # (n, 3), m/s: specific force, body axes
+    attitude: FloatArray  # (n + 1, 4): body to East, North, Up, before and after each interval
+
+
+class Segment(NamedTuple):
+    """One pause or rotation, at constant body rate against the Earth."""
+
+    axis: FloatArray  # (3,), unit vector in body axes
+    rate: float  # rad/s about it; zero in a pause
+    duration: float  # s
+    attitude: FloatArray  # (4,), at its beginning
+
+
+def segments(scheme: Scheme, interval: float) -> list[Segment]:
+    """Pauses and rotations, each as long as a whole number of intervals.
+
+    A rotation is slowed down, and a pause drawn out, until it ends with an interval.
+    """
+    seconds = finite_number(interval, "interval")
+    if seconds <= 0:
+        raise ValueError(f"interval: expected a positive time, got {interval!r}.")
+
+    def whole(duration: float) -> float:
+        # A duration that is whole but for rounding stays what it is.
+        return seconds * max(1, int(np.ceil(duration / seconds - 1e-6)))
+
+    attitude, row = scheme.start_attitude, []
+    pause = whole(scheme.dwell)
+    for axis, angle in scheme.turns:
+        duration = whole(abs(angle) / scheme.rate)
+        row.append(Segment(axis, 0.0, pause, attitude))
+        row.append(Segment(axis, angle / duration, duration, attitude))
+        attitude = multiply(attitude, from_rotation_vector(angle * axis))
+    row.append(Segment(np.array([0.0, 0.0, 1.0]), 0.0, pause, attitude))
+    return row
+
+
+def simulate(
+    scheme: Scheme, latitude: float, interval: float, *, whole: int = 1, altitude: float = 0.0
+) -> Record:
+    """Integrals of ideal gyros and accelerometers on a table, in closed form.
+
+    Parameters
+    ----------
+    scheme : Scheme
+    latitude : float
+        Latitude of the table, rad; not a pole.
+    interval : float
+        Sample interval, s.
+    whole : int
+        Let each pause and rotation last a multiple of so many intervals.
+    altitude : float
+        Of the table, m.
+    """
+    place = float(checked_latitude(finite_number(latitude, "latitude")))
+    whole = whole_number(whole, "whole")
+    row = segments(scheme, whole * interval)
+    earth = earth_rate(place)
+    up = np.array([0.0, 0.0, float(gravity(place, finite_number(altitude, "altitude")))])
+    parts = [_sense(segment, earth, up, interval) for segment in row]
+    angles, velocities, attitudes = (np.concatenate(part) for part in zip(*parts, strict=True))
+    first = row[0].attitude[np.newaxis]
+    return Record(float(interval), angles, velocities, np.concatenate([first, attitudes]))
+
+
+def _sense(
+    segment: Segment, earth: FloatArray, force: FloatArray, interval: float
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Increments (n, 3) and (n, 3), and attitudes (n, 4) after them, of one segment."""
+    count = round(segment.duration / interval)
+    angles = segment.rate * interval * np.arange(count + 1)
+    attitude = multiply(
+        segment.attitude, from_rotation_vector(angles[:, np.newaxis] * segment.axis)
+    )
+    # A vector fixed to the Earth turns backwards in body axes, by the angle x in an interval.
+    to_body = conjugate(attitude[:-1])
+    x = segment.rate * interval
+    seen = turning_average(-x * segment.axis)
+    turned = (x * segment.axis) + interval * rotate(to_body, earth) @ seen.T
+    pushed = interval * rotate(to_body, force) @ seen.T
+    return turned, pushed, attitude[1:]
+
+
+def stand(
+    attitude: ArrayLike, latitude: float, interval: float, count: int, altitude: float = 0.0
+) -> Record:
+    """Record of a unit that stands in one attitude (4,) for `count` intervals of time."""
+    seconds = finite_number(interval, "interval")
+    stood = unit_quaternions(attitude, "attitude")
+    if seconds <= 0 or stood.ndim != 1:
+        raise ValueError(
+            "interval, attitude: expected a positive time and one attitude (4,), "
+            f"got {interval!r} s and shape {stood.shape}."
+        )
+    up_axis = np.array([0.0, 0.0, 1.0])
+    standing = Segment(up_axis, 0.0, whole_number(count, "count") * seconds, stood)
+    place = float(checked_latitude(finite_number(latitude, "latitude")))
+    up = np.array([0.0, 0.0, float(gravity(place, finite_number(altitude, "altitude")))])
+    turned, pushed, attitudes = _sense(standing, earth_rate(place), up, interval)
+    return Record(
+        float(interval), turned, pushed, np.concatenate([standing.attitude[np.newaxis], attitudes])
+    )

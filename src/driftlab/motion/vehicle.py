@@ -1,0 +1,179 @@
+"""A vehicle on a spherical Earth, under way or at rest: what ideal sensors say on board.
+
+A motion is given at equally spaced times: level velocity, heading, pitch and roll. Between two
+times the velocity changes evenly and the body turns at a constant rate, the short way. The angle
+increments then belong to the motion exactly, and the velocity increments up to small terms: the
+fourth power of the angle of one interval, and the square of the change of velocity over R.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.checks import (
+    FloatArray,
+    finite_arrays,
+    finite_number,
+    positive_number,
+    unit_quaternions,
+)
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE, checked_gravity, checked_latitude
+from driftlab.earth import gravity as normal_gravity
+from driftlab.frames import FROM_EAST_NORTH_UP, attitude_from_angles, geographic_rate, local_axes
+from driftlab.quaternion import (
+    conjugate,
+    from_rotation_vector,
+    multiply,
+    rotate,
+    to_rotation_vector,
+)
+
+
+class Voyage(NamedTuple):
+    """True motion of a vehicle, and what ideal sensors integrate on board.
+
+    Attributes
+    ----------
+    interval : float
+        s.
+    angle_increments, velocity_increments : ndarray, shape (n, 3)
+        Of each interval, body axes, rad and m/s.
+    attitude : ndarray, shape (n + 1, 4)
+        Body to North, Up, East.
+    latitude : ndarray, shape (n + 1,)
+        rad.
+    velocity : ndarray, shape (n + 1, 2)
+        North and East, m/s.
+    """
+
+    interval: float
+    angle_increments: FloatArray
+    velocity_increments: FloatArray
+    attitude: FloatArray
+    latitude: FloatArray
+    velocity: FloatArray
+
+    @property
+    def times(self) -> FloatArray:
+        """Times (n + 1,) in s from the start."""
+        return np.asarray(self.interval * np.arange(self.latitude.shape[-1]), np.float64)
+
+
+def voyage(
+    latitude: float,
+    velocity: ArrayLike,
+    heading: ArrayLike,
+    pitch: ArrayLike = 0.0,
+    roll: ArrayLike = 0.0,
+    *,
+    interval: float,
+    gravity: float | None = None,
+    radius: float = EARTH_RADIUS,
+) -> Voyage:
+    """Sensor increments of a vehicle that moves level over a sphere.
+
+    Parameters
+    ----------
+    latitude : float
+        At the start, rad.
+    velocity : array_like, shape (n + 1, 2)
+        North and East, m/s, at the ends of the intervals.
+    heading, pitch, roll : array_like, shape (n + 1,) or ()
+        rad, at the same times.
+    interval : float
+        s.
+    gravity : float, optional
+        m/s^2, the same all along the way; normal gravity of the start if not given.
+    radius : float
+        Of the Earth, m.
+
+    Raises
+    ------
+    ValueError
+        Also if the way comes within 0.1 degrees of a pole.
+    """
+    seconds = positive_number(interval, "interval")
+    radius = positive_number(radius, "radius")
+    start = float(checked_latitude(finite_number(latitude, "latitude")))
+    speed, *angles = finite_arrays(
+        velocity=(velocity, 2), heading=(heading,), pitch=(pitch,), roll=(roll,)
+    )
+    if speed.ndim != 2 or len(speed) < 2:
+        raise ValueError(f"velocity: expected shape (n + 1, 2), n > 0, got shape {speed.shape}.")
+    for name, values in zip(("heading", "pitch", "roll"), angles, strict=True):
+        if values.ndim > 1:
+            raise ValueError(f"{name}: expected shape (n + 1,) or (), got shape {values.shape}.")
+    attitude = attitude_from_angles(*(np.broadcast_to(a, len(speed)) for a in angles))
+    mean = 0.5 * (speed[1:] + speed[:-1])
+    place = start + seconds / radius * _sums(mean[:, 0])
+    checked_latitude(place)
+    middle = 0.5 * (place[1:] + place[:-1])
+    longitude = _sums(seconds * (mean[:, 1] / (radius * np.cos(middle)) + EARTH_RATE))
+    to_inertial = multiply(
+        multiply(local_axes(place, longitude), conjugate(FROM_EAST_NORTH_UP)), attitude
+    )
+    angle = to_rotation_vector(multiply(conjugate(to_inertial[:-1]), to_inertial[1:]))
+    pull = float(normal_gravity(start)) if gravity is None else positive_number(gravity, "gravity")
+    force = _specific_force(middle, mean, np.diff(speed, axis=0) / seconds, pull, radius)
+    halfway = multiply(to_inertial[:-1], from_rotation_vector(0.5 * angle))
+    # Local axes in the middle of the interval, at whose components the force is known.
+    centre = multiply(
+        local_axes(middle, 0.5 * (longitude[1:] + longitude[:-1])), conjugate(FROM_EAST_NORTH_UP)
+    )
+    push = seconds * rotate(multiply(conjugate(halfway), centre), force)
+    # The mean over an interval of a force that stands still while the body turns.
+    push = push + np.cross(angle, np.cross(angle, push)) / 24
+    return Voyage(seconds, angle, push, attitude, place, speed.copy())
+
+
+def _sums(values: FloatArray) -> FloatArray:
+    """Running sums (n + 1,) of values (n,), zero first."""
+    return np.concatenate([[0.0], np.cumsum(values)])
+
+
+def _specific_force(
+    latitude: FloatArray, velocity: FloatArray, rate: FloatArray, gravity: float, radius: float
+) -> FloatArray:
+    """Specific force (n, 3) in North, Up, East of a level motion with the velocity's `rate`."""
+    # Local axes turn with the Earth and along the way, and the velocity is one against the Earth.
+    turn = geographic_rate(latitude, velocity, radius) + geographic_rate(latitude)
+    moving = np.stack([velocity[:, 0], np.zeros(len(velocity)), velocity[:, 1]], axis=-1)
+    change = np.stack([rate[:, 0], np.full(len(rate), gravity), rate[:, 1]], axis=-1)
+    return change + np.cross(turn, moving)
+
+
+def sensed_at_rest(
+    attitude: ArrayLike, latitude: ArrayLike, gravity: ArrayLike | None = None
+) -> tuple[FloatArray, FloatArray]:
+    """Angular rate and specific force, each (..., 3) in body axes, of a body at rest on the Earth.
+
+    Parameters
+    ----------
+    attitude : array_like, shape (..., 4)
+        Body to North, Up, East.
+    latitude : array_like, shape (...)
+        rad.
+    gravity : array_like, shape (...), optional
+        m/s^2; normal gravity of the latitude if not given.
+    """
+    body, place, pull = finite_arrays(
+        attitude=(unit_quaternions(attitude, "attitude"), 4),
+        latitude=(latitude,),
+        gravity=(normal_gravity(latitude) if gravity is None else gravity,),
+    )
+    checked_gravity(pull)
+    lead = np.broadcast_shapes(body.shape[:-1], place.shape, pull.shape)
+    to_body = np.broadcast_to(conjugate(body), (*lead, 4))
+    up = pull[..., np.newaxis] * np.array([0.0, 1.0, 0.0])
+    return rotate(to_body, geographic_rate(place)), rotate(to_body, up)
+
+
+def smooth_step(times: ArrayLike, begin: float, duration: float) -> FloatArray:
+    """Rise (...) from 0 to 1 at times (...) in s, with continuous first and second derivatives."""
+    (time,) = finite_arrays(times=(times,))
+    length = positive_number(duration, "duration")
+    x = np.clip((time - finite_number(begin, "begin")) / length, 0.0, 1.0)
+    return x**3 * (10 - 15 * x + 6 * x**2)

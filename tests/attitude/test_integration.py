@@ -1,0 +1,825 @@
+"""The attitude algorithms: their formulas, their orders, how they start, and their coning drift."""
+
+from itertools import pairwise
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from driftlab.attitude.cayley import rotation_quaternion
+from driftlab.attitude.coning_algorithms import (
+    ALGORITHMS,
+    Algorithm,
+    attitude_algorithm,
+    coning_drift,
+)
+from driftlab.attitude.integration import integrate, step_quaternions, step_vectors
+from driftlab.motion.profiles import Coning, FixedAxis, Sway
+from driftlab.quaternion import (
+    conjugate,
+    cumulative_product,
+    from_rotation_vector,
+    multiply,
+    pure,
+    rotation_angle,
+    to_rotation_vector,
+)
+from support import EPS, IDENTITY, order_of, random_quaternions
+
+MEMORY = ["one-step-3", "memory-4"]
+ROTATION_VECTOR = ["rotation-vector-2", "rotation-vector-3"]
+CAYLEY = [name for name in ALGORITHMS if name not in ROTATION_VECTOR]
+
+every_algorithm = pytest.mark.parametrize("name", ALGORITHMS)
+with_memory = pytest.mark.parametrize("name", MEMORY)
+with_rotation_vector = pytest.mark.parametrize("name", ROTATION_VECTOR)
+with_cayley = pytest.mark.parametrize("name", CAYLEY)
+
+rows_of_increments = arrays(float, (12, 3), elements=st.floats(-0.4, 0.4))
+SWAY = Sway(0.5, 0.5)
+
+
+def increments(*shape, seed=0, size=0.1):
+    return np.random.default_rng(seed).uniform(-size, size, (*shape, 3))
+
+
+# The formulas
+
+
+def cubic(g):
+    return (g @ g) * g / 192
+
+
+def picard_1(g):
+    return -g / 4
+
+
+def one_step_3(before, g):
+    return -g / 4 - np.cross(before, g) / 48 - cubic(g)
+
+
+def one_step_3_first(g, after):
+    return -g / 4 - np.cross(g, after) / 48 - cubic(g)
+
+
+def two_step_3(g1, g2):
+    g, cross = g1 + g2, np.cross(g1, g2)
+    return -g / 4 - cross / 6 - cubic(g) - np.cross(g, cross) / 48
+
+
+def two_step_4(g1, g2):
+    g = g1 + g2
+    return -g / 4 - np.cross(g1, g2) / 6 - cubic(g)
+
+
+def memory_4(before_that, before, g):
+    return -g / 4 - np.cross(before, g) / 24 + np.cross(before_that, g) / 96 - cubic(g)
+
+
+def memory_4_first(g, after, after_that):
+    """The mirror image: time runs backwards, and every cross product changes its sign twice."""
+    return -g / 4 - np.cross(g, after) / 24 + np.cross(g, after_that) / 96 - cubic(g)
+
+
+def memory_4_second(before, g, after):
+    return -g / 4 - np.cross(before, g) / 96 - np.cross(g, after) / 96 - cubic(g)
+
+
+def rotation_vector_2(g1, g2):
+    return g1 + g2 + 2 / 3 * np.cross(g1, g2)
+
+
+def rotation_vector_3(g1, g2, g3):
+    """Miller (1983)."""
+    return g1 + g2 + g3 + 9 / 20 * np.cross(g1, g3) + 27 / 40 * np.cross(g2, g3 - g1)
+
+
+# Sums of up to ten terms, each below one and good to a few eps.
+FORMULA = 16 * EPS
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "samples"),
+    [
+        ("picard-1", picard_1, 1),
+        ("two-step-3", two_step_3, 2),
+        ("two-step-4", two_step_4, 2),
+        ("rotation-vector-2", rotation_vector_2, 2),
+        ("rotation-vector-3", rotation_vector_3, 3),
+    ],
+)
+@given(rows=rows_of_increments)
+def test_step_of_its_own_increments(name, formula, samples, rows):
+    expected = [formula(*step) for step in rows.reshape(-1, samples, 3)]
+    np.testing.assert_allclose(step_vectors(rows, name), expected, rtol=0, atol=FORMULA)
+
+
+@pytest.mark.parametrize(
+    ("name", "formula", "starts"),
+    [
+        ("one-step-3", one_step_3, [one_step_3_first]),
+        ("memory-4", memory_4, [memory_4_first, memory_4_second]),
+    ],
+)
+@given(rows=rows_of_increments)
+def test_step_with_increments_of_earlier_steps(name, formula, starts, rows):
+    memory = len(starts)
+    later = [formula(*rows[i - memory : i + 1]) for i in range(memory, len(rows))]
+    first = [start(*rows[: memory + 1]) for start in starts]
+    np.testing.assert_allclose(step_vectors(rows, name), [*first, *later], rtol=0, atol=FORMULA)
+    # With a history there is no start, and what is older than the memory does not matter.
+    for older in (memory, memory + 2):
+        actual = step_vectors(rows[older:], name, history=rows[:older])
+        np.testing.assert_allclose(actual, later[older - memory :], rtol=0, atol=FORMULA)
+
+
+@every_algorithm
+@given(rows=rows_of_increments)
+def test_rotation_of_a_step_is_that_of_its_vector(name, rows):
+    method = from_rotation_vector if name in ROTATION_VECTOR else rotation_quaternion
+    np.testing.assert_array_equal(step_quaternions(rows, name), method(step_vectors(rows, name)))
+
+
+@every_algorithm
+@given(rows=rows_of_increments)
+def test_attitude_is_the_product_of_the_steps(name, rows):
+    start = random_quaternions(1)[0]
+    expected, product = [], start
+    for step in step_quaternions(rows, name):
+        product = multiply(product, step)
+        expected.append(product)
+    # Up to twelve products, each good to 8 eps.
+    np.testing.assert_allclose(integrate(rows, name, start=start), expected, rtol=0, atol=100 * EPS)
+
+
+def test_names_are_keys_and_cannot_be_replaced():
+    assert all(ALGORITHMS[name].name == name for name in ALGORITHMS)
+    assert attitude_algorithm("memory-4") is ALGORITHMS["memory-4"]
+    assert attitude_algorithm("memory-4").window == 3
+    with pytest.raises(TypeError, match="does not support item assignment"):
+        ALGORITHMS["memory-4"] = None
+
+
+@given(rows=rows_of_increments)
+def test_algorithm_of_ones_own(rows):
+    """The mean of one-step-3 and picard-1: half the correction, and a start without any."""
+    own = Algorithm("own", 1, 1, {(0, 1): 1 / 24}, "third", 2, ({},))
+    assert attitude_algorithm(own) is own
+    expected = [picard_1(rows[0]) - cubic(rows[0])]
+    for before, g in pairwise(rows):
+        expected.append((one_step_3(before, g) + picard_1(g) - cubic(g)) / 2)
+    np.testing.assert_allclose(step_vectors(rows, own), expected, rtol=0, atol=FORMULA)
+    # Twelve products, each good to 8 eps.
+    attitude = cumulative_product(rotation_quaternion(np.array(expected)))
+    np.testing.assert_allclose(integrate(rows, own), attitude, rtol=0, atol=100 * EPS)
+    drifts = [coning_drift(algorithm, 0.1, 1, 0.1) for algorithm in ("one-step-3", "picard-1")]
+    assert coning_drift(own, 0.1, 1, 0.1) == pytest.approx(sum(drifts) / 2, rel=0, abs=EPS)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"samples": 0}, "samples: expected a whole number of at least 1, got 0"),
+        ({"memory": -1}, "memory: expected a whole number of at least 0, got -1"),
+        ({"memory": 1}, "memory: expected 0 with several samples a step, got 1"),
+        ({"starts": ({},)}, "starts: expected one for each of 0 increments of memory, got 1"),
+        (
+            {"samples": 1, "memory": 2, "starts": ({},)},
+            "starts: expected one for each of 2 increments of memory, got 1",
+        ),
+        ({"coning": {(1, 0): 0.5}}, r"coning: expected places 0 <= i < j < 2, got \(1, 0\)"),
+        ({"coning": {(0, 2): 0.5}}, r"coning: expected places 0 <= i < j < 2, got \(0, 2\)"),
+        (
+            {"samples": 1, "memory": 1, "starts": ({(0, 2): 0.5},)},
+            r"coning: expected places 0 <= i < j < 2, got \(0, 2\)",
+        ),
+    ],
+)
+def test_algorithms_that_do_not_fit_together_are_refused(arguments, words):
+    good = {"name": "own", "samples": 2, "memory": 0, "coning": {}, "iterate": "third", "order": 2}
+    assert Algorithm(**good).window == 2
+    with pytest.raises(ValueError, match=rf"^{words}\.$"):
+        Algorithm(**(good | arguments))
+
+
+# One step against the exact rotation
+
+
+def integrals(rate, interval, first, count):
+    """Increments of a rate that is a polynomial in time, lowest power first."""
+    powers = np.arange(1, len(rate) + 1)
+    edges = interval * np.arange(first, first + count + 1)
+    return np.diff(edges[:, np.newaxis] ** powers @ (rate / powers[:, np.newaxis]), axis=0)
+
+
+def exact_rotation(rate, time):
+    """Rotation from time 0 under such a rate: Taylor's series of the quaternion equation."""
+    terms = [IDENTITY]
+    for n in range(60):
+        products = [multiply(terms[n - i], pure(rate[i])) for i in range(min(n + 1, len(rate)))]
+        terms.append(sum(products) / (2 * (n + 1)))
+    return np.polynomial.polynomial.polyval(time, np.array(terms))
+
+
+def local_error(name, rate, interval):
+    """Rotation vector from the exact rotation to that of a step from time 0."""
+    chosen = ALGORITHMS[name]
+    rows = integrals(rate, interval, -chosen.memory, chosen.window)
+    history = rows[: chosen.memory] if chosen.memory else None
+    step = step_quaternions(rows[chosen.memory :], name, history=history)[0]
+    return to_rotation_vector(
+        multiply(conjugate(exact_rotation(rate, chosen.samples * interval)), step)
+    )
+
+
+def local_order(name, rate):
+    """Fitted over intervals from 1/8 to 1/128 s: errors from 1e-2 to 1e-14, rounding is 1e-18."""
+    return order_of(lambda size: np.linalg.norm(local_error(name, rate, 8 * size)))
+
+
+@every_algorithm
+@pytest.mark.parametrize("seed", range(3))
+def test_local_order_is_one_more_than_the_order(name, seed):
+    """On a rate that is quadratic in time."""
+    rate = np.random.default_rng(seed).uniform(-1, 1, (3, 3))
+    assert local_order(name, rate) == pytest.approx(ALGORITHMS[name].order + 1, abs=0.1)
+
+
+@every_algorithm
+@pytest.mark.parametrize("seed", range(3))
+def test_local_order_on_a_rate_that_is_linear_in_time(name, seed):
+    """The coning correction of one-step-3 is exact there, which gives it an order more."""
+    rate = np.random.default_rng(seed).uniform(-1, 1, (2, 3))
+    expected = ALGORITHMS[name].order + (2 if name == "one-step-3" else 1)
+    assert local_order(name, rate) == pytest.approx(expected, abs=0.1)
+
+
+@every_algorithm
+@pytest.mark.parametrize("seed", range(3))
+def test_coning_correction_is_exact_for_a_rate_that_is_linear_in_time(name, seed):
+    """Half the integral of gamma × omega over a step of T is a × b T^3/12 for omega = a + b t."""
+    chosen, interval, count = ALGORITHMS[name], 0.1, 6
+    rate = np.random.default_rng(seed).uniform(-1, 1, (2, 3))
+    rows = integrals(rate, interval, 0, count)
+    gamma = rows.reshape(-1, chosen.samples, 3).sum(axis=1)
+    vectors = step_vectors(rows, name)
+    if name in CAYLEY:
+        vectors = -4 * vectors
+        if chosen.iterate != "first":
+            vectors -= np.sum(gamma**2, axis=-1, keepdims=True) * gamma / 48
+        if chosen.iterate == "second":
+            vectors -= np.cross(gamma, np.cross(*np.moveaxis(rows.reshape(-1, 2, 3), 1, 0))) / 12
+    # The later steps begin with another a, which differs by a multiple of b; and so do the starts.
+    expected = np.cross(*rate) * (chosen.samples * interval) ** 3 / 12 if chosen.coning else 0
+    np.testing.assert_allclose(
+        vectors - gamma, np.broadcast_to(expected, gamma.shape), rtol=0, atol=16 * EPS
+    )
+
+
+A, B, C = np.random.default_rng(7).uniform(-1, 1, (3, 3))
+
+
+@pytest.mark.parametrize(
+    ("name", "power", "leading"),
+    [
+        # No coning correction, and tan(phi/4) taken for phi/4.
+        ("picard-1", 3, -np.cross(A, B) / 12 - (A @ A) * A / 48),
+        # The correction from two increments cannot see the second derivative.
+        ("one-step-3", 4, -np.cross(A, C) / 12),
+        # What the third iterate takes away: gamma × (g1 × g2)/12, and g1 × g2 is a × b H^3/8.
+        ("two-step-3", 4, np.cross(A, np.cross(A, B)) / 96),
+    ],
+)
+def test_leading_term_of_the_local_error(name, power, leading):
+    rate, samples = np.array([A, B, C]), ALGORITHMS[name].samples
+
+    def rest(size):
+        interval = 8 * size
+        error = local_error(name, rate, interval)
+        return np.linalg.norm(error - leading * (samples * interval) ** power)
+
+    assert order_of(rest) == pytest.approx(power + 1, abs=0.1)
+
+
+# Whole motions: global orders as fitted slopes over 96 to 1536 increments
+
+COUNTS = 6 * 2 ** np.arange(4, 9)
+
+
+def errors(motion, name, duration, count, **options):
+    """Angle between the calculated and the exact attitude after each step."""
+    interval, samples = duration / count, ALGORITHMS[name].samples
+    attitude = integrate(
+        motion.increments(interval, count), name, start=motion.attitude(0), **options
+    )
+    times = samples * interval * np.arange(1, count // samples + 1)
+    return rotation_angle(multiply(conjugate(motion.attitude(times)), attitude))
+
+
+def fitted_order(error):
+    sizes = [np.log(error(count)) for count in COUNTS]
+    return -np.polyfit(np.log(COUNTS), sizes, 1)[0]
+
+
+@every_algorithm
+@pytest.mark.parametrize("motion", [SWAY, Sway(1.0, 0.5)], ids=str)
+def test_global_order_on_a_motion_without_symmetries(name, motion):
+    """Without a history: the starts keep the order. Errors from 1e-3 to 1e-11."""
+    order = fitted_order(lambda count: errors(motion, name, 4, count).max())
+    assert order == pytest.approx(ALGORITHMS[name].order, abs=0.1)
+
+
+def test_small_cone_makes_one_step_3_look_fourth_order():
+    """Its error of third order is of a^3, the drift, of fourth, of a^2; on a wide cone it shows."""
+
+    def largest(half_angle):
+        motion = Coning(np.radians(half_angle), 1)
+        return lambda count: errors(motion, "one-step-3", 1, count).max()
+
+    assert fitted_order(largest(0.1)) == pytest.approx(4, abs=0.1)
+    assert fitted_order(largest(60)) == pytest.approx(3, abs=0.1)
+
+
+@with_rotation_vector
+def test_rotation_vector_is_exact_about_a_fixed_axis(name):
+    # Each of up to 1536 steps is good to a few eps, in random directions.
+    for count in COUNTS:
+        assert errors(FixedAxis(1, 0.5), name, 2.3, count).max() < 4 * count**0.5 * EPS
+
+
+@with_cayley
+def test_order_about_a_fixed_axis(name):
+    """No coning: all that is left is the cut-off tangent, of order 2 or 4."""
+    order = fitted_order(lambda count: errors(FixedAxis(1, 0.5), name, 2.3, count).max())
+    assert order == pytest.approx(2 if name == "picard-1" else 4, abs=0.1)
+
+
+@with_cayley
+@given(g=st.floats(-6.28, 6.28))
+def test_local_residual_about_a_fixed_axis(name, g):
+    """4 atan(g/4 + g^3/192) - g, or the same without the cube."""
+    chosen = ALGORITHMS[name]
+    # In unequal parts: parallel increments have no cross product, whatever their sizes.
+    parts = np.array([g]) if chosen.samples == 1 else np.array([0.3 * g, 0.7 * g])
+    history = np.outer([0.5, -0.2], [0, 0, 1]) if chosen.memory else None
+    step = step_quaternions(np.outer(parts, [0, 0, 1]), name, history=history)[0]
+    tangent = g / 4 if name == "picard-1" else g / 4 + g**3 / 192
+    angle = 2 * np.arctan2(step[2], step[3])
+    assert angle == pytest.approx(4 * np.arctan(tangent), abs=32 * EPS)
+
+
+def test_local_residual_about_a_fixed_axis_is_of_fifth_order():
+    """-g^5/1920: the tangent's next term is g^5/7680."""
+
+    def residual(g):
+        step = step_quaternions([[0, 0, g / 2], [0, 0, g / 2]], "two-step-4")[0]
+        return rotation_angle(step) - g
+
+    for g in (0.1, 0.2):
+        # What follows is smaller by a multiple of g^2 below 1.
+        np.testing.assert_allclose(residual(g), -(g**5) / 1920, rtol=g**2)
+
+
+# Starts and histories
+
+
+@with_memory
+def test_order_with_the_true_history(name):
+    def final(count):
+        interval = 4 / count
+        # The same sway seen from 2 intervals later: time in this test starts there.
+        rows = SWAY.increments(interval, count)
+        start = SWAY.attitude(2 * interval)
+        attitude = integrate(rows[2:], name, start=start, history=rows[:2])[-1]
+        return rotation_angle(multiply(conjugate(SWAY.attitude(4)), attitude))
+
+    assert fitted_order(final) == pytest.approx(ALGORITHMS[name].order, abs=0.1)
+
+
+@with_memory
+def test_zero_history_keeps_the_order_in_the_end(name):
+    """The corrections of the first steps, 0 and 1/6, add up to those that are due, twice 1/12.
+
+    For one-step-3 a correction is lost, which costs as much as all its other steps together.
+    """
+    history = np.zeros((2, 3))
+    # After the first step alone the error is of third order for both.
+    order = fitted_order(lambda count: errors(SWAY, name, 4, count, history=history)[1:].max())
+    assert order == pytest.approx(ALGORITHMS[name].order, abs=0.1)
+    first = fitted_order(lambda count: errors(SWAY, name, 4, count, history=history)[0])
+    assert first == pytest.approx(3, abs=0.1)
+
+
+@pytest.mark.parametrize(("other", "order"), [("picard-1", 3), ("one-step-3", 4)])
+def test_two_first_steps_by_another_algorithm(other, order):
+    """One error of third order stays; one-step-3 makes errors of fourth order, which are few."""
+
+    def final(count):
+        interval = 4 / count
+        rows = SWAY.increments(interval, count)
+        begun = integrate(rows[:2], other, start=SWAY.attitude(0))[-1]
+        attitude = integrate(rows[2:], "memory-4", start=begun, history=rows[:2])[-1]
+        return rotation_angle(multiply(conjugate(SWAY.attitude(4)), attitude))
+
+    assert fitted_order(final) == pytest.approx(order, abs=0.1)
+
+
+@every_algorithm
+@given(data=st.data())
+def test_chunks_are_the_same_as_all_at_once(name, data):
+    chosen, count = ALGORITHMS[name], 24
+    rows, start = increments(count, seed=4), random_quaternions(1)[0]
+    # Cuts after whole steps; what is before the first suffices to start.
+    places = range(-(-chosen.window // chosen.samples) * chosen.samples, count, chosen.samples)
+    cuts = sorted(data.draw(st.sets(st.sampled_from(places))))
+    parts, attitude = [], start
+    for first, last in zip([0, *cuts], [*cuts, count], strict=True):
+        history = rows[:first] if first else None
+        parts.append(integrate(rows[first:last], name, start=attitude, history=history))
+        attitude = parts[-1][-1]
+    expected = integrate(rows, name, start=start)
+    # Up to 24 products, each good to 8 eps.
+    np.testing.assert_allclose(np.concatenate(parts), expected, rtol=0, atol=200 * EPS)
+
+
+# Leading axes, norms, word
+
+
+@every_algorithm
+def test_leading_axes_are_loops(name):
+    rows, start = increments(2, 1, 12), random_quaternions(3)
+    together = integrate(rows, name, start=start)
+    assert together.shape == (2, 3, 12 // ALGORITHMS[name].samples, 4)
+    for i, j in np.ndindex(2, 3):
+        alone = integrate(rows[i, 0], name, start=start[j])
+        np.testing.assert_allclose(together[i, j], alone, rtol=0, atol=100 * EPS)
+
+
+@every_algorithm
+def test_history_has_the_leading_axes_of_the_increments(name):
+    rows = increments(2, 3, 14)
+    together = integrate(rows[..., 2:, :], name, history=rows[..., :2, :])
+    for i, j in np.ndindex(2, 3):
+        alone = integrate(rows[i, j, 2:], name, history=rows[i, j, :2])
+        np.testing.assert_allclose(together[i, j], alone, rtol=0, atol=100 * EPS)
+
+
+@with_memory
+@pytest.mark.parametrize(
+    ("leading", "past"),
+    [((), (3,)), ((), (2,)), ((3,), ()), ((2, 3), ()), ((3,), (3,)), ((2, 1), (1, 3))],
+    ids=str,
+)
+def test_history_broadcasts(name, leading, past):
+    rows, before = increments(*leading, 6), increments(*past, 2, seed=1)
+    together = step_vectors(rows, name, history=before)
+    shape = np.broadcast_shapes(leading, past)
+    assert together.shape[:-2] == shape
+    rows = np.broadcast_to(rows, (*shape, 6, 3))
+    before = np.broadcast_to(before, (*shape, 2, 3))
+    for index in np.ndindex(shape):
+        alone = step_vectors(rows[index], name, history=before[index])
+        np.testing.assert_allclose(together[index], alone, rtol=0, atol=4 * EPS)
+
+
+@pytest.mark.parametrize("name", [name for name in ALGORITHMS if name not in MEMORY])
+def test_history_of_an_algorithm_without_memory_is_not_looked_at(name):
+    rows = increments(6)
+    np.testing.assert_array_equal(integrate(rows, name, history="none"), integrate(rows, name))
+
+
+@every_algorithm
+@pytest.mark.parametrize("factor", [-1.0, 1e-3, 30.0])
+def test_start_is_brought_to_unit_norm(name, factor):
+    rows, start = increments(6), random_quaternions(1)[0]
+    expected = np.sign(factor) * integrate(rows, name, start=start)
+    np.testing.assert_allclose(
+        integrate(rows, name, start=factor * start), expected, rtol=0, atol=4 * EPS
+    )
+
+
+@every_algorithm
+def test_attitude_stays_of_unit_norm(name):
+    attitude = integrate(increments(3000), name, start=random_quaternions(1)[0])
+    # Each step's norm is good to a few eps, in random directions.
+    norms = np.linalg.norm(attitude, axis=-1)
+    np.testing.assert_allclose(norms, 1, rtol=0, atol=4 * 3000**0.5 * EPS)
+
+
+@every_algorithm
+def test_no_rotation_is_the_identity(name):
+    attitude = integrate(np.zeros((6, 3)), name)
+    np.testing.assert_array_equal(attitude, np.tile(IDENTITY, (len(attitude), 1)))
+
+
+@every_algorithm
+def test_arguments_are_left_alone(name):
+    rows, start, history = increments(6), random_quaternions(1)[0], increments(2, seed=1)
+    for array in (rows, start, history):
+        array.setflags(write=False)
+    copies = rows.copy(), start.copy(), history.copy()
+    integrate(rows, name, start=start, history=history)
+    integrate(rows, name, start=start)
+    for array, copy in zip((rows, start, history), copies, strict=True):
+        np.testing.assert_array_equal(array, copy)
+
+
+@every_algorithm
+@pytest.mark.parametrize("word", ["float16", "float32", "float64"])
+def test_vectors_in_another_word(name, word):
+    rows, history = increments(2, 6), increments(2, 2, seed=1)
+    for past in (None, history):
+        vectors = step_vectors(rows, name, history=past, word=word)
+        assert vectors.dtype == np.dtype(word)
+        # Relative to sums of increments up to 0.5, good to an eps of the word.
+        bound = 4 * float(np.finfo(word).eps)
+        expected = step_vectors(rows, name, history=past)
+        np.testing.assert_allclose(vectors, expected, rtol=0, atol=bound)
+
+
+# Refusals
+
+FUNCTIONS = [integrate, step_quaternions, step_vectors]
+every_function = pytest.mark.parametrize("function", FUNCTIONS, ids=lambda f: f.__name__)
+
+
+@every_function
+def test_unknown_algorithm_is_refused_with_the_known_ones(function):
+    with pytest.raises(
+        ValueError, match=r"^algorithm: expected one of picard-1, .*, got 'two-step-5'\.$"
+    ):
+        function(increments(6), "two-step-5")
+    with pytest.raises(ValueError, match=r"^algorithm: expected one of .*, got 'euler'\.$"):
+        coning_drift("euler", 0.1, 1, 0.1)
+
+
+@every_function
+@pytest.mark.parametrize(
+    ("bad", "words"),
+    [
+        (np.zeros(3), r"shape \(\.\.\., n, 3\), got shape \(3,\)"),
+        (np.zeros((6, 4)), r"shape \(\.\.\., n, 3\), got shape \(6, 4\)"),
+        (np.zeros((0, 3)), "at least one value, got an empty array"),
+        (np.full((2, 3), np.nan), "finite numbers, got 6 NaN or infinite"),
+        (
+            np.zeros((5, 3)),
+            "a multiple of 2 for two-step-4, got 5; keep the last 1 for the next call",
+        ),
+    ],
+    ids=["one row", "four columns", "empty", "NaN", "odd"],
+)
+def test_bad_increments_are_refused(function, bad, words):
+    with pytest.raises(ValueError, match=rf"^increments: expected {words}\.$"):
+        function(bad, "two-step-4")
+
+
+@pytest.mark.parametrize(
+    ("name", "count", "multiple", "rest"),
+    [("two-step-3", 3, 2, 1), ("rotation-vector-2", 1, 2, 1), ("rotation-vector-3", 5, 3, 2)],
+)
+def test_increments_that_make_no_whole_steps_are_refused(name, count, multiple, rest):
+    with pytest.raises(
+        ValueError,
+        match=rf"^increments: expected a multiple of {multiple} for {name}, got {count}; "
+        rf"keep the last {rest} for the next call\.$",
+    ):
+        integrate(increments(count), name)
+
+
+@pytest.mark.parametrize(("name", "least"), [("one-step-3", 2), ("memory-4", 3)])
+def test_too_few_increments_to_start_are_refused(name, least):
+    expected = integrate(increments(least), name)
+    assert expected.shape == (least, 4)
+    with pytest.raises(
+        ValueError,
+        match=rf"^increments: expected at least {least} for {name} to start without a history, "
+        rf"got {least - 1}\.$",
+    ):
+        integrate(increments(least - 1), name)
+    # With a history one is enough.
+    assert integrate(increments(1), name, history=increments(2)).shape == (1, 4)
+
+
+@every_function
+@pytest.mark.parametrize(
+    ("bad", "words"),
+    [
+        (
+            np.zeros((1, 3)),
+            r"shape \(\.\.\., m, 3\) with m at least 2 for memory-4, got shape \(1, 3\)",
+        ),
+        (np.zeros(3), r"shape \(\.\.\., m, 3\) with m at least 2 for memory-4, got shape \(3,\)"),
+        (np.zeros((2, 4)), r"shape \(\.\.\., 3\), got shape \(2, 4\)"),
+        (np.full((2, 3), np.inf), "finite numbers, got 6 NaN or infinite"),
+    ],
+    ids=["short", "one row", "four columns", "infinite"],
+)
+def test_bad_histories_are_refused(function, bad, words):
+    with pytest.raises(ValueError, match=rf"^history: expected {words}\.$"):
+        function(increments(6), "memory-4", history=bad)
+
+
+@every_function
+def test_history_that_does_not_broadcast_is_refused(function):
+    with pytest.raises(
+        ValueError,
+        match=r"^increments, history: expected leading axes that broadcast, "
+        r"got \(2,\) and \(3,\)\.$",
+    ):
+        function(increments(2, 6), "memory-4", history=increments(3, 2))
+
+
+@every_algorithm
+def test_bad_starts_are_refused(name):
+    with pytest.raises(ValueError, match=r"^start: expected shape \(\.\.\., 4\), got shape \(3,\)"):
+        integrate(increments(6), name, start=[0, 0, 1])
+    with pytest.raises(ValueError, match=r"^start: expected finite numbers, got 1 NaN"):
+        integrate(increments(6), name, start=[0, 0, np.nan, 1])
+    with pytest.raises(ValueError, match=r"^start: expected nonzero quaternions, got a zero"):
+        integrate(increments(6), name, start=[IDENTITY, np.zeros(4)])
+    with pytest.raises(
+        ValueError,
+        match=r"^increments, start: expected leading axes that broadcast, got \(2,\) and \(3,\)\.$",
+    ):
+        integrate(increments(2, 6), name, start=random_quaternions(3))
+
+
+@with_cayley
+def test_whole_turn_in_a_step_is_refused_where_k_is_infinite(name):
+    samples = ALGORITHMS[name].samples
+    part = np.array([2.0, -1.0, 2.0]) / 3 / samples
+    below, above = np.tile(6.283 * part, (6, 1)), np.tile(6.284 * part, (6, 1))
+    assert np.isfinite(integrate(below, name)).all()
+    with pytest.raises(
+        ValueError,
+        match=r"^increments: expected less than a whole turn a step, where the true k is "
+        r"infinite, got 6\.28 rad\.$",
+    ):
+        integrate(above, name)
+
+
+@with_rotation_vector
+def test_whole_turns_in_a_step_are_nothing_to_a_rotation_vector(name):
+    samples = ALGORITHMS[name].samples
+    rows = np.tile(np.array([0, 0, 7 / samples]), (6, 1))
+    steps = np.arange(1, 6 // samples + 1)
+    expected = from_rotation_vector(np.outer(7 * steps, [0, 0, 1]))
+    np.testing.assert_allclose(integrate(rows, name), expected, rtol=0, atol=100 * EPS)
+
+
+@with_cayley
+def test_increments_whose_squares_are_infinite_are_refused_alike(name):
+    with pytest.raises(ValueError, match=r"^increments: expected less than a whole turn a step"):
+        integrate(np.full((6, 3), 1e200), name)
+
+
+@pytest.mark.parametrize("word", [int, "complex64", bool, "longdouble", "euler"])
+def test_other_words_are_refused(word):
+    with pytest.raises(ValueError, match=r"^word: expected float16, float32 or float64, got "):
+        step_vectors(increments(6), "two-step-4", word=word)
+
+
+def test_increments_that_a_word_cannot_hold_are_refused():
+    with pytest.raises(
+        ValueError, match=r"^increments: expected numbers that float16 can hold, got larger ones\.$"
+    ):
+        step_vectors(np.full((2, 3), 1e5), "rotation-vector-2", word="float16")
+
+
+# The coning drift in closed form. Throughout, x is the angle of coning in the interval of one
+# increment, X that in a step.
+
+
+def one_interval(x):
+    """Interval at a coning of 1 Hz."""
+    return x / (2 * np.pi)
+
+
+def measured_drift(name, half_angle, per_turns, turns):
+    """Drift about the axis of the cone, rad/s, over whole turns at 1 Hz of which `per_turns` is."""
+    chosen, motion = ALGORITHMS[name], Coning(half_angle, 1)
+    rows = motion.increments(turns / per_turns, per_turns)
+    # The motion is periodic: what was before the first increment is like the last.
+    history = rows[-chosen.memory :] if chosen.memory else None
+    end = integrate(rows, name, start=motion.attitude(0), history=history)[-1]
+    # All errors together, in reference axes.
+    return to_rotation_vector(multiply(end, conjugate(motion.attitude(0))))[2] / turns
+
+
+# Increments in so many turns: x from 0.05 to 1.5, all multiples of 2 and 3.
+RHYTHMS = [(120, 1), (60, 1), (24, 1), (12, 1), (6, 1), (30, 7)]
+
+
+@every_algorithm
+@pytest.mark.parametrize(("count", "turns"), RHYTHMS)
+@pytest.mark.parametrize("degrees", [0.1, 0.3, 1.0])
+def test_coning_drift_is_the_measured_one(name, count, turns, degrees):
+    half_angle, interval = np.radians(degrees), turns / count
+    step = 2 * np.pi * interval * ALGORITHMS[name].samples
+    expected = coning_drift(name, half_angle, 1, interval)
+    # Left out of a step: a^4 X^3/96, which is |gamma|^2 gamma/48, without a correction; with one,
+    # terms of a^4 X^5, X^5/500 at most in what was seen. Rounding: the error of a step is a sum of
+    # some terms of a^2, each good to an eps.
+    left_out = step**3 / 90 if name == "picard-1" else step**5 / 450
+    steps = count / ALGORITHMS[name].samples
+    bound = steps / turns * (half_angle**4 * left_out + 8 * half_angle**2 * EPS)
+    measured = measured_drift(name, half_angle, count, turns)
+    assert measured == pytest.approx(expected, rel=0, abs=bound)
+    if degrees == 0.1 and step > 0.3:
+        assert bound < 0.02 * abs(expected)  # so there is something to find wrong
+
+
+@every_algorithm
+def test_what_coning_drift_leaves_out_is_of_fourth_power_in_the_half_angle(name):
+    """At 1/12 of a turn, where the rest is well above rounding."""
+
+    def rest(size):
+        half_angle = 16 * size  # from 14 degrees to 0.9
+        measured = measured_drift(name, half_angle, 12, 1)
+        return abs(measured - coning_drift(name, half_angle, 1, 1 / 12))
+
+    assert order_of(rest) == pytest.approx(4, abs=0.1)
+
+
+@pytest.mark.parametrize(
+    ("name", "power", "divisor"),
+    [
+        # In X, of a step: one interval, two, or three.
+        ("picard-1", 3, -12),
+        ("one-step-3", 5, -60),
+        ("two-step-3", 5, -960),
+        ("two-step-4", 5, -960),
+        ("memory-4", 5, 40),
+        ("rotation-vector-2", 5, -960),
+        ("rotation-vector-3", 7, -204120),
+    ],
+)
+@pytest.mark.parametrize("x", [0.05, 0.1, 0.2])
+def test_leading_term_of_the_coning_drift(name, power, divisor, x):
+    samples, half_angle = ALGORITHMS[name].samples, 0.3
+    interval = one_interval(x)
+    a_step = coning_drift(name, half_angle, 1, interval) * samples * interval
+    # What follows is smaller by a multiple of x^2 below 1/2.
+    expected = np.sin(half_angle) ** 2 * (samples * x) ** power / divisor
+    np.testing.assert_allclose(a_step, expected, rtol=x**2 / 2)
+
+
+@every_algorithm
+@pytest.mark.parametrize("x", [1e-3, 0.01, 0.1, 1.5])
+def test_coning_drift_in_fifty_digits(name, x):
+    chosen, half_angle, interval = ALGORITHMS[name], 0.3, one_interval(x)
+    with mpmath.workdps(50):
+        angle = 2 * mpmath.pi * mpmath.mpf(interval)
+        step = chosen.samples * angle
+        estimate = sum(
+            mpmath.mpf(weight) * 4 * mpmath.sin(angle / 2) ** 2 * mpmath.sin((j - i) * angle)
+            for (i, j), weight in chosen.coning.items()
+        )
+        expected = mpmath.sin(half_angle) ** 2 * (estimate - (step - mpmath.sin(step)) / 2)
+    a_step = coning_drift(name, half_angle, 1, interval) * chosen.samples * interval
+    # The two parts of the difference come from X and sin(X), each good to some eps.
+    bound = 4 * EPS * chosen.samples * x * np.sin(half_angle) ** 2
+    np.testing.assert_allclose(a_step, float(expected), rtol=8 * EPS, atol=bound)
+
+
+@every_algorithm
+def test_coning_drift_turns_with_the_coning_and_vanishes_without(name):
+    there, back = coning_drift(name, 0.1, [3, -3], 0.01)
+    assert there == -back != 0
+    assert coning_drift(name, 0, 3, 0.01) == coning_drift(name, 0.1, 0, 0.01) == 0
+
+
+@every_algorithm
+def test_coning_drift_depends_on_the_angle_per_interval(name):
+    """Twice as fast in half the time: a drift twice as fast."""
+    slow, fast = coning_drift(name, 0.1, [1, 2], [0.1, 0.05])
+    np.testing.assert_allclose(fast, 2 * slow, rtol=8 * EPS)
+
+
+@pytest.mark.parametrize("interval", [0.0, -1e-3])
+def test_coning_drift_refuses_intervals_that_are_not_positive(interval):
+    with pytest.raises(ValueError, match=r"^sample_interval: expected positive times, got "):
+        coning_drift("memory-4", 0.1, 1, [0.1, interval])
+
+
+def test_an_unknown_iterate_is_refused():
+    with pytest.raises(ValueError, match=r"^iterate: expected one of first, .*, got 'fourth'\.$"):
+        Algorithm("mine", 1, 0, {}, "fourth", 4)
+
+
+def test_weights_that_are_no_numbers_are_refused():
+    with pytest.raises(ValueError, match=r"^coning: expected finite numbers, got 1 NaN"):
+        Algorithm("mine", 2, 0, {(0, 1): np.nan}, "third", 4)
+
+
+def test_a_list_is_no_algorithm():
+    with pytest.raises(ValueError, match=r"^algorithm: expected one of picard-1, .* got \['a'\]"):
+        integrate(np.ones((2, 3)), ["a"])
+
+
+def test_angles_that_cannot_be_angles_are_refused():
+    with pytest.raises(ValueError, match=r"^increments: expected angles in rad, got 1e\+200\.$"):
+        integrate([[1e200, 0, 0]] * 2, "rotation-vector-2")

@@ -1,0 +1,157 @@
+"""The equation ledger is complete, and every place, function and test that it names exists."""
+
+import ast
+import re
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+
+import nbformat
+import pytest
+
+from driftlab.book import ledger
+from driftlab.book.ledger import KINDS, PAPERS, STATUSES
+from support import ROOT
+
+ENTRIES = ledger.ledger()
+every_entry = pytest.mark.parametrize(
+    "entry", ENTRIES, ids=lambda entry: f"{entry.paper} {entry.label}"
+)
+
+# Every number that the papers give to an equation, a table or a figure.
+NUMBERED = {
+    "larin": [
+        *(f"(1.{i})" for i in range(1, 6)),
+        *(f"(2.{i})" for i in range(1, 7)),
+        *(f"(3.{i})" for i in range(1, 6)),
+    ],
+    "perelyaev-chelnokov": [f"(1.{i})" for i in range(1, 12)],
+    "wu": [
+        *(f"({i})" for i in range(1, 53)),
+        "Table 1",
+        "Table 2",
+        *(f"Fig. {i}" for i in range(1, 6)),
+    ],
+    "plotnikov": ["Fig. 1", "Fig. 2"],
+}
+# Larin's only table has no number, nor have Plotnikov's formulas; the book has names for them.
+NAMED = {
+    "larin": [
+        *(f"sigma{i}* of the experiment" for i in range(1, 5)),
+        *(f"sigma{i}** of the experiment" for i in range(1, 4)),
+    ],
+    "plotnikov": [
+        "heading",
+        "alignment heading",
+        "alignment pitch",
+        "alignment roll",
+        "operating heading",
+    ],
+}
+
+
+@cache
+def notebook(chapter):
+    (path,) = (ROOT / "notebooks").glob(f"{chapter}_*.ipynb")
+    return nbformat.read(path, as_version=4)
+
+
+@cache
+def functions_in(path):
+    """Names of the tests in a file, those of classes as Class::name."""
+    tree = ast.parse((ROOT / path).read_text(encoding="utf-8"))
+    return {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+
+
+@pytest.mark.parametrize("paper", PAPERS)
+def test_every_number_of_every_paper_is_there_once(paper):
+    labels = [entry.label for entry in ENTRIES if entry.paper == paper]
+    assert len(set(labels)) == len(labels)
+    expected = NUMBERED[paper] + NAMED.get(paper, [])
+    assert [label for label in expected if label not in labels] == []
+
+
+@every_entry
+def test_entry_is_complete(entry):
+    assert entry.paper in PAPERS
+    assert entry.kind in KINDS
+    assert entry.status in STATUSES
+    assert entry.says.endswith(".")
+    corrections = (entry.printed, entry.right, entry.proof)
+    assert all(corrections) if entry.status == "corrected" else not any(corrections)
+    for text in (entry.says, entry.remark, *corrections):
+        assert text.count("$") % 2 == 0, text
+
+
+@every_entry
+def test_entry_has_its_place_in_the_book(entry):
+    headings = [
+        heading
+        for cell in notebook(entry.chapter).cells
+        if cell.cell_type == "markdown"
+        for heading in re.findall(r"^#+ (.*)$", cell.source, flags=re.MULTILINE)
+    ]
+    assert entry.section in headings
+
+
+@every_entry
+def test_functions_and_functions_in_the_entry_exist(entry):
+    for name in entry.functions:
+        module, _, attribute = name.rpartition(".")
+        assert hasattr(import_module(module), attribute), name
+    for name in entry.tests:
+        path, _, test = name.partition("::")
+        if path.endswith(".ipynb"):
+            chapter = Path(path).name[:2]
+            assert (ROOT / path).exists()
+            (cell,) = (cell for cell in notebook(chapter).cells if cell.id == test)
+            assert "assert" in cell.source, name
+        else:
+            assert test in functions_in(path), name
+
+
+@every_entry
+def test_what_holds_in_the_book_is_computed_and_tested(entry):
+    if entry.kind in ("equation", "table", "figure") and entry.status != "not recoverable":
+        assert entry.functions
+        assert entry.tests
+
+
+def test_errata_file_is_what_the_ledger_says():
+    assert (ROOT / "ERRATA.md").read_text(encoding="utf-8") == ledger.errata()
+
+
+def test_errata_hold_every_correction_and_nothing_else():
+    corrected = [entry for entry in ENTRIES if entry.status == "corrected"]
+    headings = re.findall(r"^### (.*)$", ledger.errata(), flags=re.MULTILINE)
+    assert headings == [entry.label for entry in corrected]
+
+
+def test_tables_have_a_row_for_each_entry():
+    for paper in PAPERS:
+        rows = ledger.paper_table(paper).rows[1:]
+        assert len(rows) == sum(entry.paper == paper for entry in ENTRIES)
+    for chapter in {entry.chapter for entry in ENTRIES}:
+        text = ledger.chapter_table(chapter)._repr_markdown_()
+        for entry in ENTRIES:
+            assert entry.chapter != chapter or entry.label in text
+    totals = [int(row[-1]) for row in ledger.summary_table().rows[1:]]
+    assert sum(totals) == len(ENTRIES)
+
+
+def test_table_is_markdown_with_as_many_cells_in_every_row():
+    lines = ledger.Table([("a", "b"), ("$|x| + 1$", "c")])._repr_markdown_().splitlines()
+    assert ledger.Table([(r"$\|x\|$",)])._repr_markdown_().splitlines()[0] == r"| $\Vert x\Vert $ |"
+    assert lines == ["| a | b |", "| --- | --- |", r"| $\vert x\vert  + 1$ | c |"]
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: ledger.chapter_table("12"), r"^chapter: expected one of 01, .*, got '12'\.$"),
+        (lambda: ledger.paper_table("Wu"), r"^paper: expected one of larin, .*, got 'Wu'\.$"),
+    ],
+)
+def test_unknown_chapter_or_paper_is_refused(call, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        call()

@@ -1,0 +1,171 @@
+"""Larin's table: every printed digit, the other winners, and the losing candidates."""
+
+from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Decimal
+from itertools import cycle, product
+
+import mpmath
+import numpy as np
+import pytest
+
+from driftlab.book.ch04_calibration_by_turns.printed_table import (
+    NAMES,
+    PRINTED,
+    SIGN_RESTORED,
+    STEPS,
+    SUM_FACTORS,
+    TRIADS,
+    Reconstruction,
+    candidates,
+    larin_table,
+    reconstruct,
+    triad_misalignment,
+)
+from driftlab.book.scenarios import LARIN_TRIAD
+from driftlab.drift.step_formulas import STEP_FORMULAS
+from driftlab.drift.turn_calibration import YATES_AXES, TurnExperiment, weighing
+from support import EPS, printed
+
+
+@pytest.fixture(scope="module")
+def everyone():
+    return candidates()
+
+
+def place(number):
+    """One unit in the last place of a printed number."""
+    return Decimal(1).scaleb(number.as_tuple().exponent)
+
+
+def test_reconstruction_gives_all_seven_printed_digits():
+    winner = reconstruct()
+    for value, text in zip(winner.values, SIGN_RESTORED, strict=True):
+        assert Decimal(printed(value, text, ROUND_DOWN)) == Decimal(text)
+    assert winner.agrees == [True] * 7
+
+
+@pytest.mark.parametrize(
+    ("fractions", "agree"),
+    [((0.9, 0.9), True), ((0.4, -0.4), True), ((0.9, -0.4), False)],
+    ids=["all cut off", "all rounded", "some cut off and some rounded"],
+)
+def test_digits_are_all_cut_off_or_all_rounded(fractions, agree):
+    """Values beyond the printed ones by a fraction of the last place, in turn."""
+    values = [
+        float(number + Decimal(fraction).copy_sign(number * Decimal(fraction)) * place(number))
+        for number, fraction in zip(map(Decimal, SIGN_RESTORED), cycle(fractions), strict=False)
+    ]
+    assert all(Reconstruction("", "", 100, "", np.array(values)).agrees) == agree
+
+
+def test_reconstruction_in_thirty_digits():
+    """Independent of the package: a hundred equal steps about one axis are one rotation."""
+    with mpmath.workdps(30):
+        lean = mpmath.mpf("2e-3")
+        triad = mpmath.matrix([[1, 0, 0], [0, 1, 0], [lean, -lean, mpmath.sqrt(1 - 2 * lean**2)]])
+        starred = []
+        for n in ([1, 1, 0], [1, 0, 1], [0, 1, 1], [1, 1, 1]):
+            n = mpmath.matrix(n)
+            measured = triad * n / mpmath.norm(n)
+            p = 2 * mpmath.pi / 100 * mpmath.norm(measured)
+            half_angle = 100 * mpmath.atan(p / 2 / (1 - p**2 / 12))
+            # All four with a division by sqrt(2), the fourth as well: the third assumption.
+            along = mpmath.fdot(measured, n) / mpmath.sqrt(2) / mpmath.norm(measured)
+            starred.append(mpmath.atan(along * mpmath.tan(half_angle)) / mpmath.pi)
+        expected = np.array([float(x) for x in starred])
+    # A hundred products of a few roundings each.
+    np.testing.assert_allclose(reconstruct().values[:4], expected, rtol=0, atol=400 * EPS)
+    np.testing.assert_allclose(reconstruct().values[4:], weighing(expected), rtol=0, atol=800 * EPS)
+
+
+def test_candidates_are_all_combinations_best_first(everyone):
+    names = {(each.triad, each.step_formula, each.steps, each.sum_factor) for each in everyone}
+    assert names == set(product(TRIADS, STEP_FORMULAS, STEPS, SUM_FACTORS))
+    assert len(everyone) == len(names)
+    scores = [sum(each.agrees) for each in everyone]
+    assert scores == sorted(scores, reverse=True)
+
+
+def test_three_candidates_win_and_all_others_lose(everyone):
+    """Two rivals with steps twice as long have the leading error of the first one."""
+    winners = [each for each in everyone if all(each.agrees)]
+    assert everyone[: len(winners)] == winners
+    assert {(each.triad, each.sum_factor) for each in winners} == {("unit third axis", "sqrt(3/2)")}
+    assert [(each.step_formula, each.steps) for each in winners] == [
+        ("pade", 100),
+        ("kutta-merson", 50),
+        ("pade-half", 50),
+    ]
+
+
+def test_winner_needs_cut_off_digits(everyone):
+    assert sum(everyone[0].agrees_when(ROUND_DOWN)) == 7
+    assert sum(everyone[0].agrees_when(ROUND_HALF_EVEN)) == 5
+
+
+@pytest.mark.parametrize(
+    ("assumptions", "index", "value", "tolerance"),
+    [
+        ({"triad": "linear"}, 1, 1.0005e-3, 1e-7),
+        ({"step_formula": "taylor-3"}, 0, 3.2e-8, 1e-9),
+        ({"step_formula": "taylor-4"}, 0, -0.8e-8, 1e-9),
+        ({"step_formula": "cayley"}, 0, -8e-5, 5e-6),
+    ],
+)
+def test_how_the_losers_lose(assumptions, index, value, tolerance):
+    """The values that the notes on the sources give for them."""
+    loser = reconstruct(**assumptions)
+    assert loser.values[index] == pytest.approx(value, abs=tolerance)
+    assert not loser.agrees[index]
+
+
+@pytest.mark.parametrize("sum_factor", SUM_FACTORS)
+def test_fourth_number_scales_with_its_factor(sum_factor):
+    """Small enough for the tangent to be its argument; the factor is the one its name begins with.
+
+    About (1, 1, 1) the estimate is 1e-6, so that the cube that the tangent adds is below 1e-16.
+    """
+    factor = {"1": 1, "3/2": 3 / 2, "sqrt(3/2)": np.sqrt(3 / 2)}[sum_factor.split()[0]]
+    plain = TurnExperiment(step_formula="pade").estimate(
+        triad_misalignment("unit third axis"), YATES_AXES[3]
+    )
+    assert abs(plain) < 2e-6
+    starred = reconstruct(sum_factor=sum_factor).values[3]
+    np.testing.assert_allclose(starred, factor * plain, rtol=0, atol=4 * EPS)
+
+
+def test_first_number_is_the_integration_error_alone():
+    """About n1 the unit triad measures the rate exactly: what is left is -p^5/720 a step."""
+    p = 2 * np.pi / 100
+    # Half the angle of 100 steps, over pi; the next term is smaller by a multiple of p^2 below 1.
+    expected = 100 * -(p**5) / 720 / (2 * np.pi)
+    np.testing.assert_allclose(reconstruct().values[0], expected, rtol=p**2)
+
+
+def test_readings_of_the_triad():
+    linear, unit, symmetric = (triad_misalignment(triad) for triad in TRIADS)
+    np.testing.assert_array_equal(linear, LARIN_TRIAD)
+    np.testing.assert_array_equal(linear, [[0, 0, 0], [0, 0, 0], [2e-3, -2e-3, 0]])
+    assert np.linalg.norm(np.eye(3)[2] + unit[2]) == pytest.approx(1, abs=EPS)
+    np.testing.assert_array_equal(unit[:, :2], linear[:, :2])
+    np.testing.assert_array_equal(symmetric, symmetric.T)
+    np.testing.assert_array_equal(np.diag(symmetric), 0)
+    np.testing.assert_array_equal(symmetric[2, :2], linear[2, :2] / 2)
+
+
+def test_the_table_itself():
+    table = larin_table()
+    assert list(table) == ["printed", "exact", "reconstructed"]
+    assert len(NAMES) == len(PRINTED) == 7
+    np.testing.assert_array_equal(table["printed"], [float(text) for text in PRINTED])
+    np.testing.assert_array_equal(table["reconstructed"], reconstruct().values)
+    # The digest's closed form, all of whose digits are given.
+    digest = [0, 1.000499e-3, -0.999499e-3, 0, -5.0e-7, 0.999999e-3, -0.999999e-3]
+    np.testing.assert_allclose(table["exact"], digest, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    "assumptions", [{"triad": "bent"}, {"step_formula": "euler"}, {"sum_factor": "2"}]
+)
+def test_unknown_assumptions_are_refused(assumptions):
+    with pytest.raises(ValueError, match=r"expected one of .*, got '(bent|euler|2)'"):
+        reconstruct(**assumptions)

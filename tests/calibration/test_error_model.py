@@ -1,0 +1,284 @@
+"""Wu (45)-(48): the states, and what is known of them before."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+from scipy.spatial.transform import Rotation
+
+from driftlab.calibration.error_model import (
+    ERROR_MODELS,
+    FULL,
+    attitude_error,
+    attitude_of_axes,
+    error_model_for,
+)
+from driftlab.calibration.simulation import unit_in_axes
+from driftlab.imu import Spread, Unit, random_units
+from driftlab.quaternion import from_rotation_vector, multiply
+from driftlab.triad import BODY_FRAMES
+from driftlab.vectors import cross_matrix
+from support import EPS, order_of, random_quaternions
+
+MODELS = {"all": FULL, **ERROR_MODELS}
+every_model = pytest.mark.parametrize("model", MODELS.values(), ids=list(MODELS))
+every_reduced_model = pytest.mark.parametrize(
+    "model", ERROR_MODELS.values(), ids=list(ERROR_MODELS)
+)
+every_latitude = pytest.mark.parametrize("latitude", np.radians([37.5, -60.0, 0.0]))
+ATTITUDE = np.array([0.1, -0.5, 0.3, 0.8]) / np.sqrt(0.99)
+AXES = {"x": 0, "y": 1, "z": 2}
+EARTH_RADIUS = 6.378e6
+
+
+def states(size):
+    return arrays(float, size, elements=st.floats(-1, 1))
+
+
+def embedded(model):
+    """Matrix (30, size): the states of a model among all states."""
+    unit = model.unit(np.eye(model.size))
+    matrix = FULL.state(unit)
+    matrix[:, :6] = np.eye(model.size)[:, :6]
+    return matrix.T
+
+
+# States and what they are called
+
+
+def test_all_errors_make_thirty_states_and_a_choice_of_axes_twenty_seven():
+    """3 + 3 + 9 + 12 = 27, and three more without a choice."""
+    assert FULL.size == 30
+    assert tuple(ERROR_MODELS) == BODY_FRAMES
+    for frame, model in ERROR_MODELS.items():
+        assert (model.size, model.frame) == (27, frame)
+        assert error_model_for(frame) is model
+
+
+@every_model
+def test_names_say_what_the_states_are(model):
+    assert len(set(model.names)) == len(model.names) == model.size
+    assert [name.split()[0] for name in model.names[:6]] == ["attitude"] * 3 + ["velocity"] * 3
+    assert [name.split()[1] for name in model.names[:6]] == ["East", "North", "Up"] * 2
+    for state, name in zip(np.eye(model.size)[6:], model.names[6:], strict=True):
+        sensor, kind, place = name.split()
+        bias, matrix = np.zeros(3), np.zeros((3, 3))
+        if kind == "bias":
+            bias[AXES[place]] = 1
+        else:
+            row, column = AXES[place[0]], AXES[place[-1]]
+            assert (len(place) == 1) == (kind == "scale")
+            matrix[row, column] = 1
+            if kind == "non-orthogonality":
+                matrix[column, row] = 1
+        expected = {"gyro": (bias, matrix, 0, 0), "accelerometer": (0, 0, bias, matrix)}[sensor]
+        for found, value in zip(model.unit(state), expected, strict=True):
+            np.testing.assert_array_equal(found, np.broadcast_to(value, found.shape))
+
+
+@every_model
+def test_model_has_no_state_that_its_axes_exclude(model):
+    gyro, accelerometer = model.gyro_basis, model.accelerometer_basis
+    assert len(gyro) + len(accelerometer) == model.size - 12
+    if model.frame == "averaged":
+        np.testing.assert_array_equal(gyro, np.swapaxes(gyro, -1, -2))
+    elif model.frame == "upper triangle":
+        np.testing.assert_array_equal(np.triu(gyro, 1), 0)
+    elif model.frame == "lower triangle":
+        np.testing.assert_array_equal(np.tril(gyro, -1), 0)
+    elif model.frame == "accelerometers":
+        np.testing.assert_array_equal(np.triu(accelerometer, 1), 0)
+
+
+@every_model
+@given(data=st.data())
+def test_state_of_the_unit_of_a_state_is_the_state(model, data):
+    state = data.draw(states(model.size))
+    expected = np.concatenate([np.zeros(6), state[6:]])
+    np.testing.assert_array_equal(model.state(model.unit(state)), expected)
+
+
+def test_unit_of_the_state_of_a_unit_is_the_unit():
+    unit = random_units(Spread(), np.random.default_rng(0))
+    for found, expected in zip(FULL.unit(FULL.state(unit)), unit, strict=True):
+        np.testing.assert_array_equal(found, expected)
+
+
+@every_model
+def test_states_and_units_have_leading_axes(model):
+    many = np.random.default_rng(1).normal(size=(2, 4, model.size))
+    unit = model.unit(many)
+    found = model.state(unit)
+    for index in np.ndindex(2, 4):
+        one = model.unit(many[index])
+        for together, alone in zip(unit, one, strict=True):
+            np.testing.assert_allclose(together[index], alone, rtol=0, atol=4 * EPS)
+        np.testing.assert_allclose(found[index], model.state(one), rtol=0, atol=4 * EPS)
+    # Fields of a unit may have leading axes of their own.
+    mixed = unit._replace(accelerometer_error=unit.accelerometer_error[1, 2])
+    middle = 12 + len(model.gyro_basis)
+    expected = many.copy()
+    expected[..., middle:] = many[1, 2, middle:]
+    expected[..., :6] = 0
+    np.testing.assert_allclose(model.state(mixed), expected, rtol=0, atol=4 * EPS)
+
+
+@pytest.mark.parametrize("name", ["", "Averaged", "all", None])
+def test_unknown_models_are_refused(name):
+    with pytest.raises(ValueError, match=rf"^frame: expected one of averaged, .* got {name!r}\.$"):
+        error_model_for(name)
+
+
+# Reduction to the axes of a model
+
+
+@every_reduced_model
+@pytest.mark.parametrize("q", random_quaternions(4, seed=3), ids=range(4))
+def test_both_triads_turned_with_the_attitude_are_no_error_at_all(model, q):
+    """Wu (19)-(36): dl = dk and phi = C dk; one row for each direction of dk."""
+    turns, nothing = cross_matrix(np.eye(3)), np.zeros((3, 3))
+    dark = FULL.state(Unit(nothing, turns, nothing, turns))
+    dark[:, :3] = Rotation.from_quat(q).apply(np.eye(3))
+    reduction = model.reduction(q)
+    np.testing.assert_allclose(reduction @ dark.T, 0, atol=8 * EPS)
+    # Nothing else is nothing: neither the attitude nor a single triad turned alone.
+    assert np.linalg.svd(reduction, compute_uv=False)[-1] > 0.1
+
+
+@every_reduced_model
+def test_reduction_leaves_the_states_of_the_model_as_they_are(model):
+    """So it is a projection: to reduce twice is to reduce once."""
+    found = model.reduction(ATTITUDE) @ embedded(model)
+    np.testing.assert_allclose(found, np.eye(27), rtol=0, atol=4 * EPS)
+
+
+def test_all_states_need_no_reduction():
+    np.testing.assert_array_equal(FULL.reduction(ATTITUDE), np.eye(30))
+
+
+@every_reduced_model
+def test_reductions_follow_each_other(model):
+    """By way of any other axes one comes to the same."""
+    expected = model.reduction(ATTITUDE)
+    for other in ERROR_MODELS.values():
+        detour = expected @ embedded(other) @ other.reduction(ATTITUDE)
+        np.testing.assert_allclose(detour, expected, rtol=0, atol=16 * EPS)
+
+
+@every_reduced_model
+def test_reduction_is_the_exact_change_of_axes_to_first_order(model):
+    rng = np.random.default_rng(2)
+    sizes = Spread(gyro_bias=1.0, accelerometer_bias=1.0, scale=1.0, installation=1.0)
+    unit, phi = random_units(sizes, rng), rng.normal(size=3)
+
+    def error(size):
+        small = Unit(*(0.3 * size * field for field in unit))
+        state = FULL.state(small)
+        state[:3] = 0.3 * size * phi
+        turned, rotation = unit_in_axes(small, model.frame)
+        expected = model.state(turned)
+        # What the computer holds for the attitude of its axes, compared with their true one.
+        computed = multiply(from_rotation_vector(-state[:3]), ATTITUDE)
+        expected[:3] = attitude_error(computed, attitude_of_axes(ATTITUDE, rotation))
+        return np.linalg.norm(model.reduction(ATTITUDE) @ state - expected)
+
+    assert order_of(error) == pytest.approx(2, abs=0.05)
+
+
+def test_attitude_of_a_reduction_may_have_any_length_but_must_be_one():
+    model = ERROR_MODELS["averaged"]
+    np.testing.assert_allclose(
+        model.reduction(-3 * ATTITUDE), model.reduction(ATTITUDE), rtol=0, atol=4 * EPS
+    )
+    for function in (model.reduction, lambda q: model.covariance(Spread(), q)):
+        with pytest.raises(ValueError, match=r"^attitude: expected nonzero quaternions"):
+            function(np.zeros(4))
+        with pytest.raises(ValueError, match=r"^attitude: expected finite numbers, got 1 NaN"):
+            function([0, 0, np.nan, 1])
+
+
+# What is known before
+
+
+SPREAD = Spread(2.0, gyro_bias=3.0, accelerometer_bias=5.0, scale=7.0, installation=11.0)
+
+
+def variances(model, spread=SPREAD, attitude=ATTITUDE):
+    """Unit whose fields are the variances of the states, and variances of attitude, velocity."""
+    values = np.diag(model.covariance(spread, attitude))
+    return model.unit(values), values[:3], values[3:6]
+
+
+def test_prior_of_all_states_is_the_spread():
+    covariance = FULL.covariance(SPREAD, ATTITUDE)
+    np.testing.assert_array_equal(covariance, np.diag(np.diag(covariance)))
+    unit, attitude, velocity = variances(FULL)
+    matrix = np.where(np.eye(3) == 1, 7.0**2, 11.0**2)
+    expected = (np.full(3, 3.0**2), matrix, np.full(3, 5.0**2), matrix)
+    for found, value in zip(unit, expected, strict=True):
+        np.testing.assert_array_equal(found, value)
+    np.testing.assert_array_equal(attitude, 4.0)
+    np.testing.assert_array_equal(velocity, 0.0)
+
+
+@every_reduced_model
+def test_prior_of_a_choice_of_axes_in_closed_form(model):
+    """K_xy + K_yx has twice the variance s^2, their mean half of it; L loses what K does."""
+    s = 11.0**2
+    unit, attitude, velocity = variances(model)
+    for bias, size in ((unit.gyro_bias, 3.0), (unit.accelerometer_bias, 5.0)):
+        np.testing.assert_allclose(bias, size**2, rtol=8 * EPS)
+    for matrix in (unit.gyro_error, unit.accelerometer_error):
+        np.testing.assert_allclose(np.diag(matrix), 7.0**2, rtol=8 * EPS)
+    own, other = unit.gyro_error, unit.accelerometer_error
+    if model.frame == "accelerometers":
+        own, other = other, own
+    off = ~np.eye(3, dtype=bool)
+    rows, columns = own[off] > 0, own.T[off] > 0
+    turned = {"averaged": s / 2}.get(model.frame, s)
+    if model.frame == "averaged":
+        np.testing.assert_allclose(own[off], s / 2, rtol=8 * EPS)
+    else:
+        np.testing.assert_allclose(own[off][rows], 2 * s, rtol=8 * EPS)
+        assert (rows != columns).all()  # one of each pair
+    np.testing.assert_allclose(other[off], s + turned, rtol=8 * EPS)
+    # The axes' own uncertainty comes to that of the table.
+    np.testing.assert_allclose(attitude, 4.0 + turned, rtol=16 * EPS)
+    np.testing.assert_array_equal(velocity, 0.0)
+
+
+@every_model
+@pytest.mark.parametrize(
+    "spread",
+    [Spread(), Spread(1e-9, 1.0, 0.0, 1e3, 1e-3), Spread(0, 0, 0, 0, 1.0), Spread(0, 0, 0, 0, 0)],
+    ids=["usual", "far apart", "installation only", "all known"],
+)
+def test_prior_is_symmetric_and_nowhere_negative(model, spread):
+    covariance = model.covariance(spread, ATTITUDE)
+    np.testing.assert_array_equal(covariance, covariance.T)
+    values = np.linalg.eigvalsh(covariance)
+    assert values[0] >= -32 * EPS * values[-1]
+
+
+@every_reduced_model
+def test_prior_is_the_covariance_of_random_units_in_the_models_axes(model):
+    """Drawn, turned exactly, and counted: all of the covariance, not its diagonal only."""
+    spread, count = Spread(), 10000
+    rng = np.random.default_rng(8)
+    unit, rotation = unit_in_axes(random_units(spread, rng, count), model.frame)
+    drawn = model.state(unit)
+    computed = multiply(
+        from_rotation_vector(-spread.attitude * rng.standard_normal((count, 3))), ATTITUDE
+    )
+    drawn[:, :3] = attitude_error(computed, attitude_of_axes(ATTITUDE, rotation))
+    assert (drawn[:, 3:6] == 0).all()
+    some = np.delete(np.arange(27), [3, 4, 5])  # the velocity is known
+    covariance = model.covariance(spread, ATTITUDE)[np.ix_(some, some)]
+    # In units of the covariance: n rows of p independent numbers. Their singular values over
+    # sqrt(n) lie within 1 +- (sqrt(p/n) + t) but for a probability of 2 exp(-n t^2/2), Davidson
+    # and Szarek (2001); t = sqrt(28/n) makes that 2e-6.
+    white = np.linalg.solve(np.linalg.cholesky(covariance), drawn[:, some].T)
+    values = np.linalg.svd(white / np.sqrt(count), compute_uv=False)
+    bound = np.sqrt(24 / count) + np.sqrt(28 / count)
+    assert np.abs(values - 1).max() < bound

@@ -1,0 +1,574 @@
+"""The filter against other ways to the same answer: Joseph's form, information, least squares."""
+
+import re
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.linalg import block_diag, solve
+
+from driftlab.calibration.error_model import ERROR_MODELS, attitude_error, attitude_of_axes
+from driftlab.calibration.filter import calibrate
+from driftlab.calibration.kalman import kalman_step
+from driftlab.calibration.simulation import unit_in_axes
+from driftlab.imu import PERFECT, Noise, Spread, Unit, measure, random_units
+from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme, simulate
+from driftlab.quaternion import from_rotation_vector, multiply
+from driftlab.strapdown import at_rest, last_of, navigate
+from support import EPS
+
+LATITUDE = float(np.radians(37.5))
+SPREAD = Spread()
+every_frame = pytest.mark.parametrize("frame", ERROR_MODELS)
+
+
+# One step of the filter, on systems that have nothing to do with sensors
+
+
+def random_step(seed, size, *lead, spread=1.0):
+    """Covariance, transition, noise, velocity error; standard deviations over 2 `spread` decades"""
+    rng = np.random.default_rng(seed)
+    units = 10 ** rng.uniform(-spread, spread, size)
+    root, walk = rng.standard_normal((2, *lead, size, size))
+    root = (root + 2 * np.eye(size)) * units[:, np.newaxis]
+    walk = 0.1 * walk * units[:, np.newaxis]
+    turn = np.eye(size) + 0.3 * rng.standard_normal((*lead, size, size))
+    turn = units[:, np.newaxis] * turn / units
+    noise = walk @ np.swapaxes(walk, -1, -2)
+    return root @ np.swapaxes(root, -1, -2), turn, noise, rng.standard_normal((*lead, 3))
+
+
+def seen_of(size):
+    """H of Wu (52), whose only block is the velocity's."""
+    matrix = np.zeros((3, size))
+    matrix[:, 3:6] = np.eye(3)
+    return matrix
+
+
+systems = given(
+    seed=st.integers(0, 2**32 - 1), size=st.integers(6, 30), variance=st.floats(0.01, 100)
+)
+
+
+@systems
+def test_step_is_that_of_josephs_form(seed, size, variance):
+    covariance, turn, noise, velocity = random_step(seed, size)
+    step = kalman_step(covariance, turn, noise, velocity, variance)
+    predicted = turn @ covariance @ turn.T + noise
+    seen = seen_of(size)
+    innovation = seen @ predicted @ seen.T + variance * np.eye(3)
+    gain = solve(innovation, seen @ predicted, assume_a="pos").T
+    left = np.eye(size) - gain @ seen
+    joseph = left @ predicted @ left.T + variance * gain @ gain.T
+    # The short form takes away up to all of a predicted variance, in some tens of operations.
+    units = np.sqrt(np.diag(predicted))
+    bound = 1e4 * EPS * (1 + np.trace(innovation) / variance)
+    np.testing.assert_allclose(
+        step.covariance / np.outer(units, units),
+        joseph / np.outer(units, units),
+        rtol=0,
+        atol=bound,
+    )
+    expected = gain @ velocity
+    np.testing.assert_allclose(step.correction / units, expected / units, rtol=0, atol=bound)
+    surprise = velocity @ solve(innovation, velocity, assume_a="pos")
+    np.testing.assert_allclose(step.surprise, surprise, rtol=bound)
+
+
+@systems
+def test_update_adds_the_information_of_the_velocity(seed, size, variance):
+    """P^-1 grows by H^T H / r, and the correction is P H^T z / r."""
+    covariance, turn, noise, velocity = random_step(seed, size, spread=0.0)
+    step = kalman_step(covariance, turn, noise, velocity, variance)
+    seen = seen_of(size)
+    before = np.linalg.inv(turn @ covariance @ turn.T + noise)
+    information = before + seen.T @ seen / variance
+    expected = np.linalg.inv(information)
+    bound = 1e3 * EPS * np.linalg.cond(before) * np.abs(expected).max()
+    np.testing.assert_allclose(step.covariance, expected, rtol=0, atol=bound)
+    gain = expected @ seen.T / variance
+    np.testing.assert_allclose(step.correction, gain @ velocity, rtol=0, atol=bound / variance * 10)
+
+
+@systems
+def test_covariance_is_symmetric_positive_and_not_larger_than_predicted(seed, size, variance):
+    covariance, turn, noise, velocity = random_step(seed, size)
+    after = kalman_step(covariance, turn, noise, velocity, variance).covariance
+    np.testing.assert_array_equal(after, after.T)
+    predicted = turn @ covariance @ turn.T + noise
+    units = np.sqrt(np.diag(predicted))
+    gone = (predicted - after) / np.outer(units, units)
+    assert np.linalg.eigvalsh(after / np.outer(units, units))[0] > 0
+    # Of the difference all but three eigenvalues vanish, and they sum up to at most `size`.
+    values = np.linalg.eigvalsh(gone)
+    np.testing.assert_allclose(values[:-3], 0, atol=64 * size * EPS)
+    assert values[-3] > 0
+
+
+@given(variance=st.floats(1e-3, 1e3), own=st.floats(1e-3, 1e3), walk=st.floats(0, 1e3))
+def test_alone_a_velocity_is_weighed_by_its_variances(variance, own, walk):
+    """With p = a^2 own + walk: p r/(p + r) is left, p/(p + r) of the error is taken out."""
+    covariance, turn, noise = (factor * np.eye(7) for factor in (own, 1.5, walk))
+    velocity = np.array([1.0, -2.0, 3.0])
+    step = kalman_step(covariance, turn, noise, velocity, variance)
+    p = 1.5**2 * own + walk
+    expected = np.full(7, p)
+    expected[3:6] = p * variance / (p + variance)
+    np.testing.assert_allclose(step.covariance, np.diag(expected), rtol=1e-9, atol=0)
+    np.testing.assert_allclose(step.correction[3:6], velocity * p / (p + variance), rtol=1e-12)
+    np.testing.assert_array_equal(step.correction[[0, 1, 2, 6]], 0)
+    np.testing.assert_allclose(step.surprise, 14 / (p + variance), rtol=1e-12)
+
+
+def test_steps_along_leading_axes_are_steps_one_by_one():
+    arguments = random_step(4, 12, 5, 2)
+    copies = [argument.copy() for argument in arguments]
+    together = kalman_step(*arguments, 0.7)
+    for argument, copy in zip(arguments, copies, strict=True):
+        np.testing.assert_array_equal(argument, copy)
+    for index in np.ndindex(5, 2):
+        alone = kalman_step(*(argument[index] for argument in arguments), 0.7)
+        for one, many in zip(alone, together, strict=True):
+            assert many.shape == (5, 2, *one.shape)
+            # The same products, summed in another order.
+            np.testing.assert_allclose(many[index], one, rtol=0, atol=1e-12 * np.abs(one).max())
+
+
+@given(seed=st.integers(0, 2**32 - 1), size=st.integers(6, 12))
+def test_many_steps_are_one_least_squares_problem(seed, size):
+    """All states and all measurements at once: same state, same covariance, same misfit."""
+    steps, variance = 9, 0.5
+    rng = np.random.default_rng(seed)
+    covariance, *_ = random_step(rng, size, spread=0.0)
+    systems = [random_step(rng, size, spread=0.0) for _ in range(steps)]
+    # The filter, with the state fed back: what it is given is what the state does not explain.
+    state, now, misfit = np.zeros(size), covariance, 0.0
+    for _, turn, noise, measured in systems:
+        state = turn @ state
+        step = kalman_step(now, turn, noise, measured - state[3:6], variance)
+        state, now, misfit = state + step.correction, step.covariance, misfit + step.surprise
+    # One row of unknowns: the state at first and every disturbance.
+    reach = np.eye(size, size * (steps + 1))
+    rows, data = [], []
+    for k, (_, turn, _, measured) in enumerate(systems):
+        reach = turn @ reach
+        reach[:, size * (k + 1) : size * (k + 2)] += np.eye(size)
+        rows.append(reach[3:6])
+        data.append(measured)
+    matrix, data = np.concatenate(rows), np.concatenate(data)
+    prior = block_diag(covariance, *(noise for _, _, noise, _ in systems))
+    weight = np.linalg.inv(matrix @ prior @ matrix.T + variance * np.eye(len(data)))
+    gain = prior @ matrix.T @ weight
+    expected = reach @ (prior - gain @ matrix @ prior) @ reach.T
+    # Nine transitions of norm 3 or so, and the short form in each.
+    size_of = np.abs(reach @ prior @ reach.T).max()
+    np.testing.assert_allclose(now, expected, rtol=0, atol=1e-9 * size_of)
+    scale = np.abs(reach @ gain).max() * np.abs(data).max()
+    np.testing.assert_allclose(state, reach @ gain @ data, rtol=0, atol=1e-9 * scale)
+    np.testing.assert_allclose(misfit, data @ weight @ data, rtol=1e-7)
+
+
+# A whole calibration against least squares with the navigation itself
+
+
+SHORT = Scheme("+90X +90Y +90Z -90X +90Y +90Z", dwell=24.0, rate=np.radians(6))
+TOLD = Noise(angle_random_walk=0.0, velocity_random_walk=0.0, velocity=0.01)
+
+
+def tilted(phi, attitude):
+    """Attitude with an error phi: (E - [phi×]) C."""
+    return multiply(from_rotation_vector(-np.asarray(phi)), attitude)
+
+
+class Navigator:
+    """What a unit computes on the table if nobody corrects it, for whole rows of states.
+
+    The place is put right each time, as in the filter: it is not among the states.
+    """
+
+    def __init__(self, model, latitude, interval=0.1, samples=30):
+        self.model, self.latitude, self.interval, self.samples = model, latitude, interval, samples
+        self.record = simulate(SHORT, latitude, interval, whole=samples)
+        self.updates = len(self.record.angle_increments) // samples
+
+    def start(self, states):
+        return tilted(states[..., :3], self.record.attitude[0])
+
+    def measured(self, states):
+        return measure(self.record, self.model.unit(states))
+
+    def errors(self, states):
+        """Velocity errors (..., updates, 3), and the attitude error (..., 3) at the end."""
+        angle, velocity = self.measured(states)
+        home = at_rest(self.latitude, self.start(states))
+        now, errors = home, []
+        for first in range(0, angle.shape[-2], self.samples):
+            rows = np.s_[..., first : first + self.samples, :]
+            here = last_of(navigate(now, angle[rows], velocity[rows], self.interval))
+            now = home._replace(velocity=here.velocity, attitude=here.attitude)
+            errors.append(here.velocity)
+        return np.stack(errors, axis=-2), attitude_error(now.attitude, self.record.attitude[-1])
+
+    def derivatives(self, sizes):
+        """Of both errors by all states but the velocity, by central differences."""
+        steps = np.diag(sizes)[np.array(sizes) > 0]
+        ways = self.errors(steps), self.errors(-steps)
+        whole = np.array(sizes)[np.array(sizes) > 0]
+        velocity, attitude = (
+            np.moveaxis(plus - minus, 0, -1) / (2 * whole)
+            for plus, minus in zip(*ways, strict=True)
+        )
+        return velocity.reshape(-1, len(whole)), attitude
+
+
+@pytest.mark.parametrize(
+    ("frame", "latitude"),
+    [*((frame, LATITUDE) for frame in ERROR_MODELS), ("averaged", -1.2), ("averaged", 0.0)],
+)
+def test_calibration_is_least_squares_with_the_nonlinear_navigation(frame, latitude):
+    model = ERROR_MODELS[frame]
+    navigator = Navigator(model, latitude)
+    first = model.covariance(SPREAD, navigator.record.attitude[0])
+    deviations = np.sqrt(np.diag(first))
+    free = np.flatnonzero(deviations)
+    assert model.size - free.size == 3
+    prior = first[np.ix_(free, free)]
+    # A thousandth of the usual errors: what is of second order is a millionth.
+    small = 1e-3
+    velocity, attitude = navigator.derivatives(small * deviations)
+    posterior = np.linalg.inv(np.linalg.inv(prior) + velocity.T @ velocity / TOLD.velocity**2)
+    to_end = np.concatenate([attitude, velocity[-3:], np.eye(free.size)[3:]])
+    covariance = to_end @ posterior @ to_end.T
+
+    rng = np.random.default_rng(5)
+    true = np.zeros(model.size)
+    true[free] = small * np.linalg.cholesky(prior) @ rng.standard_normal(free.size)
+    reference = small * TOLD.velocity * rng.standard_normal((navigator.updates, 3))
+    shown, tilt = navigator.errors(true)
+    nothing, _ = navigator.errors(np.zeros(model.size))
+    found = calibrate(
+        *navigator.measured(true),
+        reference + nothing,  # what a perfect unit shows is the algorithm's, not the filter's
+        interval=navigator.interval,
+        latitude=latitude,
+        start=navigator.start(true),
+        model=model,
+        spread=SPREAD,
+        noise=TOLD,
+    )
+    data = (shown - nothing - reference).ravel()
+    expected = to_end @ posterior @ velocity.T @ data / TOLD.velocity**2
+    state = found.state[-1].copy()
+    state[:3] = tilt - attitude_error(found.attitude[-1], navigator.record.attitude[-1])
+    state[3:6] = shown[-1] - found.velocity[-1]
+
+    # The filter takes forces at the middle of each 0.2 s, and the local axes at each place for
+    # those of the beginning of an update: 1e-3 of the deviations, the errors being some of them.
+    units = np.sqrt(np.diag(covariance))
+    correlation = (found.covariance[-1] - covariance) / np.outer(units, units)
+    np.testing.assert_allclose(correlation, 0, atol=3e-3)
+    np.testing.assert_allclose((state - expected) / (small * units), 0, atol=1e-2)
+    # The bounds would mean nothing if there were little to find.
+    assert (np.abs(expected) / (small * units)).max() > 100
+    assert (units[6:] / deviations[6:]).max() < 0.9
+
+
+# What a calibration finds without noise, and keeps
+
+
+WHOLE = Scheme(
+    NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=30.0, rate=np.radians(4)
+)
+SMALL = Unit(
+    np.array([3e-8, -2e-8, 5e-8]),
+    1e-7 * np.array([[30.0, 10.0, -5.0], [10.0, -20.0, 15.0], [-5.0, 15.0, 40.0]]),
+    np.array([2e-5, -1e-5, 3e-5]),
+    1e-7 * np.array([[-20.0, 10.0, 25.0], [-35.0, 10.0, 5.0], [15.0, -40.0, 30.0]]),
+)
+"""Some hundredths of the usual errors, in the averaged axes already."""
+
+
+@pytest.fixture(scope="module")
+def record():
+    return simulate(WHOLE, LATITUDE, 0.25, whole=24)
+
+
+@pytest.fixture(scope="module")
+def brief():
+    """A record too short to find much, but the same filter."""
+    return simulate(Scheme("+90X -90Y", dwell=60.0), LATITUDE, 0.25, whole=24)
+
+
+def calibrated(record, unit, phi=(0.0, 0.0, 0.0), frame="averaged", reference=None, **changes):
+    angle, velocity = measure(record, unit)
+    if reference is None:
+        reference = np.zeros((len(record.angle_increments) // 24, 3))
+    settings = {
+        "interval": record.interval,
+        "latitude": LATITUDE,
+        "start": tilted(phi, record.attitude[0]),
+        "model": ERROR_MODELS[frame],
+        "spread": SPREAD,
+        "noise": Noise(),
+    }
+    return calibrate(angle, velocity, reference, **(settings | changes))
+
+
+@pytest.fixture(scope="module")
+def nothing(record):
+    """A perfect unit, told as an ordinary one, with every update kept."""
+    return calibrated(record, PERFECT, keep=1)
+
+
+def test_perfect_unit_has_no_errors_to_find(nothing):
+    # Nothing but what steps of 2 degrees leave of rotating axes: 1/24 of their cube, a push.
+    np.testing.assert_allclose(nothing.state[-1] / nothing.deviations[-1], 0, atol=0.05)
+    np.testing.assert_allclose(nothing.surprise, 0, atol=1e-3)
+
+
+def test_true_unit_is_found_without_noise(record):
+    """An error of the estimate that no noise drives is a part of the error at first.
+
+    Let it be A x. Then P is at least A P0 A^T, and by Cauchy's inequality each component of A x is
+    at most sqrt(x^T P0^-1 x) of its deviation. A velocity good to 0.1 mm/s makes deviations small.
+    """
+    told = Noise(angle_random_walk=0.0, velocity_random_walk=0.0, velocity=1e-4)
+    phi = 1e-5 * np.array([1.0, -2.0, 1.5])
+    model = ERROR_MODELS["averaged"]
+    true = model.state(SMALL)
+    first = model.covariance(SPREAD, record.attitude[0])
+    kept = [0, 1, 2, *range(6, model.size)]
+    at_first = np.concatenate([phi, true[6:]])
+    size = np.sqrt(at_first @ np.linalg.solve(first[np.ix_(kept, kept)], at_first))
+    # A perfect unit's estimate is an error of the algorithm's; the rest is of the unit.
+    usual = calibrated(record, PERFECT, noise=told)
+    found = calibrated(record, SMALL, phi, noise=told)
+    error = np.abs(found.state[-1] - usual.state[-1] - true)[6:]
+    deviations = found.deviations[-1, 6:]
+    assert (error < size * deviations).all()
+
+
+@pytest.fixture(scope="module")
+def in_all_axes(record):
+    """One usual unit, half of it and none of it, calibrated in each choice of axes."""
+    rng = np.random.default_rng(3)
+    phi = SPREAD.attitude * rng.standard_normal(3)
+    unit = random_units(SPREAD, rng)
+    sizes = np.array([1.0, 0.5, 0.0])
+    units = Unit(*(np.multiply.outer(sizes, part) for part in unit))
+    return {frame: calibrated(record, units, np.outer(sizes, phi), frame) for frame in ERROR_MODELS}
+
+
+@pytest.mark.parametrize("frame", [frame for frame in ERROR_MODELS if frame != "averaged"])
+def test_estimates_in_other_axes_differ_by_the_change_of_axes(in_all_axes, record, frame):
+    """To second order: half the errors leave a quarter of the difference."""
+    usual, other = in_all_axes["averaged"], in_all_axes[frame]
+    translated, turn = unit_in_axes(usual.unit, frame)
+    scaled = (other.model.state(translated) - other.state[:, -1])[:, 6:]
+    scaled = np.abs((scaled - scaled[2]) / other.deviations[2, -1, 6:]).max(axis=-1)
+    assert scaled[0] < 0.2
+    # A quarter, and third order.
+    assert scaled[0] / scaled[1] == pytest.approx(4, abs=0.4)
+    # The attitude belongs to the axes. Their turn is of first order.
+    attitude = attitude_of_axes(usual.attitude[:, -1], turn)
+    phi = attitude_error(other.attitude[:, -1], attitude)
+    apart = np.abs(phi - phi[2]) / other.deviations[2, -1, :3]
+    not_turned = attitude_error(other.attitude[0, -1], usual.attitude[0, -1])
+    assert apart[0].max() < 0.2
+    assert (np.abs(not_turned) / other.deviations[2, -1, :3]).max() > 2
+
+
+def test_attitude_and_velocity_found_are_those_of_the_table(record):
+    """A start that is wrong by a minute of arc, and a unit that is right."""
+    phi = np.array([[1.0, -1.0, 0.5], [0.0, 0.0, 0.0]]) * SPREAD.attitude
+    found = calibrated(record, PERFECT, phi, keep=1)
+    places = np.round(found.times / record.interval).astype(int)
+    errors = attitude_error(found.attitude, record.attitude[places])
+    # What each is wrong by counts from what the algorithm makes of a right start.
+    errors = np.abs(errors[0] - errors[1]) / found.deviations[1, :, :3]
+    # The error is sqrt(1 + 1 + 1/4) of its deviations at first, and never more; see above.
+    assert (errors <= 1.5 + 1e-3).all()
+    # A quarter of an hour shows the level; what it shows of the heading is less than was known.
+    assert (found.deviations[1, -1, :2] < 0.1 * SPREAD.attitude).all()
+    velocity = np.abs(found.velocity[0] - found.velocity[1]) / found.deviations[1, :, 3:6]
+    assert (velocity <= 1.5 + 1e-3).all()
+
+
+# The history
+
+
+def test_history_keeps_each_so_many_updates_and_the_last(record, nothing):
+    updates = len(record.angle_increments) // 24
+    np.testing.assert_allclose(nothing.times, 6.0 * np.arange(1, updates + 1), rtol=4 * EPS)
+    assert nothing.surprise.shape == (updates,)
+    assert updates == 167
+    for keep, kept in ((50, [50, 100, 150, 167]), (1, range(1, 168)), (500, [167])):
+        found = calibrated(record, PERFECT, keep=keep)
+        rows = np.array(kept) - 1
+        for name in ("times", "state", "covariance", "attitude", "velocity", "deviations"):
+            np.testing.assert_array_equal(getattr(found, name), getattr(nothing, name)[rows])
+        np.testing.assert_array_equal(found.surprise, nothing.surprise)
+
+
+def test_history_says_one_thing_in_several_ways(nothing):
+    model = ERROR_MODELS["averaged"]
+    assert nothing.model is model
+    variances = np.diagonal(nothing.covariance, axis1=-2, axis2=-1)
+    np.testing.assert_array_equal(nothing.deviations, np.sqrt(variances))
+    for one, other in zip(nothing.unit, model.unit(nothing.state[-1]), strict=True):
+        np.testing.assert_array_equal(one, other)
+    # What was found of attitude and velocity is in them, not in the state.
+    np.testing.assert_array_equal(nothing.state[:, :6], 0)
+    assert (np.abs(nothing.state[-1, 6:]) > 0).all()
+
+
+def test_surprise_comes_when_the_table_jumps(brief):
+    """A reference of 1 m/s in one update of many: a hundred deviations, squared, three times."""
+    updates = len(brief.angle_increments) // 24
+    reference = np.zeros((updates, 3))
+    reference[4] = 1.0
+    surprise = calibrated(brief, PERFECT, reference=reference).surprise
+    assert surprise.argmax() == 4
+    assert 1e3 < surprise[4] < 3 * 100**2
+    np.testing.assert_allclose(surprise[:4], 0, atol=1e-3)
+
+
+def test_covariance_stays_symmetric_and_positive(nothing):
+    np.testing.assert_array_equal(nothing.covariance, np.swapaxes(nothing.covariance, -1, -2))
+    deviations = nothing.deviations
+    correlation = nothing.covariance / (deviations[:, :, np.newaxis] * deviations[:, np.newaxis])
+    assert np.linalg.eigvalsh(correlation)[:, 0].min() > 0
+
+
+def test_deviations_of_the_sensor_errors_only_shrink(record, nothing):
+    """No noise drives the errors of the sensors themselves."""
+    model = nothing.model
+    first = np.sqrt(np.diag(model.covariance(SPREAD, record.attitude[0])))
+    every = np.concatenate([first[np.newaxis], nothing.deviations])[:, 6:]
+    assert (np.diff(every, axis=0) <= 1e-12 * every[:-1]).all()
+    assert (every[-1] < 0.2 * every[0]).all()
+
+
+# Several runs at once
+
+
+def test_each_of_several_runs_is_the_run_alone(brief):
+    rng = np.random.default_rng(7)
+    units = random_units(SPREAD, rng, 2, 3)
+    reference = 0.01 * rng.standard_normal((3, len(brief.angle_increments) // 24, 3))
+    phi = SPREAD.attitude * rng.standard_normal((2, 3, 3))
+    together = calibrated(brief, units, phi, reference=reference, keep=4)
+    updates = reference.shape[-2]
+    assert together.surprise.shape == (2, 3, updates)
+    for index in np.ndindex(2, 3):
+        unit = Unit(*(part[index] for part in units))
+        alone = calibrated(brief, unit, phi[index], reference=reference[index[1]], keep=4)
+        assert alone.state.shape == (len(alone.times), 27)
+        # All runs are told that their attitudes are that of the first: wrong by 3e-4 or so.
+        deviations = alone.deviations
+        for one, many, units_of in (
+            (alone.state, together.state[index], deviations),
+            (alone.deviations, together.deviations[index], deviations),
+            (alone.velocity, together.velocity[index], deviations[:, 3:6]),
+        ):
+            np.testing.assert_allclose(one / units_of, many / units_of, rtol=0, atol=2e-3)
+        apart = attitude_error(alone.attitude, together.attitude[index])
+        np.testing.assert_allclose(apart / deviations[:, :3], 0, atol=2e-3)
+        np.testing.assert_allclose(alone.surprise, together.surprise[index], rtol=0, atol=1e-2)
+
+
+def test_equal_runs_have_equal_results(brief):
+    """With one start for all, a run alone is the same but for rounding."""
+    rng = np.random.default_rng(8)
+    units = random_units(SPREAD, rng, 3)
+    together = calibrated(brief, units)
+    for k in range(3):
+        alone = calibrated(brief, Unit(*(part[k] for part in units)))
+        # Gravitation settles to 1e-7 m, the slowest of the runs decides when.
+        scaled = (alone.state - together.state[k]) / alone.deviations.clip(1e-12)
+        np.testing.assert_allclose(scaled, 0, atol=1e-6)
+        np.testing.assert_allclose(alone.covariance, together.covariance[k], rtol=1e-6, atol=1e-22)
+
+
+def test_attitudes_of_any_size_and_either_sign_are_one_start(brief):
+    start = 3.0 * brief.attitude[0]
+    usual, other = calibrated(brief, SMALL), calibrated(brief, SMALL, start=-start)
+    np.testing.assert_allclose(other.state, usual.state, rtol=1e-9, atol=1e-18)
+    np.testing.assert_allclose(other.surprise, usual.surprise, rtol=1e-7, atol=1e-12)
+
+
+# Refusals
+
+
+GOOD = {
+    "angle_increments": np.full((24, 3), 1e-6),
+    "velocity_increments": np.full((24, 3), [0.0, 0.0, 2.45]),
+    "reference_velocity": np.zeros((4, 3)),
+    "interval": 0.25,
+    "latitude": LATITUDE,
+    "start": np.array([0.0, 0.0, 0.0, 1.0]),
+    "model": ERROR_MODELS["averaged"],
+    "spread": SPREAD,
+    "noise": Noise(),
+}
+
+
+@pytest.mark.parametrize(
+    "shape", [(3,), (5, 3), (24, 3), (8, 3), (25, 3), (48, 3), (2, 7, 3)], ids=str
+)
+def test_updates_that_do_not_halve_evenly_are_refused(shape):
+    """Also 24 updates of one increment, and 8 of three: a step of the navigation takes two."""
+    with pytest.raises(
+        ValueError,
+        match=r"^reference_velocity: expected shape \(\.\.\., updates, 3\), with a number of "
+        r"updates that divides 24 increments into even parts, "
+        rf"got shape {re.escape(str(shape))}\.$",
+    ):
+        calibrate(**GOOD | {"reference_velocity": np.zeros(shape)})
+    calibrate(**GOOD | {"reference_velocity": np.zeros((12, 3))})
+
+
+NOT_FINITE = "finite numbers, got 1 NaN or infinite"
+
+
+def with_nan(name):
+    bad = np.array(GOOD[name], dtype=float)
+    bad.flat[-1] = np.nan
+    return bad
+
+
+@pytest.mark.parametrize(
+    ("name", "bad", "words"),
+    [
+        *(
+            (name, with_nan(name), NOT_FINITE)
+            for name in (
+                "angle_increments",
+                "velocity_increments",
+                "reference_velocity",
+                "start",
+                "interval",
+                "latitude",
+            )
+        ),
+        ("angle_increments", np.ones((24, 2)), r"shape \(\.\.\., 3\), got shape \(24, 2\)"),
+        ("velocity_increments", np.ones((24, 4)), r"shape \(\.\.\., 3\), got shape \(24, 4\)"),
+        ("reference_velocity", np.zeros((4, 2)), r"shape \(\.\.\., 3\), got shape \(4, 2\)"),
+        ("start", [0.0, 0.0, 1.0], r"shape \(\.\.\., 4\), got shape \(3,\)"),
+        ("start", np.zeros(4), "nonzero quaternions, got a zero quaternion"),
+        ("latitude", np.pi / 2, "at most 89.9 degrees from the equator"),
+        ("latitude", -np.pi / 2, "at most 89.9 degrees from the equator"),
+        ("latitude", [0.1, 0.2], r"one number, got shape \(2,\)"),
+        ("interval", 0.0, "a positive time of at most 20 s, got 0.0"),
+        ("interval", -0.25, "a positive time of at most 20 s, got -0.25"),
+        ("interval", [0.25], r"one number, got shape \(1,\)"),
+        ("keep", 0, "a whole number of at least 1, got 0"),
+        ("keep", 2.0, "a whole number of at least 1, got 2.0"),
+        ("velocity_increments", np.ones((20, 3)), "as many as angle_increments"),
+        ("velocity_increments", np.ones((48, 3)), "as many as angle_increments"),
+    ],
+)
+def test_bad_arguments_are_refused_by_name(name, bad, words):
+    with pytest.raises(ValueError, match=f"^{name}: expected {words}"):
+        calibrate(**GOOD | {name: bad})

@@ -1,0 +1,546 @@
+"""Trials of the filter: whether its errors are as large as it says, and how they are counted."""
+
+import re
+from dataclasses import FrozenInstanceError, replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.constants import arcsecond, degree, g, hour, micro
+from scipy.linalg import expm
+from scipy.spatial.transform import Rotation
+from scipy.stats import binom, chi2, norm
+
+from driftlab.calibration.error_model import (
+    ERROR_MODELS,
+    attitude_error,
+    attitude_of_axes,
+    error_model_for,
+)
+from driftlab.calibration.filter import Calibration
+from driftlab.calibration.observability import (
+    UnobservableWarning,
+    expected_covariance,
+    passage,
+)
+from driftlab.calibration.simulation import TableTrial, Trial, estimation_errors, unit_in_axes
+from driftlab.imu import TYPICAL, Noise, Spread, Unit, random_units
+from driftlab.motion.turntable import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme, simulate
+from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotate
+from driftlab.vectors import cross_matrix
+from support import EPS, matrices, quaternions, vectors
+
+FRAMES = tuple(ERROR_MODELS)
+every_frame = pytest.mark.parametrize("frame", FRAMES)
+SLOW = Scheme(
+    NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=45.0, rate=np.radians(4)
+)
+"""Slower, so that samples of a quarter of a second are not wider than a degree."""
+TRIAL = TableTrial(SLOW, sample_interval=0.25, update_interval=3.0)
+BRIEF = replace(
+    TRIAL, scheme=Scheme(SLOW.rotations, SLOW.start, dwell=6.0), sample_interval=0.5, keep=20
+)
+"""Five minutes and quick; not to be trusted with digits."""
+
+
+def between(tails, freedom):
+    """Bounds of a chi-square number that keep out `tails` on both sides together."""
+    return chi2.ppf([tails / 2, 1 - tails / 2], freedom)
+
+
+# Consistency: many runs
+
+
+@pytest.fixture(scope="module")
+def many():
+    """A hundred units of the kind that the filter is told."""
+    return TRIAL.run(np.random.default_rng(0), 100)
+
+
+def test_errors_at_the_end_are_as_large_as_the_filter_says(many):
+    squares = many.squared_errors[:, -1]
+    low, high = between(0.05, 27 * 100)
+    assert low < squares.sum() < high
+
+
+def test_errors_are_as_large_as_the_filter_says_all_the_time(many):
+    # At each of 22 times, hardly independent: one in ten thousand of the tails for each.
+    assert many.errors.shape == (100, 22, 27)
+    low, high = between(1e-4, 27 * 100)
+    sums = many.squared_errors.sum(axis=0)
+    assert (low < sums).all()
+    assert (sums < high).all()
+
+
+def test_single_runs_scatter_like_chi_square(many):
+    """The sum of all could be right with some runs far too good and others far too bad."""
+    squares = np.sort(many.squared_errors[:, -1])
+    expected = chi2.cdf(squares, 27)
+    # Kolmogorov and Smirnov: 1.63/sqrt(n) keeps out one in a hundred.
+    steps = np.arange(101) / 100
+    furthest = max((expected - steps[:-1]).max(), (steps[1:] - expected).max())
+    assert furthest < 1.63 / np.sqrt(100)
+
+
+def test_each_error_scatters_as_its_deviation_says(many):
+    scaled = many.errors[:, -1] / many.calibration.deviations[:, -1]
+    # Bonferroni: one in a hundred for all 27 states together.
+    low, high = between(0.01 / 27, 100)
+    squares = (scaled**2).sum(axis=0)
+    names = np.array(many.calibration.model.names)
+    assert not names[(squares < low) | (squares > high)].size
+    # And about zero: the mean has a deviation of a tenth.
+    most = norm.isf(0.005 / 27) / np.sqrt(100)
+    assert not names[np.abs(scaled.mean(axis=0)) > most].size
+
+
+def test_innovations_are_as_large_as_the_filter_says(many):
+    surprise = many.calibration.surprise
+    updates = surprise.shape[-1]
+    assert updates == (19 * 45 + 18 * 24) // 3
+    low, high = between(0.05, 3 * 100 * updates)
+    assert low < surprise.sum() < high
+
+
+def test_innovations_leave_their_bounds_as_often_as_they_should(many):
+    """Innovations of different updates are independent, so the number outside is binomial."""
+    surprise = many.calibration.surprise
+    sums, updates = surprise.sum(axis=0), surprise.shape[-1]
+    low, high = between(0.05, 3 * 100)
+    outside = np.count_nonzero((sums < low) | (sums > high))
+    assert binom.ppf(0.005, updates, 0.05) <= outside <= binom.ppf(0.995, updates, 0.05)
+
+
+def test_innovations_do_not_remember(many):
+    """Of n products of independent (s - 3)/sqrt(6), the sum has the deviation sqrt(n)."""
+    surprise = (many.calibration.surprise - 3) / np.sqrt(6)
+    lags = range(1, 21)
+    products = [surprise[:, lag:] * surprise[:, :-lag] for lag in lags]
+    scaled = np.array([product.sum() / np.sqrt(product.size) for product in products])
+    low, high = between(0.01, len(lags))
+    assert low < (scaled**2).sum() < high
+
+
+def test_noise_of_the_sensors_is_as_large_as_the_filter_says():
+    """Where it is most of an innovation: gyros of 0.1 deg/sqrt(h), tilting while forces act."""
+    noise = Noise(angle_random_walk=3e-5, velocity_random_walk=3e-4, velocity=1e-4)
+    trial = replace(BRIEF, noise=noise, sample_interval=0.25).run(np.random.default_rng(0), 20)
+    shown = trial.calibration.surprise
+    low, high = between(0.05, 3 * shown.size)
+    assert low < shown.sum() < high
+    # In 3 s, m/s: from tilting on the way, from the accelerometers, from the table.
+    own = np.array([9.8 * 3e-5 * 3**1.5 / np.sqrt(3), 3e-4 * np.sqrt(3), 1e-4])
+    assert own[0] > own[1] > own[2]
+
+
+def test_units_are_of_the_kind_that_the_filter_is_told(many):
+    spread = TRIAL.spread
+    sizes = np.where(np.eye(3), spread.scale, spread.installation)
+    squares = [
+        ((part / size) ** 2).sum()
+        for part, size in zip(
+            many.unit, (spread.gyro_bias, sizes, spread.accelerometer_bias, sizes), strict=True
+        )
+    ]
+    for square, freedom in zip(squares, (300, 900, 300, 900), strict=True):
+        low, high = between(0.01, freedom)
+        assert low < square < high
+
+
+def test_trial_is_consistent_for_one_unit_again_and_again():
+    """The filter ends with so much less doubt than it began with that all of it is noise.
+
+    So the errors of fifty runs are as independent as those of fifty units.
+    """
+    trial = replace(TRIAL, update_interval=6.0).run(np.random.default_rng(0), 50, TYPICAL)
+    for part, true in zip(trial.unit, TYPICAL, strict=True):
+        np.testing.assert_array_equal(part, np.broadcast_to(true, (50, *true.shape)))
+    low, high = between(0.05, 27 * 50)
+    assert low < trial.squared_errors[:, -1].sum() < high
+    errors = trial.errors[:, -1] / trial.calibration.deviations[:, -1]
+    scatter = ((errors - errors.mean(axis=0)) ** 2).sum(axis=0)
+    low, high = between(0.01 / 27, 49)
+    assert ((low < scatter) & (scatter < high)).all()
+
+
+@pytest.mark.parametrize(
+    ("frame", "latitude", "seed"), [("accelerometers", -1.0, 1), ("upper triangle", 0.2, 2)]
+)
+def test_trial_is_consistent_elsewhere_with_other_axes_and_rotations(frame, latitude, seed):
+    scheme = Scheme(EIGHTEEN_ROTATIONS.rotations, dwell=30.0, rate=np.radians(5))
+    spread = Spread(installation=10 * arcsecond)  # triangles are soon of second order
+    trial = replace(
+        TRIAL, scheme=scheme, latitude=latitude, frame=frame, spread=spread, update_interval=6.0
+    ).run(np.random.default_rng(seed), 50)
+    low, high = between(0.05, 27 * 50)
+    assert low < trial.squared_errors[:, -1].sum() < high
+    low, high = between(0.05, 3 * trial.calibration.surprise.size)
+    assert low < trial.calibration.surprise.sum() < high
+
+
+# Consistency: the size of the errors, and the axes
+
+
+def test_deviations_at_the_end_are_those_of_the_check_values():
+    """`recovered.md`, section 3: 19 positions, 120 s each, velocity noise 1 cm/s at 1 Hz."""
+    spread = Spread(
+        gyro_bias=0.3 * degree / hour,
+        accelerometer_bias=300 * micro * g,
+        scale=100 * micro,
+        installation=100 * arcsecond,
+    )
+    noise = Noise(0.005 * degree / 60, 5 * micro * g, 0.01 / np.sqrt(6))
+    # A sixth of the updates, each with a sixth of the variance.
+    trial = TableTrial(spread=spread, noise=noise, sample_interval=0.5, update_interval=6.0)
+    assert trial.scheme is NINETEEN_POSITIONS
+    deviations = trial.run(np.random.default_rng(3)).calibration.deviations[-1]
+    for name, printed, unit, digit in (
+        ("gyro bias", 0.009, degree / hour, 0.001),
+        ("gyro scale", 3.6, micro, 0.1),
+        ("gyro non-orthogonality", 1, arcsecond, 0.1),
+        ("accelerometer bias", 0.5, micro * g, 0.1),
+        ("accelerometer scale", 0.4, micro, 0.1),
+        ("accelerometer installation", 1, arcsecond, 0.1),
+    ):
+        names = error_model_for("averaged").names
+        found = np.array([d for n, d in zip(names, deviations, strict=True) if n.startswith(name)])
+        assert len(found) in (3, 6)
+        # "About": one of the last digit, of the largest of three.
+        np.testing.assert_allclose(found.max() / unit, printed, rtol=0, atol=digit)
+
+
+@pytest.mark.parametrize("frame", ["averaged", "accelerometers"])
+def test_deviations_are_those_expected_without_any_data(frame):
+    """Another computation: along the true motion, in a few long steps."""
+    trial = replace(TRIAL, frame=frame, sample_interval=0.5)
+    found = trial.run(np.random.default_rng(4)).calibration
+    expected = expected_covariance(
+        passage(trial.scheme, trial.latitude, found.model), trial.noise, trial.spread, 3.0
+    )
+    ratios = found.deviations[-1] / np.sqrt(np.diag(expected))
+    # The two end their last step at different times, which attitude and velocity notice.
+    np.testing.assert_allclose(ratios[6:], 1, rtol=0, atol=0.03)
+
+
+@pytest.fixture(scope="module")
+def badly_installed():
+    """Squared errors of the same eighty units, 300 arc seconds wrong, in three sets of axes."""
+    spread = Spread(installation=300 * arcsecond)
+    trial = replace(TRIAL, spread=spread, sample_interval=0.5, update_interval=6.0)
+    return {
+        frame: replace(trial, frame=frame).run(np.random.default_rng(0), 80).squared_errors[:, -1]
+        for frame in FRAMES[:3]
+    }
+
+
+def test_averaged_axes_keep_second_order_smaller_than_triangles(badly_installed):
+    """The paper's remark on its axes: what a linear filter leaves out is less in them.
+
+    Any one unit may like one triangle by chance, and a few bad ones make the mean. So both
+    triangles count, by the ratios of single units: beyond what chance does 99 times of 100.
+    """
+    averaged, *triangles = badly_installed.values()
+    ratios = np.log(triangles / averaged).mean(axis=0)
+    assert ratios.mean() > norm.isf(0.01) * ratios.std(ddof=1) / np.sqrt(len(ratios))
+    # With 200 runs at the default sampling 98 of 27 stood against 224 and 214.
+    assert np.mean(triangles) > 1.4 * averaged.mean() > 1.4 * 1.5 * 27
+
+
+# Units, attitudes and axes
+
+
+@given(
+    gyro=matrices(0.05),
+    accelerometer=matrices(0.05),
+    frame=st.sampled_from(FRAMES),
+    rate=vectors(1.0),
+)
+def test_unit_in_other_axes_says_the_same(gyro, accelerometer, frame, rate):
+    unit = Unit(np.array([1.0, 2.0, 3.0]), gyro, np.array([4.0, 5.0, 6.0]), accelerometer)
+    turned, turn = unit_in_axes(unit, frame)
+    np.testing.assert_allclose(turn @ turn.T, np.eye(3), rtol=0, atol=16 * EPS)
+    assert np.linalg.det(turn) > 0
+    for before, after in (
+        (gyro, turned.gyro_error),
+        (accelerometer, turned.accelerometer_error),
+    ):
+        # (E + K) w, with w in either axes.
+        np.testing.assert_allclose(
+            rate + before @ rate, (np.eye(3) + after) @ (turn @ rate), rtol=0, atol=64 * EPS
+        )
+    # A bias is the sensor's own.
+    assert turned.gyro_bias is unit.gyro_bias
+    assert turned.accelerometer_bias is unit.accelerometer_bias
+    chosen = turned.accelerometer_error if frame == "accelerometers" else turned.gyro_error
+    left_out = {
+        "averaged": chosen - chosen.T,
+        "lower triangle": np.tril(chosen, -1),
+    }.get(frame, np.triu(chosen, 1))
+    # Rounding of a decomposition of order three, and of two products.
+    np.testing.assert_allclose(left_out, 0, atol=128 * EPS)
+    # So the 21 numbers of the model are all of it.
+    model = ERROR_MODELS[frame]
+    whole = model.unit(model.state(turned))
+    for one, other in zip(whole, turned, strict=True):
+        np.testing.assert_allclose(one, other, rtol=0, atol=128 * EPS)
+
+
+def test_unit_in_its_own_axes_stays():
+    for unit in (TYPICAL, random_units(Spread(), np.random.default_rng(0), 4)):
+        same, turn = unit_in_axes(unit, None)
+        assert same is unit
+        np.testing.assert_array_equal(turn, np.broadcast_to(np.eye(3), unit.gyro_error.shape))
+
+
+def test_units_are_turned_one_by_one():
+    units = random_units(Spread(), np.random.default_rng(1), 3)
+    turned, turn = unit_in_axes(units, "upper triangle")
+    for k in range(3):
+        one, its = unit_in_axes(Unit(*(part[k] for part in units)), "upper triangle")
+        np.testing.assert_allclose(turn[k], its, rtol=0, atol=8 * EPS)
+        for some, part in zip(one, turned, strict=True):
+            np.testing.assert_allclose(part[k], some, rtol=0, atol=8 * EPS)
+
+
+def test_axes_of_a_triad_that_is_flat_are_refused():
+    flat = TYPICAL._replace(gyro_error=np.diag([0.0, 0.0, -1.0]))
+    with pytest.raises(ValueError, match=r"^gyro_error: expected a right-handed triad E \+ K"):
+        unit_in_axes(flat, "averaged")
+    with pytest.raises(ValueError, match=r"^frame: expected one of averaged, .*, got 'mine'\.$"):
+        unit_in_axes(TYPICAL, "mine")
+
+
+@given(attitude=quaternions(), turn=quaternions(), vector=vectors())
+def test_attitude_of_turned_axes_maps_turned_components(attitude, turn, vector):
+    matrix = Rotation.from_quat(turn).as_matrix()
+    turned = attitude_of_axes(attitude, matrix)
+    np.testing.assert_allclose(
+        rotate(turned, matrix @ vector), rotate(attitude, vector), rtol=0, atol=1e-13
+    )
+
+
+def test_attitudes_of_turned_axes_broadcast():
+    rng = np.random.default_rng(2)
+    attitudes = Rotation.from_quat(rng.normal(size=(5, 4))).as_quat()
+    turns = Rotation.from_quat(rng.normal(size=(6, 4))).as_matrix().reshape(2, 3, 1, 3, 3)
+    together = attitude_of_axes(attitudes, turns)
+    assert together.shape == (2, 3, 5, 4)
+    for i, j, k in np.ndindex(2, 3, 5):
+        alone = attitude_of_axes(attitudes[k], turns[i, j, 0])
+        np.testing.assert_allclose(together[i, j, k], alone, rtol=0, atol=8 * EPS)
+    with pytest.raises(ValueError, match=r"^attitude: expected nonzero quaternions"):
+        attitude_of_axes(np.zeros(4), np.eye(3))
+
+
+@given(true=quaternions(), phi=vectors(1.5))
+def test_attitude_error_is_the_rotation_that_was_made(true, phi):
+    """exp(-[phi×]) C is computed, with a phi of up to 2.6 rad: exactly, not only when small."""
+    computed = multiply(from_rotation_vector(-phi), true)
+    np.testing.assert_allclose(attitude_error(computed, true), phi, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(attitude_error(-3 * computed, true), phi, rtol=0, atol=1e-12)
+    before, after = (Rotation.from_quat(q).as_matrix() for q in (true, computed))
+    np.testing.assert_allclose(after, expm(-cross_matrix(phi)) @ before, rtol=0, atol=1e-12)
+
+
+def test_small_attitude_error_is_that_of_the_first_order():
+    phi = 1e-6 * np.array([1.0, -2.0, 3.0])
+    true = Rotation.from_quat(np.random.default_rng(3).normal(size=4)).as_matrix()
+    computed = Rotation.from_matrix((np.eye(3) - cross_matrix(phi)) @ true).as_quat()
+    found = attitude_error(computed, Rotation.from_matrix(true).as_quat())
+    np.testing.assert_allclose(found, phi, rtol=0, atol=1e-11)
+
+
+@every_frame
+def test_errors_of_a_perfect_calibration_are_zero(frame):
+    """And each error that is put in comes out with its sign: true minus found for sensors."""
+    model, rng = ERROR_MODELS[frame], np.random.default_rng(4)
+    units = random_units(Spread(), rng, 2)
+    true, turn = unit_in_axes(units, frame)
+    attitude = Rotation.from_quat(rng.normal(size=(5, 4))).as_quat()
+    state = np.repeat(model.state(true)[:, np.newaxis], 5, axis=1)
+    found = Calibration(
+        model,
+        np.arange(5.0),
+        state,
+        np.broadcast_to(4 * np.eye(model.size), (2, 5, model.size, model.size)),
+        multiply(attitude, conjugate(Rotation.from_matrix(turn).as_quat())[:, np.newaxis]),
+        np.zeros((2, 5, 3)),
+        np.zeros((2, 5)),
+    )
+    np.testing.assert_allclose(estimation_errors(found, units, attitude), 0, atol=16 * EPS)
+    put_in = 1e-5 * rng.standard_normal((2, 5, model.size))
+    wrong = found._replace(
+        state=state - np.concatenate([np.zeros((2, 5, 6)), put_in[..., 6:]], axis=-1),
+        attitude=multiply(from_rotation_vector(-put_in[..., :3]), found.attitude),
+        velocity=put_in[..., 3:6],
+    )
+    errors = estimation_errors(wrong, units, attitude)
+    np.testing.assert_allclose(errors, put_in, rtol=0, atol=16 * EPS)
+    # Squared, in units of a deviation of two.
+    trial = Trial(wrong, units, errors)
+    np.testing.assert_allclose(trial.squared_errors, (errors**2).sum(-1) / 4, rtol=1e-12)
+
+
+@given(st.integers(0, 2**32 - 1))
+def test_squared_errors_do_not_depend_on_the_units_of_the_states(seed):
+    """e^T P^-1 e: with e = A x and P = A A^T it is the square of x."""
+    rng = np.random.default_rng(seed)
+    size = 27
+    x = rng.standard_normal((3, 2, size))
+    factor = rng.standard_normal((3, 2, size, size)) + 6 * np.eye(size)
+    factor = 10.0 ** rng.uniform(-4, 0, size)[:, np.newaxis] * factor
+    calibration = Calibration(
+        ERROR_MODELS["averaged"],
+        np.arange(2.0),
+        x,
+        factor @ np.swapaxes(factor, -1, -2),
+        np.zeros((3, 2, 4)),
+        np.zeros((3, 2, 3)),
+        np.zeros((3, 2)),
+    )
+    errors = (factor @ x[..., np.newaxis])[..., 0]
+    squares = Trial(calibration, TYPICAL, errors).squared_errors
+    assert squares.shape == (3, 2)
+    np.testing.assert_allclose(squares, (x**2).sum(axis=-1), rtol=1e-5)
+
+
+# How a trial runs
+
+
+def test_history_of_a_trial_has_times_and_shapes():
+    updates = (19 * 6 + 18 * 9) // 3
+    for runs, lead in ((None, ()), (1, (1,)), (3, (3,))):
+        trial = BRIEF.run(np.random.default_rng(0), runs)
+        assert trial.errors.shape == (*lead, 5, 27)
+        assert trial.squared_errors.shape == (*lead, 5)
+        assert trial.calibration.surprise.shape == (*lead, updates)
+        assert trial.unit.gyro_error.shape == (*lead, 3, 3)
+        np.testing.assert_allclose(trial.calibration.times, [60, 120, 180, 240, 276], rtol=4 * EPS)
+        assert trial.calibration.model is ERROR_MODELS["averaged"]
+
+
+def test_errors_count_against_the_attitude_at_the_times_of_the_history():
+    trial = replace(BRIEF, keep=1).run(np.random.default_rng(5))
+    record = simulate(BRIEF.scheme, BRIEF.latitude, 0.5, whole=6)
+    places = np.round(trial.calibration.times / 0.5).astype(int)
+    np.testing.assert_array_equal(places, np.arange(6, len(record.attitude), 6))
+    np.testing.assert_array_equal(
+        trial.errors, estimation_errors(trial.calibration, trial.unit, record.attitude[places])
+    )
+    # A place too early or too late would be wrong by degrees.
+    assert np.abs(trial.errors[:, :3]).max() < 10 * BRIEF.spread.attitude
+
+
+def test_unit_may_come_as_lists():
+    lists = Unit(*(part.tolist() for part in TYPICAL))
+    usual, other = (BRIEF.run(np.random.default_rng(1), 2, unit) for unit in (TYPICAL, lists))
+    np.testing.assert_array_equal(usual.errors, other.errors)
+    assert (usual.unit.gyro_error == TYPICAL.gyro_error).all()
+
+
+def test_runs_are_drawn_from_the_generator_alone():
+    first, again, other = (BRIEF.run(np.random.default_rng(seed), 2) for seed in (1, 1, 2))
+    np.testing.assert_array_equal(first.errors, again.errors)
+    assert (first.errors[..., 6:] != other.errors[..., 6:]).all()
+    assert (first.errors[0, :, 6:] != first.errors[1, :, 6:]).all()
+
+
+@pytest.mark.filterwarnings("ignore::driftlab.calibration.observability.UnobservableWarning")
+def test_settings_reach_the_filter_and_the_table():
+    """Each of them changes what comes out."""
+    quick = replace(BRIEF, scheme=Scheme("+90X +90Y", dwell=6.0))
+    usual = quick.run(np.random.default_rng(1)).calibration
+    for name, value in {
+        "scheme": replace(quick.scheme, dwell=9.0),
+        "latitude": 0.3,
+        "frame": "lower triangle",
+        "spread": Spread(scale=5e-5),
+        "noise": Noise(velocity=0.02),
+        "sample_interval": 0.25,
+        "update_interval": 1.0,
+        "keep": 7,
+    }.items():
+        other = replace(quick, **{name: value}).run(np.random.default_rng(1)).calibration
+        assert not np.array_equal(other.deviations, usual.deviations), name
+
+
+def test_attitude_of_the_table_does_not_tell_that_of_the_axes():
+    """Their misalignment is half the difference of two errors of installation."""
+    spread = Spread(attitude=0.0)
+    trial = replace(BRIEF, spread=spread, keep=1).run(np.random.default_rng(1))
+    expected = spread.installation / np.sqrt(2)
+    # 3 s of random walk and of an unknown bias are 0.6 arc seconds beside 28.
+    np.testing.assert_allclose(trial.calibration.deviations[0, :3], expected, rtol=2e-3)
+    assert (np.abs(trial.errors[0, :3]) < 4 * expected).all()
+
+
+def test_scheme_that_leaves_errors_in_the_dark_is_warned_of_by_name():
+    trial = replace(BRIEF, scheme=Scheme("+90Z +90Z", dwell=12.0))
+    with pytest.warns(UnobservableWarning, match=r"^scheme: leaves \d+ directions of 27") as caught:
+        trial.run(np.random.default_rng(0))
+    (warning,) = caught
+    named = re.split(r", | among ", str(warning.message).rstrip("."))
+    # Gravity stays along z, and so do all accelerometers' errors that are not of the third column.
+    for error in ("scale x", "scale y", *(f"installation {ij}" for ij in ("xy", "yx", "zx", "zy"))):
+        assert f"accelerometer {error}" in named
+    # Turned about z is what these were, and seen is the velocity.
+    assert "gyro scale z" not in named
+    assert not any(name.startswith("velocity") for name in named)
+
+
+# Refusals
+
+
+@pytest.mark.parametrize(
+    ("name", "bad", "words"),
+    [
+        ("latitude", np.pi / 2, "at most 89.9 degrees from the equator"),
+        ("latitude", np.nan, "finite numbers, got 1 NaN or infinite"),
+        ("latitude", [0.1, 0.2], r"one number, got shape \(2,\)"),
+        ("frame", "mine", r"one of averaged, .*, got 'mine'\.$"),
+        ("frame", None, "one of averaged, .*, got None"),
+        ("keep", 0, r"a whole number of at least 1, got 0\.$"),
+        ("keep", 1.5, r"a whole number of at least 1, got 1\.5\.$"),
+        ("sample_interval", 0.0, r"a positive time, got 0\.0\.$"),
+        ("sample_interval", -0.05, r"a positive time, got -0\.05\.$"),
+        ("sample_interval", np.inf, "finite numbers, got 1 NaN or infinite"),
+        ("update_interval", 0, r"a positive time, got 0\.$"),
+        ("update_interval", "1", "real numbers, got dtype <U1"),
+        ("update_interval", 0.05, r"an even number of samples, got 1 of 0\.05 s\.$"),
+        ("update_interval", 0.15, r"an even number of samples, got 3 of 0\.05 s\.$"),
+        ("update_interval", 0.11, r"an even number of samples, got 2\.2 of 0\.05 s\.$"),
+    ],
+)
+def test_bad_settings_are_refused_by_name(name, bad, words):
+    with pytest.raises(ValueError, match=f"^{name}: expected {words}"):
+        TableTrial(**{name: bad})
+
+
+@pytest.mark.parametrize(
+    ("sample", "update"), [(0.05, 0.1), (0.1, 0.6), (0.1, 1.0), (1 / 3, 2.0), (0.7, 4.2)]
+)
+def test_even_numbers_of_samples_may_be_rounded(sample, update):
+    trial = TableTrial(sample_interval=sample, update_interval=update)
+    assert trial == TableTrial(sample_interval=sample, update_interval=update)
+
+
+def test_settings_cannot_be_changed():
+    with pytest.raises(FrozenInstanceError):
+        TRIAL.keep = 1
+
+
+@pytest.mark.parametrize("runs", [0, -1, 2.0, True])
+def test_numbers_of_runs_that_make_no_sense_are_refused(runs):
+    with pytest.raises(ValueError, match=r"^runs: expected a whole number of at least 1, got"):
+        BRIEF.run(np.random.default_rng(0), runs)
+
+
+@pytest.mark.parametrize("name", Unit._fields)
+def test_units_that_make_no_sense_are_refused_by_name(name):
+    for bad, words in (
+        (getattr(TYPICAL, name)[:2], "expected shape"),
+        (getattr(TYPICAL, name) * np.nan, "expected finite numbers"),
+    ):
+        with pytest.raises(ValueError, match=f"^{name}: {words}"):
+            BRIEF.run(np.random.default_rng(0), 2, TYPICAL._replace(**{name: bad}))

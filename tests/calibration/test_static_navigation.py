@@ -1,0 +1,387 @@
+"""Navigation at rest: what a unit shows that stands still is what the error equations say."""
+
+import re
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+from scipy.spatial.transform import Rotation
+from scipy.stats import chi2
+
+from driftlab.calibration.error_model import ERROR_MODELS, attitude_error, attitude_of_axes
+from driftlab.calibration.simulation import unit_in_axes
+from driftlab.calibration.static_navigation import navigate_in_place
+from driftlab.earth import EARTH_RATE, curvature_radii, earth_rate, gravity
+from driftlab.imu import PERFECT, TYPICAL, Noise, Spread, Unit, random_units
+from driftlab.quaternion import from_rotation_vector, multiply
+from driftlab.triad import misalignment_vector
+from driftlab.vectors import cross_matrix
+from support import EPS
+
+LATITUDE = float(np.radians(37.5))
+STANDING = Rotation.from_euler("xyz", [10, -20, 35], degrees=True).as_quat()
+TO_LOCAL = Rotation.from_quat(STANDING).as_matrix()
+GRAVITY = float(gravity(LATITUDE))
+QUIET = {"latitude": LATITUDE, "interval": 1.0, "every": 60.0}
+
+
+def tilted(phi, attitude=STANDING):
+    """Attitude with an error phi: (E - [phi×]) C."""
+    return multiply(from_rotation_vector(-np.asarray(phi)), attitude)
+
+
+def at_rest(unit=PERFECT, found=PERFECT, start=STANDING, duration=60.0, **changes):
+    """The errors of a unit that stands in one attitude; nobody told it anything wrong."""
+    settings = QUIET | {"reference": STANDING} | changes
+    return navigate_in_place(unit, found, STANDING, start=start, duration=duration, **settings)
+
+
+def unit_of(gyro_bias=(0, 0, 0), accelerometer_bias=(0, 0, 0)):
+    """A unit with biases, given East, North, Up."""
+    return PERFECT._replace(
+        gyro_bias=np.asarray(gyro_bias, float) @ TO_LOCAL,
+        accelerometer_bias=np.asarray(accelerometer_bias, float) @ TO_LOCAL,
+    )
+
+
+def same_errors(one, other):
+    """Equal but for rounding; gravitation settles to 1e-7 m, when the slowest of all units does."""
+    np.testing.assert_array_equal(one.times, other.times)
+    for name, most in (("attitude", 1e-11), ("velocity", 1e-7), ("position", 1e-4)):
+        pair = np.broadcast_arrays(getattr(one, name), getattr(other, name))
+        np.testing.assert_allclose(*pair, rtol=0, atol=most)
+
+
+# Units without errors, and with errors that are known
+
+
+def test_perfect_unit_shows_nothing():
+    way = at_rest(duration=6000.0)
+    assert way.attitude.shape == (100, 3)
+    assert way.velocity.shape == way.position.shape == (100, 2)
+    # A drift of 1e-5 deg/h would show 3e-9 rad for each minute and 3e-4 m/s.
+    np.testing.assert_allclose(way.attitude, 0, atol=5e-9)
+    np.testing.assert_allclose(way.velocity, 0, atol=2e-5)
+    np.testing.assert_allclose(way.position, 0, atol=0.03)
+
+
+@pytest.mark.parametrize("frame", [None, *ERROR_MODELS])
+def test_unit_that_is_known_shows_nothing_in_any_axes(frame):
+    """If the computer begins with the attitude of the axes in which the errors were found."""
+    unit = random_units(Spread(installation=1e-3, scale=1e-3), np.random.default_rng(1), 3)
+    found, turn = unit_in_axes(unit, frame)
+    attitude = attitude_of_axes(STANDING, turn)
+    same_errors(
+        at_rest(unit, found, attitude, reference=attitude, duration=600.0),
+        at_rest(duration=600.0),
+    )
+
+
+def test_start_in_the_axes_of_the_table_is_wrong_by_the_misalignment():
+    """Both triads turned as a whole by k: in the averaged axes the unit is perfect, phi = -C k."""
+    k = 1e-4 * np.array([1.0, -2.0, 1.5])
+    turned = Rotation.from_rotvec(k).as_matrix() - np.eye(3)
+    unit = PERFECT._replace(gyro_error=turned, accelerometer_error=turned)
+    found, turn = unit_in_axes(unit, "averaged")
+    for part in found:
+        np.testing.assert_allclose(part, 0, atol=8 * EPS)
+    reference = attitude_of_axes(STANDING, turn)
+    right = at_rest(unit, found, reference, reference=reference, duration=600.0)
+    np.testing.assert_allclose(right.attitude, 0, atol=1e-9)
+    wrong = at_rest(unit, found, STANDING, reference=reference, duration=600.0)
+    np.testing.assert_allclose(misalignment_vector(turned), k, rtol=1e-7)
+    np.testing.assert_allclose(
+        attitude_error(STANDING, reference), -TO_LOCAL @ k, rtol=0, atol=4 * EPS
+    )
+    # From then on all that happens is a tilt at the start.
+    tilt = -TO_LOCAL @ k
+    other = navigate_in_place(
+        PERFECT,
+        PERFECT,
+        reference,
+        start=tilted(tilt, reference),
+        reference=reference,
+        duration=600.0,
+        **QUIET,
+    )
+    same_errors(wrong, other)
+    drift = (wrong.attitude[0] - tilt) / np.linalg.norm(tilt)
+    # In a minute the Earth turns by 4e-3, and Schuler's pendulum by 1/2 of 0.075 squared.
+    assert 1e-3 < np.abs(drift).max() < 8e-3
+
+
+# Short times, in closed form
+
+
+def test_drift_tilts_and_accelerates():
+    """phi = -C eps t, dv = f × phi t/2, dp = f × phi t^2/6."""
+    drift = 1e-7 * np.array([3.0, -2.0, 4.0])
+    way = at_rest(unit_of(gyro_bias=drift), every=20.0, interval=0.5)
+    np.testing.assert_array_equal(way.times, [20, 40, 60])
+    time = way.times[:, np.newaxis]
+    phi = -drift * time
+    acceleration = GRAVITY * np.stack([-phi[:, 1], phi[:, 0]], axis=-1)
+    # Meanwhile the Earth turns, a pendulum of Schuler's swings, and sums over steps of 1 s stand
+    # for integrals of squares of the time.
+    bound = 0.5 * EARTH_RATE * way.times + 1.6e-6 * way.times**2 + 0.5 / way.times**2
+    for found, expected in (
+        (way.attitude, phi),
+        (way.velocity, acceleration * time / 2),
+        (way.position, acceleration * time**2 / 6),
+    ):
+        scale = np.abs(expected).max(axis=-1)
+        furthest = np.abs(found - expected).max(axis=-1) / scale
+        assert (furthest < bound).all()
+
+
+def test_accelerometer_bias_accelerates():
+    bias = np.array([1e-4, -2e-4, 0.0])
+    way = at_rest(unit_of(accelerometer_bias=bias), every=10.0, interval=0.5)
+    time = way.times[:, np.newaxis]
+    # Schuler's pendulum at its beginning, and Coriolis, 2e-2 of the velocity in all.
+    np.testing.assert_allclose(way.velocity, bias[:2] * time, rtol=2e-2)
+    np.testing.assert_allclose(way.position, bias[:2] * time**2 / 2, rtol=2e-2)
+
+
+def test_errors_of_the_triads_are_biases_as_long_as_the_unit_stands():
+    """K w and L f, of the one rate and the one force that there are."""
+    rate, force = TO_LOCAL.T @ earth_rate(LATITUDE), TO_LOCAL.T @ np.array([0.0, 0.0, GRAVITY])
+    bent = PERFECT._replace(
+        gyro_error=TYPICAL.gyro_error, accelerometer_error=TYPICAL.accelerometer_error
+    )
+    straight = PERFECT._replace(
+        gyro_bias=TYPICAL.gyro_error @ rate, accelerometer_bias=TYPICAL.accelerometer_error @ force
+    )
+    same_errors(at_rest(bent, duration=600.0), at_rest(straight, duration=600.0))
+
+
+# Long times: a pendulum of Schuler's, and the error equations
+
+
+def test_tilt_swings_with_schulers_period():
+    """At the equator East and Up are apart: phi = a cos(w t), and the place swings by a R."""
+    tilt, gravity_there = 5e-5, float(gravity(0.0))
+    _, across = curvature_radii(0.0)
+    standing = np.array([0.0, 0.0, 0.0, 1.0])
+    way = navigate_in_place(
+        PERFECT,
+        PERFECT,
+        standing,
+        start=tilted([0.0, tilt, 0.0], standing),
+        reference=standing,
+        latitude=0.0,
+        duration=15000.0,
+        interval=1.0,
+        every=20.0,
+    )
+    frequency = np.sqrt(gravity_there / across)
+    phase = frequency * way.times
+    assert phase[-1] > 5.5 * np.pi
+    # The pendulum is 2e-3 faster at the third swing's end: the Earth turns under it.
+    np.testing.assert_allclose(way.attitude[:, 1] / tilt, np.cos(phase), rtol=0, atol=0.02)
+    speed = tilt * np.sqrt(gravity_there * across)
+    np.testing.assert_allclose(way.velocity[:, 0] / speed, -np.sin(phase), rtol=0, atol=0.02)
+    place = way.position[:, 0] / (tilt * across)
+    np.testing.assert_allclose(place, np.cos(phase) - 1, rtol=0, atol=0.02)
+    # Two and a half periods from one zero of the velocity to another.
+    zeros = np.flatnonzero(np.diff(np.sign(way.velocity[:, 0])))
+    before, after = way.velocity[zeros, 0], way.velocity[zeros + 1, 0]
+    times = way.times[zeros] + 20.0 * before / (before - after)
+    assert len(times) == 5
+    period = np.diff(times).mean() * 2
+    assert period == pytest.approx(2 * np.pi * np.sqrt(across / gravity_there), rel=2e-3)
+    assert period == pytest.approx(84.4 * 60, rel=2e-3)
+
+
+def growth(latitude):
+    """Wu (6) at rest, for attitude, level velocity, position, drift and acceleration.
+
+    phi' = -w_in × phi + dw_in - C eps, dv' = f × phi - 2 w_ie × dv + C nabla. The local axes of a
+    wrong place turn otherwise; unlike the filter, nobody puts the place right here.
+    """
+    meridian, across = curvature_radii(latitude)
+    sine, cosine = np.sin(latitude), np.cos(latitude)
+    rates = np.zeros((12, 12))
+    phi, velocity, place = slice(0, 3), slice(3, 5), slice(5, 7)
+    rates[phi, phi] = -cross_matrix(earth_rate(latitude))
+    rates[phi, velocity] = [[0, -1 / meridian], [1 / across, 0], [sine / cosine / across, 0]]
+    rates[phi, 6] = np.array([0, -sine, cosine]) * EARTH_RATE / meridian
+    rates[phi, 7:10] = -np.eye(3)
+    rates[velocity, phi] = float(gravity(latitude)) * np.array([[0, -1, 0], [1, 0, 0]])
+    rates[velocity, velocity] = -2 * cross_matrix(earth_rate(latitude))[:2, :2]
+    rates[velocity, 10:12] = np.eye(2)
+    rates[place, velocity] = np.eye(2)
+    return rates
+
+
+@pytest.mark.parametrize("latitude", [LATITUDE, -1.0])
+@pytest.mark.parametrize("cause", ["drift", "acceleration", "tilt", "all"])
+def test_errors_are_those_of_the_error_equations(latitude, cause):
+    """Over two hours, in which a pendulum swings, the Earth turns, and the place is off."""
+    drift, acceleration, tilt = (
+        size * np.array(vector) * (cause in (name, "all"))
+        for name, size, vector in (
+            ("drift", 1e-8, [3.0, -5.0, 7.0]),
+            ("acceleration", 1e-4, [1.0, -2.0, 0.0]),
+            ("tilt", 1e-5, [1.0, 2.0, -3.0]),
+        )
+    )
+    # Only what is not found counts.
+    unit = unit_of(drift + 1e-7, acceleration + 1e-3)
+    found = unit_of(np.full(3, 1e-7), np.full(3, 1e-3))
+    way = at_rest(unit, found, tilted(tilt), latitude=latitude, every=300.0, duration=7200.0)
+    first = np.concatenate([tilt, np.zeros(4), drift, acceleration[:2]])
+    expected = np.array([expm(growth(latitude) * time) @ first for time in way.times])
+    for errors, columns in (
+        (way.attitude, expected[:, :3]),
+        (way.velocity, expected[:, 3:5]),
+        (way.position, expected[:, 5:7]),
+    ):
+        # Second order, the ellipsoid's curvature, and a height that is held each 40 s only.
+        most = 2e-3 * np.abs(columns).max(axis=0)
+        assert (np.abs(errors - columns) < most).all()
+
+
+# Noise
+
+
+def test_random_walks_grow_as_they_should():
+    """In a minute: the attitude's N^2 t, the velocity's own V^2 t and the tilts' (g N)^2 t^3/3."""
+    noise, runs, time = Noise(1e-6, 4e-4), 300, 60.0
+    none = Unit(*(np.broadcast_to(part, (runs, *part.shape)) for part in PERFECT))
+    way = at_rest(none, noise=noise, rng=np.random.default_rng(2))
+    velocity = (4e-4) ** 2 * time + (GRAVITY * 1e-6) ** 2 * time**3 / 3
+    for errors, variance in ((way.attitude, 1e-12 * time), (way.velocity, velocity)):
+        squares = (errors[:, 0] ** 2).sum(axis=0) / variance
+        # Five components; pendulum and sampling change variances by less than a hundredth.
+        low, high = chi2.ppf([0.001, 0.999], runs)
+        assert ((low < squares) & (squares < high)).all()
+    # Both parts of the velocity's matter.
+    assert 0.1 < (4e-4) ** 2 * time / velocity < 0.9
+
+
+def test_one_unit_with_several_corrections_has_one_noise():
+    rng = np.random.default_rng(3)
+    several = Unit(*(np.stack([part, part]) for part in TYPICAL))
+    way = at_rest(TYPICAL, several, noise=Noise(), rng=rng)
+    np.testing.assert_array_equal(way.attitude[0], way.attitude[1])
+    other = at_rest(several, TYPICAL, noise=Noise(), rng=rng)
+    assert (other.attitude[0] != other.attitude[1]).all()
+
+
+# Times, leading axes, refusals
+
+
+@pytest.mark.parametrize(
+    ("interval", "every", "duration", "times"),
+    [
+        (1.0, 60.0, 180.0, [60, 120, 180]),
+        (0.5, 60.0, 60.0, [60]),
+        (1.0, 60.0, 200.0, [60, 120, 180]),
+        (1.0, 60.0, 220.0, [60, 120, 180, 240]),
+        (1.0, 1.0, 4.0, [2, 4]),  # steps of the navigation take two increments
+        (20.0, 50.0, 100.0, [40, 80]),
+    ],
+)
+def test_results_come_after_pairs_of_increments(interval, every, duration, times):
+    drift = 1e-7 * np.array([3.0, -2.0, 4.0])
+    way = at_rest(unit_of(drift), interval=interval, every=every, duration=duration)
+    np.testing.assert_array_equal(way.times, times)
+    # They are the times of the errors beside them.
+    assert way.attitude.shape == (len(times), 3)
+    np.testing.assert_allclose(way.attitude, -np.outer(times, drift), rtol=0.06)
+
+
+def test_several_units_are_each_by_itself():
+    rng = np.random.default_rng(4)
+    units, found = random_units(Spread(), rng, 2, 3), random_units(Spread(), rng, 3)
+    starts = tilted(1e-3 * rng.standard_normal((2, 1, 3)))
+    references = tilted(1e-3 * rng.standard_normal((3, 3)))
+    together = at_rest(units, found, starts, reference=references, duration=600.0)
+    assert together.attitude.shape == (2, 3, 10, 3)
+    assert together.velocity.shape == together.position.shape == (2, 3, 10, 2)
+    for i, j in np.ndindex(2, 3):
+        alone = at_rest(
+            Unit(*(part[i, j] for part in units)),
+            Unit(*(part[j] for part in found)),
+            starts[i, 0],
+            reference=references[j],
+            duration=600.0,
+        )
+        same_errors(
+            alone,
+            together._replace(
+                **{
+                    name: getattr(together, name)[i, j]
+                    for name in ("attitude", "velocity", "position")
+                }
+            ),
+        )
+
+
+def test_attitudes_of_any_size_and_either_sign_will_do():
+    usual = at_rest(TYPICAL)
+    other = navigate_in_place(
+        TYPICAL,
+        PERFECT,
+        -2 * STANDING,
+        start=3 * STANDING,
+        reference=-STANDING,
+        duration=60.0,
+        **QUIET,
+    )
+    same_errors(usual, other)
+
+
+@pytest.mark.parametrize(
+    ("name", "bad"),
+    [
+        ("interval", 0.0),
+        ("interval", -1.0),
+        ("interval", 61.0),
+        ("every", 0.5),
+        ("every", 61.0),
+        ("duration", 59.0),
+        ("duration", -60.0),
+    ],
+)
+def test_times_that_do_not_fit_into_each_other_are_refused(name, bad):
+    times = {"interval": 1.0, "every": 60.0, "duration": 60.0} | {name: bad}
+    got = ", ".join(map(repr, times.values()))
+    with pytest.raises(
+        ValueError,
+        match=r"^interval, every, duration: expected positive times, each at least as long as "
+        rf"the one before, got {re.escape(got)} s\.$",
+    ):
+        at_rest(**times)
+
+
+@pytest.mark.parametrize(
+    ("name", "bad", "words"),
+    [
+        ("interval", np.nan, "finite numbers, got 1 NaN or infinite"),
+        ("every", np.nan, "finite numbers, got 1 NaN or infinite"),
+        ("duration", np.inf, "finite numbers, got 1 NaN or infinite"),
+        ("duration", [60.0], r"one number, got shape \(1,\)"),
+        ("latitude", np.pi / 2, "at most 89.9 degrees from the equator"),
+        ("latitude", np.nan, "finite numbers, got 1 NaN or infinite"),
+        ("start", np.zeros(4), "nonzero quaternions, got a zero quaternion"),
+        ("start", [0, 0, 1], r"shape \(\.\.\., 4\), got shape \(3,\)"),
+        ("reference", np.zeros(4), "nonzero quaternions, got a zero quaternion"),
+        ("rng", None, "a numpy Generator to draw the noise, got None"),
+    ],
+)
+def test_bad_arguments_are_refused_by_name(name, bad, words):
+    with pytest.raises(ValueError, match=f"^{name}: expected {words}"):
+        at_rest(**{"noise": Noise(), "rng": np.random.default_rng(0)} | {name: bad})
+
+
+@pytest.mark.parametrize("argument", ["unit", "found"])
+@pytest.mark.parametrize("name", Unit._fields)
+def test_units_that_make_no_sense_are_refused_by_name(argument, name):
+    for bad, words in (
+        (getattr(TYPICAL, name)[:2], "shape"),
+        (getattr(TYPICAL, name) * np.nan, "finite numbers"),
+    ):
+        with pytest.raises(ValueError, match=f"^{name}: expected {words}"):
+            at_rest(**{argument: TYPICAL._replace(**{name: bad})})

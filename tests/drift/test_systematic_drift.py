@@ -1,0 +1,382 @@
+"""Larin, section 2: characteristic equation, exact and asymptotic roots, systematic drift."""
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from scipy.linalg import expm
+
+from driftlab.drift.characteristic_equation import (
+    asymptotic_roots,
+    characteristic_polynomial,
+    exact_roots,
+    split_error_rate_matrix,
+)
+from driftlab.drift.error_kinematics import (
+    error_quaternion,
+    error_rate_matrix,
+    error_transition_matrix,
+)
+from driftlab.drift.systematic_drift import (
+    drift_coefficient,
+    drift_per_turn,
+    exact_drift_coefficient,
+    principal_drifts,
+)
+from driftlab.quaternion import from_rotation_vector
+from driftlab.triad import (
+    measured_rate,
+    non_orthogonality,
+    pairwise_non_orthogonality,
+    triad_matrix,
+)
+from support import EPS, directions, matrices, order_of, vectors
+
+RATE = np.array([0.7, -1.1, 0.4])
+SHAPE = np.array([[0.3, -0.8, 0.5], [0.9, -0.2, 0.7], [-0.6, 0.4, 0.1]])
+BENT = 0.1 * SHAPE
+SKEW = SHAPE - SHAPE.T
+
+
+def exact_coefficient(direction, misalignment):
+    """|(E + M) n| - 1 with digits enough for M = 1e-300, rounded once."""
+    with mpmath.workdps(700):
+        n = mpmath.matrix(np.asarray(direction, dtype=float).tolist())
+        triad = mpmath.eye(3) + mpmath.matrix(np.asarray(misalignment, dtype=float).tolist())
+        return float(mpmath.norm(triad * n) / mpmath.norm(n) - 1)
+
+
+# The triad
+
+
+def test_2_4_rows_are_the_sensitive_axes():
+    a2, a3, b1, b3, g1, g2 = 1e-3 * np.arange(1, 7)
+    misalignment = [[0, b1, g1], [a2, 0, g2], [a3, b3, 0]]
+    np.testing.assert_array_equal(
+        triad_matrix(misalignment), [[1, b1, g1], [a2, 1, g2], [a3, b3, 1]]
+    )
+
+
+@given(vectors(), matrices(0.3))
+def test_1_5_each_gyro_measures_along_its_axis(rate, misalignment):
+    along = [axis @ rate for axis in np.eye(3) + misalignment]
+    np.testing.assert_allclose(measured_rate(rate, misalignment), along, rtol=0, atol=8 * EPS * 20)
+
+
+@pytest.mark.parametrize(
+    "misalignment",
+    [-np.eye(3), [[0, 0, 0], [1, -1, 0], [0, 0, 0]], [[0, 0, 0], [0, 0, 0], [1, 1, -1]]],
+    ids=["nothing measured", "two axes parallel", "three axes in a plane"],
+)
+def test_singular_triad_is_refused(misalignment):
+    with pytest.raises(ValueError, match=r"^misalignment: .* got a singular triad matrix E \+ M"):
+        triad_matrix(misalignment)
+
+
+# Characteristic equation
+
+
+@given(vectors(), vectors(), st.complex_numbers(max_magnitude=20))
+def test_2_1_is_the_determinant(rate, measured, s):
+    """det(sE - Omega_e), with two eps^T eps where the paper prints one."""
+    determinant = np.linalg.det(s * np.eye(4) - error_rate_matrix(rate, measured))
+    # Each of the determinant's products is at most (|s| + |w| + |w_hat|)^4.
+    size = (abs(s) + np.linalg.norm(rate) + np.linalg.norm(measured)) ** 4
+    polynomial = np.polyval(characteristic_polynomial(rate, measured), s)
+    assert abs(polynomial - determinant) <= 100 * EPS * size + np.finfo(float).tiny
+
+
+@given(vectors(), vectors())
+def test_2_1_in_the_squares_of_the_two_rates(rate, measured):
+    true, apparent = rate @ rate, measured @ measured
+    expected = [1, 0, 2 * (true + apparent), 0, (apparent - true) ** 2]
+    np.testing.assert_allclose(
+        characteristic_polynomial(rate, measured), expected, rtol=0, atol=64 * EPS * 600**2
+    )
+
+
+def test_2_1_as_printed_lacks_one_eps_t_eps_in_one_coefficient():
+    rate, measured = np.array([1, 2, 3]), np.array([2, 0, 4])  # eps = [1, -2, 1]
+    difference = characteristic_polynomial(rate, measured) - characteristic_polynomial(
+        rate, measured, as_printed=True
+    )
+    np.testing.assert_array_equal(difference, [0, 0, 6, 0, 0])
+
+
+# Roots
+
+
+def by_size(roots):
+    return np.sort(np.asarray(roots).imag)
+
+
+@given(vectors(), vectors())
+def test_exact_roots_are_the_eigenvalues(rate, measured):
+    matrix = error_rate_matrix(rate, measured)
+    # Omega_e is skew, so that eigvalsh of -i Omega_e finds its roots to eps |Omega_e|.
+    # No entry's square is taken here: rates may be so small that it vanishes.
+    bound = 32 * EPS * np.abs(matrix).max()
+    np.testing.assert_allclose(
+        by_size(exact_roots(rate, measured)), np.linalg.eigvalsh(-1j * matrix), rtol=0, atol=bound
+    )
+
+
+def test_exact_roots_come_in_the_promised_order():
+    measured = measured_rate(RATE, BENT)
+    w, w_hat = np.linalg.norm(RATE), np.linalg.norm(measured)
+    expected = 1j * np.array([w_hat + w, -w_hat - w, w_hat - w, w - w_hat])
+    np.testing.assert_allclose(exact_roots(RATE, measured), expected, rtol=0, atol=8 * EPS)
+
+
+def test_roots_of_equal_and_of_zero_rates():
+    np.testing.assert_array_equal(exact_roots(RATE, RATE)[2:], 0)
+    np.testing.assert_array_equal(exact_roots(np.zeros(3), np.zeros(3)), 0)
+
+
+@pytest.mark.parametrize("size", [1e-15, 1e-12, 1e-6, 0.5])
+def test_slow_roots_keep_their_digits(size):
+    measured = (1 + size) * RATE
+    with mpmath.workdps(50):
+        norms = [mpmath.norm(mpmath.matrix(vector.tolist())) for vector in (measured, RATE)]
+        expected = float(norms[0] - norms[1])
+    np.testing.assert_allclose(exact_roots(RATE, measured)[2].imag, expected, rtol=8 * EPS)
+
+
+@pytest.mark.parametrize("scale", [1e-300, 1e-200, 1e-160, 1e160, 1e200, 1e300])
+def test_roots_scale_with_the_rate(scale):
+    measured = measured_rate(RATE, BENT)
+    np.testing.assert_allclose(
+        exact_roots(scale * RATE, scale * measured) / scale,
+        exact_roots(RATE, measured),
+        rtol=0,
+        atol=8 * EPS,
+    )
+    np.testing.assert_allclose(
+        asymptotic_roots(scale * RATE, BENT) / scale,
+        asymptotic_roots(RATE, BENT),
+        rtol=8 * EPS,
+    )
+
+
+def test_2_2_first_order():
+    """theta = |w| (2 + rho) and rho |w|, rho = mu n^T T n."""
+    size = np.linalg.norm(RATE)
+    rho = RATE @ BENT @ RATE / size**2
+    expected = 1j * size * np.array([2 + rho, -2 - rho, rho, -rho])
+    np.testing.assert_allclose(asymptotic_roots(RATE, BENT), expected, rtol=0, atol=8 * EPS)
+
+
+@pytest.mark.parametrize("order", [1, 2])
+def test_2_2_misses_by_the_next_order(order):
+    def error(mu):
+        exact = exact_roots(RATE, measured_rate(RATE, mu * SHAPE))
+        return np.abs(exact - asymptotic_roots(RATE, mu * SHAPE, order=order)).max()
+
+    # Between mu = 2^-6 and 2^-10 the order after next bends the slope by about mu.
+    assert order_of(error) == pytest.approx(order + 1, abs=0.03)
+
+
+@pytest.mark.parametrize("order", [0, 3, "2"])
+def test_unknown_order_is_refused(order):
+    with pytest.raises(ValueError, match=r"^order: expected 1 or 2, got "):
+        asymptotic_roots(RATE, BENT, order=order)
+
+
+# Drift
+
+
+@given(directions(), matrices(0.3))
+def test_only_the_symmetric_part_drifts(n, misalignment):
+    rho = n @ misalignment @ n / (n @ n)
+    assert drift_coefficient(n, misalignment) == pytest.approx(rho, abs=16 * EPS)
+    sigma = non_orthogonality(misalignment)
+    np.testing.assert_array_equal(sigma, 0.5 * (misalignment + misalignment.T))
+    assert drift_coefficient(n, sigma) == pytest.approx(rho, abs=16 * EPS)
+
+
+@given(directions())
+def test_a_skew_triad_drifts_at_second_order_only(n):
+    assert drift_coefficient(n, SKEW) == pytest.approx(0, abs=16 * EPS)
+    across = np.linalg.norm(SKEW @ n / np.linalg.norm(n))
+    mu = 2.0**-10
+    # sqrt(1 + x) - 1 = x/2 - x^2/8 + ..., x = |mu T n|^2
+    assert exact_drift_coefficient(n, mu * SKEW) == pytest.approx(
+        (mu * across) ** 2 / 2, abs=(mu * across) ** 4 / 8 + EPS
+    )
+
+
+@given(directions(), matrices(0.3))
+def test_exact_drift_in_every_digit(n, misalignment):
+    expected = exact_coefficient(n, misalignment)
+    # The three terms of |A n|^2 - 1 may cancel; each is rounded at its own size.
+    size = np.abs(misalignment).sum()
+    assert exact_drift_coefficient(n, misalignment) == pytest.approx(expected, abs=16 * EPS * size)
+
+
+@pytest.mark.parametrize("size", [1e-300, 1e-15, 1e-12, 1e-6, 0.5, 1e6])
+def test_exact_drift_of_any_size_keeps_its_digits(size):
+    misalignment = size * np.array([[1, 2, 0], [0, 1, 3], [1, 0, 1]])
+    expected = exact_coefficient([1, 1, 1], misalignment)
+    actual = exact_drift_coefficient([1, 1, 1], misalignment)
+    np.testing.assert_allclose(actual, expected, rtol=16 * EPS)
+
+
+@pytest.mark.parametrize("left", [1e-6, 1e-9, 1e-11])
+def test_a_triad_that_hardly_sees_the_turn(left):
+    """A n = left * n: the drift is minus a whole turn, and `left` of it is still resolved."""
+    misalignment = np.diag([0, 0, left - 1])
+    assert exact_drift_coefficient([0, 0, 1], misalignment) + 1 == pytest.approx(left, abs=2 * EPS)
+
+
+def test_roots_and_drift_agree():
+    measured = measured_rate(RATE, BENT)
+    drift = exact_drift_coefficient(RATE, BENT) * np.linalg.norm(RATE)
+    assert exact_roots(RATE, measured)[2].imag == pytest.approx(drift, abs=8 * EPS)
+
+
+@pytest.mark.parametrize("turns", [1, 2, 7, -3])
+def test_2_3_after_whole_turns_the_error_is_drift_alone(turns):
+    """t_j = 2 pi j/|w|, with the factor j that the paper lacks."""
+    measured = measured_rate(RATE, BENT)
+    time = 2 * np.pi * turns / np.linalg.norm(RATE)
+    _, drifting = split_error_rate_matrix(RATE, measured)
+    bound = 64 * abs(turns) * EPS  # the angles, 2 pi j, carry a few eps each
+    np.testing.assert_allclose(
+        error_transition_matrix(RATE, measured, time),
+        expm(0.5 * time * drifting),
+        rtol=0,
+        atol=bound,
+    )
+    axis = measured / np.linalg.norm(measured)
+    np.testing.assert_allclose(
+        error_quaternion(RATE, measured, time),
+        from_rotation_vector(turns * drift_per_turn(RATE, BENT) * axis),
+        rtol=0,
+        atol=bound,
+    )
+
+
+@given(directions(), directions())
+def test_split_is_exact_commutes_and_is_periodic(rate, measured):
+    """Omega_e = V + W, VW = WV, exp(V pi/|w|) = E; Larin, between (2.2) and (2.3)."""
+    periodic, drifting = split_error_rate_matrix(rate, measured)
+    size = np.linalg.norm(rate) + np.linalg.norm(measured)
+    whole = error_rate_matrix(rate, measured)
+    np.testing.assert_allclose(periodic + drifting, whole, rtol=0, atol=8 * EPS * size)
+    np.testing.assert_allclose(
+        periodic @ drifting, drifting @ periodic, rtol=0, atol=16 * EPS * size**2
+    )
+    turn = expm(periodic * np.pi / np.linalg.norm(rate))
+    np.testing.assert_allclose(turn, np.eye(4), rtol=0, atol=200 * EPS)
+
+
+def test_split_has_the_roots_that_the_paper_gives():
+    """V: +-2i|w| and twice zero; W: +-i(|w_hat| - |w|), twice."""
+    measured = measured_rate(RATE, BENT)
+    w = np.linalg.norm(RATE)
+    drift = exact_roots(RATE, measured)[2].imag
+    periodic, drifting = split_error_rate_matrix(RATE, measured)
+    for matrix, expected in (
+        (periodic, [-2 * w, 0, 0, 2 * w]),
+        (drifting, np.sort([drift, drift, -drift, -drift])),
+    ):
+        roots = np.linalg.eigvalsh(-1j * matrix)
+        np.testing.assert_allclose(roots, expected, rtol=0, atol=16 * EPS)
+
+
+@pytest.mark.parametrize(
+    ("function", "name"),
+    [
+        (lambda zero: asymptotic_roots(zero, BENT), "rate"),
+        (lambda zero: drift_coefficient(zero, BENT), "direction"),
+        (lambda zero: exact_drift_coefficient(zero, BENT), "direction"),
+        (lambda zero: drift_per_turn(zero, BENT), "direction"),
+        (lambda zero: split_error_rate_matrix(zero, RATE), "rate"),
+        (lambda zero: split_error_rate_matrix(RATE, zero), "measured_rate"),
+    ],
+)
+def test_a_rotation_without_an_axis_is_refused(function, name):
+    with pytest.raises(ValueError, match=f"^{name}: expected nonzero vectors, got a zero vector"):
+        function(np.zeros(3))
+
+
+# Non-orthogonality
+
+
+@pytest.mark.parametrize("sigma", [1e-2, 1e-3, 1e-4, -1e-3])
+def test_2_6_nu_is_2_sqrt2_pi_chi_to_first_order(sigma):
+    """All six off-diagonals sigma: largest rho 2 sigma, about the space diagonal."""
+    misalignment = sigma * (np.ones((3, 3)) - np.eye(3))
+    coefficients, axes = principal_drifts(misalignment)
+    largest = np.abs(coefficients).argmax()
+    assert coefficients[largest] == pytest.approx(2 * sigma, abs=4 * EPS)
+    np.testing.assert_allclose(axes[largest], np.ones(3) / np.sqrt(3), rtol=0, atol=16 * EPS)
+
+    i_x = triad_matrix(misalignment)[0]
+    chi = np.copysign(np.arctan2(np.linalg.norm(i_x[1:]), i_x[0]), sigma)
+    nu = drift_per_turn(axes[largest], misalignment)
+    # nu = 4 pi sigma and tan(chi) = sqrt2 sigma, so that nu/chi misses by 2/3 sigma^2.
+    assert nu / (2 * np.sqrt(2) * np.pi * chi) == pytest.approx(1, abs=sigma**2)
+
+
+@given(matrices(0.1), directions())
+def test_principal_drifts_bound_every_axis(misalignment, n):
+    coefficients, axes = principal_drifts(misalignment)
+    rho = drift_coefficient(n, misalignment)
+    assert coefficients[0] - 16 * EPS <= rho <= coefficients[2] + 16 * EPS
+    np.testing.assert_allclose(axes @ axes.T, np.eye(3), rtol=0, atol=32 * EPS)
+    np.testing.assert_allclose(
+        drift_coefficient(axes, misalignment), coefficients, rtol=0, atol=32 * EPS
+    )
+    assert (axes.max(axis=1) == np.abs(axes).max(axis=1)).all()
+
+
+@given(directions(), directions(), directions())
+def test_pairwise_non_orthogonality_sees_the_angle_and_nothing_else(x, y, z):
+    """|i_x - i_y|^2 = 2 - 2 cos, so that sigma = 1 - sqrt(1 - cos)."""
+    x, y, z = units = [axis / np.linalg.norm(axis) for axis in (x, y, z)]
+    cosines = np.minimum([x @ y, x @ z, y @ z], 1)
+    # The root magnifies an error of the cosine, so compare squares.
+    squares = (1 - pairwise_non_orthogonality(units)) ** 2
+    np.testing.assert_allclose(squares, 1 - cosines, rtol=0, atol=16 * EPS)
+
+
+def test_pairwise_non_orthogonality_is_sigma_to_first_order():
+    shape = SHAPE - np.diag(np.diag(SHAPE))
+
+    def error(mu):
+        triad = triad_matrix(mu * shape)
+        axes = triad / np.linalg.norm(triad, axis=1, keepdims=True)
+        sigma = non_orthogonality(mu * shape)[[0, 0, 1], [1, 2, 2]]
+        return np.abs(pairwise_non_orthogonality(axes) - sigma).max()
+
+    assert order_of(error) == pytest.approx(2, abs=0.03)
+
+
+def test_axes_must_be_unit_vectors():
+    with pytest.raises(ValueError, match=r"^axes: expected rows of unit length"):
+        pairwise_non_orthogonality(np.diag([1, 1, 1.001]))
+
+
+@given(matrices(0.3))
+def test_exact_principal_drifts_are_the_singular_values_less_one(misalignment):
+    coefficients, axes = principal_drifts(misalignment, exact=True)
+    singular = np.linalg.svd(np.eye(3) + misalignment, compute_uv=False)[::-1]
+    # The squares are exact to rounding; the root divides by twice the singular value.
+    assume(singular[0] > 1e-2)
+    np.testing.assert_allclose(coefficients, singular - 1, rtol=0, atol=1e3 * EPS)
+    np.testing.assert_allclose(axes @ axes.T, np.eye(3), rtol=0, atol=16 * EPS)
+    at_axes = exact_drift_coefficient(axes, misalignment)
+    np.testing.assert_allclose(at_axes, coefficients, rtol=0, atol=1e3 * EPS)
+
+
+def test_exact_and_first_order_principal_drifts_part_at_second_order():
+    shape = np.array([[0.2, 1, 0.5], [-0.4, 0, 0.8], [1, 0.3, -0.6]])
+
+    def difference(size):
+        first, _ = principal_drifts(size * shape)
+        exact, _ = principal_drifts(size * shape, exact=True)
+        return np.abs(exact - first).max()
+
+    assert order_of(difference) == pytest.approx(2, abs=0.02)

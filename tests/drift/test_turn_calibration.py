@@ -1,0 +1,385 @@
+"""Larin, section 3: whole turns, the estimate, the weighing design, least squares."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from driftlab.drift.error_kinematics import error_quaternion
+from driftlab.drift.step_formulas import STEP_FORMULAS
+from driftlab.drift.systematic_drift import drift_coefficient
+from driftlab.drift.turn_calibration import (
+    PAIR_AXES,
+    YATES_AXES,
+    TurnExperiment,
+    exact_turn_estimate,
+    fit_turns,
+    turn_estimate,
+    weighing,
+)
+from driftlab.quaternion import from_rotation_vector
+from driftlab.triad import non_orthogonality
+from support import EPS, directions, matrices, order_of
+
+SHAPE = np.array([[0, -0.8, 0.5], [0.9, 0, 0.7], [-0.6, 0.4, 0]])
+BENT = 0.01 * SHAPE
+SIGMAS = non_orthogonality(BENT)[[0, 0, 1], [1, 2, 2]]
+
+every_turn = pytest.mark.parametrize("turns", [1, 3])
+four_numbers = arrays(float, 4, elements=st.floats(-1, 1))
+
+
+def turn_design(axes, scale):
+    """n^T Sigma n = design @ unknowns, one entry of Sigma at a time."""
+    units = [np.eye(3)[[i]].T * np.eye(3)[[j]] for i, j in ((0, 1), (0, 2), (1, 2))]
+    matrices = [unit + unit.T for unit in units]
+    if scale == "common":
+        matrices.append(np.eye(3))
+    elif scale == "each":
+        matrices += [np.diag(row) for row in np.eye(3)]
+    return np.stack([drift_coefficient(axes, matrix) for matrix in matrices], axis=-1)
+
+
+def random_axes(count, seed=0):
+    return np.random.default_rng(seed).normal(size=(count, 3))
+
+
+# The estimate (3.3)
+
+
+@every_turn
+@given(n=directions(), fraction=st.floats(-0.999, 0.999))
+def test_3_3_recovers_a_drift_along_the_axis(turns, n, fraction):
+    coefficient = fraction / (2 * turns)  # as far as the arc tangent is unique
+    drift = 2 * np.pi * turns * coefficient * n / np.linalg.norm(n)
+    assert turn_estimate(from_rotation_vector(drift), n, turns) == pytest.approx(
+        coefficient, abs=8 * EPS
+    )
+
+
+@given(n=directions(), factor=st.sampled_from([-1.0, 1e-200, -3.0, 1e200]))
+def test_3_3_does_not_see_sign_or_size_of_the_error(n, factor):
+    error = from_rotation_vector([0.3, -0.5, 0.8])
+    expected = turn_estimate(error, n)
+    assert turn_estimate(factor * error, n) == pytest.approx(expected, abs=4 * EPS)
+    assert turn_estimate(error, 7 * n) == pytest.approx(expected, abs=4 * EPS)
+
+
+def test_3_3_in_the_papers_own_letters():
+    """(k pi)^-1 arctan(l_k^T n), l_k the vector part over the scalar part."""
+    error, n, k = np.array([0.1, -0.2, 0.3, 0.9]), np.array([2, 1, 2]) / 3, 2
+    expected = np.arctan(error[:3] / error[3] @ n) / (k * np.pi)
+    assert turn_estimate(error, n, k) == pytest.approx(expected, abs=4 * EPS)
+
+
+def test_half_a_turn_of_error_has_an_estimate():
+    assert turn_estimate([1, 0, 0, 0], [1, 0, 0]) == 0.5
+
+
+# What the method finds without noise
+
+
+@every_turn
+@given(n=directions(), misalignment=matrices(0.05))
+def test_exact_estimate_is_the_kinematics_of_section_1(turns, n, misalignment):
+    n = n / np.linalg.norm(n)
+    error = error_quaternion(2 * np.pi * n, n @ (np.eye(3) + misalignment).T * 2 * np.pi, turns)
+    assert exact_turn_estimate(misalignment, n, turns) == pytest.approx(
+        turn_estimate(error, n, turns), abs=16 * EPS
+    )
+
+
+@every_turn
+def test_exact_estimate_in_the_papers_own_letters(turns):
+    n = np.array([2, 1, 2]) / 3
+    apparent = n + BENT @ n
+    size = np.linalg.norm(apparent)
+    tangent = np.tan(turns * np.pi * (size - 1))
+    expected = np.arctan(apparent @ n / size * tangent) / (turns * np.pi)
+    assert exact_turn_estimate(BENT, n, turns) == pytest.approx(expected, abs=4 * EPS)
+
+
+@every_turn
+@pytest.mark.parametrize("steps", [3, 100])
+def test_exact_integration_gives_the_exact_estimate(turns, steps):
+    experiment = TurnExperiment(turns, steps)
+    axes = random_axes(20)
+    np.testing.assert_allclose(
+        experiment.estimate(BENT, axes),
+        exact_turn_estimate(BENT, axes, turns),
+        rtol=0,
+        atol=4 * turns * steps * EPS,  # a few roundings a step
+    )
+
+
+@every_turn
+def test_bias_of_the_method_is_of_second_order(turns):
+    axes = random_axes(5)
+
+    def bias(mu):
+        return np.abs(
+            exact_turn_estimate(mu * SHAPE, axes, turns) - drift_coefficient(axes, mu * SHAPE)
+        ).max()
+
+    assert order_of(bias) == pytest.approx(2, abs=0.05)
+
+
+@given(matrices(0.1))
+def test_3_4_pair_axes_show_one_sigma_each(misalignment):
+    sigma = non_orthogonality(misalignment - np.diag(np.diag(misalignment)))
+    np.testing.assert_allclose(
+        drift_coefficient(PAIR_AXES, sigma), sigma[[0, 0, 1], [1, 2, 2]], rtol=0, atol=4 * EPS
+    )
+    # (3.5) corrected: two thirds of the sum, where the paper has the sum.
+    total = sigma[0, 1] + sigma[0, 2] + sigma[1, 2]
+    assert drift_coefficient(YATES_AXES[3], sigma) == pytest.approx(2 / 3 * total, abs=4 * EPS)
+
+
+def test_axes_are_unit_vectors():
+    np.testing.assert_allclose(np.linalg.norm(YATES_AXES, axis=1), 1, rtol=2 * EPS)
+    np.testing.assert_array_equal(YATES_AXES[:3], PAIR_AXES)
+
+
+def test_one_turn_in_a_hundred_steps_is_understood():
+    error = [0.1, -0.2, 0.3, 0.9]
+    assert turn_estimate(error, [1, 0, 0]) == turn_estimate(error, [1, 0, 0], 1)
+    assert exact_turn_estimate(BENT, [1, 1, 0]) == exact_turn_estimate(BENT, [1, 1, 0], 1)
+    assert TurnExperiment() == TurnExperiment(1, 100, "exact", 0.0)
+
+
+def test_axes_cannot_be_changed_by_accident():
+    for axes in (PAIR_AXES, YATES_AXES):
+        with pytest.raises(ValueError, match="read-only"):
+            axes[0] = 1
+
+
+# The experiment
+
+
+def test_noise_of_the_estimate_is_the_angle_noise_over_the_turns():
+    """Noise adds up to angle_noise sqrt(k) along n, and (3.3) divides by 2 pi k."""
+    noise, turns, count = 1e-4, 4, 4000
+    experiment = TurnExperiment(turns, 10, angle_noise=noise)
+    rng = np.random.default_rng(1)
+    estimates = experiment.estimate(np.zeros((3, 3)), np.tile([1.0, 2, 2], (count, 1)), rng)
+    expected = noise / (2 * np.pi * np.sqrt(turns))
+    # Five standard deviations of a sample's standard deviation and of its mean.
+    assert estimates.std() == pytest.approx(expected, rel=5 / np.sqrt(2 * count))
+    assert estimates.mean() == pytest.approx(0, abs=5 * expected / np.sqrt(count))
+
+
+def test_noise_repeats_with_its_seed_and_differs_between_rows():
+    experiment = TurnExperiment(steps_per_turn=5, angle_noise=1e-3)
+    axes = np.ones((2, 3))
+    first, again = (experiment.estimate(BENT, axes, np.random.default_rng(7)) for _ in range(2))
+    np.testing.assert_array_equal(first, again)
+    assert first[0] != first[1]
+
+
+@pytest.mark.parametrize("name", STEP_FORMULAS)
+def test_many_coarse_turns_do_not_overflow(name):
+    experiment = TurnExperiment(1000, 3, name)
+    assert np.linalg.norm(experiment.error_quaternion(BENT, [1, 1, 0])) == pytest.approx(
+        1, abs=4 * 3000 * EPS
+    )
+
+
+@pytest.mark.parametrize(
+    ("settings", "sentence"),
+    [
+        ({"turns": 0}, "^turns: expected a whole number of at least 1, got 0"),
+        ({"turns": -1}, "^turns: expected a whole number of at least 1, got -1"),
+        ({"turns": 1.5}, "^turns: expected a whole number of at least 1, got 1.5"),
+        ({"steps_per_turn": 2}, "^steps_per_turn: expected a whole number of at least 3, got 2"),
+        ({"step_formula": "euler"}, "^step formula: expected one of .*, got 'euler'"),
+        ({"angle_noise": -1e-9}, "^angle_noise: expected one number of at least 0"),
+        ({"angle_noise": [1e-9, 0]}, "^angle_noise: expected one number of at least 0"),
+        ({"angle_noise": np.nan}, "^angle_noise: expected finite numbers"),
+    ],
+)
+def test_impossible_experiments_are_refused(settings, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        TurnExperiment(**settings)
+
+
+def test_noise_needs_a_generator():
+    with pytest.raises(ValueError, match=r"^rng: expected a numpy Generator"):
+        TurnExperiment(angle_noise=1e-3).estimate(BENT, [1, 0, 0])
+
+
+@pytest.mark.parametrize("turns", [0, -1, 1.0, 0.5, True])
+@pytest.mark.parametrize(
+    "function",
+    [
+        lambda k: turn_estimate([0, 0, 0, 1], [1, 0, 0], k),
+        lambda k: exact_turn_estimate(BENT, [1, 0, 0], k),
+    ],
+)
+def test_only_whole_turns(function, turns):
+    with pytest.raises(ValueError, match=r"^turns: expected a whole number of at least 1"):
+        function(turns)
+
+
+def test_error_of_no_rotation_at_all_is_refused():
+    with pytest.raises(ValueError, match=r"^error_quaternion: expected nonzero quaternions"):
+        turn_estimate(np.zeros(4), [1, 0, 0])
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        lambda axis: turn_estimate([0, 0, 0, 1], axis),
+        lambda axis: exact_turn_estimate(BENT, axis),
+        lambda axis: TurnExperiment().error_quaternion(BENT, axis),
+    ],
+)
+def test_turn_about_no_axis_is_refused(function):
+    with pytest.raises(ValueError, match=r"^axis: expected nonzero vectors, got a zero vector"):
+        function([0, 0, 0])
+
+
+# The weighing design
+
+
+@given(arrays(float, 3, elements=st.floats(-1, 1)), st.floats(-1, 1))
+def test_weighing_finds_the_three_and_cancels_a_common_offset(sigmas, offset):
+    weighed = weighing(np.append(sigmas, sigmas.sum()) + offset)
+    np.testing.assert_allclose(weighed, sigmas, rtol=0, atol=16 * EPS)
+
+
+@given(four_numbers)
+def test_weighing_in_the_papers_own_letters(s):
+    expected = [
+        (s[0] - s[1] - s[2] + s[3]) / 2,
+        (-s[0] + s[1] - s[2] + s[3]) / 2,
+        (-s[0] - s[1] + s[2] + s[3]) / 2,
+    ]
+    np.testing.assert_allclose(weighing(s), expected, rtol=0, atol=4 * EPS)
+
+
+@given(four_numbers)
+def test_weighing_is_least_squares_with_an_unknown_offset(estimates):
+    design = np.vstack([np.eye(3), np.ones(3)])
+    with_offset = np.column_stack([design, np.ones(4)])
+    expected = np.linalg.lstsq(with_offset, estimates)[0][:3]
+    np.testing.assert_allclose(weighing(estimates), expected, rtol=0, atol=64 * EPS)
+
+
+def test_variance_factors_one_by_weighing_three_quarters_by_least_squares():
+    weights = weighing(np.eye(4)).T
+    np.testing.assert_array_equal(np.diag(weights @ weights.T), 1)
+    inverse = np.linalg.pinv(np.vstack([np.eye(3), np.ones(3)]))
+    np.testing.assert_allclose(np.diag(inverse @ inverse.T), 0.75, rtol=4 * EPS)
+
+
+def test_whole_experiment_finds_sigma_to_second_order():
+    estimates = exact_turn_estimate(BENT, YATES_AXES)
+    weighed = weighing(estimates * [1, 1, 1, 1.5])
+    # Each estimate is |A n| - 1 but for third order: at most |M|^2/2 beside n^T Sigma n.
+    bound = 0.5 * np.linalg.norm(BENT) ** 2 * (3 + 1.5) / 2
+    np.testing.assert_allclose(weighed, SIGMAS, rtol=0, atol=bound)
+
+
+# Least squares
+
+
+@pytest.mark.parametrize("scale", ["none", "common", "each"])
+@pytest.mark.parametrize("count", [6, 7, 20])
+def test_fit_is_numpys_least_squares(scale, count):
+    axes = random_axes(count)
+    estimates = np.random.default_rng(2).normal(size=count)
+    design = turn_design(axes, scale)
+    expected = np.linalg.lstsq(design, estimates)[0]
+    fit = fit_turns(estimates, axes, scale)
+    # Errors grow with the square of the design's condition number when there is a residual.
+    bound = 16 * EPS * np.linalg.cond(design) ** 2 * np.linalg.norm(estimates)
+    np.testing.assert_allclose(np.append(fit.sigma, fit.scale), expected, rtol=0, atol=bound)
+    np.testing.assert_allclose(
+        fit.covariance @ design.T @ design, np.eye(design.shape[1]), rtol=0, atol=bound
+    )
+
+
+@pytest.mark.parametrize(
+    ("scale", "errors", "found"),
+    [
+        ("none", [0, 0, 0], []),
+        ("common", [3e-4, 3e-4, 3e-4], [3e-4]),
+        ("each", [1e-4, -2e-4, 5e-4], [1e-4, -2e-4, 5e-4]),
+    ],
+)
+def test_fit_separates_scale_factors_from_non_orthogonality(scale, errors, found):
+    axes = random_axes(10)
+    fit = fit_turns(drift_coefficient(axes, BENT + np.diag(errors)), axes, scale)
+    np.testing.assert_allclose(fit.sigma, SIGMAS, rtol=0, atol=100 * EPS)
+    np.testing.assert_allclose(fit.scale, found, rtol=0, atol=100 * EPS)
+
+
+def test_common_offset_on_yates_axes_is_not_the_weighing():
+    """A common offset of the *estimates* is one and a half times as large in the fourth number."""
+    estimates = exact_turn_estimate(BENT, YATES_AXES)
+    offset = 1e-3
+    shifted = fit_turns(estimates + offset, YATES_AXES, "common")
+    plain = fit_turns(estimates, YATES_AXES, "common")
+    np.testing.assert_allclose(shifted.sigma, plain.sigma, rtol=0, atol=32 * EPS)
+    np.testing.assert_allclose(shifted.scale - plain.scale, offset, rtol=0, atol=32 * EPS)
+    moved = weighing((estimates + offset) * [1, 1, 1, 1.5]) - weighing(estimates * [1, 1, 1, 1.5])
+    np.testing.assert_allclose(moved, offset / 4, rtol=0, atol=8 * EPS)
+
+
+def test_fit_broadcasts_over_rows_of_estimates():
+    axes = random_axes(7)
+    estimates = np.random.default_rng(3).normal(size=(2, 4, 7))
+    estimates.setflags(write=False)
+    axes.setflags(write=False)
+    fit = fit_turns(estimates, axes, "each")
+    assert fit.sigma.shape == fit.scale.shape == (2, 4, 3)
+    for index in np.ndindex(2, 4):
+        one = fit_turns(estimates[index], axes, "each")
+        np.testing.assert_allclose(fit.sigma[index], one.sigma, rtol=0, atol=64 * EPS)
+        np.testing.assert_allclose(fit.scale[index], one.scale, rtol=0, atol=64 * EPS)
+
+
+@pytest.mark.parametrize("scale", ["none", "common", "each"])
+def test_covariance_is_that_of_many_noisy_fits(scale):
+    axes, count = random_axes(9), 20000
+    fit = fit_turns(np.random.default_rng(4).normal(size=(count, 9)), axes, scale)
+    found = np.cov(np.hstack([fit.sigma, fit.scale]).T)
+    # A sample covariance of Gaussians has the variance (C_ii C_jj + C_ij^2)/N; five sigma.
+    variances = np.diag(fit.covariance)
+    spread = np.sqrt((np.outer(variances, variances) + fit.covariance**2) / count)
+    assert (np.abs(found - fit.covariance) < 5 * spread).all()
+
+
+@pytest.mark.parametrize(
+    ("axes", "scale", "unknowns", "found"),
+    [
+        (PAIR_AXES[:2], "none", 3, 2),
+        (np.eye(3), "none", 3, 0),
+        (PAIR_AXES, "common", 4, 3),
+        (YATES_AXES, "each", 6, 4),
+        (np.vstack([PAIR_AXES, PAIR_AXES]), "each", 6, 3),
+    ],
+)
+def test_axes_that_do_not_determine_the_unknowns_are_refused(axes, scale, unknowns, found):
+    sentence = (
+        f"^axes: expected axes that determine {unknowns} unknowns, "
+        f"got {len(axes)} axes that determine {found}"
+    )
+    with pytest.raises(ValueError, match=sentence):
+        fit_turns(np.zeros(len(axes)), axes, scale)
+
+
+@pytest.mark.parametrize(
+    ("estimates", "axes", "scale", "sentence"),
+    [
+        (np.zeros(3), PAIR_AXES, "one", "^scale: expected one of none, common, each, got 'one'"),
+        (np.zeros(4), PAIR_AXES, "none", r"^estimates: expected shape \(\.\.\., 3\)"),
+        (np.zeros(3), PAIR_AXES[0], "none", r"^axes: expected shape \(m, 3\), got shape \(3,\)"),
+        (np.zeros(3), np.zeros((3, 3)), "none", "^axes: expected nonzero vectors"),
+        ([0, np.nan, 0], PAIR_AXES, "none", "^estimates: expected finite numbers"),
+    ],
+)
+def test_fit_refuses(estimates, axes, scale, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        fit_turns(estimates, axes, scale)

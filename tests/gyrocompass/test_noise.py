@@ -1,0 +1,232 @@
+"""Gyro noise against its covariance matrix, and means of it against direct sums over all pairs."""
+
+from dataclasses import FrozenInstanceError, fields
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.linalg import cholesky, solve_triangular, toeplitz
+from scipy.stats import chi2
+
+from driftlab.gyrocompass.noise import GyroNoise, moving_average
+from support import EPS
+
+MIXED = GyroNoise(white=0.7, slow=1.3, correlation_time=4.0, interval=0.5)
+WHITE = GyroNoise(white=0.7, slow=0.0)
+SLOW = GyroNoise(white=0.0, slow=1.3, correlation_time=4.0, interval=0.5)
+kinds = pytest.mark.parametrize("noise", [MIXED, WHITE, SLOW], ids=["mixed", "white", "slow"])
+
+
+def covariance(noise, count):
+    """Covariance matrix of `count` samples: exp(-|i - j| h/T) of the slow part, and the white."""
+    delays = noise.interval * np.arange(count)
+    return noise.slow**2 * toeplitz(np.exp(-delays / noise.correlation_time)) + (
+        noise.white**2 * np.eye(count)
+    )
+
+
+def assert_standard_normal(values):
+    """Rows (n, m) of independent numbers with mean zero and deviation one.
+
+    Each bound is passed by chance once in a million draws; the seeds are fixed.
+    """
+    low, high = chi2.ppf([0.5e-6, 1 - 0.5e-6], len(values)) / len(values)
+    squares = (values**2).mean(axis=0)
+    assert (low < squares).all()
+    assert (squares < high).all()
+    # Means and correlations of n normal numbers have deviations of 1/sqrt(n); 4.9 of them.
+    bound = 4.9 / np.sqrt(len(values))
+    assert (np.abs(values.mean(axis=0)) < bound).all()
+    products = values.T @ values / len(values)
+    assert (np.abs(products[np.triu_indices(values.shape[1], 1)]) < bound).all()
+
+
+# Samples
+
+
+@kinds
+def test_samples_have_the_covariance_of_a_gauss_markov_process_and_white_noise(noise):
+    """With the root of that matrix taken out, nothing but independent unit numbers is left."""
+    rows = noise.samples(30, np.random.default_rng(1), 20000)
+    root = cholesky(covariance(noise, 30), lower=True)
+    assert_standard_normal(solve_triangular(root, rows.T, lower=True).T)
+
+
+def test_rows_are_gyros_of_their_own():
+    found = MIXED.samples(5, np.random.default_rng(2), 8000, 2, 3)
+    assert found.shape == (8000, 2, 3, 5)
+    deviation = np.hypot(0.7, 1.3)
+    assert_standard_normal(found[..., 4].reshape(8000, 6) / deviation)
+
+
+@pytest.mark.parametrize("shape", [(), (4,), (2, 3)], ids=str)
+def test_samples_have_the_shape_that_was_asked_for(shape):
+    assert MIXED.samples(7, np.random.default_rng(0), *shape).shape == (*shape, 7)
+
+
+def test_same_seed_gives_the_same_noise_and_another_one_does_not():
+    first, again, other = (MIXED.samples(9, np.random.default_rng(seed)) for seed in (5, 5, 6))
+    np.testing.assert_array_equal(first, again)
+    assert (first != other).all()
+
+
+def test_noise_scales_with_its_sizes():
+    double = GyroNoise(2 * MIXED.white, 2 * MIXED.slow, MIXED.correlation_time, MIXED.interval)
+    found = (noise.samples(50, np.random.default_rng(3)) for noise in (MIXED, double))
+    once, twice = found
+    np.testing.assert_allclose(twice, 2 * once, rtol=4 * EPS)
+
+
+# Deviation of the mean
+
+
+@kinds
+@pytest.mark.parametrize("count", [1, 2, 3, 17, 400])
+def test_deviation_of_mean_is_the_sum_over_all_pairs(noise, count):
+    expected = np.sqrt(covariance(noise, count).sum()) / count
+    assert noise.deviation_of_mean(count) == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("count", [1, 36, 625, 2000])
+def test_deviation_of_mean_of_the_default_noise(count):
+    """Its interval is 36000 times shorter than its correlation time, which costs digits."""
+    noise = GyroNoise()
+    expected = np.sqrt(covariance(noise, count).sum()) / count
+    assert noise.deviation_of_mean(count) == pytest.approx(expected, rel=1e-9)
+
+
+def test_white_noise_falls_with_the_square_root():
+    for count in (1, 4, 625, 10**6):
+        assert WHITE.deviation_of_mean(count) == pytest.approx(0.7 / np.sqrt(count), rel=1e-14)
+
+
+@pytest.mark.parametrize("window", [0.01, 0.3, 1.0, 10.0, 1000.0])
+def test_slow_noise_in_short_steps_is_averaged_as_in_continuous_time(window):
+    """2 sigma^2 (x - 1 + exp(-x))/x^2, with x the window in correlation times."""
+    steps = 2000
+    noise = GyroNoise(0.0, 1.3, 1.0, window / steps)
+    expected = 1.3 * np.sqrt(2 * (window + np.expm1(-window))) / window
+    # A sum for an integral: second order in the step, down to the digits that short steps cost.
+    allowed = max((window / steps) ** 2, 1e-8)
+    assert noise.deviation_of_mean(steps) == pytest.approx(expected, rel=allowed)
+
+
+def test_slow_noise_averages_away_only_in_windows_longer_than_its_correlation_time():
+    hour = 3600.0
+    noise = GyroNoise(0.0, 1.0, hour, 1.0)
+    assert noise.deviation_of_mean(60) == pytest.approx(1, abs=0.004)
+    # sqrt(2 T/t) of it, less the two ends.
+    assert noise.deviation_of_mean(100 * 3600) == pytest.approx(
+        np.sqrt(2 / 100 * (1 - 1 / 100)), 1e-6
+    )
+
+
+@kinds
+def test_means_of_samples_are_as_large_as_stated(noise):
+    rows = noise.samples(40, np.random.default_rng(4), 20000)
+    # Of the means of 12 here, at the beginning and at the end of the rows, two far apart.
+    ends = moving_average(rows, 12)[:, [0, -1]] / noise.deviation_of_mean(12)
+    low, high = chi2.ppf([0.5e-6, 1 - 0.5e-6], 20000) / 20000
+    squares = (ends**2).mean(axis=0)
+    assert (low < squares).all()
+    assert (squares < high).all()
+
+
+# Moving average
+
+
+@given(st.lists(st.integers(-1000, 1000), min_size=1, max_size=30), st.data())
+def test_moving_average_is_the_mean_of_each_window(values, data):
+    """Whole numbers, whose sums are exact."""
+    window = data.draw(st.integers(1, len(values)))
+    row = np.array(values, float)
+    expected = [sum(values[i : i + window]) / window for i in range(len(row) - window + 1)]
+    np.testing.assert_array_equal(moving_average(row, window), expected)
+
+
+def test_moving_average_goes_along_the_last_axis():
+    values = np.random.default_rng(6).normal(size=(2, 3, 50))
+    found = moving_average(values, 8)
+    assert found.shape == (2, 3, 43)
+    for i in np.ndindex(2, 3):
+        expected = np.convolve(values[i], np.full(8, 1 / 8), mode="valid")
+        # Differences of sums of at most 50 numbers of size 4.
+        np.testing.assert_allclose(found[i], expected, rtol=0, atol=200 * EPS)
+
+
+def test_moving_average_leaves_its_argument_alone():
+    values = np.ones(5)
+    values.setflags(write=False)
+    np.testing.assert_array_equal(moving_average(values, 1), values)
+    np.testing.assert_array_equal(moving_average(values, 5), [1.0])
+
+
+# Sizes in the units of the field, and refusals
+
+
+def test_default_noise_in_the_units_of_the_paper():
+    hourly = np.pi / 180 / 3600
+    noise = GyroNoise()
+    assert noise.white / hourly == pytest.approx(0.5)
+    assert noise.slow / hourly == pytest.approx(0.01)
+    assert (noise.correlation_time, noise.interval) == (3600, 0.1)
+
+
+@pytest.mark.parametrize("name", [field.name for field in fields(GyroNoise)])
+def test_impossible_noise_is_refused_by_name(name):
+    kind = "number of at least 0" if name in ("white", "slow") else "positive time"
+    with pytest.raises(ValueError, match=rf"^{name}: expected a {kind}, got -1e-09\.$"):
+        GyroNoise(**{name: -1e-9})
+    with pytest.raises(ValueError, match=rf"^{name}: expected finite numbers, got 1 NaN"):
+        GyroNoise(**{name: np.nan})
+    with pytest.raises(ValueError, match=rf"^{name}: expected one number, got shape \(2,\)"):
+        GyroNoise(**{name: [1.0, 2.0]})
+    with pytest.raises(FrozenInstanceError):
+        setattr(GyroNoise(), name, 1.0)
+
+
+def test_noise_may_be_zero_and_times_may_not():
+    assert not GyroNoise(0, 0).samples(10, np.random.default_rng(0)).any()
+    for name in ("correlation_time", "interval"):
+        with pytest.raises(ValueError, match=rf"^{name}: expected a positive time, got 0\.$"):
+            GyroNoise(**{name: 0})
+
+
+@pytest.mark.parametrize("count", [0, -3, 2.0, True])
+def test_counts_that_are_no_counts_are_refused(count):
+    words = r"^{}: expected a whole number of at least 1, got"
+    with pytest.raises(ValueError, match=words.format("count")):
+        MIXED.samples(count, np.random.default_rng(0))
+    with pytest.raises(ValueError, match=words.format("count")):
+        MIXED.deviation_of_mean(count)
+    with pytest.raises(ValueError, match=words.format("window")):
+        moving_average(np.ones(5), count)
+
+
+def test_a_window_longer_than_the_row_is_refused():
+    words = r"^window: expected at most the number of values, 5, got 6\.$"
+    with pytest.raises(ValueError, match=words):
+        moving_average(np.ones((9, 5)), 6)
+
+
+@pytest.mark.parametrize("correlation_time", [1e6, 1e9, 1e15])
+def test_what_hardly_changes_does_not_average_away(correlation_time):
+    noise = GyroNoise(0.0, 1.0, correlation_time, 0.1)
+    assert noise.deviation_of_mean(1) == 1.0
+    # 1 - n h/(3 T) to first order in n h/T.
+    expected = np.sqrt(1 - 100 * 0.1 / (3 * correlation_time))
+    assert noise.deviation_of_mean(100) == pytest.approx(expected, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ([1.0, np.nan, 2.0], "^values: expected finite"),
+        ([[1.0], [2.0, 3.0]], "^values: expected real numbers, got rows"),
+        ([1.0, 2.0], "^window: expected at most the number of values, 2"),
+    ],
+)
+def test_moving_average_refuses_what_is_no_row(values, words):
+    with pytest.raises(ValueError, match=words):
+        moving_average(values, 3)

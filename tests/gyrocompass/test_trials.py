@@ -1,0 +1,278 @@
+"""Trials on a dial table against closed forms, and the range of a sample against known laws."""
+
+from math import comb
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+from scipy.spatial.transform import Rotation
+from scipy.special import gammaln
+from scipy.stats import beta, binom, chi, kstest, studentized_range
+
+from driftlab.earth import EARTH_RATE, gravity
+from driftlab.frames import attitude_from_angles
+from driftlab.gyrocompass.alignment import alignment_errors
+from driftlab.gyrocompass.trials import (
+    most_range_over_deviation,
+    normal_ranges,
+    range_over_deviation,
+    table_heading_error,
+)
+from driftlab.quaternion import rotate
+from support import EPS, order_of
+
+LATITUDE = np.radians(51.5)
+LEVEL_RATE = EARTH_RATE * np.cos(LATITUDE)
+DIAL = np.radians(np.arange(-360.0, 361.0, 15.0))
+DRIFT = np.array([0.6, -0.9, 0.8]) * 1e-2 * LEVEL_RATE
+OFFSET = np.array([3e-3, -5e-3, 4e-3]) * float(gravity(LATITUDE))
+NONE = np.zeros(3)
+
+
+def wrapped(angle):
+    return np.angle(np.exp(1j * angle))
+
+
+# On the dial table
+
+
+def test_a_perfect_compass_on_a_perfect_table_shows_the_dial():
+    errors = table_heading_error(DIAL, NONE, NONE, LATITUDE)
+    np.testing.assert_allclose(errors, 0, rtol=0, atol=32 * EPS)
+
+
+@pytest.mark.parametrize("north", [0.002, -1.0, 3.0, 4.0])
+def test_a_dial_that_is_not_set_to_north_adds_its_error(north):
+    errors = table_heading_error(DIAL, NONE, NONE, LATITUDE, north_error=north)
+    np.testing.assert_allclose(errors, wrapped(north), rtol=0, atol=32 * EPS)
+    assert (np.abs(errors) <= np.pi).all()
+
+
+def test_drifts_on_a_level_table_in_closed_form():
+    """The heading is the direction of the level rate in the body: exactly, not to first order."""
+    errors = table_heading_error(DIAL, DRIFT, NONE, LATITUDE)
+    forward = LEVEL_RATE * np.cos(DIAL) + DRIFT[0]
+    right = LEVEL_RATE * np.sin(DIAL) + DRIFT[2]
+    expected = wrapped(np.arctan2(right, forward) - DIAL)
+    np.testing.assert_allclose(errors, expected, rtol=0, atol=32 * EPS)
+    assert np.abs(errors).max() > 0.009
+
+
+def test_errors_of_the_unit_are_those_of_the_alignment_to_first_order():
+    attitude = attitude_from_angles(DIAL + 0.3, 0.0, 0.0)
+
+    def gap(size):
+        shown = table_heading_error(DIAL, size * DRIFT, size * OFFSET, LATITUDE, north_error=0.3)
+        local = (rotate(attitude, size * error) for error in (DRIFT, OFFSET))
+        return np.abs(shown - 0.3 - alignment_errors(DIAL + 0.3, 0.0, LATITUDE, *local).heading)
+
+    assert order_of(lambda size: gap(size).max()) == pytest.approx(2, abs=0.02)
+
+
+def test_a_leaning_table_turns_the_bow_by_the_rotation_alone():
+    """The compass finds the true heading of the leaning body: where its bow points."""
+    tilt = np.array([0.2, -0.3])
+    errors = table_heading_error(DIAL, NONE, NONE, LATITUDE, north_error=0.1, tilt=tilt)
+    heading = DIAL + 0.1
+    # A positive heading is West of North, and West is minus East.
+    level = np.stack([np.cos(heading), np.zeros_like(DIAL), -np.sin(heading)], axis=-1)
+    bow = Rotation.from_rotvec([0.2, 0.0, -0.3]).apply(level)
+    expected = wrapped(np.arctan2(-bow[:, 2], bow[:, 0]) - DIAL)
+    np.testing.assert_allclose(errors, expected, rtol=0, atol=64 * EPS)
+
+
+def test_a_tilt_does_harm_only_in_second_order_and_a_wrong_north_in_first():
+    tilt = np.array([1.0, 0.0])
+
+    def harm(**table):
+        return np.abs(table_heading_error(DIAL, NONE, NONE, LATITUDE, **table)).max()
+
+    assert order_of(lambda size: harm(tilt=size * tilt)) == pytest.approx(2, abs=0.01)
+    assert order_of(lambda size: harm(north_error=size)) == pytest.approx(1, abs=1e-9)
+    # Half of its square times the cosine and the sine of the angle to the bow: at most a quarter.
+    assert harm(tilt=1e-3 * tilt) == pytest.approx(1e-6 / 4, rel=1e-5)
+
+
+def test_a_whole_turn_of_the_dial_changes_nothing():
+    there, again = (
+        table_heading_error(DIAL + turn, DRIFT, OFFSET, LATITUDE, tilt=(0.01, 0.02))
+        for turn in (0, 2 * np.pi)
+    )
+    np.testing.assert_allclose(there, again, rtol=0, atol=64 * EPS)
+
+
+def test_many_units_at_once_are_each_what_it_is_alone():
+    rng = np.random.default_rng(1)
+    drift, offset = 1e-7 * rng.normal(size=(4, 1, 3)), 1e-3 * rng.normal(size=(2, 4, 1, 3))
+    north, tilt = 0.1 * rng.normal(size=(4, 1)), 0.01 * rng.normal(size=(2, 1, 1, 2))
+    latitude = rng.uniform(-1, 1, 5)
+    dial = rng.uniform(-3, 3, 5)
+    together = table_heading_error(dial, drift, offset, latitude, north_error=north, tilt=tilt)
+    assert together.shape == (2, 4, 5)
+    for i, j, k in np.ndindex(2, 4, 5):
+        alone = table_heading_error(
+            dial[k],
+            drift[j, 0],
+            offset[i, j, 0],
+            latitude[k],
+            north_error=north[j, 0],
+            tilt=tilt[i, 0, 0],
+        )
+        assert alone.shape == ()
+        assert alone == pytest.approx(together[i, j, k], abs=32 * EPS)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"dial": np.nan}, "^dial: expected finite"),
+        ({"drift": np.zeros(2)}, r"^drift: expected shape \(..., 3\)"),
+        ({"offset": 0.0}, r"^offset: expected shape \(..., 3\)"),
+        ({"north_error": "north"}, "^north_error: expected real numbers"),
+        ({"tilt": np.zeros(3)}, r"^tilt: expected shape \(..., 2\)"),
+        ({"dial": np.zeros(2), "drift": np.zeros((3, 3))}, "^dial, .*leading axes that broadcast"),
+        ({"latitude": np.pi / 2}, "^latitude: expected at most 89.9 degrees from the equator"),
+    ],
+)
+def test_refusals(arguments, words):
+    good = {"dial": 0.0, "drift": NONE, "offset": NONE, "latitude": LATITUDE}
+    with pytest.raises(ValueError, match=words):
+        table_heading_error(**{**good, **arguments})
+
+
+# Range over standard deviation
+
+spread_samples = arrays(float, st.integers(2, 12), elements=st.floats(-100, 100)).filter(
+    lambda values: np.ptp(values) > 1e-3
+)
+
+
+@given(spread_samples)
+def test_range_over_deviation_is_the_quotient(values):
+    mean = sum(values) / len(values)
+    variance = sum((value - mean) ** 2 for value in values) / (len(values) - 1)
+    expected = (max(values) - min(values)) / variance**0.5
+    # The mean of numbers up to 100, against a spread of 1e-3 at least.
+    assert float(range_over_deviation(values)) == pytest.approx(expected, rel=1e-9)
+
+
+@given(spread_samples)
+def test_no_sample_has_more_range_than_the_most_nor_less_than_halves_at_the_ends(values):
+    count = len(values)
+    ratio = float(range_over_deviation(values))
+    assert ratio <= most_range_over_deviation(count) * (1 + 1e-9)
+    # The largest variance of a range: half of the values at each of its ends.
+    assert ratio >= 2 * np.sqrt((count - 1) / count) * (1 - 1e-9)
+
+
+@pytest.mark.parametrize("count", [2, 3, 4, 5, 26, 1001])
+def test_two_at_the_ends_and_all_others_in_the_middle_have_the_most(count):
+    values = np.full(count, 5.0)
+    values[[0, -1]] = 3.0, 7.0
+    assert range_over_deviation(values) == pytest.approx(
+        most_range_over_deviation(count), rel=1e-12
+    )
+    assert most_range_over_deviation(count) == pytest.approx(np.sqrt(2 * count - 2))
+
+
+def test_range_over_deviation_asks_for_neither_place_nor_size():
+    rng = np.random.default_rng(2)
+    values = rng.normal(size=(3, 4, 10))
+    found = range_over_deviation(values)
+    assert found.shape == (3, 4)
+    for size in (-3.0, 1e-6, 1e6):
+        np.testing.assert_allclose(range_over_deviation(size * (values + 2)), found, rtol=1e-12)
+    np.testing.assert_allclose(range_over_deviation(values[1, 2]), found[1, 2], rtol=4 * EPS)
+
+
+def test_samples_without_spread_are_refused():
+    with pytest.raises(ValueError, match=r"^values: expected samples that spread, got equal"):
+        range_over_deviation([[1.0, 2.0, 3.0], [2.0, 2.0, 2.0]])
+    for few in (3.0, [3.0], [[1.0], [2.0]]):
+        with pytest.raises(ValueError, match=r"^values: expected at least two a sample, got shape"):
+            range_over_deviation(few)
+    with pytest.raises(ValueError, match=r"^values: expected finite numbers, got 1 NaN"):
+        range_over_deviation([1.0, np.nan])
+
+
+# Of normal samples
+
+
+@pytest.mark.parametrize("count", [3, 10, 26])
+def test_normal_ranges_times_an_independent_deviation_are_ranges(count):
+    """The ratio is independent of the sample's deviation, so any other one will do for it.
+
+    What comes out is the range of normal values in units of their true deviation: the studentized
+    range with infinitely many degrees of freedom.
+    """
+    rng = np.random.default_rng(count)
+    ratios = normal_ranges(count, 20000, rng)
+    assert ratios.shape == (20000,)
+    deviations = chi(count - 1).rvs(20000, random_state=rng) / np.sqrt(count - 1)
+    # The distance is passed by chance once in ten thousand draws; the seeds are fixed.
+    assert kstest(ratios * deviations, studentized_range(count, np.inf).cdf).pvalue > 1e-4
+
+
+@pytest.mark.parametrize("count", [4, 26])
+def test_moments_of_normal_ranges(count):
+    """E R = E(R/s) E s, and E R^2 = E(R/s)^2 because E s^2 = 1: R from SciPy, s from chi."""
+    trials = 50000
+    ratios = normal_ranges(count, trials, np.random.default_rng(3))
+    grid = np.linspace(0, 12, 1201)
+    above = studentized_range(count, np.inf).sf(grid)
+    first, second = np.trapezoid(above, grid), np.trapezoid(2 * grid * above, grid)
+    mean_deviation = np.sqrt(2 / (count - 1)) * np.exp(
+        gammaln(count / 2) - gammaln((count - 1) / 2)
+    )
+    mean = first / mean_deviation
+    # 4.9 deviations of a mean of so many.
+    bound = 4.9 * np.sqrt((second - mean**2) / trials)
+    assert ratios.mean() == pytest.approx(mean, abs=bound)
+    assert (ratios**2).mean() == pytest.approx(second, abs=4.9 * (ratios**2).std() / trials**0.5)
+
+
+def test_three_normal_values_lie_on_a_circle():
+    """Less their mean they have a direction in a plane, any; the ratio is 2 cos of an angle."""
+    ratios = normal_ranges(3, 20000, np.random.default_rng(4))
+    angles = np.arccos(np.minimum(ratios / 2, 1.0))
+    assert kstest(angles, "uniform", args=(0, np.pi / 6)).pvalue > 1e-4
+
+
+@pytest.mark.parametrize(("count", "ratio"), [(4, 2.2), (5, 2.6), (10, 4.0)])
+def test_far_tail_of_normal_ranges_in_closed_form(count, ratio):
+    """Beyond sqrt(3 (n - 1)/2) only one pair can be so far apart, and a pair follows a beta law."""
+    top = most_range_over_deviation(count)
+    assert np.sqrt(0.75) * top < ratio < top
+    pair = beta.sf((ratio / top) ** 2, 0.5, (count - 2) / 2)
+    trials = 100000
+    seen = np.count_nonzero(normal_ranges(count, trials, np.random.default_rng(5)) > ratio)
+    low, high = binom.ppf([0.5e-6, 1 - 0.5e-6], trials, comb(count, 2) * pair)
+    assert 10 < low <= seen <= high
+
+
+def test_two_values_have_one_ratio():
+    np.testing.assert_allclose(
+        normal_ranges(2, 100, np.random.default_rng(6)), np.sqrt(2), rtol=1e-9
+    )
+
+
+@pytest.mark.parametrize("count", [1, 0, 2.5, True])
+def test_ranges_of_less_than_two_values_are_refused(count):
+    words = r"^count: expected a whole number of at least 2, got"
+    with pytest.raises(ValueError, match=words):
+        most_range_over_deviation(count)
+    with pytest.raises(ValueError, match=words):
+        normal_ranges(count, 10, np.random.default_rng(0))
+    with pytest.raises(ValueError, match=r"^trials: expected a whole number of at least 1, got 0"):
+        normal_ranges(5, 0, np.random.default_rng(0))
+
+
+def test_equal_values_are_refused_and_small_ones_are_not():
+    for equal in ([0.1, 0.1, 0.1], [1e-200, 1e-200], [[1.0, 2.0], [3.0, 3.0]]):
+        with pytest.raises(ValueError, match=r"^values: expected samples that spread"):
+            range_over_deviation(equal)
+    for size in (1e-200, 1e200):
+        found = range_over_deviation(size * np.array([0.0, 1.0, 3.0]))
+        assert found == pytest.approx(3 / np.std([0.0, 1.0, 3.0], ddof=1), rel=1e-12)
