@@ -14,13 +14,13 @@ from driftlab import earth, frames, imu, quaternion, strapdown, triad, vectors
 from driftlab.attitude import cayley, coning_algorithms, finite_precision, integration, riccati
 from driftlab.calibration import error_dynamics, error_model, filter, static_navigation
 from driftlab.calibration import simulation as calibration_simulation
-from driftlab.drift.systematic_drift import (
+from driftlab.drift import (
     characteristic_equation,
     error_kinematics,
     systematic_drift,
     turn_calibration,
 )
-from driftlab.gyrocompass.alignment import (
+from driftlab.gyrocompass import (
     alignment,
     heading_error,
     levelling,

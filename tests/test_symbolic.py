@@ -9,7 +9,7 @@ from driftlab import quaternion, symbolic
 from driftlab.attitude import cayley, riccati
 from driftlab.attitude.coning_algorithms import ALGORITHMS
 from driftlab.attitude.integration import step_quaternions, step_vectors
-from driftlab.drift.systematic_drift import error_kinematics
+from driftlab.drift import error_kinematics
 from driftlab.vectors import cross_matrix
 
 RATE, MEASURED = np.array([0.3, -0.2, 0.7]), np.array([0.31, -0.25, 0.6])

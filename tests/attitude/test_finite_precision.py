@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from driftlab.attitude.cayley import rotation_quaternion
 from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.finite_precision import UPDATES, integrate_in_word, step_in_word
 from driftlab.attitude.integration import integrate, step_vectors
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
 from support import EPS, random_quaternions, vectors

@@ -5,23 +5,24 @@ from functools import cache
 
 import numpy as np
 import pytest
-from driftlab.book.catalogue import CATALOGUE
-from driftlab.book.machinery.entry import Entry
 from matplotlib.collections import Collection
 from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
+from driftlab.book.figures import figure_definitions
 from driftlab.book.machinery import picture
-from driftlab.book.machinery.publish import Plate
+from driftlab.book.machinery.publish import FigureDefinition, PublishedFigure
 from driftlab.book.panels import EXPLORERS
 
 COLOUR_WORDS = re.compile(
     r"\b(red|blue|green|orange|purple|violet|yellow|gr[ae]y|pink|cyan|magenta|vermilion)\b", re.I
 )
 
-shown = cache(Plate)
-every_figure = pytest.mark.parametrize("entry", CATALOGUE, ids=lambda entry: entry.name)
+shown = cache(PublishedFigure)
+every_figure = pytest.mark.parametrize(
+    "entry", figure_definitions().values(), ids=lambda entry: entry.name
+)
 
 
 def contrast(first, second="white"):
@@ -49,7 +50,7 @@ def test_every_line_style_of_the_book_stands_out_from_the_page():
 
 
 @every_figure
-def test_lines_and_texts_stand_out_from_the_page(entry: Entry) -> None:
+def test_lines_and_texts_stand_out_from_the_page(entry: FigureDefinition) -> None:
     figure = shown(entry)._figure
     for text in figure.findobj(Text):
         if text.get_text().strip() and text.get_visible():
@@ -65,7 +66,7 @@ def test_lines_and_texts_stand_out_from_the_page(entry: Entry) -> None:
 
 
 @every_figure
-def test_caption_is_sentences_and_names_no_colour(entry: Entry) -> None:
+def test_caption_is_sentences_and_names_no_colour(entry: FigureDefinition) -> None:
     caption, figure = shown(entry).caption, shown(entry)._figure
     assert re.match(r"[A-Z0-9“(].*[.”)]$", caption, re.DOTALL), caption
     written = [caption, *(text.get_text() for text in figure.findobj(Text))]
