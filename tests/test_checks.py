@@ -12,7 +12,7 @@ from driftlab.checks import (
     unit_quaternions,
     whole_number,
 )
-from driftlab.vectors import lengths
+from driftlab.core.vectors import norms
 from support import EPS, directions
 
 
@@ -66,7 +66,7 @@ def test_unit_vectors_and_norms_at_every_scale(vector, exponent):
     np.testing.assert_allclose(unit, vector / np.linalg.norm(vector), rtol=0, atol=4 * EPS)
     np.testing.assert_allclose(np.ldexp(norm, -exponent), np.linalg.norm(vector), rtol=4 * EPS)
     np.testing.assert_allclose(
-        lengths(np.ldexp(vector, exponent)), norm, rtol=4 * EPS, err_msg="lengths"
+        norms(np.ldexp(vector, exponent)), norm, rtol=4 * EPS, err_msg="norms"
     )
 
 

@@ -191,7 +191,7 @@ APART = {
     strapdown.navigate,
     imu.increment_rows,
     turntable.stand,
-    vectors.turning_average,
+    vectors.left_jacobian,
     imu.compensate,
     error_dynamics.free_growth,
     filter.calibrate,

@@ -7,11 +7,12 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
-from driftlab import strapdown
+from driftlab.core import strapdown as core
+from driftlab.core.strapdown import velocity_of_pairs
 from driftlab.earth import EARTH_RATE, curvature_radii, earth_rate, gravity
 from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme, simulate, stand
 from driftlab.quaternion import multiply, pure, rotate
-from driftlab.strapdown import Navigation, at_rest, last_of, navigate, velocity_of_pairs
+from driftlab.strapdown import Navigation, at_rest, last_of, navigate
 from support import EPS, order_of, random_quaternions, same_rotation
 
 RADIUS = 6.4e6  # m, about the Earth's
@@ -290,7 +291,7 @@ def test_tilted_unit_swings_like_a_pendulum_as_long_as_the_radius():
 
 def test_tilted_unit_follows_the_level_equations(monkeypatch):
     latitude, interval, chunk = 0.8, 0.5, 4.0
-    monkeypatch.setattr(strapdown, "CHUNK", chunk)
+    monkeypatch.setattr(core, "CHUNK", chunk)
     record = stand(UNTURNED, latitude, interval, 12_000)
     tilted = Rotation.from_rotvec([1e-4, -2e-4, 3e-4]).as_quat()
     start = at_rest(latitude, tilted, altitude=100.0)
@@ -318,7 +319,7 @@ def test_tilted_unit_follows_the_level_equations(monkeypatch):
 
 def test_altitude_is_put_back_every_chunk_and_the_level_motion_goes_on(monkeypatch):
     chunk, interval = 10.0, 0.01
-    monkeypatch.setattr(strapdown, "CHUNK", chunk)
+    monkeypatch.setattr(core, "CHUNK", chunk)
     # So far north it hardly matters what a put-back does to the speed that the Earth turns with.
     latitude = np.radians(89.8)
     start = AIRBORNE._replace(latitude=np.array(latitude))
@@ -392,7 +393,7 @@ def test_two_calls_in_a_row_are_one():
 def test_length_of_a_chunk_does_not_matter(monkeypatch, chunk):
     increments = TURN.increments(0.02, 3000)
     usual = navigate(AIRBORNE, *increments, 0.02, every=100)
-    monkeypatch.setattr(strapdown, "CHUNK", chunk)
+    monkeypatch.setattr(core, "CHUNK", chunk)
     same_states(navigate(AIRBORNE, *increments, 0.02, every=100), usual)
 
 

@@ -10,19 +10,38 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .checks import FloatArray, finite_array, finite_arrays
+from .core import earth as core
+from .core.earth import (
+    EARTH_RATE,
+    ECCENTRICITY_SQUARED,
+    EQUATOR_GRAVITY,
+    FLATTENING,
+    POLE_GRAVITY,
+    SEMI_MAJOR_AXIS,
+)
 
-EARTH_RATE = 7.292115e-5
-"""Angular rate of the Earth, rad/s."""
-SEMI_MAJOR_AXIS = 6378137.0
-"""Radius at the equator, m."""
-FLATTENING = 1 / 298.257223563
-ECCENTRICITY_SQUARED = FLATTENING * (2 - FLATTENING)
-EQUATOR_GRAVITY = 9.7803253359
-POLE_GRAVITY = 9.8321849378
+__all__ = [
+    "EARTH_RADIUS",
+    "EARTH_RATE",
+    "ECCENTRICITY_SQUARED",
+    "EQUATOR_GRAVITY",
+    "FLATTENING",
+    "POLE_GRAVITY",
+    "SEMI_MAJOR_AXIS",
+    "checked_gravity",
+    "checked_latitude",
+    "curvature_radii",
+    "earth_rate",
+    "geodetic",
+    "gravitation",
+    "gravity",
+    "position_vector",
+]
 
-_GRAVITY_GROWTH = (1 - FLATTENING) * POLE_GRAVITY / EQUATOR_GRAVITY - 1
+EARTH_RADIUS = SEMI_MAJOR_AXIS * (1 - FLATTENING / 3)
+"""Mean radius R of the ellipsoid, m. The Earth of Plotnikov's paper is a sphere."""
+
 _NEAREST_TO_POLE = np.radians(89.9)
-_DEEPEST = 6.2e6  # m from the centre; any point that a navigator can reach is farther
 
 
 def checked_latitude(latitude: ArrayLike) -> FloatArray:
@@ -37,114 +56,145 @@ def checked_latitude(latitude: ArrayLike) -> FloatArray:
     return values
 
 
-def earth_rate(latitude: ArrayLike) -> FloatArray:
-    """Angular rate (..., 3) of the Earth in East, North, Up, rad/s, at latitudes (...) in rad."""
-    latitude = finite_array(latitude, "latitude")
-    return EARTH_RATE * np.stack(
-        [np.zeros_like(latitude), np.cos(latitude), np.sin(latitude)], axis=-1
-    )
-
-
-def curvature_radii(latitude: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    """Radii of curvature (...) in m: along the meridian, and across it (the prime vertical)."""
-    sine = np.sin(finite_array(latitude, "latitude"))
-    squared = 1 - ECCENTRICITY_SQUARED * sine**2
-    across = SEMI_MAJOR_AXIS / np.sqrt(squared)
-    return across * (1 - ECCENTRICITY_SQUARED) / squared, across
-
-
-def gravity(latitude: ArrayLike, altitude: ArrayLike = 0.0) -> FloatArray:
-    """Normal gravity (...) in m/s^2: Somigliana's formula, linear in the altitude (...) in m."""
-    latitude, altitude = finite_arrays(latitude=(latitude,), altitude=(altitude,))
-    return _gravity(np.sin(latitude) ** 2, altitude)
-
-
-def _gravity(sine_squared: FloatArray, altitude: FloatArray) -> FloatArray:
-    surface = EQUATOR_GRAVITY * (1 + _GRAVITY_GROWTH * sine_squared)
-    surface = surface / np.sqrt(1 - ECCENTRICITY_SQUARED * sine_squared)
-    return surface * (1 - 2 / SEMI_MAJOR_AXIS * altitude)
-
-
-def position_vector(latitude: ArrayLike, altitude: ArrayLike) -> FloatArray:
-    """Vector (..., 3) in m from the Earth's centre to a point of the meridian of longitude zero."""
-    latitude, altitude = finite_arrays(latitude=(latitude,), altitude=(altitude,))
-    _, across = curvature_radii(latitude)
-    return np.stack(
-        [
-            (across + altitude) * np.cos(latitude),
-            np.zeros(np.broadcast_shapes(latitude.shape, altitude.shape)),
-            (across * (1 - ECCENTRICITY_SQUARED) + altitude) * np.sin(latitude),
-        ],
-        axis=-1,
-    )
-
-
-def geodetic(position: ArrayLike) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Latitude, longitude (rad) and altitude (m), each (...), of Earth-centred `position` (..., 3).
-
-    Bowring's formula: within 1e-11 rad up to 20 km from the ellipsoid.
-    """
-    x, y, rho, z = _cylindrical(position)
-    sine, cosine, altitude, _ = _geodetic(rho, z)
-    return np.arctan2(sine, cosine), np.arctan2(y, x), altitude
-
-
-def _cylindrical(position: ArrayLike) -> tuple[FloatArray, ...]:
-    """Components x and y, distance from the axis, and z of positions outside the inner Earth."""
-    x, y, z = np.moveaxis(finite_array(position, "position", 3), -1, 0)
-    squared = x * x + y * y
-    lowest = float((squared + z * z).min())
-    if lowest < _DEEPEST**2:
-        raise ValueError(
-            f"position: expected at least {_DEEPEST:.1e} m from the Earth's centre, "
-            f"got {lowest**0.5:.3g} m."
-        )
-    return x, y, np.sqrt(squared), z
-
-
-def _geodetic(
-    rho: FloatArray, z: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Sine and cosine of the latitude, altitude, and prime vertical radius; `rho` from the axis."""
-    minor = SEMI_MAJOR_AXIS * (1 - FLATTENING)
-    x, y = (1 - FLATTENING) * rho, z
-    size = np.sqrt(x * x + y * y)
-    reduced_cosine, reduced_sine = x / size, y / size
-    y = z + ECCENTRICITY_SQUARED / (1 - ECCENTRICITY_SQUARED) * minor * reduced_sine**3
-    x = rho - ECCENTRICITY_SQUARED * SEMI_MAJOR_AXIS * reduced_cosine**3
-    size = np.sqrt(x * x + y * y)
-    sine, cosine = y / size, x / size
-    inverse_across = np.sqrt(1 - ECCENTRICITY_SQUARED * sine * sine) / SEMI_MAJOR_AXIS
-    altitude = rho * cosine + z * sine - SEMI_MAJOR_AXIS**2 * inverse_across
-    return sine, cosine, altitude, 1 / inverse_across
-
-
-def gravitation(position: ArrayLike) -> FloatArray:
-    """Gravitation (..., 3) in m/s^2 at Earth-centred positions (..., 3) in m.
-
-    It is normal gravity without the centrifugal part, and does not depend on the longitude, so
-    inertial axes will do as well as axes that turn with the Earth.
-    """
-    x, y, rho, z = _cylindrical(position)
-    sine, _, altitude, across = _geodetic(rho, z)
-    down = _gravity(sine * sine, altitude)
-    # The cosine of the latitude is rho/(across + altitude), so nothing is divided by rho.
-    level = -down / (across + altitude) - EARTH_RATE**2
-    return np.stack([level * x, level * y, -down * sine], axis=-1)
-
-
-def ground_velocity(position: FloatArray) -> FloatArray:
-    """Velocity (..., 3) of the turning Earth at a position (..., 3)."""
-    x, y, z = np.moveaxis(position, -1, 0)
-    return EARTH_RATE * np.stack([-y, x, np.zeros_like(z)], axis=-1)
-
-
-EARTH_RADIUS = SEMI_MAJOR_AXIS * (1 - FLATTENING / 3)
-"""Mean radius R of the ellipsoid, m. The paper's Earth is a sphere."""
-
-
 def checked_gravity(gravity: FloatArray) -> FloatArray:
-    """Return gravity (...) in m/s^2, refusing what does not pull."""
+    """Return gravity (...) in m/s^2, refusing what is not positive."""
     if gravity.min() < np.finfo(float).tiny:
         raise ValueError(f"gravity: expected positive numbers, got {gravity.min():g}.")
     return gravity
+
+
+def earth_rate(latitude: ArrayLike) -> FloatArray:
+    """Angular rate of the Earth in East, North, Up.
+
+    Parameters
+    ----------
+    latitude : array_like, shape (...)
+        rad.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        rad/s.
+
+    Examples
+    --------
+    >>> np.degrees(earth_rate(np.radians(30.0))) * 3600  # degrees per hour
+    array([ 0.        , 13.02567028,  7.52037424])
+    """
+    return core.earth_rate(finite_array(latitude, "latitude"))
+
+
+def curvature_radii(latitude: ArrayLike) -> tuple[FloatArray, FloatArray]:
+    """Radii of curvature of the ellipsoid.
+
+    Parameters
+    ----------
+    latitude : array_like, shape (...)
+        rad.
+
+    Returns
+    -------
+    along, across : ndarray, shape (...)
+        Of the meridian, and across it (the prime vertical), m.
+
+    Examples
+    --------
+    >>> along, across = curvature_radii(0.0)
+    >>> print(f"{along:.0f} {across:.0f}")
+    6335439 6378137
+    """
+    return core.curvature_radii(finite_array(latitude, "latitude"))
+
+
+def gravity(latitude: ArrayLike, altitude: ArrayLike = 0.0) -> FloatArray:
+    """Normal gravity: Somigliana's formula, linear in the altitude.
+
+    Parameters
+    ----------
+    latitude : array_like, shape (...)
+        rad.
+    altitude : array_like, shape (...)
+        m.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        m/s^2.
+
+    Examples
+    --------
+    >>> gravity(np.radians([0.0, 45.0, 90.0])).round(4)
+    array([9.7803, 9.8062, 9.8322])
+    """
+    latitude, altitude = finite_arrays(latitude=(latitude,), altitude=(altitude,))
+    return core.gravity(np.sin(latitude) ** 2, altitude)
+
+
+def position_vector(latitude: ArrayLike, altitude: ArrayLike) -> FloatArray:
+    """Vector from the Earth's centre to a point of the meridian of longitude zero.
+
+    Parameters
+    ----------
+    latitude : array_like, shape (...)
+        rad.
+    altitude : array_like, shape (...)
+        m.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        m, Earth-centred axes.
+
+    Examples
+    --------
+    >>> position_vector(np.pi / 2, 0.0).round(0)  # the North pole
+    array([      0.,       0., 6356752.])
+    """
+    return core.position_vector(*finite_arrays(latitude=(latitude,), altitude=(altitude,)))
+
+
+def geodetic(position: ArrayLike) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Latitude, longitude and altitude of Earth-centred positions.
+
+    Bowring's formula: within 1e-11 rad up to 20 km from the ellipsoid.
+
+    Parameters
+    ----------
+    position : array_like, shape (..., 3)
+        m, at least 6.2e6 from the Earth's centre.
+
+    Returns
+    -------
+    latitude, longitude, altitude : ndarray, shape (...)
+        rad, rad and m.
+
+    Examples
+    --------
+    >>> [float(x) for x in geodetic([6378237.0, 0.0, 0.0])]
+    [0.0, 0.0, 100.0]
+    """
+    return core.geodetic(finite_array(position, "position", 3))
+
+
+def gravitation(position: ArrayLike) -> FloatArray:
+    """Gravitation at Earth-centred positions.
+
+    It is normal gravity without the centrifugal part, and does not depend on the longitude, so
+    inertial axes will do as well as axes that turn with the Earth.
+
+    Parameters
+    ----------
+    position : array_like, shape (..., 3)
+        m, at least 6.2e6 from the Earth's centre.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        m/s^2, in the axes of the positions.
+
+    Examples
+    --------
+    >>> gravitation([6378137.0, 0.0, 0.0]).round(4)
+    array([-9.8142,  0.    ,  0.    ])
+    """
+    return core.gravitation(finite_array(position, "position", 3))

@@ -12,9 +12,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from driftlab.core.quaternion import conjugate, rotate
+
 from .checks import FloatArray, finite_arrays, positive_number, unit_quaternions
 from .earth import EARTH_RADIUS, EARTH_RATE, checked_latitude
-from .quaternion import conjugate, rotate
 
 FROM_EAST_NORTH_UP: FloatArray = np.array([-0.5, -0.5, -0.5, 0.5])
 """Quaternion from East, North, Up to North, Up, East: every axis takes the next one's place."""
@@ -105,19 +106,3 @@ def refuse_vertical(pitch: FloatArray) -> None:
             "pitch: expected at most 89.9 degrees, because heading and roll are one turn in a "
             f"vertical body, got {np.degrees(worst):.6g} degrees."
         )
-
-
-def local_axes(latitude: FloatArray, longitude: FloatArray) -> FloatArray:
-    """Quaternion (..., 4) from East, North, Up to Earth-centred axes."""
-    half_tilt, half_turn = np.pi / 4 - latitude / 2, np.pi / 4 + longitude / 2
-    sine_tilt, cosine_tilt = np.sin(half_tilt), np.cos(half_tilt)
-    sine_turn, cosine_turn = np.sin(half_turn), np.cos(half_turn)
-    return np.stack(
-        [
-            cosine_turn * sine_tilt,
-            sine_turn * sine_tilt,
-            sine_turn * cosine_tilt,
-            cosine_turn * cosine_tilt,
-        ],
-        axis=-1,
-    )

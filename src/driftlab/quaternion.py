@@ -8,14 +8,11 @@ broadcast over any leading axes, and because products of long arrays take a frac
 
 from __future__ import annotations
 
-import math
-from typing import Any
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from .checks import FloatArray, finite_array, finite_arrays
-from .vectors import lengths
+from .core import quaternion as core
 
 
 def multiply(first: ArrayLike, second: ArrayLike) -> FloatArray:
@@ -29,110 +26,201 @@ def multiply(first: ArrayLike, second: ArrayLike) -> FloatArray:
     Returns
     -------
     ndarray, shape (..., 4)
+
+    Examples
+    --------
+    >>> multiply([1, 0, 0, 0], [0, 1, 0, 0])  # i∘j = k
+    array([0., 0., 1., 0.])
     """
-    pair = finite_arrays(first=(first, 4), second=(second, 4))
-    a, b = (np.moveaxis(quaternion, -1, 0) for quaternion in pair)
-    product: FloatArray = np.empty((*np.broadcast_shapes(a[0].shape, b[0].shape), 4))
-    product[..., 0] = a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1]
-    product[..., 1] = a[3] * b[1] + a[1] * b[3] + a[2] * b[0] - a[0] * b[2]
-    product[..., 2] = a[3] * b[2] + a[2] * b[3] + a[0] * b[1] - a[1] * b[0]
-    product[..., 3] = a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]
-    return product
+    return core.multiply(*finite_arrays(first=(first, 4), second=(second, 4)))
 
 
 def conjugate(quaternion: ArrayLike) -> FloatArray:
-    """Conjugate, (..., 4) to (..., 4): the inverse rotation of a unit quaternion."""
-    return finite_array(quaternion, "quaternion", 4) * np.array([-1.0, -1.0, -1.0, 1.0])
+    """Conjugate of a quaternion: the inverse rotation if it is of unit norm.
+
+    Parameters
+    ----------
+    quaternion : array_like, shape (..., 4)
+
+    Returns
+    -------
+    ndarray, shape (..., 4)
+
+    Examples
+    --------
+    >>> conjugate([1, 2, 3, 4])
+    array([-1., -2., -3.,  4.])
+    """
+    return core.conjugate(finite_array(quaternion, "quaternion", 4))
 
 
 def pure(vector: ArrayLike) -> FloatArray:
-    """Quaternion (..., 4) with the vector (..., 3) and scalar part zero."""
-    vector = finite_array(vector, "vector", 3)
-    return np.concatenate([vector, np.zeros_like(vector[..., :1])], axis=-1)
+    """Quaternion with a given vector part and scalar part zero.
+
+    Parameters
+    ----------
+    vector : array_like, shape (..., 3)
+
+    Returns
+    -------
+    ndarray, shape (..., 4)
+
+    Examples
+    --------
+    >>> pure([1, 2, 3])
+    array([1., 2., 3., 0.])
+    """
+    return core.pure(finite_array(vector, "vector", 3))
 
 
 def rotate(quaternion: ArrayLike, vector: ArrayLike) -> FloatArray:
-    """Reference components (..., 3) of body components `vector` (..., 3): q∘v∘conj(q).
+    """Reference components of a vector given in body components: q∘v∘conj(q).
 
-    `quaternion` (..., 4) must be of unit norm. The conjugate rotates the other way.
+    Parameters
+    ----------
+    quaternion : array_like, shape (..., 4)
+        Of unit norm. The conjugate rotates the other way.
+    vector : array_like, shape (..., 3)
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+
+    Examples
+    --------
+    A quarter turn about the third axis takes axis 1 to axis 2:
+
+    >>> rotate([0, 0, np.sqrt(0.5), np.sqrt(0.5)], [1, 0, 0]).round(15)
+    array([0., 1., 0.])
     """
-    pair = finite_arrays(quaternion=(quaternion, 4), vector=(vector, 3))
-    (x, y, z, w), v = (np.moveaxis(array, -1, 0) for array in pair)
-    # v + 2 w u×v + 2 u×(u×v) with u the vector part, and t = 2 u×v formed once.
-    t = 2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])
-    rotated: FloatArray = np.empty((*t[0].shape, 3))
-    rotated[..., 0] = v[0] + w * t[0] + y * t[2] - z * t[1]
-    rotated[..., 1] = v[1] + w * t[1] + z * t[0] - x * t[2]
-    rotated[..., 2] = v[2] + w * t[2] + x * t[1] - y * t[0]
-    return rotated
+    return core.rotate(*finite_arrays(quaternion=(quaternion, 4), vector=(vector, 3)))
 
 
 def to_matrix(quaternion: ArrayLike) -> FloatArray:
-    """Matrix (..., 3, 3) of the rotation that a unit quaternion (..., 4) describes."""
-    quaternion = finite_array(quaternion, "quaternion", 4)
-    return np.swapaxes(rotate(quaternion[..., np.newaxis, :], np.eye(3)), -1, -2)
+    """Matrix of the rotation that a unit quaternion describes.
+
+    Parameters
+    ----------
+    quaternion : array_like, shape (..., 4)
+        Of unit norm.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        Body components to reference components.
+
+    Examples
+    --------
+    >>> to_matrix([0, 0, 1, 0])  # half a turn about the third axis
+    array([[-1.,  0.,  0.],
+           [ 0., -1.,  0.],
+           [ 0.,  0.,  1.]])
+    """
+    return core.to_matrix(finite_array(quaternion, "quaternion", 4))
 
 
 def left_matrix(quaternion: ArrayLike) -> FloatArray:
-    """Matrix (..., 4, 4) of multiplication from the left: ``left_matrix(q) @ p = q∘p``."""
-    return _combine(quaternion, _LEFT_UNITS)
+    """Matrix of multiplication from the left: ``left_matrix(q) @ p`` is q∘p.
+
+    Parameters
+    ----------
+    quaternion : array_like, shape (..., 4)
+
+    Returns
+    -------
+    ndarray, shape (..., 4, 4)
+
+    Examples
+    --------
+    >>> left_matrix([1, 0, 0, 0]) @ [0, 1, 0, 0]
+    array([0., 0., 1., 0.])
+    """
+    return core.left_matrix(finite_array(quaternion, "quaternion", 4))
 
 
 def right_matrix(quaternion: ArrayLike) -> FloatArray:
-    """Matrix (..., 4, 4) of multiplication from the right: ``right_matrix(q) @ p = p∘q``."""
-    return _combine(quaternion, _RIGHT_UNITS)
+    """Matrix of multiplication from the right: ``right_matrix(q) @ p`` is p∘q.
 
+    Parameters
+    ----------
+    quaternion : array_like, shape (..., 4)
 
-# The matrices of the four units 1i, 1j, 1k, 1, flattened: any other is a combination of them.
-# Entry [u, a, b] is component a of unit_u∘unit_b (left) or unit_b∘unit_u (right).
-_PRODUCTS = multiply(np.eye(4)[:, np.newaxis], np.eye(4))
-_LEFT_UNITS = np.swapaxes(_PRODUCTS, 1, 2).reshape(4, 16)
-_RIGHT_UNITS = np.moveaxis(_PRODUCTS, (0, 1, 2), (2, 0, 1)).reshape(4, 16)
+    Returns
+    -------
+    ndarray, shape (..., 4, 4)
 
-
-def _combine(quaternion: ArrayLike, units: FloatArray) -> FloatArray:
-    quaternion = finite_array(quaternion, "quaternion", 4)
-    return (quaternion @ units).reshape(*quaternion.shape[:-1], 4, 4)
+    Examples
+    --------
+    >>> right_matrix([0, 1, 0, 0]) @ [1, 0, 0, 0]
+    array([0., 0., 1., 0.])
+    """
+    return core.right_matrix(finite_array(quaternion, "quaternion", 4))
 
 
 def from_rotation_vector(rotation_vector: ArrayLike) -> FloatArray:
-    """Unit quaternion (..., 4) of a rotation vector (..., 3) in radians.
+    """Unit quaternion of a rotation vector.
 
-    Its scalar part is cos(angle/2) for any angle, so ``t -> from_rotation_vector(w t)`` has no
-    jumps of sign.
+    Parameters
+    ----------
+    rotation_vector : array_like, shape (..., 3)
+        Axis times angle, rad.
+
+    Returns
+    -------
+    ndarray, shape (..., 4)
+        Its scalar part is cos(angle/2) for any angle, so ``t -> from_rotation_vector(w t)`` has no
+        jumps of sign.
+
+    Examples
+    --------
+    >>> from_rotation_vector([0, 0, np.pi])
+    array([0.000000e+00, 0.000000e+00, 1.000000e+00, 6.123234e-17])
     """
-    rotation_vector = finite_array(rotation_vector, "rotation_vector", 3)
-    half_angle = 0.5 * lengths(rotation_vector)
-    # sin(x)/x at x = 0 is 1; a tiny stand-in for 0 gives it without a division by zero.
-    half_angle = np.maximum(half_angle, np.finfo(float).tiny)
-    quaternion = np.empty((*half_angle.shape, 4))
-    quaternion[..., :3] = (0.5 * np.sin(half_angle) / half_angle)[..., np.newaxis] * rotation_vector
-    quaternion[..., 3] = np.cos(half_angle)
-    return quaternion
+    return core.from_rotation_vector(finite_array(rotation_vector, "rotation_vector", 3))
 
 
 def to_rotation_vector(quaternion: ArrayLike) -> FloatArray:
-    """Rotation vector (..., 3) in radians, of the shorter of the two rotations (angle up to pi).
+    """Rotation vector of the shorter of the two rotations of a quaternion (angle up to pi).
 
-    The quaternion (..., 4) need not be of unit norm; a zero quaternion is refused.
+    Parameters
+    ----------
+    quaternion : array_like, shape (..., 4)
+        Need not be of unit norm; a zero quaternion is refused.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        rad.
+
+    Examples
+    --------
+    >>> to_rotation_vector([0, 0, 1, 1])  # a quarter turn about the third axis
+    array([0.        , 0.        , 1.57079633])
     """
     quaternion = finite_array(quaternion, "quaternion", 4)
-    largest = np.abs(quaternion).max(axis=-1, keepdims=True)
-    if not largest.all():
+    if not quaternion.any(axis=-1).all():
         raise ValueError("quaternion: expected nonzero quaternions, got a zero quaternion.")
-    # All multiples of q are one rotation: take the one with the scalar part not negative, and of
-    # a size whose squares neither underflow nor overflow.
-    size = np.where(quaternion[..., 3:] < 0, -largest, largest)
-    scaled: FloatArray = quaternion / size
-    vector, scalar = scaled[..., :3], scaled[..., 3:]
-    sine = np.linalg.norm(vector, axis=-1, keepdims=True)
-    angle = 2.0 * np.arctan2(sine, scalar)
-    # Where the vector part vanishes, the scalar part is 1 and angle/sine tends to 2.
-    return np.divide(angle, sine, out=np.full_like(sine, 2.0), where=sine > 0) * vector
+    return core.to_rotation_vector(quaternion)
 
 
 def rotation_angle(quaternion: ArrayLike) -> FloatArray:
-    """Angle (...) in radians, 0 to pi, of the rotation that a quaternion (..., 4) describes."""
+    """Angle of the rotation that a quaternion describes.
+
+    Parameters
+    ----------
+    quaternion : array_like, shape (..., 4)
+        Need not be of unit norm; a zero quaternion is refused.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        rad, 0 to pi.
+
+    Examples
+    --------
+    >>> rotation_angle([[0, 0, 1, 1], [0, 0, 0, -1]])
+    array([1.57079633, 0.        ])
+    """
     return np.linalg.norm(to_rotation_vector(quaternion), axis=-1)
 
 
@@ -148,69 +236,14 @@ def cumulative_product(quaternions: ArrayLike) -> FloatArray:
     -------
     ndarray, shape (..., n, 4)
 
-    Notes
-    -----
-    A row of n is cut into about sqrt(n) blocks. The products inside the blocks are formed in step,
-    all blocks at once; the products of whole blocks are a row of their own, done in the same way;
-    and one more product puts each block after those before it. So nearly all of the work is
-    NumPy's, on arrays of sqrt(n), with two quaternion products an element.
+    Examples
+    --------
+    >>> cumulative_product([[0, 0, 1, 0], [0, 0, 1, 0], [0, 0, 1, 0]])
+    array([[ 0.,  0.,  1.,  0.],
+           [ 0.,  0.,  0., -1.],
+           [ 0.,  0., -1.,  0.]])
     """
     quaternions = finite_array(quaternions, "quaternions", 4)
     if quaternions.ndim < 2:
         raise ValueError(f"quaternions: expected shape (..., n, 4), got shape {quaternions.shape}.")
-    rows = np.moveaxis(quaternions.reshape(-1, *quaternions.shape[-2:]), 1, 0)
-    first, second = rows[..., 3] + 1j * rows[..., 2], rows[..., 0] + 1j * rows[..., 1]
-    _scan(first, second)
-    products = np.empty(quaternions.shape)
-    rows = np.moveaxis(products.reshape(-1, *quaternions.shape[-2:]), 1, 0)
-    rows[..., 3], rows[..., 2] = first.real, first.imag
-    rows[..., 0], rows[..., 1] = second.real, second.imag
-    return products
-
-
-# A quaternion x i + y j + z k + w is a + b i with the pair a = w + z k, b = x + y k of ordinary
-# complex numbers in k, because j = k i. Four complex products then make one of quaternions.
-_Pair = tuple[NDArray[np.complex128], NDArray[np.complex128]]
-
-
-def _multiply_pairs(a: Any, b: Any, c: Any, d: Any) -> _Pair:
-    """Pair of (a + b i)∘(c + d i). Since i c = conj(c) i: a c - b conj(d) and a d + b conj(c)."""
-    first = a * c
-    other = np.conjugate(d)
-    other *= b
-    first -= other
-    second = a * d
-    np.conjugate(c, out=other)
-    other *= b
-    second += other
-    return first, second
-
-
-def _scan(first: NDArray[np.complex128], second: NDArray[np.complex128]) -> None:
-    """Turn the pairs (n, m) of m rows of quaternions into those of their products, in place."""
-    count, many = first.shape
-    if count < 6:
-        for i in range(1, count):
-            first[i], second[i] = _multiply_pairs(first[i - 1], second[i - 1], first[i], second[i])
-        return
-    length = math.isqrt(count - 1) + 1
-    blocks = -(-count // length)
-
-    def in_step(values: NDArray[np.complex128], rest: float) -> NDArray[np.complex128]:
-        """As (length, blocks, m), the last block filled up with `rest`."""
-        filled = np.full((blocks * length, many), rest, np.complex128)
-        filled[:count] = values
-        return np.ascontiguousarray(filled.reshape(blocks, length, many).swapaxes(0, 1))
-
-    a, b = in_step(first, 1.0), in_step(second, 0.0)
-    for i in range(1, length):
-        a[i], b[i] = _multiply_pairs(a[i - 1], b[i - 1], a[i], b[i])
-    before_a, before_b = a[-1].copy(), b[-1].copy()
-    _scan(before_a, before_b)
-    # Some rows at a time: few enough to stay in the processor's cache, else as many as can be.
-    rows = max(1, 2**13 // (blocks * many))
-    for i in range(0, length, rows):
-        here = np.s_[i : i + rows, 1:]
-        a[here], b[here] = _multiply_pairs(before_a[:-1], before_b[:-1], a[here], b[here])
-    first[:] = a.swapaxes(0, 1).reshape(-1, many)[:count]
-    second[:] = b.swapaxes(0, 1).reshape(-1, many)[:count]
+    return core.cumulative_product(quaternions)

@@ -25,7 +25,7 @@ from driftlab.quaternion import (
     rotate,
     to_rotation_vector,
 )
-from driftlab.vectors import turning_average
+from driftlab.vectors import left_jacobian
 from support import same_rotation
 
 LATITUDE = np.radians(51.5)
@@ -123,7 +123,7 @@ def test_a_spinning_body_at_rest_stays_level():
     count = 3000
     body = from_rotation_vector(spin * np.arange(count)[:, np.newaxis])
     # Without the Earth's rate; the mean of a vector that stands still while the body turns.
-    force = turning_average(-spin)
+    force = left_jacobian(-spin)
     velocity = np.einsum("ij,nj->ni", force, rotate(conjugate(body), [0.0, GRAVITY, 0.0]))
     found = operate(
         Horizon(np.array([0, 0, 0, 1.0]), np.zeros(2)),

@@ -22,7 +22,7 @@ from driftlab.motion.turntable import (
     stand,
 )
 from driftlab.quaternion import from_rotation_vector, multiply
-from driftlab.vectors import turning_average
+from driftlab.vectors import left_jacobian
 from support import EPS, quaternions, same_rotation, vectors
 
 LATITUDE = 0.97
@@ -427,30 +427,30 @@ def test_standing_is_the_first_pause_of_a_scheme(place):
 
 
 @given(vectors(6.0))
-def test_turning_average_is_the_mean_of_the_matrices(vector):
+def test_left_jacobian_is_the_mean_of_the_matrices(vector):
     # Up to 10.4 rad: thirty points are exact to rounding.
     points, weights = np.polynomial.legendre.leggauss(30)
     matrices = Rotation.from_rotvec(0.5 * (1 + points)[:, np.newaxis] * vector).as_matrix()
     expected = np.einsum("i,ijk->jk", 0.5 * weights, matrices)
-    np.testing.assert_allclose(turning_average(vector), expected, rtol=0, atol=64 * EPS)
+    np.testing.assert_allclose(left_jacobian(vector), expected, rtol=0, atol=64 * EPS)
 
 
 @given(vectors(6.0))
-def test_turning_average_times_the_cross_product_is_the_whole_rotation_less_one(vector):
+def test_left_jacobian_times_the_cross_product_is_the_whole_rotation_less_one(vector):
     """The matrix satisfies C' = C [w x], so its mean times [w x] is its growth."""
     cross = np.cross(vector, np.eye(3)).T
     growth = Rotation.from_rotvec(vector).as_matrix() - np.eye(3)
-    np.testing.assert_allclose(turning_average(vector) @ cross, growth, rtol=0, atol=256 * EPS)
+    np.testing.assert_allclose(left_jacobian(vector) @ cross, growth, rtol=0, atol=256 * EPS)
 
 
 def test_average_of_no_turn_is_the_unit_matrix():
-    np.testing.assert_array_equal(turning_average(np.zeros(3)), np.eye(3))
+    np.testing.assert_array_equal(left_jacobian(np.zeros(3)), np.eye(3))
 
 
 @pytest.mark.parametrize("size", [1e-12, 1e-9, 1e-6])
 def test_average_of_a_small_turn_is_half_of_it(size):
     vector = size * np.array([2.0, -1.0, 2.0])
-    average = turning_average(vector)
+    average = left_jacobian(vector)
     # The skew part begins with half the turn; what follows is smaller by the square over 12.
     np.testing.assert_allclose(
         (average - average.T) / 2, np.cross(vector, np.eye(3)).T / 2, rtol=1e-11, atol=0
@@ -463,7 +463,7 @@ def test_average_of_a_small_turn_is_half_of_it(size):
 
 @pytest.mark.parametrize("size", [5e-324, 1e-300, 1e-160])
 def test_turns_whose_squares_are_lost_do_no_harm(size):
-    np.testing.assert_allclose(turning_average([0, size, 0]), np.eye(3), rtol=0, atol=4 * EPS)
+    np.testing.assert_allclose(left_jacobian([0, size, 0]), np.eye(3), rtol=0, atol=4 * EPS)
 
 
 @pytest.mark.parametrize(

@@ -16,7 +16,7 @@ from driftlab.gyrocompass.simulation import take_along
 from driftlab.imu import PERFECT
 from driftlab.motion.vehicle import sensed_at_rest
 from driftlab.quaternion import conjugate, multiply, rotate, rotation_angle
-from driftlab.vectors import cross_matrix, wrapped
+from driftlab.vectors import cross_matrix, wrap_angle
 
 from .values import Rows, Values, listed
 
@@ -40,7 +40,7 @@ def alignment_budget(values: Values) -> Rows:
         return "none" if hidden else f"{np.degrees(error):.4f}°"
 
     def exact(name: str) -> str:
-        return said(wrapped(getattr(found, name) - getattr(true, name)), name)
+        return said(wrap_angle(getattr(found, name) - getattr(true, name)), name)
 
     terms = (
         "east gyro",

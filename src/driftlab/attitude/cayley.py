@@ -20,8 +20,9 @@ from driftlab.checks import (
     nonzero_vectors,
     unit_quaternions,
 )
-from driftlab.quaternion import pure, right_matrix
-from driftlab.vectors import lengths
+from driftlab.core.attitude import rotation_quaternion as core_rotation_quaternion
+from driftlab.core.quaternion import pure, right_matrix
+from driftlab.core.vectors import norms
 
 
 def cayley_transform(matrix: ArrayLike) -> FloatArray:
@@ -98,7 +99,7 @@ def cayley_vector(quaternion: ArrayLike, dimension: int = 4) -> FloatArray:
         if _checked(dimension) == 3:
             k = -vector / scalar
         else:
-            sine = lengths(vector)[..., np.newaxis]
+            sine = norms(vector)[..., np.newaxis]
             # v/(1 + s) equals ((1 - s)/|v|) v/|v|; either is free of cancellation for its sign.
             forward = vector / (1 + scalar)
             backward = (1 - scalar) / sine * (vector / sine)
@@ -123,15 +124,13 @@ def rotation_quaternion(vector: ArrayLike, dimension: int = 4) -> FloatArray:
     ndarray, shape (..., 4)
     """
     k = finite_array(vector, "vector", 3)
-    # Numerator and denominator are divided by the largest entry: its square may overflow.
+    if _checked(dimension) == 4:
+        return core_rotation_quaternion(k)
+    # Both are divided by the largest entry: its square may overflow.
     size = np.maximum(np.abs(k).max(axis=-1, keepdims=True), 1.0)
-    k, unit = k / size, 1 / size
-    square = np.sum(k**2, axis=-1, keepdims=True)
-    if _checked(dimension) == 3:
-        quaternion = np.concatenate([-k, unit], axis=-1)
-        return quaternion / np.sqrt(square + unit**2)
-    quaternion = np.concatenate([-2 * unit * k, unit**2 - square], axis=-1)
-    return quaternion / (unit**2 + square)
+    k, one = k / size, 1 / size
+    quaternion = np.concatenate([-k, one], axis=-1)
+    return quaternion / np.sqrt(np.sum(k**2, axis=-1, keepdims=True) + one**2)
 
 
 def shadow(vector: ArrayLike) -> FloatArray:

@@ -1,4 +1,4 @@
-"""Attitude from the angle increments of gyros, by an algorithm of `algorithm_table`."""
+"""Attitude from the angle increments of gyros, by an algorithm of `coning_algorithms`."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from driftlab.checks import FloatArray, finite_array, finite_arrays, unit_quaternions
-from driftlab.quaternion import cumulative_product, from_rotation_vector, multiply
-from driftlab.vectors import cross
+from driftlab.core import attitude as core
+from driftlab.core.attitude import rotation_quaternion, turns_too_far
+from driftlab.core.quaternion import cumulative_product, from_rotation_vector, multiply
 
-from .cayley import rotation_quaternion
-from .coning_algorithms import Algorithm, Weights, attitude_algorithm
+from .coning_algorithms import Algorithm, attitude_algorithm
 
 
 def integrate(
@@ -96,7 +96,7 @@ def step_vectors(
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
     largest = float(np.abs(rows).max())
     if largest >= 2 * np.pi and chosen.iterate != "rotation vector":
-        raise _too_far(largest)
+        raise turns_too_far(largest)
     if largest > 1e12:  # not even the rounding of such an angle is small
         raise ValueError(f"increments: expected angles in rad, got {largest:.3g}.")
     count, left_over = rows.shape[-2], rows.shape[-2] % chosen.samples
@@ -111,7 +111,7 @@ def step_vectors(
                 f"increments: expected at least {chosen.window} for {chosen.name} to start without "
                 f"a history, got {count}."
             )
-        return _vectors(chosen, _in_word(rows, dtype), past=0)
+        return core.step_vectors(chosen, _in_word(rows, dtype), past=0)
     past = finite_array(history, "history", 3)
     if past.ndim < 2 or past.shape[-2] < chosen.memory:
         raise ValueError(
@@ -124,7 +124,8 @@ def step_vectors(
         np.broadcast_to(part, (*leading, *part.shape[-2:]))
         for part in (past[..., -chosen.memory :, :], rows)
     ]
-    return _vectors(chosen, _in_word(np.concatenate(both, axis=-2), dtype), past=chosen.memory)
+    joined = _in_word(np.concatenate(both, axis=-2), dtype)
+    return core.step_vectors(chosen, joined, past=chosen.memory)
 
 
 def _checked_word(word: DTypeLike) -> np.dtype[Any]:
@@ -143,59 +144,3 @@ def _in_word(rows: FloatArray, dtype: np.dtype[Any]) -> NDArray[Any]:
     if not np.isfinite(rounded).all():
         raise ValueError(f"increments: expected numbers that {dtype} can hold, got larger ones.")
     return rounded
-
-
-def _too_far(angle: float) -> ValueError:
-    return ValueError(
-        "increments: expected less than a whole turn a step, where the true k is infinite, "
-        f"got {angle:.3g} rad."
-    )
-
-
-def _vectors(algorithm: Algorithm, increments: NDArray[Any], past: int) -> NDArray[Any]:
-    """`step_vectors` of checked increments, the first `past` of which are history."""
-    kind, m = increments.dtype.type, algorithm.samples
-    # Components first, so that everything but a cross product is plain arithmetic.
-    rows = np.ascontiguousarray(np.moveaxis(increments, -1, 0))
-    if algorithm.memory:
-        gamma, coning = rows[..., past:], _coning_with_memory(algorithm, rows, past)
-    else:
-        places = [rows[..., i::m] for i in range(m)]
-        gamma, coning = sum(places[1:], places[0]), _weighted(algorithm.coning, places)
-    if algorithm.iterate == "rotation vector":
-        return np.moveaxis(gamma + coning, 0, -1)
-    square = (gamma**2).sum(axis=0)
-    if not (square < 4 * np.pi**2).all():
-        raise _too_far(float(np.sqrt(square.max())))
-    if algorithm.iterate == "first":
-        vectors = kind(-1 / 4) * gamma
-    else:
-        vectors = kind(-1 / 4) * (gamma + coning) - kind(1 / 192) * square * gamma
-        if algorithm.iterate == "second":
-            # What the second iterate still has and the third removes.
-            vectors -= kind(1 / 32) * cross(gamma, coning)
-    return np.moveaxis(vectors, 0, -1)
-
-
-def _weighted(weights: Weights, places: list[NDArray[Any]]) -> NDArray[Any]:
-    """Sum of weight * g_i × g_j, where `places` holds the g (3, ...) at each place of the window.
-
-    Cross products with a common right factor are summed before they are multiplied out.
-    """
-    kind = places[0].dtype.type
-    total = np.zeros_like(places[0])
-    for j in sorted({j for _, j in weights}):
-        left = sum(kind(weight) * places[i] for (i, k), weight in weights.items() if k == j)
-        total += cross(left, places[j])
-    return total
-
-
-def _coning_with_memory(algorithm: Algorithm, rows: NDArray[Any], past: int) -> NDArray[Any]:
-    """Coning correction (3, ..., n) of an algorithm whose step is one increment."""
-    last = rows.shape[-1] - algorithm.memory
-    coning = _weighted(algorithm.coning, [rows[..., i : last + i] for i in range(algorithm.window)])
-    if past:
-        return coning
-    first = [rows[..., i : i + 1] for i in range(algorithm.window)]
-    starts = [_weighted(weights, first) for weights in algorithm.starts]
-    return np.concatenate([*starts, coning], axis=-1)

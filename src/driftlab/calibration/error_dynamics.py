@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray
+from driftlab.core.quaternion import to_matrix
+from driftlab.core.vectors import cross_matrix
 from driftlab.earth import curvature_radii, earth_rate
 from driftlab.imu import Noise
-from driftlab.quaternion import to_matrix
-from driftlab.vectors import cross_matrix
 
 from .error_model import ErrorModel
 

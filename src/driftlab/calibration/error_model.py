@@ -18,10 +18,10 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from driftlab.checks import FloatArray, unit_quaternions
+from driftlab.core.quaternion import conjugate, multiply, to_matrix, to_rotation_vector
+from driftlab.core.vectors import cross_matrix
 from driftlab.imu import Spread, Unit
-from driftlab.quaternion import conjugate, multiply, to_matrix, to_rotation_vector
 from driftlab.triad import BODY_FRAMES, misalignment_vector
-from driftlab.vectors import cross_matrix
 
 AXES = "xyz"
 LOCAL_AXES = ("East", "North", "Up")

@@ -21,10 +21,11 @@ from driftlab.checks import (
     unit_quaternions,
     whole_number,
 )
+from driftlab.core.quaternion import from_rotation_vector, multiply
+from driftlab.core.strapdown import last_of, navigate
 from driftlab.earth import checked_latitude
 from driftlab.imu import Noise, Spread, Unit, increment_rows, without_errors
-from driftlab.quaternion import from_rotation_vector, multiply
-from driftlab.strapdown import at_rest, last_of, navigate
+from driftlab.strapdown import ALGORITHM, at_rest
 
 from .error_dynamics import free_growth, process_noise, transition_of_increments
 from .error_model import ErrorModel
@@ -144,7 +145,7 @@ def calibrate(
         true_angle, true_velocity = without_errors(
             angle[rows], velocity[rows], model.unit(state), seconds
         )
-        way = navigate(now, true_angle, true_velocity, seconds)
+        way = navigate(now, true_angle, true_velocity, seconds, ALGORITHM)
         attitudes = np.concatenate([now.attitude[..., np.newaxis, :], way.attitude], axis=-2)
         growth = transition_of_increments(
             model, free, attitudes, true_angle, true_velocity, seconds

@@ -12,11 +12,11 @@ from typing import NamedTuple
 import numpy as np
 
 from driftlab.checks import FloatArray, finite_number
+from driftlab.core.quaternion import from_rotation_vector, multiply, to_matrix
+from driftlab.core.vectors import cross_matrix
 from driftlab.earth import checked_latitude, earth_rate, gravity
 from driftlab.imu import Noise, Spread, Unit
 from driftlab.motion.turntable import Scheme, segments
-from driftlab.quaternion import from_rotation_vector, multiply, to_matrix
-from driftlab.vectors import cross_matrix
 
 from .error_dynamics import free_growth, process_noise, transition
 from .error_model import AXES, ERROR_MODELS, FULL, ErrorModel

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_number, whole_number
+from driftlab.core.quaternion import from_rotation_vector, multiply
 from driftlab.earth import checked_latitude
 from driftlab.imu import (
     Noise,
@@ -25,7 +26,6 @@ from driftlab.imu import (
     random_units,
 )
 from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme, simulate
-from driftlab.quaternion import from_rotation_vector, multiply
 from driftlab.triad import body_frame_rotation, change_body_frame
 
 from .error_model import attitude_error, attitude_of_axes, error_model_for

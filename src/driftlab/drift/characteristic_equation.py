@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import ComplexArray, FloatArray, finite_arrays, nonzero_vectors
-from driftlab.quaternion import left_matrix, pure, right_matrix
-from driftlab.vectors import lengths
+from driftlab.core.quaternion import left_matrix, pure, right_matrix
+from driftlab.core.vectors import norms
 
 from .systematic_drift import _along_and_across
 
@@ -47,7 +47,7 @@ def exact_roots(rate: ArrayLike, measured_rate: ArrayLike) -> ComplexArray:
     the difference of the two commuting halves of Omega_e.
     """
     rate, measured_rate = finite_arrays(rate=(rate, 3), measured_rate=(measured_rate, 3))
-    total = lengths(measured_rate) + lengths(rate)
+    total = norms(measured_rate) + norms(rate)
     # |w_hat| - |w| without the loss of digits that the subtraction would bring.
     middle = (measured_rate + rate) / np.where(total == 0, 1.0, total)[..., np.newaxis]
     difference = np.einsum("...i,...i->...", middle, measured_rate - rate)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_array, finite_arrays
-from driftlab.quaternion import (
+from driftlab.core.quaternion import (
     conjugate,
     from_rotation_vector,
     left_matrix,
@@ -21,7 +21,7 @@ from driftlab.quaternion import (
     pure,
     right_matrix,
 )
-from driftlab.vectors import lengths
+from driftlab.core.vectors import norms
 
 
 def rate_matrix(rate: ArrayLike) -> FloatArray:
@@ -109,7 +109,7 @@ def error_quaternion(rate: ArrayLike, measured_rate: ArrayLike, time: ArrayLike)
 
 def _half_turn(rate: FloatArray, time: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Cosine and sine of half the angle turned, and the unit axis (zero where the rate is zero)."""
-    norm = lengths(rate)
+    norm = norms(rate)
     axis = rate / np.where(norm == 0, 1.0, norm)[..., np.newaxis]
     return np.cos(0.5 * norm * time), np.sin(0.5 * norm * time), axis
 

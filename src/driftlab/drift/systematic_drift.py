@@ -16,8 +16,8 @@ from driftlab.checks import (
     finite_arrays,
     nonzero_vectors,
 )
+from driftlab.core.vectors import norms
 from driftlab.triad import measured_rate, non_orthogonality
-from driftlab.vectors import lengths
 
 
 def drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
@@ -43,7 +43,7 @@ def exact_drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> Fl
     n, _ = nonzero_vectors(direction, "direction")
     rho, across = _along_and_across(n, misalignment)
     # |A n| - 1 = (|A n|^2 - 1)/(|A n| + 1), without the loss of digits of the subtraction.
-    return (2 * rho + rho**2 + across) / (lengths(measured_rate(n, misalignment)) + 1)
+    return (2 * rho + rho**2 + across) / (norms(measured_rate(n, misalignment)) + 1)
 
 
 def _along_and_across(n: FloatArray, misalignment: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -19,7 +19,7 @@ from driftlab.checks import (
     nonzero_vectors,
     whole_number,
 )
-from driftlab.quaternion import cumulative_product, from_rotation_vector
+from driftlab.core.quaternion import cumulative_product, from_rotation_vector
 from driftlab.triad import measured_rate
 
 from .step_formulas import step_formula

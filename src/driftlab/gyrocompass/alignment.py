@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_arrays, nonzero_vectors
+from driftlab.core.vectors import norms
 from driftlab.earth import EARTH_RATE, checked_gravity, checked_latitude
 from driftlab.earth import gravity as normal_gravity
 from driftlab.frames import attitude_from_angles, pitch_and_roll, refuse_vertical
-from driftlab.vectors import lengths
 
 _LEAST_COLATITUDE = np.radians(0.1)
 
@@ -80,7 +80,7 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
     rate, force = finite_arrays(angular_rate=(angular_rate, 3), specific_force=(specific_force, 3))
     turn, size = nonzero_vectors(rate, "angular_rate")
     up, _ = nonzero_vectors(force, "specific_force")
-    across = lengths(np.cross(turn, up))
+    across = norms(np.cross(turn, up))
     if across.min() < np.sin(_LEAST_COLATITUDE):
         raise ValueError(
             "angular_rate, specific_force: expected directions more than 0.1 degrees from parallel,"

@@ -29,11 +29,11 @@ from driftlab.checks import (
     unit_quaternions,
     whole_number,
 )
+from driftlab.core.quaternion import from_rotation_vector
+from driftlab.core.vectors import cross, wrap_angle
 from driftlab.earth import EARTH_RADIUS
 from driftlab.frames import Angles, angles_from_attitude
 from driftlab.imu import increment_rows
-from driftlab.quaternion import from_rotation_vector
-from driftlab.vectors import cross, wrapped
 
 from .alignment import Alignment
 
@@ -105,7 +105,7 @@ class Operation(NamedTuple):
     @property
     def heading(self) -> FloatArray:
         """Psi = psi + Psi_K (..., k), rad, from -pi to pi; (heading)."""
-        return wrapped(self.yaw_pitch_roll.heading + self.compass_angle)
+        return wrap_angle(self.yaw_pitch_roll.heading + self.compass_angle)
 
 
 def schuler_tuning(radius: float = EARTH_RADIUS) -> Tuning:

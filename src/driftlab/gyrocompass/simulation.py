@@ -12,17 +12,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_array, finite_number, positive_number
-from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.frames import angles_from_attitude, geographic_rate
-from driftlab.motion.vehicle import Voyage, sensed_at_rest
-from driftlab.quaternion import (
+from driftlab.core.quaternion import (
     conjugate,
     from_rotation_vector,
     multiply,
     rotate,
     to_rotation_vector,
 )
-from driftlab.vectors import wrapped
+from driftlab.core.vectors import wrap_angle
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
+from driftlab.frames import angles_from_attitude, geographic_rate
+from driftlab.motion.vehicle import Voyage, sensed_at_rest
 
 from .alignment import align
 from .heading_error import (
@@ -106,7 +106,8 @@ def take_along(
     rate, up = sensed_at_rest(way.attitude[0], latitude)
     aligned = align(rate + drifts[..., 0, :], up + offsets)
     start = horizon_of(aligned)
-    bent = multiply(from_rotation_vector([0.0, 0.0, -finite_number(tilt, "tilt")]), start.attitude)
+    leaning = np.array([0.0, 0.0, -finite_number(tilt, "tilt")])
+    bent = multiply(from_rotation_vector(leaning), start.attitude)
     swing = float(np.sqrt(pull / EARTH_RADIUS * stiffness))
     force = way.velocity_increments + interval * offsets
     azimuth_rate = np.broadcast_to(
@@ -138,8 +139,8 @@ def _errors_of(found: Operation, way: Voyage, drift: FloatArray) -> ErrorsUnderW
     tilt = -to_rotation_vector(multiply(found.attitude, conjugate(true)))[..., [0, 2]]
     heading, pitch, _ = angles_from_attitude(true)
     deviation = speed_deviation(way.latitude[1:], way.velocity[1:])
-    compass_error = wrapped(found.compass_angle - deviation)
-    yaw_error = wrapped(found.yaw_pitch_roll.heading - heading)
+    compass_error = wrap_angle(found.compass_angle - deviation)
+    yaw_error = wrap_angle(found.yaw_pitch_roll.heading - heading)
     formula = operating_heading_error(
         way.latitude[1:],
         way.velocity[1:],

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_array, finite_arrays, whole_number
+from driftlab.core.quaternion import from_rotation_vector, multiply
+from driftlab.core.vectors import wrap_angle
 from driftlab.frames import attitude_from_angles
 from driftlab.motion.vehicle import sensed_at_rest
-from driftlab.quaternion import from_rotation_vector, multiply
-from driftlab.vectors import wrapped
 
 from .alignment import align
 
@@ -54,7 +54,7 @@ def table_heading_error(
         from_rotation_vector(leaning), attitude_from_angles(shown + north, 0.0, 0.0)
     )
     rate, force = sensed_at_rest(attitude, place)
-    return wrapped(align(rate + drifts, force + offsets).heading - shown)
+    return wrap_angle(align(rate + drifts, force + offsets).heading - shown)
 
 
 def range_over_deviation(values: ArrayLike) -> FloatArray:

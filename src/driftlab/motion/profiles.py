@@ -19,7 +19,7 @@ from driftlab.checks import (
     nonzero_vectors,
     whole_number,
 )
-from driftlab.quaternion import from_rotation_vector, multiply
+from driftlab.core.quaternion import from_rotation_vector, multiply
 
 
 class Motion(Protocol):

@@ -23,9 +23,9 @@ from driftlab.checks import (
     unit_quaternions,
     whole_number,
 )
+from driftlab.core.quaternion import conjugate, from_rotation_vector, multiply, rotate
+from driftlab.core.vectors import left_jacobian
 from driftlab.earth import checked_latitude, earth_rate, gravity
-from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotate
-from driftlab.vectors import turning_average
 
 DIRECTIONS = MappingProxyType({
     "East": (1, 0, 0), "West": (-1, 0, 0),
@@ -205,7 +205,7 @@ def _sense(
     # A vector fixed to the Earth turns backwards in body axes, by the angle x in an interval.
     to_body = conjugate(attitude[:-1])
     x = segment.rate * interval
-    seen = turning_average(-x * segment.axis)
+    seen = left_jacobian(-x * segment.axis)
     turned = (x * segment.axis) + interval * rotate(to_body, earth) @ seen.T
     pushed = interval * rotate(to_body, force) @ seen.T
     return turned, pushed, attitude[1:]

@@ -20,16 +20,17 @@ from driftlab.checks import (
     positive_number,
     unit_quaternions,
 )
-from driftlab.earth import EARTH_RADIUS, EARTH_RATE, checked_gravity, checked_latitude
-from driftlab.earth import gravity as normal_gravity
-from driftlab.frames import FROM_EAST_NORTH_UP, attitude_from_angles, geographic_rate, local_axes
-from driftlab.quaternion import (
+from driftlab.core.earth import local_axes
+from driftlab.core.quaternion import (
     conjugate,
     from_rotation_vector,
     multiply,
     rotate,
     to_rotation_vector,
 )
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE, checked_gravity, checked_latitude
+from driftlab.earth import gravity as normal_gravity
+from driftlab.frames import FROM_EAST_NORTH_UP, attitude_from_angles, geographic_rate
 
 
 class Voyage(NamedTuple):

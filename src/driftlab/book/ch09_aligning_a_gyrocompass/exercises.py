@@ -14,7 +14,7 @@ from driftlab.gyrocompass.alignment import align, alignment_errors
 from driftlab.gyrocompass.noise import GyroNoise
 from driftlab.motion.vehicle import sensed_at_rest
 from driftlab.quaternion import rotate
-from driftlab.vectors import wrapped
+from driftlab.vectors import wrap_angle
 
 LATITUDE = float(np.radians(51.5))
 FORWARD_DRIFT = 0.05 * degree / hour
@@ -28,7 +28,7 @@ def _forward_gyro(headings: tuple[float, ...] = (0.0, 90.0)) -> FloatArray:
     true = np.radians(headings)
     rate, force = sensed_at_rest(attitude_from_angles(true, 0.0, 0.0), LATITUDE)
     found = align(rate + np.array([FORWARD_DRIFT, 0.0, 0.0]), force).heading
-    return np.degrees(wrapped(found - true))
+    return np.degrees(wrap_angle(found - true))
 
 
 def _at_west(rate: float) -> FloatArray:

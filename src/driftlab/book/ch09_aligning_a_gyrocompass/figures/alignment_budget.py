@@ -16,7 +16,7 @@ from driftlab.gyrocompass.alignment import (
 )
 from driftlab.motion.vehicle import sensed_at_rest
 from driftlab.quaternion import conjugate, multiply, rotate, rotation_angle
-from driftlab.vectors import wrapped
+from driftlab.vectors import wrap_angle
 
 LATITUDE = float(np.radians(51.5))
 """Saratov, the authors' town; their paper names no place."""
@@ -69,7 +69,7 @@ def compute(
     local = rotate(attitude, drifts), rotate(attitude, offsets)
     # In a vertical body heading and roll have no errors of their own; the attitude has.
     formula = alignment_errors(every, 0.0 if vertical else pitch, place, *local)
-    gaps = [wrapped(a - b) for a, b in zip(found, true, strict=True)]
+    gaps = [wrap_angle(a - b) for a, b in zip(found, true, strict=True)]
     if vertical:
         nothing = np.full_like(every, np.nan)
         formula = formula._replace(

@@ -10,7 +10,7 @@ from driftlab.frames import attitude_from_angles
 from driftlab.gyrocompass.alignment import align, alignment_errors
 from driftlab.motion.vehicle import sensed_at_rest
 from driftlab.quaternion import conjugate, rotate
-from driftlab.vectors import wrapped
+from driftlab.vectors import wrap_angle
 
 from .alignment_budget import DRIFT, LATITUDE, OFFSET
 
@@ -50,7 +50,7 @@ def compute() -> AlignmentTerms:
         gap = found.heading - at["heading"]
         formula = alignment_errors(at["heading"], at["pitch"], at["latitude"], DRIFT, OFFSET)
         terms[panel] = np.degrees(formula.heading_terms)
-        exact[panel] = np.degrees(wrapped(gap))
+        exact[panel] = np.degrees(wrap_angle(gap))
         surplus = formula.heading_terms[:, 2] * (np.tan(at["latitude"]) - 1)
         printed[panel] = np.degrees(formula.heading + surplus)
     return AlignmentTerms(terms, exact, printed)

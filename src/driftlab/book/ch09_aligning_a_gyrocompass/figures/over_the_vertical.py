@@ -10,7 +10,7 @@ from driftlab.frames import angles_from_attitude, attitude_from_angles
 from driftlab.gyrocompass.alignment import align
 from driftlab.motion.vehicle import sensed_at_rest
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
-from driftlab.vectors import wrapped
+from driftlab.vectors import wrap_angle
 
 from .alignment_budget import DRIFT, LATITUDE, OFFSET
 
@@ -46,7 +46,7 @@ def compute() -> OverTheVertical:
     found = align(rate + drift, force + offset)
 
     def spread(gap: FloatArray) -> FloatArray:
-        return np.asarray(np.sqrt(np.mean(wrapped(gap) ** 2, axis=0)))
+        return np.asarray(np.sqrt(np.mean(wrap_angle(gap) ** 2, axis=0)))
 
     away = rotation_angle(multiply(found.attitude, conjugate(attitude)))
     return OverTheVertical(

@@ -1,0 +1,92 @@
+"""Attitude from angle increments: the arithmetic behind `driftlab.attitude`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from driftlab.checks import FloatArray
+
+from .quaternion import from_rotation_vector
+from .vectors import cross
+
+if TYPE_CHECKING:
+    from driftlab.attitude.coning_algorithms import Algorithm, Weights
+
+
+def rotation_quaternion(k: FloatArray) -> FloatArray:
+    """Unit quaternion (..., 4) of a Cayley vector k (..., 3) = -tan(phi/4) e."""
+    # Numerator and denominator are divided by the largest entry: its square may overflow.
+    size = np.maximum(np.abs(k).max(axis=-1, keepdims=True), 1.0)
+    k, one = k / size, 1 / size
+    square = np.sum(k**2, axis=-1, keepdims=True)
+    quaternion = np.concatenate([-2 * one * k, one**2 - square], axis=-1)
+    return quaternion / (one**2 + square)
+
+
+def step_quaternions(algorithm: Algorithm, increments: FloatArray, past: int = 0) -> FloatArray:
+    """Rotation (..., m, 4) over each step; arguments as in `step_vectors`."""
+    vectors = step_vectors(algorithm, increments, past)
+    if algorithm.iterate == "rotation vector":
+        return from_rotation_vector(vectors)
+    return rotation_quaternion(vectors)
+
+
+def step_vectors(algorithm: Algorithm, increments: NDArray[Any], past: int = 0) -> NDArray[Any]:
+    """Vector (..., m, 3) of each step: k, or the rotation vector; of the increments (..., n, 3) the
+    first `past` are history."""
+    kind, m = increments.dtype.type, algorithm.samples
+    # Components first, so that everything but a cross product is plain arithmetic.
+    rows = np.ascontiguousarray(np.moveaxis(increments, -1, 0))
+    if algorithm.memory:
+        gamma, coning = rows[..., past:], _coning_with_memory(algorithm, rows, past)
+    else:
+        places = [rows[..., i::m] for i in range(m)]
+        gamma, coning = sum(places[1:], places[0]), _weighted(algorithm.coning, places)
+    if algorithm.iterate == "rotation vector":
+        return np.moveaxis(gamma + coning, 0, -1)
+    square = (gamma**2).sum(axis=0)
+    if not (square < 4 * np.pi**2).all():
+        raise turns_too_far(float(np.sqrt(square.max())))
+    if algorithm.iterate == "first":
+        vectors = kind(-1 / 4) * gamma
+    else:
+        vectors = kind(-1 / 4) * (gamma + coning) - kind(1 / 192) * square * gamma
+        if algorithm.iterate == "second":
+            # What the second iterate still has and the third removes.
+            vectors -= kind(1 / 32) * cross(gamma, coning)
+    return np.moveaxis(vectors, 0, -1)
+
+
+def turns_too_far(angle: float) -> ValueError:
+    """The refusal of a step whose vector k would be infinite."""
+    return ValueError(
+        "increments: expected less than a whole turn a step, where the true k is infinite, "
+        f"got {angle:.3g} rad."
+    )
+
+
+def _weighted(weights: Weights, places: list[NDArray[Any]]) -> NDArray[Any]:
+    """Sum of weight * g_i × g_j, where `places` holds the g (3, ...) at each place of the window.
+
+    Cross products with a common right factor are summed before they are multiplied out.
+    """
+    kind = places[0].dtype.type
+    total = np.zeros_like(places[0])
+    for j in sorted({j for _, j in weights}):
+        left = sum(kind(weight) * places[i] for (i, k), weight in weights.items() if k == j)
+        total += cross(left, places[j])
+    return total
+
+
+def _coning_with_memory(algorithm: Algorithm, rows: NDArray[Any], past: int) -> NDArray[Any]:
+    """Coning correction (3, ..., n) of an algorithm whose step is one increment."""
+    last = rows.shape[-1] - algorithm.memory
+    coning = _weighted(algorithm.coning, [rows[..., i : last + i] for i in range(algorithm.window)])
+    if past:
+        return coning
+    first = [rows[..., i : i + 1] for i in range(algorithm.window)]
+    starts = [_weighted(weights, first) for weights in algorithm.starts]
+    return np.concatenate([*starts, coning], axis=-1)

@@ -1,0 +1,56 @@
+"""Vectors of three components along the last axis, unless said otherwise."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from driftlab.checks import FloatArray
+
+
+def norms(vectors: FloatArray) -> FloatArray:
+    """Norms (...) of vectors (..., 3), right for vectors of any size."""
+    squares = np.asarray(np.einsum("...i,...i->...", vectors, vectors))
+    norms = np.asarray(np.sqrt(squares))
+    # Where squares may have under- or overflowed, take the slower way that forms none.
+    unsafe = ~((squares > 1e-280) & (squares < 1e300))
+    if unsafe.any():
+        x, y, z = vectors[unsafe].T
+        norms[unsafe] = np.hypot(np.hypot(x, y), z)
+    return norms
+
+
+def cross(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
+    """Cross product of vectors whose components stand along the *first* axis, (3, ...)."""
+    return np.stack(
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    )
+
+
+def cross_matrix(vector: FloatArray) -> FloatArray:
+    """Matrix (..., 3, 3) of ``vector × ...``, for vectors (..., 3)."""
+    matrix = np.zeros((*vector.shape, 3))
+    matrix[..., 0, 1], matrix[..., 0, 2] = -vector[..., 2], vector[..., 1]
+    matrix[..., 1, 0], matrix[..., 1, 2] = vector[..., 2], -vector[..., 0]
+    matrix[..., 2, 0], matrix[..., 2, 1] = -vector[..., 1], vector[..., 0]
+    return matrix
+
+
+def left_jacobian(vector: FloatArray) -> FloatArray:
+    """Left Jacobian (3, 3) of SO(3) at a rotation vector (3,).
+
+    It is the mean of the rotation matrices from the identity to the rotation itself.
+    """
+    angle = float(np.linalg.norm(vector))
+    if angle == 0:
+        return np.eye(3)
+    n = vector / angle
+    sine, cosine = np.sin(angle) / angle, 2 * np.sin(angle / 2) ** 2 / angle
+    return sine * np.eye(3) + cosine * cross_matrix(n) + (1 - sine) * np.outer(n, n)
+
+
+def wrap_angle(angle: FloatArray) -> FloatArray:
+    """Angles (...) in rad brought to -pi to pi."""
+    return np.asarray(np.arctan2(np.sin(angle), np.cos(angle)))
