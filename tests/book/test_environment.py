@@ -23,12 +23,12 @@ def test_names_what_is_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
     def version(name: str) -> str:
         if name == "sympy":
             raise metadata.PackageNotFoundError(name)
-        return "8.1.9" if name == "ipywidgets" else real(name)
+        return "9.0" if name == "ipywidgets" else real(name)
 
     monkeypatch.setattr(environment.metadata, "version", version)
     monkeypatch.setattr(environment.platform, "python_version", lambda: "3.9.1")
     assert environment.problems() == [
         "Python >=3.11 is needed; this is 3.9.1.",
-        "ipywidgets 8.1.9 is installed; ipywidgets==8.1.8 is needed.",
+        "ipywidgets 9.0 is installed; ipywidgets<9,>=8.1 is needed.",
         "sympy is not installed; sympy>=1.13 is needed.",
     ]

@@ -8,14 +8,15 @@ from packaging.specifiers import SpecifierSet
 
 ADVICE = (
     "Start the book with 'python3 lab.py', which sets everything up, or install what is missing "
-    "with 'pip install -r environment.txt -e .' in the book's folder; then restart the kernel."
+    "with 'pip install -e .[book]' in the book's folder; then restart the kernel."
 )
 
 
 def problems(package: str = "driftlab") -> list[str]:
     """Return one sentence for each thing that is wrong; an empty list if all is well.
 
-    What is needed is what the installed `package` says of itself, hence pyproject.toml.
+    What is needed is what the installed `package` says of itself and of its extra "book", hence
+    what pyproject.toml says.
     """
     try:
         about = metadata.metadata(package)
@@ -29,10 +30,12 @@ def problems(package: str = "driftlab") -> list[str]:
         try:
             version = metadata.version(need.name)
         except metadata.PackageNotFoundError:
-            found.append(f"{need.name} is not installed; {need} is needed.")
+            found.append(f"{need.name} is not installed; {need.name}{need.specifier} is needed.")
             continue
         if not need.specifier.contains(version, prereleases=True):
-            found.append(f"{need.name} {version} is installed; {need} is needed.")
+            found.append(
+                f"{need.name} {version} is installed; {need.name}{need.specifier} is needed."
+            )
     return found
 
 
@@ -49,4 +52,5 @@ def report(package: str = "driftlab") -> str:
 
 def _needs(package: str) -> list[Requirement]:
     needs = map(Requirement, metadata.requires(package) or [])
-    return [need for need in needs if need.marker is None or need.marker.evaluate({"extra": ""})]
+    book = {"extra": "book"}
+    return [need for need in needs if need.marker is None or need.marker.evaluate(book)]

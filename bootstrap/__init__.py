@@ -1,0 +1,1 @@
+"""What lab.py needs before there is an environment; only the standard library is used."""
