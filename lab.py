@@ -166,7 +166,7 @@ def test(arguments: list[str]) -> int:
 def figures(arguments: list[str]) -> int:
     expect_none(arguments)
     set_up()
-    return run("-m", "driftlab.figures")
+    return run("-m", "driftlab.book", "figures")
 
 
 def bench(arguments: list[str]) -> int:
