@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
-from driftlab.checks import FloatArray, unit_quaternions
+from driftlab.checks import FloatArray, finite_arrays, unit_quaternions
 from driftlab.core.quaternion import conjugate, multiply, to_matrix, to_rotation_vector
 from driftlab.core.vectors import cross_matrix
 from driftlab.imu import Spread, Unit
@@ -186,5 +186,22 @@ def attitude_of_axes(attitude: ArrayLike, rotation: FloatArray) -> FloatArray:
 
 
 def attitude_error(computed: ArrayLike, true: ArrayLike) -> FloatArray:
-    """Error phi (..., 3) in rad, East, North, Up: the computed axes are (E - [phi×]) C."""
+    """Error phi of a computed attitude: the computed axes are (E - [phi×]) C.
+
+    Parameters
+    ----------
+    computed, true : array_like, shape (..., 4)
+        Unit quaternions, body to East, North, Up.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        rad about East, North, Up.
+
+    Examples
+    --------
+    >>> attitude_error([0, 0, -0.5e-3, 1], [0, 0, 0, 1]).round(6)
+    array([-0.   , -0.   ,  0.001])
+    """
+    computed, true = finite_arrays(computed=(computed, 4), true=(true, 4))
     return -to_rotation_vector(multiply(computed, conjugate(true)))
