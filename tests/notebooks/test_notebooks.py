@@ -1,12 +1,13 @@
 """Every notebook is clean in the repository, runs from a clean kernel, and hides no error."""
 
 import re
-from functools import cache
 from itertools import pairwise
 from pathlib import Path
+from typing import NamedTuple
 
 import nbformat
 import pytest
+from interpreter import run_here
 from nbclient import NotebookClient
 from nbconvert import SlidesExporter
 from nbformat import NotebookNode
@@ -20,6 +21,8 @@ NOTEBOOKS = sorted(
     path for path in FOLDER.rglob("*.ipynb") if ".ipynb_checkpoints" not in path.parts
 )
 CHAPTERS = sorted(FOLDER.glob("0[1-9]_*.ipynb")) + sorted(FOLDER.glob("1[01]_*.ipynb"))
+START = FOLDER / "00_start_here.ipynb"
+LEDGER = FOLDER / "12_ledger_and_glossary.ipynb"
 SOLUTIONS = [FOLDER / "solutions" / path.name for path in CHAPTERS]
 PAGES = [*NOTEBOOKS, *sorted(FOLDER.rglob("*.md"))]
 BONES = [
@@ -32,28 +35,57 @@ BONES = [
     "Exercises",
     "Sources, and what was",
 ]
-TIMEOUT = 300
-"""Seconds before a cell counts as hung."""
+TIMEOUT = 600
+"""Seconds before a cell counts as hung, on a machine that is busy with other things as well."""
+HEAVY = ["08", "11", "10", "06", "04"]
+"""The chapters that run longest, to begin with them."""
 
 
 def name_of(path: Path) -> str:
     return path.relative_to(FOLDER).as_posix()
 
 
-every_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=name_of)
-# nbclient and its kernel client close their sockets when they are collected, some of them late.
-pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")
+class Run(NamedTuple):
+    """A notebook of the book with all outputs of a run from a clean start."""
+
+    path: Path
+    notebook: NotebookNode
 
 
-def execute(notebook: NotebookNode) -> NotebookNode:
+def run_in_kernel(notebook: NotebookNode) -> NotebookNode:
     NotebookClient(notebook, timeout=TIMEOUT, resources={"metadata": {"path": FOLDER}}).execute()
     return notebook
 
 
-@cache
-def executed(path: Path) -> NotebookNode:
-    """A notebook of the book after a run from a clean kernel, in its own folder."""
-    return execute(nbformat.read(path, as_version=4))
+@pytest.fixture(scope="module")
+def run(request, tmp_path_factory: pytest.TempPathFactory) -> Run:
+    """One run for all tests of a notebook; if it fails, it fails once, for all of them."""
+    path = request.param
+    notebook = nbformat.read(path, as_version=4)
+    if path in [START, *CHAPTERS, LEDGER]:
+        return Run(path, run_in_kernel(notebook))
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        monkeypatch.chdir(FOLDER)
+        return Run(path, run_here(notebook, tmp_path_factory.mktemp("ipython")))
+
+
+def runs_of(paths: list[Path]) -> pytest.MarkDecorator:
+    """Parametrize a test with runs: readers' notebooks in a kernel, all others without."""
+
+    def param(path: Path):
+        name = name_of(path)
+        marks = [pytest.mark.xdist_group(f"notebook-{name}")]
+        if path in [START, *CHAPTERS, LEDGER]:
+            marks.append(pytest.mark.kernel)
+        return pytest.param(path, id=name, marks=marks)
+
+    heaviest_first = sorted(paths, key=lambda path: path.name[:2] not in HEAVY)
+    return pytest.mark.parametrize("run", [*map(param, heaviest_first)], indirect=True)
+
+
+every_run = runs_of(NOTEBOOKS)
+# nbclient and its kernel client close their sockets when they are collected, some of them late.
+pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")
 
 
 def markdown(path: Path) -> str:
@@ -85,14 +117,14 @@ def hidden_errors(notebook: NotebookNode) -> list[str]:
     return found
 
 
-@every_notebook
-def test_runs_from_a_clean_kernel_without_hidden_errors(path: Path) -> None:
-    assert hidden_errors(executed(path)) == []
+@every_run
+def test_runs_from_a_clean_start_without_hidden_errors(run: Run) -> None:
+    assert hidden_errors(run.notebook) == []
 
 
-@every_notebook
-def test_every_picture_has_a_caption_and_an_alternative_text(path: Path) -> None:
-    for cell in executed(path).cells:
+@every_run
+def test_every_picture_has_a_caption_and_an_alternative_text(run: Run) -> None:
+    for cell in run.notebook.cells:
         for output in cell.get("outputs", ()):
             data = output.get("data", {})
             if "application/vnd.jupyter.widget-view+json" in data:
@@ -103,7 +135,7 @@ def test_every_picture_has_a_caption_and_an_alternative_text(path: Path) -> None
                 assert "<figcaption>" in data["text/html"], cell.id
 
 
-@every_notebook
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=name_of)
 def test_is_committed_clean(path: Path) -> None:
     notebook = nbformat.read(path, as_version=4)
     nbformat.validate(notebook)
@@ -146,13 +178,13 @@ def test_chapter_has_its_bones_in_order(path: Path) -> None:
     ] == BONES
 
 
-@pytest.mark.parametrize("path", CHAPTERS, ids=name_of)
-def test_chapter_asks_its_exercises_and_no_other(path: Path) -> None:
+@runs_of(CHAPTERS)
+def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
+    path, notebook = run
     chapter = str(int(path.name[:2]))
     expected = [n for n in EXERCISES if n.split(".")[0] == chapter]
     asked = re.findall(r"^### ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
     assert asked == [(number, EXERCISES[number].kind.capitalize()) for number in expected]
-    notebook = executed(path)
     code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
     assert (
         re.findall(r'^answer = \.\.\.\ncheck\("([\d.]+)", answer\)', code, re.MULTILINE) == expected
@@ -161,13 +193,14 @@ def test_chapter_asks_its_exercises_and_no_other(path: Path) -> None:
     assert printed.count("not answered yet.") == len(expected)
 
 
-@pytest.mark.parametrize("path", SOLUTIONS, ids=name_of)
-def test_every_exercise_has_a_solution_that_is_right(path: Path) -> None:
+@runs_of(SOLUTIONS)
+def test_every_exercise_has_a_solution_that_is_right(run: Run) -> None:
+    path, notebook = run
     chapter = str(int(path.name[:2]))
     expected = [n for n in EXERCISES if n.split(".")[0] == chapter]
     headings = re.findall(r"^## ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
     assert headings == [(number, EXERCISES[number].kind.capitalize()) for number in expected]
-    printed = [text for cell in executed(path).cells for text in printed_by(cell)]
+    printed = [text for cell in notebook.cells for text in printed_by(cell)]
     assert len(printed) == len(expected)
     for says in printed:
         assert says.startswith("right."), says
@@ -179,9 +212,9 @@ def printed_by(cell: NotebookNode) -> list[str]:
     return re.findall(r"^Exercise [\d.]+: (.*)$", outputs, flags=re.MULTILINE)
 
 
-@pytest.mark.parametrize("path", [FOLDER / "00_start_here.ipynb", *CHAPTERS], ids=name_of)
-def test_chapter_can_be_shown_as_slides(path: Path) -> None:
-    notebook = executed(path)
+@runs_of([START, *CHAPTERS])
+def test_chapter_can_be_shown_as_slides(run: Run) -> None:
+    notebook = run.notebook
     types = {cell.id: cell.metadata["slideshow"]["slide_type"] for cell in notebook.cells}
     assert set(types.values()) <= {"slide", "subslide", "fragment", "-", "skip"}
     assert types[notebook.cells[0].id] == "slide"
@@ -211,7 +244,7 @@ def test_minutes_are_the_same_wherever_they_stand() -> None:
 
 
 def test_glossary_has_three_languages_and_names_chapters() -> None:
-    text = markdown(FOLDER / "12_ledger_and_glossary.ipynb").split("## Glossary")[1]
+    text = markdown(LEDGER).split("## Glossary")[1]
     rows = [
         [cell.strip() for cell in line.strip("|").split("|")]
         for line in text.splitlines()
@@ -252,8 +285,65 @@ def broken(x):
 """
 
 
+def notebook_of(*cells: str) -> NotebookNode:
+    return new_notebook(cells=[new_code_cell(source) for source in cells])
+
+
+@pytest.mark.kernel
 @pytest.mark.parametrize("cells", [[BROKEN_EXPLORER, MOVE_IT], [BROKEN_INTERACT]])
 def test_hidden_errors_are_found(cells: list[str]) -> None:
     """The test above can fail: both kinds of swallowed callback error are seen."""
-    notebook = execute(new_notebook(cells=[new_code_cell(source) for source in cells]))
+    notebook = run_in_kernel(notebook_of(*cells))
     assert any("broken" in error for error in hidden_errors(notebook))
+
+
+BROKEN_DISPLAY = """
+class Broken:
+    def _repr_html_(self):
+        raise ZeroDivisionError("broken")
+"""
+
+
+@pytest.mark.parametrize(
+    "cell",
+    [f"{BROKEN_DISPLAY}Broken()", f"{BROKEN_DISPLAY}display(Broken())"],
+    ids=["result", "display"],
+)
+def test_an_error_in_what_a_cell_shows_is_found_without_a_kernel(cell: str, tmp_path: Path) -> None:
+    assert hidden_errors(run_here(notebook_of(cell), tmp_path)) == ["broken"]
+
+
+@pytest.mark.parametrize(
+    ("cell", "error"),
+    [
+        ("1 / 0", ZeroDivisionError),
+        ("1 +", SyntaxError),
+        ("import warnings\nwarnings.warn('old', DeprecationWarning)", DeprecationWarning),
+    ],
+    ids=["error", "syntax", "warning"],
+)
+def test_a_cell_that_fails_ends_a_run_without_a_kernel(
+    cell: str, error: type[Exception], tmp_path: Path
+) -> None:
+    with pytest.raises(error):
+        run_here(notebook_of(cell), tmp_path)
+
+
+def test_a_run_without_a_kernel_keeps_outputs_and_leaves_nothing_behind(tmp_path: Path) -> None:
+    leaves = (
+        "from matplotlib import pyplot, rcParams\nrcParams['font.size'] = 99\npyplot.figure()\n"
+    )
+    run_here(notebook_of(f"{leaves}kept = 1"), tmp_path)
+    lines = "import sys\nprint('said')\ndisplay(2)\nprint('badly', file=sys.stderr)\n"
+    cell = f"{lines}'kept' in globals(), pyplot.get_fignums(), rcParams['font.size'] == 99"
+    notebook = run_here(notebook_of("from matplotlib import pyplot, rcParams", cell), tmp_path)
+    shown = [
+        (output.output_type, output.get("text") or output.data["text/plain"])
+        for output in notebook.cells[1].outputs
+    ]
+    assert shown == [
+        ("display_data", "2"),
+        ("execute_result", "(False, [], False)"),
+        ("stream", "said\n"),
+        ("stream", "badly\n"),
+    ]
