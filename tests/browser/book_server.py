@@ -13,17 +13,39 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from runpy import run_path
+from typing import NamedTuple
 
+import nbformat
 from book import CHAPTERS
+from nbformat.v4 import new_code_cell, new_notebook
+from notebook_page import PATIENCE
 
 # Starts JupyterLab as lab.py does: its token comes from DRIFTLAB_TOKEN and wins over any
 # configuration that switches tokens off.
 SERVER = run_path(str(CHAPTERS.parent / "lab.py"), run_name="lab")["SERVER"]
 
 
+KERNEL = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
+
+
+class Server(NamedTuple):
+    """A JupyterLab that runs."""
+
+    address: str
+    token: str
+    folder: Path
+
+    def add_notebook(self, name: str, code: str = "") -> str:
+        """Write a notebook of one cell into the folder that is served; return its name."""
+        nbformat.write(
+            new_notebook(metadata=KERNEL, cells=[new_code_cell(code)]), self.folder / name
+        )
+        return name
+
+
 @contextmanager
-def book_server(folder: Path) -> Iterator[tuple[str, str]]:
-    """Serve copies of all chapters from `folder`; yield the address and the token.
+def book_server(folder: Path) -> Iterator[Server]:
+    """Serve copies of all chapters from `folder`.
 
     Settings, workspaces and runtime files of the server lie in `folder` as well, and none of the
     user's is read or written.
@@ -62,7 +84,7 @@ def book_server(folder: Path) -> Iterator[tuple[str, str]]:
         )
     try:
         wait_for(server, f"{address}/api/status", token, log)
-        yield address, token
+        yield Server(address, token, book)
     finally:
         server.terminate()
         server.wait(30)
@@ -72,7 +94,7 @@ def wait_for(server: subprocess.Popen[bytes], url: str, token: str, log: Path) -
     """Return when the server answers to the token."""
     request = urllib.request.Request(url, headers={"Authorization": f"token {token}"})
     direct = urllib.request.build_opener(urllib.request.ProxyHandler({}))
-    deadline = time.monotonic() + 120
+    deadline = time.monotonic() + PATIENCE
     while server.poll() is None and time.monotonic() < deadline:
         try:
             with direct.open(request, timeout=5):

@@ -2,13 +2,9 @@
 
 import os
 import shutil
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-
-# Where lab.py puts what only these tests need. Last, so that it replaces nothing.
-sys.path.append(str(Path(sys.prefix, "browser")))
 
 try:
     from playwright.sync_api import Browser, sync_playwright
@@ -50,7 +46,7 @@ def browser_path() -> str:
             "apt install chromium) or set DRIFTLAB_BROWSER to the path of a Chromium or Chrome."
         )
     if sync_playwright is None:
-        raise NoBrowser('Playwright is missing: "python3 lab.py test" fetches it when online.')
+        raise NoBrowser("Playwright is missing: install the packages of environment.txt.")
     return path
 
 

@@ -4,8 +4,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from book_server import book_server
+from book_server import Server, book_server
 from chromium import NoBrowser, browser_path, chromium, named
+from notebook_page import SCREENS, NotebookPage, opened
 
 
 class Skipped(pytest.Module):
@@ -30,15 +31,22 @@ def pytest_pycollect_makemodule(module_path: Path, parent: pytest.Collector):
     return None
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def browser() -> Iterator:
+    """A window of the browser; its pages share what they have loaded already."""
     with chromium() as started:
+        yield started.new_context(viewport=SCREENS["1280x800"])
+
+
+@pytest.fixture(scope="session")
+def server(browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    """A JupyterLab with a copy of the book."""
+    with book_server(tmp_path_factory.mktemp("book")) as started:
         yield started
 
 
-@pytest.fixture(scope="module")
-def server(browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, str, Path]]:
-    """Address and token of a JupyterLab, and the folder of its notebooks."""
-    folder = tmp_path_factory.mktemp("book")
-    with book_server(folder) as (address, token):
-        yield address, token, folder / "notebooks"
+@pytest.fixture(scope="session")
+def notebook(browser, server) -> Iterator[NotebookPage]:
+    """A notebook of one cell, for code that a test brings along."""
+    with opened(browser, server, server.add_notebook("panel.ipynb")) as page:
+        yield page

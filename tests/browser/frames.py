@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from notebook_page import wait_until
 from PIL import Image
 
 if TYPE_CHECKING:
@@ -29,11 +30,21 @@ IN_SIGHT = """(image) => {
   const corners = [[box.left + 1, box.top + 1], [box.right - 1, box.bottom - 1]];
   return corners.every(([x, y]) => document.elementFromPoint(x, y) === image);
 }"""
+# A spot in the corner of the page, of a colour that nothing else has: one of two, in turn.
+MARK = """() => {
+  window.mark ??= document.body.appendChild(document.createElement("div"));
+  window.shade = window.shade ? 0 : 20;
+  window.mark.style = "position: fixed; left: 0; top: 0; width: 16px; height: 16px;"
+    + `z-index: 99999; pointer-events: none; background: rgb(255, ${window.shade}, 255)`;
+}"""
+UNMARK = "() => { window.mark.remove(); delete window.mark; }"
 STOP_WATCHING = "() => { cancelAnimationFrame(window.watching); return window.sizes; }"
 
 
-def frames_of(page: Page, picture: Locator, act: Callable[[], object]) -> list[np.ndarray]:
-    """Record every frame that the browser composes during `act`, cut to the picture.
+def frames_of(page: Page, picture: Locator, *acts: Callable[[], object]) -> list[np.ndarray]:
+    """Record the frames that the browser composes during some acts, cut to the picture.
+
+    Each act begins when the frame at the end of the one before is there.
 
     Whether the picture's file is loaded says nothing: the old one stays painted until then.
     """
@@ -43,21 +54,29 @@ def frames_of(page: Page, picture: Locator, act: Callable[[], object]) -> list[n
     cut = tuple(
         round(n) for n in (box["x"], box["y"], box["x"] + box["width"], box["y"] + box["height"])
     )
-    recorded: list[str] = []
+    recorded: list[Image.Image] = []
     session = page.context.new_cdp_session(page)
 
     def keep(frame: dict[str, Any]) -> None:
-        recorded.append(frame["data"])
+        image = Image.open(io.BytesIO(base64.b64decode(frame["data"])))
+        recorded.append(image.convert("RGB"))
         session.send("Page.screencastFrameAck", {"sessionId": frame["sessionId"]})
 
     session.on("Page.screencastFrame", keep)
-    session.send("Page.startScreencast", {"format": "png"})
-    act()
-    page.wait_for_timeout(300)
+    session.send("Page.startScreencast", {"format": "jpeg", "quality": 90})
+
+    def marked() -> bool:
+        page.evaluate(MARK)  # again and again: a browser that is busy leaves frames out
+        red, green, blue = recorded[-1].getpixel((8, 8)) if recorded else (0, 0, 0)
+        return min(red, blue) > 200 and green < 60
+
+    for act in acts:
+        act()
+        wait_until(page, marked, "a frame of the page")
+        page.evaluate(UNMARK)
     session.send("Page.stopScreencast")
     session.detach()
-    images = (Image.open(io.BytesIO(base64.b64decode(data))) for data in recorded)
-    return [np.asarray(image.convert("L").crop(cut)) for image in images]
+    return [np.asarray(image.crop(cut).convert("L")) for image in recorded]
 
 
 def ink(frame: np.ndarray) -> float:

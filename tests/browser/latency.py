@@ -4,13 +4,11 @@ import tempfile
 from itertools import cycle
 from pathlib import Path
 
-import nbformat
 import numpy as np
 from book_server import book_server
 from chromium import NoBrowser, chromium
 from frames import blank_frames, frames_of
-from nbformat.v4 import new_code_cell, new_notebook
-from notebook_page import NotebookPage
+from notebook_page import SCREENS, NotebookPage, opened
 from panel_page import PanelPage, time_of_move
 
 from book import PLACES, Place
@@ -41,28 +39,18 @@ def latencies() -> None:
         with (
             tempfile.TemporaryDirectory() as folder,
             chromium() as browser,
-            book_server(Path(folder)) as (address, token),
+            book_server(Path(folder)) as server,
         ):
-
-            def opened(notebook: str) -> NotebookPage:
-                page = browser.new_page(viewport={"width": 1280, "height": 800})
-                shown = NotebookPage(page, address, token)
-                shown.open(notebook)
-                shown.run_all()
-                return shown
-
+            window = browser.new_context(viewport=SCREENS["1280x800"])
             for chapter in dict.fromkeys(place.chapter for place in PLACES):
-                page = opened(chapter)
-                for place in PLACES:
-                    if place.chapter == chapter:
-                        say(f"{chapter[:2]} {place.explorer}", panel_moves(page, place))
-                page.close()
-            notebook = new_notebook(cells=[new_code_cell(INTERACT)])
-            notebook.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3"}
-            nbformat.write(notebook, Path(folder, "notebooks/interact.ipynb"))
-            page = opened("interact.ipynb")
-            interact_moves(page)
-            page.close()
+                with opened(window, server, chapter) as page:
+                    page.run_all()
+                    for place in PLACES:
+                        if place.chapter == chapter:
+                            say(f"{chapter[:2]} {place.explorer}", panel_moves(page, place))
+            with opened(window, server, server.add_notebook("interact.ipynb", INTERACT)) as page:
+                page.run_all()
+                interact_moves(page)
     except NoBrowser as reason:
         print(f"  left out: {reason}")
 

@@ -3,27 +3,41 @@
 from __future__ import annotations
 
 import re
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from playwright.sync_api import ConsoleMessage, Page, Request
+    from book_server import Server
+    from playwright.sync_api import BrowserContext, ConsoleMessage, Page, Request
 
 
-PATIENCE = 60_000
-"""Milliseconds before a page counts as hung."""
+PATIENCE = 180
+"""Seconds before a page counts as hung, on a machine that is busy with other things as well."""
+
+PATIENCE_WITH_A_CELL = 600
+"""The same for one cell; as long as one after the other finishes, a notebook may take any time."""
+
+SCREENS = {
+    "1280x800": {"width": 1280, "height": 800},
+    "1024x768": {"width": 1024, "height": 768},
+}
 
 FOREIGN = r"^.*No such comm( target registered)?: .*$"
 """What the kernel says when a page asks for widgets before the first cell has imported them."""
 
-RUN_ALL = """async () => {
+LISTEN = """async () => {
   const panel = window.jupyterapp.shell.currentWidget;
   await panel.sessionContext.ready;
   const kernel = panel.sessionContext.session.kernel;
   await kernel.info;  // what is sent while a kernel starts is lost
   window.trouble = [];
+  window.started = 0;  // how many cells
   kernel.iopubMessage.connect((_, message) => {
     const { msg_type } = message.header;
+    if (msg_type === "execute_input") window.started += 1;
     if (msg_type === "error") window.trouble.push(message.content.traceback.join("\\n"));
     if (msg_type === "stream" && message.content.name === "stderr") {
       window.trouble.push(message.content.text);
@@ -37,7 +51,16 @@ RUN_ALL = """async () => {
       window.unanswered.delete(msg.parent_header.msg_id);
     }
   });
+}"""
+
+RUN_ALL = """() => {
   window.finished = window.jupyterapp.commands.execute("notebook:run-all-cells");
+}"""
+
+REWRITE = """code => {
+  const [cell] = window.jupyterapp.shell.currentWidget.content.widgets;
+  cell.model.sharedModel.setSource(code);
+  window.trouble = [];
 }"""
 
 FINISHED = (
@@ -50,11 +73,27 @@ SHOW_CELL = """async (index) => {
   await notebook.scrollToItem(index, "start");
 }"""
 
+CELLS_NOT_RUN = """() => window.jupyterapp.shell.currentWidget.content.widgets
+  .filter(({ model }) => model.type === "code" && model.executionCount === null)
+  .map(({ model }) => model.id)"""
+
 SHUT_DOWN = """async () => {
-  const panel = window.jupyterapp.shell.currentWidget;
-  await window.jupyterapp.commands.execute("docmanager:save");
-  await panel.sessionContext.shutdown();
+  await window.jupyterapp?.shell.currentWidget?.sessionContext?.shutdown();
 }"""
+
+NEXT_FRAME = "() => new Promise(requestAnimationFrame)"
+
+
+def wait_until(page: Page, condition: Callable[[], bool], what: str) -> None:
+    """Look at a page frame by frame until a condition holds; what it is, is said if it never does.
+
+    What happens in a page comes to Python only while Python asks for something there.
+    """
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        if time.monotonic() > end:
+            raise TimeoutError(f"waited {PATIENCE} seconds for {what}")
+        page.evaluate(NEXT_FRAME)
 
 
 @dataclass
@@ -64,20 +103,18 @@ class NotebookPage:
     Attributes
     ----------
     page : Page
-    address, token : str
-        Of the server.
+    server : Server
     trouble : list of str
         What went wrong in the page so far: errors in the console, scripts that failed, requests
         to anything but our server.
     """
 
     page: Page
-    address: str
-    token: str
+    server: Server
     trouble: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self.page.set_default_timeout(PATIENCE)
+        self.page.set_default_timeout(1000 * PATIENCE)
         self.page.on("console", self._note_console)
         self.page.on("pageerror", lambda error: self.trouble.append(f"script: {error}"))
         self.page.on("request", self._note_request)
@@ -87,22 +124,32 @@ class NotebookPage:
             self.trouble.append(f"console: {message.text} ({message.location.get('url')})")
 
     def _note_request(self, request: Request) -> None:
-        if not request.url.startswith((self.address + "/", "blob:", "data:")):
+        if not request.url.startswith((self.server.address + "/", "blob:", "data:")):
             self.trouble.append(f"request to the network: {request.url}")
 
     def open(self, notebook: str) -> None:
         """Open a notebook of the server in JupyterLab."""
-        query = f"token={self.token}&reset"
-        self.page.goto(f"{self.address}/lab/tree/{notebook}?{query}", wait_until="domcontentloaded")
+        url = f"{self.server.address}/lab/tree/{notebook}?token={self.server.token}&reset"
+        self.page.goto(url, wait_until="domcontentloaded")
         self.page.wait_for_selector(".jp-Notebook-ExecutionIndicator[data-status=idle]")
+        self.page.evaluate(LISTEN)
+
+    def show(self, code: str) -> None:
+        """Let a notebook of one cell show the output of some code, with no trouble so far."""
+        self.page.evaluate(REWRITE, code)
+        self.trouble.clear()
+        self.run_all()
 
     def run_all(self) -> None:
         """Run all cells and wait for the last of them."""
         self.page.evaluate(RUN_ALL)
-        for _ in range(300):
-            if self.page.evaluate(FINISHED):
-                return
-        raise TimeoutError("the cells did not finish within five minutes")
+        latest, end = -1, 0.0
+        while not self.page.evaluate(FINISHED):
+            started = self.page.evaluate("window.started")
+            if started > latest:
+                latest, end = started, time.monotonic() + PATIENCE_WITH_A_CELL
+            elif time.monotonic() > end:
+                raise TimeoutError(f"code cell {started} takes over {PATIENCE_WITH_A_CELL} seconds")
 
     def show_cell(self, index: int) -> None:
         """Scroll to a cell; JupyterLab keeps only what is near in the page."""
@@ -116,14 +163,25 @@ class NotebookPage:
             wanted,
         )
 
+    def show_on(self, screen: str) -> None:
+        """Take the size of a screen; on the narrow one the list of files is hidden."""
+        self.page.set_viewport_size(SCREENS[screen])
+        self.show_files(screen == "1280x800")
+
     def files_are_shown(self) -> bool:
         """Tell whether the list of files is there."""
         return not self.page.evaluate("window.jupyterapp.shell.leftCollapsed")
 
-    def count_cells(self) -> int:
-        """Number of cells of the notebook."""
-        return int(
-            self.page.evaluate("window.jupyterapp.shell.currentWidget.content.widgets.length")
+    def cells_not_run(self) -> list[str]:
+        """Identifiers of the code cells that have not been run."""
+        return list(self.page.evaluate(CELLS_NOT_RUN))
+
+    def cells(self) -> list[str]:
+        """Identifiers of the notebook's cells."""
+        return list(
+            self.page.evaluate(
+                "window.jupyterapp.shell.currentWidget.content.widgets.map(cell => cell.model.id)"
+            )
         )
 
     def all_trouble(self) -> list[str]:
@@ -141,6 +199,17 @@ class NotebookPage:
         return [*self.trouble, *from_kernel, *tracebacks, *seen]
 
     def close(self) -> None:
-        """End the kernel and close the page."""
+        """End the kernel, if there is one, and close the page."""
         self.page.evaluate(SHUT_DOWN)
         self.page.close()
+
+
+@contextmanager
+def opened(context: BrowserContext, server: Server, notebook: str) -> Iterator[NotebookPage]:
+    """Open a notebook of the server in a new page."""
+    shown = NotebookPage(context.new_page(), server)
+    try:
+        shown.open(notebook)
+        yield shown
+    finally:
+        shown.close()

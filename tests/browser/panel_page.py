@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import base64
 import io
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from notebook_page import PATIENCE
 from PIL import Image
 
 from driftlab.book.machinery.control import Control
@@ -16,14 +18,15 @@ from driftlab.book.machinery.panel import PANEL_CLASS, Explorer
 if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
 
-# At rest the kernel owes no answer, and a few frames in a row find the panel as it was: ipywidgets
+# At rest the kernel owes no answer, and some frames in a row find the panel as it was: ipywidgets
 # holds a move back while the kernel works on the one before.
-SETTLE = """async (panel) => {
+SETTLE = """async (panel, [frames, patience]) => {
   const image = panel.querySelector("img");
-  const state = () => [image.src, panel.textContent, panel.clientWidth].join();
-  const end = performance.now() + 60000;
+  const place = () => Object.values(panel.getBoundingClientRect().toJSON());
+  const state = () => [image.src, panel.textContent, ...place()].join();
+  const end = performance.now() + 1000 * patience;
   let before, same = 0;
-  while (same < 4) {
+  while (same < frames) {
     if (performance.now() > end) throw new Error("the panel does not come to rest");
     await new Promise(requestAnimationFrame);
     same = !window.unanswered.size && image.complete && state() === before ? same + 1 : 0;
@@ -132,19 +135,21 @@ class PanelPage:
         self.panel = page.locator(f".{PANEL_CLASS}").filter(has=heading)
         self.image = self.panel.locator("img")
         self.image.wait_for()
+        # The element itself: to find it again by its title takes longer than most questions to it.
+        self._element = self.panel.element_handle()
         self.settle()
 
-    def settle(self) -> None:
-        """Wait until nothing changes any more."""
-        self.panel.evaluate(SETTLE)
+    def settle(self, frames: int = 4) -> None:
+        """Wait until nothing has changed for some frames."""
+        self._element.evaluate(SETTLE, [frames, PATIENCE])
 
     def picture(self) -> bytes:
         """The file of the picture on display."""
-        return base64.b64decode(self.panel.evaluate(PICTURE))
+        return base64.b64decode(self._element.evaluate(PICTURE))
 
     def numbers(self) -> list[tuple[str, str]]:
         """Names and values beside the picture."""
-        return [(name, value) for name, value in self.panel.evaluate(NUMBERS)]
+        return [(name, value) for name, value in self._element.evaluate(NUMBERS)]
 
     def code(self) -> str:
         """The Python lines below the sliders."""
@@ -174,7 +179,7 @@ class PanelPage:
 
     def values(self) -> dict[str, Any]:
         """What the panel says the values of all controls are."""
-        shown = dict(self.panel.evaluate(SHOWN))
+        shown = dict(self._element.evaluate(SHOWN))
         return {
             control.name: self._read(control, shown[self.name(control)])
             for control in self.explorer_class.controls
@@ -228,17 +233,22 @@ class PanelPage:
     def bring_into_sight(self, control: Control) -> None:
         """Scroll until a slider is at the lower edge, so that the picture is in sight as well."""
         self.element(control).evaluate("handle => handle.scrollIntoView({ block: 'end' })")
-        self.page.wait_for_timeout(300)
+        self.settle(frames=20)
 
-    def sweep(self, control: Control) -> None:
-        """Drag a slider to both ends and back without waiting for pictures."""
+    def sweep(self, control: Control) -> list[Callable[[], None]]:
+        """The parts of a drag to both ends and back, on the way without waiting for pictures."""
         x, y, left, right = self._grip(control)
         mouse = self.page.mouse
-        mouse.move(x, y)
-        mouse.down()
-        for place in (right, left, x):
-            mouse.move(place, y, steps=25)
-        mouse.up()
+
+        def to(place: float) -> None:
+            mouse.move(place, y, steps=12)
+            self.settle()
+
+        def take() -> None:
+            mouse.move(x, y)
+            mouse.down()
+
+        return [take, lambda: to(right), lambda: to(left), lambda: to(x), mouse.up]
 
     def focused_name(self) -> str:
         """Accessible name of the element with the focus."""
@@ -267,10 +277,10 @@ class PanelPage:
 
     def cut_off(self) -> list[str]:
         """What of the panel does not fit into the room it has."""
-        return list(self.panel.evaluate(CUT_OFF))
+        return list(self._element.evaluate(CUT_OFF))
 
     def screenshot(self, path: Path) -> None:
         """Keep the page as it is with the panel at its top."""
-        self.panel.evaluate("panel => panel.scrollIntoView({ block: 'start' })")
-        self.page.wait_for_timeout(300)
+        self._element.evaluate("panel => panel.scrollIntoView({ block: 'start' })")
+        self.settle(frames=20)
         self.page.screenshot(path=path)

@@ -1,88 +1,48 @@
-"""Every slider panel of the book, in the chapter that shows it, as a reader finds it."""
+"""Every slider panel of the book, alone in a notebook, tried in every way a reader has."""
 
-import html
-import io
 from collections.abc import Iterator
-from pathlib import Path
-from typing import NamedTuple
 
-import numpy as np
 import pytest
-from frames import blank_frames, frames_of, sizes_during
-from notebook_page import NotebookPage
-from panel_page import PanelPage
-from PIL import Image
-
 from book import PLACES, Place
-from driftlab.book import panels
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.panel import Explorer
-from driftlab.book.panels import EXPLORERS
-from panel_numbers import assert_shown, shown_numbers
+from frames import blank_frames, frames_of, sizes_during
+from notebook_page import SCREENS, NotebookPage
+from twin import Panel
 
-SCREENSHOTS = Path(__file__).parent / "screenshots"
-SCREENS = {"1280x800": (1280, 800), "1024x768": (1024, 768)}
+from driftlab.explorers.control import Control
+
+HEAVY = ["CapstoneExplorer", "CalibrationRunExplorer", "GyrocompassExplorer"]
+"""The panels that take longest, to begin with them."""
+FIRST_PLACES = {place.explorer: place for place in reversed(PLACES)}
 
 
-# The tests of one chapter come together, so that each chapter is opened and run once.
 every_panel = pytest.mark.parametrize(
-    ("chapter", "place"),
-    [(place.chapter, place) for place in PLACES],
+    "place",
+    [
+        pytest.param(FIRST_PLACES[name], id=name, marks=pytest.mark.xdist_group(f"browser-{name}"))
+        for name in sorted(FIRST_PLACES, key=lambda name: (name not in HEAVY, name))
+    ],
     indirect=True,
-    ids=[f"{place.chapter[:2]}-{place.explorer}" for place in PLACES],
-    scope="module",
 )
-
-
-def test_every_explorer_is_somewhere_in_the_book() -> None:
-    assert {place.explorer for place in PLACES} == {explorer.__name__ for explorer in EXPLORERS}
+pytestmark = pytest.mark.browser
 
 
 @pytest.fixture(scope="module")
-def chapter(request, browser, server) -> Iterator[NotebookPage]:
-    """A chapter of which all cells have been run."""
-    address, token, _ = server
-    width, height = SCREENS["1280x800"]
-    page = browser.new_page(viewport={"width": width, "height": height})
-    opened = NotebookPage(page, address, token)
-    opened.open(request.param)
-    opened.run_all()
-    yield opened
-    opened.close()
-
-
-@pytest.fixture(scope="module")
-def place(request) -> Place:
-    return request.param
-
-
-class Panel(NamedTuple):
-    """A panel on a page, and the same explorer here."""
-
-    shown: PanelPage
-    twin: Explorer
-
-    def assert_agrees(self) -> None:
-        """Fail unless all on display belongs to the values on display."""
-        values = self.shown.values()
-        self.twin.set(**values)
-        assert self.twin.message.value == ""
-        assert self.shown.numbers() == shown_numbers(self.twin.text.value)
-        assert f"<pre>{html.escape(self.shown.code())}</pre>" == self.twin.code.value
-        pictures = (self.shown.picture(), self.twin.image.value)
-        pixels = [np.asarray(Image.open(io.BytesIO(file))) for file in pictures]
-        np.testing.assert_array_equal(*pixels, err_msg=f"not the picture of {values}")
-        assert_shown(type(self.twin).__name__, values, self.shown.numbers())
+def place(request, notebook: NotebookPage) -> Place:
+    """A place in the book, of which the panel is shown in the notebook, and nothing else."""
+    place = request.param
+    name, arguments = place.explorer, ", ".join(map(repr, place.arguments))
+    notebook.show(f"from driftlab.explorers import {name}\n{name}({arguments})")
+    assert notebook.all_trouble() == []
+    return place
 
 
 @pytest.fixture
-def panel(chapter: NotebookPage, place: Place) -> Iterator[Panel]:
+def panel(place: Place, notebook: NotebookPage) -> Iterator[Panel]:
     """The panel as its cell has made it; at the end nothing may have gone wrong anywhere."""
-    chapter.show_cell(place.cell)
-    shown = PanelPage(chapter.page, getattr(panels, place.explorer))
-    yield Panel(shown, getattr(panels, place.explorer)(*place.arguments))
-    shown.reset()
-    assert chapter.all_trouble() == []
+    panel = Panel.on(notebook.page, place)
+    yield panel
+    panel.shown.reset()
+    assert notebook.all_trouble() == []
 
 
 @every_panel
@@ -123,16 +83,18 @@ def test_a_number_can_be_typed_over_a_readout(panel: Panel) -> None:
 
 
 @every_panel
-def test_keys_in_a_panel_are_no_commands_of_jupyterlab(panel: Panel, chapter: NotebookPage) -> None:
+def test_keys_in_a_panel_are_no_commands_of_jupyterlab(
+    panel: Panel, notebook: NotebookPage
+) -> None:
     shown, twin = panel
     slider = next(control for control in twin.controls if control.is_slider)
-    before = chapter.count_cells()
+    before = notebook.cells()
     shown.press(slider, "x", "b", "d", "d", "Enter", "Escape")
-    assert chapter.count_cells() == before
-    chapter.show_files(True)
+    assert notebook.cells() == before
+    notebook.show_files(True)
     shown.press(slider, "Control+b")  # but this one is
-    assert not chapter.files_are_shown()
-    chapter.show_files(True)
+    assert not notebook.files_are_shown()
+    notebook.show_files(True)
 
 
 @every_panel
@@ -226,32 +188,22 @@ def test_picture_is_never_blank_and_stays_in_its_place(panel: Panel) -> None:
     shown, twin = panel
     slider = next(control for control in twin.controls if control.is_slider)
     shown.bring_into_sight(slider)
-    sizes = []
+    frames = []
 
     def slide() -> None:
-        sizes.extend(sizes_during(shown.page, shown.image, lambda: shown.sweep(slider)))
+        frames.extend(frames_of(shown.page, shown.image, *shown.sweep(slider)))
 
-    frames = frames_of(shown.page, shown.image, slide)
-    shown.settle()
+    sizes = sizes_during(shown.page, shown.image, slide)
     assert len({frame.tobytes() for frame in frames}) > 2, "no motion was recorded"
     assert blank_frames(frames) == 0
     assert len(sizes) == 1
 
 
-@pytest.mark.parametrize("screen", SCREENS)
 @every_panel
-def test_nothing_is_cut_off(panel: Panel, chapter: NotebookPage, place: Place, screen: str) -> None:
-    shown = panel.shown
-    chapter.show_files(screen == "1280x800")
-    width, height = SCREENS[screen]
-    chapter.page.set_viewport_size({"width": width, "height": height})
-    chapter.show_cell(place.cell)
-    shown.settle()
-    try:
-        SCREENSHOTS.mkdir(exist_ok=True)
-        name = f"{place.chapter[:2]}-{place.explorer}-{screen}.png"
-        shown.screenshot(SCREENSHOTS / name)
-        assert shown.cut_off() == []
-    finally:
-        chapter.show_files(True)
-        chapter.page.set_viewport_size({"width": 1280, "height": 800})
+def test_nothing_is_cut_off(panel: Panel, notebook: NotebookPage) -> None:
+    shown, twin = panel
+    for screen in reversed(SCREENS):
+        notebook.show_on(screen)
+        for preset in twin.presets:
+            shown.choose_preset(preset)
+            assert shown.cut_off() == [], (screen, preset)
