@@ -44,8 +44,7 @@ STOP_WATCHING = "() => { cancelAnimationFrame(window.watching); return window.si
 def frames_of(page: Page, picture: Locator, *acts: Callable[[], object]) -> list[np.ndarray]:
     """Record the frames that the browser composes during some acts, cut to the picture.
 
-    Each act begins when the frame at the end of the one before is there.
-
+    The frame at the end of each act is among them: the next act waits for it.
     Whether the picture's file is loaded says nothing: the old one stays painted until then.
     """
     box = picture.bounding_box()
@@ -54,12 +53,11 @@ def frames_of(page: Page, picture: Locator, *acts: Callable[[], object]) -> list
     cut = tuple(
         round(n) for n in (box["x"], box["y"], box["x"] + box["width"], box["y"] + box["height"])
     )
-    recorded: list[Image.Image] = []
+    recorded: list[bytes] = []
     session = page.context.new_cdp_session(page)
 
     def keep(frame: dict[str, Any]) -> None:
-        image = Image.open(io.BytesIO(base64.b64decode(frame["data"])))
-        recorded.append(image.convert("RGB"))
+        recorded.append(base64.b64decode(frame["data"]))
         session.send("Page.screencastFrameAck", {"sessionId": frame["sessionId"]})
 
     session.on("Page.screencastFrame", keep)
@@ -67,7 +65,9 @@ def frames_of(page: Page, picture: Locator, *acts: Callable[[], object]) -> list
 
     def marked() -> bool:
         page.evaluate(MARK)  # again and again: a browser that is busy leaves frames out
-        red, green, blue = recorded[-1].getpixel((8, 8)) if recorded else (0, 0, 0)
+        if not recorded:
+            return False
+        red, green, blue = Image.open(io.BytesIO(recorded[-1])).getpixel((8, 8))
         return min(red, blue) > 200 and green < 60
 
     for act in acts:
@@ -76,7 +76,8 @@ def frames_of(page: Page, picture: Locator, *acts: Callable[[], object]) -> list
         page.evaluate(UNMARK)
     session.send("Page.stopScreencast")
     session.detach()
-    return [np.asarray(image.crop(cut).convert("L")) for image in recorded]
+    images = (Image.open(io.BytesIO(data)) for data in recorded)
+    return [np.asarray(image.convert("L").crop(cut)) for image in images]
 
 
 def ink(frame: np.ndarray) -> float:

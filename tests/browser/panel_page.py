@@ -225,8 +225,8 @@ class PanelPage:
         mouse = self.page.mouse
         mouse.move(x, y)
         mouse.down()
-        mouse.move(far, y, steps=3)
-        mouse.move(0.75 * far + 0.25 * near, y, steps=2)
+        mouse.move(far, y)
+        mouse.move(0.75 * far + 0.25 * near, y)
         mouse.up()
         self.settle()
 

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 
 import pytest
-from book import PLACES, Place
+from book import PLACES
 from frames import blank_frames, frames_of, sizes_during
-from notebook_page import SCREENS, NotebookPage
+from notebook_page import SCREENS, NotebookPage, wait_until
 from twin import Panel
 
 from driftlab.explorers.control import Control
@@ -16,7 +16,7 @@ FIRST_PLACES = {place.explorer: place for place in reversed(PLACES)}
 
 
 every_panel = pytest.mark.parametrize(
-    "place",
+    "shown",
     [
         pytest.param(FIRST_PLACES[name], id=name, marks=pytest.mark.xdist_group(f"browser-{name}"))
         for name in sorted(FIRST_PLACES, key=lambda name: (name not in HEAVY, name))
@@ -27,21 +27,21 @@ pytestmark = pytest.mark.browser
 
 
 @pytest.fixture(scope="module")
-def place(request, notebook: NotebookPage) -> Place:
-    """A place in the book, of which the panel is shown in the notebook, and nothing else."""
+def shown(request, notebook: NotebookPage) -> Panel:
+    """The panel of a place in the book, which the notebook shows, and nothing else."""
     place = request.param
     name, arguments = place.explorer, ", ".join(map(repr, place.arguments))
     notebook.show(f"from driftlab.explorers import {name}\n{name}({arguments})")
     assert notebook.all_trouble() == []
-    return place
+    return Panel.on(notebook.page, place)
 
 
 @pytest.fixture
-def panel(place: Place, notebook: NotebookPage) -> Iterator[Panel]:
+def panel(shown: Panel, notebook: NotebookPage) -> Iterator[Panel]:
     """The panel as its cell has made it; at the end nothing may have gone wrong anywhere."""
-    panel = Panel.on(notebook.page, place)
-    yield panel
-    panel.shown.reset()
+    notebook.show_on("1280x800")
+    yield shown
+    shown.reset()
     assert notebook.all_trouble() == []
 
 
@@ -93,8 +93,7 @@ def test_keys_in_a_panel_are_no_commands_of_jupyterlab(
     assert notebook.cells() == before
     notebook.show_files(True)
     shown.press(slider, "Control+b")  # but this one is
-    assert not notebook.files_are_shown()
-    notebook.show_files(True)
+    wait_until(notebook.page, lambda: not notebook.files_are_shown(), "the files to be hidden")
 
 
 @every_panel

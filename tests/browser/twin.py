@@ -31,6 +31,11 @@ class Panel(NamedTuple):
         explorer_class = getattr(explorers, place.explorer)
         return cls(PanelPage(page, explorer_class), explorer_class(*place.arguments))
 
+    def reset(self) -> None:
+        """Go back to the values at the start."""
+        self.shown.reset()
+        self.twin.reset.click()
+
     def assert_agrees(self) -> None:
         """Fail unless all on display belongs to the values on display."""
         values = self.shown.values()
