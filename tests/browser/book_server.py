@@ -16,9 +16,9 @@ from runpy import run_path
 from typing import NamedTuple
 
 import nbformat
-from book import CHAPTERS
 from nbformat.v4 import new_code_cell, new_notebook
 from notebook_page import PATIENCE
+from places import CHAPTERS
 
 # Starts JupyterLab as lab.py does: its token comes from DRIFTLAB_TOKEN and wins over any
 # configuration that switches tokens off.

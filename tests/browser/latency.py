@@ -10,9 +10,9 @@ from chromium import NoBrowser, chromium
 from frames import blank_frames, frames_of
 from notebook_page import SCREENS, NotebookPage, opened
 from panel_page import PanelPage, time_of_move
+from places import PLACES, Place
 
-from book import PLACES, Place
-from driftlab.book import panels
+from driftlab import book
 
 MOVES = 30
 
@@ -63,7 +63,7 @@ def say(name: str, times: list[float], more: str = "") -> None:
 def panel_moves(page: NotebookPage, place: Place) -> list[float]:
     """Times of moves of all sliders in turn; a move that changes no picture has none."""
     page.show_cell(place.cell)
-    panel = PanelPage(page.page, getattr(panels, place.explorer))
+    panel = PanelPage(page.page, getattr(book, place.explorer))
     sliders = [control for control in panel.explorer_class.controls if control.is_slider]
     times: list[float] = []
     for turn, slider in enumerate(cycle(sliders)):

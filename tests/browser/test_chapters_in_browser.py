@@ -3,11 +3,11 @@
 from pathlib import Path
 
 import pytest
-from book import CHAPTERS, PLACES, Place
 from notebook_page import SCREENS, NotebookPage, opened
+from places import CHAPTERS, PLACES, Place
 from twin import Panel
 
-from driftlab.explorers import EXPLORERS
+from driftlab.book.panels import EXPLORERS
 
 SCREENSHOTS = Path(__file__).parent / "screenshots"
 HEAVY = ["08", "10", "11", "06"]

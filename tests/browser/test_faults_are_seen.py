@@ -9,7 +9,7 @@ from frames import blank_frames, frames_of, sizes_during
 from notebook_page import NotebookPage, opened, wait_until
 from panel_page import PanelPage
 
-from driftlab.explorers.panel import Explorer
+from driftlab.book.machinery.panel import Explorer
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser-faults")]
 

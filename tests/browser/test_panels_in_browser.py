@@ -3,12 +3,12 @@
 from collections.abc import Iterator
 
 import pytest
-from book import PLACES
 from frames import blank_frames, frames_of, sizes_during
 from notebook_page import SCREENS, NotebookPage, wait_until
+from places import PLACES
 from twin import Panel
 
-from driftlab.explorers.control import Control
+from driftlab.book.machinery.control import Control
 
 HEAVY = ["CapstoneExplorer", "CalibrationRunExplorer", "GyrocompassExplorer"]
 """The panels that take longest, to begin with them."""
@@ -31,7 +31,7 @@ def shown(request, notebook: NotebookPage) -> Panel:
     """The panel of a place in the book, which the notebook shows, and nothing else."""
     place = request.param
     name, arguments = place.explorer, ", ".join(map(repr, place.arguments))
-    notebook.show(f"from driftlab.explorers import {name}\n{name}({arguments})")
+    notebook.show(f"from driftlab.book import {name}\n{name}({arguments})")
     assert notebook.all_trouble() == []
     return Panel.on(notebook.page, place)
 

@@ -7,12 +7,12 @@ import io
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from book import Place
 from panel_page import PanelPage
 from PIL import Image
+from places import Place
 
-from driftlab import explorers
-from driftlab.explorers.panel import Explorer
+from driftlab import book
+from driftlab.book.machinery.panel import Explorer
 from panel_numbers import assert_shown, shown_numbers
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ class Panel(NamedTuple):
     @classmethod
     def on(cls, page: Page, place: Place) -> Panel:
         """Find the panel of a place in the book on a page."""
-        explorer_class = getattr(explorers, place.explorer)
+        explorer_class = getattr(book, place.explorer)
         return cls(PanelPage(page, explorer_class), explorer_class(*place.arguments))
 
     def reset(self) -> None:

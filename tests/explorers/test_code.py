@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.constants import arcsecond, degree, g, hour, micro
 
-from driftlab.book import panels
+from driftlab import book
 from driftlab.drift.characteristic_equation import asymptotic_roots
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.systematic_drift import drift_per_turn
@@ -90,7 +90,7 @@ def estimate(values: Values) -> float:
     ],
 )
 def test_code_gives_the_numbers_of_its_panel(name, expected, tolerance) -> None:
-    panel = getattr(panels, name)()
+    panel = getattr(book, name)()
     rng = random.Random(5)
     for _ in range(4):
         for control in panel.controls:
@@ -104,7 +104,7 @@ def test_code_gives_the_numbers_of_its_panel(name, expected, tolerance) -> None:
 
 
 def test_code_of_the_split_gives_its_parts() -> None:
-    panel = panels.SplitExplorer("Typical unit")
+    panel = book.SplitExplorer("Typical unit")
     panel.set(kxy=35.0, kzx=-60.0)
     found, _ = results_of(panel.call(panel.values))
     rows = split_triad(panel.values)
@@ -113,7 +113,7 @@ def test_code_of_the_split_gives_its_parts() -> None:
 
 
 def test_code_of_the_laboratory_of_schemes_names_what_is_dark() -> None:
-    panel = panels.ObservabilityExplorer("About one axis only")
+    panel = book.ObservabilityExplorer("About one axis only")
     _, printed = results_of(panel.call(panel.values))
     dark = [words for name, words in observability(panel.values) if name == "in the dark"]
     assert dark

@@ -13,7 +13,7 @@ from nbconvert import SlidesExporter
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
 
-from driftlab.book.exercises import EXERCISES
+from driftlab.book.exercises import exercises
 from driftlab.book.machinery.panel import ERROR_CLASS
 
 FOLDER = Path(__file__).parents[2] / "notebooks"
@@ -182,9 +182,9 @@ def test_chapter_has_its_bones_in_order(path: Path) -> None:
 def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
     path, notebook = run
     chapter = str(int(path.name[:2]))
-    expected = [n for n in EXERCISES if n.split(".")[0] == chapter]
+    expected = [n for n in exercises() if n.split(".")[0] == chapter]
     asked = re.findall(r"^### ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
-    assert asked == [(number, EXERCISES[number].kind.capitalize()) for number in expected]
+    assert asked == [(number, exercises()[number].kind.capitalize()) for number in expected]
     code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
     assert (
         re.findall(r'^answer = \.\.\.\ncheck\("([\d.]+)", answer\)', code, re.MULTILINE) == expected
@@ -197,9 +197,9 @@ def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
 def test_every_exercise_has_a_solution_that_is_right(run: Run) -> None:
     path, notebook = run
     chapter = str(int(path.name[:2]))
-    expected = [n for n in EXERCISES if n.split(".")[0] == chapter]
+    expected = [n for n in exercises() if n.split(".")[0] == chapter]
     headings = re.findall(r"^## ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
-    assert headings == [(number, EXERCISES[number].kind.capitalize()) for number in expected]
+    assert headings == [(number, exercises()[number].kind.capitalize()) for number in expected]
     printed = [text for cell in notebook.cells for text in printed_by(cell)]
     assert len(printed) == len(expected)
     for says in printed:
