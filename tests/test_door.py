@@ -1,0 +1,82 @@
+"""``import driftlab`` is instant, loads nothing, and offers everything that is public."""
+
+import inspect
+import subprocess
+import sys
+from importlib import import_module
+
+import pytest
+
+import driftlab
+from driftlab.book.chapters import CHAPTERS
+from support import ROOT, helper_modules
+
+SUBJECTS = ("motion", "drift", "attitude", "calibration", "gyrocompass")
+
+
+def printed_by(*arguments):
+    done = subprocess.run(
+        [sys.executable, *arguments], capture_output=True, text=True, check=True, timeout=120
+    )
+    return done.stdout.strip()
+
+
+def test_importing_the_package_loads_no_library():
+    heavy = {"matplotlib", "ipywidgets", "IPython", "sympy", "scipy", "numpy", "driftlab.earth"}
+    code = f"import sys, driftlab; print(sorted({heavy!r} & sys.modules.keys()))"
+    assert printed_by("-c", code) == "[]"
+
+
+def test_one_subject_loads_no_other():
+    code = "import sys, driftlab as dl; dl.align; print('driftlab.calibration' in sys.modules)"
+    assert printed_by("-c", code) == "False"
+
+
+@pytest.mark.parametrize("package", ["", *SUBJECTS, "book"])
+def test_every_name_on_offer_is_there(package):
+    module = import_module(f"driftlab.{package}".rstrip("."))
+    assert dir(module) == sorted(dir(module)) == module.__all__
+    for name in module.__all__:
+        assert getattr(module, name) is not None
+
+
+def test_names_mean_what_the_modules_say():
+    from driftlab.drift.systematic_drift import drift_per_turn
+    from driftlab.gyrocompass.alignment import align
+
+    assert driftlab.align is driftlab.gyrocompass.align is align
+    assert driftlab.drift.drift_per_turn is driftlab.drift_per_turn is drift_per_turn
+
+
+def test_unknown_name_is_an_attribute_error():
+    with pytest.raises(AttributeError, match=r"^module 'driftlab.drift' has no attribute 'drfit'$"):
+        driftlab.drift.drfit
+
+
+@pytest.mark.parametrize("subject", SUBJECTS)
+def test_subject_offers_all_its_public_functions_and_classes(subject):
+    package = import_module(f"driftlab.{subject}")
+    public = {
+        name
+        for module in helper_modules()
+        if module.__name__.startswith(f"driftlab.{subject}.")
+        for name, thing in vars(module).items()
+        if (inspect.isfunction(thing) or inspect.isclass(thing))
+        and thing.__module__ == module.__name__
+        and not name.startswith(("_", "checked_"))
+    }
+    assert public - set(package.__all__) == set()
+
+
+def test_overview_names_every_module():
+    text = printed_by("-m", "driftlab")
+    for module in helper_modules():
+        if not module.__name__.startswith("driftlab.core"):
+            assert f"{module.__name__}: " in text
+
+
+def test_each_chapter_has_a_folder_of_its_name():
+    notebooks = {path.stem for path in (ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb")}
+    assert {folder.removeprefix("ch") for folder in CHAPTERS.values()} <= notebooks
+    # Chapter 12 shows what the others hold and has nothing of its own.
+    assert len(notebooks - {folder.removeprefix("ch") for folder in CHAPTERS.values()}) <= 1
