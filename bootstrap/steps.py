@@ -95,20 +95,28 @@ def run_step(command: list[str]) -> str:
     """
     pipe: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
     pipe.update(stdin=subprocess.DEVNULL, encoding="utf-8", errors="replace")
-    output, width = "", shutil.get_terminal_size().columns - 1
+    output = ""
     with LOG.open("w", encoding="utf-8") as log, running(command, **pipe) as process:
         for line in process.stdout or ():
             output += line
             print(line, end="", file=log, flush=True)
-            if sys.stdout.isatty():
-                print(f"\r{line.strip():{width}.{width}}\r", end="", flush=True)
+            show(line.strip())
             if line.startswith("Installing collected packages") and "," in line:
                 # Nothing more comes from pip until they are all there.
+                show("")
                 say(f"Installing {line.count(',') + 1} packages; this may take a minute.")
+        show("")
         code = process.wait()
     if code:
         raise diagnosis(output, command[0])
     return output
+
+
+def show(text: str) -> None:
+    """Put `text` on the last line of a terminal, where the next text takes its place."""
+    if sys.stdout.isatty():
+        width = shutil.get_terminal_size().columns - 1
+        print(f"\r{text:{width}.{width}}\r", end="", flush=True)
 
 
 def diagnosis(output: str, python: str) -> Trouble:
