@@ -50,7 +50,7 @@ def test_names_mean_what_the_modules_say():
 
 def test_unknown_name_is_an_attribute_error():
     with pytest.raises(AttributeError, match=r"^module 'driftlab.drift' has no attribute 'drfit'$"):
-        driftlab.drift.drfit
+        driftlab.drift.drfit  # noqa: B018
 
 
 @pytest.mark.parametrize("subject", SUBJECTS)
