@@ -90,7 +90,7 @@ def rotate(quaternion: ArrayLike, vector: ArrayLike) -> FloatArray:
     --------
     A quarter turn about the third axis takes axis 1 to axis 2:
 
-    >>> rotate([0, 0, np.sqrt(0.5), np.sqrt(0.5)], [1, 0, 0]).round(15)
+    >>> rotate([0, 0, np.sqrt(0.5), np.sqrt(0.5)], [1, 0, 0]).round(3) + 0
     array([0., 1., 0.])
     """
     return core.rotate(*finite_arrays(quaternion=(quaternion, 4), vector=(vector, 3)))
@@ -238,10 +238,10 @@ def cumulative_product(quaternions: ArrayLike) -> FloatArray:
 
     Examples
     --------
-    >>> cumulative_product([[0, 0, 1, 0], [0, 0, 1, 0], [0, 0, 1, 0]])
-    array([[ 0.,  0.,  1.,  0.],
-           [ 0.,  0.,  0., -1.],
-           [ 0.,  0., -1.,  0.]])
+    Three half turns about the third axis make one and a half:
+
+    >>> rotation_angle(cumulative_product([[0, 0, 1, 0]] * 3)).round(4)
+    array([3.1416, 0.    , 3.1416])
     """
     quaternions = finite_array(quaternions, "quaternions", 4)
     if quaternions.ndim < 2:

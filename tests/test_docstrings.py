@@ -1,0 +1,68 @@
+"""Every public thing of the helper is explained in numpydoc's form; functions show an example."""
+
+import doctest
+import inspect
+from dataclasses import fields, is_dataclass
+from importlib import import_module
+
+import pytest
+from numpydoc.docscrape import ClassDoc
+from numpydoc.validate import validate
+
+from support import helper_modules
+
+MODULES = [m for m in helper_modules() if not m.__name__.startswith("driftlab.core")]
+SUMMARY = {"GL08", "SS01"}  # there is a docstring, and it has a summary
+FUNCTION = {
+    *SUMMARY,
+    *("PR01", "PR02", "PR03", "PR04"),  # all parameters, no others, in their order, with types
+    *("RT01", "EX01"),  # what is returned; an example
+}
+OPTIONS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
+
+
+def public_things():
+    """Public functions, classes and their methods and properties by dotted name."""
+    for module in MODULES:
+        for name, thing in vars(module).items():
+            if name.startswith("_") or getattr(thing, "__module__", None) != module.__name__:
+                continue
+            if not (inspect.isfunction(thing) or inspect.isclass(thing)):
+                continue
+            yield f"{module.__name__}.{name}", thing
+            for key, member in vars(thing).items() if inspect.isclass(thing) else ():
+                if not key.startswith("_") and (callable(member) or isinstance(member, property)):
+                    yield f"{module.__name__}.{name}.{key}", member
+
+
+THINGS = dict(public_things())
+
+
+def complaints(name, checks):
+    return [f"{code}: {text}" for code, text in validate(name)["errors"] if code in checks]
+
+
+@pytest.mark.parametrize("name", [n for n, thing in THINGS.items() if inspect.isfunction(thing)])
+def test_function_is_explained_with_an_example(name):
+    assert complaints(name, FUNCTION) == []
+
+
+@pytest.mark.parametrize("name", [n for n, thing in THINGS.items() if isinstance(thing, property)])
+def test_property_is_explained(name):
+    assert complaints(name, SUMMARY) == []
+
+
+@pytest.mark.parametrize("name", [n for n, thing in THINGS.items() if inspect.isclass(thing)])
+def test_class_is_explained_with_all_its_fields(name):
+    thing = THINGS[name]
+    assert complaints(name, SUMMARY) == []
+    assert not thing.__doc__.startswith(f"{thing.__name__}(")  # a dataclass's own signature
+    own = fields(thing) if is_dataclass(thing) else getattr(thing, "_fields", ())
+    names = {getattr(field, "name", field) for field in own}
+    listed = {n.strip() for entry in ClassDoc(thing)["Attributes"] for n in entry.name.split(",")}
+    assert names <= listed
+
+
+@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.__name__)
+def test_examples_run(module):
+    assert doctest.testmod(import_module(module.__name__), optionflags=OPTIONS).failed == 0
