@@ -1,10 +1,12 @@
 """What every figure of the book is made with: a picture drawn once, whose artists then only move.
 
-A static figure and a slider panel are the same picture. `Picture.draw(data)` makes the figure for a
-page; an explorer keeps one `Picture` and calls `update` at each move of a slider.
+A slider panel and the published figure of it are the same picture. `Picture.draw(data)` makes the
+figure for a page; an explorer keeps one `Picture` and calls `update` at each move of a slider. A
+figure that no panel moves is one function, in the same style by `in_style`.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import wraps
 from importlib.resources import as_file, files
 from typing import Any, ClassVar, Generic, TypeVar
 
@@ -96,6 +98,19 @@ class Picture(Generic[Data]):
         (line,) = axes.plot([], [], **style)
         self.moving.append(line)
         return line
+
+
+def in_style(draw: Callable[[Data], Figure]) -> Callable[[Data], Figure]:
+    """Let a drawing function run in the book's style: Matplotlib reads it when artists are made."""
+
+    @wraps(draw)
+    def styled(data: Data) -> Figure:
+        with matplotlib.rc_context(STYLE):
+            figure = draw(data)
+        FigureCanvasAgg(figure)
+        return figure
+
+    return styled
 
 
 def long_table(curves: Mapping[str, tuple[ArrayLike, ArrayLike]]) -> dict[str, Any]:

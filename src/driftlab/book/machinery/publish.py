@@ -12,8 +12,9 @@ from pathlib import Path
 from typing import Any
 
 import matplotlib
+from matplotlib.figure import Figure
 
-from .picture import STYLE, Picture
+from .picture import STYLE
 
 GALLERY_NOTE = (
     "Rebuilt from seeds by `python3 lab.py figures`; do not edit. The numbers behind a figure are "
@@ -31,7 +32,8 @@ class FigureDefinition:
         File name without ending; begins with the chapter's number.
     compute : callable
         Takes nothing, returns the picture's data.
-    picture : type of Picture
+    draw : callable
+        Data to a Matplotlib figure.
     columns : callable or None
         Data to CSV columns of equal length; None for a drawing that shows no numbers.
     caption : callable
@@ -40,7 +42,7 @@ class FigureDefinition:
 
     name: str
     compute: Callable[[], Any]
-    picture: type[Picture[Any]]
+    draw: Callable[[Any], Figure]
     columns: Callable[[Any], dict[str, Any]] | None
     caption: Callable[[Any], str]
 
@@ -51,14 +53,14 @@ class PublishedFigure:
     Attributes
     ----------
     data : object
-        What the figure's module computed.
+        What the experiment computed.
     caption : str
     """
 
-    def __init__(self, entry: FigureDefinition) -> None:
-        self.data = entry.compute()
-        self.caption = entry.caption(self.data)
-        self._figure = entry.picture.draw(self.data)
+    def __init__(self, definition: FigureDefinition) -> None:
+        self.data = definition.compute()
+        self.caption = definition.caption(self.data)
+        self._figure = definition.draw(self.data)
 
     def svg(self) -> bytes:
         """The picture as SVG whose bytes repeat: no date, identifiers from a fixed salt."""

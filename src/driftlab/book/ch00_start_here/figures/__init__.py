@@ -2,13 +2,14 @@
 
 from driftlab.book.machinery.publish import FigureDefinition
 
+from ..experiments import paper_frames
 from . import frames
 
 FIGURES = (
     FigureDefinition(
         "00-frames",
-        frames.compute,
-        frames.FramesPicture,
+        paper_frames,
+        frames.draw,
         None,
         lambda _: (
             "The frames of the papers. Each curved arrow is a positive angle: a right-handed "
