@@ -8,10 +8,13 @@ from driftlab.checks import FloatArray
 from driftlab.drift.error_kinematics import error_quaternion, error_rate_matrix
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
 
+from .experiments import SPIN
+
 BODY_TURNS = 2 * np.pi * np.array([1 / 4, 1 / 2, 1])
 BENT = np.array([[1, 1e-2, 0], [0, 1, 0], [0, 0, 1]])
 SECONDS = 20.0
-TRUE_RATE, TOO_LITTLE = 12.0, 0.3  # degrees a second, of the panel's preset and its slider
+TOO_LITTLE = 0.3
+"""What the panel's slider takes off the rate about the third axis, degrees a second."""
 
 
 def _reversed_gyro() -> FloatArray:
@@ -22,7 +25,7 @@ def _reversed_gyro() -> FloatArray:
 
 def _same_size() -> float:
     """False rate across that makes up for what is too little along, in degrees a second."""
-    return np.sqrt(TRUE_RATE**2 - (TRUE_RATE - TOO_LITTLE) ** 2)
+    return np.sqrt(SPIN**2 - (SPIN - TOO_LITTLE) ** 2)
 
 
 def _error(matrix: FloatArray = BENT) -> FloatArray:

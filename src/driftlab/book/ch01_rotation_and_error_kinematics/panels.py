@@ -10,7 +10,15 @@ from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.checks import FloatArray
 
-from .figures import error_motion
+from .experiments import (
+    DURATION,
+    SAMPLES,
+    SPIN,
+    ErrorMotion,
+    error_motion,
+    integration_error,
+)
+from .figures.error_motion import ErrorMotionPicture
 
 TOLERANCES = (1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1)
 
@@ -19,7 +27,7 @@ class ErrorMotionExplorer(Explorer):
     """Components of the error quaternion for any true and measured rate."""
 
     title = "Error quaternion for a constant true and measured rate"
-    picture_class = error_motion.ErrorMotionPicture
+    picture_class = ErrorMotionPicture
     controls = (
         *(
             Control(f"rate{i}", f"true rate {i}, deg/s", start, -15.0, 15.0, 0.5, group="true rate")
@@ -34,10 +42,10 @@ class ErrorMotionExplorer(Explorer):
     presets: ClassVar = {
         "Gross error": {},
         "Error along the rate": {
-            "rate1": 0.0, "rate2": 0.0, "rate3": 12.0, "error1": 0.0, "error2": 0.0, "error3": 1.0
+            "rate1": 0.0, "rate2": 0.0, "rate3": SPIN, "error1": 0.0, "error2": 0.0, "error3": 1.0
         },
         "Error across the rate": {
-            "rate1": 0.0, "rate2": 0.0, "rate3": 12.0, "error1": 1.0, "error2": 0.0, "error3": 0.0
+            "rate1": 0.0, "rate2": 0.0, "rate3": SPIN, "error1": 1.0, "error2": 0.0, "error3": 0.0
         },
         "A true zero": {"rate1": 0.0, "rate2": 0.0, "rate3": 0.0},
     }  # fmt: skip
@@ -47,12 +55,12 @@ class ErrorMotionExplorer(Explorer):
         rate = np.radians([values[f"rate{i}"] for i in (1, 2, 3)])
         return rate, rate + np.radians([values[f"error{i}"] for i in (1, 2, 3)])
 
-    def compute(self, values: Values) -> error_motion.ErrorMotion:
-        return error_motion.compute(*self._rates(values), tolerance=values["tolerance"])
+    def compute(self, values: Values) -> ErrorMotion:
+        return error_motion(*self._rates(values), tolerance=values["tolerance"])
 
-    def numbers(self, data: error_motion.ErrorMotion) -> list[tuple[str, str]]:
+    def numbers(self, data: ErrorMotion) -> list[tuple[str, str]]:
         rate, measured = self._rates(self.values)
-        worst = error_motion.integration_error(data, rate, measured).max()
+        worst = integration_error(data, rate, measured).max()
         true_size, size = np.degrees(np.linalg.norm([rate, measured], axis=-1))
         return [
             ("true rate", f"{true_size:.3f} deg/s"),
@@ -69,7 +77,7 @@ class ErrorMotionExplorer(Explorer):
         return (
             "import numpy as np\nfrom driftlab.drift import error_quaternion\n"
             f"rate = np.radians({rate})\nmeasured_rate = rate + np.radians({error})\n"
-            "error_quaternion(rate, measured_rate, np.linspace(0, 60, 601))"
+            f"error_quaternion(rate, measured_rate, np.linspace(0, {DURATION:g}, {SAMPLES}))"
         )
 
 

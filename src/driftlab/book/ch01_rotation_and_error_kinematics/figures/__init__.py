@@ -2,13 +2,14 @@
 
 from driftlab.book.machinery.publish import FigureDefinition
 
+from .. import experiments
 from . import error_motion
 
 FIGURES = (
     FigureDefinition(
         "01-error-motion",
-        lambda: error_motion.compute([0.1, 0.2, 0.1], [0.12, 0.15, 0.1]),
-        error_motion.ErrorMotionPicture,
+        lambda: experiments.error_motion([0.1, 0.2, 0.1], [0.12, 0.15, 0.1]),
+        error_motion.ErrorMotionPicture.draw,
         error_motion.columns,
         lambda data: (
             "The four components of the error quaternion for a grossly wrong triad: the "

@@ -1,0 +1,84 @@
+"""The error quaternion in time, by closed form and by a numerical integrator; Larin (1.4)."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.integrate import solve_ivp
+
+from driftlab.checks import FloatArray, finite_array
+from driftlab.drift.error_kinematics import error_quaternion, error_rate_matrix
+
+DURATION = 60.0
+"""Length of a history, s."""
+SAMPLES = 601
+"""Times in a history."""
+SPIN = 12.0
+"""Rate about the third axis, degrees a second, of the presets whose true rate has one axis."""
+
+
+class ErrorMotion(NamedTuple):
+    """Error quaternion over time.
+
+    Attributes
+    ----------
+    time : ndarray, shape (m,)
+        s.
+    exact : ndarray, shape (m, 4)
+        Error quaternion in closed form.
+    integrated_time : ndarray, shape (n,)
+        The integrator's own steps, s.
+    integrated : ndarray, shape (n, 4)
+        Error quaternion as integrated.
+    tolerance : float
+        Of the integrator.
+    """
+
+    time: FloatArray
+    exact: FloatArray
+    integrated_time: FloatArray
+    integrated: FloatArray
+    tolerance: float
+
+
+def error_motion(
+    rate: ArrayLike, measured_rate: ArrayLike, duration: float = DURATION, tolerance: float = 1e-2
+) -> ErrorMotion:
+    """Solve (1.4) from [0, 0, 0, 1], in closed form and with a Runge-Kutta integrator.
+
+    Parameters
+    ----------
+    rate, measured_rate : array_like, shape (3,)
+        Constant rates, rad/s.
+    duration : float
+        Length of the history in s, above 0.
+    tolerance : float
+        Relative and absolute tolerance of `scipy.integrate.solve_ivp` (RK45), above 0.
+    """
+    for name, value in (("duration", duration), ("tolerance", tolerance)):
+        if not finite_array(value, name) > 0:
+            raise ValueError(f"{name}: expected a number above 0, got {value!r}.")
+    matrix = error_rate_matrix(rate, measured_rate)
+    time = np.linspace(0.0, duration, SAMPLES)
+    solution = solve_ivp(
+        lambda _, error: 0.5 * matrix @ error,
+        (0.0, duration),
+        [0.0, 0.0, 0.0, 1.0],
+        rtol=tolerance,
+        atol=tolerance,
+    )
+    exact = error_quaternion(rate, measured_rate, time)
+    return ErrorMotion(time, exact, solution.t, solution.y.T, tolerance)
+
+
+def integration_error(motion: ErrorMotion, rate: ArrayLike, measured_rate: ArrayLike) -> FloatArray:
+    """Distance (n,) of the integrated quaternion from the exact one at the integrator's steps.
+
+    Parameters
+    ----------
+    motion : ErrorMotion
+    rate, measured_rate : array_like, shape (3,)
+        The rates of the motion, rad/s.
+    """
+    exact = error_quaternion(rate, measured_rate, motion.integrated_time)
+    return np.linalg.norm(motion.integrated - exact, axis=-1)
