@@ -50,9 +50,13 @@ def ship(
 
 
 SHAPES = {
-    "symmetric": [[0, 1, 1], [1, 0, 1], [1, 1, 0]],
-    "skew": [[0, -1, 1], [1, 0, -1], [-1, 1, 0]],
+    "symmetric": SYMMETRIC.astype(int).tolist(),
+    "skew": SKEW.astype(int).tolist(),
     "third axis bent, as in Larin's table": [[0, 0, 0], [0, 0, 0], [1, -1, 0]],
     "x leans to axis 2 only": [[0, 1, 0], [0, 0, 0], [0, 0, 0]],
     "scale factor of all three": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
 }
+
+# Chapters 00 to 05
+OBLIQUE_AXIS = (1.0, 1.0, 0.3)
+"""Axis of rotation in the published figures: neither a body axis nor a diagonal."""

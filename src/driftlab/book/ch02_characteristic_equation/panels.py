@@ -9,7 +9,8 @@ from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.scenarios import SHAPES
 
-from .figures import roots
+from .experiments import FORMULAS, Roots, characteristic_roots
+from .figures.roots import RootsPicture
 
 SIZES = (1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5)
 
@@ -18,7 +19,7 @@ class RootsExplorer(Explorer):
     """Roots of (2.1): exact, asymptotic, and as printed."""
 
     title = "Roots of the characteristic equation against deformation and axis"
-    picture_class = roots.RootsPicture
+    picture_class = RootsPicture
     controls = (
         Control("shape", "shape T", "symmetric", choices=tuple(SHAPES), group="deformation"),
         Control("size", "size μ", 0.1, stops=SIZES, group="deformation"),
@@ -36,20 +37,20 @@ class RootsExplorer(Explorer):
         },
     }  # fmt: skip
 
-    def compute(self, values: Values) -> roots.Roots:
-        return roots.compute(values["size"], SHAPES[values["shape"]], axis_of(values))
+    def compute(self, values: Values) -> Roots:
+        return characteristic_roots(values["size"], SHAPES[values["shape"]], axis_of(values))
 
-    def numbers(self, data: roots.Roots) -> list[tuple[str, str]]:
+    def numbers(self, data: Roots) -> list[tuple[str, str]]:
         fast, slow = data.roots[:, 0].imag, data.roots[:, 2].imag
-        rows = zip(roots.FORMULAS, fast, slow, strict=True)
+        rows = zip(FORMULAS, fast, slow, strict=True)
         return [(name, f"{a:.9f} i, {b:.9f} i") for name, a, b in rows]
 
     def call(self, values: Values) -> str:
         return (
             "import numpy as np\n"
             "from driftlab.drift import asymptotic_roots, exact_roots\n"
+            "from driftlab.triad import measured_rate\n"
             "from driftlab.vectors import direction_from_angles\n"
-            "measured_rate\n"
             f"rate = {axis_code(values)}\n"
             f"misalignment = {values['size']} * np.array({SHAPES[values['shape']]})\n"
             "exact_roots(rate, measured_rate(rate, misalignment))\n"

@@ -1,15 +1,16 @@
 """The published figures of chapter 02, with their captions."""
 
 from driftlab.book.machinery.publish import FigureDefinition
-from driftlab.book.scenarios import SYMMETRIC
+from driftlab.book.scenarios import OBLIQUE_AXIS, SYMMETRIC
 
+from ..experiments import characteristic_roots
 from . import roots
 
 FIGURES = (
     FigureDefinition(
         "02-roots",
-        lambda: roots.compute(0.1, SYMMETRIC, [1, 1, 0.3]),
-        roots.RootsPicture,
+        lambda: characteristic_roots(0.1, SYMMETRIC, OBLIQUE_AXIS),
+        roots.RootsPicture.draw,
         roots.columns,
         lambda data: (
             "Roots of the characteristic equation for a symmetric triad. The vertical "

@@ -1,82 +1,11 @@
 """Roots of the characteristic equation against the size of the deformation; Larin (2.1), (2.2)."""
 
-from typing import NamedTuple
-
 import numpy as np
-from numpy.typing import ArrayLike
 
 from driftlab.book.machinery.picture import BLACK, SERIES, Picture
-from driftlab.checks import ComplexArray, FloatArray, finite_array, nonzero_vectors
-from driftlab.drift.characteristic_equation import (
-    asymptotic_roots,
-    characteristic_polynomial,
-    exact_roots,
-)
-from driftlab.triad import measured_rate
+from driftlab.checks import FloatArray
 
-SIZES: FloatArray = np.concatenate([np.geomspace(1e-5, 1e-2, 25), np.linspace(0.0125, 0.5, 40)])
-FORMULAS = ("exact", "first order, (2.2)", "with the next term", "(2.1) as printed")
-
-
-class Roots(NamedTuple):
-    """Roots in units of the rate; last axis as in `exact_roots`."""
-
-    size: float
-    roots: ComplexArray  # (formula, 4) at `size`
-    sizes: FloatArray  # (m,)
-    branches: FloatArray  # (formula, m, 2): imaginary part of the fast and of the slow root
-
-
-def compute(size: float, shape: ArrayLike, direction: ArrayLike) -> Roots:
-    """Roots by every formula for M = size * shape, and their course over all sizes.
-
-    Parameters
-    ----------
-    size : float
-        mu, at least 0.
-    shape : array_like, shape (3, 3)
-        T, for instance with a largest entry of one.
-    direction : array_like, shape (3,)
-        Axis of the rotation in body axes.
-    """
-    direction, _ = nonzero_vectors(direction, "direction")
-    shape = finite_array(shape, "shape", 3, 3)
-    size = float(finite_array(size, "size"))
-    if size < 0:
-        raise ValueError(f"size: expected a number of at least 0, got {size!r}.")
-    branches = _by_formula(SIZES, shape, direction)[..., [0, 2]].imag.astype(np.float64)
-    return Roots(size, _by_formula(np.array(size), shape, direction), SIZES, branches)
-
-
-def _by_formula(sizes: FloatArray, shape: FloatArray, direction: FloatArray) -> ComplexArray:
-    """Roots (formula, ..., 4) for an array of sizes (...)."""
-    misalignment = sizes[..., np.newaxis, np.newaxis] * shape
-    measured = measured_rate(direction, misalignment)
-    return np.stack(
-        [
-            exact_roots(direction, measured),
-            asymptotic_roots(direction, misalignment),
-            asymptotic_roots(direction, misalignment, order=2),
-            _printed_roots(direction, measured),
-        ]
-    )
-
-
-def _printed_roots(direction: FloatArray, measured: FloatArray) -> ComplexArray:
-    """Roots of the biquadratic as printed, the slow ones with the sign of the exact ones.
-
-    For a gross deformation they may leave the imaginary axis, which true roots never do.
-    """
-    polynomial = characteristic_polynomial(direction, measured, as_printed=True)
-    b, c = polynomial[..., 2], polynomial[..., 4]
-    fast = np.sqrt(0.5 * (b + np.sqrt(b**2 - 4 * c + 0j)))
-    slow = np.sqrt(c) / fast * np.sign(exact_roots(direction, measured)[..., 2].imag)
-    return 1j * np.stack([fast, -fast, slow, -slow], axis=-1)
-
-
-def errors(data: Roots) -> FloatArray:
-    """Distance (3, m, 2) of the approximate roots from the exact ones, in units of the rate."""
-    return np.abs(data.branches[1:] - data.branches[0])
+from ..experiments import FORMULAS, Roots, root_errors
 
 
 def columns(data: Roots) -> dict[str, FloatArray]:
@@ -134,7 +63,7 @@ class RootsPicture(Picture[Roots]):
             self.points[i].set_data(data.roots[i].real, data.roots[i].imag)
             self.fast[i].set_data(data.sizes, data.branches[i, :, 0])
             self.slow[i].set_data(data.sizes, data.branches[i, :, 1])
-        first, second, printed = errors(data)
+        first, second, printed = root_errors(data)
         for line, values in zip(
             self.errors, (first[:, 0], second[:, 0], printed[:, 0], printed[:, 1]), strict=True
         ):

@@ -1,0 +1,90 @@
+"""Roots of the characteristic equation against the size of the deformation; Larin (2.1), (2.2)."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.checks import ComplexArray, FloatArray, finite_array, nonzero_vectors
+from driftlab.drift.characteristic_equation import (
+    asymptotic_roots,
+    characteristic_polynomial,
+    exact_roots,
+)
+from driftlab.triad import measured_rate
+
+SIZES: FloatArray = np.concatenate([np.geomspace(1e-5, 1e-2, 25), np.linspace(0.0125, 0.5, 40)])
+FORMULAS = ("exact", "first order, (2.2)", "with the next term", "(2.1) as printed")
+
+
+class Roots(NamedTuple):
+    """Roots by every formula of `FORMULAS`, in units of the rate.
+
+    Attributes
+    ----------
+    size : float
+        mu.
+    roots : ndarray, shape (formula, 4)
+        At `size`, in the order of `driftlab.drift.characteristic_equation.exact_roots`.
+    sizes : ndarray, shape (m,)
+        Sizes mu of the branches.
+    branches : ndarray, shape (formula, m, 2)
+        Imaginary part of the fast and of the slow root at `sizes`.
+    """
+
+    size: float
+    roots: ComplexArray
+    sizes: FloatArray
+    branches: FloatArray
+
+
+def characteristic_roots(size: float, shape: ArrayLike, direction: ArrayLike) -> Roots:
+    """Roots by every formula for M = size * shape, and their course over `SIZES`.
+
+    Parameters
+    ----------
+    size : float
+        mu, at least 0.
+    shape : array_like, shape (3, 3)
+        T, for instance with a largest entry of one.
+    direction : array_like, shape (3,)
+        Axis of the rotation in body axes.
+    """
+    direction, _ = nonzero_vectors(direction, "direction")
+    shape = finite_array(shape, "shape", 3, 3)
+    size = float(finite_array(size, "size"))
+    if size < 0:
+        raise ValueError(f"size: expected a number of at least 0, got {size!r}.")
+    branches = _by_formula(SIZES, shape, direction)[..., [0, 2]].imag.astype(np.float64)
+    return Roots(size, _by_formula(np.array(size), shape, direction), SIZES, branches)
+
+
+def _by_formula(sizes: FloatArray, shape: FloatArray, direction: FloatArray) -> ComplexArray:
+    """Roots (formula, ..., 4) for an array of sizes (...)."""
+    misalignment = sizes[..., np.newaxis, np.newaxis] * shape
+    measured = measured_rate(direction, misalignment)
+    return np.stack(
+        [
+            exact_roots(direction, measured),
+            asymptotic_roots(direction, misalignment),
+            asymptotic_roots(direction, misalignment, order=2),
+            _printed_roots(direction, measured),
+        ]
+    )
+
+
+def _printed_roots(direction: FloatArray, measured: FloatArray) -> ComplexArray:
+    """Roots of the biquadratic as printed, the slow ones with the sign of the exact ones.
+
+    For a gross deformation they may leave the imaginary axis, which true roots never do.
+    """
+    polynomial = characteristic_polynomial(direction, measured, as_printed=True)
+    b, c = polynomial[..., 2], polynomial[..., 4]
+    fast = np.sqrt(0.5 * (b + np.sqrt(b**2 - 4 * c + 0j)))
+    slow = np.sqrt(c) / fast * np.sign(exact_roots(direction, measured)[..., 2].imag)
+    return 1j * np.stack([fast, -fast, slow, -slow], axis=-1)
+
+
+def root_errors(roots: Roots) -> FloatArray:
+    """Distance (3, m, 2) of the approximate roots from the exact ones, in units of the rate."""
+    return np.abs(roots.branches[1:] - roots.branches[0])
