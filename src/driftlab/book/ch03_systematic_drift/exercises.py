@@ -16,10 +16,11 @@ from driftlab.drift.turn_calibration import PAIR_AXES
 from driftlab.quaternion import from_rotation_vector, multiply, to_rotation_vector
 from driftlab.triad import measured_rate
 
+from .experiments import DIAGONAL, LARGEST_ENTRY, TURNS
+
 OPPOSITE_SCALES = np.diag([1.0, -1, 0])
 AXES = np.array([[1.0, 0, 0], [-1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, 0, 1]])
-DIAGONAL = np.ones(3)
-REACH = 2e-3 * np.ones((3, 3))
+REACH = LARGEST_ENTRY * np.ones((3, 3))
 """All nine sliders of the panel at their upper ends."""
 LOOPS = PAIR_AXES[1:]
 
@@ -89,13 +90,13 @@ EXERCISES: dict[str, Exercise] = {
         accuracy=0.005,
         mistakes={
             "These are the six leans alone. A scale error drifts as well.": (
-                lambda: _arcmin(drift_per_turn(DIAGONAL, REACH - 2e-3 * np.eye(3)))
+                lambda: _arcmin(drift_per_turn(DIAGONAL, REACH - LARGEST_ENTRY * np.eye(3)))
             ),
             "More is possible: some sliders are not at their ends.": (
-                lambda: _arcmin(drift_per_turn(DIAGONAL, 2e-3 * np.eye(3)))
+                lambda: _arcmin(drift_per_turn(DIAGONAL, LARGEST_ENTRY * np.eye(3)))
             ),
             "That is the angle after all the turns of the picture; the drift in one is asked.": (
-                lambda: 5 * _arcmin(drift_per_turn(DIAGONAL, REACH))
+                lambda: TURNS * _arcmin(drift_per_turn(DIAGONAL, REACH))
             ),
         },
         remark="All nine matter equally: about the space diagonal every product of two components "

@@ -1,4 +1,4 @@
-"""The slider panels of Part I."""
+"""The slider panel of chapter 03."""
 
 from typing import ClassVar
 
@@ -7,10 +7,11 @@ import numpy as np
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, matrix_code
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.scenarios import LARIN_TRIAD, SHAPES
+from driftlab.book.scenarios import LARIN_TRIAD, SKEW, SYMMETRIC
 from driftlab.checks import FloatArray
 
-from .figures import drift_history
+from .experiments import LARGEST_ENTRY, DriftHistory, drift_history
+from .figures.drift_history import DriftHistoryPicture
 
 ENTRIES = [f"m{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3)]
 
@@ -19,8 +20,8 @@ MISALIGNMENT_CONTROLS = tuple(
         entry,
         f"{gyro} {'scale' if gyro == 'xyz'[column] else f'to axis {column + 1}'}, 1e-3",
         0.0,
-        -2.0,
-        2.0,
+        -1e3 * LARGEST_ENTRY,
+        1e3 * LARGEST_ENTRY,
         0.05,
         group=f"gyro {gyro}",
     )
@@ -46,11 +47,11 @@ class DriftExplorer(Explorer):
     """The error of a bent triad over the turns."""
 
     title = "Drift of a bent triad, turn after turn"
-    picture_class = drift_history.DriftHistoryPicture
+    picture_class = DriftHistoryPicture
     controls = (*MISALIGNMENT_CONTROLS, *AXIS_CONTROLS)
     presets: ClassVar = {
-        "Symmetric triad": misalignment_values(1e-3 * np.array(SHAPES["symmetric"])),
-        "Skew triad": misalignment_values(2e-3 * np.array(SHAPES["skew"])),
+        "Symmetric triad": misalignment_values(1e-3 * SYMMETRIC),
+        "Skew triad": misalignment_values(LARGEST_ENTRY * SKEW),
         "Larin's triad": {
             **misalignment_values(LARIN_TRIAD), "azimuth": 0.0, "elevation": 45.0
         },
@@ -58,10 +59,10 @@ class DriftExplorer(Explorer):
         "Scale factor": misalignment_values(1e-3 * np.eye(3)),
     }  # fmt: skip
 
-    def compute(self, values: Values) -> drift_history.DriftHistory:
-        return drift_history.compute(misalignment_of(values), axis_of(values))
+    def compute(self, values: Values) -> DriftHistory:
+        return drift_history(misalignment_of(values), axis_of(values))
 
-    def numbers(self, data: drift_history.DriftHistory) -> list[tuple[str, str]]:
+    def numbers(self, data: DriftHistory) -> list[tuple[str, str]]:
         return [
             ("drift a turn, exact", f"{_arcmin(data.exact_per_turn)}"),
             ("first order", f"{_arcmin(data.first_order_per_turn)}"),

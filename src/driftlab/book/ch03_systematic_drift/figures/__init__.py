@@ -3,16 +3,17 @@
 import numpy as np
 
 from driftlab.book.machinery.publish import FigureDefinition
-from driftlab.book.scenarios import LARIN_TRIAD, SYMMETRIC
+from driftlab.book.scenarios import LARIN_TRIAD, OBLIQUE_AXIS, SYMMETRIC
 
+from .. import experiments
 from . import drift_by_symmetry, drift_history, drift_map
 
 
-def _history_caption(data: drift_history.DriftHistory) -> str:
+def _history_caption(data: experiments.DriftHistory) -> str:
     drift = 60 * np.degrees(data.exact_per_turn)
     return (
         "A symmetric triad, each gyro leaning by 2e-3 to the other two, turned "
-        f"{drift_history.TURNS} times. Along the axis the error grows by {drift:.1f} arcmin a "
+        f"{experiments.TURNS} times. Along the axis the error grows by {drift:.1f} arcmin a "
         "turn; across it, the error comes back to nearly nothing each time."
     )
 
@@ -20,15 +21,15 @@ def _history_caption(data: drift_history.DriftHistory) -> str:
 FIGURES = (
     FigureDefinition(
         "03-drift-history",
-        lambda: drift_history.compute(2e-3 * SYMMETRIC, [1, 1, 0.3]),
-        drift_history.DriftHistoryPicture,
+        lambda: experiments.drift_history(experiments.LARGEST_ENTRY * SYMMETRIC, OBLIQUE_AXIS),
+        drift_history.DriftHistoryPicture.draw,
         drift_history.columns,
         _history_caption,
     ),
     FigureDefinition(
         "03-drift-by-symmetry",
-        drift_by_symmetry.compute,
-        drift_by_symmetry.DriftBySymmetryPicture,
+        experiments.drift_by_symmetry,
+        drift_by_symmetry.draw,
         drift_by_symmetry.columns,
         lambda _: (
             "Drift per turn of a symmetric and of a skew deformation about the axis that is "
@@ -37,8 +38,8 @@ FIGURES = (
     ),
     FigureDefinition(
         "03-drift-map",
-        lambda: drift_map.compute(LARIN_TRIAD),
-        drift_map.DriftMapPicture,
+        lambda: experiments.drift_map(LARIN_TRIAD),
+        drift_map.draw,
         drift_map.columns,
         lambda data: (
             "Drift coefficient of the triad of Larin's table for every axis of rotation. "

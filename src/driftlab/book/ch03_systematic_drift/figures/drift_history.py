@@ -1,11 +1,8 @@
 """A bent triad, the frames R and B, and the error over the turns; Larin (2.3)."""
 
-from typing import NamedTuple
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
-from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from driftlab.book.machinery.picture import (
@@ -19,69 +16,9 @@ from driftlab.book.machinery.picture import (
     plain_axes,
     project,
 )
-from driftlab.checks import FloatArray, finite_array, nonzero_vectors, whole_number
-from driftlab.drift.error_kinematics import error_quaternion
-from driftlab.drift.systematic_drift import (
-    drift_coefficient,
-    drift_per_turn,
-    principal_drifts,
-)
-from driftlab.quaternion import to_rotation_vector
-from driftlab.triad import measured_rate
+from driftlab.checks import FloatArray
 
-TURNS = 5
-EXAGGERATION = 150
-"""The triad is drawn with its misalignment this many times too large."""
-
-
-class DriftHistory(NamedTuple):
-    """Error over the turns, as the rotation vector from R to B."""
-
-    turns: FloatArray  # (m,), in turns
-    error: FloatArray  # (m, 3), rad: the full motion
-    whole_turns: FloatArray  # (n,)
-    snapshots: FloatArray  # (n, 3), rad: once a turn
-    direction: FloatArray  # (3,)
-    triad: FloatArray  # (3, 3), exaggerated sensitive axes
-    worst_axis: FloatArray  # (3,)
-    first_order_per_turn: float  # rad
-    exact_per_turn: float  # rad
-    worst_per_turn: float  # rad, about the worst axis
-
-
-def compute(
-    misalignment: ArrayLike, direction: ArrayLike, samples_per_turn: int = 60
-) -> DriftHistory:
-    """Turn a triad `TURNS` times about `direction` and watch the error.
-
-    Parameters
-    ----------
-    misalignment : array_like, shape (3, 3)
-    direction : array_like, shape (3,)
-        Axis of the turns in body axes; only its direction counts.
-    samples_per_turn : int
-    """
-    samples = whole_number(samples_per_turn, "samples_per_turn")
-    n, _ = nonzero_vectors(direction, "direction")
-    misalignment = finite_array(misalignment, "misalignment", 3, 3)
-    measured = measured_rate(n, misalignment)
-    # At unit rate, one turn takes 2 pi seconds.
-    time = 2 * np.pi * np.arange(TURNS * samples + 1) / samples
-    error = to_rotation_vector(error_quaternion(n, measured, time))
-    coefficients, axes = principal_drifts(misalignment, exact=True)
-    worst = np.abs(coefficients).argmax()
-    return DriftHistory(
-        time / (2 * np.pi),
-        error,
-        np.arange(TURNS + 1.0),
-        error[::samples],
-        n,
-        np.eye(3) + EXAGGERATION * misalignment,
-        axes[worst],
-        float(2 * np.pi * drift_coefficient(n, misalignment)),
-        float(drift_per_turn(n, misalignment)),
-        float(2 * np.pi * coefficients[worst]),
-    )
+from ..experiments import EXAGGERATION, TURNS, DriftHistory
 
 
 def columns(data: DriftHistory) -> dict[str, FloatArray]:
@@ -94,7 +31,7 @@ def columns(data: DriftHistory) -> dict[str, FloatArray]:
 class DriftHistoryPicture(Picture[DriftHistory]):
     """Exaggerated triad, frames R and B at the end, and the error over `TURNS` turns.
 
-    The limits hold everything that entries up to 2e-3 can do.
+    The limits hold everything that entries up to `LARGEST_ENTRY` can do.
     """
 
     size = (10.5, 4.0)

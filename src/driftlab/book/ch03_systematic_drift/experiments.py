@@ -1,0 +1,190 @@
+"""The error over whole turns, what part of the deformation drifts, and the drift of every axis."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.book.scenarios import SKEW, SYMMETRIC
+from driftlab.checks import FloatArray, finite_array, nonzero_vectors, whole_number
+from driftlab.drift.error_kinematics import error_quaternion
+from driftlab.drift.systematic_drift import (
+    drift_coefficient,
+    drift_per_turn,
+    principal_drifts,
+)
+from driftlab.quaternion import to_rotation_vector
+from driftlab.triad import measured_rate
+from driftlab.vectors import direction_from_angles
+
+TURNS = 5
+"""Whole turns of a drift history."""
+LARGEST_ENTRY = 2e-3
+"""Largest entry of a misalignment that the panel offers, and that its picture has room for."""
+EXAGGERATION = 150
+"""The triad is shown with its misalignment this many times too large."""
+DIAGONAL: FloatArray = np.ones(3) / np.sqrt(3)
+ACROSS: FloatArray = np.array([1.0, -1, 0]) / np.sqrt(2)
+
+
+class DriftHistory(NamedTuple):
+    """Error over the turns, as the rotation vector from R to B.
+
+    Attributes
+    ----------
+    turns : ndarray, shape (m,)
+        How far the body has turned, in turns.
+    error : ndarray, shape (m, 3)
+        Rotation vector, rad.
+    whole_turns : ndarray, shape (n,)
+        0 to `TURNS`.
+    snapshots : ndarray, shape (n, 3)
+        `error` once a turn, rad.
+    direction : ndarray, shape (3,)
+        Unit axis of the turns.
+    triad : ndarray, shape (3, 3)
+        Sensitive axes as rows, bent `EXAGGERATION` times too much.
+    worst_axis : ndarray, shape (3,)
+        Unit axis with the largest drift in size.
+    first_order_per_turn, exact_per_turn : float
+        Drift angle in one turn about `direction`, rad.
+    worst_per_turn : float
+        Drift angle in one turn about `worst_axis`, rad.
+    """
+
+    turns: FloatArray
+    error: FloatArray
+    whole_turns: FloatArray
+    snapshots: FloatArray
+    direction: FloatArray
+    triad: FloatArray
+    worst_axis: FloatArray
+    first_order_per_turn: float
+    exact_per_turn: float
+    worst_per_turn: float
+
+
+def drift_history(
+    misalignment: ArrayLike, direction: ArrayLike, samples_per_turn: int = 60
+) -> DriftHistory:
+    """Error of a bent triad over `TURNS` turns at a constant rate, exact; Larin (2.3).
+
+    Parameters
+    ----------
+    misalignment : array_like, shape (3, 3)
+        M, dimensionless.
+    direction : array_like, shape (3,)
+        Axis of the turns in body axes; only its direction counts.
+    samples_per_turn : int
+    """
+    samples = whole_number(samples_per_turn, "samples_per_turn")
+    n, _ = nonzero_vectors(direction, "direction")
+    misalignment = finite_array(misalignment, "misalignment", 3, 3)
+    measured = measured_rate(n, misalignment)
+    # At unit rate, one turn takes 2 pi seconds.
+    time = 2 * np.pi * np.arange(TURNS * samples + 1) / samples
+    error = to_rotation_vector(error_quaternion(n, measured, time))
+    coefficients, axes = principal_drifts(misalignment, exact=True)
+    worst = np.abs(coefficients).argmax()
+    return DriftHistory(
+        time / (2 * np.pi),
+        error,
+        np.arange(TURNS + 1.0),
+        error[::samples],
+        n,
+        np.eye(3) + EXAGGERATION * misalignment,
+        axes[worst],
+        float(2 * np.pi * drift_coefficient(n, misalignment)),
+        float(drift_per_turn(n, misalignment)),
+        float(2 * np.pi * coefficients[worst]),
+    )
+
+
+class DriftBySymmetry(NamedTuple):
+    """Drift angle in one turn of a symmetric, a skew and a mixed deformation.
+
+    Attributes
+    ----------
+    sizes : ndarray, shape (m,)
+        Size of the deformation, dimensionless.
+    symmetric : ndarray, shape (m,)
+        Of size times `SYMMETRIC` about its worst axis (1, 1, 1), rad.
+    skew : ndarray, shape (m,)
+        Of size times `SKEW` about (1, -1, 0), across the skew matrix's own axis, rad.
+    mixing : ndarray, shape (p,)
+        Mixing angle, rad.
+    mixed : ndarray, shape (p,)
+        Of ``mixed_size * (cos(mixing) * SYMMETRIC + sin(mixing) * SKEW)`` about (1, 1, 1), rad.
+    mixed_size : float
+    """
+
+    sizes: FloatArray
+    symmetric: FloatArray
+    skew: FloatArray
+    mixing: FloatArray
+    mixed: FloatArray
+    mixed_size: float
+
+
+def drift_by_symmetry(mixed_size: float = 1e-3) -> DriftBySymmetry:
+    """Exact drift a turn against the size of either part, and of mixtures of one size.
+
+    Only the symmetric part drifts to first order; Larin, remark after (2.4).
+
+    Parameters
+    ----------
+    mixed_size : float
+        Size of the mixtures, dimensionless.
+    """
+    sizes = np.geomspace(1e-6, 1e-1, 41)
+    mixing = np.linspace(0, np.pi, 73)
+    cosine, sine = np.cos(mixing)[:, None, None], np.sin(mixing)[:, None, None]
+    mixture = mixed_size * (cosine * SYMMETRIC + sine * SKEW)
+    return DriftBySymmetry(
+        sizes,
+        drift_per_turn(DIAGONAL, sizes[:, None, None] * SYMMETRIC),
+        drift_per_turn(ACROSS, sizes[:, None, None] * SKEW),
+        mixing,
+        drift_per_turn(DIAGONAL, mixture),
+        mixed_size,
+    )
+
+
+class DriftMap(NamedTuple):
+    """First-order drift coefficient on a grid of directions.
+
+    Attributes
+    ----------
+    azimuth : ndarray, shape (m,)
+        Of the axis of rotation, rad.
+    elevation : ndarray, shape (n,)
+        Likewise, rad.
+    coefficient : ndarray, shape (n, m)
+        Drift rate in units of the turn rate.
+    principal : ndarray, shape (3,)
+        Principal coefficients, rising.
+    axes : ndarray, shape (3, 3)
+        Their unit axes as rows.
+    """
+
+    azimuth: FloatArray
+    elevation: FloatArray
+    coefficient: FloatArray
+    principal: FloatArray
+    axes: FloatArray
+
+
+def drift_map(misalignment: ArrayLike) -> DriftMap:
+    """Drift coefficient for every axis of rotation, and its extremes; Larin (2.2), before (2.6).
+
+    Parameters
+    ----------
+    misalignment : array_like, shape (3, 3)
+        M, dimensionless.
+    """
+    azimuth = np.radians(np.linspace(-180, 180, 121))
+    elevation = np.radians(np.linspace(-90, 90, 61))
+    axes = direction_from_angles(azimuth, elevation[:, np.newaxis])
+    return DriftMap(
+        azimuth, elevation, drift_coefficient(axes, misalignment), *principal_drifts(misalignment)
+    )
