@@ -6,45 +6,30 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
-from driftlab.book.scenarios import LARIN_TRIAD
+from driftlab.book.scenarios import LARIN_TRIAD, SYMMETRIC
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.turn_calibration import (
-    PAIR_AXES,
-    YATES_AXES,
-    TurnExperiment,
-    exact_turn_estimate,
-    fit_turns,
-    weighing,
-)
+from driftlab.drift.turn_calibration import YATES_AXES, fit_turns
 
-EQUAL = 1e-3 * (np.ones((3, 3)) - np.eye(3))
+from .experiments import AS_DERIVED, AS_PRINTED, estimate_errors, method_bias, yates_sigma
+
+EQUAL = 1e-3 * SYMMETRIC
 STEPS = np.arange(20, 101)
 DIAGONALS = np.array([[1.0, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
 EDGES = np.array([[1.0, 1, 0], [1, -1, 0], [1, 0, 1], [1, 0, -1], [0, 1, 1], [0, 1, -1]])
-AS_PRINTED, AS_DERIVED = 1.0, 1.5
-"""What multiplies the fourth turn estimate to give the sum of the sigmas."""
 
 
 def _weighing_error(factor: float, *, weight: float = 1.0) -> float:
     """Error of sigma1** for three equal sigmas, the fourth estimate multiplied by `factor`."""
-    estimates = drift_coefficient(YATES_AXES, EQUAL) * [1, 1, 1, factor]
-    error = float(weighing(estimates)[0] - EQUAL[0, 1])
+    found = yates_sigma(drift_coefficient(YATES_AXES, EQUAL), factor)
+    error = float(found[0] - EQUAL[0, 1])
     return weight * round(error, 12)  # what is zero but for rounding, is zero
 
 
 @cache
 def _errors(formula: str) -> FloatArray:
-    """Error of sigma2 for Larin's triad, one turn of each number of `STEPS`."""
-    experiments = [TurnExperiment(1, int(steps), formula) for steps in STEPS]
-    found = [experiment.estimate(LARIN_TRIAD, PAIR_AXES[1]) for experiment in experiments]
-    return np.array(found) - drift_coefficient(PAIR_AXES[1], LARIN_TRIAD)
-
-
-def _bias() -> float:
-    """Bias of the method for the same turn: the error that no number of steps removes."""
-    exact = exact_turn_estimate(LARIN_TRIAD, PAIR_AXES[1])
-    return float(exact - drift_coefficient(PAIR_AXES[1], LARIN_TRIAD))
+    """Error of sigma2 for Larin's triad over `STEPS`."""
+    return estimate_errors(LARIN_TRIAD, formula, STEPS)
 
 
 def _steps_to_stay_near(limit: float, formula: str = "pade") -> int:
@@ -78,7 +63,7 @@ def _sigma(estimates: ArrayLike, scale: str = "common", number: int = 1) -> floa
 
 
 def _yates(factor: float, e1: float, e2: float, e3: float, e4: float) -> float:
-    return float(weighing([e1, e2, e3, factor * e4])[0])
+    return float(yates_sigma([e1, e2, e3, e4], factor)[0])
 
 
 EXERCISES: dict[str, Exercise] = {
@@ -110,7 +95,7 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "4.2": Value(
         kind="slide",
-        right=lambda: _steps_to_stay_near(_bias()),
+        right=lambda: _steps_to_stay_near(method_bias(LARIN_TRIAD)),
         absolute=1.0,
         mistakes={
             "At a hundred steps the integrator still has a share in the error. The formula `exact` "
@@ -118,7 +103,7 @@ EXERCISES: dict[str, Exercise] = {
                 lambda: _steps_to_stay_near(float(_errors("pade")[-1]))
             ),
             "That belongs to the formula `taylor-4`.": (
-                lambda: _steps_to_stay_near(_bias(), "taylor-4")
+                lambda: _steps_to_stay_near(method_bias(LARIN_TRIAD), "taylor-4")
             ),
             "There the error is smallest: the integrator's own just cancels the bias. With more "
             "steps it grows again.": lambda: STEPS[np.abs(_errors("pade")).argmin()],

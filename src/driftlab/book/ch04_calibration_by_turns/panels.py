@@ -13,7 +13,8 @@ from driftlab.checks import FloatArray
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment
 
-from .figures import turn_estimates
+from .experiments import PLANS, TurnEstimates, triad_error, turn_estimates
+from .figures.turn_estimates import TurnEstimatesPicture
 
 ARC_SECOND = float(np.radians(1 / 3600))
 
@@ -22,7 +23,7 @@ class TurnCalibrationExplorer(Explorer):
     """Calibration by whole turns: axes, turns, steps, integrator and noise."""
 
     title = "Calibration by turns: estimated against true non-orthogonality"
-    picture_class = turn_estimates.TurnEstimatesPicture
+    picture_class = TurnEstimatesPicture
     controls = (
         Control("sigma1", "σ₁ (x, y), 1e-3", 0.0, -2.5, 2.5, 0.1, group="true triad"),
         Control("sigma2", "σ₂ (x, z), 1e-3", 1.0, -2.5, 2.5, 0.1, group="true triad"),
@@ -30,8 +31,8 @@ class TurnCalibrationExplorer(Explorer):
         Control("skew", "skew part, 1e-3", 0.0, -2.5, 2.5, 0.1, group="true triad"),
         Control("scale", "common scale, 1e-3", 0.0, -0.5, 0.5, 0.01, group="true triad"),
         Control(
-            "plan", "turns and weighing", next(iter(turn_estimates.PLANS)),
-            choices=tuple(turn_estimates.PLANS), group="experiment",
+            "plan", "turns and weighing", next(iter(PLANS)), choices=tuple(PLANS),
+            group="experiment",
         ),
         Control("turns", "turns k", 1, 1, 5, 1, group="experiment"),
         Control("steps", "steps in a turn", 100, 6, 200, 1, group="experiment"),
@@ -52,11 +53,8 @@ class TurnCalibrationExplorer(Explorer):
 
     @staticmethod
     def _misalignment(values: Values) -> FloatArray:
-        s1, s2, s3 = (values[f"sigma{i}"] for i in (1, 2, 3))
-        symmetric = np.array([[0, s1, s2], [s1, 0, s3], [s2, s3, 0]])
-        # The skew part of Larin's triad, of unit size: rotation of the triad about (1, 1, 0).
-        skew = np.array([[0, 0, -1], [0, 0, 1], [1, -1, 0]])
-        return 1e-3 * (symmetric + values["skew"] * skew + values["scale"] * np.eye(3))
+        sigma = [values[f"sigma{i}"] for i in (1, 2, 3)]
+        return 1e-3 * triad_error(sigma, values["skew"], values["scale"])
 
     @staticmethod
     def _experiment(values: Values) -> TurnExperiment:
@@ -64,12 +62,10 @@ class TurnCalibrationExplorer(Explorer):
             values["turns"], values["steps"], values["formula"], ARC_SECOND * values["noise"]
         )
 
-    def compute(self, values: Values) -> turn_estimates.TurnEstimates:
-        return turn_estimates.compute(
-            self._misalignment(values), values["plan"], self._experiment(values)
-        )
+    def compute(self, values: Values) -> TurnEstimates:
+        return turn_estimates(self._misalignment(values), values["plan"], self._experiment(values))
 
-    def numbers(self, data: turn_estimates.TurnEstimates) -> list[tuple[str, str]]:
+    def numbers(self, data: TurnEstimates) -> list[tuple[str, str]]:
         runs = f", mean of {len(data.runs)}" if self.values["noise"] else ""
         rows = zip((1, 2, 3), data.true, data.runs.mean(axis=0), strict=True)
         return [
@@ -80,11 +76,12 @@ class TurnCalibrationExplorer(Explorer):
     def call(self, values: Values) -> str:
         experiment = self._experiment(values)
         return (
-            "import numpy as np\nfrom driftlab.drift import TurnExperiment\n"
-            "from driftlab.figures import turn_estimates\n"
+            "import numpy as np\n"
+            "from driftlab.book.ch04_calibration_by_turns.experiments import turn_estimates\n"
+            "from driftlab.drift import TurnExperiment\n"
             f"misalignment = {matrix_code(self._misalignment(values))}\n"
             f"experiment = {experiment}\n"
-            f"turn_estimates.compute(misalignment, {values['plan']!r}, experiment).runs"
+            f"turn_estimates(misalignment, {values['plan']!r}, experiment).runs"
         )
 
 

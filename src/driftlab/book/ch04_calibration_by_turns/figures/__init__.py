@@ -6,13 +6,14 @@ from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.turn_calibration import TurnExperiment
 
+from .. import experiments
 from . import larin_digits, turn_bias, turn_estimates, weighing_designs
 
 FIGURES = (
     FigureDefinition(
         "04-turn-bias",
-        lambda: turn_bias.compute(LARIN_TRIAD),
-        turn_bias.TurnBiasPicture,
+        lambda: experiments.turn_bias(LARIN_TRIAD),
+        turn_bias.draw,
         turn_bias.columns,
         lambda data: (
             "Size of the error of sigma2 of Larin's triad. With many steps what remains is the "
@@ -23,22 +24,23 @@ FIGURES = (
     ),
     FigureDefinition(
         "04-turn-estimates",
-        lambda: turn_estimates.compute(
+        lambda: experiments.turn_estimates(
             LARIN_TRIAD,
-            experiment=TurnExperiment(1, 100, "taylor-4", turn_bias.ANGLE_NOISE),
+            experiment=TurnExperiment(step_formula="taylor-4", angle_noise=experiments.ANGLE_NOISE),
         ),
-        turn_estimates.TurnEstimatesPicture,
+        turn_estimates.TurnEstimatesPicture.draw,
         turn_estimates.columns,
         lambda data: (
             f"Larin's triad calibrated {len(data.runs)} times by one turn about each of three "
-            f"axes, with gyro noise of {3600 * np.degrees(turn_bias.ANGLE_NOISE):.1f} arc seconds "
+            "axes, with gyro noise of "
+            f"{3600 * np.degrees(experiments.ANGLE_NOISE):.1f} arc seconds "
             "a turn. On the left the runs can hardly be told apart; on the right their errors can."
         ),
     ),
     FigureDefinition(
         "04-larin-digits",
-        larin_digits.compute,
-        larin_digits.LarinDigitsPicture,
+        experiments.larin_digits,
+        larin_digits.draw,
         larin_digits.columns,
         lambda data: (
             f"Of {data.agrees[..., 0].size} candidates (reading of the triad, step formula, number "
@@ -49,8 +51,8 @@ FIGURES = (
     ),
     FigureDefinition(
         "04-weighing-designs",
-        weighing_designs.compute,
-        weighing_designs.WeighingDesignsPicture,
+        experiments.weighing_designs,
+        weighing_designs.draw,
         weighing_designs.columns,
         lambda data: (
             f"Monte Carlo of {data.runs} runs; the bars are 95 % intervals, the strokes "

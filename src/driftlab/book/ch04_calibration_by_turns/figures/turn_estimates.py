@@ -1,80 +1,11 @@
 """One calibration by turns: estimated against true non-orthogonality, with noise repeated."""
 
-from typing import NamedTuple
-
 import numpy as np
-from numpy.typing import ArrayLike
 
 from driftlab.book.machinery.picture import BLACK, BLUE, VERMILION, Picture
-from driftlab.checks import FloatArray, finite_array
-from driftlab.drift.turn_calibration import (
-    PAIR_AXES,
-    YATES_AXES,
-    TurnExperiment,
-    fit_turns,
-    weighing,
-)
-from driftlab.triad import non_orthogonality
+from driftlab.checks import FloatArray
 
-SIX_AXES: FloatArray = np.vstack([PAIR_AXES, np.eye(3)])
-REPEATS = 12
-
-
-class Plan(NamedTuple):
-    """About which axes to turn, and how to combine the estimates."""
-
-    axes: FloatArray
-    method: str
-
-
-PLANS = {
-    "three pair axes, (3.4)": Plan(PAIR_AXES, "none"),
-    "four axes, Yates's weighing": Plan(YATES_AXES, "yates"),
-    "four axes, least squares": Plan(YATES_AXES, "none"),
-    "four axes, least squares and common scale": Plan(YATES_AXES, "common"),
-    "six axes, least squares and three scales": Plan(SIX_AXES, "each"),
-}
-
-
-class TurnEstimates(NamedTuple):
-    """True and estimated [sigma1, sigma2, sigma3]."""
-
-    true: FloatArray  # (3,)
-    runs: FloatArray  # (REPEATS, 3)
-    axes: FloatArray  # (m, 3)
-
-
-def compute(
-    misalignment: ArrayLike,
-    plan: str = "three pair axes, (3.4)",
-    experiment: TurnExperiment | None = None,
-    seed: int = 1987,
-) -> TurnEstimates:
-    """Calibrate one triad `REPEATS` times (once, if there is no noise).
-
-    Parameters
-    ----------
-    misalignment : array_like, shape (3, 3)
-    plan : str
-        A name in `PLANS`.
-    experiment : TurnExperiment, optional
-    seed : int
-        Of the noise.
-    """
-    misalignment = finite_array(misalignment, "misalignment", 3, 3)
-    if plan not in PLANS:
-        raise ValueError(f"plan: expected one of {', '.join(PLANS)}, got {plan!r}.")
-    experiment = experiment or TurnExperiment()
-    axes, method = PLANS[plan]
-    repeats = REPEATS if experiment.angle_noise else 1
-    repeated = np.broadcast_to(axes, (repeats, *axes.shape))
-    estimates = experiment.estimate(misalignment, repeated, np.random.default_rng(seed))
-    if method == "yates":
-        runs = weighing(estimates * [1, 1, 1, 1.5])
-    else:
-        runs = fit_turns(estimates, axes, method).sigma
-    sigma = non_orthogonality(misalignment)[..., [0, 0, 1], [1, 2, 2]]
-    return TurnEstimates(sigma, np.broadcast_to(runs, (REPEATS, 3)), axes)
+from ..experiments import TurnEstimates
 
 
 def columns(data: TurnEstimates) -> dict[str, FloatArray]:
@@ -112,7 +43,7 @@ class TurnEstimatesPicture(Picture[TurnEstimates]):
 
     def update(self, data: TurnEstimates) -> None:
         index = np.arange(1, 4)
-        spread = np.linspace(-0.25, 0.25, REPEATS)
+        spread = np.linspace(-0.25, 0.25, len(data.runs))
         places = (index + spread[:, np.newaxis]).ravel()
         floor = 1e-9
         self.true.set_data(index, 1e3 * data.true)

@@ -1,0 +1,120 @@
+"""What limits the estimate from one turn: the method's bias, the integrator, and the noise."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.checks import FloatArray
+from driftlab.drift.systematic_drift import drift_coefficient
+from driftlab.drift.turn_calibration import PAIR_AXES, TurnExperiment, exact_turn_estimate
+
+FORMULAS = ("taylor-2", "cayley", "taylor-3", "taylor-4", "pade", "exact")
+ANGLE_NOISE = 2e-5
+"""Noise of the published figures: rad a turn and gyro, about 4 arc seconds."""
+SEED = 1987
+"""Of all noise of the chapter."""
+
+
+class TurnBias(NamedTuple):
+    """Errors of the estimate of sigma2, dimensionless.
+
+    Attributes
+    ----------
+    steps : ndarray, shape (m,)
+        Integration steps in the turn.
+    by_formula : ndarray, shape (formula, m)
+        Size of the error with each step formula of `FORMULAS`, no noise.
+    bias : float
+        Size of the bias of the method itself, one turn.
+    turns : ndarray, shape (n,)
+        Whole turns k.
+    noise : ndarray, shape (n,)
+        Standard deviation over the runs, with `ANGLE_NOISE` and exact steps.
+    runs : int
+    bias_by_turns : ndarray, shape (n,)
+        Size of the bias of the method for k turns.
+    """
+
+    steps: FloatArray
+    by_formula: FloatArray
+    bias: float
+    turns: FloatArray
+    noise: FloatArray
+    runs: int
+    bias_by_turns: FloatArray
+
+
+def turn_bias(misalignment: ArrayLike, runs: int = 400, seed: int = SEED) -> TurnBias:
+    """Error of the turn estimate about (1, 0, 1) against the steps a turn and the turns k.
+
+    Parameters
+    ----------
+    misalignment : array_like, shape (3, 3)
+    runs : int
+        For each number of turns.
+    seed : int
+        Of the noise.
+    """
+    steps = np.array([6, 8, 12, 16, 24, 32, 48, 64, 100, 160, 240, 360])
+    by_formula = np.abs([estimate_errors(misalignment, name, steps) for name in FORMULAS])
+    turns = np.array([1, 2, 3, 5, 8, 13, 21, 34])
+    rng = np.random.default_rng(seed)
+    repeated = np.broadcast_to(PAIR_AXES[1], (runs, 3))
+    noise = [
+        TurnExperiment(int(k), 12, "exact", ANGLE_NOISE).estimate(misalignment, repeated, rng).std()
+        for k in turns
+    ]
+    bias_by_turns = np.abs([method_bias(misalignment, int(k)) for k in turns])
+    return TurnBias(
+        steps,
+        by_formula,
+        float(bias_by_turns[0]),
+        turns,
+        np.array(noise),
+        runs,
+        bias_by_turns,
+    )
+
+
+def estimate_errors(misalignment: ArrayLike, step_formula: str, steps: ArrayLike) -> FloatArray:
+    """Error (m,) of the estimate of sigma2 after one turn of each number of `steps` (m,).
+
+    Parameters
+    ----------
+    misalignment : array_like, shape (3, 3)
+    step_formula : str
+        A name in `driftlab.drift.step_formulas.STEP_FORMULAS`.
+    steps : array_like of int, shape (m,)
+    """
+    found = [
+        TurnExperiment(1, int(count), step_formula).estimate(misalignment, PAIR_AXES[1])
+        for count in np.asarray(steps)
+    ]
+    return np.array(found) - drift_coefficient(PAIR_AXES[1], misalignment)
+
+
+def method_bias(misalignment: ArrayLike, turns: int = 1) -> float:
+    """Error of the estimate of sigma2 that no number of steps removes; Larin (3.3).
+
+    Parameters
+    ----------
+    misalignment : array_like, shape (3, 3)
+    turns : int
+        Whole turns k.
+    """
+    exact = exact_turn_estimate(misalignment, PAIR_AXES[1], turns)
+    return float(exact - drift_coefficient(PAIR_AXES[1], misalignment))
+
+
+def expected_noise(turns: ArrayLike, angle_noise: float = ANGLE_NOISE) -> FloatArray:
+    """Standard deviation (...) of the turn estimate: angle_noise / (2 pi sqrt(k)).
+
+    Parameters
+    ----------
+    turns : array_like, shape (...)
+        Whole turns k.
+    angle_noise : float
+        rad a turn and gyro.
+    """
+    return angle_noise / (2 * np.pi * np.sqrt(turns))
