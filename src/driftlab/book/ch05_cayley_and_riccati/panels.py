@@ -1,4 +1,4 @@
-"""The slider panels of Part II."""
+"""The slider panel of chapter 05."""
 
 from typing import ClassVar
 
@@ -8,16 +8,17 @@ from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
 
-from .figures import cayley_map
+from .experiments import EXAMPLE, CayleyMap, cayley_map
+from .figures.cayley_map import CayleyMapPicture
 
 
 class CayleyMapExplorer(Explorer):
     """Both Cayley vectors of a rotation, and the way to their singularities."""
 
     title = "The two Cayley vectors of a rotation"
-    picture_class = cayley_map.CayleyMapPicture
+    picture_class = CayleyMapPicture
     controls = (
-        Control("angle", "angle φ, degrees", 130.0, -360.0, 360.0, 1.0, group="rotation"),
+        Control("angle", "angle φ, degrees", EXAMPLE, -360.0, 360.0, 1.0, group="rotation"),
         *AXIS_CONTROLS,
     )
     presets: ClassVar = {
@@ -29,10 +30,10 @@ class CayleyMapExplorer(Explorer):
         "No rotation": {"angle": 0.0},
     }
 
-    def compute(self, values: Values) -> cayley_map.CayleyMap:
-        return cayley_map.compute(np.radians(values["angle"]), axis_of(values))
+    def compute(self, values: Values) -> CayleyMap:
+        return cayley_map(np.radians(values["angle"]), axis_of(values))
 
-    def numbers(self, data: cayley_map.CayleyMap) -> list[tuple[str, str]]:
+    def numbers(self, data: CayleyMap) -> list[tuple[str, str]]:
         def length(along: float | None) -> str:
             return "infinite" if along is None else f"{abs(along):.4f}"
 

@@ -3,14 +3,16 @@
 import numpy as np
 
 from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.scenarios import OBLIQUE_AXIS
 
+from .. import experiments
 from . import cayley_map, riccati_turns
 
 FIGURES = (
     FigureDefinition(
         "05-cayley-map",
-        lambda: cayley_map.compute(np.radians(130.0), [1, 1, 0.3]),
-        cayley_map.CayleyMapPicture,
+        lambda: experiments.cayley_map(np.radians(experiments.EXAMPLE), OBLIQUE_AXIS),
+        cayley_map.CayleyMapPicture.draw,
         cayley_map.columns,
         lambda data: (
             "The two Cayley vectors of a rotation about a given axis. The vector of dimension 3 is "
@@ -21,8 +23,8 @@ FIGURES = (
     ),
     FigureDefinition(
         "05-riccati-turns",
-        riccati_turns.compute,
-        riccati_turns.RiccatiTurnsPicture,
+        experiments.riccati_turns,
+        riccati_turns.draw,
         riccati_turns.columns,
         lambda data: (
             f"A body that passes the whole turn at {np.degrees(data.miss):.0f}° from the singular "

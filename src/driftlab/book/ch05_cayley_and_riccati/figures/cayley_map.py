@@ -1,12 +1,7 @@
 """Both Cayley vectors of a rotation, and how far each is from its singularity; (1.2), (1.3)."""
 
-from typing import NamedTuple
-
 import numpy as np
-from numpy.typing import ArrayLike
-from scipy.spatial.transform import Rotation
 
-from driftlab.attitude.cayley import cayley_vector
 from driftlab.book.machinery.picture import (
     BLACK,
     BLUE,
@@ -18,69 +13,12 @@ from driftlab.book.machinery.picture import (
     plain_axes,
     project,
 )
-from driftlab.checks import FloatArray, finite_array, nonzero_vectors
-from driftlab.quaternion import from_rotation_vector
+from driftlab.checks import FloatArray
+
+from ..experiments import ANGLES, CayleyMap, cayley_curves
 
 REACH = 4.0
 """Longest vector that the picture shows."""
-
-# Angles of the curves, in rad: every one a little away from the singular ones.
-ANGLES: FloatArray = np.radians(np.arange(-359.5, 360.0, 1.0))
-
-
-class CayleyMap(NamedTuple):
-    """Vectors as their component along the axis; None where a vector is infinite."""
-
-    angle: float  # rad
-    axis: FloatArray  # (3,)
-    along_3: float | None  # -tan(phi/2)
-    along_4: float | None  # -tan(phi/4)
-    shadow: float | None  # cot(phi/4): of the quaternion with the other sign
-    distance_3: float  # rad to the nearest angle where the vector of dimension 3 is infinite
-    distance_4: float
-    turned: FloatArray  # (3, 3): rows are the turned body axes in the reference frame
-    angles: FloatArray  # (m,), rad
-    curves: FloatArray  # (3, m): the three components over all angles
-
-
-def compute(angle: float, axis: ArrayLike) -> CayleyMap:
-    """Vectors of the rotation by `angle` in rad, from -2 pi to 2 pi, about `axis` (3,)."""
-    direction, _ = nonzero_vectors(axis, "axis")
-    phi = float(finite_array(angle, "angle"))
-    if abs(phi) > 2 * np.pi:
-        raise ValueError(f"angle: expected at most a whole turn either way, got {angle!r} rad.")
-    # In the middle of rounding errors, a singular angle is the singular angle.
-    distance_3 = abs(abs(phi) - np.pi)
-    distance_4 = 2 * np.pi - abs(phi)
-    quaternion = from_rotation_vector(phi * direction)
-    return CayleyMap(
-        phi,
-        direction,
-        _along(quaternion, direction, 3) if distance_3 > 1e-9 else None,
-        _along(quaternion, direction, 4) if distance_4 > 1e-9 else None,
-        _along(-quaternion, direction, 4) if abs(phi) > 1e-9 else None,
-        distance_3,
-        distance_4,
-        Rotation.from_rotvec(phi * direction).as_matrix().T,
-        ANGLES,
-        _curves(),
-    )
-
-
-def _along(quaternion: FloatArray, direction: FloatArray, dimension: int) -> float:
-    return float(cayley_vector(quaternion, dimension) @ direction)
-
-
-def _curves() -> FloatArray:
-    axis = np.array([0.0, 0.0, 1.0])
-    quaternions = from_rotation_vector(ANGLES[:, np.newaxis] * axis)
-    return np.stack(
-        [
-            cayley_vector(quaternions, 3) @ axis,
-            cayley_vector(quaternions, 4) @ axis,
-            cayley_vector(-quaternions, 4) @ axis,
-        ]
-    )
 
 
 def columns(data: CayleyMap) -> dict[str, FloatArray]:
@@ -115,7 +53,7 @@ class CayleyMapPicture(Picture[CayleyMap]):
             r"shadow of dimension 4: $\cot(\varphi/4)$",
         )
         # The curves never move, so they are drawn here once.
-        for label, values, style in zip(labels, _curves(), SERIES, strict=False):
+        for label, values, style in zip(labels, cayley_curves(), SERIES, strict=False):
             shown = np.where(np.abs(values) < 2 * REACH, values, np.nan)
             curves.plot(np.degrees(ANGLES), shown, **style, label=label)
         for angle in (-180, 180):

@@ -1,0 +1,232 @@
+"""Cayley vectors of all rotations, and the Riccati equation integrated through whole turns."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.spatial.transform import Rotation
+
+from driftlab.attitude.cayley import cayley_vector, rotation_quaternion, shadow
+from driftlab.attitude.riccati import SWITCH, RiccatiSolution, integrate_riccati, riccati_rate
+from driftlab.checks import FloatArray, finite_array, nonzero_vectors
+from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
+
+ANGLES: FloatArray = np.radians(np.arange(-359.5, 360.0, 1.0))
+"""Angles of the curves, rad: every one a little away from the singular ones."""
+EXAMPLE = 130.0
+"""Angle of the rotation in the published figure, and when the panel opens, degrees."""
+TURNS = 3
+STEPS = 200
+"""Steps a turn of the integrator with a fixed step."""
+MISSES: FloatArray = np.radians([3.0, 0.1])
+"""How far from a whole turn the attitude passes at the end of the first turn, rad."""
+TOLERANCES: FloatArray = np.array([1e-5, 1e-7, 1e-9, 1e-11])
+"""Of the integrator with a variable step."""
+
+
+class CayleyMap(NamedTuple):
+    """Cayley vectors of a rotation as their component along the axis; None where one is infinite.
+
+    Attributes
+    ----------
+    angle : float
+        phi, rad.
+    axis : ndarray, shape (3,)
+        Unit axis.
+    along_3 : float or None
+        -tan(phi/2), of the vector of dimension 3.
+    along_4 : float or None
+        -tan(phi/4), of the vector of dimension 4.
+    shadow : float or None
+        cot(phi/4), of the vector of dimension 4 of the quaternion with the other sign.
+    distance_3, distance_4 : float
+        To the nearest angle where the vector of dimension 3, or 4, is infinite, rad.
+    turned : ndarray, shape (3, 3)
+        The turned body axes in the reference frame, as rows.
+    angles : ndarray, shape (m,)
+        Angles of the curves, rad.
+    curves : ndarray, shape (3, m)
+        The three components over `angles`.
+    """
+
+    angle: float
+    axis: FloatArray
+    along_3: float | None
+    along_4: float | None
+    shadow: float | None
+    distance_3: float
+    distance_4: float
+    turned: FloatArray
+    angles: FloatArray
+    curves: FloatArray
+
+
+def cayley_map(angle: float, axis: ArrayLike) -> CayleyMap:
+    """Both Cayley vectors of one rotation, and those of all angles; (1.2), (1.3).
+
+    Parameters
+    ----------
+    angle : float
+        rad, from -2 pi to 2 pi.
+    axis : array_like, shape (3,)
+        Only its direction counts.
+    """
+    direction, _ = nonzero_vectors(axis, "axis")
+    phi = float(finite_array(angle, "angle"))
+    if abs(phi) > 2 * np.pi:
+        raise ValueError(f"angle: expected at most a whole turn either way, got {angle!r} rad.")
+    # In the middle of rounding errors, a singular angle is the singular angle.
+    distance_3 = abs(abs(phi) - np.pi)
+    distance_4 = 2 * np.pi - abs(phi)
+    quaternion = from_rotation_vector(phi * direction)
+    return CayleyMap(
+        phi,
+        direction,
+        _along(quaternion, direction, 3) if distance_3 > 1e-9 else None,
+        _along(quaternion, direction, 4) if distance_4 > 1e-9 else None,
+        _along(-quaternion, direction, 4) if abs(phi) > 1e-9 else None,
+        distance_3,
+        distance_4,
+        Rotation.from_rotvec(phi * direction).as_matrix().T,
+        ANGLES,
+        cayley_curves(),
+    )
+
+
+def _along(quaternion: FloatArray, direction: FloatArray, dimension: int) -> float:
+    return float(cayley_vector(quaternion, dimension) @ direction)
+
+
+def cayley_curves() -> FloatArray:
+    """Components (3, m) along the axis over `ANGLES`: dimension 3, dimension 4, its shadow."""
+    axis = np.array([0.0, 0.0, 1.0])
+    quaternions = from_rotation_vector(ANGLES[:, np.newaxis] * axis)
+    return np.stack(
+        [
+            cayley_vector(quaternions, 3) @ axis,
+            cayley_vector(quaternions, 4) @ axis,
+            cayley_vector(-quaternions, 4) @ axis,
+        ]
+    )
+
+
+class RiccatiTurns(NamedTuple):
+    """The Riccati equation over `TURNS` turns; times in s, the body turns once a second.
+
+    Attributes
+    ----------
+    miss : float
+        How far the attitude passes from a whole turn, rad; the first of `MISSES`.
+    ended : RiccatiSolution
+        About a fixed axis, without the shadow switch.
+    plain, switched : RiccatiSolution
+        Past the singularity by `miss`, without the switch and with it.
+    fixed_times : ndarray, shape (f,)
+        Of the integrator with a fixed step, s.
+    fixed_errors : ndarray, shape (2, f)
+        Its error of attitude, without the switch and with it, rad.
+    misses : ndarray, shape (n,)
+        `MISSES`, rad.
+    evaluations : ndarray, shape (2, n, tolerance)
+        Of the rate, by an integrator with a variable step, without the switch and with it.
+    worst : ndarray, shape (2, n, tolerance)
+        Its largest error of attitude, rad.
+    """
+
+    miss: float
+    ended: RiccatiSolution
+    plain: RiccatiSolution
+    switched: RiccatiSolution
+    fixed_times: FloatArray
+    fixed_errors: FloatArray
+    misses: FloatArray
+    evaluations: FloatArray
+    worst: FloatArray
+
+
+class _TwoSpins(NamedTuple):
+    """Steady rotation about axis 3 of a body that is mounted on a slowly tumbling table.
+
+    `spin` (3,) is in body axes, `tumble` (3,) in the reference frame, both in rad/s.
+    """
+
+    spin: FloatArray
+    tumble: FloatArray
+
+    def attitude(self, time: FloatArray) -> FloatArray:
+        about = [from_rotation_vector(time[..., np.newaxis] * w) for w in (self.tumble, self.spin)]
+        return multiply(*about)
+
+    def rate(self, time: float) -> FloatArray:
+        """spin + tumble in body axes; both are normal to each other."""
+        angle = time * self.spin[2]
+        cosine, sine = np.cos(angle), np.sin(angle)
+        return self.spin + self.tumble[0] * np.array([cosine, -sine, 0.0])
+
+
+def riccati_turns() -> RiccatiTurns:
+    """Integrate (1.10) through `TURNS` turns that pass the singular attitude by `MISSES`.
+
+    With and without the shadow switch; with a fixed step, and with a variable one at each of
+    `TOLERANCES`.
+    """
+    spin = np.array([0.0, 0.0, 2 * np.pi])
+    times = np.linspace(0.0, TURNS, 40 * TURNS + 1)
+
+    def motion(miss: float) -> _TwoSpins:
+        # After one turn the table has tumbled by miss, and the attitude is that far from the turn.
+        return _TwoSpins(spin, np.array([miss, 0.0, 0.0]))
+
+    def solve(
+        miss: float, switch: bool, tolerance: float = 1e-9, times: FloatArray = times
+    ) -> RiccatiSolution:
+        rate = motion(miss).rate
+        return integrate_riccati(rate, times, shadow_switch=switch, tolerance=tolerance)
+
+    # Few times, as they limit the step.
+    few = times[::10]
+    trials = [
+        [[(m, solve(m, switch, tolerance, few)) for tolerance in TOLERANCES] for m in MISSES]
+        for switch in (False, True)
+    ]
+    miss = float(MISSES[0])
+    steps = np.linspace(0.0, TURNS, STEPS * TURNS + 1)
+    fixed = [
+        _error(motion(miss), steps, _fixed_step(motion(miss), steps, switch))
+        for switch in (False, True)
+    ]
+    return RiccatiTurns(
+        miss,
+        solve(0.0, False),
+        solve(miss, False),
+        solve(miss, True),
+        steps,
+        np.array(fixed),
+        MISSES,
+        np.array([[[float(a.evaluations) for _, a in row] for row in rows] for rows in trials]),
+        np.array([
+            [[_error(motion(m), a.time, a.attitude).max() for m, a in row] for row in rows]
+            for rows in trials
+        ]),
+    )  # fmt: skip
+
+
+def _fixed_step(motion: _TwoSpins, times: FloatArray, switch: bool) -> FloatArray:
+    """Attitude (m, 4) up to its sign, by the classical Runge-Kutta method."""
+    k, h = np.zeros(3), times[1] - times[0]
+    vectors = [k]
+    for time in times[:-1]:
+        middle = motion.rate(time + h / 2)
+        first = riccati_rate(k, motion.rate(time))
+        second = riccati_rate(k + h / 2 * first, middle)
+        third = riccati_rate(k + h / 2 * second, middle)
+        fourth = riccati_rate(k + h * third, motion.rate(time + h))
+        k = k + h / 6 * (first + 2 * second + 2 * third + fourth)
+        if switch and k @ k > SWITCH**2:
+            k = shadow(k)
+        vectors.append(k)
+    return rotation_quaternion(vectors)
+
+
+def _error(motion: _TwoSpins, times: FloatArray, attitude: FloatArray) -> FloatArray:
+    return rotation_angle(multiply(conjugate(motion.attitude(times)), attitude))
