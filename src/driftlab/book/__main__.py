@@ -3,25 +3,29 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Mapping
 from pathlib import Path
+
+from tqdm import tqdm
 
 from .ch04_calibration_by_turns import printed_table
 from .figures import figure_definitions
 from .ledger import errata
-from .machinery.publish import GALLERY_NOTE, write_columns, write_entry
+from .machinery.publish import FigureDefinition, PublishedFigure, gallery, write_columns
 
 
-def write_figures(folder: Path) -> None:
+def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | None = None) -> None:
     """Write all figures, their numbers and the gallery; print Larin's numbers."""
     folder.mkdir(parents=True, exist_ok=True)
-    definitions = figure_definitions()
-    gallery = ["# The figures of the book", "", GALLERY_NOTE, ""]
-    for done, (name, definition) in enumerate(definitions.items(), start=1):
-        print(f"{done}/{len(definitions)} {name}", flush=True)
-        gallery += write_entry(definition, folder)
+    captions = {}
+    chosen = figure_definitions() if definitions is None else definitions
+    for name, definition in tqdm(chosen.items(), unit="figure"):
+        shown = PublishedFigure(definition, definition.compute())
+        shown.write(folder)
+        captions[name] = shown.caption
     table = printed_table.larin_table()
     write_columns(folder / "04-larin-table.csv", {"name": printed_table.NAMES, **table})
-    (folder / "README.md").write_text("\n".join(gallery), encoding="utf-8", newline="\n")
+    (folder / "README.md").write_text(gallery(captions), encoding="utf-8", newline="\n")
     print(f"\nLarin's numbers, written to {folder / '04-larin-table.csv'}:\n")
     print(f"{'':10}{'printed':>14}{'reconstructed':>18}{'exact method':>18}")
     rows = (printed_table.NAMES, printed_table.PRINTED, table["reconstructed"], table["exact"])

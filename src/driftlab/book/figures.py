@@ -29,4 +29,4 @@ def figure(name: str) -> PublishedFigure:
     known = figure_definitions(chapter if chapter in chapters_with("figures") else None)
     if name not in known:
         raise ValueError(f"name: expected one of {', '.join(known)}, got {name!r}.")
-    return PublishedFigure(known[name])
+    return PublishedFigure(known[name], known[name].compute())

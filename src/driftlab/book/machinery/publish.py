@@ -6,7 +6,7 @@ import base64
 import csv
 import html
 import io
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -52,15 +52,17 @@ class PublishedFigure:
 
     Attributes
     ----------
+    definition : FigureDefinition
     data : object
-        What the experiment computed.
+        What ``definition.compute`` returned.
     caption : str
     """
 
-    def __init__(self, definition: FigureDefinition) -> None:
-        self.data = definition.compute()
-        self.caption = definition.caption(self.data)
-        self._figure = definition.draw(self.data)
+    def __init__(self, definition: FigureDefinition, data: Any) -> None:
+        self.definition = definition
+        self.data = data
+        self.caption = definition.caption(data)
+        self._figure = definition.draw(data)
 
     def svg(self) -> bytes:
         """The picture as SVG whose bytes repeat: no date, identifiers from a fixed salt."""
@@ -68,6 +70,13 @@ class PublishedFigure:
         with matplotlib.rc_context(STYLE):
             self._figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
         return buffer.getvalue()
+
+    def write(self, folder: Path) -> None:
+        """Write the picture as SVG and, if it shows any, its numbers as CSV."""
+        (folder / f"{self.definition.name}.svg").write_bytes(self.svg())
+        if self.definition.columns:
+            columns = self.definition.columns(self.data)
+            write_columns(folder / f"{self.definition.name}.csv", columns)
 
     def _repr_html_(self) -> str:
         picture = base64.b64encode(self.svg()).decode()
@@ -79,13 +88,12 @@ class PublishedFigure:
         )
 
 
-def write_entry(entry: FigureDefinition, folder: Path) -> list[str]:
-    """Write one figure and its numbers; return its lines of the gallery."""
-    shown = PublishedFigure(entry)
-    (folder / f"{entry.name}.svg").write_bytes(shown.svg())
-    if entry.columns:
-        write_columns(folder / f"{entry.name}.csv", entry.columns(shown.data))
-    return [f"![{shown.caption}]({entry.name}.svg)", "", f"**{entry.name}.** {shown.caption}", ""]
+def gallery(captions: Mapping[str, str]) -> str:
+    """Return the Markdown page that shows all figures, from their captions by name."""
+    lines = ["# The figures of the book", "", GALLERY_NOTE, ""]
+    for name, caption in captions.items():
+        lines += [f"![{caption}]({name}.svg)", "", f"**{name}.** {caption}", ""]
+    return "\n".join(lines)
 
 
 def write_columns(path: Path, columns: dict[str, Any]) -> None:
