@@ -1,4 +1,7 @@
-"""The one place where arguments are looked at: shape, finiteness, and the sentence that refuses."""
+"""Checks of arguments: shape, finiteness, and the sentence that explains a refusal.
+
+Every function here takes the argument's name, which begins the sentence of the `ValueError`.
+"""
 
 from __future__ import annotations
 
@@ -13,21 +16,36 @@ ComplexArray = NDArray[np.complexfloating[Any, Any]]
 
 
 def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
-    """Return `value` as a float64 array, or refuse it in one sentence.
+    """Return a value as a float64 array of finite numbers, or refuse it in one sentence.
 
     Parameters
     ----------
-    value : array_like of real numbers
+    value : array_like
+        Real numbers.
     name : str
-        The argument's name, for the sentence.
+        Name of the argument, for the sentence.
     *shape : int
-        What the last axes must be. Leading axes are free; without `shape` any shape goes.
+        Required lengths of the last axes. Leading axes are free; without `shape` any shape goes.
+
+    Returns
+    -------
+    ndarray
+        `value` as float64, not copied if it is a float64 array already.
 
     Raises
     ------
     ValueError
         If `value` is not real and numeric, is empty, has other last axes, or holds NaN, infinity or
         masked values.
+
+    Examples
+    --------
+    >>> finite_array([1, 2, 3], "rate", 3)
+    array([1., 2., 3.])
+    >>> finite_array([1, 2], "rate", 3)
+    Traceback (most recent call last):
+        ...
+    ValueError: rate: expected shape (..., 3), got shape (2,).
     """
     expected = f"shape (..., {', '.join(map(str, shape))})" if shape else "real numbers"
     try:
@@ -50,7 +68,36 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
 
 
 def nonzero_vectors(value: ArrayLike, name: str) -> tuple[FloatArray, FloatArray]:
-    """Return vectors (..., 3) as unit vectors (..., 3) and norms (...), refusing a zero vector."""
+    """Return vectors as unit vectors and norms, refusing a zero vector.
+
+    Parameters
+    ----------
+    value : array_like, shape (..., 3)
+        Vectors of any unit and any size above zero.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    directions : ndarray, shape (..., 3)
+        Unit vectors.
+    norms : ndarray, shape (...)
+        Lengths, in the unit of `value`.
+
+    Raises
+    ------
+    ValueError
+        If a vector is zero, or as for `finite_array`.
+
+    Examples
+    --------
+    >>> directions, norms = nonzero_vectors([[3, 0, 4], [0, 1e-200, 0]], "axis")
+    >>> directions
+    array([[0.6, 0. , 0.8],
+           [0. , 1. , 0. ]])
+    >>> norms
+    array([5.e+000, 1.e-200])
+    """
     vectors = finite_array(value, name, 3)
     # Dividing by the largest entry first keeps the squares clear of underflow and overflow.
     largest = np.abs(vectors).max(axis=-1, keepdims=True)
@@ -62,7 +109,30 @@ def nonzero_vectors(value: ArrayLike, name: str) -> tuple[FloatArray, FloatArray
 
 
 def unit_quaternions(value: ArrayLike, name: str) -> FloatArray:
-    """Return quaternions (..., 4) brought to unit norm, refusing a zero quaternion."""
+    """Return quaternions scaled to unit norm, refusing a zero quaternion.
+
+    Parameters
+    ----------
+    value : array_like, shape (..., 4)
+        Quaternions of any norm above zero.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    ndarray, shape (..., 4)
+        The same rotations, of unit norm.
+
+    Raises
+    ------
+    ValueError
+        If a quaternion is zero, or as for `finite_array`.
+
+    Examples
+    --------
+    >>> unit_quaternions([0, 0, 3, 4], "attitude")
+    array([0. , 0. , 0.6, 0.8])
+    """
     quaternions = finite_array(value, name, 4)
     # Dividing by the largest entry first, as for vectors.
     largest = np.abs(quaternions).max(axis=-1, keepdims=True)
@@ -73,9 +143,28 @@ def unit_quaternions(value: ArrayLike, name: str) -> FloatArray:
 
 
 def finite_arrays(**arguments: tuple[ArrayLike, *tuple[int, ...]]) -> list[FloatArray]:
-    """`finite_array` for several arguments at once, whose leading axes must broadcast.
+    """Check several arguments by `finite_array`, and that their leading axes broadcast.
 
-    ``finite_arrays(rate=(rate, 3), time=(time,))`` checks a `rate` (..., 3) and a `time` (...).
+    Parameters
+    ----------
+    **arguments : tuple
+        Under the name of each argument its value and then the required lengths of its last axes.
+
+    Returns
+    -------
+    list of ndarray
+        The values as float64 arrays, in the order given. They are not broadcast.
+
+    Raises
+    ------
+    ValueError
+        If the leading axes do not broadcast, or as for `finite_array`.
+
+    Examples
+    --------
+    >>> rate, time = finite_arrays(rate=([1, 2, 3], 3), time=([0, 1],))
+    >>> rate.shape, time.shape
+    ((3,), (2,))
     """
     arrays = [finite_array(value, name, *shape) for name, (value, *shape) in arguments.items()]
     depths = [len(shape) for _, *shape in arguments.values()]
@@ -91,7 +180,30 @@ def finite_arrays(**arguments: tuple[ArrayLike, *tuple[int, ...]]) -> list[Float
 
 
 def finite_number(value: ArrayLike, name: str) -> float:
-    """Return `value` as a float, refusing what is not one finite real number."""
+    """Return a value as a float, refusing everything but one finite real number.
+
+    Parameters
+    ----------
+    value : array_like, shape ()
+        The number.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    float
+        The number.
+
+    Raises
+    ------
+    ValueError
+        If `value` has axes, or as for `finite_array`.
+
+    Examples
+    --------
+    >>> finite_number(np.array(2), "interval")
+    2.0
+    """
     number = finite_array(value, name)
     if number.ndim:
         raise ValueError(f"{name}: expected one number, got shape {number.shape}.")
@@ -99,7 +211,32 @@ def finite_number(value: ArrayLike, name: str) -> float:
 
 
 def positive_number(value: ArrayLike, name: str) -> float:
-    """Return `value` as a float, refusing what is not one finite number above zero."""
+    """Return a value as a float, refusing everything but one finite number above zero.
+
+    Parameters
+    ----------
+    value : array_like, shape ()
+        The number.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    float
+        The number.
+
+    Raises
+    ------
+    ValueError
+        If `value` is not above zero, or as for `finite_number`.
+
+    Examples
+    --------
+    >>> positive_number(-1, "interval")
+    Traceback (most recent call last):
+        ...
+    ValueError: interval: expected a positive number, got -1.
+    """
     number = finite_number(value, name)
     # Below the smallest normal number its reciprocal overflows.
     if number < np.finfo(float).tiny:
@@ -108,7 +245,36 @@ def positive_number(value: ArrayLike, name: str) -> float:
 
 
 def whole_number(value: int, name: str, least: int = 1) -> int:
-    """Return `value` as an int, refusing what is not a whole number of at least `least`."""
+    """Return a value as an int, refusing everything but a whole number that is large enough.
+
+    Parameters
+    ----------
+    value : int
+        The number; a truth value is refused.
+    name : str
+        Name of the argument, for the sentence.
+    least : int
+        Smallest number allowed.
+
+    Returns
+    -------
+    int
+        The number.
+
+    Raises
+    ------
+    ValueError
+        If `value` is not a whole number, or is less than `least`.
+
+    Examples
+    --------
+    >>> whole_number(np.int64(3), "turns")
+    3
+    >>> whole_number(2.5, "turns")
+    Traceback (most recent call last):
+        ...
+    ValueError: turns: expected a whole number of at least 1, got 2.5.
+    """
     try:
         # NumPy 2.0 takes its own truth values for whole numbers, with a warning.
         number = None if isinstance(value, bool | np.bool) else operator.index(value)

@@ -2,7 +2,7 @@
 
 Heading is positive *about Up*, from North to West, as in the paper of Plotnikov and others; pitch
 lifts the bow; roll is about the forward axis. The attitude is their product in this order and maps
-body components to local ones. Most of the field counts headings the other way.
+body components to local ones. Most of the field counts headings the other way, from North to East.
 """
 
 from __future__ import annotations
@@ -25,7 +25,23 @@ _MOST_PITCH = np.radians(89.9)
 
 
 class Angles(NamedTuple):
-    """Heading, pitch and roll, each (...), rad; heading and roll within pi, pitch within pi/2."""
+    """Heading, pitch and roll of a body; the result of `angles_from_attitude`.
+
+    Attributes
+    ----------
+    heading : ndarray, shape (...)
+        Angle about Up, from North to West, rad, -pi to pi.
+    pitch : ndarray, shape (...)
+        Angle of the forward axis above the horizon, rad, -pi/2 to pi/2.
+    roll : ndarray, shape (...)
+        Angle about the forward axis, rad, -pi to pi.
+
+    Examples
+    --------
+    >>> angles = angles_from_attitude(attitude_from_angles(0.3, 0.2, 0.1))
+    >>> print(f"{angles.heading:.3f} {angles.pitch:.3f} {angles.roll:.3f}")
+    0.300 0.200 0.100
+    """
 
     heading: FloatArray
     pitch: FloatArray
@@ -35,16 +51,29 @@ class Angles(NamedTuple):
 def geographic_rate(
     latitude: ArrayLike, velocity: ArrayLike = (0.0, 0.0), radius: float = EARTH_RADIUS
 ) -> FloatArray:
-    """Rate (..., 3) of the local axes against inertial space, in North, Up, East, rad/s.
+    """Angular rate of the local axes against inertial space, in North, Up, East.
 
     Parameters
     ----------
     latitude : array_like, shape (...)
         rad, not a pole.
     velocity : array_like, shape (..., 2)
-        North and East, m/s.
+        Velocity to the North and to the East, m/s.
     radius : float
-        Of the Earth, m.
+        Radius of the Earth, m.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Rate of the Earth and rate along the way together, rad/s.
+
+    Examples
+    --------
+    At rest it is the rate of the Earth; a vehicle that goes North turns about West:
+
+    >>> rate = geographic_rate(np.radians(30.0), [[0.0, 0.0], [100.0, 0.0]])
+    >>> (np.degrees(rate[1]) * 3600).round(2)  # degrees per hour
+    array([13.03,  7.52, -3.24])
     """
     place, speed = finite_arrays(latitude=(latitude,), velocity=(velocity, 2))
     checked_latitude(place)
@@ -61,7 +90,30 @@ def geographic_rate(
 
 
 def attitude_from_angles(heading: ArrayLike, pitch: ArrayLike, roll: ArrayLike) -> FloatArray:
-    """Quaternion (..., 4), body to North, Up, East, of angles (...) in rad."""
+    """Attitude of a body with a given heading, pitch and roll.
+
+    Parameters
+    ----------
+    heading : array_like, shape (...)
+        Angle about Up, from North to West, rad.
+    pitch : array_like, shape (...)
+        Angle of the forward axis above the horizon, rad.
+    roll : array_like, shape (...)
+        Angle about the forward axis, rad.
+
+    Returns
+    -------
+    ndarray, shape (..., 4)
+        Unit quaternions, body (forward, up, right) to North, Up, East.
+
+    Examples
+    --------
+    With a heading of a quarter turn the forward axis points to the West:
+
+    >>> attitude = attitude_from_angles(np.pi / 2, 0.0, 0.0)
+    >>> rotate(attitude, np.array([1.0, 0.0, 0.0])).round(9)
+    array([ 0.,  0., -1.])
+    """
     angles = finite_arrays(heading=(heading,), pitch=(pitch,), roll=(roll,))
     (c1, s1), (c2, s2), (c3, s3) = ((np.cos(a / 2), np.sin(a / 2)) for a in angles)
     # About Up by the heading, about the right axis by the pitch, about the forward one by the roll.
@@ -77,10 +129,28 @@ def attitude_from_angles(heading: ArrayLike, pitch: ArrayLike, roll: ArrayLike) 
 
 
 def angles_from_attitude(attitude: ArrayLike) -> Angles:
-    """Heading, pitch and roll of attitudes (..., 4), body to North, Up, East.
+    """Heading, pitch and roll of an attitude.
 
-    In a vertical body heading and roll turn about one line. Each alone is then arbitrary, and the
-    three together are still the attitude.
+    Parameters
+    ----------
+    attitude : array_like, shape (..., 4)
+        Quaternions, body (forward, up, right) to North, Up, East; they need not be of unit norm.
+
+    Returns
+    -------
+    Angles
+        heading, pitch and roll, each of shape (...), rad.
+
+    Notes
+    -----
+    In a vertical body heading and roll turn about the same line. Each alone is then arbitrary, and
+    the three together are still the attitude.
+
+    Examples
+    --------
+    >>> angles = angles_from_attitude([0, 1, 0, 1])  # a quarter turn about Up
+    >>> print(f"{angles.heading:.4f}")
+    1.5708
     """
     turned = unit_quaternions(attitude, "attitude")
     up = rotate(conjugate(turned), np.array([0.0, 1.0, 0.0]))
@@ -92,14 +162,52 @@ def angles_from_attitude(attitude: ArrayLike) -> Angles:
 
 
 def pitch_and_roll(up: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Pitch and roll (...) in rad from the direction Up (..., 3) in body axes."""
+    """Pitch and roll of a body from the direction Up in its axes.
+
+    Parameters
+    ----------
+    up : ndarray, shape (..., 3)
+        Direction Up in body axes (forward, up, right), of any length.
+
+    Returns
+    -------
+    pitch, roll : ndarray, shape (...)
+        rad.
+
+    Examples
+    --------
+    The specific force at rest points Up; here the bow is lifted by 0.1 rad:
+
+    >>> pitch, roll = pitch_and_roll(9.8 * np.array([np.sin(0.1), np.cos(0.1), 0.0]))
+    >>> print(f"{pitch:.3f}")
+    0.100
+    """
     # Not arcsin, which loses half of the digits near the vertical.
     pitch = np.arctan2(up[..., 0], np.hypot(up[..., 1], up[..., 2]))
     return pitch, np.arctan2(-up[..., 2], up[..., 1])
 
 
 def refuse_vertical(pitch: FloatArray) -> None:
-    """Refuse pitches (...) in rad within 0.1 degrees of the vertical."""
+    """Refuse a pitch within 0.1 degrees of the vertical, where heading is not defined.
+
+    Parameters
+    ----------
+    pitch : ndarray, shape (...)
+        rad.
+
+    Raises
+    ------
+    ValueError
+        If a pitch is larger than 89.9 degrees in absolute value.
+
+    Examples
+    --------
+    >>> refuse_vertical(np.array([0.0, np.pi / 2]))
+    Traceback (most recent call last):
+        ...
+    ValueError: pitch: expected at most 89.9 degrees, because heading and roll are one turn in a
+    vertical body, got 90 degrees.
+    """
     worst = float(np.abs(pitch).max())
     if worst > _MOST_PITCH:
         raise ValueError(

@@ -1,9 +1,10 @@
-"""Wu et al., sections 2 and 3: a triad's error matrix taken apart, and the choice of body axes.
+"""Error matrix of a sensor triad: its three parts, and the choice of body axes.
 
-A triad with error matrix K measures ``(E + K) w``. Any K is a sum of three: a diagonal (scale
-factors), a symmetric rest (non-orthogonality) and a skew part, the *misalignment*: the triad turned
-as a whole. Who may choose the body axes may choose the misalignment of one triad, because turning
-the axes takes the same rotation from both triads.
+A triad with error matrix K measures ``(E + K) w``; Wu et al., sections 2 and 3. Any K is a sum of
+three matrices: a diagonal one (scale-factor errors), a symmetric one (non-orthogonality) and a
+skew one, the *misalignment*: a small rotation of the triad as a whole. The body axes can be chosen
+so that one of the two triads has no misalignment, because a rotation of the axes changes the
+misalignment of both triads by the same amount.
 
 Part I calls the whole matrix of a gyro triad its misalignment, as Larin's letters suggest. From
 here on whole matrices are `gyro_error` and `accelerometer_error`, and misalignment is one part.
@@ -31,20 +32,59 @@ the paper's section 3 describes the usual choice so.
 
 
 class InstallationParts(NamedTuple):
-    """A matrix (..., 3, 3) as the sum of three."""
+    """An error matrix as the sum of three matrices; the result of `split`.
 
-    scale: FloatArray  # diagonal: scale-factor errors
-    non_orthogonality: FloatArray  # symmetric, zero diagonal
-    misalignment: FloatArray  # skew
+    Attributes
+    ----------
+    scale : ndarray, shape (..., 3, 3)
+        Diagonal part: scale-factor errors, without unit.
+    non_orthogonality : ndarray, shape (..., 3, 3)
+        Symmetric part with zero diagonal, rad.
+    misalignment : ndarray, shape (..., 3, 3)
+        Skew part, rad.
+
+    Examples
+    --------
+    >>> parts = split([[1, 2, 0], [4, 5, 0], [0, 0, 9]])
+    >>> parts.non_orthogonality
+    array([[0., 3., 0.],
+           [3., 0., 0.],
+           [0., 0., 0.]])
+    """
+
+    scale: FloatArray
+    non_orthogonality: FloatArray
+    misalignment: FloatArray
 
 
 def split(matrix: ArrayLike) -> InstallationParts:
-    """Take an error matrix (..., 3, 3) apart; Wu (7)-(15).
+    """Decompose an error matrix into scale factors, non-orthogonality and misalignment.
+
+    Parameters
+    ----------
+    matrix : array_like, shape (..., 3, 3)
+        Error matrix K of a triad that measures ``(E + K) w``.
 
     Returns
     -------
     InstallationParts
-        scale, non_orthogonality and misalignment, each (..., 3, 3); their sum is `matrix`.
+        Three matrices, each of shape (..., 3, 3), whose sum is `matrix`.
+
+    Notes
+    -----
+    Wu et al., (7)-(15).
+
+    Examples
+    --------
+    >>> parts = split([[1, 2, 0], [4, 5, 0], [0, 0, 9]])
+    >>> parts.misalignment
+    array([[ 0., -1.,  0.],
+           [ 1.,  0.,  0.],
+           [ 0.,  0.,  0.]])
+    >>> sum(parts)
+    array([[1., 2., 0.],
+           [4., 5., 0.],
+           [0., 0., 9.]])
     """
     matrix = finite_array(matrix, "matrix", 3, 3)
     transposed = np.swapaxes(matrix, -1, -2)
@@ -57,23 +97,38 @@ def split(matrix: ArrayLike) -> InstallationParts:
 def misalignment_vector(
     gyro_error: ArrayLike, accelerometer_error: ArrayLike | None = None, frame: str = "averaged"
 ) -> FloatArray:
-    """Small rotation (..., 3) in rad of body *components* into those of the chosen axes.
-
-    The axes themselves turn the other way: for two gyros in a plane that lean by +theta it is
-    -theta. To first order. Subtracting its skew matrix from both error matrices is the change of
-    axes; Wu (40), (42).
+    r"""Small rotation that brings body components into the chosen body axes, to first order.
 
     Parameters
     ----------
-    gyro_error, accelerometer_error : array_like, shape (..., 3, 3)
-        The latter is needed for the frame ``accelerometers`` only.
+    gyro_error : array_like, shape (..., 3, 3)
+        Error matrix K of the gyro triad.
+    accelerometer_error : array_like, shape (..., 3, 3), optional
+        Error matrix of the accelerometer triad; needed for the frame ``accelerometers`` only.
     frame : str
         One of `BODY_FRAMES`.
 
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Rotation vector of the *components*, rad. The axes themselves turn the other way: if two
+        gyros are both rotated by +theta in their plane, it is -theta.
+
     Notes
     -----
-    For ``averaged`` it is the vector of the skew part, (K_zy - K_yz, K_xz - K_zx, K_yx - K_xy)/2:
-    the mean of what the two triangles ask for.
+    Subtracting its cross-product matrix from both error matrices changes the axes; Wu et al., (40)
+    and (42). For ``averaged`` it is the vector of the skew part, the mean of the vectors of the two
+    triangles:
+
+    .. math:: \tfrac12 (K_{zy} - K_{yz},\ K_{xz} - K_{zx},\ K_{yx} - K_{xy}).
+
+    Examples
+    --------
+    >>> gyro_error = [[0, 0, 0], [4e-3, 0, 0], [0, 0, 0]]  # the y gyro leans towards x
+    >>> misalignment_vector(gyro_error)
+    array([0.   , 0.   , 0.002])
+    >>> float(misalignment_vector(gyro_error, frame="lower triangle")[2])
+    0.004
     """
     k = _matrix_for(gyro_error, accelerometer_error, frame)
     upper = np.stack([-k[..., 1, 2], k[..., 0, 2], -k[..., 0, 1]], axis=-1)
@@ -86,16 +141,42 @@ def misalignment_vector(
 def body_frame_rotation(
     gyro_error: ArrayLike, accelerometer_error: ArrayLike | None = None, frame: str = "averaged"
 ) -> FloatArray:
-    """Matrix (..., 3, 3) from given body components to those of the chosen axes, exactly.
+    """Matrix from the given body components to those of the chosen axes, exactly.
 
-    Arguments as for `misalignment_vector`, whose rotation this is up to second order. The triad
-    matrix E + K times the transpose of the result is symmetric (a polar decomposition) or
-    triangular with a positive diagonal (a QR decomposition).
+    Parameters
+    ----------
+    gyro_error : array_like, shape (..., 3, 3)
+        Error matrix K of the gyro triad.
+    accelerometer_error : array_like, shape (..., 3, 3), optional
+        Error matrix of the accelerometer triad; needed for the frame ``accelerometers`` only.
+    frame : str
+        One of `BODY_FRAMES`.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        Rotation matrix R, equal to that of `misalignment_vector` up to terms of second order.
 
     Raises
     ------
     ValueError
         If the triad is left-handed or its axes lie in one plane.
+
+    Notes
+    -----
+    The matrix (E + K) R^T of the triad in the new axes is symmetric for ``averaged`` (a polar
+    decomposition), and triangular with a positive diagonal for the others (a QR decomposition).
+
+    Examples
+    --------
+    The triad is an orthogonal one, rotated as a whole. Every choice of axes finds this rotation:
+
+    >>> from driftlab.quaternion import from_rotation_vector, to_matrix
+    >>> rotation = to_matrix(from_rotation_vector([0.01, 0.02, 0.03]))
+    >>> gyro_error = rotation - np.eye(3)
+    >>> [np.allclose(body_frame_rotation(gyro_error, gyro_error, frame), rotation)
+    ...  for frame in BODY_FRAMES]
+    [True, True, True, True]
     """
     name = "accelerometer_error" if frame == "accelerometers" else "gyro_error"
     matrix = _matrix_for(gyro_error, accelerometer_error, frame)
@@ -116,14 +197,30 @@ def body_frame_rotation(
 
 
 def change_body_frame(matrix: ArrayLike, rotation: ArrayLike) -> FloatArray:
-    """Error matrix (..., 3, 3) of the same triad in other body axes: (E + K) R^T - E, exactly.
+    """Error matrix of the same triad in other body axes, exactly.
 
     Parameters
     ----------
     matrix : array_like, shape (..., 3, 3)
-        K in the given axes.
+        Error matrix K in the given axes.
     rotation : array_like, shape (..., 3, 3)
-        R, from given body components to those of the new axes.
+        Rotation matrix R from the given body components to those of the new axes.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        (E + K) R^T - E.
+
+    Examples
+    --------
+    In the averaged axes a triad has no misalignment:
+
+    >>> matrix = [[0, 0, 0], [4e-3, 0, 0], [0, 0, 0]]
+    >>> averaged = change_body_frame(matrix, body_frame_rotation(matrix))
+    >>> np.allclose(split(averaged).misalignment, 0, rtol=0, atol=1e-15)
+    True
+    >>> float(averaged[0, 1].round(5))
+    0.002
     """
     matrix, rotation = finite_arrays(matrix=(matrix, 3, 3), rotation=(rotation, 3, 3))
     return (np.eye(3) + matrix) @ np.swapaxes(rotation, -1, -2) - np.eye(3)
@@ -144,12 +241,29 @@ def _matrix_for(
 
 
 def triad_matrix(misalignment: ArrayLike) -> FloatArray:
-    """A = E + M (..., 3, 3), rows the sensitive axes; Larin (1.5), (2.4).
+    """Matrix A = E + M of a triad, its rows being the sensitive axes; Larin (1.5), (2.4).
+
+    Parameters
+    ----------
+    misalignment : array_like, shape (..., 3, 3)
+        Matrix M of all errors of the triad, without unit.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        A, from true components to measured ones.
 
     Raises
     ------
     ValueError
         If A is singular: its axes lie in one plane, and the rate across it is never measured.
+
+    Examples
+    --------
+    >>> triad_matrix([[0, 0.01, 0], [0, 0, 0], [0, 0, 0]])
+    array([[1.  , 0.01, 0.  ],
+           [0.  , 1.  , 0.  ],
+           [0.  , 0.  , 1.  ]])
     """
     triad = np.eye(3) + finite_array(misalignment, "misalignment", 3, 3)
     if (np.linalg.cond(triad) > 1e12).any():
@@ -161,29 +275,81 @@ def triad_matrix(misalignment: ArrayLike) -> FloatArray:
 
 
 def measured_rate(rate: ArrayLike, misalignment: ArrayLike) -> FloatArray:
-    """What the triad says (..., 3) of a true `rate` (..., 3), both in rad/s; Larin (1.5)."""
+    """Rate that a gyro triad measures, without bias and noise; Larin (1.5).
+
+    Parameters
+    ----------
+    rate : array_like, shape (..., 3)
+        True angular rate in body axes, rad/s.
+    misalignment : array_like, shape (..., 3, 3)
+        Matrix M of all errors of the triad, without unit.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        (E + M) rate, rad/s.
+
+    Examples
+    --------
+    The x gyro leans towards the y axis and measures a part of the rate about it:
+
+    >>> measured_rate([0, 2, 0], [[0, 0.01, 0], [0, 0, 0], [0, 0, 0]])
+    array([0.02, 2.  , 0.  ])
+    """
     rate, misalignment = finite_arrays(rate=(rate, 3), misalignment=(misalignment, 3, 3))
     return np.einsum("...ij,...j->...i", triad_matrix(misalignment), rate)
 
 
 def non_orthogonality(misalignment: ArrayLike) -> FloatArray:
-    """Sigma = (M + M^T)/2 (..., 3, 3), all of M that drifts to first order; Larin (2.5)."""
+    """Symmetric part of a misalignment, which alone makes drift to first order; Larin (2.5).
+
+    Parameters
+    ----------
+    misalignment : array_like, shape (..., 3, 3)
+        Matrix M of all errors of the triad, without unit.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        Sigma = (M + M^T)/2, its diagonal included.
+
+    Examples
+    --------
+    >>> non_orthogonality([[0, 0.02, 0], [0, 0, 0], [0, 0, 0]])
+    array([[0.  , 0.01, 0.  ],
+           [0.01, 0.  , 0.  ],
+           [0.  , 0.  , 0.  ]])
+    """
     misalignment = finite_array(misalignment, "misalignment", 3, 3)
     return 0.5 * (misalignment + np.swapaxes(misalignment, -1, -2))
 
 
 def pairwise_non_orthogonality(axes: ArrayLike) -> FloatArray:
-    """[sigma1, sigma2, sigma3] (..., 3) of three sensitive axes; Larin, remark before (2.5).
+    r"""Non-orthogonality of each pair of sensitive axes; Larin, remark before (2.5).
 
     Parameters
     ----------
     axes : array_like, shape (..., 3, 3)
-        Rows i_x, i_y, i_z, unit vectors.
+        Sensitive axes i_x, i_y, i_z as rows, unit vectors.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        [sigma1, sigma2, sigma3] of the pairs (x, y), (x, z) and (y, z).
 
     Notes
     -----
-    sigma1 = 1 - |i_x - i_y|/sqrt(2), and so on for (x, z) and (y, z). It equals half the cosine of
-    the angle between the two axes to first order, and sees nothing but that angle.
+    It is half the cosine of the angle between the two axes to first order, and depends on no other
+    angle:
+
+    .. math:: \sigma_1 = 1 - |i_x - i_y| / \sqrt 2.
+
+    Examples
+    --------
+    >>> angle = 0.01  # of the y axis towards the x axis, rad
+    >>> axes = [[1, 0, 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]]
+    >>> pairwise_non_orthogonality(axes).round(4)
+    array([0.005, 0.   , 0.   ])
     """
     axes = finite_array(axes, "axes", 3, 3)
     if not np.allclose(np.linalg.norm(axes, axis=-1), 1, rtol=0, atol=1e-9):
