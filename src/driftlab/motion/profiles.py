@@ -23,28 +23,99 @@ from driftlab.core.quaternion import from_rotation_vector, multiply
 
 
 class Motion(Protocol):
-    """What a motion can say."""
+    """Interface of the test motions: exact attitude, body rate and angle increments.
+
+    Examples
+    --------
+    >>> motions: list[Motion] = [Coning(0.1, 1.0), Sway(0.1, 1.0), FixedAxis(0.1, 1.0)]
+    >>> [motion.increments(interval=0.01, count=5).shape for motion in motions]
+    [(5, 3), (5, 3), (5, 3)]
+    """
 
     def attitude(self, time: ArrayLike) -> FloatArray:
-        """Exact attitude (..., 4) at times (...) in s."""
+        """Exact attitude at given times.
+
+        Parameters
+        ----------
+        time : array_like, shape (...)
+            s.
+
+        Returns
+        -------
+        ndarray, shape (..., 4)
+            Unit quaternions, body to reference.
+
+        Examples
+        --------
+        >>> motion: Motion = Coning(half_angle=0.1, frequency=1.0)
+        >>> motion.attitude([0.0, 0.5, 1.0]).shape
+        (3, 4)
+        """
 
     def rate(self, time: ArrayLike) -> FloatArray:
-        """Angular rate in body axes (..., 3), rad/s, at times (...) in s."""
+        """Exact angular rate at given times.
+
+        Parameters
+        ----------
+        time : array_like, shape (...)
+            s.
+
+        Returns
+        -------
+        ndarray, shape (..., 3)
+            Rate in body axes, rad/s.
+
+        Examples
+        --------
+        >>> motion: Motion = Coning(half_angle=0.1, frequency=1.0)
+        >>> motion.rate([0.0, 0.5, 1.0]).shape
+        (3, 3)
+        """
 
     def increments(self, interval: float, count: int) -> FloatArray:
-        """Integrals (count, 3) of the body rate, rad, over intervals in s from time 0 on."""
+        """Angle increments of ideal gyros: integrals of the body rate over equal intervals.
+
+        Parameters
+        ----------
+        interval : float
+            Sample interval, s.
+        count : int
+            Number n of intervals, the first of which begins at time 0.
+
+        Returns
+        -------
+        ndarray, shape (n, 3)
+            rad.
+
+        Examples
+        --------
+        >>> motion: Motion = Coning(half_angle=0.1, frequency=1.0)
+        >>> motion.increments(interval=0.01, count=100).shape
+        (100, 3)
+        """
 
 
 @dataclass(frozen=True)
 class Coning:
-    """The third body axis runs round a cone, without turning about itself on the whole.
+    """Coning motion: the third body axis moves round a cone, and the body returns every period.
 
     Attributes
     ----------
     half_angle : float
-        Half the opening angle of the cone, rad.
+        Half the opening angle of the cone, rad, at most pi in absolute value.
     frequency : float
-        Turns round the cone in a second, Hz.
+        Revolutions round the cone in a second, Hz.
+
+    Examples
+    --------
+    The body is back after one period, and yet the third gyro has summed up the solid angle of the
+    cone, 2 pi (1 - cos 0.1):
+
+    >>> motion = Coning(half_angle=0.1, frequency=1.0)
+    >>> np.allclose(motion.attitude(0.0), motion.attitude(1.0))
+    True
+    >>> print(f"{motion.increments(interval=0.01, count=100)[:, 2].sum():.6f}")
+    -0.031390
     """
 
     half_angle: float
@@ -56,7 +127,24 @@ class Coning:
             raise ValueError(f"half_angle: expected at most pi rad, got {self.half_angle!r}.")
 
     def attitude(self, time: ArrayLike) -> FloatArray:
-        """Exact attitude (..., 4) at times (...) in s."""
+        """Exact attitude at given times.
+
+        Parameters
+        ----------
+        time : array_like, shape (...)
+            s.
+
+        Returns
+        -------
+        ndarray, shape (..., 4)
+            Unit quaternions, body to reference.
+
+        Examples
+        --------
+        >>> Coning(half_angle=np.pi, frequency=1.0).attitude([0.0, 0.25]).round(9)
+        array([[1., 0., 0., 0.],
+               [0., 1., 0., 0.]])
+        """
         phase = self._rate * finite_array(time, "time")
         tilt = self.half_angle * np.stack(
             [np.cos(phase), np.sin(phase), np.zeros_like(phase)], axis=-1
@@ -64,14 +152,52 @@ class Coning:
         return from_rotation_vector(tilt)
 
     def rate(self, time: ArrayLike) -> FloatArray:
-        """Angular rate in body axes (..., 3), rad/s, at times (...) in s."""
+        """Exact angular rate at given times.
+
+        Parameters
+        ----------
+        time : array_like, shape (...)
+            s.
+
+        Returns
+        -------
+        ndarray, shape (..., 3)
+            Rate in body axes, rad/s. Its third component is constant.
+
+        Examples
+        --------
+        >>> Coning(half_angle=0.1, frequency=1.0).rate(0.25).round(4)
+        array([-0.6273, 0. , -0.0314])
+        """
         phase = self._rate * finite_array(time, "time")
         across = self._rate * np.sin(self.half_angle)
         along = np.full_like(phase, self._along)
         return np.stack([-across * np.sin(phase), across * np.cos(phase), along], axis=-1)
 
     def increments(self, interval: float, count: int) -> FloatArray:
-        """Integrals (count, 3) of the body rate, rad, over intervals in s from time 0 on."""
+        """Angle increments of ideal gyros: integrals of the body rate, in closed form.
+
+        Parameters
+        ----------
+        interval : float
+            Sample interval, s.
+        count : int
+            Number n of intervals, the first of which begins at time 0.
+
+        Returns
+        -------
+        ndarray, shape (n, 3)
+            rad.
+
+        Examples
+        --------
+        Of the first and the third gyro, over the two halves of a period:
+
+        >>> increments = Coning(half_angle=0.1, frequency=1.0).increments(interval=0.5, count=2)
+        >>> increments[:, [0, 2]].round(4)
+        array([[-0.1997, -0.0157],
+               [ 0.1997, -0.0157]])
+        """
         middle = _middles(interval, count)
         # Differences of cosines and sines as products, which lose no digits.
         chord = 2 * np.sin(self.half_angle) * np.sin(self._rate * interval / 2)
@@ -100,9 +226,16 @@ class Sway:
     Attributes
     ----------
     amplitude : float
-        Amplitude of the roll in rad, at most pi; pitch and heading sway by parts of it.
+        Amplitude of the roll, rad, at most pi in absolute value. Those of pitch and heading are 0.6
+        and 0.4 of it.
     frequency : float
-        Frequency of the roll in Hz; pitch and heading have others.
+        Frequency of the roll, Hz. Those of pitch and heading are about 0.75 and 0.57 of it.
+
+    Examples
+    --------
+    >>> motion = Sway(amplitude=0.1, frequency=0.2)
+    >>> motion.attitude(0.0)[1:].round(4)  # pitch 0.0505 and heading 0.0364, in halves
+    array([0.0252, 0.0182, 0.9995])
     """
 
     amplitude: float
@@ -114,13 +247,47 @@ class Sway:
             raise ValueError(f"amplitude: expected at most pi rad, got {self.amplitude!r}.")
 
     def attitude(self, time: ArrayLike) -> FloatArray:
-        """Exact attitude (..., 4) at times (...) in s."""
+        """Exact attitude at given times.
+
+        Parameters
+        ----------
+        time : array_like, shape (...)
+            s.
+
+        Returns
+        -------
+        ndarray, shape (..., 4)
+            Unit quaternions, body to reference: heading about axis 3, then pitch about axis 2, then
+            roll about axis 1.
+
+        Examples
+        --------
+        >>> Sway(amplitude=0.0, frequency=0.2).attitude(1.0)
+        array([0., 0., 0., 1.])
+        """
         angles, _ = self._angles(finite_array(time, "time"))
         about = [from_rotation_vector(angles[..., i, np.newaxis] * np.eye(3)[i]) for i in range(3)]
         return multiply(multiply(about[2], about[1]), about[0])
 
     def rate(self, time: ArrayLike) -> FloatArray:
-        """Angular rate in body axes (..., 3), rad/s, at times (...) in s."""
+        """Exact angular rate at given times.
+
+        Parameters
+        ----------
+        time : array_like, shape (...)
+            s.
+
+        Returns
+        -------
+        ndarray, shape (..., 3)
+            Rate in body axes, rad/s.
+
+        Examples
+        --------
+        >>> Sway(amplitude=0.1, frequency=0.2).rate([0.0, 1.0]).round(4)
+        array([[ 0.1263,  0.0308, -0.0119],
+               [ 0.0403, -0.0234, -0.0239]])
+        """
         angles, rates = self._angles(finite_array(time, "time"))
         roll, pitch = angles[..., 0], angles[..., 1]
         d_roll, d_pitch, d_heading = (rates[..., i] for i in range(3))
@@ -135,10 +302,31 @@ class Sway:
         )
 
     def increments(self, interval: float, count: int) -> FloatArray:
-        """Integrals (count, 3) of the body rate, rad, over intervals in s from time 0 on.
+        """Angle increments of ideal gyros: integrals of the body rate, by quadrature.
 
-        The rate has no elementary integral. Sixteen points of Gauss and Legendre in each interval
-        leave an error of the size of rounding for intervals up to a quarter of the period.
+        Parameters
+        ----------
+        interval : float
+            Sample interval, s, at most a quarter of the period of the roll.
+        count : int
+            Number n of intervals, the first of which begins at time 0.
+
+        Returns
+        -------
+        ndarray, shape (n, 3)
+            rad.
+
+        Notes
+        -----
+        The rate has no elementary integral. Gauss-Legendre quadrature with sixteen points in each
+        interval leaves an error of the size of rounding.
+
+        Examples
+        --------
+        >>> motion = Sway(amplitude=0.1, frequency=0.2)
+        >>> increments = motion.increments(interval=1e-3, count=2)
+        >>> np.allclose(increments / 1e-3, motion.rate([0.5e-3, 1.5e-3]), rtol=0, atol=1e-8)
+        True
         """
         middle = _middles(interval, count)
         if abs(self.frequency * interval) > 0.25:
@@ -160,16 +348,23 @@ class Sway:
 
 @dataclass(frozen=True)
 class FixedAxis:
-    """Turning and swinging about one axis of the body.
+    """Rotation about one fixed axis of the body: a constant rate and an oscillation.
 
     Attributes
     ----------
     amplitude : float
-        Amplitude of the swing, rad; the body turns on by as much in each second besides.
+        Amplitude of the oscillation, rad; the body also turns by this angle in each second.
     frequency : float
-        Frequency of the swing, Hz.
+        Frequency of the oscillation, Hz.
     axis : tuple of float
-        Only its direction counts.
+        Axis of the rotation in body axes; only its direction counts.
+
+    Examples
+    --------
+    >>> motion = FixedAxis(amplitude=0.3, frequency=1.0, axis=(0.0, 0.0, 5.0))
+    >>> motion.increments(interval=1.0, count=2).round(9)
+    array([[0. , 0. , 0.3],
+           [0. , 0. , 0.3]])
     """
 
     amplitude: float
@@ -180,19 +375,71 @@ class FixedAxis:
         _check(self)
 
     def attitude(self, time: ArrayLike) -> FloatArray:
-        """Exact attitude (..., 4) at times (...) in s."""
+        """Exact attitude at given times.
+
+        Parameters
+        ----------
+        time : array_like, shape (...)
+            s.
+
+        Returns
+        -------
+        ndarray, shape (..., 4)
+            Unit quaternions, body to reference; no rotation at time 0.
+
+        Examples
+        --------
+        >>> FixedAxis(amplitude=np.pi, frequency=1.0, axis=(0, 0, 1)).attitude([0.0, 1.0]).round(9)
+        array([[0., 0., 0., 1.],
+               [0., 0., 1., 0.]])
+        """
         time = finite_array(time, "time")
         angle = self.amplitude * (time + np.sin(2 * np.pi * self.frequency * time))
         return from_rotation_vector(angle[..., np.newaxis] * self._direction)
 
     def rate(self, time: ArrayLike) -> FloatArray:
-        """Angular rate in body axes (..., 3), rad/s, at times (...) in s."""
+        """Exact angular rate at given times.
+
+        Parameters
+        ----------
+        time : array_like, shape (...)
+            s.
+
+        Returns
+        -------
+        ndarray, shape (..., 3)
+            Rate in body axes, rad/s, along the axis.
+
+        Examples
+        --------
+        >>> FixedAxis(amplitude=0.3, frequency=0.0, axis=(1.0, 2.0, 2.0)).rate(0.0).round(9)
+        array([0.1, 0.2, 0.2])
+        """
         w = 2 * np.pi * self.frequency
         rate = self.amplitude * (1 + w * np.cos(w * finite_array(time, "time")))
         return rate[..., np.newaxis] * self._direction
 
     def increments(self, interval: float, count: int) -> FloatArray:
-        """Integrals (count, 3) of the body rate, rad, over intervals in s from time 0 on."""
+        """Angle increments of ideal gyros: integrals of the body rate, in closed form.
+
+        Parameters
+        ----------
+        interval : float
+            Sample interval, s.
+        count : int
+            Number n of intervals, the first of which begins at time 0.
+
+        Returns
+        -------
+        ndarray, shape (n, 3)
+            rad.
+
+        Examples
+        --------
+        >>> motion = FixedAxis(amplitude=0.3, frequency=0.5, axis=(0, 0, 1))
+        >>> motion.increments(interval=0.5, count=2)[:, 2].round(9)
+        array([ 0.45, -0.15])
+        """
         middle, w = _middles(interval, count), 2 * np.pi * self.frequency
         swing = 2 * np.cos(w * middle) * np.sin(w * interval / 2)
         angles: FloatArray = self.amplitude * (interval + swing)

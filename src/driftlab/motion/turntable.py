@@ -1,8 +1,8 @@
-"""An inertial unit on a turntable: rotation schemes as data, and what ideal sensors say on them.
+"""An inertial unit on a turntable: rotation schemes as data, and the increments of ideal sensors.
 
 A scheme is a row of rotations about body axes with pauses between them. The table stands on the
-turning Earth; its centre does not move. The integrals of angular rate and specific force over any
-interval are known in closed form, so nothing here is an integration of anything else.
+rotating Earth; its centre does not move. The integrals of angular rate and specific force over
+any interval are known in closed form, so nothing here is an integration of anything else.
 """
 
 from __future__ import annotations
@@ -45,13 +45,19 @@ class Scheme:
     ----------
     rotations : str
         Words like ``+90Y`` or ``-180X``: sign, angle in degrees up to 3600, body axis. A pause
-        comes before the first rotation and after each one: one position more than rotations.
+        comes before the first rotation and after each one.
     start : tuple of str
-        Where the body axes x, y and z point at first: keys of `DIRECTIONS`, right-handed.
+        Directions of the body axes x, y and z at the start: keys of `DIRECTIONS`, right-handed.
     dwell : float
         Length of each pause, s.
     rate : float
         Rate of the rotations, rad/s.
+
+    Examples
+    --------
+    >>> scheme = Scheme("+90Z -90Z", start=("North", "West", "Up"), dwell=60.0)
+    >>> scheme.positions
+    3
     """
 
     rotations: str
@@ -77,7 +83,19 @@ class Scheme:
 
     @property
     def turns(self) -> list[tuple[FloatArray, float]]:
-        """Unit vector (3,) in body axes and signed angle in rad of each rotation."""
+        """Axis and signed angle of each rotation.
+
+        Returns
+        -------
+        list of tuple
+            For each rotation a unit vector (3,) in body axes and an angle in rad.
+
+        Examples
+        --------
+        >>> axis, angle = Scheme("-180X").turns[0]
+        >>> print(axis, round(angle, 4))
+        [1. 0. 0.] -3.1416
+        """
         turns = []
         for word in self.rotations.replace("−", "-").split():
             match = re.fullmatch(r"([+-]\d+(?:\.\d+)?)([A-Za-z])", word)
@@ -93,12 +111,34 @@ class Scheme:
 
     @property
     def positions(self) -> int:
-        """Number of pauses."""
+        """Number of pauses, one more than rotations.
+
+        Returns
+        -------
+        int
+            At least 1.
+
+        Examples
+        --------
+        >>> NINETEEN_POSITIONS.positions
+        19
+        """
         return len(self.turns) + 1
 
     @property
     def start_attitude(self) -> FloatArray:
-        """Attitude (4,) at the start, body to East, North, Up."""
+        """Attitude at the start.
+
+        Returns
+        -------
+        ndarray, shape (4,)
+            Unit quaternion, body to East, North, Up.
+
+        Examples
+        --------
+        >>> Scheme("+90Z", start=("North", "West", "Up")).start_attitude.round(4)
+        array([0. , 0. , 0.7071, 0.7071])
+        """
         # The columns of the matrix are where the body axes point.
         columns = np.array([DIRECTIONS[word] for word in self.start], float).T
         return Rotation.from_matrix(columns).as_quat()
@@ -124,27 +164,82 @@ SCHEMES = MappingProxyType({"19 positions": NINETEEN_POSITIONS, "18 rotations": 
 
 
 class Record(NamedTuple):
-    """What ideal sensors integrate on the table, and the truth."""
+    """Increments of ideal sensors on the table, and the true attitude.
 
-    interval: float  # s
-    angle_increments: FloatArray  # (n, 3), rad: rotation against inertial space, body axes
-    velocity_increments: FloatArray  # (n, 3), m/s: specific force, body axes
-    attitude: FloatArray  # (n + 1, 4): body to East, North, Up, before and after each interval
+    Attributes
+    ----------
+    interval : float
+        Sample interval, s.
+    angle_increments : ndarray, shape (n, 3)
+        Integrals of the rate against inertial space, body axes, rad.
+    velocity_increments : ndarray, shape (n, 3)
+        Integrals of the specific force, body axes, m/s.
+    attitude : ndarray, shape (n + 1, 4)
+        Unit quaternions, body to East, North, Up, before and after each interval.
+
+    Examples
+    --------
+    >>> record = simulate(Scheme("+90Z", dwell=1.0), latitude=0.7, interval=0.5)
+    >>> record.angle_increments.shape, record.attitude.shape
+    ((22, 3), (23, 4))
+    """
+
+    interval: float
+    angle_increments: FloatArray
+    velocity_increments: FloatArray
+    attitude: FloatArray
 
 
 class Segment(NamedTuple):
-    """One pause or rotation, at constant body rate against the Earth."""
+    """One pause or rotation of the table, with a constant rate against the Earth.
 
-    axis: FloatArray  # (3,), unit vector in body axes
-    rate: float  # rad/s about it; zero in a pause
-    duration: float  # s
-    attitude: FloatArray  # (4,), at its beginning
+    Attributes
+    ----------
+    axis : ndarray, shape (3,)
+        Unit vector in body axes.
+    rate : float
+        Rate about the axis, rad/s; zero in a pause.
+    duration : float
+        s.
+    attitude : ndarray, shape (4,)
+        Attitude at the beginning, body to East, North, Up.
+
+    Examples
+    --------
+    >>> pause, rotation, _ = segments(Scheme("-90Z", dwell=1.0), interval=0.5)
+    >>> print(pause.rate, f"{np.degrees(rotation.rate):.1f}")
+    0.0 -10.0
+    """
+
+    axis: FloatArray
+    rate: float
+    duration: float
+    attitude: FloatArray
 
 
 def segments(scheme: Scheme, interval: float) -> list[Segment]:
-    """Pauses and rotations, each as long as a whole number of intervals.
+    """Pauses and rotations of a scheme, each as long as a whole number of intervals.
 
-    A rotation is slowed down, and a pause drawn out, until it ends with an interval.
+    A rotation is slowed down, and a pause prolonged, until it ends with an interval.
+
+    Parameters
+    ----------
+    scheme : Scheme
+        The rotations.
+    interval : float
+        s.
+
+    Returns
+    -------
+    list of Segment
+        Pauses and rotations in turn, beginning and ending with a pause.
+
+    Examples
+    --------
+    A pause of 1 s and a rotation of 9 s, in intervals of 2 s:
+
+    >>> [segment.duration for segment in segments(Scheme("+90Z", dwell=1.0), interval=2.0)]
+    [2.0, 10.0, 2.0]
     """
     seconds = finite_number(interval, "interval")
     if seconds <= 0:
@@ -168,19 +263,35 @@ def segments(scheme: Scheme, interval: float) -> list[Segment]:
 def simulate(
     scheme: Scheme, latitude: float, interval: float, *, whole: int = 1, altitude: float = 0.0
 ) -> Record:
-    """Integrals of ideal gyros and accelerometers on a table, in closed form.
+    """Increments of ideal gyros and accelerometers on a turntable, in closed form.
 
     Parameters
     ----------
     scheme : Scheme
+        Pauses and rotations of the table.
     latitude : float
         Latitude of the table, rad; not a pole.
     interval : float
         Sample interval, s.
     whole : int
-        Let each pause and rotation last a multiple of so many intervals.
+        Each pause and rotation is prolonged to a multiple of `whole` sample intervals.
     altitude : float
-        Of the table, m.
+        Altitude of the table, m.
+
+    Returns
+    -------
+    Record
+        Increments and attitudes of all intervals.
+
+    Examples
+    --------
+    A quarter turn about Up lasts 9 s, and with the two pauses the Earth turns for 11 s:
+
+    >>> record = simulate(Scheme("+90Z", dwell=1.0), latitude=np.radians(45.0), interval=0.5)
+    >>> print(f"{record.angle_increments[:, 2].sum() - np.pi / 2:.6f}")
+    0.000567
+    >>> print(f"{11 * earth_rate(np.radians(45.0))[2]:.6f}")
+    0.000567
     """
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     whole = whole_number(whole, "whole")
@@ -214,7 +325,32 @@ def _sense(
 def stand(
     attitude: ArrayLike, latitude: float, interval: float, count: int, altitude: float = 0.0
 ) -> Record:
-    """Record of a unit that stands in one attitude (4,) for `count` intervals of time."""
+    """Increments of ideal sensors of a unit at rest on the Earth, in one attitude.
+
+    Parameters
+    ----------
+    attitude : array_like, shape (4,)
+        Body to East, North, Up; the quaternion need not be of unit norm.
+    latitude : float
+        rad; not a pole.
+    interval : float
+        Sample interval, s.
+    count : int
+        Number n of intervals.
+    altitude : float
+        m.
+
+    Returns
+    -------
+    Record
+        n equal angle increments and n equal velocity increments.
+
+    Examples
+    --------
+    >>> record = stand([0, 0, 0, 1], latitude=np.radians(30.0), interval=3600.0, count=1)
+    >>> print(np.degrees(record.angle_increments[0]).round(3))  # one hour of the Earth's rotation
+    [ 0.    13.026  7.521]
+    """
     seconds = finite_number(interval, "interval")
     stood = unit_quaternions(attitude, "attitude")
     if seconds <= 0 or stood.ndim != 1:

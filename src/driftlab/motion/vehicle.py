@@ -1,9 +1,10 @@
-"""A vehicle on a spherical Earth, under way or at rest: what ideal sensors say on board.
+"""A vehicle on a spherical Earth, under way or at rest: motion and increments of ideal sensors.
 
 A motion is given at equally spaced times: level velocity, heading, pitch and roll. Between two
-times the velocity changes evenly and the body turns at a constant rate, the short way. The angle
-increments then belong to the motion exactly, and the velocity increments up to small terms: the
-fourth power of the angle of one interval, and the square of the change of velocity over R.
+times the velocity changes at a constant rate and the body turns at a constant rate, by the
+shorter rotation. The angle increments then belong to the motion exactly, and the velocity
+increments up to small terms: the fourth power of the angle of one interval, and the square of the
+change of velocity over R.
 """
 
 from __future__ import annotations
@@ -34,20 +35,28 @@ from driftlab.frames import FROM_EAST_NORTH_UP, attitude_from_angles, geographic
 
 
 class Voyage(NamedTuple):
-    """True motion of a vehicle, and what ideal sensors integrate on board.
+    """True motion of a vehicle, and the increments of ideal sensors on board.
 
     Attributes
     ----------
     interval : float
-        s.
-    angle_increments, velocity_increments : ndarray, shape (n, 3)
-        Of each interval, body axes, rad and m/s.
+        Sample interval, s.
+    angle_increments : ndarray, shape (n, 3)
+        Integrals of the rate against inertial space, body axes, rad.
+    velocity_increments : ndarray, shape (n, 3)
+        Integrals of the specific force, body axes, m/s.
     attitude : ndarray, shape (n + 1, 4)
-        Body to North, Up, East.
+        Unit quaternions, body to North, Up, East.
     latitude : ndarray, shape (n + 1,)
         rad.
     velocity : ndarray, shape (n + 1, 2)
-        North and East, m/s.
+        Velocity to the North and to the East, m/s.
+
+    Examples
+    --------
+    >>> ride = voyage(0.7, np.zeros((4, 2)), heading=0.0, interval=1.0)
+    >>> ride.angle_increments.shape, ride.attitude.shape
+    ((3, 3), (4, 4))
     """
 
     interval: float
@@ -59,7 +68,18 @@ class Voyage(NamedTuple):
 
     @property
     def times(self) -> FloatArray:
-        """Times (n + 1,) in s from the start."""
+        """Times of the attitudes, counted from the start.
+
+        Returns
+        -------
+        ndarray, shape (n + 1,)
+            s.
+
+        Examples
+        --------
+        >>> voyage(0.7, np.zeros((4, 2)), heading=0.0, interval=0.5).times
+        array([0. , 0.5, 1. , 1.5])
+        """
         return np.asarray(self.interval * np.arange(self.latitude.shape[-1]), np.float64)
 
 
@@ -74,27 +94,46 @@ def voyage(
     gravity: float | None = None,
     radius: float = EARTH_RADIUS,
 ) -> Voyage:
-    """Sensor increments of a vehicle that moves level over a sphere.
+    """Increments of ideal sensors on a vehicle that moves level over a spherical Earth.
 
     Parameters
     ----------
     latitude : float
-        At the start, rad.
+        Latitude at the start, rad.
     velocity : array_like, shape (n + 1, 2)
-        North and East, m/s, at the ends of the intervals.
-    heading, pitch, roll : array_like, shape (n + 1,) or ()
-        rad, at the same times.
+        Velocity to the North and to the East at the ends of the intervals, m/s.
+    heading : array_like, shape (n + 1,) or ()
+        Angle about Up, from North to West, at the same times, rad.
+    pitch : array_like, shape (n + 1,) or ()
+        Angle of the forward axis above the horizon, rad.
+    roll : array_like, shape (n + 1,) or ()
+        Angle about the forward axis, rad.
     interval : float
-        s.
+        Sample interval, s.
     gravity : float, optional
-        m/s^2, the same all along the way; normal gravity of the start if not given.
+        m/s^2, constant along the way; normal gravity of the start if not given.
     radius : float
-        Of the Earth, m.
+        Radius of the Earth, m.
+
+    Returns
+    -------
+    Voyage
+        True motion and increments.
 
     Raises
     ------
     ValueError
         Also if the way comes within 0.1 degrees of a pole.
+
+    Examples
+    --------
+    Sixty seconds to the North at 10 m/s:
+
+    >>> ride = voyage(0.7, np.tile([10.0, 0.0], (7, 1)), heading=0.0, interval=10.0)
+    >>> print(f"{(ride.latitude[-1] - ride.latitude[0]) * EARTH_RADIUS:.3f}")
+    600.000
+    >>> print(f"{ride.velocity_increments[0, 2]:.4f}")  # to the East, against the Coriolis term
+    -0.0094
     """
     seconds = positive_number(interval, "interval")
     radius = positive_number(radius, "radius")
@@ -149,16 +188,31 @@ def _specific_force(
 def sensed_at_rest(
     attitude: ArrayLike, latitude: ArrayLike, gravity: ArrayLike | None = None
 ) -> tuple[FloatArray, FloatArray]:
-    """Angular rate and specific force, each (..., 3) in body axes, of a body at rest on the Earth.
+    """Angular rate and specific force of a body at rest on the Earth, in body axes.
 
     Parameters
     ----------
     attitude : array_like, shape (..., 4)
-        Body to North, Up, East.
+        Body to North, Up, East; the quaternions need not be of unit norm.
     latitude : array_like, shape (...)
         rad.
     gravity : array_like, shape (...), optional
         m/s^2; normal gravity of the latitude if not given.
+
+    Returns
+    -------
+    rate : ndarray, shape (..., 3)
+        rad/s.
+    specific_force : ndarray, shape (..., 3)
+        m/s^2.
+
+    Examples
+    --------
+    >>> rate, force = sensed_at_rest([0, 0, 0, 1], np.radians(30.0))
+    >>> print((np.degrees(rate[:2]) * 3600).round(3))  # North and Up, degrees per hour
+    [13.026  7.521]
+    >>> print(f"{force[1]:.4f}")
+    9.7932
     """
     body, place, pull = finite_arrays(
         attitude=(unit_quaternions(attitude, "attitude"), 4),
@@ -173,7 +227,27 @@ def sensed_at_rest(
 
 
 def smooth_step(times: ArrayLike, begin: float, duration: float) -> FloatArray:
-    """Rise (...) from 0 to 1 at times (...) in s, with continuous first and second derivatives."""
+    """Rise from 0 to 1 with continuous first and second derivatives.
+
+    Parameters
+    ----------
+    times : array_like, shape (...)
+        s.
+    begin : float
+        Time at which the rise begins, s.
+    duration : float
+        Duration of the rise, s, positive.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        0 before the rise and 1 after it, without unit.
+
+    Examples
+    --------
+    >>> smooth_step([0.0, 10.0, 15.0, 20.0, 30.0], begin=10.0, duration=10.0)
+    array([0. , 0. , 0.5, 1. , 1. ])
+    """
     (time,) = finite_arrays(times=(times,))
     length = positive_number(duration, "duration")
     x = np.clip((time - finite_number(begin, "begin")) / length, 0.0, 1.0)
