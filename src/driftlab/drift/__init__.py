@@ -1,4 +1,4 @@
-"""How a bent gyro triad drifts, and how whole turns calibrate it (Larin)."""
+"""Systematic drift of a misaligned gyro triad, and its calibration by whole turns (Larin)."""
 
 from driftlab._lazy import attach
 

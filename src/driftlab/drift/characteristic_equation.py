@@ -1,4 +1,4 @@
-"""Larin, section 2: the characteristic equation of the error matrix, and its roots."""
+"""Characteristic equation of the error-rate matrix, and its roots; Larin, section 2."""
 
 from __future__ import annotations
 
@@ -15,19 +15,35 @@ from .systematic_drift import _along_and_across
 def characteristic_polynomial(
     rate: ArrayLike, measured_rate: ArrayLike, *, as_printed: bool = False
 ) -> FloatArray:
-    """Coefficients (..., 5), highest power first, of det(sE - Omega_e); Larin (2.1), corrected.
+    r"""Coefficients of the characteristic polynomial det(sE - Omega_e); Larin (2.1), corrected.
 
     Parameters
     ----------
     rate, measured_rate : array_like, shape (..., 3)
         True and measured angular rate in body axes, rad/s.
     as_printed : bool
-        Use the coefficient of s^2 that the paper prints, 4 w^T w + 4 w^T eps + eps^T eps. It lacks
-        one eps^T eps, and is offered only to show what that changes.
+        Use the coefficient of s^2 that the paper prints. It lacks one eps^T eps, eps being the
+        error of the measured rate, and is offered only to show what that changes.
+
+    Returns
+    -------
+    ndarray, shape (..., 5)
+        Coefficients, highest power first, in powers of rad/s.
 
     Notes
     -----
-    The right coefficients are 1, 0, 2(|w|^2 + |w_hat|^2), 0, (|w_hat|^2 - |w|^2)^2.
+    With the true rate w and the measured rate w_hat the polynomial is
+
+    .. math:: s^4 + 2(|w|^2 + |\hat w|^2) s^2 + (|\hat w|^2 - |w|^2)^2.
+
+    The paper prints 4 w^T w + 4 w^T eps + eps^T eps as the coefficient of s^2.
+
+    Examples
+    --------
+    >>> characteristic_polynomial([0, 0, 1], [0, 0, 3])
+    array([ 1.,  0., 20.,  0., 64.])
+    >>> characteristic_polynomial([0, 0, 1], [0, 0, 3], as_printed=True)
+    array([ 1.,  0., 16.,  0., 64.])
     """
     rate, measured_rate = finite_arrays(rate=(rate, 3), measured_rate=(measured_rate, 3))
     error = measured_rate - rate
@@ -41,10 +57,29 @@ def characteristic_polynomial(
 
 
 def exact_roots(rate: ArrayLike, measured_rate: ArrayLike) -> ComplexArray:
-    """The four eigenvalues of Omega_e, (..., 4), in rad/s: the exact roots of (2.1).
+    r"""Exact roots of the characteristic equation: the four eigenvalues of Omega_e.
 
-    In the order +i(|w_hat|+|w|), -i(|w_hat|+|w|), +i(|w_hat|-|w|), -i(|w_hat|-|w|): the sum and
-    the difference of the two commuting halves of Omega_e.
+    Parameters
+    ----------
+    rate, measured_rate : array_like, shape (..., 3)
+        True and measured angular rate in body axes, rad/s.
+
+    Returns
+    -------
+    ndarray of complex, shape (..., 4)
+        Purely imaginary, rad/s, in the order given under Notes.
+
+    Notes
+    -----
+    The roots of Larin (2.1) are the sum and the difference of the two lengths, because Omega_e
+    consists of two commuting parts:
+
+    .. math:: \pm i(|\hat w| + |w|), \quad \pm i(|\hat w| - |w|).
+
+    Examples
+    --------
+    >>> exact_roots([0, 0, 1], [0, 0, 3]).imag
+    array([ 4., -4., 2., -2.])
     """
     rate, measured_rate = finite_arrays(rate=(rate, 3), measured_rate=(measured_rate, 3))
     total = norms(measured_rate) + norms(rate)
@@ -55,16 +90,40 @@ def exact_roots(rate: ArrayLike, measured_rate: ArrayLike) -> ComplexArray:
 
 
 def asymptotic_roots(rate: ArrayLike, misalignment: ArrayLike, *, order: int = 1) -> ComplexArray:
-    """Roots (..., 4) of (2.1) for a small misalignment, in the order of `exact_roots`; Larin (2.2).
+    r"""Roots of the characteristic equation for a small misalignment; Larin (2.2).
 
     Parameters
     ----------
     rate : array_like, shape (..., 3)
         True angular rate in body axes, rad/s, not zero.
     misalignment : array_like, shape (..., 3, 3)
-        M = mu T, measured rate = (E + M) rate.
+        Matrix M of the errors of the triad, mu T in the paper, which measures (E + M) rate.
     order : {1, 2}
-        1 is Larin's formula, theta = |w|(2 + rho); 2 adds |w|(|M n|^2 - rho^2)/2 to both pairs.
+        Highest power of M that is kept. Larin's formula is the first order.
+
+    Returns
+    -------
+    ndarray of complex, shape (..., 4)
+        rad/s, in the order of `exact_roots`.
+
+    Notes
+    -----
+    With n the direction of the rate and rho = n^T M n, the two pairs of first order are
+    |w|(2 + rho) and |w| rho. The second order adds to both
+
+    .. math:: |w| (|M n|^2 - \rho^2) / 2.
+
+    Examples
+    --------
+    Measured and true rate differ across the axis only, which shows in the second order:
+
+    >>> misalignment = np.array([[0, 0, 0.01], [0, 0, 0], [0, 0, 0]])
+    >>> for order in (1, 2):
+    ...     print(f"{asymptotic_roots([0, 0, 1], misalignment, order=order)[2].imag:.3e}")
+    0.000e+00
+    5.000e-05
+    >>> print(f"{exact_roots([0, 0, 1], [0.01, 0, 1])[2].imag:.3e}")
+    5.000e-05
     """
     if order not in (1, 2):
         raise ValueError(f"order: expected 1 or 2, got {order!r}.")
@@ -80,11 +139,34 @@ def asymptotic_roots(rate: ArrayLike, misalignment: ArrayLike, *, order: int = 1
 def split_error_rate_matrix(
     rate: ArrayLike, measured_rate: ArrayLike
 ) -> tuple[FloatArray, FloatArray]:
-    """V and W (..., 4, 4) with Omega_e = V + W and VW = WV; Larin, between (2.2) and (2.3).
+    """Split Omega_e into a periodic part and the systematic drift; Larin, between (2.2) and (2.3).
 
-    V is the part that comes back, exp(V t/2) = E after each whole turn t = 2 pi j/|w|. W is the
-    systematic drift. Larin gives them to first order; split like this they hold exactly: W is
-    right multiplication by the part (|w_hat| - |w|) of the measured rate.
+    Parameters
+    ----------
+    rate, measured_rate : array_like, shape (..., 3)
+        True and measured angular rate in body axes, rad/s, not zero.
+
+    Returns
+    -------
+    periodic, systematic : ndarray, shape (..., 4, 4)
+        V and W, rad/s: V + W = Omega_e and VW = WV.
+
+    Notes
+    -----
+    The exponential of V t/2 is the unit matrix after each whole turn, t = 2 pi j/|w|. Larin gives V
+    and W to first order. In this form they hold exactly: W is right multiplication by the part
+    (|w_hat| - |w|)/|w_hat| of the measured rate.
+
+    Examples
+    --------
+    >>> from scipy.linalg import expm
+    >>> from driftlab.drift.error_kinematics import error_rate_matrix
+    >>> rate, measured_rate = [0.0, 0.0, 1.0], [0.01, 0.0, 1.02]
+    >>> periodic, systematic = split_error_rate_matrix(rate, measured_rate)
+    >>> np.allclose(periodic + systematic, error_rate_matrix(rate, measured_rate))
+    True
+    >>> np.allclose(expm(periodic * np.pi), np.eye(4))  # after one turn
+    True
     """
     rate, measured_rate = finite_arrays(rate=(rate, 3), measured_rate=(measured_rate, 3))
     n, norm = nonzero_vectors(rate, "rate")

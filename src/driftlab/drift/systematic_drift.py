@@ -1,4 +1,4 @@
-"""Larin, section 2: characteristic equation, its roots, and the systematic drift of a bent triad.
+"""Systematic drift of a misaligned gyro triad at a constant rate; Larin, section 2.
 
 A triad with misalignment M measures ``(E + M) rate``. With n the direction of a constant rate, the
 error rotates with |measured rate| - |rate| once the whole turns are taken out, and that difference
@@ -21,13 +21,27 @@ from driftlab.triad import measured_rate, non_orthogonality
 
 
 def drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
-    """rho = n^T M n (...): drift rate in units of the turn rate, to first order; Larin (2.2).
+    """Drift rate in units of the turn rate, rho = n^T M n, to first order; Larin (2.2).
 
     Parameters
     ----------
     direction : array_like, shape (..., 3)
-        Axis of the rotation in body axes; only its direction counts, it must not be zero.
+        Axis n of the rotation in body axes; only its direction counts, it must not be zero.
     misalignment : array_like, shape (..., 3, 3)
+        Matrix M of the errors of the triad, without unit.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        rho, without unit.
+
+    Examples
+    --------
+    About the bisector of x and y both non-diagonal entries count; about x alone neither does:
+
+    >>> misalignment = [[0, 0.01, 0], [0.03, 0, 0], [0, 0, 0]]
+    >>> drift_coefficient([[1, 1, 0], [1, 0, 0]], misalignment).round(9)
+    array([0.02, 0.  ])
     """
     direction, misalignment = finite_arrays(
         direction=(direction, 3), misalignment=(misalignment, 3, 3)
@@ -36,7 +50,28 @@ def drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArr
 
 
 def exact_drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
-    """|(E + M) n| - 1 (...): drift rate in units of the turn rate, for any size of misalignment."""
+    """Drift rate in units of the turn rate, |(E + M) n| - 1, for a misalignment of any size.
+
+    Parameters
+    ----------
+    direction : array_like, shape (..., 3)
+        Axis n of the rotation in body axes; only its direction counts, it must not be zero.
+    misalignment : array_like, shape (..., 3, 3)
+        Matrix M of the errors of the triad, without unit.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Without unit; `drift_coefficient` is its first order.
+
+    Examples
+    --------
+    >>> misalignment = [[0, 0.75, 0], [0, 0, 0], [0, 0, 0]]
+    >>> float(exact_drift_coefficient([0, 1, 0], misalignment))  # sqrt(1 + 0.75^2) - 1
+    0.25
+    >>> float(drift_coefficient([0, 1, 0], misalignment))
+    0.0
+    """
     direction, misalignment = finite_arrays(
         direction=(direction, 3), misalignment=(misalignment, 3, 3)
     )
@@ -55,19 +90,33 @@ def _along_and_across(n: FloatArray, misalignment: FloatArray) -> tuple[FloatArr
 
 
 def drift_per_turn(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
-    """Exact drift angle (...) in rad after one whole turn: Larin (2.3), without approximation.
+    """Drift angle after one whole turn: Larin (2.3), without approximation.
 
     Parameters
     ----------
     direction : array_like, shape (..., 3)
         Axis n of the turn in body axes; only its direction counts, it must not be zero.
     misalignment : array_like, shape (..., 3, 3)
-        M, dimensionless: the triad measures A = E + M times the rate.
+        Matrix M of the errors of the triad, without unit, which measures A = E + M times the rate.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        rad, positive when the apparent frame runs ahead.
 
     Notes
     -----
-    2 pi (|A n| - 1), positive when the apparent frame runs ahead; 2 pi n^T M n to first order.
-    After j turns the error is j times this angle, about the *measured* rate.
+    It is 2 pi (|A n| - 1), and 2 pi n^T M n to first order. After j turns the error is j times this
+    angle, about the *measured* rate.
+
+    Examples
+    --------
+    A non-orthogonality of one arc second between two axes, and a turn about their bisector:
+
+    >>> second = np.radians(1 / 3600)
+    >>> misalignment = second * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
+    >>> print(f"{drift_per_turn([1, 1, 0], misalignment) / second:.3f}")  # arc seconds
+    6.283
     """
     return 2 * np.pi * exact_drift_coefficient(direction, misalignment)
 
@@ -80,15 +129,25 @@ def principal_drifts(
     Parameters
     ----------
     misalignment : array_like, shape (..., 3, 3)
+        Matrix M of the errors of the triad, without unit.
     exact : bool
-        Singular values of A = E + M, less one, in place of the eigenvalues of Sigma.
+        Take the singular values of A = E + M, less one, instead of the eigenvalues of Sigma.
 
     Returns
     -------
     coefficients : ndarray, shape (..., 3)
-        Rising: the drift coefficient lies between the first and the last, whatever the axis.
+        Ascending, without unit: the drift coefficient of any axis lies between the first and the
+        last.
     axes : ndarray, shape (..., 3, 3)
         The unit axes as rows, in the same order, each with its largest entry positive.
+
+    Examples
+    --------
+    >>> coefficients, axes = principal_drifts([[0, 0.02, 0], [0, 0, 0], [0, 0, 0.005]])
+    >>> print(coefficients.round(9))
+    [-0.01   0.005  0.01 ]
+    >>> print(np.abs(axes[2]).round(4))
+    [0.7071 0.7071 0.    ]
     """
     misalignment = finite_array(misalignment, "misalignment", 3, 3)
     symmetric = non_orthogonality(misalignment)
