@@ -1,8 +1,8 @@
-"""Larin, section 3: find the non-orthogonality Sigma from attitude errors after whole turns.
+"""Calibration by whole turns: the non-orthogonality Sigma from attitude errors; Larin, section 3.
 
-A triad is turned k whole times about a known body axis while the computer integrates its gyros.
-The body is back where it was, so what the computer shows is all error, and along the axis n it is
-k pi n^T Sigma n, to first order, in the tangent of half its angle.
+A triad is turned k whole times about a known body axis n while the computer integrates its gyros.
+The body then has its first attitude again, so the computed rotation is all error. To first order
+the tangent of half its angle, taken along n, is k pi n^T Sigma n.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ YATES_AXES.setflags(write=False)
 
 
 def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) -> FloatArray:
-    """n^T Sigma n (...) from the attitude error after whole turns about `axis`; Larin (3.3).
+    """Estimate n^T Sigma n from the attitude error after whole turns about an axis; Larin (3.3).
 
     Parameters
     ----------
@@ -46,10 +46,21 @@ def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) 
     turns : int
         Number k of whole turns. The estimate is unique while |n^T Sigma n| < 1/(2k).
 
+    Returns
+    -------
+    ndarray, shape (...)
+        Estimates, without unit.
+
     Raises
     ------
     ValueError
-        Also for an error of half a turn across the axis, of which (3.3) makes 0/0.
+        Also for an error of half a turn across the axis, for which (3.3) is 0/0.
+
+    Examples
+    --------
+    >>> error = from_rotation_vector(np.array([0.0, 0.0, 2 * np.pi * 0.001]))
+    >>> print(f"{turn_estimate(error, [0, 0, 1]):.6f}")
+    0.001000
     """
     error, axis = finite_arrays(error_quaternion=(error_quaternion, 4), axis=(axis, 3))
     if not error.any(axis=-1).all():
@@ -68,10 +79,33 @@ def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) 
 
 
 def exact_turn_estimate(misalignment: ArrayLike, axis: ArrayLike, turns: int = 1) -> FloatArray:
-    """What (3.3) gives (...) with exact integration and no noise, in closed form.
+    r"""Result of `turn_estimate` with exact integration and without noise, in closed form.
 
-    (k pi)^-1 arctan((m^T n) tan(k pi (|A n| - 1))), m the direction of A n. Its distance from
-    n^T Sigma n is the bias of the method itself.
+    Parameters
+    ----------
+    misalignment : array_like, shape (..., 3, 3)
+        Matrix M of the errors of the triad, without unit.
+    axis : array_like, shape (..., 3)
+        Body axis n of the turns; only its direction counts.
+    turns : int
+        Number k of whole turns.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Estimates, without unit. Their distance from n^T Sigma n is the bias of the method itself.
+
+    Notes
+    -----
+    With A = E + M and m the direction of A n,
+
+    .. math:: \frac{1}{k\pi} \arctan\left( m^T n \tan(k\pi(|A n| - 1)) \right).
+
+    Examples
+    --------
+    >>> misalignment = 0.01 * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
+    >>> print(f"{exact_turn_estimate(misalignment, PAIR_AXES[0]):.6f}")  # n is an eigenvector
+    0.010000
     """
     turns = whole_number(turns, "turns")
     axis, misalignment = finite_arrays(axis=(axis, 3), misalignment=(misalignment, 3, 3))
@@ -83,19 +117,27 @@ def exact_turn_estimate(misalignment: ArrayLike, axis: ArrayLike, turns: int = 1
 
 @dataclass(frozen=True)
 class TurnExperiment:
-    """How the turns are made and integrated: everything about the test but the triad and the axis.
+    """How the turns are made and integrated: all of the test but the triad and the axis.
 
     Attributes
     ----------
     turns : int
         Whole turns k about each axis.
     steps_per_turn : int
-        Integration steps in one turn.
+        Integration steps in one turn, at least 3.
     step_formula : str
         A name in `driftlab.drift.step_formulas.STEP_FORMULAS`.
     angle_noise : float
-        Standard deviation, in rad and per gyro, of the angle that white gyro noise adds up to
-        over one turn (angle random walk times the square root of the turn's time).
+        Standard deviation, per gyro, of the angle that white gyro noise adds up to over one turn
+        (angle random walk times the square root of the turn's time), rad.
+
+    Examples
+    --------
+    Larin's three turns find the three sigmas:
+
+    >>> misalignment = 1e-4 * np.array([[0, 1, 2], [1, 0, 3], [2, 3, 0]])
+    >>> TurnExperiment(turns=1, steps_per_turn=100).estimate(misalignment, PAIR_AXES).round(6)
+    array([0.0001, 0.0002, 0.0003])
     """
 
     turns: int = 1
@@ -118,20 +160,31 @@ class TurnExperiment:
         axis: ArrayLike,
         rng: np.random.Generator | None = None,
     ) -> FloatArray:
-        """Integrate the triad's increments over the turns, as the computer does; Larin (1.2).
+        """Attitude error after the turns, integrated step by step as in a computer; Larin (1.2).
 
         Parameters
         ----------
         misalignment : array_like, shape (..., 3, 3)
+            Matrix M of the errors of the triad, without unit.
         axis : array_like, shape (..., 3)
+            Body axis of the turns; only its direction counts.
         rng : numpy.random.Generator, optional
-            Needed when `angle_noise` is not zero.
+            Source of the noise; needed when `angle_noise` is not zero.
 
         Returns
         -------
         ndarray, shape (..., 4)
-            Error after the turns. The true attitude is plus or minus one then, so that the
+            Unit quaternions. The true attitude is plus or minus one after the turns, so the
             computed attitude is the error itself, up to sign.
+
+        Examples
+        --------
+        Without errors of the triad there is only that of the step formula:
+
+        >>> experiment = TurnExperiment(steps_per_turn=10, step_formula="taylor-1")
+        >>> error = experiment.error_quaternion(np.zeros((3, 3)), [0, 0, 1])
+        >>> print(f"{np.arctan(error[2] / error[3]):.4f}")  # 10 arctan(pi/10) - pi
+        -0.0976
         """
         axis, misalignment = finite_arrays(axis=(axis, 3), misalignment=(misalignment, 3, 3))
         n, _ = nonzero_vectors(axis, "axis")
@@ -154,12 +207,33 @@ class TurnExperiment:
         axis: ArrayLike,
         rng: np.random.Generator | None = None,
     ) -> FloatArray:
-        """n^T Sigma n (...) as the whole experiment finds it: integrate, then apply (3.3)."""
+        """Estimate n^T Sigma n by the whole experiment: integrate, then apply `turn_estimate`.
+
+        Parameters
+        ----------
+        misalignment : array_like, shape (..., 3, 3)
+            Matrix M of the errors of the triad, without unit.
+        axis : array_like, shape (..., 3)
+            Body axis n of the turns; only its direction counts.
+        rng : numpy.random.Generator, optional
+            Source of the noise; needed when `angle_noise` is not zero.
+
+        Returns
+        -------
+        ndarray, shape (...)
+            Estimates, without unit.
+
+        Examples
+        --------
+        >>> misalignment = np.diag([0.0, 0.0, 1e-4])
+        >>> print(f"{TurnExperiment(turns=3).estimate(misalignment, [0, 0, 1]):.6f}")
+        0.000100
+        """
         return turn_estimate(self.error_quaternion(misalignment, axis, rng), axis, self.turns)
 
 
 def weighing(estimates: ArrayLike) -> FloatArray:
-    """[sigma1, sigma2, sigma3] (..., 3) by Yates's weighing design; Larin, last formulas.
+    """Non-orthogonality from four turns by Yates's weighing design; Larin, last formulas.
 
     Parameters
     ----------
@@ -167,10 +241,22 @@ def weighing(estimates: ArrayLike) -> FloatArray:
         Estimates of sigma1, sigma2, sigma3 and of their sum. The sum is **3/2** of the turn
         estimate about (1, 1, 1): the factor that (3.5) lacks in print.
 
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        [sigma1, sigma2, sigma3], in the unit of the estimates.
+
     Notes
     -----
     Each result is half of a sum with two signs plus and two minus, so an offset common to all four
     *numbers* cancels, and independent noise of one size in all four keeps its variance.
+
+    Examples
+    --------
+    The sigmas are 1, 2 and 3, and an offset of 10 is common to all four numbers:
+
+    >>> weighing([11, 12, 13, 16])
+    array([1., 2., 3.])
     """
     signs = np.array([[1, -1, -1, 1], [-1, 1, -1, 1], [-1, -1, 1, 1]])
     return 0.5 * finite_array(estimates, "estimates", 4) @ signs.T
@@ -178,16 +264,23 @@ def weighing(estimates: ArrayLike) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class TurnFit:
-    """Least-squares answer of `fit_turns`.
+    """Least-squares solution for the non-orthogonality; the result of `fit_turns`.
 
     Attributes
     ----------
     sigma : ndarray, shape (..., 3)
-        sigma1, sigma2, sigma3.
+        sigma1, sigma2, sigma3, without unit.
     scale : ndarray, shape (..., s)
-        Scale-factor errors: none, one common to all gyros, or one a gyro.
+        Scale-factor errors, without unit: none, one common to all gyros, or one for each gyro.
     covariance : ndarray, shape (3 + s, 3 + s)
         Covariance of (sigma, scale) when each estimate has unit variance.
+
+    Examples
+    --------
+    Larin's three axes give each sigma with the variance of one estimate:
+
+    >>> fit_turns([1e-4, 2e-4, 3e-4], PAIR_AXES).covariance.diagonal().round(9)
+    array([1., 1., 1.])
     """
 
     sigma: FloatArray
@@ -201,12 +294,12 @@ def fit_turns(estimates: ArrayLike, axes: ArrayLike, scale: str = "none") -> Tur
     Parameters
     ----------
     estimates : array_like, shape (..., m)
-        Turn estimates n^T Sigma n, one an axis.
+        Turn estimates n^T Sigma n, one for each axis.
     axes : array_like, shape (m, 3)
-        The axes; only their directions count.
+        Axes n; only their directions count.
     scale : {"none", "common", "each"}
-        What else is unknown: nothing, one scale-factor error common to the three gyros (an offset
-        common to all estimates: a wrong turn angle looks the same), or one for each gyro.
+        Other unknowns: none, one scale-factor error common to the three gyros (an offset common to
+        all estimates: a wrong turn angle looks the same), or one for each gyro.
 
     Returns
     -------
@@ -217,6 +310,16 @@ def fit_turns(estimates: ArrayLike, axes: ArrayLike, scale: str = "none") -> Tur
     ------
     ValueError
         If the axes do not determine the unknowns.
+
+    Examples
+    --------
+    With Yates's four axes a scale-factor error common to all gyros can be found as well:
+
+    >>> triad = 1e-4 * np.array([[4, 1, 2], [1, 4, 3], [2, 3, 4]])
+    >>> estimates = TurnExperiment().estimate(triad, YATES_AXES)
+    >>> fit = fit_turns(estimates, YATES_AXES, scale="common")
+    >>> print(fit.sigma.round(6), fit.scale.round(6))
+    [0.0001 0.0002 0.0003] [0.0004]
     """
     n, _ = nonzero_vectors(axes, "axes")
     if n.ndim != 2:
