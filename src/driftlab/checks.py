@@ -50,7 +50,7 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     expected = f"shape (..., {', '.join(map(str, shape))})" if shape else "real numbers"
     try:
         array = np.asarray(value)
-    except ValueError:  # NumPy's word for lists of unequal length
+    except ValueError:  # NumPy's error for lists of unequal length
         raise ValueError(f"{name}: expected {expected}, got rows of unequal length.") from None
     if array.dtype.kind not in "fiu":
         raise ValueError(f"{name}: expected real numbers, got dtype {array.dtype}.")

@@ -79,7 +79,7 @@ class Scheme:
                 f"got {self.start!r}."
             )
         object.__setattr__(self, "start", tuple(self.start))
-        self.turns  # noqa: B018  (a word that makes no sense is refused now, not later)
+        self.turns  # noqa: B018  (an invalid word is refused now, not later)
 
     @property
     def turns(self) -> list[tuple[FloatArray, float]]:
@@ -246,7 +246,7 @@ def segments(scheme: Scheme, interval: float) -> list[Segment]:
         raise ValueError(f"interval: expected a positive time, got {interval!r}.")
 
     def whole(duration: float) -> float:
-        # A duration that is whole but for rounding stays what it is.
+        # A duration that is a whole number of intervals, but for rounding, is kept.
         return seconds * max(1, int(np.ceil(duration / seconds - 1e-6)))
 
     attitude, row = scheme.start_attitude, []

@@ -164,7 +164,7 @@ def voyage(
         local_axes(middle, 0.5 * (longitude[1:] + longitude[:-1])), conjugate(FROM_EAST_NORTH_UP)
     )
     push = seconds * rotate(multiply(conjugate(halfway), centre), force)
-    # The mean over an interval of a force that stands still while the body turns.
+    # The mean over an interval of a force that is constant in local axes while the body turns.
     push = push + np.cross(angle, np.cross(angle, push)) / 24
     return Voyage(seconds, angle, push, attitude, place, speed.copy())
 
@@ -178,7 +178,7 @@ def _specific_force(
     latitude: FloatArray, velocity: FloatArray, rate: FloatArray, gravity: float, radius: float
 ) -> FloatArray:
     """Specific force (n, 3) in North, Up, East of a level motion with the velocity's `rate`."""
-    # Local axes turn with the Earth and along the way, and the velocity is one against the Earth.
+    # Local axes turn with the Earth and along the way, and the velocity is relative to the Earth.
     turn = geographic_rate(latitude, velocity, radius) + geographic_rate(latitude)
     moving = np.stack([velocity[:, 0], np.zeros(len(velocity)), velocity[:, 1]], axis=-1)
     change = np.stack([rate[:, 0], np.full(len(rate), gravity), rate[:, 1]], axis=-1)
