@@ -26,22 +26,33 @@ from driftlab.core.vectors import norms
 
 
 def cayley_transform(matrix: ArrayLike) -> FloatArray:
-    """Return (E - X)(E + X)^-1, which maps skew to orthogonal matrices and back; (1.2).
+    """Cayley transform (E - X)(E + X)^-1 of a matrix X; (1.2).
+
+    It maps skew matrices to orthogonal ones and back: the transform is its own inverse.
 
     Parameters
     ----------
     matrix : array_like, shape (..., n, n)
-        A skew or an orthogonal matrix.
+        A skew or an orthogonal matrix X.
 
     Returns
     -------
     ndarray, shape (..., n, n)
+        Orthogonal if X is skew, skew if X is orthogonal.
 
     Raises
     ------
     ValueError
-        If E + X is singular to rounding. An orthogonal X has the eigenvalue -1 then; of skew ones
-        only those come near that are singular, or nearly so, and of a size of 1e15.
+        If E + X is singular to rounding. An orthogonal X then has the eigenvalue -1; a skew X comes
+        near this only if it is itself nearly singular and has entries of about 1e15.
+
+    Examples
+    --------
+    A quarter turn in the plane becomes the skew matrix of tan(pi/4):
+
+    >>> cayley_transform([[0, -1], [1, 0]])
+    array([[ 0.,  1.],
+           [-1.,  0.]])
     """
     x = finite_array(matrix, "matrix")
     if x.ndim < 2 or x.shape[-1] != x.shape[-2]:
@@ -56,43 +67,70 @@ def cayley_transform(matrix: ArrayLike) -> FloatArray:
 
 
 def skew_operator(vector: ArrayLike, dimension: int = 4) -> FloatArray:
-    """Skew matrix of a vector k or of a rate, in the pattern of (1.2) and (1.5).
+    """Skew matrix of a vector k, or of an angular rate; (1.2), (1.5).
 
     Parameters
     ----------
     vector : array_like, shape (..., 3)
+        Cayley vector, without unit, or angular rate, rad/s.
     dimension : {4, 3}
-        4 for the matrix of ``p -> p∘k``; 3 for its last three rows and columns, in the paper's
-        scalar-first order: the matrix of ``p -> p × k``.
+        4 for the matrix of ``p -> p∘k``, 3 for its block of the vector parts: the matrix of
+        ``p -> p×k``.
 
     Returns
     -------
     ndarray, shape (..., dimension, dimension)
-        Rows and columns have the book's order, scalar last.
+        In the unit of `vector`. Rows and columns are in the order of this package, scalar last; the
+        paper puts the scalar first.
+
+    Examples
+    --------
+    >>> skew_operator([0, 0, 1], 3) @ [0, 1, 0]
+    array([1., 0., 0.])
+
+    Its Cayley transform is the matrix of the rotation, reference to body components:
+
+    >>> k = cayley_vector([0.5, 0.5, 0.5, 0.5], 3)
+    >>> cayley_transform(skew_operator(k, 3)).round(12) + 0.0
+    array([[0., 1., 0.],
+           [0., 0., 1.],
+           [1., 0., 0.]])
     """
     matrix = right_matrix(pure(finite_array(vector, "vector", 3)))
     return matrix if _checked(dimension) == 4 else matrix[..., :3, :3]
 
 
 def cayley_vector(quaternion: ArrayLike, dimension: int = 4) -> FloatArray:
-    """Vector k of a rotation: -tan(phi/4) e for dimension 4, (1.9), -tan(phi/2) e for 3.
+    """Cayley vector k of a rotation; (1.9).
 
     Parameters
     ----------
     quaternion : array_like, shape (..., 4)
-        Need not be of unit norm. For dimension 4 its sign counts: the quaternions q and -q have
+        Need not be of unit norm. For dimension 4 its sign matters: the quaternions q and -q have
         different vectors, each the `shadow` of the other.
     dimension : {4, 3}
+        Of the matrices whose Cayley transform the vector describes.
 
     Returns
     -------
     ndarray, shape (..., 3)
+        -tan(phi/4) e for dimension 4, -tan(phi/2) e for dimension 3, where phi is the angle and e
+        the axis of the rotation. Without unit.
 
     Raises
     ------
     ValueError
         Where k is infinite: at whole turns (dimension 4) or half turns (dimension 3). A quaternion
-        that is a rounding error away from there has a finite vector, of a length of 1e15 or more.
+        within rounding of such a turn has a finite vector, of a length of 1e15 or more.
+
+    Examples
+    --------
+    A third of a turn about the diagonal:
+
+    >>> cayley_vector([0.5, 0.5, 0.5, 0.5]).round(4)
+    array([-0.3333, -0.3333, -0.3333])
+    >>> cayley_vector([0.5, 0.5, 0.5, 0.5], dimension=3)
+    array([-1., -1., -1.])
     """
     vector, scalar = np.split(unit_quaternions(quaternion, "quaternion"), [3], axis=-1)
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
@@ -111,17 +149,35 @@ def cayley_vector(quaternion: ArrayLike, dimension: int = 4) -> FloatArray:
 
 
 def rotation_quaternion(vector: ArrayLike, dimension: int = 4) -> FloatArray:
-    """Unit quaternion of a vector k: (1.8), without sine or cosine.
+    r"""Unit quaternion of a Cayley vector k, without sine or cosine; (1.8).
 
     Parameters
     ----------
     vector : array_like, shape (..., 3)
-        k = -tan(phi/4) e for dimension 4, -tan(phi/2) e for 3.
+        k = -tan(phi/4) e for dimension 4, -tan(phi/2) e for dimension 3.
     dimension : {4, 3}
+        Of the matrices whose Cayley transform the vector describes.
 
     Returns
     -------
     ndarray, shape (..., 4)
+        Body to reference, scalar last.
+
+    Notes
+    -----
+    With the vector part first,
+
+    .. math:: q = \frac{(-2 k,\; 1 - |k|^2)}{1 + |k|^2} \quad\text{or}\quad
+              q = \frac{(-k,\; 1)}{\sqrt{1 + |k|^2}}
+
+    for dimension 4 and for dimension 3.
+
+    Examples
+    --------
+    >>> rotation_quaternion([-1 / 3, -1 / 3, -1 / 3]).round(12)
+    array([0.5, 0.5, 0.5, 0.5])
+    >>> rotation_quaternion([-1, -1, -1], dimension=3)
+    array([0.5, 0.5, 0.5, 0.5])
     """
     k = finite_array(vector, "vector", 3)
     if _checked(dimension) == 4:
@@ -134,10 +190,32 @@ def rotation_quaternion(vector: ArrayLike, dimension: int = 4) -> FloatArray:
 
 
 def shadow(vector: ArrayLike) -> FloatArray:
-    """Vector -k/|k|^2 (..., 3) of dimension 4: the same attitude, reached the other way round.
+    """Other Cayley vector of the same attitude, -k/|k|^2; dimension 4 only.
 
-    Where k is long its shadow is short, and the other way round; both have length 1 at half a
-    turn. A zero vector is refused, because its shadow is infinite.
+    The shadow belongs to the rotation that reaches the attitude the other way round. Where k is
+    long its shadow is short, and conversely; both have length 1 at half a turn.
+
+    Parameters
+    ----------
+    vector : array_like, shape (..., 3)
+        k = -tan(phi/4) e.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Its quaternion is minus that of `vector`.
+
+    Raises
+    ------
+    ValueError
+        If a vector is zero, or so short that its shadow overflows.
+
+    Examples
+    --------
+    >>> k = [2, 1, 2]
+    >>> rotation_quaternion([k, shadow(k)]).round(12)
+    array([[-0.4, -0.2, -0.4, -0.8],
+           [ 0.4,  0.2,  0.4,  0.8]])
     """
     direction, norm = nonzero_vectors(vector, "vector")
     with np.errstate(over="ignore"):

@@ -29,29 +29,36 @@ def integrate(
     increments : array_like, shape (..., n, 3)
         Integrals of the body rate over equal intervals, rad, in the order in which they happen.
         They must be true integrals, as from an integrating gyro. Sampled rates times the interval
-        are not: the coning between two samples is lost in them, see chapter 06.
+        are not: they lose the coning between two samples, see chapter 06.
     algorithm : str or Algorithm
-        A key of `ALGORITHMS`, or an algorithm of one's own.
+        A key of `ALGORITHMS`, or a custom algorithm.
     start : array_like, shape (..., 4)
         Attitude before the first increment; brought to unit norm.
     history : array_like, shape (..., m, 3), optional
-        The increments before the first, as many as the algorithm's memory; earlier ones, and any
-        history of an algorithm without memory, are not looked at.
-        Without it an algorithm with memory starts by a formula of the same order that uses the
-        increments that follow.
+        The increments before the first, rad, at least as many as the algorithm's memory; earlier
+        ones are ignored, and so is any history if the algorithm has no memory. Without it an
+        algorithm with memory starts by a formula of the same order that uses the increments that
+        follow.
 
     Returns
     -------
     ndarray, shape (..., n // samples, 4)
-        Attitude at the end of each step. The last one, with the last increments as `history`, is
-        where a next call goes on.
+        Attitude at the end of each step, body to reference. The last one is the `start` of the next
+        call, whose `history` is the last increments of this one.
 
     Raises
     ------
     ValueError
-        If the algorithm is unknown; the increments do not make whole steps, are too few to start
-        without a history, or, where k is used, turn by a whole turn in one step. All
-        algorithms want steps that turn by much less than 1 rad.
+        If the algorithm is unknown, or if the increments do not make whole steps, are too few to
+        start without a history, or (unless the rotation vector is used) turn by a whole turn in one
+        step. All algorithms are meant for steps that turn by much less than 1 rad.
+
+    Examples
+    --------
+    A steady rotation of 1 rad about the third axis:
+
+    >>> integrate(np.tile([0.0, 0.0, 0.01], (100, 1)))[-1].round(6)
+    array([0.      , 0.      , 0.479426, 0.877583])
     """
     first = unit_quaternions(start, "start")
     steps = cumulative_product(step_quaternions(increments, algorithm, history=history))
@@ -62,7 +69,32 @@ def integrate(
 def step_quaternions(
     increments: ArrayLike, algorithm: str | Algorithm, *, history: ArrayLike | None = None
 ) -> FloatArray:
-    """Rotations over the single steps, (..., n // samples, 4); arguments as in `integrate`."""
+    """Quaternion of the rotation over each single step.
+
+    Parameters
+    ----------
+    increments : array_like, shape (..., n, 3)
+        Integrals of the body rate over equal intervals, rad.
+    algorithm : str or Algorithm
+        A key of `ALGORITHMS`, or a custom algorithm.
+    history : array_like, shape (..., m, 3), optional
+        The increments before the first, rad; as in `integrate`.
+
+    Returns
+    -------
+    ndarray, shape (..., n // samples, 4)
+        Body axes at the end of each step to those at its beginning.
+
+    Raises
+    ------
+    ValueError
+        As in `integrate`.
+
+    Examples
+    --------
+    >>> step_quaternions([[0.0, 0.0, 0.1], [0.0, 0.0, 0.1]], "two-step-4").round(4)
+    array([[0.    , 0.    , 0.0998, 0.995 ]])
+    """
     vectors = step_vectors(increments, algorithm, history=history)
     if attitude_algorithm(algorithm).iterate == "rotation vector":
         return from_rotation_vector(vectors)
@@ -76,18 +108,37 @@ def step_vectors(
     history: ArrayLike | None = None,
     word: DTypeLike = np.float64,
 ) -> NDArray[Any]:
-    """Vector of each step: k, or the rotation vector if that is the method.
+    """Cayley vector k of each step, or its rotation vector if the algorithm computes that.
 
     Parameters
     ----------
-    increments, algorithm, history
-        As in `integrate`.
+    increments : array_like, shape (..., n, 3)
+        Integrals of the body rate over equal intervals, rad.
+    algorithm : str or Algorithm
+        A key of `ALGORITHMS`, or a custom algorithm.
+    history : array_like, shape (..., m, 3), optional
+        The increments before the first, rad; as in `integrate`.
     word : dtype
-        float16, float32 or float64: the arithmetic, once the increments are rounded to it.
+        Precision of the computation: float16, float32 or float64. The increments are rounded to it
+        first.
 
     Returns
     -------
-    ndarray of `word`, shape (..., n // samples, 3)
+    ndarray, shape (..., n // samples, 3)
+        k = -tan(phi/4) e, without unit, or the rotation vector, rad. Of dtype `word`.
+
+    Raises
+    ------
+    ValueError
+        As in `integrate`, if `word` is another dtype, or if an increment overflows in it.
+
+    Examples
+    --------
+    >>> increments = [[0.0, 0.0, 0.1], [0.0, 0.1, 0.0]]
+    >>> step_vectors(increments, "two-step-4").round(4)
+    array([[ 0.0017, -0.025 , -0.025 ]])
+    >>> step_vectors(increments, "rotation-vector-2").round(4)
+    array([[-0.0067,  0.1   ,  0.1   ]])
     """
     chosen = attitude_algorithm(algorithm)
     dtype = _checked_word(word)

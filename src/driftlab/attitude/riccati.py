@@ -14,8 +14,10 @@ from driftlab.checks import FloatArray, finite_array, finite_arrays, finite_numb
 from .cayley import _checked, rotation_quaternion, shadow
 
 SWITCH = 1.2
-"""Length at which the shadow takes over. Its own length is then 1/1.2: far enough from the switch
-that rounding cannot send it back at once."""
+"""Length of k at which `integrate_riccati` continues with the shadow, whose length is then 1/1.2.
+
+That is far enough from 1.2 that rounding cannot cause a second switch at once.
+"""
 
 
 _LIMIT = 1e6
@@ -23,21 +25,35 @@ _LIMIT = 1e6
 
 
 def riccati_rate(vector: ArrayLike, rate: ArrayLike, dimension: int = 4) -> FloatArray:
-    """Time derivative of k; (1.7) and (1.11), and the equation of dimension 3 beside them.
+    r"""Time derivative of a Cayley vector k; (1.7), (1.11).
 
     Parameters
     ----------
     vector : array_like, shape (..., 3)
-        k, of either dimension.
+        k = -tan(phi/4) e for dimension 4, -tan(phi/2) e for dimension 3.
     rate : array_like, shape (..., 3)
         Angular rate in body axes, rad/s.
     dimension : {4, 3}
+        Of the matrices whose Cayley transform the vector describes.
 
     Returns
     -------
     ndarray, shape (..., 3)
-        In 1/s. Dimension 4: ``(|k|² ω - 2 (k·ω) k + 2 k×ω - ω)/4``; dimension 3:
-        ``(-(k·ω) k + k×ω - ω)/2``.
+        In 1/s.
+
+    Notes
+    -----
+    The paper's equation is that of dimension 4; the other is its counterpart for dimension 3:
+
+    .. math:: 4 \dot k = |k|^2 \omega - 2 (k \cdot \omega) k + 2 k \times \omega - \omega,
+              \qquad 2 \dot k = -(k \cdot \omega) k + k \times \omega - \omega
+
+    Examples
+    --------
+    Half a turn about the first axis is k = -e1 in dimension 4, with the rate -(1 + k²)/4:
+
+    >>> riccati_rate([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0])
+    array([-0.5,  0. ,  0. ])
     """
     k, omega = finite_arrays(vector=(vector, 3), rate=(rate, 3))
     along = np.sum(k * omega, axis=-1, keepdims=True)
@@ -48,18 +64,34 @@ def riccati_rate(vector: ArrayLike, rate: ArrayLike, dimension: int = 4) -> Floa
 
 
 class RiccatiSolution(NamedTuple):
-    """What `integrate_riccati` returns."""
+    """Result of `integrate_riccati`.
+
+    Attributes
+    ----------
+    time : ndarray, shape (m,)
+        Times, s. If the integration ended because k became too long, the last is the time of that.
+    vector : ndarray, shape (m, 3)
+        k at these times, without unit.
+    attitude : ndarray, shape (m, 4)
+        Unit quaternion at these times, body to reference. It is continuous in time: the quaternion
+        of `vector`, with its sign changed at each switch to the shadow.
+    switches : ndarray, shape (s,)
+        Times of the switches to the shadow, s.
+    evaluations : int
+        Number of evaluations of the derivative.
+
+    Examples
+    --------
+    >>> found = integrate_riccati(lambda time: [0.0, 0.0, 1.0], [0.0, 1.0])
+    >>> found.vector[-1].round(6) + 0.0  # -tan(1/4) about the third axis
+    array([ 0.      ,  0.      , -0.255342])
+    """
 
     time: FloatArray
-    """Times (m,) in s. If the vector became too long, the last of them is when it did so."""
     vector: FloatArray
-    """k (m, 3) at these times."""
     attitude: FloatArray
-    """Unit quaternion (m, 4), continuous in time: each switch to the shadow changes its sign."""
     switches: FloatArray
-    """Times (s,) of the switches to the shadow, in s."""
     evaluations: int
-    """How often the integrator asked for the derivative."""
 
 
 def integrate_riccati(
@@ -69,24 +101,42 @@ def integrate_riccati(
     shadow_switch: bool = True,
     tolerance: float = 1e-10,
 ) -> RiccatiSolution:
-    """Integrate the Riccati equation (1.10) of dimension 4 from k = 0, through any angle.
+    """Integrate the Riccati equation of dimension 4 from k = 0, through any angle; (1.10).
 
     Parameters
     ----------
     rate : callable
-        Angular rate (3,) in body axes, rad/s, at a time in s.
+        Angular rate (3,) in body axes, rad/s, as a function of the time in s.
     times : array_like, shape (m,)
-        Increasing times in s; k is zero at the first.
+        Increasing times, s; k is zero at the first.
     shadow_switch : bool
-        Whether to go on with the shadow whenever k becomes longer than 1.2. If not, the integration
-        ends where k runs to infinity, at a whole turn.
+        Whether to continue with the shadow of k whenever k becomes longer than `SWITCH`. Otherwise
+        the integration ends where k tends to infinity, at a whole turn.
     tolerance : float
         Relative and absolute tolerance of the integrator, SciPy's DOP853. Its steps are never
-        longer than the widest gap of `times`, so that it sees what the rate does in between.
+        longer than the widest gap of `times`, so that it does not miss what the rate does between.
 
     Returns
     -------
     RiccatiSolution
+        k and the attitude at `times`, and the times of the switches.
+
+    Raises
+    ------
+    ValueError
+        If `times` does not increase, or `rate` does not return finite vectors of shape (3,).
+    RuntimeError
+        If the integrator fails.
+
+    Examples
+    --------
+    Two whole turns about the third axis, past two infinities of k:
+
+    >>> found = integrate_riccati(lambda time: [0.0, 0.0, 1.0], np.linspace(0, 4 * np.pi, 9))
+    >>> found.switches.round(4)
+    array([3.5042, 9.7874])
+    >>> found.attitude[4].round(6) + 0.0  # after one turn: a quaternion's period is two turns
+    array([ 0.,  0.,  0., -1.])
     """
     if not callable(rate):
         raise ValueError(f"rate: expected a function of the time, got {type(rate).__name__}.")
