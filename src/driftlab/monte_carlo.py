@@ -29,23 +29,38 @@ def sweep(
     Parameters
     ----------
     task : callable
-        Takes a numpy Generator and a number of runs. For a process pool it must be importable: a
-        method of an object from a module, say, not a lambda.
+        Takes a numpy Generator and a number of runs. For a process pool it must be importable, so
+        not a lambda: a method of an object whose class is in a module will do.
     runs : int
+        Number of runs in all.
     seed : int
-        Each batch has a generator of its own from it, so neither the executor nor the order in
-        which batches finish changes anything. The size of the batches does.
+        Each batch has its own generator derived from it, so neither the executor nor the order in
+        which batches finish affects the results. The size of the batches does.
     batch : int
-        Runs in one call.
+        Number of runs in one call.
     executor : concurrent.futures.Executor, optional
-        Where the calls run; here, one after the other, if not given.
+        Where the calls run. If not given, they run here, one after the other.
     progress : callable, optional
-        Called with the number of runs done and `runs`; `print_progress` shows a bar.
+        Called with the number of runs done and `runs` after each batch; `print_progress` shows a
+        bar.
 
     Returns
     -------
     list
-        The results in the order of the batches.
+        What `task` returned, in the order of the batches.
+
+    Raises
+    ------
+    ValueError
+        If `runs`, `batch` or `seed` is not a whole number in its range.
+
+    Examples
+    --------
+    >>> sweep(lambda rng, runs: runs, 25, seed=1)
+    [10, 10, 5]
+    >>> means = sweep(lambda rng, runs: rng.standard_normal(runs).mean(), 2000, seed=1, batch=500)
+    >>> np.round(means, 2)
+    array([-0.03, -0.01, -0.06,  0.  ])
     """
     total, most = whole_number(runs, "runs"), whole_number(batch, "batch")
     sizes = [min(most, total - first) for first in range(0, total, most)]
@@ -78,16 +93,58 @@ def sweep(
 
 
 def print_progress(done: int, total: int, width: int = 40) -> None:
-    """Show a bar on the terminal or under a notebook cell."""
+    """Show a progress bar on the terminal or under a notebook cell.
+
+    Parameters
+    ----------
+    done : int
+        Number of runs done.
+    total : int
+        Number of runs in all; the line ends when they are done.
+    width : int
+        Length of the bar in characters.
+
+    Examples
+    --------
+    >>> print_progress(20, 20, width=10)
+    [##########] 20 of 20
+    """
     filled = width * done // max(total, 1)
     bar = "#" * filled + "." * (width - filled)
     print(f"\r[{bar}] {done} of {total}", end="\n" if done == total else "", flush=True)
 
 
 def mean_square_bounds(freedom: int, runs: int, confidence: float = 0.95) -> tuple[float, float]:
-    """Bounds of the mean over `runs` of squared normalised errors with `freedom` components each.
+    """Confidence bounds of the mean of squared normalised errors over many runs.
 
-    Their sum has a chi-square distribution if the errors are as large as their covariance says.
+    Parameters
+    ----------
+    freedom : int
+        Number of components of each error.
+    runs : int
+        Number of independent runs over which the mean is taken.
+    confidence : float
+        Probability that the mean lies between the bounds, from 0 to 1.
+
+    Returns
+    -------
+    lower, upper : float
+        Bounds of the mean, without unit.
+
+    Raises
+    ------
+    ValueError
+        If `confidence` is not between 0 and 1.
+
+    Notes
+    -----
+    If the errors are as large as their covariance states, the sum of the squared errors of all runs
+    has a chi-square distribution with ``freedom * runs`` degrees of freedom. Both tails are equal.
+
+    Examples
+    --------
+    >>> [round(bound, 3) for bound in mean_square_bounds(3, 100)]
+    [2.539, 3.499]
     """
     if not 0 < confidence < 1:
         raise ValueError(f"confidence: expected a number between 0 and 1, got {confidence!r}.")

@@ -1,10 +1,10 @@
 """Strapdown navigation: attitude, velocity and position from the increments of an inertial unit.
 
 Local axes are East, North, Up; attitude quaternions map body components to them. The computation
-runs in Earth-centred inertial axes, where nothing but gravitation has to be added to what the
-accelerometers say. Attitudes are then one cumulative product and velocities one cumulative sum;
-only gravitation needs the position, and a few rounds of a fixed point settle that for half a minute
-of motion at once. So an hour of flight takes some hundred NumPy calls on long arrays.
+runs in Earth-centred inertial axes, where only gravitation has to be added to the measured specific
+force. Attitudes are then one cumulative product and velocities one cumulative sum; only gravitation
+needs the position, and a fixed-point iteration over half a minute of motion at once finds it in a
+few rounds. So an hour of flight takes some hundred NumPy calls on long arrays.
 
 A step is a pair of increments: the coning correction is that of `two-step-4` of chapter 06, and the
 velocity is corrected for rotation and sculling in the same way.
@@ -32,15 +32,43 @@ __all__ = ["Navigation", "at_rest", "last_of", "navigate"]
 
 ALGORITHM = ALGORITHMS["two-step-4"]
 """The attitude algorithm of the navigation; its step is a pair of increments."""
-_LONGEST = 20.0  # s: interval for which the fixed point still settles quickly
+_LONGEST = 20.0  # s: interval for which the fixed point still converges quickly
 
 
 def at_rest(
     latitude: ArrayLike, attitude: ArrayLike, longitude: ArrayLike = 0.0, altitude: ArrayLike = 0.0
 ) -> Navigation:
-    """Return the state of a unit that stands on the Earth: angles in rad, altitude in m.
+    """Navigation state of a unit at rest on the Earth.
 
-    The attitude (..., 4), body to East, North, Up, is brought to unit norm.
+    Parameters
+    ----------
+    latitude : array_like, shape (...)
+        rad, at most 89.9 degrees from the equator.
+    attitude : array_like, shape (..., 4)
+        Body to East, North, Up; brought to unit norm.
+    longitude : array_like, shape (...)
+        rad.
+    altitude : array_like, shape (...)
+        Above the ellipsoid, m.
+
+    Returns
+    -------
+    Navigation
+        Leading axes (...) broadcast, velocity zero.
+
+    Raises
+    ------
+    ValueError
+        If the place is a pole, or an attitude is a zero quaternion.
+
+    Examples
+    --------
+    >>> state = at_rest(np.radians([30.0, 45.0]), [0, 0, 0, 2])
+    >>> state.attitude
+    array([[0., 0., 0., 1.],
+           [0., 0., 0., 1.]])
+    >>> state.velocity.shape
+    (2, 3)
     """
     place = finite_arrays(
         latitude=(latitude,),
@@ -69,7 +97,7 @@ def navigate(
     every: int = 2,
     hold_altitude: bool = False,
 ) -> Navigation:
-    """Carry a state along the increments of gyros and accelerometers.
+    """Propagate a navigation state along the increments of gyros and accelerometers.
 
     Parameters
     ----------
@@ -79,23 +107,36 @@ def navigate(
         Integrals of angular rate (rad) and specific force (m/s) in body axes over equal intervals.
         They must be true integrals, as from integrating sensors.
     interval : float
-        Length of the intervals, s.
+        Length of the intervals, s; at most 20.
     every : int
-        Increments between two results; even, because a step is made of two, and a divisor of n.
+        Number of increments between two results; even, because a step is made of two, and a divisor
+        of n.
     hold_altitude : bool
-        Put altitude and vertical velocity back to the start's altitude and to zero every `CHUNK`
-        seconds, as a barometer would, and in all results. Without help a computed altitude runs
-        away within an hour.
+        Whether to reset altitude and vertical velocity to the start's altitude and to zero every
+        `driftlab.core.strapdown.CHUNK` seconds, as a barometer would, and in all results. Without
+        such aid a computed altitude diverges within an hour.
 
     Returns
     -------
     Navigation
-        States (..., n // every) after each `every` increments.
+        States (..., n // every), one after each `every` increments.
 
     Raises
     ------
     ValueError
-        If shapes do not fit, n is not a multiple of `every`, or the start is at a pole.
+        If shapes do not fit, n is odd or not a multiple of `every`, or the start is at a pole.
+
+    Examples
+    --------
+    A unit that stands still for a minute, given what ideal sensors measure, stays where it is:
+
+    >>> from driftlab.earth import earth_rate, gravity
+    >>> latitude, interval = np.radians(45.0), 0.5
+    >>> rates = np.tile(interval * earth_rate(latitude), (120, 1))
+    >>> forces = np.tile([0.0, 0.0, interval * float(gravity(latitude))], (120, 1))
+    >>> end = last_of(navigate(at_rest(latitude, [0, 0, 0, 1]), rates, forces, interval))
+    >>> bool(np.abs(end.velocity).max() < 1e-5)
+    True
     """
     seconds = finite_number(interval, "interval")
     if not 0 < seconds <= _LONGEST:
