@@ -15,11 +15,36 @@ from .error_model import ErrorModel
 
 
 def free_growth(latitude: float, duration: ArrayLike) -> FloatArray:
-    """Transition (..., 6, 6) of attitude and velocity errors without sensor errors and force.
+    """Transition matrix of attitude and velocity errors without sensor errors and specific force.
 
-    What is left of Wu (6) on a table at rest at a `latitude` in rad, over a `duration` (...) in s
-    much shorter than a day: the local axes turn with the Earth, a velocity error turns them as
-    well, and there is Coriolis's force.
+    The part of Wu (6) that acts on a table at rest whatever the sensors do: the local axes rotate
+    with the Earth, a velocity error rotates them as well, and the Coriolis force acts.
+
+    Parameters
+    ----------
+    latitude : float
+        Of the table, rad; not a pole.
+    duration : array_like, shape (...)
+        Much shorter than a day, s.
+
+    Returns
+    -------
+    ndarray, shape (..., 6, 6)
+        Attitude error (rad) and velocity error (m/s), each East, North, Up, from the beginning to
+        the end of the duration.
+
+    Notes
+    -----
+    The matrix exponential of the rates in Wu (6), to the third order of the duration.
+
+    Examples
+    --------
+    A northward velocity error of 1 m/s tilts the computed axes in a minute by -60 m over the
+    Earth's radius about East:
+
+    >>> meridian, _ = curvature_radii(0.0)
+    >>> round(float(free_growth(0.0, 60.0)[0, 4] * meridian), 3)
+    -60.0
     """
     earth = earth_rate(latitude)
     meridian, across = curvature_radii(latitude)
@@ -42,23 +67,46 @@ def transition(
     velocity: FloatArray,
     passed: FloatArray,
 ) -> FloatArray:
-    """Transition matrix (..., size, size) of the errors over an interval; Wu (49), (50).
+    """Transition matrix of all errors over an interval; Wu (49), (50).
 
-    What arises within the interval grows on as if it had been there from the beginning: an error
-    of the order of the Earth's turn in that time.
+    Errors that arise within the interval are propagated as if they had been there from its
+    beginning. This neglects terms of the order of the Earth's rotation in that time.
 
     Parameters
     ----------
     model : ErrorModel
+        The states.
     free : ndarray, shape (..., 6, 6)
         `free_growth` over the interval.
     attitude : ndarray, shape (..., n, 3, 3)
-        Body axes at n places in the interval, to the local axes of its *beginning*.
-    times, angle, velocity : ndarray, shapes (..., n), (..., n, 3), (..., n, 3)
-        Shares of the integrals over the interval that stand for the n places: of time (s), of the
-        angular rate (rad) and of the specific force (m/s) in body axes.
+        Matrices from body axes at the n quadrature nodes of the interval to the local axes at its
+        beginning.
+    times : ndarray, shape (..., n)
+        Quadrature terms of the elapsed time, s: each node's contribution to the integral.
+    angle : ndarray, shape (..., n, 3)
+        Quadrature terms of the integral of the angular rate in body axes, rad.
+    velocity : ndarray, shape (..., n, 3)
+        Quadrature terms of the integral of the specific force in body axes, m/s.
     passed : ndarray, shape (n, n)
-        How much of each share (column) has passed at each place (row).
+        Fraction of the quadrature term of each node (column) that has accumulated by the time of
+        each node (row).
+
+    Returns
+    -------
+    ndarray, shape (..., size, size)
+        From the errors at the beginning of the interval to those at its end.
+
+    Examples
+    --------
+    A second at rest in one node: a gyro bias about North makes a velocity error to the East of
+    g t²/2 for each rad/s.
+
+    >>> from driftlab.calibration.error_model import FULL
+    >>> zero, up = np.zeros((1, 3)), np.array([[0.0, 0.0, 9.8]])
+    >>> half = np.array([[0.5]])
+    >>> found = transition(FULL, np.eye(6), np.eye(3)[np.newaxis], np.ones(1), zero, up, half)
+    >>> round(float(found[FULL.names.index("velocity East"), FULL.names.index("gyro bias y")]), 6)
+    4.9
     """
     gyro = slice(6, 9 + len(model.gyro_basis))
     accelerometer = slice(gyro.stop, model.size)
@@ -86,18 +134,42 @@ def transition_of_increments(
     velocity_increments: FloatArray,
     interval: float,
 ) -> FloatArray:
-    """Transition matrix (..., size, size) of the errors while a unit navigates for a short time.
+    """Transition matrix of all errors while a unit navigates for a short time.
 
     Parameters
     ----------
-    model, free
-        As in `transition`; `free` for the whole time.
+    model : ErrorModel
+        The states.
+    free : ndarray, shape (..., 6, 6)
+        `free_growth` over the whole time.
     attitude : ndarray, shape (..., n + 1, 4)
-        Computed attitudes before and after each pair of increments.
-    angle_increments, velocity_increments : ndarray, shape (..., 2 n, 3)
-        What the attitudes were computed from: increments without the errors known so far.
+        Computed attitudes, body to East, North, Up, before and after each pair of increments.
+    angle_increments : ndarray, shape (..., 2 n, 3)
+        Increments from which the attitudes were computed, with the known errors removed, rad.
+    velocity_increments : ndarray, shape (..., 2 n, 3)
+        The same of the specific force, m/s.
     interval : float
         Of one increment, s.
+
+    Returns
+    -------
+    ndarray, shape (..., size, size)
+        From the errors at the beginning of the whole time to those at its end.
+
+    Notes
+    -----
+    `transition`, with one quadrature node in the middle of each pair.
+
+    Examples
+    --------
+    The second at rest of `transition`, now from a pair of increments:
+
+    >>> from driftlab.calibration.error_model import FULL
+    >>> level, zero = np.tile([0.0, 0.0, 0.0, 1.0], (2, 1)), np.zeros((2, 3))
+    >>> up = np.tile([0.0, 0.0, 4.9], (2, 1))
+    >>> found = transition_of_increments(FULL, np.eye(6), level, zero, up, 0.5)
+    >>> round(float(found[FULL.names.index("velocity East"), FULL.names.index("gyro bias y")]), 6)
+    4.9
     """
     matrices = to_matrix(attitude)
     # Local axes turn by an arc second or so in a second; here they count as fixed.
@@ -120,10 +192,40 @@ def _effects(basis: FloatArray, times: FloatArray, values: FloatArray) -> FloatA
 
 
 def process_noise(noise: Noise, force: FloatArray, duration: FloatArray, size: int) -> FloatArray:
-    """Covariance (..., size, size) that white sensor noise adds in `duration` (...) in s.
+    r"""Covariance that white sensor noise adds to the errors over an interval.
 
-    `force` (..., 3, 3) carries an attitude error at the beginning into the velocity, m/s: a block
-    of the transition matrix. It does so with the random walk of the attitude as well.
+    Parameters
+    ----------
+    noise : Noise
+        Of the gyros and accelerometers.
+    force : ndarray, shape (..., 3, 3)
+        Velocity error at the end for each rad of attitude error at the beginning, m/s: a block of
+        the transition matrix.
+    duration : ndarray, shape (...)
+        Length of the interval, s.
+    size : int
+        Number of states.
+
+    Returns
+    -------
+    ndarray, shape (..., size, size)
+        In the units of the states, squared; zero but for attitude and velocity.
+
+    Notes
+    -----
+    For the random walks q of the gyros and r of the accelerometers, the duration t and the block F
+
+    .. math:: Q_{\varphi\varphi} = q^2 t E, \quad Q_{v\varphi} = \tfrac{1}{2} q^2 t F, \quad
+              Q_{vv} = r^2 t E + \tfrac{1}{3} q^2 t F F^T
+
+    Examples
+    --------
+    A random walk of 1e-6 rad/sqrt(s) for 100 s:
+
+    >>> noise = Noise(angle_random_walk=1e-6, velocity_random_walk=0.0)
+    >>> covariance = process_noise(noise, np.zeros((3, 3)), np.array(100.0), 27)
+    >>> f"{np.sqrt(covariance[0, 0]):.1e}"  # rad
+    '1.0e-05'
     """
     covariance = np.zeros((*force.shape[:-2], size, size))
     seconds = duration[..., np.newaxis, np.newaxis]

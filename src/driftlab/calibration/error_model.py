@@ -1,11 +1,11 @@
-"""Which errors a calibration solves for: Wu (45)-(48), and three more for what cannot be seen.
+"""States of a calibration filter: Wu (45)-(48), and three more that are unobservable.
 
 The state is: attitude error phi and velocity error dv (East, North, Up), gyro biases and gyro
-matrix, accelerometer biases and accelerometer matrix. All 24 numbers of a unit make 30 states, of
-which three directions cannot be seen. A choice of body axes takes three numbers out: 27 states.
+matrix, accelerometer biases and accelerometer matrix. All 24 errors of a unit make 30 states, three
+directions of which are unobservable. A choice of body axes removes three numbers: 27 states.
 
-Signs: the computed attitude is ``(E - [phi×]) C``, a velocity error is computed minus true, and
-what is left in the sensors after compensation is true minus assumed.
+Signs: the computed attitude is ``(E - [phi×]) C``, a velocity error is computed minus true, and a
+sensor error that remains after compensation is true minus assumed.
 """
 
 from __future__ import annotations
@@ -33,16 +33,22 @@ _OFF_DIAGONAL = [(0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1)]
 
 @dataclass(frozen=True, eq=False)
 class ErrorModel:
-    """The states of one filter.
+    """States of a calibration filter, and the sensor errors that they describe.
 
     Attributes
     ----------
     frame : str or None
-        The choice of body axes, one of `BODY_FRAMES`; None for all 30 states.
+        The choice of body axes, one of `driftlab.triad.BODY_FRAMES`; None for all 30 states.
     gyro_basis, accelerometer_basis : ndarray, shape (m, 3, 3)
-        The matrices whose multiples add up to K and L.
+        Basis matrices: K (gyros) and L (accelerometers) are their linear combinations.
     names : tuple of str
-        What each state is.
+        Name of each state, in order.
+
+    Examples
+    --------
+    >>> model = ERROR_MODELS["averaged"]
+    >>> model.size, model.names[12]
+    (27, 'gyro non-orthogonality xy')
     """
 
     frame: str | None
@@ -52,11 +58,44 @@ class ErrorModel:
 
     @property
     def size(self) -> int:
-        """Number of states."""
+        """Number of states.
+
+        Returns
+        -------
+        int
+            27, or 30 for the model of all states.
+
+        Examples
+        --------
+        >>> ERROR_MODELS["upper triangle"].size, FULL.size
+        (27, 30)
+        """
         return len(self.names)
 
     def unit(self, state: FloatArray) -> Unit:
-        """Sensor errors that a state (..., size) says."""
+        """Sensor errors that a state vector describes.
+
+        Parameters
+        ----------
+        state : ndarray, shape (..., size)
+            Its attitude and velocity errors are ignored.
+
+        Returns
+        -------
+        Unit
+            Biases (..., 3) in rad/s and m/s^2 and error matrices (..., 3, 3), in the model's own
+            body axes.
+
+        Examples
+        --------
+        The off-diagonal states of averaged axes are symmetric in the gyros' matrix:
+
+        >>> model = ERROR_MODELS["averaged"]
+        >>> model.unit(np.arange(27.0)).gyro_error
+        array([[ 9., 12., 13.],
+               [12., 10., 14.],
+               [13., 14., 11.]])
+        """
         middle = 9 + len(self.gyro_basis)
         return Unit(
             state[..., 6:9],
@@ -66,7 +105,26 @@ class ErrorModel:
         )
 
     def state(self, unit: Unit) -> FloatArray:
-        """State (..., size) of sensor errors in the model's own body axes; attitude, velocity 0."""
+        """State vector of given sensor errors, with attitude and velocity errors zero.
+
+        Parameters
+        ----------
+        unit : Unit
+            Sensor errors (...) in the model's own body axes. Whatever part of a matrix is outside
+            the span of the model's basis is dropped.
+
+        Returns
+        -------
+        ndarray, shape (..., size)
+            In the order of `names`; SI units.
+
+        Examples
+        --------
+        >>> from driftlab.imu import TYPICAL
+        >>> state = FULL.state(TYPICAL)
+        >>> state.shape, bool(np.allclose(FULL.unit(state).gyro_error, TYPICAL.gyro_error))
+        ((30,), True)
+        """
         coefficients = [
             # The matrices of a basis have no entries in common.
             np.tensordot(matrix, basis, ([-2, -1], [1, 2])) / (basis**2).sum(axis=(1, 2))
@@ -82,10 +140,31 @@ class ErrorModel:
         return np.concatenate(whole, axis=-1)
 
     def reduction(self, attitude: ArrayLike) -> FloatArray:
-        """Matrix (size, 30) from all states, in any body axes, to those of this model.
+        """Matrix from all 30 states, in any body axes, to the states of this model.
 
-        `attitude` (4,) is that of the body at the time of the states: turning the body axes changes
-        the attitude error as well. To first order.
+        Parameters
+        ----------
+        attitude : array_like, shape (4,)
+            Of the body at the time of the states, body to East, North, Up: a rotation of the body
+            axes changes the attitude error as well.
+
+        Returns
+        -------
+        ndarray, shape (size, 30)
+            To first order in the errors.
+
+        Examples
+        --------
+        Both triads rotated together by 1 about z is, in the model's axes, an attitude error alone:
+
+        >>> turned = np.zeros(FULL.size)
+        >>> for sensor in ("gyro", "accelerometer"):
+        ...     turned[FULL.names.index(f"{sensor} installation yx")] = 1.0
+        ...     turned[FULL.names.index(f"{sensor} installation xy")] = -1.0
+        >>> model = ERROR_MODELS["averaged"]
+        >>> reduced = model.reduction([0, 0, 0, 1]) @ turned
+        >>> {model.names[i]: float(reduced[i]) for i in np.flatnonzero(reduced)}
+        {'attitude Up': -1.0}
         """
         body_to_local = to_matrix(unit_quaternions(attitude, "attitude"))
         states = np.eye(FULL.size)
@@ -105,10 +184,31 @@ class ErrorModel:
         return reduced.T
 
     def covariance(self, spread: Spread, attitude: ArrayLike) -> FloatArray:
-        """Covariance (size, size) of the states before a calibration that starts in `attitude`.
+        """Covariance of the states before a calibration.
 
-        The 24 errors are independent in the axes of the table; what that means in the model's axes
-        follows. So filters for different axes are told the same.
+        The 24 sensor errors are independent in the axes of the table, and the covariance in the
+        model's axes follows. So filters with different axes start from the same prior.
+
+        Parameters
+        ----------
+        spread : Spread
+            Standard deviations of the sensor errors and of the initial attitude.
+        attitude : array_like, shape (4,)
+            At the start of the calibration, body to East, North, Up.
+
+        Returns
+        -------
+        ndarray, shape (size, size)
+            In the units of the states, squared.
+
+        Examples
+        --------
+        An off-diagonal state of averaged axes is the mean of two independent entries:
+
+        >>> model, spread = ERROR_MODELS["averaged"], Spread(installation=1e-4)
+        >>> covariance = model.covariance(spread, [0, 0, 0, 1])
+        >>> f"{np.sqrt(covariance[12, 12]):.3e}"
+        '7.071e-05'
         """
         diagonal = [spread.scale] * 3 + [spread.installation] * 6
         sizes = np.concatenate(
@@ -172,14 +272,54 @@ ERROR_MODELS = MappingProxyType({
 
 
 def error_model_for(name: str) -> ErrorModel:
-    """Return the error model of a choice of body axes, refusing unknown names."""
+    """Return the error model of a choice of body axes.
+
+    Parameters
+    ----------
+    name : str
+        One of `driftlab.triad.BODY_FRAMES`.
+
+    Returns
+    -------
+    ErrorModel
+        Of 27 states.
+
+    Raises
+    ------
+    ValueError
+        If the name is unknown.
+
+    Examples
+    --------
+    >>> error_model_for("lower triangle").names[12:15]
+    ('gyro installation xy', 'gyro installation xz', 'gyro installation yz')
+    """
     if not isinstance(name, str) or name not in ERROR_MODELS:
         raise ValueError(f"frame: expected one of {', '.join(BODY_FRAMES)}, got {name!r}.")
     return ERROR_MODELS[name]
 
 
 def attitude_of_axes(attitude: ArrayLike, rotation: FloatArray) -> FloatArray:
-    """Attitude (..., 4) of turned body axes: `rotation` (..., 3, 3) leads to their components."""
+    """Attitude of rotated body axes.
+
+    Parameters
+    ----------
+    attitude : array_like, shape (..., 4)
+        Of the given body axes, body to reference; brought to unit norm.
+    rotation : ndarray, shape (..., 3, 3)
+        Rotation matrix from components in the given axes to components in the rotated ones.
+
+    Returns
+    -------
+    ndarray, shape (..., 4)
+        Rotated body axes to reference.
+
+    Examples
+    --------
+    >>> swap = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])
+    >>> attitude_of_axes([0, 0, 0, 1], swap).round(6)
+    array([0.5, 0.5, 0.5, 0.5])
+    """
     back = np.array(np.swapaxes(rotation, -1, -2))  # a copy: SciPy 1.14 takes no read-only array
     turned = Rotation.from_matrix(back.reshape(-1, 3, 3)).as_quat().reshape(*back.shape[:-2], 4)
     return multiply(unit_quaternions(attitude, "attitude"), turned)

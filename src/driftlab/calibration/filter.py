@@ -1,10 +1,9 @@
 """Wu et al., section 4: calibrating a whole unit on a turntable with a Kalman filter.
 
-The unit navigates while the table turns it. Its centre stays where it is, so whatever velocity the
-computation shows is an error, and a filter that knows how errors grow traces it back to the
-sensors. What the filter finds is fed back at once: into attitude and velocity, and into the
-correction of the increments that follow. So the filter always works near zero error, where its
-linear model holds.
+The unit navigates while the table turns it. Its centre does not move, so any computed velocity is
+an error, and a filter with a model of the growth of errors traces it back to the sensors. The
+filter's estimates are fed back at once: into attitude and velocity, and into the compensation of
+the increments that follow. So it always works near zero error, where its linear model holds.
 """
 
 from __future__ import annotations
@@ -33,23 +32,35 @@ from .kalman import kalman_step
 
 
 class Calibration(NamedTuple):
-    """History of a calibration, every so many updates.
+    """History of a calibration, at k of its updates.
 
     Attributes
     ----------
     model : ErrorModel
+        The states.
     times : ndarray, shape (k,)
-        s since the start.
+        Since the start, s.
     state : ndarray, shape (..., k, size)
-        Sensor errors found, in the model's own body axes; attitude and velocity are zero here.
+        Estimated sensor errors, in the model's own body axes; attitude and velocity errors are zero
+        here, because they are fed back.
     covariance : ndarray, shape (..., k, size, size)
+        Of the estimation errors, as the filter computes it.
     attitude : ndarray, shape (..., k, 4)
-        Attitude found of the model's own axes, body to East, North, Up.
+        Estimated attitude of the model's own axes, body to East, North, Up.
     velocity : ndarray, shape (..., k, 3)
-        Velocity found, m/s.
+        Estimated velocity, East, North, Up, m/s.
     surprise : ndarray, shape (..., updates)
-        Squared normalised innovations of all updates. Their mean is near three if what the filter
-        is told is true; much more says that it is not.
+        Squared normalised innovations (NIS) of all updates. Their mean is near three if the
+        filter's assumptions are true; a mean much larger shows that they are not.
+
+    Examples
+    --------
+    >>> from driftlab.calibration import TableTrial
+    >>> from driftlab.motion.turntable import Scheme
+    >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
+    >>> found = trial.run(np.random.default_rng(1)).calibration
+    >>> found.state.shape, found.surprise.shape, round(float(found.surprise.mean()), 1)
+    ((4, 27), (64,), 2.6)
     """
 
     model: ErrorModel
@@ -62,14 +73,44 @@ class Calibration(NamedTuple):
 
     @property
     def deviations(self) -> FloatArray:
-        """Standard deviations (..., k, size) that the filter states."""
+        """Standard deviations of the states, as the filter computes them.
+
+        Returns
+        -------
+        ndarray, shape (..., k, size)
+            In the units of the states.
+
+        Examples
+        --------
+        >>> from driftlab.calibration import ERROR_MODELS
+        >>> model = ERROR_MODELS["averaged"]
+        >>> at_start = model.covariance(Spread(scale=1e-4), [0, 0, 0, 1])
+        >>> none = np.zeros((1, 27))
+        >>> known = Calibration(model, none[0], none, at_start[np.newaxis], none, none, none[0])
+        >>> f"{known.deviations[-1, model.names.index('gyro scale x')]:.1e}"
+        '1.0e-04'
+        """
         return np.sqrt(np.einsum("...ii->...i", self.covariance))
 
     @property
     def unit(self) -> Unit:
         """Sensor errors found at the end, in the model's own body axes.
 
-        `calibration_trial.unit_in_axes` turns known errors into the same axes.
+        `driftlab.calibration.unit_in_axes` brings known errors to the same axes.
+
+        Returns
+        -------
+        Unit
+            Biases (..., 3) in rad/s and m/s^2, error matrices (..., 3, 3).
+
+        Examples
+        --------
+        >>> from driftlab.calibration import FULL
+        >>> from driftlab.imu import TYPICAL
+        >>> state, none = FULL.state(TYPICAL)[np.newaxis], np.zeros((1, 3))
+        >>> found = Calibration(FULL, none[0], state, none, none, none, none[0])
+        >>> bool(np.allclose(found.unit.gyro_bias, TYPICAL.gyro_bias))
+        True
         """
         return self.model.unit(self.state[..., -1, :])
 
@@ -87,28 +128,62 @@ def calibrate(
     noise: Noise,
     keep: int = 10,
 ) -> Calibration:
-    """Find the errors of a unit from what it said on a turntable.
+    """Estimate the sensor errors of a unit from its increments on a turntable.
 
     Parameters
     ----------
     angle_increments, velocity_increments : array_like, shape (..., n, 3)
-        Measured increments; several units or runs along the leading axes.
+        Measured increments, rad and m/s; several units or runs along the leading axes.
     reference_velocity : array_like, shape (..., updates, 3)
-        Measured velocity of the table's centre, m/s, at the end of each update interval. Their
-        number divides n, into an even number of increments each.
+        Measured velocity of the table's centre, m/s, at the end of each update interval. The number
+        of updates divides n into an even number of increments each.
     interval : float
         Sample interval, s.
     latitude : float
         Of the table, rad.
     start : array_like, shape (..., 4)
-        Attitude at the start as the table tells it, body to East, North, Up: nearly the same for
+        Attitude at the start as the table shows it, body to East, North, Up: nearly the same for
         all runs.
     model : ErrorModel
-        The states, one of `driftlab.calibration.error_model.ERROR_MODELS`.
-    spread, noise : Spread, Noise
-        What the filter is told about the unit.
+        The states, one of `driftlab.calibration.ERROR_MODELS`.
+    spread : Spread
+        Standard deviations of the errors before the calibration, as the filter assumes them.
+    noise : Noise
+        Noise of the sensors and of the reference velocity, as the filter assumes it.
     keep : int
-        The history keeps each `keep`-th update, and the last.
+        The history keeps every `keep`-th update, and the last.
+
+    Returns
+    -------
+    Calibration
+        Estimates, their covariance and the innovations.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, the place is a pole, or the reference velocity is said to be without
+        noise.
+
+    Notes
+    -----
+    Wu, section 4; the filter's model is (45)-(52).
+
+    Examples
+    --------
+    Standard deviations of the accelerometer biases after two minutes at rest, relative to those
+    before. The level ones cannot be separated from a tilt:
+
+    >>> from driftlab.calibration import ERROR_MODELS
+    >>> from driftlab.imu import TYPICAL, measure
+    >>> from driftlab.motion.turntable import Scheme, simulate
+    >>> record = simulate(Scheme(""), 0.7, 0.5)
+    >>> found = calibrate(
+    ...     *measure(record, TYPICAL), np.zeros((12, 3)), interval=0.5, latitude=0.7, noise=Noise(),
+    ...     start=record.attitude[0], model=ERROR_MODELS["averaged"], spread=Spread(),
+    ... )
+    >>> biases = [found.model.names.index(f"accelerometer bias {axis}") for axis in "xyz"]
+    >>> (found.deviations[-1, biases] / Spread().accelerometer_bias).round(2)
+    array([0.76, 0.76, 0.32])
     """
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     angle, velocity = increment_rows(angle_increments, velocity_increments)
@@ -134,7 +209,7 @@ def calibrate(
         angle.shape[:-2], velocity.shape[:-2], reference.shape[:-2], attitude.shape[:-1]
     )
     state = np.zeros((*lead, model.size))
-    # The starts of all runs are nearly one attitude; any of them says how the states hang together.
+    # The starts of all runs are nearly one attitude; any of them gives the states' correlations.
     before = model.covariance(spread, attitude.reshape(-1, 4)[0])
     covariance = np.broadcast_to(before, (*lead, model.size, model.size))
     home = at_rest(place, np.broadcast_to(attitude, (*lead, 4)))
@@ -161,7 +236,7 @@ def calibrate(
         covariance = step.covariance
         state = state + step.correction
         state[..., :6] = 0.0
-        # Fed back: attitude and velocity are put right, the place is known anyway.
+        # Fed back: attitude and velocity are corrected; the position is known anyway.
         now = home._replace(
             velocity=arrived.velocity - step.correction[..., 3:6],
             attitude=multiply(from_rotation_vector(step.correction[..., :3]), arrived.attitude),

@@ -13,11 +13,27 @@ _UNIT = np.eye(3)  # made once, for the many steps of a filter
 
 
 class Update(NamedTuple):
-    """What one step of the filter gives."""
+    """Result of one step of the filter.
 
-    correction: FloatArray  # (..., size): estimate of the state
-    covariance: FloatArray  # (..., size, size)
-    surprise: FloatArray  # (...): squared innovation in units of its variance
+    Attributes
+    ----------
+    correction : ndarray, shape (..., size)
+        Estimate of the state.
+    covariance : ndarray, shape (..., size, size)
+        After the step.
+    surprise : ndarray, shape (...)
+        Squared innovation, normalised by its covariance (NIS).
+
+    Examples
+    --------
+    >>> step = kalman_step(np.eye(6), np.eye(6), np.zeros((6, 6)), np.array([1.0, 0, 0]), 1.0)
+    >>> step.correction
+    array([0. , 0. , 0. , 0.5, 0. , 0. ])
+    """
+
+    correction: FloatArray
+    covariance: FloatArray
+    surprise: FloatArray
 
 
 def kalman_step(
@@ -27,16 +43,33 @@ def kalman_step(
     velocity_error: FloatArray,
     velocity_variance: float,
 ) -> Update:
-    """One prediction and one update of an error-state filter whose state was fed back to zero.
+    """One prediction and update of an error-state filter whose state was reset to zero.
 
     Parameters
     ----------
-    covariance, transition, noise : ndarray, shape (..., size, size)
-        Covariance before the step, transition matrix, process noise.
+    covariance : ndarray, shape (..., size, size)
+        Before the step.
+    transition : ndarray, shape (..., size, size)
+        Transition matrix over the step.
+    noise : ndarray, shape (..., size, size)
+        Covariance of the process noise of the step.
     velocity_error : ndarray, shape (..., 3)
-        Computed minus measured velocity: states 3, 4, 5 and noise. Wu (51), (52).
+        Computed minus measured velocity, m/s: states 3, 4, 5 plus noise. Wu (51), (52).
     velocity_variance : float
-        Of that noise, (m/s)^2 in each component.
+        Variance of that noise in each component, (m/s)^2.
+
+    Returns
+    -------
+    Update
+        Estimate of the state, covariance after the step, and normalised innovation.
+
+    Examples
+    --------
+    Prior and measurement of a velocity are equally good, so half of the innovation is believed:
+
+    >>> step = kalman_step(np.eye(6), np.eye(6), np.zeros((6, 6)), np.array([1.0, 0, 0]), 1.0)
+    >>> float(step.correction[3]), float(step.covariance[3, 3]), float(step.surprise)
+    (0.5, 0.5, 0.5)
     """
     after, gain, weights = covariance_step(covariance, transition, noise, velocity_variance)
     column = velocity_error[..., np.newaxis]
@@ -48,20 +81,38 @@ def kalman_step(
 def covariance_step(
     covariance: FloatArray, transition: FloatArray, noise: FloatArray, velocity_variance: float
 ) -> tuple[FloatArray, NDArray[Any], NDArray[Any]]:
-    """What `kalman_step` does whatever is measured.
+    """Covariance and gain of `kalman_step`, which do not depend on the measurement.
+
+    Parameters
+    ----------
+    covariance : ndarray, shape (..., size, size)
+        Before the step.
+    transition : ndarray, shape (..., size, size)
+        Transition matrix over the step.
+    noise : ndarray, shape (..., size, size)
+        Covariance of the process noise of the step.
+    velocity_variance : float
+        Variance of the measured velocity in each component, (m/s)^2.
 
     Returns
     -------
     covariance : ndarray, shape (..., size, size)
         After the step.
     gain : ndarray, shape (..., size, 3)
+        Kalman gain.
     weights : ndarray, shape (..., 3, 3)
-        Inverse of the innovation's covariance.
+        Inverse of the innovation's covariance, (s/m)^2.
 
     Notes
     -----
-    The short form P - K H P needs half the work of Joseph's. Rounding makes it lopsided, and in
-    filters with badly scaled states then negative, so it is made symmetric each time.
+    The short form P - K H P needs half the work of Joseph's form. Rounding makes it asymmetric and
+    then, in filters with badly scaled states, indefinite, so it is made symmetric at each step.
+
+    Examples
+    --------
+    >>> _, gain, weights = covariance_step(np.eye(6), np.eye(6), np.zeros((6, 6)), 3.0)
+    >>> float(gain[3, 0]), float(weights[0, 0])
+    (0.25, 0.25)
     """
     predicted = transition @ covariance @ transition.mT
     predicted += noise

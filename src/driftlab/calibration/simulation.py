@@ -1,8 +1,8 @@
-"""Calibrations whose truth is known: made-up units on a simulated table, and what is left.
+"""Simulated calibrations: random units on a turntable, and the errors that remain.
 
-A trial draws units and noise, lets the filter work, and compares. A filter is consistent if its
-errors are as large as it says: then `Trial.squared_errors` average to the number of states, and
-`Calibration.surprise` to three.
+A trial draws units and noise, runs the filter, and compares. A filter is consistent if its errors
+are as large as its covariance states: then `Trial.squared_errors` average to the number of states,
+and `Calibration.surprise` to three.
 """
 
 from __future__ import annotations
@@ -34,15 +34,24 @@ from .observability import passage, warn_if_unobservable
 
 
 class Trial(NamedTuple):
-    """A calibration beside the truth.
+    """A calibration and the true errors of the unit.
 
     Attributes
     ----------
     calibration : Calibration
+        What the filter found.
     unit : Unit
-        The true errors, in the table's axes; `unit_in_axes` turns them into the filter's.
+        The true errors, in the table's axes; `unit_in_axes` brings them to the filter's.
     errors : ndarray, shape (..., k, size)
-        Of the states, in the filter's axes, at the times of the calibration.
+        Errors of the estimated states, in the filter's axes, at the times of the calibration.
+
+    Examples
+    --------
+    >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
+    >>> found = trial.run(np.random.default_rng(1))
+    >>> within = np.abs(found.errors[-1]) < 3 * found.calibration.deviations[-1]
+    >>> f"{within.sum()} of {within.size} errors are within three standard deviations"
+    '27 of 27 errors are within three standard deviations'
     """
 
     calibration: Calibration
@@ -51,9 +60,20 @@ class Trial(NamedTuple):
 
     @property
     def squared_errors(self) -> FloatArray:
-        """Squared errors (..., k) in units of the covariance that the filter states (NEES).
+        """Squared errors, normalised by the covariance that the filter computes (NEES).
 
         States that were known from the beginning, with a spread of zero, do not count.
+
+        Returns
+        -------
+        ndarray, shape (..., k)
+            Without unit. Of a consistent filter the mean over many trials is the number of states.
+
+        Examples
+        --------
+        >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
+        >>> trial.run(np.random.default_rng(2), runs=5).squared_errors[:, -1].round(0)
+        array([18., 29., 22., 32., 35.])
         """
         covariance = self.calibration.covariance
         variances = np.einsum("...ii->...i", covariance)
@@ -66,25 +86,33 @@ class Trial(NamedTuple):
 
 @dataclass(frozen=True)
 class TableTrial:
-    """A calibration on a turntable, with everything that it depends on but the random draws.
+    """A calibration on a turntable: everything that it depends on but the random draws.
 
     Attributes
     ----------
     scheme : Scheme
+        Pauses and rotations of the table.
     latitude : float
         Of the table, rad.
     frame : str
         Choice of body axes, one of `driftlab.triad.BODY_FRAMES`.
     spread, noise : Spread, Noise
-        What units, setting-up and noise are drawn from, and what the filter is told.
+        Distributions of the sensor errors, of the initial attitude and of the noise: those of the
+        simulation, and those that the filter assumes.
     told : Noise, optional
-        What the filter is told of the noise, if not the truth.
+        Noise that the filter assumes, if it differs from `noise`.
     sample_interval, update_interval : float
-        Of the sensors and of the filter, s. An update takes an even number of samples. If the table
-        turns by more than 2 or 3 degrees in a sample, the computation itself begins to err by a
-        part of what the filter looks for. Pauses and turns are drawn out to whole updates.
+        Of the sensors and of the filter, s. An update takes an even number of samples, and pauses
+        and rotations are extended to whole updates. If the table turns by more than 2 or 3 degrees
+        in a sample, the computation's own error is a noticeable part of the errors that are sought.
     keep : int
-        The history keeps each `keep`-th update, and the last.
+        The history keeps every `keep`-th update, and the last.
+
+    Examples
+    --------
+    >>> trial = TableTrial(frame="upper triangle", noise=Noise(velocity=0.001))
+    >>> trial.update_interval / trial.sample_interval  # samples in an update
+    20.0
     """
 
     scheme: Scheme = NINETEEN_POSITIONS
@@ -119,21 +147,42 @@ class TableTrial:
     def run(
         self, rng: np.random.Generator, runs: int | None = None, unit: Unit | None = None
     ) -> Trial:
-        """Calibrate random units, or one `unit` again and again.
+        """Calibrate random units, or one given unit with new noise in each run.
 
         Parameters
         ----------
         rng : numpy.random.Generator
+            Source of all random draws.
         runs : int, optional
-            How many at once, along a leading axis of the result. If not given, as many as `unit`
-            has, or one without a leading axis.
+            Number of runs, along a leading axis of the result. If not given, as many as `unit` has,
+            or one without a leading axis.
         unit : Unit, optional
-            Without it units are drawn from `spread`.
+            True sensor errors (...) in the table's axes; drawn from `spread` if not given.
+
+        Returns
+        -------
+        Trial
+            What the filter found, and the truth.
+
+        Raises
+        ------
+        ValueError
+            If the leading axes of `unit` do not fit `runs`.
 
         Warns
         -----
         UnobservableWarning
-            If the scheme leaves errors in the dark; it names them.
+            If the scheme leaves errors unobservable; it names them.
+
+        Examples
+        --------
+        True scale-factor error of a gyro and the one found in eleven minutes, in ppm:
+
+        >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
+        >>> found = trial.run(np.random.default_rng(1))
+        >>> units = found.unit, found.calibration.unit
+        >>> [round(1e6 * float(unit.gyro_error[0, 0])) for unit in units]
+        [-130, -103]
         """
         model = error_model_for(self.frame)
         warn_if_unobservable(passage(self.scheme, self.latitude, model))
@@ -174,9 +223,33 @@ class TableTrial:
 
 
 def unit_in_axes(unit: Unit, frame: str | None) -> tuple[Unit, FloatArray]:
-    """The unit (...) in the axes of a frame, and the rotation (..., 3, 3) from the given axes.
+    """Sensor errors in the axes of a frame, as a filter for it should find them, and the rotation.
 
-    What a filter for that frame should find. With None for the frame the axes stay.
+    Parameters
+    ----------
+    unit : Unit
+        Sensor errors (...) in given body axes.
+    frame : str or None
+        One of `driftlab.triad.BODY_FRAMES`, or None to keep the axes.
+
+    Returns
+    -------
+    unit : Unit
+        Sensor errors (...) in the axes of the frame.
+    turn : ndarray, shape (..., 3, 3)
+        Rotation matrix from components in the given axes to components in those of the frame.
+
+    Raises
+    ------
+    ValueError
+        If the frame is unknown, or a triad is left-handed or flat.
+
+    Examples
+    --------
+    >>> from driftlab.imu import TYPICAL
+    >>> turned, _ = unit_in_axes(TYPICAL, "averaged")
+    >>> bool(np.allclose(turned.gyro_error, turned.gyro_error.T, atol=1e-15))
+    True
     """
     if frame is None:
         return unit, np.broadcast_to(np.eye(3), unit.gyro_error.shape)
@@ -189,15 +262,33 @@ def unit_in_axes(unit: Unit, frame: str | None) -> tuple[Unit, FloatArray]:
 
 
 def estimation_errors(calibration: Calibration, unit: Unit, attitude: ArrayLike) -> FloatArray:
-    """Errors (..., k, size) of a calibration, in the sense of its states: zero is perfect.
+    """Errors of the states that a calibration estimated.
 
     Parameters
     ----------
     calibration : Calibration
+        What the filter found.
     unit : Unit
-        The true errors, in the table's axes.
+        The true errors (...), in the table's axes.
     attitude : array_like, shape (k, 4)
-        The true attitudes of the table's axes at the calibration's times.
+        True attitudes of the table's axes at the calibration's times, body to East, North, Up.
+
+    Returns
+    -------
+    ndarray, shape (..., k, size)
+        True minus estimated sensor errors, computed minus true attitude and velocity.
+
+    Examples
+    --------
+    A calibration that found nothing leaves all errors as they were:
+
+    >>> from driftlab.calibration import FULL
+    >>> from driftlab.imu import TYPICAL
+    >>> level, none = np.array([[0.0, 0.0, 0.0, 1.0]]), np.zeros((1, 30))
+    >>> nothing = Calibration(FULL, none[0], none, np.eye(30), level, none[:, :3], none[0])
+    >>> errors = estimation_errors(nothing, TYPICAL, level)
+    >>> bool(np.allclose(errors, FULL.state(TYPICAL)))
+    True
     """
     model = calibration.model
     true, turn = unit_in_axes(unit, model.frame)
