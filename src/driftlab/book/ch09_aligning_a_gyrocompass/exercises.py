@@ -7,20 +7,21 @@ from scipy.constants import degree, g, hour, milli
 from scipy.optimize import brentq
 
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
 from driftlab.frames import attitude_from_angles
 from driftlab.gyrocompass.alignment import align, alignment_errors
-from driftlab.gyrocompass.noise import GyroNoise
 from driftlab.motion.vehicle import sensed_at_rest
 from driftlab.quaternion import rotate
 from driftlab.vectors import wrap_angle
 
-LATITUDE = float(np.radians(51.5))
+from .experiments import WHITE, gyro_noise
+
 FORWARD_DRIFT = 0.05 * degree / hour
 RIGHT_DRIFT, RIGHT_OFFSET = 0.03 * degree / hour, 1.5 * milli * g
-INTERVAL, WHITE, WALK = 0.1, 0.06 * degree / hour, 0.01 * degree / hour / np.sqrt(hour)
-"""Of 9.6: seconds between samples, rad/s a sample, and rad/s per root of a second."""
+NOISE, WALK = gyro_noise(WHITE[0], slow=0.0), 0.01 * degree / hour / np.sqrt(hour)
+"""Of 9.6: the white noise, and the walk of the drift in rad/s per root of a second."""
 
 
 def _forward_gyro(headings: tuple[float, ...] = (0.0, 90.0)) -> FloatArray:
@@ -120,10 +121,10 @@ def _without_right(*compass: float) -> float:
 def _best_window() -> float:
     """Time in s over which the mean of white noise and of a walk from zero is best."""
     counts = np.arange(1, 20_001)
-    white = GyroNoise(WHITE, 0.0, interval=INTERVAL).deviation_of_mean(1) ** 2 / counts
+    white = NOISE.deviation_of_mean(1) ** 2 / counts
     # Steps are independent; step i is in all means but those of the samples before it.
-    walk = WALK**2 * INTERVAL * (counts - 1) * (2 * counts - 1) / (6 * counts)
-    return INTERVAL * float(counts[np.argmin(white + walk)])
+    walk = WALK**2 * NOISE.interval * (counts - 1) * (2 * counts - 1) / (6 * counts)
+    return NOISE.interval * float(counts[np.argmin(white + walk)])
 
 
 def _window(white: float, walk_part: float) -> float:
@@ -248,14 +249,16 @@ EXERCISES: dict[str, Exercise] = {
         mistakes={
             "So it would be if the drift at the end of the window counted. The mean over the "
             "window has a smaller part of the walk.": (
-                lambda: _window(WHITE * np.sqrt(INTERVAL), 1.0)
+                lambda: _window(NOISE.white * np.sqrt(NOISE.interval), 1.0)
             ),
             "Ten samples come in a second: their white noise is smaller in the mean over one.": (
-                lambda: _window(WHITE, 1 / 3)
+                lambda: _window(NOISE.white, 1 / 3)
             ),
             "Ten samples come in a second, and the mean over the window has a smaller part of the "
-            "walk than the drift at its end.": lambda: _window(WHITE, 1.0),
-            "That is the number of samples; the time is asked.": lambda: _best_window() / INTERVAL,
+            "walk than the drift at its end.": lambda: _window(NOISE.white, 1.0),
+            "That is the number of samples; the time is asked.": lambda: (
+                _best_window() / NOISE.interval
+            ),
         },
         remark="At the best window the white part and the walk's have equal variances.",
     ),

@@ -5,18 +5,34 @@ from __future__ import annotations
 from typing import ClassVar
 
 import numpy as np
+from scipy.constants import degree
 
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.sensor_controls import (
     BODY_AXES,
-    _degrees,
-    _sensor_controls,
-    _sensor_lines,
-    _sensors,
+    accelerometer_controls,
+    accelerometer_offset_code,
+    accelerometer_offsets,
+    degrees_text,
+    gyro_controls,
+    gyro_drift_code,
+    gyro_drifts,
+    slider_value,
 )
+from driftlab.book.scenarios import SARATOV_LATITUDE
 
-from .figures import alignment_budget
+from .experiments import (
+    DRIFT,
+    HEADING,
+    OFFSET,
+    PITCH,
+    ROLL,
+    TERMS,
+    AlignmentBudget,
+    alignment_budget,
+)
+from .figures.alignment_budget import AlignmentBudgetPicture
 
 NO_ERRORS = {f"{kind}_{axis}": 0.0 for kind in ("gyro", "acc") for axis in BODY_AXES}
 
@@ -25,14 +41,17 @@ class AlignmentBudgetExplorer(Explorer):
     """Six sensor errors, and what each does to the heading."""
 
     title = "Error budget of an alignment"
-    picture_class = alignment_budget.AlignmentBudgetPicture
+    picture_class = AlignmentBudgetPicture
     controls = (
-        Control("latitude", "latitude, °", 51.5, -89.5, 89.5, 0.5, group="place"),
-        Control("heading", "heading to West, °", 40.0, -180.0, 180.0, 1.0, group="place"),
-        Control("pitch", "pitch, °", 30.0, -90.0, 90.0, 1.0, group="place"),
-        Control("roll", "roll, °", 10.0, -180.0, 180.0, 1.0, group="place"),
-        *_sensor_controls(alignment_budget.DRIFT, alignment_budget.OFFSET, 0.2),
-    )
+        Control("latitude", "latitude, °", slider_value(SARATOV_LATITUDE, degree), -89.5, 89.5,
+                0.5, group="place"),
+        Control("heading", "heading to West, °", slider_value(HEADING, degree), -180.0, 180.0,
+                1.0, group="place"),
+        Control("pitch", "pitch, °", slider_value(PITCH, degree), -90.0, 90.0, 1.0, group="place"),
+        Control("roll", "roll, °", slider_value(ROLL, degree), -180.0, 180.0, 1.0, group="place"),
+        *gyro_controls(DRIFT, 0.2),
+        *accelerometer_controls(OFFSET),
+    )  # fmt: skip
     presets: ClassVar = {
         "A bit of everything": {},
         "No errors, level, to the North": {"heading": 0.0, "pitch": 0.0, "roll": 0.0, **NO_ERRORS},
@@ -44,18 +63,20 @@ class AlignmentBudgetExplorer(Explorer):
         "Upside down": {"roll": 180.0},
     }
 
-    def compute(self, values: Values) -> alignment_budget.AlignmentBudget:
+    def compute(self, values: Values) -> AlignmentBudget:
         latitude, heading, pitch, roll = (
             float(np.radians(values[name])) for name in ("latitude", "heading", "pitch", "roll")
         )
-        return alignment_budget.compute(latitude, heading, pitch, roll, *_sensors(values))
+        return alignment_budget(
+            latitude, heading, pitch, roll, gyro_drifts(values), accelerometer_offsets(values)
+        )
 
-    def numbers(self, data: alignment_budget.AlignmentBudget) -> list[tuple[str, str]]:
-        rows = list(zip(alignment_budget.TERMS, map(_degrees, data.bars), strict=True))
+    def numbers(self, data: AlignmentBudget) -> list[tuple[str, str]]:
+        rows = list(zip(TERMS, map(degrees_text, data.bars), strict=True))
         for name in ("pitch", "roll", "latitude", "attitude"):
             first_order, exact = getattr(data, name)
-            rows.append((f"{name} error, exact", _degrees(exact)))
-            rows.append((f"{name} error, first order", _degrees(first_order)))
+            rows.append((f"{name} error, exact", degrees_text(exact)))
+            rows.append((f"{name} error, first order", degrees_text(first_order)))
         return rows
 
     def call(self, values: Values) -> str:
@@ -68,7 +89,7 @@ class AlignmentBudgetExplorer(Explorer):
             "from driftlab.gyrocompass import align\n"
             "from driftlab.frames import attitude_from_angles\n"
             "from driftlab.motion import sensed_at_rest\n"
-            f"{_sensor_lines(values)}"
+            f"{gyro_drift_code(values)}{accelerometer_offset_code(values)}"
             f"attitude = attitude_from_angles(*np.radians([{heading}, {pitch}, {roll}]))\n"
             f"rate, force = sensed_at_rest(attitude, np.radians({latitude}))\n"
             f"error = align(rate + drift, force + offset).heading - np.radians({heading})\n"

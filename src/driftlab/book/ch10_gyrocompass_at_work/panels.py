@@ -7,7 +7,7 @@ from scipy.constants import arcminute, degree, hour
 
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.sensor_controls import BODY_AXES, _degrees, _sensor_controls
+from driftlab.book.machinery.sensor_controls import BODY_AXES, degrees_text, gyro_controls
 from driftlab.gyrocompass.simulation import ErrorsUnderWay
 
 from .figures import operation
@@ -29,7 +29,7 @@ class GyrocompassExplorer(Explorer):
         ),
         Control("damping", "damping ratio", 0.0, 0.0, 1.0, 0.05, group="instrument"),
         Control("tilt", "tilt at the start, ′", 0.0, -3.0, 3.0, 0.1, group="instrument"),
-        *_sensor_controls(operation.DRIFT, np.zeros(3), 0.1)[:3],
+        *gyro_controls(operation.DRIFT, 0.1),
         Control("log", "a log tells the velocity", False, group=""),
     )  # fmt: skip
     presets: ClassVar = {
@@ -72,14 +72,17 @@ class GyrocompassExplorer(Explorer):
         # Of first order: good while all angles are small.
         large = max(np.abs(data.yaw_error).max(), np.abs(data.compass_error).max()) > 0.2
         return [
-            ("largest heading error", _degrees(np.abs(data.heading_error).max())),
-            ("at the end", _degrees(data.heading_error[-1])),
-            ("largest gap to the formula", "too large errors for it" if large else _degrees(gap)),
+            ("largest heading error", degrees_text(np.abs(data.heading_error).max())),
+            ("at the end", degrees_text(data.heading_error[-1])),
+            (
+                "largest gap to the formula",
+                "too large errors for it" if large else degrees_text(gap),
+            ),
             ("largest tilt about North", f"{worst[0]:.3f}′"),
             ("largest tilt about East", f"{worst[1]:.3f}′"),
-            ("largest speed deviation", _degrees(np.abs(data.deviation).max())),
-            ("yaw error at the end", _degrees(data.yaw_error[-1])),
-            ("compass error at the end", _degrees(data.compass_error[-1])),
+            ("largest speed deviation", degrees_text(np.abs(data.deviation).max())),
+            ("yaw error at the end", degrees_text(data.yaw_error[-1])),
+            ("compass error at the end", degrees_text(data.compass_error[-1])),
         ]
 
     def call(self, values: Values) -> str:

@@ -10,7 +10,7 @@ from scipy.constants import arcminute, arcsecond
 from driftlab.attitude.coning_algorithms import ALGORITHMS
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.sensor_controls import BODY_AXES, _degrees
+from driftlab.book.machinery.sensor_controls import BODY_AXES, degrees_text
 
 from .figures import capstone
 
@@ -76,7 +76,7 @@ class CapstoneExplorer(Explorer):
                 (f"aligned heading, {stage}",
                  f"{np.abs(data.aligned[i]).max() / arcminute:.3f}′"),
                 (f"under way, {stage}",
-                 _degrees(np.abs(data.under_way.heading_error[i]).max())),
+                 degrees_text(np.abs(data.under_way.heading_error[i]).max())),
             ]  # fmt: skip
         return rows
 

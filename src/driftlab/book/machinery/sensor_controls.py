@@ -1,4 +1,4 @@
-"""Sliders for the errors of six sensors: the same wherever there are some."""
+"""Sliders for the errors of gyros and accelerometers: the same wherever there are some."""
 
 from __future__ import annotations
 
@@ -13,35 +13,49 @@ from .panel import Values
 BODY_AXES = ("forward", "up", "right")
 
 
-def _degrees(angle: float) -> str:
+def slider_value(quantity: float, unit: float) -> float:
+    """Return a quantity in the unit of its slider, without the last digits of the conversion."""
+    return round(float(quantity / unit), 6)
+
+
+def degrees_text(angle: float) -> str:
+    """Return an angle, rad, as a panel shows it in degrees; NaN is shown as "none"."""
     return "none" if np.isnan(angle) else f"{np.degrees(angle):.4f}°"
 
 
-def _sensor_controls(drift: FloatArray, offset: FloatArray, most: float) -> tuple[Control, ...]:
-    """Sliders of three gyros up to `most` deg/h and three accelerometers up to 5 mg."""
-    gyros = drift / (degree / hour)
-    offsets = offset / (milli * g)
-    return (
-        *(
-            Control(f"gyro_{axis}", f"{axis}, °/h", round(float(value), 6), -most, most, 0.005,
-                    group="gyro drifts")
-            for axis, value in zip(BODY_AXES, gyros, strict=True)
-        ),
-        *(
-            Control(f"acc_{axis}", f"{axis}, mg", round(float(value), 6), -5.0, 5.0, 0.05,
-                    group="accelerometer offsets")
-            for axis, value in zip(BODY_AXES, offsets, strict=True)
-        ),
+def gyro_controls(drift: FloatArray, most: float) -> tuple[Control, ...]:
+    """Return sliders up to `most` deg/h for three gyro drifts (3,) that begin at `drift`, rad/s."""
+    return tuple(
+        Control(f"gyro_{axis}", f"{axis}, °/h", slider_value(value, degree / hour), -most, most,
+                0.005, group="gyro drifts")
+        for axis, value in zip(BODY_AXES, drift, strict=True)
     )  # fmt: skip
 
 
-def _sensors(values: Values) -> tuple[FloatArray, FloatArray]:
-    """Gyro drifts in rad/s and accelerometer offsets in m/s^2, (3,) each."""
-    drift = np.array([values[f"gyro_{axis}"] for axis in BODY_AXES]) * degree / hour
-    return drift, np.array([values[f"acc_{axis}"] for axis in BODY_AXES]) * milli * g
+def accelerometer_controls(offset: FloatArray) -> tuple[Control, ...]:
+    """Return sliders up to 5 mg for three offsets (3,) that begin at `offset`, m/s^2."""
+    return tuple(
+        Control(f"acc_{axis}", f"{axis}, mg", slider_value(value, milli * g), -5.0, 5.0, 0.05,
+                group="accelerometer offsets")
+        for axis, value in zip(BODY_AXES, offset, strict=True)
+    )  # fmt: skip
 
 
-def _sensor_lines(values: Values) -> str:
-    gyros = [values[f"gyro_{axis}"] for axis in BODY_AXES]
-    offsets = [values[f"acc_{axis}"] for axis in BODY_AXES]
-    return f"drift = np.array({gyros}) * degree / hour\noffset = np.array({offsets}) * milli * g\n"
+def gyro_drifts(values: Values) -> FloatArray:
+    """Return the drifts (3,) of `gyro_controls`, rad/s."""
+    return np.array([values[f"gyro_{axis}"] for axis in BODY_AXES]) * degree / hour
+
+
+def accelerometer_offsets(values: Values) -> FloatArray:
+    """Return the offsets (3,) of `accelerometer_controls`, m/s^2."""
+    return np.array([values[f"acc_{axis}"] for axis in BODY_AXES]) * milli * g
+
+
+def gyro_drift_code(values: Values) -> str:
+    """Return the line of Python that defines `drift` as `gyro_drifts` does."""
+    return f"drift = np.array({[values[f'gyro_{axis}'] for axis in BODY_AXES]}) * degree / hour\n"
+
+
+def accelerometer_offset_code(values: Values) -> str:
+    """Return the line of Python that defines `offset` as `accelerometer_offsets` does."""
+    return f"offset = np.array({[values[f'acc_{axis}'] for axis in BODY_AXES]}) * milli * g\n"

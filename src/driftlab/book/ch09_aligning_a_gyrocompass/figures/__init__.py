@@ -5,6 +5,7 @@ import numpy as np
 from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.checks import FloatArray
 
+from .. import experiments
 from . import alignment_budget, alignment_terms, averaging_window, over_the_vertical
 
 
@@ -12,7 +13,7 @@ def _largest(values: FloatArray) -> float:
     return float(np.degrees(np.abs(values).max()))
 
 
-def _terms_caption(data: alignment_terms.AlignmentTerms) -> str:
+def _terms_caption(data: experiments.AlignmentTerms) -> str:
     corrected = max(
         float(np.abs(data.terms[panel].sum(axis=-1) - data.exact[panel]).max())
         for panel in ("heading", "pitch")
@@ -29,23 +30,23 @@ def _terms_caption(data: alignment_terms.AlignmentTerms) -> str:
     )
 
 
-def _vertical_caption(data: over_the_vertical.OverTheVertical) -> str:
+def _vertical_caption(data: experiments.OverTheVertical) -> str:
     return (
         "A body turned about its right axis, bow over the vertical. Left: its angles; half a turn "
         "of roll is 180 and −180 degrees at once. Right: errors of "
-        f"{over_the_vertical.RUNS} alignments with random sensor errors: heading and roll reach "
+        f"{data.runs} alignments with random sensor errors: heading and roll reach "
         f"{_largest(data.heading_error):.0f} degrees half a degree from the vertical, while the "
         f"attitude stays within {_largest(data.attitude_error):.2f} degrees in root mean square, "
         "and heading plus roll with it."
     )
 
 
-def _averaging_caption(data: averaging_window.AveragingWindow) -> str:
+def _averaging_caption(data: experiments.AveragingWindow) -> str:
     gap = float(np.abs(data.simulated / data.formula - 1).max())
     return (
-        f"Spread of the heading of {averaging_window.RUNS} alignments over the length of the "
+        f"Spread of the heading of {data.runs} alignments over the length of the "
         "averaging window, for the ends of the paper's range of gyro noise. White noise falls with "
-        f"the square root; a slow part of {averaging_window.SLOW:g} degrees per hour sets a "
+        f"the square root; a slow part of {experiments.SLOW:g} degrees per hour sets a "
         f"floor. Simulation and closed formula differ by up to {gap:.0%}."
     )
 
@@ -53,8 +54,8 @@ def _averaging_caption(data: averaging_window.AveragingWindow) -> str:
 FIGURES = (
     FigureDefinition(
         "09-alignment-budget",
-        alignment_budget.compute,
-        alignment_budget.AlignmentBudgetPicture,
+        experiments.alignment_budget,
+        alignment_budget.AlignmentBudgetPicture.draw,
         alignment_budget.columns,
         lambda data: (
             "Heading error of one aligned compass by term, and of the same compass at all "
@@ -64,22 +65,22 @@ FIGURES = (
     ),
     FigureDefinition(
         "09-alignment-terms",
-        alignment_terms.compute,
-        alignment_terms.AlignmentTermsPicture,
+        experiments.alignment_terms,
+        alignment_terms.draw,
         alignment_terms.columns,
         _terms_caption,
     ),
     FigureDefinition(
         "09-over-the-vertical",
-        over_the_vertical.compute,
-        over_the_vertical.OverTheVerticalPicture,
+        experiments.errors_over_the_vertical,
+        over_the_vertical.draw,
         over_the_vertical.columns,
         _vertical_caption,
     ),
     FigureDefinition(
         "09-averaging-window",
-        averaging_window.compute,
-        averaging_window.AveragingWindowPicture,
+        experiments.heading_spread_by_window,
+        averaging_window.draw,
         averaging_window.columns,
         _averaging_caption,
     ),

@@ -1,96 +1,14 @@
 """What each sensor error does to the heading of an aligned compass: by term, and exactly."""
 
-from typing import NamedTuple
-
 import numpy as np
-from numpy.typing import ArrayLike
-from scipy.constants import degree, g, hour, milli
 
 from driftlab.book.machinery.picture import BLACK, SERIES, Picture
-from driftlab.checks import FloatArray, finite_array, finite_number
-from driftlab.frames import attitude_from_angles
-from driftlab.gyrocompass.alignment import (
-    align,
-    alignment_attitude_error,
-    alignment_errors,
-)
-from driftlab.motion.vehicle import sensed_at_rest
-from driftlab.quaternion import conjugate, multiply, rotate, rotation_angle
-from driftlab.vectors import wrap_angle
+from driftlab.checks import FloatArray
 
-LATITUDE = float(np.radians(51.5))
-"""Saratov, the authors' town; their paper names no place."""
-DRIFT: FloatArray = np.array([0.02, 0.03, 0.03]) * degree / hour
-OFFSET: FloatArray = np.array([1.5, 1.0, -1.5]) * milli * g
-HEADING, PITCH, ROLL = (float(angle) for angle in np.radians([40.0, 30.0, 10.0]))
-TERMS = (
-    "east gyro",
-    "east acc., tan pitch",
-    "north acc., tan pitch",
-    "east acc., tan latitude",
-    "sum, first order",
-    "exact",
-)
+from ..experiments import TERMS, AlignmentBudget
+
 STEPS = (0.5, 2.0, 10.0, 50.0, 180.0)
 """How far the axes may reach, degrees."""
-
-
-class AlignmentBudget(NamedTuple):
-    """The heading error of one compass, and of the same compass turned to all headings."""
-
-    bars: FloatArray  # (6,), rad: the terms, their sum, and the exact error
-    pitch: tuple[float, float]  # rad: first order and exact
-    roll: tuple[float, float]
-    latitude: tuple[float, float]
-    attitude: tuple[float, float]  # rad: angle of the rotation from true to computed
-    heading: float  # rad
-    headings: FloatArray  # (n,), rad
-    exact: FloatArray  # (n,), rad
-    first_order: FloatArray  # (n,), rad
-
-
-def compute(
-    latitude: float = LATITUDE,
-    heading: float = HEADING,
-    pitch: float = PITCH,
-    roll: float = ROLL,
-    drift: ArrayLike = DRIFT,
-    offset: ArrayLike = OFFSET,
-) -> AlignmentBudget:
-    """Budget of a compass with errors `drift`, `offset` (3,) in body axes forward, up, right."""
-    drifts, offsets = finite_array(drift, "drift", 3), finite_array(offset, "offset", 3)
-    place = finite_number(latitude, "latitude")
-    headings = np.radians(np.arange(-180.0, 180.1, 5.0))
-    every = np.append(headings, finite_number(heading, "heading"))
-    vertical = abs(finite_number(pitch, "pitch")) > np.radians(89.9)
-    attitude = attitude_from_angles(every, pitch, roll)
-    rate, force = sensed_at_rest(attitude, place)
-    true, found = align(rate, force), align(rate + drifts, force + offsets)
-    local = rotate(attitude, drifts), rotate(attitude, offsets)
-    # In a vertical body heading and roll have no errors of their own; the attitude has.
-    formula = alignment_errors(every, 0.0 if vertical else pitch, place, *local)
-    gaps = [wrap_angle(a - b) for a, b in zip(found, true, strict=True)]
-    if vertical:
-        nothing = np.full_like(every, np.nan)
-        formula = formula._replace(
-            heading=nothing, roll=nothing, heading_terms=np.full((len(every), 4), np.nan)
-        )
-        gaps[0] = gaps[2] = nothing
-    turned = alignment_attitude_error(place, local[0][-1], local[1][-1])
-    return AlignmentBudget(
-        np.append(formula.heading_terms[-1], [formula.heading[-1], gaps[0][-1]]),
-        (float(formula.pitch[-1]), float(gaps[1][-1])),
-        (float(formula.roll[-1]), float(gaps[2][-1])),
-        (float(formula.latitude[-1]), float(gaps[3][-1])),
-        (
-            float(np.linalg.norm(turned)),
-            float(rotation_angle(multiply(found.attitude[-1], conjugate(attitude[-1])))),
-        ),
-        float(heading),
-        headings,
-        gaps[0][:-1],
-        formula.heading[:-1],
-    )
 
 
 def columns(data: AlignmentBudget) -> dict[str, FloatArray]:

@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.constants import arcminute, degree, hour
 
-from driftlab.book.ch09_aligning_a_gyrocompass.figures import averaging_window
+from driftlab.book.ch09_aligning_a_gyrocompass.experiments import WHITE
 from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.book.scenarios import TURN
 from driftlab.checks import FloatArray
@@ -85,10 +85,10 @@ def _restarts_caption(data: restarts.Restarts) -> str:
     averaged = data.deviations[:, 1] / (degree / hour)
     return (
         "The paper's Fig. 2, simulated from its description; its own plot is lost. Left: one "
-        f"series, with gyro noise of {averaging_window.WHITE[0]:g} degrees per hour a sample, "
-        f"averaged. Middle: noise of {averaging_window.WHITE[1]:g} degrees per hour a sample; "
+        f"series, with gyro noise of {WHITE[0]:g} degrees per hour a sample, "
+        f"averaged. Middle: noise of {WHITE[1]:g} degrees per hour a sample; "
         f"after the average {averaged[1]:.3f}, and {averaged[0]:.3f} where it was "
-        f"{averaging_window.WHITE[0]:g}. Right: of "
+        f"{WHITE[0]:g}. Right: of "
         f"{restarts.TRIALS} normal samples {np.mean(data.ranges >= ratio):.1%} have a range as "
         f"large as the printed one, {np.mean(data.ranges >= low):.0%} one that could be rounded "
         "to it."
@@ -99,42 +99,42 @@ FIGURES = (
     FigureDefinition(
         "10-settling",
         settling.compute,
-        settling.SettlingPicture,
+        settling.SettlingPicture.draw,
         settling.columns,
         _settling_caption,
     ),
     FigureDefinition(
         "10-ballistic-error",
         ballistic_error.compute,
-        ballistic_error.BallisticErrorPicture,
+        ballistic_error.BallisticErrorPicture.draw,
         ballistic_error.columns,
         _ballistic_caption,
     ),
     FigureDefinition(
         "10-operation",
         operation.compute,
-        operation.OperationPicture,
+        operation.OperationPicture.draw,
         operation.columns,
         _operation_caption,
     ),
     FigureDefinition(
         "10-operating-formula",
         operating_formula.compute,
-        operating_formula.OperatingFormulaPicture,
+        operating_formula.OperatingFormulaPicture.draw,
         operating_formula.columns,
         _formula_caption,
     ),
     FigureDefinition(
         "10-static-characteristic",
         static_characteristic.compute,
-        static_characteristic.StaticCharacteristicPicture,
+        static_characteristic.StaticCharacteristicPicture.draw,
         static_characteristic.columns,
         _static_caption,
     ),
     FigureDefinition(
         "10-restarts",
         restarts.compute,
-        restarts.RestartsPicture,
+        restarts.RestartsPicture.draw,
         restarts.columns,
         _restarts_caption,
     ),

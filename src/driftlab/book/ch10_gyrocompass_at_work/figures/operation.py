@@ -7,9 +7,9 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 from scipy.constants import arcminute, degree, hour, minute
 
-from driftlab.book.ch09_aligning_a_gyrocompass.figures.alignment_budget import LATITUDE
 from driftlab.book.machinery.picture import BLACK, SERIES, Picture
 from driftlab.book.scenarios import DURATION, TURN, UNDER_WAY, ship
+from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
 from driftlab.checks import FloatArray, finite_number
 from driftlab.gyrocompass.simulation import ErrorsUnderWay, take_along
 from driftlab.motion.vehicle import Voyage

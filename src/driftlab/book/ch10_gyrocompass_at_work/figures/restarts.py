@@ -5,9 +5,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.constants import degree, hour
 
-from driftlab.book.ch09_aligning_a_gyrocompass.figures.alignment_budget import LATITUDE
-from driftlab.book.ch09_aligning_a_gyrocompass.figures.averaging_window import WHITE, noise
+from driftlab.book.ch09_aligning_a_gyrocompass.experiments import WHITE, gyro_noise
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, Picture, long_table
+from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.noise import moving_average
@@ -42,12 +42,12 @@ def compute() -> Restarts:
     """Switch a compass on again and again, and let it average before it aligns."""
     rng = np.random.default_rng(SEED)
     rate, force = sensed_at_rest([0.0, 0.0, 0.0, 1.0], LATITUDE)
-    quiet = noise(WHITE[0]).samples(WINDOW, rng, RESTARTS, 3)
+    quiet = gyro_noise(WHITE[0]).samples(WINDOW, rng, RESTARTS, 3)
     heading = align(rate + quiet.mean(axis=-1), force).heading
-    raw = noise(WHITE[1]).samples(10 * WINDOW, rng)
+    raw = gyro_noise(WHITE[1]).samples(10 * WINDOW, rng)
     closed = [
         [np.hypot(gyro.white, gyro.slow), gyro.deviation_of_mean(WINDOW)]
-        for gyro in map(noise, WHITE)
+        for gyro in map(gyro_noise, WHITE)
     ]
     return Restarts(
         heading,
@@ -102,7 +102,7 @@ class RestartsPicture(Picture[Restarts]):
             fontsize=9,
             loc="left",
         )
-        step = noise(WHITE[1]).interval / 60
+        step = gyro_noise(WHITE[1]).interval / 60
         unit = degree / hour
         second.plot(step * np.arange(0, len(data.raw), 5), data.raw[::5] / unit, color=GREY,
                     linewidth=0.3, label="every fifth sample")  # fmt: skip

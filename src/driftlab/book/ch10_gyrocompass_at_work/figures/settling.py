@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.constants import degree, hour, minute
 
-from driftlab.book.ch09_aligning_a_gyrocompass.figures.alignment_budget import LATITUDE
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, Picture
+from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.levelling import Horizon, damped_tuning, operate, schuler_tuning

@@ -5,8 +5,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.constants import arcminute, degree, hour
 
-from driftlab.book.ch09_aligning_a_gyrocompass.figures.alignment_budget import LATITUDE
 from driftlab.book.machinery.picture import BLACK, SERIES, Picture, long_table
+from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
 from driftlab.checks import FloatArray
 from driftlab.frames import attitude_from_angles
 from driftlab.gyrocompass.alignment import alignment_errors

@@ -31,7 +31,7 @@ FIGURES = (
     FigureDefinition(
         "11-capstone",
         capstone.compute,
-        capstone.CapstonePicture,
+        capstone.CapstonePicture.draw,
         capstone.columns,
         _capstone_caption,
     ),

@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike
 from scipy.constants import arcsecond, minute
 
 from driftlab.attitude.coning_algorithms import coning_drift
-from driftlab.book.ch09_aligning_a_gyrocompass.figures.alignment_budget import LATITUDE
 from driftlab.book.ch10_gyrocompass_at_work.figures.operation import kept_ship
 from driftlab.book.machinery.picture import BLACK, SERIES, Picture
+from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
 from driftlab.calibration.simulation import TableTrial
 from driftlab.checks import FloatArray, finite_array, finite_number
 from driftlab.drift.systematic_drift import drift_per_turn

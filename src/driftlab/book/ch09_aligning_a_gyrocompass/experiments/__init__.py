@@ -1,0 +1,45 @@
+"""Experiments of chapter 09: alignments with sensor errors, and with noise."""
+
+from .averaging import (
+    MOVING_AVERAGE,
+    SLOW,
+    WHITE,
+    AveragingWindow,
+    gyro_noise,
+    heading_spread_by_window,
+)
+from .budget import (
+    DRIFT,
+    HEADING,
+    OFFSET,
+    PITCH,
+    ROLL,
+    TERMS,
+    AlignmentBudget,
+    alignment_budget,
+)
+from .terms import FIXED, GRIDS, AlignmentTerms, alignment_terms
+from .vertical import OverTheVertical, errors_over_the_vertical
+
+__all__ = [
+    "DRIFT",
+    "FIXED",
+    "GRIDS",
+    "HEADING",
+    "MOVING_AVERAGE",
+    "OFFSET",
+    "PITCH",
+    "ROLL",
+    "SLOW",
+    "TERMS",
+    "WHITE",
+    "AlignmentBudget",
+    "AlignmentTerms",
+    "AveragingWindow",
+    "OverTheVertical",
+    "alignment_budget",
+    "alignment_terms",
+    "errors_over_the_vertical",
+    "gyro_noise",
+    "heading_spread_by_window",
+]

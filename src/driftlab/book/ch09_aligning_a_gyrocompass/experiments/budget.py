@@ -1,0 +1,116 @@
+"""Heading error of an aligned compass by sensor error: to first order term by term, and exactly."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.constants import degree, g, hour, milli
+
+from driftlab.book.scenarios import SARATOV_LATITUDE
+from driftlab.checks import FloatArray, finite_array, finite_number
+from driftlab.frames import attitude_from_angles
+from driftlab.gyrocompass.alignment import align, alignment_attitude_error, alignment_errors
+from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.quaternion import conjugate, multiply, rotate, rotation_angle
+from driftlab.vectors import wrap_angle
+
+DRIFT: FloatArray = np.array([0.02, 0.03, 0.03]) * degree / hour
+"""Of three gyros, rad/s."""
+OFFSET: FloatArray = np.array([1.5, 1.0, -1.5]) * milli * g
+"""Of three accelerometers, m/s^2."""
+HEADING, PITCH, ROLL = (float(angle) for angle in np.radians([40.0, 30.0, 10.0]))
+"""Of the compass, rad."""
+TERMS = (
+    "east gyro",
+    "east acc., tan pitch",
+    "north acc., tan pitch",
+    "east acc., tan latitude",
+    "sum, first order",
+    "exact",
+)
+"""What the entries of `AlignmentBudget.bars` are."""
+
+
+class AlignmentBudget(NamedTuple):
+    """Errors of one aligned compass, and its heading error when it is turned to other headings.
+
+    Attributes
+    ----------
+    bars : ndarray, shape (6,)
+        Heading error, rad: the four terms of first order, their sum, and the exact error.
+    pitch, roll, latitude : tuple of float
+        Errors of these angles, rad: to first order, and exact.
+    attitude : tuple of float
+        Angle of the rotation from true to computed attitude, rad: to first order, and exact.
+    heading : float
+        rad.
+    headings : ndarray, shape (n,)
+        rad.
+    exact, first_order : ndarray, shape (n,)
+        Heading errors at these headings, rad.
+    """
+
+    bars: FloatArray
+    pitch: tuple[float, float]
+    roll: tuple[float, float]
+    latitude: tuple[float, float]
+    attitude: tuple[float, float]
+    heading: float
+    headings: FloatArray
+    exact: FloatArray
+    first_order: FloatArray
+
+
+def alignment_budget(
+    latitude: float = SARATOV_LATITUDE,
+    heading: float = HEADING,
+    pitch: float = PITCH,
+    roll: float = ROLL,
+    drift: ArrayLike = DRIFT,
+    offset: ArrayLike = OFFSET,
+) -> AlignmentBudget:
+    """Align a compass that has sensor errors; exact, and by (alignment heading), pitch and roll.
+
+    In a vertical body heading and roll have no errors of their own; theirs are then NaN.
+
+    Parameters
+    ----------
+    latitude, heading, pitch, roll : float
+        rad.
+    drift : array_like, shape (3,)
+        Of the gyros forward, up, right, rad/s.
+    offset : array_like, shape (3,)
+        Of the accelerometers forward, up, right, m/s^2.
+    """
+    drifts, offsets = finite_array(drift, "drift", 3), finite_array(offset, "offset", 3)
+    place = finite_number(latitude, "latitude")
+    headings = np.radians(np.arange(-180.0, 180.1, 5.0))
+    every = np.append(headings, finite_number(heading, "heading"))
+    vertical = abs(finite_number(pitch, "pitch")) > np.radians(89.9)
+    attitude = attitude_from_angles(every, pitch, roll)
+    rate, force = sensed_at_rest(attitude, place)
+    true, found = align(rate, force), align(rate + drifts, force + offsets)
+    local = rotate(attitude, drifts), rotate(attitude, offsets)
+    formula = alignment_errors(every, 0.0 if vertical else pitch, place, *local)
+    gaps = [wrap_angle(a - b) for a, b in zip(found, true, strict=True)]
+    if vertical:
+        nothing = np.full_like(every, np.nan)
+        formula = formula._replace(
+            heading=nothing, roll=nothing, heading_terms=np.full((len(every), 4), np.nan)
+        )
+        gaps[0] = gaps[2] = nothing
+    turned = alignment_attitude_error(place, local[0][-1], local[1][-1])
+    return AlignmentBudget(
+        np.append(formula.heading_terms[-1], [formula.heading[-1], gaps[0][-1]]),
+        (float(formula.pitch[-1]), float(gaps[1][-1])),
+        (float(formula.roll[-1]), float(gaps[2][-1])),
+        (float(formula.latitude[-1]), float(gaps[3][-1])),
+        (
+            float(np.linalg.norm(turned)),
+            float(rotation_angle(multiply(found.attitude[-1], conjugate(attitude[-1])))),
+        ),
+        float(heading),
+        headings,
+        gaps[0][:-1],
+        formula.heading[:-1],
+    )

@@ -1,0 +1,67 @@
+"""The terms of the alignment's heading error over heading, pitch and latitude, and the misprint."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from driftlab.book.scenarios import SARATOV_LATITUDE
+from driftlab.checks import FloatArray
+from driftlab.frames import attitude_from_angles
+from driftlab.gyrocompass.alignment import align, alignment_errors
+from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.quaternion import conjugate, rotate
+from driftlab.vectors import wrap_angle
+
+from .budget import DRIFT, OFFSET, PITCH
+
+FIXED = {
+    "heading": float(np.radians(60.0)),
+    "pitch": PITCH,
+    "latitude": SARATOV_LATITUDE,
+}
+"""Values of the two quantities that do not vary, rad."""
+GRIDS: dict[str, FloatArray] = {
+    "heading": np.radians(np.linspace(-180, 180, 73)),
+    "pitch": np.radians(np.linspace(-85, 85, 69)),
+    "latitude": np.radians(np.linspace(-85, 85, 69)),
+}
+"""Values of the quantity that varies, rad."""
+
+
+class AlignmentTerms(NamedTuple):
+    """Heading errors over each of `GRIDS`, degrees.
+
+    Attributes
+    ----------
+    terms : dict of ndarray, shape (n, 4)
+        The four terms of first order.
+    exact : dict of ndarray, shape (n,)
+    printed : dict of ndarray, shape (n,)
+        First order, with the factor that is a misprint.
+    """
+
+    terms: dict[str, FloatArray]
+    exact: dict[str, FloatArray]
+    printed: dict[str, FloatArray]
+
+
+def alignment_terms() -> AlignmentTerms:
+    """Return the terms of (alignment heading), their printed sum, and the exact error.
+
+    Heading, pitch and latitude vary one at a time. The sensor errors are given in North, Up, East,
+    so that the terms do not mix.
+    """
+    terms, exact, printed = {}, {}, {}
+    for name, grid in GRIDS.items():
+        at: dict[str, Any] = {**FIXED, name: grid}
+        attitude = attitude_from_angles(at["heading"], at["pitch"], 0.0)
+        rate, force = sensed_at_rest(attitude, at["latitude"])
+        to_body = conjugate(attitude)
+        found = align(rate + rotate(to_body, DRIFT), force + rotate(to_body, OFFSET))
+        gap = found.heading - at["heading"]
+        formula = alignment_errors(at["heading"], at["pitch"], at["latitude"], DRIFT, OFFSET)
+        terms[name] = np.degrees(formula.heading_terms)
+        exact[name] = np.degrees(wrap_angle(gap))
+        surplus = formula.heading_terms[:, 2] * (np.tan(at["latitude"]) - 1)
+        printed[name] = np.degrees(formula.heading + surplus)
+    return AlignmentTerms(terms, exact, printed)

@@ -1,0 +1,71 @@
+"""A body turned right over: what its heading loses in the vertical, and what its attitude keeps."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from driftlab.book.scenarios import SARATOV_LATITUDE
+from driftlab.checks import FloatArray
+from driftlab.frames import angles_from_attitude, attitude_from_angles
+from driftlab.gyrocompass.alignment import align
+from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
+from driftlab.vectors import wrap_angle
+
+from .budget import DRIFT, HEADING, OFFSET
+
+
+class OverTheVertical(NamedTuple):
+    """True angles, and root mean square errors of many alignments, over the angle of a turn.
+
+    Attributes
+    ----------
+    angles : ndarray, shape (n,)
+        Of the turn about the right axis, rad; the vertical is between two of them.
+    heading, roll : ndarray, shape (n,)
+        Of the true attitude, rad.
+    heading_error, roll_error, attitude_error : ndarray, shape (n,)
+        rad.
+    together_error : ndarray, shape (n,)
+        Of heading + roll, rad; it is well defined while the bow is nearer to Up.
+    runs : int
+        Number of alignments at each angle.
+    """
+
+    angles: FloatArray
+    heading: FloatArray
+    roll: FloatArray
+    heading_error: FloatArray
+    roll_error: FloatArray
+    attitude_error: FloatArray
+    together_error: FloatArray
+    runs: int
+
+
+def errors_over_the_vertical() -> OverTheVertical:
+    """Align bodies with random sensor errors in all attitudes of a half turn of the bow."""
+    rng, runs = np.random.default_rng(9), 400
+    size = (runs, 1, 3)
+    drift = float(np.abs(DRIFT).max()) * rng.standard_normal(size)
+    offset = float(np.abs(OFFSET).max()) * rng.standard_normal(size)
+    angles = np.radians(np.arange(0.5, 180.0, 1.0))
+    over = angles[:, np.newaxis] * np.array([0.0, 0.0, 1.0])
+    attitude = multiply(attitude_from_angles(HEADING, 0.0, 0.0), from_rotation_vector(over))
+    true = angles_from_attitude(attitude)
+    rate, force = sensed_at_rest(attitude, SARATOV_LATITUDE)
+    found = align(rate + drift, force + offset)
+
+    def spread(gap: FloatArray) -> FloatArray:
+        return np.asarray(np.sqrt(np.mean(wrap_angle(gap) ** 2, axis=0)))
+
+    away = rotation_angle(multiply(found.attitude, conjugate(attitude)))
+    return OverTheVertical(
+        angles,
+        true.heading,
+        true.roll,
+        spread(found.heading - true.heading),
+        spread(found.roll - true.roll),
+        np.sqrt(np.mean(away**2, axis=0)),
+        spread(found.heading + found.roll - true.heading - true.roll),
+        runs,
+    )
