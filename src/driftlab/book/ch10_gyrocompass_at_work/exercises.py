@@ -6,32 +6,32 @@ import numpy as np
 from scipy.constants import arcminute, degree, hour
 
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
-from driftlab.book.scenarios import UNDER_WAY, ship
+from driftlab.book.scenarios import QUARTER_TURN, SCHULER_PERIOD, SPEED, UNDER_WAY, ship
+from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
 from driftlab.checks import FloatArray
-from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
+from driftlab.earth import EARTH_RATE, gravity
 from driftlab.gyrocompass.heading_error import level_coriolis, speed_deviation
 from driftlab.gyrocompass.simulation import ErrorsUnderWay, take_along
 from driftlab.gyrocompass.trials import normal_ranges, range_over_deviation
 
-LATITUDE = float(np.radians(51.5))
+from .experiments import DRIFT, RESTARTS, TRIALS, TUNING_FACTORS
+
 GRAVITY = float(gravity(LATITUDE))
-PERIOD = 2 * np.pi * np.sqrt(EARTH_RADIUS / GRAVITY)
-SPEED, INTERVAL = 10.0, 4.0
+TO_THE_EAST = {"course": -QUARTER_TURN, "turn": 0.0}
+"""A voyage without a turn."""
 LOG_ERROR = 0.1
 GROWTH = 0.01 * degree / hour / hour
-TUNINGS = (0.25, 0.5, 0.8, 0.95, 1.0, 1.05, 1.25, 2.0, 4.0)
-"""The stops of the panel's slider."""
-VALUES, TRIALS = 26, 120_000
+OUTLIER_TRIALS = 120_000
 WITHIN = 5.56
 
 
 @cache
 def _to_the_east() -> FloatArray:
     """Speed deviation, tilt after gathering way, mean tilt over the next swing: arc minutes."""
-    run = take_along(ship(LATITUDE, SPEED, -np.pi / 2, 0.0, INTERVAL), np.zeros(3))
+    run = take_along(ship(**TO_THE_EAST), np.zeros(3))
     begin = sum(UNDER_WAY)
     after = np.searchsorted(run.times, begin)
-    swing = (run.times > begin) & (run.times <= begin + PERIOD)
+    swing = (run.times > begin) & (run.times <= begin + SCHULER_PERIOD)
     tilts = run.tilt[after], run.tilt[swing].mean(axis=0)
     return np.array([abs(run.deviation[after]), *np.linalg.norm(tilts, axis=-1)]) / arcminute
 
@@ -48,7 +48,7 @@ def _to_the_north() -> float:
 
 def _plumb_line() -> float:
     """Largest lean of the plumb line while the ship gathers way, rad."""
-    way = ship(LATITUDE, SPEED, -np.pi / 2, 0.0, 1.0)
+    way = ship(**TO_THE_EAST, interval=1.0)
     return float(np.abs(way.velocity_increments[:, 0] / way.velocity_increments[:, 1]).max())
 
 
@@ -63,7 +63,7 @@ def _wrong_log() -> float:
 @cache
 def _growing_drift() -> ErrorsUnderWay:
     """Errors at the quay with a drift about East that grows."""
-    quay = ship(LATITUDE, 0.0, 0.0, 0.0, INTERVAL)
+    quay = ship(speed=0.0, turn=0.0)
     drift = np.zeros_like(quay.angle_increments)
     drift[:, 2] = GROWTH * quay.times[:-1]  # none in the interval that the alignment reads
     return take_along(quay, drift)
@@ -82,17 +82,16 @@ def _no_swing(level_rate: float) -> FloatArray:
 @cache
 def _voyages() -> FloatArray:
     """Heading errors (tunings, times) of the panel's first preset."""
-    from .figures import operation
-
-    return np.array([operation.compute(tuning_factor=k).heading_error for k in TUNINGS])
+    factors = TUNING_FACTORS
+    return np.array([take_along(ship(), DRIFT, tuning_factor=k).heading_error for k in factors])
 
 
 def _best_tuning() -> float:
-    return TUNINGS[int(np.argmin(np.abs(_voyages()).max(axis=1)))]
+    return TUNING_FACTORS[int(np.argmin(np.abs(_voyages()).max(axis=1)))]
 
 
 def _best_at_the_end() -> float:
-    return TUNINGS[int(np.argmin(np.abs(_voyages()[:, -1])))]
+    return TUNING_FACTORS[int(np.argmin(np.abs(_voyages()[:, -1])))]
 
 
 CHAPTER_NAMES = {"phi": "varphi", "gravity": "g", "v1": "v_1", "v3": "v_3"}
@@ -114,11 +113,11 @@ def _hangs(earth: float, place: float, pull: float, _: float, north: float, east
 
 @cache
 def _wide_ranges(width: float = 3.0) -> FloatArray:
-    """Two ratios (2, TRIALS) of samples with outliers: range over deviation, by n - 1 and by n."""
+    """Two ratios (2, n) of samples with outliers: range over deviation, by n - 1 and by n."""
     rng = np.random.default_rng(10)
-    wide = np.where(rng.random((TRIALS, VALUES)) < 0.1, width, 1.0)
+    wide = np.where(rng.random((OUTLIER_TRIALS, RESTARTS)) < 0.1, width, 1.0)
     ratio = range_over_deviation(wide * rng.standard_normal(wide.shape))
-    return np.array([ratio, ratio * np.sqrt(VALUES / (VALUES - 1))])
+    return np.array([ratio, ratio * np.sqrt(RESTARTS / (RESTARTS - 1))])
 
 
 def _how_often(width: float = 3.0, divided_by_n: bool = False) -> float:
@@ -127,7 +126,7 @@ def _how_often(width: float = 3.0, divided_by_n: bool = False) -> float:
 
 def _without_outliers() -> float:
     """The same for normal samples, as many and from the same seed as in the chapter."""
-    return float(np.mean(normal_ranges(VALUES, 200_000, np.random.default_rng(1)) >= WITHIN))
+    return float(np.mean(normal_ranges(RESTARTS, TRIALS, np.random.default_rng(1)) >= WITHIN))
 
 
 EXERCISES: dict[str, Exercise] = {

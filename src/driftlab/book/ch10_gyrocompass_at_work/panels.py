@@ -1,35 +1,43 @@
-"""The slider panels of Part IV."""
+"""The slider panel of chapter 10."""
 
 from typing import ClassVar
 
 import numpy as np
-from scipy.constants import arcminute, degree, hour
+from scipy.constants import arcminute, degree
 
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.sensor_controls import BODY_AXES, degrees_text, gyro_controls
-from driftlab.gyrocompass.simulation import ErrorsUnderWay
+from driftlab.book.machinery.sensor_controls import (
+    BODY_AXES,
+    degrees_text,
+    gyro_controls,
+    gyro_drift_code,
+    gyro_drifts,
+    slider_value,
+)
+from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, SPEED, ship
+from driftlab.gyrocompass.simulation import ErrorsUnderWay, take_along
 
-from .figures import operation
+from .experiments import DRIFT, TUNING_FACTORS
+from .figures.operation import OperationPicture
 
 
 class GyrocompassExplorer(Explorer):
     """A compass on board, for two hours."""
 
     title = "A gyrocompass at work"
-    picture_class = operation.OperationPicture
+    picture_class = OperationPicture
     controls = (
-        Control("latitude", "latitude, °", 51.5, -85.0, 85.0, 0.5, group="ship"),
-        Control("speed", "speed, m/s", 10.0, 0.0, 30.0, 0.5, group="ship"),
+        Control("latitude", "latitude, °", slider_value(SARATOV_LATITUDE, degree), -85.0, 85.0,
+                0.5, group="ship"),
+        Control("speed", "speed, m/s", SPEED, 0.0, 30.0, 0.5, group="ship"),
         Control("course", "course to West, °", 0.0, -180.0, 180.0, 5.0, group="ship"),
-        Control("turn", "then turns by, °", 90.0, -360.0, 360.0, 5.0, group="ship"),
-        Control(
-            "tuning", "tuning k2 R", 1.0, stops=(0.25, 0.5, 0.8, 0.95, 1.0, 1.05, 1.25, 2.0, 4.0),
-            group="instrument",
-        ),
+        Control("turn", "then turns by, °", slider_value(QUARTER_TURN, degree), -360.0, 360.0,
+                5.0, group="ship"),
+        Control("tuning", "tuning k2 R", 1.0, stops=TUNING_FACTORS, group="instrument"),
         Control("damping", "damping ratio", 0.0, 0.0, 1.0, 0.05, group="instrument"),
         Control("tilt", "tilt at the start, ′", 0.0, -3.0, 3.0, 0.1, group="instrument"),
-        *gyro_controls(operation.DRIFT, 0.1),
+        *gyro_controls(DRIFT, 0.1),
         Control("log", "a log tells the velocity", False, group=""),
     )  # fmt: skip
     presets: ClassVar = {
@@ -53,13 +61,9 @@ class GyrocompassExplorer(Explorer):
         latitude, course, turn = (
             float(np.radians(values[name])) for name in ("latitude", "course", "turn")
         )
-        gyros = np.array([values[f"gyro_{axis}"] for axis in BODY_AXES])
-        return operation.compute(
-            latitude,
-            values["speed"],
-            course,
-            turn,
-            gyros * degree / hour,
+        return take_along(
+            ship(latitude, values["speed"], course, turn),
+            gyro_drifts(values),
             tuning_factor=values["tuning"],
             damping=values["damping"],
             tilt=values["tilt"] * arcminute,
@@ -86,14 +90,18 @@ class GyrocompassExplorer(Explorer):
         ]
 
     def call(self, values: Values) -> str:
-        gyros = [values[f"gyro_{axis}"] for axis in BODY_AXES]
+        latitude, speed, course, turn = (
+            values[name] for name in ("latitude", "speed", "course", "turn")
+        )
         return (
             "import numpy as np\n"
             "from scipy.constants import arcminute, degree, hour\n"
-            "from driftlab.figures import operation\n"
-            f"run = operation.compute(*np.radians([{values['latitude']}]), {values['speed']},\n"
-            f"    *np.radians([{values['course']}, {values['turn']}]),\n"
-            f"    np.array({gyros}) * degree / hour, tuning_factor={values['tuning']},\n"
+            "from driftlab.book.scenarios import ship\n"
+            "from driftlab.gyrocompass import take_along\n"
+            f"{gyro_drift_code(values)}"
+            f"latitude, course, turn = np.radians([{latitude}, {course}, {turn}])\n"
+            f"way = ship(latitude, {speed}, course, turn)\n"
+            f"run = take_along(way, drift, tuning_factor={values['tuning']},\n"
             f"    damping={values['damping']}, tilt={values['tilt']} * arcminute,\n"
             f"    log={values['log']})\n"
             "print(np.degrees(run.heading_error[-1]), np.degrees(run.formula.heading[-1]))"

@@ -9,6 +9,7 @@ from driftlab.book.scenarios import TURN
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.simulation import ErrorsUnderWay
 
+from .. import experiments
 from . import (
     ballistic_error,
     operating_formula,
@@ -23,12 +24,13 @@ def _largest(values: FloatArray) -> float:
     return float(np.degrees(np.abs(values).max()))
 
 
-def _settling_caption(data: settling.Settling) -> str:
+def _settling_caption(data: experiments.Settling) -> str:
     return (
         "Left: a horizon that is half a degree out of level and does not know where North is "
         f"settles; the heading error ends at {np.degrees(data.settling_heading[-1]):.1g} degrees. "
-        f"Right: {settling.RUNS} such runs with gyro noise, left to Schuler's tuning. The noise of "
-        "the last moment becomes a swing, and new noise feeds it; the formula says one deviation."
+        f"Right: {len(data.heading)} such runs with gyro noise, left to Schuler's tuning. The "
+        "noise of the last moment becomes a swing, and new noise feeds it; the formula says one "
+        "deviation."
     )
 
 
@@ -43,7 +45,7 @@ def _operation_caption(data: ErrorsUnderWay) -> str:
     )
 
 
-def _ballistic_caption(data: ballistic_error.BallisticError) -> str:
+def _ballistic_caption(data: experiments.BallisticError) -> str:
     tilts = [np.abs(run.tilt).max() / arcminute for run in data.runs.values()]
     damped = _largest(list(data.runs.values())[-1].heading_error)
     return (
@@ -55,7 +57,7 @@ def _ballistic_caption(data: ballistic_error.BallisticError) -> str:
     )
 
 
-def _formula_caption(data: operating_formula.OperatingFormula) -> str:
+def _formula_caption(data: experiments.OperatingFormula) -> str:
     before = data.run.times < TURN[0]
     without = [_largest(gap[before]) for gap in data.gaps[1:]]
     return (
@@ -68,20 +70,20 @@ def _formula_caption(data: operating_formula.OperatingFormula) -> str:
     )
 
 
-def _static_caption(data: static_characteristic.StaticCharacteristic) -> str:
+def _static_caption(data: experiments.StaticCharacteristic) -> str:
     medians = np.degrees(np.median(data.largest, axis=1))
-    lasting = np.interp(static_characteristic.PRINTED, medians, data.lasting)
+    lasting = np.interp(experiments.PRINTED_LARGEST, medians, data.lasting)
     return (
         "The paper's Fig. 1, simulated from its description; its own plot is lost. Left: one unit, "
         "three runs around the dial. Right: the largest error of the averaged characteristic over "
-        f"random units; the printed {static_characteristic.PRINTED:g} degrees are the median for "
+        f"random units; the printed {experiments.PRINTED_LARGEST:g} degrees are the median for "
         f"a lasting drift with a deviation of {lasting:.3f} degrees per hour a gyro."
     )
 
 
-def _restarts_caption(data: restarts.Restarts) -> str:
-    ratio = restarts.PRINTED_SPREAD / restarts.PRINTED_DEVIATION
-    low, _ = restarts.rounding()
+def _restarts_caption(data: experiments.Restarts) -> str:
+    ratio = experiments.PRINTED_SPREAD / experiments.PRINTED_DEVIATION
+    low, _ = experiments.printed_ratio_range()
     averaged = data.deviations[:, 1] / (degree / hour)
     return (
         "The paper's Fig. 2, simulated from its description; its own plot is lost. Left: one "
@@ -89,7 +91,7 @@ def _restarts_caption(data: restarts.Restarts) -> str:
         f"averaged. Middle: noise of {WHITE[1]:g} degrees per hour a sample; "
         f"after the average {averaged[1]:.3f}, and {averaged[0]:.3f} where it was "
         f"{WHITE[0]:g}. Right: of "
-        f"{restarts.TRIALS} normal samples {np.mean(data.ranges >= ratio):.1%} have a range as "
+        f"{experiments.TRIALS} normal samples {np.mean(data.ranges >= ratio):.1%} have a range as "
         f"large as the printed one, {np.mean(data.ranges >= low):.0%} one that could be rounded "
         "to it."
     )
@@ -98,43 +100,43 @@ def _restarts_caption(data: restarts.Restarts) -> str:
 FIGURES = (
     FigureDefinition(
         "10-settling",
-        settling.compute,
-        settling.SettlingPicture.draw,
+        experiments.settling_and_swing,
+        settling.draw,
         settling.columns,
         _settling_caption,
     ),
     FigureDefinition(
         "10-ballistic-error",
-        ballistic_error.compute,
-        ballistic_error.BallisticErrorPicture.draw,
+        experiments.ballistic_errors,
+        ballistic_error.draw,
         ballistic_error.columns,
         _ballistic_caption,
     ),
     FigureDefinition(
         "10-operation",
-        operation.compute,
+        experiments.errors_under_way,
         operation.OperationPicture.draw,
         operation.columns,
         _operation_caption,
     ),
     FigureDefinition(
         "10-operating-formula",
-        operating_formula.compute,
-        operating_formula.OperatingFormulaPicture.draw,
+        experiments.operating_formula,
+        operating_formula.draw,
         operating_formula.columns,
         _formula_caption,
     ),
     FigureDefinition(
         "10-static-characteristic",
-        static_characteristic.compute,
-        static_characteristic.StaticCharacteristicPicture.draw,
+        experiments.static_characteristic,
+        static_characteristic.draw,
         static_characteristic.columns,
         _static_caption,
     ),
     FigureDefinition(
         "10-restarts",
-        restarts.compute,
-        restarts.RestartsPicture.draw,
+        experiments.restart_series,
+        restarts.draw,
         restarts.columns,
         _restarts_caption,
     ),

@@ -1,79 +1,13 @@
 """A ship's gyrocompass for two hours: its errors, and the paper's formula for them."""
 
-from functools import lru_cache
-
 import numpy as np
 from matplotlib.axes import Axes
-from numpy.typing import ArrayLike
-from scipy.constants import arcminute, degree, hour, minute
+from scipy.constants import arcminute, minute
 
 from driftlab.book.machinery.picture import BLACK, SERIES, Picture
-from driftlab.book.scenarios import DURATION, TURN, UNDER_WAY, ship
-from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
-from driftlab.checks import FloatArray, finite_number
-from driftlab.gyrocompass.simulation import ErrorsUnderWay, take_along
-from driftlab.motion.vehicle import Voyage
-
-INTERVAL = 4.0
-"""Step of the simulation, s. The increments hold the motion whatever the step, and what is shown
-swings within minutes and hours, so that a long step will do."""
-DRIFT: FloatArray = np.array([0.01, 0.03, 0.01]) * degree / hour
-
-
-def compute(
-    latitude: float = LATITUDE,
-    speed: float = 10.0,
-    course: float = 0.0,
-    turn: float = float(np.radians(90.0)),
-    drift: ArrayLike = DRIFT,
-    offset: ArrayLike = (0.0, 0.0, 0.0),
-    *,
-    tuning_factor: float = 1.0,
-    damping: float = 0.0,
-    tilt: float = 0.0,
-    pitch: float = 0.0,
-    log: bool = False,
-    interval: float = INTERVAL,
-) -> ErrorsUnderWay:
-    """Take a compass along a voyage of a ship; arguments as for `ship` and `take_along`.
-
-    One voyage: a drift for each interval, or one for all.
-    """
-    if np.ndim(drift) > 2:
-        raise ValueError(f"drift: expected shape (n, 3) or (3,), got shape {np.shape(drift)}.")
-    return take_along(
-        kept_ship(
-            latitude=latitude,
-            speed=speed,
-            course=course,
-            turn=turn,
-            interval=interval,
-            pitch=pitch,
-        ),
-        drift,
-        offset,
-        tuning_factor=tuning_factor,
-        damping=damping,
-        tilt=tilt,
-        log=log,
-    )
-
-
-def kept_ship(**numbers: float) -> Voyage:
-    """`ship` of the same arguments; the last two voyages are kept.
-
-    A reader who moves the sliders of the instrument does not wait for the ship.
-    """
-    return _kept(**{name: finite_number(value, name) for name, value in numbers.items()})
-
-
-@lru_cache(maxsize=2)
-def _kept(**numbers: float) -> Voyage:
-    way = ship(**numbers)
-    for part in way:
-        if isinstance(part, np.ndarray):
-            part.setflags(write=False)
-    return way
+from driftlab.book.scenarios import DURATION, TURN, UNDER_WAY
+from driftlab.checks import FloatArray
+from driftlab.gyrocompass.simulation import ErrorsUnderWay
 
 
 def columns(data: ErrorsUnderWay) -> dict[str, FloatArray]:

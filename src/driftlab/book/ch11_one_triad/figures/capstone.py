@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike
 from scipy.constants import arcsecond, minute
 
 from driftlab.attitude.coning_algorithms import coning_drift
-from driftlab.book.ch10_gyrocompass_at_work.figures.operation import kept_ship
 from driftlab.book.machinery.picture import BLACK, SERIES, Picture
 from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
+from driftlab.book.scenarios import ship
 from driftlab.calibration.simulation import TableTrial
 from driftlab.checks import FloatArray, finite_array, finite_number
 from driftlab.drift.systematic_drift import drift_per_turn
@@ -115,7 +115,7 @@ def compute(
     rate, _ = sensed_at_rest(attitude, latitude)
     drifts = rotate(attitude, rate @ np.swapaxes(left, -1, -2) + shaken)
     aligned = alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
-    way = kept_ship(latitude=latitude, speed=speed, course=0.0, turn=turn, interval=INTERVAL)
+    way = ship(latitude, speed, turn=turn, interval=INTERVAL)
     rates = way.angle_increments / way.interval
     under_way = take_along(way, rates @ np.swapaxes(left, -1, -2) + shaken, log=True)
     return Capstone(

@@ -1,0 +1,94 @@
+"""Accelerated alignment, then Schuler's tuning: how noise becomes a swing that nothing damps."""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.constants import degree, hour, minute
+
+from driftlab.book.scenarios import SARATOV_LATITUDE
+from driftlab.checks import FloatArray
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
+from driftlab.gyrocompass.levelling import Horizon, damped_tuning, operate, schuler_tuning
+from driftlab.gyrocompass.noise import settled_deviation, swing_deviation
+from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.quaternion import from_rotation_vector, to_rotation_vector
+
+SETTLING_INTERVAL = 1.0
+"""Step of both runs, s."""
+SETTLING = 20 * minute
+"""Time with a damped horizon, s."""
+WORKING = 2 * hour
+"""Time with Schuler's tuning after it, s."""
+FREQUENCY = 0.02
+"""Natural frequency of the damped horizon, rad/s."""
+RANDOM_WALK = 0.002 * degree / float(np.sqrt(hour))
+"""Of each gyro, rad/sqrt(s)."""
+TILT: FloatArray = np.radians([0.5, 0.0, 0.4])
+"""Of the horizon at the start, about North and about East, rad."""
+
+
+class Settling(NamedTuple):
+    """Many runs with one start and noise of their own, and one run without noise.
+
+    Attributes
+    ----------
+    settling_times : ndarray, shape (m,)
+        s.
+    tilt, settling_heading : ndarray, shape (m,)
+        Tilt and heading error while the horizon settles without noise, rad.
+    times : ndarray, shape (n,)
+        s since the horizon was left to itself.
+    heading : ndarray, shape (runs, n)
+        Heading errors with noise, rad.
+    deviation : ndarray, shape (n,)
+        Of the heading by the closed formulas, rad.
+    """
+
+    settling_times: FloatArray
+    tilt: FloatArray
+    settling_heading: FloatArray
+    times: FloatArray
+    heading: FloatArray
+    deviation: FloatArray
+
+
+def settling_and_swing(runs: int = 40) -> Settling:
+    """Let the horizon settle for twenty minutes and work for two hours.
+
+    Parameters
+    ----------
+    runs : int
+        Number of runs with noise.
+    """
+    rng = np.random.default_rng(10)
+    pull, azimuth_rate = float(gravity(SARATOV_LATITUDE)), EARTH_RATE * np.sin(SARATOV_LATITUDE)
+    rate, force = sensed_at_rest([0.0, 0.0, 0.0, 1.0], SARATOV_LATITUDE)
+    # Not level, and without an idea of where North is.
+    start = Horizon(from_rotation_vector(TILT), np.zeros(2))
+    damped, interval = damped_tuning(FREQUENCY, pull), SETTLING_INTERVAL
+
+    def increments(duration: float, *runs: int) -> tuple[FloatArray, FloatArray]:
+        size = (*runs, round(duration / interval), 3)
+        noise = RANDOM_WALK * np.sqrt(interval) * rng.standard_normal(size) if runs else 0.0
+        return np.broadcast_to(interval * rate, size) + noise, np.broadcast_to(
+            interval * force, size
+        )
+
+    quiet = operate(start, *increments(SETTLING), interval, damped, azimuth_rate)
+    noisy = operate(start, *increments(SETTLING, runs), interval, damped, azimuth_rate)
+    working = operate(
+        noisy.last, *increments(WORKING, runs), interval, schuler_tuning(), azimuth_rate, every=60
+    )
+    # The swing begins with the rate error of the moment; the tilt adds little to it.
+    phase = np.sqrt(pull / EARTH_RADIUS) * working.times
+    begun = settled_deviation(RANDOM_WALK, FREQUENCY) * np.cos(phase)
+    grown = swing_deviation(RANDOM_WALK, working.times, pull)
+    level = EARTH_RATE * np.cos(SARATOV_LATITUDE)
+    return Settling(
+        quiet.times,
+        np.linalg.norm(to_rotation_vector(quiet.attitude)[:, [0, 2]], axis=-1),
+        np.abs(quiet.heading),
+        working.times,
+        working.heading,
+        np.hypot(begun, grown) / level,
+    )

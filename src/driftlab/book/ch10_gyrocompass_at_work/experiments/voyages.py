@@ -1,0 +1,83 @@
+"""A ship's gyrocompass for two hours: its errors, their formula, and what the tuning does."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.constants import arcminute, degree, g, hour, milli
+
+from driftlab.book.scenarios import ship
+from driftlab.checks import FloatArray
+from driftlab.gyrocompass.simulation import ErrorsUnderWay, take_along
+
+DRIFT: FloatArray = np.array([0.01, 0.03, 0.01]) * degree / hour
+"""Of three gyros, rad/s."""
+TUNING_FACTORS = (0.25, 0.5, 0.8, 0.95, 1.0, 1.05, 1.25, 2.0, 4.0)
+"""Values of k2 R to choose from; 1 is Schuler's tuning."""
+CRAFT: dict[str, float] = {
+    "speed": 30.0,
+    "course": float(np.radians(20.0)),
+    "turn": float(np.radians(70.0)),
+    "interval": 1.0,
+    "pitch": float(np.radians(50.0)),
+}
+"""A fast craft with its bow up: arguments of `ship`."""
+CRAFT_COMPASS: dict[str, Any] = {
+    "drift": np.array([0.03, 0.05, 0.04]) * degree / hour,
+    "offset": np.array([0.1, 0.0, -0.1]) * milli * g,
+    "tuning_factor": 1.05,
+    "tilt": arcminute,
+}
+"""Its compass, with everything wrong at once: arguments of `take_along`."""
+
+
+class BallisticError(NamedTuple):
+    """Errors of several horizons on one voyage.
+
+    Attributes
+    ----------
+    runs : dict of ErrorsUnderWay
+        By tuning.
+    """
+
+    runs: dict[str, ErrorsUnderWay]
+
+
+class OperatingFormula(NamedTuple):
+    """One voyage, and how far (operating heading) is off with all of its terms and without each.
+
+    Attributes
+    ----------
+    run : ErrorsUnderWay
+    gaps : ndarray, shape (5, n)
+        Simulated minus formula, rad: with all terms, then with each left out.
+    """
+
+    run: ErrorsUnderWay
+    gaps: FloatArray
+
+
+def errors_under_way() -> ErrorsUnderWay:
+    """Return the errors of a compass with small drifts on the ship's voyage."""
+    return take_along(ship(), DRIFT)
+
+
+def ballistic_errors() -> BallisticError:
+    """Return the errors of five tunings with perfect sensors on the ship's voyage."""
+    tunings: dict[str, dict[str, Any]] = {
+        "Schuler: k2 = 1/R": {},
+        "Schuler, with a log": {"log": True},
+        "too stiff: k2 = 2/R": {"tuning_factor": 2.0},
+        "too soft: k2 = 0.5/R": {"tuning_factor": 0.5},
+        "damped: k2 = 1/R, ratio 0.5": {"damping": 0.5},
+    }
+    way = ship()
+    return BallisticError(
+        {name: take_along(way, np.zeros(3), **tuning) for name, tuning in tunings.items()}
+    )
+
+
+def operating_formula() -> OperatingFormula:
+    """Compare the compass of a fast craft with (operating heading), term by term."""
+    run = take_along(ship(**CRAFT), **CRAFT_COMPASS)
+    gap = run.compass_error - run.formula.compass_angle
+    return OperatingFormula(run, np.stack([gap, *(gap + term for term in run.formula)]))
