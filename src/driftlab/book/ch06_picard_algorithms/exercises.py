@@ -3,44 +3,41 @@
 from functools import cache
 
 import numpy as np
+from scipy.constants import arcsecond
 
 from driftlab.attitude.cayley import rotation_quaternion
 from driftlab.attitude.coning_algorithms import ALGORITHMS, Algorithm, coning_drift
 from driftlab.attitude.integration import step_quaternions, step_vectors
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
 from driftlab.checks import FloatArray
-from driftlab.motion.profiles import Sway
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply
+
+from .experiments import BRACKET, BRACKET_SAMPLE_RATE, SAMPLE_RATES, SHIP, algorithm_errors
 
 HALVES = np.array([[0.3, -0.1, 0.4], [0.35, 0.15, 0.25]])
 
 
 def _growth(name: str) -> float:
-    """Factor of the drift on the puzzle's bracket if it shakes at 10 Hz in place of 5 Hz."""
-    slow, fast = coning_drift(name, np.radians(1.0), [5.0, 10.0], 0.01)
+    """Factor of the drift on the puzzle's bracket if it shakes twice as fast."""
+    frequencies = [BRACKET.frequency, 2 * BRACKET.frequency]
+    slow, fast = coning_drift(name, BRACKET.half_angle, frequencies, 1 / BRACKET_SAMPLE_RATE)
     return float(fast / slow)
 
 
 @cache
-def _on_the_ship() -> tuple[tuple[int, ...], FloatArray]:
-    """The panel's sample rates, and its errors (algorithm, rate) on the ship in arc seconds."""
-    # Matplotlib comes along with it, so it waits until it is needed.
-    from driftlab.book.ch06_picard_algorithms.figures.algorithm_laboratory import RATES, compute
-
-    worst = compute(Sway(np.radians(30), 0.5), RATES[0], tuple(ALGORITHMS)).worst
-    return RATES, 3600 * np.degrees(worst)
+def _on_the_ship() -> FloatArray:
+    """The panel's errors (algorithm, rate) on the ship in arc seconds."""
+    return algorithm_errors(SHIP, SAMPLE_RATES[0], tuple(ALGORITHMS)).worst / arcsecond
 
 
 def _lowest_rate(needed: int) -> int:
     """Lowest of the panel's rates at which `needed` algorithms stay below one arc second."""
-    rates, errors = _on_the_ship()
-    return rates[int(np.argmax((errors < 1).sum(axis=0) >= needed))]
+    return SAMPLE_RATES[int(np.argmax((_on_the_ship() < 1).sum(axis=0) >= needed))]
 
 
 def _extrapolated(order: float) -> float:
     """Rate at which `picard-1` comes to one arc second, if its error were of that order."""
-    rates, errors = _on_the_ship()
-    return float(rates[-1] * errors[0, -1] ** (1 / order))
+    return float(SAMPLE_RATES[-1] * _on_the_ship()[0, -1] ** (1 / order))
 
 
 def _weights(*, at_middle: bool = False) -> FloatArray:
@@ -103,7 +100,7 @@ EXERCISES: dict[str, Exercise] = {
                 lambda: _lowest_rate(len(ALGORITHMS) - 1)
             ),
             "There none is below one arc second: look at the exponents, and at the order.": (
-                lambda: _on_the_ship()[0][0]
+                lambda: SAMPLE_RATES[0]
             ),
         },
         remark="Three algorithms of fourth order manage it; the one with three samples does not.",

@@ -5,79 +5,86 @@ from __future__ import annotations
 from typing import ClassVar
 
 import numpy as np
+from scipy.constants import arcsecond
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.motion.profiles import Motion
 
-from .figures import algorithm_laboratory
+from .experiments import (
+    DURATION,
+    MOTIONS,
+    SAMPLE_RATES,
+    SHIP,
+    AlgorithmLaboratory,
+    algorithm_errors,
+    fitted_orders,
+)
+from .figures.algorithm_laboratory import AlgorithmLaboratoryPicture
 
 WORDS = {"64 bits": False, "32 bits": True}
+ON_THE_SHIP = {
+    "motion": "swaying ship",
+    "amplitude": round(float(np.degrees(SHIP.amplitude)), 6),
+    "frequency": SHIP.frequency,
+}
 
 
 class AlgorithmLaboratoryExplorer(Explorer):
     """Attitude algorithms on a motion of one's choice."""
 
     title = "Algorithm laboratory: error of attitude from angle increments"
-    picture_class = algorithm_laboratory.AlgorithmLaboratoryPicture
+    picture_class = AlgorithmLaboratoryPicture
     controls = (
-        Control(
-            "motion", "motion", "coning", choices=tuple(algorithm_laboratory.MOTIONS),
-            group="motion",
-        ),
+        Control("motion", "motion", "coning", choices=tuple(MOTIONS), group="motion"),
         Control("amplitude", "amplitude, degrees", 1.0, 0.5, 60.0, 0.5, group="motion"),
         Control("frequency", "frequency, Hz", 1.0, 0.1, 3.0, 0.1, group="motion"),
-        Control(
-            "rate", "sample rate, Hz", 96, stops=algorithm_laboratory.RATES, group="computer"
-        ),
+        Control("rate", "sample rate, Hz", 96, stops=SAMPLE_RATES, group="computer"),
         Control("word", "word length", "64 bits", choices=tuple(WORDS), group="computer"),
         *(Control(name, name, True, group="algorithms") for name in ALGORITHMS),
     )  # fmt: skip
     presets: ClassVar = {
         "Small cone": {},
         "Wide cone": {"amplitude": 60.0},
-        "Swaying ship": {"motion": "swaying ship", "amplitude": 30.0, "frequency": 0.5},
+        "Swaying ship": ON_THE_SHIP,
         "Fixed axis": {"motion": "fixed axis", "amplitude": 57.0, "frequency": 0.5},
-        "Short word": {
-            "motion": "swaying ship", "amplitude": 30.0, "frequency": 0.5, "word": "32 bits"
-        },
+        "Short word": {**ON_THE_SHIP, "word": "32 bits"},
         "Too few samples": {"amplitude": 5.0, "frequency": 3.0, "rate": 12},
     }  # fmt: skip
 
     @staticmethod
     def _motion(values: Values) -> Motion:
-        kind = algorithm_laboratory.MOTIONS[values["motion"]]
+        kind = MOTIONS[values["motion"]]
         return kind(float(np.radians(values["amplitude"])), values["frequency"])
 
-    def compute(self, values: Values) -> algorithm_laboratory.AlgorithmLaboratory:
+    def compute(self, values: Values) -> AlgorithmLaboratory:
         ticked = tuple(name for name in ALGORITHMS if values[name])
         if not ticked:
             raise ValueError("algorithms: expected at least one ticked, got none.")
-        return algorithm_laboratory.compute(
+        return algorithm_errors(
             self._motion(values), values["rate"], ticked, short_word=WORDS[values["word"]]
         )
 
-    def numbers(self, data: algorithm_laboratory.AlgorithmLaboratory) -> list[tuple[str, str]]:
-        orders = algorithm_laboratory.fitted_orders(data)
-        worst = 3600 * np.degrees([history.max() for history in data.histories])
+    def numbers(self, data: AlgorithmLaboratory) -> list[tuple[str, str]]:
+        orders = fitted_orders(data)
+        worst = [history.max() / arcsecond for history in data.histories]
         return [
             (name, f"{error:.2e}″, order {'none' if order is None else f'{order:.2f}'}")
             for name, error, order in zip(data.names, worst, orders, strict=True)
         ]
 
     def call(self, values: Values) -> str:
-        kind = algorithm_laboratory.MOTIONS[values["motion"]].__name__
+        kind = MOTIONS[values["motion"]].__name__
         short = WORDS[values["word"]]
         names = [name for name in ALGORITHMS if values[name]]
         function = "integrate_in_word" if short else "integrate"
-        module = "word_length" if short else "attitude_algorithms"
         rate = values["rate"]
-        count = round(algorithm_laboratory.DURATION * rate)
+        count = round(DURATION * rate)
         return (
             "import numpy as np\n"
-            f"from driftlab.{module} import {function}\n"
-            f"from driftlab.motions import {kind}\n"
+            f"from driftlab.attitude import {function}\n"
+            f"from driftlab.motion import {kind}\n"
             "from driftlab.quaternion import conjugate, multiply, rotation_angle\n"
             f"motion = {kind}(np.radians({values['amplitude']}), {values['frequency']})\n"
             f"increments = motion.increments(1 / {rate}, {count})\n"

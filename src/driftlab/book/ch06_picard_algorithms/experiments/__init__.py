@@ -1,0 +1,63 @@
+"""Experiments of chapter 06: attitude algorithms on motions whose truth is known."""
+
+from .algorithms import (
+    DURATION,
+    MOTIONS,
+    ORDER_MOTIONS,
+    ORDER_SAMPLE_RATES,
+    SAMPLE_RATES,
+    SHIP,
+    AlgorithmLaboratory,
+    AlgorithmOrders,
+    algorithm_errors,
+    algorithm_orders,
+    fitted_orders,
+)
+from .coning import (
+    BRACKET,
+    BRACKET_SAMPLE_RATE,
+    DRAWN_HALF_ANGLE,
+    DRIFT_STEPS,
+    ConingArea,
+    ConingDrift,
+    coning_area,
+    drift_by_frequency_and_rate,
+    measured_drift,
+)
+from .word_length import (
+    EARTH_RATE,
+    EARTH_SECONDS,
+    NORM_STEPS,
+    STARTS,
+    ShortWord,
+    short_word_errors,
+)
+
+__all__ = [
+    "BRACKET",
+    "BRACKET_SAMPLE_RATE",
+    "DRAWN_HALF_ANGLE",
+    "DRIFT_STEPS",
+    "DURATION",
+    "EARTH_RATE",
+    "EARTH_SECONDS",
+    "MOTIONS",
+    "NORM_STEPS",
+    "ORDER_MOTIONS",
+    "ORDER_SAMPLE_RATES",
+    "SAMPLE_RATES",
+    "SHIP",
+    "STARTS",
+    "AlgorithmLaboratory",
+    "AlgorithmOrders",
+    "ConingArea",
+    "ConingDrift",
+    "ShortWord",
+    "algorithm_errors",
+    "algorithm_orders",
+    "coning_area",
+    "drift_by_frequency_and_rate",
+    "fitted_orders",
+    "measured_drift",
+    "short_word_errors",
+]

@@ -1,0 +1,187 @@
+"""Errors of the attitude algorithms on motions whose attitude is known, and their orders."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from driftlab.attitude.coning_algorithms import ALGORITHMS, attitude_algorithm
+from driftlab.attitude.finite_precision import integrate_in_word
+from driftlab.attitude.integration import step_quaternions
+from driftlab.checks import FloatArray
+from driftlab.motion.profiles import Coning, FixedAxis, Motion, Sway
+from driftlab.quaternion import conjugate, cumulative_product, multiply, rotation_angle
+
+DURATION = 2.0
+"""Of the motion, s."""
+SAMPLE_RATES = (12, 24, 48, 96, 192)
+"""In Hz: each gives a multiple of six increments, so all algorithms can be tried."""
+MOTIONS: dict[str, type[Coning] | type[Sway] | type[FixedAxis]] = {
+    "coning": Coning,
+    "swaying ship": Sway,
+    "fixed axis": FixedAxis,
+}
+"""Kinds of motion; each takes an amplitude in rad and a frequency in Hz."""
+SHIP = Sway(float(np.radians(30.0)), 0.5)
+"""A motion without the symmetries that hide errors."""
+ORDER_SAMPLE_RATES = (24, 48, 96, 192, 384, 768)
+"""Sample rates in Hz over which the orders are measured."""
+ORDER_MOTIONS: dict[str, Motion] = {
+    "small cone, half angle 1°, 1 Hz": Coning(float(np.radians(1.0)), 1.0),
+    "wide cone, half angle 60°, 1 Hz": Coning(float(np.radians(60.0)), 1.0),
+    "swaying ship, roll 30°, 0.5 Hz": SHIP,
+    "fixed axis, 57° and 57°/s, 0.5 Hz": FixedAxis(1.0, 0.5),
+}
+"""Motions that show the orders, and motions that hide them."""
+
+
+class AlgorithmLaboratory(NamedTuple):
+    """Errors of attitude algorithms on one motion.
+
+    Attributes
+    ----------
+    names : tuple of str
+        The algorithms.
+    rate : int
+        Sample rate of the histories, Hz.
+    times : list of ndarray, shape (n,)
+        For each algorithm, the ends of its steps, s.
+    histories : list of ndarray, shape (n,)
+        For each algorithm, the angle of its error at these times, rad.
+    rates : ndarray, shape (m,)
+        Sample rates, Hz.
+    worst : ndarray, shape (algorithm, m)
+        Largest error during the motion at each sample rate, rad.
+    rounding : float
+        An error below it is not told from rounding, rad.
+    """
+
+    names: tuple[str, ...]
+    rate: int
+    times: list[FloatArray]
+    histories: list[FloatArray]
+    rates: FloatArray
+    worst: FloatArray
+    rounding: float
+
+
+class AlgorithmOrders(NamedTuple):
+    """Largest errors and orders of all algorithms on several motions.
+
+    Attributes
+    ----------
+    rates : ndarray, shape (m,)
+        Sample rates, Hz.
+    worst : ndarray, shape (motion, algorithm, m)
+        Largest error during the motion, rad.
+    orders : list of list of float or None
+        Fitted order by motion and algorithm; None where rounding hides it.
+    """
+
+    rates: FloatArray
+    worst: FloatArray
+    orders: list[list[float | None]]
+
+
+def algorithm_errors(
+    motion: Motion,
+    rate: int,
+    names: Sequence[str],
+    *,
+    rates: Sequence[int] = SAMPLE_RATES,
+    short_word: bool = False,
+) -> AlgorithmLaboratory:
+    """Compute the errors of attitude algorithms on a motion of `DURATION` seconds.
+
+    Parameters
+    ----------
+    motion : Motion
+    rate : int
+        Sample rate of the histories in Hz, one of `rates`.
+    names : sequence of str
+        Algorithms, of `driftlab.attitude.ALGORITHMS`.
+    rates : sequence of int
+        Sample rates at which the largest error is computed, Hz.
+    short_word : bool
+        Compute in words of 32 bits.
+
+    Returns
+    -------
+    AlgorithmLaboratory
+
+    Raises
+    ------
+    ValueError
+        If `rate` is not one of `rates`, or an algorithm is not known.
+    """
+    if rate not in rates:
+        raise ValueError(f"rate: expected one of {', '.join(map(str, rates))} Hz, got {rate!r}.")
+    samples = [attitude_algorithm(name).samples for name in names]
+    worst = np.empty((len(names), len(rates)))
+    histories: dict[int, FloatArray] = {}
+    for j, sample_rate in enumerate(rates):
+        count = round(DURATION * sample_rate)
+        increments = motion.increments(1 / sample_rate, count)
+        moments = np.arange(count + 1) / sample_rate
+        exact = motion.attitude(moments)
+        # Algorithms whose steps are equally long go together: each call has its price.
+        for step in sorted(set(samples)):
+            group = [i for i, length in enumerate(samples) if length == step]
+            chosen = [names[i] for i in group]
+            found = _attitudes(increments, chosen, exact[0], short_word=short_word)
+            errors = rotation_angle(multiply(conjugate(exact[step::step]), found))
+            worst[group, j] = errors.max(axis=-1)
+            if sample_rate == rate:
+                histories |= dict(zip(group, errors, strict=True))
+    times = [step * np.arange(1.0, len(histories[i]) + 1) / rate for i, step in enumerate(samples)]
+    rounding = 1e-5 if short_word else 1e-12
+    return AlgorithmLaboratory(
+        tuple(names),
+        rate,
+        times,
+        [histories[i] for i in range(len(names))],
+        np.array(rates, dtype=np.float64),
+        worst,
+        rounding,
+    )
+
+
+def _attitudes(
+    increments: FloatArray, names: Sequence[str], start: FloatArray, *, short_word: bool
+) -> FloatArray:
+    """Attitudes (algorithm, n // samples, 4) of algorithms with equally many samples a step."""
+    if short_word:
+        attitudes = [integrate_in_word(increments, name, start=start) for name in names]
+        return np.array(attitudes, dtype=np.float64)
+    steps = [step_quaternions(increments, name) for name in names]
+    return multiply(start, cumulative_product(np.stack(steps)))
+
+
+def fitted_orders(data: AlgorithmLaboratory) -> list[float | None]:
+    """Return the slope of each algorithm's error over the sample interval.
+
+    Fitted to the errors below 1e-2 rad, where they are small, and above the level of rounding;
+    None where fewer than three are left.
+    """
+    orders: list[float | None] = []
+    for errors in data.worst:
+        used = (errors < 1e-2) & (errors > data.rounding)
+        if used.sum() < 3:
+            orders.append(None)
+        else:
+            slope = np.polyfit(np.log(data.rates[used]), np.log(errors[used]), 1)[0]
+            orders.append(float(-slope))
+    return orders
+
+
+def algorithm_orders() -> AlgorithmOrders:
+    """Measure the order of every algorithm on every motion of `ORDER_MOTIONS`."""
+    trials = [
+        algorithm_errors(motion, ORDER_SAMPLE_RATES[0], tuple(ALGORITHMS), rates=ORDER_SAMPLE_RATES)
+        for motion in ORDER_MOTIONS.values()
+    ]
+    return AlgorithmOrders(
+        trials[0].rates,
+        np.array([trial.worst for trial in trials]),
+        [fitted_orders(trial) for trial in trials],
+    )
