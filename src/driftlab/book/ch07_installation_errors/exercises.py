@@ -5,22 +5,21 @@ from functools import cache
 import numpy as np
 from scipy.constants import arcsecond
 
-from driftlab.attitude.integration import integrate
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.error_model import attitude_error
 from driftlab.checks import FloatArray
-from driftlab.imu import PERFECT, measure
 from driftlab.motion.turntable import Record, Scheme, simulate
 from driftlab.quaternion import from_rotation_vector, multiply, rotate
 from driftlab.triad import misalignment_vector, split
 from driftlab.vectors import cross_matrix
 
+from .experiments import INTERVAL, computed_attitude, inertial_attitude
+
 LEAN: FloatArray = 40.0 * np.outer([1, 0, 0], [0, 1, 0])  # arc seconds
 
 KAPPA: FloatArray = np.array([60.0, -30.0, 20.0]) * arcsecond
 SCHEME = Scheme("+90X +90Y", ("Up", "East", "North"), dwell=5.0)
-LATITUDE = float(np.radians(37.5))
-INTERVAL = 0.05
 
 
 def _lean() -> FloatArray:
@@ -35,7 +34,7 @@ def _skew(*vector: float) -> FloatArray:
 
 @cache
 def _record() -> Record:
-    return simulate(SCHEME, LATITUDE, INTERVAL, whole=2)
+    return simulate(SCHEME, TABLE_LATITUDE, INTERVAL, whole=2)
 
 
 def _error(gyro_error: FloatArray, start: FloatArray, of_earth: bool = False) -> FloatArray:
@@ -45,11 +44,10 @@ def _error(gyro_error: FloatArray, start: FloatArray, of_earth: bool = False) ->
     """
     record = _record()
     first = record.attitude[0]
-    measured, _ = measure(record, PERFECT._replace(gyro_error=gyro_error))
     begin = multiply(from_rotation_vector(-start), first)
-    found = integrate(measured, "two-step-4", start=begin)[-1]
-    true = integrate(record.angle_increments, "two-step-4", start=first)[-1]
-    return attitude_error(found, record.attitude[-1] if of_earth else true) / arcsecond
+    found = computed_attitude(record, gyro_error, begin)[-1]
+    true = record.attitude[-1] if of_earth else inertial_attitude(record, first)[-1]
+    return attitude_error(found, true) / arcsecond
 
 
 def _two_units(

@@ -12,7 +12,8 @@ from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.checks import FloatArray
 from driftlab.imu import TYPICAL
 
-from .figures import split_triad
+from .experiments import SplitTriad, error_matrix_parts
+from .figures.split_triad import SplitTriadPicture
 
 PLACES = [(row, column) for row in range(3) for column in range(3)]
 
@@ -36,7 +37,7 @@ class SplitExplorer(Explorer):
     """An error matrix taken apart."""
 
     title = "Taking an installation-error matrix apart"
-    picture_class = split_triad.SplitTriadPicture
+    picture_class = SplitTriadPicture
     controls = tuple(
         Control(
             _entry(row, column),
@@ -65,10 +66,10 @@ class SplitExplorer(Explorer):
         entries = [values[_entry(*place)] * _entry_unit(*place) for place in PLACES]
         return np.array(entries).reshape(3, 3)
 
-    def compute(self, values: Values) -> split_triad.SplitTriad:
-        return split_triad.compute(self._matrix(values))
+    def compute(self, values: Values) -> SplitTriad:
+        return error_matrix_parts(self._matrix(values))
 
-    def numbers(self, data: split_triad.SplitTriad) -> list[tuple[str, str]]:
+    def numbers(self, data: SplitTriad) -> list[tuple[str, str]]:
         _, scale, symmetric, _ = data.parts
         rows = []
         for i, (axis, (j, k)) in enumerate(zip("xyz", ((0, 1), (0, 2), (1, 2)), strict=True)):

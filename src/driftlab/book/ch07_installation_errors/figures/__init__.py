@@ -6,10 +6,11 @@ from scipy.constants import arcsecond
 from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.imu import TYPICAL
 
+from .. import experiments
 from . import equivalent_start, plane_axes, split_triad
 
 
-def _equivalent_start_caption(data: equivalent_start.EquivalentStart) -> str:
+def _equivalent_start_caption(data: experiments.EquivalentStart) -> str:
     largest = data.tilts.max(axis=1) / arcsecond
     return (
         "A unit on a turntable. Left: scale errors and non-orthogonality drift, the latter to "
@@ -24,8 +25,8 @@ def _equivalent_start_caption(data: equivalent_start.EquivalentStart) -> str:
 FIGURES = (
     FigureDefinition(
         "07-split-triad",
-        lambda: split_triad.compute(TYPICAL.gyro_error),
-        split_triad.SplitTriadPicture,
+        lambda: experiments.error_matrix_parts(TYPICAL.gyro_error),
+        split_triad.SplitTriadPicture.draw,
         split_triad.columns,
         lambda _: (
             "The gyro triad of a typical unit, and what each part of its error matrix alone would "
@@ -36,8 +37,8 @@ FIGURES = (
     ),
     FigureDefinition(
         "07-plane-axes",
-        plane_axes.compute,
-        plane_axes.PlaneAxesPicture,
+        experiments.plane_body_axes,
+        plane_axes.draw,
         plane_axes.columns,
         lambda data: (
             "Two gyros and two accelerometers in a plane. The usual body axes go with the x gyro "
@@ -47,8 +48,8 @@ FIGURES = (
     ),
     FigureDefinition(
         "07-equivalent-start",
-        equivalent_start.compute,
-        equivalent_start.EquivalentStartPicture,
+        experiments.equivalent_start,
+        equivalent_start.draw,
         equivalent_start.columns,
         _equivalent_start_caption,
     ),

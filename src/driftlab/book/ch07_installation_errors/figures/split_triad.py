@@ -1,9 +1,6 @@
 """An error matrix taken apart, and what each part does to the three axes; Wu (7)-(15), Fig. 1."""
 
-from typing import NamedTuple
-
 import numpy as np
-from numpy.typing import ArrayLike
 
 from driftlab.book.machinery.picture import (
     BLUE,
@@ -14,26 +11,14 @@ from driftlab.book.machinery.picture import (
     plain_axes,
     project,
 )
-from driftlab.checks import FloatArray, finite_array
-from driftlab.triad import misalignment_vector, split
+from driftlab.checks import FloatArray
+
+from ..experiments import SplitTriad
 
 EXAGGERATION = 600.0
 """How many times larger than it is an error is drawn."""
 
 TITLES = ("the whole triad", "scale", "non-orthogonality", "misalignment")
-
-
-class SplitTriad(NamedTuple):
-    """An error matrix and its parts."""
-
-    parts: FloatArray  # (4, 3, 3): the whole, scale, non-orthogonality, misalignment
-    vector: FloatArray  # (3,), rad: the misalignment as a small rotation
-
-
-def compute(matrix: ArrayLike) -> SplitTriad:
-    """Parts of an error matrix (3, 3)."""
-    whole = finite_array(matrix, "matrix", 3, 3)
-    return SplitTriad(np.stack([whole, *split(whole)]), misalignment_vector(whole))
 
 
 def columns(data: SplitTriad) -> dict[str, FloatArray]:

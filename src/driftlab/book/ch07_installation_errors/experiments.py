@@ -1,0 +1,197 @@
+"""Experiments of chapter 07: an error matrix, the choice of body axes, an equivalent start."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.attitude.integration import integrate
+from driftlab.book.scenarios import TABLE_LATITUDE
+from driftlab.calibration.error_model import attitude_error
+from driftlab.checks import FloatArray, finite_array
+from driftlab.imu import PERFECT, TYPICAL, Unit, measure
+from driftlab.motion.turntable import Record, Scheme, simulate
+from driftlab.quaternion import (
+    conjugate,
+    from_rotation_vector,
+    multiply,
+    rotate,
+    rotation_angle,
+)
+from driftlab.strapdown import Navigation, at_rest, navigate
+from driftlab.triad import body_frame_rotation, misalignment_vector, split
+from driftlab.vectors import cross_matrix
+
+INTERVAL = 0.05
+"""Between two increments on the turntable, s."""
+SCHEME = Scheme("+90X +90Y +90Z " * 8, dwell=5.0)
+"""Quarter turns that add up to whole turns about a diagonal, again and again."""
+MISALIGNMENT_DIRECTION: FloatArray = np.array([2.0, -1.0, 2.0]) / 3
+"""Axis of the misalignments whose second order is measured."""
+MISALIGNMENT_SIZES: FloatArray = np.logspace(-5, -1, 17)
+"""Their sizes, rad."""
+
+
+class SplitTriad(NamedTuple):
+    """An error matrix and its parts.
+
+    Attributes
+    ----------
+    parts : ndarray, shape (4, 3, 3)
+        The whole, scale, non-orthogonality, misalignment.
+    vector : ndarray, shape (3,)
+        The misalignment as a small rotation, rad.
+    """
+
+    parts: FloatArray
+    vector: FloatArray
+
+
+class PlaneAxes(NamedTuple):
+    """Angles in a plane, counted from the given axes x and y, positive from x to y, rad.
+
+    Attributes
+    ----------
+    gyros, accelerometers : ndarray, shape (2,)
+        Of the x and of the y instrument.
+    usual : float
+        Of the usual body axes, x along the x gyro.
+    averaged : float
+        Of the averaged body axes.
+    """
+
+    gyros: FloatArray
+    accelerometers: FloatArray
+    usual: float
+    averaged: float
+
+
+class EquivalentStart(NamedTuple):
+    """A misaligned unit against an ideal one that starts wrong.
+
+    Attributes
+    ----------
+    times : ndarray, shape (n,)
+        s.
+    tilts : ndarray, shape (4, n)
+        Attitude error of scale, of non-orthogonality, of misalignment, and what the total
+        derivative says of the last, rad.
+    speeds : ndarray, shape (4, n)
+        Velocity error if the gyros are turned, the accelerometers, both, both with the start, m/s.
+    sizes : ndarray, shape (m,)
+        Misalignments, rad.
+    left : ndarray, shape (3, m)
+        What the first order leaves over at the end: attitude of a skew triad and of a turned one,
+        rad; velocity of two skew ones, m/s.
+    """
+
+    times: FloatArray
+    tilts: FloatArray
+    speeds: FloatArray
+    sizes: FloatArray
+    left: FloatArray
+
+
+def error_matrix_parts(matrix: ArrayLike) -> SplitTriad:
+    """Take an error matrix (3, 3) apart; Wu (7)-(15).
+
+    Raises
+    ------
+    ValueError
+        If `matrix` is not a finite matrix (3, 3).
+    """
+    whole = finite_array(matrix, "matrix", 3, 3)
+    return SplitTriad(np.stack([whole, *split(whole)]), misalignment_vector(whole))
+
+
+def plane_body_axes(
+    gyros: tuple[float, float] = (0.30, 0.10), accelerometers: tuple[float, float] = (0.20, -0.12)
+) -> PlaneAxes:
+    """Compute both choices of body axes in a plane; Wu Fig. 2, (43), (44).
+
+    Parameters
+    ----------
+    gyros, accelerometers : tuple of float
+        Angles by which the x and the y instrument lean, rad.
+    """
+    x, y = gyros
+    triad = np.array([[np.cos(x), np.sin(x), 0], [-np.sin(y), np.cos(y), 0], [0, 0, 1]])
+    usual, averaged = (
+        np.arctan2(turn[0, 1], turn[0, 0])
+        for frame in ("upper triangle", "averaged")
+        for turn in [body_frame_rotation(triad - np.eye(3), None, frame)]
+    )
+    return PlaneAxes(np.array(gyros), np.array(accelerometers), float(usual), float(averaged))
+
+
+def equivalent_start() -> EquivalentStart:
+    """Run units with installation errors through `SCHEME`; Wu (16)-(36), not linearised."""
+    record = simulate(SCHEME, TABLE_LATITUDE, INTERVAL, whole=2)
+    steps = len(record.angle_increments) // 2
+    times: FloatArray = 2 * INTERVAL * np.arange(1.0, steps + 1)
+    right = record.attitude[0]
+    inertial = inertial_attitude(record, right)
+    tilts = [
+        np.linalg.norm(attitude_error(computed_attitude(record, part, right), inertial), axis=-1)
+        for part in split(TYPICAL.gyro_error)
+    ]
+    vector = misalignment_vector(TYPICAL.gyro_error)
+    tilts.append(np.linalg.norm(rotate(inertial, vector) - rotate(right, vector), axis=-1))
+    turned = cross_matrix(vector)
+    none = np.zeros((3, 3))
+    with_axes = multiply(right, from_rotation_vector(-vector))
+    speeds = [
+        np.linalg.norm(_navigated(record, gyro, accelerometer, start).velocity, axis=-1)
+        for gyro, accelerometer, start in (
+            (turned, none, right),
+            (none, turned, right),
+            (turned, turned, right),
+            (turned, turned, with_axes),
+        )
+    ]
+    left = np.array([_left(record, size * MISALIGNMENT_DIRECTION) for size in MISALIGNMENT_SIZES]).T
+    return EquivalentStart(times, np.array(tilts), np.array(speeds), MISALIGNMENT_SIZES, left)
+
+
+def inertial_attitude(record: Record, start: FloatArray) -> FloatArray:
+    """Attitude (n, 4) of an ideal unit against axes that do not turn with the Earth.
+
+    Parameters
+    ----------
+    record : Record
+    start : ndarray, shape (4,)
+        Attitude that the computer starts with.
+    """
+    return integrate(record.angle_increments, "two-step-4", start=start)
+
+
+def computed_attitude(record: Record, gyro_error: FloatArray, start: FloatArray) -> FloatArray:
+    """Attitude (n, 4) that a unit computes whose gyros have an error matrix (3, 3).
+
+    Like that of `inertial_attitude`, it is against axes that do not turn with the Earth.
+    """
+    measured, _ = measure(record, PERFECT._replace(gyro_error=gyro_error))
+    return integrate(measured, "two-step-4", start=start)
+
+
+def _navigated(
+    record: Record, gyro_error: FloatArray, accelerometer_error: FloatArray, start: FloatArray
+) -> Navigation:
+    unit = Unit(np.zeros(3), gyro_error, np.zeros(3), accelerometer_error)
+    return navigate(at_rest(TABLE_LATITUDE, start), *measure(record, unit), INTERVAL)
+
+
+def _left(record: Record, vector: FloatArray) -> tuple[float, float, float]:
+    """How far apart the two units of the chapter are at the end, in three comparisons."""
+    start = record.attitude[0]
+    turn = from_rotation_vector(vector)
+    # An ideal unit that starts turned, seen in axes turned back.
+    ideal = inertial_attitude(record, multiply(start, turn))[-1]
+    expected = multiply(ideal, conjugate(turn))
+    gaps = []
+    for matrix in (cross_matrix(vector), rotate(turn, np.eye(3)).T - np.eye(3)):
+        found = computed_attitude(record, matrix, start)[-1]
+        gaps.append(float(rotation_angle(multiply(conjugate(expected), found))))
+    skew = cross_matrix(vector)
+    moved = _navigated(record, skew, skew, multiply(start, conjugate(turn)))
+    return gaps[0], gaps[1], float(np.linalg.norm(moved.velocity[-1]))
