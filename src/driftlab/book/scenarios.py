@@ -94,16 +94,7 @@ def _kept_voyage(
         if isinstance(part, np.ndarray):
             part.setflags(write=False)
     return kept
-    return voyage(latitude, velocity, heading, pitch, interval=interval)
 
-
-SHAPES = {
-    "symmetric": [[0, 1, 1], [1, 0, 1], [1, 1, 0]],
-    "skew": [[0, -1, 1], [1, 0, -1], [-1, 1, 0]],
-    "third axis bent, as in Larin's table": [[0, 0, 0], [0, 0, 0], [1, -1, 0]],
-    "x leans to axis 2 only": [[0, 1, 0], [0, 0, 0], [0, 0, 0]],
-    "scale factor of all three": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
-}
 
 # Chapters 06 to 08
 TABLE_LATITUDE = float(np.radians(37.5))
