@@ -241,7 +241,7 @@ class PanelPage:
         mouse = self.page.mouse
 
         def to(place: float) -> None:
-            mouse.move(place, y, steps=12)
+            mouse.move(place, y, steps=8)
             self.settle()
 
         def take() -> None:
