@@ -1,4 +1,4 @@
-"""Every notebook is clean in the repository, runs from a clean kernel, and hides no error."""
+"""Every notebook is clean in the repository, runs from a clean start, and hides no error."""
 
 import re
 from itertools import pairwise
