@@ -6,6 +6,7 @@ import pytest
 from frames import blank_frames, frames_of, sizes_during
 from notebook_page import SCREENS, NotebookPage, wait_until
 from panel_page import PanelPage
+from places import PLACES
 from twin import Panel
 
 from driftlab.book.machinery.control import Control
