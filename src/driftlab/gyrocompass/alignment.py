@@ -22,14 +22,21 @@ _LEAST_COLATITUDE = np.radians(0.1)
 
 
 class Alignment(NamedTuple):
-    """What a body at rest can tell of itself, each (...).
+    """Heading, pitch, roll and latitude of a body at rest, from its own sensors; each (...).
 
     Attributes
     ----------
-    heading, pitch, roll, latitude : ndarray
+    heading, pitch, roll, latitude : ndarray, shape (...)
         rad.
-    level_rate : ndarray
-        Level part of the angular rate, in its unit: U cos(latitude) but for errors.
+    level_rate : ndarray, shape (...)
+        Horizontal component of the angular rate, in the unit of that rate. Without errors it is
+        U cos(latitude), where U is the Earth's rate.
+
+    Examples
+    --------
+    >>> found = align([1.0, 1.0, 0.0], [0.0, 9.8, 0.0])  # the Earth turns about North and Up
+    >>> float(np.degrees(found.latitude).round(6)), float(found.level_rate)
+    (45.0, 1.0)
     """
 
     heading: FloatArray
@@ -40,19 +47,40 @@ class Alignment(NamedTuple):
 
     @property
     def attitude(self) -> FloatArray:
-        """Quaternion (..., 4), body to North, Up, East: well defined in every attitude."""
+        """Attitude quaternion, well defined in every attitude, the vertical included.
+
+        Returns
+        -------
+        ndarray, shape (..., 4)
+            Body (forward, up, right) to North, Up, East.
+
+        Examples
+        --------
+        >>> align([1.0, 1.0, 0.0], [0.0, 9.8, 0.0]).attitude  # level, and headed North
+        array([0., 0., 0., 1.])
+        """
         return attitude_from_angles(self.heading, self.pitch, self.roll)
 
 
 class AlignmentErrors(NamedTuple):
-    """First-order errors, computed minus true, each (...) unless said otherwise, rad.
+    """First-order errors of an alignment, computed minus true.
 
     Attributes
     ----------
-    heading, pitch, roll, latitude : ndarray
+    heading, pitch, roll, latitude : ndarray, shape (...)
+        rad.
     heading_terms : ndarray, shape (..., 4)
-        The summands of `heading` in the paper's order: east gyro; east accelerometer by tan pitch;
-        north accelerometer by tan pitch; east accelerometer by tan latitude.
+        Terms of `heading` in the paper's order, rad: east gyro; east accelerometer by tan(pitch);
+        north accelerometer by tan(pitch); east accelerometer by tan(latitude).
+
+    Examples
+    --------
+    An offset of 1e-4 g of the east accelerometer at 60 degrees:
+
+    >>> offset = [0.0, 0.0, 9.8e-4]
+    >>> found = alignment_errors(0.0, 0.0, np.radians(60.0), np.zeros(3), offset, gravity=9.8)
+    >>> f"{found.heading:.2e} {found.roll:.2e}"  # rad
+    '-1.73e-04 -1.00e-04'
     """
 
     heading: FloatArray
@@ -68,14 +96,31 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
     Parameters
     ----------
     angular_rate, specific_force : array_like, shape (..., 3)
-        Means over the time of alignment, in body axes forward, up, right. Units do not matter to
-        the angles: only directions count.
+        Means over the time of alignment, in body axes forward, up, right. The angles depend on the
+        directions only, so the units are free.
+
+    Returns
+    -------
+    Alignment
+        Angles (...) in rad, and the level rate (...) in the unit of `angular_rate`.
 
     Raises
     ------
     ValueError
-        If either is zero, or if they are parallel within 0.1 degrees as at a pole, where nothing
-        points North.
+        If either vector is zero, or if they are parallel within 0.1 degrees, as at a pole, where
+        the Earth's rate has no horizontal component.
+
+    Notes
+    -----
+    Plotnikov, trigonometric alignment. The heading is positive from North to West.
+
+    Examples
+    --------
+    At 45 degrees of latitude, with the bow to the West:
+
+    >>> found = align([0.0, 1.0, 1.0], [0.0, 9.8, 0.0])
+    >>> [float(np.degrees(angle).round(6)) for angle in (found.heading, found.latitude)]
+    [90.0, 45.0]
     """
     rate, force = finite_arrays(angular_rate=(angular_rate, 3), specific_force=(specific_force, 3))
     turn, size = nonzero_vectors(rate, "angular_rate")
@@ -106,9 +151,6 @@ def alignment_errors(
 ) -> AlignmentErrors:
     """First-order errors of `align`; (alignment heading), (alignment pitch), (alignment roll).
 
-    The third term of the paper's heading error carries a factor tan(latitude) that does not belong
-    there; it is left out. The error of the latitude is not in the paper.
-
     Parameters
     ----------
     heading, pitch, latitude : array_like, shape (...)
@@ -116,15 +158,34 @@ def alignment_errors(
     rate_error : array_like, shape (..., 3)
         Drift rates of the gyros resolved in North, Up, East, rad/s.
     force_error : array_like, shape (..., 3)
-        Zero offsets of the accelerometers, so resolved, m/s^2.
+        Zero offsets of the accelerometers resolved in North, Up, East, m/s^2.
     gravity : array_like, shape (...), optional
         m/s^2; normal gravity of the latitude if not given.
+
+    Returns
+    -------
+    AlignmentErrors
+        Errors (...) in rad, and the terms of the heading error.
 
     Raises
     ------
     ValueError
         Within 0.1 degrees of a pole, or of a vertical body: there heading and roll are not two
         angles. `alignment_attitude_error` has no limit in pitch.
+
+    Notes
+    -----
+    The third term of the paper's heading error carries a factor tan(latitude) that does not belong
+    there; it is left out. The error of the latitude is not in the paper.
+
+    Examples
+    --------
+    An east gyro that drifts by 0.01 degrees per hour, at 60 degrees, in arc minutes:
+
+    >>> drift = np.radians([0.0, 0.0, 0.01]) / 3600
+    >>> found = alignment_errors(0.0, 0.0, np.radians(60.0), drift, np.zeros(3))
+    >>> round(60 * float(np.degrees(found.heading)), 2)
+    4.57
     """
     heading, pitch, place, drift, offset, pull = _alignment_arguments(
         latitude, rate_error, force_error, gravity, heading=(heading,), pitch=(pitch,)
@@ -163,16 +224,36 @@ def alignment_attitude_error(
     force_error: ArrayLike,
     gravity: ArrayLike | None = None,
 ) -> FloatArray:
-    """First-order attitude error of `align`, as a rotation vector (..., 3) in North, Up, East, rad.
-
-    The computed attitude is the true one, then turned by this vector. It holds in every attitude,
-    the vertical included. Arguments as for `alignment_errors`.
+    """First-order attitude error of `align`, as a rotation vector; it holds in every attitude.
 
     Parameters
     ----------
     latitude : array_like, shape (...)
-    rate_error, force_error : array_like, shape (..., 3)
+        rad.
+    rate_error : array_like, shape (..., 3)
+        Drift rates of the gyros resolved in North, Up, East, rad/s.
+    force_error : array_like, shape (..., 3)
+        Zero offsets of the accelerometers resolved in North, Up, East, m/s^2.
     gravity : array_like, shape (...), optional
+        m/s^2; normal gravity of the latitude if not given.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Rotation in North, Up, East that leads from the true to the computed attitude, rad.
+
+    Raises
+    ------
+    ValueError
+        Within 0.1 degrees of a pole.
+
+    Examples
+    --------
+    Offsets of the North and East accelerometers by 1e-4 g and 2e-4 g at 45 degrees:
+
+    >>> offset = [9.8e-4, 0.0, 19.6e-4]
+    >>> alignment_attitude_error(np.radians(45.0), np.zeros(3), offset, gravity=9.8).round(6)
+    array([-0.0002, -0.0002,  0.0001])
     """
     place, drift, offset, pull = _alignment_arguments(latitude, rate_error, force_error, gravity)
     north, _, east = np.moveaxis(offset / pull[..., np.newaxis], -1, 0)

@@ -1,8 +1,8 @@
-"""Plotnikov et al.: what a vehicle's way does to a gyrocompass, and its heading error at work.
+"""Plotnikov et al.: a vehicle's motion and its gyrocompass, and the heading error at work.
 
-The compass takes the level part of the rate of the local axes for North, and the specific force for
-a plumb line. A way round the Earth adds to both. The error formula, here called (operating
-heading), says what is left when both are known.
+The compass takes the horizontal component of the rate of the local axes for North, and the specific
+force for the vertical. Motion round the Earth adds to both. The error formula, here called
+(operating heading), gives the error that remains when both are known.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from driftlab.frames import geographic_rate, refuse_vertical
 def speed_deviation(
     latitude: ArrayLike, velocity: ArrayLike, radius: float = EARTH_RADIUS
 ) -> FloatArray:
-    """Angle (...) from what a moving compass takes for North to North, rad, positive about Up.
+    """Speed deviation: angle from the North that a moving compass finds to true North.
 
-    The compass finds the level part of the rate of the local axes, in which the ship's own way
-    round the Earth is contained. What it shows as heading is too large by this angle.
+    The compass finds the horizontal component of the rate of the local axes, to which the vehicle's
+    own motion round the Earth contributes. Its heading is too large by this angle.
 
     Parameters
     ----------
@@ -33,6 +33,23 @@ def speed_deviation(
         North and East, m/s.
     radius : float
         Of the Earth, m.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        rad, positive about Up, as are headings.
+
+    Raises
+    ------
+    ValueError
+        If the local axes do not turn about any horizontal axis, or at a pole.
+
+    Examples
+    --------
+    In degrees, for 10 m/s to the North at 60 degrees:
+
+    >>> round(float(np.degrees(speed_deviation(np.radians(60.0), [10.0, 0.0]))), 2)
+    -2.47
     """
     north, _, east = np.moveaxis(geographic_rate(latitude, velocity, radius), -1, 0)
     _level_rate_squared(north, east)
@@ -42,12 +59,12 @@ def speed_deviation(
 def level_coriolis(
     latitude: ArrayLike, velocity: ArrayLike, radius: float = EARTH_RADIUS
 ) -> FloatArray:
-    """Level specific force (..., 2) of an even motion that a horizon must not follow, m/s^2.
+    """Horizontal specific force of motion at constant velocity that must not tilt the horizon.
 
-    A horizon that is turned by ``W/R`` follows changes of velocity. At an even velocity there is
-    specific force all the same, North and East, because local axes turn. Part of it belongs to the
-    change of the Earth's level rate with the latitude; the rest is this. With the velocity from a
-    log it can be taken out of W.
+    A horizon that turns at the rate ``W/R`` follows changes of velocity. Even at constant velocity
+    there is a horizontal specific force, because the local axes turn. Part of it belongs to the
+    change of the Earth's horizontal rate with the latitude; this is the rest. If a log gives the
+    velocity, it can be subtracted from W.
 
     Parameters
     ----------
@@ -57,6 +74,21 @@ def level_coriolis(
         North and East, m/s.
     radius : float
         Of the Earth, m.
+
+    Returns
+    -------
+    ndarray, shape (..., 2)
+        North and East, m/s^2.
+
+    Raises
+    ------
+    ValueError
+        At a pole.
+
+    Examples
+    --------
+    >>> level_coriolis(np.radians(60.0), [10.0, 0.0]).round(6)
+    array([ 0.      , -0.000632])
     """
     place, speed = finite_arrays(latitude=(latitude,), velocity=(velocity, 2))
     turn = geographic_rate(place, speed, radius)[..., 1]
@@ -65,16 +97,23 @@ def level_coriolis(
 
 
 class OperatingHeadingError(NamedTuple):
-    """The terms of (operating heading), each (...), rad.
+    """Terms of the heading error of a compass at work; (operating heading).
 
     Attributes
     ----------
-    east_rate, north_rate : ndarray
-        What errors of the horizon's rates about East and about North make of the compass angle.
-    yaw : ndarray
-        Minus the error of the yaw.
-    tilt : ndarray
-        The tilt of the horizon as it shows in a pitched body.
+    east_rate, north_rate : ndarray, shape (...)
+        Errors of the compass angle from errors of the horizon's rates about East and about North,
+        rad.
+    yaw : ndarray, shape (...)
+        Minus the error of the yaw, rad.
+    tilt : ndarray, shape (...)
+        Effect of the tilt of the horizon in a pitched body, rad.
+
+    Examples
+    --------
+    >>> terms = OperatingHeadingError(*np.array([3e-4, 1e-4, -2e-4, 0.0]))
+    >>> f"{terms.compass_angle:.1e} {terms.heading:.1e}"
+    '2.0e-04 4.0e-04'
     """
 
     east_rate: FloatArray
@@ -84,12 +123,34 @@ class OperatingHeadingError(NamedTuple):
 
     @property
     def compass_angle(self) -> FloatArray:
-        """Error (...) of the compass angle Psi_K: the left-hand side of the formula."""
+        """Error of the compass angle Psi_K: the left-hand side of the formula.
+
+        Returns
+        -------
+        ndarray, shape (...)
+            Sum of all four terms, rad.
+
+        Examples
+        --------
+        >>> f"{OperatingHeadingError(*np.array([3e-4, 1e-4, -2e-4, 0.0])).compass_angle:.1e}"
+        '2.0e-04'
+        """
         return self.east_rate + self.north_rate + self.yaw + self.tilt
 
     @property
     def heading(self) -> FloatArray:
-        """Error (...) of the heading Psi = psi + Psi_K: the errors of the yaw cancel."""
+        """Error of the heading Psi = psi + Psi_K, in which the errors of the yaw cancel.
+
+        Returns
+        -------
+        ndarray, shape (...)
+            Sum of the terms other than that of the yaw, rad.
+
+        Examples
+        --------
+        >>> f"{OperatingHeadingError(*np.array([3e-4, 1e-4, -2e-4, 0.0])).heading:.1e}"
+        '4.0e-04'
+        """
         return self.east_rate + self.north_rate + self.tilt
 
 
@@ -113,7 +174,7 @@ def operating_heading_error(
     velocity : array_like, shape (..., 2)
         North and East, m/s.
     tilt : array_like, shape (..., 2)
-        alpha and chi, rad: how far the modelled horizon is turned about North and about East.
+        alpha and chi, rad: rotation of the modelled horizon about North and about East.
     tilt_rate : array_like, shape (..., 2)
         Their derivatives, rad/s.
     drift : array_like, shape (..., 2)
@@ -125,11 +186,25 @@ def operating_heading_error(
     radius : float
         Of the Earth, m.
 
+    Returns
+    -------
+    OperatingHeadingError
+        Terms (...) in rad.
+
     Raises
     ------
     ValueError
-        Also if the horizon does not turn about any level axis: a body that moves West as fast as
-        the Earth moves East has no compass.
+        If the horizon does not turn about any horizontal axis (a body that moves West as fast as
+        the Earth moves East has no compass), at a pole, or in a vertical body.
+
+    Examples
+    --------
+    A gyro drift of 0.01 degrees per hour about East, at rest at 60 degrees, in arc minutes:
+
+    >>> drift, zero = np.radians([0.0, 0.01]) / 3600, [0.0, 0.0]
+    >>> found = operating_heading_error(np.radians(60.0), zero, zero, zero, drift, 0.0, 0.0, 0.0)
+    >>> round(60 * float(np.degrees(found.heading)), 2)
+    4.57
     """
     place, speed, tilts, tilt_rates, drifts, yaw, heading, pitch = finite_arrays(
         latitude=(latitude,),
@@ -171,7 +246,7 @@ def _level_rate_squared(north: FloatArray, east: FloatArray) -> FloatArray:
 def heading_error_of_attitude(
     attitude_error: ArrayLike, heading: ArrayLike, pitch: ArrayLike
 ) -> FloatArray:
-    """Heading error (...) of a small attitude error, rad.
+    """Heading error of a small attitude error.
 
     Parameters
     ----------
@@ -179,6 +254,23 @@ def heading_error_of_attitude(
         Rotation vector in North, Up, East that leads from the true to the computed attitude, rad.
     heading, pitch : array_like, shape (...)
         rad; the pitch at most 89.9 degrees.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Computed minus true heading, rad.
+
+    Raises
+    ------
+    ValueError
+        In a vertical body.
+
+    Examples
+    --------
+    A rotation about North changes the heading of a body that is headed North and pitched up:
+
+    >>> round(float(heading_error_of_attitude([1e-3, 0.0, 0.0], 0.0, np.radians(45.0))), 6)
+    -0.001
     """
     error, heading, pitch = finite_arrays(
         attitude_error=(attitude_error, 3), heading=(heading,), pitch=(pitch,)

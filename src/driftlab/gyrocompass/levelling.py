@@ -1,8 +1,8 @@
 """The gyrocompass at work: quaternion equations in the horizontal frame, corrected by gravity.
 
 The computer carries a horizon, a frame eta that it keeps level. It integrates the quaternion from
-the body to the horizon, resolves the specific force W in the horizon, and turns the horizon after
-what it finds:
+the body to the horizon, resolves the specific force W in the horizon, and turns the horizon
+accordingly:
 
     2 Lambda' = Lambda∘w - w_eta∘Lambda,
     w_eta1 = k1 W3 + k2 ∫W3 dt,  w_eta3 = -k1 W1 - k2 ∫W1 dt,  w_eta2 given.
@@ -38,12 +38,12 @@ from driftlab.imu import increment_rows
 from .alignment import Alignment
 
 _FEW = 12
-"""Up to so many runs are done one by one in Python's own floats, faster than in short arrays."""
+"""Up to this many runs are integrated one by one in Python floats: faster than short arrays."""
 _MOST_TURN = 0.1  # rad in one interval, for which the series of a turn is exact to 1e-11
 
 
 class Tuning(NamedTuple):
-    """How the horizon follows the accelerometers.
+    """Gains by which the horizon follows the accelerometers.
 
     Attributes
     ----------
@@ -51,6 +51,11 @@ class Tuning(NamedTuple):
         k1, rad/s for each m/s^2.
     integral : float
         k2, rad/s^2 for each m/s^2.
+
+    Examples
+    --------
+    >>> Tuning(proportional=0.0, integral=1e-5)
+    Tuning(proportional=0.0, integral=1e-05)
     """
 
     proportional: float
@@ -58,14 +63,19 @@ class Tuning(NamedTuple):
 
 
 class Horizon(NamedTuple):
-    """State of the computer.
+    """State of the computed horizon.
 
     Attributes
     ----------
     attitude : ndarray, shape (..., 4)
         Body to horizon.
     rate : ndarray, shape (..., 2)
-        The integrals in the horizon's level rates w_eta1 and w_eta3, rad/s.
+        Integral parts of the horizon's level rates w_eta1 and w_eta3, rad/s.
+
+    Examples
+    --------
+    >>> Horizon(np.array([0.0, 0.0, 0.0, 1.0]), np.zeros(2)).rate
+    array([0., 0.])
     """
 
     attitude: FloatArray
@@ -73,18 +83,26 @@ class Horizon(NamedTuple):
 
 
 class Operation(NamedTuple):
-    """What the instrument computed, and the state in which it can go on.
+    """Result of `operate`, and the state from which it can continue.
 
     Attributes
     ----------
     times : ndarray, shape (k,)
-        s from the start.
+        From the start, s.
     attitude : ndarray, shape (..., k, 4)
         Body to horizon.
     rate : ndarray, shape (..., k, 2)
-        Level rates w_eta1 and w_eta3 of the horizon, rad/s: the integrals at these times, and the
-        proportional part as its mean over the last interval.
+        Level rates w_eta1 and w_eta3 of the horizon, rad/s: the integral parts at these times plus
+        the means of the proportional parts over the last interval.
     last : Horizon
+        State at the last of the times.
+
+    Examples
+    --------
+    >>> level, rate = np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[5e-5, 5e-5]])
+    >>> found = Operation(np.ones(1), level, rate, Horizon(level[0], rate[0]))
+    >>> np.degrees(found.compass_angle)
+    array([45.])
     """
 
     times: FloatArray
@@ -94,29 +112,83 @@ class Operation(NamedTuple):
 
     @property
     def yaw_pitch_roll(self) -> Angles:
-        """Angles (..., k) of the body in the horizon; the first is the yaw psi."""
+        """Angles of the body in the horizon.
+
+        Returns
+        -------
+        Angles
+            Yaw psi (in the field `heading`), pitch and roll, each (..., k), rad.
+
+        Examples
+        --------
+        >>> yawed = np.array([[0.0, np.sin(0.1), 0.0, np.cos(0.1)]])
+        >>> found = Operation(np.ones(1), yawed, np.zeros((1, 2)), Horizon(yawed[0], np.zeros(2)))
+        >>> found.yaw_pitch_roll.heading.round(6)
+        array([0.2])
+        """
         return angles_from_attitude(self.attitude)
 
     @property
     def compass_angle(self) -> FloatArray:
-        """Psi_K (..., k), rad: from the compass's North to the horizon's first axis."""
+        """Compass angle Psi_K: from the compass's North to the horizon's first axis.
+
+        Returns
+        -------
+        ndarray, shape (..., k)
+            rad, from -pi to pi.
+
+        Examples
+        --------
+        >>> level, rate = np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[5e-5, 5e-5]])
+        >>> Operation(np.ones(1), level, rate, Horizon(level[0], rate[0])).compass_angle.round(4)
+        array([0.7854])
+        """
         return np.arctan2(self.rate[..., 1], self.rate[..., 0])
 
     @property
     def heading(self) -> FloatArray:
-        """Psi = psi + Psi_K (..., k), rad, from -pi to pi; (heading)."""
+        """Heading Psi = psi + Psi_K: yaw in the horizon plus compass angle; (heading).
+
+        Returns
+        -------
+        ndarray, shape (..., k)
+            rad, from -pi to pi, positive from North to West.
+
+        Examples
+        --------
+        >>> yawed, north = np.array([[0.0, np.sin(0.1), 0.0, np.cos(0.1)]]), np.array([[1.0, 0.0]])
+        >>> Operation(np.ones(1), yawed, north, Horizon(yawed[0], north[0])).heading.round(6)
+        array([0.2])
+        """
         return wrap_angle(self.yaw_pitch_roll.heading + self.compass_angle)
 
 
 def schuler_tuning(radius: float = EARTH_RADIUS) -> Tuning:
-    """Tuning without ballistic error: k1 = 0 and k2 = 1/R, with the Earth's radius in m."""
+    """Schuler's tuning, which has no ballistic error: k1 = 0 and k2 = 1/R.
+
+    Parameters
+    ----------
+    radius : float
+        R of the Earth, m.
+
+    Returns
+    -------
+    Tuning
+        With the period of 84 minutes of a pendulum of the Earth's radius.
+
+    Examples
+    --------
+    >>> tuning = schuler_tuning()
+    >>> round(2 * math.pi / math.sqrt(9.8 * tuning.integral) / 60, 1)  # period, minutes
+    84.4
+    """
     return Tuning(0.0, 1 / positive_number(radius, "radius"))
 
 
 def damped_tuning(
     natural_frequency: float, gravity: float, damping: float = float(np.sqrt(0.5))
 ) -> Tuning:
-    """Tuning of a horizon that settles, for accelerated alignment: k2 = wn^2/g, k1 = 2 zeta wn/g.
+    """Tuning of a damped horizon, for accelerated alignment.
 
     Parameters
     ----------
@@ -125,7 +197,18 @@ def damped_tuning(
     gravity : float
         g, m/s^2.
     damping : float
-        zeta, without unit.
+        Damping ratio zeta, without unit.
+
+    Returns
+    -------
+    Tuning
+        k1 = 2 zeta wn/g and k2 = wn^2/g.
+
+    Examples
+    --------
+    >>> tuning = damped_tuning(0.01, 9.8)
+    >>> f"{tuning.proportional:.2e} {tuning.integral:.2e}"
+    '1.44e-03 1.02e-05'
     """
     frequency = positive_number(natural_frequency, "natural_frequency")
     pull, ratio = positive_number(gravity, "gravity"), positive_number(damping, "damping")
@@ -133,10 +216,26 @@ def damped_tuning(
 
 
 def horizon_of(alignment: Alignment) -> Horizon:
-    """Horizon (...) that begins as North, Up, East of a trigonometric alignment (...) in rad/s.
+    """Initial horizon from an alignment: its axes are North, Up, East.
 
-    It turns as the gyros say, drifts included. With U cos(latitude) in place of that it would begin
-    to swing.
+    Its rate is the one that the gyros measured, with their drift. With U cos(latitude) instead it
+    would begin to oscillate.
+
+    Parameters
+    ----------
+    alignment : Alignment
+        From an angular rate (...) in rad/s.
+
+    Returns
+    -------
+    Horizon
+        Leading axes (...).
+
+    Examples
+    --------
+    >>> from driftlab.gyrocompass.alignment import align
+    >>> horizon_of(align([5e-5, 5e-5, 0.0], [0.0, 9.8, 0.0])).rate
+    array([5.e-05, 0.e+00])
     """
     north = np.asarray(alignment.level_rate)
     return Horizon(alignment.attitude, np.stack([north, np.zeros_like(north)], axis=-1))
@@ -152,7 +251,7 @@ def operate(
     *,
     every: int = 1,
 ) -> Operation:
-    """Carry the horizon along the increments of gyros and accelerometers.
+    """Propagate the horizon along the increments of gyros and accelerometers.
 
     Parameters
     ----------
@@ -161,23 +260,37 @@ def operate(
     angle_increments, velocity_increments : array_like, shape (..., n, 3)
         Integrals of angular rate (rad) and specific force (m/s) in body axes over equal intervals.
     interval : float
-        s.
+        Length of the intervals, s.
     tuning : Tuning
+        Gains of the horizon.
     azimuth_rate : array_like, shape (..., n) or ()
         w_eta2, rad/s, one for all intervals or one for each. Without a log it is U sin(latitude),
-        with the latitude from the alignment. An error of it acts like a drift about Up.
+        with the latitude from the alignment. Its error acts like a drift about Up.
     every : int
-        Increments between two results; a divisor of n.
+        Number of increments between two results; a divisor of n.
 
     Returns
     -------
     Operation
-        Results after each `every` increments.
+        Results (..., k), one after each `every` increments.
 
     Raises
     ------
     ValueError
-        Also if the tuning is too stiff for the interval: the horizon must follow slowly in it.
+        If shapes do not fit, if n is not a multiple of `every`, or if the gains are too large for
+        the interval: the horizon must follow slowly in it.
+
+    Examples
+    --------
+    Ten minutes on a table at 45 degrees: after the alignment the heading stays.
+
+    >>> from driftlab.earth import EARTH_RATE
+    >>> from driftlab.gyrocompass.alignment import align
+    >>> rate, force = EARTH_RATE * np.sqrt(0.5) * np.array([1.0, 1.0, 0.0]), np.array([0, 9.8, 0])
+    >>> start, rows = horizon_of(align(rate, force)), np.ones((600, 1))
+    >>> found = operate(start, rate * rows, force * rows, 1.0, schuler_tuning(), rate[1])
+    >>> bool(np.abs(found.heading).max() < 1e-7)
+    True
     """
     seconds = positive_number(interval, "interval")
     k1, k2 = (

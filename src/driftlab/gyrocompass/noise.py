@@ -1,4 +1,4 @@
-"""Noise of a gyro at rest, and what is left of it by a moving average and by a horizon.
+"""Noise of a gyro at rest, and how far a moving average and a horizon reduce it.
 
 Two parts: white noise, which averages away with the square root of the window, and a slow part, a
 Gauss-Markov process, which does so only in windows much longer than its correlation time.
@@ -25,18 +25,26 @@ from driftlab.earth import EARTH_RADIUS
 
 @dataclass(frozen=True)
 class GyroNoise:
-    """Noise of one gyro's rate, sample by sample.
+    """Noise of one gyro's rate, sample by sample: a white and a slow part.
 
     Attributes
     ----------
     white : float
         Standard deviation of the white part of a sample, rad/s.
     slow : float
-        Standard deviation of the slow part, rad/s.
+        Standard deviation of the slow part, a Gauss-Markov process, rad/s.
     correlation_time : float
         Of the slow part, s.
     interval : float
         Between samples, s.
+
+    Examples
+    --------
+    The mean of an hour of samples is left with the slow part alone, here in degrees per hour:
+
+    >>> noise = GyroNoise()
+    >>> [round(noise.deviation_of_mean(count) / degree * hour, 3) for count in (1, 36000)]
+    [0.5, 0.009]
     """
 
     white: float = 0.5 * degree / hour
@@ -52,7 +60,34 @@ class GyroNoise:
                 raise ValueError(f"{field.name}: expected a {kind}, got {value!r}.")
 
     def samples(self, count: int, rng: np.random.Generator, *shape: int) -> FloatArray:
-        """Rates (*shape, count) in rad/s, each row a gyro switched on anew."""
+        """Draw the noise of gyros that are switched on anew.
+
+        Parameters
+        ----------
+        count : int
+            Number of samples.
+        rng : numpy.random.Generator
+            Source of the noise.
+        *shape : int
+            Leading axes of the result: independent gyros.
+
+        Returns
+        -------
+        ndarray, shape (*shape, count)
+            Rates, rad/s.
+
+        Raises
+        ------
+        ValueError
+            If a number is not whole and positive, or `rng` is not a Generator.
+
+        Examples
+        --------
+        >>> noise = GyroNoise(white=1e-6, slow=0.0)
+        >>> rates = noise.samples(10000, np.random.default_rng(1), 2)
+        >>> rates.shape, f"{rates.std():.0e}"
+        ((2, 10000), '1e-06')
+        """
         size = (*(whole_number(n, "shape") for n in shape), whole_number(count, "count"))
         if not isinstance(rng, np.random.Generator):
             raise ValueError(f"rng: expected a numpy Generator to draw the noise, got {rng!r}.")
@@ -65,7 +100,26 @@ class GyroNoise:
         return noise
 
     def deviation_of_mean(self, count: int) -> float:
-        """Standard deviation in rad/s of the mean of `count` samples, in closed form."""
+        """Standard deviation of the mean of some neighbouring samples, in closed form.
+
+        Parameters
+        ----------
+        count : int
+            Number of samples.
+
+        Returns
+        -------
+        float
+            rad/s.
+
+        Examples
+        --------
+        White noise alone averages out with the square root of the number:
+
+        >>> noise = GyroNoise(white=1e-6, slow=0.0)
+        >>> f"{noise.deviation_of_mean(100):.1e}"
+        '1.0e-07'
+        """
         number = whole_number(count, "count")
         lags = np.arange(1, number)
         # Sum of the correlations of all pairs of samples, pair by pair of equal distance.
@@ -75,7 +129,30 @@ class GyroNoise:
 
 
 def moving_average(values: ArrayLike, window: int) -> FloatArray:
-    """Means (..., n - window + 1) of each `window` values in a row of `values` (..., n)."""
+    """Means over a moving window.
+
+    Parameters
+    ----------
+    values : array_like, shape (..., n)
+        In any unit.
+    window : int
+        Number of neighbouring values in a mean, at most n.
+
+    Returns
+    -------
+    ndarray, shape (..., n - window + 1)
+        In the unit of `values`.
+
+    Raises
+    ------
+    ValueError
+        If the window is longer than the rows.
+
+    Examples
+    --------
+    >>> moving_average([1.0, 2.0, 6.0, 4.0], 2)
+    array([1.5, 4. , 5. ])
+    """
     row = np.atleast_1d(finite_array(values, "values"))
     length = whole_number(window, "window")
     if length > row.shape[-1]:
@@ -91,16 +168,28 @@ def moving_average(values: ArrayLike, window: int) -> FloatArray:
 def settled_deviation(
     angle_random_walk: float, natural_frequency: float, damping: float = float(np.sqrt(0.5))
 ) -> float:
-    """Standard deviation in rad/s of the integrals `Horizon.rate` of a damped horizon under noise.
+    """Standard deviation of the rate of a damped horizon under white gyro noise, once settled.
 
-    White gyro noise N passes a low-pass filter of second order: N sqrt(wn/(4 zeta)).
+    The rate is `Horizon.rate`, the integral part. The noise passes a second-order low-pass filter.
 
     Parameters
     ----------
     angle_random_walk : float
         N, rad/sqrt(s).
-    natural_frequency, damping : float
-        Of `damped_tuning`.
+    natural_frequency : float
+        wn of `damped_tuning`, rad/s.
+    damping : float
+        zeta of `damped_tuning`, without unit.
+
+    Returns
+    -------
+    float
+        N sqrt(wn/(4 zeta)), rad/s.
+
+    Examples
+    --------
+    >>> f"{settled_deviation(1e-6, 0.01):.2e}"
+    '5.95e-08'
     """
     frequency = positive_number(natural_frequency, "natural_frequency")
     ratio = positive_number(damping, "damping")
@@ -111,19 +200,44 @@ def settled_deviation(
 def swing_deviation(
     angle_random_walk: float, time: ArrayLike, gravity: float, radius: float = EARTH_RADIUS
 ) -> FloatArray:
-    """Standard deviation (...) in rad/s of `Horizon.rate` under Schuler's tuning and white noise.
+    r"""Standard deviation of the rate of a Schuler-tuned horizon under white gyro noise.
 
-    From a horizon without error: N ws sqrt(t/2 - sin(2 ws t)/(4 ws)) with ws^2 = g/R. Nothing
-    damps the swing, so it grows with the square root of the time.
+    The rate is `Horizon.rate`, from a horizon without error. Nothing damps the oscillation, so it
+    grows with the square root of the time.
 
     Parameters
     ----------
     angle_random_walk : float
         N, rad/sqrt(s).
     time : array_like, shape (...)
-        s.
-    gravity, radius : float
-        g in m/s^2 and R in m.
+        Since the start, s.
+    gravity : float
+        g, m/s^2.
+    radius : float
+        R of the Earth, m.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        rad/s.
+
+    Raises
+    ------
+    ValueError
+        If a time is negative.
+
+    Notes
+    -----
+    With the Schuler frequency ws:
+
+    .. math:: N \omega_s \sqrt{\frac{t}{2} - \frac{\sin 2 \omega_s t}{4 \omega_s}},
+              \qquad \omega_s^2 = \frac{g}{R}
+
+    Examples
+    --------
+    >>> one, four = swing_deviation(1e-6, [36000.0, 144000.0], 9.8)
+    >>> round(float(four / one), 1)
+    2.0
     """
     t, walk = finite_array(time, "time"), _checked_walk(angle_random_walk)
     if t.min() < 0:

@@ -1,7 +1,6 @@
-"""A gyrocompass on board: a ship lies still, gathers way and turns, and its compass errs.
+"""Simulation of a gyrocompass on board: its errors while a ship rests, accelerates and turns.
 
-The instrument is simulated, and the paper's formula is given the tilts and the yaw error that the
-simulation really had.
+The paper's formula is evaluated with the tilts and the yaw error that occur in the simulation.
 """
 
 from __future__ import annotations
@@ -35,22 +34,31 @@ from .levelling import Horizon, Operation, Tuning, horizon_of, operate
 
 
 class ErrorsUnderWay(NamedTuple):
-    """Errors of a compass under way, computed minus true, at the same times.
+    """Errors of a compass under way, computed minus true, at n times.
 
     Attributes
     ----------
     times : ndarray, shape (n,)
-        s.
+        From the start, s.
     heading_error : ndarray, shape (..., n)
-        rad, the speed deviation taken out.
+        rad; the speed deviation is removed.
     deviation : ndarray, shape (n,)
         The speed deviation, rad.
     formula : OperatingHeadingError
-        Its terms, each (..., n).
+        The paper's formula for the heading error; each term (..., n).
     tilt : ndarray, shape (..., n, 2)
         Of the horizon about North and about East, rad.
     yaw_error, compass_error : ndarray, shape (..., n)
-        Of the two parts of the heading, rad; that of the compass angle without the deviation.
+        Errors of the two parts of the heading, yaw and compass angle, rad. From the latter the
+        speed deviation is removed.
+
+    Examples
+    --------
+    >>> from driftlab.motion.vehicle import voyage
+    >>> still = voyage(0.8, np.zeros((11, 2)), 0.0, interval=1.0)
+    >>> errors = take_along(still, np.zeros(3))
+    >>> errors.times.shape, errors.tilt.shape
+    ((10,), (10, 2))
     """
 
     times: FloatArray
@@ -72,24 +80,47 @@ def take_along(
     tilt: float = 0.0,
     log: bool = False,
 ) -> ErrorsUnderWay:
-    """Align a compass at the beginning of a voyage, let it work, and look at its errors.
+    """Align a compass at the start of a voyage, operate it under way, and return its errors.
 
     Parameters
     ----------
     way : Voyage
+        True motion, and the increments of ideal sensors.
     drift : array_like, shape (..., n, 3) or (3,)
-        Of the gyros in body axes, for each interval or for all, rad/s.
+        Drift rates of the gyros in body axes, for each interval or for all, rad/s.
     offset : array_like, shape (3,)
-        Of the accelerometers in body axes, m/s^2.
+        Offsets of the accelerometers in body axes, m/s^2.
     tuning_factor : float
         k2 R: 1 is Schuler's tuning.
     damping : float
-        Damping ratio of the horizon's swing.
+        Damping ratio of the horizon.
     tilt : float
         Error of the aligned horizon about East, rad.
     log : bool
-        Whether the computer knows velocity and latitude: it then takes `level_coriolis` out of the
-        specific force, and turns in azimuth as it must.
+        Whether velocity and latitude are known to the computation: it then subtracts
+        `level_coriolis` from the specific force, and rotates in azimuth at the true rate.
+
+    Returns
+    -------
+    ErrorsUnderWay
+        Errors (..., n) at the end of each interval.
+
+    Raises
+    ------
+    ValueError
+        If the shapes of `drift` and `offset` do not fit the voyage, and as in `operate`.
+
+    Examples
+    --------
+    An east gyro with a drift of 0.01 degrees per hour makes the same heading error at rest as the
+    formula says, here in arc minutes:
+
+    >>> from driftlab.motion.vehicle import voyage
+    >>> still = voyage(np.radians(60.0), np.zeros((101, 2)), 0.0, interval=1.0)
+    >>> errors = take_along(still, np.radians([0.0, 0.0, 0.01]) / 3600)
+    >>> found = errors.heading_error, errors.formula.heading
+    >>> [round(60 * float(np.degrees(error[-1])), 2) for error in found]
+    [4.57, 4.57]
     """
     errors, offsets = finite_array(drift, "drift", 3), finite_array(offset, "offset", 3)
     increments = way.angle_increments.shape
@@ -133,7 +164,7 @@ def take_along(
 
 
 def _errors_of(found: Operation, way: Voyage, drift: FloatArray) -> ErrorsUnderWay:
-    """What the instrument found against the truth, and what the formula makes of it."""
+    """Errors of the computed heading and horizon, and those that the formula predicts."""
     true = way.attitude[1:]
     # Turned by minus the vector that turns the components.
     tilt = -to_rotation_vector(multiply(found.attitude, conjugate(true)))[..., [0, 2]]

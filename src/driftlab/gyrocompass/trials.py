@@ -1,6 +1,6 @@
 """Trials of a gyrocompass as the paper made them: on a dial table, and by restarts.
 
-Also what the spread of a few results can say: the range of a sample over its standard deviation.
+Also a statistic of the spread of a few results: the range over the standard deviation.
 """
 
 from __future__ import annotations
@@ -26,20 +26,41 @@ def table_heading_error(
     north_error: ArrayLike = 0.0,
     tilt: ArrayLike = (0.0, 0.0),
 ) -> FloatArray:
-    """Heading (...) of an aligned compass minus what the dial of its table shows, rad.
+    """Heading of an aligned compass minus the reading of the dial of its table.
 
     Parameters
     ----------
     dial : array_like, shape (...)
-        What the dial shows, rad.
-    drift, offset : array_like, shape (..., 3)
-        Errors of the gyros in rad/s and of the accelerometers in m/s^2, in body axes.
+        Reading of the dial, rad.
+    drift : array_like, shape (..., 3)
+        Drift rates of the gyros in body axes, rad/s.
+    offset : array_like, shape (..., 3)
+        Offsets of the accelerometers in body axes, m/s^2.
     latitude : array_like, shape (...)
         rad.
     north_error : array_like, shape (...)
-        True heading where the dial shows zero, rad.
+        True heading at which the dial reads zero, rad.
     tilt : array_like, shape (..., 2)
         Of the table about North and about East, rad.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        rad, from -pi to pi.
+
+    Raises
+    ------
+    ValueError
+        If the shapes do not broadcast, or as in `align` at a pole.
+
+    Examples
+    --------
+    The drift of a gyro turns with the table. Heading error in arc minutes:
+
+    >>> dial, drift = np.radians([0, 60, 120, 180]), np.radians([0, 0, 0.01]) / 3600
+    >>> error = table_heading_error(dial, drift, np.zeros(3), np.radians(60.0))
+    >>> (60 * np.degrees(error)).round(2)
+    array([ 4.57,  2.28, -2.28, -4.57])
     """
     shown, drifts, offsets, place, north, tilts = finite_arrays(
         dial=(dial,),
@@ -58,7 +79,28 @@ def table_heading_error(
 
 
 def range_over_deviation(values: ArrayLike) -> FloatArray:
-    """Range over standard deviation (...) of samples (..., n), the latter with n - 1 below."""
+    """Range of a sample over its standard deviation.
+
+    Parameters
+    ----------
+    values : array_like, shape (..., n)
+        Samples of n values each, in any unit.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Without unit; the standard deviation is the one with the divisor n - 1.
+
+    Raises
+    ------
+    ValueError
+        If a sample has fewer than two values, or equal values only.
+
+    Examples
+    --------
+    >>> float(range_over_deviation([1.0, 2.0, 3.0]))
+    2.0
+    """
     sample = finite_array(values, "values")
     if sample.ndim == 0 or sample.shape[-1] < 2:
         raise ValueError(f"values: expected at least two a sample, got shape {sample.shape}.")
@@ -71,14 +113,50 @@ def range_over_deviation(values: ArrayLike) -> FloatArray:
 
 
 def most_range_over_deviation(count: int) -> float:
-    """Largest value that `range_over_deviation` can have for `count` values: sqrt(2 (n - 1)).
+    """Largest possible `range_over_deviation` of a sample: sqrt(2 (n - 1)).
 
-    Two values at the ends and all others in the middle between them.
+    A sample with one value at either end and all others midway between them attains it.
+
+    Parameters
+    ----------
+    count : int
+        n, at least 2.
+
+    Returns
+    -------
+    float
+        Without unit.
+
+    Examples
+    --------
+    >>> most_range_over_deviation(3), float(range_over_deviation([1.0, 2.0, 3.0]))
+    (2.0, 2.0)
     """
     return float(np.sqrt(2 * (whole_number(count, "count", least=2) - 1)))
 
 
 def normal_ranges(count: int, trials: int, rng: np.random.Generator) -> FloatArray:
-    """`range_over_deviation` (trials,) of samples of `count` normal values."""
+    """`range_over_deviation` of random samples of normally distributed values.
+
+    Parameters
+    ----------
+    count : int
+        Number of values in a sample, at least 2.
+    trials : int
+        Number of samples.
+    rng : numpy.random.Generator
+        Source of the values.
+
+    Returns
+    -------
+    ndarray, shape (trials,)
+        Without unit.
+
+    Examples
+    --------
+    >>> ranges = normal_ranges(10, 2000, np.random.default_rng(1))
+    >>> round(float(ranges.mean()), 1), bool(ranges.max() < most_range_over_deviation(10))
+    (3.2, True)
+    """
     size = (whole_number(trials, "trials"), whole_number(count, "count", least=2))
     return range_over_deviation(rng.standard_normal(size))
