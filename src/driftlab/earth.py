@@ -45,7 +45,22 @@ _NEAREST_TO_POLE = np.radians(89.9)
 
 
 def checked_latitude(latitude: ArrayLike) -> FloatArray:
-    """Return latitudes (...) in rad, refusing the poles, where East and North are not defined."""
+    """Return latitudes as an array, refusing the poles, where East and North are not defined.
+
+    Parameters
+    ----------
+    latitude : array_like, shape (...)
+        rad.
+
+    Returns
+    -------
+    ndarray, shape (...)
+
+    Examples
+    --------
+    >>> checked_latitude([0.0, 1.5])
+    array([0. , 1.5])
+    """
     values = finite_array(latitude, "latitude")
     worst = float(np.abs(values).max())
     if worst > _NEAREST_TO_POLE:
@@ -57,7 +72,22 @@ def checked_latitude(latitude: ArrayLike) -> FloatArray:
 
 
 def checked_gravity(gravity: FloatArray) -> FloatArray:
-    """Return gravity (...) in m/s^2, refusing what is not positive."""
+    """Return gravity itself, refusing what is not positive.
+
+    Parameters
+    ----------
+    gravity : ndarray, shape (...)
+        m/s^2.
+
+    Returns
+    -------
+    ndarray, shape (...)
+
+    Examples
+    --------
+    >>> checked_gravity(np.array([9.8, 9.83]))
+    array([9.8 , 9.83])
+    """
     if gravity.min() < np.finfo(float).tiny:
         raise ValueError(f"gravity: expected positive numbers, got {gravity.min():g}.")
     return gravity
