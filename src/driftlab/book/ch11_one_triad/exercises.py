@@ -7,32 +7,26 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
-from driftlab.book.scenarios import TURN
+from driftlab.book.scenarios import QUARTER_TURN, SCHULER_PERIOD, TURN
+from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_per_turn
-from driftlab.drift.turn_calibration import PAIR_AXES
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.frames import attitude_from_angles
-from driftlab.gyrocompass.alignment import alignment_errors
 from driftlab.gyrocompass.simulation import take_along
-from driftlab.motion.vehicle import sensed_at_rest, smooth_step, voyage
-from driftlab.quaternion import rotate
+from driftlab.motion.vehicle import smooth_step, voyage
 
-LATITUDE, FAR_NORTH = np.radians([51.5, 75.0]).tolist()
+from .experiments import (
+    AXES,
+    MISALIGNMENT,
+    NON_ORTHOGONALITY,
+    aligned_heading_error,
+    bent_triad,
+)
+
+FAR_NORTH = float(np.radians(75.0))
 PUZZLE: FloatArray = np.array([[0, -30 * arcsecond, 0], [0, 0, 0], [0, 0, 0]])
-PERIOD = 2 * np.pi * float(np.sqrt(EARTH_RADIUS / gravity(LATITUDE)))
+BENT = bent_triad(NON_ORTHOGONALITY, MISALIGNMENT)
 PARTS_OF_PERIOD = (0.25, 0.5, 1.0)
-
-
-def _bent() -> FloatArray:
-    """Error matrix (3, 3) of the chapter's triad."""
-    from driftlab.book.ch11_one_triad.figures.capstone import (
-        MISALIGNMENT,
-        NON_ORTHOGONALITY,
-        bent_triad,
-    )
-
-    return bent_triad(NON_ORTHOGONALITY, MISALIGNMENT)
 
 
 def _tilt(matrix: FloatArray, turn: float) -> FloatArray:
@@ -52,20 +46,16 @@ def _size(matrix: FloatArray, turn: float) -> float:
 
 def _half_turn(of_tilt: Callable[[FloatArray, float], float] = _east) -> list[float]:
     """How many times more a half turn leaves than a quarter, for both triads."""
-    return [abs(of_tilt(m, np.pi) / of_tilt(m, np.pi / 2)) for m in (PUZZLE, _bent())]
+    return [abs(of_tilt(m, np.pi) / of_tilt(m, QUARTER_TURN)) for m in (PUZZLE, BENT)]
 
 
 def _steps(latitude: float) -> FloatArray:
     """Of the puzzle's triad: largest drift in a turn, aligned heading error, and first swing."""
-    axes = np.vstack([np.eye(3), PAIR_AXES])
     headings = np.radians(np.arange(0.0, 360.0))
-    attitude = attitude_from_angles(headings, 0.0, 0.0)
-    rate, _ = sensed_at_rest(attitude, latitude)
-    drift = rotate(attitude, rate @ PUZZLE.T)
-    aligned = alignment_errors(headings, 0.0, latitude, drift, np.zeros(3)).heading
+    aligned = aligned_heading_error(PUZZLE, headings, latitude)
     gain = np.sqrt(gravity(latitude) / EARTH_RADIUS) / (EARTH_RATE * np.cos(latitude))
-    largest = [np.abs(part).max() for part in (drift_per_turn(axes, PUZZLE), aligned)]
-    return np.array([*largest, gain * _east(PUZZLE, np.pi / 2)])
+    largest = [np.abs(part).max() for part in (drift_per_turn(AXES, PUZZLE), aligned)]
+    return np.array([*largest, gain * _east(PUZZLE, QUARTER_TURN)])
 
 
 @cache
@@ -85,8 +75,6 @@ def _slider(about_forward: float = 1.0, right_gyro: float = 1.0) -> float:
 
     The arguments are the sign of the misalignment about forward in K_32, and the weight of K_32.
     """
-    from driftlab.book.ch11_one_triad.figures.capstone import MISALIGNMENT, NON_ORTHOGONALITY
-
     k32 = NON_ORTHOGONALITY[2] + about_forward * MISALIGNMENT[0]
     return float((NON_ORTHOGONALITY[0] - right_gyro * k32) / arcsecond)
 
@@ -95,13 +83,13 @@ def _after_turns(count: int, gap: float) -> float:
     """Largest heading error in a period after turns by 90 degrees, their middles `gap` s apart."""
     interval, (begin, length) = 8.0, TURN
     last = begin + (count - 1) * gap + length
-    times = interval * np.arange(round((last + PERIOD) / interval) + 2)
+    times = interval * np.arange(round((last + SCHULER_PERIOD) / interval) + 2)
     turned = sum(smooth_step(times, begin + i * gap, length) for i in range(count))
     way = voyage(
-        LATITUDE, np.zeros((len(times), 2)), np.pi / 2 * np.asarray(turned), interval=interval
+        LATITUDE, np.zeros((len(times), 2)), QUARTER_TURN * np.asarray(turned), interval=interval
     )
     run = take_along(way, way.angle_increments / interval @ PUZZLE.T, log=True)
-    swing = (run.times > last) & (run.times <= last + PERIOD)
+    swing = (run.times > last) & (run.times <= last + SCHULER_PERIOD)
     return float(np.abs(run.heading_error[swing]).max())
 
 
@@ -112,12 +100,12 @@ def _one_turn() -> float:
 
 @cache
 def _four_turns() -> tuple[float, ...]:
-    return tuple(_after_turns(4, part * PERIOD) / _one_turn() for part in PARTS_OF_PERIOD)
+    return tuple(_after_turns(4, part * SCHULER_PERIOD) / _one_turn() for part in PARTS_OF_PERIOD)
 
 
-def _by_phases(turn: float = np.pi / 2) -> list[float]:
+def _by_phases(turn: float = QUARTER_TURN) -> list[float]:
     """The same if the swings only added up, each tilt turned by `turn` against the one before."""
-    tilt = complex(*_tilt(PUZZLE, np.pi / 2)[::-1])  # about East and about North
+    tilt = complex(*_tilt(PUZZLE, QUARTER_TURN)[::-1])  # about East and about North
     number, time = np.arange(4), np.linspace(0.0, 2 * np.pi, 361)[:, np.newaxis]
     found = []
     for part in PARTS_OF_PERIOD:

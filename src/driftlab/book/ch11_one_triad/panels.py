@@ -5,14 +5,22 @@ from __future__ import annotations
 from typing import ClassVar
 
 import numpy as np
-from scipy.constants import arcminute, arcsecond
+from scipy.constants import arcminute, arcsecond, degree
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.sensor_controls import BODY_AXES, degrees_text
+from driftlab.book.machinery.sensor_controls import BODY_AXES, degrees_text, slider_value
+from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE
 
-from .figures import capstone
+from .experiments import (
+    MISALIGNMENT,
+    NON_ORTHOGONALITY,
+    STAGES,
+    Capstone,
+    calibration_stages,
+)
+from .figures.capstone import CapstonePicture
 
 PAIRS = ("forward-up", "forward-right", "up-right")
 
@@ -21,22 +29,22 @@ class CapstoneExplorer(Explorer):
     """One bent triad, from the bend to the heading."""
 
     title = "One triad through all four papers"
-    picture_class = capstone.CapstonePicture
+    picture_class = CapstonePicture
     controls = (
         *(
-            Control(f"pair_{i}", f"{pair}, ″", round(float(value / arcsecond), 6), -100.0, 100.0,
-                    1.0, group="non-orthogonality")
-            for i, (pair, value) in enumerate(
-                zip(PAIRS, capstone.NON_ORTHOGONALITY, strict=True)
-            )
+            Control(f"pair_{i}", f"{pair}, ″", slider_value(value, arcsecond), -100.0, 100.0, 1.0,
+                    group="non-orthogonality")
+            for i, (pair, value) in enumerate(zip(PAIRS, NON_ORTHOGONALITY, strict=True))
         ),
         *(
-            Control(f"turn_{axis}", f"about {axis}, ″", round(float(value / arcsecond), 6), -100.0,
+            Control(f"turn_{axis}", f"about {axis}, ″", slider_value(value, arcsecond), -100.0,
                     100.0, 1.0, group="misalignment")
-            for axis, value in zip(BODY_AXES, capstone.MISALIGNMENT, strict=True)
+            for axis, value in zip(BODY_AXES, MISALIGNMENT, strict=True)
         ),
-        Control("latitude", "latitude, °", 51.5, -85.0, 85.0, 0.5, group="ship"),
-        Control("turn", "ship turns by, °", 90.0, -360.0, 360.0, 5.0, group="ship"),
+        Control("latitude", "latitude, °", slider_value(SARATOV_LATITUDE, degree), -85.0, 85.0,
+                0.5, group="ship"),
+        Control("turn", "ship turns by, °", slider_value(QUARTER_TURN, degree), -360.0, 360.0,
+                5.0, group="ship"),
         Control("cone", "mount shakes by, ′", 0.0, 0.0, 10.0, 0.1, group="ship"),
         Control("algorithm", "attitude algorithm", "two-step-4", choices=tuple(ALGORITHMS),
                 group="ship"),
@@ -57,8 +65,8 @@ class CapstoneExplorer(Explorer):
         "A shaking mount, corrected": {"cone": 3.0},
     }  # fmt: skip
 
-    def compute(self, values: Values) -> capstone.Capstone:
-        return capstone.compute(
+    def compute(self, values: Values) -> Capstone:
+        return calibration_stages(
             np.array([values[f"pair_{i}"] for i in range(3)]) * arcsecond,
             np.array([values[f"turn_{axis}"] for axis in BODY_AXES]) * arcsecond,
             float(np.radians(values["latitude"])),
@@ -67,9 +75,9 @@ class CapstoneExplorer(Explorer):
             algorithm=values["algorithm"],
         )
 
-    def numbers(self, data: capstone.Capstone) -> list[tuple[str, str]]:
+    def numbers(self, data: Capstone) -> list[tuple[str, str]]:
         rows = []
-        for i, stage in enumerate(capstone.STAGES):
+        for i, stage in enumerate(STAGES):
             drift = np.abs(data.per_turn[i]).max() / arcsecond
             rows += [
                 (f"drift in a turn, {stage}", f"{drift:.1f}″"),
@@ -86,12 +94,12 @@ class CapstoneExplorer(Explorer):
         return (
             "import numpy as np\n"
             "from scipy.constants import arcminute, arcsecond\n"
-            "from driftlab.figures import capstone\n"
-            f"story = capstone.compute(np.array({pairs}) * arcsecond,\n"
+            "from driftlab.book.ch11_one_triad.experiments import calibration_stages\n"
+            f"stages = calibration_stages(np.array({pairs}) * arcsecond,\n"
             f"    np.array({turns}) * arcsecond,\n"
             f"    *np.radians([{values['latitude']}, {values['turn']}]),\n"
             f"    half_angle={values['cone']} * arcminute, algorithm={values['algorithm']!r})\n"
-            "print(*np.degrees(abs(story.under_way.heading_error).max(axis=-1)))"
+            "print(*np.degrees(abs(stages.under_way.heading_error).max(axis=-1)))"
         )
 
 

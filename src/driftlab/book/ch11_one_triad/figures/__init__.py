@@ -6,6 +6,7 @@ from scipy.constants import arcsecond
 from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.checks import FloatArray
 
+from .. import experiments
 from . import capstone
 
 
@@ -13,7 +14,7 @@ def _largest(values: FloatArray) -> float:
     return float(np.degrees(np.abs(values).max()))
 
 
-def _capstone_caption(data: capstone.Capstone) -> str:
+def _capstone_caption(data: experiments.Capstone) -> str:
     turns = np.abs(data.per_turn).max(axis=1) / arcsecond
     headings = [_largest(error) for error in data.under_way.heading_error]
     return (
@@ -30,7 +31,7 @@ def _capstone_caption(data: capstone.Capstone) -> str:
 FIGURES = (
     FigureDefinition(
         "11-capstone",
-        capstone.compute,
+        experiments.calibration_stages,
         capstone.CapstonePicture.draw,
         capstone.columns,
         _capstone_caption,
