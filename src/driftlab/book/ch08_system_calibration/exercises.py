@@ -11,13 +11,12 @@ import numpy as np
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value, Verdict
 from driftlab.book.machinery.reading import UnreadableError
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.observability import expected_covariance, null_directions, passage
-from driftlab.calibration.simulation import TableTrial
 from driftlab.checks import FloatArray
-from driftlab.imu import Noise, Spread
+from driftlab.imu import Noise
 from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme, segments
 
-LATITUDE = float(np.radians(37.5))
+from .experiments import QUICK_TRIAL, table_observability
+
 MODEL = ERROR_MODELS["averaged"]
 SHOWN = [
     MODEL.names.index(name)
@@ -25,20 +24,13 @@ SHOWN = [
 ]
 
 TOLD = Noise(velocity=0.005)
-COARSE = TableTrial(
-    scheme=Scheme(NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=63.0),
-    told=TOLD,
-    sample_interval=0.25,
-    update_interval=9.0,
-    keep=10_000,
-)
+MISINFORMED = replace(QUICK_TRIAL, told=TOLD)
 RUNS = 60
 
 
 def _deviations(scheme: Scheme, noise: Noise) -> FloatArray:
     """Standard deviations (27,) of the states that are expected after a scheme."""
-    way = passage(scheme, LATITUDE, MODEL)
-    return np.sqrt(np.diag(expected_covariance(way, noise, Spread())))
+    return table_observability(scheme, MODEL, noise).after
 
 
 @cache
@@ -56,7 +48,7 @@ def _growth() -> FloatArray:
 @cache
 def _surprise() -> float:
     """Mean squared normalised innovation, over its degrees of freedom, of a misinformed filter."""
-    trial = COARSE.run(np.random.default_rng(8), RUNS)
+    trial = MISINFORMED.run(np.random.default_rng(8), RUNS)
     return float(trial.calibration.surprise.mean()) / 3
 
 
@@ -113,11 +105,11 @@ class _Positions(Exercise):
                 f"This scheme has {scheme.positions} positions: one more than there are rotations."
             )
         try:
-            dark = null_directions(passage(scheme, LATITUDE, MODEL))
+            dark = table_observability(scheme, MODEL).words
         except ValueError as error:
             raise UnreadableError(str(error)) from None
-        if dark.words:
-            return f"In the dark stay {'; '.join(dark.words)}."
+        if dark:
+            return f"In the dark stay {'; '.join(dark)}."
         ratio, name = _compared(scheme)
         if ratio > self.most:
             return (
@@ -233,11 +225,11 @@ EXERCISES: dict[str, Exercise] = {
         accuracy=0.055,
         mistakes={
             "Twice the deviation is four times the variance, and squares are compared here.": (
-                lambda: COARSE.noise.velocity / TOLD.velocity
+                lambda: MISINFORMED.noise.velocity / TOLD.velocity
             ),
             "This would hold if the velocity noise were all. In the innovation there is also what "
             "the filter does not know of its own velocity, and that is told rightly.": (
-                lambda: (COARSE.noise.velocity / TOLD.velocity) ** 2
+                lambda: (MISINFORMED.noise.velocity / TOLD.velocity) ** 2
             ),
             "This is what a filter finds that is told the truth.": lambda: 1.0,
             "The mean has not been divided by the three components yet.": lambda: 3 * _surprise(),

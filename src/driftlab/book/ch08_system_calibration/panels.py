@@ -6,15 +6,24 @@ from typing import ClassVar
 import numpy as np
 from scipy.constants import degree, g, hour, micro
 
-from driftlab.book.ch08_system_calibration.figures.calibration_errors import unit_of
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.imu import Noise
 from driftlab.motion.turntable import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
 from driftlab.triad import BODY_FRAMES
 
-from .figures import calibration_run, table_observability
+from .experiments import (
+    PARAMETERS,
+    CalibrationRun,
+    TableObservability,
+    calibration_history,
+    table_observability,
+    unit_of,
+)
+from .figures.calibration_run import CalibrationRunPicture
+from .figures.table_observability import TableObservabilityPicture
 
 STATES = {
     "all 30": FULL,
@@ -27,7 +36,7 @@ class ObservabilityExplorer(Explorer):
     """What a rotation scheme of one's own can show."""
 
     title = "Observability laboratory: what a rotation scheme can show"
-    picture_class = table_observability.TableObservabilityPicture
+    picture_class = TableObservabilityPicture
     controls = (
         Control(
             "rotations", "rotations", NINETEEN_POSITIONS.rotations,
@@ -37,7 +46,10 @@ class ObservabilityExplorer(Explorer):
         Control("dwell", "pause, s", 120.0, 10.0, 300.0, 10.0, group="scheme"),
         Control("rate", "turn rate, deg/s", 10.0, 2.0, 40.0, 1.0, group="scheme"),
         Control("states", "states", "27, averaged", choices=tuple(STATES), group="filter"),
-        Control("latitude", "latitude, degrees", 37.5, -80.0, 80.0, 0.5, group="filter"),
+        Control(
+            "latitude", "latitude, degrees", float(np.degrees(TABLE_LATITUDE)), -80.0, 80.0, 0.5,
+            group="filter",
+        ),
         Control("gyro", "gyro noise, 1e-3 °/√h", 5.0, 0.0, 50.0, 0.5, group="noise"),
         Control("accelerometer", "acc. noise, µg/√Hz", 5.0, 0.0, 100.0, 1.0, group="noise"),
         Control("velocity", "velocity noise, mm/s", 10.0, 1.0, 100.0, 1.0, group="noise"),
@@ -59,20 +71,20 @@ class ObservabilityExplorer(Explorer):
         rate = float(np.radians(values["rate"]))
         return Scheme(values["rotations"], (x, y, z), values["dwell"], rate)
 
-    def compute(self, values: Values) -> table_observability.TableObservability:
+    def compute(self, values: Values) -> TableObservability:
         noise = Noise(
             values["gyro"] * 1e-3 * degree / float(np.sqrt(hour)),
             values["accelerometer"] * micro * g,
             values["velocity"] * 1e-3,
         )
-        return table_observability.compute(
+        return table_observability(
             self._scheme(values),
             STATES[values["states"]],
             noise,
             float(np.radians(values["latitude"])),
         )
 
-    def numbers(self, data: table_observability.TableObservability) -> list[tuple[str, str]]:
+    def numbers(self, data: TableObservability) -> list[tuple[str, str]]:
         size = len(data.names)
         rows = [("rank", f"{size - data.dark} of {size}")]
         rows += [("in the dark", words) for words in data.words]
@@ -93,8 +105,7 @@ class ObservabilityExplorer(Explorer):
         start = tuple(values["start"].split())
         return (
             "import numpy as np\n"
-            f"from driftlab.error_model import {imported}\n"
-            "from driftlab.calibration import null_directions, passage\n"
+            f"from driftlab.calibration import {imported}, null_directions, passage\n"
             "from driftlab.motion import Scheme\n"
             f"scheme = Scheme({values['rotations']!r}, {start},\n"
             f"                dwell={values['dwell']}, rate=np.radians({values['rate']}))\n"
@@ -107,12 +118,9 @@ class CalibrationRunExplorer(Explorer):
     """One sensor error after the other, all along a calibration."""
 
     title = "A calibration, sensor error by sensor error"
-    picture_class = calibration_run.CalibrationRunPicture
+    picture_class = CalibrationRunPicture
     controls = (
-        Control(
-            "parameter", "sensor error", "gyro bias x", choices=calibration_run.PARAMETERS,
-            group="what",
-        ),
+        Control("parameter", "sensor error", "gyro bias x", choices=PARAMETERS, group="what"),
         Control(
             "frame", "body axes", "averaged", choices=tuple(BODY_FRAMES[:3]), group="what"
         ),
@@ -126,10 +134,10 @@ class CalibrationRunExplorer(Explorer):
         "Accelerometer installation": {"parameter": "accelerometer off-diagonal xy"},
     }
 
-    def compute(self, values: Values) -> calibration_run.CalibrationRun:
-        return calibration_run.compute(values["parameter"], values["frame"], values["minute"])
+    def compute(self, values: Values) -> CalibrationRun:
+        return calibration_history(values["parameter"], values["frame"], values["minute"])
 
-    def numbers(self, data: calibration_run.CalibrationRun) -> list[tuple[str, str]]:
+    def numbers(self, data: CalibrationRun) -> list[tuple[str, str]]:
         size, unit = unit_of(data.name)
         at = data.shown
         return [
@@ -143,8 +151,8 @@ class CalibrationRunExplorer(Explorer):
 
     def call(self, values: Values) -> str:
         return (
-            "from driftlab.figures import calibration_run\n"
-            f"history = calibration_run.compute({values['parameter']!r}, {values['frame']!r}, "
+            "from driftlab.book.ch08_system_calibration.experiments import calibration_history\n"
+            f"history = calibration_history({values['parameter']!r}, {values['frame']!r}, "
             f"{values['minute']})\n"
             "print(history.name, history.estimate[history.shown],\n"
             "      3 * history.deviation[history.shown])  # in SI units"

@@ -5,6 +5,7 @@ from scipy.constants import hour
 
 from driftlab.book.machinery.publish import FigureDefinition
 
+from .. import experiments
 from . import (
     calibration_errors,
     filter_consistency,
@@ -15,29 +16,28 @@ from . import (
 )
 
 
-def _consistency_caption(data: filter_consistency.FilterConsistency) -> str:
+def _consistency_caption(data: experiments.FilterConsistency) -> str:
     low, high = data.state_bounds
     inside = np.mean((data.states > low) & (data.states < high))
     return (
-        f"Calibrations of random units, {filter_consistency.RUNS} in the left and middle panels. "
+        f"Calibrations of random units, {experiments.RUNS} in the left and middle panels. "
         f"Left: squared normalised errors of all states, each value of one; {inside:.0%} of the "
         "values lie within their bounds, and neighbouring values hang together. Middle: the same "
         f"of the innovations, {data.inside:.1%} within theirs. Right: "
-        f"{filter_consistency.RUNS_BY_FRAME} for each dot, at the end of a shorter scheme, for "
+        f"{experiments.RUNS_BY_FRAME} for each dot, at the end of a shorter scheme, for "
         "units bent more and more. The linear filter becomes too sure of itself, and the choice of "
         "body axes decides when."
     )
 
 
-def _claim_caption(data: in_place_claim.InPlaceClaim) -> str:
+def _claim_caption(data: experiments.InPlaceClaim) -> str:
     one, own, table = (
-        in_place_claim.verdict(data.ratios[start, "velocity"])
-        for start in in_place_claim.ALL_STARTS
+        experiments.verdict(data.ratios[start, "velocity"]) for start in experiments.ALL_STARTS
     )
     return (
         f"{own.units} random units, calibrated with both choices of body axes on the same data, "
-        f"at rest for {in_place.DURATION / hour:.0f} hours: root mean square error with averaged "
-        "axes over that with usual axes. Velocity is better with averaged axes in "
+        f"at rest for {experiments.REST_DURATION / hour:.0f} hours: root mean square error with "
+        "averaged axes over that with usual axes. Velocity is better with averaged axes in "
         f"{one.better} units if both start from one attitude, in {own.better} if each starts from "
         f"the exact attitude of its own true axes (by {1 - own.median:.1%} at the median), and in "
         f"{table.better} if both start from the table's axes (by {1 - table.median:.0%})."
@@ -47,8 +47,8 @@ def _claim_caption(data: in_place_claim.InPlaceClaim) -> str:
 FIGURES = (
     FigureDefinition(
         "08-scheme-directions",
-        scheme_directions.compute,
-        scheme_directions.SchemeDirectionsPicture,
+        experiments.up_in_body_axes,
+        scheme_directions.draw,
         scheme_directions.columns,
         lambda data: (
             "Which body axis points up along the two rotation schemes, with pauses of two minutes "
@@ -58,8 +58,8 @@ FIGURES = (
     ),
     FigureDefinition(
         "08-table-observability",
-        table_observability.compute,
-        table_observability.TableObservabilityPicture,
+        experiments.table_observability,
+        table_observability.TableObservabilityPicture.draw,
         table_observability.columns,
         lambda data: (
             f"All {len(data.names)} states on the nineteen positions. Left: {data.dark} "
@@ -70,8 +70,8 @@ FIGURES = (
     ),
     FigureDefinition(
         "08-calibration-errors",
-        calibration_errors.compute,
-        calibration_errors.CalibrationErrorsPicture,
+        experiments.calibration_errors,
+        calibration_errors.draw,
         calibration_errors.columns,
         lambda data: (
             "A typical unit on the nineteen positions: size of the error of each of the "
@@ -81,15 +81,15 @@ FIGURES = (
     ),
     FigureDefinition(
         "08-filter-consistency",
-        filter_consistency.compute,
-        filter_consistency.FilterConsistencyPicture,
+        experiments.filter_consistency,
+        filter_consistency.draw,
         filter_consistency.columns,
         _consistency_caption,
     ),
     FigureDefinition(
         "08-in-place",
-        in_place.compute,
-        in_place.InPlacePicture,
+        experiments.errors_at_rest,
+        in_place.draw,
         in_place.columns,
         lambda _: (
             "The paper's Figs. 3 to 5, simulated from its description: the typical unit of "
@@ -100,8 +100,8 @@ FIGURES = (
     ),
     FigureDefinition(
         "08-in-place-claim",
-        in_place_claim.compute,
-        in_place_claim.InPlaceClaimPicture,
+        experiments.error_ratios_at_rest,
+        in_place_claim.draw,
         in_place_claim.columns,
         _claim_caption,
     ),

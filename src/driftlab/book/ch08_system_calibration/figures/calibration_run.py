@@ -1,75 +1,13 @@
-"""One calibration by the 27-state filter: errors of the 21 sensor errors and what it says of them.
+"""One sensor error in a calibration by the 27-state filter: its error, and what the filter says.
 
-The picture is of one of them; `calibration_errors` shows all.
+`calibration_errors` shows all of them.
 """
-
-from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, Picture
-from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.simulation import TableTrial, Trial
-from driftlab.checks import FloatArray
-from driftlab.imu import TYPICAL
 
-SEED = 20180501
-"""Of the noise, and of the table's error in setting up."""
-
-PARAMETERS = (
-    *(f"gyro bias {axis}" for axis in "xyz"),
-    *(f"gyro scale {axis}" for axis in "xyz"),
-    *(f"gyro off-diagonal {i}" for i in (1, 2, 3)),
-    *(f"accelerometer bias {axis}" for axis in "xyz"),
-    *(f"accelerometer scale {axis}" for axis in "xyz"),
-    *(f"accelerometer off-diagonal {places}" for places in ("xy", "xz", "yx", "yz", "zx", "zy")),
-)
-"""The 21 sensor errors of a model whose axes the gyros fix. What the three off-diagonal entries
-of the gyros are depends on the axes."""
-
-
-class CalibrationRun(NamedTuple):
-    """History of one state."""
-
-    name: str  # as the error model calls it
-    times: FloatArray  # (k,), s
-    estimate: FloatArray  # (k,)
-    true: float
-    before: float  # standard deviation before the calibration
-    deviation: FloatArray  # (k,), as the filter states it
-    shown: int  # index of the moment whose numbers are wanted
-
-
-@lru_cache(maxsize=8)
-def trial(frame: str = "averaged") -> Trial:
-    """Calibrate the typical unit on the nineteen positions; the same noise for each frame."""
-    table = TableTrial(frame=frame, sample_interval=0.1, keep=6)
-    return table.run(np.random.default_rng(SEED), unit=TYPICAL)
-
-
-def compute(
-    parameter: str = "gyro bias x", frame: str = "averaged", minute: float = 40.0
-) -> CalibrationRun:
-    """History of one of `PARAMETERS`, and the moment nearest to a `minute` of it."""
-    if parameter not in PARAMETERS:
-        raise ValueError(f"parameter: expected one of {', '.join(PARAMETERS)}, got {parameter!r}.")
-    found = trial(frame)
-    model = ERROR_MODELS[frame]
-    state = 6 + PARAMETERS.index(parameter)
-    calibration = found.calibration
-    estimate = calibration.state[:, state]
-    table = TableTrial(frame=frame)
-    before = model.covariance(table.spread, table.scheme.start_attitude)
-    return CalibrationRun(
-        model.names[state],
-        calibration.times,
-        estimate,
-        float(estimate[-1] + found.errors[-1, state]),
-        float(np.sqrt(before[state, state])),
-        calibration.deviations[:, state],
-        int(np.abs(calibration.times / 60 - minute).argmin()),
-    )
+from ..experiments import CalibrationRun
 
 
 class CalibrationRunPicture(Picture[CalibrationRun]):

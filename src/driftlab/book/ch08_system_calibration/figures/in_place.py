@@ -1,27 +1,13 @@
 """A calibrated unit navigates in place, with two choices of body axes; Wu Figs. 3-5."""
 
-from typing import NamedTuple
-
-import numpy as np
+from matplotlib.figure import Figure
 from scipy.constants import arcsecond, hour, kilo
 
-from driftlab.book.machinery.picture import SERIES, Picture
-from driftlab.calibration.error_model import attitude_of_axes
-from driftlab.calibration.simulation import unit_in_axes
-from driftlab.calibration.static_navigation import InPlace, navigate_in_place
+from driftlab.book.machinery.picture import SERIES, in_style
 from driftlab.checks import FloatArray
-from driftlab.imu import TYPICAL, Unit
-from driftlab.triad import body_frame_rotation
 
-from .calibration_run import trial
+from ..experiments import FRAMES, REST_DURATION, InPlaceErrors
 
-LATITUDE = float(np.radians(37.5))
-DURATION = 4 * hour
-TABLE: FloatArray = np.array([0.0, 0.0, 0.0, 1.0])
-"""Attitude in which the unit stands: the table's axes are East, North, Up."""
-FRAMES = {"averaged": "averaged axes", "upper triangle": "usual axes"}
-STARTS = ("one attitude", "the table's axes")
-"""One attitude: both computers believe the same of the unit, each in its own axes."""
 PANELS = (
     ("attitude East", "attitude", 0, arcsecond, "arc seconds"),
     ("attitude North", "attitude", 1, arcsecond, "arc seconds"),
@@ -31,42 +17,6 @@ PANELS = (
     ("position East", "position", 0, kilo, "km"),
     ("position North", "position", 1, kilo, "km"),
 )
-
-
-class InPlaceErrors(NamedTuple):
-    """By choice of axes and by what the computer takes for its attitude at the start."""
-
-    runs: dict[tuple[str, str], InPlace]
-
-
-def compute() -> InPlaceErrors:
-    """Take the typical unit, as `calibration_run` found it, through four hours at rest."""
-    runs = {}
-    for frame in FRAMES:
-        found = trial(frame).calibration.unit
-        _, turn = unit_in_axes(TYPICAL, frame)
-        own = attitude_of_axes(TABLE, turn)
-        if frame == "averaged":
-            first, found_first = own, found
-        one = same_attitude(first, found_first, frame)
-        for start, axes in zip(STARTS, (one, TABLE), strict=True):
-            runs[frame, start] = navigate_in_place(
-                TYPICAL, found, TABLE, start=axes, reference=axes,
-                latitude=LATITUDE, duration=DURATION,
-            )  # fmt: skip
-    return InPlaceErrors(runs)
-
-
-def same_attitude(attitude: FloatArray, found: Unit, frame: str) -> FloatArray:
-    """Attitude (..., 4) of other axes that says the same of the unit as `attitude` (..., 4).
-
-    The way from the axes of `found` to those of `frame` is what the found errors say; the true
-    errors would bring in what the calibration has left over.
-    """
-    if frame == "averaged":
-        return attitude
-    turn = body_frame_rotation(found.gyro_error, found.accelerometer_error, frame)
-    return attitude_of_axes(attitude, turn)
 
 
 def columns(data: InPlaceErrors) -> dict[str, FloatArray]:
@@ -81,29 +31,24 @@ def columns(data: InPlaceErrors) -> dict[str, FloatArray]:
     return table
 
 
-class InPlacePicture(Picture[InPlaceErrors]):
-    """Seven panels: three of attitude, two of velocity, two of position."""
-
-    size = (10.5, 5.4)
-
-    def build(self) -> None:
-        panels = self.figure.subplots(2, 4, sharex=True)
-        self.figure.subplots_adjust(0.055, 0.1, 0.99, 0.94, wspace=0.27, hspace=0.25)
-        panels[0, 3].axis("off")
-        self.panels = [*panels[0, :3], *panels[1]]
-        self.corner = panels[0, 3]
-        for panel, (title, *_, unit) in zip(self.panels, PANELS, strict=True):
-            panel.set_title(f"{title}, {unit}", fontsize=9)
-            panel.set_xlim(0, DURATION / hour)
-        for panel in panels[1]:
-            panel.set_xlabel("time, hours")
-
-    def update(self, data: InPlaceErrors) -> None:
-        for (frame, start), style in zip(data.runs, SERIES, strict=False):
-            run = data.runs[frame, start]
+@in_style
+def draw(data: InPlaceErrors) -> Figure:
+    """Draw seven panels: three of attitude, two of velocity, two of position."""
+    figure = Figure(figsize=(10.5, 5.4))
+    grid = figure.subplots(2, 4, sharex=True)
+    figure.subplots_adjust(0.055, 0.1, 0.99, 0.94, wspace=0.27, hspace=0.25)
+    corner = grid[0, 3]
+    corner.axis("off")
+    panels = [*grid[0, :3], *grid[1]]
+    for panel, (title, quantity, axis, unit, name) in zip(panels, PANELS, strict=True):
+        panel.set_title(f"{title}, {name}", fontsize=9)
+        panel.set_xlim(0, REST_DURATION / hour)
+        for ((frame, start), run), style in zip(data.runs.items(), SERIES, strict=False):
+            values = getattr(run, quantity)[:, axis] / unit
             label = f"{FRAMES[frame]},\nstart: {start}"
-            for panel, (_, quantity, axis, unit, _) in zip(self.panels, PANELS, strict=True):
-                values = getattr(run, quantity)[:, axis] / unit
-                panel.plot(run.times / hour, values, **style, label=label)
-        handles, labels = self.panels[0].get_legend_handles_labels()
-        self.corner.legend(handles, labels, loc="center", labelspacing=1.0, fontsize=8)
+            panel.plot(run.times / hour, values, **style, label=label)
+    for panel in grid[1]:
+        panel.set_xlabel("time, hours")
+    handles, labels = panels[0].get_legend_handles_labels()
+    corner.legend(handles, labels, loc="center", labelspacing=1.0, fontsize=8)
+    return figure

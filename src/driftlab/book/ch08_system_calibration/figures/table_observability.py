@@ -1,65 +1,15 @@
 """What a rotation scheme shows: eigenvalues of the Gramian, and the accuracy to expect."""
 
-from functools import lru_cache
-from typing import NamedTuple
-
 import numpy as np
 
 from driftlab.book.machinery.picture import BLACK, BLUE, GREY, VERMILION, Picture
-from driftlab.calibration.error_model import FULL, ErrorModel
-from driftlab.calibration.observability import (
-    Darkness,
-    Passage,
-    checked_model,
-    expected_covariance,
-    null_directions,
-    passage,
-)
-from driftlab.checks import FloatArray, finite_number
-from driftlab.imu import Noise, Spread
-from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme
+from driftlab.calibration.error_model import FULL
+from driftlab.checks import FloatArray
 
-LATITUDE = float(np.radians(37.5))
+from ..experiments import TableObservability
+
 FLOOR = 1e-21
 """Below it an eigenvalue, relative to the largest, is drawn as zero."""
-
-
-class TableObservability(NamedTuple):
-    """One scheme and one choice of states."""
-
-    names: tuple[str, ...]
-    eigenvalues: FloatArray  # (size,), ascending, relative to the largest
-    dark: int  # how many of them are zero
-    words: list[str]  # which directions they belong to
-    before: FloatArray  # (size,): standard deviations known before, SI
-    after: FloatArray  # (size,): expected after the scheme
-
-
-def compute(
-    scheme: Scheme = NINETEEN_POSITIONS,
-    model: ErrorModel = FULL,
-    noise: Noise | None = None,
-    latitude: float = LATITUDE,
-) -> TableObservability:
-    """Follow the error equations of a model along a scheme; typical spread and noise."""
-    way, dark = _followed(scheme, finite_number(latitude, "latitude"), checked_model(model))
-    spread = Spread()
-    covariance = expected_covariance(way, Noise() if noise is None else noise, spread)
-    return TableObservability(
-        model.names,
-        dark.eigenvalues / dark.eigenvalues[-1],
-        len(dark.directions),
-        list(dark.words),
-        np.sqrt(np.diag(model.covariance(spread, way.start))),
-        np.sqrt(np.diag(covariance)),
-    )
-
-
-@lru_cache(maxsize=1)
-def _followed(scheme: Scheme, latitude: float, model: ErrorModel) -> tuple[Passage, Darkness]:
-    """What does not depend on the noise: kept for a reader who moves only that."""
-    way = passage(scheme, latitude, model)
-    return way, null_directions(way)
 
 
 def columns(data: TableObservability) -> dict[str, FloatArray | list[str]]:
