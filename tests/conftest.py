@@ -1,6 +1,40 @@
-"""Settings of all tests: property tests draw the same examples everywhere, without a clock."""
+"""Settings of all tests: property tests draw the same examples everywhere, without a clock.
 
+Several processes may share the tests. What uses the same runs is one group and stays in one of
+them: the tests of a published figure, of an explorer, and, of the rest, those of a file.
+"""
+
+from pathlib import Path
+
+import pytest
 from hypothesis import settings
 
 settings.register_profile("driftlab", derandomize=True, deadline=None, max_examples=60)
 settings.load_profile("driftlab")
+
+# The groups that take longest, the longest first: begun last, one of them would run alone.
+HEAVY = (
+    "figure-08-filter-consistency",
+    "CapstoneExplorer",
+    "CalibrationRunExplorer",
+    "test_calibration_trial",
+    "test_system_calibration",
+    "GyrocompassExplorer",
+    "figure-08-in-place-claim",
+)
+
+
+def group_of(item: pytest.Item) -> str:
+    """Name of the group of a test, empty if it is alone."""
+    mark = item.get_closest_marker("xdist_group")
+    return mark.args[0] if mark else ""
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Group what is left by files, and begin with what takes longest."""
+    for item in items:
+        if not group_of(item) and item.path.parent == Path(__file__).parent:
+            item.add_marker(pytest.mark.xdist_group(item.path.stem))
+    ranks = {name: rank for rank, name in enumerate(HEAVY)}
+    items.sort(key=lambda item: ranks.get(group_of(item), len(HEAVY)))

@@ -80,13 +80,16 @@ def estimate(values: Values) -> float:
 @pytest.mark.parametrize(
     ("name", "expected", "tolerance"),
     [
-        ("ErrorMotionExplorer", error_at_the_end, {"rel": 1e-9, "abs": 1e-12}),
-        ("RootsExplorer", first_order_roots, {"rel": 1e-12}),
-        ("DriftExplorer", drift, {"rel": 1e-12}),
-        ("TurnCalibrationExplorer", estimates, {"abs": 1e-9}),
-        ("CayleyMapExplorer", cayley, {"abs": 1e-3, "rel": 1e-3}),
-        ("AlgorithmLaboratoryExplorer", worst_errors, {"rel": 0.01}),
-        ("CalibrationRunExplorer", estimate, {"abs": 1e-9}),
+        pytest.param(*case, id=case[0], marks=pytest.mark.xdist_group(case[0]))
+        for case in (
+            ("ErrorMotionExplorer", error_at_the_end, {"rel": 1e-9, "abs": 1e-12}),
+            ("RootsExplorer", first_order_roots, {"rel": 1e-12}),
+            ("DriftExplorer", drift, {"rel": 1e-12}),
+            ("TurnCalibrationExplorer", estimates, {"abs": 1e-9}),
+            ("CayleyMapExplorer", cayley, {"abs": 1e-3, "rel": 1e-3}),
+            ("AlgorithmLaboratoryExplorer", worst_errors, {"rel": 0.01}),
+            ("CalibrationRunExplorer", estimate, {"abs": 1e-9}),
+        )
     ],
 )
 def test_code_gives_the_numbers_of_its_panel(name, expected, tolerance) -> None:

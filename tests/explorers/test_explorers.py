@@ -9,18 +9,16 @@ from typing import ClassVar
 import ipywidgets as widgets
 import numpy as np
 import pytest
+from grouped import every_explorer
 from PIL import Image
 from scipy.constants import degree, g, hour, micro
 
-from driftlab.book.ch03_systematic_drift.figures.drift_by_symmetry import (
-    DriftBySymmetryPicture,
-    compute,
-)
-from driftlab.book.ch08_system_calibration.figures import calibration_run
+from driftlab.book.ch03_systematic_drift.experiments import drift_by_symmetry
+from driftlab.book.ch03_systematic_drift.figures.drift_by_symmetry import draw
+from driftlab.book.ch08_system_calibration.experiments import typical_trial
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
 from driftlab.book.panels import (
-    EXPLORERS,
     AlignmentBudgetExplorer,
     CalibrationRunExplorer,
     CapstoneExplorer,
@@ -43,8 +41,6 @@ UNITS = {
 PURE_NUMBERS = {
     *("size μ", "RK45 tolerance", "turns k", "steps in a turn", "tuning k2 R", "damping ratio"),
 }
-
-every_explorer = pytest.mark.parametrize("explorer_class", EXPLORERS, ids=lambda e: e.__name__)
 
 
 @every_explorer
@@ -170,7 +166,7 @@ class Fragile(Explorer):
     """Refuses above 1 and breaks above 2."""
 
     title = "fragile"
-    picture_class = DriftBySymmetryPicture
+    picture_class = draw
     controls = (Control("x", "x", 0.5, 0.0, 3.0, 0.1),)
     presets: ClassVar = {"start": {}}
 
@@ -179,7 +175,7 @@ class Fragile(Explorer):
             raise ZeroDivisionError("broken <here>")
         if values["x"] > 1:
             raise ValueError("x: expected at most 1, got more & more.")
-        return compute()
+        return drift_by_symmetry()
 
     def numbers(self, data):
         if self.values["x"] == 0:
@@ -257,10 +253,11 @@ def test_split_panel_says_the_three_parts() -> None:
     assert "misalignment about z <b>80.0″</b>" in explorer.text.value
 
 
+@pytest.mark.xdist_group("CalibrationRunExplorer")
 def test_calibration_panel_agrees_with_the_run() -> None:
     explorer = CalibrationRunExplorer("Gyro scale")
     explorer.set(minute=20.0)
-    trial = calibration_run.trial("averaged")
+    trial = typical_trial("averaged")
     at = int(np.abs(trial.calibration.times - 1200).argmin())
     state = trial.calibration.model.names.index("gyro scale x")
     for name, value in (
@@ -274,6 +271,7 @@ def test_calibration_panel_agrees_with_the_run() -> None:
         assert float(said) == pytest.approx(value / micro, abs=0.02)
 
 
+@pytest.mark.xdist_group("GyrocompassExplorer")
 def test_axes_that_must_reach_farther_are_drawn_anew_and_come_back() -> None:
     panel = GyrocompassExplorer()
     at_first, background = panel.image.value, panel._background
@@ -297,32 +295,41 @@ def test_a_vertical_body_still_shows_its_attitude() -> None:
     assert re.search(r"attitude error, exact <b>0\.\d+°</b>", panel.text.value)
 
 
-def test_panels_of_part_four_say_what_their_code_prints() -> None:
+@pytest.mark.parametrize(
+    ("explorer_class", "name"),
+    [
+        pytest.param(e, name, id=e.__name__, marks=pytest.mark.xdist_group(e.__name__))
+        for e, name in (
+            (AlignmentBudgetExplorer, "exact"),
+            (GyrocompassExplorer, "at the end"),
+            (CapstoneExplorer, "under way, as built"),
+        )
+    ],
+)
+def test_panels_of_part_four_say_what_their_code_prints(
+    explorer_class: type[Explorer], name: str
+) -> None:
     """The call beside the picture, run by itself, gives the panel's number."""
-    for explorer_class, name, place in (
-        (AlignmentBudgetExplorer, "exact", 0),
-        (GyrocompassExplorer, "at the end", 0),
-        (CapstoneExplorer, "under way, as built", 0),
-    ):
-        for preset in explorer_class.presets:
-            panel = explorer_class()
-            panel.set(**panel._presets[preset])
-            found = re.search(rf">{name} <b>(-?\d+\.\d+)°</b>", panel.text.value)
-            if found is None:  # no heading in a vertical body
-                assert preset == "Vertical"
-                continue
-            output = io.StringIO()
-            with contextlib.redirect_stdout(output):
-                exec(panel.call(panel.values), {})
-            printed = float(re.findall(r"-?\d+\.?\d*(?:e-?\d+)?", output.getvalue())[place])
-            assert float(found[1]) == pytest.approx(printed, abs=1e-4), preset
+    panel = explorer_class()
+    for preset in explorer_class.presets:
+        panel.preset.value = preset
+        found = re.search(rf">{name} <b>(-?\d+\.\d+)°</b>", panel.text.value)
+        if found is None:  # no heading in a vertical body
+            assert preset == "Vertical"
+            continue
+        output = io.StringIO()
+        with contextlib.redirect_stdout(output):
+            exec(panel.call(panel.values), {})
+        printed = float(re.findall(r"-?\d+\.?\d*(?:e-?\d+)?", output.getvalue())[0])
+        assert float(found[1]) == pytest.approx(printed, abs=1e-4), preset
 
 
-def test_a_slider_shows_every_step_it_makes() -> None:
-    for explorer_class in EXPLORERS:
-        for widget in explorer_class()._widgets.values():
-            if isinstance(widget, widgets.FloatSlider):
-                shown = {f"{widget.min + k * widget.step:{widget.readout_format}}" for k in (0, 1)}
-                assert len(shown) == 2, widget.description
-                step = float(f"{widget.step:{widget.readout_format}}")
-                assert step == pytest.approx(widget.step), widget.description
+@every_explorer
+def test_a_slider_shows_every_step_it_makes(explorer_class: type[Explorer]) -> None:
+    for control in explorer_class.controls:
+        widget = control.widget()
+        if isinstance(widget, widgets.FloatSlider):
+            shown = {f"{widget.min + k * widget.step:{widget.readout_format}}" for k in (0, 1)}
+            assert len(shown) == 2, widget.description
+            step = float(f"{widget.step:{widget.readout_format}}")
+            assert step == pytest.approx(widget.step), widget.description

@@ -1,7 +1,6 @@
 """What can be tested of how well a figure can be seen: contrast, captions, no word of a colour."""
 
 import re
-from functools import cache
 
 import numpy as np
 import pytest
@@ -10,18 +9,13 @@ from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
 
-from driftlab.book.figures import figure_definitions
 from driftlab.book.machinery import picture
-from driftlab.book.machinery.publish import FigureDefinition, PublishedFigure
+from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.book.panels import EXPLORERS
+from published import NAMES, published
 
 COLOUR_WORDS = re.compile(
     r"\b(red|blue|green|orange|purple|violet|yellow|gr[ae]y|pink|cyan|magenta|vermilion)\b", re.I
-)
-
-shown = cache(PublishedFigure)
-every_figure = pytest.mark.parametrize(
-    "entry", figure_definitions().values(), ids=lambda entry: entry.name
 )
 
 
@@ -49,27 +43,26 @@ def test_every_line_style_of_the_book_stands_out_from_the_page():
     assert len({str(style["linestyle"]) for style in picture.SERIES}) == len(picture.SERIES)
 
 
-@every_figure
-def test_lines_and_texts_stand_out_from_the_page(entry: FigureDefinition) -> None:
-    figure = shown(entry)._figure
-    for text in figure.findobj(Text):
+@published(*NAMES)
+def test_lines_and_texts_stand_out_from_the_page(figure: PublishedFigure) -> None:
+    drawn = figure._figure
+    for text in drawn.findobj(Text):
         if text.get_text().strip() and text.get_visible():
             assert contrast(text.get_color()) >= 4.5, text
-    grids = {id(line) for axes in figure.axes for line in axes.get_xgridlines()}
-    grids |= {id(line) for axes in figure.axes for line in axes.get_ygridlines()}
-    for line in figure.findobj(Line2D):
+    grids = {id(line) for axes in drawn.axes for line in axes.get_xgridlines()}
+    grids |= {id(line) for axes in drawn.axes for line in axes.get_ygridlines()}
+    for line in drawn.findobj(Line2D):
         if id(line) not in grids and line.get_visible() and line.get_linestyle() != "None":
             assert contrast(line.get_color()) >= 3, line
-    for points in figure.findobj(Collection):
+    for points in drawn.findobj(Collection):
         for edge in points.get_edgecolor():
             assert edge[3] == 0 or contrast(edge) >= 3 or contrast(edge) == 1, points
 
 
-@every_figure
-def test_caption_is_sentences_and_names_no_colour(entry: FigureDefinition) -> None:
-    caption, figure = shown(entry).caption, shown(entry)._figure
-    assert re.match(r"[A-Z0-9“(].*[.”)]$", caption, re.DOTALL), caption
-    written = [caption, *(text.get_text() for text in figure.findobj(Text))]
+@published(*NAMES)
+def test_caption_is_sentences_and_names_no_colour(figure: PublishedFigure) -> None:
+    assert re.match(r"[A-Z0-9“(].*[.”)]$", figure.caption, re.DOTALL), figure.caption
+    written = [figure.caption, *(text.get_text() for text in figure._figure.findobj(Text))]
     assert not [words for words in written if COLOUR_WORDS.search(words)]
 
 

@@ -11,22 +11,58 @@ from scipy.integrate import solve_ivp
 from scipy.stats import beta, binom, chi, chi2, kstest, studentized_range
 
 from driftlab.attitude.coning_algorithms import coning_drift
-from driftlab.book.ch09_aligning_a_gyrocompass.figures import (
+from driftlab.book.ch09_aligning_a_gyrocompass.experiments import DRIFT as DRIFT_09
+from driftlab.book.ch09_aligning_a_gyrocompass.experiments import (
+    GRIDS,
+    HEADING,
+    MOVING_AVERAGE,
+    OFFSET,
+    SLOW,
+    WHITE,
     alignment_budget,
-    alignment_terms,
-    averaging_window,
-    over_the_vertical,
+)
+from driftlab.book.ch09_aligning_a_gyrocompass.figures import averaging_window, over_the_vertical
+from driftlab.book.ch10_gyrocompass_at_work.experiments import (
+    DIAL,
+    FREQUENCY,
+    LASTING,
+    LEVELLING,
+    PRINTED_DEVIATION,
+    PRINTED_LARGEST,
+    PRINTED_SPREAD,
+    RANDOM,
+    RANDOM_WALK,
+    RESTARTS,
+    SETTLING_INTERVAL,
+    SHOWN,
+    TILT,
+    TRIALS,
+    printed_ratio_range,
+)
+from driftlab.book.ch10_gyrocompass_at_work.experiments.dial import RUNS
+from driftlab.book.ch10_gyrocompass_at_work.figures import (
+    operating_formula as operating_formula_figure,
 )
 from driftlab.book.ch10_gyrocompass_at_work.figures import (
-    ballistic_error,
-    operating_formula,
     operation,
-    restarts,
     settling,
     static_characteristic,
 )
+from driftlab.book.ch11_one_triad.experiments import (
+    AXES,
+    CONING_FREQUENCY,
+    MISALIGNMENT,
+    NON_ORTHOGONALITY,
+    SAMPLE_INTERVAL,
+    SEED,
+    TURNS,
+    bent_triad,
+    filter_leftover,
+    pairs_and_turn,
+)
 from driftlab.book.ch11_one_triad.figures import capstone
-from driftlab.book.scenarios import ship
+from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.scenarios import SARATOV_LATITUDE, SPEED, ship
 from driftlab.calibration.simulation import TableTrial
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.frames import angles_from_attitude, attitude_from_angles, geographic_rate
@@ -35,9 +71,10 @@ from driftlab.gyrocompass.heading_error import speed_deviation
 from driftlab.imu import PERFECT
 from driftlab.motion.vehicle import sensed_at_rest
 from driftlab.quaternion import from_rotation_vector, multiply, rotate
+from published import published
 from support import order_of
 
-LATITUDE = alignment_budget.LATITUDE
+LATITUDE = SARATOV_LATITUDE
 GRAVITY = float(gravity(LATITUDE))
 LEVEL_RATE = EARTH_RATE * np.cos(LATITUDE)
 SCHULER = float(np.sqrt(GRAVITY / EARTH_RADIUS))
@@ -56,14 +93,17 @@ def chi_bounds(count: int) -> np.ndarray:
 # Alignment
 
 
-def test_the_budget_is_the_sum_of_its_terms_and_off_in_second_order() -> None:
-    data = alignment_budget.compute()
+@published("09-alignment-budget")
+def test_the_budget_is_the_sum_of_its_terms_and_off_in_second_order(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
     assert data.bars[:4].sum() == pytest.approx(data.bars[4], rel=1e-12)
     assert (data.bars[:4] != 0).all()
 
     def gap(size: float) -> float:
-        drift, offset = size * alignment_budget.DRIFT, size * alignment_budget.OFFSET
-        part = alignment_budget.compute(drift=drift, offset=offset)
+        drift, offset = size * DRIFT_09, size * OFFSET
+        part = alignment_budget(drift=drift, offset=offset)
         pairs = (part.pitch, part.roll, part.latitude, part.attitude, part.bars[4:])
         return largest([first - exact for first, exact in pairs])
 
@@ -71,10 +111,11 @@ def test_the_budget_is_the_sum_of_its_terms_and_off_in_second_order() -> None:
     assert order_of(lambda size: gap(100 * size)) == pytest.approx(2, abs=0.1)
 
 
-def test_the_budget_of_one_heading_is_on_the_curve_of_all() -> None:
-    data = alignment_budget.compute()
+@published("09-alignment-budget")
+def test_the_budget_of_one_heading_is_on_the_curve_of_all(figure: PublishedFigure) -> None:
+    data = figure.data
     for heading in data.headings[::9]:
-        here = alignment_budget.compute(heading=heading)
+        here = alignment_budget(heading=heading)
         place = np.flatnonzero(data.headings == heading)
         np.testing.assert_allclose(here.bars[-2], data.first_order[place], rtol=0, atol=1e-15)
         np.testing.assert_allclose(here.bars[-1], data.exact[place], rtol=0, atol=1e-15)
@@ -83,9 +124,10 @@ def test_the_budget_of_one_heading_is_on_the_curve_of_all() -> None:
         assert here.roll == pytest.approx(data.roll, abs=1e-15)
 
 
-def test_the_budget_over_all_headings_is_a_mean_and_one_wave() -> None:
+@published("09-alignment-budget")
+def test_the_budget_over_all_headings_is_a_mean_and_one_wave(figure: PublishedFigure) -> None:
     """Body-fixed errors stand still in the tangent of the pitch, and go round in the rest."""
-    data = alignment_budget.compute()
+    data = figure.data
     waves = np.stack([np.ones(73), np.cos(data.headings), np.sin(data.headings)], axis=-1)
     fitted, *_ = np.linalg.lstsq(waves, data.first_order)
     np.testing.assert_allclose(waves @ fitted, data.first_order, rtol=0, atol=1e-16)
@@ -93,18 +135,19 @@ def test_the_budget_over_all_headings_is_a_mean_and_one_wave() -> None:
     assert largest(data.exact - data.first_order) < 5e-3 * largest(data.exact)
 
 
-def test_each_term_goes_with_its_angle() -> None:
-    data = alignment_terms.compute()
+@published("09-alignment-terms")
+def test_each_term_goes_with_its_angle(figure: PublishedFigure) -> None:
+    data = figure.data
     east, by_cosine, by_sine, by_latitude = np.moveaxis(data.terms["heading"], -1, 0)
-    grid = alignment_terms.GRIDS["heading"]
+    grid = GRIDS["heading"]
     assert np.ptp(east) == np.ptp(by_latitude) == 0
     for term, wave in ((by_cosine, np.cos(grid)), (by_sine, np.sin(grid))):
         np.testing.assert_allclose(term, largest(term) * np.sign(term @ wave) * wave, atol=1e-15)
-    tangent = np.tan(alignment_terms.GRIDS["pitch"])
+    tangent = np.tan(GRIDS["pitch"])
     for k in (1, 2):
         term = data.terms["pitch"][:, k]
         np.testing.assert_allclose(term, term[-1] / tangent[-1] * tangent, rtol=1e-12)
-    place = alignment_terms.GRIDS["latitude"]
+    place = GRIDS["latitude"]
     pull = gravity(place)
     laws = (1 / np.cos(place), 1 / pull, 1 / pull, np.tan(place) / pull)
     for k, law in enumerate(laws):
@@ -112,29 +155,35 @@ def test_each_term_goes_with_its_angle() -> None:
         np.testing.assert_allclose(term, term[-1] / law[-1] * law, rtol=1e-12)
 
 
-def test_the_misprint_is_what_separates_the_printed_formula_from_the_exact_error() -> None:
-    data = alignment_terms.compute()
+@published("09-alignment-terms")
+def test_the_misprint_is_what_separates_the_printed_formula_from_the_exact_error(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
     for panel in ("heading", "pitch"):
         corrected = largest(data.terms[panel].sum(axis=-1) - data.exact[panel])
         assert corrected < 0.01
         assert largest(data.printed[panel] - data.exact[panel]) > 20 * corrected
-    for panel, grid in alignment_terms.GRIDS.items():
+    for panel, grid in GRIDS.items():
         place = grid if panel == "latitude" else LATITUDE
         third = data.terms[panel][:, 2]
         expected = data.terms[panel].sum(axis=-1) - third + third * np.tan(place)
         np.testing.assert_allclose(data.printed[panel], expected, rtol=0, atol=1e-13)
     # Where the tangent is one the misprint does not show.
-    at_45 = np.isclose(alignment_terms.GRIDS["latitude"], np.pi / 4)
+    at_45 = np.isclose(GRIDS["latitude"], np.pi / 4)
     assert at_45.sum() == 1
     right, wrong = data.terms["latitude"].sum(axis=-1), data.printed["latitude"]
     np.testing.assert_allclose(right[at_45], wrong[at_45], rtol=1e-12)
 
 
-def test_over_the_vertical_the_attitude_keeps_what_heading_and_roll_lose() -> None:
-    data = over_the_vertical.compute()
+@published("09-over-the-vertical")
+def test_over_the_vertical_the_attitude_keeps_what_heading_and_roll_lose(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
     up = data.angles < np.pi / 2
-    np.testing.assert_allclose(data.heading[up], over_the_vertical.HEADING, atol=1e-12)
-    np.testing.assert_allclose(data.heading[~up], over_the_vertical.HEADING - np.pi, atol=1e-12)
+    np.testing.assert_allclose(data.heading[up], HEADING, atol=1e-12)
+    np.testing.assert_allclose(data.heading[~up], HEADING - np.pi, atol=1e-12)
     np.testing.assert_allclose(data.roll[up], 0, atol=1e-12)
     np.testing.assert_allclose(np.abs(data.roll[~up]), np.pi, atol=1e-12)
     assert largest(data.heading_error) > 30 * largest(data.attitude_error)
@@ -144,13 +193,16 @@ def test_over_the_vertical_the_attitude_keeps_what_heading_and_roll_lose() -> No
     assert np.ptp(data.attitude_error) < 0.1 * data.attitude_error.min()
 
 
-def test_over_the_vertical_errors_are_as_large_as_the_first_order_says() -> None:
+@published("09-over-the-vertical")
+def test_over_the_vertical_errors_are_as_large_as_the_first_order_says(
+    figure: PublishedFigure,
+) -> None:
     """Heading: d - e tan(lat) + s tan(pitch); roll: -s/cos(pitch); s = e cos(psi) + n sin(psi).
 
     d, e and n are what the errors of the East gyro and of two accelerometers are in angles, and
     independent, of one size in each direction of the body.
     """
-    data = over_the_vertical.compute()
+    data = figure.data
     drift = largest(over_the_vertical.DRIFT) / LEVEL_RATE
     offset = largest(over_the_vertical.OFFSET) / GRAVITY
     pitch = np.minimum(data.angles, np.pi - data.angles)
@@ -178,18 +230,21 @@ def test_over_the_vertical_errors_are_as_large_as_the_first_order_says() -> None
 # Averages and restarts
 
 
-def test_averaging_falls_with_the_square_root_down_to_the_slow_part() -> None:
-    data = averaging_window.compute()
+@published("09-averaging-window")
+def test_averaging_falls_with_the_square_root_down_to_the_slow_part(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
     low, high = np.sqrt(chi_bounds(averaging_window.RUNS - 1))
     # Of the heading, to first order: white noise of a sample, 0.5 deg/h, is 3 degrees of it.
     ratio = data.simulated / data.formula
     assert (low < ratio).all()
     assert (ratio < high).all()
-    for white, alone in zip(averaging_window.WHITE, data.white_alone, strict=True):
+    for white, alone in zip(WHITE, data.white_alone, strict=True):
         expected = white * HOURLY / np.sqrt(data.windows) / LEVEL_RATE
         np.testing.assert_allclose(alone, expected, rtol=1e-12)
     slow = np.sqrt(data.formula**2 - data.white_alone**2)
-    floor = averaging_window.SLOW * HOURLY / LEVEL_RATE
+    floor = SLOW * HOURLY / LEVEL_RATE
     x = data.windows * 0.1 / 3600
     # The variance of a mean over x correlation times; a sum for an integral.
     expected = floor * np.sqrt(2 * (x + np.expm1(-x))) / x
@@ -197,54 +252,57 @@ def test_averaging_falls_with_the_square_root_down_to_the_slow_part() -> None:
     assert (slow > 0.9 * floor)[:, :-1].all()
 
 
-def test_the_printed_noise_needs_more_than_white_noise() -> None:
+@published("10-restarts")
+def test_the_printed_noise_needs_more_than_white_noise(figure: PublishedFigure) -> None:
     """0.06 to 0.5 deg/h become 0.01 to 0.02 in one window only if something slow is left."""
-    data = restarts.compute()
+    data = figure.data
     before, after = data.deviations.T / HOURLY
-    assert list(before.round(2)) == list(averaging_window.WHITE)
+    assert list(before.round(2)) == list(WHITE)
     assert list(after.round(2)) == [0.01, 0.02]
-    white_alone = np.array(averaging_window.WHITE) / np.sqrt(restarts.WINDOW)
+    white_alone = np.array(WHITE) / np.sqrt(MOVING_AVERAGE)
     np.testing.assert_allclose(white_alone, [0.0024, 0.02], rtol=1e-12)
     np.testing.assert_allclose(np.sqrt(after**2 - white_alone**2), 0.01, rtol=0.01)
 
 
-def test_restarts_spread_as_their_noise_says() -> None:
-    data = restarts.compute()
-    assert data.heading.shape == (restarts.RESTARTS,)
+@published("10-restarts")
+def test_restarts_spread_as_their_noise_says(figure: PublishedFigure) -> None:
+    data = figure.data
+    assert data.heading.shape == (RESTARTS,)
     expected = data.deviations[0, 1] / LEVEL_RATE
-    low, high = chi_bounds(restarts.RESTARTS - 1)
+    low, high = chi_bounds(RESTARTS - 1)
     assert low < data.heading.var(ddof=1) / expected**2 < high
-    assert abs(data.heading.mean()) < 4.9 * expected / np.sqrt(restarts.RESTARTS)
-    window = np.full(restarts.WINDOW, 1 / restarts.WINDOW)
+    assert abs(data.heading.mean()) < 4.9 * expected / np.sqrt(RESTARTS)
+    window = np.full(MOVING_AVERAGE, 1 / MOVING_AVERAGE)
     direct = np.convolve(data.raw, window, mode="valid")
     np.testing.assert_allclose(data.averaged, direct, rtol=0, atol=1e-12 * data.raw.std())
     low, high = chi_bounds(len(data.raw))
     assert low < (data.raw / data.deviations[1, 0]).var() < high
 
 
-def test_the_printed_spread_is_too_large_for_its_deviation() -> None:
+@published("10-restarts")
+def test_the_printed_spread_is_too_large_for_its_deviation(figure: PublishedFigure) -> None:
     """A pair that is so far apart follows a beta law; pairs, counted twice or not, are fewer."""
-    data = restarts.compute()
-    count = restarts.RESTARTS
-    ratio = restarts.PRINTED_SPREAD / restarts.PRINTED_DEVIATION
+    data = figure.data
+    count = RESTARTS
+    ratio = PRINTED_SPREAD / PRINTED_DEVIATION
     pair = beta.sf(ratio**2 / (2 * (count - 1)), 0.5, (count - 2) / 2)
     seen = np.count_nonzero(data.ranges >= ratio)
-    assert 0 < seen <= binom.ppf(1 - 1e-6, restarts.TRIALS, comb(count, 2) * pair)
+    assert 0 < seen <= binom.ppf(1 - 1e-6, TRIALS, comb(count, 2) * pair)
     assert comb(count, 2) * pair < 0.001
     # The law of all of them: times an independent deviation they are ranges.
     rng = np.random.default_rng(1)
     deviations = chi(count - 1).rvs(10000, random_state=rng) / np.sqrt(count - 1)
     found = kstest(data.ranges[:10000] * deviations, studentized_range(count, np.inf).cdf)
     assert found.pvalue > 1e-4
-    assert data.ranges.shape == (restarts.TRIALS,)
+    assert data.ranges.shape == (TRIALS,)
 
 
 def test_rounding_is_the_least_and_the_most_that_is_printed_so() -> None:
-    low, high = restarts.rounding()
+    low, high = printed_ratio_range()
     spreads, deviations = np.linspace(0.25, 0.35, 101), np.linspace(0.0535, 0.0545, 101)
-    assert {f"{spread:.1f}" for spread in spreads[1:-1]} == {f"{restarts.PRINTED_SPREAD:.1f}"}
+    assert {f"{spread:.1f}" for spread in spreads[1:-1]} == {f"{PRINTED_SPREAD:.1f}"}
     inside = {f"{deviation:.3f}" for deviation in deviations[1:-1]}
-    assert inside == {f"{restarts.PRINTED_DEVIATION:.3f}"}
+    assert inside == {f"{PRINTED_DEVIATION:.3f}"}
     ratios = spreads[:, np.newaxis] / deviations
     assert (low, high) == pytest.approx((ratios.min(), ratios.max()), rel=1e-12)
 
@@ -252,29 +310,33 @@ def test_rounding_is_the_least_and_the_most_that_is_printed_so() -> None:
 # On the dial table
 
 
-def test_the_shown_unit_follows_its_formula_within_the_noise_of_three_runs() -> None:
-    data = static_characteristic.compute()
-    noise = static_characteristic.RANDOM / np.sqrt(static_characteristic.RUNS) / LEVEL_RATE
-    low, high = chi_bounds(len(static_characteristic.DIAL))
+@published("10-static-characteristic")
+def test_the_shown_unit_follows_its_formula_within_the_noise_of_three_runs(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    noise = RANDOM / np.sqrt(RUNS) / LEVEL_RATE
+    low, high = chi_bounds(len(DIAL))
     gap = data.runs.mean(axis=0) - data.formula
     assert low < np.mean(gap**2) / noise**2 < high
     assert abs(gap.mean()) < 4.9 * noise / np.sqrt(len(gap))
     assert largest(data.formula) > 5 * noise
     # It is the unit whose largest error is nearest to the printed one.
     worst = largest(data.runs.mean(axis=0))
-    shown = data.largest[static_characteristic.SHOWN]
-    printed = np.radians(static_characteristic.PRINTED)
+    shown = data.largest[SHOWN]
+    printed = np.radians(PRINTED_LARGEST)
     assert worst == shown[np.abs(shown - printed).argmin()]
     assert worst == pytest.approx(printed, rel=0.01)
 
 
-def test_the_printed_error_is_the_median_of_the_shown_drift() -> None:
-    data = static_characteristic.compute()
+@published("10-static-characteristic")
+def test_the_printed_error_is_the_median_of_the_shown_drift(figure: PublishedFigure) -> None:
+    data = figure.data
     medians = np.degrees(np.median(data.largest, axis=1))
     assert (np.diff(medians) > 0).all()
-    nearest = np.abs(medians - static_characteristic.PRINTED).argmin()
-    assert nearest == static_characteristic.SHOWN
-    assert static_characteristic.LASTING[nearest] == 0.04
+    nearest = np.abs(medians - PRINTED_LARGEST).argmin()
+    assert nearest == SHOWN
+    assert LASTING[nearest] == 0.04
 
 
 def test_without_noise_a_unit_has_one_characteristic(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -285,11 +347,11 @@ def test_without_noise_a_unit_has_one_characteristic(monkeypatch: pytest.MonkeyP
     assert errors.shape == (400, 3, 25)
     assert np.ptp(errors, axis=1).max() < 1e-15
     np.testing.assert_allclose(errors[..., 0], errors[..., -1], rtol=0, atol=1e-14)
-    heading = static_characteristic.DIAL + north
+    heading = DIAL + north
     rates = drift / LEVEL_RATE
     east = -rates[..., 0] * np.sin(heading) + rates[..., 2] * np.cos(heading)
     # Squares of drifts against the Earth's rate, and of tilts, which a rate about Up also shows.
-    size = np.linalg.norm(rates, axis=-1).max() + 2 * static_characteristic.LEVELLING
+    size = np.linalg.norm(rates, axis=-1).max() + 2 * LEVELLING
     assert largest(errors - east - north) < size**2 < 0.1 * largest(east)
     low, high = chi_bounds(drift.size)
     assert low < np.mean((drift / (0.02 * HOURLY)) ** 2) < high
@@ -299,19 +361,20 @@ def test_without_noise_a_unit_has_one_characteristic(monkeypatch: pytest.MonkeyP
 # Settling
 
 
-def test_the_horizon_settles_as_an_oscillator_with_its_damping() -> None:
-    data = settling.compute()
+@published("10-settling")
+def test_the_horizon_settles_as_an_oscillator_with_its_damping(figure: PublishedFigure) -> None:
+    data = figure.data
     # The envelope falls with exp(-zeta wn t); in a whole period by so much.
-    decay, ringing = settling.FREQUENCY * np.sqrt(0.5), settling.FREQUENCY * np.sqrt(0.5)
-    period = round(2 * np.pi / ringing / settling.INTERVAL)
-    expected = np.exp(-decay * period * settling.INTERVAL)
+    decay, ringing = FREQUENCY * np.sqrt(0.5), FREQUENCY * np.sqrt(0.5)
+    period = round(2 * np.pi / ringing / SETTLING_INTERVAL)
+    expected = np.exp(-decay * period * SETTLING_INTERVAL)
     early = slice(10, 60)
     ratio = data.tilt[10 + period : 60 + period] / data.tilt[early]
     # While the tilt is not near one of its zeros; half a degree is a small angle within 1e-2.
     whole = data.tilt[early] > 0.3 * data.tilt[0]
     assert whole.sum() > 10
     np.testing.assert_allclose(ratio[whole], expected, rtol=0.05)
-    assert data.tilt[0] == pytest.approx(np.linalg.norm(settling.TILT), rel=0.05)
+    assert data.tilt[0] == pytest.approx(np.linalg.norm(TILT), rel=0.05)
     assert data.settling_heading[0] > np.radians(10)
     assert data.settling_heading[-1] < np.radians(1e-5)
     assert data.tilt[-1] < 1e-6 * data.tilt[0]
@@ -335,7 +398,7 @@ def test_the_swing_of_many_runs_is_as_large_as_the_formulas_say(
     # A whole swing later only what new noise has fed is different.
     period = 2 * np.pi / SCHULER
     begun, later = np.interp([60.0, 60.0 + period], data.times, data.deviation * LEVEL_RATE)
-    fed = settling.RANDOM_WALK * SCHULER * np.sqrt(period / 2)
+    fed = RANDOM_WALK * SCHULER * np.sqrt(period / 2)
     assert np.sqrt(later**2 - begun**2) == pytest.approx(fed, rel=0.01)
 
 
@@ -403,11 +466,11 @@ def test_a_ship_at_rest_solves_the_equations_of_the_working_compass(damping: flo
 
 def test_a_kept_voyage_is_the_voyage_of_its_own_numbers() -> None:
     numbers = {"latitude": 0.9, "speed": 10.0, "course": 0.3, "turn": 1.0, "interval": 60.0}
-    first = operation.kept_ship(**numbers)
-    assert operation.kept_ship(**numbers) is first
+    first = ship(**numbers)
+    assert ship(**numbers) is first
     for name, value in numbers.items():
         changed = {**numbers, name: 0.5 * value}
-        for ours, right in zip(operation.kept_ship(**changed), ship(**changed), strict=True):
+        for ours, right in zip(ship(**changed), ship(**changed), strict=True):
             np.testing.assert_array_equal(ours, right)
     with pytest.raises(ValueError, match="read-only"):
         first.velocity[0] = 1.0
@@ -447,8 +510,9 @@ def test_a_step_of_four_seconds_is_short_enough_under_way() -> None:
         assert gap < 1e-3 * largest(true)
 
 
-def test_the_heading_error_under_way_is_what_the_formula_says() -> None:
-    data = operation.compute()
+@published("10-operation")
+def test_the_heading_error_under_way_is_what_the_formula_says(figure: PublishedFigure) -> None:
+    data = figure.data
     gap = data.heading_error - data.formula.heading
     assert largest(gap) < 4e-3 * largest(data.heading_error)
     np.testing.assert_allclose(data.heading_error, data.yaw_error + data.compass_error, atol=1e-16)
@@ -494,9 +558,10 @@ def test_the_yaw_runs_away_and_the_compass_angle_takes_it_back() -> None:
     assert largest(data.heading_error) < 0.6 * largest(data.yaw_error)
 
 
-def test_the_speed_deviation_is_that_of_the_course() -> None:
+@published("10-operation")
+def test_the_speed_deviation_is_that_of_the_course(figure: PublishedFigure) -> None:
     """North at ten metres a second it is the angle of v/R to U cos(latitude); West almost none."""
-    data = operation.compute()
+    data = figure.data
     northward = data.times == 40 * 60
     place = LATITUDE + 10.0 * (28 * 60 + 60) / EARTH_RADIUS
     expected = -np.arctan2(10.0 / EARTH_RADIUS, EARTH_RATE * np.cos(place))
@@ -510,10 +575,11 @@ def test_the_speed_deviation_is_that_of_the_course() -> None:
     )
 
 
-def test_schulers_tuning_with_a_log_has_no_tilt() -> None:
-    runs = ballistic_error.compute().runs
+@published("10-ballistic-error")
+def test_schulers_tuning_with_a_log_has_no_tilt(figure: PublishedFigure) -> None:
+    runs = figure.data.runs
     plain, log, stiff, soft, damped = runs.values()
-    coriolis = 2 * EARTH_RATE * np.sin(LATITUDE) * ballistic_error.SPEED / GRAVITY
+    coriolis = 2 * EARTH_RATE * np.sin(LATITUDE) * SPEED / GRAVITY
     assert 0.3 * coriolis < largest(plain.tilt) < 2.1 * coriolis
     assert largest(log.tilt) < 0.005 * largest(plain.tilt)
     assert largest(log.tilt) < 0.001 * arcminute
@@ -542,20 +608,24 @@ def test_a_wrong_tuning_swings_with_the_rate_that_it_misses(factor: float) -> No
     assert largest(run.tilt[:, 1]) == pytest.approx(expected, rel=0.1)
 
 
-def test_a_damped_horizon_takes_the_acceleration_for_a_tilt_at_once() -> None:
+@published("10-ballistic-error")
+def test_a_damped_horizon_takes_the_acceleration_for_a_tilt_at_once(
+    figure: PublishedFigure,
+) -> None:
     """2 zeta ws/g times the acceleration is a rate, and what it is to the Earth's an angle."""
-    damped = list(ballistic_error.compute().runs.values())[-1]
+    damped = list(figure.data.runs.values())[-1]
     gathering = (damped.times > 600) & (damped.times < 720)
     # Fastest in the middle of the smooth step: 15/8 of its mean.
-    acceleration = 15 / 8 * ballistic_error.SPEED / 120
+    acceleration = 15 / 8 * SPEED / 120
     rate = 2 * 0.5 * SCHULER / GRAVITY * acceleration
     # On top of it, the swing that is beginning.
     found = largest(np.tan(damped.compass_error[gathering])) * LEVEL_RATE
     assert found == pytest.approx(rate, rel=0.12)
 
 
-def test_every_term_of_the_operating_formula_is_needed() -> None:
-    data = operating_formula.compute()
+@published("10-operating-formula")
+def test_every_term_of_the_operating_formula_is_needed(figure: PublishedFigure) -> None:
+    data = figure.data
     full, *without = (largest(gap) for gap in data.gaps)
     run = data.run
     np.testing.assert_allclose(
@@ -565,9 +635,11 @@ def test_every_term_of_the_operating_formula_is_needed() -> None:
         np.testing.assert_allclose(gap - data.gaps[0], term, rtol=0, atol=1e-16)
     assert min(without) > 1.8 * full
     # What all of them leave is of second order: the square of the angles in play.
-    angles = largest(run.yaw_error) + largest(run.tilt) * np.tan(operating_formula.SETTING["pitch"])
+    angles = largest(run.yaw_error) + largest(run.tilt) * np.tan(
+        operating_formula_figure.SETTING["pitch"]
+    )
     assert full < angles**2 < 0.05 * largest(run.compass_error)
-    short = operation.compute(**{**operating_formula.SETTING, "interval": 0.5})
+    short = operation.compute(**{**operating_formula_figure.SETTING, "interval": 0.5})
     assert largest(run.compass_error - short.compass_error[1::2]) < 1e-2 * full
 
 
@@ -579,55 +651,60 @@ six = st.tuples(*[st.floats(-1e-3, 1e-3)] * 6).map(np.array)
 
 @given(six)
 def test_a_bent_triad_is_a_symmetric_bend_and_a_turn(numbers: np.ndarray) -> None:
-    matrix = capstone.bent_triad(numbers[:3], numbers[3:])
-    np.testing.assert_allclose(capstone.parts(matrix), numbers, rtol=0, atol=1e-18)
+    matrix = bent_triad(numbers[:3], numbers[3:])
+    np.testing.assert_allclose(pairs_and_turn(matrix), numbers, rtol=0, atol=1e-18)
     assert not np.diag(matrix).any()
     rate = np.array([0.3, -0.5, 0.7])
-    bend = capstone.bent_triad(numbers[:3], np.zeros(3))
+    bend = bent_triad(numbers[:3], np.zeros(3))
     np.testing.assert_array_equal(bend, bend.T)
     turned = np.cross(numbers[3:], rate)
     np.testing.assert_allclose((matrix - bend) @ rate, turned, rtol=0, atol=1e-18)
 
 
-def test_turns_find_the_bend_within_their_noise_and_the_filter_both() -> None:
-    data = capstone.compute()
+@published("11-capstone")
+def test_turns_find_the_bend_within_their_noise_and_the_filter_both(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
     true, turns, filtered = data.known
     # 0.005 degrees a root hour in 36 s; half of the angle, over pi, is the estimate.
     noise = 0.005 * np.pi / 180 * np.sqrt(36 / 3600)
-    assert pytest.approx(noise) == capstone.TURNS.angle_noise
+    assert pytest.approx(noise) == TURNS.angle_noise
     gap = largest(turns[:3] - true[:3])
     assert 0.05 * noise / (2 * np.pi) < gap < 4.9 * noise / (2 * np.pi)
     assert np.isnan(turns[3:]).all()
-    np.testing.assert_allclose(true, [*capstone.NON_ORTHOGONALITY, *capstone.MISALIGNMENT])
+    np.testing.assert_allclose(true, [*NON_ORTHOGONALITY, *MISALIGNMENT])
     np.testing.assert_allclose(
-        filtered - true, capstone.parts(capstone.filter_leftover()), rtol=0, atol=1e-18
+        filtered - true, pairs_and_turn(filter_leftover()), rtol=0, atol=1e-18
     )
     assert largest(filtered - true) < 1.5 * arcsecond
 
 
-def test_drift_per_turn_is_that_of_what_is_left() -> None:
+@published("11-capstone")
+def test_drift_per_turn_is_that_of_what_is_left(figure: PublishedFigure) -> None:
     """2 pi n^T M n; a pure turn of the triad shows in it only in second order."""
-    data = capstone.compute()
-    found, left = capstone.bent_triad(*np.split(data.known[0], 2)), capstone.filter_leftover()
-    by_turns = capstone.bent_triad(data.known[1, :3], np.zeros(3))
+    data = figure.data
+    found, left = bent_triad(*np.split(data.known[0], 2)), filter_leftover()
+    by_turns = bent_triad(data.known[1, :3], np.zeros(3))
     for row, matrix in zip(data.per_turn, (found, found - by_turns, -left), strict=True):
-        expected = 2 * np.pi * np.einsum("ni,ij,nj->n", capstone.AXES, matrix, capstone.AXES)
+        expected = 2 * np.pi * np.einsum("ni,ij,nj->n", AXES, matrix, AXES)
         # The exact drift has half of the square of what is across as well.
         second = np.pi * np.linalg.norm(matrix, 2) ** 2
         np.testing.assert_allclose(row, expected, rtol=0, atol=1.01 * second)
         assert largest(row) > 10 * second
-    np.testing.assert_allclose(
-        data.per_turn[0, 3:], 2 * np.pi * capstone.NON_ORTHOGONALITY, rtol=0.01
-    )
+    np.testing.assert_allclose(data.per_turn[0, 3:], 2 * np.pi * NON_ORTHOGONALITY, rtol=0.01)
 
 
-def test_alignment_errors_of_the_triad_are_the_exact_ones_in_first_order() -> None:
-    data = capstone.compute()
+@published("11-capstone")
+def test_alignment_errors_of_the_triad_are_the_exact_ones_in_first_order(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
     attitude = attitude_from_angles(data.headings, 0.0, 0.0)
     rate, force = sensed_at_rest(attitude, LATITUDE)
-    bent = capstone.bent_triad(*np.split(data.known[0], 2))
-    by_turns = capstone.bent_triad(data.known[1, :3], np.zeros(3))
-    matrices = (bent, bent - by_turns, -capstone.filter_leftover())
+    bent = bent_triad(*np.split(data.known[0], 2))
+    by_turns = bent_triad(data.known[1, :3], np.zeros(3))
+    matrices = (bent, bent - by_turns, -filter_leftover())
     for aligned, matrix in zip(data.aligned, matrices, strict=True):
         gap = align(rate + rate @ matrix.T, force).heading - data.headings
         gap = np.angle(np.exp(1j * gap))
@@ -637,9 +714,10 @@ def test_alignment_errors_of_the_triad_are_the_exact_ones_in_first_order() -> No
     assert largest(data.aligned[2]) < 0.1 * largest(data.aligned[0])
 
 
+@pytest.mark.xdist_group("CapstoneExplorer")
 def test_a_coning_mount_adds_one_drift_at_all_stages() -> None:
     still, shaken = (capstone.compute(half_angle=angle) for angle in (0.0, 0.02))
-    cone = coning_drift("two-step-4", 0.02, capstone.CONING_FREQUENCY, capstone.SAMPLE_INTERVAL)
+    cone = coning_drift("two-step-4", 0.02, CONING_FREQUENCY, SAMPLE_INTERVAL)
     # About the right axis, of which East gets the cosine of the heading.
     expected = float(cone) * np.cos(still.headings) / LEVEL_RATE
     for before, after in zip(still.aligned, shaken.aligned, strict=True):
@@ -649,14 +727,15 @@ def test_a_coning_mount_adds_one_drift_at_all_stages() -> None:
     assert largest(worse.aligned[2] - still.aligned[2]) > 10 * largest(expected)
 
 
+@pytest.mark.xdist_group("CapstoneExplorer")
 def test_errors_under_way_of_bend_and_turn_add_up() -> None:
     nothing = np.zeros(3)
     whole, bend, turn, none = (
         capstone.compute(*parts).under_way.heading_error[0]
         for parts in (
-            (capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT),
-            (capstone.NON_ORTHOGONALITY, nothing),
-            (nothing, capstone.MISALIGNMENT),
+            (NON_ORTHOGONALITY, MISALIGNMENT),
+            (NON_ORTHOGONALITY, nothing),
+            (nothing, MISALIGNMENT),
             (nothing, nothing),
         )
     )
@@ -665,8 +744,9 @@ def test_errors_under_way_of_bend_and_turn_add_up() -> None:
     assert min(largest(bend), largest(turn)) > 50 * largest(none)
 
 
-def test_each_calibration_makes_the_heading_under_way_better() -> None:
-    data = capstone.compute()
+@published("11-capstone")
+def test_each_calibration_makes_the_heading_under_way_better(figure: PublishedFigure) -> None:
+    data = figure.data
     errors = np.degrees([largest(error) for error in data.under_way.heading_error])
     assert errors[1] < 0.5 * errors[0]
     assert errors[2] < 0.02 * errors[1]
@@ -675,10 +755,11 @@ def test_each_calibration_makes_the_heading_under_way_better() -> None:
     assert largest(data.under_way.heading_error[1] - turned) < 0.02 * largest(turned)
 
 
+@published("11-capstone")
 def test_the_step_is_short_enough_for_the_bent_triad(
-    monkeypatch: pytest.MonkeyPatch,
+    figure: PublishedFigure, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    coarse = capstone.compute()
+    coarse = figure.data
     step = int(capstone.INTERVAL)
     assert coarse.under_way.times[0] == step > 1
     monkeypatch.setattr(capstone, "INTERVAL", 1.0)
@@ -691,17 +772,18 @@ def test_the_step_is_short_enough_for_the_bent_triad(
     assert np.degrees(largest(fine.heading_error[1])) == pytest.approx(0.315, abs=0.001)
 
 
+@pytest.mark.xdist_group("CapstoneExplorer")
 def test_what_a_real_calibration_leaves_does_not_depend_on_the_bend() -> None:
-    kept = capstone.filter_leftover()
-    other = capstone.bent_triad(
+    kept = filter_leftover()
+    other = bent_triad(
         np.array([60.0, -40.0, -50.0]) * arcsecond, np.array([-30.0, 45.0, 10.0]) * arcsecond
     )
     unit = PERFECT._replace(gyro_error=other)
     trial = TableTrial(frame="accelerometers", sample_interval=0.1).run(
-        np.random.default_rng(capstone.SEED), unit=unit
+        np.random.default_rng(SEED), unit=unit
     )
     left = trial.calibration.unit.gyro_error - other
-    default = capstone.bent_triad(capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT)
+    default = bent_triad(NON_ORTHOGONALITY, MISALIGNMENT)
     # The two differ in second order: by the squares of the two bends.
     second = sum(np.linalg.norm(matrix, 2) ** 2 for matrix in (other, default))
     assert largest(left - kept) < 2 * second

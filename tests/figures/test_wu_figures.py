@@ -7,30 +7,37 @@ from hypothesis import strategies as st
 from scipy.constants import micro
 from scipy.stats import binom
 
-from driftlab.book.ch07_installation_errors.figures import (
-    equivalent_start,
-    plane_axes,
-    split_triad,
+from driftlab.book.ch07_installation_errors.experiments import (
+    SCHEME,
+    error_matrix_parts,
+    plane_body_axes,
+)
+from driftlab.book.ch08_system_calibration.experiments import (
+    ALL_STARTS,
+    FRAMES,
+    PARAMETERS,
+    STARTS,
+    calibration_history,
+    table_observability,
+    typical_trial,
+    unit_of,
+    verdict,
 )
 from driftlab.book.ch08_system_calibration.figures import (
-    calibration_errors,
-    calibration_run,
-    filter_consistency,
-    in_place,
-    in_place_claim,
-    scheme_directions,
-    table_observability,
+    table_observability as table_observability_figure,
 )
+from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.observability import expected_covariance, null_directions, passage
 from driftlab.imu import TYPICAL, Noise, Spread
 from driftlab.motion.turntable import Scheme
 from driftlab.triad import BODY_FRAMES, misalignment_vector
 from driftlab.vectors import cross_matrix
+from published import published
 
 
 def test_split_triad_shows_the_whole_and_its_parts() -> None:
-    data = split_triad.compute(TYPICAL.gyro_error)
+    data = error_matrix_parts(TYPICAL.gyro_error)
     np.testing.assert_allclose(data.parts[0], TYPICAL.gyro_error, rtol=0, atol=0)
     np.testing.assert_allclose(data.parts[1:].sum(axis=0), data.parts[0], rtol=0, atol=1e-18)
     np.testing.assert_allclose(data.parts[3], cross_matrix(data.vector), rtol=0, atol=1e-18)
@@ -40,13 +47,16 @@ def test_split_triad_shows_the_whole_and_its_parts() -> None:
 @given(st.floats(-0.7, 0.7), st.floats(-0.7, 0.7))
 def test_plane_axes_turn_by_the_mean_angle(x: float, y: float) -> None:
     """Wu (44), for angles of any size."""
-    data = plane_axes.compute((x, y))
+    data = plane_body_axes((x, y))
     assert data.averaged == pytest.approx((x + y) / 2, abs=1e-12)
     assert data.usual == pytest.approx(x, abs=1e-12)
 
 
-def test_equivalent_start_is_of_second_order_and_exact_for_a_rotation() -> None:
-    data = equivalent_start.compute()
+@published("07-equivalent-start")
+def test_equivalent_start_is_of_second_order_and_exact_for_a_rotation(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
     _, symmetric, skew, derivative = data.tilts
     assert symmetric[-1] > 10 * skew.max()
     # The total derivative, to first order: the square of some 40 arc seconds, times the turns.
@@ -61,13 +71,14 @@ def test_equivalent_start_is_of_second_order_and_exact_for_a_rotation() -> None:
     # What the first order leaves over is a tilt of the size squared, and as much times pi/4 again
     # for each quarter turn; gravity makes a velocity of it.
     square = np.sum(misalignment_vector(TYPICAL.gyro_error) ** 2)
-    tilt = square * (1 + np.pi / 4 * len(equivalent_start.SCHEME.turns))
+    tilt = square * (1 + np.pi / 4 * len(SCHEME.turns))
     assert both_and_start.max() < 9.81 * tilt * data.times[-1]
     assert min(gyros.max(), accelerometers.max(), both.max()) > 100 * both_and_start.max()
 
 
-def test_scheme_directions_end_pauses_along_an_axis() -> None:
-    data = scheme_directions.compute()
+@published("08-scheme-directions")
+def test_scheme_directions_end_pauses_along_an_axis(figure: PublishedFigure) -> None:
+    data = figure.data
     for times, up in zip(data.times, data.up, strict=True):
         assert len(times) == len(up)
         np.testing.assert_allclose(np.linalg.norm(up, axis=-1), 1, rtol=0, atol=1e-12)
@@ -76,29 +87,32 @@ def test_scheme_directions_end_pauses_along_an_axis() -> None:
         np.testing.assert_allclose(largest, 1, rtol=0, atol=1e-9)
 
 
+@pytest.mark.xdist_group("CalibrationRunExplorer")
 def test_calibration_run_is_what_the_trial_found() -> None:
-    found = calibration_run.trial("averaged")
-    assert found.calibration.model.names[6:9] == calibration_run.PARAMETERS[:3]
-    for i, parameter in enumerate(calibration_run.PARAMETERS):
-        data = calibration_run.compute(parameter, minute=10.0)
+    found = typical_trial("averaged")
+    assert found.calibration.model.names[6:9] == PARAMETERS[:3]
+    for i, parameter in enumerate(PARAMETERS):
+        data = calibration_history(parameter, minute=10.0)
         np.testing.assert_allclose(data.true - data.estimate, found.errors[:, 6 + i], atol=1e-12)
         assert data.times[data.shown] == pytest.approx(600, abs=3)
     with pytest.raises(ValueError, match=r"parameter: expected one of gyro bias x, .*got 'new'"):
-        calibration_run.compute("new")
+        calibration_history("new")
 
 
-def test_calibration_errors_stay_below_the_stated_deviations() -> None:
-    data = calibration_errors.compute()
+@published("08-calibration-errors")
+def test_calibration_errors_stay_below_the_stated_deviations(figure: PublishedFigure) -> None:
+    data = figure.data
     last = data.errors[-1] / data.deviations[-1]
     # Of 21 normal numbers one lies outside 4.5 in 7000 cases.
     assert np.abs(last).max() < 4.5
     assert (data.deviations[-1] < data.deviations[0]).all()
-    assert calibration_errors.unit_of("gyro scale x") == (micro, "ppm")
-    assert calibration_errors.unit_of("accelerometer installation xy")[1] == "arc seconds"
+    assert unit_of("gyro scale x") == (micro, "ppm")
+    assert unit_of("accelerometer installation xy")[1] == "arc seconds"
 
 
-def test_filter_consistency_of_the_published_runs() -> None:
-    data = filter_consistency.compute()
+@published("08-filter-consistency")
+def test_filter_consistency_of_the_published_runs(figure: PublishedFigure) -> None:
+    data = figure.data
     low, high = data.innovation_mean_bounds
     assert low < data.innovation_mean < high
     # Of 814 independent values 95 % lie inside, with a standard deviation of 0.8 %.
@@ -113,23 +127,25 @@ def test_filter_consistency_of_the_published_runs() -> None:
     assert by_frame["accelerometers"][-1] < by_frame["averaged"][-1]
 
 
-def test_table_observability_draws_zero_for_the_dark() -> None:
-    data = table_observability.compute()
+@published("08-table-observability")
+def test_table_observability_draws_zero_for_the_dark(figure: PublishedFigure) -> None:
+    data = figure.data
     assert data.dark == 3
-    assert (data.eigenvalues[:3] < table_observability.FLOOR).all()
+    assert (data.eigenvalues[:3] < table_observability_figure.FLOOR).all()
     assert data.eigenvalues[3] > 1e-10
     assert len(data.words) == 3
-    drawn = table_observability.TableObservabilityPicture()
+    drawn = table_observability_figure.TableObservabilityPicture()
     drawn.update(data)
     assert len(drawn.dark.get_xdata()) == 3
     assert len(drawn.bright.get_xdata()) == 27
     assert len(drawn.ratios.get_xdata()) == 24
 
 
-def test_in_place_curves_are_one_if_both_start_from_one_attitude() -> None:
-    data = in_place.compute()
-    one, table = in_place.STARTS
-    averaged, usual = in_place.FRAMES
+@published("08-in-place")
+def test_in_place_curves_are_one_if_both_start_from_one_attitude(figure: PublishedFigure) -> None:
+    data = figure.data
+    one, table = STARTS
+    averaged, usual = FRAMES
     for quantity in ("velocity", "position"):
         curves = {key: getattr(run, quantity) for key, run in data.runs.items()}
         apart = np.abs(curves[averaged, one] - curves[usual, one]).max()
@@ -138,34 +154,37 @@ def test_in_place_curves_are_one_if_both_start_from_one_attitude() -> None:
 
 
 def test_in_place_claim_verdict_counts() -> None:
-    verdict = in_place_claim.verdict(np.array([0.5, 0.9, 0.99, 1.2]))
-    assert (verdict.better, verdict.units) == (3, 4)
-    assert verdict.median == pytest.approx(0.945)
+    counted = verdict(np.array([0.5, 0.9, 0.99, 1.2]))
+    assert (counted.better, counted.units) == (3, 4)
+    assert counted.median == pytest.approx(0.945)
     # Clopper and Pearson: the chance of 3 or more is 2.5 % at the lower bound.
-    low, high = verdict.interval
+    low, high = counted.interval
     assert binom.sf(2, 4, low) == pytest.approx(0.025)
     assert binom.cdf(3, 4, high) == pytest.approx(0.025)
 
 
-def test_no_choice_of_axes_wins_from_one_attitude_and_averaged_axes_from_others() -> None:
-    data = in_place_claim.compute()
-    one, own, table = in_place_claim.ALL_STARTS
+@published("08-in-place-claim")
+def test_no_choice_of_axes_wins_from_one_attitude_and_averaged_axes_from_others(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    one, own, table = ALL_STARTS
     for quantity in ("attitude", "velocity", "position"):
-        verdict = in_place_claim.verdict(data.ratios[one, quantity])
-        assert verdict.interval[0] < 0.5 < verdict.interval[1]
-        assert verdict.median == pytest.approx(1, abs=2e-3)
+        counted = verdict(data.ratios[one, quantity])
+        assert counted.interval[0] < 0.5 < counted.interval[1]
+        assert counted.median == pytest.approx(1, abs=2e-3)
     # The distance of the two sets of axes from the table: 1 to the root of 2 in the mean.
-    assert in_place_claim.verdict(data.ratios[table, "velocity"]).median < 0.9
+    assert verdict(data.ratios[table, "velocity"]).median < 0.9
     # What a calibration leaves over, about an arc second, moves the exact start by as much.
-    exact = in_place_claim.verdict(data.ratios[own, "velocity"])
+    exact = verdict(data.ratios[own, "velocity"])
     assert exact.interval[0] > 0.5
     assert 0.98 < exact.median < 1
     for quantity in ("attitude", "position"):
-        low, high = in_place_claim.verdict(data.ratios[own, quantity]).interval
+        low, high = verdict(data.ratios[own, quantity]).interval
         assert low < 0.5 < high
     # The numbers that the book states.
     assert (exact.better, exact.units) == (163, 200)
-    assert in_place_claim.verdict(data.ratios[table, "velocity"]).better == 145
+    assert verdict(data.ratios[table, "velocity"]).better == 145
 
 
 def test_observability_of_a_table_is_that_of_its_own_scheme_model_latitude_and_noise() -> None:
@@ -173,18 +192,17 @@ def test_observability_of_a_table_is_that_of_its_own_scheme_model_latitude_and_n
     for latitude in (0.6, -0.6):
         for model in ERROR_MODELS.values():
             for noise in (Noise(), Noise(velocity=0.1)):
-                data = table_observability.compute(scheme, model, noise, latitude)
+                data = table_observability(scheme, model, noise, latitude)
                 way = passage(scheme, latitude, model)
                 after = np.sqrt(np.diag(expected_covariance(way, noise, Spread())))
                 np.testing.assert_array_equal(data.after, after)
                 assert data.words == null_directions(way).words
                 data.words.clear()  # nothing that is kept
     with pytest.raises(ValueError, match="latitude: expected one number, got shape"):
-        table_observability.compute(scheme, latitude=[0.6])
+        table_observability(scheme, latitude=[0.6])
     with pytest.raises(ValueError, match="model: expected an ErrorModel, got"):
-        table_observability.compute(scheme, ["x"])
+        table_observability(scheme, ["x"])
     odd = Scheme("+90Z -90X", ("East", "North", "Up"), np.array(120.0), np.radians(10.0))
     assert (
-        table_observability.compute(odd, latitude=0.6).words
-        == null_directions(passage(scheme, 0.6)).words
+        table_observability(odd, latitude=0.6).words == null_directions(passage(scheme, 0.6)).words
     )

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.constants import arcminute, arcsecond
 from scipy.integrate import solve_ivp
 
-from driftlab.book.ch04_calibration_by_turns.figures import turn_estimates
+from driftlab.book.ch04_calibration_by_turns.experiments import PLANS
 from driftlab.drift.characteristic_equation import (
     asymptotic_roots,
     characteristic_polynomial,
@@ -93,7 +93,7 @@ def turn_calibration(values: Values) -> Rows:
     triad = np.array(
         [[scale, s1, s2 - skew], [s1, scale, s3 + skew], [s2 + skew, s3 - skew, scale]]
     )
-    plan = turn_estimates.PLANS[values["plan"]]
+    plan = PLANS[values["plan"]]
     noise = values["noise"] * arcsecond
     experiment = TurnExperiment(values["turns"], values["steps"], values["formula"], noise)
     runs = 12 if noise else 1

@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.constants import arcsecond, degree, g, hour, micro, milli
 
-from driftlab.book.ch08_system_calibration.figures import calibration_run
+from driftlab.book.ch08_system_calibration.experiments import PARAMETERS, typical_trial
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.calibration.observability import expected_covariance, null_directions, passage
 from driftlab.imu import Noise, Spread
@@ -64,10 +64,10 @@ def unit_of(name: str) -> tuple[float, str]:
 
 
 def calibration(values: Values) -> Rows:
-    trial = calibration_run.trial(values["frame"])
+    trial = typical_trial(values["frame"])
     found = trial.calibration
     at = np.abs(found.times - 60 * values["minute"]).argmin()
-    state = 6 + calibration_run.PARAMETERS.index(values["parameter"])
+    state = 6 + PARAMETERS.index(values["parameter"])
     name = found.model.names[state]
     size, unit = unit_of(name)
     estimate, three = found.state[at, state] / size, 3 * found.deviations[at, state] / size

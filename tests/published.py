@@ -1,0 +1,35 @@
+"""The published figures, each computed once for all tests of a process.
+
+What belongs to one figure is one group of tests, so that only one of several processes computes it.
+"""
+
+from functools import cache
+
+import pytest
+
+from driftlab.book import figures
+from driftlab.book.machinery.publish import PublishedFigure
+
+NAMES = tuple(figures.figure_definitions())
+
+# Figures and panels that are of the same run.
+SHARED = {
+    "08-calibration-errors": "CalibrationRunExplorer",
+    "08-in-place": "CalibrationRunExplorer",
+    "11-capstone": "CapstoneExplorer",
+}
+
+
+@cache
+def computed(name: str) -> PublishedFigure:
+    """A published figure, as it is computed and drawn today."""
+    return figures.figure(name)
+
+
+def published(*names: str) -> pytest.MarkDecorator:
+    """Run a test on each of these figures: its argument `figure` is the `PublishedFigure`."""
+    cases = [
+        pytest.param(name, marks=pytest.mark.xdist_group(SHARED.get(name, f"figure-{name}")))
+        for name in names
+    ]
+    return pytest.mark.parametrize("figure", cases, indirect=True)
