@@ -17,8 +17,8 @@ HEAVY = (
     "figure-08-filter-consistency",
     "CapstoneExplorer",
     "CalibrationRunExplorer",
-    "test_calibration_trial",
-    "test_system_calibration",
+    "calibration/test_simulation",
+    "calibration/test_filter",
     "GyrocompassExplorer",
     "figure-08-in-place-claim",
 )
@@ -34,7 +34,8 @@ def group_of(item: pytest.Item) -> str:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Group what is left by files, and begin with what takes longest."""
     for item in items:
-        if not group_of(item) and item.path.parent == Path(__file__).parent:
-            item.add_marker(pytest.mark.xdist_group(item.path.stem))
+        if not group_of(item):
+            name = item.path.relative_to(Path(__file__).parent).with_suffix("").as_posix()
+            item.add_marker(pytest.mark.xdist_group(name))
     ranks = {name: rank for rank, name in enumerate(HEAVY)}
     items.sort(key=lambda item: ranks.get(group_of(item), len(HEAVY)))

@@ -73,7 +73,7 @@ def printed(value: float, like: str, rounding: str) -> str:
 
 
 def helper_modules() -> list[ModuleType]:
-    """All modules of the helper: everything but the book, SymPy, the checks and what is private."""
+    """All modules of the helper: all but the book, SymPy, checks, cores, private ones."""
     names = (module.name for module in walk_packages(driftlab.__path__, "driftlab."))
-    apart = ("driftlab.book", "driftlab.checks", "driftlab.symbolic", "driftlab._")
+    apart = ("driftlab.book", "driftlab.checks", "driftlab.core", "driftlab.symbolic", "driftlab._")
     return [import_module(name) for name in names if not name.startswith(apart)]

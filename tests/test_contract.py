@@ -192,6 +192,7 @@ APART = {
     imu.increment_rows,
     turntable.stand,
     vectors.left_jacobian,
+    vectors.wrap_angle,
     imu.compensate,
     error_dynamics.free_growth,
     filter.calibrate,

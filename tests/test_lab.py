@@ -126,7 +126,7 @@ def make_tiny(folder: Path) -> Path:
     )
     (folder / "pyproject.toml").write_text(TINY_PYPROJECT, "utf-8")
     (folder / "backend.py").write_text(TINY_BACKEND, "utf-8")
-    (folder / "src/driftlab/figures.py").write_text("print('figures drawn')\n", "utf-8")
+    (folder / "src/driftlab/book.py").write_text("print('figures drawn')\n", "utf-8")
     (folder / "src/jupyterlab/labapp.py").write_text(TINY_JUPYTERLAB, "utf-8")
     (folder / "src/zmq.py").write_text("def has(feature):\n    return True\n", "utf-8")
     (folder / "environment.txt").write_text(load(folder).environment.lock_line(), "utf-8")

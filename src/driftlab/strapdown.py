@@ -28,7 +28,7 @@ from .core.strapdown import Navigation, last_of
 from .earth import checked_latitude
 from .imu import increment_rows
 
-__all__ = ["Navigation", "at_rest", "last_of", "navigate"]
+__all__ = ["Navigation", "at_rest", "checked_interval", "last_of", "navigate"]
 
 ALGORITHM = ALGORITHMS["two-step-4"]
 """The attitude algorithm of the navigation; its step is a pair of increments."""
@@ -138,11 +138,7 @@ def navigate(
     >>> bool(np.abs(end.velocity).max() < 1e-5)
     True
     """
-    seconds = finite_number(interval, "interval")
-    if not 0 < seconds <= _LONGEST:
-        raise ValueError(
-            f"interval: expected a positive time of at most {_LONGEST:g} s, got {interval!r}."
-        )
+    seconds = checked_interval(interval)
     start = _checked(start)
     angle, velocity = increment_rows(angle_increments, velocity_increments)
     count = angle.shape[-2]
@@ -155,6 +151,31 @@ def navigate(
     return core.navigate(
         start, angle, velocity, seconds, ALGORITHM, every=every, hold_altitude=hold_altitude
     )
+
+
+def checked_interval(interval: float) -> float:
+    """Return the interval of increments, refusing one for which a navigation would not settle.
+
+    Parameters
+    ----------
+    interval : float
+        s.
+
+    Returns
+    -------
+    float
+
+    Examples
+    --------
+    >>> checked_interval(0.01)
+    0.01
+    """
+    seconds = finite_number(interval, "interval")
+    if not 0 < seconds <= _LONGEST:
+        raise ValueError(
+            f"interval: expected a positive time of at most {_LONGEST:g} s, got {interval!r}."
+        )
+    return seconds
 
 
 def _checked(state: Navigation) -> Navigation:

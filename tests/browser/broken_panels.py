@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from PIL import Image
 
-from driftlab.book.panels import RootsExplorer
+from driftlab.book import RootsExplorer
 
 
 class Blinking(RootsExplorer):

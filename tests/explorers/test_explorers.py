@@ -9,16 +9,10 @@ from typing import ClassVar
 import ipywidgets as widgets
 import numpy as np
 import pytest
-from grouped import every_explorer
 from PIL import Image
 from scipy.constants import degree, g, hour, micro
 
-from driftlab.book.ch03_systematic_drift.experiments import drift_by_symmetry
-from driftlab.book.ch03_systematic_drift.figures.drift_by_symmetry import draw
-from driftlab.book.ch08_system_calibration.experiments import typical_trial
-from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
-from driftlab.book.panels import (
+from driftlab.book import (
     AlignmentBudgetExplorer,
     CalibrationRunExplorer,
     CapstoneExplorer,
@@ -29,10 +23,16 @@ from driftlab.book.panels import (
     SplitExplorer,
     TurnCalibrationExplorer,
 )
+from driftlab.book.ch02_characteristic_equation.experiments import characteristic_roots
+from driftlab.book.ch02_characteristic_equation.figures.roots import RootsPicture
+from driftlab.book.ch08_system_calibration.experiments import typical_trial
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.observability import expected_covariance, passage
 from driftlab.imu import Noise, Spread
 from driftlab.motion.turntable import NINETEEN_POSITIONS
+from grouped import every_explorer
 
 UNITS = {
     *("degrees", "°", "″", "′", "arcsec a turn", "deg/s", "°/h", "1e-3 °/√h"),
@@ -166,7 +166,7 @@ class Fragile(Explorer):
     """Refuses above 1 and breaks above 2."""
 
     title = "fragile"
-    picture_class = draw
+    picture_class = RootsPicture
     controls = (Control("x", "x", 0.5, 0.0, 3.0, 0.1),)
     presets: ClassVar = {"start": {}}
 
@@ -175,7 +175,7 @@ class Fragile(Explorer):
             raise ZeroDivisionError("broken <here>")
         if values["x"] > 1:
             raise ValueError("x: expected at most 1, got more & more.")
-        return drift_by_symmetry()
+        return characteristic_roots(0.1, np.eye(3), [1, 0, 0])
 
     def numbers(self, data):
         if self.values["x"] == 0:

@@ -9,12 +9,12 @@ from typing import Any, ClassVar
 
 import ipywidgets as widgets
 import pytest
-from grouped import every_explorer
 
+from driftlab.book import DriftExplorer
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
 from driftlab.book.machinery.picture import Picture
-from driftlab.book.panels import DriftExplorer
+from grouped import every_explorer
 from panel_numbers import assert_shown, shown_numbers
 
 

@@ -24,9 +24,6 @@ from driftlab.book.ch01_rotation_and_error_kinematics.experiments import (
 )
 from driftlab.book.ch02_characteristic_equation.experiments import characteristic_roots, root_errors
 from driftlab.book.ch03_systematic_drift.experiments import drift_history, drift_map
-from driftlab.book.ch03_systematic_drift.figures import (
-    drift_by_symmetry as drift_by_symmetry_figure,
-)
 from driftlab.book.ch03_systematic_drift.figures import drift_history as drift_history_figure
 from driftlab.book.ch04_calibration_by_turns.experiments import FORMULAS as FORMULAS_04
 from driftlab.book.ch04_calibration_by_turns.experiments import (
@@ -46,7 +43,7 @@ from driftlab.book.ch06_picard_algorithms.experiments import (
 )
 from driftlab.book.machinery.picture import long_table
 from driftlab.book.machinery.publish import PublishedFigure, gallery
-from driftlab.book.scenarios import LARIN_TRIAD
+from driftlab.book.scenarios import LARIN_TRIAD, SYMMETRIC
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.turn_calibration import TurnExperiment
 from driftlab.motion.profiles import Coning, Sway
@@ -165,7 +162,7 @@ def test_roots_picture_shows_the_biquadratic(shape: np.ndarray, direction: np.nd
 
 
 def test_roots_errors_have_the_slopes_of_the_text() -> None:
-    data = characteristic_roots(0.1, drift_by_symmetry_figure.SYMMETRIC, [1, 1, 0.3])
+    data = characteristic_roots(0.1, SYMMETRIC, [1, 1, 0.3])
     small = (data.sizes > 1e-4) & (data.sizes < 1e-2)
     slopes = [
         np.polyfit(np.log(data.sizes[small]), np.log(error[small]), 1)[0]

@@ -1,5 +1,6 @@
 """The figures of Part IV: what they compute, and what their captions claim."""
 
+import inspect
 from math import comb
 
 import numpy as np
@@ -11,65 +12,20 @@ from scipy.integrate import solve_ivp
 from scipy.stats import beta, binom, chi, chi2, kstest, studentized_range
 
 from driftlab.attitude.coning_algorithms import coning_drift
-from driftlab.book.ch09_aligning_a_gyrocompass.experiments import DRIFT as DRIFT_09
-from driftlab.book.ch09_aligning_a_gyrocompass.experiments import (
-    GRIDS,
-    HEADING,
-    MOVING_AVERAGE,
-    OFFSET,
-    SLOW,
-    WHITE,
-    alignment_budget,
-)
-from driftlab.book.ch09_aligning_a_gyrocompass.figures import averaging_window, over_the_vertical
-from driftlab.book.ch10_gyrocompass_at_work.experiments import (
-    DIAL,
-    FREQUENCY,
-    LASTING,
-    LEVELLING,
-    PRINTED_DEVIATION,
-    PRINTED_LARGEST,
-    PRINTED_SPREAD,
-    RANDOM,
-    RANDOM_WALK,
-    RESTARTS,
-    SETTLING_INTERVAL,
-    SHOWN,
-    TILT,
-    TRIALS,
-    printed_ratio_range,
-)
-from driftlab.book.ch10_gyrocompass_at_work.experiments.dial import RUNS
-from driftlab.book.ch10_gyrocompass_at_work.figures import (
-    operating_formula as operating_formula_figure,
-)
-from driftlab.book.ch10_gyrocompass_at_work.figures import (
-    operation,
-    settling,
-    static_characteristic,
-)
-from driftlab.book.ch11_one_triad.experiments import (
-    AXES,
-    CONING_FREQUENCY,
-    MISALIGNMENT,
-    NON_ORTHOGONALITY,
-    SAMPLE_INTERVAL,
-    SEED,
-    TURNS,
-    bent_triad,
-    filter_leftover,
-    pairs_and_turn,
-)
-from driftlab.book.ch11_one_triad.figures import capstone
+from driftlab.book.ch09_aligning_a_gyrocompass import experiments as alignments
+from driftlab.book.ch10_gyrocompass_at_work import experiments as at_work
+from driftlab.book.ch10_gyrocompass_at_work.experiments import dial
+from driftlab.book.ch11_one_triad import experiments as capstone
 from driftlab.book.machinery.publish import PublishedFigure
-from driftlab.book.scenarios import SARATOV_LATITUDE, SPEED, ship
+from driftlab.book.scenarios import SARATOV_LATITUDE, SPEED, TURN, UNDER_WAY, ship
 from driftlab.calibration.simulation import TableTrial
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.frames import angles_from_attitude, attitude_from_angles, geographic_rate
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.heading_error import speed_deviation
+from driftlab.gyrocompass.simulation import take_along
 from driftlab.imu import PERFECT
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.motion.vehicle import sensed_at_rest, smooth_step, voyage
 from driftlab.quaternion import from_rotation_vector, multiply, rotate
 from published import published
 from support import order_of
@@ -102,8 +58,8 @@ def test_the_budget_is_the_sum_of_its_terms_and_off_in_second_order(
     assert (data.bars[:4] != 0).all()
 
     def gap(size: float) -> float:
-        drift, offset = size * DRIFT_09, size * OFFSET
-        part = alignment_budget(drift=drift, offset=offset)
+        drift, offset = size * alignments.DRIFT, size * alignments.OFFSET
+        part = alignments.alignment_budget(drift=drift, offset=offset)
         pairs = (part.pitch, part.roll, part.latitude, part.attitude, part.bars[4:])
         return largest([first - exact for first, exact in pairs])
 
@@ -115,7 +71,7 @@ def test_the_budget_is_the_sum_of_its_terms_and_off_in_second_order(
 def test_the_budget_of_one_heading_is_on_the_curve_of_all(figure: PublishedFigure) -> None:
     data = figure.data
     for heading in data.headings[::9]:
-        here = alignment_budget(heading=heading)
+        here = alignments.alignment_budget(heading=heading)
         place = np.flatnonzero(data.headings == heading)
         np.testing.assert_allclose(here.bars[-2], data.first_order[place], rtol=0, atol=1e-15)
         np.testing.assert_allclose(here.bars[-1], data.exact[place], rtol=0, atol=1e-15)
@@ -139,15 +95,15 @@ def test_the_budget_over_all_headings_is_a_mean_and_one_wave(figure: PublishedFi
 def test_each_term_goes_with_its_angle(figure: PublishedFigure) -> None:
     data = figure.data
     east, by_cosine, by_sine, by_latitude = np.moveaxis(data.terms["heading"], -1, 0)
-    grid = GRIDS["heading"]
+    grid = alignments.GRIDS["heading"]
     assert np.ptp(east) == np.ptp(by_latitude) == 0
     for term, wave in ((by_cosine, np.cos(grid)), (by_sine, np.sin(grid))):
         np.testing.assert_allclose(term, largest(term) * np.sign(term @ wave) * wave, atol=1e-15)
-    tangent = np.tan(GRIDS["pitch"])
+    tangent = np.tan(alignments.GRIDS["pitch"])
     for k in (1, 2):
         term = data.terms["pitch"][:, k]
         np.testing.assert_allclose(term, term[-1] / tangent[-1] * tangent, rtol=1e-12)
-    place = GRIDS["latitude"]
+    place = alignments.GRIDS["latitude"]
     pull = gravity(place)
     laws = (1 / np.cos(place), 1 / pull, 1 / pull, np.tan(place) / pull)
     for k, law in enumerate(laws):
@@ -164,13 +120,13 @@ def test_the_misprint_is_what_separates_the_printed_formula_from_the_exact_error
         corrected = largest(data.terms[panel].sum(axis=-1) - data.exact[panel])
         assert corrected < 0.01
         assert largest(data.printed[panel] - data.exact[panel]) > 20 * corrected
-    for panel, grid in GRIDS.items():
+    for panel, grid in alignments.GRIDS.items():
         place = grid if panel == "latitude" else LATITUDE
         third = data.terms[panel][:, 2]
         expected = data.terms[panel].sum(axis=-1) - third + third * np.tan(place)
         np.testing.assert_allclose(data.printed[panel], expected, rtol=0, atol=1e-13)
     # Where the tangent is one the misprint does not show.
-    at_45 = np.isclose(GRIDS["latitude"], np.pi / 4)
+    at_45 = np.isclose(alignments.GRIDS["latitude"], np.pi / 4)
     assert at_45.sum() == 1
     right, wrong = data.terms["latitude"].sum(axis=-1), data.printed["latitude"]
     np.testing.assert_allclose(right[at_45], wrong[at_45], rtol=1e-12)
@@ -182,8 +138,8 @@ def test_over_the_vertical_the_attitude_keeps_what_heading_and_roll_lose(
 ) -> None:
     data = figure.data
     up = data.angles < np.pi / 2
-    np.testing.assert_allclose(data.heading[up], HEADING, atol=1e-12)
-    np.testing.assert_allclose(data.heading[~up], HEADING - np.pi, atol=1e-12)
+    np.testing.assert_allclose(data.heading[up], alignments.HEADING, atol=1e-12)
+    np.testing.assert_allclose(data.heading[~up], alignments.HEADING - np.pi, atol=1e-12)
     np.testing.assert_allclose(data.roll[up], 0, atol=1e-12)
     np.testing.assert_allclose(np.abs(data.roll[~up]), np.pi, atol=1e-12)
     assert largest(data.heading_error) > 30 * largest(data.attitude_error)
@@ -203,8 +159,8 @@ def test_over_the_vertical_errors_are_as_large_as_the_first_order_says(
     independent, of one size in each direction of the body.
     """
     data = figure.data
-    drift = largest(over_the_vertical.DRIFT) / LEVEL_RATE
-    offset = largest(over_the_vertical.OFFSET) / GRAVITY
+    drift = largest(alignments.DRIFT) / LEVEL_RATE
+    offset = largest(alignments.OFFSET) / GRAVITY
     pitch = np.minimum(data.angles, np.pi - data.angles)
     cosine, sine = np.cos(data.heading), np.sin(data.heading)
 
@@ -212,7 +168,7 @@ def test_over_the_vertical_errors_are_as_large_as_the_first_order_says(
         east, north = cosine * by_pitch - np.tan(LATITUDE), sine * by_pitch
         return np.sqrt(drift**2 + offset**2 * (east**2 + north**2))
 
-    low, high = np.sqrt(chi_bounds(over_the_vertical.RUNS))
+    low, high = np.sqrt(chi_bounds(data.runs))
     expected = {
         "heading_error": size(np.tan(pitch)),
         "roll_error": offset / np.cos(pitch),
@@ -235,16 +191,16 @@ def test_averaging_falls_with_the_square_root_down_to_the_slow_part(
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
-    low, high = np.sqrt(chi_bounds(averaging_window.RUNS - 1))
+    low, high = np.sqrt(chi_bounds(data.runs - 1))
     # Of the heading, to first order: white noise of a sample, 0.5 deg/h, is 3 degrees of it.
     ratio = data.simulated / data.formula
     assert (low < ratio).all()
     assert (ratio < high).all()
-    for white, alone in zip(WHITE, data.white_alone, strict=True):
+    for white, alone in zip(alignments.WHITE, data.white_alone, strict=True):
         expected = white * HOURLY / np.sqrt(data.windows) / LEVEL_RATE
         np.testing.assert_allclose(alone, expected, rtol=1e-12)
     slow = np.sqrt(data.formula**2 - data.white_alone**2)
-    floor = SLOW * HOURLY / LEVEL_RATE
+    floor = alignments.SLOW * HOURLY / LEVEL_RATE
     x = data.windows * 0.1 / 3600
     # The variance of a mean over x correlation times; a sum for an integral.
     expected = floor * np.sqrt(2 * (x + np.expm1(-x))) / x
@@ -257,9 +213,9 @@ def test_the_printed_noise_needs_more_than_white_noise(figure: PublishedFigure) 
     """0.06 to 0.5 deg/h become 0.01 to 0.02 in one window only if something slow is left."""
     data = figure.data
     before, after = data.deviations.T / HOURLY
-    assert list(before.round(2)) == list(WHITE)
+    assert list(before.round(2)) == list(alignments.WHITE)
     assert list(after.round(2)) == [0.01, 0.02]
-    white_alone = np.array(WHITE) / np.sqrt(MOVING_AVERAGE)
+    white_alone = np.array(alignments.WHITE) / np.sqrt(alignments.MOVING_AVERAGE)
     np.testing.assert_allclose(white_alone, [0.0024, 0.02], rtol=1e-12)
     np.testing.assert_allclose(np.sqrt(after**2 - white_alone**2), 0.01, rtol=0.01)
 
@@ -267,12 +223,12 @@ def test_the_printed_noise_needs_more_than_white_noise(figure: PublishedFigure) 
 @published("10-restarts")
 def test_restarts_spread_as_their_noise_says(figure: PublishedFigure) -> None:
     data = figure.data
-    assert data.heading.shape == (RESTARTS,)
+    assert data.heading.shape == (at_work.RESTARTS,)
     expected = data.deviations[0, 1] / LEVEL_RATE
-    low, high = chi_bounds(RESTARTS - 1)
+    low, high = chi_bounds(at_work.RESTARTS - 1)
     assert low < data.heading.var(ddof=1) / expected**2 < high
-    assert abs(data.heading.mean()) < 4.9 * expected / np.sqrt(RESTARTS)
-    window = np.full(MOVING_AVERAGE, 1 / MOVING_AVERAGE)
+    assert abs(data.heading.mean()) < 4.9 * expected / np.sqrt(at_work.RESTARTS)
+    window = np.full(alignments.MOVING_AVERAGE, 1 / alignments.MOVING_AVERAGE)
     direct = np.convolve(data.raw, window, mode="valid")
     np.testing.assert_allclose(data.averaged, direct, rtol=0, atol=1e-12 * data.raw.std())
     low, high = chi_bounds(len(data.raw))
@@ -283,26 +239,26 @@ def test_restarts_spread_as_their_noise_says(figure: PublishedFigure) -> None:
 def test_the_printed_spread_is_too_large_for_its_deviation(figure: PublishedFigure) -> None:
     """A pair that is so far apart follows a beta law; pairs, counted twice or not, are fewer."""
     data = figure.data
-    count = RESTARTS
-    ratio = PRINTED_SPREAD / PRINTED_DEVIATION
+    count = at_work.RESTARTS
+    ratio = at_work.PRINTED_SPREAD / at_work.PRINTED_DEVIATION
     pair = beta.sf(ratio**2 / (2 * (count - 1)), 0.5, (count - 2) / 2)
     seen = np.count_nonzero(data.ranges >= ratio)
-    assert 0 < seen <= binom.ppf(1 - 1e-6, TRIALS, comb(count, 2) * pair)
+    assert 0 < seen <= binom.ppf(1 - 1e-6, at_work.TRIALS, comb(count, 2) * pair)
     assert comb(count, 2) * pair < 0.001
     # The law of all of them: times an independent deviation they are ranges.
     rng = np.random.default_rng(1)
     deviations = chi(count - 1).rvs(10000, random_state=rng) / np.sqrt(count - 1)
     found = kstest(data.ranges[:10000] * deviations, studentized_range(count, np.inf).cdf)
     assert found.pvalue > 1e-4
-    assert data.ranges.shape == (TRIALS,)
+    assert data.ranges.shape == (at_work.TRIALS,)
 
 
 def test_rounding_is_the_least_and_the_most_that_is_printed_so() -> None:
-    low, high = printed_ratio_range()
+    low, high = at_work.printed_ratio_range()
     spreads, deviations = np.linspace(0.25, 0.35, 101), np.linspace(0.0535, 0.0545, 101)
-    assert {f"{spread:.1f}" for spread in spreads[1:-1]} == {f"{PRINTED_SPREAD:.1f}"}
+    assert {f"{spread:.1f}" for spread in spreads[1:-1]} == {f"{at_work.PRINTED_SPREAD:.1f}"}
     inside = {f"{deviation:.3f}" for deviation in deviations[1:-1]}
-    assert inside == {f"{PRINTED_DEVIATION:.3f}"}
+    assert inside == {f"{at_work.PRINTED_DEVIATION:.3f}"}
     ratios = spreads[:, np.newaxis] / deviations
     assert (low, high) == pytest.approx((ratios.min(), ratios.max()), rel=1e-12)
 
@@ -315,16 +271,16 @@ def test_the_shown_unit_follows_its_formula_within_the_noise_of_three_runs(
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
-    noise = RANDOM / np.sqrt(RUNS) / LEVEL_RATE
-    low, high = chi_bounds(len(DIAL))
+    noise = at_work.RANDOM / np.sqrt(dial.RUNS) / LEVEL_RATE
+    low, high = chi_bounds(len(at_work.DIAL))
     gap = data.runs.mean(axis=0) - data.formula
     assert low < np.mean(gap**2) / noise**2 < high
     assert abs(gap.mean()) < 4.9 * noise / np.sqrt(len(gap))
     assert largest(data.formula) > 5 * noise
     # It is the unit whose largest error is nearest to the printed one.
     worst = largest(data.runs.mean(axis=0))
-    shown = data.largest[SHOWN]
-    printed = np.radians(PRINTED_LARGEST)
+    shown = data.largest[at_work.SHOWN]
+    printed = np.radians(at_work.PRINTED_LARGEST)
     assert worst == shown[np.abs(shown - printed).argmin()]
     assert worst == pytest.approx(printed, rel=0.01)
 
@@ -334,24 +290,23 @@ def test_the_printed_error_is_the_median_of_the_shown_drift(figure: PublishedFig
     data = figure.data
     medians = np.degrees(np.median(data.largest, axis=1))
     assert (np.diff(medians) > 0).all()
-    nearest = np.abs(medians - PRINTED_LARGEST).argmin()
-    assert nearest == SHOWN
-    assert LASTING[nearest] == 0.04
+    nearest = np.abs(medians - at_work.PRINTED_LARGEST).argmin()
+    assert nearest == at_work.SHOWN
+    assert at_work.LASTING[nearest] == 0.04
 
 
-def test_without_noise_a_unit_has_one_characteristic(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_noise_a_unit_has_one_characteristic() -> None:
     """The drift about East and the dial's zero; levelling is of second order like the rest."""
-    monkeypatch.setattr(static_characteristic, "RANDOM", 0.0)
     rng = np.random.default_rng(7)
-    errors, drift, north = static_characteristic.trial(0.02 * HOURLY, 400, rng)
+    errors, drift, north = at_work.dial_trial(0.02 * HOURLY, 400, rng, random=0.0)
     assert errors.shape == (400, 3, 25)
     assert np.ptp(errors, axis=1).max() < 1e-15
     np.testing.assert_allclose(errors[..., 0], errors[..., -1], rtol=0, atol=1e-14)
-    heading = DIAL + north
+    heading = at_work.DIAL + north
     rates = drift / LEVEL_RATE
     east = -rates[..., 0] * np.sin(heading) + rates[..., 2] * np.cos(heading)
     # Squares of drifts against the Earth's rate, and of tilts, which a rate about Up also shows.
-    size = np.linalg.norm(rates, axis=-1).max() + 2 * LEVELLING
+    size = np.linalg.norm(rates, axis=-1).max() + 2 * at_work.LEVELLING
     assert largest(errors - east - north) < size**2 < 0.1 * largest(east)
     low, high = chi_bounds(drift.size)
     assert low < np.mean((drift / (0.02 * HOURLY)) ** 2) < high
@@ -365,26 +320,23 @@ def test_without_noise_a_unit_has_one_characteristic(monkeypatch: pytest.MonkeyP
 def test_the_horizon_settles_as_an_oscillator_with_its_damping(figure: PublishedFigure) -> None:
     data = figure.data
     # The envelope falls with exp(-zeta wn t); in a whole period by so much.
-    decay, ringing = FREQUENCY * np.sqrt(0.5), FREQUENCY * np.sqrt(0.5)
-    period = round(2 * np.pi / ringing / SETTLING_INTERVAL)
-    expected = np.exp(-decay * period * SETTLING_INTERVAL)
+    decay, ringing = at_work.FREQUENCY * np.sqrt(0.5), at_work.FREQUENCY * np.sqrt(0.5)
+    period = round(2 * np.pi / ringing / at_work.SETTLING_INTERVAL)
+    expected = np.exp(-decay * period * at_work.SETTLING_INTERVAL)
     early = slice(10, 60)
     ratio = data.tilt[10 + period : 60 + period] / data.tilt[early]
     # While the tilt is not near one of its zeros; half a degree is a small angle within 1e-2.
     whole = data.tilt[early] > 0.3 * data.tilt[0]
     assert whole.sum() > 10
     np.testing.assert_allclose(ratio[whole], expected, rtol=0.05)
-    assert data.tilt[0] == pytest.approx(np.linalg.norm(TILT), rel=0.05)
+    assert data.tilt[0] == pytest.approx(np.linalg.norm(at_work.TILT), rel=0.05)
     assert data.settling_heading[0] > np.radians(10)
     assert data.settling_heading[-1] < np.radians(1e-5)
     assert data.tilt[-1] < 1e-6 * data.tilt[0]
 
 
-def test_the_swing_of_many_runs_is_as_large_as_the_formulas_say(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.setattr(settling, "RUNS", 200)
-    data = settling.compute()
+def test_the_swing_of_many_runs_is_as_large_as_the_formulas_say() -> None:
+    data = at_work.settling_and_swing(runs=200)
     assert data.heading.shape == (200, 120)
     low, high = chi_bounds(200)
     ratio = np.mean(data.heading**2, axis=0) / data.deviation**2
@@ -398,11 +350,21 @@ def test_the_swing_of_many_runs_is_as_large_as_the_formulas_say(
     # A whole swing later only what new noise has fed is different.
     period = 2 * np.pi / SCHULER
     begun, later = np.interp([60.0, 60.0 + period], data.times, data.deviation * LEVEL_RATE)
-    fed = RANDOM_WALK * SCHULER * np.sqrt(period / 2)
+    fed = at_work.RANDOM_WALK * SCHULER * np.sqrt(period / 2)
     assert np.sqrt(later**2 - begun**2) == pytest.approx(fed, rel=0.01)
 
 
 # Under way
+
+
+def sail(*voyage, drift=at_work.DRIFT, offset=(0.0, 0.0, 0.0), **settings):
+    """A compass on a voyage: first the arguments of `ship`, then those of `take_along`."""
+    own = {name: settings.pop(name) for name in [*settings] if name in SHIP_ARGUMENTS}
+    return take_along(ship(*voyage, **own), drift, offset, **settings)
+
+
+SHIP_ARGUMENTS = inspect.signature(ship).parameters
+STEP = ship().interval
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.3])
@@ -411,7 +373,7 @@ def test_a_ship_at_rest_solves_the_equations_of_the_working_compass(damping: flo
     heading, pitch, tilt, factor = 0.4, 0.3, 1e-3, 1.5
     drift = np.array([0.02, 0.04, -0.03]) * HOURLY
     offset = np.array([1e-3, -2e-3, 5e-4])
-    found = operation.compute(
+    found = sail(
         speed=0.0,
         course=heading,
         turn=0.0,
@@ -444,14 +406,14 @@ def test_a_ship_at_rest_solves_the_equations_of_the_working_compass(damping: flo
     begin = np.array([*bent, start.level_rate, 0.0])
     times = found.times[:1500]
     # At the end of each interval, and in its middle, for the mean of the proportional part.
-    both = np.sort(np.concatenate([times, times - 0.5 * operation.INTERVAL]))
+    both = np.sort(np.concatenate([times, times - 0.5 * STEP]))
     solved = solve_ivp(moves, (0, times[-1]), begin, "DOP853", both, rtol=1e-11, atol=1e-16).y.T
     middles, ends = solved[0::2], solved[1::2]
     level = np.array([rates(state)[[0, 2]] for state in middles]) - middles[:, 4:] + ends[:, 4:]
     compass = np.arctan2(level[:, 1], level[:, 0])
     yaw = angles_from_attitude(ends[:, :4]).heading - heading
     # The step is of second order in what swings with 1.5e-3 rad/s: (4 s times that)^2.
-    allowed = (operation.INTERVAL * SCHULER * np.sqrt(factor)) ** 2 * largest(compass)
+    allowed = (STEP * SCHULER * np.sqrt(factor)) ** 2 * largest(compass)
     for name, expected in (
         ("heading_error", compass + yaw),
         ("compass_error", compass),
@@ -466,24 +428,32 @@ def test_a_ship_at_rest_solves_the_equations_of_the_working_compass(damping: flo
 
 def test_a_kept_voyage_is_the_voyage_of_its_own_numbers() -> None:
     numbers = {"latitude": 0.9, "speed": 10.0, "course": 0.3, "turn": 1.0, "interval": 60.0}
+    numbers["pitch"] = 0.2
     first = ship(**numbers)
     assert ship(**numbers) is first
+    times = first.times
+    heading = 0.3 + smooth_step(times, *TURN)
+    way = 10.0 * smooth_step(times, *UNDER_WAY)
+    velocity = np.stack([way * np.cos(heading), -way * np.sin(heading)], axis=-1)
+    made = voyage(0.9, velocity, heading, 0.2, interval=60.0)
+    for ours, right in zip(first, made, strict=True):
+        np.testing.assert_array_equal(ours, right)
     for name, value in numbers.items():
-        changed = {**numbers, name: 0.5 * value}
-        for ours, right in zip(ship(**changed), ship(**changed), strict=True):
-            np.testing.assert_array_equal(ours, right)
+        other = ship(**{**numbers, name: 0.5 * value})
+        assert any(
+            np.shape(a) != np.shape(b) or np.any(a != b) for a, b in zip(first, other, strict=True)
+        )
+        assert ship(**{**numbers, name: 0.5 * value}) is other
     with pytest.raises(ValueError, match="read-only"):
         first.velocity[0] = 1.0
     with pytest.raises(ValueError, match="latitude: expected one number, got shape"):
-        operation.compute(latitude=[0.9])
-    with pytest.raises(ValueError, match=r"drift: expected shape \(n, 3\) or \(3,\), got shape"):
-        operation.compute(drift=np.zeros((2, 120, 3)), interval=60.0)
+        ship(latitude=[0.9])
 
 
 def test_a_perfect_compass_on_a_ship_at_rest_shows_no_error() -> None:
-    found = operation.compute(speed=0.0, drift=np.zeros(3))
+    found = sail(speed=0.0, drift=np.zeros(3))
     # Of second order in the Earth's turn of one step; the swing shows in the heading as its rate.
-    step = (operation.INTERVAL * EARTH_RATE) ** 2
+    step = (STEP * EARTH_RATE) ** 2
     assert largest(found.tilt) < 0.2 * step
     assert largest(found.heading_error) < 0.2 * step * SCHULER / LEVEL_RATE
     assert largest(found.formula.heading) < 0.2 * step * SCHULER / LEVEL_RATE
@@ -491,7 +461,7 @@ def test_a_perfect_compass_on_a_ship_at_rest_shows_no_error() -> None:
 
 def test_a_tilt_of_the_aligned_horizon_swings_about_east() -> None:
     tilt = 1e-5
-    found = operation.compute(speed=0.0, turn=0.0, drift=np.zeros(3), tilt=tilt)
+    found = sail(speed=0.0, turn=0.0, drift=np.zeros(3), tilt=tilt)
     assert found.tilt[0, 1] == pytest.approx(tilt, rel=1e-3)
     # Its plane turns by half of the Earth's turn about Up, as no pendulum's does.
     turned = 0.5 * EARTH_RATE * np.sin(LATITUDE) * found.times
@@ -500,7 +470,7 @@ def test_a_tilt_of_the_aligned_horizon_swings_about_east() -> None:
 
 
 def test_a_step_of_four_seconds_is_short_enough_under_way() -> None:
-    coarse, half, fine = (operation.compute(interval=step) for step in (4.0, 2.0, 0.1))
+    coarse, half, fine = (sail(interval=step) for step in (4.0, 2.0, 0.1))
     np.testing.assert_allclose(coarse.times, fine.times[39::40])
     for name in ("heading_error", "yaw_error", "compass_error", "tilt"):
         true = getattr(fine, name)
@@ -524,7 +494,7 @@ def test_the_formula_holds_at_any_latitude_on_any_course_after_any_turn() -> Non
     rng = np.random.default_rng(17)
     for _ in range(12):
         latitude = float(rng.uniform(-1.2, 1.2))
-        run = operation.compute(
+        run = sail(
             latitude,
             float(rng.uniform(0, 30)),
             *map(float, rng.uniform(-np.pi, np.pi, 2)),
@@ -547,7 +517,7 @@ def test_the_formula_holds_at_any_latitude_on_any_course_after_any_turn() -> Non
 def test_the_yaw_runs_away_and_the_compass_angle_takes_it_back() -> None:
     """With a drift about Up alone: the yaw is its sum, and half of it or more is taken back."""
     drift = 0.5 * HOURLY
-    data = operation.compute(speed=0.0, drift=[0.0, drift, 0.0])
+    data = sail(speed=0.0, drift=[0.0, drift, 0.0])
     expected = drift * data.times
     # The alignment takes the drift for a higher latitude: U cos(latitude)^2 of it is in the rate.
     place = np.arctan2(EARTH_RATE * np.sin(LATITUDE) + drift, LEVEL_RATE)
@@ -592,8 +562,7 @@ def test_schulers_tuning_with_a_log_has_no_tilt(figure: PublishedFigure) -> None
 def test_a_log_is_of_use_on_every_course_and_in_every_attitude() -> None:
     common = {"speed": 25.0, "course": 2.0, "turn": -1.0, "drift": np.zeros(3), "pitch": 0.5}
     plain, log, short = (
-        operation.compute(**common, **setting)
-        for setting in ({}, {"log": True}, {"log": True, "interval": 2.0})
+        sail(**common, **setting) for setting in ({}, {"log": True}, {"log": True, "interval": 2.0})
     )
     assert largest(log.tilt) < 0.005 * largest(plain.tilt)
     # What is left is the step, of second order.
@@ -603,7 +572,7 @@ def test_a_log_is_of_use_on_every_course_and_in_every_attitude() -> None:
 @pytest.mark.parametrize("factor", [0.5, 2.0])
 def test_a_wrong_tuning_swings_with_the_rate_that_it_misses(factor: float) -> None:
     """(k2 R - 1) v/R when the ship has gathered way, as an amplitude of a swing of its own."""
-    run = operation.compute(speed=10.0, turn=0.0, drift=np.zeros(3), tuning_factor=factor)
+    run = sail(speed=10.0, turn=0.0, drift=np.zeros(3), tuning_factor=factor)
     expected = abs(factor - 1) * 10.0 / EARTH_RADIUS / (SCHULER * np.sqrt(factor))
     assert largest(run.tilt[:, 1]) == pytest.approx(expected, rel=0.1)
 
@@ -635,11 +604,9 @@ def test_every_term_of_the_operating_formula_is_needed(figure: PublishedFigure) 
         np.testing.assert_allclose(gap - data.gaps[0], term, rtol=0, atol=1e-16)
     assert min(without) > 1.8 * full
     # What all of them leave is of second order: the square of the angles in play.
-    angles = largest(run.yaw_error) + largest(run.tilt) * np.tan(
-        operating_formula_figure.SETTING["pitch"]
-    )
+    angles = largest(run.yaw_error) + largest(run.tilt) * np.tan(at_work.CRAFT["pitch"])
     assert full < angles**2 < 0.05 * largest(run.compass_error)
-    short = operation.compute(**{**operating_formula_figure.SETTING, "interval": 0.5})
+    short = take_along(ship(**{**at_work.CRAFT, "interval": 0.5}), **at_work.CRAFT_COMPASS)
     assert largest(run.compass_error - short.compass_error[1::2]) < 1e-2 * full
 
 
@@ -651,11 +618,11 @@ six = st.tuples(*[st.floats(-1e-3, 1e-3)] * 6).map(np.array)
 
 @given(six)
 def test_a_bent_triad_is_a_symmetric_bend_and_a_turn(numbers: np.ndarray) -> None:
-    matrix = bent_triad(numbers[:3], numbers[3:])
-    np.testing.assert_allclose(pairs_and_turn(matrix), numbers, rtol=0, atol=1e-18)
+    matrix = capstone.bent_triad(numbers[:3], numbers[3:])
+    np.testing.assert_allclose(capstone.pairs_and_turn(matrix), numbers, rtol=0, atol=1e-18)
     assert not np.diag(matrix).any()
     rate = np.array([0.3, -0.5, 0.7])
-    bend = bent_triad(numbers[:3], np.zeros(3))
+    bend = capstone.bent_triad(numbers[:3], np.zeros(3))
     np.testing.assert_array_equal(bend, bend.T)
     turned = np.cross(numbers[3:], rate)
     np.testing.assert_allclose((matrix - bend) @ rate, turned, rtol=0, atol=1e-18)
@@ -669,13 +636,13 @@ def test_turns_find_the_bend_within_their_noise_and_the_filter_both(
     true, turns, filtered = data.known
     # 0.005 degrees a root hour in 36 s; half of the angle, over pi, is the estimate.
     noise = 0.005 * np.pi / 180 * np.sqrt(36 / 3600)
-    assert pytest.approx(noise) == TURNS.angle_noise
+    assert pytest.approx(noise) == capstone.TURNS.angle_noise
     gap = largest(turns[:3] - true[:3])
     assert 0.05 * noise / (2 * np.pi) < gap < 4.9 * noise / (2 * np.pi)
     assert np.isnan(turns[3:]).all()
-    np.testing.assert_allclose(true, [*NON_ORTHOGONALITY, *MISALIGNMENT])
+    np.testing.assert_allclose(true, [*capstone.NON_ORTHOGONALITY, *capstone.MISALIGNMENT])
     np.testing.assert_allclose(
-        filtered - true, pairs_and_turn(filter_leftover()), rtol=0, atol=1e-18
+        filtered - true, capstone.pairs_and_turn(capstone.filter_leftover()), rtol=0, atol=1e-18
     )
     assert largest(filtered - true) < 1.5 * arcsecond
 
@@ -684,15 +651,17 @@ def test_turns_find_the_bend_within_their_noise_and_the_filter_both(
 def test_drift_per_turn_is_that_of_what_is_left(figure: PublishedFigure) -> None:
     """2 pi n^T M n; a pure turn of the triad shows in it only in second order."""
     data = figure.data
-    found, left = bent_triad(*np.split(data.known[0], 2)), filter_leftover()
-    by_turns = bent_triad(data.known[1, :3], np.zeros(3))
+    found, left = capstone.bent_triad(*np.split(data.known[0], 2)), capstone.filter_leftover()
+    by_turns = capstone.bent_triad(data.known[1, :3], np.zeros(3))
     for row, matrix in zip(data.per_turn, (found, found - by_turns, -left), strict=True):
-        expected = 2 * np.pi * np.einsum("ni,ij,nj->n", AXES, matrix, AXES)
+        expected = 2 * np.pi * np.einsum("ni,ij,nj->n", capstone.AXES, matrix, capstone.AXES)
         # The exact drift has half of the square of what is across as well.
         second = np.pi * np.linalg.norm(matrix, 2) ** 2
         np.testing.assert_allclose(row, expected, rtol=0, atol=1.01 * second)
         assert largest(row) > 10 * second
-    np.testing.assert_allclose(data.per_turn[0, 3:], 2 * np.pi * NON_ORTHOGONALITY, rtol=0.01)
+    np.testing.assert_allclose(
+        data.per_turn[0, 3:], 2 * np.pi * capstone.NON_ORTHOGONALITY, rtol=0.01
+    )
 
 
 @published("11-capstone")
@@ -702,9 +671,9 @@ def test_alignment_errors_of_the_triad_are_the_exact_ones_in_first_order(
     data = figure.data
     attitude = attitude_from_angles(data.headings, 0.0, 0.0)
     rate, force = sensed_at_rest(attitude, LATITUDE)
-    bent = bent_triad(*np.split(data.known[0], 2))
-    by_turns = bent_triad(data.known[1, :3], np.zeros(3))
-    matrices = (bent, bent - by_turns, -filter_leftover())
+    bent = capstone.bent_triad(*np.split(data.known[0], 2))
+    by_turns = capstone.bent_triad(data.known[1, :3], np.zeros(3))
+    matrices = (bent, bent - by_turns, -capstone.filter_leftover())
     for aligned, matrix in zip(data.aligned, matrices, strict=True):
         gap = align(rate + rate @ matrix.T, force).heading - data.headings
         gap = np.angle(np.exp(1j * gap))
@@ -714,28 +683,26 @@ def test_alignment_errors_of_the_triad_are_the_exact_ones_in_first_order(
     assert largest(data.aligned[2]) < 0.1 * largest(data.aligned[0])
 
 
-@pytest.mark.xdist_group("CapstoneExplorer")
 def test_a_coning_mount_adds_one_drift_at_all_stages() -> None:
-    still, shaken = (capstone.compute(half_angle=angle) for angle in (0.0, 0.02))
-    cone = coning_drift("two-step-4", 0.02, CONING_FREQUENCY, SAMPLE_INTERVAL)
+    still, shaken = (capstone.calibration_stages(half_angle=angle) for angle in (0.0, 0.02))
+    cone = coning_drift("two-step-4", 0.02, capstone.CONING_FREQUENCY, capstone.SAMPLE_INTERVAL)
     # About the right axis, of which East gets the cosine of the heading.
     expected = float(cone) * np.cos(still.headings) / LEVEL_RATE
     for before, after in zip(still.aligned, shaken.aligned, strict=True):
         np.testing.assert_allclose(after - before, expected, rtol=0, atol=1e-15)
     assert largest(expected) > 1e-8
-    worse = capstone.compute(half_angle=0.02, algorithm="picard-1")
+    worse = capstone.calibration_stages(half_angle=0.02, algorithm="picard-1")
     assert largest(worse.aligned[2] - still.aligned[2]) > 10 * largest(expected)
 
 
-@pytest.mark.xdist_group("CapstoneExplorer")
 def test_errors_under_way_of_bend_and_turn_add_up() -> None:
     nothing = np.zeros(3)
     whole, bend, turn, none = (
-        capstone.compute(*parts).under_way.heading_error[0]
+        capstone.calibration_stages(*parts).under_way.heading_error[0]
         for parts in (
-            (NON_ORTHOGONALITY, MISALIGNMENT),
-            (NON_ORTHOGONALITY, nothing),
-            (nothing, MISALIGNMENT),
+            (capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT),
+            (capstone.NON_ORTHOGONALITY, nothing),
+            (nothing, capstone.MISALIGNMENT),
             (nothing, nothing),
         )
     )
@@ -751,19 +718,16 @@ def test_each_calibration_makes_the_heading_under_way_better(figure: PublishedFi
     assert errors[1] < 0.5 * errors[0]
     assert errors[2] < 0.02 * errors[1]
     # After the turns the turn of the triad is left, and nothing else to speak of.
-    turned = capstone.compute(np.zeros(3)).under_way.heading_error[0]
+    turned = capstone.calibration_stages(np.zeros(3)).under_way.heading_error[0]
     assert largest(data.under_way.heading_error[1] - turned) < 0.02 * largest(turned)
 
 
 @published("11-capstone")
-def test_the_step_is_short_enough_for_the_bent_triad(
-    figure: PublishedFigure, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_step_is_short_enough_for_the_bent_triad(figure: PublishedFigure) -> None:
     coarse = figure.data
-    step = int(capstone.INTERVAL)
-    assert coarse.under_way.times[0] == step > 1
-    monkeypatch.setattr(capstone, "INTERVAL", 1.0)
-    fine = capstone.compute().under_way
+    step = int(coarse.under_way.times[0])
+    assert step > 1
+    fine = capstone.calibration_stages(interval=1.0).under_way
     np.testing.assert_allclose(coarse.under_way.times, fine.times[step - 1 :: step])
     gap = coarse.under_way.heading_error - fine.heading_error[:, step - 1 :: step]
     # A thousandth of what the bent triad has, in each of the stages.
@@ -772,18 +736,17 @@ def test_the_step_is_short_enough_for_the_bent_triad(
     assert np.degrees(largest(fine.heading_error[1])) == pytest.approx(0.315, abs=0.001)
 
 
-@pytest.mark.xdist_group("CapstoneExplorer")
 def test_what_a_real_calibration_leaves_does_not_depend_on_the_bend() -> None:
-    kept = filter_leftover()
-    other = bent_triad(
+    kept = capstone.filter_leftover()
+    other = capstone.bent_triad(
         np.array([60.0, -40.0, -50.0]) * arcsecond, np.array([-30.0, 45.0, 10.0]) * arcsecond
     )
     unit = PERFECT._replace(gyro_error=other)
     trial = TableTrial(frame="accelerometers", sample_interval=0.1).run(
-        np.random.default_rng(SEED), unit=unit
+        np.random.default_rng(capstone.SEED), unit=unit
     )
     left = trial.calibration.unit.gyro_error - other
-    default = bent_triad(NON_ORTHOGONALITY, MISALIGNMENT)
+    default = capstone.bent_triad(capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT)
     # The two differ in second order: by the squares of the two bends.
     second = sum(np.linalg.norm(matrix, 2) ** 2 for matrix in (other, default))
     assert largest(left - kept) < 2 * second

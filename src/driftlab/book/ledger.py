@@ -1,7 +1,7 @@
 """The equation ledger: what became of every equation, table, figure and claim of the four papers.
 
-The entries stand in ``ledger.toml`` beside this module. Chapters show their own part of them,
-chapter 12 all of them, and ``python -m driftlab.book errata`` writes the corrected ones to
+The entries stand in the ``ledger.toml`` of the chapter that treats them. A chapter shows its own,
+chapter 12 shows all, and ``python -m driftlab.book errata`` writes the corrected ones to
 ERRATA.md.
 """
 
@@ -12,7 +12,9 @@ import tomllib
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
+from pathlib import Path
+
+from .chapters import CHAPTERS, chapters_with
 
 PAPERS = {
     "larin": "V. B. Larin, *On the calibration of a spatial angular-rate meter*, 1987",
@@ -105,12 +107,21 @@ class Table:
 
 @cache
 def ledger() -> tuple[Entry, ...]:
-    """Return all entries, in the order of the papers."""
-    data = tomllib.loads(files(__package__).joinpath("ledger.toml").read_text(encoding="utf-8"))
-    return tuple(
-        Entry(**entry | {key: tuple(entry.get(key, ())) for key in ("functions", "tests")})
-        for entry in data["entry"]
-    )
+    """Return all entries: paper by paper, and for each in the order of the chapters."""
+    entries = [entry for chapter in chapters_with("ledger") for entry in _chapter_entries(chapter)]
+    return tuple(sorted(entries, key=lambda entry: list(PAPERS).index(entry.paper)))
+
+
+def _chapter_entries(chapter: str) -> list[Entry]:
+    """Entries of the ``ledger.toml`` in the folder of a chapter."""
+    text = (Path(__file__).parent / CHAPTERS[chapter] / "ledger.toml").read_text(encoding="utf-8")
+    return [
+        Entry(
+            **entry | {key: tuple(entry.get(key, ())) for key in ("functions", "tests")},
+            chapter=chapter,
+        )
+        for entry in tomllib.loads(text)["entry"]
+    ]
 
 
 def chapter_table(chapter: str) -> Table:

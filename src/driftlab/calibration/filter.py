@@ -24,7 +24,7 @@ from driftlab.core.quaternion import from_rotation_vector, multiply
 from driftlab.core.strapdown import last_of, navigate
 from driftlab.earth import checked_latitude
 from driftlab.imu import Noise, Spread, Unit, increment_rows, without_errors
-from driftlab.strapdown import ALGORITHM, at_rest
+from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 
 from .error_dynamics import free_growth, process_noise, transition_of_increments
 from .error_model import ErrorModel
@@ -202,7 +202,7 @@ def calibrate(
         )
     kept = [*range(whole_number(keep, "keep"), updates, keep), updates]
     each = count // updates
-    seconds = finite_number(interval, "interval")
+    seconds = checked_interval(interval)
     duration = each * seconds
     free = free_growth(place, duration)
     lead = np.broadcast_shapes(
