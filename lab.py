@@ -154,7 +154,8 @@ def test(arguments: list[str]) -> int:
         linter = "from importlinter.cli import lint_imports_command; lint_imports_command()"
         checks["import-linter"] = ["-c", linter]
     # pytest comes last so that its summary closes the output.
-    workers = ["-n", "2", "--dist", "loadgroup", "--durations=10"]
+    # The longest groups first, as tests/conftest.py orders them, not those of the most tests.
+    workers = ["-n", "2", "--dist", "loadgroup", "--no-loadscope-reorder", "--durations=10"]
     checks["pytest"] = ["-m", "pytest", *workers, *marks]
     codes = {name: run(*command) for name, command in checks.items()}
     failed = [name for name, code in codes.items() if code]

@@ -1,7 +1,7 @@
 """Settings of all tests: property tests draw the same examples everywhere, without a clock.
 
 Several processes may share the tests. What uses the same runs is one group and stays in one of
-them: the tests of a published figure, of an explorer, and, of the rest, those of a file.
+them: the tests of a published figure, those of an explorer, and of the rest those of a file.
 """
 
 from pathlib import Path
@@ -14,6 +14,9 @@ settings.load_profile("driftlab")
 
 # The groups that take longest, the longest first: begun last, one of them would run alone.
 HEAVY = (
+    "browser-08",
+    "notebook-08_system_calibration.ipynb",
+    "book",
     "figure-08-filter-consistency",
     "CapstoneExplorer",
     "CalibrationRunExplorer",

@@ -450,7 +450,17 @@ def reference(rate, end):
 
 
 TIMES = np.linspace(0, 20, 401)
-EXACT = reference(tumbling, 20)
+
+
+@pytest.fixture(scope="module")
+def exact():
+    return reference(tumbling, 20)
+
+
+@pytest.fixture(scope="module")
+def tumbled():
+    return integrate_riccati(tumbling, TIMES)
+
 
 # The integrator errs by about its tolerance, 1e-10, a step, and takes some 200 steps.
 INTEGRATED = 2e-8
@@ -461,49 +471,47 @@ SWITCH_SCALAR = (1 - SWITCH**2) / (1 + SWITCH**2)
 
 
 @pytest.mark.parametrize("shadow_switch", [True, False])
-def test_riccati_gives_the_attitude_of_the_quaternion_equation(shadow_switch):
+def test_riccati_gives_the_attitude_of_the_quaternion_equation(exact, shadow_switch):
     solution = integrate_riccati(tumbling, TIMES, shadow_switch=shadow_switch)
     np.testing.assert_array_equal(solution.time, TIMES)
     # Signs included. Without the switch |k| grows to 12, and no error of k gives one of the
     # attitude of more than twice its size.
-    np.testing.assert_allclose(solution.attitude, EXACT(TIMES), rtol=0, atol=INTEGRATED)
+    np.testing.assert_allclose(solution.attitude, exact(TIMES), rtol=0, atol=INTEGRATED)
     # Continuous: no step is longer than half the rate allows in 0.05 s.
     assert np.linalg.norm(np.diff(solution.attitude, axis=0), axis=-1).max() < 4 / 2 * 0.05
     assert len(solution.switches) == (10 if shadow_switch else 0)
 
 
-def test_vector_is_that_of_the_attitude_or_its_shadow():
-    solution = integrate_riccati(tumbling, TIMES)
-    switched = np.searchsorted(solution.switches, TIMES, side="left") % 2
+def test_vector_is_that_of_the_attitude_or_its_shadow(tumbled):
+    switched = np.searchsorted(tumbled.switches, TIMES, side="left") % 2
     signs = 1 - 2 * switched[:, np.newaxis]
-    np.testing.assert_array_equal(solution.attitude, signs * rotation_quaternion(solution.vector))
+    np.testing.assert_array_equal(tumbled.attitude, signs * rotation_quaternion(tumbled.vector))
 
 
-def test_switches_are_where_the_vector_is_a_fifth_longer_than_its_shadow_may_be():
-    solution = integrate_riccati(tumbling, TIMES)
+def test_switches_are_where_the_vector_is_a_fifth_longer_than_its_shadow_may_be(exact, tumbled):
     times = np.linspace(0, 20, 20001)
     expected, side = [], 1
-    for time, scalar in zip(times, EXACT(times)[:, 3], strict=True):
+    for time, scalar in zip(times, exact(times)[:, 3], strict=True):
         if side * scalar < SWITCH_SCALAR:
             expected.append(time)
             side = -side
     # The grid is of 1 ms; each switch is within the last step of it.
-    np.testing.assert_allclose(solution.switches, np.array(expected) - 5e-4, rtol=0, atol=5.1e-4)
-    scalars = np.abs(EXACT(solution.switches)[:, 3])
+    np.testing.assert_allclose(tumbled.switches, np.array(expected) - 5e-4, rtol=0, atol=5.1e-4)
+    scalars = np.abs(exact(tumbled.switches)[:, 3])
     np.testing.assert_allclose(scalars, -SWITCH_SCALAR, rtol=0, atol=INTEGRATED)
 
 
-def test_vector_stays_short_with_the_switch():
-    lengths = np.linalg.norm(integrate_riccati(tumbling, TIMES).vector, axis=-1)
+def test_vector_stays_short_with_the_switch(tumbled):
+    lengths = np.linalg.norm(tumbled.vector, axis=-1)
     assert 1 < lengths.max() <= SWITCH + INTEGRATED
 
 
-def test_smaller_tolerance_takes_more_evaluations_and_errs_less():
+def test_smaller_tolerance_takes_more_evaluations_and_errs_less(exact):
     times = TIMES[::50]  # steps are no longer than the gaps
     rough, fine = (
         integrate_riccati(tumbling, times, tolerance=tolerance) for tolerance in (1e-5, 1e-12)
     )
-    errors = [np.abs(answer.attitude - EXACT(times)).max() for answer in (rough, fine)]
+    errors = [np.abs(answer.attitude - exact(times)).max() for answer in (rough, fine)]
     assert rough.evaluations < fine.evaluations
     # A hundred steps of 1e-5 at least, and some three hundred of 1e-12.
     assert 1e-6 < errors[0] < 1e-2
@@ -545,10 +553,10 @@ def test_with_the_switch_whole_turns_are_nothing_special(turns):
     np.testing.assert_allclose(solution.switches, expected, rtol=0, atol=INTEGRATED)
 
 
-def test_times_need_not_start_at_zero_nor_be_evenly_spaced():
+def test_times_need_not_start_at_zero_nor_be_evenly_spaced(exact):
     times = np.array([-3.0, -1.0, 0.5, 0.6, 7.0])
     solution = integrate_riccati(lambda time: tumbling(time + 3), times)
-    np.testing.assert_allclose(solution.attitude, EXACT(times + 3), rtol=0, atol=INTEGRATED)
+    np.testing.assert_allclose(solution.attitude, exact(times + 3), rtol=0, atol=INTEGRATED)
 
 
 def test_body_at_rest_stays_at_zero():

@@ -24,7 +24,13 @@ def test_every_explorer_is_somewhere_in_the_book() -> None:
     assert {place.explorer for place in PLACES} == {explorer.__name__ for explorer in EXPLORERS}
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, id=name[:2]) for name in NAMES])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, id=name[:2], marks=pytest.mark.xdist_group(f"browser-{name[:2]}"))
+        for name in NAMES
+    ],
+)
 def test_a_chapter_runs_and_its_panels_live(name: str, browser, server) -> None:
     with opened(browser, server, name) as chapter:
         chapter.run_all()

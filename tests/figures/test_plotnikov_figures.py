@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.constants import arcminute, arcsecond
 from scipy.integrate import solve_ivp
-from scipy.stats import beta, binom, chi, chi2, kstest, studentized_range
+from scipy.stats import beta, binom, chi, chi2, kstest
 
 from driftlab.attitude.coning_algorithms import coning_drift
 from driftlab.book.ch09_aligning_a_gyrocompass import experiments as alignments
@@ -28,7 +28,7 @@ from driftlab.imu import PERFECT
 from driftlab.motion.vehicle import sensed_at_rest, smooth_step, voyage
 from driftlab.quaternion import from_rotation_vector, multiply, rotate
 from published import published
-from support import order_of
+from support import order_of, range_distribution
 
 LATITUDE = SARATOV_LATITUDE
 GRAVITY = float(gravity(LATITUDE))
@@ -248,7 +248,7 @@ def test_the_printed_spread_is_too_large_for_its_deviation(figure: PublishedFigu
     # The law of all of them: times an independent deviation they are ranges.
     rng = np.random.default_rng(1)
     deviations = chi(count - 1).rvs(10000, random_state=rng) / np.sqrt(count - 1)
-    found = kstest(data.ranges[:10000] * deviations, studentized_range(count, np.inf).cdf)
+    found = kstest(data.ranges[:10000] * deviations, range_distribution(count))
     assert found.pvalue > 1e-4
     assert data.ranges.shape == (at_work.TRIALS,)
 

@@ -21,7 +21,7 @@ from driftlab.gyrocompass.trials import (
     table_heading_error,
 )
 from driftlab.quaternion import rotate
-from support import EPS, order_of
+from support import EPS, order_of, range_distribution
 
 LATITUDE = np.radians(51.5)
 LEVEL_RATE = EARTH_RATE * np.cos(LATITUDE)
@@ -212,7 +212,7 @@ def test_normal_ranges_times_an_independent_deviation_are_ranges(count):
     assert ratios.shape == (20000,)
     deviations = chi(count - 1).rvs(20000, random_state=rng) / np.sqrt(count - 1)
     # The distance is passed by chance once in ten thousand draws; the seeds are fixed.
-    assert kstest(ratios * deviations, studentized_range(count, np.inf).cdf).pvalue > 1e-4
+    assert kstest(ratios * deviations, range_distribution(count)).pvalue > 1e-4
 
 
 @pytest.mark.parametrize("count", [4, 26])
