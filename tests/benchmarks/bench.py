@@ -1,7 +1,7 @@
 """Print how fast the package is, as ratios against peers in the same run: python3 lab.py bench.
 
 Absolute times depend on the machine; the ratios much less. Each time is the best of several
-repeats, a redraw the median of its moves. The peers of peers.txt are left out if they are missing.
+repeats, a redraw the median of its moves. Peers that are missing are left out.
 """
 
 import platform
@@ -12,8 +12,8 @@ from time import perf_counter
 
 import mpmath
 import numpy as np
-from on_board import gyrocompass
-from on_the_table import calibration, navigation
+from bench_calibration import calibration, navigation
+from bench_gyrocompass import gyrocompass
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 from timing import best
@@ -27,9 +27,6 @@ from driftlab.drift.error_kinematics import (
     error_transition_matrix,
 )
 from driftlab.quaternion import cumulative_product, from_rotation_vector
-
-# Last, so that nothing of the environment is replaced.
-sys.path.append(str(Path(sys.prefix, "peers")))
 
 
 def error_quaternions() -> None:

@@ -21,14 +21,14 @@ INTERACT = """
 %matplotlib inline
 import numpy as np
 from ipywidgets import interact
+from driftlab.book.ch03_systematic_drift.experiments import drift_history
+from driftlab.book.ch03_systematic_drift.figures.drift_history import DriftHistoryPicture
 from driftlab.vectors import direction_from_angles
-from driftlab.figures import drift_history
 misalignment = 1e-3 * (np.ones((3, 3)) - np.eye(3))
 @interact(azimuth=(-180.0, 180.0, 1.0))
 def show(azimuth=45.0):
     axis = direction_from_angles(np.radians(azimuth), np.radians(15.0))
-    data = drift_history.compute(misalignment, axis)
-    display(drift_history.DriftHistoryPicture.draw(data))
+    display(DriftHistoryPicture.draw(drift_history(misalignment, axis)))
 """
 
 

@@ -3,7 +3,6 @@
 import warnings
 from concurrent.futures import ProcessPoolExecutor
 from time import perf_counter
-from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -17,9 +16,6 @@ from driftlab.imu import Noise, Spread
 from driftlab.monte_carlo import print_progress, sweep
 from driftlab.motion.turntable import NINETEEN_POSITIONS, Record, Scheme, simulate
 from driftlab.strapdown import at_rest, navigate
-
-if TYPE_CHECKING:
-    pass
 
 
 def navigation() -> None:
