@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from driftlab.calibration.error_model import attitude_error
+from driftlab.calibration.body_axes import attitude_error
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE
-from driftlab.imu import measure
+from driftlab.increments import measure
 from driftlab.quaternion import from_rotation_vector, multiply
 from driftlab.strapdown import at_rest, last_of, navigate
 
@@ -13,14 +13,14 @@ def numerical_growth(record, latitude, model):
     """Matrix (6, size): central differences of navigation along a record.
 
     Each error is put into attitude, velocity or sensors as it is defined: computed attitude
-    (E - [phi x]) C, computed minus true velocity, sensors that say too much.
+    (I - [phi x]) C, computed minus true velocity, sensors that say too much.
     """
     sizes = np.full(model.size, 1e-4)
     sizes[3:6] = 1e-2
     steps = np.concatenate([np.diag(sizes), -np.diag(sizes)])
     start = at_rest(latitude, multiply(from_rotation_vector(-steps[:, :3]), record.attitude[0]))
-    said = measure(record, model.unit(steps))
-    found = last_of(navigate(start._replace(velocity=steps[:, 3:6]), *said, record.interval))
+    said = measure(record.increments, model.imu_errors(steps))
+    found = last_of(navigate(start._replace(velocity=steps[:, 3:6]), said))
     ends = np.hstack([attitude_error(found.attitude, record.attitude[-1]), found.velocity])
     plus, minus = np.split(ends, 2)
     return (plus - minus).T / (2 * sizes)

@@ -6,11 +6,12 @@ from importlib import import_module
 from pathlib import Path
 from pkgutil import walk_packages
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from scipy.stats import studentized_range
+from scipy.stats import chi2, studentized_range
 
 import driftlab
 
@@ -40,7 +41,7 @@ def directions() -> st.SearchStrategy:
 
 
 def matrices(most: float) -> st.SearchStrategy:
-    """Misalignments (3, 3) with entries up to `most`."""
+    """Triad errors (3, 3) with entries up to `most`."""
     return arrays(float, (3, 3), elements=numbers(most))
 
 
@@ -88,3 +89,30 @@ def helper_modules() -> list[ModuleType]:
     names = (module.name for module in walk_packages(driftlab.__path__, "driftlab."))
     apart = ("driftlab.book", "driftlab.checks", "driftlab.core", "driftlab.symbolic", "driftlab._")
     return [import_module(name) for name in names if not name.startswith(apart)]
+
+
+def replaced(arguments: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
+    """Arguments of a function with some of them changed; ``"a.b"`` is the field b of argument a."""
+    changed = dict(arguments)
+    for name, value in changes.items():
+        argument, _, field = name.partition(".")
+        changed[argument] = changed[argument]._replace(**{field: value}) if field else value
+    return changed
+
+
+def assert_normal(values, deviation):
+    """Values (n, m): rows and columns independent, of mean zero and this standard deviation.
+
+    Each bound is passed by chance once in a million draws; the seeds are fixed.
+    """
+    unit = values / deviation
+    low, high = chi2.ppf([0.5e-6, 1 - 0.5e-6], len(unit)) / len(unit)
+    squares = (unit**2).mean(axis=0)
+    assert (low < squares).all()
+    assert (squares < high).all()
+    # Means and correlations of n normal numbers have deviations of 1/sqrt(n); 4.9 of them.
+    bound = 4.9 / np.sqrt(len(unit))
+    assert (np.abs(unit.mean(axis=0)) < bound).all()
+    products = unit.T @ unit / len(unit)
+    assert (np.abs(products[np.triu_indices(unit.shape[1], 1)]) < bound).all()
+    assert (np.abs((unit[1:] * unit[:-1]).mean(axis=0)) < bound).all()

@@ -10,15 +10,21 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 
-from driftlab import earth, frames, imu, quaternion, strapdown, triad, vectors
+from driftlab import body_frames, earth, frames, increments, quaternion, strapdown, triad, vectors
 from driftlab.attitude import cayley, coning_algorithms, finite_precision, integration, riccati
-from driftlab.calibration import error_dynamics, error_model, filter, static_navigation
-from driftlab.calibration import simulation as calibration_simulation
+from driftlab.calibration import (
+    body_axes,
+    error_dynamics,
+    filter,
+    simulation as calibration_simulation,
+    static_navigation,
+)
 from driftlab.drift import (
     characteristic_equation,
     error_kinematics,
     systematic_drift,
     turn_calibration,
+    weighing_designs,
 )
 from driftlab.gyrocompass import (
     alignment,
@@ -67,24 +73,24 @@ CASES = {
         "measured_rate": MEASURED,
         "time": TIME,
     },
-    triad.triad_matrix: {"misalignment": BENT},
-    triad.measured_rate: {"rate": RATE, "misalignment": BENT},
+    triad.triad_matrix: {"triad_error": BENT},
+    triad.measured_rate: {"rate": RATE, "triad_error": BENT},
     characteristic_equation.characteristic_polynomial: {"rate": RATE, "measured_rate": MEASURED},
     characteristic_equation.exact_roots: {"rate": RATE, "measured_rate": MEASURED},
-    characteristic_equation.asymptotic_roots: {"rate": RATE, "misalignment": BENT},
+    characteristic_equation.asymptotic_roots: {"rate": RATE, "triad_error": BENT},
     vectors.direction_from_angles: {"azimuth": TIME, "elevation": TIME},
-    systematic_drift.drift_coefficient: {"direction": RATE, "misalignment": BENT},
-    systematic_drift.exact_drift_coefficient: {"direction": RATE, "misalignment": BENT},
-    systematic_drift.drift_per_turn: {"direction": RATE, "misalignment": BENT},
+    systematic_drift.drift_coefficient: {"direction": RATE, "triad_error": BENT},
+    systematic_drift.exact_drift_coefficient: {"direction": RATE, "triad_error": BENT},
+    systematic_drift.drift_per_turn: {"direction": RATE, "triad_error": BENT},
     characteristic_equation.split_error_rate_matrix: {"rate": RATE, "measured_rate": MEASURED},
-    triad.non_orthogonality: {"misalignment": BENT},
-    systematic_drift.principal_drifts: {"misalignment": BENT},
+    triad.non_orthogonality: {"triad_error": BENT},
+    systematic_drift.principal_drifts: {"triad_error": BENT},
     triad.pairwise_non_orthogonality: {"axes": np.eye(3)[[1, 2, 0]]},
     turn_calibration.turn_estimate: {"error_quaternion": Q, "axis": RATE},
-    turn_calibration.exact_turn_estimate: {"misalignment": BENT, "axis": RATE},
-    turn_calibration.TurnExperiment(1, 5).error_quaternion: {"misalignment": BENT, "axis": RATE},
-    turn_calibration.TurnExperiment(1, 5).estimate: {"misalignment": BENT, "axis": RATE},
-    turn_calibration.weighing: {"estimates": Q},
+    turn_calibration.exact_turn_estimate: {"triad_error": BENT, "axis": RATE},
+    turn_calibration.TurnExperiment(1, 5).error_quaternion: {"triad_error": BENT, "axis": RATE},
+    turn_calibration.TurnExperiment(1, 5).estimate: {"triad_error": BENT, "axis": RATE},
+    weighing_designs.weighing: {"estimates": Q},
     cayley.cayley_transform: {"matrix": BENT},
     cayley.skew_operator: {"vector": RATE},
     cayley.cayley_vector: {"quaternion": Q},
@@ -119,22 +125,22 @@ CASES = {
     profiles.FixedAxis(0.3, 0.5).rate: {"time": TIME},
     quaternion.rotate: {"quaternion": Q, "vector": RATE},
     quaternion.to_matrix: {"quaternion": Q},
-    triad.split: {"matrix": BENT},
-    triad.misalignment_vector: {"gyro_error": BENT},
-    triad.body_frame_rotation: {"gyro_error": BENT},
-    fixed(triad.body_frame_rotation, frame="upper triangle"): {"gyro_error": BENT},
-    fixed(triad.body_frame_rotation, frame="lower triangle"): {"gyro_error": BENT},
-    triad.change_body_frame: {"matrix": BENT, "rotation": BENT},
+    triad.decompose: {"matrix": BENT},
+    body_frames.misalignment_vector: {"gyro_error": BENT},
+    body_frames.body_frame_rotation: {"gyro_error": BENT},
+    fixed(body_frames.body_frame_rotation, frame="upper triangle"): {"gyro_error": BENT},
+    fixed(body_frames.body_frame_rotation, frame="lower triangle"): {"gyro_error": BENT},
+    body_frames.change_body_frame: {"matrix": BENT, "rotation": BENT},
     vectors.cross_matrix: {"vector": RATE},
     earth.earth_rate: {"latitude": LATITUDE},
     earth.checked_latitude: {"latitude": LATITUDE},
     earth.curvature_radii: {"latitude": LATITUDE},
     earth.gravity: {"latitude": LATITUDE, "altitude": TIME},
     earth.position_vector: {"latitude": LATITUDE, "altitude": TIME},
-    frames.attitude_from_angles: {"heading": TIME, "pitch": PITCH, "roll": TIME},
-    frames.angles_from_attitude: {"attitude": Q},
-    frames.geographic_rate: {"latitude": LATITUDE, "velocity": LEVEL},
-    heading_error.level_coriolis: {"latitude": LATITUDE, "velocity": LEVEL},
+    frames.from_euler_angles: {"heading": TIME, "pitch": PITCH, "roll": TIME},
+    frames.to_euler_angles: {"attitude": Q},
+    frames.navigation_frame_rate: {"latitude": LATITUDE, "velocity": LEVEL},
+    heading_error.coriolis_correction: {"latitude": LATITUDE, "velocity": LEVEL},
     fixed(noise.swing_deviation, angle_random_walk=1e-6, gravity=9.8): {"time": TIME},
     heading_error.heading_error_of_attitude: {
         "attitude_error": RATE,
@@ -143,26 +149,26 @@ CASES = {
     },
     trials.table_heading_error: {
         "dial": TIME,
-        "drift": 1e-6 * RATE,
-        "offset": RATE,
+        "gyro_bias_body": 1e-6 * RATE,
+        "accelerometer_bias_body": RATE,
         "latitude": LATITUDE,
         "north_error": PITCH,
         "tilt": 1e-2 * LEVEL,
     },
-    vehicle.sensed_at_rest: {"attitude": Q, "latitude": LATITUDE, "gravity": TIME},
+    vehicle.static_imu: {"attitude": Q, "latitude": LATITUDE, "gravity": TIME},
     alignment.align: {"angular_rate": RATE, "specific_force": np.array([0.3, 0.5, -0.6])},
     alignment.alignment_errors: {
         "heading": TIME,
         "pitch": PITCH,
         "latitude": LATITUDE,
-        "rate_error": RATE,
-        "force_error": MEASURED,
+        "gyro_bias_nue": RATE,
+        "accelerometer_bias_nue": MEASURED,
         "gravity": TIME,
     },
     alignment.alignment_attitude_error: {
         "latitude": LATITUDE,
-        "rate_error": RATE,
-        "force_error": MEASURED,
+        "gyro_bias_nue": RATE,
+        "accelerometer_bias_nue": MEASURED,
         "gravity": TIME,
     },
     heading_error.operating_heading_error: {
@@ -170,17 +176,17 @@ CASES = {
         "velocity": LEVEL,
         "tilt": LEVEL,
         "tilt_rate": LEVEL,
-        "drift": LEVEL,
+        "gyro_bias_north_east": LEVEL,
         "yaw_error": TIME,
         "heading": TIME,
         "pitch": PITCH,
     },
-    heading_error.speed_deviation: {"latitude": LATITUDE, "velocity": LEVEL},
+    heading_error.speed_error: {"latitude": LATITUDE, "velocity": LEVEL},
     fixed(vehicle.smooth_step, begin=0.5, duration=3.0): {"times": TIME},
 }
 # Tested where they belong.
 APART = {
-    turn_calibration.fit_turns,  # its two arguments share an axis instead of broadcasting
+    weighing_designs.fit_turns,  # its two arguments share an axis instead of broadcasting
     riccati.integrate_riccati,  # takes a row of times and returns all that it knows about them
     finite_precision.integrate_in_word,  # answers in the word that it is asked for
     # Positions in m are too large for half precision.
@@ -189,20 +195,20 @@ APART = {
     # Their arguments and answers are records of several arrays.
     strapdown.at_rest,
     strapdown.navigate,
-    imu.increment_rows,
-    turntable.stand,
+    turntable.static_trajectory,
     vectors.left_jacobian,
     vectors.wrap_angle,
-    imu.compensate,
-    error_dynamics.free_growth,
+    increments.compensate,
+    increments.checked_increments,
+    error_dynamics.free_transition,
     filter.calibrate,
     calibration_simulation.estimation_errors,
-    error_model.attitude_of_axes,
-    error_model.attitude_error,
-    static_navigation.navigate_in_place,
-    levelling.operate,
-    simulation.take_along,
-    vehicle.voyage,
+    body_axes.attitude_of_axes,
+    body_axes.attitude_error,
+    static_navigation.navigate_static,
+    levelling.propagate_level_frame,
+    simulation.simulate_compass,
+    vehicle.vehicle_trajectory,
     # Their last axis is a row, and shorter or gone in the answer.
     noise.moving_average,
     trials.range_over_deviation,
@@ -300,6 +306,14 @@ def test_any_real_dtype_is_calculated_in_double(function, good, dtype):
     for one, other in zip(results(function, given), results(function, whole), strict=True):
         assert one.dtype in (np.float64, np.complex128)
         np.testing.assert_array_equal(one, other)
+
+
+@every_function
+def test_a_single_number_is_a_number_and_no_array_without_axes(function, good):
+    """As NumPy's own functions have it; a test of numbers alone would not tell the two apart."""
+    if function is not earth.checked_latitude:  # like all checks it makes arrays
+        for result in results(function, good):
+            assert np.ndim(result) or not isinstance(result, np.ndarray)
 
 
 @pytest.mark.parametrize(

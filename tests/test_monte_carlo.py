@@ -13,13 +13,12 @@ from threading import Timer
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.stats import binom, chi2, norm
 
 from driftlab.calibration.simulation import TableTrial
 from driftlab.monte_carlo import mean_square_bounds, print_progress, sweep
-from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
 
 def draws(rng, runs):
@@ -125,9 +124,9 @@ def test_trials_in_processes_are_those_of_this_one():
     assert [len(trial.errors) for trial in found] == [2, 1]
     for one, other in zip(found, expected, strict=True):
         np.testing.assert_array_equal(one.errors, other.errors)
-        np.testing.assert_array_equal(one.squared_errors, other.squared_errors)
+        np.testing.assert_array_equal(one.nees, other.nees)
         np.testing.assert_array_equal(one.calibration.covariance, other.calibration.covariance)
-        np.testing.assert_array_equal(one.unit.gyro_error, other.unit.gyro_error)
+        np.testing.assert_array_equal(one.imu_errors.gyro_error, other.imu_errors.gyro_error)
 
 
 # Progress

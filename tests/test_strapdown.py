@@ -10,10 +10,12 @@ from scipy.spatial.transform import Rotation
 from driftlab.core import strapdown as core
 from driftlab.core.strapdown import velocity_of_pairs
 from driftlab.earth import EARTH_RATE, curvature_radii, earth_rate, gravity
-from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme, simulate, stand
+from driftlab.increments import Increments
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
+from driftlab.motion.turntable import static_trajectory, table_trajectory
 from driftlab.quaternion import multiply, pure, rotate
 from driftlab.strapdown import Navigation, at_rest, last_of, navigate
-from support import EPS, order_of, random_quaternions, same_rotation
+from support import EPS, order_of, random_quaternions, replaced, same_rotation
 
 RADIUS = 6.4e6  # m, about the Earth's
 SETTLED = 2e-7  # m: a way that is cut into chunks otherwise is found within this
@@ -134,7 +136,7 @@ def flight():
 def flown(interval):
     """The same by `navigate`."""
     increments = TURN.increments(interval, round(60 / interval))
-    return navigate(AIRBORNE, *increments, interval, every=round(10 / interval))
+    return navigate(AIRBORNE, Increments(interval, *increments), every=round(10 / interval))
 
 
 def test_vehicle_that_climbs_and_turns_follows_the_navigation_equations(flight):
@@ -199,7 +201,7 @@ def test_eastward_motion_is_pushed_up_and_towards_the_equator(latitude):
     )
     start = at_rest(latitude, UNTURNED)._replace(velocity=velocity)
     increments = (np.tile(0.05 * part, (20, 1)) for part in (carried.rate, carried.force))
-    end = last_of(navigate(start, *increments, 0.05))
+    end = last_of(navigate(start, Increments(0.05, *increments)))
     sine, cosine = np.sin(latitude), np.cos(latitude)
     turning = 2 * EARTH_RATE + speed / (across * cosine)
     expected = speed * turning * np.array([0, -sine, cosine]) * seconds
@@ -214,8 +216,8 @@ def test_eastward_motion_is_pushed_up_and_towards_the_equator(latitude):
 def test_unit_at_rest_stays_for_an_hour():
     latitude, interval, hours = 0.9, 0.1, 1.0
     start = at_rest(latitude, random_quaternions(1, seed=2)[0], 1.5, 200.0)
-    record = stand(start.attitude, latitude, interval, 36_000, 200.0)
-    found = navigate(start, *record[1:3], interval, every=600)
+    record = static_trajectory(start.attitude, latitude, interval, 36_000, 200.0)
+    found = navigate(start, record.increments, every=600)
     # Gravity in inertial axes turns by earth_rate squared, and the trapezoid rule adds step^2/12
     # of that: an acceleration which a vertical channel makes grow like cosh, in closed form.
     growth = np.sqrt(2 * 9.81 / RADIUS) * 3600 * hours
@@ -229,12 +231,12 @@ def test_unit_at_rest_stays_for_an_hour():
 
 
 def test_unit_on_the_turntable_stays_where_it_is():
-    record = simulate(NINETEEN_POSITIONS, 0.9, 0.02, whole=2)
-    found = navigate(at_rest(0.9, record.attitude[0]), *record[1:3], record.interval)
+    record = table_trajectory(NINETEEN_POSITIONS, 0.9, 0.02, multiple_of=2)
+    found = navigate(at_rest(0.9, record.attitude[0]), record.increments)
     assert same_rotation(found.attitude, record.attitude[2::2], 1e-10)
     # Turns of 10 degrees/s, 0.007 rad a step: 160 s of them at angle^3/24 of gravity at most.
     assert np.abs(found.velocity).max() < 160 * 9.81 * 0.007**3 / 24
-    assert len(found.latitude) == len(record.angle_increments) // 2
+    assert len(found.latitude) == len(record.increments.angle) // 2
 
 
 def test_errors_on_the_turntable_fall_with_the_fourth_power_of_the_interval():
@@ -242,9 +244,9 @@ def test_errors_on_the_turntable_fall_with_the_fourth_power_of_the_interval():
     scheme = Scheme("+90X -180Y +90Z", dwell=4.0, rate=np.pi / 4)
 
     def error(interval):
-        record = simulate(scheme, 0.8, interval, whole=round(0.5 / interval))
+        record = table_trajectory(scheme, 0.8, interval, multiple_of=round(0.5 / interval))
         start = at_rest(0.8, record.attitude[0])
-        found = last_of(navigate(start, *record[1:3], interval))
+        found = last_of(navigate(start, record.increments))
         return errors(found, start._replace(attitude=record.attitude[-1]))
 
     coarse, fine = np.array(error(0.125)), np.array(error(0.03125))
@@ -254,9 +256,9 @@ def test_errors_on_the_turntable_fall_with_the_fourth_power_of_the_interval():
 def test_altitude_runs_away_as_the_hyperbolic_cosine():
     """A metre too high at first: weight falls by 2 g/a for a metre, which drives it further up."""
     latitude = np.radians(89)  # so that there is next to no Coriolis force
-    record = stand(UNTURNED, latitude, 0.5, 3600)
+    record = static_trajectory(UNTURNED, latitude, 0.5, 3600)
     start = at_rest(latitude, UNTURNED, altitude=1.0)
-    found = navigate(start, *record[1:3], 0.5, every=120)
+    found = navigate(start, record.increments, every=120)
     growth = np.sqrt(2 * float(gravity(latitude)) / 6378137.0)
     expected = np.cosh(growth * 60 * np.arange(1, 31))
     # The Coriolis force of the rise takes 4 earth_rate^2 cos^2 of it: 1e-6 of the rate squared.
@@ -269,11 +271,9 @@ def test_altitude_runs_away_as_the_hyperbolic_cosine():
 def test_tilted_unit_swings_like_a_pendulum_as_long_as_the_radius():
     """At the equator, tilted about the East: the level channels do not mix there."""
     tilt, latitude, interval = 1e-4, 0.0, 0.5
-    true = stand(UNTURNED, latitude, interval, 12_000)
+    true = static_trajectory(UNTURNED, latitude, interval, 12_000)
     tilted = Rotation.from_rotvec([tilt, 0, 0]).as_quat()
-    states = navigate(
-        at_rest(latitude, tilted), *true[1:3], interval, every=240, hold_altitude=True
-    )
+    states = navigate(at_rest(latitude, tilted), true.increments, every=240, hold_altitude=True)
     times = 120.0 * np.arange(1, 51)
     along, _ = curvature_radii(latitude)
     schuler = np.sqrt(float(gravity(latitude)) / float(along))
@@ -292,13 +292,13 @@ def test_tilted_unit_swings_like_a_pendulum_as_long_as_the_radius():
 def test_tilted_unit_follows_the_level_equations(monkeypatch):
     latitude, interval, chunk = 0.8, 0.5, 4.0
     monkeypatch.setattr(core, "CHUNK", chunk)
-    record = stand(UNTURNED, latitude, interval, 12_000)
+    record = static_trajectory(UNTURNED, latitude, interval, 12_000)
     tilted = Rotation.from_rotvec([1e-4, -2e-4, 3e-4]).as_quat()
     start = at_rest(latitude, tilted, altitude=100.0)
-    found = navigate(start, *record[1:3], interval, every=1200, hold_altitude=True)
+    found = navigate(start, record.increments, every=1200, hold_altitude=True)
     still = SimpleNamespace(
-        rate=lambda time: record.angle_increments[0] / interval,
-        force=lambda time: record.velocity_increments[0] / interval,
+        rate=lambda time: record.increments.angle[0] / interval,
+        force=lambda time: record.increments.velocity[0] / interval,
     )
     expected = solution(start, still, 600.0 * np.arange(1, 11), level=True)
     position, velocity, attitude = errors(found, expected)
@@ -323,7 +323,9 @@ def test_altitude_is_put_back_every_chunk_and_the_level_motion_goes_on(monkeypat
     # So far north it hardly matters what a put-back does to the speed that the Earth turns with.
     latitude = np.radians(89.8)
     start = AIRBORNE._replace(latitude=np.array(latitude))
-    found = navigate(start, *TURN.increments(interval, 3500), interval, hold_altitude=True)
+    found = navigate(
+        start, Increments(interval, *TURN.increments(interval, 3500)), hold_altitude=True
+    )
     np.testing.assert_array_equal(found.altitude, np.full(1750, 3000.0))
     np.testing.assert_array_equal(found.velocity[:, 2], np.zeros(1750))
     here, rises = start, 0.0
@@ -348,8 +350,8 @@ def test_altitude_is_put_back_every_chunk_and_the_level_motion_goes_on(monkeypat
 
 def test_held_altitude_is_that_of_each_start():
     start = at_rest([0.3, 0.4], UNTURNED, altitude=[[-50.0], [9000.0], [0.0]])
-    record = stand(UNTURNED, 0.35, 0.5, 200)
-    found = navigate(start, *record[1:3], 0.5, every=100, hold_altitude=True)
+    record = static_trajectory(UNTURNED, 0.35, 0.5, 200)
+    found = navigate(start, record.increments, every=100, hold_altitude=True)
     np.testing.assert_array_equal(
         found.altitude, np.broadcast_to(start.altitude[..., None], (3, 2, 2))
     )
@@ -372,18 +374,18 @@ def part(state, index):
 
 def test_each_result_is_that_of_its_time():
     increments = TURN.increments(0.02, 600)
-    fine = navigate(AIRBORNE, *increments, 0.02)
+    fine = navigate(AIRBORNE, Increments(0.02, *increments))
     for every in (2, 4, 30, 600):
-        coarse = navigate(AIRBORNE, *increments, 0.02, every=every)
+        coarse = navigate(AIRBORNE, Increments(0.02, *increments), every=every)
         for one, other in zip(coarse, fine, strict=True):
             np.testing.assert_allclose(one, other[every // 2 - 1 :: every // 2], rtol=4 * EPS)
 
 
 def test_two_calls_in_a_row_are_one():
     angle, push = TURN.increments(0.02, 4000)
-    whole = navigate(AIRBORNE, angle, push, 0.02, every=100)
-    first = navigate(AIRBORNE, angle[:1400], push[:1400], 0.02, every=100)
-    second = navigate(last_of(first), angle[1400:], push[1400:], 0.02, every=100)
+    whole = navigate(AIRBORNE, Increments(0.02, angle, push), every=100)
+    first = navigate(AIRBORNE, Increments(0.02, angle[:1400], push[:1400]), every=100)
+    second = navigate(last_of(first), Increments(0.02, angle[1400:], push[1400:]), every=100)
     same_states(part(whole, np.s_[:14]), whole.__class__(*first))
     # Latitude and longitude carry 1e-11 rad of Bowring's formula at most, 6e-5 m, between calls.
     same_states(part(whole, np.s_[14:]), second, 1e-4)
@@ -392,9 +394,9 @@ def test_two_calls_in_a_row_are_one():
 @pytest.mark.parametrize("chunk", [1e-9, 0.5, 7.77, 1e3])
 def test_length_of_a_chunk_does_not_matter(monkeypatch, chunk):
     increments = TURN.increments(0.02, 3000)
-    usual = navigate(AIRBORNE, *increments, 0.02, every=100)
+    usual = navigate(AIRBORNE, Increments(0.02, *increments), every=100)
     monkeypatch.setattr(core, "CHUNK", chunk)
-    same_states(navigate(AIRBORNE, *increments, 0.02, every=100), usual)
+    same_states(navigate(AIRBORNE, Increments(0.02, *increments), every=100), usual)
 
 
 @pytest.mark.parametrize("hold_altitude", [False, True])
@@ -411,17 +413,17 @@ def test_many_at_once_are_as_one_by_one(hold_altitude):
     angle = angle + 1e-4 * rng.normal(size=(3, 1, 3))
     push = push + 1e-3 * rng.normal(size=(3, 1, 3))
     kwargs = {"every": 400, "hold_altitude": hold_altitude}
-    together = navigate(start, angle, push, 0.05, **kwargs)
+    together = navigate(start, Increments(0.05, angle, push), **kwargs)
     assert together.latitude.shape == (2, 3, 4)
     assert together.velocity.shape == (2, 3, 4, 3)
     assert together.attitude.shape == (2, 3, 4, 4)
     for i, j in np.ndindex(2, 3):
-        alone = navigate(part(start, (i, 0)), angle[j], push[j], 0.05, **kwargs)
+        alone = navigate(part(start, (i, 0)), Increments(0.05, angle[j], push[j]), **kwargs)
         same_states(part(together, (i, j)), alone)
     # Accelerometers of several units that turn together.
-    shared = navigate(part(start, (0, 0)), angle[0], push, 0.05, **kwargs)
+    shared = navigate(part(start, (0, 0)), Increments(0.05, angle[0], push), **kwargs)
     for j in range(3):
-        alone = navigate(part(start, (0, 0)), angle[0], push[j], 0.05, **kwargs)
+        alone = navigate(part(start, (0, 0)), Increments(0.05, angle[0], push[j]), **kwargs)
         same_states(part(shared, j), alone)
 
 
@@ -430,7 +432,7 @@ def test_nothing_is_written_into_the_arguments():
     increments = TURN.increments(0.05, 1600)
     for array in (*start, *increments):
         array.setflags(write=False)
-    navigate(start, *increments, 0.05, hold_altitude=True)
+    navigate(start, Increments(0.05, *increments), hold_altitude=True)
 
 
 @pytest.mark.parametrize("degrees", [179.99, -179.99])
@@ -440,8 +442,8 @@ def test_longitude_goes_on_at_the_other_side(degrees):
         longitude=np.array(np.radians(degrees)), velocity=np.array([speed, 0.0, 0.0])
     )
     increments = TURN.increments(0.02, 1000)
-    found = navigate(start, *increments, 0.02)
-    other = navigate(start._replace(longitude=np.array(0.0)), *increments, 0.02)
+    found = navigate(start, Increments(0.02, *increments))
+    other = navigate(start._replace(longitude=np.array(0.0)), Increments(0.02, *increments))
     assert np.abs(found.longitude).max() <= np.pi
     assert np.sign(found.longitude[0]) == -np.sign(found.longitude[-1]) == np.sign(degrees)
     way = (found.longitude - np.radians(degrees) + np.pi) % (2 * np.pi) - np.pi
@@ -472,8 +474,8 @@ def test_state_at_rest_is_on_the_ellipsoid_at_longitude_zero_unless_told():
 
 
 def test_last_of_a_row_is_its_last_state():
-    record = stand(UNTURNED, 0.5, 0.5, 40)
-    states = navigate(at_rest([[0.5], [0.6]], UNTURNED), *record[1:3], 0.5)
+    record = static_trajectory(UNTURNED, 0.5, 0.5, 40)
+    states = navigate(at_rest([[0.5], [0.6]], UNTURNED), record.increments)
     for one, row in zip(last_of(states), states, strict=True):
         np.testing.assert_array_equal(one, row[:, :, -1])
 
@@ -483,19 +485,27 @@ def test_last_of_a_row_is_its_last_state():
 
 GOOD = {
     "start": at_rest(0.5, UNTURNED),
-    "angle_increments": np.zeros((12, 3)),
-    "velocity_increments": np.zeros((12, 3)),
-    "interval": 0.1,
+    "increments": Increments(0.1, np.zeros((12, 3)), np.zeros((12, 3))),
 }
 
 
 @pytest.mark.parametrize(
     ("bad", "words"),
     [
-        ({"interval": 0}, r"interval: expected a positive time of at most 20 s, got 0\."),
-        ({"interval": -0.1}, r"interval: expected a positive time of at most 20 s, got -0\.1\."),
-        ({"interval": np.nan}, "interval: expected finite numbers"),
-        ({"interval": [0.1, 0.1]}, r"interval: expected one number, got shape \(2,\)"),
+        ({"increments.interval": 0}, r"increments\.interval: expected a positive number, got 0\."),
+        (
+            {"increments.interval": 21.0},
+            r"increments\.interval: expected a positive time of at most 20 s, got 21",
+        ),
+        (
+            {"increments.interval": -0.1},
+            r"increments\.interval: expected a positive number, got -0\.1\.",
+        ),
+        ({"increments.interval": np.nan}, r"increments\.interval: expected finite numbers"),
+        (
+            {"increments.interval": [0.1, 0.1]},
+            r"increments\.interval: expected one number, got shape \(2,\)",
+        ),
         ({"every": 3}, r"every: expected an even divisor .*increments, 12, got 3\."),
         ({"every": 8}, r"every: expected an even divisor .*increments, 12, got 8\."),
         ({"every": 24}, r"every: expected an even divisor .*increments, 12, got 24\."),
@@ -503,23 +513,23 @@ GOOD = {
         ({"every": -2}, r"every: expected a whole number of at least 2, got -2\."),
         ({"every": 2.0}, r"every: expected a whole number of at least 2, got 2\.0\."),
         (
-            {"angle_increments": np.zeros((10, 3))},
-            r"velocity_increments: expected as many as angle_increments, 10, got 12\.",
+            {"increments.angle": np.zeros((10, 3))},
+            r"increments\.velocity: expected as many as increments\.angle, 10, got 12\.",
         ),
-        ({"angle_increments": np.zeros(3)}, r"angle_increments: expected shape \(\.\.\., n, 3\)"),
+        ({"increments.angle": np.zeros(3)}, r"increments\.angle: expected shape \(\.\.\., n, 3\)"),
         (
-            {"velocity_increments": np.zeros(3)},
-            r"velocity_increments: expected shape \(\.\.\., n, 3\), got shape \(3,\)",
+            {"increments.velocity": np.zeros(3)},
+            r"increments\.velocity: expected shape \(\.\.\., n, 3\), got shape \(3,\)",
         ),
-        ({"angle_increments": np.zeros((12, 2))}, r"angle_increments: expected shape"),
-        ({"velocity_increments": np.zeros((12, 4))}, r"velocity_increments: expected shape"),
+        ({"increments.angle": np.zeros((12, 2))}, r"increments\.angle: expected shape"),
+        ({"increments.velocity": np.zeros((12, 4))}, r"increments\.velocity: expected shape"),
         (
-            {"angle_increments": np.full((12, 3), np.nan)},
-            "angle_increments: expected finite numbers, got 36 NaN",
+            {"increments.angle": np.full((12, 3), np.nan)},
+            r"increments\.angle: expected finite numbers, got 36 NaN",
         ),
         (
-            {"velocity_increments": np.full((12, 3), np.inf)},
-            "velocity_increments: expected finite numbers, got 36 NaN",
+            {"increments.velocity": np.full((12, 3), np.inf)},
+            r"increments\.velocity: expected finite numbers, got 36 NaN",
         ),
         (
             {"start": GOOD["start"]._replace(latitude=np.array(np.pi / 2))},
@@ -534,7 +544,7 @@ GOOD = {
 )
 def test_bad_input_is_refused_by_name(bad, words):
     with pytest.raises(ValueError, match=f"^{words}"):
-        navigate(**(GOOD | bad))
+        navigate(**replaced(GOOD, bad))
 
 
 def test_states_that_cannot_be_are_refused():
@@ -555,9 +565,9 @@ def test_states_that_cannot_be_are_refused():
 def test_attitudes_are_brought_to_unit_norm():
     state = at_rest(0.8, [0, 0, 0, 2])
     np.testing.assert_array_equal(state.attitude, [0, 0, 0, 1])
-    record = stand([0, 0, 0, 1], 0.8, 0.1, 20)
+    record = static_trajectory([0, 0, 0, 1], 0.8, 0.1, 20)
     doubled = state._replace(attitude=2 * state.attitude)
-    once, twice = (navigate(start, *record[1:3], 0.1) for start in (state, doubled))
+    once, twice = (navigate(start, record.increments) for start in (state, doubled))
     np.testing.assert_allclose(twice.velocity, once.velocity, rtol=0, atol=1e-9)
     with pytest.raises(ValueError, match="attitude: expected nonzero quaternions"):
         at_rest(0.8, np.zeros(4))
@@ -566,11 +576,13 @@ def test_attitudes_are_brought_to_unit_norm():
 @pytest.mark.parametrize("field", ["longitude", "altitude", "velocity", "attitude"])
 def test_states_are_refused_by_the_name_of_the_field(field):
     good = at_rest(0.8, [0, 0, 0, 1])
-    record = stand([0, 0, 0, 1], 0.8, 0.1, 20)
+    record = static_trajectory([0, 0, 0, 1], 0.8, 0.1, 20)
     bad = good._replace(**{field: np.nan * getattr(good, field)})
     with pytest.raises(ValueError, match=f"^{field}: expected finite numbers"):
-        navigate(bad, *record[1:3], 0.1)
+        navigate(bad, record.increments)
     plain = good._replace(latitude=0.8, longitude=0.0, altitude=0.0)
-    assert navigate(plain, *record[1:3], 0.1).latitude.shape == (10,)
-    with pytest.raises(ValueError, match="interval: expected a positive time of at most 20 s"):
-        navigate(good, *record[1:3], 500.0)
+    assert navigate(plain, record.increments).latitude.shape == (10,)
+    with pytest.raises(
+        ValueError, match=r"^increments\.interval: expected a positive time of at most 20 s"
+    ):
+        navigate(good, record.increments._replace(interval=500.0))

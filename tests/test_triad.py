@@ -3,28 +3,26 @@
 import numpy as np
 import pytest
 import scipy.linalg
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.spatial.transform import Rotation
 
-from driftlab.drift.systematic_drift import drift_coefficient, principal_drifts
-from driftlab.triad import (
+from driftlab.body_frames import (
     BODY_FRAMES,
     body_frame_rotation,
     change_body_frame,
     misalignment_vector,
-    non_orthogonality,
-    split,
 )
+from driftlab.drift.systematic_drift import drift_coefficient, principal_drifts
+from driftlab.triad import decompose, non_orthogonality
 from driftlab.vectors import cross_matrix
 from support import EPS, directions, matrices, order_of, quaternions, vectors
 
-E = np.eye(3)
+IDENTITY = np.eye(3)
 BENT = np.array([[0.03, -0.08, 0.05], [0.09, -0.02, 0.07], [-0.06, 0.04, 0.01]])
 OTHER = np.array([[-0.05, 0.02, 0.09], [0.03, 0.06, -0.04], [0.08, 0.01, -0.07]])
 
 every_frame = pytest.mark.parametrize("frame", BODY_FRAMES)
-# Rows of E + K then have more on the diagonal than beside it: right-handed, far from flat.
+# Rows of I + K then have more on the diagonal than beside it: right-handed, far from flat.
 bent = matrices(0.2)
 ANGLES = st.floats(-0.5, 0.5)
 
@@ -41,12 +39,12 @@ def in_frame(matrix, frame):
 @given(matrices(1.0))
 def test_parts_add_up_to_the_matrix(matrix):
     # Halves of entries up to 1, added and subtracted.
-    np.testing.assert_allclose(sum(split(matrix)), matrix, rtol=0, atol=2 * EPS)
+    np.testing.assert_allclose(sum(decompose(matrix)), matrix, rtol=0, atol=2 * EPS)
 
 
 @given(matrices(1.0))
 def test_parts_are_diagonal_symmetric_and_skew(matrix):
-    scale, symmetric, skew = split(matrix)
+    scale, symmetric, skew = decompose(matrix)
     np.testing.assert_array_equal(scale, np.diag(np.diag(matrix)))
     np.testing.assert_array_equal(symmetric, symmetric.T)
     np.testing.assert_array_equal(np.diag(symmetric), 0)
@@ -57,13 +55,13 @@ def test_parts_are_diagonal_symmetric_and_skew(matrix):
 def test_any_three_such_matrices_are_the_parts_of_their_sum(diagonal, pairs, vector):
     x, y, z = pairs
     whole = (np.diag(diagonal), np.array([[0, x, y], [x, 0, z], [y, z, 0]]), cross_matrix(vector))
-    for found, expected in zip(split(sum(whole)), whole, strict=True):
+    for found, expected in zip(decompose(sum(whole)), whole, strict=True):
         np.testing.assert_allclose(found, expected, rtol=0, atol=4 * EPS)
 
 
 @given(matrices(1.0))
 def test_parts_are_orthogonal_to_each_other(matrix):
-    parts = np.array(split(matrix)).reshape(3, 9)
+    parts = np.array(decompose(matrix)).reshape(3, 9)
     products = parts @ parts.T
     # Sums of nine products of numbers up to 1.
     np.testing.assert_allclose(products, np.diag(np.diag(products)), rtol=0, atol=16 * EPS)
@@ -73,7 +71,7 @@ def test_parts_are_orthogonal_to_each_other(matrix):
 @given(matrices(1.0), vectors())
 def test_misalignment_is_a_cross_product(matrix, rate):
     np.testing.assert_allclose(
-        split(matrix).misalignment @ rate,
+        decompose(matrix).misalignment @ rate,
         np.cross(misalignment_vector(matrix), rate),
         rtol=0,
         atol=64 * EPS,  # three products of numbers up to 1 and 10
@@ -90,7 +88,7 @@ def test_skew_matrix_is_the_cross_product(vector, other):
 @given(matrices(1.0), directions())
 def test_symmetric_parts_are_larins_sigma_and_drift_alone(matrix, n):
     """The bridge to Part I: of the three parts only the misalignment does not drift."""
-    scale, symmetric, skew = split(matrix)
+    scale, symmetric, skew = decompose(matrix)
     np.testing.assert_allclose(scale + symmetric, non_orthogonality(matrix), rtol=0, atol=2 * EPS)
     assert drift_coefficient(n, skew) == pytest.approx(0, abs=16 * EPS)
     assert drift_coefficient(n, scale + symmetric) == pytest.approx(
@@ -106,7 +104,7 @@ def test_subtracting_the_rotation_leaves_what_the_frame_allows(matrix):
     def rest(frame):
         return matrix - cross_matrix(misalignment_vector(matrix, frame=frame))
 
-    np.testing.assert_allclose(split(rest("averaged")).misalignment, 0, atol=2 * EPS)
+    np.testing.assert_allclose(decompose(rest("averaged")).misalignment, 0, atol=2 * EPS)
     np.testing.assert_array_equal(np.triu(rest("upper triangle"), 1), 0)
     np.testing.assert_array_equal(np.tril(rest("lower triangle"), -1), 0)
 
@@ -152,7 +150,7 @@ def test_small_rotation_is_the_exact_one_to_first_order(frame):
 def test_body_frame_rotation_is_a_rotation(frame, matrix):
     rotation = body_frame_rotation(matrix, matrix, frame)
     # LAPACK's orthogonal factors are good to some eps.
-    np.testing.assert_allclose(rotation @ rotation.T, E, rtol=0, atol=32 * EPS)
+    np.testing.assert_allclose(rotation @ rotation.T, IDENTITY, rtol=0, atol=32 * EPS)
     assert np.linalg.det(rotation) == pytest.approx(1, abs=32 * EPS)
 
 
@@ -169,12 +167,12 @@ def test_changed_matrix_is_symmetric_or_triangular(frame, matrix):
     # LAPACK's factors multiply to the triad within some tens of eps.
     np.testing.assert_allclose(zeros, 0, atol=64 * EPS)
     # No axis turned round; for `averaged` all eigenvalues, which are the diagonal elsewhere.
-    assert (np.linalg.eigvals(E + changed).real > 0).all()
+    assert (np.linalg.eigvals(IDENTITY + changed).real > 0).all()
 
 
 @given(bent)
 def test_rotations_are_those_of_scipys_decompositions(matrix):
-    triad = E + matrix
+    triad = IDENTITY + matrix
     # Neighbours of triads with singular values above 0.4: conditions of at most 4.
     close = {"rtol": 0, "atol": 64 * EPS}
     polar, _ = scipy.linalg.polar(triad, side="left")
@@ -194,7 +192,7 @@ def test_rotations_are_those_of_scipys_decompositions(matrix):
 def test_triad_that_is_turned_only_comes_out_straight(frame, q):
     """However far: nothing here is small."""
     turn = Rotation.from_quat(q).as_matrix()
-    changed, rotation = in_frame(turn - E, frame)
+    changed, rotation = in_frame(turn - IDENTITY, frame)
     np.testing.assert_allclose(rotation, turn, rtol=0, atol=16 * EPS)
     np.testing.assert_allclose(changed, 0, atol=16 * EPS)
 
@@ -210,13 +208,13 @@ def test_result_does_not_depend_on_the_axes_at_hand(frame, matrix, q):
     undone = first @ Rotation.from_quat(q).as_matrix().T
     np.testing.assert_allclose(rotation, undone, rtol=0, atol=64 * EPS)
     _, again = in_frame(changed, frame)
-    np.testing.assert_allclose(again, E, rtol=0, atol=64 * EPS)
+    np.testing.assert_allclose(again, IDENTITY, rtol=0, atol=64 * EPS)
 
 
 @given(ANGLES, ANGLES)
 def test_plane_triad_is_turned_by_the_mean_of_its_two_angles(x, y):
     """Wu (43), (44), exactly: x and y gyros turned by angles x and y about the third axis."""
-    matrix = np.array([[np.cos(x), np.sin(x), 0], [-np.sin(y), np.cos(y), 0], [0, 0, 1]]) - E
+    matrix = np.array([[np.cos(x), np.sin(x), 0], [-np.sin(y), np.cos(y), 0], [0, 0, 1]]) - IDENTITY
     for frame, angle in (("averaged", (x + y) / 2), ("upper triangle", x), ("lower triangle", y)):
         rotation = body_frame_rotation(matrix, frame=frame)
         # Components turn backwards when the axes turn forwards.
@@ -224,7 +222,7 @@ def test_plane_triad_is_turned_by_the_mean_of_its_two_angles(x, y):
             Rotation.from_matrix(rotation).as_rotvec(), [0, 0, -angle], rtol=0, atol=16 * EPS
         )
     half = (x - y) / 2
-    parts = split(in_frame(matrix, "averaged")[0])
+    parts = decompose(in_frame(matrix, "averaged")[0])
     assert parts.non_orthogonality[0, 1] == pytest.approx(np.sin(half), abs=16 * EPS)
     expected = np.diag([np.cos(half) - 1, np.cos(half) - 1, 0])
     np.testing.assert_allclose(parts.scale, expected, rtol=0, atol=16 * EPS)
@@ -264,7 +262,7 @@ def test_each_of_many_triads_has_its_own_rotation(frame):
 @every_frame
 def test_triad_that_is_nearly_flat_has_axes(frame):
     _, rotation = in_frame(np.diag([0.0, 0.0, 1e-6 - 1]), frame)
-    np.testing.assert_allclose(rotation, E, rtol=0, atol=16 * EPS)
+    np.testing.assert_allclose(rotation, IDENTITY, rtol=0, atol=16 * EPS)
 
 
 # A change of axes
@@ -275,7 +273,7 @@ def test_triad_says_the_same_of_the_same_rate_in_any_axes(matrix, q, rate):
     rotation = Rotation.from_quat(q).as_matrix()
     changed = change_body_frame(matrix, rotation)
     np.testing.assert_allclose(
-        (E + changed) @ (rotation @ rate), (E + matrix) @ rate, rtol=0, atol=512 * EPS
+        (IDENTITY + changed) @ (rotation @ rate), (IDENTITY + matrix) @ rate, rtol=0, atol=512 * EPS
     )
 
 
@@ -312,7 +310,7 @@ def test_accelerometers_that_are_missing_are_refused(function):
 
 @pytest.mark.parametrize("function", [misalignment_vector, body_frame_rotation])
 def test_matrices_with_nan_are_refused_by_name(function):
-    bad = np.where(E == 1, np.nan, BENT)
+    bad = np.where(IDENTITY == 1, np.nan, BENT)
     with pytest.raises(ValueError, match=r"^gyro_error: expected finite numbers, got 3 NaN"):
         function(bad)
     with pytest.raises(ValueError, match=r"^accelerometer_error: expected finite numbers, got 3 "):
@@ -324,15 +322,15 @@ def test_matrices_with_nan_are_refused_by_name(function):
 @every_frame
 @pytest.mark.parametrize(
     "triad",
-    [np.diag([1.0, 1.0, -1.0]), np.diag([1.0, 1.0, 0.0]), E[[1, 0, 2]], np.ones((3, 3))],
+    [np.diag([1.0, 1.0, -1.0]), np.diag([1.0, 1.0, 0.0]), IDENTITY[[1, 0, 2]], np.ones((3, 3))],
     ids=["turned round", "flat", "swapped", "all alike"],
 )
 def test_triads_that_are_left_handed_or_flat_are_refused(frame, triad):
     name = "accelerometer_error" if frame == "accelerometers" else "gyro_error"
     # One bad triad among good ones.
-    many = np.stack([BENT, triad - E])
+    many = np.stack([BENT, triad - IDENTITY])
     with pytest.raises(
-        ValueError, match=rf"^{name}: expected a right-handed triad E \+ K, got a left-handed or a "
+        ValueError, match=rf"^{name}: expected a right-handed triad I \+ K, got a left-handed or a "
     ):
         body_frame_rotation(*((BENT, many) if frame == "accelerometers" else (many,)), frame=frame)
 

@@ -8,9 +8,11 @@ Conventions, fixed here once for the whole package:
   and in tables only.
 * Arrays broadcast over their leading axes; the last axis (or the last two) is the object itself.
 * ``rate`` is the true angular rate in body axes, ``measured_rate`` what the gyros say.
-  In Parts I and II the *misalignment* ``M`` holds all errors of the gyro triad: ``measured_rate =
-  (E + M) rate``. From Part III on such matrices are ``gyro_error`` and ``accelerometer_error``,
-  and misalignment is their skew part only, as in most of the field.
+  A *triad error* ``M`` holds all errors of a gyro triad but its bias: ``measured_rate = (I + M)
+  rate``. A unit has two, ``gyro_error`` and ``accelerometer_error``; *misalignment* is the skew
+  part of such a matrix, the triad turned as a whole.
+* A bias says its axes where there is a choice: ``gyro_bias_body``, ``gyro_bias_nue`` (North, Up,
+  East).
 * Local axes are East, North, Up. In Part IV they are North, Up, East, as in its paper, with body
   axes forward, up, right and headings from North to West; see `frames`.
 * Bad input raises `ValueError` with one sentence: which argument, what was expected, what came.

@@ -1,33 +1,38 @@
-from . import attitude as attitude
-from . import book as book
-from . import calibration as calibration
-from . import checks as checks
-from . import drift as drift
-from . import earth as earth
-from . import frames as frames
-from . import gyrocompass as gyrocompass
-from . import imu as imu
-from . import monte_carlo as monte_carlo
-from . import motion as motion
-from . import quaternion as quaternion
-from . import strapdown as strapdown
-from . import symbolic as symbolic
-from . import triad as triad
-from . import vectors as vectors
+from . import (
+    attitude as attitude,
+    body_frames as body_frames,
+    book as book,
+    calibration as calibration,
+    checks as checks,
+    drift as drift,
+    earth as earth,
+    frames as frames,
+    gyrocompass as gyrocompass,
+    imu as imu,
+    increments as increments,
+    monte_carlo as monte_carlo,
+    motion as motion,
+    quaternion as quaternion,
+    strapdown as strapdown,
+    symbolic as symbolic,
+    triad as triad,
+    vectors as vectors,
+)
 from .attitude.integration import integrate as integrate
 from .calibration.filter import calibrate as calibrate
 from .calibration.simulation import TableTrial as TableTrial
-from .drift.systematic_drift import drift_coefficient as drift_coefficient
-from .drift.systematic_drift import drift_per_turn as drift_per_turn
-from .drift.systematic_drift import principal_drifts as principal_drifts
-from .drift.turn_calibration import TurnExperiment as TurnExperiment
-from .drift.turn_calibration import fit_turns as fit_turns
-from .drift.turn_calibration import turn_estimate as turn_estimate
-from .gyrocompass.alignment import align as align
-from .gyrocompass.alignment import alignment_errors as alignment_errors
-from .imu import compensate as compensate
-from .imu import measure as measure
-from .strapdown import at_rest as at_rest
-from .strapdown import navigate as navigate
+from .drift.systematic_drift import (
+    drift_coefficient as drift_coefficient,
+    drift_per_turn as drift_per_turn,
+    principal_drifts as principal_drifts,
+)
+from .drift.turn_calibration import (
+    TurnExperiment as TurnExperiment,
+    turn_estimate as turn_estimate,
+)
+from .drift.weighing_designs import fit_turns as fit_turns
+from .gyrocompass.alignment import align as align, alignment_errors as alignment_errors
+from .increments import compensate as compensate, measure as measure
+from .strapdown import at_rest as at_rest, navigate as navigate
 
 __version__: str

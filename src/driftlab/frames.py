@@ -24,8 +24,8 @@ FROM_EAST_NORTH_UP.setflags(write=False)
 _MOST_PITCH = np.radians(89.9)
 
 
-class Angles(NamedTuple):
-    """Heading, pitch and roll of a body; the result of `angles_from_attitude`.
+class EulerAngles(NamedTuple):
+    """Heading, pitch and roll of a body; the result of `to_euler_angles`.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class Angles(NamedTuple):
 
     Examples
     --------
-    >>> angles = angles_from_attitude(attitude_from_angles(0.3, 0.2, 0.1))
+    >>> angles = to_euler_angles(from_euler_angles(0.3, 0.2, 0.1))
     >>> print(f"{angles.heading:.3f} {angles.pitch:.3f} {angles.roll:.3f}")
     0.300 0.200 0.100
     """
@@ -48,7 +48,7 @@ class Angles(NamedTuple):
     roll: FloatArray
 
 
-def geographic_rate(
+def navigation_frame_rate(
     latitude: ArrayLike, velocity: ArrayLike = (0.0, 0.0), radius: float = EARTH_RADIUS
 ) -> FloatArray:
     """Angular rate of the local axes against inertial space, in North, Up, East.
@@ -71,7 +71,7 @@ def geographic_rate(
     --------
     At rest it is the rate of the Earth; a vehicle that goes North turns about West:
 
-    >>> rate = geographic_rate(np.radians(30.0), [[0.0, 0.0], [100.0, 0.0]])
+    >>> rate = navigation_frame_rate(np.radians(30.0), [[0.0, 0.0], [100.0, 0.0]])
     >>> (np.degrees(rate[1]) * 3600).round(2)  # degrees per hour
     array([13.03,  7.52, -3.24])
     """
@@ -89,7 +89,7 @@ def geographic_rate(
     )
 
 
-def attitude_from_angles(heading: ArrayLike, pitch: ArrayLike, roll: ArrayLike) -> FloatArray:
+def from_euler_angles(heading: ArrayLike, pitch: ArrayLike, roll: ArrayLike) -> FloatArray:
     """Attitude of a body with a given heading, pitch and roll.
 
     Parameters
@@ -110,7 +110,7 @@ def attitude_from_angles(heading: ArrayLike, pitch: ArrayLike, roll: ArrayLike) 
     --------
     With a heading of a quarter turn the forward axis points to the West:
 
-    >>> attitude = attitude_from_angles(np.pi / 2, 0.0, 0.0)
+    >>> attitude = from_euler_angles(np.pi / 2, 0.0, 0.0)
     >>> rotate(attitude, np.array([1.0, 0.0, 0.0])).round(9)
     array([ 0.,  0., -1.])
     """
@@ -128,7 +128,7 @@ def attitude_from_angles(heading: ArrayLike, pitch: ArrayLike, roll: ArrayLike) 
     )
 
 
-def angles_from_attitude(attitude: ArrayLike) -> Angles:
+def to_euler_angles(attitude: ArrayLike) -> EulerAngles:
     """Heading, pitch and roll of an attitude.
 
     Parameters
@@ -138,7 +138,7 @@ def angles_from_attitude(attitude: ArrayLike) -> Angles:
 
     Returns
     -------
-    Angles
+    EulerAngles
         heading, pitch and roll, each of shape (...), rad.
 
     Notes
@@ -148,7 +148,7 @@ def angles_from_attitude(attitude: ArrayLike) -> Angles:
 
     Examples
     --------
-    >>> angles = angles_from_attitude([0, 1, 0, 1])  # a quarter turn about Up
+    >>> angles = to_euler_angles([0, 1, 0, 1])  # a quarter turn about Up
     >>> print(f"{angles.heading:.4f}")
     1.5708
     """
@@ -158,7 +158,7 @@ def angles_from_attitude(attitude: ArrayLike) -> Angles:
     # With the roll taken out, the right axis is level and turned by the heading alone.
     level = np.stack([np.zeros_like(roll), np.sin(roll), np.cos(roll)], axis=-1)
     right = rotate(turned, level)
-    return Angles(np.arctan2(right[..., 0], right[..., 2]), pitch, roll)
+    return EulerAngles(np.arctan2(right[..., 0], right[..., 2]), pitch, roll)
 
 
 def pitch_and_roll(up: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -26,7 +26,7 @@ from .checks import (
 from .core import strapdown as core
 from .core.strapdown import Navigation, last_of
 from .earth import checked_latitude
-from .imu import increment_rows
+from .increments import Increments, checked_increments
 
 __all__ = ["Navigation", "at_rest", "checked_interval", "last_of", "navigate"]
 
@@ -78,21 +78,14 @@ def at_rest(
     )
     checked_latitude(latitude)
     leading = np.broadcast_shapes(*(a.shape for a in place[:3]), place[3].shape[:-1])
-    here = [np.broadcast_to(array, leading) for array in place[:3]]
-    return Navigation(
-        here[0],
-        here[1],
-        here[2],
-        np.zeros((*leading, 3)),
-        np.broadcast_to(place[3], (*leading, 4)),
-    )
+    latitude, longitude, altitude = (np.broadcast_to(a, leading)[()] for a in place[:3])
+    still, body = np.zeros((*leading, 3)), np.broadcast_to(place[3], (*leading, 4))
+    return Navigation(latitude, longitude, altitude, still, body)
 
 
 def navigate(
     start: Navigation,
-    angle_increments: ArrayLike,
-    velocity_increments: ArrayLike,
-    interval: float,
+    increments: Increments,
     *,
     every: int = 2,
     hold_altitude: bool = False,
@@ -103,11 +96,9 @@ def navigate(
     ----------
     start : Navigation
         State before the first increment, leading axes (...).
-    angle_increments, velocity_increments : array_like, shape (..., n, 3)
-        Integrals of angular rate (rad) and specific force (m/s) in body axes over equal intervals.
-        They must be true integrals, as from integrating sensors.
-    interval : float
-        Length of the intervals, s; at most 20.
+    increments : Increments
+        Arrays of shape (..., n, 3), over intervals of at most 20 s. They must be true integrals, as
+        from integrating sensors.
     every : int
         Number of increments between two results; even, because a step is made of two, and a divisor
         of n.
@@ -132,18 +123,19 @@ def navigate(
 
     >>> from driftlab.earth import earth_rate, gravity
     >>> latitude, interval = np.radians(45.0), 0.5
-    >>> rates = np.tile(interval * earth_rate(latitude), (120, 1))
-    >>> forces = np.tile([0.0, 0.0, interval * float(gravity(latitude))], (120, 1))
-    >>> end = last_of(navigate(at_rest(latitude, [0, 0, 0, 1]), rates, forces, interval))
+    >>> turned = np.tile(interval * earth_rate(latitude), (120, 1))
+    >>> pushed = np.tile([0.0, 0.0, interval * float(gravity(latitude))], (120, 1))
+    >>> still = Increments(interval, turned, pushed)
+    >>> end = last_of(navigate(at_rest(latitude, [0, 0, 0, 1]), still))
     >>> bool(np.abs(end.velocity).max() < 1e-5)
     True
     """
-    seconds = checked_interval(interval)
     start = _checked(start)
-    angle, velocity = increment_rows(angle_increments, velocity_increments)
+    interval, angle, velocity = checked_increments(increments)
+    seconds = checked_interval(interval)
     count = angle.shape[-2]
     if count % 2:
-        raise ValueError(f"angle_increments: expected an even number of rows, got {count}.")
+        raise ValueError(f"increments: expected an even number of rows, got {count}.")
     if whole_number(every, "every", least=2) % 2 or count % every:
         raise ValueError(
             f"every: expected an even divisor of the number of increments, {count}, got {every!r}."
@@ -173,7 +165,8 @@ def checked_interval(interval: float) -> float:
     seconds = finite_number(interval, "interval")
     if not 0 < seconds <= _LONGEST:
         raise ValueError(
-            f"interval: expected a positive time of at most {_LONGEST:g} s, got {interval!r}."
+            f"increments.interval: expected a positive time of at most {_LONGEST:g} s, "
+            f"got {interval!r}."
         )
     return seconds
 

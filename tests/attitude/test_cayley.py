@@ -3,8 +3,7 @@
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
@@ -63,7 +62,7 @@ def exact_quaternion(vector, dimension):
 
 @given(vectors())
 def test_1_2_skew_matrix_of_k_gives_matrix_of_the_quaternion(k):
-    # E + k is a multiple of an orthogonal matrix: no digits are lost in its inverse.
+    # I + k is a multiple of an orthogonal matrix: no digits are lost in its inverse.
     expected = right_matrix(rotation_quaternion(k))
     np.testing.assert_allclose(cayley_transform(skew_operator(k)), expected, rtol=0, atol=32 * EPS)
 
@@ -83,7 +82,7 @@ def test_1_2_with_rotation_matrices_is_dimension_3(direction, angle):
     axis = direction / np.linalg.norm(direction)
     rotation = Rotation.from_rotvec(angle * axis)
     matrix = rotation.as_matrix()
-    # E + C has singular values 2 and 2 cos(phi/2), at 3 rad 0.14: fourteen times the rounding, and
+    # I + C has singular values 2 and 2 cos(phi/2), at 3 rad 0.14: fourteen times the rounding, and
     # again as much because k itself is that large.
     bound = 8 * EPS / np.cos(angle / 2) ** 2
     k = -np.tan(angle / 2) * axis
@@ -102,13 +101,13 @@ def test_1_2_is_its_own_inverse_on_skew_matrices(size, data):
     entries = data.draw(arrays(float, (size, size), elements=st.floats(-2, 2)))
     skew = entries - entries.T
     orthogonal = cayley_transform(skew)
-    bound = 8 * size * EPS  # E + k has no singular value below 1
+    bound = 8 * size * EPS  # I + k has no singular value below 1
     square = 1 + np.linalg.norm(skew, 2) ** 2
     np.testing.assert_allclose(
         orthogonal @ orthogonal.T, np.eye(size), rtol=0, atol=bound * square**0.5
     )
     assert np.linalg.det(orthogonal) == pytest.approx(1, abs=bound * square**0.5)
-    # On the way back, 2 (E + n)^-1 = E + k stands on either side of the error.
+    # On the way back, 2 (I + n)^-1 = I + k stands on either side of the error.
     np.testing.assert_allclose(cayley_transform(orthogonal), skew, rtol=0, atol=bound * square**1.5)
 
 
@@ -116,7 +115,7 @@ def test_1_2_is_its_own_inverse_on_skew_matrices(size, data):
 def test_1_2_is_its_own_inverse_on_orthogonal_matrices(size):
     rotations = special_ortho_group.rvs(size, 50, random_state=np.random.default_rng(size))
     skew = cayley_transform(rotations)
-    # The rotations are orthogonal to a few eps; (E + k)/2, the inverse of E + n, stands on either
+    # The rotations are orthogonal to a few eps; (I + k)/2, the inverse of I + n, stands on either
     # side of that error, and on the way back a matrix no larger than 1.
     bound = 8 * size * EPS * (1 + np.linalg.norm(skew, 2, axis=(-2, -1), keepdims=True) ** 2)
     assert np.all(np.abs(skew + np.swapaxes(skew, -1, -2)) <= bound)
@@ -141,7 +140,7 @@ def test_transform_of_nothing_is_no_rotation():
 )
 def test_1_2_refuses_the_eigenvalue_minus_1(matrix):
     with pytest.raises(
-        ValueError, match=r"^matrix: expected one without the eigenvalue -1, got E \+ X singular\.$"
+        ValueError, match=r"^matrix: expected one without the eigenvalue -1, got I \+ X singular\.$"
     ):
         cayley_transform(matrix)
 

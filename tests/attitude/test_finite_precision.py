@@ -3,8 +3,7 @@
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from driftlab.attitude.cayley import rotation_quaternion
 from driftlab.attitude.coning_algorithms import ALGORITHMS

@@ -9,12 +9,16 @@ from scipy.spatial.transform import Rotation
 from timing import best
 
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.kalman import kalman_step
-from driftlab.calibration.observability import expected_covariance, passage
+from driftlab.calibration.kalman import velocity_update
+from driftlab.calibration.linearization import linearize_along
+from driftlab.calibration.observability import covariance_analysis
 from driftlab.calibration.simulation import TableTrial
-from driftlab.imu import Noise, Spread
+from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.increments import Increments
 from driftlab.monte_carlo import print_progress, sweep
-from driftlab.motion.turntable import NINETEEN_POSITIONS, Record, Scheme, simulate
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
+from driftlab.motion.trajectory import Trajectory
+from driftlab.motion.turntable import table_trajectory
 from driftlab.strapdown import at_rest, navigate
 
 
@@ -22,12 +26,12 @@ def navigation() -> None:
     """An hour of turntable at 100 Hz, whose truth is known: navigated here and by pyins."""
     rate, latitude = 100.0, np.radians(37.5)
     scheme = Scheme(NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=181.0)
-    record = simulate(scheme, latitude, 1 / rate, whole=2)
-    increments = record.angle_increments, record.velocity_increments
+    record = table_trajectory(scheme, latitude, 1 / rate, multiple_of=2)
+    increments = record.increments.angle, record.increments.velocity
     start = at_rest(latitude, record.attitude[0])
     count = len(increments[0])
-    ours = best(lambda: navigate(start, *increments, 1 / rate), repeats=3)
-    way = navigate(start, *increments, 1 / rate)
+    ours = best(lambda: navigate(start, Increments(1 / rate, *increments)), repeats=3)
+    way = navigate(start, Increments(1 / rate, *increments))
     print(f"navigate, {count / rate:.0f} s at {rate:.0f} Hz:          {1e3 * ours:8.0f} ms")
     attitude = Rotation.from_quat(way.attitude)
     print_navigation_errors("ours", record, attitude, way.velocity[:, :2], 2)
@@ -41,7 +45,7 @@ def navigation() -> None:
 
 
 def print_navigation_errors(
-    name: str, record: Record, attitude: Rotation, velocity: np.ndarray, every: int
+    name: str, record: Trajectory, attitude: Rotation, velocity: np.ndarray, every: int
 ) -> None:
     true = Rotation.from_quat(record.attitude[every::every])
     angle = (true.inv() * attitude).magnitude().max()
@@ -49,7 +53,7 @@ def print_navigation_errors(
     print(f"  largest error, {name:6} {angle:8.1e} rad, level velocity {level:8.1e} m/s")
 
 
-def pyins_on_the_table(record: Record, latitude: float) -> tuple[float, Rotation, np.ndarray]:
+def pyins_on_the_table(record: Trajectory, latitude: float) -> tuple[float, Rotation, np.ndarray]:
     """Time, attitudes against East, North, Up and level velocities, after each increment."""
     import pandas as pd
     from pyins import strapdown, transform, util
@@ -58,9 +62,9 @@ def pyins_on_the_table(record: Record, latitude: float) -> tuple[float, Rotation
     # Its results are angles; where heading and roll are one, it says so and goes on.
     warnings.filterwarnings("ignore", message="Gimbal lock detected")
     # It wants one more row, for what happened before the start: nothing but standing.
-    rows = np.hstack([record.angle_increments, record.velocity_increments])
+    rows = np.hstack([record.increments.angle, record.increments.velocity])
     rows = np.vstack([rows[:1], rows])
-    index = record.interval * np.arange(len(rows))
+    index = record.increments.interval * np.arange(len(rows))
     imu = pd.DataFrame(rows, index=index, columns=[*util.GYRO_COLS, *util.ACCEL_COLS])
     swap = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1]])  # East, North, Up and North, East, Down
     begin = transform.mat_to_rph(swap @ Rotation.from_quat(record.attitude[0]).as_matrix())
@@ -81,17 +85,17 @@ def pyins_on_the_table(record: Record, latitude: float) -> tuple[float, Rotation
 
 def calibration() -> None:
     model = ERROR_MODELS["averaged"]
-    way = passage(NINETEEN_POSITIONS, np.radians(37.5), model)
-    covariance = expected_covariance(way, Noise(), Spread())
+    way = linearize_along(NINETEEN_POSITIONS, np.radians(37.5), model)
+    covariance = covariance_analysis(way, ImuNoise(), PriorDeviations())
     noise, seen = 1e-15 * np.eye(model.size), np.full(3, 1e-3)
 
     def steps() -> None:
         p = covariance
         for matrix in way.transitions:
-            p = kalman_step(p, matrix, noise, seen, 1e-4).covariance
+            p = velocity_update(p, matrix, noise, seen, 1e-4).covariance
 
     each = 1e6 * best(steps) / len(way.transitions)
-    print(f"kalman_step, {model.size} states:             {each:8.1f} µs")
+    print(f"velocity_update, {model.size} states:             {each:8.1f} µs")
     start = perf_counter()
     with ProcessPoolExecutor(2) as pool:
         sweep(TableTrial().run, 50, seed=1, batch=25, executor=pool, progress=print_progress)

@@ -8,18 +8,20 @@ from scipy.spatial.transform import Rotation
 from timing import best
 
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE
-from driftlab.frames import attitude_from_angles
-from driftlab.gyrocompass.levelling import Horizon, operate, schuler_tuning
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.frames import from_euler_angles
+from driftlab.gyrocompass.gains import schuler_gains
+from driftlab.gyrocompass.levelling import LevelFrame, propagate_level_frame
+from driftlab.increments import Increments
+from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import from_rotation_vector, multiply
 
 LATITUDE = np.radians(51.5)
 DURATION, INTERVAL, RUNS = 7200.0, 0.1, 26
 AZIMUTH_RATE = float(EARTH_RATE * np.sin(LATITUDE))
-ATTITUDE = attitude_from_angles(0.5, 0.1, -0.2)
-RATE, FORCE = sensed_at_rest(ATTITUDE, LATITUDE)
+ATTITUDE = from_euler_angles(0.5, 0.1, -0.2)
+RATE, FORCE = static_imu(ATTITUDE, LATITUDE)
 # A horizon that swings, so that there is something to get wrong.
-START = Horizon(
+START = LevelFrame(
     multiply(from_rotation_vector([2e-4, 0.0, -3e-4]), ATTITUDE),
     np.array([EARTH_RATE * np.cos(LATITUDE), 0.0]),
 )
@@ -31,8 +33,8 @@ def gyrocompass() -> None:
 
     def run(*, runs: int | None = None) -> np.ndarray:
         many = angle if runs is None else np.broadcast_to(angle, (runs, count, 3))
-        found = operate(
-            START, many, velocity, INTERVAL, schuler_tuning(), AZIMUTH_RATE, every=count
+        found = propagate_level_frame(
+            START, Increments(INTERVAL, many, velocity), schuler_gains(), AZIMUTH_RATE, every=count
         )
         return found.heading[..., -1]
 

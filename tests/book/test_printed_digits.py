@@ -6,8 +6,7 @@ from itertools import product
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import assume, given
-from hypothesis import strategies as st
+from hypothesis import assume, given, strategies as st
 
 from driftlab.book.ch04_calibration_by_turns.printed_digits import (
     is_consistent,
@@ -21,7 +20,7 @@ from driftlab.book.ch04_calibration_by_turns.printed_table import (
     SIGN_RESTORED,
     reconstruct,
 )
-from driftlab.drift.turn_calibration import weighing
+from driftlab.drift.weighing_designs import weighing
 from support import EPS, printed
 
 

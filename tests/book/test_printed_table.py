@@ -17,12 +17,13 @@ from driftlab.book.ch04_calibration_by_turns.printed_table import (
     Reconstruction,
     candidates,
     larin_table,
+    printed_triad_error,
     reconstruct,
-    triad_misalignment,
 )
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.step_formulas import STEP_FORMULAS
-from driftlab.drift.turn_calibration import YATES_AXES, TurnExperiment, weighing
+from driftlab.drift.turn_calibration import TurnExperiment
+from driftlab.drift.weighing_designs import YATES_AXES, weighing
 from support import EPS, printed
 
 
@@ -126,7 +127,7 @@ def test_fourth_number_scales_with_its_factor(sum_factor):
     """
     factor = {"1": 1, "3/2": 3 / 2, "sqrt(3/2)": np.sqrt(3 / 2)}[sum_factor.split()[0]]
     plain = TurnExperiment(step_formula="pade").estimate(
-        triad_misalignment("unit third axis"), YATES_AXES[3]
+        printed_triad_error("unit third axis"), YATES_AXES[3]
     )
     assert abs(plain) < 2e-6
     starred = reconstruct(sum_factor=sum_factor).values[3]
@@ -142,7 +143,7 @@ def test_first_number_is_the_integration_error_alone():
 
 
 def test_readings_of_the_triad():
-    linear, unit, symmetric = (triad_misalignment(triad) for triad in TRIADS)
+    linear, unit, symmetric = (printed_triad_error(triad) for triad in TRIADS)
     np.testing.assert_array_equal(linear, LARIN_TRIAD)
     np.testing.assert_array_equal(linear, [[0, 0, 0], [0, 0, 0], [2e-3, -2e-3, 0]])
     assert np.linalg.norm(np.eye(3)[2] + unit[2]) == pytest.approx(1, abs=EPS)

@@ -24,11 +24,11 @@ from ipywidgets import interact
 from driftlab.book.ch03_systematic_drift.experiments import drift_history
 from driftlab.book.ch03_systematic_drift.figures.drift_history import DriftHistoryPicture
 from driftlab.vectors import direction_from_angles
-misalignment = 1e-3 * (np.ones((3, 3)) - np.eye(3))
+triad_error = 1e-3 * (np.ones((3, 3)) - np.eye(3))
 @interact(azimuth=(-180.0, 180.0, 1.0))
 def show(azimuth=45.0):
     axis = direction_from_angles(np.radians(azimuth), np.radians(15.0))
-    display(DriftHistoryPicture.draw(drift_history(misalignment, axis)))
+    display(DriftHistoryPicture.draw(drift_history(triad_error, axis)))
 """
 
 

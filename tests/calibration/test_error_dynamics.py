@@ -4,16 +4,19 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
+from driftlab.calibration.body_axes import attitude_error
 from driftlab.calibration.error_dynamics import (
-    free_growth,
+    free_transition,
     process_noise,
     transition,
     transition_of_increments,
 )
-from driftlab.calibration.error_model import ERROR_MODELS, FULL, attitude_error
+from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
-from driftlab.imu import Noise, Unit, measure
-from driftlab.motion.turntable import Record, Scheme, simulate
+from driftlab.imu import ImuErrors, ImuNoise
+from driftlab.increments import Increments, measure
+from driftlab.motion.scheme import Scheme
+from driftlab.motion.turntable import table_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply, to_matrix
 from driftlab.strapdown import at_rest, last_of, navigate
 from driftlab.vectors import cross_matrix
@@ -39,17 +42,17 @@ TURNED = np.radians(120)
 
 def growth_along(record, latitude, model):
     """`transition` over a whole record, as the filter calls it: pairs, taken in their middles."""
-    pairs = len(record.angle_increments) // 2
-    interval = 2 * record.interval
+    pairs = len(record.increments.angle) // 2
+    interval = 2 * record.increments.interval
     middles = interval * (np.arange(pairs) + 0.5)
     turned = from_rotation_vector(middles[:, np.newaxis] * earth_rate(latitude))
     return transition(
         model,
-        free_growth(latitude, pairs * interval),
+        free_transition(latitude, pairs * interval),
         to_matrix(multiply(turned, record.attitude[1::2])),
         np.full(pairs, interval),
-        record.angle_increments[0::2] + record.angle_increments[1::2],
-        record.velocity_increments[0::2] + record.velocity_increments[1::2],
+        record.increments.angle[0::2] + record.increments.angle[1::2],
+        record.increments.velocity[0::2] + record.increments.velocity[1::2],
         np.tri(pairs) - 0.5 * np.eye(pairs),
     )
 
@@ -57,8 +60,8 @@ def growth_along(record, latitude, model):
 @every_model
 @every_latitude
 def test_growth_is_that_of_the_nonlinear_mechanisation(model, latitude):
-    record = simulate(TURNS, latitude, 0.01, whole=2)
-    duration = 0.01 * len(record.angle_increments)
+    record = table_trajectory(TURNS, latitude, 0.01, multiple_of=2)
+    duration = 0.01 * len(record.increments.angle)
     found = growth_along(record, latitude, model)
     # Rotations by 0.01 rad a pair, taken in the middle: 0.01^2/24 of each share.
     bounds = allowed(model, duration, TURNED) * (1 + 1e-4) + 4e-6 * np.abs(found[:6])
@@ -71,10 +74,10 @@ def test_growth_is_that_of_the_nonlinear_mechanisation(model, latitude):
 def test_growth_of_increments_counts_the_local_axes_as_fixed(model):
     """So it is wrong by W T in attitudes as well; and the middle of two attitudes is a chord."""
     latitude = np.radians(37.5)
-    record = simulate(TURNS, latitude, 0.01, whole=2)
-    duration = 0.01 * len(record.angle_increments)
+    record = table_trajectory(TURNS, latitude, 0.01, multiple_of=2)
+    duration = 0.01 * len(record.increments.angle)
     found = transition_of_increments(
-        model, free_growth(latitude, duration), record.attitude[0::2], *record[1:3], 0.01
+        model, free_transition(latitude, duration), record.attitude[0::2], record.increments
     )
     bounds = allowed(model, duration, TURNED)
     gyro = np.s_[:3, 6 : 9 + len(model.gyro_basis)]
@@ -87,13 +90,15 @@ def test_growth_of_increments_counts_the_local_axes_as_fixed(model):
 
 
 def test_growth_of_increments_has_leading_axes():
-    record = simulate(Scheme("+20X", dwell=0.1), 0.5, 0.1, whole=2)
-    free, rng = free_growth(0.5, 2.2), np.random.default_rng(13)
-    angle, velocity = (rows * rng.uniform(0.5, 1.5, (4, 1, 1)) for rows in record[1:3])
+    record = table_trajectory(Scheme("+20X", dwell=0.1), 0.5, 0.1, multiple_of=2)
+    free, rng = free_transition(0.5, 2.2), np.random.default_rng(13)
+    angle, velocity = (rows * rng.uniform(0.5, 1.5, (4, 1, 1)) for rows in record.increments[1:])
     attitude = random_quaternions(4, len(angle[0]) // 2 + 1)
-    together = transition_of_increments(FULL, free, attitude, angle, velocity, 0.1)
+    together = transition_of_increments(FULL, free, attitude, Increments(0.1, angle, velocity))
     for k in range(4):
-        alone = transition_of_increments(FULL, free, attitude[k], angle[k], velocity[k], 0.1)
+        alone = transition_of_increments(
+            FULL, free, attitude[k], Increments(0.1, angle[k], velocity[k])
+        )
         np.testing.assert_allclose(together[k], alone, rtol=0, atol=1e-12)
 
 
@@ -103,9 +108,9 @@ def test_growth_leaves_out_no_more_than_is_said():
 
     def left(size):
         scheme = Scheme("+120X", dwell=64 * size, rate=np.radians(120) / (256 * size))
-        record = simulate(scheme, latitude, 0.5 * size, whole=2)
+        record = table_trajectory(scheme, latitude, 0.5 * size, multiple_of=2)
         growth, duration = growth_along(record, latitude, FULL), 0.5 * size
-        duration *= len(record.angle_increments)
+        duration *= len(record.increments.angle)
         difference = np.abs(growth[:6] - numerical_growth(record, latitude, FULL))
         return difference[:3, :3].max(), difference[3:, :3].max() / (9.8 * duration)
 
@@ -117,7 +122,7 @@ def test_growth_leaves_out_no_more_than_is_said():
 def test_growth_in_a_pause_is_that_of_the_nonlinear_mechanisation(latitude):
     """As long as the steps of a passage: the Earth turns by W T = 7e-4."""
     duration = 10.0
-    record = simulate(Scheme("", ("West", "Down", "South"), dwell=duration), latitude, 0.5)
+    record = table_trajectory(Scheme("", ("West", "Down", "South"), dwell=duration), latitude, 0.5)
     found = growth_along(record, latitude, FULL)[:6]
     difference = np.abs(found - numerical_growth(record, latitude, FULL))
     assert (difference < allowed(FULL, duration, 0)).all()
@@ -165,21 +170,23 @@ def test_free_growth_comes_after_all_else():
 def test_free_growth_is_an_exponential_to_third_order(latitude):
     # Of a polynomial of third degree this is the derivative at zero, for any step.
     step = 300.0
-    one, two = (free_growth(latitude, k * step) - free_growth(latitude, -k * step) for k in (1, 2))
+    one, two = (
+        free_transition(latitude, k * step) - free_transition(latitude, -k * step) for k in (1, 2)
+    )
     rates = (8 * one - two) / (12 * step)
     scale = np.diag([1, 1, 1, 1e-3, 1e-3, 1e-3])  # 1 rad and 1 km/s
 
     def error(size):
         duration = 64 / EARTH_RATE * size
-        difference = free_growth(latitude, duration) - expm(duration * rates)
+        difference = free_transition(latitude, duration) - expm(duration * rates)
         return np.abs(scale @ difference @ np.linalg.inv(scale)).max()
 
     # x = W T up to 1 there, where x^4/24 is not small against x^5/120.
     assert order_of(error) == pytest.approx(4, abs=0.1)
     # Attitudes turn with the local axes and do not push where there is no force.
-    np.testing.assert_array_equal(free_growth(latitude, step)[3:, :3], 0)
-    many = free_growth(latitude, [[1.0, 2.0], [3.0, step]])
-    np.testing.assert_array_equal(many[1, 1], free_growth(latitude, step))
+    np.testing.assert_array_equal(free_transition(latitude, step)[3:, :3], 0)
+    many = free_transition(latitude, [[1.0, 2.0], [3.0, step]])
+    np.testing.assert_array_equal(many[1, 1], free_transition(latitude, step))
 
 
 # Noise
@@ -187,7 +194,7 @@ def test_free_growth_is_an_exponential_to_third_order(latitude):
 
 def test_process_noise_is_what_many_small_steps_add_up_to():
     """Each small piece of random walk is carried on to the end by the transition matrix."""
-    noise, duration, count = Noise(0.3, 0.7), 2.5, 400
+    noise, duration, count = ImuNoise(0.3, 0.7), 2.5, 400
     force = np.array([1.0, -2.0, 9.0])
     expected, step = np.zeros((30, 30)), duration / count
     piece = np.zeros((30, 30))
@@ -205,13 +212,12 @@ def test_process_noise_is_what_many_small_steps_add_up_to():
 
 def test_process_noise_has_the_spread_of_navigated_noise():
     """Noise put into increments and navigated, against the covariance; one step of 4 s."""
-    noise, latitude, runs = Noise(1e-5, 1e-2), np.radians(37.5), 4000
-    record = simulate(Scheme("", dwell=4.0), latitude, 0.1)
-    still = Record(*(field for field in record))
+    noise, latitude, runs = ImuNoise(1e-5, 1e-2), np.radians(37.5), 4000
+    record = table_trajectory(Scheme("", dwell=4.0), latitude, 0.1)
     rng = np.random.default_rng(11)
-    unit = Unit(*(np.zeros((runs, *shape)) for shape in ((3,), (3, 3), (3,), (3, 3))))
-    said = measure(still, unit, noise, rng)
-    found = last_of(navigate(at_rest(latitude, np.tile(record.attitude[0], (runs, 1))), *said, 0.1))
+    imu_errors = ImuErrors(*(np.zeros((runs, *shape)) for shape in ((3,), (3, 3), (3,), (3, 3))))
+    said = measure(record.increments, imu_errors, noise, rng)
+    found = last_of(navigate(at_rest(latitude, np.tile(record.attitude[0], (runs, 1))), said))
     drawn = np.hstack([attitude_error(found.attitude, record.attitude[-1]), found.velocity])
     force = cross_matrix([0, 0, 4 * float(gravity(latitude))])
     covariance = process_noise(noise, force, np.asarray(4.0), 6)
@@ -224,16 +230,16 @@ def test_process_noise_has_the_spread_of_navigated_noise():
 def test_process_noise_has_leading_axes_and_disturbs_no_sensor():
     rng = np.random.default_rng(12)
     forces, durations = rng.normal(size=(2, 4, 3, 3)), rng.uniform(1, 2, size=(2, 4))
-    together = process_noise(Noise(0.3, 0.7), forces, durations, 27)
+    together = process_noise(ImuNoise(0.3, 0.7), forces, durations, 27)
     assert together.shape == (2, 4, 27, 27)
     assert (together[..., 6:, :] == 0).all()
     assert (together[..., :, 6:] == 0).all()
     for index in np.ndindex(2, 4):
-        alone = process_noise(Noise(0.3, 0.7), forces[index], durations[index], 27)
+        alone = process_noise(ImuNoise(0.3, 0.7), forces[index], durations[index], 27)
         np.testing.assert_allclose(together[index], alone, rtol=0, atol=4 * EPS)
         assert np.linalg.eigvalsh(alone)[0] > -1e-15
 
 
 def test_without_noise_nothing_is_added():
-    silent = process_noise(Noise(0, 0), np.ones((3, 3)), np.asarray(1.0), 27)
+    silent = process_noise(ImuNoise(0, 0), np.ones((3, 3)), np.asarray(1.0), 27)
     np.testing.assert_array_equal(silent, 0)

@@ -2,22 +2,15 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
 
-from driftlab.calibration.error_model import (
-    ERROR_MODELS,
-    FULL,
-    attitude_error,
-    attitude_of_axes,
-    error_model_for,
-)
-from driftlab.calibration.simulation import unit_in_axes
-from driftlab.imu import Spread, Unit, random_units
+from driftlab.body_frames import BODY_FRAMES
+from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
+from driftlab.calibration.error_model import ERROR_MODELS, FULL, error_model_for
+from driftlab.imu import ImuErrors, PriorDeviations, random_imu_errors
 from driftlab.quaternion import from_rotation_vector, multiply
-from driftlab.triad import BODY_FRAMES
 from driftlab.vectors import cross_matrix
 from support import EPS, order_of, random_quaternions
 
@@ -38,8 +31,8 @@ def states(size):
 
 def embedded(model):
     """Matrix (30, size): the states of a model among all states."""
-    unit = model.unit(np.eye(model.size))
-    matrix = FULL.state(unit)
+    imu_errors = model.imu_errors(np.eye(model.size))
+    matrix = FULL.state(imu_errors)
     matrix[:, :6] = np.eye(model.size)[:, :6]
     return matrix.T
 
@@ -73,7 +66,7 @@ def test_names_say_what_the_states_are(model):
             if kind == "non-orthogonality":
                 matrix[column, row] = 1
         expected = {"gyro": (bias, matrix, 0, 0), "accelerometer": (0, 0, bias, matrix)}[sensor]
-        for found, value in zip(model.unit(state), expected, strict=True):
+        for found, value in zip(model.imu_errors(state), expected, strict=True):
             np.testing.assert_array_equal(found, np.broadcast_to(value, found.shape))
 
 
@@ -96,27 +89,27 @@ def test_model_has_no_state_that_its_axes_exclude(model):
 def test_state_of_the_unit_of_a_state_is_the_state(model, data):
     state = data.draw(states(model.size))
     expected = np.concatenate([np.zeros(6), state[6:]])
-    np.testing.assert_array_equal(model.state(model.unit(state)), expected)
+    np.testing.assert_array_equal(model.state(model.imu_errors(state)), expected)
 
 
 def test_unit_of_the_state_of_a_unit_is_the_unit():
-    unit = random_units(Spread(), np.random.default_rng(0))
-    for found, expected in zip(FULL.unit(FULL.state(unit)), unit, strict=True):
+    imu_errors = random_imu_errors(PriorDeviations(), np.random.default_rng(0))
+    for found, expected in zip(FULL.imu_errors(FULL.state(imu_errors)), imu_errors, strict=True):
         np.testing.assert_array_equal(found, expected)
 
 
 @every_model
 def test_states_and_units_have_leading_axes(model):
     many = np.random.default_rng(1).normal(size=(2, 4, model.size))
-    unit = model.unit(many)
-    found = model.state(unit)
+    imu_errors = model.imu_errors(many)
+    found = model.state(imu_errors)
     for index in np.ndindex(2, 4):
-        one = model.unit(many[index])
-        for together, alone in zip(unit, one, strict=True):
+        one = model.imu_errors(many[index])
+        for together, alone in zip(imu_errors, one, strict=True):
             np.testing.assert_allclose(together[index], alone, rtol=0, atol=4 * EPS)
         np.testing.assert_allclose(found[index], model.state(one), rtol=0, atol=4 * EPS)
     # Fields of a unit may have leading axes of their own.
-    mixed = unit._replace(accelerometer_error=unit.accelerometer_error[1, 2])
+    mixed = imu_errors._replace(accelerometer_error=imu_errors.accelerometer_error[1, 2])
     middle = 12 + len(model.gyro_basis)
     expected = many.copy()
     expected[..., middle:] = many[1, 2, middle:]
@@ -138,10 +131,10 @@ def test_unknown_models_are_refused(name):
 def test_both_triads_turned_with_the_attitude_are_no_error_at_all(model, q):
     """Wu (19)-(36): dl = dk and phi = C dk; one row for each direction of dk."""
     turns, nothing = cross_matrix(np.eye(3)), np.zeros((3, 3))
-    dark = FULL.state(Unit(nothing, turns, nothing, turns))
-    dark[:, :3] = Rotation.from_quat(q).apply(np.eye(3))
+    unobservable = FULL.state(ImuErrors(nothing, turns, nothing, turns))
+    unobservable[:, :3] = Rotation.from_quat(q).apply(np.eye(3))
     reduction = model.reduction(q)
-    np.testing.assert_allclose(reduction @ dark.T, 0, atol=8 * EPS)
+    np.testing.assert_allclose(reduction @ unobservable.T, 0, atol=8 * EPS)
     # Nothing else is nothing: neither the attitude nor a single triad turned alone.
     assert np.linalg.svd(reduction, compute_uv=False)[-1] > 0.1
 
@@ -169,14 +162,14 @@ def test_reductions_follow_each_other(model):
 @every_reduced_model
 def test_reduction_is_the_exact_change_of_axes_to_first_order(model):
     rng = np.random.default_rng(2)
-    sizes = Spread(gyro_bias=1.0, accelerometer_bias=1.0, scale=1.0, installation=1.0)
-    unit, phi = random_units(sizes, rng), rng.normal(size=3)
+    sizes = PriorDeviations(gyro_bias=1.0, accelerometer_bias=1.0, scale=1.0, installation=1.0)
+    imu_errors, phi = random_imu_errors(sizes, rng), rng.normal(size=3)
 
     def error(size):
-        small = Unit(*(0.3 * size * field for field in unit))
+        small = ImuErrors(*(0.3 * size * field for field in imu_errors))
         state = FULL.state(small)
         state[:3] = 0.3 * size * phi
-        turned, rotation = unit_in_axes(small, model.frame)
+        turned, rotation = imu_errors_in_frame(small, model.frame)
         expected = model.state(turned)
         # What the computer holds for the attitude of its axes, compared with their true one.
         computed = multiply(from_rotation_vector(-state[:3]), ATTITUDE)
@@ -191,7 +184,7 @@ def test_attitude_of_a_reduction_may_have_any_length_but_must_be_one():
     np.testing.assert_allclose(
         model.reduction(-3 * ATTITUDE), model.reduction(ATTITUDE), rtol=0, atol=4 * EPS
     )
-    for function in (model.reduction, lambda q: model.covariance(Spread(), q)):
+    for function in (model.reduction, lambda q: model.covariance(PriorDeviations(), q)):
         with pytest.raises(ValueError, match=r"^attitude: expected nonzero quaternions"):
             function(np.zeros(4))
         with pytest.raises(ValueError, match=r"^attitude: expected finite numbers, got 1 NaN"):
@@ -201,22 +194,22 @@ def test_attitude_of_a_reduction_may_have_any_length_but_must_be_one():
 # What is known before
 
 
-SPREAD = Spread(2.0, gyro_bias=3.0, accelerometer_bias=5.0, scale=7.0, installation=11.0)
+SPREAD = PriorDeviations(2.0, gyro_bias=3.0, accelerometer_bias=5.0, scale=7.0, installation=11.0)
 
 
-def variances(model, spread=SPREAD, attitude=ATTITUDE):
+def variances(model, prior=SPREAD, attitude=ATTITUDE):
     """Unit whose fields are the variances of the states, and variances of attitude, velocity."""
-    values = np.diag(model.covariance(spread, attitude))
-    return model.unit(values), values[:3], values[3:6]
+    values = np.diag(model.covariance(prior, attitude))
+    return model.imu_errors(values), values[:3], values[3:6]
 
 
 def test_prior_of_all_states_is_the_spread():
     covariance = FULL.covariance(SPREAD, ATTITUDE)
     np.testing.assert_array_equal(covariance, np.diag(np.diag(covariance)))
-    unit, attitude, velocity = variances(FULL)
+    imu_errors, attitude, velocity = variances(FULL)
     matrix = np.where(np.eye(3) == 1, 7.0**2, 11.0**2)
     expected = (np.full(3, 3.0**2), matrix, np.full(3, 5.0**2), matrix)
-    for found, value in zip(unit, expected, strict=True):
+    for found, value in zip(imu_errors, expected, strict=True):
         np.testing.assert_array_equal(found, value)
     np.testing.assert_array_equal(attitude, 4.0)
     np.testing.assert_array_equal(velocity, 0.0)
@@ -226,12 +219,12 @@ def test_prior_of_all_states_is_the_spread():
 def test_prior_of_a_choice_of_axes_in_closed_form(model):
     """K_xy + K_yx has twice the variance s^2, their mean half of it; L loses what K does."""
     s = 11.0**2
-    unit, attitude, velocity = variances(model)
-    for bias, size in ((unit.gyro_bias, 3.0), (unit.accelerometer_bias, 5.0)):
+    imu_errors, attitude, velocity = variances(model)
+    for bias, size in ((imu_errors.gyro_bias, 3.0), (imu_errors.accelerometer_bias, 5.0)):
         np.testing.assert_allclose(bias, size**2, rtol=8 * EPS)
-    for matrix in (unit.gyro_error, unit.accelerometer_error):
+    for matrix in (imu_errors.gyro_error, imu_errors.accelerometer_error):
         np.testing.assert_allclose(np.diag(matrix), 7.0**2, rtol=8 * EPS)
-    own, other = unit.gyro_error, unit.accelerometer_error
+    own, other = imu_errors.gyro_error, imu_errors.accelerometer_error
     if model.frame == "accelerometers":
         own, other = other, own
     off = ~np.eye(3, dtype=bool)
@@ -250,12 +243,17 @@ def test_prior_of_a_choice_of_axes_in_closed_form(model):
 
 @every_model
 @pytest.mark.parametrize(
-    "spread",
-    [Spread(), Spread(1e-9, 1.0, 0.0, 1e3, 1e-3), Spread(0, 0, 0, 0, 1.0), Spread(0, 0, 0, 0, 0)],
+    "prior",
+    [
+        PriorDeviations(),
+        PriorDeviations(1e-9, 1.0, 0.0, 1e3, 1e-3),
+        PriorDeviations(0, 0, 0, 0, 1.0),
+        PriorDeviations(0, 0, 0, 0, 0),
+    ],
     ids=["usual", "far apart", "installation only", "all known"],
 )
-def test_prior_is_symmetric_and_nowhere_negative(model, spread):
-    covariance = model.covariance(spread, ATTITUDE)
+def test_prior_is_symmetric_and_nowhere_negative(model, prior):
+    covariance = model.covariance(prior, ATTITUDE)
     np.testing.assert_array_equal(covariance, covariance.T)
     values = np.linalg.eigvalsh(covariance)
     assert values[0] >= -32 * EPS * values[-1]
@@ -264,17 +262,17 @@ def test_prior_is_symmetric_and_nowhere_negative(model, spread):
 @every_reduced_model
 def test_prior_is_the_covariance_of_random_units_in_the_models_axes(model):
     """Drawn, turned exactly, and counted: all of the covariance, not its diagonal only."""
-    spread, count = Spread(), 10000
+    prior, count = PriorDeviations(), 10000
     rng = np.random.default_rng(8)
-    unit, rotation = unit_in_axes(random_units(spread, rng, count), model.frame)
-    drawn = model.state(unit)
+    imu_errors, rotation = imu_errors_in_frame(random_imu_errors(prior, rng, count), model.frame)
+    drawn = model.state(imu_errors)
     computed = multiply(
-        from_rotation_vector(-spread.attitude * rng.standard_normal((count, 3))), ATTITUDE
+        from_rotation_vector(-prior.attitude * rng.standard_normal((count, 3))), ATTITUDE
     )
     drawn[:, :3] = attitude_error(computed, attitude_of_axes(ATTITUDE, rotation))
     assert (drawn[:, 3:6] == 0).all()
     some = np.delete(np.arange(27), [3, 4, 5])  # the velocity is known
-    covariance = model.covariance(spread, ATTITUDE)[np.ix_(some, some)]
+    covariance = model.covariance(prior, ATTITUDE)[np.ix_(some, some)]
     # In units of the covariance: n rows of p independent numbers. Their singular values over
     # sqrt(n) lie within 1 +- (sqrt(p/n) + t) but for a probability of 2 exp(-n t^2/2), Davidson
     # and Szarek (2001); t = sqrt(28/n) makes that 2e-6.

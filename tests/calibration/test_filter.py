@@ -4,22 +4,23 @@ import re
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.linalg import block_diag, solve
 
-from driftlab.calibration.error_model import ERROR_MODELS, attitude_error, attitude_of_axes
+from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
+from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.filter import calibrate
-from driftlab.calibration.kalman import kalman_step
-from driftlab.calibration.simulation import unit_in_axes
-from driftlab.imu import PERFECT, Noise, Spread, Unit, measure, random_units
-from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme, simulate
+from driftlab.calibration.kalman import velocity_update
+from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise, PriorDeviations, random_imu_errors
+from driftlab.increments import Increments, measure
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
+from driftlab.motion.turntable import table_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply
 from driftlab.strapdown import at_rest, last_of, navigate
-from support import EPS
+from support import EPS, replaced
 
 LATITUDE = float(np.radians(37.5))
-SPREAD = Spread()
+SPREAD = PriorDeviations()
 every_frame = pytest.mark.parametrize("frame", ERROR_MODELS)
 
 
@@ -27,7 +28,7 @@ every_frame = pytest.mark.parametrize("frame", ERROR_MODELS)
 
 
 def random_step(seed, size, *lead, spread=1.0):
-    """Covariance, transition, noise, velocity error; standard deviations over 2 `spread` decades"""
+    """Covariance, transition, noise, velocity error; standard deviations over 2 `prior` decades"""
     rng = np.random.default_rng(seed)
     units = 10 ** rng.uniform(-spread, spread, size)
     root, walk = rng.standard_normal((2, *lead, size, size))
@@ -54,7 +55,7 @@ systems = given(
 @systems
 def test_step_is_that_of_josephs_form(seed, size, variance):
     covariance, turn, noise, velocity = random_step(seed, size)
-    step = kalman_step(covariance, turn, noise, velocity, variance)
+    step = velocity_update(covariance, turn, noise, velocity, variance)
     predicted = turn @ covariance @ turn.T + noise
     seen = seen_of(size)
     innovation = seen @ predicted @ seen.T + variance * np.eye(3)
@@ -72,15 +73,15 @@ def test_step_is_that_of_josephs_form(seed, size, variance):
     )
     expected = gain @ velocity
     np.testing.assert_allclose(step.correction / units, expected / units, rtol=0, atol=bound)
-    surprise = velocity @ solve(innovation, velocity, assume_a="pos")
-    np.testing.assert_allclose(step.surprise, surprise, rtol=bound)
+    nis = velocity @ solve(innovation, velocity, assume_a="pos")
+    np.testing.assert_allclose(step.nis, nis, rtol=bound)
 
 
 @systems
 def test_update_adds_the_information_of_the_velocity(seed, size, variance):
     """P^-1 grows by H^T H / r, and the correction is P H^T z / r."""
     covariance, turn, noise, velocity = random_step(seed, size, spread=0.0)
-    step = kalman_step(covariance, turn, noise, velocity, variance)
+    step = velocity_update(covariance, turn, noise, velocity, variance)
     seen = seen_of(size)
     before = np.linalg.inv(turn @ covariance @ turn.T + noise)
     information = before + seen.T @ seen / variance
@@ -94,7 +95,7 @@ def test_update_adds_the_information_of_the_velocity(seed, size, variance):
 @systems
 def test_covariance_is_symmetric_positive_and_not_larger_than_predicted(seed, size, variance):
     covariance, turn, noise, velocity = random_step(seed, size)
-    after = kalman_step(covariance, turn, noise, velocity, variance).covariance
+    after = velocity_update(covariance, turn, noise, velocity, variance).covariance
     np.testing.assert_array_equal(after, after.T)
     predicted = turn @ covariance @ turn.T + noise
     units = np.sqrt(np.diag(predicted))
@@ -111,24 +112,24 @@ def test_alone_a_velocity_is_weighed_by_its_variances(variance, own, walk):
     """With p = a^2 own + walk: p r/(p + r) is left, p/(p + r) of the error is taken out."""
     covariance, turn, noise = (factor * np.eye(7) for factor in (own, 1.5, walk))
     velocity = np.array([1.0, -2.0, 3.0])
-    step = kalman_step(covariance, turn, noise, velocity, variance)
+    step = velocity_update(covariance, turn, noise, velocity, variance)
     p = 1.5**2 * own + walk
     expected = np.full(7, p)
     expected[3:6] = p * variance / (p + variance)
     np.testing.assert_allclose(step.covariance, np.diag(expected), rtol=1e-9, atol=0)
     np.testing.assert_allclose(step.correction[3:6], velocity * p / (p + variance), rtol=1e-12)
     np.testing.assert_array_equal(step.correction[[0, 1, 2, 6]], 0)
-    np.testing.assert_allclose(step.surprise, 14 / (p + variance), rtol=1e-12)
+    np.testing.assert_allclose(step.nis, 14 / (p + variance), rtol=1e-12)
 
 
 def test_steps_along_leading_axes_are_steps_one_by_one():
     arguments = random_step(4, 12, 5, 2)
     copies = [argument.copy() for argument in arguments]
-    together = kalman_step(*arguments, 0.7)
+    together = velocity_update(*arguments, 0.7)
     for argument, copy in zip(arguments, copies, strict=True):
         np.testing.assert_array_equal(argument, copy)
     for index in np.ndindex(5, 2):
-        alone = kalman_step(*(argument[index] for argument in arguments), 0.7)
+        alone = velocity_update(*(argument[index] for argument in arguments), 0.7)
         for one, many in zip(alone, together, strict=True):
             assert many.shape == (5, 2, *one.shape)
             # The same products, summed in another order.
@@ -146,8 +147,8 @@ def test_many_steps_are_one_least_squares_problem(seed, size):
     state, now, misfit = np.zeros(size), covariance, 0.0
     for _, turn, noise, measured in systems:
         state = turn @ state
-        step = kalman_step(now, turn, noise, measured - state[3:6], variance)
-        state, now, misfit = state + step.correction, step.covariance, misfit + step.surprise
+        step = velocity_update(now, turn, noise, measured - state[3:6], variance)
+        state, now, misfit = state + step.correction, step.covariance, misfit + step.nis
     # One row of unknowns: the state at first and every disturbance.
     reach = np.eye(size, size * (steps + 1))
     rows, data = [], []
@@ -173,11 +174,11 @@ def test_many_steps_are_one_least_squares_problem(seed, size):
 
 
 SHORT = Scheme("+90X +90Y +90Z -90X +90Y +90Z", dwell=24.0, rate=np.radians(6))
-TOLD = Noise(angle_random_walk=0.0, velocity_random_walk=0.0, velocity=0.01)
+TOLD = ImuNoise(angle_random_walk=0.0, velocity_random_walk=0.0, reference_velocity=0.01)
 
 
 def tilted(phi, attitude):
-    """Attitude with an error phi: (E - [phi×]) C."""
+    """Attitude with an error phi: (I - [phi×]) C."""
     return multiply(from_rotation_vector(-np.asarray(phi)), attitude)
 
 
@@ -189,23 +190,22 @@ class Navigator:
 
     def __init__(self, model, latitude, interval=0.1, samples=30):
         self.model, self.latitude, self.interval, self.samples = model, latitude, interval, samples
-        self.record = simulate(SHORT, latitude, interval, whole=samples)
-        self.updates = len(self.record.angle_increments) // samples
+        self.record = table_trajectory(SHORT, latitude, interval, multiple_of=samples)
+        self.updates = len(self.record.increments.angle) // samples
 
     def start(self, states):
         return tilted(states[..., :3], self.record.attitude[0])
 
     def measured(self, states):
-        return measure(self.record, self.model.unit(states))
+        return measure(self.record.increments, self.model.imu_errors(states))
 
     def errors(self, states):
         """Velocity errors (..., updates, 3), and the attitude error (..., 3) at the end."""
-        angle, velocity = self.measured(states)
+        measured = self.measured(states)
         home = at_rest(self.latitude, self.start(states))
         now, errors = home, []
-        for first in range(0, angle.shape[-2], self.samples):
-            rows = np.s_[..., first : first + self.samples, :]
-            here = last_of(navigate(now, angle[rows], velocity[rows], self.interval))
+        for first in range(0, measured.angle.shape[-2], self.samples):
+            here = last_of(navigate(now, measured.part(first, first + self.samples)))
             now = home._replace(velocity=here.velocity, attitude=here.attitude)
             errors.append(here.velocity)
         return np.stack(errors, axis=-2), attitude_error(now.attitude, self.record.attitude[-1])
@@ -237,28 +237,29 @@ def test_calibration_is_least_squares_with_the_nonlinear_navigation(frame, latit
     # A thousandth of the usual errors: what is of second order is a millionth.
     small = 1e-3
     velocity, attitude = navigator.derivatives(small * deviations)
-    posterior = np.linalg.inv(np.linalg.inv(prior) + velocity.T @ velocity / TOLD.velocity**2)
+    posterior = np.linalg.inv(
+        np.linalg.inv(prior) + velocity.T @ velocity / TOLD.reference_velocity**2
+    )
     to_end = np.concatenate([attitude, velocity[-3:], np.eye(free.size)[3:]])
     covariance = to_end @ posterior @ to_end.T
 
     rng = np.random.default_rng(5)
     true = np.zeros(model.size)
     true[free] = small * np.linalg.cholesky(prior) @ rng.standard_normal(free.size)
-    reference = small * TOLD.velocity * rng.standard_normal((navigator.updates, 3))
+    reference = small * TOLD.reference_velocity * rng.standard_normal((navigator.updates, 3))
     shown, tilt = navigator.errors(true)
     nothing, _ = navigator.errors(np.zeros(model.size))
     found = calibrate(
-        *navigator.measured(true),
+        navigator.measured(true),
         reference + nothing,  # what a perfect unit shows is the algorithm's, not the filter's
-        interval=navigator.interval,
         latitude=latitude,
         start=navigator.start(true),
         model=model,
-        spread=SPREAD,
+        prior=SPREAD,
         noise=TOLD,
     )
     data = (shown - nothing - reference).ravel()
-    expected = to_end @ posterior @ velocity.T @ data / TOLD.velocity**2
+    expected = to_end @ posterior @ velocity.T @ data / TOLD.reference_velocity**2
     state = found.state[-1].copy()
     state[:3] = tilt - attitude_error(found.attitude[-1], navigator.record.attitude[-1])
     state[3:6] = shown[-1] - found.velocity[-1]
@@ -280,7 +281,7 @@ def test_calibration_is_least_squares_with_the_nonlinear_navigation(frame, latit
 WHOLE = Scheme(
     NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=30.0, rate=np.radians(4)
 )
-SMALL = Unit(
+SMALL = ImuErrors(
     np.array([3e-8, -2e-8, 5e-8]),
     1e-7 * np.array([[30.0, 10.0, -5.0], [10.0, -20.0, 15.0], [-5.0, 15.0, 40.0]]),
     np.array([2e-5, -1e-5, 3e-5]),
@@ -291,40 +292,41 @@ SMALL = Unit(
 
 @pytest.fixture(scope="module")
 def record():
-    return simulate(WHOLE, LATITUDE, 0.25, whole=24)
+    return table_trajectory(WHOLE, LATITUDE, 0.25, multiple_of=24)
 
 
 @pytest.fixture(scope="module")
 def brief():
     """A record too short to find much, but the same filter."""
-    return simulate(Scheme("+90X -90Y", dwell=60.0), LATITUDE, 0.25, whole=24)
+    return table_trajectory(Scheme("+90X -90Y", dwell=60.0), LATITUDE, 0.25, multiple_of=24)
 
 
-def calibrated(record, unit, phi=(0.0, 0.0, 0.0), frame="averaged", reference=None, **changes):
-    angle, velocity = measure(record, unit)
+def calibrated(
+    record, imu_errors, phi=(0.0, 0.0, 0.0), frame="averaged", reference=None, **changes
+):
+    measured = measure(record.increments, imu_errors)
     if reference is None:
-        reference = np.zeros((len(record.angle_increments) // 24, 3))
+        reference = np.zeros((len(record.increments.angle) // 24, 3))
     settings = {
-        "interval": record.interval,
         "latitude": LATITUDE,
         "start": tilted(phi, record.attitude[0]),
         "model": ERROR_MODELS[frame],
-        "spread": SPREAD,
-        "noise": Noise(),
+        "prior": SPREAD,
+        "noise": ImuNoise(),
     }
-    return calibrate(angle, velocity, reference, **(settings | changes))
+    return calibrate(measured, reference, **(settings | changes))
 
 
 @pytest.fixture(scope="module")
 def nothing(record):
     """A perfect unit, told as an ordinary one, with every update kept."""
-    return calibrated(record, PERFECT, keep=1)
+    return calibrated(record, NO_ERRORS, keep=1)
 
 
 def test_perfect_unit_has_no_errors_to_find(nothing):
     # Nothing but what steps of 2 degrees leave of rotating axes: 1/24 of their cube, a push.
     np.testing.assert_allclose(nothing.state[-1] / nothing.deviations[-1], 0, atol=0.05)
-    np.testing.assert_allclose(nothing.surprise, 0, atol=1e-3)
+    np.testing.assert_allclose(nothing.nis, 0, atol=1e-3)
 
 
 def test_true_unit_is_found_without_noise(record):
@@ -333,7 +335,9 @@ def test_true_unit_is_found_without_noise(record):
     Let it be A x. Then P is at least A P0 A^T, and by Cauchy's inequality each component of A x is
     at most sqrt(x^T P0^-1 x) of its deviation. A velocity good to 0.1 mm/s makes deviations small.
     """
-    told = Noise(angle_random_walk=0.0, velocity_random_walk=0.0, velocity=1e-4)
+    assumed_noise = ImuNoise(
+        angle_random_walk=0.0, velocity_random_walk=0.0, reference_velocity=1e-4
+    )
     phi = 1e-5 * np.array([1.0, -2.0, 1.5])
     model = ERROR_MODELS["averaged"]
     true = model.state(SMALL)
@@ -342,8 +346,8 @@ def test_true_unit_is_found_without_noise(record):
     at_first = np.concatenate([phi, true[6:]])
     size = np.sqrt(at_first @ np.linalg.solve(first[np.ix_(kept, kept)], at_first))
     # A perfect unit's estimate is an error of the algorithm's; the rest is of the unit.
-    usual = calibrated(record, PERFECT, noise=told)
-    found = calibrated(record, SMALL, phi, noise=told)
+    usual = calibrated(record, NO_ERRORS, noise=assumed_noise)
+    found = calibrated(record, SMALL, phi, noise=assumed_noise)
     error = np.abs(found.state[-1] - usual.state[-1] - true)[6:]
     deviations = found.deviations[-1, 6:]
     assert (error < size * deviations).all()
@@ -354,9 +358,9 @@ def in_all_axes(record):
     """One usual unit, half of it and none of it, calibrated in each choice of axes."""
     rng = np.random.default_rng(3)
     phi = SPREAD.attitude * rng.standard_normal(3)
-    unit = random_units(SPREAD, rng)
+    imu_errors = random_imu_errors(SPREAD, rng)
     sizes = np.array([1.0, 0.5, 0.0])
-    units = Unit(*(np.multiply.outer(sizes, part) for part in unit))
+    units = ImuErrors(*(np.multiply.outer(sizes, part) for part in imu_errors))
     return {frame: calibrated(record, units, np.outer(sizes, phi), frame) for frame in ERROR_MODELS}
 
 
@@ -364,7 +368,7 @@ def in_all_axes(record):
 def test_estimates_in_other_axes_differ_by_the_change_of_axes(in_all_axes, record, frame):
     """To second order: half the errors leave a quarter of the difference."""
     usual, other = in_all_axes["averaged"], in_all_axes[frame]
-    translated, turn = unit_in_axes(usual.unit, frame)
+    translated, turn = imu_errors_in_frame(usual.imu_errors, frame)
     scaled = (other.model.state(translated) - other.state[:, -1])[:, 6:]
     scaled = np.abs((scaled - scaled[2]) / other.deviations[2, -1, 6:]).max(axis=-1)
     assert scaled[0] < 0.2
@@ -382,8 +386,8 @@ def test_estimates_in_other_axes_differ_by_the_change_of_axes(in_all_axes, recor
 def test_attitude_and_velocity_found_are_those_of_the_table(record):
     """A start that is wrong by a minute of arc, and a unit that is right."""
     phi = np.array([[1.0, -1.0, 0.5], [0.0, 0.0, 0.0]]) * SPREAD.attitude
-    found = calibrated(record, PERFECT, phi, keep=1)
-    places = np.round(found.times / record.interval).astype(int)
+    found = calibrated(record, NO_ERRORS, phi, keep=1)
+    places = np.round(found.times / record.increments.interval).astype(int)
     errors = attitude_error(found.attitude, record.attitude[places])
     # What each is wrong by counts from what the algorithm makes of a right start.
     errors = np.abs(errors[0] - errors[1]) / found.deviations[1, :, :3]
@@ -399,17 +403,17 @@ def test_attitude_and_velocity_found_are_those_of_the_table(record):
 
 
 def test_history_keeps_each_so_many_updates_and_the_last(brief):
-    updates = len(brief.angle_increments) // 24
+    updates = len(brief.increments.angle) // 24
     every = calibrated(brief, SMALL, keep=1)
     np.testing.assert_allclose(every.times, 6.0 * np.arange(1, updates + 1), rtol=4 * EPS)
-    assert every.surprise.shape == (updates,)
+    assert every.nis.shape == (updates,)
     assert updates == 34
     for keep, kept in ((10, [10, 20, 30, 34]), (1, range(1, 35)), (100, [34])):
         found = calibrated(brief, SMALL, keep=keep)
         rows = np.array(kept) - 1
         for name in ("times", "state", "covariance", "attitude", "velocity", "deviations"):
             np.testing.assert_array_equal(getattr(found, name), getattr(every, name)[rows])
-        np.testing.assert_array_equal(found.surprise, every.surprise)
+        np.testing.assert_array_equal(found.nis, every.nis)
 
 
 def test_history_says_one_thing_in_several_ways(nothing):
@@ -417,22 +421,22 @@ def test_history_says_one_thing_in_several_ways(nothing):
     assert nothing.model is model
     variances = np.diagonal(nothing.covariance, axis1=-2, axis2=-1)
     np.testing.assert_array_equal(nothing.deviations, np.sqrt(variances))
-    for one, other in zip(nothing.unit, model.unit(nothing.state[-1]), strict=True):
+    for one, other in zip(nothing.imu_errors, model.imu_errors(nothing.state[-1]), strict=True):
         np.testing.assert_array_equal(one, other)
     # What was found of attitude and velocity is in them, not in the state.
     np.testing.assert_array_equal(nothing.state[:, :6], 0)
     assert (np.abs(nothing.state[-1, 6:]) > 0).all()
 
 
-def test_surprise_comes_when_the_table_jumps(brief):
+def test_nis_grows_when_the_table_jumps(brief):
     """A reference of 1 m/s in one update of many: a hundred deviations, squared, three times."""
-    updates = len(brief.angle_increments) // 24
+    updates = len(brief.increments.angle) // 24
     reference = np.zeros((updates, 3))
     reference[4] = 1.0
-    surprise = calibrated(brief, PERFECT, reference=reference).surprise
-    assert surprise.argmax() == 4
-    assert 1e3 < surprise[4] < 3 * 100**2
-    np.testing.assert_allclose(surprise[:4], 0, atol=1e-3)
+    nis = calibrated(brief, NO_ERRORS, reference=reference).nis
+    assert nis.argmax() == 4
+    assert 1e3 < nis[4] < 3 * 100**2
+    np.testing.assert_allclose(nis[:4], 0, atol=1e-3)
 
 
 def test_covariance_stays_symmetric_and_positive(nothing):
@@ -456,15 +460,15 @@ def test_deviations_of_the_sensor_errors_only_shrink(record, nothing):
 
 def test_each_of_several_runs_is_the_run_alone(brief):
     rng = np.random.default_rng(7)
-    units = random_units(SPREAD, rng, 2, 3)
-    reference = 0.01 * rng.standard_normal((3, len(brief.angle_increments) // 24, 3))
+    units = random_imu_errors(SPREAD, rng, 2, 3)
+    reference = 0.01 * rng.standard_normal((3, len(brief.increments.angle) // 24, 3))
     phi = SPREAD.attitude * rng.standard_normal((2, 3, 3))
     together = calibrated(brief, units, phi, reference=reference, keep=4)
     updates = reference.shape[-2]
-    assert together.surprise.shape == (2, 3, updates)
+    assert together.nis.shape == (2, 3, updates)
     for index in np.ndindex(2, 3):
-        unit = Unit(*(part[index] for part in units))
-        alone = calibrated(brief, unit, phi[index], reference=reference[index[1]], keep=4)
+        imu_errors = ImuErrors(*(part[index] for part in units))
+        alone = calibrated(brief, imu_errors, phi[index], reference=reference[index[1]], keep=4)
         assert alone.state.shape == (len(alone.times), 27)
         # All runs are told that their attitudes are that of the first: wrong by 3e-4 or so.
         deviations = alone.deviations
@@ -476,16 +480,16 @@ def test_each_of_several_runs_is_the_run_alone(brief):
             np.testing.assert_allclose(one / units_of, many / units_of, rtol=0, atol=2e-3)
         apart = attitude_error(alone.attitude, together.attitude[index])
         np.testing.assert_allclose(apart / deviations[:, :3], 0, atol=2e-3)
-        np.testing.assert_allclose(alone.surprise, together.surprise[index], rtol=0, atol=1e-2)
+        np.testing.assert_allclose(alone.nis, together.nis[index], rtol=0, atol=1e-2)
 
 
 def test_equal_runs_have_equal_results(brief):
     """With one start for all, a run alone is the same but for rounding."""
     rng = np.random.default_rng(8)
-    units = random_units(SPREAD, rng, 3)
+    units = random_imu_errors(SPREAD, rng, 3)
     together = calibrated(brief, units)
     for k in range(3):
-        alone = calibrated(brief, Unit(*(part[k] for part in units)))
+        alone = calibrated(brief, ImuErrors(*(part[k] for part in units)))
         # Gravitation settles to 1e-7 m, the slowest of the runs decides when.
         scaled = (alone.state - together.state[k]) / alone.deviations.clip(1e-12)
         np.testing.assert_allclose(scaled, 0, atol=1e-6)
@@ -496,22 +500,20 @@ def test_attitudes_of_any_size_and_either_sign_are_one_start(brief):
     start = 3.0 * brief.attitude[0]
     usual, other = calibrated(brief, SMALL), calibrated(brief, SMALL, start=-start)
     np.testing.assert_allclose(other.state, usual.state, rtol=1e-9, atol=1e-18)
-    np.testing.assert_allclose(other.surprise, usual.surprise, rtol=1e-7, atol=1e-12)
+    np.testing.assert_allclose(other.nis, usual.nis, rtol=1e-7, atol=1e-12)
 
 
 # Refusals
 
 
 GOOD = {
-    "angle_increments": np.full((24, 3), 1e-6),
-    "velocity_increments": np.full((24, 3), [0.0, 0.0, 2.45]),
+    "increments": Increments(0.25, np.full((24, 3), 1e-6), np.full((24, 3), [0.0, 0.0, 2.45])),
     "reference_velocity": np.zeros((4, 3)),
-    "interval": 0.25,
     "latitude": LATITUDE,
     "start": np.array([0.0, 0.0, 0.0, 1.0]),
     "model": ERROR_MODELS["averaged"],
-    "spread": SPREAD,
-    "noise": Noise(),
+    "prior": SPREAD,
+    "noise": ImuNoise(),
 }
 
 
@@ -534,7 +536,8 @@ NOT_FINITE = "finite numbers, got 1 NaN or infinite"
 
 
 def with_nan(name):
-    bad = np.array(GOOD[name], dtype=float)
+    argument, _, field = name.partition(".")
+    bad = np.array(getattr(GOOD[argument], field, GOOD[argument]), dtype=float)
     bad.flat[-1] = np.nan
     return bad
 
@@ -545,31 +548,32 @@ def with_nan(name):
         *(
             (name, with_nan(name), NOT_FINITE)
             for name in (
-                "angle_increments",
-                "velocity_increments",
+                "increments.angle",
+                "increments.velocity",
                 "reference_velocity",
                 "start",
-                "interval",
+                "increments.interval",
                 "latitude",
             )
         ),
-        ("angle_increments", np.ones((24, 2)), r"shape \(\.\.\., 3\), got shape \(24, 2\)"),
-        ("velocity_increments", np.ones((24, 4)), r"shape \(\.\.\., 3\), got shape \(24, 4\)"),
+        ("increments.angle", np.ones((24, 2)), r"shape \(\.\.\., 3\), got shape \(24, 2\)"),
+        ("increments.velocity", np.ones((24, 4)), r"shape \(\.\.\., 3\), got shape \(24, 4\)"),
         ("reference_velocity", np.zeros((4, 2)), r"shape \(\.\.\., 3\), got shape \(4, 2\)"),
         ("start", [0.0, 0.0, 1.0], r"shape \(\.\.\., 4\), got shape \(3,\)"),
         ("start", np.zeros(4), "nonzero quaternions, got a zero quaternion"),
         ("latitude", np.pi / 2, "at most 89.9 degrees from the equator"),
         ("latitude", -np.pi / 2, "at most 89.9 degrees from the equator"),
         ("latitude", [0.1, 0.2], r"one number, got shape \(2,\)"),
-        ("interval", 0.0, "a positive time of at most 20 s, got 0.0"),
-        ("interval", -0.25, "a positive time of at most 20 s, got -0.25"),
-        ("interval", [0.25], r"one number, got shape \(1,\)"),
+        ("increments.interval", 0.0, "a positive number, got 0.0"),
+        ("increments.interval", 20.5, "a positive time of at most 20 s, got 20.5"),
+        ("increments.interval", -0.25, "a positive number, got -0.25"),
+        ("increments.interval", [0.25], r"one number, got shape \(1,\)"),
         ("keep", 0, "a whole number of at least 1, got 0"),
         ("keep", 2.0, "a whole number of at least 1, got 2.0"),
-        ("velocity_increments", np.ones((20, 3)), "as many as angle_increments"),
-        ("velocity_increments", np.ones((48, 3)), "as many as angle_increments"),
+        ("increments.velocity", np.ones((20, 3)), "as many as increments.angle"),
+        ("increments.velocity", np.ones((48, 3)), "as many as increments.angle"),
     ],
 )
 def test_bad_arguments_are_refused_by_name(name, bad, words):
     with pytest.raises(ValueError, match=f"^{name}: expected {words}"):
-        calibrate(**GOOD | {name: bad})
+        calibrate(**replaced(GOOD, {name: bad}))

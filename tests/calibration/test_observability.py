@@ -9,25 +9,20 @@ from scipy.constants import g
 from scipy.linalg import null_space, subspace_angles
 from scipy.spatial.transform import Rotation
 
-from driftlab.calibration import observability
+from driftlab.calibration import linearization
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
+from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import (
     UnobservableWarning,
-    expected_covariance,
-    null_directions,
+    covariance_analysis,
     observability_matrix,
-    passage,
+    unobservable_subspace,
     warn_if_unobservable,
 )
 from driftlab.earth import gravity
-from driftlab.imu import Noise, Spread, Unit
-from driftlab.motion.turntable import (
-    EIGHTEEN_ROTATIONS,
-    NINETEEN_POSITIONS,
-    SCHEMES,
-    Scheme,
-    simulate,
-)
+from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
+from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, SCHEMES, Scheme
+from driftlab.motion.turntable import table_trajectory
 from driftlab.vectors import cross_matrix
 from numerical_growth import allowed, numerical_growth
 from support import EPS
@@ -43,7 +38,7 @@ every_frame = pytest.mark.parametrize("frame", ERROR_MODELS)
 
 def typical_sizes(way):
     """Standard deviations of the states, by which they are compared; 1 cm/s of velocity."""
-    sizes = np.sqrt(np.diag(way.model.covariance(Spread(), way.start)))
+    sizes = np.sqrt(np.diag(way.model.covariance(PriorDeviations(), way.start)))
     sizes[3:6] = 0.01
     return sizes
 
@@ -51,12 +46,12 @@ def typical_sizes(way):
 def common_misalignments(start):
     """States (3, 30) with dl = dk along x, y, z, and phi = C dk: Wu (36)."""
     turns, nothing = cross_matrix(np.eye(3)), np.zeros((3, 3))
-    states = FULL.state(Unit(nothing, turns, nothing, turns))
+    states = FULL.state(ImuErrors(nothing, turns, nothing, turns))
     states[:, :3] = Rotation.from_quat(start).apply(np.eye(3))
     return states
 
 
-def assert_dark(way, found, expected):
+def assert_unobservable(way, found, expected):
     """Do two sets of directions span the same space, the states in their typical sizes?"""
     assert found.shape == np.shape(expected)
     sizes = typical_sizes(way)
@@ -78,30 +73,30 @@ def unit_states(model, *names):
 
 
 @every_scheme
-def test_three_directions_are_dark_with_all_states(scheme):
+def test_three_directions_are_unobservable_with_all_states(scheme):
     """Wu, section 2.3: both triads turned together, the attitude with them; nothing else."""
-    way = passage(scheme, LATITUDE)
-    dark = null_directions(way)
-    assert_dark(way, dark.directions, common_misalignments(way.start))
+    way = linearize_along(scheme, LATITUDE)
+    unobservable = unobservable_subspace(way)
+    assert_unobservable(way, unobservable.directions, common_misalignments(way.start))
     # Rounding below, information above. These are squares of singular values, so their rounding
     # is the square of an eps; eigenvalues of the Gramian itself are tested further down.
-    values = dark.eigenvalues
+    values = unobservable.eigenvalues
     assert (np.diff(values) >= 0).all()
     assert values[2] < 1e-25 * values[-1]
     assert values[3] > 1e-9 * values[-1]
-    assert dark.words == [
+    assert unobservable.descriptions == [
         f"both triads turned together about {axis}, the attitude with them" for axis in "xyz"
     ]
 
 
 @every_scheme
 @every_frame
-def test_nothing_is_dark_once_the_axes_are_chosen(scheme, frame):
-    way = passage(scheme, LATITUDE, ERROR_MODELS[frame])
-    dark = null_directions(way)
-    assert dark.directions.shape == (0, 27)
-    assert dark.words == []
-    assert dark.eigenvalues[0] > 1e-9 * dark.eigenvalues[-1]
+def test_all_is_observable_once_the_axes_are_chosen(scheme, frame):
+    way = linearize_along(scheme, LATITUDE, ERROR_MODELS[frame])
+    unobservable = unobservable_subspace(way)
+    assert unobservable.directions.shape == (0, 27)
+    assert unobservable.descriptions == []
+    assert unobservable.eigenvalues[0] > 1e-9 * unobservable.eigenvalues[-1]
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         warn_if_unobservable(way)
@@ -109,19 +104,19 @@ def test_nothing_is_dark_once_the_axes_are_chosen(scheme, frame):
 
 @pytest.mark.parametrize("latitude", np.radians([0.0, -37.5, 80.0]))
 def test_they_are_the_same_three_anywhere_on_earth(latitude):
-    way = passage(NINETEEN_POSITIONS, latitude)
-    assert_dark(way, null_directions(way).directions, common_misalignments(way.start))
+    way = linearize_along(NINETEEN_POSITIONS, latitude)
+    assert_unobservable(way, unobservable_subspace(way).directions, common_misalignments(way.start))
 
 
 @every_scheme
-def test_dark_directions_leave_the_velocity_alone(scheme):
-    way = passage(scheme, LATITUDE)
-    dark = null_directions(way).directions
+def test_unobservable_directions_leave_the_velocity_alone(scheme):
+    way = linearize_along(scheme, LATITUDE)
+    unobservable = unobservable_subspace(way).directions
     seen = observability_matrix(way) * typical_sizes(way)
-    shown = np.linalg.norm(observability_matrix(way) @ dark.T, axis=0)
+    shown = np.linalg.norm(observability_matrix(way) @ unobservable.T, axis=0)
     assert (shown < 1e-12 * np.linalg.norm(seen, 2)).all()
     # They are directions of unit length in typical sizes, across each other.
-    scaled = dark / typical_sizes(way)
+    scaled = unobservable / typical_sizes(way)
     np.testing.assert_allclose(scaled @ scaled.T, np.eye(3), rtol=0, atol=64 * EPS)
 
 
@@ -130,7 +125,7 @@ def test_dark_directions_leave_the_velocity_alone(scheme):
 def test_velocity_shows_a_unit_as_it_shows_its_reduction(scheme, frame):
     """Why a choice of axes loses nothing: 27 states explain what 30 do."""
     model = ERROR_MODELS[frame]
-    every, few = passage(scheme, LATITUDE), passage(scheme, LATITUDE, model)
+    every, few = linearize_along(scheme, LATITUDE), linearize_along(scheme, LATITUDE, model)
     expected = observability_matrix(every)
     found = observability_matrix(few) @ model.reduction(every.start)
     # Four Gauss points in 30 degrees: (pi/6)^8/2e9 of each step; some hundred steps of rounding.
@@ -143,37 +138,37 @@ def test_velocity_shows_a_unit_as_it_shows_its_reduction(scheme, frame):
 def test_eighteen_rotations_from_north_up_east_leave_three_more():
     """Axis z is never lifted there, so its accelerations never show."""
     scheme = replace(EIGHTEEN_ROTATIONS, start=("North", "Up", "East"))
-    attitudes = Rotation.from_quat(simulate(scheme, LATITUDE, 1.0).attitude)
+    attitudes = Rotation.from_quat(table_trajectory(scheme, LATITUDE, 1.0).attitude)
     np.testing.assert_allclose(attitudes.apply([0, 0, 1])[:, 2], 0, atol=64 * EPS)
     column = [f"accelerometer {name}" for name in ("scale z", "installation xz", "installation yz")]
     for frame in ("averaged", "upper triangle", "lower triangle"):
-        way = passage(scheme, LATITUDE, ERROR_MODELS[frame])
-        dark = null_directions(way)
-        assert_dark(way, dark.directions, unit_states(way.model, *column))
-        assert dark.words == [f"3 among {', '.join(column)}"]
-        assert dark.eigenvalues[3] > 1e-9 * dark.eigenvalues[-1]
-    way = passage(scheme, LATITUDE)
-    dark = null_directions(way)
+        way = linearize_along(scheme, LATITUDE, ERROR_MODELS[frame])
+        unobservable = unobservable_subspace(way)
+        assert_unobservable(way, unobservable.directions, unit_states(way.model, *column))
+        assert unobservable.descriptions == [f"3 among {', '.join(column)}"]
+        assert unobservable.eigenvalues[3] > 1e-9 * unobservable.eigenvalues[-1]
+    way = linearize_along(scheme, LATITUDE)
+    unobservable = unobservable_subspace(way)
     expected = np.vstack([common_misalignments(way.start), unit_states(FULL, *column)])
-    assert_dark(way, dark.directions, expected)
-    assert len(dark.words) == 4
-    # What is dark besides is named in axes without a common turn.
-    assert dark.words[3] == f"3 among {', '.join(column)}"
+    assert_unobservable(way, unobservable.directions, expected)
+    assert len(unobservable.descriptions) == 4
+    # What is unobservable besides is named in axes without a common turn.
+    assert unobservable.descriptions[3] == f"3 among {', '.join(column)}"
     # The accelerometers' own axes put two of the three into the gyros and the attitude.
-    way = passage(scheme, LATITUDE, ERROR_MODELS["accelerometers"])
+    way = linearize_along(scheme, LATITUDE, ERROR_MODELS["accelerometers"])
     reduced = (way.model.reduction(way.start) @ unit_states(FULL, *column).T).T
-    assert_dark(way, null_directions(way).directions, reduced)
+    assert_unobservable(way, unobservable_subspace(way).directions, reduced)
 
 
 def test_rotations_about_the_vertical_show_three_of_twelve_accelerometer_errors():
     """Force stays along z in body axes: only nabla + g L_z can be told, one number an axis."""
-    way = passage(Scheme("+90Z +90Z +90Z +90Z"), LATITUDE, AVERAGED)
+    way = linearize_along(Scheme("+90Z +90Z +90Z +90Z"), LATITUDE, AVERAGED)
     nothing, entries = np.zeros((9, 3)), np.eye(9).reshape(9, 3, 3)
     biases = -GRAVITY * entries[:, :, 2]
-    errors = AVERAGED.state(Unit(nothing, np.zeros((9, 3, 3)), biases, entries))
-    dark = null_directions(way)
-    assert_dark(way, dark.directions, errors)
-    assert dark.words == [f"9 among {', '.join(AVERAGED.names[15:])}"]
+    errors = AVERAGED.state(ImuErrors(nothing, np.zeros((9, 3, 3)), biases, entries))
+    unobservable = unobservable_subspace(way)
+    assert_unobservable(way, unobservable.directions, errors)
+    assert unobservable.descriptions == [f"9 among {', '.join(AVERAGED.names[15:])}"]
 
 
 @pytest.mark.parametrize("frame", [None, *ERROR_MODELS])
@@ -185,32 +180,32 @@ def test_without_rotations_nine_combinations_show(frame):
     heading behind the East gyro: 6 + 6 - 3.
     """
     model = FULL if frame is None else ERROR_MODELS[frame]
-    dark = null_directions(passage(Scheme(""), LATITUDE, model))
-    assert len(dark.directions) == model.size - 9
+    unobservable = unobservable_subspace(linearize_along(Scheme(""), LATITUDE, model))
+    assert len(unobservable.directions) == model.size - 9
     if model is FULL:
-        assert len(dark.words) == 4
-        assert dark.words[-1].startswith("18 among attitude East, ")
+        assert len(unobservable.descriptions) == 4
+        assert unobservable.descriptions[-1].startswith("18 among attitude East, ")
 
 
 @pytest.mark.parametrize("scheme", [Scheme(""), Scheme("+90X +90X +90X")], ids=["none", "about x"])
-def test_dark_directions_are_the_null_space_of_the_matrix(scheme):
-    way = passage(scheme, LATITUDE, AVERAGED)
+def test_unobservable_directions_are_the_null_space_of_the_matrix(scheme):
+    way = linearize_along(scheme, LATITUDE, AVERAGED)
     sizes = typical_sizes(way)
     expected = null_space(observability_matrix(way) * sizes, rcond=1e-10).T * sizes
-    assert_dark(way, null_directions(way).directions, expected)
+    assert_unobservable(way, unobservable_subspace(way).directions, expected)
 
 
-def test_dark_is_what_shows_nothing_beside_the_brightest():
-    """Not what shows little: after a moment all is dim, and the same three are dark."""
-    way = passage(NINETEEN_POSITIONS, LATITUDE)
-    dim = null_directions(way._replace(durations=1e-24 * way.durations))
-    assert_dark(way, dim.directions, common_misalignments(way.start))
+def test_unobservable_is_what_shows_nothing_beside_the_rest():
+    """Not what shows little: after a moment everything shows little, and the same three nothing."""
+    way = linearize_along(NINETEEN_POSITIONS, LATITUDE)
+    dim = unobservable_subspace(way._replace(durations=1e-24 * way.durations))
+    assert_unobservable(way, dim.directions, common_misalignments(way.start))
 
 
 @pytest.mark.parametrize("model", [FULL, AVERAGED], ids=["30 states", "27 states"])
 def test_eigenvalues_are_those_of_the_gramian(model):
     """Information on the start, by steps: duration times the square of what the velocity shows."""
-    way = passage(NINETEEN_POSITIONS, LATITUDE, model)
+    way = linearize_along(NINETEEN_POSITIONS, LATITUDE, model)
     gramian, since = np.zeros((model.size, model.size)), np.eye(model.size)
     for duration, matrix in zip(way.durations, way.transitions, strict=True):
         since = matrix @ since
@@ -219,25 +214,25 @@ def test_eigenvalues_are_those_of_the_gramian(model):
     expected = np.linalg.eigvalsh(scaled)
     # What eigenvalues of the square keep of the digits.
     np.testing.assert_allclose(
-        null_directions(way).eigenvalues, expected, rtol=1e-9, atol=64 * EPS * expected[-1]
+        unobservable_subspace(way).eigenvalues, expected, rtol=1e-9, atol=64 * EPS * expected[-1]
     )
     # Zero but for rounding, and far from it.
-    dark = model.size - 27
-    assert (np.abs(expected[:dark]) < EPS * expected[-1]).all()
-    assert expected[dark] > 1e-8 * expected[-1]
+    unobservable = model.size - 27
+    assert (np.abs(expected[:unobservable]) < EPS * expected[-1]).all()
+    assert expected[unobservable] > 1e-8 * expected[-1]
 
 
 # Warnings
 
 
-def test_warning_names_what_is_left_in_the_dark():
+def test_warning_names_what_is_unobservable():
     scheme = replace(EIGHTEEN_ROTATIONS, start=("North", "Up", "East"))
     with pytest.warns(
         UnobservableWarning,
         match=r"^scheme: leaves 3 directions of 27 unobservable: 3 among accelerometer scale z, "
         r"accelerometer installation xz, accelerometer installation yz\.$",
     ) as caught:
-        warn_if_unobservable(passage(scheme, LATITUDE, AVERAGED))
+        warn_if_unobservable(linearize_along(scheme, LATITUDE, AVERAGED))
     # It points to the line that asked.
     assert [warning.filename for warning in caught] == [__file__]
 
@@ -248,7 +243,7 @@ def test_warning_names_triads_turned_together():
         match=r"^scheme: leaves 3 directions of 30 unobservable: both triads turned together about "
         r"x, the attitude with them; .* about y, .*; .* about z, the attitude with them\.$",
     ):
-        warn_if_unobservable(passage(NINETEEN_POSITIONS, LATITUDE))
+        warn_if_unobservable(linearize_along(NINETEEN_POSITIONS, LATITUDE))
 
 
 # The way along a scheme
@@ -256,19 +251,19 @@ def test_warning_names_triads_turned_together():
 
 @every_scheme
 def test_passage_takes_as_long_as_the_scheme(scheme):
-    way = passage(scheme, LATITUDE, AVERAGED)
+    way = linearize_along(scheme, LATITUDE, AVERAGED)
     turned = sum(abs(angle) for _, angle in scheme.turns)
     expected = scheme.positions * scheme.dwell + turned / scheme.rate
     assert way.durations.sum() == pytest.approx(expected, rel=1e-12)
-    assert way.durations.max() <= observability.STEP
+    assert way.durations.max() <= linearization.STEP
     assert way.transitions.shape == (len(way.durations), 27, 27)
     np.testing.assert_array_equal(way.start, scheme.start_attitude)
 
 
 def test_steps_are_no_shorter_than_need_be():
     """A pause is cut into steps of `STEP`, a rotation into steps of 30 degrees."""
-    way = passage(Scheme("+90X", dwell=3 * observability.STEP), LATITUDE)
-    expected = [*[observability.STEP] * 3, *[3.0] * 3, *[observability.STEP] * 3]
+    way = linearize_along(Scheme("+90X", dwell=3 * linearization.STEP), LATITUDE)
+    expected = [*[linearization.STEP] * 3, *[3.0] * 3, *[linearization.STEP] * 3]
     np.testing.assert_allclose(way.durations, expected, rtol=1e-12)
 
 
@@ -280,11 +275,11 @@ def test_steps_are_no_shorter_than_need_be():
 def test_steps_multiply_to_the_nonlinear_mechanisation(model, rotations, dwell):
     """One long step, each axis; then a minute of pauses, quick rotations, more than a turn."""
     scheme = replace(SHORT, rotations=rotations, dwell=dwell)
-    way = passage(scheme, LATITUDE, model)
+    way = linearize_along(scheme, LATITUDE, model)
     found = np.eye(model.size)
     for matrix in way.transitions:
         found = matrix @ found
-    record = simulate(scheme, LATITUDE, 0.0125, whole=2)
+    record = table_trajectory(scheme, LATITUDE, 0.0125, multiple_of=2)
     turned = sum(abs(angle) for _, angle in scheme.turns)
     # Each step leaves out less than one long interval would.
     bounds = allowed(model, float(way.durations.sum()), turned)
@@ -298,10 +293,10 @@ def test_steps_may_be_shorter(monkeypatch):
     The measurements of a step count as one at its end: what drifts meanwhile looks better known.
     """
     found = []
-    for step in (observability.STEP, 2.0):
-        monkeypatch.setattr(observability, "STEP", step)
-        way = passage(NINETEEN_POSITIONS, LATITUDE, AVERAGED)
-        covariance = expected_covariance(way, Noise(), Spread())
+    for step in (linearization.STEP, 2.0):
+        monkeypatch.setattr(linearization, "STEP", step)
+        way = linearize_along(NINETEEN_POSITIONS, LATITUDE, AVERAGED)
+        covariance = covariance_analysis(way, ImuNoise(), PriorDeviations())
         found.append((len(way.durations), np.sqrt(np.diag(covariance))[6:]))
     assert found[1][0] > 3 * found[0][0]
     np.testing.assert_allclose(found[1][1], found[0][1], rtol=0.04)
@@ -310,7 +305,7 @@ def test_steps_may_be_shorter(monkeypatch):
 @pytest.mark.parametrize("latitude", [np.nan, "north", [0.1, 0.2], np.radians(89.95)])
 def test_latitudes_that_are_none_are_refused(latitude):
     with pytest.raises(ValueError, match=r"^latitude: expected "):
-        passage(SHORT, latitude)
+        linearize_along(SHORT, latitude)
 
 
 # Expected accuracy
@@ -319,17 +314,21 @@ def test_latitudes_that_are_none_are_refused(latitude):
 @every_scheme
 def test_expected_accuracy_is_that_of_least_squares(scheme):
     """Without noise in the sensors the filter is one batch adjustment of the state at the start."""
-    way, noise, spread = passage(scheme, LATITUDE, AVERAGED), Noise(0, 0, 0.02), Spread()
-    prior = AVERAGED.covariance(spread, way.start)
+    way, noise, prior = (
+        linearize_along(scheme, LATITUDE, AVERAGED),
+        ImuNoise(0, 0, 0.02),
+        PriorDeviations(),
+    )
+    before = AVERAGED.covariance(prior, way.start)
     design = observability_matrix(way)
     # One measurement each 2 s: rows that count sqrt(duration) have a variance of 2 * 0.02^2.
-    innovation = design @ prior @ design.T + 2 * 0.02**2 * np.eye(len(design))
-    start = prior - prior @ design.T @ np.linalg.solve(innovation, design @ prior)
+    innovation = design @ before @ design.T + 2 * 0.02**2 * np.eye(len(design))
+    start = before - before @ design.T @ np.linalg.solve(innovation, design @ before)
     since = np.eye(27)
     for matrix in way.transitions:
         since = matrix @ since
     expected = np.sqrt(np.diag(since @ start @ since.T))
-    found = np.sqrt(np.diag(expected_covariance(way, noise, spread, update=2.0)))
+    found = np.sqrt(np.diag(covariance_analysis(way, noise, prior, update=2.0)))
     # Variances fall by six decades on the way.
     np.testing.assert_allclose(found, expected, rtol=1e-5)
 
@@ -340,18 +339,18 @@ def test_check_values_of_the_nineteen_positions(monkeypatch):
     The attitude before is not said there; a degree is as good as nothing. Steps are short, for
     measurements each second.
     """
-    monkeypatch.setattr(observability, "STEP", 2.0)
+    monkeypatch.setattr(linearization, "STEP", 2.0)
     second = np.pi / 180 / 3600
-    spread = Spread(
+    prior = PriorDeviations(
         attitude=np.radians(1.0),
         gyro_bias=0.3 * second,  # degrees per hour
         accelerometer_bias=300e-6 * g,
         scale=100e-6,
         installation=100 * second,
     )
-    noise = Noise(np.radians(0.005) / 60, 5e-6 * g, 0.01)
-    way = passage(NINETEEN_POSITIONS, LATITUDE, AVERAGED)
-    found = AVERAGED.unit(np.sqrt(np.diag(expected_covariance(way, noise, spread))))
+    noise = ImuNoise(np.radians(0.005) / 60, 5e-6 * g, 0.01)
+    way = linearize_along(NINETEEN_POSITIONS, LATITUDE, AVERAGED)
+    found = AVERAGED.imu_errors(np.sqrt(np.diag(covariance_analysis(way, noise, prior))))
     off = ~np.eye(3, dtype=bool)
     for value, printed in (
         (found.gyro_bias / second, "0.009"),
@@ -370,11 +369,17 @@ def test_choice_of_axes_does_not_touch_what_the_axes_do_not(scheme):
     """Biases, scale factors and velocities are as accurate in any axes, with all states too."""
     found = []
     for model in (FULL, *ERROR_MODELS.values()):
-        covariance = expected_covariance(passage(scheme, LATITUDE, model), Noise(), Spread())
+        covariance = covariance_analysis(
+            linearize_along(scheme, LATITUDE, model), ImuNoise(), PriorDeviations()
+        )
         sizes = np.sqrt(np.diag(covariance))
-        unit = model.unit(sizes)
-        scales = [np.diag(unit.gyro_error), np.diag(unit.accelerometer_error)]
-        found.append(np.concatenate([sizes[3:6], unit.gyro_bias, unit.accelerometer_bias, *scales]))
+        imu_errors = model.imu_errors(sizes)
+        scales = [np.diag(imu_errors.gyro_error), np.diag(imu_errors.accelerometer_error)]
+        found.append(
+            np.concatenate(
+                [sizes[3:6], imu_errors.gyro_bias, imu_errors.accelerometer_bias, *scales]
+            )
+        )
     for other in found[1:]:
         np.testing.assert_allclose(other, found[0], rtol=1e-7)
 
@@ -383,9 +388,11 @@ def test_choice_of_axes_does_not_touch_what_the_axes_do_not(scheme):
 def test_any_axes_end_with_the_reduction_of_the_same_covariance(frame):
     """Filters with other states are the same filter in other words."""
     model = ERROR_MODELS[frame]
-    every = expected_covariance(passage(SHORT, LATITUDE), Noise(), Spread())
-    found = expected_covariance(passage(SHORT, LATITUDE, model), Noise(), Spread())
-    end = simulate(SHORT, LATITUDE, 0.5).attitude[-1]
+    every = covariance_analysis(linearize_along(SHORT, LATITUDE), ImuNoise(), PriorDeviations())
+    found = covariance_analysis(
+        linearize_along(SHORT, LATITUDE, model), ImuNoise(), PriorDeviations()
+    )
+    end = table_trajectory(SHORT, LATITUDE, 0.5).attitude[-1]
     reduction = model.reduction(end)
     expected = reduction @ every @ reduction.T
     sizes = np.sqrt(np.diag(expected))
@@ -395,10 +402,10 @@ def test_any_axes_end_with_the_reduction_of_the_same_covariance(frame):
 
 
 def test_noise_of_the_sensors_makes_it_worse():
-    way, spread = passage(SHORT, LATITUDE, AVERAGED), Spread()
-    plain = expected_covariance(way, Noise(0, 0), spread)
-    for noise in (Noise(1e-5, 0), Noise(0, 1e-3), Noise(0, 0, 0.02)):
-        more = expected_covariance(way, noise, spread) - plain
+    way, prior = linearize_along(SHORT, LATITUDE, AVERAGED), PriorDeviations()
+    plain = covariance_analysis(way, ImuNoise(0, 0), prior)
+    for noise in (ImuNoise(1e-5, 0), ImuNoise(0, 1e-3), ImuNoise(0, 0, 0.02)):
+        more = covariance_analysis(way, noise, prior) - plain
         sizes = np.sqrt(np.diag(plain))
         values = np.linalg.eigvalsh(more / np.outer(sizes, sizes))
         assert values[0] > -1e-9

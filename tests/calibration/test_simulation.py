@@ -5,28 +5,21 @@ from dataclasses import FrozenInstanceError, replace
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.constants import arcsecond, degree, g, hour, micro
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 from scipy.stats import binom, chi2, norm
 
-from driftlab.calibration.error_model import (
-    ERROR_MODELS,
-    attitude_error,
-    attitude_of_axes,
-    error_model_for,
-)
+from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
+from driftlab.calibration.error_model import ERROR_MODELS, error_model_for
 from driftlab.calibration.filter import Calibration
-from driftlab.calibration.observability import (
-    UnobservableWarning,
-    expected_covariance,
-    passage,
-)
-from driftlab.calibration.simulation import TableTrial, Trial, estimation_errors, unit_in_axes
-from driftlab.imu import TYPICAL, Noise, Spread, Unit, random_units
-from driftlab.motion.turntable import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme, simulate
+from driftlab.calibration.linearization import linearize_along
+from driftlab.calibration.observability import UnobservableWarning, covariance_analysis
+from driftlab.calibration.simulation import TableTrial, Trial, estimation_errors
+from driftlab.imu import TYPICAL_ERRORS, ImuErrors, ImuNoise, PriorDeviations, random_imu_errors
+from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
+from driftlab.motion.turntable import table_trajectory
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotate
 from driftlab.vectors import cross_matrix
 from support import EPS, matrices, quaternions, vectors
@@ -59,7 +52,7 @@ def many():
 
 
 def test_errors_at_the_end_are_as_large_as_the_filter_says(many):
-    squares = many.squared_errors[:, -1]
+    squares = many.nees[:, -1]
     low, high = between(0.05, 27 * 100)
     assert low < squares.sum() < high
 
@@ -68,14 +61,14 @@ def test_errors_are_as_large_as_the_filter_says_all_the_time(many):
     # At each of 22 times, hardly independent: one in ten thousand of the tails for each.
     assert many.errors.shape == (100, 22, 27)
     low, high = between(1e-4, 27 * 100)
-    sums = many.squared_errors.sum(axis=0)
+    sums = many.nees.sum(axis=0)
     assert (low < sums).all()
     assert (sums < high).all()
 
 
 def test_single_runs_scatter_like_chi_square(many):
     """The sum of all could be right with some runs far too good and others far too bad."""
-    squares = np.sort(many.squared_errors[:, -1])
+    squares = np.sort(many.nees[:, -1])
     expected = chi2.cdf(squares, 27)
     # Kolmogorov and Smirnov: 1.63/sqrt(n) keeps out one in a hundred.
     steps = np.arange(101) / 100
@@ -96,17 +89,17 @@ def test_each_error_scatters_as_its_deviation_says(many):
 
 
 def test_innovations_are_as_large_as_the_filter_says(many):
-    surprise = many.calibration.surprise
-    updates = surprise.shape[-1]
+    nis = many.calibration.nis
+    updates = nis.shape[-1]
     assert updates == (19 * 45 + 18 * 24) // 3
     low, high = between(0.05, 3 * 100 * updates)
-    assert low < surprise.sum() < high
+    assert low < nis.sum() < high
 
 
 def test_innovations_leave_their_bounds_as_often_as_they_should(many):
     """Innovations of different updates are independent, so the number outside is binomial."""
-    surprise = many.calibration.surprise
-    sums, updates = surprise.sum(axis=0), surprise.shape[-1]
+    nis = many.calibration.nis
+    sums, updates = nis.sum(axis=0), nis.shape[-1]
     low, high = between(0.05, 3 * 100)
     outside = np.count_nonzero((sums < low) | (sums > high))
     assert binom.ppf(0.005, updates, 0.05) <= outside <= binom.ppf(0.995, updates, 0.05)
@@ -114,9 +107,9 @@ def test_innovations_leave_their_bounds_as_often_as_they_should(many):
 
 def test_innovations_do_not_remember(many):
     """Of n products of independent (s - 3)/sqrt(6), the sum has the deviation sqrt(n)."""
-    surprise = (many.calibration.surprise - 3) / np.sqrt(6)
+    nis = (many.calibration.nis - 3) / np.sqrt(6)
     lags = range(1, 21)
-    products = [surprise[:, lag:] * surprise[:, :-lag] for lag in lags]
+    products = [nis[:, lag:] * nis[:, :-lag] for lag in lags]
     scaled = np.array([product.sum() / np.sqrt(product.size) for product in products])
     low, high = between(0.01, len(lags))
     assert low < (scaled**2).sum() < high
@@ -124,9 +117,9 @@ def test_innovations_do_not_remember(many):
 
 def test_noise_of_the_sensors_is_as_large_as_the_filter_says():
     """Where it is most of an innovation: gyros of 0.1 deg/sqrt(h), tilting while forces act."""
-    noise = Noise(angle_random_walk=3e-5, velocity_random_walk=3e-4, velocity=1e-4)
+    noise = ImuNoise(angle_random_walk=3e-5, velocity_random_walk=3e-4, reference_velocity=1e-4)
     trial = replace(BRIEF, noise=noise, sample_interval=0.25).run(np.random.default_rng(0), 20)
-    shown = trial.calibration.surprise
+    shown = trial.calibration.nis
     low, high = between(0.05, 3 * shown.size)
     assert low < shown.sum() < high
     # In 3 s, m/s: from tilting on the way, from the accelerometers, from the table.
@@ -135,12 +128,12 @@ def test_noise_of_the_sensors_is_as_large_as_the_filter_says():
 
 
 def test_units_are_of_the_kind_that_the_filter_is_told(many):
-    spread = TRIAL.spread
-    sizes = np.where(np.eye(3), spread.scale, spread.installation)
+    prior = TRIAL.prior
+    sizes = np.where(np.eye(3), prior.scale, prior.installation)
     squares = [
         ((part / size) ** 2).sum()
         for part, size in zip(
-            many.unit, (spread.gyro_bias, sizes, spread.accelerometer_bias, sizes), strict=True
+            many.imu_errors, (prior.gyro_bias, sizes, prior.accelerometer_bias, sizes), strict=True
         )
     ]
     for square, freedom in zip(squares, (300, 900, 300, 900), strict=True):
@@ -153,11 +146,11 @@ def test_trial_is_consistent_for_one_unit_again_and_again():
 
     So the errors of fifty runs are as independent as those of fifty units.
     """
-    trial = replace(TRIAL, update_interval=6.0).run(np.random.default_rng(0), 50, TYPICAL)
-    for part, true in zip(trial.unit, TYPICAL, strict=True):
+    trial = replace(TRIAL, update_interval=6.0).run(np.random.default_rng(0), 50, TYPICAL_ERRORS)
+    for part, true in zip(trial.imu_errors, TYPICAL_ERRORS, strict=True):
         np.testing.assert_array_equal(part, np.broadcast_to(true, (50, *true.shape)))
     low, high = between(0.05, 27 * 50)
-    assert low < trial.squared_errors[:, -1].sum() < high
+    assert low < trial.nees[:, -1].sum() < high
     errors = trial.errors[:, -1] / trial.calibration.deviations[:, -1]
     scatter = ((errors - errors.mean(axis=0)) ** 2).sum(axis=0)
     low, high = between(0.01 / 27, 49)
@@ -169,14 +162,14 @@ def test_trial_is_consistent_for_one_unit_again_and_again():
 )
 def test_trial_is_consistent_elsewhere_with_other_axes_and_rotations(frame, latitude, seed):
     scheme = Scheme(EIGHTEEN_ROTATIONS.rotations, dwell=30.0, rate=np.radians(5))
-    spread = Spread(installation=10 * arcsecond)  # triangles are soon of second order
+    prior = PriorDeviations(installation=10 * arcsecond)  # triangles are soon of second order
     trial = replace(
-        TRIAL, scheme=scheme, latitude=latitude, frame=frame, spread=spread, update_interval=6.0
+        TRIAL, scheme=scheme, latitude=latitude, frame=frame, prior=prior, update_interval=6.0
     ).run(np.random.default_rng(seed), 50)
     low, high = between(0.05, 27 * 50)
-    assert low < trial.squared_errors[:, -1].sum() < high
-    low, high = between(0.05, 3 * trial.calibration.surprise.size)
-    assert low < trial.calibration.surprise.sum() < high
+    assert low < trial.nees[:, -1].sum() < high
+    low, high = between(0.05, 3 * trial.calibration.nis.size)
+    assert low < trial.calibration.nis.sum() < high
 
 
 # Consistency: the size of the errors, and the axes
@@ -184,15 +177,15 @@ def test_trial_is_consistent_elsewhere_with_other_axes_and_rotations(frame, lati
 
 def test_deviations_at_the_end_are_those_of_the_check_values():
     """`recovered.md`, section 3: 19 positions, 120 s each, velocity noise 1 cm/s at 1 Hz."""
-    spread = Spread(
+    prior = PriorDeviations(
         gyro_bias=0.3 * degree / hour,
         accelerometer_bias=300 * micro * g,
         scale=100 * micro,
         installation=100 * arcsecond,
     )
-    noise = Noise(0.005 * degree / 60, 5 * micro * g, 0.01 / np.sqrt(6))
+    noise = ImuNoise(0.005 * degree / 60, 5 * micro * g, 0.01 / np.sqrt(6))
     # A sixth of the updates, each with a sixth of the variance.
-    trial = TableTrial(spread=spread, noise=noise, sample_interval=0.5, update_interval=6.0)
+    trial = TableTrial(prior=prior, noise=noise, sample_interval=0.5, update_interval=6.0)
     assert trial.scheme is NINETEEN_POSITIONS
     deviations = trial.run(np.random.default_rng(3)).calibration.deviations[-1]
     for name, printed, unit, digit in (
@@ -215,8 +208,8 @@ def test_deviations_are_those_expected_without_any_data(frame):
     """Another computation: along the true motion, in a few long steps."""
     trial = replace(TRIAL, frame=frame, sample_interval=0.5)
     found = trial.run(np.random.default_rng(4)).calibration
-    expected = expected_covariance(
-        passage(trial.scheme, trial.latitude, found.model), trial.noise, trial.spread, 3.0
+    expected = covariance_analysis(
+        linearize_along(trial.scheme, trial.latitude, found.model), trial.noise, trial.prior, 3.0
     )
     ratios = found.deviations[-1] / np.sqrt(np.diag(expected))
     # The two end their last step at different times, which attitude and velocity notice.
@@ -226,10 +219,10 @@ def test_deviations_are_those_expected_without_any_data(frame):
 @pytest.fixture(scope="module")
 def badly_installed():
     """Squared errors of the same eighty units, 300 arc seconds wrong, in three sets of axes."""
-    spread = Spread(installation=300 * arcsecond)
-    trial = replace(TRIAL, spread=spread, sample_interval=0.5, update_interval=6.0)
+    prior = PriorDeviations(installation=300 * arcsecond)
+    trial = replace(TRIAL, prior=prior, sample_interval=0.5, update_interval=6.0)
     return {
-        frame: replace(trial, frame=frame).run(np.random.default_rng(0), 80).squared_errors[:, -1]
+        frame: replace(trial, frame=frame).run(np.random.default_rng(0), 80).nees[:, -1]
         for frame in FRAMES[:3]
     }
 
@@ -257,21 +250,23 @@ def test_averaged_axes_keep_second_order_smaller_than_triangles(badly_installed)
     rate=vectors(1.0),
 )
 def test_unit_in_other_axes_says_the_same(gyro, accelerometer, frame, rate):
-    unit = Unit(np.array([1.0, 2.0, 3.0]), gyro, np.array([4.0, 5.0, 6.0]), accelerometer)
-    turned, turn = unit_in_axes(unit, frame)
+    imu_errors = ImuErrors(
+        np.array([1.0, 2.0, 3.0]), gyro, np.array([4.0, 5.0, 6.0]), accelerometer
+    )
+    turned, turn = imu_errors_in_frame(imu_errors, frame)
     np.testing.assert_allclose(turn @ turn.T, np.eye(3), rtol=0, atol=16 * EPS)
     assert np.linalg.det(turn) > 0
     for before, after in (
         (gyro, turned.gyro_error),
         (accelerometer, turned.accelerometer_error),
     ):
-        # (E + K) w, with w in either axes.
+        # (I + K) w, with w in either axes.
         np.testing.assert_allclose(
             rate + before @ rate, (np.eye(3) + after) @ (turn @ rate), rtol=0, atol=64 * EPS
         )
     # A bias is the sensor's own.
-    assert turned.gyro_bias is unit.gyro_bias
-    assert turned.accelerometer_bias is unit.accelerometer_bias
+    assert turned.gyro_bias is imu_errors.gyro_bias
+    assert turned.accelerometer_bias is imu_errors.accelerometer_bias
     chosen = turned.accelerometer_error if frame == "accelerometers" else turned.gyro_error
     left_out = {
         "averaged": chosen - chosen.T,
@@ -281,34 +276,37 @@ def test_unit_in_other_axes_says_the_same(gyro, accelerometer, frame, rate):
     np.testing.assert_allclose(left_out, 0, atol=128 * EPS)
     # So the 21 numbers of the model are all of it.
     model = ERROR_MODELS[frame]
-    whole = model.unit(model.state(turned))
+    whole = model.imu_errors(model.state(turned))
     for one, other in zip(whole, turned, strict=True):
         np.testing.assert_allclose(one, other, rtol=0, atol=128 * EPS)
 
 
 def test_unit_in_its_own_axes_stays():
-    for unit in (TYPICAL, random_units(Spread(), np.random.default_rng(0), 4)):
-        same, turn = unit_in_axes(unit, None)
-        assert same is unit
-        np.testing.assert_array_equal(turn, np.broadcast_to(np.eye(3), unit.gyro_error.shape))
+    for imu_errors in (
+        TYPICAL_ERRORS,
+        random_imu_errors(PriorDeviations(), np.random.default_rng(0), 4),
+    ):
+        same, turn = imu_errors_in_frame(imu_errors, None)
+        assert same is imu_errors
+        np.testing.assert_array_equal(turn, np.broadcast_to(np.eye(3), imu_errors.gyro_error.shape))
 
 
 def test_units_are_turned_one_by_one():
-    units = random_units(Spread(), np.random.default_rng(1), 3)
-    turned, turn = unit_in_axes(units, "upper triangle")
+    units = random_imu_errors(PriorDeviations(), np.random.default_rng(1), 3)
+    turned, turn = imu_errors_in_frame(units, "upper triangle")
     for k in range(3):
-        one, its = unit_in_axes(Unit(*(part[k] for part in units)), "upper triangle")
+        one, its = imu_errors_in_frame(ImuErrors(*(part[k] for part in units)), "upper triangle")
         np.testing.assert_allclose(turn[k], its, rtol=0, atol=8 * EPS)
         for some, part in zip(one, turned, strict=True):
             np.testing.assert_allclose(part[k], some, rtol=0, atol=8 * EPS)
 
 
 def test_axes_of_a_triad_that_is_flat_are_refused():
-    flat = TYPICAL._replace(gyro_error=np.diag([0.0, 0.0, -1.0]))
-    with pytest.raises(ValueError, match=r"^gyro_error: expected a right-handed triad E \+ K"):
-        unit_in_axes(flat, "averaged")
+    flat = TYPICAL_ERRORS._replace(gyro_error=np.diag([0.0, 0.0, -1.0]))
+    with pytest.raises(ValueError, match=r"^gyro_error: expected a right-handed triad I \+ K"):
+        imu_errors_in_frame(flat, "averaged")
     with pytest.raises(ValueError, match=r"^frame: expected one of averaged, .*, got 'mine'\.$"):
-        unit_in_axes(TYPICAL, "mine")
+        imu_errors_in_frame(TYPICAL_ERRORS, "mine")
 
 
 @given(attitude=quaternions(), turn=quaternions(), vector=vectors())
@@ -355,8 +353,8 @@ def test_small_attitude_error_is_that_of_the_first_order():
 def test_errors_of_a_perfect_calibration_are_zero(frame):
     """And each error that is put in comes out with its sign: true minus found for sensors."""
     model, rng = ERROR_MODELS[frame], np.random.default_rng(4)
-    units = random_units(Spread(), rng, 2)
-    true, turn = unit_in_axes(units, frame)
+    units = random_imu_errors(PriorDeviations(), rng, 2)
+    true, turn = imu_errors_in_frame(units, frame)
     attitude = Rotation.from_quat(rng.normal(size=(5, 4))).as_quat()
     state = np.repeat(model.state(true)[:, np.newaxis], 5, axis=1)
     found = Calibration(
@@ -379,7 +377,7 @@ def test_errors_of_a_perfect_calibration_are_zero(frame):
     np.testing.assert_allclose(errors, put_in, rtol=0, atol=16 * EPS)
     # Squared, in units of a deviation of two.
     trial = Trial(wrong, units, errors)
-    np.testing.assert_allclose(trial.squared_errors, (errors**2).sum(-1) / 4, rtol=1e-12)
+    np.testing.assert_allclose(trial.nees, (errors**2).sum(-1) / 4, rtol=1e-12)
 
 
 @given(st.integers(0, 2**32 - 1))
@@ -400,7 +398,7 @@ def test_squared_errors_do_not_depend_on_the_units_of_the_states(seed):
         np.zeros((3, 2)),
     )
     errors = (factor @ x[..., np.newaxis])[..., 0]
-    squares = Trial(calibration, TYPICAL, errors).squared_errors
+    squares = Trial(calibration, TYPICAL_ERRORS, errors).nees
     assert squares.shape == (3, 2)
     np.testing.assert_allclose(squares, (x**2).sum(axis=-1), rtol=1e-5)
 
@@ -413,30 +411,33 @@ def test_history_of_a_trial_has_times_and_shapes():
     for runs, lead in ((None, ()), (1, (1,)), (3, (3,))):
         trial = BRIEF.run(np.random.default_rng(0), runs)
         assert trial.errors.shape == (*lead, 5, 27)
-        assert trial.squared_errors.shape == (*lead, 5)
-        assert trial.calibration.surprise.shape == (*lead, updates)
-        assert trial.unit.gyro_error.shape == (*lead, 3, 3)
+        assert trial.nees.shape == (*lead, 5)
+        assert trial.calibration.nis.shape == (*lead, updates)
+        assert trial.imu_errors.gyro_error.shape == (*lead, 3, 3)
         np.testing.assert_allclose(trial.calibration.times, [60, 120, 180, 240, 276], rtol=4 * EPS)
         assert trial.calibration.model is ERROR_MODELS["averaged"]
 
 
 def test_errors_count_against_the_attitude_at_the_times_of_the_history():
     trial = replace(BRIEF, keep=1).run(np.random.default_rng(5))
-    record = simulate(BRIEF.scheme, BRIEF.latitude, 0.5, whole=6)
+    record = table_trajectory(BRIEF.scheme, BRIEF.latitude, 0.5, multiple_of=6)
     places = np.round(trial.calibration.times / 0.5).astype(int)
     np.testing.assert_array_equal(places, np.arange(6, len(record.attitude), 6))
     np.testing.assert_array_equal(
-        trial.errors, estimation_errors(trial.calibration, trial.unit, record.attitude[places])
+        trial.errors,
+        estimation_errors(trial.calibration, trial.imu_errors, record.attitude[places]),
     )
     # A place too early or too late would be wrong by degrees.
-    assert np.abs(trial.errors[:, :3]).max() < 10 * BRIEF.spread.attitude
+    assert np.abs(trial.errors[:, :3]).max() < 10 * BRIEF.prior.attitude
 
 
 def test_unit_may_come_as_lists():
-    lists = Unit(*(part.tolist() for part in TYPICAL))
-    usual, other = (BRIEF.run(np.random.default_rng(1), 2, unit) for unit in (TYPICAL, lists))
+    lists = ImuErrors(*(part.tolist() for part in TYPICAL_ERRORS))
+    usual, other = (
+        BRIEF.run(np.random.default_rng(1), 2, imu_errors) for imu_errors in (TYPICAL_ERRORS, lists)
+    )
     np.testing.assert_array_equal(usual.errors, other.errors)
-    assert (usual.unit.gyro_error == TYPICAL.gyro_error).all()
+    assert (usual.imu_errors.gyro_error == TYPICAL_ERRORS.gyro_error).all()
 
 
 def test_runs_are_drawn_from_the_generator_alone():
@@ -455,8 +456,8 @@ def test_settings_reach_the_filter_and_the_table():
         "scheme": replace(quick.scheme, dwell=9.0),
         "latitude": 0.3,
         "frame": "lower triangle",
-        "spread": Spread(scale=5e-5),
-        "noise": Noise(velocity=0.02),
+        "prior": PriorDeviations(scale=5e-5),
+        "noise": ImuNoise(reference_velocity=0.02),
         "sample_interval": 0.25,
         "update_interval": 1.0,
         "keep": 7,
@@ -467,15 +468,15 @@ def test_settings_reach_the_filter_and_the_table():
 
 def test_attitude_of_the_table_does_not_tell_that_of_the_axes():
     """Their misalignment is half the difference of two errors of installation."""
-    spread = Spread(attitude=0.0)
-    trial = replace(BRIEF, spread=spread, keep=1).run(np.random.default_rng(1))
-    expected = spread.installation / np.sqrt(2)
+    prior = PriorDeviations(attitude=0.0)
+    trial = replace(BRIEF, prior=prior, keep=1).run(np.random.default_rng(1))
+    expected = prior.installation / np.sqrt(2)
     # 3 s of random walk and of an unknown bias are 0.6 arc seconds beside 28.
     np.testing.assert_allclose(trial.calibration.deviations[0, :3], expected, rtol=2e-3)
     assert (np.abs(trial.errors[0, :3]) < 4 * expected).all()
 
 
-def test_scheme_that_leaves_errors_in_the_dark_is_warned_of_by_name():
+def test_scheme_that_leaves_errors_unobservable_is_warned_of_by_name():
     trial = replace(BRIEF, scheme=Scheme("+90Z +90Z", dwell=12.0))
     with pytest.warns(UnobservableWarning, match=r"^scheme: leaves \d+ directions of 27") as caught:
         trial.run(np.random.default_rng(0))
@@ -536,11 +537,11 @@ def test_numbers_of_runs_that_make_no_sense_are_refused(runs):
         BRIEF.run(np.random.default_rng(0), runs)
 
 
-@pytest.mark.parametrize("name", Unit._fields)
+@pytest.mark.parametrize("name", ImuErrors._fields)
 def test_units_that_make_no_sense_are_refused_by_name(name):
     for bad, words in (
-        (getattr(TYPICAL, name)[:2], "expected shape"),
-        (getattr(TYPICAL, name) * np.nan, "expected finite numbers"),
+        (getattr(TYPICAL_ERRORS, name)[:2], "expected shape"),
+        (getattr(TYPICAL_ERRORS, name) * np.nan, "expected finite numbers"),
     ):
         with pytest.raises(ValueError, match=f"^{name}: {words}"):
-            BRIEF.run(np.random.default_rng(0), 2, TYPICAL._replace(**{name: bad}))
+            BRIEF.run(np.random.default_rng(0), 2, TYPICAL_ERRORS._replace(**{name: bad}))

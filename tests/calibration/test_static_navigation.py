@@ -8,13 +8,20 @@ from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 from scipy.stats import chi2
 
-from driftlab.calibration.error_model import ERROR_MODELS, attitude_error, attitude_of_axes
-from driftlab.calibration.simulation import unit_in_axes
-from driftlab.calibration.static_navigation import navigate_in_place
+from driftlab.body_frames import misalignment_vector
+from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
+from driftlab.calibration.error_model import ERROR_MODELS
+from driftlab.calibration.static_navigation import navigate_static
 from driftlab.earth import EARTH_RATE, curvature_radii, earth_rate, gravity
-from driftlab.imu import PERFECT, TYPICAL, Noise, Spread, Unit, random_units
+from driftlab.imu import (
+    NO_ERRORS,
+    TYPICAL_ERRORS,
+    ImuErrors,
+    ImuNoise,
+    PriorDeviations,
+    random_imu_errors,
+)
 from driftlab.quaternion import from_rotation_vector, multiply
-from driftlab.triad import misalignment_vector
 from driftlab.vectors import cross_matrix
 from support import EPS
 
@@ -22,23 +29,25 @@ LATITUDE = float(np.radians(37.5))
 STANDING = Rotation.from_euler("xyz", [10, -20, 35], degrees=True).as_quat()
 TO_LOCAL = Rotation.from_quat(STANDING).as_matrix()
 GRAVITY = float(gravity(LATITUDE))
-QUIET = {"latitude": LATITUDE, "interval": 1.0, "every": 60.0}
+QUIET = {"latitude": LATITUDE, "interval": 1.0, "output_interval": 60.0}
 
 
 def tilted(phi, attitude=STANDING):
-    """Attitude with an error phi: (E - [phi×]) C."""
+    """Attitude with an error phi: (I - [phi×]) C."""
     return multiply(from_rotation_vector(-np.asarray(phi)), attitude)
 
 
-def at_rest(unit=PERFECT, found=PERFECT, start=STANDING, duration=60.0, **changes):
+def at_rest(imu_errors=NO_ERRORS, estimated=NO_ERRORS, start=STANDING, duration=60.0, **changes):
     """The errors of a unit that stands in one attitude; nobody told it anything wrong."""
     settings = QUIET | {"reference": STANDING} | changes
-    return navigate_in_place(unit, found, STANDING, start=start, duration=duration, **settings)
+    return navigate_static(
+        imu_errors, estimated, STANDING, start=start, duration=duration, **settings
+    )
 
 
 def unit_of(gyro_bias=(0, 0, 0), accelerometer_bias=(0, 0, 0)):
     """A unit with biases, given East, North, Up."""
-    return PERFECT._replace(
+    return NO_ERRORS._replace(
         gyro_bias=np.asarray(gyro_bias, float) @ TO_LOCAL,
         accelerometer_bias=np.asarray(accelerometer_bias, float) @ TO_LOCAL,
     )
@@ -68,11 +77,13 @@ def test_perfect_unit_shows_nothing():
 @pytest.mark.parametrize("frame", [None, *ERROR_MODELS])
 def test_unit_that_is_known_shows_nothing_in_any_axes(frame):
     """If the computer begins with the attitude of the axes in which the errors were found."""
-    unit = random_units(Spread(installation=1e-3, scale=1e-3), np.random.default_rng(1), 3)
-    found, turn = unit_in_axes(unit, frame)
+    imu_errors = random_imu_errors(
+        PriorDeviations(installation=1e-3, scale=1e-3), np.random.default_rng(1), 3
+    )
+    found, turn = imu_errors_in_frame(imu_errors, frame)
     attitude = attitude_of_axes(STANDING, turn)
     same_errors(
-        at_rest(unit, found, attitude, reference=attitude, duration=600.0),
+        at_rest(imu_errors, found, attitude, reference=attitude, duration=600.0),
         at_rest(duration=600.0),
     )
 
@@ -81,23 +92,23 @@ def test_start_in_the_axes_of_the_table_is_wrong_by_the_misalignment():
     """Both triads turned as a whole by k: in the averaged axes the unit is perfect, phi = -C k."""
     k = 1e-4 * np.array([1.0, -2.0, 1.5])
     turned = Rotation.from_rotvec(k).as_matrix() - np.eye(3)
-    unit = PERFECT._replace(gyro_error=turned, accelerometer_error=turned)
-    found, turn = unit_in_axes(unit, "averaged")
+    imu_errors = NO_ERRORS._replace(gyro_error=turned, accelerometer_error=turned)
+    found, turn = imu_errors_in_frame(imu_errors, "averaged")
     for part in found:
         np.testing.assert_allclose(part, 0, atol=8 * EPS)
     reference = attitude_of_axes(STANDING, turn)
-    right = at_rest(unit, found, reference, reference=reference, duration=600.0)
+    right = at_rest(imu_errors, found, reference, reference=reference, duration=600.0)
     np.testing.assert_allclose(right.attitude, 0, atol=1e-9)
-    wrong = at_rest(unit, found, STANDING, reference=reference, duration=600.0)
+    wrong = at_rest(imu_errors, found, STANDING, reference=reference, duration=600.0)
     np.testing.assert_allclose(misalignment_vector(turned), k, rtol=1e-7)
     np.testing.assert_allclose(
         attitude_error(STANDING, reference), -TO_LOCAL @ k, rtol=0, atol=4 * EPS
     )
     # From then on all that happens is a tilt at the start.
     tilt = -TO_LOCAL @ k
-    other = navigate_in_place(
-        PERFECT,
-        PERFECT,
+    other = navigate_static(
+        NO_ERRORS,
+        NO_ERRORS,
         reference,
         start=tilted(tilt, reference),
         reference=reference,
@@ -116,7 +127,7 @@ def test_start_in_the_axes_of_the_table_is_wrong_by_the_misalignment():
 def test_drift_tilts_and_accelerates():
     """phi = -C eps t, dv = f × phi t/2, dp = f × phi t^2/6."""
     drift = 1e-7 * np.array([3.0, -2.0, 4.0])
-    way = at_rest(unit_of(gyro_bias=drift), every=20.0, interval=0.5)
+    way = at_rest(unit_of(gyro_bias=drift), output_interval=20.0, interval=0.5)
     np.testing.assert_array_equal(way.times, [20, 40, 60])
     time = way.times[:, np.newaxis]
     phi = -drift * time
@@ -136,7 +147,7 @@ def test_drift_tilts_and_accelerates():
 
 def test_accelerometer_bias_accelerates():
     bias = np.array([1e-4, -2e-4, 0.0])
-    way = at_rest(unit_of(accelerometer_bias=bias), every=10.0, interval=0.5)
+    way = at_rest(unit_of(accelerometer_bias=bias), output_interval=10.0, interval=0.5)
     time = way.times[:, np.newaxis]
     # Schuler's pendulum at its beginning, and Coriolis, 2e-2 of the velocity in all.
     np.testing.assert_allclose(way.velocity, bias[:2] * time, rtol=2e-2)
@@ -146,11 +157,12 @@ def test_accelerometer_bias_accelerates():
 def test_errors_of_the_triads_are_biases_as_long_as_the_unit_stands():
     """K w and L f, of the one rate and the one force that there are."""
     rate, force = TO_LOCAL.T @ earth_rate(LATITUDE), TO_LOCAL.T @ np.array([0.0, 0.0, GRAVITY])
-    bent = PERFECT._replace(
-        gyro_error=TYPICAL.gyro_error, accelerometer_error=TYPICAL.accelerometer_error
+    bent = NO_ERRORS._replace(
+        gyro_error=TYPICAL_ERRORS.gyro_error, accelerometer_error=TYPICAL_ERRORS.accelerometer_error
     )
-    straight = PERFECT._replace(
-        gyro_bias=TYPICAL.gyro_error @ rate, accelerometer_bias=TYPICAL.accelerometer_error @ force
+    straight = NO_ERRORS._replace(
+        gyro_bias=TYPICAL_ERRORS.gyro_error @ rate,
+        accelerometer_bias=TYPICAL_ERRORS.accelerometer_error @ force,
     )
     same_errors(at_rest(bent, duration=600.0), at_rest(straight, duration=600.0))
 
@@ -163,16 +175,16 @@ def test_tilt_swings_with_schulers_period():
     tilt, gravity_there = 5e-5, float(gravity(0.0))
     _, across = curvature_radii(0.0)
     standing = np.array([0.0, 0.0, 0.0, 1.0])
-    way = navigate_in_place(
-        PERFECT,
-        PERFECT,
+    way = navigate_static(
+        NO_ERRORS,
+        NO_ERRORS,
         standing,
         start=tilted([0.0, tilt, 0.0], standing),
         reference=standing,
         latitude=0.0,
         duration=15000.0,
         interval=1.0,
-        every=20.0,
+        output_interval=20.0,
     )
     frequency = np.sqrt(gravity_there / across)
     phase = frequency * way.times
@@ -227,9 +239,11 @@ def test_errors_are_those_of_the_error_equations(latitude, cause):
         )
     )
     # Only what is not found counts.
-    unit = unit_of(drift + 1e-7, acceleration + 1e-3)
+    imu_errors = unit_of(drift + 1e-7, acceleration + 1e-3)
     found = unit_of(np.full(3, 1e-7), np.full(3, 1e-3))
-    way = at_rest(unit, found, tilted(tilt), latitude=latitude, every=300.0, duration=7200.0)
+    way = at_rest(
+        imu_errors, found, tilted(tilt), latitude=latitude, output_interval=300.0, duration=7200.0
+    )
     first = np.concatenate([tilt, np.zeros(4), drift, acceleration[:2]])
     expected = np.array([expm(growth(latitude) * time) @ first for time in way.times])
     for errors, columns in (
@@ -247,8 +261,8 @@ def test_errors_are_those_of_the_error_equations(latitude, cause):
 
 def test_random_walks_grow_as_they_should():
     """In a minute: the attitude's N^2 t, the velocity's own V^2 t and the tilts' (g N)^2 t^3/3."""
-    noise, runs, time = Noise(1e-6, 4e-4), 300, 60.0
-    none = Unit(*(np.broadcast_to(part, (runs, *part.shape)) for part in PERFECT))
+    noise, runs, time = ImuNoise(1e-6, 4e-4), 300, 60.0
+    none = ImuErrors(*(np.broadcast_to(part, (runs, *part.shape)) for part in NO_ERRORS))
     way = at_rest(none, noise=noise, rng=np.random.default_rng(2))
     velocity = (4e-4) ** 2 * time + (GRAVITY * 1e-6) ** 2 * time**3 / 3
     for errors, variance in ((way.attitude, 1e-12 * time), (way.velocity, velocity)):
@@ -262,10 +276,10 @@ def test_random_walks_grow_as_they_should():
 
 def test_one_unit_with_several_corrections_has_one_noise():
     rng = np.random.default_rng(3)
-    several = Unit(*(np.stack([part, part]) for part in TYPICAL))
-    way = at_rest(TYPICAL, several, noise=Noise(), rng=rng)
+    several = ImuErrors(*(np.stack([part, part]) for part in TYPICAL_ERRORS))
+    way = at_rest(TYPICAL_ERRORS, several, noise=ImuNoise(), rng=rng)
     np.testing.assert_array_equal(way.attitude[0], way.attitude[1])
-    other = at_rest(several, TYPICAL, noise=Noise(), rng=rng)
+    other = at_rest(several, TYPICAL_ERRORS, noise=ImuNoise(), rng=rng)
     assert (other.attitude[0] != other.attitude[1]).all()
 
 
@@ -273,7 +287,7 @@ def test_one_unit_with_several_corrections_has_one_noise():
 
 
 @pytest.mark.parametrize(
-    ("interval", "every", "duration", "times"),
+    ("interval", "output_interval", "duration", "times"),
     [
         (1.0, 60.0, 180.0, [60, 120, 180]),
         (0.5, 60.0, 60.0, [60]),
@@ -283,9 +297,11 @@ def test_one_unit_with_several_corrections_has_one_noise():
         (20.0, 50.0, 100.0, [40, 80]),
     ],
 )
-def test_results_come_after_pairs_of_increments(interval, every, duration, times):
+def test_results_come_after_pairs_of_increments(interval, output_interval, duration, times):
     drift = 1e-7 * np.array([3.0, -2.0, 4.0])
-    way = at_rest(unit_of(drift), interval=interval, every=every, duration=duration)
+    way = at_rest(
+        unit_of(drift), interval=interval, output_interval=output_interval, duration=duration
+    )
     np.testing.assert_array_equal(way.times, times)
     # They are the times of the errors beside them.
     assert way.attitude.shape == (len(times), 3)
@@ -294,7 +310,10 @@ def test_results_come_after_pairs_of_increments(interval, every, duration, times
 
 def test_several_units_are_each_by_itself():
     rng = np.random.default_rng(4)
-    units, found = random_units(Spread(), rng, 2, 3), random_units(Spread(), rng, 3)
+    units, found = (
+        random_imu_errors(PriorDeviations(), rng, 2, 3),
+        random_imu_errors(PriorDeviations(), rng, 3),
+    )
     starts = tilted(1e-3 * rng.standard_normal((2, 1, 3)))
     references = tilted(1e-3 * rng.standard_normal((3, 3)))
     together = at_rest(units, found, starts, reference=references, duration=600.0)
@@ -302,8 +321,8 @@ def test_several_units_are_each_by_itself():
     assert together.velocity.shape == together.position.shape == (2, 3, 10, 2)
     for i, j in np.ndindex(2, 3):
         alone = at_rest(
-            Unit(*(part[i, j] for part in units)),
-            Unit(*(part[j] for part in found)),
+            ImuErrors(*(part[i, j] for part in units)),
+            ImuErrors(*(part[j] for part in found)),
             starts[i, 0],
             reference=references[j],
             duration=600.0,
@@ -320,10 +339,10 @@ def test_several_units_are_each_by_itself():
 
 
 def test_attitudes_of_any_size_and_either_sign_will_do():
-    usual = at_rest(TYPICAL)
-    other = navigate_in_place(
-        TYPICAL,
-        PERFECT,
+    usual = at_rest(TYPICAL_ERRORS)
+    other = navigate_static(
+        TYPICAL_ERRORS,
+        NO_ERRORS,
         -2 * STANDING,
         start=3 * STANDING,
         reference=-STANDING,
@@ -339,19 +358,19 @@ def test_attitudes_of_any_size_and_either_sign_will_do():
         ("interval", 0.0),
         ("interval", -1.0),
         ("interval", 61.0),
-        ("every", 0.5),
-        ("every", 61.0),
+        ("output_interval", 0.5),
+        ("output_interval", 61.0),
         ("duration", 59.0),
         ("duration", -60.0),
     ],
 )
 def test_times_that_do_not_fit_into_each_other_are_refused(name, bad):
-    times = {"interval": 1.0, "every": 60.0, "duration": 60.0} | {name: bad}
+    times = {"interval": 1.0, "output_interval": 60.0, "duration": 60.0} | {name: bad}
     got = ", ".join(map(repr, times.values()))
     with pytest.raises(
         ValueError,
-        match=r"^interval, every, duration: expected positive times, each at least as long as "
-        rf"the one before, got {re.escape(got)} s\.$",
+        match=r"^interval, output_interval, duration: expected positive times, each at least "
+        rf"as long as the one before, got {re.escape(got)} s\.$",
     ):
         at_rest(**times)
 
@@ -360,7 +379,7 @@ def test_times_that_do_not_fit_into_each_other_are_refused(name, bad):
     ("name", "bad", "words"),
     [
         ("interval", np.nan, "finite numbers, got 1 NaN or infinite"),
-        ("every", np.nan, "finite numbers, got 1 NaN or infinite"),
+        ("output_interval", np.nan, "finite numbers, got 1 NaN or infinite"),
         ("duration", np.inf, "finite numbers, got 1 NaN or infinite"),
         ("duration", [60.0], r"one number, got shape \(1,\)"),
         ("latitude", np.pi / 2, "at most 89.9 degrees from the equator"),
@@ -373,15 +392,15 @@ def test_times_that_do_not_fit_into_each_other_are_refused(name, bad):
 )
 def test_bad_arguments_are_refused_by_name(name, bad, words):
     with pytest.raises(ValueError, match=f"^{name}: expected {words}"):
-        at_rest(**{"noise": Noise(), "rng": np.random.default_rng(0)} | {name: bad})
+        at_rest(**{"noise": ImuNoise(), "rng": np.random.default_rng(0)} | {name: bad})
 
 
-@pytest.mark.parametrize("argument", ["unit", "found"])
-@pytest.mark.parametrize("name", Unit._fields)
+@pytest.mark.parametrize("argument", ["imu_errors", "estimated"])
+@pytest.mark.parametrize("name", ImuErrors._fields)
 def test_units_that_make_no_sense_are_refused_by_name(argument, name):
     for bad, words in (
-        (getattr(TYPICAL, name)[:2], "shape"),
-        (getattr(TYPICAL, name) * np.nan, "finite numbers"),
+        (getattr(TYPICAL_ERRORS, name)[:2], "shape"),
+        (getattr(TYPICAL_ERRORS, name) * np.nan, "finite numbers"),
     ):
         with pytest.raises(ValueError, match=f"^{name}: expected {words}"):
-            at_rest(**{argument: TYPICAL._replace(**{name: bad})})
+            at_rest(**{argument: TYPICAL_ERRORS._replace(**{name: bad})})

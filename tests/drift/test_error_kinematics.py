@@ -3,8 +3,7 @@
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
@@ -23,9 +22,9 @@ from driftlab.quaternion import (
     left_matrix,
     multiply,
     pure,
+    right_matrix as right,
     to_rotation_vector,
 )
-from driftlab.quaternion import right_matrix as right
 from support import EPS, IDENTITY, quaternions, vectors
 
 RATE = np.array([0.7, -1.1, 0.4])

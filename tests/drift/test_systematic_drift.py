@@ -3,8 +3,7 @@
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import assume, given
-from hypothesis import strategies as st
+from hypothesis import assume, given, strategies as st
 from scipy.linalg import expm
 
 from driftlab.drift.characteristic_equation import (
@@ -39,11 +38,11 @@ BENT = 0.1 * SHAPE
 SKEW = SHAPE - SHAPE.T
 
 
-def exact_coefficient(direction, misalignment):
-    """|(E + M) n| - 1 with digits enough for M = 1e-300, rounded once."""
+def exact_coefficient(direction, triad_error):
+    """|(I + M) n| - 1 with digits enough for M = 1e-300, rounded once."""
     with mpmath.workdps(700):
         n = mpmath.matrix(np.asarray(direction, dtype=float).tolist())
-        triad = mpmath.eye(3) + mpmath.matrix(np.asarray(misalignment, dtype=float).tolist())
+        triad = mpmath.eye(3) + mpmath.matrix(np.asarray(triad_error, dtype=float).tolist())
         return float(mpmath.norm(triad * n) / mpmath.norm(n) - 1)
 
 
@@ -52,26 +51,26 @@ def exact_coefficient(direction, misalignment):
 
 def test_2_4_rows_are_the_sensitive_axes():
     a2, a3, b1, b3, g1, g2 = 1e-3 * np.arange(1, 7)
-    misalignment = [[0, b1, g1], [a2, 0, g2], [a3, b3, 0]]
+    triad_error = [[0, b1, g1], [a2, 0, g2], [a3, b3, 0]]
     np.testing.assert_array_equal(
-        triad_matrix(misalignment), [[1, b1, g1], [a2, 1, g2], [a3, b3, 1]]
+        triad_matrix(triad_error), [[1, b1, g1], [a2, 1, g2], [a3, b3, 1]]
     )
 
 
 @given(vectors(), matrices(0.3))
-def test_1_5_each_gyro_measures_along_its_axis(rate, misalignment):
-    along = [axis @ rate for axis in np.eye(3) + misalignment]
-    np.testing.assert_allclose(measured_rate(rate, misalignment), along, rtol=0, atol=8 * EPS * 20)
+def test_1_5_each_gyro_measures_along_its_axis(rate, triad_error):
+    along = [axis @ rate for axis in np.eye(3) + triad_error]
+    np.testing.assert_allclose(measured_rate(rate, triad_error), along, rtol=0, atol=8 * EPS * 20)
 
 
 @pytest.mark.parametrize(
-    "misalignment",
+    "triad_error",
     [-np.eye(3), [[0, 0, 0], [1, -1, 0], [0, 0, 0]], [[0, 0, 0], [0, 0, 0], [1, 1, -1]]],
     ids=["nothing measured", "two axes parallel", "three axes in a plane"],
 )
-def test_singular_triad_is_refused(misalignment):
-    with pytest.raises(ValueError, match=r"^misalignment: .* got a singular triad matrix E \+ M"):
-        triad_matrix(misalignment)
+def test_singular_triad_is_refused(triad_error):
+    with pytest.raises(ValueError, match=r"^triad_error: .* got a singular triad matrix I \+ M"):
+        triad_matrix(triad_error)
 
 
 # Characteristic equation
@@ -187,11 +186,11 @@ def test_unknown_order_is_refused(order):
 
 
 @given(directions(), matrices(0.3))
-def test_only_the_symmetric_part_drifts(n, misalignment):
-    rho = n @ misalignment @ n / (n @ n)
-    assert drift_coefficient(n, misalignment) == pytest.approx(rho, abs=16 * EPS)
-    sigma = non_orthogonality(misalignment)
-    np.testing.assert_array_equal(sigma, 0.5 * (misalignment + misalignment.T))
+def test_only_the_symmetric_part_drifts(n, triad_error):
+    rho = n @ triad_error @ n / (n @ n)
+    assert drift_coefficient(n, triad_error) == pytest.approx(rho, abs=16 * EPS)
+    sigma = non_orthogonality(triad_error)
+    np.testing.assert_array_equal(sigma, 0.5 * (triad_error + triad_error.T))
     assert drift_coefficient(n, sigma) == pytest.approx(rho, abs=16 * EPS)
 
 
@@ -207,26 +206,26 @@ def test_a_skew_triad_drifts_at_second_order_only(n):
 
 
 @given(directions(), matrices(0.3))
-def test_exact_drift_in_every_digit(n, misalignment):
-    expected = exact_coefficient(n, misalignment)
+def test_exact_drift_in_every_digit(n, triad_error):
+    expected = exact_coefficient(n, triad_error)
     # The three terms of |A n|^2 - 1 may cancel; each is rounded at its own size.
-    size = np.abs(misalignment).sum()
-    assert exact_drift_coefficient(n, misalignment) == pytest.approx(expected, abs=16 * EPS * size)
+    size = np.abs(triad_error).sum()
+    assert exact_drift_coefficient(n, triad_error) == pytest.approx(expected, abs=16 * EPS * size)
 
 
 @pytest.mark.parametrize("size", [1e-300, 1e-15, 1e-12, 1e-6, 0.5, 1e6])
 def test_exact_drift_of_any_size_keeps_its_digits(size):
-    misalignment = size * np.array([[1, 2, 0], [0, 1, 3], [1, 0, 1]])
-    expected = exact_coefficient([1, 1, 1], misalignment)
-    actual = exact_drift_coefficient([1, 1, 1], misalignment)
+    triad_error = size * np.array([[1, 2, 0], [0, 1, 3], [1, 0, 1]])
+    expected = exact_coefficient([1, 1, 1], triad_error)
+    actual = exact_drift_coefficient([1, 1, 1], triad_error)
     np.testing.assert_allclose(actual, expected, rtol=16 * EPS)
 
 
 @pytest.mark.parametrize("left", [1e-6, 1e-9, 1e-11])
 def test_a_triad_that_hardly_sees_the_turn(left):
     """A n = left * n: the drift is minus a whole turn, and `left` of it is still resolved."""
-    misalignment = np.diag([0, 0, left - 1])
-    assert exact_drift_coefficient([0, 0, 1], misalignment) + 1 == pytest.approx(left, abs=2 * EPS)
+    triad_error = np.diag([0, 0, left - 1])
+    assert exact_drift_coefficient([0, 0, 1], triad_error) + 1 == pytest.approx(left, abs=2 * EPS)
 
 
 def test_roots_and_drift_agree():
@@ -259,7 +258,7 @@ def test_2_3_after_whole_turns_the_error_is_drift_alone(turns):
 
 @given(directions(), directions())
 def test_split_is_exact_commutes_and_is_periodic(rate, measured):
-    """Omega_e = V + W, VW = WV, exp(V pi/|w|) = E; Larin, between (2.2) and (2.3)."""
+    """Omega_e = V + W, VW = WV, exp(V pi/|w|) = I; Larin, between (2.2) and (2.3)."""
     periodic, drifting = split_error_rate_matrix(rate, measured)
     size = np.linalg.norm(rate) + np.linalg.norm(measured)
     whole = error_rate_matrix(rate, measured)
@@ -307,27 +306,27 @@ def test_a_rotation_without_an_axis_is_refused(function, name):
 @pytest.mark.parametrize("sigma", [1e-2, 1e-3, 1e-4, -1e-3])
 def test_2_6_nu_is_2_sqrt2_pi_chi_to_first_order(sigma):
     """All six off-diagonals sigma: largest rho 2 sigma, about the space diagonal."""
-    misalignment = sigma * (np.ones((3, 3)) - np.eye(3))
-    coefficients, axes = principal_drifts(misalignment)
+    triad_error = sigma * (np.ones((3, 3)) - np.eye(3))
+    coefficients, axes = principal_drifts(triad_error)
     largest = np.abs(coefficients).argmax()
     assert coefficients[largest] == pytest.approx(2 * sigma, abs=4 * EPS)
     np.testing.assert_allclose(axes[largest], np.ones(3) / np.sqrt(3), rtol=0, atol=16 * EPS)
 
-    i_x = triad_matrix(misalignment)[0]
+    i_x = triad_matrix(triad_error)[0]
     chi = np.copysign(np.arctan2(np.linalg.norm(i_x[1:]), i_x[0]), sigma)
-    nu = drift_per_turn(axes[largest], misalignment)
+    nu = drift_per_turn(axes[largest], triad_error)
     # nu = 4 pi sigma and tan(chi) = sqrt2 sigma, so that nu/chi misses by 2/3 sigma^2.
     assert nu / (2 * np.sqrt(2) * np.pi * chi) == pytest.approx(1, abs=sigma**2)
 
 
 @given(matrices(0.1), directions())
-def test_principal_drifts_bound_every_axis(misalignment, n):
-    coefficients, axes = principal_drifts(misalignment)
-    rho = drift_coefficient(n, misalignment)
+def test_principal_drifts_bound_every_axis(triad_error, n):
+    coefficients, axes = principal_drifts(triad_error)
+    rho = drift_coefficient(n, triad_error)
     assert coefficients[0] - 16 * EPS <= rho <= coefficients[2] + 16 * EPS
     np.testing.assert_allclose(axes @ axes.T, np.eye(3), rtol=0, atol=32 * EPS)
     np.testing.assert_allclose(
-        drift_coefficient(axes, misalignment), coefficients, rtol=0, atol=32 * EPS
+        drift_coefficient(axes, triad_error), coefficients, rtol=0, atol=32 * EPS
     )
     assert (axes.max(axis=1) == np.abs(axes).max(axis=1)).all()
 
@@ -360,14 +359,14 @@ def test_axes_must_be_unit_vectors():
 
 
 @given(matrices(0.3))
-def test_exact_principal_drifts_are_the_singular_values_less_one(misalignment):
-    coefficients, axes = principal_drifts(misalignment, exact=True)
-    singular = np.linalg.svd(np.eye(3) + misalignment, compute_uv=False)[::-1]
+def test_exact_principal_drifts_are_the_singular_values_less_one(triad_error):
+    coefficients, axes = principal_drifts(triad_error, exact=True)
+    singular = np.linalg.svd(np.eye(3) + triad_error, compute_uv=False)[::-1]
     # The squares are exact to rounding; the root divides by twice the singular value.
     assume(singular[0] > 1e-2)
     np.testing.assert_allclose(coefficients, singular - 1, rtol=0, atol=1e3 * EPS)
     np.testing.assert_allclose(axes @ axes.T, np.eye(3), rtol=0, atol=16 * EPS)
-    at_axes = exact_drift_coefficient(axes, misalignment)
+    at_axes = exact_drift_coefficient(axes, triad_error)
     np.testing.assert_allclose(at_axes, coefficients, rtol=0, atol=1e3 * EPS)
 
 

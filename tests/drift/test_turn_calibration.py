@@ -2,22 +2,14 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from hypothesis.extra.numpy import arrays
 
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.turn_calibration import (
-    PAIR_AXES,
-    YATES_AXES,
-    TurnExperiment,
-    exact_turn_estimate,
-    fit_turns,
-    turn_estimate,
-    weighing,
-)
+from driftlab.drift.turn_calibration import TurnExperiment, exact_turn_estimate, turn_estimate
+from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing
 from driftlab.quaternion import from_rotation_vector
 from driftlab.triad import non_orthogonality
 from support import EPS, directions, matrices, order_of
@@ -81,11 +73,11 @@ def test_half_a_turn_of_error_has_an_estimate():
 
 
 @every_turn
-@given(n=directions(), misalignment=matrices(0.05))
-def test_exact_estimate_is_the_kinematics_of_section_1(turns, n, misalignment):
+@given(n=directions(), triad_error=matrices(0.05))
+def test_exact_estimate_is_the_kinematics_of_section_1(turns, n, triad_error):
     n = n / np.linalg.norm(n)
-    error = error_quaternion(2 * np.pi * n, n @ (np.eye(3) + misalignment).T * 2 * np.pi, turns)
-    assert exact_turn_estimate(misalignment, n, turns) == pytest.approx(
+    error = error_quaternion(2 * np.pi * n, n @ (np.eye(3) + triad_error).T * 2 * np.pi, turns)
+    assert exact_turn_estimate(triad_error, n, turns) == pytest.approx(
         turn_estimate(error, n, turns), abs=16 * EPS
     )
 
@@ -126,8 +118,8 @@ def test_bias_of_the_method_is_of_second_order(turns):
 
 
 @given(matrices(0.1))
-def test_3_4_pair_axes_show_one_sigma_each(misalignment):
-    sigma = non_orthogonality(misalignment - np.diag(np.diag(misalignment)))
+def test_3_4_pair_axes_show_one_sigma_each(triad_error):
+    sigma = non_orthogonality(triad_error - np.diag(np.diag(triad_error)))
     np.testing.assert_allclose(
         drift_coefficient(PAIR_AXES, sigma), sigma[[0, 0, 1], [1, 2, 2]], rtol=0, atol=4 * EPS
     )

@@ -6,8 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from driftlab.book.machinery.answers import Choice, Formula, Value
 from driftlab.book.machinery.slips import UNITS

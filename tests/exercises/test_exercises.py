@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from driftlab.book.exercises import KINDS, check, exercises, of_kind, verdict
+from driftlab.book.exercises import KINDS, by_kind, check, exercises, verdict
 from driftlab.book.machinery.answers import Choice, Formula, Value
 from driftlab.book.machinery.reading import numbers
 from wrong_answers import WRONG
@@ -103,8 +103,8 @@ def test_check_prints_one_line_and_refuses_an_unknown_number(capsys):
 
 
 def test_lists_for_teachers_have_every_exercise_with_its_answer_and_its_mistakes():
-    assert sorted(n for kind in KINDS for n in of_kind(kind)) == sorted(EXERCISES)
-    assert of_kind("predict")["1.1"].expected() == "180, 0, 0 degrees"
-    assert all(exercise.expected() and exercise.told() for exercise in EXERCISES.values())
+    assert sorted(n for kind in KINDS for n in by_kind(kind)) == sorted(EXERCISES)
+    assert by_kind("predict")["1.1"].expected() == "180, 0, 0 degrees"
+    assert all(exercise.expected() and exercise.feedback() for exercise in EXERCISES.values())
     with pytest.raises(ValueError, match=r"^kind: expected one of predict, .*, got 'guess'"):
-        of_kind("guess")
+        by_kind("guess")

@@ -115,9 +115,9 @@ def test_code_of_the_split_gives_its_parts() -> None:
     np.testing.assert_allclose(found, expected, atol=0.05)
 
 
-def test_code_of_the_laboratory_of_schemes_names_what_is_dark() -> None:
+def test_code_of_the_laboratory_of_schemes_names_what_is_unobservable() -> None:
     panel = book.ObservabilityExplorer("About one axis only")
     _, printed = results_of(panel.call(panel.values))
-    dark = [words for name, words in observability(panel.values) if name == "in the dark"]
-    assert dark
-    assert all(words in printed for words in dark)
+    unobservable = [words for name, words in observability(panel.values) if name == "unobservable"]
+    assert unobservable
+    assert all(words in printed for words in unobservable)

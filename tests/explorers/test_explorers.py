@@ -29,9 +29,10 @@ from driftlab.book.ch08_system_calibration.experiments import typical_trial
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.observability import expected_covariance, passage
-from driftlab.imu import Noise, Spread
-from driftlab.motion.turntable import NINETEEN_POSITIONS
+from driftlab.calibration.linearization import linearize_along
+from driftlab.calibration.observability import covariance_analysis
+from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.motion.scheme import NINETEEN_POSITIONS
 from grouped import every_explorer
 
 UNITS = {
@@ -230,15 +231,15 @@ def test_observability_panel_says_rank_directions_and_deviations() -> None:
     assert "both triads turned together about y, the attitude with them" in explorer.text.value
     # A short number has one column, a longer one two, the longest a row for itself.
     assert "flex: 0 0 21.5em; max-width: 100%'>rank" in explorer.text.value
-    assert "flex: 0 0 43em; max-width: 100%'>in the dark" in explorer.text.value
+    assert "flex: 0 0 43em; max-width: 100%'>unobservable" in explorer.text.value
     assert "flex: 0 0 100%; max-width: 100%'>accelerometer inst" in explorer.text.value
     explorer.preset.value = "19 positions, 27 states"
     assert "rank <b>27 of 27</b>" in explorer.text.value
-    assert "in the dark" not in explorer.text.value
-    noise = Noise(0.005 * degree / np.sqrt(hour), 5 * micro * g, 0.01)
+    assert "unobservable" not in explorer.text.value
+    noise = ImuNoise(0.005 * degree / np.sqrt(hour), 5 * micro * g, 0.01)
     model = ERROR_MODELS["averaged"]
-    way = passage(NINETEEN_POSITIONS, np.radians(37.5), model)
-    covariance = expected_covariance(way, noise, Spread())
+    way = linearize_along(NINETEEN_POSITIONS, np.radians(37.5), model)
+    covariance = covariance_analysis(way, noise, PriorDeviations())
     biases = np.sqrt(np.diag(covariance)[6:9]) / (degree / hour)
     said = ", ".join(f"{bias:.2g}" for bias in biases)
     assert f"gyro bias x, y, z <b>{said} deg/h</b>" in explorer.text.value
@@ -262,7 +263,7 @@ def test_calibration_panel_agrees_with_the_run() -> None:
     state = trial.calibration.model.names.index("gyro scale x")
     for name, value in (
         ("estimate", trial.calibration.state[at, state]),
-        ("true", trial.unit.gyro_error[0, 0]),
+        ("true", trial.imu_errors.gyro_error[0, 0]),
         ("error", trial.errors[at, state]),
         ("three deviations", 3 * trial.calibration.deviations[at, state]),
     ):

@@ -9,8 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from driftlab.attitude import coning_algorithms
 from driftlab.attitude.coning_algorithms import ALGORITHMS
@@ -25,8 +24,8 @@ from driftlab.book.ch01_rotation_and_error_kinematics.experiments import (
 from driftlab.book.ch02_characteristic_equation.experiments import characteristic_roots, root_errors
 from driftlab.book.ch03_systematic_drift.experiments import drift_history, drift_map
 from driftlab.book.ch03_systematic_drift.figures import drift_history as drift_history_figure
-from driftlab.book.ch04_calibration_by_turns.experiments import FORMULAS as FORMULAS_04
 from driftlab.book.ch04_calibration_by_turns.experiments import (
+    FORMULAS as FORMULAS_04,
     PLANS,
     expected_noise,
     turn_bias,
@@ -174,9 +173,9 @@ def test_roots_errors_have_the_slopes_of_the_text() -> None:
 
 @given(matrices(2e-3), directions())
 def test_drift_history_stays_within_the_fixed_axes(
-    misalignment: np.ndarray, direction: np.ndarray
+    triad_error: np.ndarray, direction: np.ndarray
 ) -> None:
-    data = drift_history(misalignment, direction)
+    data = drift_history(triad_error, direction)
     table = drift_history_figure.columns(data)
     assert np.degrees(np.abs(table["along_rad"])).max() < 12
     assert 60 * np.degrees(table["across_rad"]).max() < 45
@@ -200,11 +199,11 @@ def test_drift_by_symmetry_slopes_and_cosine(figure: PublishedFigure) -> None:
 
 
 @given(matrices(1e-2))
-def test_drift_map_lies_between_its_principal_values(misalignment: np.ndarray) -> None:
-    data = drift_map(misalignment)
+def test_drift_map_lies_between_its_principal_values(triad_error: np.ndarray) -> None:
+    data = drift_map(triad_error)
     assert data.coefficient.min() >= data.principal[0] - 1e-16
     assert data.coefficient.max() <= data.principal[2] + 1e-16
-    at_axes = drift_coefficient(data.axes, misalignment)
+    at_axes = drift_coefficient(data.axes, triad_error)
     np.testing.assert_allclose(at_axes, data.principal, rtol=0, atol=1e-16)
 
 
@@ -286,7 +285,7 @@ def test_weighing_monte_carlo_agrees_with_the_closed_forms(figure: PublishedFigu
         (lambda: drift_history(np.eye(3), [0, 0, 0]), "direction: expected nonzero"),
         (lambda: drift_history(np.eye(3), [1, 0, 0], 0), "samples_per_turn: expected a"),
         (lambda: turn_estimates(np.eye(3), "guess"), "plan: expected one of three pair"),
-        (lambda: drift_map(np.full((3, 3), np.nan)), "misalignment: expected finite"),
+        (lambda: drift_map(np.full((3, 3), np.nan)), "triad_error: expected finite"),
     ],
 )  # fmt: skip
 def test_refusals(call, sentence: str) -> None:

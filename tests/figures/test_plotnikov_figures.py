@@ -5,8 +5,7 @@ from math import comb
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.constants import arcminute, arcsecond
 from scipy.integrate import solve_ivp
 from scipy.stats import beta, binom, chi, chi2, kstest
@@ -17,15 +16,16 @@ from driftlab.book.ch10_gyrocompass_at_work import experiments as at_work
 from driftlab.book.ch10_gyrocompass_at_work.experiments import dial
 from driftlab.book.ch11_one_triad import experiments as capstone
 from driftlab.book.machinery.publish import PublishedFigure
-from driftlab.book.scenarios import SARATOV_LATITUDE, SPEED, TURN, UNDER_WAY, ship
+from driftlab.book.scenarios import SARATOV_LATITUDE, SPEED, SPEED_UP, TURN, ship_manoeuvre
 from driftlab.calibration.simulation import TableTrial
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.frames import angles_from_attitude, attitude_from_angles, geographic_rate
+from driftlab.frames import from_euler_angles, navigation_frame_rate, to_euler_angles
 from driftlab.gyrocompass.alignment import align
-from driftlab.gyrocompass.heading_error import speed_deviation
-from driftlab.gyrocompass.simulation import take_along
-from driftlab.imu import PERFECT
-from driftlab.motion.vehicle import sensed_at_rest, smooth_step, voyage
+from driftlab.gyrocompass.heading_error import speed_error
+from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.imu import NO_ERRORS
+from driftlab.motion.trajectory import Trajectory
+from driftlab.motion.vehicle import smooth_step, static_imu, vehicle_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply, rotate
 from published import published
 from support import order_of, range_distribution
@@ -58,8 +58,13 @@ def test_the_budget_is_the_sum_of_its_terms_and_off_in_second_order(
     assert (data.bars[:4] != 0).all()
 
     def gap(size: float) -> float:
-        drift, offset = size * alignments.DRIFT, size * alignments.OFFSET
-        part = alignments.alignment_budget(drift=drift, offset=offset)
+        gyro_bias, accelerometer_bias = (
+            size * alignments.GYRO_BIAS,
+            size * alignments.ACCELEROMETER_BIAS,
+        )
+        part = alignments.alignment_budget(
+            gyro_bias=gyro_bias, accelerometer_bias=accelerometer_bias
+        )
         pairs = (part.pitch, part.roll, part.latitude, part.attitude, part.bars[4:])
         return largest([first - exact for first, exact in pairs])
 
@@ -159,21 +164,23 @@ def test_over_the_vertical_errors_are_as_large_as_the_first_order_says(
     independent, of one size in each direction of the body.
     """
     data = figure.data
-    drift = largest(alignments.DRIFT) / LEVEL_RATE
-    offset = largest(alignments.OFFSET) / GRAVITY
+    gyro_bias = largest(alignments.GYRO_BIAS) / LEVEL_RATE
+    accelerometer_bias = largest(alignments.ACCELEROMETER_BIAS) / GRAVITY
     pitch = np.minimum(data.angles, np.pi - data.angles)
     cosine, sine = np.cos(data.heading), np.sin(data.heading)
 
     def size(by_pitch: np.ndarray) -> np.ndarray:
         east, north = cosine * by_pitch - np.tan(LATITUDE), sine * by_pitch
-        return np.sqrt(drift**2 + offset**2 * (east**2 + north**2))
+        return np.sqrt(gyro_bias**2 + accelerometer_bias**2 * (east**2 + north**2))
 
     low, high = np.sqrt(chi_bounds(data.runs))
     expected = {
         "heading_error": size(np.tan(pitch)),
-        "roll_error": offset / np.cos(pitch),
+        "roll_error": accelerometer_bias / np.cos(pitch),
         "together_error": size(np.tan(pitch) - 1 / np.cos(pitch)),
-        "attitude_error": np.sqrt(drift**2 + offset**2 * (2 + np.tan(LATITUDE) ** 2)),
+        "attitude_error": np.sqrt(
+            gyro_bias**2 + accelerometer_bias**2 * (2 + np.tan(LATITUDE) ** 2)
+        ),
     }
     # Half a degree from the vertical tilts of a tenth of a degree are not small.
     small = np.abs(data.angles - np.pi / 2) > np.radians(2)
@@ -298,18 +305,18 @@ def test_the_printed_error_is_the_median_of_the_shown_drift(figure: PublishedFig
 def test_without_noise_a_unit_has_one_characteristic() -> None:
     """The drift about East and the dial's zero; levelling is of second order like the rest."""
     rng = np.random.default_rng(7)
-    errors, drift, north = at_work.dial_trial(0.02 * HOURLY, 400, rng, random=0.0)
+    errors, gyro_bias, north = at_work.dial_trial(0.02 * HOURLY, 400, rng, random=0.0)
     assert errors.shape == (400, 3, 25)
     assert np.ptp(errors, axis=1).max() < 1e-15
     np.testing.assert_allclose(errors[..., 0], errors[..., -1], rtol=0, atol=1e-14)
     heading = at_work.DIAL + north
-    rates = drift / LEVEL_RATE
+    rates = gyro_bias / LEVEL_RATE
     east = -rates[..., 0] * np.sin(heading) + rates[..., 2] * np.cos(heading)
     # Squares of drifts against the Earth's rate, and of tilts, which a rate about Up also shows.
     size = np.linalg.norm(rates, axis=-1).max() + 2 * at_work.LEVELLING
     assert largest(errors - east - north) < size**2 < 0.1 * largest(east)
-    low, high = chi_bounds(drift.size)
-    assert low < np.mean((drift / (0.02 * HOURLY)) ** 2) < high
+    low, high = chi_bounds(gyro_bias.size)
+    assert low < np.mean((gyro_bias / (0.02 * HOURLY)) ** 2) < high
     assert 0.95 * np.radians(0.1) < largest(north) <= np.radians(0.1)
 
 
@@ -357,35 +364,37 @@ def test_the_swing_of_many_runs_is_as_large_as_the_formulas_say() -> None:
 # Under way
 
 
-def sail(*voyage, drift=at_work.DRIFT, offset=(0.0, 0.0, 0.0), **settings):
-    """A compass on a voyage: first the arguments of `ship`, then those of `take_along`."""
+def sail(*voyage, gyro_bias=at_work.GYRO_BIAS, accelerometer_bias=(0.0, 0.0, 0.0), **settings):
+    """A compass on a voyage: first the arguments of `ship`, then those of `simulate_compass`."""
     own = {name: settings.pop(name) for name in [*settings] if name in SHIP_ARGUMENTS}
-    return take_along(ship(*voyage, **own), drift, offset, **settings)
+    return simulate_compass(
+        ship_manoeuvre(*voyage, **own), gyro_bias, accelerometer_bias, **settings
+    )
 
 
-SHIP_ARGUMENTS = inspect.signature(ship).parameters
-STEP = ship().interval
+SHIP_ARGUMENTS = inspect.signature(ship_manoeuvre).parameters
+STEP = ship_manoeuvre().increments.interval
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.3])
 def test_a_ship_at_rest_solves_the_equations_of_the_working_compass(damping: float) -> None:
     """2 Lambda' = Lambda∘w - w_eta∘Lambda with both gains, by an integrator of high order."""
     heading, pitch, tilt, factor = 0.4, 0.3, 1e-3, 1.5
-    drift = np.array([0.02, 0.04, -0.03]) * HOURLY
-    offset = np.array([1e-3, -2e-3, 5e-4])
+    gyro_bias = np.array([0.02, 0.04, -0.03]) * HOURLY
+    accelerometer_bias = np.array([1e-3, -2e-3, 5e-4])
     found = sail(
         speed=0.0,
         course=heading,
         turn=0.0,
-        drift=drift,
-        offset=offset,
+        gyro_bias=gyro_bias,
+        accelerometer_bias=accelerometer_bias,
         tuning_factor=factor,
         damping=damping,
         tilt=tilt,
         pitch=pitch,
     )
-    rate, force = sensed_at_rest(attitude_from_angles(heading, pitch, 0.0), LATITUDE)
-    rate, force = rate + drift, force + offset
+    rate, force = static_imu(from_euler_angles(heading, pitch, 0.0), LATITUDE)
+    rate, force = rate + gyro_bias, force + accelerometer_bias
     start = align(rate, force)
     # Components turn the other way than the horizon, which leans by the tilt about East.
     bent = multiply(from_rotation_vector([0.0, 0.0, -tilt]), start.attitude)
@@ -411,7 +420,7 @@ def test_a_ship_at_rest_solves_the_equations_of_the_working_compass(damping: flo
     middles, ends = solved[0::2], solved[1::2]
     level = np.array([rates(state)[[0, 2]] for state in middles]) - middles[:, 4:] + ends[:, 4:]
     compass = np.arctan2(level[:, 1], level[:, 0])
-    yaw = angles_from_attitude(ends[:, :4]).heading - heading
+    yaw = to_euler_angles(ends[:, :4]).heading - heading
     # The step is of second order in what swings with 1.5e-3 rad/s: (4 s times that)^2.
     allowed = (STEP * SCHULER * np.sqrt(factor)) ** 2 * largest(compass)
     for name, expected in (
@@ -421,37 +430,44 @@ def test_a_ship_at_rest_solves_the_equations_of_the_working_compass(damping: flo
     ):
         assert largest(getattr(found, name)[:1500] - expected) < allowed
     # What the North accelerometer says too much is levelled away; a drop of it is the first step's.
-    north = rotate(attitude_from_angles(heading, pitch, 0.0), offset)[0]
+    north = rotate(from_euler_angles(heading, pitch, 0.0), accelerometer_bias)[0]
     assert found.tilt[0, 1] == pytest.approx(tilt - north / GRAVITY, rel=0.02)
-    assert largest(found.deviation) == 0
+    assert largest(found.speed_error) == 0
+
+
+def arrays_of(trajectory: Trajectory) -> list[np.ndarray]:
+    """All that a trajectory holds, in a row of arrays."""
+    parts = *trajectory.increments, trajectory.attitude, trajectory.latitude, trajectory.velocity
+    return [np.asarray(part) for part in parts]
 
 
 def test_a_kept_voyage_is_the_voyage_of_its_own_numbers() -> None:
     numbers = {"latitude": 0.9, "speed": 10.0, "course": 0.3, "turn": 1.0, "interval": 60.0}
     numbers["pitch"] = 0.2
-    first = ship(**numbers)
-    assert ship(**numbers) is first
+    first = ship_manoeuvre(**numbers)
+    assert ship_manoeuvre(**numbers) is first
     times = first.times
     heading = 0.3 + smooth_step(times, *TURN)
-    way = 10.0 * smooth_step(times, *UNDER_WAY)
+    way = 10.0 * smooth_step(times, *SPEED_UP)
     velocity = np.stack([way * np.cos(heading), -way * np.sin(heading)], axis=-1)
-    made = voyage(0.9, velocity, heading, 0.2, interval=60.0)
-    for ours, right in zip(first, made, strict=True):
+    made = vehicle_trajectory(0.9, velocity, heading, 0.2, interval=60.0)
+    for ours, right in zip(arrays_of(first), arrays_of(made), strict=True):
         np.testing.assert_array_equal(ours, right)
     for name, value in numbers.items():
-        other = ship(**{**numbers, name: 0.5 * value})
+        other = ship_manoeuvre(**{**numbers, name: 0.5 * value})
         assert any(
-            np.shape(a) != np.shape(b) or np.any(a != b) for a, b in zip(first, other, strict=True)
+            np.shape(a) != np.shape(b) or np.any(a != b)
+            for a, b in zip(arrays_of(first), arrays_of(other), strict=True)
         )
-        assert ship(**{**numbers, name: 0.5 * value}) is other
+        assert ship_manoeuvre(**{**numbers, name: 0.5 * value}) is other
     with pytest.raises(ValueError, match="read-only"):
         first.velocity[0] = 1.0
     with pytest.raises(ValueError, match="latitude: expected one number, got shape"):
-        ship(latitude=[0.9])
+        ship_manoeuvre(latitude=[0.9])
 
 
 def test_a_perfect_compass_on_a_ship_at_rest_shows_no_error() -> None:
-    found = sail(speed=0.0, drift=np.zeros(3))
+    found = sail(speed=0.0, gyro_bias=np.zeros(3))
     # Of second order in the Earth's turn of one step; the swing shows in the heading as its rate.
     step = (STEP * EARTH_RATE) ** 2
     assert largest(found.tilt) < 0.2 * step
@@ -461,7 +477,7 @@ def test_a_perfect_compass_on_a_ship_at_rest_shows_no_error() -> None:
 
 def test_a_tilt_of_the_aligned_horizon_swings_about_east() -> None:
     tilt = 1e-5
-    found = sail(speed=0.0, turn=0.0, drift=np.zeros(3), tilt=tilt)
+    found = sail(speed=0.0, turn=0.0, gyro_bias=np.zeros(3), tilt=tilt)
     assert found.tilt[0, 1] == pytest.approx(tilt, rel=1e-3)
     # Its plane turns by half of the Earth's turn about Up, as no pendulum's does.
     turned = 0.5 * EARTH_RATE * np.sin(LATITUDE) * found.times
@@ -498,8 +514,8 @@ def test_the_formula_holds_at_any_latitude_on_any_course_after_any_turn() -> Non
             latitude,
             float(rng.uniform(0, 30)),
             *map(float, rng.uniform(-np.pi, np.pi, 2)),
-            drift=1e-7 * rng.normal(size=3),
-            offset=3e-4 * rng.normal(size=3),
+            gyro_bias=1e-7 * rng.normal(size=3),
+            accelerometer_bias=3e-4 * rng.normal(size=3),
             pitch=float(rng.uniform(-1.2, 1.2)),
             tilt=1e-4 * float(rng.normal()),
             log=True,
@@ -516,11 +532,11 @@ def test_the_formula_holds_at_any_latitude_on_any_course_after_any_turn() -> Non
 
 def test_the_yaw_runs_away_and_the_compass_angle_takes_it_back() -> None:
     """With a drift about Up alone: the yaw is its sum, and half of it or more is taken back."""
-    drift = 0.5 * HOURLY
-    data = sail(speed=0.0, drift=[0.0, drift, 0.0])
-    expected = drift * data.times
+    gyro_bias = 0.5 * HOURLY
+    data = sail(speed=0.0, gyro_bias=[0.0, gyro_bias, 0.0])
+    expected = gyro_bias * data.times
     # The alignment takes the drift for a higher latitude: U cos(latitude)^2 of it is in the rate.
-    place = np.arctan2(EARTH_RATE * np.sin(LATITUDE) + drift, LEVEL_RATE)
+    place = np.arctan2(EARTH_RATE * np.sin(LATITUDE) + gyro_bias, LEVEL_RATE)
     expected = expected - EARTH_RATE * (np.sin(place) - np.sin(LATITUDE)) * data.times
     assert largest(data.yaw_error - expected) < 0.03 * largest(data.yaw_error)
     # It also starts with the North rate of that latitude, and the swing of that comes on top.
@@ -535,13 +551,13 @@ def test_the_speed_deviation_is_that_of_the_course(figure: PublishedFigure) -> N
     northward = data.times == 40 * 60
     place = LATITUDE + 10.0 * (28 * 60 + 60) / EARTH_RADIUS
     expected = -np.arctan2(10.0 / EARTH_RADIUS, EARTH_RATE * np.cos(place))
-    np.testing.assert_allclose(data.deviation[northward], expected, rtol=2e-4)
-    assert largest(data.deviation[data.times > 54 * 60]) < 1e-12
-    assert largest(data.deviation[data.times <= 10 * 60]) == 0
-    westward = ship(LATITUDE, 10.0, 0.0, np.pi / 2, 4.0)
+    np.testing.assert_allclose(data.speed_error[northward], expected, rtol=2e-4)
+    assert largest(data.speed_error[data.times > 54 * 60]) < 1e-12
+    assert largest(data.speed_error[data.times <= 10 * 60]) == 0
+    westward = ship_manoeuvre(LATITUDE, 10.0, 0.0, np.pi / 2, 4.0)
     np.testing.assert_allclose(westward.velocity[-1], [0, -10], atol=1e-12)
     np.testing.assert_allclose(
-        data.deviation, speed_deviation(westward.latitude[1:], westward.velocity[1:])
+        data.speed_error, speed_error(westward.latitude[1:], westward.velocity[1:])
     )
 
 
@@ -560,7 +576,7 @@ def test_schulers_tuning_with_a_log_has_no_tilt(figure: PublishedFigure) -> None
 
 
 def test_a_log_is_of_use_on_every_course_and_in_every_attitude() -> None:
-    common = {"speed": 25.0, "course": 2.0, "turn": -1.0, "drift": np.zeros(3), "pitch": 0.5}
+    common = {"speed": 25.0, "course": 2.0, "turn": -1.0, "gyro_bias": np.zeros(3), "pitch": 0.5}
     plain, log, short = (
         sail(**common, **setting) for setting in ({}, {"log": True}, {"log": True, "interval": 2.0})
     )
@@ -572,7 +588,7 @@ def test_a_log_is_of_use_on_every_course_and_in_every_attitude() -> None:
 @pytest.mark.parametrize("factor", [0.5, 2.0])
 def test_a_wrong_tuning_swings_with_the_rate_that_it_misses(factor: float) -> None:
     """(k2 R - 1) v/R when the ship has gathered way, as an amplitude of a swing of its own."""
-    run = sail(speed=10.0, turn=0.0, drift=np.zeros(3), tuning_factor=factor)
+    run = sail(speed=10.0, turn=0.0, gyro_bias=np.zeros(3), tuning_factor=factor)
     expected = abs(factor - 1) * 10.0 / EARTH_RADIUS / (SCHULER * np.sqrt(factor))
     assert largest(run.tilt[:, 1]) == pytest.approx(expected, rel=0.1)
 
@@ -606,7 +622,9 @@ def test_every_term_of_the_operating_formula_is_needed(figure: PublishedFigure) 
     # What all of them leave is of second order: the square of the angles in play.
     angles = largest(run.yaw_error) + largest(run.tilt) * np.tan(at_work.CRAFT["pitch"])
     assert full < angles**2 < 0.05 * largest(run.compass_error)
-    short = take_along(ship(**{**at_work.CRAFT, "interval": 0.5}), **at_work.CRAFT_COMPASS)
+    short = simulate_compass(
+        ship_manoeuvre(**{**at_work.CRAFT, "interval": 0.5}), **at_work.CRAFT_COMPASS
+    )
     assert largest(run.compass_error - short.compass_error[1::2]) < 1e-2 * full
 
 
@@ -669,8 +687,8 @@ def test_alignment_errors_of_the_triad_are_the_exact_ones_in_first_order(
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
-    attitude = attitude_from_angles(data.headings, 0.0, 0.0)
-    rate, force = sensed_at_rest(attitude, LATITUDE)
+    attitude = from_euler_angles(data.headings, 0.0, 0.0)
+    rate, force = static_imu(attitude, LATITUDE)
     bent = capstone.bent_triad(*np.split(data.known[0], 2))
     by_turns = capstone.bent_triad(data.known[1, :3], np.zeros(3))
     matrices = (bent, bent - by_turns, -capstone.filter_leftover())
@@ -741,11 +759,11 @@ def test_what_a_real_calibration_leaves_does_not_depend_on_the_bend() -> None:
     other = capstone.bent_triad(
         np.array([60.0, -40.0, -50.0]) * arcsecond, np.array([-30.0, 45.0, 10.0]) * arcsecond
     )
-    unit = PERFECT._replace(gyro_error=other)
+    imu_errors = NO_ERRORS._replace(gyro_error=other)
     trial = TableTrial(frame="accelerometers", sample_interval=0.1).run(
-        np.random.default_rng(capstone.SEED), unit=unit
+        np.random.default_rng(capstone.SEED), imu_errors=imu_errors
     )
-    left = trial.calibration.unit.gyro_error - other
+    left = trial.calibration.imu_errors.gyro_error - other
     default = capstone.bent_triad(capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT)
     # The two differ in second order: by the squares of the two bends.
     second = sum(np.linalg.norm(matrix, 2) ** 2 for matrix in (other, default))
@@ -756,7 +774,7 @@ def test_what_a_real_calibration_leaves_does_not_depend_on_the_bend() -> None:
 
 def test_the_ship_of_the_figures_turns_with_its_local_axes() -> None:
     """The rate about Up that a log tells: that of the local axes, whose sum the gyros have."""
-    way = ship(LATITUDE, 10.0, 0.5, 0.0, 4.0)
-    gyros = rotate(way.attitude[:-1], way.angle_increments).sum(axis=0)
-    rates = geographic_rate(way.latitude, way.velocity)
+    way = ship_manoeuvre(LATITUDE, 10.0, 0.5, 0.0, 4.0)
+    gyros = rotate(way.attitude[:-1], way.increments.angle).sum(axis=0)
+    rates = navigation_frame_rate(way.latitude, way.velocity)
     np.testing.assert_allclose(gyros, 4.0 * 0.5 * (rates[1:] + rates[:-1]).sum(axis=0), rtol=1e-5)

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.constants import micro
 from scipy.stats import binom
 
+from driftlab.body_frames import BODY_FRAMES, misalignment_vector
 from driftlab.book.ch07_installation_errors.experiments import (
     SCHEME,
     error_matrix_parts,
@@ -28,17 +28,17 @@ from driftlab.book.ch08_system_calibration.figures import (
 )
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.observability import expected_covariance, null_directions, passage
-from driftlab.imu import TYPICAL, Noise, Spread
-from driftlab.motion.turntable import Scheme
-from driftlab.triad import BODY_FRAMES, misalignment_vector
+from driftlab.calibration.linearization import linearize_along
+from driftlab.calibration.observability import covariance_analysis, unobservable_subspace
+from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorDeviations
+from driftlab.motion.scheme import Scheme
 from driftlab.vectors import cross_matrix
 from published import published
 
 
 def test_split_triad_shows_the_whole_and_its_parts() -> None:
-    data = error_matrix_parts(TYPICAL.gyro_error)
-    np.testing.assert_allclose(data.parts[0], TYPICAL.gyro_error, rtol=0, atol=0)
+    data = error_matrix_parts(TYPICAL_ERRORS.gyro_error)
+    np.testing.assert_allclose(data.parts[0], TYPICAL_ERRORS.gyro_error, rtol=0, atol=0)
     np.testing.assert_allclose(data.parts[1:].sum(axis=0), data.parts[0], rtol=0, atol=1e-18)
     np.testing.assert_allclose(data.parts[3], cross_matrix(data.vector), rtol=0, atol=1e-18)
 
@@ -70,7 +70,7 @@ def test_equivalent_start_is_of_second_order_and_exact_for_a_rotation(
     gyros, accelerometers, both, both_and_start = data.speeds
     # What the first order leaves over is a tilt of the size squared, and as much times pi/4 again
     # for each quarter turn; gravity makes a velocity of it.
-    square = np.sum(misalignment_vector(TYPICAL.gyro_error) ** 2)
+    square = np.sum(misalignment_vector(TYPICAL_ERRORS.gyro_error) ** 2)
     tilt = square * (1 + np.pi / 4 * len(SCHEME.turns))
     assert both_and_start.max() < 9.81 * tilt * data.times[-1]
     assert min(gyros.max(), accelerometers.max(), both.max()) > 100 * both_and_start.max()
@@ -128,15 +128,15 @@ def test_filter_consistency_of_the_published_runs(figure: PublishedFigure) -> No
 
 
 @published("08-table-observability")
-def test_table_observability_draws_zero_for_the_dark(figure: PublishedFigure) -> None:
+def test_table_observability_draws_zero_for_the_unobservable(figure: PublishedFigure) -> None:
     data = figure.data
-    assert data.dark == 3
+    assert data.unobservable == 3
     assert (data.eigenvalues[:3] < table_observability_figure.FLOOR).all()
     assert data.eigenvalues[3] > 1e-10
-    assert len(data.words) == 3
+    assert len(data.descriptions) == 3
     drawn = table_observability_figure.TableObservabilityPicture()
     drawn.update(data)
-    assert len(drawn.dark.get_xdata()) == 3
+    assert len(drawn.unobservable.get_xdata()) == 3
     assert len(drawn.bright.get_xdata()) == 27
     assert len(drawn.ratios.get_xdata()) == 24
 
@@ -191,18 +191,19 @@ def test_observability_of_a_table_is_that_of_its_own_scheme_model_latitude_and_n
     scheme = Scheme("+90Z -90X", ["East", "North", "Up"])
     for latitude in (0.6, -0.6):
         for model in ERROR_MODELS.values():
-            for noise in (Noise(), Noise(velocity=0.1)):
+            for noise in (ImuNoise(), ImuNoise(reference_velocity=0.1)):
                 data = table_observability(scheme, model, noise, latitude)
-                way = passage(scheme, latitude, model)
-                after = np.sqrt(np.diag(expected_covariance(way, noise, Spread())))
+                way = linearize_along(scheme, latitude, model)
+                after = np.sqrt(np.diag(covariance_analysis(way, noise, PriorDeviations())))
                 np.testing.assert_array_equal(data.after, after)
-                assert data.words == null_directions(way).words
-                data.words.clear()  # nothing that is kept
+                assert data.descriptions == unobservable_subspace(way).descriptions
+                data.descriptions.clear()  # nothing that is kept
     with pytest.raises(ValueError, match="latitude: expected one number, got shape"):
         table_observability(scheme, latitude=[0.6])
     with pytest.raises(ValueError, match="model: expected an ErrorModel, got"):
         table_observability(scheme, ["x"])
     odd = Scheme("+90Z -90X", ("East", "North", "Up"), np.array(120.0), np.radians(10.0))
     assert (
-        table_observability(odd, latitude=0.6).words == null_directions(passage(scheme, 0.6)).words
+        table_observability(odd, latitude=0.6).descriptions
+        == unobservable_subspace(linearize_along(scheme, 0.6)).descriptions
     )

@@ -10,31 +10,34 @@ from scipy.spatial.transform import Rotation
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, earth_rate
 from driftlab.frames import (
     FROM_EAST_NORTH_UP,
-    angles_from_attitude,
-    attitude_from_angles,
-    geographic_rate,
+    from_euler_angles,
+    navigation_frame_rate,
+    to_euler_angles,
 )
 from driftlab.gyrocompass.alignment import align, alignment_attitude_error, alignment_errors
 from driftlab.gyrocompass.heading_error import (
     heading_error_of_attitude,
     operating_heading_error,
-    speed_deviation,
+    speed_error,
 )
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import conjugate, multiply, rotate, to_rotation_vector
 from support import order_of, quaternions, random_quaternions, same_rotation
 
 LATITUDE = np.radians(51.5)
 ANGLES = np.random.default_rng(1).uniform([-3.1, -1.5, -3.1], [3.1, 1.5, 3.1], (200, 3))
 HEADING, PITCH, ROLL = ANGLES.T
-DRIFT, OFFSET = np.array([2e-8, -3e-8, 1e-8]), np.array([3e-5, -1e-5, 2e-5])
+GYRO_BIAS, ACCELEROMETER_BIAS = np.array([2e-8, -3e-8, 1e-8]), np.array([3e-5, -1e-5, 2e-5])
 
 
 def aligned_with(scale, attitude, latitude):
-    """Alignment with `scale` times the errors DRIFT and OFFSET, given in local axes."""
-    rate, force = sensed_at_rest(attitude, latitude)
+    """Alignment with `scale` times the two biases, given in local axes."""
+    rate, force = static_imu(attitude, latitude)
     to_body = conjugate(attitude)
-    return align(rate + scale * rotate(to_body, DRIFT), force + scale * rotate(to_body, OFFSET))
+    return align(
+        rate + scale * rotate(to_body, GYRO_BIAS),
+        force + scale * rotate(to_body, ACCELEROMETER_BIAS),
+    )
 
 
 def wrapped(angle):
@@ -47,42 +50,42 @@ def wrapped(angle):
 def test_east_north_up_becomes_north_up_east():
     assert np.array_equal(rotate(FROM_EAST_NORTH_UP, np.eye(3)), np.eye(3)[[2, 0, 1]])
     turned = rotate(FROM_EAST_NORTH_UP, earth_rate(LATITUDE))
-    assert np.allclose(turned, geographic_rate(LATITUDE), rtol=1e-15)
+    assert np.allclose(turned, navigation_frame_rate(LATITUDE), rtol=1e-15)
 
 
 def test_attitude_is_heading_then_pitch_then_roll():
     reference = Rotation.from_euler("YZX", ANGLES).as_quat()
-    assert same_rotation(attitude_from_angles(HEADING, PITCH, ROLL), reference, 1e-15)
+    assert same_rotation(from_euler_angles(HEADING, PITCH, ROLL), reference, 1e-15)
 
 
 def test_positive_heading_turns_the_bow_to_west_and_positive_pitch_lifts_it():
     forward = np.array([1.0, 0.0, 0.0])
-    north, up, east = rotate(attitude_from_angles(0.1, 0.2, 0.0), forward)
+    north, up, east = rotate(from_euler_angles(0.1, 0.2, 0.0), forward)
     assert north > 0
     assert up > 0
     assert east < 0
 
 
 def test_angles_come_back():
-    found = angles_from_attitude(attitude_from_angles(HEADING, PITCH, ROLL))
+    found = to_euler_angles(from_euler_angles(HEADING, PITCH, ROLL))
     assert np.allclose(np.array(found).T, ANGLES, atol=1e-13)
 
 
 @given(quaternions())
 def test_any_attitude_is_that_of_its_angles(attitude):
-    again = attitude_from_angles(*angles_from_attitude(attitude))
+    again = from_euler_angles(*to_euler_angles(attitude))
     assert same_rotation(again, attitude, 1e-14)
 
 
 @pytest.mark.parametrize("pitch", [np.pi / 2, -np.pi / 2])
 def test_a_vertical_body_keeps_its_attitude(pitch):
-    attitude = attitude_from_angles(0.4, pitch, 0.3)
+    attitude = from_euler_angles(0.4, pitch, 0.3)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        angles = angles_from_attitude(attitude)
-        rate, force = sensed_at_rest(attitude, LATITUDE)
+        angles = to_euler_angles(attitude)
+        rate, force = static_imu(attitude, LATITUDE)
         found = align(rate, force)
-    assert same_rotation(attitude_from_angles(*angles), attitude, 1e-14)
+    assert same_rotation(from_euler_angles(*angles), attitude, 1e-14)
     assert same_rotation(found.attitude, attitude, 1e-14)
     # Heading and roll turn about one line: only their sum or difference is told.
     together = found.heading + np.sign(pitch) * found.roll
@@ -93,16 +96,16 @@ def test_a_vertical_body_keeps_its_attitude(pitch):
 
 
 def test_alignment_finds_what_the_body_is():
-    found = align(*sensed_at_rest(attitude_from_angles(HEADING, PITCH, ROLL), -0.8))
+    found = align(*static_imu(from_euler_angles(HEADING, PITCH, ROLL), -0.8))
     assert np.allclose(np.array(found[:3]).T, ANGLES, atol=1e-13)
     assert np.allclose(found.latitude, -0.8, atol=1e-14)
 
 
 def test_alignment_equals_a_triad_of_directions():
     attitude = random_quaternions(50, seed=3)
-    rate, force = sensed_at_rest(attitude, LATITUDE)
+    rate, force = static_imu(attitude, LATITUDE)
     east = np.cross(rate, force)
-    local = np.cross(geographic_rate(LATITUDE), [0.0, 1.0, 0.0])
+    local = np.cross(navigation_frame_rate(LATITUDE), [0.0, 1.0, 0.0])
     for i in range(50):
         triad, _ = Rotation.align_vectors(
             [[0.0, 1.0, 0.0], local / np.linalg.norm(local)],
@@ -112,7 +115,7 @@ def test_alignment_equals_a_triad_of_directions():
 
 
 def test_only_directions_count():
-    rate, force = sensed_at_rest([0.1, 0.2, 0.3, 0.9], LATITUDE)
+    rate, force = static_imu([0.1, 0.2, 0.3, 0.9], LATITUDE)
     once, again = align(rate, force), align(1e-200 * rate, 1e150 * force)
     assert np.allclose(once[:4], again[:4], rtol=0, atol=1e-14)
     # The level rate has the unit of the rate.
@@ -122,9 +125,9 @@ def test_only_directions_count():
 
 @pytest.mark.parametrize("latitude", [-1.5, -0.3, 0.0, 0.9, 1.5])
 def test_errors_are_of_first_order_and_what_the_formulas_say(latitude):
-    attitude = attitude_from_angles(HEADING, PITCH, ROLL)
-    expected = alignment_errors(HEADING, PITCH, latitude, DRIFT, OFFSET)
-    true = align(*sensed_at_rest(attitude, latitude))
+    attitude = from_euler_angles(HEADING, PITCH, ROLL)
+    expected = alignment_errors(HEADING, PITCH, latitude, GYRO_BIAS, ACCELEROMETER_BIAS)
+    true = align(*static_imu(attitude, latitude))
     steep = 1 / (np.cos(PITCH).min() * np.cos(latitude))
 
     def gap(scale, field):
@@ -141,9 +144,9 @@ def test_errors_are_of_first_order_and_what_the_formulas_say(latitude):
 
 def test_the_attitude_error_holds_in_every_attitude():
     attitude = np.concatenate(
-        [random_quaternions(40, seed=5), attitude_from_angles([0.3, 2.0], np.pi / 2, 0.2)]
+        [random_quaternions(40, seed=5), from_euler_angles([0.3, 2.0], np.pi / 2, 0.2)]
     )
-    expected = alignment_attitude_error(LATITUDE, DRIFT, OFFSET)
+    expected = alignment_attitude_error(LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS)
 
     def gap(scale):
         found = aligned_with(scale, attitude, LATITUDE).attitude
@@ -154,15 +157,15 @@ def test_the_attitude_error_holds_in_every_attitude():
 
 
 def test_the_heading_error_is_that_of_the_attitude():
-    error = alignment_attitude_error(LATITUDE, DRIFT, OFFSET)
+    error = alignment_attitude_error(LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS)
     of_attitude = heading_error_of_attitude(error, HEADING, PITCH)
-    formula = alignment_errors(HEADING, PITCH, LATITUDE, DRIFT, OFFSET)
+    formula = alignment_errors(HEADING, PITCH, LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS)
     assert np.allclose(of_attitude, formula.heading, rtol=1e-12)
     assert np.allclose(formula.heading_terms.sum(axis=-1), formula.heading, rtol=1e-15)
 
 
 def test_the_tan_pitch_terms_are_minus_the_roll_error_times_sin_pitch():
-    formula = alignment_errors(HEADING, PITCH, LATITUDE, DRIFT, OFFSET)
+    formula = alignment_errors(HEADING, PITCH, LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS)
     pair = formula.heading_terms[:, 1] + formula.heading_terms[:, 2]
     assert np.allclose(pair, -formula.roll * np.sin(PITCH), rtol=1e-12)
 
@@ -175,8 +178,8 @@ def test_errors_that_do_no_harm():
 
 
 def test_gravity_scales_the_accelerometers():
-    once = alignment_errors(0.5, 0.3, LATITUDE, np.zeros(3), OFFSET, gravity=5.0)
-    twice = alignment_errors(0.5, 0.3, LATITUDE, np.zeros(3), OFFSET, gravity=10.0)
+    once = alignment_errors(0.5, 0.3, LATITUDE, np.zeros(3), ACCELEROMETER_BIAS, gravity=5.0)
+    twice = alignment_errors(0.5, 0.3, LATITUDE, np.zeros(3), ACCELEROMETER_BIAS, gravity=10.0)
     for first, second in zip(once, twice, strict=True):
         assert np.allclose(first, 2 * second, rtol=1e-14)
 
@@ -185,19 +188,19 @@ def test_gravity_scales_the_accelerometers():
 
 
 def test_without_motion_the_operating_formula_is_the_alignment_formula():
-    north, east = OFFSET[0] / 9.8, OFFSET[2] / 9.8
+    north, east = ACCELEROMETER_BIAS[0] / 9.8, ACCELEROMETER_BIAS[2] / 9.8
     working = operating_heading_error(
         LATITUDE,
         [0.0, 0.0],
         # Accelerometers that err hold the horizon where they read zero.
         [east, -north],
         [0.0, 0.0],
-        DRIFT[[0, 2]],
+        GYRO_BIAS[[0, 2]],
         0.01,
         HEADING,
         PITCH,
     )
-    aligned = alignment_errors(HEADING, PITCH, LATITUDE, DRIFT, OFFSET, gravity=9.8)
+    aligned = alignment_errors(HEADING, PITCH, LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS, gravity=9.8)
     assert np.allclose(working.heading, aligned.heading, rtol=1e-12)
     assert np.allclose(working.compass_angle, working.heading - 0.01, rtol=1e-12)
 
@@ -228,29 +231,29 @@ def test_operating_formula_as_the_paper_prints_it():
 
 def test_operating_formula_is_the_derivative_of_the_compass_angle():
     velocity = np.array([15.0, 20.0])
-    rate = geographic_rate(LATITUDE, velocity)
+    rate = navigation_frame_rate(LATITUDE, velocity)
 
-    def compass(tilt, tilt_rate, drift):
+    def compass(tilt, tilt_rate, gyro_bias):
         # A horizon turned by (alpha, 0, chi), and turning, seen from its own axes.
         delta = np.array([tilt[0], 0.0, tilt[1]])
         own = rate + np.cross(rate, delta) + [tilt_rate[0], 0, tilt_rate[1]]
-        return np.arctan2(own[2] + drift[1], own[0] + drift[0])
+        return np.arctan2(own[2] + gyro_bias[1], own[0] + gyro_bias[0])
 
     zero, rng = np.zeros(2), np.random.default_rng(2)
-    tilt, tilt_rate, drift = 1e-6 * rng.normal(size=2), *(1e-10 * rng.normal(size=(2, 2)))
-    change = (compass(tilt, tilt_rate, drift) - compass(-tilt, -tilt_rate, -drift)) / 2
-    formula = operating_heading_error(LATITUDE, velocity, tilt, tilt_rate, drift, 0.0, 0.0, 0.0)
-    assert compass(zero, zero, zero) == pytest.approx(speed_deviation(LATITUDE, velocity))
+    tilt, tilt_rate, gyro_bias = 1e-6 * rng.normal(size=2), *(1e-10 * rng.normal(size=(2, 2)))
+    change = (compass(tilt, tilt_rate, gyro_bias) - compass(-tilt, -tilt_rate, -gyro_bias)) / 2
+    formula = operating_heading_error(LATITUDE, velocity, tilt, tilt_rate, gyro_bias, 0.0, 0.0, 0.0)
+    assert compass(zero, zero, zero) == pytest.approx(speed_error(LATITUDE, velocity))
     assert formula.compass_angle == pytest.approx(change, rel=1e-6)
 
 
 def test_speed_deviation_of_a_ship():
     # North at 10 m/s: the compass shows a heading that is too small, by v/(R U cos phi).
-    deviation = speed_deviation(LATITUDE, [10.0, 0.0])
+    deviation = speed_error(LATITUDE, [10.0, 0.0])
     expected = -np.arctan(10 / (EARTH_RADIUS * EARTH_RATE * np.cos(LATITUDE)))
     assert deviation == pytest.approx(expected, rel=1e-12)
-    assert speed_deviation(LATITUDE, [0.0, 10.0]) == 0
-    assert abs(speed_deviation(1.2, [10.0, 0.0])) > abs(deviation)
+    assert speed_error(LATITUDE, [0.0, 10.0]) == 0
+    assert abs(speed_error(1.2, [10.0, 0.0])) > abs(deviation)
 
 
 # Refusals
@@ -277,18 +280,18 @@ def test_alignment_refuses(rate, force, words):
 @pytest.mark.parametrize("latitude", [np.pi / 2, -np.pi / 2, 1.5705])
 def test_the_pole_is_refused_by_every_formula(latitude):
     with pytest.raises(ValueError, match=r"^latitude: expected at most 89.9 degrees"):
-        alignment_errors(0.0, 0.0, latitude, DRIFT, OFFSET)
+        alignment_errors(0.0, 0.0, latitude, GYRO_BIAS, ACCELEROMETER_BIAS)
     with pytest.raises(ValueError, match=r"^latitude: expected at most 89.9 degrees"):
-        alignment_attitude_error(latitude, DRIFT, OFFSET)
+        alignment_attitude_error(latitude, GYRO_BIAS, ACCELEROMETER_BIAS)
     with pytest.raises(ValueError, match=r"^latitude: expected at most 89.9 degrees"):
-        speed_deviation(latitude, [1.0, 0.0])
+        speed_error(latitude, [1.0, 0.0])
     with pytest.raises(ValueError, match=r"^latitude: expected at most 89.9 degrees"):
-        sensed_at_rest([0, 0, 0, 1], latitude)
+        static_imu([0, 0, 0, 1], latitude)
 
 
 def test_a_vertical_body_has_no_heading_error():
     with pytest.raises(ValueError, match=r"^pitch: expected at most 89.9 degrees.* got 90"):
-        alignment_errors(0.0, np.pi / 2, LATITUDE, DRIFT, OFFSET)
+        alignment_errors(0.0, np.pi / 2, LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS)
     with pytest.raises(ValueError, match=r"^pitch: expected at most 89.9 degrees"):
         heading_error_of_attitude([1e-3, 0, 0], 0.0, -np.pi / 2)
 
@@ -296,15 +299,15 @@ def test_a_vertical_body_has_no_heading_error():
 def test_a_body_that_outruns_the_earth_has_no_compass():
     west = -EARTH_RADIUS * EARTH_RATE * np.cos(LATITUDE)
     with pytest.raises(ValueError, match=r"^latitude, velocity: expected local axes that turn"):
-        speed_deviation(LATITUDE, [0.0, west])
+        speed_error(LATITUDE, [0.0, west])
 
 
 @pytest.mark.parametrize("gravity", [0.0, -9.8, 1e-320])
 def test_gravity_must_pull(gravity):
     with pytest.raises(ValueError, match=r"^gravity: expected positive"):
-        alignment_errors(0.0, 0.0, LATITUDE, DRIFT, OFFSET, gravity=gravity)
+        alignment_errors(0.0, 0.0, LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS, gravity=gravity)
     with pytest.raises(ValueError, match=r"^gravity: expected positive"):
-        sensed_at_rest([0, 0, 0, 1], LATITUDE, gravity=[9.8, gravity])
+        static_imu([0, 0, 0, 1], LATITUDE, gravity=[9.8, gravity])
 
 
 # One bad element among good ones, and both sides of each limit
@@ -315,11 +318,11 @@ def test_one_bad_element_is_enough():
     with pytest.raises(ValueError, match=r"at a pole, got an angle of 0 degrees"):
         align(rate, force)
     with pytest.raises(ValueError, match=r"^gravity: expected positive"):
-        alignment_errors(0.0, 0.0, LATITUDE, DRIFT, OFFSET, gravity=[9.8, 0.0])
+        alignment_errors(0.0, 0.0, LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS, gravity=[9.8, 0.0])
     west = -EARTH_RADIUS * EARTH_RATE * np.cos(LATITUDE)
     for velocity in ([[0.0, 0.0], [0.0, west]], [[0.0, west], [0.0, 0.0]]):
         with pytest.raises(ValueError, match=r"^latitude, velocity: expected local axes"):
-            speed_deviation(LATITUDE, velocity)
+            speed_error(LATITUDE, velocity)
         with pytest.raises(ValueError, match=r"^latitude, velocity: expected local axes"):
             operating_heading_error(LATITUDE, velocity, [0, 0], [0, 0], [0, 0], 0, 0, 0)
 
@@ -328,12 +331,12 @@ def test_one_bad_element_is_enough():
 def test_the_limits_are_where_they_are_said_to_be(sign):
     just_inside, just_outside = np.radians([89.899, 89.901])
     rest = np.zeros((3, 2))
-    align(*sensed_at_rest([0, 0, 0, 1], sign * just_inside))
+    align(*static_imu([0, 0, 0, 1], sign * just_inside))
     near_pole = 7e-5 * np.array([np.cos(just_outside), sign * np.sin(just_outside), 0])
     with pytest.raises(ValueError, match=r"got an angle of 0\.099 degrees"):
         align(near_pole, [0, 9.8, 0])
     for formula in (
-        lambda pitch: alignment_errors(0.0, pitch, LATITUDE, DRIFT, OFFSET),
+        lambda pitch: alignment_errors(0.0, pitch, LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS),
         lambda pitch: heading_error_of_attitude([1e-3, 0, 0], 0.0, pitch),
         lambda pitch: operating_heading_error(LATITUDE, [1.0, 2.0], *rest, 0.0, 0.0, pitch),
     ):
@@ -344,22 +347,22 @@ def test_the_limits_are_where_they_are_said_to_be(sign):
 
 def test_the_latitude_keeps_its_digits_near_the_pole():
     place = np.radians(89.89)
-    found = align(*sensed_at_rest(attitude_from_angles(0.3, 0.4, 0.5), place))
+    found = align(*static_imu(from_euler_angles(0.3, 0.4, 0.5), place))
     assert found.latitude == pytest.approx(place, abs=1e-15)
 
 
 def test_every_field_has_all_the_leading_axes():
-    many = alignment_errors(np.zeros(3), 0.1, [[0.5], [0.6]], DRIFT, OFFSET)
+    many = alignment_errors(np.zeros(3), 0.1, [[0.5], [0.6]], GYRO_BIAS, ACCELEROMETER_BIAS)
     assert [field.shape for field in many] == [(2, 3)] * 4 + [(2, 3, 4)]
     assert all(field.flags.writeable for field in many)
 
 
 def test_quaternions_of_any_norm_are_attitudes():
-    attitude = attitude_from_angles(0.4, 0.3, 0.2)
+    attitude = from_euler_angles(0.4, 0.3, 0.2)
     for factor in (-1.0, 3.0, 1e-9, 1e150):
-        found = angles_from_attitude(factor * attitude)
+        found = to_euler_angles(factor * attitude)
         assert np.allclose(found, (0.4, 0.3, 0.2), atol=1e-14)
-        rate, _ = sensed_at_rest(factor * attitude, LATITUDE)
+        rate, _ = static_imu(factor * attitude, LATITUDE)
         assert np.linalg.norm(rate) == pytest.approx(EARTH_RATE)
 
 
@@ -373,12 +376,12 @@ def test_the_mean_radius():
 
 def test_any_radius_will_do():
     velocity, radius = np.array([12.0, -30.0]), 3.4e6
-    north, up, east = geographic_rate(LATITUDE, velocity, radius)
+    north, up, east = navigation_frame_rate(LATITUDE, velocity, radius)
     assert north == pytest.approx(EARTH_RATE * np.cos(LATITUDE) - 30 / radius, rel=1e-14)
     assert east == pytest.approx(-12 / radius, rel=1e-14)
     expected = EARTH_RATE * np.sin(LATITUDE) - 30 / radius * np.tan(LATITUDE)
     assert up == pytest.approx(expected, rel=1e-14)
-    assert speed_deviation(LATITUDE, velocity, radius) == pytest.approx(np.arctan2(east, north))
+    assert speed_error(LATITUDE, velocity, radius) == pytest.approx(np.arctan2(east, north))
     found = operating_heading_error(
         LATITUDE, velocity, [1e-4, 2e-4], [0, 0], [0, 0], 0.0, 0.0, 0.0, radius
     )
@@ -389,15 +392,15 @@ def test_any_radius_will_do():
 
 def test_who_outruns_the_earth_sees_north_behind():
     # At latitude 80 the ground moves East at 80 m/s.
-    deviation = speed_deviation(np.radians(80.0), [10.0, -300.0])
+    deviation = speed_error(np.radians(80.0), [10.0, -300.0])
     assert abs(deviation) > np.pi / 2
 
 
 @pytest.mark.parametrize("radius", [0.0, -1.0, np.nan, np.inf])
 def test_a_radius_is_a_positive_number(radius):
     for formula in (
-        lambda: geographic_rate(LATITUDE, [1.0, 2.0], radius),
-        lambda: speed_deviation(LATITUDE, [1.0, 2.0], radius),
+        lambda: navigation_frame_rate(LATITUDE, [1.0, 2.0], radius),
+        lambda: speed_error(LATITUDE, [1.0, 2.0], radius),
         lambda: operating_heading_error(
             LATITUDE, [1.0, 2.0], [0, 0], [0, 0], [0, 0], 0, 0, 0, radius
         ),
@@ -425,7 +428,7 @@ def test_effect_of_the_north_drift_goes_with_the_velocity_north_only():
 def test_east_drift_does_more_than_north_drift_up_to_the_speed_of_the_ground():
     level = EARTH_RADIUS * EARTH_RATE * np.cos(0.9)
     for speed in (0.0, 10.0, 0.99 * level):
-        drifts = [[1e-7, 0], [0, 1e-7]]
-        errors = operating_heading_error(0.9, [speed, 0.0], [0, 0], [0, 0], drifts, 0, 0, 0)
+        gyro_biases = [[1e-7, 0], [0, 1e-7]]
+        errors = operating_heading_error(0.9, [speed, 0.0], [0, 0], [0, 0], gyro_biases, 0, 0, 0)
         north, east = np.abs(errors.heading)
         assert east > north

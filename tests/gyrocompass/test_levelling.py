@@ -5,19 +5,18 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.frames import attitude_from_angles, geographic_rate
+from driftlab.frames import from_euler_angles, navigation_frame_rate
 from driftlab.gyrocompass.alignment import align, alignment_errors
-from driftlab.gyrocompass.heading_error import operating_heading_error, speed_deviation
+from driftlab.gyrocompass.gains import Gains, damped_gains, schuler_gains
+from driftlab.gyrocompass.heading_error import operating_heading_error, speed_error
 from driftlab.gyrocompass.levelling import (
-    Horizon,
-    Operation,
-    Tuning,
-    damped_tuning,
-    horizon_of,
-    operate,
-    schuler_tuning,
+    LevelFrame,
+    LevellingHistory,
+    initial_level_frame,
+    propagate_level_frame,
 )
-from driftlab.motion.vehicle import sensed_at_rest, smooth_step, voyage
+from driftlab.increments import Increments
+from driftlab.motion.vehicle import smooth_step, static_imu, vehicle_trajectory
 from driftlab.quaternion import (
     conjugate,
     from_rotation_vector,
@@ -26,7 +25,7 @@ from driftlab.quaternion import (
     to_rotation_vector,
 )
 from driftlab.vectors import left_jacobian
-from support import same_rotation
+from support import replaced, same_rotation
 
 LATITUDE = np.radians(51.5)
 GRAVITY = float(gravity(LATITUDE))
@@ -36,18 +35,19 @@ SCHULER = np.sqrt(GRAVITY / EARTH_RADIUS)
 
 
 def at_rest(attitude, duration, interval, drift=(0, 0, 0), offset=(0, 0, 0)):
-    """Increments (n, 3) and (n, 3) of a body at rest, with errors in body axes."""
-    rate, force = sensed_at_rest(attitude, LATITUDE)
+    """Increments of a body at rest, with errors in body axes."""
+    rate, force = static_imu(attitude, LATITUDE)
     count = round(duration / interval)
-    return tuple(
+    rows = (
         np.broadcast_to(interval * (true + np.array(error)), (count, 3))
         for true, error in ((rate, drift), (force, offset))
     )
+    return Increments(interval, *rows)
 
 
 def level_start(attitude=(0.0, 0.0, 0.0, 1.0)):
     """Horizon that is North, Up, East exactly."""
-    return Horizon(np.array(attitude), np.array([LEVEL_RATE, 0.0]))
+    return LevelFrame(np.array(attitude), np.array([LEVEL_RATE, 0.0]))
 
 
 def horizon_error(operation, true):
@@ -56,12 +56,11 @@ def horizon_error(operation, true):
 
 
 def test_a_perfect_compass_at_rest_stands_still():
-    attitude = attitude_from_angles(0.7, 0.3, -0.4)
-    found = operate(
+    attitude = from_euler_angles(0.7, 0.3, -0.4)
+    found = propagate_level_frame(
         level_start(attitude),
-        *at_rest(attitude, 7200, 10.0),
-        10.0,
-        schuler_tuning(),
+        at_rest(attitude, 7200, 10.0),
+        schuler_gains(),
         AZIMUTH_RATE,
         every=10,
     )
@@ -78,8 +77,8 @@ def test_a_tilt_swings_with_schulers_period_and_keeps_its_amplitude():
     start = level_start(from_rotation_vector([0.0, 0.0, tilt]))
     period = 2 * np.pi / SCHULER
     duration = 10.0 * round(3 * period / 10)
-    found = operate(
-        start, *at_rest([0, 0, 0, 1], duration, 10.0), 10.0, schuler_tuning(), AZIMUTH_RATE
+    found = propagate_level_frame(
+        start, at_rest([0, 0, 0, 1], duration, 10.0), schuler_gains(), AZIMUTH_RATE
     )
     error = horizon_error(found, np.array([0, 0, 0, 1.0]))
     # The plane of the swing turns by half of U sin(latitude): a pendulum's would by all of it, but
@@ -94,10 +93,10 @@ def test_a_tilt_swings_with_schulers_period_and_keeps_its_amplitude():
 def test_an_undamped_swing_keeps_its_amplitude_for_a_hundred_periods(x):
     """Free of the Earth's rate; x is the phase of one step."""
     g, tilt = 9.81, 1e-6
-    start = Horizon(from_rotation_vector([0.0, 0.0, tilt]), np.zeros(2))
+    start = LevelFrame(from_rotation_vector([0.0, 0.0, tilt]), np.zeros(2))
     count = round(200 * np.pi / x)
     increments = np.zeros((count, 3)), np.tile([0.0, g, 0.0], (count, 1))
-    found = operate(start, *increments, 1.0, Tuning(0.0, x**2 / g), 0.0)
+    found = propagate_level_frame(start, Increments(1.0, *increments), Gains(0.0, x**2 / g), 0.0)
     late = to_rotation_vector(found.attitude[-round(7 / x) :])[:, 2]
     # The steps do not meet the extremes: a cosine sampled at x is at least cos(x/2) somewhere.
     assert np.cos(x / 2) * tilt * 0.999 < np.abs(late).max() < 1.2 * tilt
@@ -109,11 +108,11 @@ def test_an_undamped_swing_keeps_its_amplitude_for_a_hundred_periods(x):
 )
 def test_tunings_up_to_the_limit_are_stable(x, damping):
     g = 9.8
-    tuning = damped_tuning(x, g, damping)
-    start = Horizon(from_rotation_vector([0.0, 0.0, 1e-3]), np.zeros(2))
+    gains = damped_gains(x, g, damping)
+    start = LevelFrame(from_rotation_vector([0.0, 0.0, 1e-3]), np.zeros(2))
     count = round(40 / (x * min(damping, 1 / damping)))
     increments = np.zeros((count, 3)), np.tile([0.0, g, 0.0], (count, 1))
-    found = operate(start, *increments, 1.0, tuning, 0.0)
+    found = propagate_level_frame(start, Increments(1.0, *increments), gains, 0.0)
     assert np.abs(to_rotation_vector(found.attitude[-1])).max() < 1e-6
 
 
@@ -125,12 +124,10 @@ def test_a_spinning_body_at_rest_stays_level():
     # Without the Earth's rate; the mean of a vector that stands still while the body turns.
     force = left_jacobian(-spin)
     velocity = np.einsum("ij,nj->ni", force, rotate(conjugate(body), [0.0, GRAVITY, 0.0]))
-    found = operate(
-        Horizon(np.array([0, 0, 0, 1.0]), np.zeros(2)),
-        np.broadcast_to(spin, (count, 3)),
-        velocity,
-        1.0,
-        damped_tuning(0.05, GRAVITY),
+    found = propagate_level_frame(
+        LevelFrame(np.array([0, 0, 0, 1.0]), np.zeros(2)),
+        Increments(1.0, np.broadcast_to(spin, (count, 3)), velocity),
+        damped_gains(0.05, GRAVITY),
         0.0,
     )
     true = from_rotation_vector(spin * np.arange(1, count + 1)[:, np.newaxis])
@@ -139,12 +136,10 @@ def test_a_spinning_body_at_rest_stays_level():
 
 def test_a_horizon_that_turns_fast_is_turned_exactly():
     """Half a tenth of a radian in each interval, against SciPy's rotations."""
-    found = operate(
-        Horizon(np.array([0.1, 0.2, 0.3, 0.9]), np.array([0.02, -0.03])),
-        np.broadcast_to([0.3, -0.2, 0.1], (50, 3)),
-        np.zeros((50, 3)),
-        1.0,
-        Tuning(0.0, 0.0),
+    found = propagate_level_frame(
+        LevelFrame(np.array([0.1, 0.2, 0.3, 0.9]), np.array([0.02, -0.03])),
+        Increments(1.0, np.broadcast_to([0.3, -0.2, 0.1], (50, 3)), np.zeros((50, 3))),
+        Gains(0.0, 0.0),
         0.05,
     )
     horizon = Rotation.from_rotvec([0.02, 0.05, -0.03])
@@ -157,9 +152,9 @@ def test_a_horizon_that_turns_fast_is_turned_exactly():
 
 
 def test_the_heading_is_wrapped():
-    run = Operation(
+    run = LevellingHistory(
         np.ones(1),
-        attitude_from_angles([3.0], 0.0, 0.0),
+        from_euler_angles([3.0], 0.0, 0.0),
         np.array([[-1.0, 0.5]]),
         level_start(),
     )
@@ -169,15 +164,17 @@ def test_the_heading_is_wrapped():
 def test_an_azimuth_rate_for_each_interval():
     rates = np.linspace(0, 1e-3, 20)
     angle, velocity = np.zeros((20, 3)), np.tile([0.0, GRAVITY, 0.0], (20, 1))
-    start = Horizon(np.array([0, 0, 0, 1.0]), np.zeros(2))
-    found = operate(start, angle, velocity, 1.0, Tuning(0.0, 0.0), rates)
+    start = LevelFrame(np.array([0, 0, 0, 1.0]), np.zeros(2))
+    found = propagate_level_frame(start, Increments(1.0, angle, velocity), Gains(0.0, 0.0), rates)
     assert np.allclose(found.yaw_pitch_roll.heading, -np.cumsum(rates), atol=1e-15)
 
 
 def test_the_swing_is_in_the_heading_many_times_larger():
     tilt = 1e-6
     start = level_start(from_rotation_vector([0.0, 0.0, tilt]))
-    found = operate(start, *at_rest([0, 0, 0, 1], 5070, 10.0), 10.0, schuler_tuning(), AZIMUTH_RATE)
+    found = propagate_level_frame(
+        start, at_rest([0, 0, 0, 1], 5070, 10.0), schuler_gains(), AZIMUTH_RATE
+    )
     gain = SCHULER / LEVEL_RATE
     assert np.abs(found.heading).max() == pytest.approx(gain * tilt, rel=0.05)
     assert gain > 25
@@ -187,11 +184,10 @@ def test_the_swing_is_in_the_heading_many_times_larger():
 def test_the_damped_loop_is_a_linear_oscillator(damping):
     frequency, tilt = 0.02, 1e-5
     start = level_start(from_rotation_vector([0.0, 0.0, tilt]))
-    found = operate(
+    found = propagate_level_frame(
         start,
-        *at_rest([0, 0, 0, 1], 600, 0.1),
-        0.1,
-        damped_tuning(frequency, GRAVITY, damping),
+        at_rest([0, 0, 0, 1], 600, 0.1),
+        damped_gains(frequency, GRAVITY, damping),
         AZIMUTH_RATE,
     )
     error = horizon_error(found, np.array([0, 0, 0, 1.0]))[:, 2]
@@ -203,17 +199,16 @@ def test_the_damped_loop_is_a_linear_oscillator(damping):
 
 
 def test_accelerated_alignment_ends_where_the_trigonometric_one_does():
-    attitude = attitude_from_angles(0.5, 0.1, -0.2)
+    attitude = from_euler_angles(0.5, 0.1, -0.2)
     drift, offset = np.radians([0.02, -0.03, 0.04]) / 3600, np.array([3e-4, -2e-4, 4e-4])
-    rate, force = sensed_at_rest(attitude, LATITUDE)
+    rate, force = static_imu(attitude, LATITUDE)
     goal = align(rate + drift, force + offset)
     # Set out 0.5 and 0.4 degrees out of level and without knowing where North is.
     bent = multiply(from_rotation_vector(np.radians([0.5, 40.0, 0.4])), goal.attitude)
-    found = operate(
-        Horizon(bent, np.zeros(2)),
-        *at_rest(attitude, 3600, 0.1, drift, offset),
-        0.1,
-        damped_tuning(0.02, GRAVITY),
+    found = propagate_level_frame(
+        LevelFrame(bent, np.zeros(2)),
+        at_rest(attitude, 3600, 0.1, drift, offset),
+        damped_gains(0.02, GRAVITY),
         EARTH_RATE * np.sin(goal.latitude),
         every=600,
     )
@@ -235,13 +230,13 @@ def manoeuvre(integral, north=10.0, east=0.0):
     """Compass and truth of a ship that gathers way within two minutes."""
     interval = 1.0
     rise = smooth_step(interval * np.arange(7201), 600, 120)
-    way = voyage(LATITUDE, np.stack([north * rise, east * rise], axis=-1), 0.3, interval=interval)
-    found = operate(
+    way = vehicle_trajectory(
+        LATITUDE, np.stack([north * rise, east * rise], axis=-1), 0.3, interval=interval
+    )
+    found = propagate_level_frame(
         level_start(way.attitude[0]),
-        way.angle_increments,
-        way.velocity_increments,
-        interval,
-        Tuning(0.0, integral),
+        way.increments,
+        Gains(0.0, integral),
         AZIMUTH_RATE,
     )
     return found, way
@@ -266,7 +261,7 @@ def test_schulers_tuning_has_no_ballistic_error():
 
 def test_a_ship_under_way_shows_the_speed_deviation():
     found, way = manoeuvre(1 / EARTH_RADIUS)
-    deviation = speed_deviation(way.latitude[1:], way.velocity[1:])
+    deviation = speed_error(way.latitude[1:], way.velocity[1:])
     gap = np.abs(found.heading - 0.3 - deviation)
     assert np.abs(deviation).max() > np.radians(1.9)
     assert gap.max() < np.radians(0.03)
@@ -275,11 +270,10 @@ def test_a_ship_under_way_shows_the_speed_deviation():
 def test_the_azimuth_channel_is_open_and_the_heading_is_not():
     """A drift about Up adds up in the yaw; the compass angle takes it back."""
     drift = np.radians(0.05) / 3600
-    found = operate(
+    found = propagate_level_frame(
         level_start(),
-        *at_rest([0, 0, 0, 1], 7200, 1.0, drift=(0, drift, 0)),
-        1.0,
-        schuler_tuning(),
+        at_rest([0, 0, 0, 1], 7200, 1.0, drift=(0, drift, 0)),
+        schuler_gains(),
         AZIMUTH_RATE,
     )
     yaw = found.yaw_pitch_roll.heading
@@ -295,14 +289,13 @@ def test_an_error_of_the_latitude_acts_like_a_drift_about_up():
     error = np.radians(0.1)
     drift = EARTH_RATE * (np.sin(LATITUDE + error) - np.sin(LATITUDE))
     common = (7200, 10.0)
-    wrong = operate(
-        level_start(), *at_rest([0, 0, 0, 1], *common), 10.0, schuler_tuning(), AZIMUTH_RATE + drift
+    wrong = propagate_level_frame(
+        level_start(), at_rest([0, 0, 0, 1], *common), schuler_gains(), AZIMUTH_RATE + drift
     )
-    drifting = operate(
+    drifting = propagate_level_frame(
         level_start(),
-        *at_rest([0, 0, 0, 1], *common, drift=(0, -drift, 0)),
-        10.0,
-        schuler_tuning(),
+        at_rest([0, 0, 0, 1], *common, drift=(0, -drift, 0)),
+        schuler_gains(),
         AZIMUTH_RATE,
     )
     swing = drift / SCHULER
@@ -310,7 +303,7 @@ def test_an_error_of_the_latitude_acts_like_a_drift_about_up():
     assert np.abs(wrong.heading).max() == pytest.approx(swing, rel=0.02)
 
 
-def piecewise(start, angle, velocity, interval, tuning, way, piece=100):
+def piecewise(start, angle, velocity, interval, gains, way, piece=100):
     """Level rates (k, 2), yaws, and tilts (k, 2) along a way, the azimuth rate told by pieces.
 
     So the yaw runs away by what the case under test does to it, and by nothing else.
@@ -319,8 +312,12 @@ def piecewise(start, angle, velocity, interval, tuning, way, piece=100):
     for first in range(0, len(angle), piece):
         here = slice(first, first + piece)
         middle = first + piece // 2
-        rate = geographic_rate(way.latitude[middle], way.velocity[middle])[1]
-        runs.append(operate(start, angle[here], velocity[here], interval, tuning, rate))
+        rate = navigation_frame_rate(way.latitude[middle], way.velocity[middle])[1]
+        runs.append(
+            propagate_level_frame(
+                start, Increments(interval, angle[here], velocity[here]), gains, rate
+            )
+        )
         start = runs[-1].last
     attitude = np.concatenate([run.attitude for run in runs])
     rates = np.concatenate([run.rate for run in runs])
@@ -338,7 +335,7 @@ def test_the_operating_formula_term_by_term_against_the_nonlinear_simulation(cas
     heading = 0.4 + 1.2 * smooth_step(times, 1500, 300)
     speed = 30 * smooth_step(times, 400, 120)
     course = np.stack([speed * np.cos(heading), -speed * np.sin(heading)], axis=-1)
-    way = voyage(LATITUDE, course, heading, pitch, interval=interval)
+    way = vehicle_trajectory(LATITUDE, course, heading, pitch, interval=interval)
     # Errors given in local axes, so that it is known which they are.
     drift, offset, tilt, factor = np.zeros(3), np.zeros(3), np.zeros(3), 1.0
     if case in ("drift", "everything"):
@@ -352,11 +349,11 @@ def test_the_operating_formula_term_by_term_against_the_nonlinear_simulation(cas
     to_body = conjugate(way.attitude[:-1])
     begin = multiply(from_rotation_vector(tilt), way.attitude[0])
     rates, yaw, tilts = piecewise(
-        Horizon(begin, np.array([LEVEL_RATE, 0.0])),
-        way.angle_increments + interval * rotate(to_body, drift),
-        way.velocity_increments + interval * rotate(to_body, offset),
+        LevelFrame(begin, np.array([LEVEL_RATE, 0.0])),
+        way.increments.angle + interval * rotate(to_body, drift),
+        way.increments.velocity + interval * rotate(to_body, offset),
         interval,
-        Tuning(0.0, factor / EARTH_RADIUS),
+        Gains(0.0, factor / EARTH_RADIUS),
         way,
     )
     yaw_error = yaw - heading[1:]
@@ -370,8 +367,8 @@ def test_the_operating_formula_term_by_term_against_the_nonlinear_simulation(cas
         heading[1:],
         pitch,
     )
-    true_rates = geographic_rate(way.latitude[1:], way.velocity[1:])[:, [0, 2]]
-    simulated = np.arctan2(rates[:, 1], rates[:, 0]) - speed_deviation(
+    true_rates = navigation_frame_rate(way.latitude[1:], way.velocity[1:])[:, [0, 2]]
+    simulated = np.arctan2(rates[:, 1], rates[:, 0]) - speed_error(
         way.latitude[1:], way.velocity[1:]
     )
     # The formula is of first order: what it leaves is of second order in the angles.
@@ -397,19 +394,19 @@ def test_many_runs_at_once_are_each_what_it_is_alone(number):
     tilts = from_rotation_vector(1e-4 * rng.normal(size=(number, 1, 3)))
     angle = 1e-3 * rng.normal(size=(2, 40, 3))
     velocity = 0.1 * np.array([0, GRAVITY, 0]) + 1e-3 * rng.normal(size=(2, 40, 3))
-    tuning = damped_tuning(0.05, GRAVITY)
+    gains = damped_gains(0.05, GRAVITY)
     rate = np.array([LEVEL_RATE, 1e-6])
-    together = operate(Horizon(tilts, rate), angle, velocity, 0.1, tuning, AZIMUTH_RATE, every=4)
+    together = propagate_level_frame(
+        LevelFrame(tilts, rate), Increments(0.1, angle, velocity), gains, AZIMUTH_RATE, every=4
+    )
     assert together.attitude.shape == (number, 2, 10, 4)
     assert together.rate.shape == (number, 2, 10, 2)
     for i in range(number):
         for j in range(2):
-            alone = operate(
-                Horizon(tilts[i, 0], rate),
-                angle[j],
-                velocity[j],
-                0.1,
-                tuning,
+            alone = propagate_level_frame(
+                LevelFrame(tilts[i, 0], rate),
+                Increments(0.1, angle[j], velocity[j]),
+                gains,
                 AZIMUTH_RATE,
                 every=4,
             )
@@ -417,8 +414,12 @@ def test_many_runs_at_once_are_each_what_it_is_alone(number):
             assert np.allclose(alone.rate, together.rate[i, j], rtol=1e-12, atol=1e-18)
             assert np.allclose(alone.last.rate, together.last.rate[i, j], rtol=1e-12)
     # Leading axes of one argument alone.
-    level = operate(Horizon(tilts[0, 0], rate), angle, velocity[0], 0.1, tuning, AZIMUTH_RATE)
-    alone = operate(Horizon(tilts[0, 0], rate), angle[1], velocity[0], 0.1, tuning, AZIMUTH_RATE)
+    level = propagate_level_frame(
+        LevelFrame(tilts[0, 0], rate), Increments(0.1, angle, velocity[0]), gains, AZIMUTH_RATE
+    )
+    alone = propagate_level_frame(
+        LevelFrame(tilts[0, 0], rate), Increments(0.1, angle[1], velocity[0]), gains, AZIMUTH_RATE
+    )
     assert np.allclose(level.attitude[1], alone.attitude, rtol=0, atol=1e-15)
 
 
@@ -426,37 +427,52 @@ def test_many_runs_at_once_are_each_what_it_is_alone(number):
 def test_a_horizon_that_cannot_follow_is_refused_in_one_run_and_in_many(lead):
     # Upside down under two g the proportional part divides by zero.
     velocity = np.broadcast_to([0.0, -19.6, 0.0], (*lead, 4, 3))
-    start = Horizon([0.0, 0.0, 0.0, 1.0], [0.0, 0.0])
+    start = LevelFrame([0.0, 0.0, 0.0, 1.0], [0.0, 0.0])
     with np.errstate(all="ignore"), pytest.raises(ValueError, match="that a horizon can follow"):
-        operate(start, np.zeros((4, 3)), velocity, 1.0, Tuning(1 / 9.8, 0.0), 0.0)
+        propagate_level_frame(
+            start, Increments(1.0, np.zeros((4, 3)), velocity), Gains(1 / 9.8, 0.0), 0.0
+        )
 
 
 def test_a_run_in_two_parts_is_one_run():
-    angle, velocity = at_rest([0.1, 0.2, 0.3, 0.9], 400, 1.0, drift=(1e-7, 0, 2e-7))
-    tuning = damped_tuning(0.02, GRAVITY)
-    whole = operate(level_start(), angle, velocity, 1.0, tuning, AZIMUTH_RATE)
-    first = operate(level_start(), angle[:150], velocity[:150], 1.0, tuning, AZIMUTH_RATE)
-    second = operate(first.last, angle[150:], velocity[150:], 1.0, tuning, AZIMUTH_RATE)
+    _, angle, velocity = at_rest([0.1, 0.2, 0.3, 0.9], 400, 1.0, drift=(1e-7, 0, 2e-7))
+    gains = damped_gains(0.02, GRAVITY)
+    whole = propagate_level_frame(
+        level_start(), Increments(1.0, angle, velocity), gains, AZIMUTH_RATE
+    )
+    first = propagate_level_frame(
+        level_start(), Increments(1.0, angle[:150], velocity[:150]), gains, AZIMUTH_RATE
+    )
+    second = propagate_level_frame(
+        first.last, Increments(1.0, angle[150:], velocity[150:]), gains, AZIMUTH_RATE
+    )
     assert np.allclose(second.attitude[-1], whole.attitude[-1], rtol=0, atol=1e-13)
-    undamped = schuler_tuning()
-    whole = operate(level_start(), angle, velocity, 1.0, undamped, AZIMUTH_RATE)
-    first = operate(level_start(), angle[:150], velocity[:150], 1.0, undamped, AZIMUTH_RATE)
-    second = operate(first.last, angle[150:], velocity[150:], 1.0, undamped, AZIMUTH_RATE)
+    undamped = schuler_gains()
+    whole = propagate_level_frame(
+        level_start(), Increments(1.0, angle, velocity), undamped, AZIMUTH_RATE
+    )
+    first = propagate_level_frame(
+        level_start(), Increments(1.0, angle[:150], velocity[:150]), undamped, AZIMUTH_RATE
+    )
+    second = propagate_level_frame(
+        first.last, Increments(1.0, angle[150:], velocity[150:]), undamped, AZIMUTH_RATE
+    )
     assert np.allclose(second.attitude[-1], whole.attitude[-1], atol=1e-12)
 
 
-@pytest.mark.parametrize("tuning", [Tuning(0.0, 1e-4), damped_tuning(0.05, GRAVITY)])
-def test_the_step_is_of_second_order(tuning):
+@pytest.mark.parametrize("gains", [Gains(0.0, 1e-4), damped_gains(0.05, GRAVITY)])
+def test_the_step_is_of_second_order(gains):
     """On a ship that gathers way and turns, against a run with a very short step."""
 
     def end(interval):
         times = interval * np.arange(round(64 / interval) + 1)
         rise = smooth_step(times, 4.0, 40.0)
-        way = voyage(
+        way = vehicle_trajectory(
             LATITUDE, np.stack([10 * rise, -5 * rise], axis=-1), 0.5 * rise, interval=interval
         )
-        increments = way.angle_increments, way.velocity_increments
-        return operate(level_start(), *increments, interval, tuning, AZIMUTH_RATE).attitude[-1]
+        return propagate_level_frame(level_start(), way.increments, gains, AZIMUTH_RATE).attitude[
+            -1
+        ]
 
     fine = end(2.0**-6)
     coarse, half = (np.abs(end(h) - fine).max() for h in (0.5, 0.25))
@@ -464,19 +480,17 @@ def test_the_step_is_of_second_order(tuning):
 
 
 def test_a_horizon_begins_as_its_alignment():
-    rate, force = sensed_at_rest(attitude_from_angles([0.1, 0.2], 0.3, 0.4), LATITUDE)
-    horizon = horizon_of(align(rate, force))
+    rate, force = static_imu(from_euler_angles([0.1, 0.2], 0.3, 0.4), LATITUDE)
+    horizon = initial_level_frame(align(rate, force))
     assert horizon.attitude.shape == (2, 4)
     assert np.allclose(horizon.rate, [LEVEL_RATE, 0.0])
-    assert np.allclose(geographic_rate(LATITUDE)[0], LEVEL_RATE)
+    assert np.allclose(navigation_frame_rate(LATITUDE)[0], LEVEL_RATE)
 
 
 GOOD = {
-    "start": Horizon(np.array([0, 0, 0, 1.0]), np.array([LEVEL_RATE, 0.0])),
-    "angle_increments": np.zeros((4, 3)),
-    "velocity_increments": np.ones((4, 3)),
-    "interval": 1.0,
-    "tuning": Tuning(0.0, 1e-7),
+    "start": LevelFrame(np.array([0, 0, 0, 1.0]), np.array([LEVEL_RATE, 0.0])),
+    "increments": Increments(1.0, np.zeros((4, 3)), np.ones((4, 3))),
+    "gains": Gains(0.0, 1e-7),
     "azimuth_rate": 5e-5,
 }
 
@@ -484,55 +498,64 @@ GOOD = {
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ({"interval": -1.0}, "^interval: expected a positive number"),
-        ({"velocity_increments": np.ones((3, 3))}, "^velocity_increments: expected as many"),
-        ({"angle_increments": np.full((4, 3), np.nan)}, "^angle_increments: expected finite"),
-        ({"angle_increments": np.zeros(3)}, r"^angle_increments: expected shape \(..., n, 3\)"),
+        ({"increments.interval": -1.0}, r"^increments\.interval: expected a positive number"),
+        ({"increments.velocity": np.ones((3, 3))}, r"^increments\.velocity: expected as many"),
+        ({"increments.angle": np.full((4, 3), np.nan)}, r"^increments\.angle: expected finite"),
+        ({"increments.angle": np.zeros(3)}, r"^increments\.angle: expected shape \(..., n, 3\)"),
         ({"every": 3}, "^every: expected a divisor"),
         ({"every": 0}, "^every: expected a whole number"),
-        ({"tuning": Tuning(1.0, 0.0)}, "^tuning, interval: expected a horizon that follows"),
-        ({"tuning": Tuning(0.0, np.nan)}, r"^tuning\.integral: expected finite"),
+        (
+            {"gains": Gains(1.0, 0.0)},
+            "^gains, increments.interval: expected a horizon that follows",
+        ),
+        ({"gains": Gains(0.0, np.nan)}, r"^gains\.integral: expected finite"),
         ({"azimuth_rate": np.inf}, "^azimuth_rate: expected finite"),
-        ({"tuning": Tuning(-1e-3, 1e-7)}, "^tuning, interval: .* got -0.0098"),
-        ({"tuning": Tuning(0.0, -1e-7)}, "^tuning, interval: expected"),
-        ({"tuning": Tuning(0.0, 0.11)}, "^tuning, interval: expected"),
-        ({"tuning": Tuning(0.0, 0.03), "interval": 2.0}, "^tuning, interval: expected"),
+        ({"gains": Gains(-1e-3, 1e-7)}, "^gains, increments.interval: .* got -0.0098"),
+        ({"gains": Gains(0.0, -1e-7)}, "^gains, increments.interval: expected"),
+        ({"gains": Gains(0.0, 0.11)}, "^gains, increments.interval: expected"),
+        (
+            {"gains": Gains(0.0, 0.03), "increments.interval": 2.0},
+            "^gains, increments.interval: expected",
+        ),
         ({"azimuth_rate": 11.8}, "^azimuth_rate: expected rad/s that turn the horizon by at most"),
         (
-            {"start": Horizon(np.ones(4), np.array([15.0, 0.0]))},
+            {"start": LevelFrame(np.ones(4), np.array([15.0, 0.0]))},
             r"^start\.rate: expected rad/s that turn",
         ),
         (
-            {"velocity_increments": np.tile([1e160, 0, 0], (4, 1)), "tuning": Tuning(0.1, 0.1)},
-            "^angle_increments, velocity_increments: expected increments that a horizon",
+            {"increments.velocity": np.tile([1e160, 0, 0], (4, 1)), "gains": Gains(0.1, 0.1)},
+            "^increments: expected increments that a horizon",
         ),
         (
-            {"start": Horizon(np.ones(3), np.zeros(2))},
+            {"start": LevelFrame(np.ones(3), np.zeros(2))},
             r"^start\.attitude: expected shape \(..., 4\)",
         ),
-        ({"start": Horizon(np.ones(4), np.zeros(3))}, r"^start\.rate: expected shape \(..., 2\)"),
-        ({"start": Horizon(np.zeros(4), np.zeros(2))}, r"^start\.attitude: expected nonzero"),
+        (
+            {"start": LevelFrame(np.ones(4), np.zeros(3))},
+            r"^start\.rate: expected shape \(..., 2\)",
+        ),
+        ({"start": LevelFrame(np.zeros(4), np.zeros(2))}, r"^start\.attitude: expected nonzero"),
         ({"azimuth_rate": np.zeros(3)}, r"^azimuth_rate: expected shape \(..., 4\)"),
-        ({"azimuth_rate": np.zeros((2, 4)), "angle_increments": np.zeros((3, 4, 3))}, "broadcast"),
+        ({"azimuth_rate": np.zeros((2, 4)), "increments.angle": np.zeros((3, 4, 3))}, "broadcast"),
     ],
 )
 def test_refusals(arguments, words):
     with pytest.raises(ValueError, match=words):
-        operate(**{**GOOD, **arguments})
+        propagate_level_frame(**replaced(GOOD, arguments))
 
 
 @pytest.mark.parametrize("value", [0.0, -1.0, np.nan])
 def test_tunings_refuse(value):
     with pytest.raises(ValueError, match="radius: expected"):
-        schuler_tuning(value)
+        schuler_gains(value)
     with pytest.raises(ValueError, match="natural_frequency: expected"):
-        damped_tuning(value, 9.8)
+        damped_gains(value, 9.8)
     with pytest.raises(ValueError, match="gravity: expected"):
-        damped_tuning(0.02, value)
+        damped_gains(0.02, value)
     with pytest.raises(ValueError, match="damping: expected"):
-        damped_tuning(0.02, 9.8, value)
+        damped_gains(0.02, 9.8, value)
 
 
 def test_tunings_are_what_they_say():
-    assert schuler_tuning(2e6) == Tuning(0.0, 5e-7)
-    assert damped_tuning(0.02, 10.0) == pytest.approx((2 * np.sqrt(0.5) * 0.002, 4e-5))
+    assert schuler_gains(2e6) == Gains(0.0, 5e-7)
+    assert damped_gains(0.02, 10.0) == pytest.approx((2 * np.sqrt(0.5) * 0.002, 4e-5))

@@ -4,8 +4,7 @@ from dataclasses import FrozenInstanceError, fields
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.linalg import cholesky, solve_triangular, toeplitz
 from scipy.stats import chi2
 

@@ -6,9 +6,11 @@ from scipy.integrate import quad, solve_ivp
 from scipy.linalg import solve_continuous_lyapunov
 
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.gyrocompass.levelling import Horizon, damped_tuning, operate, schuler_tuning
+from driftlab.gyrocompass.gains import damped_gains, schuler_gains
+from driftlab.gyrocompass.levelling import LevelFrame, propagate_level_frame
 from driftlab.gyrocompass.noise import settled_deviation, swing_deviation
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.increments import Increments
+from driftlab.motion.vehicle import static_imu
 from support import EPS
 
 GRAVITY = float(gravity(0.0))
@@ -18,29 +20,31 @@ TIMES = np.array([0.0, 20.0, 300.0, 1000.0, 2532.0, 5064.0, 20000.0])
 dampings = pytest.mark.parametrize("damping", [0.2, np.sqrt(0.5), 1.0, 2.0])
 
 
-def loop(tuning):
+def loop(gains):
     """System matrix (2, 2) of tilt and integral: each turns the horizon, gravity feels the tilt."""
-    return np.array([[-tuning.proportional * GRAVITY, 1.0], [-tuning.integral * GRAVITY, 0.0]])
+    return np.array([[-gains.proportional * GRAVITY, 1.0], [-gains.integral * GRAVITY, 0.0]])
 
 
 DRIVE = np.diag([WALK**2, 0.0])
 """White gyro noise goes into the tilt alone."""
 
 
-def responses(tuning, interval, count):
+def responses(gains, interval, count):
     """Rates (count,) that a unit angle of the gyro about East leaves after 1, 2 ... intervals.
 
     The noise of a linear loop is their sum of squares. On the equator the horizon does not turn in
     azimuth, so its two swings are apart.
     """
-    rate, force = (interval * part for part in sensed_at_rest([0.0, 0.0, 0.0, 1.0], 0.0))
+    rate, force = (interval * part for part in static_imu([0.0, 0.0, 0.0, 1.0], 0.0))
     angle = 1e-7
     # In run j the gyro errs in the interval j before the last; in the last run never.
     gyro = np.broadcast_to(rate, (count + 1, count, 3)).copy()
     steps = np.arange(count)
     gyro[steps, count - 1 - steps, 2] += angle
-    start = Horizon(np.array([0.0, 0.0, 0.0, 1.0]), np.array([EARTH_RATE, 0.0]))
-    last = operate(start, gyro, np.broadcast_to(force, gyro.shape), interval, tuning, 0.0).last
+    start = LevelFrame(np.array([0.0, 0.0, 0.0, 1.0]), np.array([EARTH_RATE, 0.0]))
+    last = propagate_level_frame(
+        start, Increments(interval, gyro, np.broadcast_to(force, gyro.shape)), gains, 0.0
+    ).last
     return (last.rate[:-1, 1] - last.rate[-1, 1]) / angle
 
 
@@ -50,7 +54,7 @@ def responses(tuning, interval, count):
 @dampings
 @pytest.mark.parametrize("frequency", [0.002, 0.02])
 def test_settled_deviation_solves_lyapunovs_equation(frequency, damping):
-    matrix = loop(damped_tuning(frequency, GRAVITY, damping))
+    matrix = loop(damped_gains(frequency, GRAVITY, damping))
     covariance = solve_continuous_lyapunov(matrix, -DRIVE)
     found = settled_deviation(WALK, frequency, damping)
     assert found == pytest.approx(np.sqrt(covariance[1, 1]), rel=1e-9)
@@ -68,14 +72,14 @@ def test_settled_deviation_is_that_of_a_low_pass_filter(damping):
 @pytest.mark.parametrize("damping", [0.5, np.sqrt(0.5), 1.2])
 def test_settled_deviation_is_that_of_the_instrument(damping):
     frequency, interval = 0.02, 2.0
-    answers = responses(damped_tuning(frequency, GRAVITY, damping), interval, 300)
+    answers = responses(damped_gains(frequency, GRAVITY, damping), interval, 300)
     # Noise of N sqrt(h) in each interval. The step is of second order, and so is the sum.
     simulated = WALK * np.sqrt(interval * np.sum(answers**2))
     assert simulated == pytest.approx(settled_deviation(WALK, frequency, damping), rel=5e-3)
 
 
 def test_default_damping_is_that_of_the_tuning():
-    matrix = loop(damped_tuning(0.02, GRAVITY))
+    matrix = loop(damped_gains(0.02, GRAVITY))
     covariance = solve_continuous_lyapunov(matrix, -DRIVE)
     assert settled_deviation(WALK, 0.02) == pytest.approx(np.sqrt(covariance[1, 1]), rel=1e-9)
 
@@ -84,7 +88,7 @@ def test_default_damping_is_that_of_the_tuning():
 
 
 def test_swing_deviation_solves_lyapunovs_equation_in_time():
-    matrix = loop(schuler_tuning())
+    matrix = loop(schuler_gains())
     # Scaled, so that tilt and rate are of one size: the tilt counts in units of rate over Schuler.
     scale = np.diag([SCHULER, 1.0]) / (WALK * SCHULER)
     system = scale @ matrix @ np.linalg.inv(scale)
@@ -102,7 +106,7 @@ def test_swing_deviation_solves_lyapunovs_equation_in_time():
 
 def test_swing_deviation_is_that_of_the_instrument():
     interval, count = 10.0, 400
-    answers = responses(schuler_tuning(), interval, count)
+    answers = responses(schuler_gains(), interval, count)
     simulated = WALK * np.sqrt(interval * np.cumsum(answers**2))
     times = interval * np.arange(1, count + 1)
     expected = swing_deviation(WALK, times, GRAVITY)

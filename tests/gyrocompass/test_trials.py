@@ -4,15 +4,14 @@ from math import comb
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.spatial.transform import Rotation
 from scipy.special import gammaln
 from scipy.stats import beta, binom, chi, kstest, studentized_range
 
 from driftlab.earth import EARTH_RATE, gravity
-from driftlab.frames import attitude_from_angles
+from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import alignment_errors
 from driftlab.gyrocompass.trials import (
     most_range_over_deviation,
@@ -26,8 +25,8 @@ from support import EPS, order_of, range_distribution
 LATITUDE = np.radians(51.5)
 LEVEL_RATE = EARTH_RATE * np.cos(LATITUDE)
 DIAL = np.radians(np.arange(-360.0, 361.0, 15.0))
-DRIFT = np.array([0.6, -0.9, 0.8]) * 1e-2 * LEVEL_RATE
-OFFSET = np.array([3e-3, -5e-3, 4e-3]) * float(gravity(LATITUDE))
+GYRO_BIAS = np.array([0.6, -0.9, 0.8]) * 1e-2 * LEVEL_RATE
+ACCELEROMETER_BIAS = np.array([3e-3, -5e-3, 4e-3]) * float(gravity(LATITUDE))
 NONE = np.zeros(3)
 
 
@@ -52,20 +51,22 @@ def test_a_dial_that_is_not_set_to_north_adds_its_error(north):
 
 def test_drifts_on_a_level_table_in_closed_form():
     """The heading is the direction of the level rate in the body: exactly, not to first order."""
-    errors = table_heading_error(DIAL, DRIFT, NONE, LATITUDE)
-    forward = LEVEL_RATE * np.cos(DIAL) + DRIFT[0]
-    right = LEVEL_RATE * np.sin(DIAL) + DRIFT[2]
+    errors = table_heading_error(DIAL, GYRO_BIAS, NONE, LATITUDE)
+    forward = LEVEL_RATE * np.cos(DIAL) + GYRO_BIAS[0]
+    right = LEVEL_RATE * np.sin(DIAL) + GYRO_BIAS[2]
     expected = wrapped(np.arctan2(right, forward) - DIAL)
     np.testing.assert_allclose(errors, expected, rtol=0, atol=32 * EPS)
     assert np.abs(errors).max() > 0.009
 
 
 def test_errors_of_the_unit_are_those_of_the_alignment_to_first_order():
-    attitude = attitude_from_angles(DIAL + 0.3, 0.0, 0.0)
+    attitude = from_euler_angles(DIAL + 0.3, 0.0, 0.0)
 
     def gap(size):
-        shown = table_heading_error(DIAL, size * DRIFT, size * OFFSET, LATITUDE, north_error=0.3)
-        local = (rotate(attitude, size * error) for error in (DRIFT, OFFSET))
+        shown = table_heading_error(
+            DIAL, size * GYRO_BIAS, size * ACCELEROMETER_BIAS, LATITUDE, north_error=0.3
+        )
+        local = (rotate(attitude, size * error) for error in (GYRO_BIAS, ACCELEROMETER_BIAS))
         return np.abs(shown - 0.3 - alignment_errors(DIAL + 0.3, 0.0, LATITUDE, *local).heading)
 
     assert order_of(lambda size: gap(size).max()) == pytest.approx(2, abs=0.02)
@@ -97,7 +98,7 @@ def test_a_tilt_does_harm_only_in_second_order_and_a_wrong_north_in_first():
 
 def test_a_whole_turn_of_the_dial_changes_nothing():
     there, again = (
-        table_heading_error(DIAL + turn, DRIFT, OFFSET, LATITUDE, tilt=(0.01, 0.02))
+        table_heading_error(DIAL + turn, GYRO_BIAS, ACCELEROMETER_BIAS, LATITUDE, tilt=(0.01, 0.02))
         for turn in (0, 2 * np.pi)
     )
     np.testing.assert_allclose(there, again, rtol=0, atol=64 * EPS)
@@ -105,17 +106,22 @@ def test_a_whole_turn_of_the_dial_changes_nothing():
 
 def test_many_units_at_once_are_each_what_it_is_alone():
     rng = np.random.default_rng(1)
-    drift, offset = 1e-7 * rng.normal(size=(4, 1, 3)), 1e-3 * rng.normal(size=(2, 4, 1, 3))
+    gyro_bias, accelerometer_bias = (
+        1e-7 * rng.normal(size=(4, 1, 3)),
+        1e-3 * rng.normal(size=(2, 4, 1, 3)),
+    )
     north, tilt = 0.1 * rng.normal(size=(4, 1)), 0.01 * rng.normal(size=(2, 1, 1, 2))
     latitude = rng.uniform(-1, 1, 5)
     dial = rng.uniform(-3, 3, 5)
-    together = table_heading_error(dial, drift, offset, latitude, north_error=north, tilt=tilt)
+    together = table_heading_error(
+        dial, gyro_bias, accelerometer_bias, latitude, north_error=north, tilt=tilt
+    )
     assert together.shape == (2, 4, 5)
     for i, j, k in np.ndindex(2, 4, 5):
         alone = table_heading_error(
             dial[k],
-            drift[j, 0],
-            offset[i, j, 0],
+            gyro_bias[j, 0],
+            accelerometer_bias[i, j, 0],
             latitude[k],
             north_error=north[j, 0],
             tilt=tilt[i, 0, 0],
@@ -128,16 +134,24 @@ def test_many_units_at_once_are_each_what_it_is_alone():
     ("arguments", "words"),
     [
         ({"dial": np.nan}, "^dial: expected finite"),
-        ({"drift": np.zeros(2)}, r"^drift: expected shape \(..., 3\)"),
-        ({"offset": 0.0}, r"^offset: expected shape \(..., 3\)"),
+        ({"gyro_bias_body": np.zeros(2)}, r"^gyro_bias_body: expected shape \(..., 3\)"),
+        ({"accelerometer_bias_body": 0.0}, r"^accelerometer_bias_body: expected shape \(..., 3\)"),
         ({"north_error": "north"}, "^north_error: expected real numbers"),
         ({"tilt": np.zeros(3)}, r"^tilt: expected shape \(..., 2\)"),
-        ({"dial": np.zeros(2), "drift": np.zeros((3, 3))}, "^dial, .*leading axes that broadcast"),
+        (
+            {"dial": np.zeros(2), "gyro_bias_body": np.zeros((3, 3))},
+            "^dial, .*leading axes that broadcast",
+        ),
         ({"latitude": np.pi / 2}, "^latitude: expected at most 89.9 degrees from the equator"),
     ],
 )
 def test_refusals(arguments, words):
-    good = {"dial": 0.0, "drift": NONE, "offset": NONE, "latitude": LATITUDE}
+    good = {
+        "dial": 0.0,
+        "gyro_bias_body": NONE,
+        "accelerometer_bias_body": NONE,
+        "latitude": LATITUDE,
+    }
     with pytest.raises(ValueError, match=words):
         table_heading_error(**{**good, **arguments})
 

@@ -5,22 +5,19 @@ from dataclasses import FrozenInstanceError
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 from scipy.spatial.transform import Rotation
 
 from driftlab.attitude.integration import integrate
 from driftlab.earth import earth_rate, gravity
-from driftlab.motion.turntable import (
+from driftlab.motion.scheme import (
     DIRECTIONS,
     EIGHTEEN_ROTATIONS,
     NINETEEN_POSITIONS,
     SCHEMES,
     Scheme,
-    segments,
-    simulate,
-    stand,
 )
+from driftlab.motion.turntable import segments, static_trajectory, table_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply
 from driftlab.vectors import left_jacobian
 from support import EPS, quaternions, same_rotation, vectors
@@ -74,7 +71,7 @@ def names_of(vectors_):
 
 @pytest.mark.parametrize("interval", [0.05, 0.25, 0.5])
 def test_attitude_walks_through_the_scheme(interval):
-    record = simulate(MIXED, LATITUDE, interval)
+    record = table_trajectory(MIXED, LATITUDE, interval)
     expected = walk(interval).as_quat()
     assert record.attitude.shape == expected.shape
     assert same_rotation(record.attitude, expected, 64 * EPS)
@@ -82,32 +79,37 @@ def test_attitude_walks_through_the_scheme(interval):
 
 @pytest.mark.parametrize("interval", [0.05, 0.5])
 def test_increments_are_integrals_of_rate_and_force(interval):
-    record = simulate(MIXED, LATITUDE, interval, altitude=900.0)
-    assert record.interval == interval
+    record = table_trajectory(MIXED, LATITUDE, interval, altitude=900.0)
+    assert record.increments.interval == interval
     seen, way = mean_over_intervals(record, earth_rate(LATITUDE))
     # Ten points are exact up to rounding for half a radian. The way is a difference of attitudes
     # that are good to some eps, and turns by less than half a radian.
     np.testing.assert_allclose(
-        record.angle_increments, way + interval * seen, rtol=0, atol=64 * EPS
+        record.increments.angle, way + interval * seen, rtol=0, atol=64 * EPS
     )
     pushed, _ = mean_over_intervals(record, [0, 0, float(gravity(LATITUDE, 900.0))])
     np.testing.assert_allclose(
-        record.velocity_increments, interval * pushed, rtol=0, atol=64 * EPS * 9.8 * interval
+        record.increments.velocity, interval * pushed, rtol=0, atol=64 * EPS * 9.8 * interval
     )
 
 
 def test_earth_rate_is_in_the_increments_to_its_last_digits():
     """In a pause nothing else is, so nothing hides it."""
-    record = simulate(MIXED, LATITUDE, 0.5)
+    record = table_trajectory(MIXED, LATITUDE, 0.5)
     first = Rotation.from_matrix(MIXED_START).inv().apply(earth_rate(LATITUDE))
     np.testing.assert_allclose(
-        record.angle_increments[:4], np.tile(0.5 * first, (4, 1)), rtol=0, atol=4e-5 * 8 * EPS
+        record.increments.angle[:4], np.tile(0.5 * first, (4, 1)), rtol=0, atol=4e-5 * 8 * EPS
     )
 
 
 def test_increments_over_parts_of_an_interval_add_up():
-    coarse, fine = simulate(MIXED, LATITUDE, 0.5), simulate(MIXED, LATITUDE, 0.125, whole=4)
-    for one, parts, size in zip(coarse[1:3], fine[1:3], (0.4, 4.9), strict=True):
+    coarse, fine = (
+        table_trajectory(MIXED, LATITUDE, 0.5),
+        table_trajectory(MIXED, LATITUDE, 0.125, multiple_of=4),
+    )
+    for one, parts, size in zip(
+        coarse.increments[1:], fine.increments[1:], (0.4, 4.9), strict=True
+    ):
         total = parts.reshape(-1, 4, 3).sum(axis=1)
         np.testing.assert_allclose(total, one, rtol=0, atol=64 * EPS * size)
     assert same_rotation(coarse.attitude, fine.attitude[::4], 64 * EPS)
@@ -115,8 +117,8 @@ def test_increments_over_parts_of_an_interval_add_up():
 
 def test_angle_increments_lead_to_the_attitude_on_the_turning_earth():
     interval = 0.01
-    record = simulate(MIXED, LATITUDE, interval, whole=2)
-    found = integrate(record.angle_increments, "two-step-4", start=record.attitude[0])
+    record = table_trajectory(MIXED, LATITUDE, interval, multiple_of=2)
+    found = integrate(record.increments.angle, "two-step-4", start=record.attitude[0])
     times = 2 * interval * np.arange(1, len(found) + 1)
     # Local axes stand on the Earth, which turns by 1.5e-3 rad meanwhile.
     turned = from_rotation_vector(times[:, np.newaxis] * earth_rate(LATITUDE))
@@ -128,11 +130,14 @@ def test_angle_increments_lead_to_the_attitude_on_the_turning_earth():
 
 
 def test_altitude_and_latitude_only_enter_gravity_and_earth_rate():
-    low, high = simulate(MIXED, LATITUDE, 0.5), simulate(MIXED, LATITUDE, 0.5, altitude=5e3)
+    low, high = (
+        table_trajectory(MIXED, LATITUDE, 0.5),
+        table_trajectory(MIXED, LATITUDE, 0.5, altitude=5e3),
+    )
     share = gravity(LATITUDE, 5e3) / gravity(LATITUDE)
-    np.testing.assert_array_equal(low.angle_increments, high.angle_increments)
+    np.testing.assert_array_equal(low.increments.angle, high.increments.angle)
     np.testing.assert_allclose(
-        share * low.velocity_increments, high.velocity_increments, rtol=0, atol=64 * EPS
+        share * low.increments.velocity, high.increments.velocity, rtol=0, atol=64 * EPS
     )
 
 
@@ -147,7 +152,7 @@ def test_rotation_is_slowed_down_and_pause_drawn_out_to_whole_intervals():
     assert turn.rate == pytest.approx(-np.radians(90) / 9.2)
     np.testing.assert_array_equal(turn.axis, [1, 0, 0])
     assert before.rate == after.rate == 0
-    assert len(simulate(scheme, LATITUDE, 0.4).angle_increments) == 3 + 23 + 3
+    assert len(table_trajectory(scheme, LATITUDE, 0.4).increments.angle) == 3 + 23 + 3
 
 
 @pytest.mark.parametrize(("dwell", "interval"), [(1.1, 0.1), (0.3, 0.1), (120.0, 0.01), (4.2, 0.6)])
@@ -173,14 +178,16 @@ def test_pauses_and_rotations_last_a_multiple_of_whole(dwell, rate, interval, wh
         # Drawn out by less than one multiple, and never cut by more than rounding.
         longer = part.duration - least
         assert -1e-5 * whole * interval < longer < whole * interval
-    record = simulate(scheme, LATITUDE, interval, whole=whole)
-    assert len(record.angle_increments) == sum(counts)
-    assert len(record.velocity_increments) == sum(counts)
+    record = table_trajectory(scheme, LATITUDE, interval, multiple_of=whole)
+    assert len(record.increments.angle) == sum(counts)
+    assert len(record.increments.velocity) == sum(counts)
     assert len(record.attitude) == sum(counts) + 1
 
 
 def test_attitude_ends_the_same_at_any_interval():
-    ends = [simulate(MIXED, LATITUDE, interval).attitude[-1] for interval in (0.07, 0.3, 1.9)]
+    ends = [
+        table_trajectory(MIXED, LATITUDE, interval).attitude[-1] for interval in (0.07, 0.3, 1.9)
+    ]
     expected = walk(0.5)[-1].as_quat()
     for end in ends:
         assert same_rotation(end, expected, 64 * EPS)
@@ -189,7 +196,7 @@ def test_attitude_ends_the_same_at_any_interval():
 def test_scheme_without_rotations_is_one_pause():
     scheme = Scheme("", dwell=3.0)
     assert scheme.positions == 1
-    assert len(simulate(scheme, LATITUDE, 0.5).angle_increments) == 6
+    assert len(table_trajectory(scheme, LATITUDE, 0.5).increments.angle) == 6
 
 
 # The two schemes
@@ -345,7 +352,10 @@ def test_starts_that_are_not_three_right_handed_directions_are_refused(start):
 
 @pytest.mark.parametrize("interval", [0, -0.1])
 def test_intervals_that_are_not_positive_are_refused(interval):
-    for function in (lambda: segments(MIXED, interval), lambda: simulate(MIXED, 0.9, interval)):
+    for function in (
+        lambda: segments(MIXED, interval),
+        lambda: table_trajectory(MIXED, 0.9, interval),
+    ):
         with pytest.raises(
             ValueError, match=rf"^interval: expected a positive time, got {interval}\.$"
         ):
@@ -367,23 +377,23 @@ def test_intervals_that_are_not_positive_are_refused(interval):
 def test_bad_numbers_are_refused_by_name(bad, words):
     good = {"latitude": 0.9, "interval": 0.1, "altitude": 0.0}
     with pytest.raises(ValueError, match=f"^{words}"):
-        simulate(MIXED, **(good | bad))
+        table_trajectory(MIXED, **(good | bad))
     with pytest.raises(ValueError, match=f"^{words}"):
-        stand([0, 0, 0, 1], count=3, **(good | bad))
+        static_trajectory([0, 0, 0, 1], count=3, **(good | bad))
 
 
 @pytest.mark.parametrize("bad", [0, -1, 2.0, True, None])
 def test_counts_that_are_not_whole_and_positive_are_refused(bad):
     words = rf"expected a whole number of at least 1, got {bad!r}\.$"
-    with pytest.raises(ValueError, match=f"^whole: {words}"):
-        simulate(MIXED, 0.9, 0.1, whole=bad)
+    with pytest.raises(ValueError, match=f"^multiple_of: {words}"):
+        table_trajectory(MIXED, 0.9, 0.1, multiple_of=bad)
     with pytest.raises(ValueError, match=f"^count: {words}"):
-        stand([0, 0, 0, 1], 0.9, 0.1, bad)
+        static_trajectory([0, 0, 0, 1], 0.9, 0.1, bad)
 
 
 def test_attitude_that_is_none_is_refused():
     with pytest.raises(ValueError, match=r"^attitude: expected nonzero quaternions"):
-        stand([0, 0, 0, 0], 0.9, 0.1, 5)
+        static_trajectory([0, 0, 0, 0], 0.9, 0.1, 5)
 
 
 # Standing still
@@ -391,19 +401,19 @@ def test_attitude_that_is_none_is_refused():
 
 @given(quaternions(), st.floats(-1.5, 1.5), st.floats(1e-3, 10), st.integers(1, 50))
 def test_unit_that_stands_senses_gravity_and_the_turning_earth(q, latitude, interval, count):
-    record = stand(3 * q, latitude, interval, count, altitude=250.0)
+    record = static_trajectory(3 * q, latitude, interval, count, altitude=250.0)
     to_body = Rotation.from_quat(q).inv()
-    assert record.interval == interval
-    assert record.angle_increments.shape == record.velocity_increments.shape == (count, 3)
+    assert record.increments.interval == interval
+    assert record.increments.angle.shape == record.increments.velocity.shape == (count, 3)
     np.testing.assert_allclose(
-        record.angle_increments,
+        record.increments.angle,
         np.tile(interval * to_body.apply(earth_rate(latitude)), (count, 1)),
         rtol=0,
         atol=32 * EPS * 7.3e-5 * interval,
     )
     pushed = interval * to_body.apply([0, 0, float(gravity(latitude, 250.0))])
     np.testing.assert_allclose(
-        record.velocity_increments,
+        record.increments.velocity,
         np.tile(pushed, (count, 1)),
         rtol=0,
         atol=32 * EPS * 9.9 * interval,
@@ -413,13 +423,13 @@ def test_unit_that_stands_senses_gravity_and_the_turning_earth(q, latitude, inte
 
 @pytest.mark.parametrize("place", [{}, {"altitude": 30.0}], ids=["sea level", "30 m"])
 def test_standing_is_the_first_pause_of_a_scheme(place):
-    record = simulate(MIXED, LATITUDE, 0.5, **place)
-    alone = stand(MIXED.start_attitude, LATITUDE, 0.5, 4, **place)
+    record = table_trajectory(MIXED, LATITUDE, 0.5, **place)
+    alone = static_trajectory(MIXED.start_attitude, LATITUDE, 0.5, 4, **place)
     up = MIXED_START[2] * 0.5 * float(gravity(LATITUDE, place.get("altitude", 0.0)))
-    for one in (record.velocity_increments[:4], alone.velocity_increments):
+    for one in (record.increments.velocity[:4], alone.increments.velocity):
         np.testing.assert_allclose(one, np.tile(up, (4, 1)), rtol=0, atol=8 * EPS * 4.9)
     np.testing.assert_allclose(
-        alone.angle_increments, record.angle_increments[:4], rtol=0, atol=EPS * 7.3e-5
+        alone.increments.angle, record.increments.angle[:4], rtol=0, atol=EPS * 7.3e-5
     )
 
 
@@ -479,7 +489,7 @@ def test_turns_whose_squares_are_lost_do_no_harm(size):
 )
 def test_standing_wants_a_time_and_one_attitude(arguments, words):
     with pytest.raises(ValueError, match=words):
-        stand(*arguments)
+        static_trajectory(*arguments)
 
 
 def test_schemes_of_other_kinds_are_refused():

@@ -4,36 +4,36 @@ import numpy as np
 import pytest
 
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE
-from driftlab.frames import attitude_from_angles, geographic_rate
-from driftlab.motion.vehicle import sensed_at_rest, smooth_step, voyage
+from driftlab.frames import from_euler_angles, navigation_frame_rate
+from driftlab.motion.vehicle import smooth_step, static_imu, vehicle_trajectory
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotate
 
 LATITUDE, GRAVITY = 0.9, 9.81
 
 
 def test_at_rest_the_increments_are_those_of_a_body_at_rest():
-    attitude = attitude_from_angles(0.5, -0.3, 0.2)
-    found = voyage(LATITUDE, np.zeros((5, 2)), 0.5, -0.3, 0.2, interval=0.5)
-    rate, force = sensed_at_rest(attitude, LATITUDE)
-    assert np.allclose(found.angle_increments, 0.5 * rate, rtol=1e-9, atol=1e-18)
-    assert np.allclose(found.velocity_increments, 0.5 * force, rtol=1e-9, atol=1e-15)
+    attitude = from_euler_angles(0.5, -0.3, 0.2)
+    found = vehicle_trajectory(LATITUDE, np.zeros((5, 2)), 0.5, -0.3, 0.2, interval=0.5)
+    rate, force = static_imu(attitude, LATITUDE)
+    assert np.allclose(found.increments.angle, 0.5 * rate, rtol=1e-9, atol=1e-18)
+    assert np.allclose(found.increments.velocity, 0.5 * force, rtol=1e-9, atol=1e-15)
     assert np.allclose(found.attitude, attitude)
     assert np.array_equal(found.times, [0, 0.5, 1, 1.5, 2])
 
 
 def test_angle_increments_of_a_level_voyage_are_the_rate_of_the_local_axes():
     velocity = np.broadcast_to([20.0, 30.0], (11, 2))
-    found = voyage(LATITUDE, velocity, 0.0, interval=1.0)
+    found = vehicle_trajectory(LATITUDE, velocity, 0.0, interval=1.0)
     middle = 0.5 * (found.latitude[1:] + found.latitude[:-1])
-    expected = geographic_rate(middle, velocity[1:])
-    assert np.allclose(found.angle_increments, expected, rtol=1e-8, atol=1e-16)
+    expected = navigation_frame_rate(middle, velocity[1:])
+    assert np.allclose(found.increments.angle, expected, rtol=1e-8, atol=1e-16)
 
 
 def test_specific_force_is_acceleration_in_inertial_space_minus_gravitation():
     """Differences of the position vector know nothing of Coriolis terms."""
     times = np.arange(2001) * 0.1
     speed = np.stack([30 * np.sin(0.05 * times), 40 + 20 * np.cos(0.03 * times)], axis=-1)
-    found = voyage(LATITUDE, speed, 0.0, interval=0.1, gravity=GRAVITY)
+    found = vehicle_trajectory(LATITUDE, speed, 0.0, interval=0.1, gravity=GRAVITY)
     # Positions by the motion's own integrals, in closed form.
     north = 30 / 0.05 * (1 - np.cos(0.05 * times))
     place = LATITUDE + north / EARTH_RADIUS
@@ -54,31 +54,31 @@ def test_specific_force_is_acceleration_in_inertial_space_minus_gravitation():
     local = np.stack(
         [np.sum(force * axis, axis=-1) for axis in (np.cross(here, east), here, east)], axis=-1
     )
-    middle = 0.5 * (found.velocity_increments[1:] + found.velocity_increments[:-1]) / 0.1
+    middle = 0.5 * (found.increments.velocity[1:] + found.increments.velocity[:-1]) / 0.1
     # Second differences of 6.4e6 m lose digits: 1e-9 m of rounding over 0.01 s^2.
     assert np.abs(middle - local).max() < 2e-5 + 1e-3 * 0.1**2
 
 
 def test_body_increments_are_local_ones_seen_from_the_body():
     velocity = np.stack([np.linspace(0, 5, 21), np.linspace(0, -3, 21)], axis=-1)
-    level = voyage(LATITUDE, velocity, 0.0, interval=0.5)
-    tilted = voyage(LATITUDE, velocity, 0.6, 0.3, -0.2, interval=0.5)
-    back = conjugate(attitude_from_angles(0.6, 0.3, -0.2))
-    for name in ("angle_increments", "velocity_increments"):
-        expected = rotate(back, getattr(level, name))
-        assert np.allclose(getattr(tilted, name), expected, rtol=1e-9, atol=1e-13)
+    level = vehicle_trajectory(LATITUDE, velocity, 0.0, interval=0.5)
+    tilted = vehicle_trajectory(LATITUDE, velocity, 0.6, 0.3, -0.2, interval=0.5)
+    back = conjugate(from_euler_angles(0.6, 0.3, -0.2))
+    for name in ("angle", "velocity"):
+        expected = rotate(back, getattr(level.increments, name))
+        assert np.allclose(getattr(tilted.increments, name), expected, rtol=1e-9, atol=1e-13)
 
 
 def test_a_turn_is_in_the_gyros():
     heading = np.linspace(0, np.pi / 2, 91)
-    found = voyage(LATITUDE, np.zeros((91, 2)), heading, interval=1.0)
-    assert found.angle_increments[:, 1].sum() == pytest.approx(
+    found = vehicle_trajectory(LATITUDE, np.zeros((91, 2)), heading, interval=1.0)
+    assert found.increments.angle[:, 1].sum() == pytest.approx(
         np.pi / 2 + 90 * EARTH_RATE * np.sin(LATITUDE), rel=1e-9
     )
 
 
 def test_the_way_north_is_in_the_latitude():
-    found = voyage(0.1, np.broadcast_to([10.0, 0.0], (101, 2)), 0.0, interval=60.0)
+    found = vehicle_trajectory(0.1, np.broadcast_to([10.0, 0.0], (101, 2)), 0.0, interval=60.0)
     assert found.latitude[-1] == pytest.approx(0.1 + 10.0 * 6000 / EARTH_RADIUS)
 
 
@@ -112,45 +112,45 @@ def test_smooth_step_rises_once():
 def test_refusals(arguments, words):
     good = {"latitude": 0.9, "velocity": np.zeros((5, 2)), "heading": 0.0, "interval": 1.0}
     with pytest.raises(ValueError, match=words):
-        voyage(**{**good, **arguments})
+        vehicle_trajectory(**{**good, **arguments})
 
 
 def test_a_way_over_the_pole_is_refused():
     with pytest.raises(ValueError, match=r"^latitude: expected at most 89.9 degrees"):
-        voyage(1.5, np.broadcast_to([100.0, 0.0], (101, 2)), 0.0, interval=60.0)
+        vehicle_trajectory(1.5, np.broadcast_to([100.0, 0.0], (101, 2)), 0.0, interval=60.0)
 
 
 def test_any_radius_will_do():
     """A small planet: everything that has R in it is larger."""
     velocity, radius = np.broadcast_to([20.0, 30.0], (11, 2)), 1e5
-    found = voyage(0.5, velocity, 0.0, interval=1.0, gravity=GRAVITY, radius=radius)
+    found = vehicle_trajectory(0.5, velocity, 0.0, interval=1.0, gravity=GRAVITY, radius=radius)
     assert found.latitude[-1] == pytest.approx(0.5 + 200.0 / radius)
     middle = 0.5 * (found.latitude[1:] + found.latitude[:-1])
-    rate = geographic_rate(middle, velocity[1:], radius)
-    assert np.allclose(found.angle_increments, rate, rtol=1e-6)
-    turn = rate + geographic_rate(middle)
+    rate = navigation_frame_rate(middle, velocity[1:], radius)
+    assert np.allclose(found.increments.angle, rate, rtol=1e-6)
+    turn = rate + navigation_frame_rate(middle)
     moving = np.array([20.0, 0.0, 30.0])
     expected = np.array([0.0, GRAVITY, 0.0]) + np.cross(turn, moving)
-    assert np.allclose(found.velocity_increments, expected, rtol=0, atol=2e-6)
+    assert np.allclose(found.increments.velocity, expected, rtol=0, atol=2e-6)
 
 
 def test_increments_of_a_turning_body_are_means_of_a_force_that_stands_still():
     """Against a sum over many small parts of the interval; the angle is a large one."""
     heading, pitch, roll = [0.0, 0.15], [0.0, 0.1], [0.0, -0.1]
     # In a thousandth of a second the Earth turns by nothing that matters.
-    found = voyage(LATITUDE, np.zeros((2, 2)), heading, pitch, roll, interval=1e-3)
+    found = vehicle_trajectory(LATITUDE, np.zeros((2, 2)), heading, pitch, roll, interval=1e-3)
     fractions = (np.arange(2000) + 0.5) / 2000
-    turned = from_rotation_vector(fractions[:, np.newaxis] * found.angle_increments[0])
+    turned = from_rotation_vector(fractions[:, np.newaxis] * found.increments.angle[0])
     body = multiply(found.attitude[0], turned)
-    force = sensed_at_rest(body, LATITUDE)[1].mean(axis=0)
-    angle = np.linalg.norm(found.angle_increments[0])
-    mean = found.velocity_increments[0] / 1e-3
+    force = static_imu(body, LATITUDE)[1].mean(axis=0)
+    angle = np.linalg.norm(found.increments.angle[0])
+    mean = found.increments.velocity[0] / 1e-3
     assert np.allclose(mean, force, rtol=0, atol=9.8 * angle**4 / 200)
 
 
 def test_the_velocity_is_a_copy():
     velocity = np.zeros((3, 2))
-    found = voyage(LATITUDE, velocity, 0.0, interval=1.0)
+    found = vehicle_trajectory(LATITUDE, velocity, 0.0, interval=1.0)
     velocity[0] = 99.0
     assert not found.velocity.any()
 

@@ -11,7 +11,8 @@ from driftlab.drift.characteristic_equation import (
     exact_roots,
 )
 from driftlab.drift.systematic_drift import drift_per_turn, principal_drifts
-from driftlab.drift.turn_calibration import TurnExperiment, fit_turns, weighing
+from driftlab.drift.turn_calibration import TurnExperiment
+from driftlab.drift.weighing_designs import fit_turns, weighing
 from driftlab.quaternion import from_rotation_vector, multiply, pure
 from driftlab.triad import measured_rate
 
@@ -55,10 +56,10 @@ def error_motion(values: Values) -> Rows:
 
 def roots(values: Values) -> Rows:
     rate = axis_of(values)
-    misalignment = values["size"] * SHAPES[values["shape"]]
-    measured = measured_rate(rate, misalignment)
+    triad_error = values["size"] * SHAPES[values["shape"]]
+    measured = measured_rate(rate, triad_error)
     slow = np.linalg.norm(measured) - np.linalg.norm(rate)
-    first, second = (asymptotic_roots(rate, misalignment, order=n).imag for n in (1, 2))
+    first, second = (asymptotic_roots(rate, triad_error, order=n).imag for n in (1, 2))
     printed = characteristic_polynomial(rate, measured, as_printed=True)
     sizes = np.sort(np.abs(np.sqrt(np.roots(printed[::2]) + 0j).imag))
     return [
@@ -74,14 +75,14 @@ def roots(values: Values) -> Rows:
 
 def drift(values: Values) -> Rows:
     entries = [values[f"m{row}{column}"] for row in (1, 2, 3) for column in (1, 2, 3)]
-    misalignment = 1e-3 * np.reshape(entries, (3, 3))
+    triad_error = 1e-3 * np.reshape(entries, (3, 3))
     axis = axis_of(values)
-    first_order = 2 * np.pi * axis @ misalignment @ axis
-    extremes, axes = principal_drifts(misalignment, exact=True)
+    first_order = 2 * np.pi * axis @ triad_error @ axis
+    extremes, axes = principal_drifts(triad_error, exact=True)
     largest = np.abs(extremes).argmax()
     worst = 2 * np.pi * extremes[largest]
     return [
-        ("drift a turn, exact", f"{drift_per_turn(axis, misalignment) / arcminute:.3f} arcmin"),
+        ("drift a turn, exact", f"{drift_per_turn(axis, triad_error) / arcminute:.3f} arcmin"),
         ("first order", f"{first_order / arcminute:.3f} arcmin"),
         ("drift a turn about the worst axis", f"{worst / arcminute:.3f} arcmin"),
         ("which is", np.array2string(axes[largest].round(3), suppress_small=True)),

@@ -6,15 +6,15 @@ import numpy as np
 from scipy.constants import arcminute, arcsecond, degree, g, hour, milli
 
 from driftlab.attitude.coning_algorithms import coning_drift
-from driftlab.book.scenarios import ship
+from driftlab.book.scenarios import ship_manoeuvre
 from driftlab.calibration.simulation import TableTrial
 from driftlab.drift.systematic_drift import drift_per_turn
 from driftlab.drift.turn_calibration import TurnExperiment
-from driftlab.frames import attitude_from_angles
+from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import align, alignment_attitude_error, alignment_errors
-from driftlab.gyrocompass.simulation import take_along
-from driftlab.imu import PERFECT
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.imu import NO_ERRORS
+from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import conjugate, multiply, rotate, rotation_angle
 from driftlab.vectors import cross_matrix, wrap_angle
 
@@ -26,8 +26,8 @@ def alignment_budget(values: Values) -> Rows:
     latitude = np.radians(values["latitude"])
     drifts = listed(values, "gyro_forward gyro_up gyro_right") * degree / hour
     offsets = listed(values, "acc_forward acc_up acc_right") * milli * g
-    attitude = attitude_from_angles(*angles)
-    rate, force = sensed_at_rest(attitude, latitude)
+    attitude = from_euler_angles(*angles)
+    rate, force = static_imu(attitude, latitude)
     true, found = align(rate, force), align(rate + drifts, force + offsets)
     turned = rotation_angle(multiply(found.attitude, conjugate(true.attitude)))
     local = rotate(attitude, drifts), rotate(attitude, offsets)
@@ -64,8 +64,8 @@ def alignment_budget(values: Values) -> Rows:
 
 def gyrocompass(values: Values) -> Rows:
     latitude, course, turn = np.radians(listed(values, "latitude course turn"))
-    run = take_along(
-        ship(latitude, values["speed"], course, turn, 4.0),
+    run = simulate_compass(
+        ship_manoeuvre(latitude, values["speed"], course, turn, 4.0),
         listed(values, "gyro_forward gyro_up gyro_right") * degree / hour,
         tuning_factor=values["tuning"],
         damping=values["damping"],
@@ -81,7 +81,7 @@ def gyrocompass(values: Values) -> Rows:
         ("largest gap to the formula", gap if small else "too large errors for it"),
         ("largest tilt about North", f"{north:.3f}′"),
         ("largest tilt about East", f"{east:.3f}′"),
-        ("largest speed deviation", f"{np.degrees(np.abs(run.deviation).max()):.4f}°"),
+        ("largest speed error", f"{np.degrees(np.abs(run.speed_error).max()):.4f}°"),
         ("yaw error at the end", f"{np.degrees(run.yaw_error[-1]):.4f}°"),
         ("compass error at the end", f"{np.degrees(run.compass_error[-1]):.4f}°"),
     ]
@@ -105,16 +105,16 @@ def capstone(values: Values) -> Rows:
     shaken = np.array([0, 0, cone])
     latitude, turn = np.radians(listed(values, "latitude turn"))
     headings = np.radians(np.arange(-180.0, 181.0, 10.0))
-    attitude = attitude_from_angles(headings, 0.0, 0.0)
-    rate, _ = sensed_at_rest(attitude, latitude)
-    way = ship(latitude, 10.0, 0.0, turn, 16.0)
-    rates = way.angle_increments / way.interval
+    attitude = from_euler_angles(headings, 0.0, 0.0)
+    rate, _ = static_imu(attitude, latitude)
+    way = ship_manoeuvre(latitude, 10.0, 0.0, turn, 16.0)
+    rates = way.increments.mean_rate
     rows = []
     for stage, error in left.items():
         drift_a_turn = np.abs(drift_per_turn(axes, error)).max()
         drifts = rotate(attitude, rate @ error.T + shaken)
         aligned = alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
-        run = take_along(way, rates @ error.T + shaken, log=True)
+        run = simulate_compass(way, rates @ error.T + shaken, log=True)
         rows += [
             (f"drift in a turn, {stage}", f"{drift_a_turn / arcsecond:.1f}″"),
             (f"aligned heading, {stage}", f"{np.abs(aligned).max() / arcminute:.3f}′"),
@@ -128,7 +128,7 @@ def filter_leftover() -> np.ndarray:
     """What the filter leaves in the gyros of the unit with which the panel opens."""
     true = np.array([[0, -30, 20], [-30, 0, 30], [20, 30, 0]]) * arcsecond
     true = true + cross_matrix(np.array([20, 25, 20]) * arcsecond)
-    unit = PERFECT._replace(gyro_error=true)
+    imu_errors = NO_ERRORS._replace(gyro_error=true)
     trial = TableTrial(frame="accelerometers", sample_interval=0.1)
-    found = trial.run(np.random.default_rng(11), unit=unit).calibration.unit
+    found = trial.run(np.random.default_rng(11), imu_errors=imu_errors).calibration.imu_errors
     return found.gyro_error - true

@@ -5,9 +5,10 @@ from scipy.constants import arcsecond, degree, g, hour, micro, milli
 
 from driftlab.book.ch08_system_calibration.experiments import PARAMETERS, typical_trial
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
-from driftlab.calibration.observability import expected_covariance, null_directions, passage
-from driftlab.imu import Noise, Spread
-from driftlab.motion.turntable import Scheme
+from driftlab.calibration.linearization import linearize_along
+from driftlab.calibration.observability import covariance_analysis, unobservable_subspace
+from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.motion.scheme import Scheme
 
 from .values import Rows, Values
 
@@ -36,16 +37,16 @@ def observability(values: Values) -> Rows:
     scheme = Scheme(values["rotations"], (x, y, z), values["dwell"], np.radians(values["rate"]))
     states = values["states"]
     model = FULL if states == "all 30" else ERROR_MODELS[states.removeprefix("27, ")]
-    way = passage(scheme, np.radians(values["latitude"]), model)
-    noise = Noise(
+    way = linearize_along(scheme, np.radians(values["latitude"]), model)
+    noise = ImuNoise(
         values["gyro"] * 1e-3 * degree / np.sqrt(hour),
         values["accelerometer"] * micro * g,
         values["velocity"] * milli,
     )
-    after = np.sqrt(np.diag(expected_covariance(way, noise, Spread())))
-    dark = null_directions(way)
-    rows = [("rank", f"{model.size - len(dark.directions)} of {model.size}")]
-    rows += [("in the dark", words) for words in dark.words]
+    after = np.sqrt(np.diag(covariance_analysis(way, noise, PriorDeviations())))
+    unobservable = unobservable_subspace(way)
+    rows = [("rank", f"{model.size - len(unobservable.directions)} of {model.size}")]
+    rows += [("unobservable", text) for text in unobservable.descriptions]
     kinds = dict.fromkeys(name.rpartition(" ")[0] for name in model.names[6:])
     for kind in kinds:
         size, unit = unit_of(kind)

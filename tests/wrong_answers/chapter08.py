@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from driftlab.motion.turntable import Scheme
+from driftlab.motion.scheme import Scheme
 
 _Q, _T, _M, _N = sp.symbols("q T m N", positive=True)
 
@@ -31,9 +31,9 @@ WRONG = {
         (1 / sp.sqrt(_M * _N), "square of a normal number"),
     ],
     "8.5": [
-        ("+90Z +90Z +90Z +90Z +90Z", "In the dark stay 9 among accelerometer bias x"),
+        ("+90Z +90Z +90Z +90Z +90Z", "Unobservable stay 9 among accelerometer bias x"),
         ("+90X +90Y +90Z +90X +90Y +90Z", "7 positions"),
-        ("+90X +90Y +90Z +90X +90Y", "Nothing stays in the dark. But accelerometer scale y"),
+        ("+90X +90Y +90Z +90X +90Y", "Nothing stays unobservable. But accelerometer scale y"),
         # All six faces up, but never a turn about y.
         ("-90X -90Z -180Z +90Z +90X", "gyro scale y"),
         (Scheme("+180X"), "2 positions"),

@@ -1,6 +1,6 @@
 """Perelyaev & Chelnokov, section 1: Cayley transforms of a rotation and their Riccati equations.
 
-A skew matrix and an orthogonal one belong together by n = (E - k)(E + k)^-1, which is its own
+A skew matrix and an orthogonal one belong together by n = (I - k)(I + k)^-1, which is its own
 inverse. Applied to the 3x3 matrix of a rotation by phi about e it gives the vector -tan(phi/2) e,
 applied to the 4x4 matrix of its quaternion -tan(phi/4) e. The first is infinite at half a turn, the
 second at a whole turn only, and neither needs a sine or a cosine to give the rotation back.
@@ -26,7 +26,7 @@ from driftlab.core.vectors import norms
 
 
 def cayley_transform(matrix: ArrayLike) -> FloatArray:
-    """Cayley transform (E - X)(E + X)^-1 of a matrix X; (1.2).
+    """Cayley transform (I - X)(I + X)^-1 of a matrix X; (1.2).
 
     It maps skew matrices to orthogonal ones and back: the transform is its own inverse.
 
@@ -43,7 +43,7 @@ def cayley_transform(matrix: ArrayLike) -> FloatArray:
     Raises
     ------
     ValueError
-        If E + X is singular to rounding. An orthogonal X then has the eigenvalue -1; a skew X comes
+        If I + X is singular to rounding. An orthogonal X then has the eigenvalue -1; a skew X comes
         near this only if it is itself nearly singular and has entries of about 1e15.
 
     Examples
@@ -58,10 +58,10 @@ def cayley_transform(matrix: ArrayLike) -> FloatArray:
     if x.ndim < 2 or x.shape[-1] != x.shape[-2]:
         raise ValueError(f"matrix: expected shape (..., n, n), got shape {x.shape}.")
     unit = np.eye(x.shape[-1])
-    # From here on the smallest singular value of E + X cannot be told from zero.
+    # From here on the smallest singular value of I + X cannot be told from zero.
     condition = np.linalg.cond(unit + x).max()
     if not condition < 1 / (x.shape[-1] * np.finfo(float).eps):
-        raise ValueError("matrix: expected one without the eigenvalue -1, got E + X singular.")
+        raise ValueError("matrix: expected one without the eigenvalue -1, got I + X singular.")
     # The two factors commute, so the inverse may stand on the left.
     return np.asarray(np.linalg.solve(unit + x, unit - x), np.float64)
 

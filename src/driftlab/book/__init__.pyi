@@ -8,20 +8,26 @@ from .ch06_picard_algorithms.panels import (
     AlgorithmLaboratoryExplorer as AlgorithmLaboratoryExplorer,
 )
 from .ch07_installation_errors.panels import SplitExplorer as SplitExplorer
-from .ch08_system_calibration.panels import CalibrationRunExplorer as CalibrationRunExplorer
-from .ch08_system_calibration.panels import ObservabilityExplorer as ObservabilityExplorer
+from .ch08_system_calibration.panels import (
+    CalibrationRunExplorer as CalibrationRunExplorer,
+    ObservabilityExplorer as ObservabilityExplorer,
+)
 from .ch09_aligning_a_gyrocompass.panels import AlignmentBudgetExplorer as AlignmentBudgetExplorer
 from .ch10_gyrocompass_at_work.panels import GyrocompassExplorer as GyrocompassExplorer
 from .ch11_one_triad.panels import CapstoneExplorer as CapstoneExplorer
-from .exercises import check as check
-from .exercises import exercises as exercises
-from .exercises import of_kind as of_kind
-from .exercises import verdict as verdict
+from .exercises import (
+    by_kind as by_kind,
+    check as check,
+    exercises as exercises,
+    verdict as verdict,
+)
 from .figures import figure as figure
-from .ledger import STATUSES as STATUSES
-from .ledger import Table as Table
-from .ledger import chapter_table as chapter_table
-from .ledger import ledger as ledger
-from .ledger import paper_table as paper_table
-from .ledger import summary_table as summary_table
+from .ledger import (
+    STATUSES as STATUSES,
+    Table as Table,
+    chapter_table as chapter_table,
+    ledger as ledger,
+    paper_table as paper_table,
+    summary_table as summary_table,
+)
 from .machinery.submissions import class_summary as class_summary

@@ -54,7 +54,7 @@ def verdict(number: str, answer: Any) -> Verdict:
     return known[number].verdict(answer)
 
 
-def of_kind(kind: str) -> dict[str, Exercise]:
+def by_kind(kind: str) -> dict[str, Exercise]:
     """Return all exercises of one kind by number, for a teacher's lists.
 
     Parameters

@@ -45,7 +45,7 @@ KINDS = ("equation", "table", "figure", "claim")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Entry:
+class LedgerEntry:
     """What became of one equation, table, figure or claim.
 
     Attributes
@@ -106,17 +106,17 @@ class Table:
 
 
 @cache
-def ledger() -> tuple[Entry, ...]:
+def ledger() -> tuple[LedgerEntry, ...]:
     """Return all entries: paper by paper, and for each in the order of the chapters."""
     entries = [entry for chapter in chapters_with("ledger") for entry in _chapter_entries(chapter)]
     return tuple(sorted(entries, key=lambda entry: list(PAPERS).index(entry.paper)))
 
 
-def _chapter_entries(chapter: str) -> list[Entry]:
+def _chapter_entries(chapter: str) -> list[LedgerEntry]:
     """Entries of the ``ledger.toml`` in the folder of a chapter."""
     text = (Path(__file__).parent / CHAPTERS[chapter] / "ledger.toml").read_text(encoding="utf-8")
     return [
-        Entry(
+        LedgerEntry(
             **entry | {key: tuple(entry.get(key, ())) for key in ("functions", "tests")},
             chapter=chapter,
         )
@@ -229,20 +229,20 @@ def errata() -> str:
     return "\n".join(lines)
 
 
-def _entries_of(paper: str) -> list[Entry]:
+def _entries_of(paper: str) -> list[LedgerEntry]:
     if paper not in PAPERS:
         raise ValueError(f"paper: expected one of {', '.join(PAPERS)}, got {paper!r}.")
     return [entry for entry in ledger() if entry.paper == paper]
 
 
-def _status(entry: Entry) -> str:
+def _status(entry: LedgerEntry) -> str:
     """The status, with what is right or to be known of it."""
     correction = f"in print {entry.printed}; right is {entry.right}." if entry.printed else ""
     more = " ".join(filter(None, [correction, entry.remark]))
     return f"*{entry.status}*: {more}" if more else f"*{entry.status}*"
 
 
-def _names(entry: Entry) -> str:
+def _names(entry: LedgerEntry) -> str:
     """Functions and tests, folded away: their names are long."""
     names = [*entry.functions, *entry.tests]
     if not names:

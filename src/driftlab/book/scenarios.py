@@ -9,7 +9,8 @@ from scipy.constants import hour, minute
 
 from driftlab.checks import FloatArray, finite_number, positive_number
 from driftlab.earth import EARTH_RADIUS, gravity
-from driftlab.motion.vehicle import Voyage, smooth_step, voyage
+from driftlab.motion.trajectory import Trajectory
+from driftlab.motion.vehicle import smooth_step, vehicle_trajectory
 
 LARIN_TRIAD: FloatArray = 1e-3 * np.array([[0.0, 0, 0], [0, 0, 0], [2, -2, 0]])
 """mu T of Larin's experiment: i_z leans by 2e-3 to i_1 and by -2e-3 to i_2."""
@@ -36,7 +37,7 @@ SCHULER_PERIOD = 2 * np.pi * float(np.sqrt(EARTH_RADIUS / gravity(SARATOV_LATITU
 """In Saratov, s."""
 DURATION = 2 * hour
 """Of the voyage, s."""
-UNDER_WAY = (10 * minute, 2 * minute)
+SPEED_UP = (10 * minute, 2 * minute)
 """Beginning and length of gathering way, s."""
 TURN = (50 * minute, 4 * minute)
 """Beginning and length of the turn, s."""
@@ -46,14 +47,14 @@ QUARTER_TURN = np.pi / 2
 """To the West, rad."""
 
 
-def ship(
+def ship_manoeuvre(
     latitude: float = SARATOV_LATITUDE,
     speed: float = SPEED,
     course: float = 0.0,
     turn: float = QUARTER_TURN,
     interval: float = 4.0,
     pitch: float = 0.0,
-) -> Voyage:
+) -> Trajectory:
     """Return the voyage of a ship that lies still, gathers way along its course, and turns.
 
     The last two voyages are kept, so that a reader who moves the sliders of an instrument does not
@@ -83,16 +84,15 @@ def ship(
 @lru_cache(maxsize=2)
 def _kept_voyage(
     latitude: float, speed: float, course: float, turn: float, interval: float, pitch: float
-) -> Voyage:
+) -> Trajectory:
     times = interval * np.arange(round(DURATION / positive_number(interval, "interval")) + 1)
     heading = course + turn * smooth_step(times, *TURN)
-    way = speed * smooth_step(times, *UNDER_WAY)
+    way = speed * smooth_step(times, *SPEED_UP)
     # A positive heading is West of North.
     velocity = np.stack([way * np.cos(heading), -way * np.sin(heading)], axis=-1)
-    kept = voyage(latitude, velocity, heading, pitch, interval=interval)
-    for part in kept:
-        if isinstance(part, np.ndarray):
-            part.setflags(write=False)
+    kept = vehicle_trajectory(latitude, velocity, heading, pitch, interval=interval)
+    for part in (*kept.increments[1:], kept.attitude, kept.latitude, kept.velocity):
+        part.setflags(write=False)
     return kept
 
 

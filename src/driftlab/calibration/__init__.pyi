@@ -1,120 +1,62 @@
 from . import (
+    body_axes as body_axes,
     error_dynamics as error_dynamics,
-)
-from . import (
     error_model as error_model,
-)
-from . import (
     filter as filter,
-)
-from . import (
     kalman as kalman,
-)
-from . import (
+    linearization as linearization,
     observability as observability,
-)
-from . import (
     simulation as simulation,
-)
-from . import (
     static_navigation as static_navigation,
 )
-from .error_dynamics import (
-    free_growth as free_growth,
+from .body_axes import (
+    attitude_error as attitude_error,
+    attitude_of_axes as attitude_of_axes,
+    imu_errors_in_frame as imu_errors_in_frame,
 )
 from .error_dynamics import (
+    free_transition as free_transition,
     process_noise as process_noise,
-)
-from .error_dynamics import (
     transition as transition,
-)
-from .error_dynamics import (
     transition_of_increments as transition_of_increments,
 )
 from .error_model import (
     AXES as AXES,
-)
-from .error_model import (
     ERROR_MODELS as ERROR_MODELS,
-)
-from .error_model import (
     FULL as FULL,
-)
-from .error_model import (
     LOCAL_AXES as LOCAL_AXES,
-)
-from .error_model import (
     ErrorModel as ErrorModel,
-)
-from .error_model import (
-    attitude_error as attitude_error,
-)
-from .error_model import (
-    attitude_of_axes as attitude_of_axes,
-)
-from .error_model import (
     error_model_for as error_model_for,
 )
 from .filter import (
     Calibration as Calibration,
-)
-from .filter import (
     calibrate as calibrate,
 )
 from .kalman import (
     Update as Update,
+    covariance_update as covariance_update,
+    velocity_update as velocity_update,
 )
-from .kalman import (
-    covariance_step as covariance_step,
-)
-from .kalman import (
-    kalman_step as kalman_step,
-)
-from .observability import (
+from .linearization import (
     STEP as STEP,
-)
-from .observability import (
-    Darkness as Darkness,
-)
-from .observability import (
-    Passage as Passage,
-)
-from .observability import (
-    UnobservableWarning as UnobservableWarning,
-)
-from .observability import (
+    LinearizedErrors as LinearizedErrors,
     checked_model as checked_model,
+    linearize_along as linearize_along,
 )
 from .observability import (
-    expected_covariance as expected_covariance,
-)
-from .observability import (
-    null_directions as null_directions,
-)
-from .observability import (
+    UnobservableSubspace as UnobservableSubspace,
+    UnobservableWarning as UnobservableWarning,
+    covariance_analysis as covariance_analysis,
     observability_matrix as observability_matrix,
-)
-from .observability import (
-    passage as passage,
-)
-from .observability import (
+    unobservable_subspace as unobservable_subspace,
     warn_if_unobservable as warn_if_unobservable,
 )
 from .simulation import (
     TableTrial as TableTrial,
-)
-from .simulation import (
     Trial as Trial,
-)
-from .simulation import (
     estimation_errors as estimation_errors,
 )
-from .simulation import (
-    unit_in_axes as unit_in_axes,
-)
 from .static_navigation import (
-    InPlace as InPlace,
-)
-from .static_navigation import (
-    navigate_in_place as navigate_in_place,
+    StaticNavigationErrors as StaticNavigationErrors,
+    navigate_static as navigate_static,
 )

@@ -9,12 +9,13 @@ from driftlab.checks import FloatArray
 from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.earth import curvature_radii, earth_rate
-from driftlab.imu import Noise
+from driftlab.imu import ImuNoise
+from driftlab.increments import Increments
 
 from .error_model import ErrorModel
 
 
-def free_growth(latitude: float, duration: ArrayLike) -> FloatArray:
+def free_transition(latitude: float, duration: ArrayLike) -> FloatArray:
     """Transition matrix of attitude and velocity errors without sensor errors and specific force.
 
     The part of Wu (6) that acts on a table at rest whatever the sensors do: the local axes rotate
@@ -43,7 +44,7 @@ def free_growth(latitude: float, duration: ArrayLike) -> FloatArray:
     Earth's radius about East:
 
     >>> meridian, _ = curvature_radii(0.0)
-    >>> round(float(free_growth(0.0, 60.0)[0, 4] * meridian), 3)
+    >>> round(float(free_transition(0.0, 60.0)[0, 4] * meridian), 3)
     -60.0
     """
     earth = earth_rate(latitude)
@@ -65,7 +66,7 @@ def transition(
     times: FloatArray,
     angle: FloatArray,
     velocity: FloatArray,
-    passed: FloatArray,
+    quadrature_weights: FloatArray,
 ) -> FloatArray:
     """Transition matrix of all errors over an interval; Wu (49), (50).
 
@@ -77,7 +78,7 @@ def transition(
     model : ErrorModel
         The states.
     free : ndarray, shape (..., 6, 6)
-        `free_growth` over the interval.
+        `free_transition` over the interval.
     attitude : ndarray, shape (..., n, 3, 3)
         Matrices from body axes at the n quadrature nodes of the interval to the local axes at its
         beginning.
@@ -87,9 +88,9 @@ def transition(
         Quadrature terms of the integral of the angular rate in body axes, rad.
     velocity : ndarray, shape (..., n, 3)
         Quadrature terms of the integral of the specific force in body axes, m/s.
-    passed : ndarray, shape (n, n)
+    quadrature_weights : ndarray, shape (n, n)
         Fraction of the quadrature term of each node (column) that has accumulated by the time of
-        each node (row).
+        each node (row): weights of the integral from the beginning of the interval to each node.
 
     Returns
     -------
@@ -113,7 +114,7 @@ def transition(
     tilts = attitude @ _effects(model.gyro_basis, times, angle)
     pushes = attitude @ _effects(model.accelerometer_basis, times, velocity)
     force = cross_matrix((attitude @ velocity[..., np.newaxis])[..., 0])
-    tilted = (passed @ tilts.reshape(*tilts.shape[:-2], -1)).reshape(tilts.shape)
+    tilted = (quadrature_weights @ tilts.reshape(*tilts.shape[:-2], -1)).reshape(tilts.shape)
     moved = np.zeros((*angle.shape[:-2], 6, model.size))
     moved[..., :6] = np.eye(6)
     moved[..., 3:, :3] = force.sum(axis=-3)
@@ -130,9 +131,7 @@ def transition_of_increments(
     model: ErrorModel,
     free: FloatArray,
     attitude: FloatArray,
-    angle_increments: FloatArray,
-    velocity_increments: FloatArray,
-    interval: float,
+    increments: Increments,
 ) -> FloatArray:
     """Transition matrix of all errors while a unit navigates for a short time.
 
@@ -141,15 +140,12 @@ def transition_of_increments(
     model : ErrorModel
         The states.
     free : ndarray, shape (..., 6, 6)
-        `free_growth` over the whole time.
+        `free_transition` over the whole time.
     attitude : ndarray, shape (..., n + 1, 4)
         Computed attitudes, body to East, North, Up, before and after each pair of increments.
-    angle_increments : ndarray, shape (..., 2 n, 3)
-        Increments from which the attitudes were computed, with the known errors removed, rad.
-    velocity_increments : ndarray, shape (..., 2 n, 3)
-        The same of the specific force, m/s.
-    interval : float
-        Of one increment, s.
+    increments : Increments
+        From which the attitudes were computed, with the known errors removed; arrays of shape
+        (..., 2 n, 3).
 
     Returns
     -------
@@ -167,20 +163,20 @@ def transition_of_increments(
     >>> from driftlab.calibration.error_model import FULL
     >>> level, zero = np.tile([0.0, 0.0, 0.0, 1.0], (2, 1)), np.zeros((2, 3))
     >>> up = np.tile([0.0, 0.0, 4.9], (2, 1))
-    >>> found = transition_of_increments(FULL, np.eye(6), level, zero, up, 0.5)
+    >>> found = transition_of_increments(FULL, np.eye(6), level, Increments(0.5, zero, up))
     >>> round(float(found[FULL.names.index("velocity East"), FULL.names.index("gyro bias y")]), 6)
     4.9
     """
     matrices = to_matrix(attitude)
     # Local axes turn by an arc second or so in a second; here they count as fixed.
     middle = 0.5 * (matrices[..., :-1, :, :] + matrices[..., 1:, :, :])
-    angle = angle_increments[..., 0::2, :] + angle_increments[..., 1::2, :]
-    velocity = velocity_increments[..., 0::2, :] + velocity_increments[..., 1::2, :]
+    angle = increments.angle[..., 0::2, :] + increments.angle[..., 1::2, :]
+    velocity = increments.velocity[..., 0::2, :] + increments.velocity[..., 1::2, :]
     count = angle.shape[-2]
     # In the middle of a pair, half of it has passed.
-    passed = np.tri(count) - 0.5 * np.eye(count)
-    times = np.full(count, 2 * interval)
-    return transition(model, free, middle, times, angle, velocity, passed)
+    weights = np.tri(count) - 0.5 * np.eye(count)
+    times = np.full(count, 2 * increments.interval)
+    return transition(model, free, middle, times, angle, velocity, weights)
 
 
 def _effects(basis: FloatArray, times: FloatArray, values: FloatArray) -> FloatArray:
@@ -191,12 +187,14 @@ def _effects(basis: FloatArray, times: FloatArray, values: FloatArray) -> FloatA
     return effects
 
 
-def process_noise(noise: Noise, force: FloatArray, duration: FloatArray, size: int) -> FloatArray:
+def process_noise(
+    noise: ImuNoise, force: FloatArray, duration: FloatArray, size: int
+) -> FloatArray:
     r"""Covariance that white sensor noise adds to the errors over an interval.
 
     Parameters
     ----------
-    noise : Noise
+    noise : ImuNoise
         Of the gyros and accelerometers.
     force : ndarray, shape (..., 3, 3)
         Velocity error at the end for each rad of attitude error at the beginning, m/s: a block of
@@ -215,14 +213,14 @@ def process_noise(noise: Noise, force: FloatArray, duration: FloatArray, size: i
     -----
     For the random walks q of the gyros and r of the accelerometers, the duration t and the block F
 
-    .. math:: Q_{\varphi\varphi} = q^2 t E, \quad Q_{v\varphi} = \tfrac{1}{2} q^2 t F, \quad
-              Q_{vv} = r^2 t E + \tfrac{1}{3} q^2 t F F^T
+    .. math:: Q_{\varphi\varphi} = q^2 t I, \quad Q_{v\varphi} = \tfrac{1}{2} q^2 t F, \quad
+              Q_{vv} = r^2 t I + \tfrac{1}{3} q^2 t F F^T
 
     Examples
     --------
     A random walk of 1e-6 rad/sqrt(s) for 100 s:
 
-    >>> noise = Noise(angle_random_walk=1e-6, velocity_random_walk=0.0)
+    >>> noise = ImuNoise(angle_random_walk=1e-6, velocity_random_walk=0.0)
     >>> covariance = process_noise(noise, np.zeros((3, 3)), np.array(100.0), 27)
     >>> f"{np.sqrt(covariance[0, 0]):.1e}"  # rad
     '1.0e-05'

@@ -4,7 +4,7 @@ The state is: attitude error phi and velocity error dv (East, North, Up), gyro b
 matrix, accelerometer biases and accelerometer matrix. All 24 errors of a unit make 30 states, three
 directions of which are unobservable. A choice of body axes removes three numbers: 27 states.
 
-Signs: the computed attitude is ``(E - [phi×]) C``, a velocity error is computed minus true, and a
+Signs: the computed attitude is ``(I - [phi×]) C``, a velocity error is computed minus true, and a
 sensor error that remains after compensation is true minus assumed.
 """
 
@@ -15,13 +15,12 @@ from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.spatial.transform import Rotation
 
-from driftlab.checks import FloatArray, finite_arrays, unit_quaternions
-from driftlab.core.quaternion import conjugate, multiply, to_matrix, to_rotation_vector
+from driftlab.body_frames import BODY_FRAMES, misalignment_vector
+from driftlab.checks import FloatArray, unit_quaternions
+from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
-from driftlab.imu import Spread, Unit
-from driftlab.triad import BODY_FRAMES, misalignment_vector
+from driftlab.imu import ImuErrors, PriorDeviations
 
 AXES = "xyz"
 LOCAL_AXES = ("East", "North", "Up")
@@ -38,7 +37,7 @@ class ErrorModel:
     Attributes
     ----------
     frame : str or None
-        The choice of body axes, one of `driftlab.triad.BODY_FRAMES`; None for all 30 states.
+        The choice of body axes, one of `driftlab.body_frames.BODY_FRAMES`; None for all 30 states.
     gyro_basis, accelerometer_basis : ndarray, shape (m, 3, 3)
         Basis matrices: K (gyros) and L (accelerometers) are their linear combinations.
     names : tuple of str
@@ -72,7 +71,7 @@ class ErrorModel:
         """
         return len(self.names)
 
-    def unit(self, state: FloatArray) -> Unit:
+    def imu_errors(self, state: FloatArray) -> ImuErrors:
         """Sensor errors that a state vector describes.
 
         Parameters
@@ -82,7 +81,7 @@ class ErrorModel:
 
         Returns
         -------
-        Unit
+        ImuErrors
             Biases (..., 3) in rad/s and m/s^2 and error matrices (..., 3, 3), in the model's own
             body axes.
 
@@ -91,25 +90,25 @@ class ErrorModel:
         The off-diagonal states of averaged axes are symmetric in the gyros' matrix:
 
         >>> model = ERROR_MODELS["averaged"]
-        >>> model.unit(np.arange(27.0)).gyro_error
+        >>> model.imu_errors(np.arange(27.0)).gyro_error
         array([[ 9., 12., 13.],
                [12., 10., 14.],
                [13., 14., 11.]])
         """
         middle = 9 + len(self.gyro_basis)
-        return Unit(
+        return ImuErrors(
             state[..., 6:9],
             np.tensordot(state[..., 9:middle], self.gyro_basis, 1),
             state[..., middle : middle + 3],
             np.tensordot(state[..., middle + 3 :], self.accelerometer_basis, 1),
         )
 
-    def state(self, unit: Unit) -> FloatArray:
+    def state(self, imu_errors: ImuErrors) -> FloatArray:
         """State vector of given sensor errors, with attitude and velocity errors zero.
 
         Parameters
         ----------
-        unit : Unit
+        imu_errors : ImuErrors
             Sensor errors (...) in the model's own body axes. Whatever part of a matrix is outside
             the span of the model's basis is dropped.
 
@@ -120,20 +119,26 @@ class ErrorModel:
 
         Examples
         --------
-        >>> from driftlab.imu import TYPICAL
-        >>> state = FULL.state(TYPICAL)
-        >>> state.shape, bool(np.allclose(FULL.unit(state).gyro_error, TYPICAL.gyro_error))
+        >>> from driftlab.imu import TYPICAL_ERRORS
+        >>> state = FULL.state(TYPICAL_ERRORS)
+        >>> again = FULL.imu_errors(state)
+        >>> state.shape, bool(np.allclose(again.gyro_error, TYPICAL_ERRORS.gyro_error))
         ((30,), True)
         """
         coefficients = [
             # The matrices of a basis have no entries in common.
             np.tensordot(matrix, basis, ([-2, -1], [1, 2])) / (basis**2).sum(axis=(1, 2))
             for matrix, basis in (
-                (unit.gyro_error, self.gyro_basis),
-                (unit.accelerometer_error, self.accelerometer_basis),
+                (imu_errors.gyro_error, self.gyro_basis),
+                (imu_errors.accelerometer_error, self.accelerometer_basis),
             )
         ]
-        parts = [unit.gyro_bias, coefficients[0], unit.accelerometer_bias, coefficients[1]]
+        parts = [
+            imu_errors.gyro_bias,
+            coefficients[0],
+            imu_errors.accelerometer_bias,
+            coefficients[1],
+        ]
         parts = [np.zeros(6), *parts]
         leading = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
         whole = [np.broadcast_to(part, (*leading, part.shape[-1])) for part in parts]
@@ -168,22 +173,24 @@ class ErrorModel:
         """
         body_to_local = to_matrix(unit_quaternions(attitude, "attitude"))
         states = np.eye(FULL.size)
-        unit = FULL.unit(states)
+        imu_errors = FULL.imu_errors(states)
         small = np.zeros((FULL.size, 3))
         if self.frame is not None:
-            small = misalignment_vector(unit.gyro_error, unit.accelerometer_error, self.frame)
+            small = misalignment_vector(
+                imu_errors.gyro_error, imu_errors.accelerometer_error, self.frame
+            )
         turn = cross_matrix(small)
         reduced = self.state(
-            unit._replace(
-                gyro_error=unit.gyro_error - turn,
-                accelerometer_error=unit.accelerometer_error - turn,
+            imu_errors._replace(
+                gyro_error=imu_errors.gyro_error - turn,
+                accelerometer_error=imu_errors.accelerometer_error - turn,
             )
         )
         reduced[:, :6] = states[:, :6]
         reduced[:, :3] -= small @ body_to_local.T
         return reduced.T
 
-    def covariance(self, spread: Spread, attitude: ArrayLike) -> FloatArray:
+    def covariance(self, prior: PriorDeviations, attitude: ArrayLike) -> FloatArray:
         """Covariance of the states before a calibration.
 
         The 24 sensor errors are independent in the axes of the table, and the covariance in the
@@ -191,7 +198,7 @@ class ErrorModel:
 
         Parameters
         ----------
-        spread : Spread
+        prior : PriorDeviations
             Standard deviations of the sensor errors and of the initial attitude.
         attitude : array_like, shape (4,)
             At the start of the calibration, body to East, North, Up.
@@ -205,19 +212,19 @@ class ErrorModel:
         --------
         An off-diagonal state of averaged axes is the mean of two independent entries:
 
-        >>> model, spread = ERROR_MODELS["averaged"], Spread(installation=1e-4)
-        >>> covariance = model.covariance(spread, [0, 0, 0, 1])
+        >>> model, prior = ERROR_MODELS["averaged"], PriorDeviations(installation=1e-4)
+        >>> covariance = model.covariance(prior, [0, 0, 0, 1])
         >>> f"{np.sqrt(covariance[12, 12]):.3e}"
         '7.071e-05'
         """
-        diagonal = [spread.scale] * 3 + [spread.installation] * 6
+        diagonal = [prior.scale] * 3 + [prior.installation] * 6
         sizes = np.concatenate(
             [
-                [spread.attitude] * 3,
+                [prior.attitude] * 3,
                 [0.0] * 3,
-                [spread.gyro_bias] * 3,
+                [prior.gyro_bias] * 3,
                 diagonal,
-                [spread.accelerometer_bias] * 3,
+                [prior.accelerometer_bias] * 3,
                 diagonal,
             ]
         )
@@ -277,7 +284,7 @@ def error_model_for(name: str) -> ErrorModel:
     Parameters
     ----------
     name : str
-        One of `driftlab.triad.BODY_FRAMES`.
+        One of `driftlab.body_frames.BODY_FRAMES`.
 
     Returns
     -------
@@ -297,51 +304,3 @@ def error_model_for(name: str) -> ErrorModel:
     if not isinstance(name, str) or name not in ERROR_MODELS:
         raise ValueError(f"frame: expected one of {', '.join(BODY_FRAMES)}, got {name!r}.")
     return ERROR_MODELS[name]
-
-
-def attitude_of_axes(attitude: ArrayLike, rotation: FloatArray) -> FloatArray:
-    """Attitude of rotated body axes.
-
-    Parameters
-    ----------
-    attitude : array_like, shape (..., 4)
-        Of the given body axes, body to reference; brought to unit norm.
-    rotation : ndarray, shape (..., 3, 3)
-        Rotation matrix from components in the given axes to components in the rotated ones.
-
-    Returns
-    -------
-    ndarray, shape (..., 4)
-        Rotated body axes to reference.
-
-    Examples
-    --------
-    >>> swap = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])
-    >>> attitude_of_axes([0, 0, 0, 1], swap).round(6)
-    array([0.5, 0.5, 0.5, 0.5])
-    """
-    back = np.array(np.swapaxes(rotation, -1, -2))  # a copy: SciPy 1.14 takes no read-only array
-    turned = Rotation.from_matrix(back.reshape(-1, 3, 3)).as_quat().reshape(*back.shape[:-2], 4)
-    return multiply(unit_quaternions(attitude, "attitude"), turned)
-
-
-def attitude_error(computed: ArrayLike, true: ArrayLike) -> FloatArray:
-    """Error phi of a computed attitude: the computed axes are (E - [phi×]) C.
-
-    Parameters
-    ----------
-    computed, true : array_like, shape (..., 4)
-        Unit quaternions, body to East, North, Up.
-
-    Returns
-    -------
-    ndarray, shape (..., 3)
-        rad about East, North, Up.
-
-    Examples
-    --------
-    >>> attitude_error([0, 0, -0.5e-3, 1], [0, 0, 0, 1]).round(6)
-    array([-0.   , -0.   ,  0.001])
-    """
-    computed, true = finite_arrays(computed=(computed, 4), true=(true, 4))
-    return -to_rotation_vector(multiply(computed, conjugate(true)))

@@ -23,12 +23,13 @@ from driftlab.checks import (
 from driftlab.core.quaternion import from_rotation_vector, multiply
 from driftlab.core.strapdown import last_of, navigate
 from driftlab.earth import checked_latitude
-from driftlab.imu import Noise, Spread, Unit, increment_rows, without_errors
+from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
+from driftlab.increments import Increments, checked_increments, without_errors
 from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 
-from .error_dynamics import free_growth, process_noise, transition_of_increments
+from .error_dynamics import free_transition, process_noise, transition_of_increments
 from .error_model import ErrorModel
-from .kalman import kalman_step
+from .kalman import velocity_update
 
 
 class Calibration(NamedTuple):
@@ -49,17 +50,17 @@ class Calibration(NamedTuple):
         Estimated attitude of the model's own axes, body to East, North, Up.
     velocity : ndarray, shape (..., k, 3)
         Estimated velocity, East, North, Up, m/s.
-    surprise : ndarray, shape (..., updates)
+    nis : ndarray, shape (..., updates)
         Squared normalised innovations (NIS) of all updates. Their mean is near three if the
         filter's assumptions are true; a mean much larger shows that they are not.
 
     Examples
     --------
     >>> from driftlab.calibration import TableTrial
-    >>> from driftlab.motion.turntable import Scheme
+    >>> from driftlab.motion.scheme import Scheme
     >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
     >>> found = trial.run(np.random.default_rng(1)).calibration
-    >>> found.state.shape, found.surprise.shape, round(float(found.surprise.mean()), 1)
+    >>> found.state.shape, found.nis.shape, round(float(found.nis.mean()), 1)
     ((4, 27), (64,), 2.6)
     """
 
@@ -69,7 +70,7 @@ class Calibration(NamedTuple):
     covariance: FloatArray
     attitude: FloatArray
     velocity: FloatArray
-    surprise: FloatArray
+    nis: FloatArray
 
     @property
     def deviations(self) -> FloatArray:
@@ -84,7 +85,7 @@ class Calibration(NamedTuple):
         --------
         >>> from driftlab.calibration import ERROR_MODELS
         >>> model = ERROR_MODELS["averaged"]
-        >>> at_start = model.covariance(Spread(scale=1e-4), [0, 0, 0, 1])
+        >>> at_start = model.covariance(PriorDeviations(scale=1e-4), [0, 0, 0, 1])
         >>> none = np.zeros((1, 27))
         >>> known = Calibration(model, none[0], none, at_start[np.newaxis], none, none, none[0])
         >>> f"{known.deviations[-1, model.names.index('gyro scale x')]:.1e}"
@@ -93,52 +94,48 @@ class Calibration(NamedTuple):
         return np.sqrt(np.einsum("...ii->...i", self.covariance))
 
     @property
-    def unit(self) -> Unit:
+    def imu_errors(self) -> ImuErrors:
         """Sensor errors found at the end, in the model's own body axes.
 
-        `driftlab.calibration.unit_in_axes` brings known errors to the same axes.
+        `driftlab.calibration.imu_errors_in_frame` brings known errors to the same axes.
 
         Returns
         -------
-        Unit
+        ImuErrors
             Biases (..., 3) in rad/s and m/s^2, error matrices (..., 3, 3).
 
         Examples
         --------
         >>> from driftlab.calibration import FULL
-        >>> from driftlab.imu import TYPICAL
-        >>> state, none = FULL.state(TYPICAL)[np.newaxis], np.zeros((1, 3))
+        >>> from driftlab.imu import TYPICAL_ERRORS
+        >>> state, none = FULL.state(TYPICAL_ERRORS)[np.newaxis], np.zeros((1, 3))
         >>> found = Calibration(FULL, none[0], state, none, none, none, none[0])
-        >>> bool(np.allclose(found.unit.gyro_bias, TYPICAL.gyro_bias))
+        >>> bool(np.allclose(found.imu_errors.gyro_bias, TYPICAL_ERRORS.gyro_bias))
         True
         """
-        return self.model.unit(self.state[..., -1, :])
+        return self.model.imu_errors(self.state[..., -1, :])
 
 
 def calibrate(
-    angle_increments: ArrayLike,
-    velocity_increments: ArrayLike,
+    increments: Increments,
     reference_velocity: ArrayLike,
     *,
-    interval: float,
     latitude: float,
     start: ArrayLike,
     model: ErrorModel,
-    spread: Spread,
-    noise: Noise,
+    prior: PriorDeviations,
+    noise: ImuNoise,
     keep: int = 10,
 ) -> Calibration:
     """Estimate the sensor errors of a unit from its increments on a turntable.
 
     Parameters
     ----------
-    angle_increments, velocity_increments : array_like, shape (..., n, 3)
-        Measured increments, rad and m/s; several units or runs along the leading axes.
+    increments : Increments
+        Measured, arrays of shape (..., n, 3); several units or runs along the leading axes.
     reference_velocity : array_like, shape (..., updates, 3)
         Measured velocity of the table's centre, m/s, at the end of each update interval. The number
         of updates divides n into an even number of increments each.
-    interval : float
-        Sample interval, s.
     latitude : float
         Of the table, rad.
     start : array_like, shape (..., 4)
@@ -146,9 +143,9 @@ def calibrate(
         all runs.
     model : ErrorModel
         The states, one of `driftlab.calibration.ERROR_MODELS`.
-    spread : Spread
+    prior : PriorDeviations
         Standard deviations of the errors before the calibration, as the filter assumes them.
-    noise : Noise
+    noise : ImuNoise
         Noise of the sensors and of the reference velocity, as the filter assumes it.
     keep : int
         The history keeps every `keep`-th update, and the last.
@@ -174,64 +171,64 @@ def calibrate(
     before. The level ones cannot be separated from a tilt:
 
     >>> from driftlab.calibration import ERROR_MODELS
-    >>> from driftlab.imu import TYPICAL, measure
-    >>> from driftlab.motion.turntable import Scheme, simulate
-    >>> record = simulate(Scheme(""), 0.7, 0.5)
+    >>> from driftlab.imu import TYPICAL_ERRORS
+    >>> from driftlab.increments import measure
+    >>> from driftlab.motion import Scheme, table_trajectory
+    >>> true = table_trajectory(Scheme(""), latitude=0.7, interval=0.5)
     >>> found = calibrate(
-    ...     *measure(record, TYPICAL), np.zeros((12, 3)), interval=0.5, latitude=0.7, noise=Noise(),
-    ...     start=record.attitude[0], model=ERROR_MODELS["averaged"], spread=Spread(),
+    ...     measure(true.increments, TYPICAL_ERRORS), np.zeros((12, 3)), latitude=0.7,
+    ...     start=true.attitude[0], model=ERROR_MODELS["averaged"], prior=PriorDeviations(),
+    ...     noise=ImuNoise(),
     ... )
     >>> biases = [found.model.names.index(f"accelerometer bias {axis}") for axis in "xyz"]
-    >>> (found.deviations[-1, biases] / Spread().accelerometer_bias).round(2)
+    >>> (found.deviations[-1, biases] / PriorDeviations().accelerometer_bias).round(2)
     array([0.76, 0.76, 0.32])
     """
     place = float(checked_latitude(finite_number(latitude, "latitude")))
-    angle, velocity = increment_rows(angle_increments, velocity_increments)
+    measured = checked_increments(increments)
     reference = finite_array(reference_velocity, "reference_velocity", 3)
     attitude = unit_quaternions(start, "start")
     updates = reference.shape[-2] if reference.ndim > 1 else 0
-    count = angle.shape[-2]
+    count = measured.angle.shape[-2]
     if updates == 0 or count % (2 * updates):
         raise ValueError(
             "reference_velocity: expected shape (..., updates, 3), with a number of updates that "
             f"divides {count} increments into even parts, got shape {reference.shape}."
         )
-    if noise.velocity <= 0:
+    if noise.reference_velocity <= 0:
         raise ValueError(
-            f"noise: expected a deviation of the velocity above 0, got {noise.velocity!r} m/s."
+            "noise: expected a deviation of the reference velocity above 0, "
+            f"got {noise.reference_velocity!r} m/s."
         )
     kept = [*range(whole_number(keep, "keep"), updates, keep), updates]
     each = count // updates
-    seconds = checked_interval(interval)
-    duration = each * seconds
-    free = free_growth(place, duration)
+    duration = each * checked_interval(measured.interval)
+    free = free_transition(place, duration)
     lead = np.broadcast_shapes(
-        angle.shape[:-2], velocity.shape[:-2], reference.shape[:-2], attitude.shape[:-1]
+        measured.angle.shape[:-2],
+        measured.velocity.shape[:-2],
+        reference.shape[:-2],
+        attitude.shape[:-1],
     )
     state = np.zeros((*lead, model.size))
     # The starts of all runs are nearly one attitude; any of them gives the states' correlations.
-    before = model.covariance(spread, attitude.reshape(-1, 4)[0])
+    before = model.covariance(prior, attitude.reshape(-1, 4)[0])
     covariance = np.broadcast_to(before, (*lead, model.size, model.size))
     home = at_rest(place, np.broadcast_to(attitude, (*lead, 4)))
     now = home
-    surprises, history = [], []
+    nis_history, history = [], []
     for k in range(updates):
-        rows = np.s_[..., k * each : (k + 1) * each, :]
-        true_angle, true_velocity = without_errors(
-            angle[rows], velocity[rows], model.unit(state), seconds
-        )
-        way = navigate(now, true_angle, true_velocity, seconds, ALGORITHM)
+        true = without_errors(measured.part(k * each, (k + 1) * each), model.imu_errors(state))
+        way = navigate(now, true.angle, true.velocity, true.interval, ALGORITHM)
         attitudes = np.concatenate([now.attitude[..., np.newaxis, :], way.attitude], axis=-2)
-        growth = transition_of_increments(
-            model, free, attitudes, true_angle, true_velocity, seconds
-        )
+        growth = transition_of_increments(model, free, attitudes, true)
         arrived = last_of(way)
-        step = kalman_step(
+        step = velocity_update(
             covariance,
             growth,
             process_noise(noise, growth[..., 3:6, :3], np.asarray(duration), model.size),
             arrived.velocity - reference[..., k, :],
-            noise.velocity**2,
+            noise.reference_velocity**2,
         )
         covariance = step.covariance
         state = state + step.correction
@@ -241,7 +238,7 @@ def calibrate(
             velocity=arrived.velocity - step.correction[..., 3:6],
             attitude=multiply(from_rotation_vector(step.correction[..., :3]), arrived.attitude),
         )
-        surprises.append(step.surprise)
+        nis_history.append(step.nis)
         if k + 1 in kept:
             history.append((state, covariance, now.attitude, now.velocity))
     # The history is an axis after those of the runs.
@@ -255,5 +252,5 @@ def calibrate(
         covariances,
         attitudes,
         velocities,
-        np.stack(surprises, axis=-1),
+        np.stack(nis_history, axis=-1),
     )

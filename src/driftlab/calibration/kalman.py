@@ -21,22 +21,22 @@ class Update(NamedTuple):
         Estimate of the state.
     covariance : ndarray, shape (..., size, size)
         After the step.
-    surprise : ndarray, shape (...)
+    nis : ndarray, shape (...)
         Squared innovation, normalised by its covariance (NIS).
 
     Examples
     --------
-    >>> step = kalman_step(np.eye(6), np.eye(6), np.zeros((6, 6)), np.array([1.0, 0, 0]), 1.0)
+    >>> step = velocity_update(np.eye(6), np.eye(6), np.zeros((6, 6)), np.array([1.0, 0, 0]), 1.0)
     >>> step.correction
     array([0. , 0. , 0. , 0.5, 0. , 0. ])
     """
 
     correction: FloatArray
     covariance: FloatArray
-    surprise: FloatArray
+    nis: FloatArray
 
 
-def kalman_step(
+def velocity_update(
     covariance: FloatArray,
     transition: FloatArray,
     noise: FloatArray,
@@ -67,21 +67,21 @@ def kalman_step(
     --------
     Prior and measurement of a velocity are equally good, so half of the innovation is believed:
 
-    >>> step = kalman_step(np.eye(6), np.eye(6), np.zeros((6, 6)), np.array([1.0, 0, 0]), 1.0)
-    >>> float(step.correction[3]), float(step.covariance[3, 3]), float(step.surprise)
+    >>> step = velocity_update(np.eye(6), np.eye(6), np.zeros((6, 6)), np.array([1.0, 0, 0]), 1.0)
+    >>> float(step.correction[3]), float(step.covariance[3, 3]), float(step.nis)
     (0.5, 0.5, 0.5)
     """
-    after, gain, weights = covariance_step(covariance, transition, noise, velocity_variance)
+    after, gain, weights = covariance_update(covariance, transition, noise, velocity_variance)
     column = velocity_error[..., np.newaxis]
     correction = (gain @ column)[..., 0]
-    surprise = (velocity_error[..., np.newaxis, :] @ weights @ column)[..., 0, 0]
-    return Update(correction, after, surprise)
+    nis = (velocity_error[..., np.newaxis, :] @ weights @ column)[..., 0, 0]
+    return Update(correction, after, nis)
 
 
-def covariance_step(
+def covariance_update(
     covariance: FloatArray, transition: FloatArray, noise: FloatArray, velocity_variance: float
 ) -> tuple[FloatArray, NDArray[Any], NDArray[Any]]:
-    """Covariance and gain of `kalman_step`, which do not depend on the measurement.
+    """Covariance and gain of `velocity_update`, which do not depend on the measurement.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ def covariance_step(
 
     Examples
     --------
-    >>> _, gain, weights = covariance_step(np.eye(6), np.eye(6), np.zeros((6, 6)), 3.0)
+    >>> _, gain, weights = covariance_update(np.eye(6), np.eye(6), np.zeros((6, 6)), 3.0)
     >>> float(gain[3, 0]), float(weights[0, 0])
     (0.25, 0.25)
     """

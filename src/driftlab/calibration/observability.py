@@ -12,21 +12,14 @@ from typing import NamedTuple
 import numpy as np
 
 from driftlab.checks import FloatArray, finite_number
-from driftlab.core.quaternion import from_rotation_vector, multiply, to_matrix
+from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
-from driftlab.earth import checked_latitude, earth_rate, gravity
-from driftlab.imu import Noise, Spread, Unit
-from driftlab.motion.turntable import Scheme, segments
+from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
 
-from .error_dynamics import free_growth, process_noise, transition
+from .error_dynamics import process_noise
 from .error_model import AXES, ERROR_MODELS, FULL, ErrorModel
-from .kalman import covariance_step
-
-STEP = 10.0
-"""Longest step of a pause, s; rotations are divided into shorter steps."""
-_MOST_STEPS = 20_000
-_TURN = np.radians(30.0)  # rad: most that a step turns
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
+from .kalman import covariance_update
+from .linearization import LinearizedErrors
 
 
 class UnobservableWarning(UserWarning):
@@ -34,177 +27,26 @@ class UnobservableWarning(UserWarning):
 
     Examples
     --------
+    >>> from driftlab.calibration import linearize_along
+    >>> from driftlab.motion.scheme import Scheme
     >>> with warnings.catch_warnings():
     ...     warnings.simplefilter("ignore", UnobservableWarning)
-    ...     warn_if_unobservable(passage(Scheme(""), 0.7))
+    ...     warn_if_unobservable(linearize_along(Scheme(""), 0.7))
     """
 
 
-class Passage(NamedTuple):
-    """Error equations along a rotation scheme, as s steps.
-
-    Attributes
-    ----------
-    model : ErrorModel
-        The states.
-    start : ndarray, shape (4,)
-        Attitude at the beginning, body to East, North, Up.
-    durations : ndarray, shape (s,)
-        Length of each step, s.
-    transitions : ndarray, shape (s, size, size)
-        Transition matrix of the errors over each step.
-
-    Examples
-    --------
-    >>> way = passage(Scheme("+90Z", dwell=60.0), 0.7)
-    >>> float(way.durations.sum()), way.transitions.shape
-    (129.0, (15, 30, 30))
-    """
-
-    model: ErrorModel
-    start: FloatArray
-    durations: FloatArray
-    transitions: FloatArray
-
-
-def checked_model(model: ErrorModel) -> ErrorModel:
-    """Return an error model unchanged, refusing anything else.
-
-    Parameters
-    ----------
-    model : ErrorModel
-        What is to be checked.
-
-    Returns
-    -------
-    ErrorModel
-        The same object.
-
-    Raises
-    ------
-    ValueError
-        If it is not an `ErrorModel`.
-
-    Examples
-    --------
-    >>> checked_model("averaged")
-    Traceback (most recent call last):
-    ValueError: model: expected an ErrorModel, got 'averaged'.
-    """
-    if not isinstance(model, ErrorModel):
-        raise ValueError(f"model: expected an ErrorModel, got {model!r}.")
-    return model
-
-
-def passage(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -> Passage:
-    """Transition matrices of the errors along a rotation scheme.
-
-    Parameters
-    ----------
-    scheme : Scheme
-        Pauses and rotations; at most 200 000 s in all.
-    latitude : float
-        Of the table, rad; not a pole.
-    model : ErrorModel
-        The states.
-
-    Returns
-    -------
-    Passage
-        Steps of at most `STEP` seconds and 30 degrees.
-
-    Raises
-    ------
-    ValueError
-        If the scheme takes too long, the place is a pole, or `model` is not an error model.
-
-    Notes
-    -----
-    Wu (49), (50), along the true motion. The integrals over each step are taken by a Gauss
-    quadrature with four nodes.
-
-    Examples
-    --------
-    A pause, a rotation by 90 degrees at 10 degrees per second, and a pause:
-
-    >>> way = passage(Scheme("+90Z", dwell=20.0), 0.7)
-    >>> way.durations
-    array([10., 10.,  3.,  3.,  3., 10., 10.])
-    """
-    place = float(checked_latitude(finite_number(latitude, "latitude")))
-    checked_model(model)
-    row = segments(scheme, 1e-3)
-    time = sum(segment.duration for segment in row)
-    if time > STEP * _MOST_STEPS:
-        raise ValueError(
-            f"scheme: expected at most {STEP * _MOST_STEPS:g} s in all, got {time:.3g} s."
-        )
-    distinct, lengths, begun, alike = [], [], [], []
-    for segment in row:
-        turn = abs(segment.rate) * segment.duration
-        count = int(np.ceil(max(segment.duration / STEP, turn / _TURN) - 1e-9))
-        # The steps of a pause are all alike: one stands for them.
-        kinds = count if segment.rate else 1
-        distinct += [segment] * kinds
-        lengths += [segment.duration / count] * kinds
-        begun += list(range(kinds))
-        alike += [count // kinds] * kinds
-    duration, rate = np.array(lengths), np.array([segment.rate for segment in distinct])
-    axis = np.array([segment.axis for segment in distinct])
-    attitude = np.array([segment.attitude for segment in distinct])
-    turned = (rate * duration * np.array(begun))[:, np.newaxis] * axis
-    start = multiply(attitude, from_rotation_vector(turned))
-    # Nodes of the Gauss quadrature in each step, and the integrals from its beginning to them.
-    place_of = 0.5 * (1 + _NODES)
-    times = duration[:, np.newaxis] * 0.5 * _WEIGHTS
-    turn = (rate * duration)[:, np.newaxis] * place_of
-    turned = from_rotation_vector(turn[..., np.newaxis] * axis[:, np.newaxis])
-    to_local = multiply(start[:, np.newaxis], turned)
-    to_body = np.swapaxes(to_matrix(to_local), -1, -2)
-    earth = earth_rate(place)
-    spin = rate[:, np.newaxis, np.newaxis] * axis[:, np.newaxis] + to_body @ earth
-    force = to_body @ np.array([0.0, 0.0, float(gravity(place))])
-    # The local axes of the step's beginning do not turn on with the Earth.
-    since = from_rotation_vector((duration[:, np.newaxis] * place_of)[..., np.newaxis] * earth)
-    share = times[..., np.newaxis]
-    matrices = transition(
-        model,
-        free_growth(place, duration),
-        to_matrix(multiply(since, to_local)),
-        times,
-        share * spin,
-        share * force,
-        _PASSED,
-    )
-    return Passage(
-        model, row[0].attitude, np.repeat(duration, alike), np.repeat(matrices, alike, axis=0)
-    )
-
-
-def _passed() -> FloatArray:
-    """Fraction of each term of a Gauss quadrature that has accumulated at each of its nodes."""
-    powers = np.arange(len(_NODES))
-    # Weights that integrate all polynomials of that degree from -1 to each node.
-    integrals = (_NODES[:, np.newaxis] ** (powers + 1) - (-1.0) ** (powers + 1)) / (powers + 1)
-    vandermonde = _NODES[:, np.newaxis] ** powers
-    return integrals @ np.linalg.inv(vandermonde) / _WEIGHTS
-
-
-_PASSED = _passed()
-
-
-def expected_covariance(
-    way: Passage, noise: Noise, spread: Spread, update: float = 1.0
+def covariance_analysis(
+    linearized: LinearizedErrors, noise: ImuNoise, prior: PriorDeviations, update: float = 1.0
 ) -> FloatArray:
     """Covariance of the estimation errors at the end of a scheme, without any data.
 
     Parameters
     ----------
-    way : Passage
+    linearized : LinearizedErrors
         The error equations along the scheme.
-    noise : Noise
+    noise : ImuNoise
         Of the sensors and of the reference velocity.
-    spread : Spread
+    prior : PriorDeviations
         Standard deviations of the errors before the calibration.
     update : float
         Time between two measurements of the velocity, s.
@@ -229,31 +71,34 @@ def expected_covariance(
     --------
     How well the scheme of 19 positions finds the scale factor of a gyro, in ppm:
 
-    >>> from driftlab.motion.turntable import NINETEEN_POSITIONS
-    >>> way = passage(NINETEEN_POSITIONS, 0.7, ERROR_MODELS["averaged"])
-    >>> variances = np.diag(expected_covariance(way, Noise(), Spread()))
-    >>> round(1e6 * float(np.sqrt(variances[way.model.names.index("gyro scale x")])), 2)
+    >>> from driftlab.calibration import linearize_along
+    >>> from driftlab.motion.scheme import NINETEEN_POSITIONS
+    >>> linearized = linearize_along(NINETEEN_POSITIONS, 0.7, ERROR_MODELS["averaged"])
+    >>> variances = np.diag(covariance_analysis(linearized, ImuNoise(), PriorDeviations()))
+    >>> round(1e6 * float(np.sqrt(variances[linearized.model.names.index("gyro scale x")])), 2)
     3.56
     """
-    if not (finite_number(update, "update") > 0 and noise.velocity > 0):
+    if not (finite_number(update, "update") > 0 and noise.reference_velocity > 0):
         raise ValueError(
-            "update, velocity: expected a positive time and a positive velocity noise, "
-            f"got {update!r} s and {noise.velocity!r} m/s."
+            "update, reference_velocity: expected a positive time and a positive velocity noise, "
+            f"got {update!r} s and {noise.reference_velocity!r} m/s."
         )
-    covariance = way.model.covariance(spread, way.start)
-    added = process_noise(noise, way.transitions[:, 3:6, :3], way.durations, way.model.size)
-    variances = noise.velocity**2 * update / way.durations
-    for matrix, more, variance in zip(way.transitions, added, variances, strict=True):
-        covariance, _, _ = covariance_step(covariance, matrix, more, variance)
+    covariance = linearized.model.covariance(prior, linearized.start)
+    added = process_noise(
+        noise, linearized.transitions[:, 3:6, :3], linearized.durations, linearized.model.size
+    )
+    variances = noise.reference_velocity**2 * update / linearized.durations
+    for matrix, more, variance in zip(linearized.transitions, added, variances, strict=True):
+        covariance, _, _ = covariance_update(covariance, matrix, more, variance)
     return covariance
 
 
-def observability_matrix(way: Passage) -> FloatArray:
+def observability_matrix(linearized: LinearizedErrors) -> FloatArray:
     """Observability matrix: the velocity after each step as a function of the state at the start.
 
     Parameters
     ----------
-    way : Passage
+    linearized : LinearizedErrors
         The error equations along the scheme.
 
     Returns
@@ -268,17 +113,19 @@ def observability_matrix(way: Passage) -> FloatArray:
 
     Examples
     --------
-    >>> observability_matrix(passage(Scheme("+90Z", dwell=20.0), 0.7)).shape
+    >>> from driftlab.calibration import linearize_along
+    >>> from driftlab.motion.scheme import Scheme
+    >>> observability_matrix(linearize_along(Scheme("+90Z", dwell=20.0), 0.7)).shape
     (21, 30)
     """
-    since, rows = np.eye(way.model.size), []
-    for duration, matrix in zip(way.durations, way.transitions, strict=True):
+    since, rows = np.eye(linearized.model.size), []
+    for duration, matrix in zip(linearized.durations, linearized.transitions, strict=True):
         since = matrix @ since
         rows.append(np.sqrt(duration) * since[3:6])
     return np.concatenate(rows)
 
 
-class Darkness(NamedTuple):
+class UnobservableSubspace(NamedTuple):
     """Unobservable directions of the state along a rotation scheme.
 
     Attributes
@@ -287,15 +134,16 @@ class Darkness(NamedTuple):
         Of the Gramian, ascending; each state is counted in its typical size.
     directions : ndarray, shape (m, size)
         Basis of the null space, as states.
-    words : list of str
+    descriptions : list of str
         Description of the null directions in English.
 
     Examples
     --------
     Without a choice of body axes, three directions are unobservable whatever the rotations are:
 
-    >>> from driftlab.motion.turntable import NINETEEN_POSITIONS
-    >>> for line in null_directions(passage(NINETEEN_POSITIONS, 0.7)).words:
+    >>> from driftlab.calibration import linearize_along
+    >>> from driftlab.motion.scheme import NINETEEN_POSITIONS
+    >>> for line in unobservable_subspace(linearize_along(NINETEEN_POSITIONS, 0.7)).descriptions:
     ...     print(line)
     both triads turned together about x, the attitude with them
     both triads turned together about y, the attitude with them
@@ -304,20 +152,20 @@ class Darkness(NamedTuple):
 
     eigenvalues: FloatArray
     directions: FloatArray
-    words: list[str]
+    descriptions: list[str]
 
 
-def null_directions(way: Passage) -> Darkness:
+def unobservable_subspace(linearized: LinearizedErrors) -> UnobservableSubspace:
     """Directions of the state that no measurement of the velocity can show.
 
     Parameters
     ----------
-    way : Passage
+    linearized : LinearizedErrors
         The error equations along the scheme.
 
     Returns
     -------
-    Darkness
+    UnobservableSubspace
         Eigenvalues of the Gramian, null directions, and their description.
 
     Notes
@@ -330,35 +178,41 @@ def null_directions(way: Passage) -> Darkness:
     --------
     A table that stands still leaves most errors unobservable; the 19 positions leave none:
 
-    >>> from driftlab.motion.turntable import NINETEEN_POSITIONS
+    >>> from driftlab.calibration import linearize_along
+    >>> from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
     >>> for scheme in (Scheme(""), NINETEEN_POSITIONS):
-    ...     print(len(null_directions(passage(scheme, 0.7, ERROR_MODELS["averaged"])).directions))
+    ...     along = linearize_along(scheme, 0.7, ERROR_MODELS["averaged"])
+    ...     print(len(unobservable_subspace(along).directions))
     18
     0
     """
-    seen, model = observability_matrix(way), way.model
-    values, dark = _null_space(seen, model, way.start)
+    seen, model = observability_matrix(linearized), linearized.model
+    values, unobservable = _null_space(seen, model, linearized.start)
     if model.frame is not None:
-        return Darkness(values, dark, _among(model, dark, way.start))
-    words = []
-    scale = _typical(model, way.start)
-    for axis, state in zip(AXES, _common_misalignments(way.start), strict=True):
+        return UnobservableSubspace(
+            values, unobservable, _among(model, unobservable, linearized.start)
+        )
+    descriptions = []
+    scale = _typical(model, linearized.start)
+    for axis, state in zip(AXES, _common_misalignments(linearized.start), strict=True):
         # Nothing of this state is left outside the null space.
-        basis = dark / scale
+        basis = unobservable / scale
         outside = state / scale - (basis @ (state / scale)) @ basis
         if np.linalg.norm(outside) < 1e-3 * np.linalg.norm(state / scale):
-            words.append(f"both triads turned together about {axis}, the attitude with them")
+            descriptions.append(f"both triads turned together about {axis}, the attitude with them")
     # The other null directions are clearest in axes without a common rotation.
     averaged = ERROR_MODELS["averaged"]
-    embedding = FULL.state(averaged.unit(np.eye(averaged.size)))
+    embedding = FULL.state(averaged.imu_errors(np.eye(averaged.size)))
     embedding[:6, :6] = np.eye(6)
-    _, rest = _null_space(seen @ embedding.T, averaged, way.start)
-    return Darkness(values, dark, words + _among(averaged, rest, way.start))
+    _, rest = _null_space(seen @ embedding.T, averaged, linearized.start)
+    return UnobservableSubspace(
+        values, unobservable, descriptions + _among(averaged, rest, linearized.start)
+    )
 
 
 def _typical(model: ErrorModel, start: FloatArray) -> FloatArray:
     """Standard deviations (size,) of the states of a typical unit; 1 cm/s for velocity."""
-    scale = np.sqrt(np.diag(model.covariance(Spread(), start)))
+    scale = np.sqrt(np.diag(model.covariance(PriorDeviations(), start)))
     scale[3:6] = 0.01
     return scale
 
@@ -388,17 +242,17 @@ def _common_misalignments(attitude: FloatArray) -> FloatArray:
     """States (3, 30) of both triads rotated by 1 rad about x, y or z, with the attitude."""
     turns = cross_matrix(np.eye(3))
     none = np.zeros((3, 3))
-    states = FULL.state(Unit(none, turns, none, turns))
+    states = FULL.state(ImuErrors(none, turns, none, turns))
     states[:, :3] = to_matrix(attitude).T
     return states
 
 
-def warn_if_unobservable(way: Passage) -> None:
+def warn_if_unobservable(linearized: LinearizedErrors) -> None:
     """Warn if a scheme leaves errors unobservable, and name them.
 
     Parameters
     ----------
-    way : Passage
+    linearized : LinearizedErrors
         The error equations along the scheme.
 
     Warns
@@ -408,17 +262,19 @@ def warn_if_unobservable(way: Passage) -> None:
 
     Examples
     --------
+    >>> from driftlab.calibration import linearize_along
+    >>> from driftlab.motion.scheme import Scheme
     >>> with warnings.catch_warnings(record=True) as caught:
     ...     warnings.simplefilter("always")
-    ...     warn_if_unobservable(passage(Scheme(""), 0.7))
+    ...     warn_if_unobservable(linearize_along(Scheme(""), 0.7))
     >>> str(caught[0].message)[:48]
     'scheme: leaves 21 directions of 30 unobservable:'
     """
-    dark = null_directions(way)
-    if dark.words:
+    unobservable = unobservable_subspace(linearized)
+    if unobservable.descriptions:
         warnings.warn(
-            f"scheme: leaves {len(dark.directions)} directions of {way.model.size} unobservable: "
-            f"{'; '.join(dark.words)}.",
+            f"scheme: leaves {len(unobservable.directions)} directions of "
+            f"{linearized.model.size} unobservable: {'; '.join(unobservable.descriptions)}.",
             UnobservableWarning,
             stacklevel=2,
         )

@@ -1,8 +1,8 @@
 """Simulated calibrations: random units on a turntable, and the errors that remain.
 
 A trial draws units and noise, runs the filter, and compares. A filter is consistent if its errors
-are as large as its covariance states: then `Trial.squared_errors` average to the number of states,
-and `Calibration.surprise` to three.
+are as large as its covariance states: then `Trial.nees` average to the number of states,
+and `Calibration.nis` to three.
 """
 
 from __future__ import annotations
@@ -17,20 +17,22 @@ from driftlab.checks import FloatArray, finite_number, whole_number
 from driftlab.core.quaternion import from_rotation_vector, multiply
 from driftlab.earth import checked_latitude
 from driftlab.imu import (
-    Noise,
-    Spread,
-    Unit,
-    broadcast_unit,
-    checked_unit,
-    measure,
-    random_units,
+    ImuErrors,
+    ImuNoise,
+    PriorDeviations,
+    broadcast_imu_errors,
+    checked_imu_errors,
+    random_imu_errors,
 )
-from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme, simulate
-from driftlab.triad import body_frame_rotation, change_body_frame
+from driftlab.increments import measure
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
+from driftlab.motion.turntable import table_trajectory
 
-from .error_model import attitude_error, attitude_of_axes, error_model_for
+from .body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
+from .error_model import error_model_for
 from .filter import Calibration, calibrate
-from .observability import passage, warn_if_unobservable
+from .linearization import linearize_along
+from .observability import warn_if_unobservable
 
 
 class Trial(NamedTuple):
@@ -40,8 +42,8 @@ class Trial(NamedTuple):
     ----------
     calibration : Calibration
         What the filter found.
-    unit : Unit
-        The true errors, in the table's axes; `unit_in_axes` brings them to the filter's.
+    imu_errors : ImuErrors
+        The true errors, in the table's axes; `imu_errors_in_frame` brings them to the filter's.
     errors : ndarray, shape (..., k, size)
         Errors of the estimated states, in the filter's axes, at the times of the calibration.
 
@@ -55,11 +57,11 @@ class Trial(NamedTuple):
     """
 
     calibration: Calibration
-    unit: Unit
+    imu_errors: ImuErrors
     errors: FloatArray
 
     @property
-    def squared_errors(self) -> FloatArray:
+    def nees(self) -> FloatArray:
         """Squared errors, normalised by the covariance that the filter computes (NEES).
 
         States that were known from the beginning, with a spread of zero, do not count.
@@ -72,7 +74,7 @@ class Trial(NamedTuple):
         Examples
         --------
         >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
-        >>> trial.run(np.random.default_rng(2), runs=5).squared_errors[:, -1].round(0)
+        >>> trial.run(np.random.default_rng(2), runs=5).nees[:, -1].round(0)
         array([18., 29., 22., 32., 35.])
         """
         covariance = self.calibration.covariance
@@ -95,11 +97,11 @@ class TableTrial:
     latitude : float
         Of the table, rad.
     frame : str
-        Choice of body axes, one of `driftlab.triad.BODY_FRAMES`.
-    spread, noise : Spread, Noise
+        Choice of body axes, one of `driftlab.body_frames.BODY_FRAMES`.
+    prior, noise : Spread, Noise
         Distributions of the sensor errors, of the initial attitude and of the noise: those of the
         simulation, and those that the filter assumes.
-    told : Noise, optional
+    assumed_noise : ImuNoise, optional
         Noise that the filter assumes, if it differs from `noise`.
     sample_interval, update_interval : float
         Of the sensors and of the filter, s. An update takes an even number of samples, and pauses
@@ -110,7 +112,7 @@ class TableTrial:
 
     Examples
     --------
-    >>> trial = TableTrial(frame="upper triangle", noise=Noise(velocity=0.001))
+    >>> trial = TableTrial(frame="upper triangle", noise=ImuNoise(reference_velocity=0.001))
     >>> trial.update_interval / trial.sample_interval  # samples in an update
     20.0
     """
@@ -118,15 +120,15 @@ class TableTrial:
     scheme: Scheme = NINETEEN_POSITIONS
     latitude: float = float(np.radians(37.5))
     frame: str = "averaged"
-    spread: Spread = field(default_factory=Spread)
-    noise: Noise = field(default_factory=Noise)
-    told: Noise | None = None
+    prior: PriorDeviations = field(default_factory=PriorDeviations)
+    noise: ImuNoise = field(default_factory=ImuNoise)
+    assumed_noise: ImuNoise | None = None
     sample_interval: float = 0.05
     update_interval: float = 1.0
     keep: int = 20
 
     def __post_init__(self) -> None:
-        for name, kind in (("scheme", Scheme), ("spread", Spread), ("noise", Noise)):
+        for name, kind in (("scheme", Scheme), ("prior", PriorDeviations), ("noise", ImuNoise)):
             if not isinstance(getattr(self, name), kind):
                 raise ValueError(
                     f"{name}: expected a {kind.__name__}, got {getattr(self, name)!r}."
@@ -145,7 +147,7 @@ class TableTrial:
             )
 
     def run(
-        self, rng: np.random.Generator, runs: int | None = None, unit: Unit | None = None
+        self, rng: np.random.Generator, runs: int | None = None, imu_errors: ImuErrors | None = None
     ) -> Trial:
         """Calibrate random units, or one given unit with new noise in each run.
 
@@ -154,10 +156,10 @@ class TableTrial:
         rng : numpy.random.Generator
             Source of all random draws.
         runs : int, optional
-            Number of runs, along a leading axis of the result. If not given, as many as `unit` has,
-            or one without a leading axis.
-        unit : Unit, optional
-            True sensor errors (...) in the table's axes; drawn from `spread` if not given.
+            Number of runs, along a leading axis of the result. If not given, as many as
+            `imu_errors` has, or one without a leading axis.
+        imu_errors : ImuErrors, optional
+            True sensor errors (...) in the table's axes; drawn from `prior` if not given.
 
         Returns
         -------
@@ -167,7 +169,7 @@ class TableTrial:
         Raises
         ------
         ValueError
-            If the leading axes of `unit` do not fit `runs`.
+            If the leading axes of `imu_errors` do not fit `runs`.
 
         Warns
         -----
@@ -180,95 +182,58 @@ class TableTrial:
 
         >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
         >>> found = trial.run(np.random.default_rng(1))
-        >>> units = found.unit, found.calibration.unit
-        >>> [round(1e6 * float(unit.gyro_error[0, 0])) for unit in units]
+        >>> both = found.imu_errors, found.calibration.imu_errors
+        >>> [round(1e6 * float(errors.gyro_error[0, 0])) for errors in both]
         [-130, -103]
         """
         model = error_model_for(self.frame)
-        warn_if_unobservable(passage(self.scheme, self.latitude, model))
+        warn_if_unobservable(linearize_along(self.scheme, self.latitude, model))
         lead = () if runs is None else (whole_number(runs, "runs"),)
-        if unit is None:
-            unit = random_units(self.spread, rng, *lead)
-        unit = checked_unit(unit)
+        if imu_errors is None:
+            imu_errors = random_imu_errors(self.prior, rng, *lead)
+        imu_errors = checked_imu_errors(imu_errors)
         try:
-            unit = broadcast_unit(unit, *lead)
+            imu_errors = broadcast_imu_errors(imu_errors, *lead)
         except ValueError:
             raise ValueError(
-                f"unit, runs: expected leading axes that fit {runs!r} runs, got others."
+                f"imu_errors, runs: expected leading axes that fit {runs!r} runs, got others."
             ) from None
         # Each run has noise of its own, also of one and the same unit.
-        lead = unit.gyro_bias.shape[:-1]
+        lead = imu_errors.gyro_bias.shape[:-1]
         samples = round(self.update_interval / self.sample_interval)
-        record = simulate(self.scheme, self.latitude, self.sample_interval, whole=samples)
-        angle, velocity = measure(record, unit, self.noise, rng)
-        updates = len(record.angle_increments) // samples
-        reference = self.noise.velocity * rng.standard_normal((*lead, updates, 3))
+        true = table_trajectory(
+            self.scheme, self.latitude, self.sample_interval, multiple_of=samples
+        )
+        measured = measure(true.increments, imu_errors, self.noise, rng)
+        updates = measured.angle.shape[-2] // samples
+        reference = self.noise.reference_velocity * rng.standard_normal((*lead, updates, 3))
         # The table tells its attitude with an error.
-        tilt = from_rotation_vector(-self.spread.attitude * rng.standard_normal((*lead, 3)))
+        tilt = from_rotation_vector(-self.prior.attitude * rng.standard_normal((*lead, 3)))
         calibration = calibrate(
-            angle,
-            velocity,
+            measured,
             reference,
-            interval=self.sample_interval,
             latitude=self.latitude,
-            start=multiply(tilt, record.attitude[0]),
+            start=multiply(tilt, true.attitude[0]),
             model=model,
-            spread=self.spread,
-            noise=self.noise if self.told is None else self.told,
+            prior=self.prior,
+            noise=self.noise if self.assumed_noise is None else self.assumed_noise,
             keep=self.keep,
         )
         places = np.round(calibration.times / self.sample_interval).astype(int)
-        errors = estimation_errors(calibration, unit, record.attitude[places])
-        return Trial(calibration, unit, errors)
+        errors = estimation_errors(calibration, imu_errors, true.attitude[places])
+        return Trial(calibration, imu_errors, errors)
 
 
-def unit_in_axes(unit: Unit, frame: str | None) -> tuple[Unit, FloatArray]:
-    """Sensor errors in the axes of a frame, as a filter for it should find them, and the rotation.
-
-    Parameters
-    ----------
-    unit : Unit
-        Sensor errors (...) in given body axes.
-    frame : str or None
-        One of `driftlab.triad.BODY_FRAMES`, or None to keep the axes.
-
-    Returns
-    -------
-    unit : Unit
-        Sensor errors (...) in the axes of the frame.
-    turn : ndarray, shape (..., 3, 3)
-        Rotation matrix from components in the given axes to components in those of the frame.
-
-    Raises
-    ------
-    ValueError
-        If the frame is unknown, or a triad is left-handed or flat.
-
-    Examples
-    --------
-    >>> from driftlab.imu import TYPICAL
-    >>> turned, _ = unit_in_axes(TYPICAL, "averaged")
-    >>> bool(np.allclose(turned.gyro_error, turned.gyro_error.T, atol=1e-15))
-    True
-    """
-    if frame is None:
-        return unit, np.broadcast_to(np.eye(3), unit.gyro_error.shape)
-    turn = body_frame_rotation(unit.gyro_error, unit.accelerometer_error, frame)
-    turned = unit._replace(
-        gyro_error=change_body_frame(unit.gyro_error, turn),
-        accelerometer_error=change_body_frame(unit.accelerometer_error, turn),
-    )
-    return turned, turn
-
-
-def estimation_errors(calibration: Calibration, unit: Unit, attitude: ArrayLike) -> FloatArray:
+def estimation_errors(
+    calibration: Calibration, imu_errors: ImuErrors, attitude: ArrayLike
+) -> FloatArray:
     """Errors of the states that a calibration estimated.
 
     Parameters
     ----------
     calibration : Calibration
         What the filter found.
-    unit : Unit
+    imu_errors : ImuErrors
         The true errors (...), in the table's axes.
     attitude : array_like, shape (k, 4)
         True attitudes of the table's axes at the calibration's times, body to East, North, Up.
@@ -283,15 +248,15 @@ def estimation_errors(calibration: Calibration, unit: Unit, attitude: ArrayLike)
     A calibration that found nothing leaves all errors as they were:
 
     >>> from driftlab.calibration import FULL
-    >>> from driftlab.imu import TYPICAL
+    >>> from driftlab.imu import TYPICAL_ERRORS
     >>> level, none = np.array([[0.0, 0.0, 0.0, 1.0]]), np.zeros((1, 30))
     >>> nothing = Calibration(FULL, none[0], none, np.eye(30), level, none[:, :3], none[0])
-    >>> errors = estimation_errors(nothing, TYPICAL, level)
-    >>> bool(np.allclose(errors, FULL.state(TYPICAL)))
+    >>> errors = estimation_errors(nothing, TYPICAL_ERRORS, level)
+    >>> bool(np.allclose(errors, FULL.state(TYPICAL_ERRORS)))
     True
     """
     model = calibration.model
-    true, turn = unit_in_axes(unit, model.frame)
+    true, turn = imu_errors_in_frame(imu_errors, model.frame)
     errors = model.state(true)[..., np.newaxis, :] - calibration.state
     true_attitude = attitude_of_axes(attitude, turn[..., np.newaxis, :, :])
     errors[..., :3] = attitude_error(calibration.attitude, true_attitude)

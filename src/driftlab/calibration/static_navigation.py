@@ -9,14 +9,15 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_number, unit_quaternions
 from driftlab.earth import curvature_radii
-from driftlab.imu import Noise, Unit, compensate, measure
-from driftlab.motion.turntable import stand
+from driftlab.imu import ImuErrors, ImuNoise
+from driftlab.increments import compensate, measure
+from driftlab.motion.turntable import static_trajectory
 from driftlab.strapdown import at_rest, navigate
 
-from .error_model import attitude_error
+from .body_axes import attitude_error
 
 
-class InPlace(NamedTuple):
+class StaticNavigationErrors(NamedTuple):
     """Navigation errors of a unit at rest, computed minus true.
 
     Attributes
@@ -32,9 +33,9 @@ class InPlace(NamedTuple):
 
     Examples
     --------
-    >>> from driftlab.imu import PERFECT, TYPICAL
-    >>> errors = navigate_in_place(
-    ...     TYPICAL, PERFECT, [0, 0, 0, 1], start=[0, 0, 0, 1], reference=[0, 0, 0, 1],
+    >>> from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS
+    >>> errors = navigate_static(
+    ...     TYPICAL_ERRORS, NO_ERRORS, [0, 0, 0, 1], start=[0, 0, 0, 1], reference=[0, 0, 0, 1],
     ...     latitude=0.7, duration=600.0,
     ... )
     >>> float(errors.times[-1]), errors.position.shape
@@ -47,9 +48,9 @@ class InPlace(NamedTuple):
     position: FloatArray
 
 
-def navigate_in_place(
-    unit: Unit,
-    found: Unit,
+def navigate_static(
+    imu_errors: ImuErrors,
+    estimated: ImuErrors,
     attitude: ArrayLike,
     *,
     start: ArrayLike,
@@ -57,17 +58,17 @@ def navigate_in_place(
     latitude: float,
     duration: float,
     interval: float = 0.5,
-    every: float = 60.0,
-    noise: Noise | None = None,
+    output_interval: float = 60.0,
+    noise: ImuNoise | None = None,
     rng: np.random.Generator | None = None,
-) -> InPlace:
+) -> StaticNavigationErrors:
     """Navigate with a unit at rest, with its errors compensated as far as they were found.
 
     Parameters
     ----------
-    unit : Unit
+    imu_errors : ImuErrors
         The true errors (...), in the axes of `attitude`.
-    found : Unit
+    estimated : ImuErrors
         The errors that a calibration found (...), in the body axes of its own choice.
     attitude : array_like, shape (4,)
         True attitude of the unit, body to East, North, Up.
@@ -81,16 +82,16 @@ def navigate_in_place(
         Of the navigation, s; rounded to a whole number of results.
     interval : float
         Between the increments, s.
-    every : float
+    output_interval : float
         Between two results, s; rounded to an even number of increments.
-    noise : Noise, optional
+    noise : ImuNoise, optional
         Of the sensors; none if not given.
     rng : numpy.random.Generator, optional
         Source of the noise.
 
     Returns
     -------
-    InPlace
+    StaticNavigationErrors
         Errors (..., k) of attitude, velocity and position.
 
     Raises
@@ -107,39 +108,39 @@ def navigate_in_place(
     --------
     Largest position error of a typical unit without calibration in an hour, in m:
 
-    >>> from driftlab.imu import PERFECT, TYPICAL
+    >>> from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS
     >>> level = [0.0, 0.0, 0.0, 1.0]
-    >>> errors = navigate_in_place(
-    ...     TYPICAL, PERFECT, level, start=level, reference=level, latitude=0.7, duration=3600.0
+    >>> errors = navigate_static(
+    ...     TYPICAL_ERRORS, NO_ERRORS, level, start=level, reference=level,
+    ...     latitude=0.7, duration=3600.0,
     ... )
     >>> round(float(np.abs(errors.position).max()), -2)
     26800.0
     """
     seconds = finite_number(interval, "interval")
-    if not 0 < seconds <= finite_number(every, "every") <= finite_number(duration, "duration"):
+    output = finite_number(output_interval, "output_interval")
+    if not 0 < seconds <= output <= finite_number(duration, "duration"):
         raise ValueError(
-            "interval, every, duration: expected positive times, each at least as long as the one "
-            f"before, got {interval!r}, {every!r}, {duration!r} s."
+            "interval, output_interval, duration: expected positive times, each at least as long "
+            f"as the one before, got {interval!r}, {output_interval!r}, {duration!r} s."
         )
     # An even number of increments for each result.
-    each = 2 * max(1, round(every / seconds / 2))
+    each = 2 * max(1, round(output / seconds / 2))
     count = each * max(1, round(duration / (each * seconds)))
-    record = stand(attitude, latitude, seconds, count)
-    angle, velocity = compensate(*measure(record, unit, noise, rng), found, seconds)
+    true = static_trajectory(attitude, latitude, seconds, count)
+    compensated = compensate(measure(true.increments, imu_errors, noise, rng), estimated)
     believed, axes = unit_quaternions(start, "start"), unit_quaternions(reference, "reference")
-    lead = np.broadcast_shapes(angle.shape[:-2], believed.shape[:-1], axes.shape[:-1])
+    lead = np.broadcast_shapes(compensated.angle.shape[:-2], believed.shape[:-1], axes.shape[:-1])
     way = navigate(
         at_rest(latitude, np.broadcast_to(believed, (*lead, 4))),
-        angle,
-        velocity,
-        seconds,
+        compensated,
         every=each,
         hold_altitude=True,
     )
     meridian, across = curvature_radii(latitude)
     east = way.longitude * across * np.cos(latitude)
     times: FloatArray = each * seconds * np.arange(1.0, count // each + 1)
-    return InPlace(
+    return StaticNavigationErrors(
         times,
         attitude_error(way.attitude, axes[..., np.newaxis, :]),
         way.velocity[..., :2],

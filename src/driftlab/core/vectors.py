@@ -53,4 +53,5 @@ def left_jacobian(vector: FloatArray) -> FloatArray:
 
 def wrap_angle(angle: FloatArray) -> FloatArray:
     """Angles (...) in rad brought to -pi to pi."""
-    return np.asarray(np.arctan2(np.sin(angle), np.cos(angle)))
+    wrapped: FloatArray = np.arctan2(np.sin(angle), np.cos(angle))
+    return wrapped

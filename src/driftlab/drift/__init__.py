@@ -1,4 +1,4 @@
-"""Systematic drift of a misaligned gyro triad, and its calibration by whole turns (Larin)."""
+"""How a bent gyro triad drifts, and how whole turns calibrate it (Larin)."""
 
 from driftlab._lazy import attach
 

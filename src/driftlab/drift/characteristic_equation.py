@@ -89,15 +89,15 @@ def exact_roots(rate: ArrayLike, measured_rate: ArrayLike) -> ComplexArray:
     return 1j * np.stack([total, -total, difference, -difference], axis=-1)
 
 
-def asymptotic_roots(rate: ArrayLike, misalignment: ArrayLike, *, order: int = 1) -> ComplexArray:
-    r"""Roots of the characteristic equation for a small misalignment; Larin (2.2).
+def asymptotic_roots(rate: ArrayLike, triad_error: ArrayLike, *, order: int = 1) -> ComplexArray:
+    r"""Roots of the characteristic equation for a small triad error; Larin (2.2).
 
     Parameters
     ----------
     rate : array_like, shape (..., 3)
         True angular rate in body axes, rad/s, not zero.
-    misalignment : array_like, shape (..., 3, 3)
-        Matrix M of the errors of the triad, mu T in the paper, which measures (E + M) rate.
+    triad_error : array_like, shape (..., 3, 3)
+        Matrix M of the errors of the triad, mu T in the paper, which measures (I + M) rate.
     order : {1, 2}
         Highest power of M that is kept. Larin's formula is the first order.
 
@@ -117,9 +117,9 @@ def asymptotic_roots(rate: ArrayLike, misalignment: ArrayLike, *, order: int = 1
     --------
     Measured and true rate differ across the axis only, which shows in the second order:
 
-    >>> misalignment = np.array([[0, 0, 0.01], [0, 0, 0], [0, 0, 0]])
+    >>> triad_error = np.array([[0, 0, 0.01], [0, 0, 0], [0, 0, 0]])
     >>> for order in (1, 2):
-    ...     print(f"{asymptotic_roots([0, 0, 1], misalignment, order=order)[2].imag:.3e}")
+    ...     print(f"{asymptotic_roots([0, 0, 1], triad_error, order=order)[2].imag:.3e}")
     0.000e+00
     5.000e-05
     >>> print(f"{exact_roots([0, 0, 1], [0.01, 0, 1])[2].imag:.3e}")
@@ -127,9 +127,9 @@ def asymptotic_roots(rate: ArrayLike, misalignment: ArrayLike, *, order: int = 1
     """
     if order not in (1, 2):
         raise ValueError(f"order: expected 1 or 2, got {order!r}.")
-    rate, misalignment = finite_arrays(rate=(rate, 3), misalignment=(misalignment, 3, 3))
+    rate, triad_error = finite_arrays(rate=(rate, 3), triad_error=(triad_error, 3, 3))
     direction, norm = nonzero_vectors(rate, "rate")
-    coefficient, across = _along_and_across(direction, misalignment)
+    coefficient, across = _along_and_across(direction, triad_error)
     if order == 2:
         coefficient = coefficient + 0.5 * across
     fast, slow = norm * (2 + coefficient), norm * coefficient

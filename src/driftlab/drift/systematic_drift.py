@@ -1,6 +1,6 @@
-"""Systematic drift of a misaligned gyro triad at a constant rate; Larin, section 2.
+"""Systematic drift of a bent gyro triad at a constant rate; Larin, section 2.
 
-A triad with misalignment M measures ``(E + M) rate``. With n the direction of a constant rate, the
+A triad with the error M measures ``(I + M) rate``. With n the direction of a constant rate, the
 error rotates with |measured rate| - |rate| once the whole turns are taken out, and that difference
 is, to first order, n^T M n times the rate: only the symmetric part of M drifts.
 """
@@ -20,14 +20,14 @@ from driftlab.core.vectors import norms
 from driftlab.triad import measured_rate, non_orthogonality
 
 
-def drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
+def drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     """Drift rate in units of the turn rate, rho = n^T M n, to first order; Larin (2.2).
 
     Parameters
     ----------
     direction : array_like, shape (..., 3)
         Axis n of the rotation in body axes; only its direction counts, it must not be zero.
-    misalignment : array_like, shape (..., 3, 3)
+    triad_error : array_like, shape (..., 3, 3)
         Matrix M of the errors of the triad, without unit.
 
     Returns
@@ -39,24 +39,24 @@ def drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArr
     --------
     About the bisector of x and y both non-diagonal entries count; about x alone neither does:
 
-    >>> misalignment = [[0, 0.01, 0], [0.03, 0, 0], [0, 0, 0]]
-    >>> drift_coefficient([[1, 1, 0], [1, 0, 0]], misalignment).round(9)
+    >>> triad_error = [[0, 0.01, 0], [0.03, 0, 0], [0, 0, 0]]
+    >>> drift_coefficient([[1, 1, 0], [1, 0, 0]], triad_error).round(9)
     array([0.02, 0.  ])
     """
-    direction, misalignment = finite_arrays(
-        direction=(direction, 3), misalignment=(misalignment, 3, 3)
+    direction, triad_error = finite_arrays(
+        direction=(direction, 3), triad_error=(triad_error, 3, 3)
     )
-    return _along_and_across(nonzero_vectors(direction, "direction")[0], misalignment)[0]
+    return _along_and_across(nonzero_vectors(direction, "direction")[0], triad_error)[0]
 
 
-def exact_drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
-    """Drift rate in units of the turn rate, |(E + M) n| - 1, for a misalignment of any size.
+def exact_drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
+    """Drift rate in units of the turn rate, |(I + M) n| - 1, for a triad error of any size.
 
     Parameters
     ----------
     direction : array_like, shape (..., 3)
         Axis n of the rotation in body axes; only its direction counts, it must not be zero.
-    misalignment : array_like, shape (..., 3, 3)
+    triad_error : array_like, shape (..., 3, 3)
         Matrix M of the errors of the triad, without unit.
 
     Returns
@@ -66,38 +66,38 @@ def exact_drift_coefficient(direction: ArrayLike, misalignment: ArrayLike) -> Fl
 
     Examples
     --------
-    >>> misalignment = [[0, 0.75, 0], [0, 0, 0], [0, 0, 0]]
-    >>> float(exact_drift_coefficient([0, 1, 0], misalignment))  # sqrt(1 + 0.75^2) - 1
+    >>> triad_error = [[0, 0.75, 0], [0, 0, 0], [0, 0, 0]]
+    >>> float(exact_drift_coefficient([0, 1, 0], triad_error))  # sqrt(1 + 0.75^2) - 1
     0.25
-    >>> float(drift_coefficient([0, 1, 0], misalignment))
+    >>> float(drift_coefficient([0, 1, 0], triad_error))
     0.0
     """
-    direction, misalignment = finite_arrays(
-        direction=(direction, 3), misalignment=(misalignment, 3, 3)
+    direction, triad_error = finite_arrays(
+        direction=(direction, 3), triad_error=(triad_error, 3, 3)
     )
     n, _ = nonzero_vectors(direction, "direction")
-    rho, across = _along_and_across(n, misalignment)
+    rho, across = _along_and_across(n, triad_error)
     # |A n| - 1 = (|A n|^2 - 1)/(|A n| + 1), without the loss of digits of the subtraction.
-    return (2 * rho + rho**2 + across) / (norms(measured_rate(n, misalignment)) + 1)
+    return (2 * rho + rho**2 + across) / (norms(measured_rate(n, triad_error)) + 1)
 
 
-def _along_and_across(n: FloatArray, misalignment: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _along_and_across(n: FloatArray, triad_error: FloatArray) -> tuple[FloatArray, FloatArray]:
     """n^T M n, and |M n|^2 - (n^T M n)^2, the square of the part of M n across n."""
-    error = np.einsum("...ij,...j->...i", misalignment, n)
+    error = np.einsum("...ij,...j->...i", triad_error, n)
     along = np.einsum("...i,...i->...", n, error)
     across = error - along[..., np.newaxis] * n
     return along, np.einsum("...i,...i->...", across, across)
 
 
-def drift_per_turn(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
+def drift_per_turn(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     """Drift angle after one whole turn: Larin (2.3), without approximation.
 
     Parameters
     ----------
     direction : array_like, shape (..., 3)
         Axis n of the turn in body axes; only its direction counts, it must not be zero.
-    misalignment : array_like, shape (..., 3, 3)
-        Matrix M of the errors of the triad, without unit, which measures A = E + M times the rate.
+    triad_error : array_like, shape (..., 3, 3)
+        Matrix M of the errors of the triad, without unit, which measures A = I + M times the rate.
 
     Returns
     -------
@@ -114,24 +114,24 @@ def drift_per_turn(direction: ArrayLike, misalignment: ArrayLike) -> FloatArray:
     A non-orthogonality of one arc second between two axes, and a turn about their bisector:
 
     >>> second = np.radians(1 / 3600)
-    >>> misalignment = second * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
-    >>> print(f"{drift_per_turn([1, 1, 0], misalignment) / second:.3f}")  # arc seconds
+    >>> triad_error = second * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
+    >>> print(f"{drift_per_turn([1, 1, 0], triad_error) / second:.3f}")  # arc seconds
     6.283
     """
-    return 2 * np.pi * exact_drift_coefficient(direction, misalignment)
+    return 2 * np.pi * exact_drift_coefficient(direction, triad_error)
 
 
 def principal_drifts(
-    misalignment: ArrayLike, *, exact: bool = False
+    triad_error: ArrayLike, *, exact: bool = False
 ) -> tuple[FloatArray, FloatArray]:
     """Extreme drift coefficients and the axes that give them; Larin, before (2.6).
 
     Parameters
     ----------
-    misalignment : array_like, shape (..., 3, 3)
+    triad_error : array_like, shape (..., 3, 3)
         Matrix M of the errors of the triad, without unit.
     exact : bool
-        Take the singular values of A = E + M, less one, instead of the eigenvalues of Sigma.
+        Take the singular values of A = I + M, less one, instead of the eigenvalues of Sigma.
 
     Returns
     -------
@@ -149,11 +149,11 @@ def principal_drifts(
     >>> print(np.abs(axes[2]).round(4))
     [0.7071 0.7071 0.    ]
     """
-    misalignment = finite_array(misalignment, "misalignment", 3, 3)
-    symmetric = non_orthogonality(misalignment)
+    triad_error = finite_array(triad_error, "triad_error", 3, 3)
+    symmetric = non_orthogonality(triad_error)
     if exact:
-        # A^T A - E; its eigenvalues are the squares of the singular values of A, less one.
-        symmetric = 2 * symmetric + np.swapaxes(misalignment, -1, -2) @ misalignment
+        # A^T A - I; its eigenvalues are the squares of the singular values of A, less one.
+        symmetric = 2 * symmetric + np.swapaxes(triad_error, -1, -2) @ triad_error
     coefficients, vectors = np.linalg.eigh(symmetric)
     if exact:
         coefficients = coefficients / (np.sqrt(np.maximum(1 + coefficients, 0)) + 1)

@@ -25,14 +25,6 @@ from driftlab.triad import measured_rate
 from .step_formulas import step_formula
 from .systematic_drift import exact_drift_coefficient
 
-PAIR_AXES: FloatArray = np.array([[1.0, 1, 0], [1, 0, 1], [0, 1, 1]]) / np.sqrt(2)
-"""Larin's (3.4): turning about row s gives sigma_s itself."""
-PAIR_AXES.setflags(write=False)
-
-YATES_AXES: FloatArray = np.vstack([PAIR_AXES, np.ones(3) / np.sqrt(3)])
-"""Larin's (3.4) and (3.5): the three pair axes and the space diagonal."""
-YATES_AXES.setflags(write=False)
-
 
 def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) -> FloatArray:
     """Estimate n^T Sigma n from the attitude error after whole turns about an axis; Larin (3.3).
@@ -78,12 +70,12 @@ def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) 
     return half_angle / (turns * np.pi)
 
 
-def exact_turn_estimate(misalignment: ArrayLike, axis: ArrayLike, turns: int = 1) -> FloatArray:
+def exact_turn_estimate(triad_error: ArrayLike, axis: ArrayLike, turns: int = 1) -> FloatArray:
     r"""Result of `turn_estimate` with exact integration and without noise, in closed form.
 
     Parameters
     ----------
-    misalignment : array_like, shape (..., 3, 3)
+    triad_error : array_like, shape (..., 3, 3)
         Matrix M of the errors of the triad, without unit.
     axis : array_like, shape (..., 3)
         Body axis n of the turns; only its direction counts.
@@ -97,21 +89,21 @@ def exact_turn_estimate(misalignment: ArrayLike, axis: ArrayLike, turns: int = 1
 
     Notes
     -----
-    With A = E + M and m the direction of A n,
+    With A = I + M and m the direction of A n,
 
     .. math:: \frac{1}{k\pi} \arctan\left( m^T n \tan(k\pi(|A n| - 1)) \right).
 
     Examples
     --------
-    >>> misalignment = 0.01 * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
-    >>> print(f"{exact_turn_estimate(misalignment, PAIR_AXES[0]):.6f}")  # n is an eigenvector
+    >>> triad_error = 0.01 * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
+    >>> print(f"{exact_turn_estimate(triad_error, [1, 1, 0]):.6f}")  # n is an eigenvector
     0.010000
     """
     turns = whole_number(turns, "turns")
-    axis, misalignment = finite_arrays(axis=(axis, 3), misalignment=(misalignment, 3, 3))
+    axis, triad_error = finite_arrays(axis=(axis, 3), triad_error=(triad_error, 3, 3))
     n, _ = nonzero_vectors(axis, "axis")
-    m, _ = nonzero_vectors(measured_rate(n, misalignment), "axis")
-    half_drift = turns * np.pi * exact_drift_coefficient(n, misalignment)
+    m, _ = nonzero_vectors(measured_rate(n, triad_error), "axis")
+    half_drift = turns * np.pi * exact_drift_coefficient(n, triad_error)
     return turn_estimate(from_rotation_vector(2 * half_drift[..., np.newaxis] * m), n, turns)
 
 
@@ -135,8 +127,9 @@ class TurnExperiment:
     --------
     Larin's three turns find the three sigmas:
 
-    >>> misalignment = 1e-4 * np.array([[0, 1, 2], [1, 0, 3], [2, 3, 0]])
-    >>> TurnExperiment(turns=1, steps_per_turn=100).estimate(misalignment, PAIR_AXES).round(6)
+    >>> from driftlab.drift.weighing_designs import PAIR_AXES
+    >>> triad_error = 1e-4 * np.array([[0, 1, 2], [1, 0, 3], [2, 3, 0]])
+    >>> TurnExperiment(turns=1, steps_per_turn=100).estimate(triad_error, PAIR_AXES).round(6)
     array([0.0001, 0.0002, 0.0003])
     """
 
@@ -156,7 +149,7 @@ class TurnExperiment:
 
     def error_quaternion(
         self,
-        misalignment: ArrayLike,
+        triad_error: ArrayLike,
         axis: ArrayLike,
         rng: np.random.Generator | None = None,
     ) -> FloatArray:
@@ -164,7 +157,7 @@ class TurnExperiment:
 
         Parameters
         ----------
-        misalignment : array_like, shape (..., 3, 3)
+        triad_error : array_like, shape (..., 3, 3)
             Matrix M of the errors of the triad, without unit.
         axis : array_like, shape (..., 3)
             Body axis of the turns; only its direction counts.
@@ -186,9 +179,9 @@ class TurnExperiment:
         >>> print(f"{np.arctan(error[2] / error[3]):.4f}")  # 10 arctan(pi/10) - pi
         -0.0976
         """
-        axis, misalignment = finite_arrays(axis=(axis, 3), misalignment=(misalignment, 3, 3))
+        axis, triad_error = finite_arrays(axis=(axis, 3), triad_error=(triad_error, 3, 3))
         n, _ = nonzero_vectors(axis, "axis")
-        increment = 2 * np.pi / self.steps_per_turn * measured_rate(n, misalignment)
+        increment = 2 * np.pi / self.steps_per_turn * measured_rate(n, triad_error)
         count = self.turns * self.steps_per_turn
         increments = np.repeat(increment[..., np.newaxis, :], count, axis=-2)
         if self.angle_noise:
@@ -203,7 +196,7 @@ class TurnExperiment:
 
     def estimate(
         self,
-        misalignment: ArrayLike,
+        triad_error: ArrayLike,
         axis: ArrayLike,
         rng: np.random.Generator | None = None,
     ) -> FloatArray:
@@ -211,7 +204,7 @@ class TurnExperiment:
 
         Parameters
         ----------
-        misalignment : array_like, shape (..., 3, 3)
+        triad_error : array_like, shape (..., 3, 3)
             Matrix M of the errors of the triad, without unit.
         axis : array_like, shape (..., 3)
             Body axis n of the turns; only its direction counts.
@@ -225,117 +218,8 @@ class TurnExperiment:
 
         Examples
         --------
-        >>> misalignment = np.diag([0.0, 0.0, 1e-4])
-        >>> print(f"{TurnExperiment(turns=3).estimate(misalignment, [0, 0, 1]):.6f}")
+        >>> triad_error = np.diag([0.0, 0.0, 1e-4])
+        >>> print(f"{TurnExperiment(turns=3).estimate(triad_error, [0, 0, 1]):.6f}")
         0.000100
         """
-        return turn_estimate(self.error_quaternion(misalignment, axis, rng), axis, self.turns)
-
-
-def weighing(estimates: ArrayLike) -> FloatArray:
-    """Non-orthogonality from four turns by Yates's weighing design; Larin, last formulas.
-
-    Parameters
-    ----------
-    estimates : array_like, shape (..., 4)
-        Estimates of sigma1, sigma2, sigma3 and of their sum. The sum is **3/2** of the turn
-        estimate about (1, 1, 1): the factor that (3.5) lacks in print.
-
-    Returns
-    -------
-    ndarray, shape (..., 3)
-        [sigma1, sigma2, sigma3], in the unit of the estimates.
-
-    Notes
-    -----
-    Each result is half of a sum with two signs plus and two minus, so an offset common to all four
-    *numbers* cancels, and independent noise of one size in all four keeps its variance.
-
-    Examples
-    --------
-    The sigmas are 1, 2 and 3, and an offset of 10 is common to all four numbers:
-
-    >>> weighing([11, 12, 13, 16])
-    array([1., 2., 3.])
-    """
-    signs = np.array([[1, -1, -1, 1], [-1, 1, -1, 1], [-1, -1, 1, 1]])
-    return 0.5 * finite_array(estimates, "estimates", 4) @ signs.T
-
-
-@dataclass(frozen=True, eq=False)
-class TurnFit:
-    """Least-squares solution for the non-orthogonality; the result of `fit_turns`.
-
-    Attributes
-    ----------
-    sigma : ndarray, shape (..., 3)
-        sigma1, sigma2, sigma3, without unit.
-    scale : ndarray, shape (..., s)
-        Scale-factor errors, without unit: none, one common to all gyros, or one for each gyro.
-    covariance : ndarray, shape (3 + s, 3 + s)
-        Covariance of (sigma, scale) when each estimate has unit variance.
-
-    Examples
-    --------
-    Larin's three axes give each sigma with the variance of one estimate:
-
-    >>> fit_turns([1e-4, 2e-4, 3e-4], PAIR_AXES).covariance.diagonal().round(9)
-    array([1., 1., 1.])
-    """
-
-    sigma: FloatArray
-    scale: FloatArray
-    covariance: FloatArray
-
-
-def fit_turns(estimates: ArrayLike, axes: ArrayLike, scale: str = "none") -> TurnFit:
-    """Least squares on any set of turn axes, with or without scale-factor errors; Larin (3.4).
-
-    Parameters
-    ----------
-    estimates : array_like, shape (..., m)
-        Turn estimates n^T Sigma n, one for each axis.
-    axes : array_like, shape (m, 3)
-        Axes n; only their directions count.
-    scale : {"none", "common", "each"}
-        Other unknowns: none, one scale-factor error common to the three gyros (an offset common to
-        all estimates: a wrong turn angle looks the same), or one for each gyro.
-
-    Returns
-    -------
-    TurnFit
-        The sigmas, the scale-factor errors, and their covariance for unit noise.
-
-    Raises
-    ------
-    ValueError
-        If the axes do not determine the unknowns.
-
-    Examples
-    --------
-    With Yates's four axes a scale-factor error common to all gyros can be found as well:
-
-    >>> triad = 1e-4 * np.array([[4, 1, 2], [1, 4, 3], [2, 3, 4]])
-    >>> estimates = TurnExperiment().estimate(triad, YATES_AXES)
-    >>> fit = fit_turns(estimates, YATES_AXES, scale="common")
-    >>> print(fit.sigma.round(6), fit.scale.round(6))
-    [0.0001 0.0002 0.0003] [0.0004]
-    """
-    n, _ = nonzero_vectors(axes, "axes")
-    if n.ndim != 2:
-        raise ValueError(f"axes: expected shape (m, 3), got shape {n.shape}.")
-    estimates = finite_array(estimates, "estimates", len(n))
-    squares = {"none": n[:, :0], "common": np.ones((len(n), 1)), "each": n**2}
-    if scale not in squares:
-        raise ValueError(f"scale: expected one of {', '.join(squares)}, got {scale!r}.")
-    x, y, z = n.T
-    design = np.column_stack([2 * x * y, 2 * x * z, 2 * y * z, squares[scale]])
-    unknowns = design.shape[1]
-    if np.linalg.matrix_rank(design) < unknowns:
-        raise ValueError(
-            f"axes: expected axes that determine {unknowns} unknowns, "
-            f"got {len(n)} axes that determine {np.linalg.matrix_rank(design)}."
-        )
-    inverse = np.linalg.pinv(design)
-    solution = estimates @ inverse.T
-    return TurnFit(solution[..., :3], solution[..., 3:], inverse @ inverse.T)
+        return turn_estimate(self.error_quaternion(triad_error, axis, rng), axis, self.turns)

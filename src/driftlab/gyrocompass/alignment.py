@@ -14,9 +14,8 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_arrays, nonzero_vectors
 from driftlab.core.vectors import norms
-from driftlab.earth import EARTH_RATE, checked_gravity, checked_latitude
-from driftlab.earth import gravity as normal_gravity
-from driftlab.frames import attitude_from_angles, pitch_and_roll, refuse_vertical
+from driftlab.earth import EARTH_RATE, checked_gravity, checked_latitude, gravity as normal_gravity
+from driftlab.frames import from_euler_angles, pitch_and_roll, refuse_vertical
 
 _LEAST_COLATITUDE = np.radians(0.1)
 
@@ -59,7 +58,7 @@ class Alignment(NamedTuple):
         >>> align([1.0, 1.0, 0.0], [0.0, 9.8, 0.0]).attitude  # level, and headed North
         array([0., 0., 0., 1.])
         """
-        return attitude_from_angles(self.heading, self.pitch, self.roll)
+        return from_euler_angles(self.heading, self.pitch, self.roll)
 
 
 class AlignmentErrors(NamedTuple):
@@ -75,10 +74,10 @@ class AlignmentErrors(NamedTuple):
 
     Examples
     --------
-    An offset of 1e-4 g of the east accelerometer at 60 degrees:
+    A bias of 1e-4 g of the east accelerometer at 60 degrees:
 
-    >>> offset = [0.0, 0.0, 9.8e-4]
-    >>> found = alignment_errors(0.0, 0.0, np.radians(60.0), np.zeros(3), offset, gravity=9.8)
+    >>> bias = [0.0, 0.0, 9.8e-4]
+    >>> found = alignment_errors(0.0, 0.0, np.radians(60.0), np.zeros(3), bias, gravity=9.8)
     >>> f"{found.heading:.2e} {found.roll:.2e}"  # rad
     '-1.73e-04 -1.00e-04'
     """
@@ -138,15 +137,15 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
     forward = turn[..., 0] * np.cos(pitch) - along * np.sin(pitch)
     right = turn[..., 1] * np.sin(roll) + turn[..., 2] * np.cos(roll)
     found = np.broadcast_arrays(np.arctan2(right, forward), pitch, roll, latitude, size * across)
-    return Alignment(*map(np.array, found))
+    return Alignment(*(np.array(angle)[()] for angle in found))
 
 
 def alignment_errors(
     heading: ArrayLike,
     pitch: ArrayLike,
     latitude: ArrayLike,
-    rate_error: ArrayLike,
-    force_error: ArrayLike,
+    gyro_bias_nue: ArrayLike,
+    accelerometer_bias_nue: ArrayLike,
     gravity: ArrayLike | None = None,
 ) -> AlignmentErrors:
     """First-order errors of `align`; (alignment heading), (alignment pitch), (alignment roll).
@@ -155,10 +154,10 @@ def alignment_errors(
     ----------
     heading, pitch, latitude : array_like, shape (...)
         rad. The roll does not matter.
-    rate_error : array_like, shape (..., 3)
-        Drift rates of the gyros resolved in North, Up, East, rad/s.
-    force_error : array_like, shape (..., 3)
-        Zero offsets of the accelerometers resolved in North, Up, East, m/s^2.
+    gyro_bias_nue : array_like, shape (..., 3)
+        Gyro biases resolved in North, Up, East, rad/s.
+    accelerometer_bias_nue : array_like, shape (..., 3)
+        Accelerometer biases resolved in North, Up, East, m/s^2.
     gravity : array_like, shape (...), optional
         m/s^2; normal gravity of the latitude if not given.
 
@@ -180,48 +179,53 @@ def alignment_errors(
 
     Examples
     --------
-    An east gyro that drifts by 0.01 degrees per hour, at 60 degrees, in arc minutes:
+    An east gyro with a bias of 0.01 degrees per hour, at 60 degrees, in arc minutes:
 
-    >>> drift = np.radians([0.0, 0.0, 0.01]) / 3600
-    >>> found = alignment_errors(0.0, 0.0, np.radians(60.0), drift, np.zeros(3))
+    >>> bias = np.radians([0.0, 0.0, 0.01]) / 3600
+    >>> found = alignment_errors(0.0, 0.0, np.radians(60.0), bias, np.zeros(3))
     >>> round(60 * float(np.degrees(found.heading)), 2)
     4.57
     """
-    heading, pitch, place, drift, offset, pull = _alignment_arguments(
-        latitude, rate_error, force_error, gravity, heading=(heading,), pitch=(pitch,)
+    heading, pitch, place, gyro_bias, accelerometer_bias, pull = _alignment_arguments(
+        latitude, gyro_bias_nue, accelerometer_bias_nue, gravity, heading=(heading,), pitch=(pitch,)
     )
     refuse_vertical(pitch)
-    north, _, east = np.moveaxis(offset / pull[..., np.newaxis], -1, 0)
+    north, _, east = np.moveaxis(accelerometer_bias / pull[..., np.newaxis], -1, 0)
     cosine, sine = np.cos(heading), np.sin(heading)
     terms = np.stack(
         np.broadcast_arrays(
-            drift[..., 2] / (EARTH_RATE * np.cos(place)),
+            gyro_bias[..., 2] / (EARTH_RATE * np.cos(place)),
             east * cosine * np.tan(pitch),
             north * sine * np.tan(pitch),
             -east * np.tan(place),
         ),
         axis=-1,
     )
-    across = drift[..., 1] * np.cos(place) - drift[..., 0] * np.sin(place)
-    heading_error, pitch_error, roll_error, latitude_error = np.broadcast_arrays(
-        terms.sum(axis=-1),
-        north * cosine - east * sine,
-        -(east * cosine + north * sine) / np.cos(pitch),
-        north + across / EARTH_RATE,
+    across = gyro_bias[..., 1] * np.cos(place) - gyro_bias[..., 0] * np.sin(place)
+    total = terms.sum(axis=-1)
+    shape = np.broadcast_shapes(total.shape, north.shape, across.shape, pitch.shape)
+    heading_error, pitch_error, roll_error, latitude_error = (
+        np.array(np.broadcast_to(error, shape))[()]
+        for error in (
+            total,
+            north * cosine - east * sine,
+            -(east * cosine + north * sine) / np.cos(pitch),
+            north + across / EARTH_RATE,
+        )
     )
     return AlignmentErrors(
-        heading_error.copy(),
-        pitch_error.copy(),
-        roll_error.copy(),
-        latitude_error.copy(),
-        np.broadcast_to(terms, (*heading_error.shape, 4)).copy(),
+        heading_error,
+        pitch_error,
+        roll_error,
+        latitude_error,
+        np.array(np.broadcast_to(terms, (*shape, 4))),
     )
 
 
 def alignment_attitude_error(
     latitude: ArrayLike,
-    rate_error: ArrayLike,
-    force_error: ArrayLike,
+    gyro_bias_nue: ArrayLike,
+    accelerometer_bias_nue: ArrayLike,
     gravity: ArrayLike | None = None,
 ) -> FloatArray:
     """First-order attitude error of `align`, as a rotation vector; it holds in every attitude.
@@ -230,10 +234,10 @@ def alignment_attitude_error(
     ----------
     latitude : array_like, shape (...)
         rad.
-    rate_error : array_like, shape (..., 3)
-        Drift rates of the gyros resolved in North, Up, East, rad/s.
-    force_error : array_like, shape (..., 3)
-        Zero offsets of the accelerometers resolved in North, Up, East, m/s^2.
+    gyro_bias_nue : array_like, shape (..., 3)
+        Gyro biases resolved in North, Up, East, rad/s.
+    accelerometer_bias_nue : array_like, shape (..., 3)
+        Accelerometer biases resolved in North, Up, East, m/s^2.
     gravity : array_like, shape (...), optional
         m/s^2; normal gravity of the latitude if not given.
 
@@ -249,22 +253,24 @@ def alignment_attitude_error(
 
     Examples
     --------
-    Offsets of the North and East accelerometers by 1e-4 g and 2e-4 g at 45 degrees:
+    Biases of the North and East accelerometers of 1e-4 g and 2e-4 g at 45 degrees:
 
-    >>> offset = [9.8e-4, 0.0, 19.6e-4]
-    >>> alignment_attitude_error(np.radians(45.0), np.zeros(3), offset, gravity=9.8).round(6)
+    >>> bias = [9.8e-4, 0.0, 19.6e-4]
+    >>> alignment_attitude_error(np.radians(45.0), np.zeros(3), bias, gravity=9.8).round(6)
     array([-0.0002, -0.0002,  0.0001])
     """
-    place, drift, offset, pull = _alignment_arguments(latitude, rate_error, force_error, gravity)
-    north, _, east = np.moveaxis(offset / pull[..., np.newaxis], -1, 0)
-    up = drift[..., 2] / (EARTH_RATE * np.cos(place)) - east * np.tan(place)
+    place, gyro_bias, accelerometer_bias, pull = _alignment_arguments(
+        latitude, gyro_bias_nue, accelerometer_bias_nue, gravity
+    )
+    north, _, east = np.moveaxis(accelerometer_bias / pull[..., np.newaxis], -1, 0)
+    up = gyro_bias[..., 2] / (EARTH_RATE * np.cos(place)) - east * np.tan(place)
     return np.stack(np.broadcast_arrays(-east, up, north), axis=-1)
 
 
 def _alignment_arguments(
     latitude: ArrayLike,
-    rate_error: ArrayLike,
-    force_error: ArrayLike,
+    gyro_bias_nue: ArrayLike,
+    accelerometer_bias_nue: ArrayLike,
     gravity: ArrayLike | None,
     **angles: tuple[ArrayLike],
 ) -> list[FloatArray]:
@@ -272,8 +278,8 @@ def _alignment_arguments(
     arguments = finite_arrays(
         **angles,
         latitude=(latitude,),
-        rate_error=(rate_error, 3),
-        force_error=(force_error, 3),
+        gyro_bias_nue=(gyro_bias_nue, 3),
+        accelerometer_bias_nue=(accelerometer_bias_nue, 3),
         gravity=(pull,),
     )
     checked_latitude(arguments[-4])

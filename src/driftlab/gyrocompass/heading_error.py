@@ -14,13 +14,13 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_arrays
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE
-from driftlab.frames import geographic_rate, refuse_vertical
+from driftlab.frames import navigation_frame_rate, refuse_vertical
 
 
-def speed_deviation(
+def speed_error(
     latitude: ArrayLike, velocity: ArrayLike, radius: float = EARTH_RADIUS
 ) -> FloatArray:
-    """Speed deviation: angle from the North that a moving compass finds to true North.
+    """Speed error of a compass (north-steaming error): angle from its North to true North.
 
     The compass finds the horizontal component of the rate of the local axes, to which the vehicle's
     own motion round the Earth contributes. Its heading is too large by this angle.
@@ -48,15 +48,15 @@ def speed_deviation(
     --------
     In degrees, for 10 m/s to the North at 60 degrees:
 
-    >>> round(float(np.degrees(speed_deviation(np.radians(60.0), [10.0, 0.0]))), 2)
+    >>> round(float(np.degrees(speed_error(np.radians(60.0), [10.0, 0.0]))), 2)
     -2.47
     """
-    north, _, east = np.moveaxis(geographic_rate(latitude, velocity, radius), -1, 0)
+    north, _, east = np.moveaxis(navigation_frame_rate(latitude, velocity, radius), -1, 0)
     _level_rate_squared(north, east)
     return np.arctan2(east, north)
 
 
-def level_coriolis(
+def coriolis_correction(
     latitude: ArrayLike, velocity: ArrayLike, radius: float = EARTH_RADIUS
 ) -> FloatArray:
     """Horizontal specific force of motion at constant velocity that must not tilt the horizon.
@@ -87,11 +87,11 @@ def level_coriolis(
 
     Examples
     --------
-    >>> level_coriolis(np.radians(60.0), [10.0, 0.0]).round(6)
+    >>> coriolis_correction(np.radians(60.0), [10.0, 0.0]).round(6)
     array([ 0.      , -0.000632])
     """
     place, speed = finite_arrays(latitude=(latitude,), velocity=(velocity, 2))
-    turn = geographic_rate(place, speed, radius)[..., 1]
+    turn = navigation_frame_rate(place, speed, radius)[..., 1]
     north, east = np.moveaxis(speed, -1, 0)
     return np.stack([(turn + EARTH_RATE * np.sin(place)) * east, -turn * north], axis=-1)
 
@@ -159,7 +159,7 @@ def operating_heading_error(
     velocity: ArrayLike,
     tilt: ArrayLike,
     tilt_rate: ArrayLike,
-    drift: ArrayLike,
+    gyro_bias_north_east: ArrayLike,
     yaw_error: ArrayLike,
     heading: ArrayLike,
     pitch: ArrayLike,
@@ -177,8 +177,8 @@ def operating_heading_error(
         alpha and chi, rad: rotation of the modelled horizon about North and about East.
     tilt_rate : array_like, shape (..., 2)
         Their derivatives, rad/s.
-    drift : array_like, shape (..., 2)
-        Drift rates of the gyros about North and about East, rad/s.
+    gyro_bias_north_east : array_like, shape (..., 2)
+        Gyro biases resolved in North and East, rad/s.
     yaw_error : array_like, shape (...)
         Error of psi, the yaw of the body in the modelled horizon, rad.
     heading, pitch : array_like, shape (...)
@@ -199,38 +199,38 @@ def operating_heading_error(
 
     Examples
     --------
-    A gyro drift of 0.01 degrees per hour about East, at rest at 60 degrees, in arc minutes:
+    A gyro bias of 0.01 degrees per hour about East, at rest at 60 degrees, in arc minutes:
 
-    >>> drift, zero = np.radians([0.0, 0.01]) / 3600, [0.0, 0.0]
-    >>> found = operating_heading_error(np.radians(60.0), zero, zero, zero, drift, 0.0, 0.0, 0.0)
+    >>> bias, zero = np.radians([0.0, 0.01]) / 3600, [0.0, 0.0]
+    >>> found = operating_heading_error(np.radians(60.0), zero, zero, zero, bias, 0.0, 0.0, 0.0)
     >>> round(60 * float(np.degrees(found.heading)), 2)
     4.57
     """
-    place, speed, tilts, tilt_rates, drifts, yaw, heading, pitch = finite_arrays(
+    place, speed, tilts, tilt_rates, biases, yaw, heading, pitch = finite_arrays(
         latitude=(latitude,),
         velocity=(velocity, 2),
         tilt=(tilt, 2),
         tilt_rate=(tilt_rate, 2),
-        drift=(drift, 2),
+        gyro_bias_north_east=(gyro_bias_north_east, 2),
         yaw_error=(yaw_error,),
         heading=(heading,),
         pitch=(pitch,),
     )
     refuse_vertical(pitch)
-    north, up, east = np.moveaxis(geographic_rate(place, speed, radius), -1, 0)
+    north, up, east = np.moveaxis(navigation_frame_rate(place, speed, radius), -1, 0)
     squared = _level_rate_squared(north, east)
     (alpha, chi), (alpha_rate, chi_rate) = np.moveaxis(tilts, -1, 0), np.moveaxis(tilt_rates, -1, 0)
-    # Errors of the two level rates of the modelled horizon: its gyros drift, and its axes turn and
-    # are turned. The paper's denominator is R^2 times `squared`, and its v1 is -R times `east`.
-    east_error = chi_rate - alpha * up + drifts[..., 1]
-    north_error = alpha_rate + chi * up + drifts[..., 0]
+    # Errors of the two level rates of the modelled horizon: its gyros are biased, and its axes turn
+    # and are turned. The paper's denominator is R^2 times `squared`, and its v1 is -R times `east`.
+    east_error = chi_rate - alpha * up + biases[..., 1]
+    north_error = alpha_rate + chi * up + biases[..., 0]
     terms = np.broadcast_arrays(
         north * east_error / squared,
         -east * north_error / squared,
         -yaw,
         (alpha * np.cos(heading) - chi * np.sin(heading)) * np.tan(pitch),
     )
-    return OperatingHeadingError(*map(np.array, terms))
+    return OperatingHeadingError(*(np.array(term)[()] for term in terms))
 
 
 def _level_rate_squared(north: FloatArray, east: FloatArray) -> FloatArray:

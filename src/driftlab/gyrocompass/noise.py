@@ -170,16 +170,17 @@ def settled_deviation(
 ) -> float:
     """Standard deviation of the rate of a damped horizon under white gyro noise, once settled.
 
-    The rate is `Horizon.rate`, the integral part. The noise passes a second-order low-pass filter.
+    The rate is `LevelFrame.rate`, the integral part. The noise passes a second-order low-pass
+    filter.
 
     Parameters
     ----------
     angle_random_walk : float
         N, rad/sqrt(s).
     natural_frequency : float
-        wn of `damped_tuning`, rad/s.
+        wn of `damped_gains`, rad/s.
     damping : float
-        zeta of `damped_tuning`, without unit.
+        zeta of `damped_gains`, without unit.
 
     Returns
     -------
@@ -202,8 +203,8 @@ def swing_deviation(
 ) -> FloatArray:
     r"""Standard deviation of the rate of a Schuler-tuned horizon under white gyro noise.
 
-    The rate is `Horizon.rate`, from a horizon without error. Nothing damps the oscillation, so it
-    grows with the square root of the time.
+    The rate is `LevelFrame.rate`, from a horizon without error. Nothing damps the oscillation, so
+    it grows with the square root of the time.
 
     Parameters
     ----------
@@ -244,7 +245,8 @@ def swing_deviation(
         raise ValueError(f"time: expected times from 0 on, got {t.min():g} s.")
     schuler = np.sqrt(positive_number(gravity, "gravity") / positive_number(radius, "radius"))
     swing = t / 2 - np.sin(2 * schuler * t) / (4 * schuler)
-    return np.asarray(walk * schuler * np.sqrt(np.maximum(swing, 0.0)))
+    deviation: FloatArray = walk * schuler * np.sqrt(np.maximum(swing, 0.0))
+    return deviation
 
 
 def _checked_walk(angle_random_walk: float) -> float:

@@ -20,20 +20,23 @@ from driftlab.core.quaternion import (
 )
 from driftlab.core.vectors import wrap_angle
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.frames import angles_from_attitude, geographic_rate
-from driftlab.motion.vehicle import Voyage, sensed_at_rest
+from driftlab.frames import navigation_frame_rate, to_euler_angles
+from driftlab.increments import Increments
+from driftlab.motion.trajectory import Trajectory
+from driftlab.motion.vehicle import static_imu
 
 from .alignment import align
+from .gains import Gains
 from .heading_error import (
     OperatingHeadingError,
-    level_coriolis,
+    coriolis_correction,
     operating_heading_error,
-    speed_deviation,
+    speed_error,
 )
-from .levelling import Horizon, Operation, Tuning, horizon_of, operate
+from .levelling import LevelFrame, LevellingHistory, initial_level_frame, propagate_level_frame
 
 
-class ErrorsUnderWay(NamedTuple):
+class HeadingErrors(NamedTuple):
     """Errors of a compass under way, computed minus true, at n times.
 
     Attributes
@@ -41,55 +44,55 @@ class ErrorsUnderWay(NamedTuple):
     times : ndarray, shape (n,)
         From the start, s.
     heading_error : ndarray, shape (..., n)
-        rad; the speed deviation is removed.
-    deviation : ndarray, shape (n,)
-        The speed deviation, rad.
+        rad; the speed error is removed.
+    speed_error : ndarray, shape (n,)
+        The speed error, rad.
     formula : OperatingHeadingError
         The paper's formula for the heading error; each term (..., n).
     tilt : ndarray, shape (..., n, 2)
         Of the horizon about North and about East, rad.
     yaw_error, compass_error : ndarray, shape (..., n)
         Errors of the two parts of the heading, yaw and compass angle, rad. From the latter the
-        speed deviation is removed.
+        speed error is removed.
 
     Examples
     --------
-    >>> from driftlab.motion.vehicle import voyage
-    >>> still = voyage(0.8, np.zeros((11, 2)), 0.0, interval=1.0)
-    >>> errors = take_along(still, np.zeros(3))
+    >>> from driftlab.motion.vehicle import vehicle_trajectory
+    >>> still = vehicle_trajectory(0.8, np.zeros((11, 2)), 0.0, interval=1.0)
+    >>> errors = simulate_compass(still, np.zeros(3))
     >>> errors.times.shape, errors.tilt.shape
     ((10,), (10, 2))
     """
 
     times: FloatArray
     heading_error: FloatArray
-    deviation: FloatArray
+    speed_error: FloatArray
     formula: OperatingHeadingError
     tilt: FloatArray
     yaw_error: FloatArray
     compass_error: FloatArray
 
 
-def take_along(
-    way: Voyage,
-    drift: ArrayLike,
-    offset: ArrayLike = (0.0, 0.0, 0.0),
+def simulate_compass(
+    trajectory: Trajectory,
+    gyro_bias_body: ArrayLike,
+    accelerometer_bias_body: ArrayLike = (0.0, 0.0, 0.0),
     *,
     tuning_factor: float = 1.0,
     damping: float = 0.0,
     tilt: float = 0.0,
     log: bool = False,
-) -> ErrorsUnderWay:
+) -> HeadingErrors:
     """Align a compass at the start of a voyage, operate it under way, and return its errors.
 
     Parameters
     ----------
-    way : Voyage
-        True motion, and the increments of ideal sensors.
-    drift : array_like, shape (..., n, 3) or (3,)
-        Drift rates of the gyros in body axes, for each interval or for all, rad/s.
-    offset : array_like, shape (3,)
-        Offsets of the accelerometers in body axes, m/s^2.
+    trajectory : Trajectory
+        Of a vehicle: true motion, and the increments of ideal sensors.
+    gyro_bias_body : array_like, shape (..., n, 3) or (3,)
+        In body axes, for each interval or for all, rad/s. A bias may drift.
+    accelerometer_bias_body : array_like, shape (3,)
+        In body axes, m/s^2.
     tuning_factor : float
         k2 R: 1 is Schuler's tuning.
     damping : float
@@ -98,94 +101,103 @@ def take_along(
         Error of the aligned horizon about East, rad.
     log : bool
         Whether velocity and latitude are known to the computation: it then subtracts
-        `level_coriolis` from the specific force, and rotates in azimuth at the true rate.
+        `coriolis_correction` from the specific force, and rotates in azimuth at the true rate.
 
     Returns
     -------
-    ErrorsUnderWay
+    HeadingErrors
         Errors (..., n) at the end of each interval.
 
     Raises
     ------
     ValueError
-        If the shapes of `drift` and `offset` do not fit the voyage, and as in `operate`.
+        If the shapes of the biases do not fit the trajectory, if its axes are not North, Up, East,
+        and as in `propagate_level_frame`.
 
     Examples
     --------
-    An east gyro with a drift of 0.01 degrees per hour makes the same heading error at rest as the
+    An east gyro with a bias of 0.01 degrees per hour makes the same heading error at rest as the
     formula says, here in arc minutes:
 
-    >>> from driftlab.motion.vehicle import voyage
-    >>> still = voyage(np.radians(60.0), np.zeros((101, 2)), 0.0, interval=1.0)
-    >>> errors = take_along(still, np.radians([0.0, 0.0, 0.01]) / 3600)
+    >>> from driftlab.motion.vehicle import vehicle_trajectory
+    >>> still = vehicle_trajectory(np.radians(60.0), np.zeros((101, 2)), 0.0, interval=1.0)
+    >>> errors = simulate_compass(still, np.radians([0.0, 0.0, 0.01]) / 3600)
     >>> found = errors.heading_error, errors.formula.heading
     >>> [round(60 * float(np.degrees(error[-1])), 2) for error in found]
     [4.57, 4.57]
     """
-    errors, offsets = finite_array(drift, "drift", 3), finite_array(offset, "offset", 3)
-    increments = way.angle_increments.shape
-    if (errors.ndim > 1 and errors.shape[-2:] != increments) or offsets.shape != (3,):
+    if trajectory.local_axes != "North, Up, East":
         raise ValueError(
-            f"drift, offset: expected shapes (..., {increments[0]}, 3) or (3,) and (3,), "
-            f"got {errors.shape} and {offsets.shape}."
+            "trajectory: expected local axes North, Up, East, as of vehicle_trajectory, "
+            f"got {trajectory.local_axes}."
         )
-    drifts = np.broadcast_to(errors, (*errors.shape[:-2], *increments))
+    interval, angle, velocity = trajectory.increments
+    gyro_bias = finite_array(gyro_bias_body, "gyro_bias_body", 3)
+    accelerometer_bias = finite_array(accelerometer_bias_body, "accelerometer_bias_body", 3)
+    if (gyro_bias.ndim > 1 and gyro_bias.shape[-2:] != angle.shape) or accelerometer_bias.ndim > 1:
+        raise ValueError(
+            "gyro_bias_body, accelerometer_bias_body: expected shapes "
+            f"(..., {len(angle)}, 3) or (3,) and (3,), "
+            f"got {gyro_bias.shape} and {accelerometer_bias.shape}."
+        )
+    biases = np.broadcast_to(gyro_bias, (*gyro_bias.shape[:-2], *angle.shape))
     stiffness = positive_number(tuning_factor, "tuning_factor")
     ratio = finite_number(damping, "damping")
-    latitude, interval = float(way.latitude[0]), way.interval
+    latitude = float(trajectory.latitude[0])
     pull = float(gravity(latitude))
-    rate, up = sensed_at_rest(way.attitude[0], latitude)
-    aligned = align(rate + drifts[..., 0, :], up + offsets)
-    start = horizon_of(aligned)
+    rate, up = static_imu(trajectory.attitude[0], latitude)
+    aligned = align(rate + biases[..., 0, :], up + accelerometer_bias)
+    start = initial_level_frame(aligned)
     leaning = np.array([0.0, 0.0, -finite_number(tilt, "tilt")])
     bent = multiply(from_rotation_vector(leaning), start.attitude)
     swing = float(np.sqrt(pull / EARTH_RADIUS * stiffness))
-    force = way.velocity_increments + interval * offsets
+    pushed = velocity + interval * accelerometer_bias
     azimuth_rate = np.broadcast_to(
-        (EARTH_RATE * np.sin(aligned.latitude))[..., np.newaxis], drifts.shape[:-1]
+        (EARTH_RATE * np.sin(aligned.latitude))[..., np.newaxis], biases.shape[:-1]
     )
     if log:
-        vertical = geographic_rate(way.latitude, way.velocity)[:, 1]
+        vertical = navigation_frame_rate(trajectory.latitude, trajectory.velocity)[:, 1]
         azimuth_rate = 0.5 * (vertical[1:] + vertical[:-1])
-        north, east = np.moveaxis(level_coriolis(way.latitude, way.velocity), -1, 0)
+        correction = coriolis_correction(trajectory.latitude, trajectory.velocity)
+        north, east = np.moveaxis(correction, -1, 0)
         known = np.stack([north, np.zeros_like(north), east], axis=-1)
         # In body axes, like the specific force; the mean of both ends is that of the interval.
-        known = rotate(conjugate(way.attitude), known)
-        force = force - interval * 0.5 * (known[1:] + known[:-1])
-    found = operate(
-        Horizon(bent, start.rate),
-        way.angle_increments + interval * drifts,
-        force,
-        interval,
-        Tuning(2 * ratio * swing / pull, stiffness / EARTH_RADIUS),
+        known = rotate(conjugate(trajectory.attitude), known)
+        pushed = pushed - interval * 0.5 * (known[1:] + known[:-1])
+    found = propagate_level_frame(
+        LevelFrame(bent, start.rate),
+        Increments(interval, angle + interval * biases, pushed),
+        Gains(2 * ratio * swing / pull, stiffness / EARTH_RADIUS),
         azimuth_rate,
     )
-    return _errors_of(found, way, drifts)
+    return _errors_of(found, trajectory, biases)
 
 
-def _errors_of(found: Operation, way: Voyage, drift: FloatArray) -> ErrorsUnderWay:
+def _errors_of(
+    found: LevellingHistory, trajectory: Trajectory, gyro_bias: FloatArray
+) -> HeadingErrors:
     """Errors of the computed heading and horizon, and those that the formula predicts."""
-    true = way.attitude[1:]
+    true = trajectory.attitude[1:]
     # Turned by minus the vector that turns the components.
     tilt = -to_rotation_vector(multiply(found.attitude, conjugate(true)))[..., [0, 2]]
-    heading, pitch, _ = angles_from_attitude(true)
-    deviation = speed_deviation(way.latitude[1:], way.velocity[1:])
-    compass_error = wrap_angle(found.compass_angle - deviation)
+    heading, pitch, _ = to_euler_angles(true)
+    speed_errors = speed_error(trajectory.latitude[1:], trajectory.velocity[1:])
+    compass_error = wrap_angle(found.compass_angle - speed_errors)
     yaw_error = wrap_angle(found.yaw_pitch_roll.heading - heading)
     formula = operating_heading_error(
-        way.latitude[1:],
-        way.velocity[1:],
+        trajectory.latitude[1:],
+        trajectory.velocity[1:],
         tilt,
-        np.gradient(tilt, way.interval, axis=-2),
-        rotate(true, drift)[..., [0, 2]],
+        np.gradient(tilt, trajectory.increments.interval, axis=-2),
+        rotate(true, gyro_bias)[..., [0, 2]],
         yaw_error,
         heading,
         pitch,
     )
-    return ErrorsUnderWay(
-        way.times[1:],
+    return HeadingErrors(
+        trajectory.times[1:],
         yaw_error + compass_error,
-        deviation,
+        speed_errors,
         formula,
         tilt,
         yaw_error,

@@ -11,16 +11,16 @@ from numpy.typing import ArrayLike
 from driftlab.checks import FloatArray, finite_array, finite_arrays, whole_number
 from driftlab.core.quaternion import from_rotation_vector, multiply
 from driftlab.core.vectors import wrap_angle
-from driftlab.frames import attitude_from_angles
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.frames import from_euler_angles
+from driftlab.motion.vehicle import static_imu
 
 from .alignment import align
 
 
 def table_heading_error(
     dial: ArrayLike,
-    drift: ArrayLike,
-    offset: ArrayLike,
+    gyro_bias_body: ArrayLike,
+    accelerometer_bias_body: ArrayLike,
     latitude: ArrayLike,
     *,
     north_error: ArrayLike = 0.0,
@@ -32,10 +32,10 @@ def table_heading_error(
     ----------
     dial : array_like, shape (...)
         Reading of the dial, rad.
-    drift : array_like, shape (..., 3)
-        Drift rates of the gyros in body axes, rad/s.
-    offset : array_like, shape (..., 3)
-        Offsets of the accelerometers in body axes, m/s^2.
+    gyro_bias_body : array_like, shape (..., 3)
+        Gyro biases in body axes, rad/s.
+    accelerometer_bias_body : array_like, shape (..., 3)
+        Accelerometer biases in body axes, m/s^2.
     latitude : array_like, shape (...)
         rad.
     north_error : array_like, shape (...)
@@ -55,27 +55,25 @@ def table_heading_error(
 
     Examples
     --------
-    The drift of a gyro turns with the table. Heading error in arc minutes:
+    The bias of a gyro turns with the table. Heading error in arc minutes:
 
-    >>> dial, drift = np.radians([0, 60, 120, 180]), np.radians([0, 0, 0.01]) / 3600
-    >>> error = table_heading_error(dial, drift, np.zeros(3), np.radians(60.0))
+    >>> dial, bias = np.radians([0, 60, 120, 180]), np.radians([0, 0, 0.01]) / 3600
+    >>> error = table_heading_error(dial, bias, np.zeros(3), np.radians(60.0))
     >>> (60 * np.degrees(error)).round(2)
     array([ 4.57,  2.28, -2.28, -4.57])
     """
-    shown, drifts, offsets, place, north, tilts = finite_arrays(
+    shown, gyro_biases, accelerometer_biases, place, north, tilts = finite_arrays(
         dial=(dial,),
-        drift=(drift, 3),
-        offset=(offset, 3),
+        gyro_bias_body=(gyro_bias_body, 3),
+        accelerometer_bias_body=(accelerometer_bias_body, 3),
         latitude=(latitude,),
         north_error=(north_error,),
         tilt=(tilt, 2),
     )
     leaning = np.insert(tilts, 1, 0.0, axis=-1)
-    attitude = multiply(
-        from_rotation_vector(leaning), attitude_from_angles(shown + north, 0.0, 0.0)
-    )
-    rate, force = sensed_at_rest(attitude, place)
-    return wrap_angle(align(rate + drifts, force + offsets).heading - shown)
+    attitude = multiply(from_rotation_vector(leaning), from_euler_angles(shown + north, 0.0, 0.0))
+    rate, force = static_imu(attitude, place)
+    return wrap_angle(align(rate + gyro_biases, force + accelerometer_biases).heading - shown)
 
 
 def range_over_deviation(values: ArrayLike) -> FloatArray:
@@ -109,7 +107,8 @@ def range_over_deviation(values: ArrayLike) -> FloatArray:
         raise ValueError("values: expected samples that spread, got equal values.")
     # In units of the range, so that no square underflows.
     scaled = (sample - sample[..., :1]) / reach[..., np.newaxis]
-    return np.asarray(1 / scaled.std(axis=-1, ddof=1))
+    ratio: FloatArray = 1 / scaled.std(axis=-1, ddof=1)
+    return ratio
 
 
 def most_range_over_deviation(count: int) -> float:

@@ -1,4 +1,4 @@
-"""Motions that are known exactly: test profiles, a turntable, a vehicle under way."""
+"""Motions whose truth is known: test profiles, a turntable, a vehicle under way."""
 
 from driftlab._lazy import attach
 

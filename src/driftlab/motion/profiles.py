@@ -6,8 +6,8 @@ intervals. Neither the attitude nor the increments come from an integration of t
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass, fields
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,8 +22,8 @@ from driftlab.checks import (
 from driftlab.core.quaternion import from_rotation_vector, multiply
 
 
-class Motion(Protocol):
-    """Interface of the test motions: exact attitude, body rate and angle increments.
+class Motion(ABC):
+    """A test motion: exact attitude, body rate and angle increments.
 
     Examples
     --------
@@ -47,10 +47,11 @@ class Motion(Protocol):
 
         Examples
         --------
-        >>> motion: Motion = Coning(half_angle=0.1, frequency=1.0)
-        >>> motion.attitude([0.0, 0.5, 1.0]).shape
-        (3, 4)
+        >>> Coning(half_angle=np.pi, frequency=1.0).attitude([0.0, 0.25]).round(9)
+        array([[1., 0., 0., 0.],
+               [0., 1., 0., 0.]])
         """
+        return self._attitude(finite_array(time, "time"))
 
     def rate(self, time: ArrayLike) -> FloatArray:
         """Exact angular rate at given times.
@@ -67,10 +68,10 @@ class Motion(Protocol):
 
         Examples
         --------
-        >>> motion: Motion = Coning(half_angle=0.1, frequency=1.0)
-        >>> motion.rate([0.0, 0.5, 1.0]).shape
-        (3, 3)
+        >>> Coning(half_angle=0.1, frequency=1.0).rate(0.25).round(4)
+        array([-0.6273, 0. , -0.0314])
         """
+        return self._rate(finite_array(time, "time"))
 
     def increments(self, interval: float, count: int) -> FloatArray:
         """Angle increments of ideal gyros: integrals of the body rate over equal intervals.
@@ -78,7 +79,7 @@ class Motion(Protocol):
         Parameters
         ----------
         interval : float
-            Sample interval, s.
+            Sample interval, s; of `Sway` at most a quarter of the period of the roll.
         count : int
             Number n of intervals, the first of which begins at time 0.
 
@@ -89,14 +90,32 @@ class Motion(Protocol):
 
         Examples
         --------
-        >>> motion: Motion = Coning(half_angle=0.1, frequency=1.0)
-        >>> motion.increments(interval=0.01, count=100).shape
-        (100, 3)
+        Of the first and the third gyro on a cone, over the two halves of a period:
+
+        >>> increments = Coning(half_angle=0.1, frequency=1.0).increments(interval=0.5, count=2)
+        >>> increments[:, [0, 2]].round(4)
+        array([[-0.1997, -0.0157],
+               [ 0.1997, -0.0157]])
         """
+        step = finite_number(interval, "interval")
+        if step <= 0:
+            raise ValueError(f"interval: expected a positive time, got {interval!r}.")
+        middle = step * (np.arange(whole_number(count, "count"), dtype=np.float64) + 0.5)
+        return self._increments(middle, interval)
+
+    @abstractmethod
+    def _attitude(self, time: FloatArray) -> FloatArray: ...
+
+    @abstractmethod
+    def _rate(self, time: FloatArray) -> FloatArray: ...
+
+    @abstractmethod
+    def _increments(self, middle: FloatArray, interval: float) -> FloatArray:
+        """Increments (n, 3) over intervals around the times `middle` (n,)."""
 
 
 @dataclass(frozen=True)
-class Coning:
+class Coning(Motion):
     """Coning motion: the third body axis moves round a cone, and the body returns every period.
 
     Attributes
@@ -126,101 +145,42 @@ class Coning:
         if abs(self.half_angle) > np.pi:
             raise ValueError(f"half_angle: expected at most pi rad, got {self.half_angle!r}.")
 
-    def attitude(self, time: ArrayLike) -> FloatArray:
-        """Exact attitude at given times.
-
-        Parameters
-        ----------
-        time : array_like, shape (...)
-            s.
-
-        Returns
-        -------
-        ndarray, shape (..., 4)
-            Unit quaternions, body to reference.
-
-        Examples
-        --------
-        >>> Coning(half_angle=np.pi, frequency=1.0).attitude([0.0, 0.25]).round(9)
-        array([[1., 0., 0., 0.],
-               [0., 1., 0., 0.]])
-        """
-        phase = self._rate * finite_array(time, "time")
+    def _attitude(self, time: FloatArray) -> FloatArray:
+        phase = self._around * time
         tilt = self.half_angle * np.stack(
             [np.cos(phase), np.sin(phase), np.zeros_like(phase)], axis=-1
         )
         return from_rotation_vector(tilt)
 
-    def rate(self, time: ArrayLike) -> FloatArray:
-        """Exact angular rate at given times.
-
-        Parameters
-        ----------
-        time : array_like, shape (...)
-            s.
-
-        Returns
-        -------
-        ndarray, shape (..., 3)
-            Rate in body axes, rad/s. Its third component is constant.
-
-        Examples
-        --------
-        >>> Coning(half_angle=0.1, frequency=1.0).rate(0.25).round(4)
-        array([-0.6273, 0. , -0.0314])
-        """
-        phase = self._rate * finite_array(time, "time")
-        across = self._rate * np.sin(self.half_angle)
+    def _rate(self, time: FloatArray) -> FloatArray:
+        phase = self._around * time
+        across = self._around * np.sin(self.half_angle)
         along = np.full_like(phase, self._along)
         return np.stack([-across * np.sin(phase), across * np.cos(phase), along], axis=-1)
 
-    def increments(self, interval: float, count: int) -> FloatArray:
-        """Angle increments of ideal gyros: integrals of the body rate, in closed form.
-
-        Parameters
-        ----------
-        interval : float
-            Sample interval, s.
-        count : int
-            Number n of intervals, the first of which begins at time 0.
-
-        Returns
-        -------
-        ndarray, shape (n, 3)
-            rad.
-
-        Examples
-        --------
-        Of the first and the third gyro, over the two halves of a period:
-
-        >>> increments = Coning(half_angle=0.1, frequency=1.0).increments(interval=0.5, count=2)
-        >>> increments[:, [0, 2]].round(4)
-        array([[-0.1997, -0.0157],
-               [ 0.1997, -0.0157]])
-        """
-        middle = _middles(interval, count)
+    def _increments(self, middle: FloatArray, interval: float) -> FloatArray:
         # Differences of cosines and sines as products, which lose no digits.
-        chord = 2 * np.sin(self.half_angle) * np.sin(self._rate * interval / 2)
+        chord = 2 * np.sin(self.half_angle) * np.sin(self._around * interval / 2)
         return np.stack(
             [
-                -chord * np.sin(self._rate * middle),
-                chord * np.cos(self._rate * middle),
+                -chord * np.sin(self._around * middle),
+                chord * np.cos(self._around * middle),
                 np.full_like(middle, self._along * interval),
             ],
             axis=-1,
         )
 
     @property
-    def _rate(self) -> float:
+    def _around(self) -> float:
         return 2 * np.pi * self.frequency
 
     @property
     def _along(self) -> float:
-        return float(-2 * self._rate * np.sin(self.half_angle / 2) ** 2)
+        return float(-2 * self._around * np.sin(self.half_angle / 2) ** 2)
 
 
 @dataclass(frozen=True)
-class Sway:
+class Sway(Motion):
     """Heading, pitch and roll of a ship in a seaway: three sines without a common period.
 
     Attributes
@@ -246,49 +206,14 @@ class Sway:
         if abs(self.amplitude) > np.pi:
             raise ValueError(f"amplitude: expected at most pi rad, got {self.amplitude!r}.")
 
-    def attitude(self, time: ArrayLike) -> FloatArray:
-        """Exact attitude at given times.
-
-        Parameters
-        ----------
-        time : array_like, shape (...)
-            s.
-
-        Returns
-        -------
-        ndarray, shape (..., 4)
-            Unit quaternions, body to reference: heading about axis 3, then pitch about axis 2, then
-            roll about axis 1.
-
-        Examples
-        --------
-        >>> Sway(amplitude=0.0, frequency=0.2).attitude(1.0)
-        array([0., 0., 0., 1.])
-        """
-        angles, _ = self._angles(finite_array(time, "time"))
+    def _attitude(self, time: FloatArray) -> FloatArray:
+        # Heading about axis 3, then pitch about axis 2, then roll about axis 1.
+        angles, _ = self._angles(time)
         about = [from_rotation_vector(angles[..., i, np.newaxis] * np.eye(3)[i]) for i in range(3)]
         return multiply(multiply(about[2], about[1]), about[0])
 
-    def rate(self, time: ArrayLike) -> FloatArray:
-        """Exact angular rate at given times.
-
-        Parameters
-        ----------
-        time : array_like, shape (...)
-            s.
-
-        Returns
-        -------
-        ndarray, shape (..., 3)
-            Rate in body axes, rad/s.
-
-        Examples
-        --------
-        >>> Sway(amplitude=0.1, frequency=0.2).rate([0.0, 1.0]).round(4)
-        array([[ 0.1263,  0.0308, -0.0119],
-               [ 0.0403, -0.0234, -0.0239]])
-        """
-        angles, rates = self._angles(finite_array(time, "time"))
+    def _rate(self, time: FloatArray) -> FloatArray:
+        angles, rates = self._angles(time)
         roll, pitch = angles[..., 0], angles[..., 1]
         d_roll, d_pitch, d_heading = (rates[..., i] for i in range(3))
         level = d_heading * np.cos(pitch)
@@ -301,41 +226,15 @@ class Sway:
             axis=-1,
         )
 
-    def increments(self, interval: float, count: int) -> FloatArray:
-        """Angle increments of ideal gyros: integrals of the body rate, by quadrature.
-
-        Parameters
-        ----------
-        interval : float
-            Sample interval, s, at most a quarter of the period of the roll.
-        count : int
-            Number n of intervals, the first of which begins at time 0.
-
-        Returns
-        -------
-        ndarray, shape (n, 3)
-            rad.
-
-        Notes
-        -----
-        The rate has no elementary integral. Gauss-Legendre quadrature with sixteen points in each
-        interval leaves an error of the size of rounding.
-
-        Examples
-        --------
-        >>> motion = Sway(amplitude=0.1, frequency=0.2)
-        >>> increments = motion.increments(interval=1e-3, count=2)
-        >>> np.allclose(increments / 1e-3, motion.rate([0.5e-3, 1.5e-3]), rtol=0, atol=1e-8)
-        True
-        """
-        middle = _middles(interval, count)
+    def _increments(self, middle: FloatArray, interval: float) -> FloatArray:
         if abs(self.frequency * interval) > 0.25:
             raise ValueError(
                 f"interval: expected at most a quarter of the period, got {interval!r} s "
                 f"at {self.frequency!r} Hz."
             )
+        # The rate has no elementary integral; sixteen points leave an error of a rounding.
         nodes, weights = np.polynomial.legendre.leggauss(16)
-        rates = self.rate(middle[:, np.newaxis] + 0.5 * interval * nodes)
+        rates = self._rate(middle[:, np.newaxis] + 0.5 * interval * nodes)
         return 0.5 * interval * np.einsum("j,ijk->ik", weights, rates)
 
     def _angles(self, time: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -347,7 +246,7 @@ class Sway:
 
 
 @dataclass(frozen=True)
-class FixedAxis:
+class FixedAxis(Motion):
     """Rotation about one fixed axis of the body: a constant rate and an oscillation.
 
     Attributes
@@ -374,73 +273,17 @@ class FixedAxis:
     def __post_init__(self) -> None:
         _check(self)
 
-    def attitude(self, time: ArrayLike) -> FloatArray:
-        """Exact attitude at given times.
-
-        Parameters
-        ----------
-        time : array_like, shape (...)
-            s.
-
-        Returns
-        -------
-        ndarray, shape (..., 4)
-            Unit quaternions, body to reference; no rotation at time 0.
-
-        Examples
-        --------
-        >>> FixedAxis(amplitude=np.pi, frequency=1.0, axis=(0, 0, 1)).attitude([0.0, 1.0]).round(9)
-        array([[0., 0., 0., 1.],
-               [0., 0., 1., 0.]])
-        """
-        time = finite_array(time, "time")
+    def _attitude(self, time: FloatArray) -> FloatArray:
         angle = self.amplitude * (time + np.sin(2 * np.pi * self.frequency * time))
         return from_rotation_vector(angle[..., np.newaxis] * self._direction)
 
-    def rate(self, time: ArrayLike) -> FloatArray:
-        """Exact angular rate at given times.
-
-        Parameters
-        ----------
-        time : array_like, shape (...)
-            s.
-
-        Returns
-        -------
-        ndarray, shape (..., 3)
-            Rate in body axes, rad/s, along the axis.
-
-        Examples
-        --------
-        >>> FixedAxis(amplitude=0.3, frequency=0.0, axis=(1.0, 2.0, 2.0)).rate(0.0).round(9)
-        array([0.1, 0.2, 0.2])
-        """
+    def _rate(self, time: FloatArray) -> FloatArray:
         w = 2 * np.pi * self.frequency
-        rate = self.amplitude * (1 + w * np.cos(w * finite_array(time, "time")))
+        rate = self.amplitude * (1 + w * np.cos(w * time))
         return rate[..., np.newaxis] * self._direction
 
-    def increments(self, interval: float, count: int) -> FloatArray:
-        """Angle increments of ideal gyros: integrals of the body rate, in closed form.
-
-        Parameters
-        ----------
-        interval : float
-            Sample interval, s.
-        count : int
-            Number n of intervals, the first of which begins at time 0.
-
-        Returns
-        -------
-        ndarray, shape (n, 3)
-            rad.
-
-        Examples
-        --------
-        >>> motion = FixedAxis(amplitude=0.3, frequency=0.5, axis=(0, 0, 1))
-        >>> motion.increments(interval=0.5, count=2)[:, 2].round(9)
-        array([ 0.45, -0.15])
-        """
-        middle, w = _middles(interval, count), 2 * np.pi * self.frequency
+    def _increments(self, middle: FloatArray, interval: float) -> FloatArray:
+        w = 2 * np.pi * self.frequency
         swing = 2 * np.cos(w * middle) * np.sin(w * interval / 2)
         angles: FloatArray = self.amplitude * (interval + swing)
         return angles[:, np.newaxis] * self._direction
@@ -459,11 +302,3 @@ def _check(motion: Coning | Sway | FixedAxis) -> None:
             direction, _ = nonzero_vectors(getattr(motion, field.name), field.name)
             if direction.ndim != 1:
                 raise ValueError(f"axis: expected shape (3,), got shape {direction.shape}.")
-
-
-def _middles(interval: float, count: int) -> FloatArray:
-    """Middle (count,) of each interval, in s."""
-    step = finite_number(interval, "interval")
-    if step <= 0:
-        raise ValueError(f"interval: expected a positive time, got {interval!r}.")
-    return step * (np.arange(whole_number(count, "count"), dtype=np.float64) + 0.5)

@@ -9,8 +9,6 @@ change of velocity over R.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -29,61 +27,20 @@ from driftlab.core.quaternion import (
     rotate,
     to_rotation_vector,
 )
-from driftlab.earth import EARTH_RADIUS, EARTH_RATE, checked_gravity, checked_latitude
-from driftlab.earth import gravity as normal_gravity
-from driftlab.frames import FROM_EAST_NORTH_UP, attitude_from_angles, geographic_rate
+from driftlab.earth import (
+    EARTH_RADIUS,
+    EARTH_RATE,
+    checked_gravity,
+    checked_latitude,
+    gravity as normal_gravity,
+)
+from driftlab.frames import FROM_EAST_NORTH_UP, from_euler_angles, navigation_frame_rate
+from driftlab.increments import Increments
+
+from .trajectory import Trajectory
 
 
-class Voyage(NamedTuple):
-    """True motion of a vehicle, and the increments of ideal sensors on board.
-
-    Attributes
-    ----------
-    interval : float
-        Sample interval, s.
-    angle_increments : ndarray, shape (n, 3)
-        Integrals of the rate against inertial space, body axes, rad.
-    velocity_increments : ndarray, shape (n, 3)
-        Integrals of the specific force, body axes, m/s.
-    attitude : ndarray, shape (n + 1, 4)
-        Unit quaternions, body to North, Up, East.
-    latitude : ndarray, shape (n + 1,)
-        rad.
-    velocity : ndarray, shape (n + 1, 2)
-        Velocity to the North and to the East, m/s.
-
-    Examples
-    --------
-    >>> ride = voyage(0.7, np.zeros((4, 2)), heading=0.0, interval=1.0)
-    >>> ride.angle_increments.shape, ride.attitude.shape
-    ((3, 3), (4, 4))
-    """
-
-    interval: float
-    angle_increments: FloatArray
-    velocity_increments: FloatArray
-    attitude: FloatArray
-    latitude: FloatArray
-    velocity: FloatArray
-
-    @property
-    def times(self) -> FloatArray:
-        """Times of the attitudes, counted from the start.
-
-        Returns
-        -------
-        ndarray, shape (n + 1,)
-            s.
-
-        Examples
-        --------
-        >>> voyage(0.7, np.zeros((4, 2)), heading=0.0, interval=0.5).times
-        array([0. , 0.5, 1. , 1.5])
-        """
-        return np.asarray(self.interval * np.arange(self.latitude.shape[-1]), np.float64)
-
-
-def voyage(
+def vehicle_trajectory(
     latitude: float,
     velocity: ArrayLike,
     heading: ArrayLike,
@@ -93,7 +50,7 @@ def voyage(
     interval: float,
     gravity: float | None = None,
     radius: float = EARTH_RADIUS,
-) -> Voyage:
+) -> Trajectory:
     """Increments of ideal sensors on a vehicle that moves level over a spherical Earth.
 
     Parameters
@@ -117,7 +74,7 @@ def voyage(
 
     Returns
     -------
-    Voyage
+    Trajectory
         True motion and increments.
 
     Raises
@@ -129,10 +86,10 @@ def voyage(
     --------
     Sixty seconds to the North at 10 m/s:
 
-    >>> ride = voyage(0.7, np.tile([10.0, 0.0], (7, 1)), heading=0.0, interval=10.0)
+    >>> ride = vehicle_trajectory(0.7, np.tile([10.0, 0.0], (7, 1)), heading=0.0, interval=10.0)
     >>> print(f"{(ride.latitude[-1] - ride.latitude[0]) * EARTH_RADIUS:.3f}")
     600.000
-    >>> print(f"{ride.velocity_increments[0, 2]:.4f}")  # to the East, against the Coriolis term
+    >>> print(f"{ride.increments.velocity[0, 2]:.4f}")  # to the East, against the Coriolis term
     -0.0094
     """
     seconds = positive_number(interval, "interval")
@@ -146,7 +103,7 @@ def voyage(
     for name, values in zip(("heading", "pitch", "roll"), angles, strict=True):
         if values.ndim > 1:
             raise ValueError(f"{name}: expected shape (n + 1,) or (), got shape {values.shape}.")
-    attitude = attitude_from_angles(*(np.broadcast_to(a, len(speed)) for a in angles))
+    attitude = from_euler_angles(*(np.broadcast_to(a, len(speed)) for a in angles))
     mean = 0.5 * (speed[1:] + speed[:-1])
     place = start + seconds / radius * _sums(mean[:, 0])
     checked_latitude(place)
@@ -166,7 +123,9 @@ def voyage(
     push = seconds * rotate(multiply(conjugate(halfway), centre), force)
     # The mean over an interval of a force that is constant in local axes while the body turns.
     push = push + np.cross(angle, np.cross(angle, push)) / 24
-    return Voyage(seconds, angle, push, attitude, place, speed.copy())
+    return Trajectory(
+        Increments(seconds, angle, push), attitude, place, speed.copy(), "North, Up, East"
+    )
 
 
 def _sums(values: FloatArray) -> FloatArray:
@@ -179,13 +138,13 @@ def _specific_force(
 ) -> FloatArray:
     """Specific force (n, 3) in North, Up, East of a level motion with the velocity's `rate`."""
     # Local axes turn with the Earth and along the way, and the velocity is relative to the Earth.
-    turn = geographic_rate(latitude, velocity, radius) + geographic_rate(latitude)
+    turn = navigation_frame_rate(latitude, velocity, radius) + navigation_frame_rate(latitude)
     moving = np.stack([velocity[:, 0], np.zeros(len(velocity)), velocity[:, 1]], axis=-1)
     change = np.stack([rate[:, 0], np.full(len(rate), gravity), rate[:, 1]], axis=-1)
     return change + np.cross(turn, moving)
 
 
-def sensed_at_rest(
+def static_imu(
     attitude: ArrayLike, latitude: ArrayLike, gravity: ArrayLike | None = None
 ) -> tuple[FloatArray, FloatArray]:
     """Angular rate and specific force of a body at rest on the Earth, in body axes.
@@ -208,7 +167,7 @@ def sensed_at_rest(
 
     Examples
     --------
-    >>> rate, force = sensed_at_rest([0, 0, 0, 1], np.radians(30.0))
+    >>> rate, force = static_imu([0, 0, 0, 1], np.radians(30.0))
     >>> print((np.degrees(rate[:2]) * 3600).round(3))  # North and Up, degrees per hour
     [13.026  7.521]
     >>> print(f"{force[1]:.4f}")
@@ -223,7 +182,7 @@ def sensed_at_rest(
     lead = np.broadcast_shapes(body.shape[:-1], place.shape, pull.shape)
     to_body = np.broadcast_to(conjugate(body), (*lead, 4))
     up = pull[..., np.newaxis] * np.array([0.0, 1.0, 0.0])
-    return rotate(to_body, geographic_rate(place)), rotate(to_body, up)
+    return rotate(to_body, navigation_frame_rate(place)), rotate(to_body, up)
 
 
 def smooth_step(times: ArrayLike, begin: float, duration: float) -> FloatArray:

@@ -87,7 +87,7 @@ def skew_operator(k: sp.Matrix, dimension: int = 4) -> sp.Matrix:
 
 
 def cayley_transform(matrix: sp.Matrix) -> sp.Matrix:
-    """(E - X)(E + X)^-1; Perelyaev & Chelnokov (1.2)."""
+    """(I - X)(I + X)^-1; Perelyaev & Chelnokov (1.2)."""
     unit = sp.eye(matrix.rows)
     return (unit - matrix) * (unit + matrix).inv()
 

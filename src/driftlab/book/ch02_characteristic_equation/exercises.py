@@ -70,9 +70,9 @@ def _errors(weight: float = 1.0) -> FloatArray:
     error = SHAPE @ RATE / speed
     along = error @ RATE / speed
     term = _cubic()(along, np.sqrt(error @ error - along**2))
-    misalignments = SIZES[:, np.newaxis, np.newaxis] * SHAPE
-    series = asymptotic_roots(RATE, misalignments, order=2)[:, 0].imag
-    exact = exact_roots(RATE, measured_rate(RATE, misalignments))[:, 0].imag
+    triad_errors = SIZES[:, np.newaxis, np.newaxis] * SHAPE
+    series = asymptotic_roots(RATE, triad_errors, order=2)[:, 0].imag
+    exact = exact_roots(RATE, measured_rate(RATE, triad_errors))[:, 0].imag
     return series + weight * speed * SIZES**3 * term - exact
 
 

@@ -61,13 +61,13 @@ def characteristic_roots(size: float, shape: ArrayLike, direction: ArrayLike) ->
 
 def _by_formula(sizes: FloatArray, shape: FloatArray, direction: FloatArray) -> ComplexArray:
     """Roots (formula, ..., 4) for an array of sizes (...)."""
-    misalignment = sizes[..., np.newaxis, np.newaxis] * shape
-    measured = measured_rate(direction, misalignment)
+    triad_error = sizes[..., np.newaxis, np.newaxis] * shape
+    measured = measured_rate(direction, triad_error)
     return np.stack(
         [
             exact_roots(direction, measured),
-            asymptotic_roots(direction, misalignment),
-            asymptotic_roots(direction, misalignment, order=2),
+            asymptotic_roots(direction, triad_error),
+            asymptotic_roots(direction, triad_error, order=2),
             _printed_roots(direction, measured),
         ]
     )

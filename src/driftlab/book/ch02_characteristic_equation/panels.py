@@ -52,9 +52,9 @@ class RootsExplorer(Explorer):
             "from driftlab.triad import measured_rate\n"
             "from driftlab.vectors import direction_from_angles\n"
             f"rate = {axis_code(values)}\n"
-            f"misalignment = {values['size']} * np.array({SHAPES[values['shape']]})\n"
-            "exact_roots(rate, measured_rate(rate, misalignment))\n"
-            "asymptotic_roots(rate, misalignment)"
+            f"triad_error = {values['size']} * np.array({SHAPES[values['shape']]})\n"
+            "exact_roots(rate, measured_rate(rate, triad_error))\n"
+            "asymptotic_roots(rate, triad_error)"
         )
 
 

@@ -12,7 +12,7 @@ from driftlab.drift.systematic_drift import (
     drift_per_turn,
     principal_drifts,
 )
-from driftlab.drift.turn_calibration import PAIR_AXES
+from driftlab.drift.weighing_designs import PAIR_AXES
 from driftlab.quaternion import from_rotation_vector, multiply, to_rotation_vector
 from driftlab.triad import measured_rate
 
@@ -136,37 +136,37 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "3.5": Formula(
         kind="compute",
-        arguments=("misalignment",),
+        arguments=("triad_error",),
         draw=lambda rng: (rng.normal(0, 1e-3, (3, 3)),),
-        right=lambda misalignment: 2 * np.pi * principal_drifts(misalignment)[0][-1],
+        right=lambda triad_error: 2 * np.pi * principal_drifts(triad_error)[0][-1],
         mistakes={
             "M is not symmetric. A routine for symmetric matrices reads one half of it and takes "
             "the other for its mirror image; what drifts is the mean of M and its transpose.": (
                 _largest_drift
             ),
             "The same with the other half: what drifts is the mean of M and its transpose.": (
-                lambda misalignment: _largest_drift(misalignment.T)
+                lambda triad_error: _largest_drift(triad_error.T)
             ),
             "The half is missing: Σ is the mean of M and its transpose, not their sum.": (
-                lambda misalignment: _largest_drift(misalignment + misalignment.T)
+                lambda triad_error: _largest_drift(triad_error + triad_error.T)
             ),
             "The half is missing off the diagonal, where Σ has the mean of two entries.": (
-                lambda misalignment: _largest_drift(
-                    misalignment + misalignment.T - np.diag(np.diag(misalignment))
+                lambda triad_error: _largest_drift(
+                    triad_error + triad_error.T - np.diag(np.diag(triad_error))
                 )
             ),
             "These are eigenvalues of M itself. Its skew part changes them, but does not drift.": (
-                lambda misalignment: 2 * np.pi * np.linalg.eigvals(misalignment).real.max()
+                lambda triad_error: 2 * np.pi * np.linalg.eigvals(triad_error).real.max()
             ),
             "This is the coefficient; the angle after one turn is asked.": (
-                lambda misalignment: principal_drifts(misalignment)[0][-1]
+                lambda triad_error: principal_drifts(triad_error)[0][-1]
             ),
             "This is the exact drift; first order is asked.": (
-                lambda misalignment: 2 * np.pi * principal_drifts(misalignment, exact=True)[0][-1]
+                lambda triad_error: 2 * np.pi * principal_drifts(triad_error, exact=True)[0][-1]
             ),
             "This is the largest size. The largest value is asked; some triads lag behind more "
             "than they run ahead.": (
-                lambda misalignment: 2 * np.pi * np.abs(principal_drifts(misalignment)[0]).max()
+                lambda triad_error: 2 * np.pi * np.abs(principal_drifts(triad_error)[0]).max()
             ),
         },
         remark="One eigenvalue answers for all axes at once.",

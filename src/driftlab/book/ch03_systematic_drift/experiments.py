@@ -20,9 +20,9 @@ from driftlab.vectors import direction_from_angles
 TURNS = 5
 """Whole turns of a drift history."""
 LARGEST_ENTRY = 2e-3
-"""Largest entry of a misalignment that the panel offers, and that its picture has room for."""
+"""Largest entry of a triad error that the panel offers, and that its picture has room for."""
 EXAGGERATION = 150
-"""The triad is shown with its misalignment this many times too large."""
+"""The triad is shown with its error this many times too large."""
 DIAGONAL: FloatArray = np.ones(3) / np.sqrt(3)
 ACROSS: FloatArray = np.array([1.0, -1, 0]) / np.sqrt(2)
 
@@ -65,13 +65,13 @@ class DriftHistory(NamedTuple):
 
 
 def drift_history(
-    misalignment: ArrayLike, direction: ArrayLike, samples_per_turn: int = 60
+    triad_error: ArrayLike, direction: ArrayLike, samples_per_turn: int = 60
 ) -> DriftHistory:
     """Error of a bent triad over `TURNS` turns at a constant rate, exact; Larin (2.3).
 
     Parameters
     ----------
-    misalignment : array_like, shape (3, 3)
+    triad_error : array_like, shape (3, 3)
         M, dimensionless.
     direction : array_like, shape (3,)
         Axis of the turns in body axes; only its direction counts.
@@ -79,12 +79,12 @@ def drift_history(
     """
     samples = whole_number(samples_per_turn, "samples_per_turn")
     n, _ = nonzero_vectors(direction, "direction")
-    misalignment = finite_array(misalignment, "misalignment", 3, 3)
-    measured = measured_rate(n, misalignment)
+    triad_error = finite_array(triad_error, "triad_error", 3, 3)
+    measured = measured_rate(n, triad_error)
     # At unit rate, one turn takes 2 pi seconds.
     time = 2 * np.pi * np.arange(TURNS * samples + 1) / samples
     error = to_rotation_vector(error_quaternion(n, measured, time))
-    coefficients, axes = principal_drifts(misalignment, exact=True)
+    coefficients, axes = principal_drifts(triad_error, exact=True)
     worst = np.abs(coefficients).argmax()
     return DriftHistory(
         time / (2 * np.pi),
@@ -92,10 +92,10 @@ def drift_history(
         np.arange(TURNS + 1.0),
         error[::samples],
         n,
-        np.eye(3) + EXAGGERATION * misalignment,
+        np.eye(3) + EXAGGERATION * triad_error,
         axes[worst],
-        float(2 * np.pi * drift_coefficient(n, misalignment)),
-        float(drift_per_turn(n, misalignment)),
+        float(2 * np.pi * drift_coefficient(n, triad_error)),
+        float(drift_per_turn(n, triad_error)),
         float(2 * np.pi * coefficients[worst]),
     )
 
@@ -174,17 +174,17 @@ class DriftMap(NamedTuple):
     axes: FloatArray
 
 
-def drift_map(misalignment: ArrayLike) -> DriftMap:
+def drift_map(triad_error: ArrayLike) -> DriftMap:
     """Drift coefficient for every axis of rotation, and its extremes; Larin (2.2), before (2.6).
 
     Parameters
     ----------
-    misalignment : array_like, shape (3, 3)
+    triad_error : array_like, shape (3, 3)
         M, dimensionless.
     """
     azimuth = np.radians(np.linspace(-180, 180, 121))
     elevation = np.radians(np.linspace(-90, 90, 61))
     axes = direction_from_angles(azimuth, elevation[:, np.newaxis])
     return DriftMap(
-        azimuth, elevation, drift_coefficient(axes, misalignment), *principal_drifts(misalignment)
+        azimuth, elevation, drift_coefficient(axes, triad_error), *principal_drifts(triad_error)
     )

@@ -15,7 +15,7 @@ from .figures.drift_history import DriftHistoryPicture
 
 ENTRIES = [f"m{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3)]
 
-MISALIGNMENT_CONTROLS = tuple(
+TRIAD_ERROR_CONTROLS = tuple(
     Control(
         entry,
         f"{gyro} {'scale' if gyro == 'xyz'[column] else f'to axis {column + 1}'}, 1e-3",
@@ -29,17 +29,17 @@ MISALIGNMENT_CONTROLS = tuple(
         ENTRIES, ((gyro, column) for gyro in "xyz" for column in range(3)), strict=True
     )
 )
-"""The nine entries of the misalignment, row by row: what each gyro picks up of each body axis."""
+"""The nine entries of the triad error, row by row: what each gyro picks up of each body axis."""
 
 
-def misalignment_of(values: Values) -> FloatArray:
-    """Misalignment (3, 3) of `MISALIGNMENT_CONTROLS`."""
+def triad_error_of(values: Values) -> FloatArray:
+    """Triad error (3, 3) of `TRIAD_ERROR_CONTROLS`."""
     return 1e-3 * np.array([values[entry] for entry in ENTRIES]).reshape(3, 3)
 
 
-def misalignment_values(misalignment: FloatArray) -> dict[str, float]:
-    """Values of `MISALIGNMENT_CONTROLS` that give a misalignment (3, 3)."""
-    rounded = np.round(1e3 * np.asarray(misalignment).ravel(), 6)
+def triad_error_values(triad_error: FloatArray) -> dict[str, float]:
+    """Values of `TRIAD_ERROR_CONTROLS` that give a triad error (3, 3)."""
+    rounded = np.round(1e3 * np.asarray(triad_error).ravel(), 6)
     return dict(zip(ENTRIES, rounded.tolist(), strict=True))
 
 
@@ -48,19 +48,19 @@ class DriftExplorer(Explorer):
 
     title = "Drift of a bent triad, turn after turn"
     picture_class = DriftHistoryPicture
-    controls = (*MISALIGNMENT_CONTROLS, *AXIS_CONTROLS)
+    controls = (*TRIAD_ERROR_CONTROLS, *AXIS_CONTROLS)
     presets: ClassVar = {
-        "Symmetric triad": misalignment_values(1e-3 * SYMMETRIC),
-        "Skew triad": misalignment_values(LARGEST_ENTRY * SKEW),
+        "Symmetric triad": triad_error_values(1e-3 * SYMMETRIC),
+        "Skew triad": triad_error_values(LARGEST_ENTRY * SKEW),
         "Larin's triad": {
-            **misalignment_values(LARIN_TRIAD), "azimuth": 0.0, "elevation": 45.0
+            **triad_error_values(LARIN_TRIAD), "azimuth": 0.0, "elevation": 45.0
         },
         "One gyro leans": {"m12": 2.0, "elevation": 0.0},
-        "Scale factor": misalignment_values(1e-3 * np.eye(3)),
+        "Scale factor": triad_error_values(1e-3 * np.eye(3)),
     }  # fmt: skip
 
     def compute(self, values: Values) -> DriftHistory:
-        return drift_history(misalignment_of(values), axis_of(values))
+        return drift_history(triad_error_of(values), axis_of(values))
 
     def numbers(self, data: DriftHistory) -> list[tuple[str, str]]:
         return [
@@ -75,9 +75,9 @@ class DriftExplorer(Explorer):
             "import numpy as np\n"
             "from driftlab.drift import drift_per_turn, principal_drifts\n"
             "from driftlab.vectors import direction_from_angles\n"
-            f"misalignment = {matrix_code(misalignment_of(values))}\n"
-            f"drift_per_turn({axis_code(values)}, misalignment)\n"
-            "principal_drifts(misalignment, exact=True)"
+            f"triad_error = {matrix_code(triad_error_of(values))}\n"
+            f"drift_per_turn({axis_code(values)}, triad_error)\n"
+            "principal_drifts(triad_error, exact=True)"
         )
 
 

@@ -9,7 +9,7 @@ from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
 from driftlab.book.scenarios import LARIN_TRIAD, SYMMETRIC
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.turn_calibration import YATES_AXES, fit_turns
+from driftlab.drift.weighing_designs import YATES_AXES, fit_turns
 
 from .experiments import AS_DERIVED, AS_PRINTED, estimate_errors, method_bias, yates_sigma
 
@@ -116,7 +116,7 @@ EXERCISES: dict[str, Exercise] = {
         wrong={
             "c": "has only the part of the bias along the axis. The parts across turn with the "
             "body and come back to zero after a whole turn.",
-            "e": "forgets that the misalignment adds up at the same pace: the angle of the bias "
+            "e": "forgets that the triad error adds up at the same pace: the angle of the bias "
             "grows with the time, and so does what it is divided by.",
             "f": "takes two different things for one. The bias of the method is quadratic in M, "
             "and the same in both senses.",

@@ -52,7 +52,7 @@ class TurnCalibrationExplorer(Explorer):
     }  # fmt: skip
 
     @staticmethod
-    def _misalignment(values: Values) -> FloatArray:
+    def _triad_error(values: Values) -> FloatArray:
         sigma = [values[f"sigma{i}"] for i in (1, 2, 3)]
         return 1e-3 * triad_error(sigma, values["skew"], values["scale"])
 
@@ -63,7 +63,7 @@ class TurnCalibrationExplorer(Explorer):
         )
 
     def compute(self, values: Values) -> TurnEstimates:
-        return turn_estimates(self._misalignment(values), values["plan"], self._experiment(values))
+        return turn_estimates(self._triad_error(values), values["plan"], self._experiment(values))
 
     def numbers(self, data: TurnEstimates) -> list[tuple[str, str]]:
         runs = f", mean of {len(data.runs)}" if self.values["noise"] else ""
@@ -79,9 +79,9 @@ class TurnCalibrationExplorer(Explorer):
             "import numpy as np\n"
             "from driftlab.book.ch04_calibration_by_turns.experiments import turn_estimates\n"
             "from driftlab.drift import TurnExperiment\n"
-            f"misalignment = {matrix_code(self._misalignment(values))}\n"
+            f"triad_error = {matrix_code(self._triad_error(values))}\n"
             f"experiment = {experiment}\n"
-            f"turn_estimates(misalignment, {values['plan']!r}, experiment).runs"
+            f"turn_estimates(triad_error, {values['plan']!r}, experiment).runs"
         )
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from scipy.optimize import linprog
 
 from driftlab.checks import FloatArray
-from driftlab.drift.turn_calibration import weighing
+from driftlab.drift.weighing_designs import weighing
 
 
 def printed_interval(text: str) -> tuple[float, float]:

@@ -8,21 +8,17 @@ them do; `printed_digits` asks what the digits alone can tell.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Decimal
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray
 from driftlab.drift.step_formulas import STEP_FORMULAS
-from driftlab.drift.turn_calibration import (
-    YATES_AXES,
-    TurnExperiment,
-    exact_turn_estimate,
-    weighing,
-)
+from driftlab.drift.turn_calibration import TurnExperiment, exact_turn_estimate
+from driftlab.drift.weighing_designs import YATES_AXES, weighing
 
 NAMES = ("sigma1*", "sigma2*", "sigma3*", "sigma4*", "sigma1**", "sigma2**", "sigma3**")
 
@@ -33,7 +29,7 @@ SIGN_RESTORED = (*PRINTED[:3], "-0.165e-5", *PRINTED[4:])
 """The same with the minus sign that `printed_digits` shows to be missing from sigma4*."""
 
 TRIADS = ("linear", "unit third axis", "symmetric part")
-"""Readings of mu T: A = E + mu T as written, (2.4); i_z of unit length, as section 1 of the paper
+"""Readings of mu T: A = I + mu T as written, (2.4); i_z of unit length, as section 1 of the paper
 defines the axes; only Sigma kept."""
 
 STEPS = (100, 50)
@@ -47,8 +43,7 @@ sqrt(3/2) is what comes out when (1, 1, 1) is divided by sqrt(2), like the other
 """
 
 
-@dataclass(frozen=True, eq=False)
-class Reconstruction:
+class Reconstruction(NamedTuple):
     """One set of assumptions and the seven numbers that follow from it.
 
     Attributes
@@ -85,8 +80,8 @@ class Reconstruction:
         ]
 
 
-def triad_misalignment(triad: str) -> FloatArray:
-    """Misalignment (3, 3) under one of the readings in `TRIADS`."""
+def printed_triad_error(triad: str) -> FloatArray:
+    """Triad error (3, 3) under one of the readings in `TRIADS`."""
     if triad not in TRIADS:
         raise ValueError(f"triad: expected one of {', '.join(TRIADS)}, got {triad!r}.")
     if triad == "unit third axis":
@@ -106,7 +101,7 @@ def reconstruct(
 ) -> Reconstruction:
     """Run the experiment under the given assumptions; the defaults give every printed digit."""
     experiment = TurnExperiment(turns=1, steps_per_turn=steps, step_formula=step_formula)
-    starred = experiment.estimate(triad_misalignment(triad), YATES_AXES)
+    starred = experiment.estimate(printed_triad_error(triad), YATES_AXES)
     if sum_factor not in SUM_FACTORS:
         raise ValueError(f"sum_factor: expected one of {list(SUM_FACTORS)}, got {sum_factor!r}.")
     factor = SUM_FACTORS[sum_factor]

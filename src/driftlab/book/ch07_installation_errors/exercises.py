@@ -5,13 +5,16 @@ from functools import cache
 import numpy as np
 from scipy.constants import arcsecond
 
+from driftlab.body_frames import misalignment_vector
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration.error_model import attitude_error
+from driftlab.calibration.body_axes import attitude_error
 from driftlab.checks import FloatArray
-from driftlab.motion.turntable import Record, Scheme, simulate
+from driftlab.motion.scheme import Scheme
+from driftlab.motion.trajectory import Trajectory
+from driftlab.motion.turntable import table_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply, rotate
-from driftlab.triad import misalignment_vector, split
+from driftlab.triad import decompose
 from driftlab.vectors import cross_matrix
 
 from .experiments import INTERVAL, computed_attitude, inertial_attitude
@@ -25,7 +28,7 @@ SCHEME = Scheme("+90X +90Y", ("Up", "East", "North"), dwell=5.0)
 def _lean() -> FloatArray:
     """Non-orthogonality of x and y, and the turn (3,) of the averaged axes, in arc seconds."""
     # The axes turn the other way than the components.
-    return np.array([split(LEAN).non_orthogonality[0, 1], *(0.0 - misalignment_vector(LEAN))])
+    return np.array([decompose(LEAN).non_orthogonality[0, 1], *(0.0 - misalignment_vector(LEAN))])
 
 
 def _skew(*vector: float) -> FloatArray:
@@ -33,8 +36,8 @@ def _skew(*vector: float) -> FloatArray:
 
 
 @cache
-def _record() -> Record:
-    return simulate(SCHEME, TABLE_LATITUDE, INTERVAL, whole=2)
+def _record() -> Trajectory:
+    return table_trajectory(SCHEME, TABLE_LATITUDE, INTERVAL, multiple_of=2)
 
 
 def _error(gyro_error: FloatArray, start: FloatArray, of_earth: bool = False) -> FloatArray:
@@ -65,7 +68,7 @@ def _two_units(
 
 
 def _hidden(*vector: float) -> FloatArray:
-    """Second order of the symmetric factor of E + [κ×]."""
+    """Second order of the symmetric factor of I + [κ×]."""
     return -(_skew(*vector) @ _skew(*vector)) / 2
 
 
@@ -131,7 +134,7 @@ EXERCISES: dict[str, Exercise] = {
         unit="arc seconds",
         accuracy=5e-3,
         mistakes={
-            "The first row has the wrong sign: the computed attitude is (E - [φ×]) C, so the "
+            "The first row has the wrong sign: the computed attitude is (I - [φ×]) C, so the "
             "rotation vector that goes before C is -φ.": (
                 lambda: _two_units(rotate(_record().attitude[0], KAPPA))
             ),
@@ -155,12 +158,12 @@ EXERCISES: dict[str, Exercise] = {
         draw=lambda rng: tuple(rng.normal(size=3)),
         right=_hidden,
         mistakes={
-            "Zero is (M + Mᵀ)/2 - E. But the symmetric factor of a product is not the symmetric "
+            "Zero is (M + Mᵀ)/2 - I. But the symmetric factor of a product is not the symmetric "
             "part of a sum: S S is M Mᵀ.": lambda *vector: np.zeros((3, 3)),
-            "This is M Mᵀ - E, the square of what is asked: S S - E.": (
+            "This is M Mᵀ - I, the square of what is asked: S S - I.": (
                 lambda *vector: 2 * _hidden(*vector)
             ),
-            "This is the second order that a true rotation has. What is asked is what E + [κ×] "
+            "This is the second order that a true rotation has. What is asked is what I + [κ×] "
             "has instead of it.": lambda *vector: -_hidden(*vector),
             "The lengths of the axes are right; the angles between them change as well.": (
                 lambda *vector: np.diag(np.diag(_hidden(*vector)))
@@ -168,7 +171,7 @@ EXERCISES: dict[str, Exercise] = {
             "The scale is missing: what moves across its own direction also becomes longer.": (
                 lambda *vector: _hidden(*vector) - np.diag(np.diag(_hidden(*vector)))
             ),
-            "One term of [κ×][κ×] = κκᵀ - κᵀκ E is missing.": (
+            "One term of [κ×][κ×] = κκᵀ - κᵀκ I is missing.": (
                 lambda *vector: -np.outer(vector, vector) / 2
             ),
         },

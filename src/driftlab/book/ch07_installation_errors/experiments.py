@@ -6,11 +6,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.attitude.integration import integrate
+from driftlab.body_frames import body_frame_rotation, misalignment_vector
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration.error_model import attitude_error
+from driftlab.calibration.body_axes import attitude_error
 from driftlab.checks import FloatArray, finite_array
-from driftlab.imu import PERFECT, TYPICAL, Unit, measure
-from driftlab.motion.turntable import Record, Scheme, simulate
+from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuErrors
+from driftlab.increments import measure
+from driftlab.motion.scheme import Scheme
+from driftlab.motion.trajectory import Trajectory
+from driftlab.motion.turntable import table_trajectory
 from driftlab.quaternion import (
     conjugate,
     from_rotation_vector,
@@ -19,7 +23,7 @@ from driftlab.quaternion import (
     rotation_angle,
 )
 from driftlab.strapdown import Navigation, at_rest, navigate
-from driftlab.triad import body_frame_rotation, misalignment_vector, split
+from driftlab.triad import decompose
 from driftlab.vectors import cross_matrix
 
 INTERVAL = 0.05
@@ -101,7 +105,7 @@ def error_matrix_parts(matrix: ArrayLike) -> SplitTriad:
         If `matrix` is not a finite matrix (3, 3).
     """
     whole = finite_array(matrix, "matrix", 3, 3)
-    return SplitTriad(np.stack([whole, *split(whole)]), misalignment_vector(whole))
+    return SplitTriad(np.stack([whole, *decompose(whole)]), misalignment_vector(whole))
 
 
 def plane_body_axes(
@@ -126,22 +130,22 @@ def plane_body_axes(
 
 def equivalent_start() -> EquivalentStart:
     """Run units with installation errors through `SCHEME`; Wu (16)-(36), not linearised."""
-    record = simulate(SCHEME, TABLE_LATITUDE, INTERVAL, whole=2)
-    steps = len(record.angle_increments) // 2
+    motion = table_trajectory(SCHEME, TABLE_LATITUDE, INTERVAL, multiple_of=2)
+    steps = len(motion.increments.angle) // 2
     times: FloatArray = 2 * INTERVAL * np.arange(1.0, steps + 1)
-    right = record.attitude[0]
-    inertial = inertial_attitude(record, right)
+    right = motion.attitude[0]
+    inertial = inertial_attitude(motion, right)
     tilts = [
-        np.linalg.norm(attitude_error(computed_attitude(record, part, right), inertial), axis=-1)
-        for part in split(TYPICAL.gyro_error)
+        np.linalg.norm(attitude_error(computed_attitude(motion, part, right), inertial), axis=-1)
+        for part in decompose(TYPICAL_ERRORS.gyro_error)
     ]
-    vector = misalignment_vector(TYPICAL.gyro_error)
+    vector = misalignment_vector(TYPICAL_ERRORS.gyro_error)
     tilts.append(np.linalg.norm(rotate(inertial, vector) - rotate(right, vector), axis=-1))
     turned = cross_matrix(vector)
     none = np.zeros((3, 3))
     with_axes = multiply(right, from_rotation_vector(-vector))
     speeds = [
-        np.linalg.norm(_navigated(record, gyro, accelerometer, start).velocity, axis=-1)
+        np.linalg.norm(_navigated(motion, gyro, accelerometer, start).velocity, axis=-1)
         for gyro, accelerometer, start in (
             (turned, none, right),
             (none, turned, right),
@@ -149,49 +153,49 @@ def equivalent_start() -> EquivalentStart:
             (turned, turned, with_axes),
         )
     ]
-    left = np.array([_left(record, size * MISALIGNMENT_DIRECTION) for size in MISALIGNMENT_SIZES]).T
+    left = np.array([_left(motion, size * MISALIGNMENT_DIRECTION) for size in MISALIGNMENT_SIZES]).T
     return EquivalentStart(times, np.array(tilts), np.array(speeds), MISALIGNMENT_SIZES, left)
 
 
-def inertial_attitude(record: Record, start: FloatArray) -> FloatArray:
+def inertial_attitude(motion: Trajectory, start: FloatArray) -> FloatArray:
     """Attitude (n, 4) of an ideal unit against axes that do not turn with the Earth.
 
     Parameters
     ----------
-    record : Record
+    motion : Trajectory
     start : ndarray, shape (4,)
         Attitude that the computer starts with.
     """
-    return integrate(record.angle_increments, "two-step-4", start=start)
+    return integrate(motion.increments.angle, "two-step-4", start=start)
 
 
-def computed_attitude(record: Record, gyro_error: FloatArray, start: FloatArray) -> FloatArray:
+def computed_attitude(motion: Trajectory, gyro_error: FloatArray, start: FloatArray) -> FloatArray:
     """Attitude (n, 4) that a unit computes whose gyros have an error matrix (3, 3).
 
     Like that of `inertial_attitude`, it is against axes that do not turn with the Earth.
     """
-    measured, _ = measure(record, PERFECT._replace(gyro_error=gyro_error))
-    return integrate(measured, "two-step-4", start=start)
+    measured = measure(motion.increments, NO_ERRORS._replace(gyro_error=gyro_error))
+    return integrate(measured.angle, "two-step-4", start=start)
 
 
 def _navigated(
-    record: Record, gyro_error: FloatArray, accelerometer_error: FloatArray, start: FloatArray
+    motion: Trajectory, gyro_error: FloatArray, accelerometer_error: FloatArray, start: FloatArray
 ) -> Navigation:
-    unit = Unit(np.zeros(3), gyro_error, np.zeros(3), accelerometer_error)
-    return navigate(at_rest(TABLE_LATITUDE, start), *measure(record, unit), INTERVAL)
+    imu_errors = ImuErrors(np.zeros(3), gyro_error, np.zeros(3), accelerometer_error)
+    return navigate(at_rest(TABLE_LATITUDE, start), measure(motion.increments, imu_errors))
 
 
-def _left(record: Record, vector: FloatArray) -> tuple[float, float, float]:
+def _left(motion: Trajectory, vector: FloatArray) -> tuple[float, float, float]:
     """How far apart the two units of the chapter are at the end, in three comparisons."""
-    start = record.attitude[0]
+    start = motion.attitude[0]
     turn = from_rotation_vector(vector)
     # An ideal unit that starts turned, seen in axes turned back.
-    ideal = inertial_attitude(record, multiply(start, turn))[-1]
+    ideal = inertial_attitude(motion, multiply(start, turn))[-1]
     expected = multiply(ideal, conjugate(turn))
     gaps = []
     for matrix in (cross_matrix(vector), rotate(turn, np.eye(3)).T - np.eye(3)):
-        found = computed_attitude(record, matrix, start)[-1]
+        found = computed_attitude(motion, matrix, start)[-1]
         gaps.append(float(rotation_angle(multiply(conjugate(expected), found))))
     skew = cross_matrix(vector)
-    moved = _navigated(record, skew, skew, multiply(start, conjugate(turn)))
+    moved = _navigated(motion, skew, skew, multiply(start, conjugate(turn)))
     return gaps[0], gaps[1], float(np.linalg.norm(moved.velocity[-1]))

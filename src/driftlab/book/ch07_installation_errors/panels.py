@@ -10,7 +10,7 @@ from scipy.constants import arcsecond, micro
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.checks import FloatArray
-from driftlab.imu import TYPICAL
+from driftlab.imu import TYPICAL_ERRORS
 
 from .experiments import SplitTriad, error_matrix_parts
 from .figures.split_triad import SplitTriadPicture
@@ -53,7 +53,7 @@ class SplitExplorer(Explorer):
         for row, column in PLACES
     )
     presets: ClassVar = {
-        "Typical unit": _entries(TYPICAL.gyro_error),
+        "Typical unit": _entries(TYPICAL_ERRORS.gyro_error),
         "One gyro leans": {"kxy": 80.0},
         "Turned as a whole": {"kxy": -80.0, "kyx": 80.0},
         "Two gyros close up": {"kxy": 80.0, "kyx": 80.0},
@@ -86,10 +86,11 @@ class SplitExplorer(Explorer):
         return (
             "import numpy as np\n"
             "from scipy.constants import arcsecond, micro\n"
-            "from driftlab.triad import misalignment_vector, split\n"
+            "from driftlab.body_frames import misalignment_vector\n"
+            "from driftlab.triad import decompose\n"
             "unit = np.where(np.eye(3, dtype=bool), micro, arcsecond)\n"
             f"matrix = unit * np.array({rows})\n"
-            "scale, non_orthogonality, misalignment = split(matrix)\n"
+            "scale, non_orthogonality, misalignment = decompose(matrix)\n"
             "print(misalignment_vector(matrix) / arcsecond)"
         )
 

@@ -12,8 +12,9 @@ from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value, Ve
 from driftlab.book.machinery.reading import UnreadableError
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.checks import FloatArray
-from driftlab.imu import Noise
-from driftlab.motion.turntable import NINETEEN_POSITIONS, Scheme, segments
+from driftlab.imu import ImuNoise
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
+from driftlab.motion.turntable import segments
 
 from .experiments import QUICK_TRIAL, table_observability
 
@@ -23,12 +24,12 @@ SHOWN = [
     for name in ("gyro bias x", "gyro non-orthogonality xy", "accelerometer bias x")
 ]
 
-TOLD = Noise(velocity=0.005)
-MISINFORMED = replace(QUICK_TRIAL, told=TOLD)
+TOLD = ImuNoise(reference_velocity=0.005)
+MISINFORMED = replace(QUICK_TRIAL, assumed_noise=TOLD)
 RUNS = 60
 
 
-def _deviations(scheme: Scheme, noise: Noise) -> FloatArray:
+def _deviations(scheme: Scheme, noise: ImuNoise) -> FloatArray:
     """Standard deviations (27,) of the states that are expected after a scheme."""
     return table_observability(scheme, MODEL, noise).after
 
@@ -36,20 +37,20 @@ def _deviations(scheme: Scheme, noise: Noise) -> FloatArray:
 @cache
 def _growth() -> FloatArray:
     """Factors (2, 3) for ten times the gyro noise, and for ten times that of the velocity."""
-    noise = Noise()
+    noise = ImuNoise()
     louder = (
         replace(noise, angle_random_walk=10 * noise.angle_random_walk),
-        replace(noise, velocity=10 * noise.velocity),
+        replace(noise, reference_velocity=10 * noise.reference_velocity),
     )
     before, *after = (_deviations(NINETEEN_POSITIONS, each) for each in (noise, *louder))
     return np.stack([deviations / before for deviations in after])[:, SHOWN]
 
 
 @cache
-def _surprise() -> float:
+def _mean_nis() -> float:
     """Mean squared normalised innovation, over its degrees of freedom, of a misinformed filter."""
     trial = MISINFORMED.run(np.random.default_rng(8), RUNS)
-    return float(trial.calibration.surprise.mean()) / 3
+    return float(trial.calibration.nis.mean()) / 3
 
 
 def _duration(scheme: Scheme) -> float:
@@ -67,7 +68,7 @@ def _compared(scheme: Scheme) -> tuple[float, str]:
     if pause < 1:
         raise UnreadableError("The turns alone take longer than all the nineteen positions.")
     timed = replace(scheme, dwell=pause)
-    ratios = _deviations(timed, Noise()) / _deviations(NINETEEN_POSITIONS, Noise())
+    ratios = _deviations(timed, ImuNoise()) / _deviations(NINETEEN_POSITIONS, ImuNoise())
     worst = 6 + int(ratios[6:].argmax())
     return float(ratios[worst]), MODEL.names[worst]
 
@@ -91,10 +92,10 @@ class _Positions(Exercise):
     def expected(self) -> str:
         return "a scheme; see the solutions"
 
-    def told(self) -> list[str]:
+    def feedback(self) -> list[str]:
         return [
             "How many positions the scheme has, if not as many as asked.",
-            "Which states it leaves in the dark.",
+            "Which states it leaves unobservable.",
             "Which sensor error is known worst, if it is far worse than with nineteen positions.",
         ]
 
@@ -105,15 +106,15 @@ class _Positions(Exercise):
                 f"This scheme has {scheme.positions} positions: one more than there are rotations."
             )
         try:
-            dark = table_observability(scheme, MODEL).words
+            unobservable = table_observability(scheme, MODEL).descriptions
         except ValueError as error:
             raise UnreadableError(str(error)) from None
-        if dark:
-            return f"In the dark stay {'; '.join(dark)}."
+        if unobservable:
+            return f"Unobservable stay {'; '.join(unobservable)}."
         ratio, name = _compared(scheme)
         if ratio > self.most:
             return (
-                f"Nothing stays in the dark. But {name} has {ratio:.0f} times the deviation that "
+                f"Nothing stays unobservable. But {name} has {ratio:.0f} times the deviation that "
                 "the nineteen positions reach. Ask which pair of positions, or which turn, would "
                 "show it."
             )
@@ -221,18 +222,18 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "8.7": Value(
         kind="compute",
-        right=_surprise,
+        right=_mean_nis,
         accuracy=0.055,
         mistakes={
             "Twice the deviation is four times the variance, and squares are compared here.": (
-                lambda: MISINFORMED.noise.velocity / TOLD.velocity
+                lambda: MISINFORMED.noise.reference_velocity / TOLD.reference_velocity
             ),
             "This would hold if the velocity noise were all. In the innovation there is also what "
             "the filter does not know of its own velocity, and that is told rightly.": (
-                lambda: (MISINFORMED.noise.velocity / TOLD.velocity) ** 2
+                lambda: (MISINFORMED.noise.reference_velocity / TOLD.reference_velocity) ** 2
             ),
             "This is what a filter finds that is told the truth.": lambda: 1.0,
-            "The mean has not been divided by the three components yet.": lambda: 3 * _surprise(),
+            "The mean has not been divided by the three components yet.": lambda: 3 * _mean_nis(),
         },
         remark="This test needs no truth: it works on a real table as well.",
     ),

@@ -6,13 +6,13 @@ from typing import ClassVar
 import numpy as np
 from scipy.constants import degree, g, hour, micro
 
+from driftlab.body_frames import BODY_FRAMES
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
-from driftlab.imu import Noise
-from driftlab.motion.turntable import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
-from driftlab.triad import BODY_FRAMES
+from driftlab.imu import ImuNoise
+from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
 
 from .experiments import (
     PARAMETERS,
@@ -72,7 +72,7 @@ class ObservabilityExplorer(Explorer):
         return Scheme(values["rotations"], (x, y, z), values["dwell"], rate)
 
     def compute(self, values: Values) -> TableObservability:
-        noise = Noise(
+        noise = ImuNoise(
             values["gyro"] * 1e-3 * degree / float(np.sqrt(hour)),
             values["accelerometer"] * micro * g,
             values["velocity"] * 1e-3,
@@ -86,8 +86,8 @@ class ObservabilityExplorer(Explorer):
 
     def numbers(self, data: TableObservability) -> list[tuple[str, str]]:
         size = len(data.names)
-        rows = [("rank", f"{size - data.dark} of {size}")]
-        rows += [("in the dark", words) for words in data.words]
+        rows = [("rank", f"{size - data.unobservable} of {size}")]
+        rows += [("unobservable", text) for text in data.descriptions]
         # One entry for each kind of error, so that the sliders stay close to the picture.
         errors = zip(data.names[6:], data.after[6:], strict=True)
         for kind, members in groupby(errors, key=lambda error: error[0].rsplit(" ", 1)[0]):
@@ -105,12 +105,12 @@ class ObservabilityExplorer(Explorer):
         start = tuple(values["start"].split())
         return (
             "import numpy as np\n"
-            f"from driftlab.calibration import {imported}, null_directions, passage\n"
+            f"from driftlab.calibration import {imported}, linearize_along, unobservable_subspace\n"
             "from driftlab.motion import Scheme\n"
             f"scheme = Scheme({values['rotations']!r}, {start},\n"
             f"                dwell={values['dwell']}, rate=np.radians({values['rate']}))\n"
-            f"way = passage(scheme, np.radians({values['latitude']}), {name})\n"
-            "print(null_directions(way).words)"
+            f"linearized = linearize_along(scheme, np.radians({values['latitude']}), {name})\n"
+            "print(unobservable_subspace(linearized).descriptions)"
         )
 
 

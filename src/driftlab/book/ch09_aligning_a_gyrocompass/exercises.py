@@ -10,9 +10,9 @@ from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
 from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
-from driftlab.frames import attitude_from_angles
+from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import align, alignment_errors
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import rotate
 from driftlab.vectors import wrap_angle
 
@@ -27,7 +27,7 @@ NOISE, WALK = gyro_noise(WHITE[0], slow=0.0), 0.01 * degree / hour / np.sqrt(hou
 def _forward_gyro(headings: tuple[float, ...] = (0.0, 90.0)) -> FloatArray:
     """Heading errors in degrees of a level box whose forward gyro drifts."""
     true = np.radians(headings)
-    rate, force = sensed_at_rest(attitude_from_angles(true, 0.0, 0.0), LATITUDE)
+    rate, force = static_imu(from_euler_angles(true, 0.0, 0.0), LATITUDE)
     found = align(rate + np.array([FORWARD_DRIFT, 0.0, 0.0]), force).heading
     return np.degrees(wrap_angle(found - true))
 
@@ -43,8 +43,8 @@ def _same_as_gyro(latitude_term: float = 1.0, sign: float = 1.0) -> float:
     The term of the latitude counts with the factor `latitude_term`.
     """
 
-    def error(pitch: float, drift: float, offset: float) -> FloatArray:
-        parts = [0.0, 0.0, drift], [0.0, 0.0, offset]
+    def error(pitch: float, gyro_bias: float, accelerometer_bias: float) -> FloatArray:
+        parts = [0.0, 0.0, gyro_bias], [0.0, 0.0, accelerometer_bias]
         return alignment_errors(0.0, pitch, LATITUDE, *parts).heading_terms
 
     weights = np.array([1.0, 1.0, 1.0, latitude_term])
@@ -68,10 +68,18 @@ def _two_alignments(*box: float, printed: bool = False) -> FloatArray:
     """Heading errors (2,) at Psi and half a turn from it; `printed`: by the paper's formula."""
     heading, pitch, roll, latitude, earth, pull, *sensors = box
     headings = heading + np.array([0.0, np.pi])
-    attitude = attitude_from_angles(headings, pitch, roll)
-    drift, offset = np.array(sensors[:3]) * EARTH_RATE / earth, np.array(sensors[3:])
+    attitude = from_euler_angles(headings, pitch, roll)
+    gyro_bias, accelerometer_bias = (
+        np.array(sensors[:3]) * EARTH_RATE / earth,
+        np.array(sensors[3:]),
+    )
     terms = alignment_errors(
-        headings, pitch, latitude, rotate(attitude, drift), rotate(attitude, offset), pull
+        headings,
+        pitch,
+        latitude,
+        rotate(attitude, gyro_bias),
+        rotate(attitude, accelerometer_bias),
+        pull,
     ).heading_terms
     if printed:
         terms[:, 2] *= np.tan(latitude)
@@ -103,17 +111,17 @@ def _without_forward(
 
     The parts of the accelerometer and of the latitude count with factors; `pull` replaces g.
     """
-    heading, place, earth, gravity, _, drift, _, offset, delta = compass
-    gyro = drift / (earth * np.cos(place))
-    leaning = -np.tan(place) * offset / (pull or gravity)
+    heading, place, earth, gravity, _, gyro_bias, _, accelerometer_bias, delta = compass
+    gyro = gyro_bias / (earth * np.cos(place))
+    leaning = -np.tan(place) * accelerometer_bias / (pull or gravity)
     known = np.sin(heading) * np.tan(place) * delta
     return (gyro + tilt * leaning + chart * known) / np.cos(heading)
 
 
 def _without_right(*compass: float) -> float:
     """Heading error of a level box without its right gyro."""
-    heading, place, earth, gravity, drift, _, offset, _, delta = compass
-    seen = drift / (earth * np.cos(place)) - np.tan(place) * offset / gravity
+    heading, place, earth, gravity, gyro_bias, _, accelerometer_bias, _, delta = compass
+    seen = gyro_bias / (earth * np.cos(place)) - np.tan(place) * accelerometer_bias / gravity
     return -(seen + np.cos(heading) * np.tan(place) * delta) / np.sin(heading)
 
 

@@ -11,21 +11,21 @@ from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.sensor_controls import (
     BODY_AXES,
+    accelerometer_bias_code,
+    accelerometer_biases,
     accelerometer_controls,
-    accelerometer_offset_code,
-    accelerometer_offsets,
     degrees_text,
+    gyro_bias_code,
+    gyro_biases,
     gyro_controls,
-    gyro_drift_code,
-    gyro_drifts,
     slider_value,
 )
 from driftlab.book.scenarios import SARATOV_LATITUDE
 
 from .experiments import (
-    DRIFT,
+    ACCELEROMETER_BIAS,
+    GYRO_BIAS,
     HEADING,
-    OFFSET,
     PITCH,
     ROLL,
     TERMS,
@@ -49,8 +49,8 @@ class AlignmentBudgetExplorer(Explorer):
                 1.0, group="place"),
         Control("pitch", "pitch, °", slider_value(PITCH, degree), -90.0, 90.0, 1.0, group="place"),
         Control("roll", "roll, °", slider_value(ROLL, degree), -180.0, 180.0, 1.0, group="place"),
-        *gyro_controls(DRIFT, 0.2),
-        *accelerometer_controls(OFFSET),
+        *gyro_controls(GYRO_BIAS, 0.2),
+        *accelerometer_controls(ACCELEROMETER_BIAS),
     )  # fmt: skip
     presets: ClassVar = {
         "A bit of everything": {},
@@ -68,7 +68,7 @@ class AlignmentBudgetExplorer(Explorer):
             float(np.radians(values[name])) for name in ("latitude", "heading", "pitch", "roll")
         )
         return alignment_budget(
-            latitude, heading, pitch, roll, gyro_drifts(values), accelerometer_offsets(values)
+            latitude, heading, pitch, roll, gyro_biases(values), accelerometer_biases(values)
         )
 
     def numbers(self, data: AlignmentBudget) -> list[tuple[str, str]]:
@@ -87,12 +87,13 @@ class AlignmentBudgetExplorer(Explorer):
             "import numpy as np\n"
             "from scipy.constants import degree, g, hour, milli\n"
             "from driftlab.gyrocompass import align\n"
-            "from driftlab.frames import attitude_from_angles\n"
-            "from driftlab.motion import sensed_at_rest\n"
-            f"{gyro_drift_code(values)}{accelerometer_offset_code(values)}"
-            f"attitude = attitude_from_angles(*np.radians([{heading}, {pitch}, {roll}]))\n"
-            f"rate, force = sensed_at_rest(attitude, np.radians({latitude}))\n"
-            f"error = align(rate + drift, force + offset).heading - np.radians({heading})\n"
+            "from driftlab.frames import from_euler_angles\n"
+            "from driftlab.motion import static_imu\n"
+            f"{gyro_bias_code(values)}{accelerometer_bias_code(values)}"
+            f"attitude = from_euler_angles(*np.radians([{heading}, {pitch}, {roll}]))\n"
+            f"rate, force = static_imu(attitude, np.radians({latitude}))\n"
+            "found = align(rate + gyro_bias, force + accelerometer_bias)\n"
+            f"error = found.heading - np.radians({heading})\n"
             "print(np.degrees(np.arctan2(np.sin(error), np.cos(error))))"
         )
 

@@ -6,15 +6,21 @@ import numpy as np
 from scipy.constants import arcminute, degree, hour
 
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
-from driftlab.book.scenarios import QUARTER_TURN, SCHULER_PERIOD, SPEED, UNDER_WAY, ship
-from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
+from driftlab.book.scenarios import (
+    QUARTER_TURN,
+    SARATOV_LATITUDE as LATITUDE,
+    SCHULER_PERIOD,
+    SPEED,
+    SPEED_UP,
+    ship_manoeuvre,
+)
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE, gravity
-from driftlab.gyrocompass.heading_error import level_coriolis, speed_deviation
-from driftlab.gyrocompass.simulation import ErrorsUnderWay, take_along
+from driftlab.gyrocompass.heading_error import coriolis_correction, speed_error
+from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
 from driftlab.gyrocompass.trials import normal_ranges, range_over_deviation
 
-from .experiments import DRIFT, RESTARTS, TRIALS, TUNING_FACTORS
+from .experiments import GYRO_BIAS, RESTARTS, TRIALS, TUNING_FACTORS
 
 GRAVITY = float(gravity(LATITUDE))
 TO_THE_EAST = {"course": -QUARTER_TURN, "turn": 0.0}
@@ -27,46 +33,46 @@ WITHIN = 5.56
 
 @cache
 def _to_the_east() -> FloatArray:
-    """Speed deviation, tilt after gathering way, mean tilt over the next swing: arc minutes."""
-    run = take_along(ship(**TO_THE_EAST), np.zeros(3))
-    begin = sum(UNDER_WAY)
+    """Speed error, tilt after gathering way, mean tilt over the next swing: arc minutes."""
+    run = simulate_compass(ship_manoeuvre(**TO_THE_EAST), np.zeros(3))
+    begin = sum(SPEED_UP)
     after = np.searchsorted(run.times, begin)
     swing = (run.times > begin) & (run.times <= begin + SCHULER_PERIOD)
     tilts = run.tilt[after], run.tilt[swing].mean(axis=0)
-    return np.array([abs(run.deviation[after]), *np.linalg.norm(tilts, axis=-1)]) / arcminute
+    return np.array([abs(run.speed_error[after]), *np.linalg.norm(tilts, axis=-1)]) / arcminute
 
 
-def _guess(deviation: float = 0.0, gathering: float = 0.0, even: float = 1.0) -> FloatArray:
+def _guess(speed_error_angle: float = 0.0, gathering: float = 0.0, even: float = 1.0) -> FloatArray:
     """Answer to 10.1 in arc minutes; the tilt on an even way counts in U sin(latitude) v/g."""
     hanging = even * EARTH_RATE * np.sin(LATITUDE) * SPEED / GRAVITY
-    return np.array([deviation, gathering, hanging]) / arcminute
+    return np.array([speed_error_angle, gathering, hanging]) / arcminute
 
 
 def _to_the_north() -> float:
-    return float(-speed_deviation(LATITUDE, [SPEED, 0.0]))
+    return float(-speed_error(LATITUDE, [SPEED, 0.0]))
 
 
 def _plumb_line() -> float:
     """Largest lean of the plumb line while the ship gathers way, rad."""
-    way = ship(**TO_THE_EAST, interval=1.0)
-    return float(np.abs(way.velocity_increments[:, 0] / way.velocity_increments[:, 1]).max())
+    pushed = ship_manoeuvre(**TO_THE_EAST, interval=1.0).increments.velocity
+    return float(np.abs(pushed[:, 0] / pushed[:, 1]).max())
 
 
 def _wrong_log() -> float:
-    """How many times more the log's error does to the deviation than to the mean tilt."""
+    """How many times more the log's error does to the speed error than to the mean tilt."""
     right, wrong = [SPEED, 0.0], [SPEED + LOG_ERROR, 0.0]
-    turned = speed_deviation(LATITUDE, wrong) - speed_deviation(LATITUDE, right)
-    pushed = level_coriolis(LATITUDE, wrong) - level_coriolis(LATITUDE, right)
+    turned = speed_error(LATITUDE, wrong) - speed_error(LATITUDE, right)
+    pushed = coriolis_correction(LATITUDE, wrong) - coriolis_correction(LATITUDE, right)
     return float(np.abs(turned) / (np.linalg.norm(pushed) / GRAVITY))
 
 
 @cache
-def _growing_drift() -> ErrorsUnderWay:
-    """Errors at the quay with a drift about East that grows."""
-    quay = ship(speed=0.0, turn=0.0)
-    drift = np.zeros_like(quay.angle_increments)
-    drift[:, 2] = GROWTH * quay.times[:-1]  # none in the interval that the alignment reads
-    return take_along(quay, drift)
+def _growing_drift() -> HeadingErrors:
+    """Errors at the quay with a gyro bias about East that grows."""
+    quay = ship_manoeuvre(speed=0.0, turn=0.0)
+    bias = np.zeros_like(quay.increments.angle)
+    bias[:, 2] = GROWTH * quay.times[:-1]  # none in the interval that the alignment reads
+    return simulate_compass(quay, bias)
 
 
 def _heading_and_yaw() -> FloatArray:
@@ -83,7 +89,12 @@ def _no_swing(level_rate: float) -> FloatArray:
 def _voyages() -> FloatArray:
     """Heading errors (tunings, times) of the panel's first preset."""
     factors = TUNING_FACTORS
-    return np.array([take_along(ship(), DRIFT, tuning_factor=k).heading_error for k in factors])
+    return np.array(
+        [
+            simulate_compass(ship_manoeuvre(), GYRO_BIAS, tuning_factor=k).heading_error
+            for k in factors
+        ]
+    )
 
 
 def _best_tuning() -> float:
@@ -151,7 +162,7 @@ EXERCISES: dict[str, Exercise] = {
             "Not the cosine: on a level way the Coriolis force that is level comes from the part "
             "of the Earth's rate about Up.": (lambda: _guess(even=1 / np.tan(LATITUDE))),
         },
-        remark="The deviation asks for the way North, the Coriolis tilt for the speed alone.",
+        remark="The speed error asks for the way North, the Coriolis tilt for the speed alone.",
     ),
     "10.2": Choice(
         kind="explain",
@@ -173,18 +184,19 @@ EXERCISES: dict[str, Exercise] = {
             "asked, and on a way North half of the Coriolis force is no tilt.": (
                 lambda: _wrong_log() / 2
             ),
-            "That is the ratio of the tilt to the deviation; the other one is asked.": (
+            "That is the ratio of the tilt to the speed error; the other one is asked.": (
                 lambda: 1 / _wrong_log()
             ),
-            "Not the sine: the speed deviation stands against the level part of the Earth's "
-            "rate.": (lambda: _wrong_log() / np.tan(LATITUDE)),
+            "Not the sine: the speed error stands against the level part of the Earth's rate.": (
+                lambda: _wrong_log() / np.tan(LATITUDE)
+            ),
             "Not the cosine: the Coriolis force that is level comes from the part of the Earth's "
             "rate about Up.": lambda: _wrong_log() * np.tan(LATITUDE),
             "A Coriolis force is an acceleration; it becomes a tilt when it is divided by g.": (
                 lambda: _wrong_log() / GRAVITY
             ),
         },
-        remark="A poor log is good enough for the horizon, and not for the deviation.",
+        remark="A poor log is good enough for the horizon, and not for the speed error.",
     ),
     "10.4": Value(
         kind="compute",

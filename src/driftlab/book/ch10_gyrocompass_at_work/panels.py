@@ -10,15 +10,15 @@ from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.sensor_controls import (
     BODY_AXES,
     degrees_text,
+    gyro_bias_code,
+    gyro_biases,
     gyro_controls,
-    gyro_drift_code,
-    gyro_drifts,
     slider_value,
 )
-from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, SPEED, ship
-from driftlab.gyrocompass.simulation import ErrorsUnderWay, take_along
+from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, SPEED, ship_manoeuvre
+from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
 
-from .experiments import DRIFT, TUNING_FACTORS
+from .experiments import GYRO_BIAS, TUNING_FACTORS
 from .figures.operation import OperationPicture
 
 
@@ -37,7 +37,7 @@ class GyrocompassExplorer(Explorer):
         Control("tuning", "tuning k2 R", 1.0, stops=TUNING_FACTORS, group="instrument"),
         Control("damping", "damping ratio", 0.0, 0.0, 1.0, 0.05, group="instrument"),
         Control("tilt", "tilt at the start, ′", 0.0, -3.0, 3.0, 0.1, group="instrument"),
-        *gyro_controls(DRIFT, 0.1),
+        *gyro_controls(GYRO_BIAS, 0.1),
         Control("log", "a log tells the velocity", False, group=""),
     )  # fmt: skip
     presets: ClassVar = {
@@ -57,20 +57,20 @@ class GyrocompassExplorer(Explorer):
         "Whole turn": {"turn": 360.0},
     }  # fmt: skip
 
-    def compute(self, values: Values) -> ErrorsUnderWay:
+    def compute(self, values: Values) -> HeadingErrors:
         latitude, course, turn = (
             float(np.radians(values[name])) for name in ("latitude", "course", "turn")
         )
-        return take_along(
-            ship(latitude, values["speed"], course, turn),
-            gyro_drifts(values),
+        return simulate_compass(
+            ship_manoeuvre(latitude, values["speed"], course, turn),
+            gyro_biases(values),
             tuning_factor=values["tuning"],
             damping=values["damping"],
             tilt=values["tilt"] * arcminute,
             log=values["log"],
         )
 
-    def numbers(self, data: ErrorsUnderWay) -> list[tuple[str, str]]:
+    def numbers(self, data: HeadingErrors) -> list[tuple[str, str]]:
         worst = np.abs(data.tilt).max(axis=0) / arcminute
         gap = np.abs(data.heading_error - data.formula.heading).max()
         # Of first order: good while all angles are small.
@@ -84,7 +84,7 @@ class GyrocompassExplorer(Explorer):
             ),
             ("largest tilt about North", f"{worst[0]:.3f}′"),
             ("largest tilt about East", f"{worst[1]:.3f}′"),
-            ("largest speed deviation", degrees_text(np.abs(data.deviation).max())),
+            ("largest speed error", degrees_text(np.abs(data.speed_error).max())),
             ("yaw error at the end", degrees_text(data.yaw_error[-1])),
             ("compass error at the end", degrees_text(data.compass_error[-1])),
         ]
@@ -96,12 +96,12 @@ class GyrocompassExplorer(Explorer):
         return (
             "import numpy as np\n"
             "from scipy.constants import arcminute, degree, hour\n"
-            "from driftlab.book.scenarios import ship\n"
-            "from driftlab.gyrocompass import take_along\n"
-            f"{gyro_drift_code(values)}"
+            "from driftlab.book.scenarios import ship_manoeuvre\n"
+            "from driftlab.gyrocompass import simulate_compass\n"
+            f"{gyro_bias_code(values)}"
             f"latitude, course, turn = np.radians([{latitude}, {course}, {turn}])\n"
-            f"way = ship(latitude, {speed}, course, turn)\n"
-            f"run = take_along(way, drift, tuning_factor={values['tuning']},\n"
+            f"way = ship_manoeuvre(latitude, {speed}, course, turn)\n"
+            f"run = simulate_compass(way, gyro_bias, tuning_factor={values['tuning']},\n"
             f"    damping={values['damping']}, tilt={values['tilt']} * arcminute,\n"
             f"    log={values['log']})\n"
             "print(np.degrees(run.heading_error[-1]), np.degrees(run.formula.heading[-1]))"

@@ -7,13 +7,12 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
-from driftlab.book.scenarios import QUARTER_TURN, SCHULER_PERIOD, TURN
-from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
+from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE as LATITUDE, SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_per_turn
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.gyrocompass.simulation import take_along
-from driftlab.motion.vehicle import smooth_step, voyage
+from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.motion.vehicle import smooth_step, vehicle_trajectory
 
 from .experiments import (
     AXES,
@@ -85,10 +84,10 @@ def _after_turns(count: int, gap: float) -> float:
     last = begin + (count - 1) * gap + length
     times = interval * np.arange(round((last + SCHULER_PERIOD) / interval) + 2)
     turned = sum(smooth_step(times, begin + i * gap, length) for i in range(count))
-    way = voyage(
+    way = vehicle_trajectory(
         LATITUDE, np.zeros((len(times), 2)), QUARTER_TURN * np.asarray(turned), interval=interval
     )
-    run = take_along(way, way.angle_increments / interval @ PUZZLE.T, log=True)
+    run = simulate_compass(way, way.increments.mean_rate @ PUZZLE.T, log=True)
     swing = (run.times > last) & (run.times <= last + SCHULER_PERIOD)
     return float(np.abs(run.heading_error[swing]).max())
 

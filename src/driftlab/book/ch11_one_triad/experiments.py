@@ -8,18 +8,20 @@ from numpy.typing import ArrayLike
 from scipy.constants import arcsecond
 
 from driftlab.attitude.coning_algorithms import coning_drift
-from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, ship
+from driftlab.body_frames import misalignment_vector
+from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, ship_manoeuvre
 from driftlab.calibration.simulation import TableTrial
 from driftlab.checks import FloatArray, finite_array, finite_number
 from driftlab.drift.systematic_drift import drift_per_turn
-from driftlab.drift.turn_calibration import PAIR_AXES, TurnExperiment
-from driftlab.frames import attitude_from_angles
+from driftlab.drift.turn_calibration import TurnExperiment
+from driftlab.drift.weighing_designs import PAIR_AXES
+from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import alignment_errors
-from driftlab.gyrocompass.simulation import ErrorsUnderWay, take_along
-from driftlab.imu import PERFECT
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
+from driftlab.imu import NO_ERRORS
+from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import rotate
-from driftlab.triad import misalignment_vector, split
+from driftlab.triad import decompose
 from driftlab.vectors import cross_matrix
 
 STAGES = ("as built", "after turns", "after the filter")
@@ -51,7 +53,7 @@ class Capstone(NamedTuple):
         rad.
     aligned : ndarray, shape (3, n)
         Heading error after alignment at these headings, by stage, rad.
-    under_way : ErrorsUnderWay
+    under_way : HeadingErrors
         Of three runs, one a stage.
     """
 
@@ -59,7 +61,7 @@ class Capstone(NamedTuple):
     per_turn: FloatArray
     headings: FloatArray
     aligned: FloatArray
-    under_way: ErrorsUnderWay
+    under_way: HeadingErrors
 
 
 def bent_triad(non_orthogonality: ArrayLike, misalignment: ArrayLike) -> FloatArray:
@@ -80,7 +82,7 @@ def bent_triad(non_orthogonality: ArrayLike, misalignment: ArrayLike) -> FloatAr
 
 def pairs_and_turn(matrix: FloatArray) -> FloatArray:
     """Return pairs xy, xz, yz and turn about x, y, z (6,) of an error matrix (3, 3), rad."""
-    pairs = split(matrix).non_orthogonality[[0, 0, 1], [1, 2, 2]]
+    pairs = decompose(matrix).non_orthogonality[[0, 0, 1], [1, 2, 2]]
     return np.append(pairs, misalignment_vector(matrix))
 
 
@@ -97,11 +99,11 @@ def filter_leftover() -> FloatArray:
     The noise it leaves does not depend on the bend to first order, so other bends get the same.
     """
     true = bent_triad(NON_ORTHOGONALITY, MISALIGNMENT)
-    unit = PERFECT._replace(gyro_error=true)
+    imu_errors = NO_ERRORS._replace(gyro_error=true)
     trial = TableTrial(frame="accelerometers", sample_interval=0.1).run(
-        np.random.default_rng(SEED), unit=unit
+        np.random.default_rng(SEED), imu_errors=imu_errors
     )
-    leftover: FloatArray = trial.calibration.unit.gyro_error - true
+    leftover: FloatArray = trial.calibration.imu_errors.gyro_error - true
     leftover.setflags(write=False)
     return leftover
 
@@ -122,8 +124,8 @@ def aligned_heading_error(
     drift : ndarray, shape (3,), or float
         Of the gyros in body axes, rad/s, besides what their errors make of the Earth's rate.
     """
-    attitude = attitude_from_angles(headings, 0.0, 0.0)
-    rate, _ = sensed_at_rest(attitude, latitude)
+    attitude = from_euler_angles(headings, 0.0, 0.0)
+    rate, _ = static_imu(attitude, latitude)
     drifts = rotate(attitude, rate @ np.swapaxes(gyro_error, -1, -2) + drift)
     return alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
 
@@ -162,8 +164,8 @@ def calibration_stages(
                         SAMPLE_INTERVAL)  # fmt: skip
     shaken = np.array([0.0, 0.0, float(cone)])
     headings = np.radians(np.arange(-180.0, 180.1, 10.0))
-    way = ship(latitude, turn=turn, interval=interval)
-    rates = way.angle_increments / way.interval
+    way = ship_manoeuvre(latitude, turn=turn, interval=interval)
+    rates = way.increments.mean_rate
     return Capstone(
         np.stack(
             [
@@ -175,5 +177,5 @@ def calibration_stages(
         drift_per_turn(AXES, left[:, np.newaxis]),
         headings,
         aligned_heading_error(left, headings, latitude, shaken),
-        take_along(way, rates @ np.swapaxes(left, -1, -2) + shaken, log=True),
+        simulate_compass(way, rates @ np.swapaxes(left, -1, -2) + shaken, log=True),
     )

@@ -18,7 +18,7 @@ import numpy as np
 import sympy as sp
 
 from .reading import Numbers, UnreadableError, entries, fit, name, numbers, read, symbols
-from .slips import objection
+from .slips import find_slip
 
 KINDS = ("predict", "slide", "explain", "compute")
 """What an exercise asks for: a guess before looking, a try in a panel, a reason, a computation."""
@@ -70,7 +70,7 @@ class Exercise(ABC):
     def expected(self) -> str:
         """What is right, in words, for a teacher's list."""
 
-    def told(self) -> list[str]:
+    def feedback(self) -> list[str]:
         """What the likely mistakes of this exercise are told."""
         return []
 
@@ -117,7 +117,7 @@ class Value(Exercise):
         text = ", ".join(f"{entry:.3g}" for entry in right.flat)
         return text if self.unit == "1" else f"{text} {self.unit}"
 
-    def told(self) -> list[str]:
+    def feedback(self) -> list[str]:
         return list(self.mistakes)
 
     def _objection(self, answer: Any) -> str | None:
@@ -128,7 +128,7 @@ class Value(Exercise):
         mistakes = ((says, numbers(value())) for says, value in self.mistakes.items())
         absolute = np.asarray(self.absolute, dtype=float)
         part = self.accuracy or (0.0 if absolute.any() else 1e-3)
-        return objection(
+        return find_slip(
             given,
             right,
             mistakes,
@@ -173,7 +173,7 @@ class Formula(Exercise):
     def expected(self) -> str:
         return f"a formula in {', '.join(self.arguments)}; see the solutions"
 
-    def told(self) -> list[str]:
+    def feedback(self) -> list[str]:
         return list(self.mistakes)
 
     def _objection(self, answer: Any) -> str | None:
@@ -189,7 +189,7 @@ class Formula(Exercise):
         given = read(lambda: [fit(numbers(function(*deepcopy(p))), right[0]) for p in places])
         mistakes = ((says, values(function)) for says, function in self.mistakes.items())
         tolerance = self.accuracy * float(np.abs(right).max())
-        return objection(np.array(given), right, mistakes, tolerance=tolerance)
+        return find_slip(np.array(given), right, mistakes, tolerance=tolerance)
 
     def _function(self, answer: Any, place: tuple[Any, ...]) -> Callable[..., Any]:
         """The answer, a function, an expression or a constant, as a function."""
@@ -235,7 +235,7 @@ class Choice(Exercise):
     def expected(self) -> str:
         return ", ".join(self.right)
 
-    def told(self) -> list[str]:
+    def feedback(self) -> list[str]:
         return [f"({letter}) {reason}" for letter, reason in self.wrong.items()]
 
     def _objection(self, answer: Any) -> str | None:

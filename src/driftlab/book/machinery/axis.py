@@ -24,6 +24,6 @@ def axis_code(values: Values) -> str:
     return f"direction_from_angles(*np.radians([{values['azimuth']}, {values['elevation']}]))"
 
 
-def matrix_code(misalignment: FloatArray) -> str:
-    """Code for a misalignment."""
-    return f"1e-3 * np.array({np.round(1e3 * misalignment, 6).tolist()})"
+def matrix_code(triad_error: FloatArray) -> str:
+    """Code for a triad error."""
+    return f"1e-3 * np.array({np.round(1e3 * triad_error, 6).tolist()})"

@@ -23,39 +23,42 @@ def degrees_text(angle: float) -> str:
     return "none" if np.isnan(angle) else f"{np.degrees(angle):.4f}°"
 
 
-def gyro_controls(drift: FloatArray, most: float) -> tuple[Control, ...]:
-    """Return sliders up to `most` deg/h for three gyro drifts (3,) that begin at `drift`, rad/s."""
+def gyro_controls(gyro_bias: FloatArray, most: float) -> tuple[Control, ...]:
+    """Return sliders up to `most` deg/h for gyro biases that begin at `gyro_bias` (3,), rad/s."""
     return tuple(
         Control(f"gyro_{axis}", f"{axis}, °/h", slider_value(value, degree / hour), -most, most,
-                0.005, group="gyro drifts")
-        for axis, value in zip(BODY_AXES, drift, strict=True)
+                0.005, group="gyro biases")
+        for axis, value in zip(BODY_AXES, gyro_bias, strict=True)
     )  # fmt: skip
 
 
-def accelerometer_controls(offset: FloatArray) -> tuple[Control, ...]:
-    """Return sliders up to 5 mg for three offsets (3,) that begin at `offset`, m/s^2."""
+def accelerometer_controls(accelerometer_bias: FloatArray) -> tuple[Control, ...]:
+    """Return sliders up to 5 mg for three biases (3,) that begin at `accelerometer_bias`, m/s^2."""
     return tuple(
         Control(f"acc_{axis}", f"{axis}, mg", slider_value(value, milli * g), -5.0, 5.0, 0.05,
-                group="accelerometer offsets")
-        for axis, value in zip(BODY_AXES, offset, strict=True)
+                group="accelerometer biases")
+        for axis, value in zip(BODY_AXES, accelerometer_bias, strict=True)
     )  # fmt: skip
 
 
-def gyro_drifts(values: Values) -> FloatArray:
-    """Return the drifts (3,) of `gyro_controls`, rad/s."""
+def gyro_biases(values: Values) -> FloatArray:
+    """Return the biases (3,) of `gyro_controls`, rad/s."""
     return np.array([values[f"gyro_{axis}"] for axis in BODY_AXES]) * degree / hour
 
 
-def accelerometer_offsets(values: Values) -> FloatArray:
-    """Return the offsets (3,) of `accelerometer_controls`, m/s^2."""
+def accelerometer_biases(values: Values) -> FloatArray:
+    """Return the biases (3,) of `accelerometer_controls`, m/s^2."""
     return np.array([values[f"acc_{axis}"] for axis in BODY_AXES]) * milli * g
 
 
-def gyro_drift_code(values: Values) -> str:
-    """Return the line of Python that defines `drift` as `gyro_drifts` does."""
-    return f"drift = np.array({[values[f'gyro_{axis}'] for axis in BODY_AXES]}) * degree / hour\n"
+def gyro_bias_code(values: Values) -> str:
+    """Return the line of Python that defines `gyro_bias` as `gyro_biases` does."""
+    return (
+        f"gyro_bias = np.array({[values[f'gyro_{axis}'] for axis in BODY_AXES]}) * degree / hour\n"
+    )
 
 
-def accelerometer_offset_code(values: Values) -> str:
-    """Return the line of Python that defines `offset` as `accelerometer_offsets` does."""
-    return f"offset = np.array({[values[f'acc_{axis}'] for axis in BODY_AXES]}) * milli * g\n"
+def accelerometer_bias_code(values: Values) -> str:
+    """Return the line that defines `accelerometer_bias` as `accelerometer_biases` does."""
+    sizes = [values[f"acc_{axis}"] for axis in BODY_AXES]
+    return f"accelerometer_bias = np.array({sizes}) * milli * g\n"

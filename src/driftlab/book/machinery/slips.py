@@ -31,7 +31,7 @@ UNITS: dict[str, dict[str, float]] = {
 """Units that an exercise may ask for, by what they measure, in those of the SI."""
 
 
-def objection(
+def find_slip(
     given: Numbers,
     right: Numbers,
     mistakes: Iterable[tuple[str, Numbers]],

@@ -7,13 +7,8 @@ from numpy.typing import ArrayLike
 
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray, finite_array
-from driftlab.drift.turn_calibration import (
-    PAIR_AXES,
-    YATES_AXES,
-    TurnExperiment,
-    fit_turns,
-    weighing,
-)
+from driftlab.drift.turn_calibration import TurnExperiment
+from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing
 from driftlab.triad import non_orthogonality
 
 from ..printed_table import SUM_FACTORS
@@ -32,7 +27,7 @@ class Plan(NamedTuple):
     ----------
     axes : ndarray, shape (m, 3)
     method : str
-        "yates", or what `driftlab.drift.turn_calibration.fit_turns` calls `scale`.
+        "yates", or what `driftlab.drift.weighing_designs.fit_turns` calls `scale`.
     """
 
     axes: FloatArray
@@ -66,7 +61,7 @@ class TurnEstimates(NamedTuple):
 
 
 def turn_estimates(
-    misalignment: ArrayLike,
+    triad_error: ArrayLike,
     plan: str = "three pair axes, (3.4)",
     experiment: TurnExperiment | None = None,
     seed: int = SEED,
@@ -75,23 +70,23 @@ def turn_estimates(
 
     Parameters
     ----------
-    misalignment : array_like, shape (3, 3)
+    triad_error : array_like, shape (3, 3)
     plan : str
         A name in `PLANS`.
     experiment : TurnExperiment, optional
     seed : int
         Of the noise.
     """
-    misalignment = finite_array(misalignment, "misalignment", 3, 3)
+    triad_error = finite_array(triad_error, "triad_error", 3, 3)
     if plan not in PLANS:
         raise ValueError(f"plan: expected one of {', '.join(PLANS)}, got {plan!r}.")
     experiment = experiment or TurnExperiment()
     axes, method = PLANS[plan]
     repeats = REPEATS if experiment.angle_noise else 1
     repeated = np.broadcast_to(axes, (repeats, *axes.shape))
-    estimates = experiment.estimate(misalignment, repeated, np.random.default_rng(seed))
+    estimates = experiment.estimate(triad_error, repeated, np.random.default_rng(seed))
     runs = yates_sigma(estimates) if method == "yates" else fit_turns(estimates, axes, method).sigma
-    sigma = non_orthogonality(misalignment)[..., [0, 0, 1], [1, 2, 2]]
+    sigma = non_orthogonality(triad_error)[..., [0, 0, 1], [1, 2, 2]]
     return TurnEstimates(sigma, np.broadcast_to(runs, (REPEATS, 3)), axes)
 
 
@@ -101,7 +96,7 @@ def yates_sigma(estimates: ArrayLike, sum_factor: float = AS_DERIVED) -> FloatAr
     Parameters
     ----------
     estimates : array_like, shape (..., 4)
-        Turn estimates about `driftlab.drift.turn_calibration.YATES_AXES`.
+        Turn estimates about `driftlab.drift.weighing_designs.YATES_AXES`.
     sum_factor : float
         What multiplies the fourth of them to give the sum of the sigmas.
     """
@@ -109,7 +104,7 @@ def yates_sigma(estimates: ArrayLike, sum_factor: float = AS_DERIVED) -> FloatAr
 
 
 def triad_error(sigma: ArrayLike, skew: float = 0.0, scale: float = 0.0) -> FloatArray:
-    """Misalignment (3, 3) of a triad with given non-orthogonality.
+    """Triad error (3, 3) of a triad with given non-orthogonality.
 
     Parameters
     ----------

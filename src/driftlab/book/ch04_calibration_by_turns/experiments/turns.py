@@ -7,7 +7,8 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.turn_calibration import PAIR_AXES, TurnExperiment, exact_turn_estimate
+from driftlab.drift.turn_calibration import TurnExperiment, exact_turn_estimate
+from driftlab.drift.weighing_designs import PAIR_AXES
 
 FORMULAS = ("taylor-2", "cayley", "taylor-3", "taylor-4", "pade", "exact")
 ANGLE_NOISE = 2e-5
@@ -45,27 +46,27 @@ class TurnBias(NamedTuple):
     bias_by_turns: FloatArray
 
 
-def turn_bias(misalignment: ArrayLike, runs: int = 400, seed: int = SEED) -> TurnBias:
+def turn_bias(triad_error: ArrayLike, runs: int = 400, seed: int = SEED) -> TurnBias:
     """Error of the turn estimate about (1, 0, 1) against the steps a turn and the turns k.
 
     Parameters
     ----------
-    misalignment : array_like, shape (3, 3)
+    triad_error : array_like, shape (3, 3)
     runs : int
         For each number of turns.
     seed : int
         Of the noise.
     """
     steps = np.array([6, 8, 12, 16, 24, 32, 48, 64, 100, 160, 240, 360])
-    by_formula = np.abs([estimate_errors(misalignment, name, steps) for name in FORMULAS])
+    by_formula = np.abs([estimate_errors(triad_error, name, steps) for name in FORMULAS])
     turns = np.array([1, 2, 3, 5, 8, 13, 21, 34])
     rng = np.random.default_rng(seed)
     repeated = np.broadcast_to(PAIR_AXES[1], (runs, 3))
     noise = [
-        TurnExperiment(int(k), 12, "exact", ANGLE_NOISE).estimate(misalignment, repeated, rng).std()
+        TurnExperiment(int(k), 12, "exact", ANGLE_NOISE).estimate(triad_error, repeated, rng).std()
         for k in turns
     ]
-    bias_by_turns = np.abs([method_bias(misalignment, int(k)) for k in turns])
+    bias_by_turns = np.abs([method_bias(triad_error, int(k)) for k in turns])
     return TurnBias(
         steps,
         by_formula,
@@ -77,34 +78,34 @@ def turn_bias(misalignment: ArrayLike, runs: int = 400, seed: int = SEED) -> Tur
     )
 
 
-def estimate_errors(misalignment: ArrayLike, step_formula: str, steps: ArrayLike) -> FloatArray:
+def estimate_errors(triad_error: ArrayLike, step_formula: str, steps: ArrayLike) -> FloatArray:
     """Error (m,) of the estimate of sigma2 after one turn of each number of `steps` (m,).
 
     Parameters
     ----------
-    misalignment : array_like, shape (3, 3)
+    triad_error : array_like, shape (3, 3)
     step_formula : str
         A name in `driftlab.drift.step_formulas.STEP_FORMULAS`.
     steps : array_like of int, shape (m,)
     """
     found = [
-        TurnExperiment(1, int(count), step_formula).estimate(misalignment, PAIR_AXES[1])
+        TurnExperiment(1, int(count), step_formula).estimate(triad_error, PAIR_AXES[1])
         for count in np.asarray(steps)
     ]
-    return np.array(found) - drift_coefficient(PAIR_AXES[1], misalignment)
+    return np.array(found) - drift_coefficient(PAIR_AXES[1], triad_error)
 
 
-def method_bias(misalignment: ArrayLike, turns: int = 1) -> float:
+def method_bias(triad_error: ArrayLike, turns: int = 1) -> float:
     """Error of the estimate of sigma2 that no number of steps removes; Larin (3.3).
 
     Parameters
     ----------
-    misalignment : array_like, shape (3, 3)
+    triad_error : array_like, shape (3, 3)
     turns : int
         Whole turns k.
     """
-    exact = exact_turn_estimate(misalignment, PAIR_AXES[1], turns)
-    return float(exact - drift_coefficient(PAIR_AXES[1], misalignment))
+    exact = exact_turn_estimate(triad_error, PAIR_AXES[1], turns)
+    return float(exact - drift_coefficient(PAIR_AXES[1], triad_error))
 
 
 def expected_noise(turns: ArrayLike, angle_noise: float = ANGLE_NOISE) -> FloatArray:

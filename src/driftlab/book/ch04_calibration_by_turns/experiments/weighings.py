@@ -6,7 +6,7 @@ import numpy as np
 
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.turn_calibration import PAIR_AXES, YATES_AXES, fit_turns
+from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns
 
 from .calibrations import AS_PRINTED, triad_error, yates_sigma
 from .turns import SEED

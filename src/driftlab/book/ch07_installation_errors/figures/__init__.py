@@ -4,7 +4,7 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.book.machinery.publish import FigureDefinition
-from driftlab.imu import TYPICAL
+from driftlab.imu import TYPICAL_ERRORS
 
 from .. import experiments
 from . import equivalent_start, plane_axes, split_triad
@@ -25,7 +25,7 @@ def _equivalent_start_caption(data: experiments.EquivalentStart) -> str:
 FIGURES = (
     FigureDefinition(
         "07-split-triad",
-        lambda: experiments.error_matrix_parts(TYPICAL.gyro_error),
+        lambda: experiments.error_matrix_parts(TYPICAL_ERRORS.gyro_error),
         split_triad.SplitTriadPicture.draw,
         split_triad.columns,
         lambda _: (

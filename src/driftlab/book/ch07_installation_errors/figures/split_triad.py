@@ -55,6 +55,6 @@ class SplitTriadPicture(Picture[SplitTriad]):
 
     def update(self, data: SplitTriad) -> None:
         for lines, part in zip(self.axes_lines, data.parts, strict=True):
-            # The rows of E + K are the sensitive axes.
+            # The rows of I + K are the sensitive axes.
             for line, tip in zip(lines, project(np.eye(3) + EXAGGERATION * part), strict=True):
                 line.set_data([0, tip[0]], [0, tip[1]])

@@ -7,14 +7,13 @@ import numpy as np
 from scipy.constants import hour
 from scipy.stats import binomtest
 
+from driftlab.body_frames import body_frame_rotation
 from driftlab.book.scenarios import TABLE_LATITUDE
-from driftlab.calibration.error_model import attitude_of_axes
-from driftlab.calibration.simulation import unit_in_axes
-from driftlab.calibration.static_navigation import InPlace, navigate_in_place
+from driftlab.calibration.body_axes import attitude_of_axes, imu_errors_in_frame
+from driftlab.calibration.static_navigation import StaticNavigationErrors, navigate_static
 from driftlab.checks import FloatArray
-from driftlab.imu import TYPICAL, Unit
+from driftlab.imu import TYPICAL_ERRORS, ImuErrors
 from driftlab.monte_carlo import sweep
-from driftlab.triad import body_frame_rotation
 
 from .calibration import typical_trial
 from .consistency import QUICK_TRIAL
@@ -40,11 +39,11 @@ class InPlaceErrors(NamedTuple):
 
     Attributes
     ----------
-    runs : dict of (str, str) to InPlace
+    runs : dict of (str, str) to StaticNavigationErrors
         By choice of body axes in `FRAMES` and by start in `STARTS`.
     """
 
-    runs: dict[tuple[str, str], InPlace]
+    runs: dict[tuple[str, str], StaticNavigationErrors]
 
 
 class Verdict(NamedTuple):
@@ -79,13 +78,13 @@ class InPlaceClaim(NamedTuple):
 
 def errors_at_rest() -> InPlaceErrors:
     """Let the typical unit, as `typical_trial` found it, navigate for `REST_DURATION`."""
-    found = {frame: typical_trial(frame).calibration.unit for frame in FRAMES}
+    found = {frame: typical_trial(frame).calibration.imu_errors for frame in FRAMES}
     runs = {}
-    for frame, unit in found.items():
-        one = _one_attitude(TYPICAL, found["averaged"], frame)
+    for frame, imu_errors in found.items():
+        one = _one_attitude(TYPICAL_ERRORS, found["averaged"], frame)
         for start, axes in zip(STARTS, (one, TABLE_ATTITUDE), strict=True):
-            runs[frame, start] = navigate_in_place(
-                TYPICAL, unit, TABLE_ATTITUDE, start=axes, reference=axes,
+            runs[frame, start] = navigate_static(
+                TYPICAL_ERRORS, imu_errors, TABLE_ATTITUDE, start=axes, reference=axes,
                 latitude=TABLE_LATITUDE, duration=REST_DURATION,
             )  # fmt: skip
     return InPlaceErrors(runs)
@@ -108,13 +107,15 @@ def error_ratios_at_rest(units: int = UNITS, seed: int = SEED) -> InPlaceClaim:
     }
     sizes: dict[tuple[str, str, str], FloatArray] = {}
     for frame, trial in trials.items():
-        one = _one_attitude(trial.unit, trials["averaged"].calibration.unit, frame)
-        own = _own_axes(trial.unit, frame)
+        one = _one_attitude(trial.imu_errors, trials["averaged"].calibration.imu_errors, frame)
+        own = _own_axes(trial.imu_errors, frame)
         starts = (one, own, np.broadcast_to(TABLE_ATTITUDE, own.shape))
         for start, axes in zip(ALL_STARTS, starts, strict=True):
-            run = navigate_in_place(
-                trial.unit, trial.calibration.unit, TABLE_ATTITUDE, start=axes, reference=axes,
-                latitude=TABLE_LATITUDE, duration=REST_DURATION, interval=5.0, every=300.0,
+            run = navigate_static(
+                trial.imu_errors, trial.calibration.imu_errors, TABLE_ATTITUDE,
+                start=axes, reference=axes,
+                latitude=TABLE_LATITUDE, duration=REST_DURATION,
+                interval=5.0, output_interval=300.0,
             )  # fmt: skip
             for quantity in QUANTITIES:
                 squares = (getattr(run, quantity) ** 2).sum(axis=-1)
@@ -138,19 +139,19 @@ def verdict(ratios: FloatArray) -> Verdict:
     )
 
 
-def _own_axes(unit: Unit, frame: str) -> FloatArray:
+def _own_axes(imu_errors: ImuErrors, frame: str) -> FloatArray:
     """Exact attitude (..., 4) of a unit's body axes while it stands in `TABLE_ATTITUDE`."""
-    _, turn = unit_in_axes(unit, frame)
+    _, turn = imu_errors_in_frame(imu_errors, frame)
     return attitude_of_axes(TABLE_ATTITUDE, turn)
 
 
-def _one_attitude(unit: Unit, found: Unit, frame: str) -> FloatArray:
+def _one_attitude(imu_errors: ImuErrors, found: ImuErrors, frame: str) -> FloatArray:
     """Attitude (..., 4) of body axes that says the same of a unit as that of its averaged axes.
 
     The way between the two is what the calibration has found in averaged axes; the true errors
     would bring in what it has left over.
     """
-    own = _own_axes(unit, "averaged")
+    own = _own_axes(imu_errors, "averaged")
     if frame == "averaged":
         return own
     turn = body_frame_rotation(found.gyro_error, found.accelerometer_error, frame)

@@ -9,7 +9,7 @@ from scipy.constants import arcsecond, degree, g, hour, micro
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.simulation import TableTrial, Trial
 from driftlab.checks import FloatArray
-from driftlab.imu import TYPICAL
+from driftlab.imu import TYPICAL_ERRORS
 
 SEED = 20180501
 """Of the noise, and of the table's error in setting up."""
@@ -91,7 +91,7 @@ class CalibrationErrors(NamedTuple):
 def typical_trial(frame: str = "averaged") -> Trial:
     """Calibrate the typical unit on the nineteen positions; the same noise for each frame."""
     table = TableTrial(frame=frame, sample_interval=0.1, keep=6)
-    return table.run(np.random.default_rng(SEED), unit=TYPICAL)
+    return table.run(np.random.default_rng(SEED), imu_errors=TYPICAL_ERRORS)
 
 
 def calibration_history(
@@ -121,7 +121,7 @@ def calibration_history(
     calibration = found.calibration
     estimate = calibration.state[:, state]
     table = TableTrial(frame=frame)
-    before = model.covariance(table.spread, table.scheme.start_attitude)
+    before = model.covariance(table.prior, table.scheme.start_attitude)
     return CalibrationRun(
         model.names[state],
         calibration.times,

@@ -6,12 +6,12 @@ from typing import NamedTuple
 import numpy as np
 from scipy.constants import arcsecond
 
+from driftlab.body_frames import BODY_FRAMES
 from driftlab.calibration.simulation import TableTrial
 from driftlab.checks import FloatArray
-from driftlab.imu import Spread
+from driftlab.imu import PriorDeviations
 from driftlab.monte_carlo import mean_square_bounds, sweep
-from driftlab.motion.turntable import NINETEEN_POSITIONS
-from driftlab.triad import BODY_FRAMES
+from driftlab.motion.scheme import NINETEEN_POSITIONS
 
 RUNS = 60
 """Calibrations whose errors and innovations are followed over time."""
@@ -81,26 +81,28 @@ def filter_consistency(runs: int = RUNS, seed: int = SEED) -> FilterConsistency:
     table = TableTrial(sample_interval=0.1, update_interval=3.0, keep=7)
     found = sweep(table.run, runs, seed=seed, batch=runs)[0]
     size = found.calibration.model.size
-    surprise = found.calibration.surprise
-    innovations = surprise.mean(axis=0) / 3
+    nis = found.calibration.nis
+    innovations = nis.mean(axis=0) / 3
     low, high = (bound / 3 for bound in mean_square_bounds(3, runs))
     by_frame = np.empty((len(BODY_FRAMES), len(INSTALLATION_ERRORS)))
     for i, frame in enumerate(BODY_FRAMES):
-        for j, spread in enumerate(INSTALLATION_ERRORS):
-            quick = replace(QUICK_TRIAL, frame=frame, spread=Spread(installation=float(spread)))
+        for j, prior in enumerate(INSTALLATION_ERRORS):
+            quick = replace(
+                QUICK_TRIAL, frame=frame, prior=PriorDeviations(installation=float(prior))
+            )
             # The same units and noise for each choice of axes.
             last = sweep(quick.run, RUNS_BY_FRAME, seed=seed, batch=RUNS_BY_FRAME)[0]
-            by_frame[i, j] = last.squared_errors[:, -1].mean() / size
-    updates = np.arange(1.0, surprise.shape[-1] + 1) * table.update_interval
+            by_frame[i, j] = last.nees[:, -1].mean() / size
+    updates = np.arange(1.0, nis.shape[-1] + 1) * table.update_interval
     return FilterConsistency(
         found.calibration.times,
-        found.squared_errors.mean(axis=0) / size,
+        found.nees.mean(axis=0) / size,
         _each(mean_square_bounds(size, runs), size),
         updates,
         innovations,
         (low, high),
-        float(surprise.mean() / 3),
-        _each(mean_square_bounds(3, surprise.size), 3),
+        float(nis.mean() / 3),
+        _each(mean_square_bounds(3, nis.size), 3),
         float(np.mean((innovations > low) & (innovations < high))),
         INSTALLATION_ERRORS,
         by_frame,

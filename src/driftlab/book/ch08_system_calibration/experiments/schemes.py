@@ -7,17 +7,16 @@ import numpy as np
 
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.error_model import FULL, ErrorModel
+from driftlab.calibration.linearization import LinearizedErrors, checked_model, linearize_along
 from driftlab.calibration.observability import (
-    Darkness,
-    Passage,
-    checked_model,
-    expected_covariance,
-    null_directions,
-    passage,
+    UnobservableSubspace,
+    covariance_analysis,
+    unobservable_subspace,
 )
 from driftlab.checks import FloatArray, finite_number
-from driftlab.imu import Noise, Spread
-from driftlab.motion.turntable import NINETEEN_POSITIONS, SCHEMES, Scheme, simulate
+from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
+from driftlab.motion.turntable import table_trajectory
 from driftlab.quaternion import conjugate, rotate
 
 
@@ -46,9 +45,9 @@ class TableObservability(NamedTuple):
         Of the states.
     eigenvalues : ndarray, shape (size,)
         Of the Gramian, ascending, relative to the largest.
-    dark : int
+    unobservable : int
         How many of them are zero.
-    words : list of str
+    descriptions : list of str
         Which directions they belong to.
     before, after : ndarray, shape (size,)
         Standard deviations of the states known before the scheme and expected after it, SI.
@@ -56,8 +55,8 @@ class TableObservability(NamedTuple):
 
     names: tuple[str, ...]
     eigenvalues: FloatArray
-    dark: int
-    words: list[str]
+    unobservable: int
+    descriptions: list[str]
     before: FloatArray
     after: FloatArray
 
@@ -66,7 +65,7 @@ def up_in_body_axes() -> SchemeDirections:
     """Compute which way is up in the body along `driftlab.motion.SCHEMES`, once a second."""
     times, up = [], []
     for scheme in SCHEMES.values():
-        attitude = simulate(scheme, 0.0, 1.0).attitude
+        attitude = table_trajectory(scheme, 0.0, 1.0).attitude
         times.append(np.arange(len(attitude), dtype=np.float64))
         up.append(rotate(conjugate(attitude), [0.0, 0.0, 1.0]))
     return SchemeDirections(list(SCHEMES), times, up)
@@ -75,7 +74,7 @@ def up_in_body_axes() -> SchemeDirections:
 def table_observability(
     scheme: Scheme = NINETEEN_POSITIONS,
     model: ErrorModel = FULL,
-    noise: Noise | None = None,
+    noise: ImuNoise | None = None,
     latitude: float = TABLE_LATITUDE,
 ) -> TableObservability:
     """Follow the error equations of a model along a scheme; units have the typical spread.
@@ -84,7 +83,7 @@ def table_observability(
     ----------
     scheme : Scheme
     model : ErrorModel
-    noise : Noise, optional
+    noise : ImuNoise, optional
         The typical one if not given.
     latitude : float
         Of the table, rad.
@@ -98,21 +97,23 @@ def table_observability(
     ValueError
         If `latitude` is not a number, or `model` is not an error model.
     """
-    way, dark = _followed(scheme, finite_number(latitude, "latitude"), checked_model(model))
-    spread = Spread()
-    covariance = expected_covariance(way, Noise() if noise is None else noise, spread)
+    way, unobservable = _followed(scheme, finite_number(latitude, "latitude"), checked_model(model))
+    prior = PriorDeviations()
+    covariance = covariance_analysis(way, ImuNoise() if noise is None else noise, prior)
     return TableObservability(
         model.names,
-        dark.eigenvalues / dark.eigenvalues[-1],
-        len(dark.directions),
-        list(dark.words),
-        np.sqrt(np.diag(model.covariance(spread, way.start))),
+        unobservable.eigenvalues / unobservable.eigenvalues[-1],
+        len(unobservable.directions),
+        list(unobservable.descriptions),
+        np.sqrt(np.diag(model.covariance(prior, way.start))),
         np.sqrt(np.diag(covariance)),
     )
 
 
 @lru_cache(maxsize=1)
-def _followed(scheme: Scheme, latitude: float, model: ErrorModel) -> tuple[Passage, Darkness]:
+def _followed(
+    scheme: Scheme, latitude: float, model: ErrorModel
+) -> tuple[LinearizedErrors, UnobservableSubspace]:
     """What does not depend on the noise: kept for a reader who moves only that."""
-    way = passage(scheme, latitude, model)
-    return way, null_directions(way)
+    way = linearize_along(scheme, latitude, model)
+    return way, unobservable_subspace(way)

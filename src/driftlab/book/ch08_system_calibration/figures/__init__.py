@@ -62,7 +62,7 @@ FIGURES = (
         table_observability.TableObservabilityPicture.draw,
         table_observability.columns,
         lambda data: (
-            f"All {len(data.names)} states on the nineteen positions. Left: {data.dark} "
+            f"All {len(data.names)} states on the nineteen positions. Left: {data.unobservable} "
             "eigenvalues of the Gramian are zero but for rounding (crosses). Right: biases and "
             "scale errors become known all the same; of the off-diagonal entries only "
             "combinations do."

@@ -3,9 +3,9 @@
 from matplotlib.figure import Figure
 from scipy.constants import arcsecond
 
+from driftlab.body_frames import BODY_FRAMES
 from driftlab.book.machinery.picture import BLACK, SERIES, in_style, long_table
 from driftlab.checks import FloatArray
-from driftlab.triad import BODY_FRAMES
 
 from ..experiments import FilterConsistency
 

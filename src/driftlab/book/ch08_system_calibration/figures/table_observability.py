@@ -41,7 +41,9 @@ class TableObservabilityPicture(Picture[TableObservability]):
         values.axhline(FLOOR, color=GREY, linewidth=0.8)
         values.text(30.5, 1.5 * FLOOR, "zero", color=GREY, ha="right")
         self.bright = self.line(values, color=BLUE, marker="o", linestyle="none", markersize=4)
-        self.dark = self.line(values, color=VERMILION, marker="X", linestyle="none", markersize=7)
+        self.unobservable = self.line(
+            values, color=VERMILION, marker="X", linestyle="none", markersize=7
+        )
         ratios.set(title="deviation after the scheme, over that before", yscale="log")
         ratios.set(xlim=(-0.7, len(SLOTS) - 0.3), ylim=(5e-4, 2))
         ratios.axhline(1.0, color=BLACK, linewidth=0.8)
@@ -51,8 +53,8 @@ class TableObservabilityPicture(Picture[TableObservability]):
     def update(self, data: TableObservability) -> None:
         numbers = np.arange(1, len(data.eigenvalues) + 1)
         values = np.maximum(data.eigenvalues, FLOOR)
-        self.dark.set_data(numbers[: data.dark], np.full(data.dark, FLOOR))
-        self.bright.set_data(numbers[data.dark :], values[data.dark :])
+        self.unobservable.set_data(numbers[: data.unobservable], np.full(data.unobservable, FLOOR))
+        self.bright.set_data(numbers[data.unobservable :], values[data.unobservable :])
         self.ratios.set_data(
             [SLOTS.index(_slot(name)) for name in data.names[6:]], _ratios(data)[6:]
         )

@@ -9,9 +9,9 @@ from .averaging import (
     heading_spread_by_window,
 )
 from .budget import (
-    DRIFT,
+    ACCELEROMETER_BIAS,
+    GYRO_BIAS,
     HEADING,
-    OFFSET,
     PITCH,
     ROLL,
     TERMS,
@@ -22,12 +22,12 @@ from .terms import FIXED, GRIDS, AlignmentTerms, alignment_terms
 from .vertical import OverTheVertical, errors_over_the_vertical
 
 __all__ = [
-    "DRIFT",
+    "ACCELEROMETER_BIAS",
     "FIXED",
     "GRIDS",
+    "GYRO_BIAS",
     "HEADING",
     "MOVING_AVERAGE",
-    "OFFSET",
     "PITCH",
     "ROLL",
     "SLOW",

@@ -10,7 +10,7 @@ from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.noise import GyroNoise
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.motion.vehicle import static_imu
 
 WHITE = (0.06, 0.5)
 """White noise of a sample, deg/h: the ends of the paper's range."""
@@ -56,7 +56,7 @@ def heading_spread_by_window() -> AveragingWindow:
     """Align many times with means of the gyros over windows of several lengths."""
     rng, runs = np.random.default_rng(12), 200
     windows = np.array([1, 3, 10, 36, 100, 300, MOVING_AVERAGE, 2000, 6000, 20000])
-    rate, force = sensed_at_rest([0.0, 0.0, 0.0, 1.0], SARATOV_LATITUDE)
+    rate, force = static_imu([0.0, 0.0, 0.0, 1.0], SARATOV_LATITUDE)
     level = EARTH_RATE * np.cos(SARATOV_LATITUDE)
     simulated = np.empty((len(WHITE), len(windows)))
     formula, white_alone = np.empty_like(simulated), np.empty_like(simulated)

@@ -8,15 +8,15 @@ from scipy.constants import degree, g, hour, milli
 
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, finite_array, finite_number
-from driftlab.frames import attitude_from_angles
+from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import align, alignment_attitude_error, alignment_errors
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import conjugate, multiply, rotate, rotation_angle
 from driftlab.vectors import wrap_angle
 
-DRIFT: FloatArray = np.array([0.02, 0.03, 0.03]) * degree / hour
+GYRO_BIAS: FloatArray = np.array([0.02, 0.03, 0.03]) * degree / hour
 """Of three gyros, rad/s."""
-OFFSET: FloatArray = np.array([1.5, 1.0, -1.5]) * milli * g
+ACCELEROMETER_BIAS: FloatArray = np.array([1.5, 1.0, -1.5]) * milli * g
 """Of three accelerometers, m/s^2."""
 HEADING, PITCH, ROLL = (float(angle) for angle in np.radians([40.0, 30.0, 10.0]))
 """Of the compass, rad."""
@@ -66,8 +66,8 @@ def alignment_budget(
     heading: float = HEADING,
     pitch: float = PITCH,
     roll: float = ROLL,
-    drift: ArrayLike = DRIFT,
-    offset: ArrayLike = OFFSET,
+    gyro_bias: ArrayLike = GYRO_BIAS,
+    accelerometer_bias: ArrayLike = ACCELEROMETER_BIAS,
 ) -> AlignmentBudget:
     """Align a compass that has sensor errors; exact, and by (alignment heading), pitch and roll.
 
@@ -77,20 +77,23 @@ def alignment_budget(
     ----------
     latitude, heading, pitch, roll : float
         rad.
-    drift : array_like, shape (3,)
+    gyro_bias : array_like, shape (3,)
         Of the gyros forward, up, right, rad/s.
-    offset : array_like, shape (3,)
+    accelerometer_bias : array_like, shape (3,)
         Of the accelerometers forward, up, right, m/s^2.
     """
-    drifts, offsets = finite_array(drift, "drift", 3), finite_array(offset, "offset", 3)
+    gyro_biases, accelerometer_biases = (
+        finite_array(gyro_bias, "gyro_bias", 3),
+        finite_array(accelerometer_bias, "accelerometer_bias", 3),
+    )
     place = finite_number(latitude, "latitude")
     headings = np.radians(np.arange(-180.0, 180.1, 5.0))
     every = np.append(headings, finite_number(heading, "heading"))
     vertical = abs(finite_number(pitch, "pitch")) > np.radians(89.9)
-    attitude = attitude_from_angles(every, pitch, roll)
-    rate, force = sensed_at_rest(attitude, place)
-    true, found = align(rate, force), align(rate + drifts, force + offsets)
-    local = rotate(attitude, drifts), rotate(attitude, offsets)
+    attitude = from_euler_angles(every, pitch, roll)
+    rate, force = static_imu(attitude, place)
+    true, found = align(rate, force), align(rate + gyro_biases, force + accelerometer_biases)
+    local = rotate(attitude, gyro_biases), rotate(attitude, accelerometer_biases)
     formula = alignment_errors(every, 0.0 if vertical else pitch, place, *local)
     gaps = [wrap_angle(a - b) for a, b in zip(found, true, strict=True)]
     if vertical:

@@ -6,13 +6,13 @@ import numpy as np
 
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray
-from driftlab.frames import attitude_from_angles
+from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import align, alignment_errors
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import conjugate, rotate
 from driftlab.vectors import wrap_angle
 
-from .budget import DRIFT, OFFSET, PITCH
+from .budget import ACCELEROMETER_BIAS, GYRO_BIAS, PITCH
 
 FIXED = {
     "heading": float(np.radians(60.0)),
@@ -54,12 +54,16 @@ def alignment_terms() -> AlignmentTerms:
     terms, exact, printed = {}, {}, {}
     for name, grid in GRIDS.items():
         at: dict[str, Any] = {**FIXED, name: grid}
-        attitude = attitude_from_angles(at["heading"], at["pitch"], 0.0)
-        rate, force = sensed_at_rest(attitude, at["latitude"])
+        attitude = from_euler_angles(at["heading"], at["pitch"], 0.0)
+        rate, force = static_imu(attitude, at["latitude"])
         to_body = conjugate(attitude)
-        found = align(rate + rotate(to_body, DRIFT), force + rotate(to_body, OFFSET))
+        found = align(
+            rate + rotate(to_body, GYRO_BIAS), force + rotate(to_body, ACCELEROMETER_BIAS)
+        )
         gap = found.heading - at["heading"]
-        formula = alignment_errors(at["heading"], at["pitch"], at["latitude"], DRIFT, OFFSET)
+        formula = alignment_errors(
+            at["heading"], at["pitch"], at["latitude"], GYRO_BIAS, ACCELEROMETER_BIAS
+        )
         terms[name] = np.degrees(formula.heading_terms)
         exact[name] = np.degrees(wrap_angle(gap))
         surplus = formula.heading_terms[:, 2] * (np.tan(at["latitude"]) - 1)

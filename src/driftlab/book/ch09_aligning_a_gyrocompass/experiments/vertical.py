@@ -6,13 +6,13 @@ import numpy as np
 
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray
-from driftlab.frames import angles_from_attitude, attitude_from_angles
+from driftlab.frames import from_euler_angles, to_euler_angles
 from driftlab.gyrocompass.alignment import align
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
 from driftlab.vectors import wrap_angle
 
-from .budget import DRIFT, HEADING, OFFSET
+from .budget import ACCELEROMETER_BIAS, GYRO_BIAS, HEADING
 
 
 class OverTheVertical(NamedTuple):
@@ -46,14 +46,14 @@ def errors_over_the_vertical() -> OverTheVertical:
     """Align bodies with random sensor errors in all attitudes of a half turn of the bow."""
     rng, runs = np.random.default_rng(9), 400
     size = (runs, 1, 3)
-    drift = float(np.abs(DRIFT).max()) * rng.standard_normal(size)
-    offset = float(np.abs(OFFSET).max()) * rng.standard_normal(size)
+    gyro_bias = float(np.abs(GYRO_BIAS).max()) * rng.standard_normal(size)
+    accelerometer_bias = float(np.abs(ACCELEROMETER_BIAS).max()) * rng.standard_normal(size)
     angles = np.radians(np.arange(0.5, 180.0, 1.0))
     over = angles[:, np.newaxis] * np.array([0.0, 0.0, 1.0])
-    attitude = multiply(attitude_from_angles(HEADING, 0.0, 0.0), from_rotation_vector(over))
-    true = angles_from_attitude(attitude)
-    rate, force = sensed_at_rest(attitude, SARATOV_LATITUDE)
-    found = align(rate + drift, force + offset)
+    attitude = multiply(from_euler_angles(HEADING, 0.0, 0.0), from_rotation_vector(over))
+    true = to_euler_angles(attitude)
+    rate, force = static_imu(attitude, SARATOV_LATITUDE)
+    found = align(rate + gyro_bias, force + accelerometer_bias)
 
     def spread(gap: FloatArray) -> FloatArray:
         return np.asarray(np.sqrt(np.mean(wrap_angle(gap) ** 2, axis=0)))

@@ -33,7 +33,7 @@ from .settling import (
 from .voyages import (
     CRAFT,
     CRAFT_COMPASS,
-    DRIFT,
+    GYRO_BIAS,
     TUNING_FACTORS,
     BallisticError,
     OperatingFormula,
@@ -46,8 +46,8 @@ __all__ = [
     "CRAFT",
     "CRAFT_COMPASS",
     "DIAL",
-    "DRIFT",
     "FREQUENCY",
+    "GYRO_BIAS",
     "LASTING",
     "LEVELLING",
     "PRINTED_DEVIATION",

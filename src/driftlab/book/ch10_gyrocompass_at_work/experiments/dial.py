@@ -7,7 +7,7 @@ from scipy.constants import arcminute, degree, hour
 
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray
-from driftlab.frames import attitude_from_angles
+from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import alignment_errors
 from driftlab.gyrocompass.trials import table_heading_error
 from driftlab.quaternion import rotate
@@ -95,7 +95,7 @@ def static_characteristic(units: int = 300) -> StaticCharacteristic:
         largest.append(worst)
         if len(largest) == SHOWN + 1:
             unit = int(np.abs(np.degrees(worst) - PRINTED_LARGEST).argmin())
-            local = rotate(attitude_from_angles(DIAL, 0.0, 0.0), drift[unit, 0, 0])
+            local = rotate(from_euler_angles(DIAL, 0.0, 0.0), drift[unit, 0, 0])
             aligned = alignment_errors(DIAL, 0.0, SARATOV_LATITUDE, local, np.zeros(3))
             formula = aligned.heading + north[unit, 0, 0]
             runs = errors[unit]

@@ -14,7 +14,7 @@ from driftlab.checks import FloatArray
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.noise import moving_average
 from driftlab.gyrocompass.trials import normal_ranges
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.motion.vehicle import static_imu
 
 RESTARTS = 26
 """The paper's."""
@@ -51,7 +51,7 @@ class Restarts(NamedTuple):
 def restart_series() -> Restarts:
     """Switch a compass on again and again, and let it average before it aligns."""
     rng = np.random.default_rng(26)
-    rate, force = sensed_at_rest([0.0, 0.0, 0.0, 1.0], SARATOV_LATITUDE)
+    rate, force = static_imu([0.0, 0.0, 0.0, 1.0], SARATOV_LATITUDE)
     weak, strong = map(gyro_noise, WHITE)
     quiet = weak.samples(MOVING_AVERAGE, rng, RESTARTS, 3)
     heading = align(rate + quiet.mean(axis=-1), force).heading

@@ -8,9 +8,11 @@ from scipy.constants import degree, hour, minute
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.gyrocompass.levelling import Horizon, damped_tuning, operate, schuler_tuning
+from driftlab.gyrocompass.gains import damped_gains, schuler_gains
+from driftlab.gyrocompass.levelling import LevelFrame, propagate_level_frame
 from driftlab.gyrocompass.noise import settled_deviation, swing_deviation
-from driftlab.motion.vehicle import sensed_at_rest
+from driftlab.increments import Increments
+from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import from_rotation_vector, to_rotation_vector
 
 SETTLING_INTERVAL = 1.0
@@ -62,22 +64,21 @@ def settling_and_swing(runs: int = 40) -> Settling:
     """
     rng = np.random.default_rng(10)
     pull, azimuth_rate = float(gravity(SARATOV_LATITUDE)), EARTH_RATE * np.sin(SARATOV_LATITUDE)
-    rate, force = sensed_at_rest([0.0, 0.0, 0.0, 1.0], SARATOV_LATITUDE)
+    rate, force = static_imu([0.0, 0.0, 0.0, 1.0], SARATOV_LATITUDE)
     # Not level, and without an idea of where North is.
-    start = Horizon(from_rotation_vector(TILT), np.zeros(2))
-    damped, interval = damped_tuning(FREQUENCY, pull), SETTLING_INTERVAL
+    start = LevelFrame(from_rotation_vector(TILT), np.zeros(2))
+    damped, interval = damped_gains(FREQUENCY, pull), SETTLING_INTERVAL
 
-    def increments(duration: float, *runs: int) -> tuple[FloatArray, FloatArray]:
+    def increments(duration: float, *runs: int) -> Increments:
         size = (*runs, round(duration / interval), 3)
         noise = RANDOM_WALK * np.sqrt(interval) * rng.standard_normal(size) if runs else 0.0
-        return np.broadcast_to(interval * rate, size) + noise, np.broadcast_to(
-            interval * force, size
-        )
+        angle = np.broadcast_to(interval * rate, size) + noise
+        return Increments(interval, angle, np.broadcast_to(interval * force, size))
 
-    quiet = operate(start, *increments(SETTLING), interval, damped, azimuth_rate)
-    noisy = operate(start, *increments(SETTLING, runs), interval, damped, azimuth_rate)
-    working = operate(
-        noisy.last, *increments(WORKING, runs), interval, schuler_tuning(), azimuth_rate, every=60
+    quiet = propagate_level_frame(start, increments(SETTLING), damped, azimuth_rate)
+    noisy = propagate_level_frame(start, increments(SETTLING, runs), damped, azimuth_rate)
+    working = propagate_level_frame(
+        noisy.last, increments(WORKING, runs), schuler_gains(), azimuth_rate, every=60
     )
     # The swing begins with the rate error of the moment; the tilt adds little to it.
     phase = np.sqrt(pull / EARTH_RADIUS) * working.times

@@ -5,11 +5,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.constants import arcminute, degree, g, hour, milli
 
-from driftlab.book.scenarios import ship
+from driftlab.book.scenarios import ship_manoeuvre
 from driftlab.checks import FloatArray
-from driftlab.gyrocompass.simulation import ErrorsUnderWay, take_along
+from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
 
-DRIFT: FloatArray = np.array([0.01, 0.03, 0.01]) * degree / hour
+GYRO_BIAS: FloatArray = np.array([0.01, 0.03, 0.01]) * degree / hour
 """Of three gyros, rad/s."""
 TUNING_FACTORS = (0.25, 0.5, 0.8, 0.95, 1.0, 1.05, 1.25, 2.0, 4.0)
 """Values of k2 R to choose from; 1 is Schuler's tuning."""
@@ -20,14 +20,14 @@ CRAFT: dict[str, float] = {
     "interval": 1.0,
     "pitch": float(np.radians(50.0)),
 }
-"""A fast craft with its bow up: arguments of `ship`."""
+"""A fast craft with its bow up: arguments of `ship_manoeuvre`."""
 CRAFT_COMPASS: dict[str, Any] = {
-    "drift": np.array([0.03, 0.05, 0.04]) * degree / hour,
-    "offset": np.array([0.1, 0.0, -0.1]) * milli * g,
+    "gyro_bias_body": np.array([0.03, 0.05, 0.04]) * degree / hour,
+    "accelerometer_bias_body": np.array([0.1, 0.0, -0.1]) * milli * g,
     "tuning_factor": 1.05,
     "tilt": arcminute,
 }
-"""Its compass, with everything wrong at once: arguments of `take_along`."""
+"""Its compass, with everything wrong at once: arguments of `simulate_compass`."""
 
 
 class BallisticError(NamedTuple):
@@ -35,11 +35,11 @@ class BallisticError(NamedTuple):
 
     Attributes
     ----------
-    runs : dict of ErrorsUnderWay
+    runs : dict of HeadingErrors
         By tuning.
     """
 
-    runs: dict[str, ErrorsUnderWay]
+    runs: dict[str, HeadingErrors]
 
 
 class OperatingFormula(NamedTuple):
@@ -47,18 +47,18 @@ class OperatingFormula(NamedTuple):
 
     Attributes
     ----------
-    run : ErrorsUnderWay
+    run : HeadingErrors
     gaps : ndarray, shape (5, n)
         Simulated minus formula, rad: with all terms, then with each left out.
     """
 
-    run: ErrorsUnderWay
+    run: HeadingErrors
     gaps: FloatArray
 
 
-def errors_under_way() -> ErrorsUnderWay:
+def errors_under_way() -> HeadingErrors:
     """Return the errors of a compass with small drifts on the ship's voyage."""
-    return take_along(ship(), DRIFT)
+    return simulate_compass(ship_manoeuvre(), GYRO_BIAS)
 
 
 def ballistic_errors() -> BallisticError:
@@ -70,14 +70,14 @@ def ballistic_errors() -> BallisticError:
         "too soft: k2 = 0.5/R": {"tuning_factor": 0.5},
         "damped: k2 = 1/R, ratio 0.5": {"damping": 0.5},
     }
-    way = ship()
+    way = ship_manoeuvre()
     return BallisticError(
-        {name: take_along(way, np.zeros(3), **tuning) for name, tuning in tunings.items()}
+        {name: simulate_compass(way, np.zeros(3), **tuning) for name, tuning in tunings.items()}
     )
 
 
 def operating_formula() -> OperatingFormula:
     """Compare the compass of a fast craft with (operating heading), term by term."""
-    run = take_along(ship(**CRAFT), **CRAFT_COMPASS)
+    run = simulate_compass(ship_manoeuvre(**CRAFT), **CRAFT_COMPASS)
     gap = run.compass_error - run.formula.compass_angle
     return OperatingFormula(run, np.stack([gap, *(gap + term for term in run.formula)]))

@@ -7,7 +7,7 @@ from driftlab.book.ch09_aligning_a_gyrocompass.experiments import WHITE
 from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.book.scenarios import TURN
 from driftlab.checks import FloatArray
-from driftlab.gyrocompass.simulation import ErrorsUnderWay
+from driftlab.gyrocompass.simulation import HeadingErrors
 
 from .. import experiments
 from . import (
@@ -34,13 +34,13 @@ def _settling_caption(data: experiments.Settling) -> str:
     )
 
 
-def _operation_caption(data: ErrorsUnderWay) -> str:
+def _operation_caption(data: HeadingErrors) -> str:
     gap = _largest(data.heading_error - data.formula.heading)
     return (
         "A ship gathers way to the North and turns West (shaded); gyros drift by a few hundredths "
         f"of a degree per hour. The heading error reaches {_largest(data.heading_error):.2f} "
         f"degrees, the formula follows within {gap:.1g}. The yaw runs away and the compass angle "
-        f"takes it back. The speed deviation, up to {_largest(data.deviation):.1f} degrees, is "
+        f"takes it back. The speed error, up to {_largest(data.speed_error):.1f} degrees, is "
         "counted apart."
     )
 

@@ -29,7 +29,7 @@ def draw(data: BallisticError) -> Figure:
     tilt, heading = figure.subplots(1, 2)
     figure.subplots_adjust(0.06, 0.23, 0.985, 0.91, wspace=0.16)
     tilt.set_title("tilt about East, arc minutes")
-    heading.set_title("heading error without speed deviation, degrees")
+    heading.set_title("heading error without speed error, degrees")
     for panel in (tilt, heading):
         panel.set(xlabel="time, minutes", xlim=(0, DURATION / minute), ylim=(-6, 6))
         shade_manoeuvres(panel)

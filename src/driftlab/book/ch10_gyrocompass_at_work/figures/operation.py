@@ -5,19 +5,19 @@ from matplotlib.axes import Axes
 from scipy.constants import arcminute, minute
 
 from driftlab.book.machinery.picture import BLACK, SERIES, Picture
-from driftlab.book.scenarios import DURATION, TURN, UNDER_WAY
+from driftlab.book.scenarios import DURATION, SPEED_UP, TURN
 from driftlab.checks import FloatArray
-from driftlab.gyrocompass.simulation import ErrorsUnderWay
+from driftlab.gyrocompass.simulation import HeadingErrors
 
 
-def columns(data: ErrorsUnderWay) -> dict[str, FloatArray]:
+def columns(data: HeadingErrors) -> dict[str, FloatArray]:
     """Columns of the figure's CSV, each two minutes."""
     rows = slice(29, None, 30)
     return {
         "time_s": data.times[rows],
         "heading_error_deg": np.degrees(data.heading_error[rows]).round(7),
         "formula_deg": np.degrees(data.formula.heading[rows]).round(7),
-        "speed_deviation_deg": np.degrees(data.deviation[rows]).round(7),
+        "speed_error_deg": np.degrees(data.speed_error[rows]).round(7),
         "tilt_north_arcmin": (data.tilt[rows, 0] / arcminute).round(6),
         "tilt_east_arcmin": (data.tilt[rows, 1] / arcminute).round(6),
         "yaw_error_deg": np.degrees(data.yaw_error[rows]).round(7),
@@ -27,11 +27,11 @@ def columns(data: ErrorsUnderWay) -> dict[str, FloatArray]:
 
 def shade_manoeuvres(panel: Axes) -> None:
     """Shade the times, in minutes, at which the ship gathers way and turns."""
-    for begin, length in (UNDER_WAY, TURN):
+    for begin, length in (SPEED_UP, TURN):
         panel.axvspan(begin / minute, (begin + length) / minute, color="#ececec", zorder=0)
 
 
-class OperationPicture(Picture[ErrorsUnderWay]):
+class OperationPicture(Picture[HeadingErrors]):
     """Heading error, tilts of the horizon, and the two halves of the heading error."""
 
     size = (10.5, 3.9)
@@ -50,7 +50,7 @@ class OperationPicture(Picture[ErrorsUnderWay]):
         self.error = self.line(heading, color=SERIES[0]["color"], linewidth=3.0, alpha=0.6,
                                label="simulated")  # fmt: skip
         self.formula = self.line(heading, color=BLACK, linewidth=1.0, label="formula")
-        self.deviation = self.line(halves, **SERIES[3], label="speed deviation")
+        self.speed_error = self.line(halves, **SERIES[3], label="speed error")
         self.north = self.line(tilt, **SERIES[0], label="about North")
         self.east = self.line(tilt, **SERIES[1], label="about East")
         self.yaw = self.line(halves, **SERIES[2], label="yaw psi")
@@ -59,16 +59,16 @@ class OperationPicture(Picture[ErrorsUnderWay]):
             panel.legend(loc="lower left")
         halves.legend(loc="upper left")
 
-    def update(self, data: ErrorsUnderWay) -> None:
+    def update(self, data: HeadingErrors) -> None:
         minutes = data.times / minute
         heading, tilt, halves = self.panels
         self.set_reach(heading, "y", np.degrees(data.heading_error), (1.0, 5.0, 25.0, 75.0, 200.0))
         self.set_reach(tilt, "y", data.tilt / arcminute, (3.0, 15.0, 75.0, 1000.0))
-        parts = [data.yaw_error, data.compass_error, data.deviation]
+        parts = [data.yaw_error, data.compass_error, data.speed_error]
         self.set_reach(halves, "y", np.degrees(parts), (3.0, 15.0, 75.0, 200.0))
         self.error.set_data(minutes, np.degrees(data.heading_error))
         self.formula.set_data(minutes, np.degrees(data.formula.heading))
-        self.deviation.set_data(minutes, np.degrees(data.deviation))
+        self.speed_error.set_data(minutes, np.degrees(data.speed_error))
         self.north.set_data(minutes, data.tilt[:, 0] / arcminute)
         self.east.set_data(minutes, data.tilt[:, 1] / arcminute)
         self.yaw.set_data(minutes, np.degrees(data.yaw_error))

@@ -1,0 +1,170 @@
+"""Choice of body axes for a unit with two bent triads; Wu et al., section 2.3.
+
+The body axes can be chosen so that one of the two triads has no misalignment, because a rotation of
+the axes changes the misalignment of both triads by the same amount.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .checks import FloatArray, finite_array, finite_arrays
+
+BODY_FRAMES = ("averaged", "upper triangle", "lower triangle", "accelerometers")
+"""Ways to fix the body axes.
+
+``averaged``: the gyro triad has no misalignment; the choice of Wu et al.
+``upper triangle``: the gyros' K is zero above the diagonal. Axis x lies along the x gyro, and the
+y gyro in the plane of x and y. The paper's introduction and Fig. 2 call it the usual choice.
+``lower triangle``: zero below. Axis z lies along the z gyro, the y gyro in the plane of y and z;
+the paper's section 3 describes the usual choice so.
+``accelerometers``: as `upper triangle`, of the accelerometers.
+"""
+
+
+def misalignment_vector(
+    gyro_error: ArrayLike, accelerometer_error: ArrayLike | None = None, frame: str = "averaged"
+) -> FloatArray:
+    r"""Small rotation that brings body components into the chosen body axes, to first order.
+
+    Parameters
+    ----------
+    gyro_error : array_like, shape (..., 3, 3)
+        Error matrix K of the gyro triad.
+    accelerometer_error : array_like, shape (..., 3, 3), optional
+        Error matrix of the accelerometer triad; needed for the frame ``accelerometers`` only.
+    frame : str
+        One of `BODY_FRAMES`.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Rotation vector of the *components*, rad. The axes themselves turn the other way: if two
+        gyros are both rotated by +theta in their plane, it is -theta.
+
+    Notes
+    -----
+    Subtracting its cross-product matrix from both error matrices changes the axes; Wu et al., (40)
+    and (42). For ``averaged`` it is the vector of the skew part, the mean of the vectors of the two
+    triangles:
+
+    .. math:: \tfrac12 (K_{zy} - K_{yz},\ K_{xz} - K_{zx},\ K_{yx} - K_{xy}).
+
+    Examples
+    --------
+    >>> gyro_error = [[0, 0, 0], [4e-3, 0, 0], [0, 0, 0]]  # the y gyro leans towards x
+    >>> misalignment_vector(gyro_error)
+    array([0.   , 0.   , 0.002])
+    >>> float(misalignment_vector(gyro_error, frame="lower triangle")[2])
+    0.004
+    """
+    k = _matrix_for(gyro_error, accelerometer_error, frame)
+    upper = np.stack([-k[..., 1, 2], k[..., 0, 2], -k[..., 0, 1]], axis=-1)
+    lower = np.stack([k[..., 2, 1], -k[..., 2, 0], k[..., 1, 0]], axis=-1)
+    if frame == "averaged":
+        return 0.5 * upper + 0.5 * lower
+    return lower if frame == "lower triangle" else upper
+
+
+def body_frame_rotation(
+    gyro_error: ArrayLike, accelerometer_error: ArrayLike | None = None, frame: str = "averaged"
+) -> FloatArray:
+    """Matrix from the given body components to those of the chosen axes, exactly.
+
+    Parameters
+    ----------
+    gyro_error : array_like, shape (..., 3, 3)
+        Error matrix K of the gyro triad.
+    accelerometer_error : array_like, shape (..., 3, 3), optional
+        Error matrix of the accelerometer triad; needed for the frame ``accelerometers`` only.
+    frame : str
+        One of `BODY_FRAMES`.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        Rotation matrix R, equal to that of `misalignment_vector` up to terms of second order.
+
+    Raises
+    ------
+    ValueError
+        If the triad is left-handed or its axes lie in one plane.
+
+    Notes
+    -----
+    The matrix (I + K) R^T of the triad in the new axes is symmetric for ``averaged`` (a polar
+    decomposition), and triangular with a positive diagonal for the others (a QR decomposition).
+
+    Examples
+    --------
+    The triad is an orthogonal one, rotated as a whole. Every choice of axes finds this rotation:
+
+    >>> from driftlab.quaternion import from_rotation_vector, to_matrix
+    >>> rotation = to_matrix(from_rotation_vector([0.01, 0.02, 0.03]))
+    >>> gyro_error = rotation - np.eye(3)
+    >>> [np.allclose(body_frame_rotation(gyro_error, gyro_error, frame), rotation)
+    ...  for frame in BODY_FRAMES]
+    [True, True, True, True]
+    """
+    name = "accelerometer_error" if frame == "accelerometers" else "gyro_error"
+    matrix = _matrix_for(gyro_error, accelerometer_error, frame)
+    triad = np.eye(3) + matrix
+    if not (np.linalg.det(triad) > 1e-12).all():
+        raise ValueError(
+            f"{name}: expected a right-handed triad I + K, got a left-handed or a flat one."
+        )
+    if frame == "averaged":
+        left, _, right = np.linalg.svd(triad)
+        return left @ right
+    # Zero below the diagonal is zero above it with the axes counted backwards.
+    order = np.s_[::-1] if frame == "lower triangle" else np.s_[:]
+    columns, rest = np.linalg.qr(np.swapaxes(triad[..., order, :], -1, -2))
+    signs = np.sign(np.einsum("...ii->...i", rest))
+    rows = np.swapaxes(columns * signs[..., np.newaxis, :], -1, -2)
+    return rows[..., order, :]
+
+
+def change_body_frame(matrix: ArrayLike, rotation: ArrayLike) -> FloatArray:
+    """Error matrix of the same triad in other body axes, exactly.
+
+    Parameters
+    ----------
+    matrix : array_like, shape (..., 3, 3)
+        Error matrix K in the given axes.
+    rotation : array_like, shape (..., 3, 3)
+        Rotation matrix R from the given body components to those of the new axes.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        (I + K) R^T - I.
+
+    Examples
+    --------
+    In the averaged axes a triad has no misalignment:
+
+    >>> from driftlab.triad import decompose
+    >>> matrix = [[0, 0, 0], [4e-3, 0, 0], [0, 0, 0]]
+    >>> averaged = change_body_frame(matrix, body_frame_rotation(matrix))
+    >>> np.allclose(decompose(averaged).misalignment, 0, rtol=0, atol=1e-15)
+    True
+    >>> float(averaged[0, 1].round(5))
+    0.002
+    """
+    matrix, rotation = finite_arrays(matrix=(matrix, 3, 3), rotation=(rotation, 3, 3))
+    return (np.eye(3) + matrix) @ np.swapaxes(rotation, -1, -2) - np.eye(3)
+
+
+def _matrix_for(
+    gyro_error: ArrayLike, accelerometer_error: ArrayLike | None, frame: str
+) -> FloatArray:
+    """Return the matrix that fixes the frame."""
+    if frame not in BODY_FRAMES:
+        raise ValueError(f"frame: expected one of {', '.join(BODY_FRAMES)}, got {frame!r}.")
+    gyro_error = finite_array(gyro_error, "gyro_error", 3, 3)
+    if frame != "accelerometers":
+        return gyro_error
+    if accelerometer_error is None:
+        raise ValueError("accelerometer_error: expected the matrix that fixes the axes, got None.")
+    return finite_array(accelerometer_error, "accelerometer_error", 3, 3)

@@ -1,0 +1,175 @@
+"""The error equations along a rotation scheme: transition matrices along the true motion."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from driftlab.checks import FloatArray, finite_number
+from driftlab.core.quaternion import from_rotation_vector, multiply, to_matrix
+from driftlab.earth import checked_latitude, earth_rate, gravity
+from driftlab.motion.scheme import Scheme
+from driftlab.motion.turntable import segments
+
+from .error_dynamics import free_transition, transition
+from .error_model import FULL, ErrorModel
+
+STEP = 10.0
+"""Longest step of a pause, s; rotations are divided into shorter steps."""
+_MOST_STEPS = 20_000
+_TURN = np.radians(30.0)  # rad: most that a step turns
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
+
+
+class LinearizedErrors(NamedTuple):
+    """Error equations along a rotation scheme, as s steps.
+
+    Attributes
+    ----------
+    model : ErrorModel
+        The states.
+    start : ndarray, shape (4,)
+        Attitude at the beginning, body to East, North, Up.
+    durations : ndarray, shape (s,)
+        Length of each step, s.
+    transitions : ndarray, shape (s, size, size)
+        Transition matrix of the errors over each step.
+
+    Examples
+    --------
+    >>> linearized = linearize_along(Scheme("+90Z", dwell=60.0), 0.7)
+    >>> float(linearized.durations.sum()), linearized.transitions.shape
+    (129.0, (15, 30, 30))
+    """
+
+    model: ErrorModel
+    start: FloatArray
+    durations: FloatArray
+    transitions: FloatArray
+
+
+def checked_model(model: ErrorModel) -> ErrorModel:
+    """Return an error model unchanged, refusing anything else.
+
+    Parameters
+    ----------
+    model : ErrorModel
+        What is to be checked.
+
+    Returns
+    -------
+    ErrorModel
+        The same object.
+
+    Raises
+    ------
+    ValueError
+        If it is not an `ErrorModel`.
+
+    Examples
+    --------
+    >>> checked_model("averaged")
+    Traceback (most recent call last):
+    ValueError: model: expected an ErrorModel, got 'averaged'.
+    """
+    if not isinstance(model, ErrorModel):
+        raise ValueError(f"model: expected an ErrorModel, got {model!r}.")
+    return model
+
+
+def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -> LinearizedErrors:
+    """Transition matrices of the errors along a rotation scheme.
+
+    Parameters
+    ----------
+    scheme : Scheme
+        Pauses and rotations; at most 200 000 s in all.
+    latitude : float
+        Of the table, rad; not a pole.
+    model : ErrorModel
+        The states.
+
+    Returns
+    -------
+    LinearizedErrors
+        Steps of at most `STEP` seconds and 30 degrees.
+
+    Raises
+    ------
+    ValueError
+        If the scheme takes too long, the place is a pole, or `model` is not an error model.
+
+    Notes
+    -----
+    Wu (49), (50), along the true motion. The integrals over each step are taken by a Gauss
+    quadrature with four nodes.
+
+    Examples
+    --------
+    A pause, a rotation by 90 degrees at 10 degrees per second, and a pause:
+
+    >>> linearized = linearize_along(Scheme("+90Z", dwell=20.0), 0.7)
+    >>> linearized.durations
+    array([10., 10.,  3.,  3.,  3., 10., 10.])
+    """
+    place = float(checked_latitude(finite_number(latitude, "latitude")))
+    checked_model(model)
+    row = segments(scheme, 1e-3)
+    time = sum(segment.duration for segment in row)
+    if time > STEP * _MOST_STEPS:
+        raise ValueError(
+            f"scheme: expected at most {STEP * _MOST_STEPS:g} s in all, got {time:.3g} s."
+        )
+    distinct, lengths, begun, alike = [], [], [], []
+    for segment in row:
+        turn = abs(segment.rate) * segment.duration
+        count = int(np.ceil(max(segment.duration / STEP, turn / _TURN) - 1e-9))
+        # The steps of a pause are all alike: one stands for them.
+        kinds = count if segment.rate else 1
+        distinct += [segment] * kinds
+        lengths += [segment.duration / count] * kinds
+        begun += list(range(kinds))
+        alike += [count // kinds] * kinds
+    duration, rate = np.array(lengths), np.array([segment.rate for segment in distinct])
+    axis = np.array([segment.axis for segment in distinct])
+    attitude = np.array([segment.attitude for segment in distinct])
+    turned = (rate * duration * np.array(begun))[:, np.newaxis] * axis
+    start = multiply(attitude, from_rotation_vector(turned))
+    # Nodes of the Gauss quadrature in each step, and the integrals from its beginning to them.
+    place_of = 0.5 * (1 + _NODES)
+    times = duration[:, np.newaxis] * 0.5 * _WEIGHTS
+    turn = (rate * duration)[:, np.newaxis] * place_of
+    turned = from_rotation_vector(turn[..., np.newaxis] * axis[:, np.newaxis])
+    to_local = multiply(start[:, np.newaxis], turned)
+    to_body = np.swapaxes(to_matrix(to_local), -1, -2)
+    earth = earth_rate(place)
+    spin = rate[:, np.newaxis, np.newaxis] * axis[:, np.newaxis] + to_body @ earth
+    force = to_body @ np.array([0.0, 0.0, float(gravity(place))])
+    # The local axes of the step's beginning do not turn on with the Earth.
+    since = from_rotation_vector((duration[:, np.newaxis] * place_of)[..., np.newaxis] * earth)
+    share = times[..., np.newaxis]
+    matrices = transition(
+        model,
+        free_transition(place, duration),
+        to_matrix(multiply(since, to_local)),
+        times,
+        share * spin,
+        share * force,
+        _QUADRATURE_WEIGHTS,
+    )
+    return LinearizedErrors(
+        model, row[0].attitude, np.repeat(duration, alike), np.repeat(matrices, alike, axis=0)
+    )
+
+
+def _quadrature_weights() -> FloatArray:
+    """Fraction of each term of a Gauss quadrature that has accumulated at each of its nodes."""
+    powers = np.arange(len(_NODES))
+    # Weights that integrate all polynomials of that degree from -1 to each node.
+    integrals = (_NODES[:, np.newaxis] ** (powers + 1) - (-1.0) ** (powers + 1)) / (powers + 1)
+    vandermonde = _NODES[:, np.newaxis] ** powers
+    return integrals @ np.linalg.inv(vandermonde) / _WEIGHTS
+
+
+_QUADRATURE_WEIGHTS = _quadrature_weights()

@@ -1,0 +1,253 @@
+"""What an inertial unit delivers: increments of angle and velocity, with its errors and without.
+
+An integrating sensor counts how far the body has turned, and how much velocity it has gained,
+since the last sample. Increments lose nothing between two samples, whatever the motion.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .checks import FloatArray, finite_array, positive_number
+from .imu import ImuErrors, ImuNoise, checked_imu_errors
+
+
+class Increments(NamedTuple):
+    """Increments of an inertial unit over n equal intervals.
+
+    Attributes
+    ----------
+    interval : float
+        Sample interval, s.
+    angle : ndarray, shape (..., n, 3)
+        Integrals of the angular rate against inertial space, body axes, rad.
+    velocity : ndarray, shape (..., n, 3)
+        Integrals of the specific force, body axes, m/s.
+
+    Examples
+    --------
+    Two seconds of a body that lies still on a planet that does not turn:
+
+    >>> increments = Increments(1.0, np.zeros((2, 3)), np.tile([0.0, 0.0, 9.8], (2, 1)))
+    >>> float(increments.velocity[:, 2].sum())
+    19.6
+    """
+
+    interval: float
+    angle: FloatArray
+    velocity: FloatArray
+
+    @property
+    def mean_rate(self) -> FloatArray:
+        """Mean angular rate over each interval.
+
+        Returns
+        -------
+        ndarray, shape (..., n, 3)
+            Body axes, rad/s.
+
+        Examples
+        --------
+        >>> Increments(0.5, np.array([[0.0, 0.0, 0.1]]), np.zeros((1, 3))).mean_rate
+        array([[0. , 0. , 0.2]])
+        """
+        return self.angle / self.interval
+
+    def part(self, begin: int, end: int) -> Increments:
+        """Return the increments of some of the intervals.
+
+        Parameters
+        ----------
+        begin, end : int
+            The first interval, and the first that is left out, as in a slice.
+
+        Returns
+        -------
+        Increments
+            Views of `end` - `begin` intervals.
+
+        Examples
+        --------
+        >>> Increments(1.0, np.zeros((5, 3)), np.zeros((5, 3))).part(2, 4).angle.shape
+        (2, 3)
+        """
+        rows = np.s_[..., begin:end, :]
+        return Increments(self.interval, self.angle[rows], self.velocity[rows])
+
+
+def checked_increments(increments: Increments) -> Increments:
+    """Return increments as arrays of floats, refusing what cannot be increments.
+
+    Parameters
+    ----------
+    increments : Increments
+        Its fields may be anything that NumPy makes an array of.
+
+    Returns
+    -------
+    Increments
+        Float64 arrays; their leading axes are not broadcast.
+
+    Raises
+    ------
+    ValueError
+        If there is no axis of n intervals, n is not the same in both arrays, a number is not
+        finite, or the interval is not positive.
+
+    Examples
+    --------
+    >>> checked_increments(Increments(0.1, [[0, 0, 1]], [[0, 0, 9]])).velocity.shape
+    (1, 3)
+    >>> checked_increments(Increments(0.1, np.zeros((2, 3)), np.zeros((3, 3))))
+    Traceback (most recent call last):
+        ...
+    ValueError: increments.velocity: expected as many as increments.angle, 2, got 3.
+    """
+    if not isinstance(increments, Increments):
+        raise ValueError(
+            "increments: expected Increments(interval, angle, velocity), "
+            f"got {type(increments).__name__}."
+        )
+    seconds = positive_number(increments.interval, "increments.interval")
+    rows = []
+    for name in ("angle", "velocity"):
+        row = finite_array(getattr(increments, name), f"increments.{name}", 3)
+        if row.ndim < 2:
+            raise ValueError(
+                f"increments.{name}: expected shape (..., n, 3), got shape {row.shape}."
+            )
+        rows.append(row)
+    angle, velocity = rows
+    if angle.shape[-2] != velocity.shape[-2]:
+        raise ValueError(
+            "increments.velocity: expected as many as increments.angle, "
+            f"{angle.shape[-2]}, got {velocity.shape[-2]}."
+        )
+    return Increments(seconds, angle, velocity)
+
+
+def measure(
+    increments: Increments,
+    imu_errors: ImuErrors,
+    noise: ImuNoise | None = None,
+    rng: np.random.Generator | None = None,
+) -> Increments:
+    """Increments as a unit with errors and noise reports them; Wu (1)-(5).
+
+    Parameters
+    ----------
+    increments : Increments
+        True increments, n of them.
+    imu_errors : ImuErrors
+        Errors of the unit. Their leading axes (...) are those of the result.
+    noise : ImuNoise, optional
+        None for a unit without noise.
+    rng : numpy.random.Generator, optional
+        Source of the noise; needed for noise only.
+
+    Returns
+    -------
+    Increments
+        Arrays of shape (..., n, 3), rad and m/s.
+
+    Examples
+    --------
+    Two seconds at rest, with a gyro bias as the only error:
+
+    >>> from driftlab.imu import NO_ERRORS
+    >>> from driftlab.motion.turntable import static_trajectory
+    >>> true = static_trajectory([0, 0, 0, 1], latitude=0.7, interval=1.0, count=2).increments
+    >>> biased = NO_ERRORS._replace(gyro_bias=np.array([0.0, 0.0, 1e-3]))
+    >>> (measure(true, biased).angle - true.angle).round(9)
+    array([[0.   , 0.   , 0.001],
+           [0.   , 0.   , 0.001]])
+    """
+    seconds, angle, velocity = checked_increments(increments)
+    errors = checked_imu_errors(imu_errors)
+    found = []
+    for true, bias, error, walk in (
+        (angle, errors.gyro_bias, errors.gyro_error, "angle_random_walk"),
+        (velocity, errors.accelerometer_bias, errors.accelerometer_error, "velocity_random_walk"),
+    ):
+        measured = true @ np.swapaxes(np.eye(3) + error, -1, -2)
+        measured = measured + (seconds * bias)[..., np.newaxis, :]
+        size = 0.0 if noise is None else getattr(noise, walk) * np.sqrt(seconds)
+        if size:
+            if rng is None:
+                raise ValueError("rng: expected a numpy Generator to draw the noise, got None.")
+            measured += size * rng.standard_normal(measured.shape)
+        found.append(measured)
+    return Increments(seconds, found[0], found[1])
+
+
+def compensate(increments: Increments, imu_errors: ImuErrors) -> Increments:
+    """Take the known errors of a unit out of its increments: the inverse of `measure`.
+
+    Parameters
+    ----------
+    increments : Increments
+        Measured, arrays of shape (..., n, 3).
+    imu_errors : ImuErrors
+        Errors of the unit; their leading axes broadcast against those of the increments.
+
+    Returns
+    -------
+    Increments
+        True but for the noise.
+
+    Raises
+    ------
+    ValueError
+        If the sensitive axes of a triad lie in one plane, so that its errors cannot be taken out.
+
+    Examples
+    --------
+    >>> from driftlab.imu import TYPICAL_ERRORS
+    >>> from driftlab.motion.turntable import static_trajectory
+    >>> true = static_trajectory([0, 0, 0, 1], latitude=0.7, interval=1.0, count=2).increments
+    >>> found = compensate(measure(true, TYPICAL_ERRORS), TYPICAL_ERRORS)
+    >>> np.allclose(found.velocity, true.velocity, rtol=0, atol=1e-12)
+    True
+    """
+    errors = checked_imu_errors(imu_errors)
+    for name in ("gyro_error", "accelerometer_error"):
+        if (np.linalg.cond(np.eye(3) + getattr(errors, name)) > 1e12).any():
+            raise ValueError(f"{name}: expected a triad I + K that spans space, got a flat one.")
+    return without_errors(checked_increments(increments), errors)
+
+
+def without_errors(increments: Increments, imu_errors: ImuErrors) -> Increments:
+    """Take known errors out of increments like `compensate`, without checking the arguments.
+
+    Parameters
+    ----------
+    increments : Increments
+        Measured, arrays of shape (..., n, 3).
+    imu_errors : ImuErrors
+        Errors of the unit; their leading axes broadcast against those of the increments.
+
+    Returns
+    -------
+    Increments
+        Arrays of shape (..., n, 3).
+
+    Examples
+    --------
+    >>> from driftlab.imu import NO_ERRORS
+    >>> biased = NO_ERRORS._replace(gyro_bias=np.array([0.0, 0.0, 1e-3]))
+    >>> without_errors(Increments(10.0, np.ones((1, 3)), np.ones((1, 3))), biased).angle
+    array([[1.  , 1.  , 0.99]])
+    """
+    seconds, angle, velocity = increments
+    return Increments(
+        seconds,
+        _without(angle, seconds * imu_errors.gyro_bias, imu_errors.gyro_error),
+        _without(velocity, seconds * imu_errors.accelerometer_bias, imu_errors.accelerometer_error),
+    )
+
+
+def _without(measured: FloatArray, bias: FloatArray, error: FloatArray) -> FloatArray:
+    plain = measured - bias[..., np.newaxis, :]
+    return plain @ np.swapaxes(np.linalg.inv(np.eye(3) + error), -1, -2)
