@@ -55,6 +55,8 @@ def say(text: str) -> None:
 def surroundings(**extra: str) -> dict[str, str]:
     """Return the user's environment variables without those that mislead Python, pip or Jupyter."""
     misleading = {"PYTHONHOME", "PYTHONPATH", "JUPYTERLAB_DIR"}
+    # pip is told to compile nothing, so each start of a kernel would compile NumPy and all else.
+    misleading.add("PYTHONDONTWRITEBYTECODE")
     misleading |= {f"PIP_{name}" for name in ("CONSTRAINT", "PREFIX", "PYTHON", "ROOT", "TARGET")}
     kept = {name: value for name, value in os.environ.items() if name not in misleading}
     for name, first in {"PATH": PYTHON.parent, "JUPYTER_PATH": VENV / "share/jupyter"}.items():

@@ -634,6 +634,11 @@ def test_variables_that_mislead_pip_do_nothing(
     assert not (tmp_path / "elsewhere").exists()
 
 
+def test_python_may_keep_what_it_has_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
+    assert "PYTHONDONTWRITEBYTECODE" not in load(ROOT).steps.surroundings()
+
+
 def test_a_package_with_other_contents_is_not_installed(
     modules: SimpleNamespace, copied: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
