@@ -52,7 +52,11 @@ def book_server(folder: Path) -> Iterator[Server]:
     """
     book = folder / "notebooks"
     shutil.copytree(CHAPTERS, book, ignore=shutil.ignore_patterns(".ipynb_checkpoints"))
-    quiet = {"disabledExtensions": {"@jupyterlab/apputils-extension:announcements": True}}
+    quiet = {
+        "disabledExtensions": {"@jupyterlab/apputils-extension:announcements": True},
+        # Whether JupyterLab should be built anew is found out with node, at each opening of a page.
+        "buildCheck": False,
+    }
     (folder / "config/labconfig").mkdir(parents=True)
     (folder / "config/labconfig/page_config.json").write_text(json.dumps(quiet), "utf-8")
     with socket.socket() as probe:
