@@ -4,6 +4,8 @@ Several processes may share the tests. What uses the same runs is one group and 
 them: the tests of a published figure, those of an explorer, and of the rest those of a file.
 """
 
+import gc
+import sys
 from pathlib import Path
 
 import pytest
@@ -11,6 +13,10 @@ from hypothesis import settings
 
 settings.register_profile("driftlab", derandomize=True, deadline=None, max_examples=60)
 settings.load_profile("driftlab")
+
+# What nbformat imports for schemas builds grammars of addresses with this package, for two seconds
+# in each process, if it is there; nothing of a notebook is checked with it.
+sys.modules.setdefault("rfc3987_syntax", None)
 
 # The groups that take longest, the longest first: begun last, one of them would run alone.
 HEAVY = (
@@ -42,3 +48,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.xdist_group(name))
     ranks = {name: rank for rank, name in enumerate(HEAVY)}
     items.sort(key=lambda item: ranks.get(group_of(item), len(HEAVY)))
+
+
+def pytest_collection_finish() -> None:
+    """Leave out of all later searches for garbage what has been imported: it stays to the end."""
+    gc.collect()
+    gc.freeze()
