@@ -5,6 +5,7 @@ them: the tests of a published figure, those of an explorer, and of the rest tho
 """
 
 import gc
+import os
 import sys
 from pathlib import Path
 
@@ -13,6 +14,10 @@ from hypothesis import settings
 
 settings.register_profile("driftlab", derandomize=True, deadline=None, max_examples=60)
 settings.load_profile("driftlab")
+
+# Matrices as small as the book's are done sooner by one thread, as lab.py knows of the kernels;
+# and the threads of several processes would wait for each other. NumPy is not imported yet.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 # What nbformat imports for schemas builds grammars of addresses with this package, for two seconds
 # in each process, if it is there; nothing of a notebook is checked with it.
