@@ -6,6 +6,8 @@ import numpy as np
 
 from driftlab.checks import FloatArray
 
+from .vectors import components
+
 EARTH_RATE = 7.292115e-5
 SEMI_MAJOR_AXIS = 6378137.0
 FLATTENING = 1 / 298.257223563
@@ -70,7 +72,7 @@ def gravitation(position: FloatArray) -> FloatArray:
 
 def _cylindrical(position: FloatArray) -> tuple[FloatArray, ...]:
     """Components x and y, distance from the axis, and z of positions outside the inner Earth."""
-    x, y, z = np.moveaxis(position, -1, 0)
+    x, y, z = components(position)
     squared = x * x + y * y
     lowest = float((squared + z * z).min())
     if lowest < _DEEPEST**2:
@@ -100,7 +102,7 @@ def _geodetic(
 
 def ground_velocity(position: FloatArray) -> FloatArray:
     """Velocity (..., 3) of the turning Earth at a position (..., 3)."""
-    x, y, z = np.moveaxis(position, -1, 0)
+    x, y, z = components(position)
     return EARTH_RATE * np.stack([-y, x, np.zeros_like(z)], axis=-1)
 
 

@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
 
-from .vectors import norms
+from .vectors import components, norms
 
 
 def multiply(first: FloatArray, second: FloatArray) -> FloatArray:
     """Hamilton product (..., 4) of quaternions (..., 4)."""
-    a, b = np.moveaxis(first, -1, 0), np.moveaxis(second, -1, 0)
+    a, b = components(first), components(second)
     product: FloatArray = np.empty((*np.broadcast_shapes(a[0].shape, b[0].shape), 4))
     product[..., 0] = a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1]
     product[..., 1] = a[3] * b[1] + a[1] * b[3] + a[2] * b[0] - a[0] * b[2]
@@ -36,7 +36,7 @@ def pure(vector: FloatArray) -> FloatArray:
 
 def rotate(quaternion: FloatArray, vector: FloatArray) -> FloatArray:
     """Vector (..., 3) rotated by a unit quaternion (..., 4): q∘v∘conj(q)."""
-    (x, y, z, w), v = np.moveaxis(quaternion, -1, 0), np.moveaxis(vector, -1, 0)
+    (x, y, z, w), v = components(quaternion), components(vector)
     # v + 2 w u×v + 2 u×(u×v) with u the vector part, and t = 2 u×v formed once.
     t = 2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])
     rotated: FloatArray = np.empty((*t[0].shape, 3))

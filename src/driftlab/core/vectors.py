@@ -22,6 +22,11 @@ def norms(vectors: FloatArray) -> FloatArray:
     return norms
 
 
+def components(vectors: FloatArray) -> list[FloatArray]:
+    """Views (...) of what stands along the last axis; for few vectors sooner than `np.moveaxis`."""
+    return [vectors[..., i] for i in range(vectors.shape[-1])]
+
+
 def cross(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
     """Cross product of vectors whose components stand along the *first* axis, (3, ...)."""
     return np.stack(
