@@ -46,8 +46,6 @@ def draw(data: LarinDigits) -> Figure:
         bbox_to_anchor=(0, -0.01),
         ncols=2,
         fontsize=10,
-        framealpha=0.8,
-        edgecolor="0.8",
     )
     return figure
 

@@ -47,5 +47,5 @@ def draw(data: WeighingDesigns) -> Figure:
         )
         closed = "closed form" if i else None
         axes.plot(data.expected[i], rows + shift, "|", color=BLACK, markersize=14, label=closed)
-    axes.legend(loc="upper right", fontsize=10, framealpha=0.8, edgecolor="0.8")
+    axes.legend(loc="upper right", fontsize=10)
     return figure

@@ -49,7 +49,7 @@ def draw(data: RiccatiTurns) -> Figure:
         for j, (miss, style, marker) in enumerate(zip(MISSES, pair, "so", strict=False)):
             label = f"{np.degrees(miss):g}°, {name}"
             work.plot(data.evaluations[i, j], data.worst[i, j], **style, marker=marker, label=label)
-    length.legend(loc="upper right", fontsize=8)
+    length.legend(loc="upper right")
     error.legend(loc="upper left")
     work.legend(loc="upper right")
     return figure

@@ -50,5 +50,5 @@ def draw(data: InPlaceErrors) -> Figure:
     for panel in grid[1]:
         panel.set_xlabel("time, hours")
     handles, labels = panels[0].get_legend_handles_labels()
-    corner.legend(handles, labels, loc="center", labelspacing=1.0, fontsize=8)
+    corner.legend(handles, labels, loc="center", labelspacing=1.0)
     return figure

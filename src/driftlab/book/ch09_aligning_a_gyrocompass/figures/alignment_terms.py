@@ -49,14 +49,12 @@ def draw(data: AlignmentTerms) -> Figure:
         panel.set_xticks(np.arange(-reach, reach + 1, reach // 3)[1:-1])
         grid, terms = np.degrees(values), data.terms[name]
         for i, label in enumerate(LABELS):
-            panel.plot(grid, terms[:, i], **SERIES[i], linewidth=1.5, label=label)
+            panel.plot(grid, terms[:, i], **SERIES[i], label=label)
         panel.plot(grid, data.exact[name], color=BLACK, linewidth=2.0, label="exact, all")
-        panel.plot(grid, data.printed[name], **SERIES[5], linewidth=1.5,
+        panel.plot(grid, data.printed[name], **SERIES[5],
                    label="all, formula as printed")  # fmt: skip
         panel.plot(grid[::4], terms.sum(axis=-1)[::4], color=BLACK, marker="o", markersize=4,
                    linestyle="none", label="all, formula corrected")  # fmt: skip
     handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(
-        handles, labels, loc="lower center", ncols=4, fontsize=8, framealpha=0.8, edgecolor="0.8"
-    )
+    figure.legend(handles, labels, loc="lower center", ncols=4)
     return figure

@@ -34,11 +34,11 @@ def draw(data: AveragingWindow) -> Figure:
             data.windows, np.degrees(data.simulated[i]), color=style["color"], marker="os"[i],
             linestyle="none", label=f"simulated, {white:g} deg/h a sample",
         )  # fmt: skip
-        panel.plot(data.windows, np.degrees(data.formula[i]), **style, linewidth=1.5,
+        panel.plot(data.windows, np.degrees(data.formula[i]), **style,
                    label=f"formula, with a slow part of {SLOW:g} deg/h")  # fmt: skip
         panel.plot(
             data.windows, np.degrees(data.white_alone[i]), color=style["color"],
             linestyle=(":", (0, (1, 4)))[i], linewidth=1.0, label="formula, white noise alone",
         )  # fmt: skip
-    panel.legend(loc="upper right", fontsize=8, framealpha=0.8, edgecolor="0.8")
+    panel.legend(loc="upper right")
     return figure

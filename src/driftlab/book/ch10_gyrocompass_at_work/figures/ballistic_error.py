@@ -35,10 +35,8 @@ def draw(data: BallisticError) -> Figure:
         shade_manoeuvres(panel)
     for (name, run), style in zip(data.runs.items(), SERIES, strict=False):
         minutes = run.times / minute
-        tilt.plot(minutes, run.tilt[:, 1] / arcminute, **style, linewidth=1.5, label=name)
-        heading.plot(minutes, np.degrees(run.heading_error), **style, linewidth=1.5)
+        tilt.plot(minutes, run.tilt[:, 1] / arcminute, **style, label=name)
+        heading.plot(minutes, np.degrees(run.heading_error), **style)
     handles, labels = tilt.get_legend_handles_labels()
-    figure.legend(
-        handles, labels, loc="lower center", ncols=5, fontsize=8, framealpha=0.8, edgecolor="0.8"
-    )
+    figure.legend(handles, labels, loc="lower center", ncols=5)
     return figure

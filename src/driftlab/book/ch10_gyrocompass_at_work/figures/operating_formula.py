@@ -47,11 +47,11 @@ def draw(data: OperatingFormula) -> Figure:
                label="formula, all terms")  # fmt: skip
     gaps.plot(minutes, np.degrees(np.abs(data.gaps[0])), color=BLACK, linewidth=1.0)
     for i, name in enumerate(TERMS):
-        terms.plot(minutes, np.degrees(run.formula[i]), **SERIES[i], linewidth=1.5, label=name)
-        gaps.plot(minutes, np.degrees(np.abs(data.gaps[i + 1])), **SERIES[i], linewidth=1.5)
+        terms.plot(minutes, np.degrees(run.formula[i]), **SERIES[i], label=name)
+        gaps.plot(minutes, np.degrees(np.abs(data.gaps[i + 1])), **SERIES[i])
     handles, labels = terms.get_legend_handles_labels()
     figure.legend(
-        handles, labels, loc="lower center", ncols=3, fontsize=8, framealpha=0.8, edgecolor="0.8",
+        handles, labels, loc="lower center", ncols=3,
         title="left: the terms; right: what is missing without each", title_fontsize=8,
     )  # fmt: skip
     return figure

@@ -54,23 +54,23 @@ def draw(data: Restarts) -> Figure:
         f"{RESTARTS} restarts: spread {np.ptp(heading):.2f}°, deviation {heading.std(ddof=1):.3f}°",
         fontsize=9,
     )
-    first.plot(np.arange(1, RESTARTS + 1), heading, **SERIES[0], linewidth=1.5, marker="o",
+    first.plot(np.arange(1, RESTARTS + 1), heading, **SERIES[0], marker="o",
                markersize=4)  # fmt: skip
     second.set(title="gyro noise, one restart", xlabel="time, minutes", ylabel="deg/h")
     step = gyro_noise(WHITE[1]).interval / minute
     second.plot(step * np.arange(0, len(data.raw), 5), data.raw[::5] / unit, color=GREY,
                 linewidth=0.3, label="every fifth sample")  # fmt: skip
     second.plot(step * (np.arange(len(data.averaged)) + MOVING_AVERAGE - 1), data.averaged / unit,
-                color=BLACK, linewidth=1.5, label=f"mean of {MOVING_AVERAGE}")  # fmt: skip
-    second.legend(loc="upper right", fontsize=8, framealpha=0.8, edgecolor="0.8")
+                color=BLACK, label=f"mean of {MOVING_AVERAGE}")  # fmt: skip
+    second.legend(loc="upper right", fontsize=8)
     third.set(title=f"range of {RESTARTS} values over deviation", xlabel="ratio")
     third.set(ylabel="probability density", xlim=(2.5, 7.3), ylim=(0, 1.6))
     third.hist(data.ranges, 120, density=True, color=SERIES[6]["color"], label="normal samples")
-    third.axvline(PRINTED_SPREAD / PRINTED_DEVIATION, **SERIES[1], linewidth=1.5,
+    third.axvline(PRINTED_SPREAD / PRINTED_DEVIATION, **SERIES[1],
                   label="printed: 0.3 over 0.054")  # fmt: skip
     third.axvspan(*printed_ratio_range(), color=SERIES[1]["color"], alpha=0.15,
                   label="within rounding")  # fmt: skip
-    third.axvline(most_range_over_deviation(RESTARTS), **SERIES[4], linewidth=1.5,
+    third.axvline(most_range_over_deviation(RESTARTS), **SERIES[4],
                   label="largest possible")  # fmt: skip
-    third.legend(loc="upper right", fontsize=7, framealpha=0.8, edgecolor="0.8")
+    third.legend(loc="upper right", fontsize=7)
     return figure

@@ -31,16 +31,16 @@ def draw(data: Settling) -> Figure:
     right.set(title="then Schuler's tuning, with noise: heading error, degrees")
     right.set(xlabel="time since then, minutes", xlim=(0, WORKING / minute))
     minutes = data.settling_times / minute
-    left.plot(minutes, np.degrees(data.settling_heading), **SERIES[0], linewidth=1.5,
+    left.plot(minutes, np.degrees(data.settling_heading), **SERIES[0],
               label="heading error")  # fmt: skip
-    left.plot(minutes, np.degrees(data.tilt), **SERIES[1], linewidth=1.5, label="tilt")
-    left.legend(loc="upper right", fontsize=8, framealpha=0.8, edgecolor="0.8")
+    left.plot(minutes, np.degrees(data.tilt), **SERIES[1], label="tilt")
+    left.legend(loc="upper right")
     minutes = data.times / minute
     right.plot(minutes, np.degrees(data.heading.T), color=GREY, linewidth=0.5, alpha=0.6)
     spread, bound = np.degrees(data.heading.std(axis=0)), np.degrees(data.deviation)
     names = "formula, one deviation", f"deviation of {len(data.heading)} runs"
     for sign, (formula, simulated) in ((1, names), (-1, (None, None))):
-        right.plot(minutes, sign * bound, **SERIES[1], linewidth=1.5, label=formula)
-        right.plot(minutes, sign * spread, color=BLACK, linewidth=1.5, label=simulated)
-    right.legend(loc="upper left", fontsize=8, framealpha=0.8, edgecolor="0.8")
+        right.plot(minutes, sign * bound, **SERIES[1], label=formula)
+        right.plot(minutes, sign * spread, color=BLACK, label=simulated)
+    right.legend(loc="upper left")
     return figure

@@ -42,17 +42,17 @@ def draw(data: StaticCharacteristic) -> Figure:
     for i, run in enumerate(data.runs):
         left.plot(dial, np.degrees(run), linestyle="none", marker="os^"[i], markersize=4,
                   color=SERIES[i]["color"], label=f"run {i + 1}")  # fmt: skip
-    left.plot(dial, np.degrees(data.runs.mean(axis=0)), color=BLACK, linewidth=1.5, label="mean")
-    left.plot(dial, np.degrees(data.formula), **SERIES[3], linewidth=1.5,
+    left.plot(dial, np.degrees(data.runs.mean(axis=0)), color=BLACK, label="mean")
+    left.plot(dial, np.degrees(data.formula), **SERIES[3],
               label="formula, lasting part")  # fmt: skip
-    left.legend(loc="best", ncols=2, fontsize=8, framealpha=0.8, edgecolor="0.8")
+    left.legend(loc="best", ncols=2)
     worst = np.degrees(data.largest)
     middle = np.median(worst, axis=1)
     low, high = np.quantile(worst, [0.1, 0.9], axis=1)
     right.errorbar(data.lasting, middle, [middle - low, high - middle], color=SERIES[0]["color"],
-                   marker="o", linestyle="none", linewidth=1.5, capsize=3,
+                   marker="o", linestyle="none", capsize=3,
                    label="median, and 10 to 90 % of the units")  # fmt: skip
-    right.axhline(PRINTED_LARGEST, **SERIES[1], linewidth=1.5,
+    right.axhline(PRINTED_LARGEST, **SERIES[1],
                   label=f"printed: {PRINTED_LARGEST:g}°")  # fmt: skip
-    right.legend(loc="upper left", fontsize=8, framealpha=0.8, edgecolor="0.8")
+    right.legend(loc="upper left")
     return figure
