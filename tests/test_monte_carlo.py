@@ -17,7 +17,7 @@ from hypothesis import given, strategies as st
 from scipy.stats import binom, chi2, norm
 
 from driftlab.calibration.simulation import TableTrial
-from driftlab.monte_carlo import mean_square_bounds, print_progress, sweep
+from driftlab.monte_carlo import mean_square_bounds, sweep
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
 
@@ -133,44 +133,16 @@ def test_trials_in_processes_are_those_of_this_one():
 
 
 @pytest.mark.parametrize("executor", [None, "threads", "shelf"])
-def test_progress_is_told_after_each_batch(executor):
-    calls = []
+def test_progress_is_reported_after_each_batch(executor):
+    sizes = []
     executors = {None: None, "threads": ThreadPoolExecutor(2), "shelf": Shelf(3)}
     chosen = executors[executor]
-    sweep(
-        draws,
-        25,
-        seed=0,
-        batch=10,
-        executor=chosen,
-        progress=lambda done, total: calls.append((done, total)),
-    )
+    sweep(draws, 25, seed=0, batch=10, executor=chosen, progress=sizes.append)
     executors["threads"].shutdown()
-    done = [0, *(done for done, _ in calls)]
-    assert [total for _, total in calls] == [25, 25, 25]
     # In the order in which they end; two of ten runs and one of five.
-    assert Counter(np.diff(done).tolist()) == {10: 2, 5: 1}
+    assert Counter(sizes) == {10: 2, 5: 1}
     if executor is None:
-        assert done == [0, 10, 20, 25]
-
-
-@pytest.mark.parametrize(
-    ("done", "bar"),
-    [
-        (0, "[" + 40 * "." + "] 0 of 25"),
-        (1, "[#" + 39 * "." + "] 1 of 25"),
-        (10, "[" + 16 * "#" + 24 * "." + "] 10 of 25"),
-        (24, "[" + 38 * "#" + 2 * "." + "] 24 of 25"),
-    ],
-)
-def test_bar_grows_on_one_line(capsys, done, bar):
-    print_progress(done, 25)
-    assert capsys.readouterr().out == "\r" + bar
-
-
-def test_bar_ends_its_line_when_full(capsys):
-    sweep(draws, 4, seed=0, batch=2, progress=lambda *counts: print_progress(*counts, width=6))
-    assert capsys.readouterr().out == "\r[###...] 2 of 4\r[######] 4 of 4\n"
+        assert sizes == [10, 10, 5]
 
 
 # Failures
@@ -203,7 +175,7 @@ def test_failure_leaves_no_batch_waiting():
 def test_interruption_between_two_batches_leaves_none_waiting(interruption):
     """As from the stop button of a notebook, while the bar is drawn."""
 
-    def progress(done, total):
+    def progress(size):
         raise interruption
 
     shelf = Shelf(4, order=[2])
@@ -221,11 +193,11 @@ def test_failure_here_stops_at_once():
             raise GoneWrong
         return runs
 
-    told = []
+    ended = []
     with pytest.raises(GoneWrong):
-        sweep(task, 10, seed=0, batch=2, progress=lambda *counts: told.append(counts))
+        sweep(task, 10, seed=0, batch=2, progress=ended.append)
     assert calls == [2, 2]
-    assert told == [(2, 10)]
+    assert ended == [2]
 
 
 # Bounds of chi-square numbers

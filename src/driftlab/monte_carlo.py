@@ -22,7 +22,7 @@ def sweep(
     seed: int,
     batch: int = 10,
     executor: Executor | None = None,
-    progress: Callable[[int, int], None] | None = None,
+    progress: Callable[[int], object] | None = None,
 ) -> list[Result]:
     """Call ``task(rng, runs)`` for batches of runs that add up to `runs`.
 
@@ -41,8 +41,8 @@ def sweep(
     executor : concurrent.futures.Executor, optional
         Where the calls run. If not given, they run here, one after the other.
     progress : callable, optional
-        Called with the number of runs done and `runs` after each batch; `print_progress` shows a
-        bar.
+        Called with the number of runs of each batch when it is done, as the method `update` of a
+        bar of tqdm wants it.
 
     Returns
     -------
@@ -66,13 +66,10 @@ def sweep(
     sizes = [min(most, total - first) for first in range(0, total, most)]
     children = np.random.SeedSequence(whole_number(seed, "seed", least=0)).spawn(len(sizes))
     generators = [np.random.default_rng(child) for child in children]
-    done = 0
 
     def report(size: int) -> None:
-        nonlocal done
-        done += size
         if progress is not None:
-            progress(done, total)
+            progress(size)
 
     results = []
     if executor is None:
@@ -90,28 +87,6 @@ def sweep(
         for future in futures:  # a failure or an interruption leaves no batch waiting
             future.cancel()
     return [future.result() for future in futures]
-
-
-def print_progress(done: int, total: int, width: int = 40) -> None:
-    """Show a progress bar on the terminal or under a notebook cell.
-
-    Parameters
-    ----------
-    done : int
-        Number of runs done.
-    total : int
-        Number of runs in all; the line ends when they are done.
-    width : int
-        Length of the bar in characters.
-
-    Examples
-    --------
-    >>> print_progress(20, 20, width=10)
-    [##########] 20 of 20
-    """
-    filled = width * done // max(total, 1)
-    bar = "#" * filled + "." * (width - filled)
-    print(f"\r[{bar}] {done} of {total}", end="\n" if done == total else "", flush=True)
 
 
 def mean_square_bounds(freedom: int, runs: int, confidence: float = 0.95) -> tuple[float, float]:

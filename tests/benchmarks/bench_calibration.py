@@ -7,6 +7,7 @@ from time import perf_counter
 import numpy as np
 from scipy.spatial.transform import Rotation
 from timing import best
+from tqdm import tqdm
 
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.kalman import velocity_update
@@ -15,7 +16,7 @@ from driftlab.calibration.observability import covariance_analysis
 from driftlab.calibration.simulation import TableTrial
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
-from driftlab.monte_carlo import print_progress, sweep
+from driftlab.monte_carlo import sweep
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 from driftlab.motion.trajectory import Trajectory
 from driftlab.motion.turntable import table_trajectory
@@ -97,6 +98,6 @@ def calibration() -> None:
     each = 1e6 * best(steps) / len(way.transitions)
     print(f"velocity_update, {model.size} states:             {each:8.1f} µs")
     start = perf_counter()
-    with ProcessPoolExecutor(2) as pool:
-        sweep(TableTrial().run, 50, seed=1, batch=25, executor=pool, progress=print_progress)
+    with ProcessPoolExecutor(2) as pool, tqdm(total=50, unit="run") as bar:
+        sweep(TableTrial().run, 50, seed=1, batch=25, executor=pool, progress=bar.update)
     print(f"50 calibrations, two processes:      {perf_counter() - start:8.1f} s")
