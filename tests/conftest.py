@@ -23,17 +23,22 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # in each process, if it is there; nothing of a notebook is checked with it.
 sys.modules.setdefault("rfc3987_syntax", None)
 
-# The groups that take longest, the longest first: begun last, one of them would run alone.
+# The groups that take longest, the longest first: begun last, one of them would run alone. A page
+# leaves the processor alone half of the time, so what only computes stands between the pages.
 HEAVY = (
     "browser-08",
-    "notebook-08_system_calibration.ipynb",
     "book",
-    "figure-08-filter-consistency",
     "CapstoneExplorer",
+    "notebook-08_system_calibration.ipynb",
     "CalibrationRunExplorer",
-    "calibration/test_simulation",
-    "calibration/test_filter",
+    "lab",
     "GyrocompassExplorer",
+    "figure-08-filter-consistency",
+    "AlignmentBudgetExplorer",
+    "calibration/test_simulation",
+    "browser-11",
+    "calibration/test_filter",
+    "ObservabilityExplorer",
     "figure-08-in-place-claim",
 )
 

@@ -16,10 +16,11 @@ HEAVY = ["CapstoneExplorer", "CalibrationRunExplorer", "GyrocompassExplorer"]
 FIRST_PLACES = {place.explorer: place for place in reversed(PLACES)}
 
 
+# The panel beside the one on the page computes what the other tests of its explorer do.
 every_panel = pytest.mark.parametrize(
     "shown",
     [
-        pytest.param(FIRST_PLACES[name], id=name, marks=pytest.mark.xdist_group(f"browser-{name}"))
+        pytest.param(FIRST_PLACES[name], id=name, marks=pytest.mark.xdist_group(name))
         for name in sorted(FIRST_PLACES, key=lambda name: (name not in HEAVY, name))
     ],
     indirect=True,
