@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .checks import FloatArray, finite_array, finite_arrays
+from .core.vectors import symmetric_part, transform
 
 
 class TriadErrors(NamedTuple):
@@ -106,7 +107,30 @@ def triad_matrix(triad_error: ArrayLike) -> FloatArray:
            [0.  , 1.  , 0.  ],
            [0.  , 0.  , 1.  ]])
     """
-    triad = np.eye(3) + finite_array(triad_error, "triad_error", 3, 3)
+    return checked_triad(finite_array(triad_error, "triad_error", 3, 3))
+
+
+def checked_triad(triad_error: FloatArray) -> FloatArray:
+    """Return I + M, refusing sensitive axes that do not span space.
+
+    Parameters
+    ----------
+    triad_error : ndarray, shape (..., 3, 3)
+        Matrix M of all errors of the triad, without unit.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+
+    Examples
+    --------
+    >>> checked_triad(np.diag([0.0, 0.0, -1.0]))
+    Traceback (most recent call last):
+        ...
+    ValueError: triad_error: expected three sensitive axes that span space, got a singular triad
+    matrix I + M.
+    """
+    triad = np.eye(3) + triad_error
     if (np.linalg.cond(triad) > 1e12).any():
         raise ValueError(
             "triad_error: expected three sensitive axes that span space, "
@@ -138,7 +162,7 @@ def measured_rate(rate: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     array([0.02, 2.  , 0.  ])
     """
     rate, triad_error = finite_arrays(rate=(rate, 3), triad_error=(triad_error, 3, 3))
-    return np.einsum("...ij,...j->...i", triad_matrix(triad_error), rate)
+    return transform(checked_triad(triad_error), rate)
 
 
 def non_orthogonality(triad_error: ArrayLike) -> FloatArray:
@@ -161,8 +185,7 @@ def non_orthogonality(triad_error: ArrayLike) -> FloatArray:
            [0.01, 0.  , 0.  ],
            [0.  , 0.  , 0.  ]])
     """
-    triad_error = finite_array(triad_error, "triad_error", 3, 3)
-    return 0.5 * (triad_error + np.swapaxes(triad_error, -1, -2))
+    return symmetric_part(finite_array(triad_error, "triad_error", 3, 3))
 
 
 def pairwise_non_orthogonality(axes: ArrayLike) -> FloatArray:

@@ -60,3 +60,13 @@ def wrap_angle(angle: FloatArray) -> FloatArray:
     """Angles (...) in rad brought to -pi to pi."""
     wrapped: FloatArray = np.arctan2(np.sin(angle), np.cos(angle))
     return wrapped
+
+
+def transform(matrix: FloatArray, vector: FloatArray) -> FloatArray:
+    """Vectors (..., 3) seen through matrices (..., 3, 3)."""
+    return np.einsum("...ij,...j->...i", matrix, vector)
+
+
+def symmetric_part(matrix: FloatArray) -> FloatArray:
+    """Half the sum of matrices (..., 3, 3) and their transposes."""
+    return 0.5 * (matrix + np.swapaxes(matrix, -1, -2))

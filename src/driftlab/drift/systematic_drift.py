@@ -16,8 +16,8 @@ from driftlab.checks import (
     finite_arrays,
     nonzero_vectors,
 )
-from driftlab.core.vectors import norms
-from driftlab.triad import measured_rate, non_orthogonality
+from driftlab.core.vectors import norms, symmetric_part, transform
+from driftlab.triad import checked_triad
 
 
 def drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
@@ -78,12 +78,12 @@ def exact_drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> Flo
     n, _ = nonzero_vectors(direction, "direction")
     rho, across = _along_and_across(n, triad_error)
     # |A n| - 1 = (|A n|^2 - 1)/(|A n| + 1), without the loss of digits of the subtraction.
-    return (2 * rho + rho**2 + across) / (norms(measured_rate(n, triad_error)) + 1)
+    return (2 * rho + rho**2 + across) / (norms(transform(checked_triad(triad_error), n)) + 1)
 
 
 def _along_and_across(n: FloatArray, triad_error: FloatArray) -> tuple[FloatArray, FloatArray]:
     """n^T M n, and |M n|^2 - (n^T M n)^2, the square of the part of M n across n."""
-    error = np.einsum("...ij,...j->...i", triad_error, n)
+    error = transform(triad_error, n)
     along = np.einsum("...i,...i->...", n, error)
     across = error - along[..., np.newaxis] * n
     return along, np.einsum("...i,...i->...", across, across)
@@ -150,7 +150,7 @@ def principal_drifts(
     [0.7071 0.7071 0.    ]
     """
     triad_error = finite_array(triad_error, "triad_error", 3, 3)
-    symmetric = non_orthogonality(triad_error)
+    symmetric = symmetric_part(triad_error)
     if exact:
         # A^T A - I; its eigenvalues are the squares of the singular values of A, less one.
         symmetric = 2 * symmetric + np.swapaxes(triad_error, -1, -2) @ triad_error

@@ -20,7 +20,8 @@ from driftlab.checks import (
     whole_number,
 )
 from driftlab.core.quaternion import cumulative_product, from_rotation_vector
-from driftlab.triad import measured_rate
+from driftlab.core.vectors import transform
+from driftlab.triad import checked_triad
 
 from .step_formulas import step_formula
 from .systematic_drift import exact_drift_coefficient
@@ -102,7 +103,7 @@ def exact_turn_estimate(triad_error: ArrayLike, axis: ArrayLike, turns: int = 1)
     turns = whole_number(turns, "turns")
     axis, triad_error = finite_arrays(axis=(axis, 3), triad_error=(triad_error, 3, 3))
     n, _ = nonzero_vectors(axis, "axis")
-    m, _ = nonzero_vectors(measured_rate(n, triad_error), "axis")
+    m, _ = nonzero_vectors(transform(checked_triad(triad_error), n), "axis")
     half_drift = turns * np.pi * exact_drift_coefficient(n, triad_error)
     return turn_estimate(from_rotation_vector(2 * half_drift[..., np.newaxis] * m), n, turns)
 
@@ -181,7 +182,7 @@ class TurnExperiment:
         """
         axis, triad_error = finite_arrays(axis=(axis, 3), triad_error=(triad_error, 3, 3))
         n, _ = nonzero_vectors(axis, "axis")
-        increment = 2 * np.pi / self.steps_per_turn * measured_rate(n, triad_error)
+        increment = 2 * np.pi / self.steps_per_turn * transform(checked_triad(triad_error), n)
         count = self.turns * self.steps_per_turn
         increments = np.repeat(increment[..., np.newaxis, :], count, axis=-2)
         if self.angle_noise:

@@ -83,7 +83,7 @@ class Explorer(widgets.VBox):
         starts = {control.name: control.start for control in self.controls}
         self._presets = {name: {**starts, **values} for name, values in self.presets.items()}
         opening = self._presets[preset or next(iter(self.presets))]
-        self._setting = False  # whether values change by our own hand
+        self._setting = False  # whether it is this object that moves the widgets
         self._picture = self.picture_class()
         for artist in self._picture.moving:
             artist.set_animated(True)
