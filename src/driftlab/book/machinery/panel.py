@@ -92,7 +92,7 @@ class Explorer(widgets.VBox):
         width, _ = canvas.get_width_height()
         self._picture.figure.dpi = PIXEL_RATIO * self._picture.figure.dpi
         self._canvas = canvas
-        self._draw_background()
+        self._picture.rescaled = True  # nothing has been drawn yet
 
         fitting = {"max_width": "100%", "margin": "0"}
         self.image = widgets.Image(format="jpeg", width=width, layout=fitting)
