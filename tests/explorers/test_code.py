@@ -15,10 +15,13 @@ from driftlab.drift.characteristic_equation import asymptotic_roots
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.systematic_drift import drift_per_turn
 from panel_numbers import NUMBER
-from panel_numbers.larin import SHAPES, turn_calibration
-from panel_numbers.perelyaev_chelnokov import algorithm_laboratory, cayley_map
+from panel_numbers.ch02 import SHAPES
+from panel_numbers.ch04 import turn_calibration
+from panel_numbers.ch05 import cayley_map
+from panel_numbers.ch06 import algorithm_laboratory
+from panel_numbers.ch07 import split_triad
+from panel_numbers.ch08 import calibration, observability
 from panel_numbers.values import Values, axis_of, listed
-from panel_numbers.wu import calibration, observability, split_triad
 
 
 def results_of(code: str) -> tuple[np.ndarray, str]:

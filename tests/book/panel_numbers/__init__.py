@@ -1,15 +1,15 @@
 """What must stand beside the picture of each panel, computed without the panel and its figure.
 
-The functions in the modules beside this one go from the values of a panel's controls straight to
-the numerics. What is on display must be the same rows, words and units, with as many digits; only
-the last one may differ by one.
+The functions in the modules beside this one, one module a chapter, go from the values of a
+panel's controls straight to the numerics. What is on display must be the same rows, words and
+units, with as many digits; only the last one may differ by one.
 """
 
 import html
 import re
 from collections.abc import Callable
 
-from . import larin, perelyaev_chelnokov, plotnikov, wu
+from . import ch01, ch02, ch03, ch04, ch05, ch06, ch07, ch08, ch09, ch10, ch11
 from .values import Rows, Values
 
 NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
@@ -21,11 +21,11 @@ def shown_numbers(table: str) -> Rows:
     return [(html.unescape(name), html.unescape(value)) for name, value in pairs]
 
 
-def assert_shown(explorer: str, values: Values, shown: Rows) -> None:
+def assert_shown(panel: str, values: Values, shown: Rows) -> None:
     """Fail unless what a panel shows is what the numerics give."""
     for _, text in shown:
         assert not re.search(r"-0(\.0*)?(?![\d.])", text), f"a negative zero: {text}"
-    expected = BY_EXPLORER[explorer](values)
+    expected = BY_PANEL[panel](values)
     assert [name for name, _ in shown] == [name for name, _ in expected]
     for (name, text), (_, right) in zip(shown, expected, strict=True):
         assert_same_text(text, right, name)
@@ -42,17 +42,17 @@ def assert_same_text(shown: str, expected: str, name: str) -> None:
         assert abs(float(ours) - float(theirs)) < 1.01 * place, f"{name}: {shown} not {expected}"
 
 
-BY_EXPLORER: dict[str, Callable[[Values], Rows]] = {
-    "ErrorMotionExplorer": larin.error_motion,
-    "RootsExplorer": larin.roots,
-    "DriftExplorer": larin.drift,
-    "TurnCalibrationExplorer": larin.turn_calibration,
-    "CayleyMapExplorer": perelyaev_chelnokov.cayley_map,
-    "AlgorithmLaboratoryExplorer": perelyaev_chelnokov.algorithm_laboratory,
-    "SplitExplorer": wu.split_triad,
-    "ObservabilityExplorer": wu.observability,
-    "CalibrationRunExplorer": wu.calibration,
-    "AlignmentBudgetExplorer": plotnikov.alignment_budget,
-    "GyrocompassExplorer": plotnikov.gyrocompass,
-    "CapstoneExplorer": plotnikov.capstone,
+BY_PANEL: dict[str, Callable[[Values], Rows]] = {
+    "ErrorMotionExplorer": ch01.error_motion,
+    "RootsExplorer": ch02.roots,
+    "DriftExplorer": ch03.drift,
+    "TurnCalibrationExplorer": ch04.turn_calibration,
+    "CayleyMapExplorer": ch05.cayley_map,
+    "AlgorithmLaboratoryExplorer": ch06.algorithm_laboratory,
+    "SplitExplorer": ch07.split_triad,
+    "ObservabilityExplorer": ch08.observability,
+    "CalibrationRunExplorer": ch08.calibration,
+    "AlignmentBudgetExplorer": ch09.alignment_budget,
+    "GyrocompassExplorer": ch10.gyrocompass,
+    "CapstoneExplorer": ch11.capstone,
 }

@@ -10,6 +10,6 @@ from typing import Any
 
 WRONG: dict[str, list[tuple[Any, str]]] = {
     number: answers
-    for path in sorted(Path(__file__).parent.glob("chapter*.py"))
+    for path in sorted(Path(__file__).parent.glob("ch*.py"))
     for number, answers in import_module(f"wrong_answers.{path.stem}").WRONG.items()
 }

@@ -1,0 +1,68 @@
+"""Rows of the panel of chapter 11."""
+
+from functools import cache
+
+import numpy as np
+from scipy.constants import arcminute, arcsecond
+
+from driftlab.attitude.coning_algorithms import coning_drift
+from driftlab.book.scenarios import ship_manoeuvre
+from driftlab.calibration.simulation import TableTrial
+from driftlab.drift.systematic_drift import drift_per_turn
+from driftlab.drift.turn_calibration import TurnExperiment
+from driftlab.frames import from_euler_angles
+from driftlab.gyrocompass.alignment import alignment_errors
+from driftlab.gyrocompass.simulation import simulate_compass
+from driftlab.imu import NO_ERRORS
+from driftlab.motion.vehicle import static_imu
+from driftlab.quaternion import rotate
+from driftlab.vectors import cross_matrix
+
+from .values import Rows, Values, listed
+
+
+def capstone(values: Values) -> Rows:
+    xy, xz, yz = listed(values, "pair_0 pair_1 pair_2") * arcsecond
+    turned = cross_matrix(listed(values, "turn_forward turn_up turn_right") * arcsecond)
+    bent = np.array([[0, xy, xz], [xy, 0, yz], [xz, yz, 0]]) + turned
+    # One turn about each axis between two of the triad's, each read with noise, shows a pair.
+    between = [[1, 1, 0], [1, 0, 1], [0, 1, 1]] / np.sqrt(2)
+    noise = np.random.default_rng(11)
+    sxy, sxz, syz = TurnExperiment(1, angle_noise=1.8 * arcsecond).estimate(bent, between, noise)
+    left = {
+        "as built": bent,
+        "after turns": bent - [[0, sxy, sxz], [sxy, 0, syz], [sxz, syz, 0]],
+        "after the filter": -filter_leftover(),
+    }
+    axes = np.vstack([np.eye(3), between])
+    cone = coning_drift(values["algorithm"], values["cone"] * arcminute, 5.0, 0.01)
+    shaken = np.array([0, 0, cone])
+    latitude, turn = np.radians(listed(values, "latitude turn"))
+    headings = np.radians(np.arange(-180.0, 181.0, 10.0))
+    attitude = from_euler_angles(headings, 0.0, 0.0)
+    rate, _ = static_imu(attitude, latitude)
+    way = ship_manoeuvre(latitude, 10.0, 0.0, turn, 16.0)
+    rates = way.increments.mean_rate
+    rows = []
+    for stage, error in left.items():
+        drift_a_turn = np.abs(drift_per_turn(axes, error)).max()
+        drifts = rotate(attitude, rate @ error.T + shaken)
+        aligned = alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
+        run = simulate_compass(way, rates @ error.T + shaken, log=True)
+        rows += [
+            (f"drift in a turn, {stage}", f"{drift_a_turn / arcsecond:.1f}″"),
+            (f"aligned heading, {stage}", f"{np.abs(aligned).max() / arcminute:.3f}′"),
+            (f"under way, {stage}", f"{np.degrees(np.abs(run.heading_error).max()):.4f}°"),
+        ]
+    return rows
+
+
+@cache
+def filter_leftover() -> np.ndarray:
+    """What the filter leaves in the gyros of the unit with which the panel opens."""
+    true = np.array([[0, -30, 20], [-30, 0, 30], [20, 30, 0]]) * arcsecond
+    true = true + cross_matrix(np.array([20, 25, 20]) * arcsecond)
+    imu_errors = NO_ERRORS._replace(gyro_error=true)
+    trial = TableTrial(frame="accelerometers", sample_interval=0.1)
+    found = trial.run(np.random.default_rng(11), imu_errors=imu_errors).calibration.imu_errors
+    return found.gyro_error - true
