@@ -84,6 +84,16 @@ def printed(value: float, like: str, rounding: str) -> str:
     return str(Decimal(float(value)).quantize(Decimal(like), rounding))
 
 
+def largest(values) -> float:
+    """The largest size of any of the values."""
+    return float(np.abs(values).max())
+
+
+def chi_bounds(count: int) -> np.ndarray:
+    """Bounds of a mean of `count` squares of normal numbers, passed once in a million draws."""
+    return chi2.ppf([0.5e-6, 1 - 0.5e-6], count) / count
+
+
 def helper_modules() -> list[ModuleType]:
     """All modules of the helper: all but the book, SymPy, checks, cores, private ones."""
     names = (module.name for module in walk_packages(driftlab.__path__, "driftlab."))
@@ -106,7 +116,7 @@ def assert_normal(values, deviation):
     Each bound is passed by chance once in a million draws; the seeds are fixed.
     """
     unit = values / deviation
-    low, high = chi2.ppf([0.5e-6, 1 - 0.5e-6], len(unit)) / len(unit)
+    low, high = chi_bounds(len(unit))
     squares = (unit**2).mean(axis=0)
     assert (low < squares).all()
     assert (squares < high).all()

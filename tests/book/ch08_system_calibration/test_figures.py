@@ -1,17 +1,11 @@
-"""The figures of Part III: what they compute."""
+"""The figures of chapter 08: what a turntable shows, calibrations, and what they are good for."""
 
 import numpy as np
 import pytest
-from hypothesis import given, strategies as st
 from scipy.constants import micro
 from scipy.stats import binom
 
-from driftlab.body_frames import BODY_FRAMES, misalignment_vector
-from driftlab.book.ch07_installation_errors.experiments import (
-    SCHEME,
-    error_matrix_parts,
-    plane_body_axes,
-)
+from driftlab.body_frames import BODY_FRAMES
 from driftlab.book.ch08_system_calibration.experiments import (
     ALL_STARTS,
     FRAMES,
@@ -30,50 +24,9 @@ from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import covariance_analysis, unobservable_subspace
-from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import Scheme
-from driftlab.vectors import cross_matrix
 from published import published
-
-
-def test_split_triad_shows_the_whole_and_its_parts() -> None:
-    data = error_matrix_parts(TYPICAL_ERRORS.gyro_error)
-    np.testing.assert_allclose(data.parts[0], TYPICAL_ERRORS.gyro_error, rtol=0, atol=0)
-    np.testing.assert_allclose(data.parts[1:].sum(axis=0), data.parts[0], rtol=0, atol=1e-18)
-    np.testing.assert_allclose(data.parts[3], cross_matrix(data.vector), rtol=0, atol=1e-18)
-
-
-# Farther apart than a right angle the two are left-handed.
-@given(st.floats(-0.7, 0.7), st.floats(-0.7, 0.7))
-def test_plane_axes_turn_by_the_mean_angle(x: float, y: float) -> None:
-    """Wu (44), for angles of any size."""
-    data = plane_body_axes((x, y))
-    assert data.averaged == pytest.approx((x + y) / 2, abs=1e-12)
-    assert data.usual == pytest.approx(x, abs=1e-12)
-
-
-@published("07-equivalent-start")
-def test_equivalent_start_is_of_second_order_and_exact_for_a_rotation(
-    figure: PublishedFigure,
-) -> None:
-    data = figure.data
-    _, symmetric, skew, derivative = data.tilts
-    assert symmetric[-1] > 10 * skew.max()
-    # The total derivative, to first order: the square of some 40 arc seconds, times the turns.
-    np.testing.assert_allclose(skew, derivative, rtol=0, atol=2e-7)
-    attitude, turned, velocity = data.left
-    large = data.sizes > 1e-4
-    for left in (attitude[large], velocity[large]):
-        slope = np.polyfit(np.log(data.sizes[large]), np.log(left), 1)[0]
-        assert slope == pytest.approx(2, abs=0.05)
-    assert turned.max() < 1e-12
-    gyros, accelerometers, both, both_and_start = data.speeds
-    # What the first order leaves over is a tilt of the size squared, and as much times pi/4 again
-    # for each quarter turn; gravity makes a velocity of it.
-    square = np.sum(misalignment_vector(TYPICAL_ERRORS.gyro_error) ** 2)
-    tilt = square * (1 + np.pi / 4 * len(SCHEME.turns))
-    assert both_and_start.max() < 9.81 * tilt * data.times[-1]
-    assert min(gyros.max(), accelerometers.max(), both.max()) > 100 * both_and_start.max()
 
 
 @published("08-scheme-directions")

@@ -1,0 +1,32 @@
+"""The experiments of chapter 01: errors in motion, by an integrator."""
+
+import pytest
+
+from driftlab.book.ch01_rotation_and_error_kinematics.experiments import (
+    error_motion,
+    integration_error,
+)
+
+
+def test_error_motion_integrator_keeps_its_tolerance() -> None:
+    rate, measured = [0.1, 0.2, 0.1], [0.12, 0.15, 0.1]
+    for tolerance in (1e-4, 1e-8):
+        data = error_motion(rate, measured, tolerance=tolerance)
+        # The tolerance holds for one step; the steps' errors add up at worst.
+        worst = integration_error(data, rate, measured).max()
+        assert worst < 2 * tolerance * len(data.integrated_time)
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: error_motion([1, 0, 0], [1, 0, 0], 0.0), "duration: expected a number"),
+        (
+            lambda: error_motion([1, 0, 0], [1, 0, 0], tolerance=-1),
+            "tolerance: expected a number above 0",
+        ),
+    ],
+)
+def test_refusals(call, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        call()

@@ -1,0 +1,41 @@
+"""The figures of chapter 02: roots of the characteristic equation, and their errors."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+
+from driftlab.book.ch02_characteristic_equation.experiments import characteristic_roots, root_errors
+from driftlab.book.scenarios import SYMMETRIC
+from support import directions, matrices
+
+
+@given(matrices(1.0), directions())
+def test_roots_picture_shows_the_biquadratic(shape: np.ndarray, direction: np.ndarray) -> None:
+    data = characteristic_roots(0.1, shape, direction)
+    # The printed equation spoils the sum of the squares and keeps their product.
+    squares = data.roots[..., 0] ** 2 * data.roots[..., 2] ** 2
+    np.testing.assert_allclose(squares[3], squares[0], rtol=1e-6, atol=1e-12)
+
+
+def test_roots_errors_have_the_slopes_of_the_text() -> None:
+    data = characteristic_roots(0.1, SYMMETRIC, [1, 1, 0.3])
+    small = (data.sizes > 1e-4) & (data.sizes < 1e-2)
+    slopes = [
+        np.polyfit(np.log(data.sizes[small]), np.log(error[small]), 1)[0]
+        for error in np.moveaxis(root_errors(data), -1, 1).reshape(-1, len(data.sizes))
+    ]
+    # first order: fast, slow; with the next term: fast, slow; as printed: fast, slow
+    np.testing.assert_allclose(slopes, [2, 2, 3, 3, 2, 3], atol=0.05)
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: characteristic_roots(-0.1, np.eye(3), [1, 0, 0]), "size: expected a number of at"),
+        (lambda: characteristic_roots(0.1, np.eye(2), [1, 0, 0]), r"shape: expected shape"),
+        (lambda: characteristic_roots(0.1, np.eye(3), [0, 0, 0]), "direction: expected nonzero"),
+    ],
+)
+def test_refusals(call, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        call()

@@ -1,0 +1,61 @@
+"""The figures of chapter 03: the drift in time, by symmetry and over all axes."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+
+from driftlab.book.ch03_systematic_drift.experiments import drift_history, drift_map
+from driftlab.book.ch03_systematic_drift.figures import drift_history as drift_history_figure
+from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.drift.systematic_drift import drift_coefficient
+from published import published
+from support import directions, matrices
+
+
+@given(matrices(2e-3), directions())
+def test_drift_history_stays_within_the_fixed_axes(
+    triad_error: np.ndarray, direction: np.ndarray
+) -> None:
+    data = drift_history(triad_error, direction)
+    table = drift_history_figure.columns(data)
+    assert np.degrees(np.abs(table["along_rad"])).max() < 12
+    assert 60 * np.degrees(table["across_rad"]).max() < 45
+    np.testing.assert_allclose(data.turns[::60], data.whole_turns, rtol=0, atol=1e-12)
+    # (2.3), made exact: once a turn the error is so many times the drift of one turn.
+    seen = np.linalg.norm(data.snapshots, axis=-1)
+    expected = np.abs(data.whole_turns * data.exact_per_turn)
+    np.testing.assert_allclose(seen, expected, rtol=1e-6, atol=1e-14)
+
+
+@published("03-drift-by-symmetry")
+def test_drift_by_symmetry_slopes_and_cosine(figure: PublishedFigure) -> None:
+    data = figure.data
+    slope = [
+        np.polyfit(np.log(data.sizes), np.log(drift), 1)[0] for drift in (data.symmetric, data.skew)
+    ]
+    np.testing.assert_allclose(slope, [1, 2], atol=0.01)
+    # The skew part adds nothing about (1, 1, 1), its own axis; only second order is left.
+    expected = 4 * np.pi * np.cos(data.mixing)
+    np.testing.assert_allclose(data.mixed / data.mixed_size, expected, rtol=0, atol=1e-10)
+
+
+@given(matrices(1e-2))
+def test_drift_map_lies_between_its_principal_values(triad_error: np.ndarray) -> None:
+    data = drift_map(triad_error)
+    assert data.coefficient.min() >= data.principal[0] - 1e-16
+    assert data.coefficient.max() <= data.principal[2] + 1e-16
+    at_axes = drift_coefficient(data.axes, triad_error)
+    np.testing.assert_allclose(at_axes, data.principal, rtol=0, atol=1e-16)
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: drift_history(np.eye(3), [0, 0, 0]), "direction: expected nonzero"),
+        (lambda: drift_history(np.eye(3), [1, 0, 0], 0), "samples_per_turn: expected a"),
+        (lambda: drift_map(np.full((3, 3), np.nan)), "triad_error: expected finite"),
+    ],
+)
+def test_refusals(call, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        call()

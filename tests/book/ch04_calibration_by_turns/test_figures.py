@@ -1,0 +1,83 @@
+"""The figures of chapter 04: turns, weighings, and the digits of Larin's table."""
+
+import numpy as np
+import pytest
+
+from driftlab.book.ch04_calibration_by_turns.experiments import (
+    FORMULAS as FORMULAS_04,
+    PLANS,
+    expected_noise,
+    turn_bias,
+    turn_estimates,
+)
+from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.scenarios import LARIN_TRIAD
+from driftlab.drift.turn_calibration import TurnExperiment
+from driftlab.triad import non_orthogonality
+from published import published
+
+
+@pytest.mark.parametrize("plan", PLANS)
+def test_every_plan_finds_sigma_up_to_the_bias(plan: str) -> None:
+    data = turn_estimates(LARIN_TRIAD, plan)
+    np.testing.assert_array_equal(data.true, non_orthogonality(LARIN_TRIAD)[[0, 0, 1], [1, 2, 2]])
+    # The bias of one estimate is half of the square of what lies across, at most 2 |M|^2;
+    # no plan weighs the estimates with more than 2 in all.
+    assert np.abs(data.runs - data.true).max() < 4 * np.linalg.norm(LARIN_TRIAD) ** 2
+
+
+def test_only_a_fit_with_scale_is_unharmed_by_a_scale_error() -> None:
+    triad = LARIN_TRIAD + 2e-4 * np.eye(3)
+    errors = {}
+    for plan in PLANS:
+        data = turn_estimates(triad, plan)
+        errors[plan] = np.abs(data.runs - data.true).max()
+    unharmed = [plan for plan, error in errors.items() if error < 1e-5]
+    assert unharmed == [plan for plan in PLANS if "scale" in plan]
+
+
+def test_noise_of_turn_estimates_repeats_with_its_seed() -> None:
+    noisy = TurnExperiment(turns=2, angle_noise=1e-4)
+    runs = [turn_estimates(LARIN_TRIAD, experiment=noisy, seed=s).runs for s in (1, 1, 2)]
+    np.testing.assert_array_equal(runs[0], runs[1])
+    assert np.abs(runs[0] - runs[2]).max() > 0
+
+
+def test_turn_bias_floor_is_the_method_and_noise_falls_with_turns() -> None:
+    data = turn_bias(LARIN_TRIAD)
+    exact = data.by_formula[FORMULAS_04.index("exact")]
+    np.testing.assert_allclose(exact, data.bias, rtol=1e-6)
+    # A standard deviation from n runs has the relative deviation 1/sqrt(2n); allow four of them.
+    ratio = data.noise / expected_noise(data.turns)
+    assert np.abs(ratio - 1).max() < 4 / np.sqrt(2 * data.runs)
+
+
+@published("04-larin-digits")
+def test_three_candidates_give_all_seven_printed_numbers(figure: PublishedFigure) -> None:
+    data = figure.data
+    assert data.winners == 3
+    assert [data.labels[i] for i in np.flatnonzero(data.agrees[0].all(axis=-1))] == [
+        "unit third axis, pade"
+    ]
+
+
+@published("04-weighing-designs")
+def test_weighing_monte_carlo_agrees_with_the_closed_forms(figure: PublishedFigure) -> None:
+    data = figure.data
+    # half_width is 1.96 standard deviations; ten comparisons, so allow four.
+    deviations = np.abs(data.measured - data.expected) / (data.half_width / 1.96)
+    assert deviations.max() < 4
+    # Variances by hand: 1; (1 + 1 + 1 + 9/4)/4; ...; 17/21; 2.
+    by_hand = np.sqrt([1, 21 / 16, 17 / 21, 2])
+    np.testing.assert_allclose(data.expected[0, [0, 1, 3, 4]], by_hand, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: turn_estimates(np.eye(3), "guess"), "plan: expected one of three pair"),
+    ],
+)
+def test_refusals(call, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        call()

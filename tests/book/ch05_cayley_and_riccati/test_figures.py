@@ -1,0 +1,44 @@
+"""The figures of chapter 05: Cayley's vectors over an angle, and Riccati's equation in turns."""
+
+import numpy as np
+import pytest
+
+from driftlab.book.ch05_cayley_and_riccati.experiments import cayley_map
+from driftlab.book.machinery.publish import PublishedFigure
+from published import published
+
+
+def test_cayley_map_shows_the_tangents_and_says_what_is_infinite() -> None:
+    degrees = np.array([-270.0, -90.0, 10.0, 130.0, 300.0])
+    for phi in np.radians(degrees):
+        data = cayley_map(phi, [0.3, -2, 1])
+        found = [data.along_3, data.along_4, data.shadow]
+        np.testing.assert_allclose(
+            found, [-np.tan(phi / 2), -np.tan(phi / 4), 1 / np.tan(phi / 4)], rtol=1e-13
+        )
+    for angle, infinite in ((np.pi, "along_3"), (-2 * np.pi, "along_4"), (0.0, "shadow")):
+        data = cayley_map(angle, [1, 0, 0])
+        names = [name for name in ("along_3", "along_4", "shadow") if getattr(data, name) is None]
+        assert names == [infinite]
+    with pytest.raises(ValueError, match=r"^angle: expected at most a whole turn either way"):
+        cayley_map(7.0, [1, 0, 0])
+
+
+@published("05-riccati-turns")
+def test_riccati_turns_say_what_the_caption_says(figure: PublishedFigure) -> None:
+    data = figure.data
+    assert 0.99999 < data.ended.time[-1] < 1 < data.plain.time[-1] == data.switched.time[-1]
+    assert np.linalg.norm(data.ended.vector[-1]) == pytest.approx(1e6, rel=1e-3)
+    assert np.linalg.norm(data.switched.vector, axis=-1).max() < 1.2 + 1e-6
+    # Nearest to the singularity, after a turn: the vector of an angle of 2 pi less the miss.
+    longest = np.linalg.norm(data.plain.vector[data.plain.time < 1.5], axis=-1).max()
+    assert longest == pytest.approx(1 / np.tan(data.miss / 4), rel=1e-2)
+    plain, switched = data.fixed_errors[:, -1]
+    assert plain > 1000 * switched
+    # At each tolerance: errors alike, more work without the switch, and more for a closer pass.
+    assert np.abs(np.log(data.worst[1] / data.worst[0])).max() < np.log(5)
+    assert np.all(data.evaluations[0] > 2 * data.evaluations[1])
+    assert np.all(data.evaluations[0, 1] > data.evaluations[0, 0])
+    # Along each curve, a smaller tolerance is more work for less error.
+    assert np.all(np.diff(data.evaluations) > 0)
+    assert np.all(np.diff(data.worst) < 0)

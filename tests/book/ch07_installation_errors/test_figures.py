@@ -1,0 +1,56 @@
+"""The figures of chapter 07: the parts of a triad's errors, body axes, equivalent starts."""
+
+import numpy as np
+import pytest
+from hypothesis import given, strategies as st
+
+from driftlab.body_frames import misalignment_vector
+from driftlab.book.ch07_installation_errors.experiments import (
+    SCHEME,
+    error_matrix_parts,
+    plane_body_axes,
+)
+from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.imu import TYPICAL_ERRORS
+from driftlab.vectors import cross_matrix
+from published import published
+
+
+def test_split_triad_shows_the_whole_and_its_parts() -> None:
+    data = error_matrix_parts(TYPICAL_ERRORS.gyro_error)
+    np.testing.assert_allclose(data.parts[0], TYPICAL_ERRORS.gyro_error, rtol=0, atol=0)
+    np.testing.assert_allclose(data.parts[1:].sum(axis=0), data.parts[0], rtol=0, atol=1e-18)
+    np.testing.assert_allclose(data.parts[3], cross_matrix(data.vector), rtol=0, atol=1e-18)
+
+
+# Farther apart than a right angle the two are left-handed.
+@given(st.floats(-0.7, 0.7), st.floats(-0.7, 0.7))
+def test_plane_axes_turn_by_the_mean_angle(x: float, y: float) -> None:
+    """Wu (44), for angles of any size."""
+    data = plane_body_axes((x, y))
+    assert data.averaged == pytest.approx((x + y) / 2, abs=1e-12)
+    assert data.usual == pytest.approx(x, abs=1e-12)
+
+
+@published("07-equivalent-start")
+def test_equivalent_start_is_of_second_order_and_exact_for_a_rotation(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    _, symmetric, skew, derivative = data.tilts
+    assert symmetric[-1] > 10 * skew.max()
+    # The total derivative, to first order: the square of some 40 arc seconds, times the turns.
+    np.testing.assert_allclose(skew, derivative, rtol=0, atol=2e-7)
+    attitude, turned, velocity = data.left
+    large = data.sizes > 1e-4
+    for left in (attitude[large], velocity[large]):
+        slope = np.polyfit(np.log(data.sizes[large]), np.log(left), 1)[0]
+        assert slope == pytest.approx(2, abs=0.05)
+    assert turned.max() < 1e-12
+    gyros, accelerometers, both, both_and_start = data.speeds
+    # What the first order leaves over is a tilt of the size squared, and as much times pi/4 again
+    # for each quarter turn; gravity makes a velocity of it.
+    square = np.sum(misalignment_vector(TYPICAL_ERRORS.gyro_error) ** 2)
+    tilt = square * (1 + np.pi / 4 * len(SCHEME.turns))
+    assert both_and_start.max() < 9.81 * tilt * data.times[-1]
+    assert min(gyros.max(), accelerometers.max(), both.max()) > 100 * both_and_start.max()

@@ -1,0 +1,174 @@
+"""The figures of chapter 09: the errors of an alignment, over the vertical, and averages."""
+
+import numpy as np
+import pytest
+
+from driftlab.book.ch09_aligning_a_gyrocompass import experiments as alignments
+from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.earth import gravity
+from published import published
+from saratov import GRAVITY, HOURLY, LATITUDE, LEVEL_RATE
+from support import chi_bounds, largest, order_of
+
+
+@published("09-alignment-budget")
+def test_the_budget_is_the_sum_of_its_terms_and_off_in_second_order(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    assert data.bars[:4].sum() == pytest.approx(data.bars[4], rel=1e-12)
+    assert (data.bars[:4] != 0).all()
+
+    def gap(size: float) -> float:
+        gyro_bias, accelerometer_bias = (
+            size * alignments.GYRO_BIAS,
+            size * alignments.ACCELEROMETER_BIAS,
+        )
+        part = alignments.alignment_budget(
+            gyro_bias=gyro_bias, accelerometer_bias=accelerometer_bias
+        )
+        pairs = (part.pitch, part.roll, part.latitude, part.attitude, part.bars[4:])
+        return largest([first - exact for first, exact in pairs])
+
+    # A hundred times the default errors, which are some 1e-3 in angles.
+    assert order_of(lambda size: gap(100 * size)) == pytest.approx(2, abs=0.1)
+
+
+@published("09-alignment-budget")
+def test_the_budget_of_one_heading_is_on_the_curve_of_all(figure: PublishedFigure) -> None:
+    data = figure.data
+    for heading in data.headings[::9]:
+        here = alignments.alignment_budget(heading=heading)
+        place = np.flatnonzero(data.headings == heading)
+        np.testing.assert_allclose(here.bars[-2], data.first_order[place], rtol=0, atol=1e-15)
+        np.testing.assert_allclose(here.bars[-1], data.exact[place], rtol=0, atol=1e-15)
+        # Sensors that turn with the body have the same errors of pitch and roll everywhere.
+        assert here.pitch == pytest.approx(data.pitch, abs=1e-15)
+        assert here.roll == pytest.approx(data.roll, abs=1e-15)
+
+
+@published("09-alignment-budget")
+def test_the_budget_over_all_headings_is_a_mean_and_one_wave(figure: PublishedFigure) -> None:
+    """Body-fixed errors stand still in the tangent of the pitch, and go round in the rest."""
+    data = figure.data
+    waves = np.stack([np.ones(73), np.cos(data.headings), np.sin(data.headings)], axis=-1)
+    fitted, *_ = np.linalg.lstsq(waves, data.first_order)
+    np.testing.assert_allclose(waves @ fitted, data.first_order, rtol=0, atol=1e-16)
+    assert (np.abs(fitted) > 1e-4).all()
+    assert largest(data.exact - data.first_order) < 5e-3 * largest(data.exact)
+
+
+@published("09-alignment-terms")
+def test_each_term_goes_with_its_angle(figure: PublishedFigure) -> None:
+    data = figure.data
+    east, by_cosine, by_sine, by_latitude = np.moveaxis(data.terms["heading"], -1, 0)
+    grid = alignments.GRIDS["heading"]
+    assert np.ptp(east) == np.ptp(by_latitude) == 0
+    for term, wave in ((by_cosine, np.cos(grid)), (by_sine, np.sin(grid))):
+        np.testing.assert_allclose(term, largest(term) * np.sign(term @ wave) * wave, atol=1e-15)
+    tangent = np.tan(alignments.GRIDS["pitch"])
+    for k in (1, 2):
+        term = data.terms["pitch"][:, k]
+        np.testing.assert_allclose(term, term[-1] / tangent[-1] * tangent, rtol=1e-12)
+    place = alignments.GRIDS["latitude"]
+    pull = gravity(place)
+    laws = (1 / np.cos(place), 1 / pull, 1 / pull, np.tan(place) / pull)
+    for k, law in enumerate(laws):
+        term = data.terms["latitude"][:, k]
+        np.testing.assert_allclose(term, term[-1] / law[-1] * law, rtol=1e-12)
+
+
+@published("09-alignment-terms")
+def test_the_misprint_is_what_separates_the_printed_formula_from_the_exact_error(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    for panel in ("heading", "pitch"):
+        corrected = largest(data.terms[panel].sum(axis=-1) - data.exact[panel])
+        assert corrected < 0.01
+        assert largest(data.printed[panel] - data.exact[panel]) > 20 * corrected
+    for panel, grid in alignments.GRIDS.items():
+        place = grid if panel == "latitude" else LATITUDE
+        third = data.terms[panel][:, 2]
+        expected = data.terms[panel].sum(axis=-1) - third + third * np.tan(place)
+        np.testing.assert_allclose(data.printed[panel], expected, rtol=0, atol=1e-13)
+    # Where the tangent is one the misprint does not show.
+    at_45 = np.isclose(alignments.GRIDS["latitude"], np.pi / 4)
+    assert at_45.sum() == 1
+    right, wrong = data.terms["latitude"].sum(axis=-1), data.printed["latitude"]
+    np.testing.assert_allclose(right[at_45], wrong[at_45], rtol=1e-12)
+
+
+@published("09-over-the-vertical")
+def test_over_the_vertical_the_attitude_keeps_what_heading_and_roll_lose(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    up = data.angles < np.pi / 2
+    np.testing.assert_allclose(data.heading[up], alignments.HEADING, atol=1e-12)
+    np.testing.assert_allclose(data.heading[~up], alignments.HEADING - np.pi, atol=1e-12)
+    np.testing.assert_allclose(data.roll[up], 0, atol=1e-12)
+    np.testing.assert_allclose(np.abs(data.roll[~up]), np.pi, atol=1e-12)
+    assert largest(data.heading_error) > 30 * largest(data.attitude_error)
+    assert largest(data.roll_error) > 30 * largest(data.attitude_error)
+    assert (data.together_error[up] < 1.1 * data.attitude_error[up]).all()
+    # The error of the attitude does not know where the vertical is.
+    assert np.ptp(data.attitude_error) < 0.1 * data.attitude_error.min()
+
+
+@published("09-over-the-vertical")
+def test_over_the_vertical_errors_are_as_large_as_the_first_order_says(
+    figure: PublishedFigure,
+) -> None:
+    """Heading: d - e tan(lat) + s tan(pitch); roll: -s/cos(pitch); s = e cos(psi) + n sin(psi).
+
+    d, e and n are what the errors of the East gyro and of two accelerometers are in angles, and
+    independent, of one size in each direction of the body.
+    """
+    data = figure.data
+    gyro_bias = largest(alignments.GYRO_BIAS) / LEVEL_RATE
+    accelerometer_bias = largest(alignments.ACCELEROMETER_BIAS) / GRAVITY
+    pitch = np.minimum(data.angles, np.pi - data.angles)
+    cosine, sine = np.cos(data.heading), np.sin(data.heading)
+
+    def size(by_pitch: np.ndarray) -> np.ndarray:
+        east, north = cosine * by_pitch - np.tan(LATITUDE), sine * by_pitch
+        return np.sqrt(gyro_bias**2 + accelerometer_bias**2 * (east**2 + north**2))
+
+    low, high = np.sqrt(chi_bounds(data.runs))
+    expected = {
+        "heading_error": size(np.tan(pitch)),
+        "roll_error": accelerometer_bias / np.cos(pitch),
+        "together_error": size(np.tan(pitch) - 1 / np.cos(pitch)),
+        "attitude_error": np.sqrt(
+            gyro_bias**2 + accelerometer_bias**2 * (2 + np.tan(LATITUDE) ** 2)
+        ),
+    }
+    # Half a degree from the vertical tilts of a tenth of a degree are not small.
+    small = np.abs(data.angles - np.pi / 2) > np.radians(2)
+    for name, law in expected.items():
+        ratio = (getattr(data, name) / law)[small]
+        assert (low < ratio).all()
+        assert (ratio < high).all()
+
+
+@published("09-averaging-window")
+def test_averaging_falls_with_the_square_root_down_to_the_slow_part(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    low, high = np.sqrt(chi_bounds(data.runs - 1))
+    # Of the heading, to first order: white noise of a sample, 0.5 deg/h, is 3 degrees of it.
+    ratio = data.simulated / data.formula
+    assert (low < ratio).all()
+    assert (ratio < high).all()
+    for white, alone in zip(alignments.WHITE, data.white_alone, strict=True):
+        expected = white * HOURLY / np.sqrt(data.windows) / LEVEL_RATE
+        np.testing.assert_allclose(alone, expected, rtol=1e-12)
+    slow = np.sqrt(data.formula**2 - data.white_alone**2)
+    floor = alignments.SLOW * HOURLY / LEVEL_RATE
+    x = data.windows * 0.1 / 3600
+    # The variance of a mean over x correlation times; a sum for an integral.
+    expected = floor * np.sqrt(2 * (x + np.expm1(-x))) / x
+    np.testing.assert_allclose(slow[:, 2:], np.tile(expected[2:], (2, 1)), rtol=1e-3)
+    assert (slow > 0.9 * floor)[:, :-1].all()

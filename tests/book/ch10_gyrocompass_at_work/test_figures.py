@@ -1,0 +1,163 @@
+"""The figures of chapter 10 on one place: restarts, a dial table, a horizon that settles."""
+
+from math import comb
+
+import numpy as np
+import pytest
+from scipy.stats import beta, binom, chi, kstest
+
+from driftlab.book.ch09_aligning_a_gyrocompass import experiments as alignments
+from driftlab.book.ch10_gyrocompass_at_work import experiments as at_work
+from driftlab.book.ch10_gyrocompass_at_work.experiments import dial
+from driftlab.book.machinery.publish import PublishedFigure
+from published import published
+from saratov import HOURLY, LEVEL_RATE, SCHULER
+from support import chi_bounds, largest, range_distribution
+
+# Restarts
+
+
+@published("10-restarts")
+def test_the_printed_noise_needs_more_than_white_noise(figure: PublishedFigure) -> None:
+    """0.06 to 0.5 deg/h become 0.01 to 0.02 in one window only if something slow is left."""
+    data = figure.data
+    before, after = data.deviations.T / HOURLY
+    assert list(before.round(2)) == list(alignments.WHITE)
+    assert list(after.round(2)) == [0.01, 0.02]
+    white_alone = np.array(alignments.WHITE) / np.sqrt(alignments.MOVING_AVERAGE)
+    np.testing.assert_allclose(white_alone, [0.0024, 0.02], rtol=1e-12)
+    np.testing.assert_allclose(np.sqrt(after**2 - white_alone**2), 0.01, rtol=0.01)
+
+
+@published("10-restarts")
+def test_restarts_spread_as_their_noise_says(figure: PublishedFigure) -> None:
+    data = figure.data
+    assert data.heading.shape == (at_work.RESTARTS,)
+    expected = data.deviations[0, 1] / LEVEL_RATE
+    low, high = chi_bounds(at_work.RESTARTS - 1)
+    assert low < data.heading.var(ddof=1) / expected**2 < high
+    assert abs(data.heading.mean()) < 4.9 * expected / np.sqrt(at_work.RESTARTS)
+    window = np.full(alignments.MOVING_AVERAGE, 1 / alignments.MOVING_AVERAGE)
+    direct = np.convolve(data.raw, window, mode="valid")
+    np.testing.assert_allclose(data.averaged, direct, rtol=0, atol=1e-12 * data.raw.std())
+    low, high = chi_bounds(len(data.raw))
+    assert low < (data.raw / data.deviations[1, 0]).var() < high
+
+
+@published("10-restarts")
+def test_the_printed_spread_is_too_large_for_its_deviation(figure: PublishedFigure) -> None:
+    """A pair that is so far apart follows a beta law; pairs, counted twice or not, are fewer."""
+    data = figure.data
+    count = at_work.RESTARTS
+    ratio = at_work.PRINTED_SPREAD / at_work.PRINTED_DEVIATION
+    pair = beta.sf(ratio**2 / (2 * (count - 1)), 0.5, (count - 2) / 2)
+    seen = np.count_nonzero(data.ranges >= ratio)
+    assert 0 < seen <= binom.ppf(1 - 1e-6, at_work.TRIALS, comb(count, 2) * pair)
+    assert comb(count, 2) * pair < 0.001
+    # The law of all of them: times an independent deviation they are ranges.
+    rng = np.random.default_rng(1)
+    deviations = chi(count - 1).rvs(10000, random_state=rng) / np.sqrt(count - 1)
+    found = kstest(data.ranges[:10000] * deviations, range_distribution(count))
+    assert found.pvalue > 1e-4
+    assert data.ranges.shape == (at_work.TRIALS,)
+
+
+def test_rounding_is_the_least_and_the_most_that_is_printed_so() -> None:
+    low, high = at_work.printed_ratio_range()
+    spreads, deviations = np.linspace(0.25, 0.35, 101), np.linspace(0.0535, 0.0545, 101)
+    assert {f"{spread:.1f}" for spread in spreads[1:-1]} == {f"{at_work.PRINTED_SPREAD:.1f}"}
+    inside = {f"{deviation:.3f}" for deviation in deviations[1:-1]}
+    assert inside == {f"{at_work.PRINTED_DEVIATION:.3f}"}
+    ratios = spreads[:, np.newaxis] / deviations
+    assert (low, high) == pytest.approx((ratios.min(), ratios.max()), rel=1e-12)
+
+
+# On the dial table
+
+
+@published("10-static-characteristic")
+def test_the_shown_unit_follows_its_formula_within_the_noise_of_three_runs(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    noise = at_work.RANDOM / np.sqrt(dial.RUNS) / LEVEL_RATE
+    low, high = chi_bounds(len(at_work.DIAL))
+    gap = data.runs.mean(axis=0) - data.formula
+    assert low < np.mean(gap**2) / noise**2 < high
+    assert abs(gap.mean()) < 4.9 * noise / np.sqrt(len(gap))
+    assert largest(data.formula) > 5 * noise
+    # It is the unit whose largest error is nearest to the printed one.
+    worst = largest(data.runs.mean(axis=0))
+    shown = data.largest[at_work.SHOWN]
+    printed = np.radians(at_work.PRINTED_LARGEST)
+    assert worst == shown[np.abs(shown - printed).argmin()]
+    assert worst == pytest.approx(printed, rel=0.01)
+
+
+@published("10-static-characteristic")
+def test_the_printed_error_is_the_median_of_the_shown_drift(figure: PublishedFigure) -> None:
+    data = figure.data
+    medians = np.degrees(np.median(data.largest, axis=1))
+    assert (np.diff(medians) > 0).all()
+    nearest = np.abs(medians - at_work.PRINTED_LARGEST).argmin()
+    assert nearest == at_work.SHOWN
+    assert at_work.LASTING[nearest] == 0.04
+
+
+def test_without_noise_a_unit_has_one_characteristic() -> None:
+    """The drift about East and the dial's zero; levelling is of second order like the rest."""
+    rng = np.random.default_rng(7)
+    errors, gyro_bias, north = at_work.dial_trial(0.02 * HOURLY, 400, rng, random=0.0)
+    assert errors.shape == (400, 3, 25)
+    assert np.ptp(errors, axis=1).max() < 1e-15
+    np.testing.assert_allclose(errors[..., 0], errors[..., -1], rtol=0, atol=1e-14)
+    heading = at_work.DIAL + north
+    rates = gyro_bias / LEVEL_RATE
+    east = -rates[..., 0] * np.sin(heading) + rates[..., 2] * np.cos(heading)
+    # Squares of drifts against the Earth's rate, and of tilts, which a rate about Up also shows.
+    size = np.linalg.norm(rates, axis=-1).max() + 2 * at_work.LEVELLING
+    assert largest(errors - east - north) < size**2 < 0.1 * largest(east)
+    low, high = chi_bounds(gyro_bias.size)
+    assert low < np.mean((gyro_bias / (0.02 * HOURLY)) ** 2) < high
+    assert 0.95 * np.radians(0.1) < largest(north) <= np.radians(0.1)
+
+
+# Settling
+
+
+@published("10-settling")
+def test_the_horizon_settles_as_an_oscillator_with_its_damping(figure: PublishedFigure) -> None:
+    data = figure.data
+    # The envelope falls with exp(-zeta wn t); in a whole period by so much.
+    decay, ringing = at_work.FREQUENCY * np.sqrt(0.5), at_work.FREQUENCY * np.sqrt(0.5)
+    period = round(2 * np.pi / ringing / at_work.SETTLING_INTERVAL)
+    expected = np.exp(-decay * period * at_work.SETTLING_INTERVAL)
+    early = slice(10, 60)
+    ratio = data.tilt[10 + period : 60 + period] / data.tilt[early]
+    # While the tilt is not near one of its zeros; half a degree is a small angle within 1e-2.
+    whole = data.tilt[early] > 0.3 * data.tilt[0]
+    assert whole.sum() > 10
+    np.testing.assert_allclose(ratio[whole], expected, rtol=0.05)
+    assert data.tilt[0] == pytest.approx(np.linalg.norm(at_work.TILT), rel=0.05)
+    assert data.settling_heading[0] > np.radians(10)
+    assert data.settling_heading[-1] < np.radians(1e-5)
+    assert data.tilt[-1] < 1e-6 * data.tilt[0]
+
+
+def test_the_swing_of_many_runs_is_as_large_as_the_formulas_say() -> None:
+    data = at_work.settling_and_swing(runs=200)
+    assert data.heading.shape == (200, 120)
+    low, high = chi_bounds(200)
+    ratio = np.mean(data.heading**2, axis=0) / data.deviation**2
+    # The tilt at the start of the swing, which the formula leaves out, is (ws/wn)^2/2 of it, and
+    # counts most where the cosine is zero; there the noise since then is in the formula alone.
+    assert (low < ratio).all()
+    assert (ratio < high).all()
+    # Beginning and growth are independent, so the mean over the time has twice as many numbers.
+    low, high = chi_bounds(400)
+    assert low < ratio.mean() < high
+    # A whole swing later only what new noise has fed is different.
+    period = 2 * np.pi / SCHULER
+    begun, later = np.interp([60.0, 60.0 + period], data.times, data.deviation * LEVEL_RATE)
+    fed = at_work.RANDOM_WALK * SCHULER * np.sqrt(period / 2)
+    assert np.sqrt(later**2 - begun**2) == pytest.approx(fed, rel=0.01)

@@ -1,0 +1,158 @@
+"""The figure of chapter 11: one triad through all calibrations."""
+
+import numpy as np
+import pytest
+from hypothesis import given, strategies as st
+from scipy.constants import arcsecond
+
+from driftlab.attitude.coning_algorithms import coning_drift
+from driftlab.book.ch11_one_triad import experiments as capstone
+from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.calibration.simulation import TableTrial
+from driftlab.frames import from_euler_angles
+from driftlab.gyrocompass.alignment import align
+from driftlab.imu import NO_ERRORS
+from driftlab.motion.vehicle import static_imu
+from published import published
+from saratov import LATITUDE, LEVEL_RATE
+from support import largest
+
+six = st.tuples(*[st.floats(-1e-3, 1e-3)] * 6).map(np.array)
+
+
+@given(six)
+def test_a_bent_triad_is_a_symmetric_bend_and_a_turn(numbers: np.ndarray) -> None:
+    matrix = capstone.bent_triad(numbers[:3], numbers[3:])
+    np.testing.assert_allclose(capstone.pairs_and_turn(matrix), numbers, rtol=0, atol=1e-18)
+    assert not np.diag(matrix).any()
+    rate = np.array([0.3, -0.5, 0.7])
+    bend = capstone.bent_triad(numbers[:3], np.zeros(3))
+    np.testing.assert_array_equal(bend, bend.T)
+    turned = np.cross(numbers[3:], rate)
+    np.testing.assert_allclose((matrix - bend) @ rate, turned, rtol=0, atol=1e-18)
+
+
+@published("11-capstone")
+def test_turns_find_the_bend_within_their_noise_and_the_filter_both(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    true, turns, filtered = data.known
+    # 0.005 degrees a root hour in 36 s; half of the angle, over pi, is the estimate.
+    noise = 0.005 * np.pi / 180 * np.sqrt(36 / 3600)
+    assert pytest.approx(noise) == capstone.TURNS.angle_noise
+    gap = largest(turns[:3] - true[:3])
+    assert 0.05 * noise / (2 * np.pi) < gap < 4.9 * noise / (2 * np.pi)
+    assert np.isnan(turns[3:]).all()
+    np.testing.assert_allclose(true, [*capstone.NON_ORTHOGONALITY, *capstone.MISALIGNMENT])
+    np.testing.assert_allclose(
+        filtered - true, capstone.pairs_and_turn(capstone.filter_leftover()), rtol=0, atol=1e-18
+    )
+    assert largest(filtered - true) < 1.5 * arcsecond
+
+
+@published("11-capstone")
+def test_drift_per_turn_is_that_of_what_is_left(figure: PublishedFigure) -> None:
+    """2 pi n^T M n; a pure turn of the triad shows in it only in second order."""
+    data = figure.data
+    found, left = capstone.bent_triad(*np.split(data.known[0], 2)), capstone.filter_leftover()
+    by_turns = capstone.bent_triad(data.known[1, :3], np.zeros(3))
+    for row, matrix in zip(data.per_turn, (found, found - by_turns, -left), strict=True):
+        expected = 2 * np.pi * np.einsum("ni,ij,nj->n", capstone.AXES, matrix, capstone.AXES)
+        # The exact drift has half of the square of what is across as well.
+        second = np.pi * np.linalg.norm(matrix, 2) ** 2
+        np.testing.assert_allclose(row, expected, rtol=0, atol=1.01 * second)
+        assert largest(row) > 10 * second
+    np.testing.assert_allclose(
+        data.per_turn[0, 3:], 2 * np.pi * capstone.NON_ORTHOGONALITY, rtol=0.01
+    )
+
+
+@published("11-capstone")
+def test_alignment_errors_of_the_triad_are_the_exact_ones_in_first_order(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    attitude = from_euler_angles(data.headings, 0.0, 0.0)
+    rate, force = static_imu(attitude, LATITUDE)
+    bent = capstone.bent_triad(*np.split(data.known[0], 2))
+    by_turns = capstone.bent_triad(data.known[1, :3], np.zeros(3))
+    matrices = (bent, bent - by_turns, -capstone.filter_leftover())
+    for aligned, matrix in zip(data.aligned, matrices, strict=True):
+        gap = align(rate + rate @ matrix.T, force).heading - data.headings
+        gap = np.angle(np.exp(1j * gap))
+        second = (np.linalg.norm(matrix, 2) / np.cos(LATITUDE)) ** 2
+        np.testing.assert_allclose(aligned, gap, rtol=0, atol=second)
+        assert largest(aligned) > 30 * second
+    assert largest(data.aligned[2]) < 0.1 * largest(data.aligned[0])
+
+
+def test_a_coning_mount_adds_one_drift_at_all_stages() -> None:
+    still, shaken = (capstone.calibration_stages(half_angle=angle) for angle in (0.0, 0.02))
+    cone = coning_drift("two-step-4", 0.02, capstone.CONING_FREQUENCY, capstone.SAMPLE_INTERVAL)
+    # About the right axis, of which East gets the cosine of the heading.
+    expected = float(cone) * np.cos(still.headings) / LEVEL_RATE
+    for before, after in zip(still.aligned, shaken.aligned, strict=True):
+        np.testing.assert_allclose(after - before, expected, rtol=0, atol=1e-15)
+    assert largest(expected) > 1e-8
+    worse = capstone.calibration_stages(half_angle=0.02, algorithm="picard-1")
+    assert largest(worse.aligned[2] - still.aligned[2]) > 10 * largest(expected)
+
+
+def test_errors_under_way_of_bend_and_turn_add_up() -> None:
+    nothing = np.zeros(3)
+    whole, bend, turn, none = (
+        capstone.calibration_stages(*parts).under_way.heading_error[0]
+        for parts in (
+            (capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT),
+            (capstone.NON_ORTHOGONALITY, nothing),
+            (nothing, capstone.MISALIGNMENT),
+            (nothing, nothing),
+        )
+    )
+    # Without errors there is the error of the step, which is in all of them.
+    np.testing.assert_allclose(whole + none, bend + turn, rtol=0, atol=1e-3 * largest(whole))
+    assert min(largest(bend), largest(turn)) > 50 * largest(none)
+
+
+@published("11-capstone")
+def test_each_calibration_makes_the_heading_under_way_better(figure: PublishedFigure) -> None:
+    data = figure.data
+    errors = np.degrees([largest(error) for error in data.under_way.heading_error])
+    assert errors[1] < 0.5 * errors[0]
+    assert errors[2] < 0.02 * errors[1]
+    # After the turns the turn of the triad is left, and nothing else to speak of.
+    turned = capstone.calibration_stages(np.zeros(3)).under_way.heading_error[0]
+    assert largest(data.under_way.heading_error[1] - turned) < 0.02 * largest(turned)
+
+
+@published("11-capstone")
+def test_the_step_is_short_enough_for_the_bent_triad(figure: PublishedFigure) -> None:
+    coarse = figure.data
+    step = int(coarse.under_way.times[0])
+    assert step > 1
+    fine = capstone.calibration_stages(interval=1.0).under_way
+    np.testing.assert_allclose(coarse.under_way.times, fine.times[step - 1 :: step])
+    gap = coarse.under_way.heading_error - fine.heading_error[:, step - 1 :: step]
+    # A thousandth of what the bent triad has, in each of the stages.
+    assert np.degrees(largest(gap)) < 0.0005
+    assert np.degrees(largest(fine.heading_error[0])) == pytest.approx(0.797, abs=0.001)
+    assert np.degrees(largest(fine.heading_error[1])) == pytest.approx(0.315, abs=0.001)
+
+
+def test_what_a_real_calibration_leaves_does_not_depend_on_the_bend() -> None:
+    kept = capstone.filter_leftover()
+    other = capstone.bent_triad(
+        np.array([60.0, -40.0, -50.0]) * arcsecond, np.array([-30.0, 45.0, 10.0]) * arcsecond
+    )
+    imu_errors = NO_ERRORS._replace(gyro_error=other)
+    trial = TableTrial(frame="accelerometers", sample_interval=0.1).run(
+        np.random.default_rng(capstone.SEED), imu_errors=imu_errors
+    )
+    left = trial.calibration.imu_errors.gyro_error - other
+    default = capstone.bent_triad(capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT)
+    # The two differ in second order: by the squares of the two bends.
+    second = sum(np.linalg.norm(matrix, 2) ** 2 for matrix in (other, default))
+    assert largest(left - kept) < 2 * second
+    assert largest(kept) > 5 * second
+    assert not kept.flags.writeable

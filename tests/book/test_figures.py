@@ -1,0 +1,115 @@
+"""All figures: they repeat, and the published files and captions are theirs."""
+
+import base64
+import csv
+import html
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from driftlab.book import figures
+from driftlab.book.__main__ import write_figures
+from driftlab.book.machinery.publish import PublishedFigure, gallery
+from published import NAMES, published
+
+PUBLISHED = Path(__file__).parents[2] / "figures"
+
+
+def read(path: Path) -> dict[str, np.ndarray]:
+    with path.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.reader(file))
+    return dict(zip(rows[0], np.array(rows[1:]).T, strict=True))
+
+
+def published_captions() -> dict[str, str]:
+    """Captions below the figures of the published gallery, by name."""
+    page = (PUBLISHED / "README.md").read_text(encoding="utf-8")
+    return dict(re.findall(r"^\*\*(\S+)\.\*\* (.*)$", page, re.MULTILINE))
+
+
+@published(*NAMES)
+def test_published_numbers_are_what_is_computed(figure: PublishedFigure) -> None:
+    path = PUBLISHED / f"{figure.definition.name}.csv"
+    if figure.definition.columns is None:
+        assert not path.exists()
+        return
+    assert_same_table(read(path), figure.definition.columns(figure.data))
+
+
+def assert_same_table(published: dict[str, np.ndarray], computed: dict[str, Any]) -> None:
+    """Fail unless two tables have the same columns, words and numbers."""
+    assert list(published) == list(computed)
+    for name, column in computed.items():
+        if isinstance(column[0], str):
+            assert list(published[name]) == list(column)
+        else:
+            # Twelve digits are written; other processors may round the last few differently.
+            np.testing.assert_allclose(published[name].astype(float), column, 1e-8, 1e-12, name)
+
+
+@published(*NAMES)
+def test_picture_repeats_byte_by_byte_and_has_a_caption(
+    figure: PublishedFigure, tmp_path: Path
+) -> None:
+    """Drawn twice from the same data, once for a file and once for a page."""
+    name = figure.definition.name
+    figure.write(tmp_path)
+    written = {path.name for path in tmp_path.iterdir()}
+    assert written == {path.name for path in PUBLISHED.glob(f"{name}.*")}
+    picture = (tmp_path / f"{name}.svg").read_bytes()
+    assert picture.startswith(b"<?xml")
+    page = PublishedFigure(figure.definition, figure.data)._repr_html_()
+    (shown,) = re.findall(r'src="data:image/svg\+xml;base64,([^"]*)"', page)
+    repeats = base64.b64decode(shown) == picture
+    assert repeats, "another drawing of the same data is another picture"
+    assert figure.caption.endswith(".")
+    assert page.count(html.escape(figure.caption)) == 2  # alt text and caption
+
+
+@published(*NAMES)
+def test_the_gallery_has_the_caption_that_is_computed(figure: PublishedFigure) -> None:
+    assert published_captions()[figure.definition.name] == figure.caption
+
+
+def test_the_folder_holds_the_catalogue_and_nothing_else() -> None:
+    captions = published_captions()
+    assert list(captions) == list(figures.figure_definitions())
+    assert (PUBLISHED / "README.md").read_text(encoding="utf-8") == gallery(captions)
+    definitions = figures.figure_definitions()
+    names = {f"{name}.svg" for name in definitions}
+    names |= {f"{name}.csv" for name, each in definitions.items() if each.columns}
+    names |= {"04-larin-table.csv", "README.md"}
+    assert {path.name for path in PUBLISHED.iterdir()} == names
+
+
+def test_a_rebuild_writes_every_entry_the_gallery_and_larins_table(tmp_path: Path) -> None:
+    definitions = {
+        name: each
+        for name, each in figures.figure_definitions().items()
+        if name in ("00-frames", "05-cayley-map")
+    }
+    write_figures(tmp_path, definitions)
+    assert {path.name for path in tmp_path.iterdir()} == {
+        "00-frames.svg",
+        "05-cayley-map.svg",
+        "05-cayley-map.csv",
+        "04-larin-table.csv",
+        "README.md",
+    }
+    captions = {name: each.caption(each.compute()) for name, each in definitions.items()}
+    assert (tmp_path / "README.md").read_text(encoding="utf-8") == gallery(captions)
+    for name in ("05-cayley-map.csv", "04-larin-table.csv"):
+        table = read(tmp_path / name)
+        computed = {
+            title: column if title in ("name", "curve") else column.astype(float)
+            for title, column in table.items()
+        }
+        assert_same_table(read(PUBLISHED / name), computed)
+
+
+def test_unknown_figure() -> None:
+    with pytest.raises(ValueError, match=r"name: expected one of 00-frames.* got 'none'"):
+        figures.figure("none")
