@@ -1,7 +1,7 @@
 """Settings of all tests: property tests draw the same examples everywhere, without a clock.
 
 Several processes may share the tests. What uses the same runs is one group and stays in one of
-them: the tests of a published figure, those of an explorer, and of the rest those of a file.
+them: the tests of a published figure, those of a panel, and of the rest those of a file.
 """
 
 import gc

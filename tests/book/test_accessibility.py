@@ -66,8 +66,8 @@ def test_caption_is_sentences_and_names_no_colour(figure: PublishedFigure) -> No
     assert not [words for words in written if COLOUR_WORDS.search(words)]
 
 
-@pytest.mark.parametrize("explorer", EXPLORERS, ids=lambda explorer: explorer.__name__)
-def test_panel_names_no_colour(explorer) -> None:
-    labels = [control.label for control in explorer.controls]
-    for words in [explorer.title, *explorer.presets, *labels]:
+@pytest.mark.parametrize("panel", EXPLORERS, ids=lambda panel: panel.__name__)
+def test_panel_names_no_colour(panel) -> None:
+    labels = [control.label for control in panel.controls]
+    for words in [panel.title, *panel.presets, *labels]:
         assert not COLOUR_WORDS.search(words), words

@@ -11,6 +11,8 @@ import pytest
 from scipy.constants import arcsecond, degree, g, hour, micro
 
 from driftlab import book
+from driftlab.book import AlignmentBudgetExplorer, CapstoneExplorer, GyrocompassExplorer
+from driftlab.book.machinery.panel import Explorer
 from driftlab.drift.characteristic_equation import asymptotic_roots
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.systematic_drift import drift_per_turn
@@ -124,3 +126,32 @@ def test_code_of_the_laboratory_of_schemes_names_what_is_unobservable() -> None:
     unobservable = [words for name, words in observability(panel.values) if name == "unobservable"]
     assert unobservable
     assert all(words in printed for words in unobservable)
+
+
+@pytest.mark.parametrize(
+    ("panel_class", "name"),
+    [
+        pytest.param(e, name, id=e.__name__, marks=pytest.mark.xdist_group(e.__name__))
+        for e, name in (
+            (AlignmentBudgetExplorer, "exact"),
+            (GyrocompassExplorer, "at the end"),
+            (CapstoneExplorer, "under way, as built"),
+        )
+    ],
+)
+def test_panels_of_part_four_say_what_their_code_prints(
+    panel_class: type[Explorer], name: str
+) -> None:
+    """The call beside the picture, run by itself, gives the panel's number."""
+    panel = panel_class()
+    for preset in panel_class.presets:
+        panel.preset.value = preset
+        found = re.search(rf">{name} <b>(-?\d+\.\d+)°</b>", panel.text.value)
+        if found is None:  # no heading in a vertical body
+            assert preset == "Vertical"
+            continue
+        output = io.StringIO()
+        with contextlib.redirect_stdout(output):
+            exec(panel.call(panel.values), {})
+        printed = float(re.findall(r"-?\d+\.?\d*(?:e-?\d+)?", output.getvalue())[0])
+        assert float(found[1]) == pytest.approx(printed, abs=1e-4), preset

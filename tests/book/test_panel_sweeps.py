@@ -1,6 +1,6 @@
-"""Every control of every explorer is moved, each alone and all at once, and no fault stays hidden.
+"""Every control of every panel is moved, each alone and all at once, and no fault stays hidden.
 
-The faults that a sweep must see are put into a small explorer on purpose, one after the other.
+The faults that a sweep must see are put into a small panel on purpose, one after the other.
 """
 
 import random
@@ -14,7 +14,7 @@ from driftlab.book import DriftExplorer
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
 from driftlab.book.machinery.picture import Picture
-from grouped import every_explorer
+from grouped import every_panel
 from panel_numbers import assert_shown, shown_numbers
 
 
@@ -37,10 +37,10 @@ def parts_of(widget: widgets.Widget) -> Iterator[widgets.Widget]:
         yield from parts_of(child)
 
 
-def hidden_errors(explorer: Explorer) -> list[str]:
+def hidden_errors(panel: Explorer) -> list[str]:
     """Tracebacks in the state of any widget of a panel, where no exception comes out."""
     found = []
-    for part in parts_of(explorer):
+    for part in parts_of(panel):
         found += [out["evalue"] for out in getattr(part, "outputs", ()) if "evalue" in out]
         value = getattr(part, "value", "")
         if isinstance(value, str) and (ERROR_CLASS in value or "Traceback" in value):
@@ -48,67 +48,67 @@ def hidden_errors(explorer: Explorer) -> list[str]:
     return found
 
 
-def assert_sound(explorer: Explorer) -> None:
+def assert_sound(panel: Explorer) -> None:
     """Fail if anything in the panel tells of an error."""
-    assert hidden_errors(explorer) == []
-    assert explorer.message.value == ""
-    assert "nan" not in explorer.text.value
+    assert hidden_errors(panel) == []
+    assert panel.message.value == ""
+    assert "nan" not in panel.text.value
 
 
-def sweep(explorer: Explorer) -> None:
+def sweep(panel: Explorer) -> None:
     """Move each control alone to all its places and back.
 
     From the first preset all of them; from the others those that have changed no picture so far.
     """
-    idle = list(explorer.controls)
-    for preset in explorer.presets:
-        explorer.preset.value = preset
-        assert_sound(explorer)
-        before, picture = explorer.values, explorer.image.value
+    idle = list(panel.controls)
+    for preset in panel.presets:
+        panel.preset.value = preset
+        assert_sound(panel)
+        before, picture = panel.values, panel.image.value
         for control in idle.copy():
             for place in places(control):
-                explorer._widgets[control.name].value = place
-                assert_sound(explorer)
-                if explorer.image.value != picture and control in idle:
+                panel._widgets[control.name].value = place
+                assert_sound(panel)
+                if panel.image.value != picture and control in idle:
                     idle.remove(control)
-            explorer._widgets[control.name].value = before[control.name]
-            assert explorer.image.value == picture, "the picture depends on the way to the values"
-        assert explorer.values == before
+            panel._widgets[control.name].value = before[control.name]
+            assert panel.image.value == picture, "the picture depends on the way to the values"
+        assert panel.values == before
     assert idle == [], "these change no picture from any preset"
 
 
-def combine(explorer: Explorer, count: int = 12) -> None:
+def combine(panel: Explorer, count: int = 12) -> None:
     """Set all controls at once, at random, and run the code that the panel shows."""
     rng = random.Random(7)
     for _ in range(count):
-        values = {control.name: any_place(control, rng) for control in explorer.controls}
-        explorer.set(**values)
-        assert_sound(explorer)
-        exec(explorer.call(explorer.values), {})
+        values = {control.name: any_place(control, rng) for control in panel.controls}
+        panel.set(**values)
+        assert_sound(panel)
+        exec(panel.call(panel.values), {})
 
 
-@every_explorer
-def test_every_control_sweeps_to_both_ends_and_back(explorer_class: type[Explorer]) -> None:
-    sweep(explorer_class())
+@every_panel
+def test_every_control_sweeps_to_both_ends_and_back(panel_class: type[Explorer]) -> None:
+    sweep(panel_class())
 
 
-@every_explorer
+@every_panel
 def test_any_combination_gives_a_picture_numbers_and_code_that_runs(
-    explorer_class: type[Explorer],
+    panel_class: type[Explorer],
 ) -> None:
-    combine(explorer_class())
+    combine(panel_class())
 
 
-@every_explorer
-def test_numbers_beside_the_picture_are_the_package_s_own(explorer_class: type[Explorer]) -> None:
-    explorer = explorer_class()
+@every_panel
+def test_numbers_beside_the_picture_are_the_package_s_own(panel_class: type[Explorer]) -> None:
+    panel = panel_class()
     rng = random.Random(11)
-    for preset in explorer.presets:
-        explorer.preset.value = preset
-        assert_shown(explorer_class.__name__, explorer.values, shown_numbers(explorer.text.value))
+    for preset in panel.presets:
+        panel.preset.value = preset
+        assert_shown(panel_class.__name__, panel.values, shown_numbers(panel.text.value))
     for _ in range(8):
-        explorer.set(**{control.name: any_place(control, rng) for control in explorer.controls})
-        assert_shown(explorer_class.__name__, explorer.values, shown_numbers(explorer.text.value))
+        panel.set(**{control.name: any_place(control, rng) for control in panel.controls})
+        assert_shown(panel_class.__name__, panel.values, shown_numbers(panel.text.value))
 
 
 class DotPicture(Picture[float]):
@@ -270,7 +270,7 @@ class WrongSign(DriftExplorer):
 
 
 def test_a_wrong_number_is_seen() -> None:
-    explorer = WrongSign()
-    explorer.set(m12=-2.0, m21=-2.0)
+    panel = WrongSign()
+    panel.set(m12=-2.0, m21=-2.0)
     with pytest.raises(AssertionError, match="drift a turn"):
-        assert_shown("DriftExplorer", explorer.values, shown_numbers(explorer.text.value))
+        assert_shown("DriftExplorer", panel.values, shown_numbers(panel.text.value))

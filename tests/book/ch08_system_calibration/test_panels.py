@@ -1,0 +1,69 @@
+"""The panels of chapter 08: schemes of a turntable, and a calibration."""
+
+import numpy as np
+import pytest
+from scipy.constants import degree, g, hour, micro
+
+from driftlab.book import CalibrationRunExplorer, ObservabilityExplorer
+from driftlab.book.ch08_system_calibration.experiments import typical_trial
+from driftlab.calibration.error_model import ERROR_MODELS
+from driftlab.calibration.linearization import linearize_along
+from driftlab.calibration.observability import covariance_analysis
+from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.motion.scheme import NINETEEN_POSITIONS
+
+
+def test_a_scheme_is_typed_and_a_wrong_word_gives_a_sentence() -> None:
+    panel = ObservabilityExplorer()
+    picture = panel.image.value
+    panel._widgets["rotations"].value = "+90X +90W"
+    assert "expected words like +90Y or -180X" in panel.message.value
+    assert "got &#x27;+90W&#x27;" in panel.message.value
+    assert panel.image.value == picture
+    panel._widgets["rotations"].value = "+99999999X"
+    assert "expected at most 3600 degrees a word" in panel.message.value
+    panel._widgets["rotations"].value = "+90X −90Y"  # a pasted minus is one too
+    assert panel.message.value == ""
+    panel._widgets["rotations"].value = "+90X +90Y"
+    assert panel.message.value == ""
+    assert panel.image.value != picture
+    with pytest.raises(ValueError, match="rotations: expected text, got 90"):
+        panel.set(rotations=90)
+
+
+def test_observability_panel_says_rank_directions_and_deviations() -> None:
+    panel = ObservabilityExplorer("19 positions, all 30")
+    assert "rank <b>27 of 30</b>" in panel.text.value
+    assert "both triads turned together about y, the attitude with them" in panel.text.value
+    # A short number has one column, a longer one two, the longest a row for itself.
+    assert "flex: 0 0 21.5em; max-width: 100%'>rank" in panel.text.value
+    assert "flex: 0 0 43em; max-width: 100%'>unobservable" in panel.text.value
+    assert "flex: 0 0 100%; max-width: 100%'>accelerometer inst" in panel.text.value
+    panel.preset.value = "19 positions, 27 states"
+    assert "rank <b>27 of 27</b>" in panel.text.value
+    assert "unobservable" not in panel.text.value
+    noise = ImuNoise(0.005 * degree / np.sqrt(hour), 5 * micro * g, 0.01)
+    model = ERROR_MODELS["averaged"]
+    way = linearize_along(NINETEEN_POSITIONS, np.radians(37.5), model)
+    covariance = covariance_analysis(way, noise, PriorDeviations())
+    biases = np.sqrt(np.diag(covariance)[6:9]) / (degree / hour)
+    said = ", ".join(f"{bias:.2g}" for bias in biases)
+    assert f"gyro bias x, y, z <b>{said} deg/h</b>" in panel.text.value
+
+
+@pytest.mark.xdist_group("CalibrationRunExplorer")
+def test_calibration_panel_agrees_with_the_run() -> None:
+    panel = CalibrationRunExplorer("Gyro scale")
+    panel.set(minute=20.0)
+    trial = typical_trial("averaged")
+    at = int(np.abs(trial.calibration.times - 1200).argmin())
+    state = trial.calibration.model.names.index("gyro scale x")
+    for name, value in (
+        ("estimate", trial.calibration.state[at, state]),
+        ("true", trial.imu_errors.gyro_error[0, 0]),
+        ("error", trial.errors[at, state]),
+        ("three deviations", 3 * trial.calibration.deviations[at, state]),
+    ):
+        said = panel.text.value.split(f"{name} <b>")[1].split(" ppm")[0]
+        # The averaged axes change a scale factor by second order only: 0.01 ppm.
+        assert float(said) == pytest.approx(value / micro, abs=0.02)
