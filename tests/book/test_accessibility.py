@@ -30,7 +30,7 @@ def contrast(first, second="white"):
     return (high + 0.05) / (low + 0.05)
 
 
-def test_contrast_itself():
+def test_contrast_of_known_colours():
     assert contrast("black") == pytest.approx(21)
     assert contrast("white") == pytest.approx(1)
     assert contrast("#767676") == pytest.approx(4.54, abs=0.01)

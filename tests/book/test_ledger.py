@@ -95,7 +95,7 @@ def test_entry_has_its_place_in_the_book(entry):
 
 
 @every_entry
-def test_functions_and_functions_in_the_entry_exist(entry):
+def test_functions_and_tests_of_the_entry_exist(entry):
     for name in entry.functions:
         module, _, attribute = name.rpartition(".")
         assert hasattr(import_module(module), attribute), name

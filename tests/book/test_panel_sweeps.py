@@ -218,7 +218,7 @@ class Forgets(Sound):
             self._widgets["y"].value = 1.0
 
 
-def test_a_sound_explorer_passes() -> None:
+def test_a_sound_panel_passes() -> None:
     sweep(Sound())
     combine(Sound())
     sweep(DeafAtFirst())

@@ -79,7 +79,7 @@ def test_with_the_sign_restored_they_stand_together():
     assert changed == [NAMES.index("sigma4*")]
 
 
-def test_the_reconstruction_is_a_witness():
+def test_the_reconstruction_lies_in_the_printed_intervals():
     """Seven numbers that weigh exactly and lie in the seven printed intervals."""
     values = reconstruct().values
     np.testing.assert_array_equal(values[4:], weighing(values[:4]))

@@ -112,7 +112,7 @@ def test_winner_needs_cut_off_digits(everyone):
         ({"step_formula": "cayley"}, 0, -8e-5, 5e-6),
     ],
 )
-def test_how_the_losers_lose(assumptions, index, value, tolerance):
+def test_values_of_rejected_candidates(assumptions, index, value, tolerance):
     """The values that the notes on the sources give for them."""
     loser = reconstruct(**assumptions)
     assert loser.values[index] == pytest.approx(value, abs=tolerance)
@@ -153,7 +153,7 @@ def test_readings_of_the_triad():
     np.testing.assert_array_equal(symmetric[2, :2], linear[2, :2] / 2)
 
 
-def test_the_table_itself():
+def test_table_has_printed_exact_and_reconstructed_numbers():
     table = larin_table()
     assert list(table) == ["printed", "exact", "reconstructed"]
     assert len(NAMES) == len(PRINTED) == 7

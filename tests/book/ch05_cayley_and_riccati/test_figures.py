@@ -25,7 +25,9 @@ def test_cayley_map_shows_the_tangents_and_says_what_is_infinite() -> None:
 
 
 @published("05-riccati-turns")
-def test_riccati_turns_say_what_the_caption_says(figure: PublishedFigure) -> None:
+def test_riccati_equation_with_a_switch_stays_bounded_and_costs_less(
+    figure: PublishedFigure,
+) -> None:
     data = figure.data
     assert 0.99999 < data.ended.time[-1] < 1 < data.plain.time[-1] == data.switched.time[-1]
     assert np.linalg.norm(data.ended.vector[-1]) == pytest.approx(1e6, rel=1e-3)

@@ -22,7 +22,7 @@ from published import published
 
 
 @pytest.mark.parametrize("samples", [4, 8, 20, 100])
-def test_slivers_are_the_coning_drift(samples: int) -> None:
+def test_area_that_a_polygon_misses_is_the_coning_drift(samples: int) -> None:
     """Area of the circle, of the polygon, and of parabolas on the chords of pairs."""
     data = coning_area(samples)
     x = 2 * np.pi / samples

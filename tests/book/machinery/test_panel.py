@@ -13,7 +13,7 @@ from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
 
 
-def test_a_browser_s_last_digits_do_not_matter() -> None:
+def test_value_rounded_by_a_browser_is_that_of_its_step() -> None:
     panel = TurnCalibrationExplorer("Scale error, three axes")
     panel._widgets["scale"].value = -0.5 + 70 * 0.01
     assert panel._widgets["scale"].value != 0.2
@@ -38,7 +38,7 @@ def test_a_page_without_widgets_has_the_picture() -> None:
     assert base64.b64decode(bundle["image/jpeg"]) == bytes(panel.image.value)
 
 
-def test_explorers_share_no_state() -> None:
+def test_panels_share_no_state() -> None:
     first, second = RootsExplorer(), RootsExplorer()
     picture = second.image.value
     first.set(size=0.4)
