@@ -1,4 +1,4 @@
-"""The voyages that several chapters share are kept, and are those of their own numbers."""
+"""The voyages of several chapters: kept, true to their numbers, turning with their local axes."""
 
 import numpy as np
 import pytest

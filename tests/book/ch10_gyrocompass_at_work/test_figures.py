@@ -1,4 +1,4 @@
-"""The figures of chapter 10 on one place: restarts, a dial table, a horizon that settles."""
+"""The figures of chapter 10 in one place: restarts, a dial table, a horizon that settles."""
 
 from math import comb
 
