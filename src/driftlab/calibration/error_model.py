@@ -217,17 +217,10 @@ class ErrorModel:
         >>> f"{np.sqrt(covariance[12, 12]):.3e}"
         '7.071e-05'
         """
-        diagonal = [prior.scale] * 3 + [prior.installation] * 6
-        sizes = np.concatenate(
-            [
-                [prior.attitude] * 3,
-                [0.0] * 3,
-                [prior.gyro_bias] * 3,
-                diagonal,
-                [prior.accelerometer_bias] * 3,
-                diagonal,
-            ]
-        )
+        matrix = [prior.scale] * 3 + [prior.installation] * 6
+        gyro = [prior.gyro_bias] * 3 + matrix
+        accelerometer = [prior.accelerometer_bias] * 3 + matrix
+        sizes = np.array([prior.attitude] * 3 + [0.0] * 3 + gyro + accelerometer)
         half = self.reduction(attitude) * sizes
         return half @ half.T
 

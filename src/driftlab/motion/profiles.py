@@ -147,15 +147,12 @@ class Coning(Motion):
 
     def _attitude(self, time: FloatArray) -> FloatArray:
         phase = self._around * time
-        tilt = self.half_angle * np.stack(
-            [np.cos(phase), np.sin(phase), np.zeros_like(phase)], axis=-1
-        )
-        return from_rotation_vector(tilt)
+        around = np.cos(phase), np.sin(phase), np.zeros_like(phase)
+        return from_rotation_vector(self.half_angle * np.stack(around, axis=-1))
 
     def _rate(self, time: FloatArray) -> FloatArray:
         phase = self._around * time
-        across = self._around * np.sin(self.half_angle)
-        along = np.full_like(phase, self._along)
+        across, along = self._around * np.sin(self.half_angle), np.full_like(phase, self._along)
         return np.stack([-across * np.sin(phase), across * np.cos(phase), along], axis=-1)
 
     def _increments(self, middle: FloatArray, interval: float) -> FloatArray:
@@ -290,8 +287,7 @@ class FixedAxis(Motion):
 
     @property
     def _direction(self) -> FloatArray:
-        direction, _ = nonzero_vectors(self.axis, "axis")
-        return direction
+        return nonzero_vectors(self.axis, "axis")[0]
 
 
 def _check(motion: Coning | Sway | FixedAxis) -> None:
