@@ -13,6 +13,7 @@ class Blinking(RootsExplorer):
     """Shows nothing for a moment before each new picture."""
 
     title = "blinking"
+    moment = 0.1  # s; longer each time, because a browser that is busy leaves out a short one
 
     def compute(self, values):
         if self.image.value:
@@ -20,7 +21,8 @@ class Blinking(RootsExplorer):
             blank = io.BytesIO()
             Image.new("RGB", size, "white").save(blank, format="png")
             self.image.value = blank.getvalue()
-            time.sleep(0.1)
+            time.sleep(self.moment)
+            self.moment = min(1.3 * self.moment, 2.0)
         return super().compute(values)
 
 
