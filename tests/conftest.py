@@ -13,6 +13,7 @@ import pytest
 from hypothesis import settings
 
 settings.register_profile("driftlab", derandomize=True, deadline=None, max_examples=60)
+settings.register_profile("quick", settings.get_profile("driftlab"), max_examples=20)
 settings.load_profile("driftlab")
 
 # Matrices as small as the book's are done sooner by one thread, as lab.py knows of the kernels;

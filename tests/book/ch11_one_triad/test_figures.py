@@ -17,6 +17,7 @@ from published import published
 from saratov import LATITUDE, LEVEL_RATE
 from support import largest
 
+pytestmark = pytest.mark.xdist_group("CapstoneExplorer")  # all need its long calibration
 six = st.tuples(*[st.floats(-1e-3, 1e-3)] * 6).map(np.array)
 
 
