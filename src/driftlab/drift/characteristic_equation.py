@@ -170,8 +170,8 @@ def split_error_rate_matrix(
     """
     rate, measured_rate = finite_arrays(rate=(rate, 3), measured_rate=(measured_rate, 3))
     n, norm = nonzero_vectors(rate, "rate")
-    m, _ = nonzero_vectors(measured_rate, "measured_rate")
+    n_hat, _ = nonzero_vectors(measured_rate, "measured_rate")
     drift_rate = exact_roots(rate, measured_rate)[..., 2].imag
-    turning = right_matrix(pure(norm[..., np.newaxis] * m))
+    turning = right_matrix(pure(norm[..., np.newaxis] * n_hat))
     periodic = turning - left_matrix(pure(norm[..., np.newaxis] * n))
-    return periodic, right_matrix(pure(drift_rate[..., np.newaxis] * m))
+    return periodic, right_matrix(pure(drift_rate[..., np.newaxis] * n_hat))

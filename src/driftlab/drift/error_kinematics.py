@@ -136,9 +136,9 @@ def error_quaternion(rate: ArrayLike, measured_rate: ArrayLike, time: ArrayLike)
 
     Notes
     -----
-    With n and m the unit vectors of the two rates, and a and b half the two angles turned,
+    With n and n-hat the unit vectors of the two rates, and a and b half the two angles turned,
 
-    .. math:: \lambda_e = (\cos a - n \sin a) \circ (\cos b + m \sin b).
+    .. math:: \lambda_e = (\cos a - n \sin a) \circ (\cos b + \hat n \sin b).
 
     In the expanded product four products of a sine and a cosine multiply four constant quaternions,
     so a long row of times costs one small matrix product.
@@ -155,7 +155,7 @@ def error_quaternion(rate: ArrayLike, measured_rate: ArrayLike, time: ArrayLike)
         rate=(rate, 3), measured_rate=(measured_rate, 3), time=(time,)
     )
     cosine_true, sine_true, n = _half_turn(rate, time)
-    cosine_measured, sine_measured, m = _half_turn(measured_rate, time)
+    cosine_measured, sine_measured, n_hat = _half_turn(measured_rate, time)
     weights = np.stack(
         [
             cosine_true * cosine_measured,
@@ -165,9 +165,10 @@ def error_quaternion(rate: ArrayLike, measured_rate: ArrayLike, time: ArrayLike)
         ],
         axis=-1,
     )
-    n, m = pure(n), pure(m)
-    one = np.broadcast_to(np.array([0.0, 0.0, 0.0, 1.0]), np.broadcast_shapes(n.shape, m.shape))
-    constants = np.stack(np.broadcast_arrays(one, m, n, multiply(n, m)), axis=-2)
+    n, n_hat = pure(n), pure(n_hat)
+    shape = np.broadcast_shapes(n.shape, n_hat.shape)
+    one = np.broadcast_to(np.array([0.0, 0.0, 0.0, 1.0]), shape)
+    constants = np.stack(np.broadcast_arrays(one, n_hat, n, multiply(n, n_hat)), axis=-2)
     if constants.ndim == 2:
         return weights @ constants
     return np.einsum("...i,...ij->...j", weights, constants)

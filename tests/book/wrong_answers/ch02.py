@@ -3,7 +3,7 @@
 import numpy as np
 import sympy as sp
 
-RHO, TAU, MU = sp.symbols("rho_1 tau mu", real=True)
+RHO, ACROSS, MU = sp.symbols("rho_1 r mu", real=True)
 
 
 def _root(shape, rate, size):
@@ -52,10 +52,10 @@ WRONG = {
         ("bc", "something else is too"),
     ],
     "2.4": [
-        (RHO * TAU**2 / 2, "The sign"),
-        (-RHO * (RHO**2 + TAU**2) / 2, "cube in the binomial series"),
-        (lambda rho, tau: -3 * rho * tau**2, "third derivative"),
-        (-(MU**3) * RHO * TAU**2 / 2, "found also mu"),
+        (RHO * ACROSS**2 / 2, "The sign"),
+        (-RHO * (RHO**2 + ACROSS**2) / 2, "cube in the binomial series"),
+        (lambda rho, r: -3 * rho * r**2, "third derivative"),
+        (-(MU**3) * RHO * ACROSS**2 / 2, "found also mu"),
     ],
     "2.5": [
         (_errors(weight=0), "without the new term"),

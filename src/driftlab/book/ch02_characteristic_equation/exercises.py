@@ -46,13 +46,13 @@ def _first_order_largest() -> FloatArray:
 
 @cache
 def _cubic(*, printed: bool = False, powers: int = 3) -> Callable[..., float]:
-    """Coefficient of mu^3 in the fast root, a function of rho_1 and tau.
+    """Coefficient of mu^3 in the fast root, a function of rho_1 and r.
 
     Of the root of (2.1) as printed if asked for, or of the exact root with the binomial series
     sqrt(1 + x) = 1 + x/2 - ... cut off after a power of x.
     """
-    mu, rho, tau, x = sp.symbols("mu rho_1 tau x", real=True)
-    across = rho**2 + tau**2
+    mu, rho, r, x = sp.symbols("mu rho_1 r x", real=True)
+    across = rho**2 + r**2
     if printed:
         sum_of_squares = 4 + 4 * mu * rho + mu**2 * across
         product = (2 * mu * rho + mu**2 * across) ** 2
@@ -61,7 +61,7 @@ def _cubic(*, printed: bool = False, powers: int = 3) -> Callable[..., float]:
     else:
         binomial = sp.series(sp.sqrt(1 + x), x, 0, powers + 1).removeO()
         expansion = 1 + binomial.subs(x, 2 * mu * rho + mu**2 * across)
-    return sp.lambdify((rho, tau), sp.expand(expansion).coeff(mu, 3))
+    return sp.lambdify((rho, r), sp.expand(expansion).coeff(mu, 3))
 
 
 def _errors(weight: float = 1.0) -> FloatArray:
@@ -123,20 +123,20 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "2.4": Formula(
         kind="compute",
-        arguments=("rho_1", "tau"),
+        arguments=("rho_1", "r"),
         draw=lambda rng: tuple(rng.uniform(0.5, 2, 2)),
-        right=lambda rho, tau: _cubic()(rho, tau),
+        right=lambda rho, r: _cubic()(rho, r),
         mistakes={
             "The sign: the longer the part along the axis, the less the part across adds to the "
-            "length.": lambda rho, tau: -_cubic()(rho, tau),
+            "length.": lambda rho, r: -_cubic()(rho, r),
             "The cube in the binomial series is missing; it has a term in μ³ as well.": (
-                lambda rho, tau: _cubic(powers=2)(rho, tau)
+                lambda rho, r: _cubic(powers=2)(rho, r)
             ),
             "This is the term of (2.1) as printed. Start from the exact root.": (
-                lambda rho, tau: _cubic(printed=True)(rho, tau)
+                lambda rho, r: _cubic(printed=True)(rho, r)
             ),
             "This is the third derivative; the series divides it by a factorial.": (
-                lambda rho, tau: 6 * _cubic()(rho, tau)
+                lambda rho, r: 6 * _cubic()(rho, r)
             ),
         },
         remark="It is the same for the slow root. And it is zero where nothing lies across.",
