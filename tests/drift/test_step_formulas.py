@@ -113,7 +113,7 @@ def test_axis_is_kept(name, f, angle):
 @pytest.mark.parametrize(
     ("name", "power", "divisor"),
     [
-        # From tan(p/2) = p/2 + p^3/24 + p^5/240 + ... and the formula's own series.
+        # From tan(phi/2) = phi/2 + phi^3/24 + phi^5/240 + ... and the formula's own series.
         ("taylor-1", 3, -12),
         ("taylor-2", 3, 24),
         ("taylor-3", 5, 480),

@@ -90,9 +90,9 @@ def exact_turn_estimate(triad_error: ArrayLike, axis: ArrayLike, turns: int = 1)
 
     Notes
     -----
-    With A = I + M and m the direction of A n,
+    With A = I + M and n-hat the direction of A n,
 
-    .. math:: \frac{1}{k\pi} \arctan\left( m^T n \tan(k\pi(|A n| - 1)) \right).
+    .. math:: \frac{1}{k\pi} \arctan\left( \hat n^T n \tan(k\pi(|A n| - 1)) \right).
 
     Examples
     --------
@@ -103,9 +103,10 @@ def exact_turn_estimate(triad_error: ArrayLike, axis: ArrayLike, turns: int = 1)
     turns = whole_number(turns, "turns")
     axis, triad_error = finite_arrays(axis=(axis, 3), triad_error=(triad_error, 3, 3))
     n, _ = nonzero_vectors(axis, "axis")
-    m, _ = nonzero_vectors(transform(checked_triad(triad_error), n), "axis")
+    n_hat, _ = nonzero_vectors(transform(checked_triad(triad_error), n), "axis")
     half_drift = turns * np.pi * exact_drift_coefficient(n, triad_error)
-    return turn_estimate(from_rotation_vector(2 * half_drift[..., np.newaxis] * m), n, turns)
+    after = from_rotation_vector(2 * half_drift[..., np.newaxis] * n_hat)
+    return turn_estimate(after, n, turns)
 
 
 @dataclass(frozen=True)

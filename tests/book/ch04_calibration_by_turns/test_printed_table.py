@@ -135,7 +135,7 @@ def test_fourth_number_scales_with_its_factor(sum_factor):
 
 
 def test_first_number_is_the_integration_error_alone():
-    """About n1 the unit triad measures the rate exactly: what is left is -p^5/720 a step."""
+    """About n1 the unit triad measures the rate exactly: what is left is -phi^5/720 a step."""
     p = 2 * np.pi / 100
     # Half the angle of 100 steps, over pi; the next term is smaller by a multiple of p^2 below 1.
     expected = 100 * -(p**5) / 720 / (2 * np.pi)

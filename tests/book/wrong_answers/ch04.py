@@ -3,7 +3,7 @@
 import numpy as np
 import sympy as sp
 
-E1, E2, E3, E4 = sp.symbols("e_1:5")
+Y1, Y2, Y3, Y4 = sp.symbols("y_1:5")
 
 
 def _least_squares_without_offset(*estimates):
@@ -40,10 +40,10 @@ WRONG = {
         (np.sqrt([17 / 21, 9 / 16, 1 / 2]), "standard deviations"),
     ],
     "4.5": [
-        ((E1 - E2 - E3 + E4) / 2, r"2/3 of \(3\.5\)"),
-        ((E1 - E2 - E3 + 3 * E4 / 2) / 2, "a quarter of it stays"),
+        ((Y1 - Y2 - Y3 + Y4) / 2, r"2/3 of \(3\.5\)"),
+        ((Y1 - Y2 - Y3 + 3 * Y4 / 2) / 2, "a quarter of it stays"),
         (lambda a, b, c, d: (a - b - c + 2 * d / 3) / 2, "upside down"),
         (_least_squares_without_offset, "least squares without an offset"),
-        (E1, "takes the offset in full"),
+        (Y1, "takes the offset in full"),
     ],
 }

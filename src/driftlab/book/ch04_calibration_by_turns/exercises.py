@@ -62,8 +62,8 @@ def _sigma(estimates: ArrayLike, scale: str = "common", number: int = 1) -> floa
     return float(fit_turns(estimates, YATES_AXES, scale).sigma[number - 1])
 
 
-def _yates(factor: float, e1: float, e2: float, e3: float, e4: float) -> float:
-    return float(yates_sigma([e1, e2, e3, e4], factor)[0])
+def _yates(factor: float, y1: float, y2: float, y3: float, y4: float) -> float:
+    return float(yates_sigma([y1, y2, y3, y4], factor)[0])
 
 
 EXERCISES: dict[str, Exercise] = {
@@ -158,7 +158,7 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "4.5": Formula(
         kind="compute",
-        arguments=("e_1", "e_2", "e_3", "e_4"),
+        arguments=("y_1", "y_2", "y_3", "y_4"),
         draw=lambda rng: tuple(rng.normal(size=4)),
         right=lambda *estimates: _sigma(estimates),
         mistakes={
