@@ -41,7 +41,7 @@ def _extrapolated(order: float) -> float:
 
 
 def _weights(*, at_middle: bool = False) -> FloatArray:
-    """Weights of g1×g2, g1×g3 and g2×g3 that give the coning correction of a quadratic rate.
+    """Weights of γ1×γ2, γ1×γ3 and γ2×γ3 that give the coning correction of a quadratic rate.
 
     With ``at_middle`` the rate in the middle of each third stands for its mean.
     """

@@ -43,7 +43,7 @@ class ConingArea(NamedTuple):
     circle_area, polygon_area : float
         Areas inside these two.
     paired_area : float
-        Area that the increments give if two thirds of g1 × g2 are added for each pair.
+        Area that the increments give if two thirds of γ1 × γ2 are added for each pair.
     """
 
     samples: int

@@ -82,7 +82,7 @@ def _draw_pair(panel: Axes, data: ConingArea) -> None:
     panel.set_ylim(low[1] - margin, high[1] + margin)
     centre = corners.mean(axis=0)
     for text, a, b in (
-        ("$g_1$", first, middle), ("$g_2$", middle, last), (r"$\gamma$", first, last)
+        (r"$\gamma_1$", first, middle), (r"$\gamma_2$", middle, last), (r"$\gamma$", first, last)
     ):  # fmt: skip
         # Beside the middle of its side, on the far side of the triangle, clear of the arc.
         normal = np.array([b[1] - a[1], a[0] - b[0]]) / np.linalg.norm(b - a)
