@@ -4,7 +4,7 @@ The computer carries a horizon, a frame eta that it keeps level. It integrates t
 the body to the horizon, resolves the specific force W in the horizon, and turns the horizon
 accordingly:
 
-    2 Lambda' = Lambda∘w - w_eta∘Lambda,
+    2 lambda_eta' = lambda_eta∘w - w_eta∘lambda_eta,
     w_eta1 = k1 W3 + k2 ∫W3 dt,  w_eta3 = -k1 W1 - k2 ∫W1 dt,  w_eta2 given.
 
 The heading is the yaw of the body in the horizon plus the angle from the level part of w_eta to the
