@@ -56,7 +56,7 @@ from bootstrap.steps import (
 )
 
 NOTEBOOK = "notebooks/00_start_here.ipynb"
-QUICK = ["-m", "not browser and not kernel and not setup"]
+QUICK = ["--hypothesis-profile=quick", "-m", "not browser and not kernel and not setup"]
 
 # The token travels in the environment because other users can read command lines. It becomes
 # an argument inside the process because arguments, unlike JUPYTER_TOKEN, also win over a user's

@@ -13,7 +13,6 @@ class Blinking(RootsExplorer):
     """Shows nothing for a moment before each new picture."""
 
     title = "blinking"
-    moment = 0.1  # s; longer each time, because a browser that is busy leaves out a short one
 
     def compute(self, values):
         if self.image.value:
@@ -21,8 +20,7 @@ class Blinking(RootsExplorer):
             blank = io.BytesIO()
             Image.new("RGB", size, "white").save(blank, format="png")
             self.image.value = blank.getvalue()
-            time.sleep(self.moment)
-            self.moment = min(1.3 * self.moment, 2.0)
+            time.sleep(0.1)
         return super().compute(values)
 
 

@@ -76,7 +76,10 @@ def frames_of(page: Page, picture: Locator, *acts: Callable[[], object]) -> list
         page.evaluate(UNMARK)
     session.send("Page.stopScreencast")
     session.detach()
-    images = (Image.open(io.BytesIO(data)) for data in recorded)
+    images = [Image.open(io.BytesIO(data)) for data in recorded]
+    sizes = {image.size for image in images}
+    # Pages of a window share its size: one that was opened meanwhile may have changed it.
+    assert sizes == {tuple(page.viewport_size.values())}, f"frames of {sizes} are not the page"
     return [np.asarray(image.convert("L").crop(cut)) for image in images]
 
 

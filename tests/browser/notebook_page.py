@@ -171,7 +171,11 @@ class NotebookPage:
 
     def show_on(self, screen: str) -> None:
         """Take the size of a screen; on the narrow one the list of files is hidden."""
-        self.page.set_viewport_size(SCREENS[screen])
+        size = SCREENS[screen]
+        # Pages share a window, and a page that was opened meanwhile may have changed its size,
+        # of which this one knows nothing: it would not ask for the size that it seems to have.
+        self.page.set_viewport_size({**size, "height": size["height"] - 1})
+        self.page.set_viewport_size(size)
         self.show_files(screen == "1280x800")
 
     def files_are_shown(self) -> bool:

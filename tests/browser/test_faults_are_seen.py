@@ -15,6 +15,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser-faults")]
 
 
 def show(notebook: NotebookPage, explorer_class: type[Explorer]) -> PanelPage:
+    notebook.show_on("1280x800")
     name, folder = explorer_class.__name__, str(Path(__file__).parent)
     path = f"import sys; sys.path.append({folder!r})"
     notebook.show(f"{path}\nfrom broken_panels import {name}\n{name}()")
