@@ -691,14 +691,19 @@ def test_test_checks_everything_and_ends_with_pytest(
 
 def test_test_quick_leaves_out_what_is_slow(checks: SimpleNamespace) -> None:
     checks.lab.main(["test", "--quick"])
-    assert checks.ran[-1][-2:] == ["-m", "not browser and not kernel and not setup"]
+    assert checks.ran[-1][-3:] == [
+        "--hypothesis-profile=quick",
+        "-m",
+        "not browser and not kernel and not setup",
+    ]
     assert checks.ran[0] == ["-m", "ruff", "check"]
 
 
 def test_arguments_of_test_go_to_pytest_alone(checks: SimpleNamespace) -> None:
     assert checks.lab.main(["test", "tests/test_drift.py", "-x"]) == 0
     assert checks.lab.main(["test", "--quick", "-x"]) == 0
-    quick = ["-m", "pytest", "-m", "not browser and not kernel and not setup", "-x"]
+    marks = ["--hypothesis-profile=quick", "-m", "not browser and not kernel and not setup"]
+    quick = ["-m", "pytest", *marks, "-x"]
     assert checks.ran == [["-m", "pytest", "tests/test_drift.py", "-x"], quick]
 
 
