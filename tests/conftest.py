@@ -7,6 +7,7 @@ them: the tests of a published figure, those of a panel, and of the rest those o
 import gc
 import os
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -27,17 +28,16 @@ sys.modules.setdefault("rfc3987_syntax", None)
 # The groups that take longest, the longest first: begun last, one of them would run alone. A page
 # leaves the processor alone half of the time, so what only computes stands between the pages.
 HEAVY = (
-    "browser-08",
+    "notebook-08_system_calibration.ipynb",
     "book",
     "CapstoneExplorer",
-    "notebook-08_system_calibration.ipynb",
     "CalibrationRunExplorer",
     "lab",
     "GyrocompassExplorer",
     "figure-08-filter-consistency",
     "AlignmentBudgetExplorer",
     "calibration/test_simulation",
-    "browser-11",
+    "notebook-11_one_triad.ipynb",
     "calibration/test_filter",
     "ObservabilityExplorer",
     "figure-08-in-place-claim",
@@ -65,3 +65,42 @@ def pytest_collection_finish() -> None:
     """Leave out of all later searches for garbage what has been imported: it stays to the end."""
     gc.collect()
     gc.freeze()
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator:
+    """A window of the browser; its pages share what they have loaded already."""
+    from chromium import chromium  # most tests need none of this
+    from notebook_page import SCREENS
+
+    with chromium() as started:
+        yield started.new_context(viewport=SCREENS["1280x800"])
+
+
+@pytest.fixture(scope="session")
+def server(browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator:
+    """A JupyterLab with a copy of the book."""
+    from book_server import book_server
+
+    with book_server(tmp_path_factory.mktemp("book")) as started:
+        yield started
+
+
+@pytest.fixture(scope="session")
+def chapter_page(browser, server) -> Iterator:
+    """A page of JupyterLab for chapters, one after the other."""
+    from notebook_page import new_page
+
+    with new_page(browser, server) as page:
+        yield page
+
+
+@pytest.fixture(scope="session")
+def notebook(browser, server) -> Iterator:
+    """Another page, with a notebook of one cell for code that a test brings along."""
+    from notebook_page import new_page
+    from pages import notebook_of
+
+    with new_page(browser, server) as page:
+        page.open(server.add_notebook("panel.ipynb", notebook_of("")))
+        yield page

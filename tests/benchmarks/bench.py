@@ -200,7 +200,8 @@ def redraws(moves: int = 10) -> None:
 
 
 def browser_latencies() -> None:
-    sys.path += [str(Path(__file__).parents[1]), str(Path(__file__).parents[1] / "browser")]
+    tests = Path(__file__).parents[1]
+    sys.path += [str(folder) for folder in (tests, tests / "browser", tests / "notebooks")]
     from latency import latencies
 
     latencies()

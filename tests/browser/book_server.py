@@ -16,16 +16,13 @@ from runpy import run_path
 from typing import NamedTuple
 
 import nbformat
-from nbformat.v4 import new_code_cell, new_notebook
+from nbformat import NotebookNode
 from notebook_page import PATIENCE
-from places import CHAPTERS
+from pages import FOLDER
 
 # Starts JupyterLab as lab.py does: its token comes from DRIFTLAB_TOKEN and wins over any
 # configuration that switches tokens off.
-SERVER = run_path(str(CHAPTERS.parent / "lab.py"), run_name="lab")["SERVER"]
-
-
-KERNEL = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
+SERVER = run_path(str(FOLDER.parent / "lab.py"), run_name="lab")["SERVER"]
 
 
 class Server(NamedTuple):
@@ -35,11 +32,9 @@ class Server(NamedTuple):
     token: str
     folder: Path
 
-    def add_notebook(self, name: str, code: str = "") -> str:
-        """Write a notebook of one cell into the folder that is served; return its name."""
-        nbformat.write(
-            new_notebook(metadata=KERNEL, cells=[new_code_cell(code)]), self.folder / name
-        )
+    def add_notebook(self, name: str, notebook: NotebookNode) -> str:
+        """Write a notebook into the folder that is served; return its name."""
+        nbformat.write(notebook, self.folder / name)
         return name
 
 
@@ -51,7 +46,7 @@ def book_server(folder: Path) -> Iterator[Server]:
     user's is read or written.
     """
     book = folder / "notebooks"
-    shutil.copytree(CHAPTERS, book, ignore=shutil.ignore_patterns(".ipynb_checkpoints"))
+    shutil.copytree(FOLDER, book, ignore=shutil.ignore_patterns(".ipynb_checkpoints"))
     quiet = {
         "disabledExtensions": {"@jupyterlab/apputils-extension:announcements": True},
         # Whether JupyterLab should be built anew is found out with node, at each opening of a page.
@@ -59,6 +54,10 @@ def book_server(folder: Path) -> Iterator[Server]:
     }
     (folder / "config/labconfig").mkdir(parents=True)
     (folder / "config/labconfig/page_config.json").write_text(json.dumps(quiet), "utf-8")
+    widgets = folder / "settings/@jupyter-widgets/jupyterlab-manager"
+    widgets.mkdir(parents=True)
+    # A notebook that is saved tells what its widgets show.
+    (widgets / "plugin.jupyterlab-settings").write_text(json.dumps({"saveState": True}), "utf-8")
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]

@@ -50,6 +50,18 @@ def browser_path() -> str:
     return path
 
 
+def no_browser() -> str:
+    """Say why the tests do without a browser; empty if they use one.
+
+    Who names a browser wants it used: then the tests are run, and fail.
+    """
+    try:
+        browser_path()
+    except NoBrowser as reason:
+        return "" if named() else str(reason)
+    return ""
+
+
 @contextmanager
 def chromium() -> Iterator["Browser"]:
     """Start a browser for the ``with`` block; raises what `browser_path` does."""

@@ -8,7 +8,8 @@ import numpy as np
 from book_server import book_server
 from chromium import NoBrowser, chromium
 from frames import blank_frames, frames_of
-from notebook_page import SCREENS, NotebookPage, opened
+from notebook_page import SCREENS, NotebookPage, new_page
+from pages import notebook_of
 from panel_page import PanelPage, time_of_move
 from places import PLACES, Place
 
@@ -42,13 +43,14 @@ def latencies() -> None:
             book_server(Path(folder)) as server,
         ):
             window = browser.new_context(viewport=SCREENS["1280x800"])
-            for chapter in dict.fromkeys(place.chapter for place in PLACES):
-                with opened(window, server, chapter) as page:
+            with new_page(window, server) as page:
+                for chapter in dict.fromkeys(place.chapter for place in PLACES):
+                    page.open(chapter)
                     page.run_all()
                     for place in PLACES:
                         if place.chapter == chapter:
                             say(f"{chapter[:2]} {place.explorer}", panel_moves(page, place))
-            with opened(window, server, server.add_notebook("interact.ipynb", INTERACT)) as page:
+                page.open(server.add_notebook("interact.ipynb", notebook_of(INTERACT)))
                 page.run_all()
                 interact_moves(page)
     except NoBrowser as reason:

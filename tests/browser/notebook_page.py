@@ -9,8 +9,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+import nbformat
+
 if TYPE_CHECKING:
     from book_server import Server
+    from nbformat import NotebookNode
     from playwright.sync_api import BrowserContext, ConsoleMessage, Page, Request
 
 
@@ -59,6 +62,21 @@ LISTEN = """async () => {
 
 RUN_ALL = """() => {
   window.finished = window.jupyterapp.commands.execute("notebook:run-all-cells");
+}"""
+
+# What was open is closed without questions: nobody wants to keep its changes.
+REPLACE = """async (path) => {
+  const { shell, commands } = window.jupyterapp;
+  const before = shell.currentWidget;
+  await before.sessionContext.shutdown();
+  before.dispose();
+  await commands.execute("docmanager:open", { path });
+}"""
+
+SAVE = """async () => {
+  const { context } = window.jupyterapp.shell.currentWidget;
+  await context.save();
+  return context.path;
 }"""
 
 REWRITE = """code => {
@@ -134,11 +152,19 @@ class NotebookPage:
             self.trouble.append(f"request to the network: {request.url}")
 
     def open(self, notebook: str) -> None:
-        """Open a notebook of the server in JupyterLab."""
-        url = f"{self.server.address}/lab/tree/{notebook}?token={self.server.token}&reset"
-        self.page.goto(url, wait_until="domcontentloaded")
+        """Open a notebook of the server in JupyterLab, in place of the one that is open there."""
+        if self.page.url.startswith(self.server.address):
+            self.page.evaluate(REPLACE, notebook)
+            self.trouble.clear()
+        else:
+            url = f"{self.server.address}/lab/tree/{notebook}?token={self.server.token}&reset"
+            self.page.goto(url, wait_until="domcontentloaded")
         self.page.wait_for_selector(".jp-Notebook-ExecutionIndicator[data-status=idle]")
         self.page.evaluate(LISTEN)
+
+    def saved(self) -> NotebookNode:
+        """Save the notebook as a reader does, and read the file."""
+        return nbformat.read(self.server.folder / self.page.evaluate(SAVE), as_version=4)
 
     def show(self, code: str) -> None:
         """Let a notebook of one cell show the output of some code, with no trouble so far."""
@@ -215,11 +241,10 @@ class NotebookPage:
 
 
 @contextmanager
-def opened(context: BrowserContext, server: Server, notebook: str) -> Iterator[NotebookPage]:
-    """Open a notebook of the server in a new page."""
-    shown = NotebookPage(context.new_page(), server)
+def new_page(context: BrowserContext, server: Server) -> Iterator[NotebookPage]:
+    """Open a page in which notebooks of the server can be opened, one after the other."""
+    page = NotebookPage(context.new_page(), server)
     try:
-        shown.open(notebook)
-        yield shown
+        yield page
     finally:
-        shown.close()
+        page.close()

@@ -2,12 +2,10 @@
 
 import ast
 from collections.abc import Iterator
-from pathlib import Path
 from typing import NamedTuple
 
 import nbformat
-
-CHAPTERS = Path(__file__).parents[2] / "notebooks"
+from pages import FOLDER
 
 
 class Place(NamedTuple):
@@ -21,7 +19,7 @@ class Place(NamedTuple):
 
 def places() -> Iterator[Place]:
     """All cells of the book whose last line is a panel."""
-    for path in sorted(CHAPTERS.glob("*.ipynb")):
+    for path in sorted(FOLDER.glob("*.ipynb")):
         for index, cell in enumerate(nbformat.read(path, as_version=4).cells):
             if cell.cell_type == "code" and "Explorer(" in cell.source:
                 call = ast.parse(cell.source).body[-1].value

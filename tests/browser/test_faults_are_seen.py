@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 from broken_panels import Blinking, Growing, Nameless, Raising, Wordy
 from frames import blank_frames, frames_of, sizes_during
-from notebook_page import NotebookPage, opened, wait_until
+from notebook_page import NotebookPage, new_page, wait_until
+from pages import notebook_of
 from panel_page import PanelPage
 
 from driftlab.book.machinery.panel import Explorer
@@ -22,10 +23,11 @@ def show(notebook: NotebookPage, explorer_class: type[Explorer]) -> PanelPage:
     return PanelPage(notebook.page, explorer_class)
 
 
-@pytest.fixture
-def new_page(browser, server) -> Iterator[NotebookPage]:
+@pytest.fixture(scope="module")
+def fresh(browser, server) -> Iterator[NotebookPage]:
     """A notebook of one cell in a page that nothing has been shown in before."""
-    with opened(browser, server, server.add_notebook("faults.ipynb")) as page:
+    with new_page(browser, server) as page:
+        page.open(server.add_notebook("faults.ipynb", notebook_of("")))
         yield page
 
 
@@ -65,8 +67,8 @@ def test_a_cut_label_is_seen(notebook: NotebookPage) -> None:
     assert Wordy.controls[3].label in panel.cut_off()
 
 
-def test_a_slider_without_a_name_is_seen(new_page: NotebookPage) -> None:
-    panel = show(new_page, Nameless)
+def test_a_slider_without_a_name_is_seen(fresh: NotebookPage) -> None:
+    panel = show(fresh, Nameless)
     assert panel.panel.locator(".noUi-handle").count() == 3
     assert panel.element(Nameless.controls[2]).count() == 0
 
@@ -81,15 +83,15 @@ Javascript("""
 '''
 
 
-def test_trouble_in_the_page_is_seen(new_page: NotebookPage) -> None:
-    new_page.show(SCRIPTS)
+def test_trouble_in_the_page_is_seen(fresh: NotebookPage) -> None:
+    fresh.show(SCRIPTS)
     expected = {"in the console", "in a script", "network: http://127.0.0.2:9/elsewhere"}
 
     def all_are_seen() -> bool:
-        trouble = "\n".join(new_page.all_trouble())
+        trouble = "\n".join(fresh.all_trouble())
         return all(words in trouble for words in expected)
 
-    wait_until(new_page.page, all_are_seen, f"trouble: {', '.join(expected)}")
+    wait_until(fresh.page, all_are_seen, f"trouble: {', '.join(expected)}")
 
 
 def test_trouble_in_the_kernel_is_seen(notebook: NotebookPage) -> None:

@@ -1,0 +1,280 @@
+"""Every notebook runs from a clean start and hides no error, and its panels live.
+
+What readers read is run where they read it, in JupyterLab in a browser, and saved; without a
+browser in a kernel. All other notebooks are run in the process of the tests.
+"""
+
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+import nbformat
+import pytest
+from chromium import no_browser
+from interpreter import run_here
+from nbclient import NotebookClient
+from nbconvert import SlidesExporter
+from nbformat import NotebookNode
+from notebook_page import SCREENS, NotebookPage
+from pages import (
+    CHAPTERS,
+    FOLDER,
+    LEDGER,
+    NOTEBOOKS,
+    SOLUTIONS,
+    START,
+    markdown,
+    name_of,
+    notebook_of,
+)
+from places import PLACES, Place
+from twin import Panel
+
+from driftlab.book.exercises import exercises
+from driftlab.book.machinery.panel import ERROR_CLASS
+from driftlab.book.panels import EXPLORERS
+
+READERS = [START, *CHAPTERS, LEDGER]
+TIMEOUT = 600
+"""Seconds before a cell counts as hung, on a machine that is busy with other things as well."""
+HEAVY = ["08", "11", "10", "06", "05"]
+"""The chapters that run longest, to begin with them."""
+SCREENSHOTS = Path(__file__).parent / "screenshots"
+
+
+class Run(NamedTuple):
+    """A notebook of the book with all outputs of a run from a clean start, and its page if any."""
+
+    path: Path
+    notebook: NotebookNode
+    page: NotebookPage | None = None
+
+
+def run_in_kernel(notebook: NotebookNode) -> NotebookNode:
+    NotebookClient(notebook, timeout=TIMEOUT, resources={"metadata": {"path": FOLDER}}).execute()
+    return notebook
+
+
+def run_in_browser(page: NotebookPage, name: str, notebook: NotebookNode) -> NotebookNode:
+    page.server.add_notebook(name, notebook)
+    page.open(name)
+    page.run_all()
+    return page.saved()
+
+
+@pytest.fixture(scope="module")
+def run(request, tmp_path_factory: pytest.TempPathFactory) -> Run:
+    """One run for all tests of a notebook; if it fails, it fails once, for all of them."""
+    path = request.param
+    notebook = nbformat.read(path, as_version=4)
+    if path not in READERS:
+        with pytest.MonkeyPatch.context() as monkeypatch:
+            monkeypatch.chdir(FOLDER)
+            return Run(path, run_here(notebook, tmp_path_factory.mktemp("ipython")))
+    if no_browser():
+        return Run(path, run_in_kernel(notebook))
+    page = request.getfixturevalue("chapter_page")
+    notebook = run_in_browser(page, path.name, notebook)
+    assert page.all_trouble() == []
+    assert page.cells_not_run() == []
+    return Run(path, notebook, page)
+
+
+def runs_of(paths: list[Path]) -> pytest.MarkDecorator:
+    """Parametrize a test with runs, the longest first."""
+
+    def param(path: Path):
+        name = name_of(path)
+        marks = [pytest.mark.xdist_group(f"notebook-{name}")]
+        if path in READERS:
+            marks.append(pytest.mark.kernel)
+        return pytest.param(path, id=name, marks=marks)
+
+    heaviest_first = sorted(paths, key=lambda path: path.name[:2] not in HEAVY)
+    return pytest.mark.parametrize("run", [*map(param, heaviest_first)], indirect=True)
+
+
+every_run = runs_of(NOTEBOOKS)
+# nbclient and its kernel client close their sockets when they are collected, some of them late.
+pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")
+
+
+def hidden_errors(notebook: NotebookNode) -> list[str]:
+    """Errors in outputs and in the state of widgets, where nbclient does not look."""
+    found = [
+        output.get("text", output.get("evalue", ""))
+        for cell in notebook.cells
+        for output in cell.get("outputs", [])
+        if output.output_type == "error" or output.get("name") == "stderr"
+    ]
+    widgets = notebook.metadata.get("widgets", {})
+    for view in (
+        widgets.get("application/vnd.jupyter.widget-state+json", {}).get("state", {}).values()
+    ):
+        state = view["state"]
+        outputs = state.get("outputs", ())
+        found += [output["evalue"] for output in outputs if output["output_type"] == "error"]
+        value = state.get("value")
+        if isinstance(value, str) and ERROR_CLASS in value:
+            found.append(value)
+    return found
+
+
+@every_run
+def test_runs_from_a_clean_start_without_hidden_errors(run: Run) -> None:
+    assert hidden_errors(run.notebook) == []
+
+
+@every_run
+def test_every_picture_has_a_caption_and_an_alternative_text(run: Run) -> None:
+    for cell in run.notebook.cells:
+        for output in cell.get("outputs", ()):
+            data = output.get("data", {})
+            if "application/vnd.jupyter.widget-view+json" in data:
+                continue  # a panel describes its picture in words of its own
+            assert not [kind for kind in data if kind.startswith("image/")], cell.id
+            for picture in re.findall(r"<img[^>]*>", data.get("text/html", "")):
+                assert re.search(r'alt="[^"]{20,}"', picture), cell.id
+                assert "<figcaption>" in data["text/html"], cell.id
+
+
+@runs_of(CHAPTERS)
+def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
+    path, notebook = run.path, run.notebook
+    chapter = str(int(path.name[:2]))
+    expected = [n for n in exercises() if n.split(".")[0] == chapter]
+    asked = re.findall(r"^### ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
+    assert asked == [(number, exercises()[number].kind.capitalize()) for number in expected]
+    code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
+    assert (
+        re.findall(r'^answer = \.\.\.\ncheck\("([\d.]+)", answer\)', code, re.MULTILINE) == expected
+    )
+    printed = [text for cell in notebook.cells for text in printed_by(cell)]
+    assert printed.count("not answered yet.") == len(expected)
+
+
+@runs_of(SOLUTIONS)
+def test_every_exercise_has_a_solution_that_is_right(run: Run) -> None:
+    path, notebook = run.path, run.notebook
+    chapter = str(int(path.name[:2]))
+    expected = [n for n in exercises() if n.split(".")[0] == chapter]
+    headings = re.findall(r"^## ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
+    assert headings == [(number, exercises()[number].kind.capitalize()) for number in expected]
+    printed = [text for cell in notebook.cells for text in printed_by(cell)]
+    assert len(printed) == len(expected)
+    for says in printed:
+        assert says.startswith("right."), says
+
+
+def printed_by(cell: NotebookNode) -> list[str]:
+    """What `check` said in a cell, without the exercise's number."""
+    outputs = "".join(output.get("text", "") for output in cell.get("outputs", ()))
+    return re.findall(r"^Exercise [\d.]+: (.*)$", outputs, flags=re.MULTILINE)
+
+
+@runs_of([START, *CHAPTERS])
+def test_chapter_can_be_shown_as_slides(run: Run) -> None:
+    notebook = run.notebook
+    types = {cell.id: cell.metadata["slideshow"]["slide_type"] for cell in notebook.cells}
+    assert set(types.values()) <= {"slide", "subslide", "fragment", "-", "skip"}
+    assert types[notebook.cells[0].id] == "slide"
+    for cell in notebook.cells:
+        shown = types[cell.id]
+        # A heading opens a slide, so it must stand at the beginning of its cell.
+        headings = re.findall(r"^(#+) ", cell.source, re.MULTILINE)
+        if cell.cell_type == "markdown" and headings and shown != "skip":
+            assert cell.source.startswith("#"), cell.id
+            assert shown == ("slide" if len(headings[0]) <= 2 else "subslide"), cell.id
+        if "Explorer(" in cell.source or cell.source.startswith("answer = ..."):
+            assert shown == "skip", f"{cell.id}: neither sliders nor answers live on a slide"
+    html, _ = SlidesExporter(exclude_input=True).from_notebook_node(notebook)
+    opened = [shown for shown in types.values() if shown in ("slide", "subslide")]
+    # A row of slides is a section with a section for each slide in it.
+    assert html.count("<section>") == len(opened) + opened.count("slide")
+
+
+def test_every_explorer_is_somewhere_in_the_book() -> None:
+    assert {place.explorer for place in PLACES} == {explorer.__name__ for explorer in EXPLORERS}
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(bool(no_browser()), reason=no_browser())
+@runs_of([path for path in READERS if any(place.chapter == path.name for place in PLACES)])
+def test_panels_live_in_their_chapter(run: Run) -> None:
+    for place in PLACES:
+        if place.chapter == run.path.name:
+            look_at(run.page, place)
+    assert run.page.all_trouble() == []
+
+
+def look_at(chapter: NotebookPage, place: Place) -> None:
+    """Fail unless a panel is right, fits into the screen, and obeys a key."""
+    chapter.show_cell(place.cell)
+    panel = Panel.on(chapter.page, place)
+    assert panel.shown.values() == panel.twin.values
+    panel.assert_agrees()
+    SCREENSHOTS.mkdir(exist_ok=True)
+    for screen in SCREENS:
+        chapter.show_on(screen)
+        chapter.show_cell(place.cell)
+        panel.shown.screenshot(SCREENSHOTS / f"{place.chapter[:2]}-{place.explorer}-{screen}.png")
+        assert panel.shown.cut_off() == []
+    slider = next(control for control in panel.twin.controls if control.is_slider)
+    before = panel.shown.values()[slider.name]
+    high = slider.options[-1] if slider.options else slider.high
+    panel.shown.press(slider, "End" if before != high else "Home")
+    panel.shown.settle()
+    assert panel.shown.values()[slider.name] != before
+    panel.assert_agrees()
+
+
+BROKEN_EXPLORER = """
+from driftlab.book import RootsExplorer
+class Broken(RootsExplorer):
+    def compute(self, values):
+        if values["size"] > 0.2:
+            raise ZeroDivisionError("broken")
+        return super().compute(values)
+explorer = Broken()
+explorer
+"""
+MOVE_IT = """
+try:
+    explorer.set(size=0.3)
+except ZeroDivisionError:
+    pass
+"""
+BROKEN_INTERACT = """
+from ipywidgets import interact
+@interact(x=(0, 3))
+def broken(x):
+    raise ZeroDivisionError("broken")
+"""
+
+
+@pytest.mark.kernel
+@pytest.mark.xdist_group("browser-faults")
+@pytest.mark.parametrize(
+    "way",
+    [
+        "kernel",
+        pytest.param(
+            "browser",
+            marks=[
+                pytest.mark.browser,
+                pytest.mark.skipif(bool(no_browser()), reason=no_browser()),
+            ],
+        ),
+    ],
+)
+@pytest.mark.parametrize("cells", [[BROKEN_EXPLORER, MOVE_IT], [BROKEN_INTERACT]])
+def test_hidden_errors_are_found(cells: list[str], way: str, request) -> None:
+    """The test above can fail: both kinds of swallowed callback error are seen."""
+    notebook = notebook_of(*cells)
+    if way == "kernel":
+        notebook = run_in_kernel(notebook)
+    else:
+        page = request.getfixturevalue("chapter_page")
+        notebook = run_in_browser(page, "broken.ipynb", notebook)
+        assert page.all_trouble() != []
+    assert any("broken" in error for error in hidden_errors(notebook))
