@@ -14,6 +14,8 @@ from driftlab.increments import Increments
 
 from .error_model import ErrorModel
 
+_UNIT = np.eye(6)  # made once, for the many steps of a filter
+
 
 def free_transition(latitude: float, duration: ArrayLike) -> FloatArray:
     """Transition matrix of attitude and velocity errors without sensor errors and specific force.
@@ -114,15 +116,17 @@ def transition(
     tilts = attitude @ _effects(model.gyro_basis, times, angle)
     pushes = attitude @ _effects(model.accelerometer_basis, times, velocity)
     force = cross_matrix((attitude @ velocity[..., np.newaxis])[..., 0])
-    tilted = (quadrature_weights @ tilts.reshape(*tilts.shape[:-2], -1)).reshape(tilts.shape)
+    # A tilt that arises at a node acts through the force that is still to come.
+    still = quadrature_weights.T @ force.reshape(*force.shape[:-2], 9)
     moved = np.zeros((*angle.shape[:-2], 6, model.size))
-    moved[..., :6] = np.eye(6)
+    moved[..., :6] = _UNIT
     moved[..., 3:, :3] = force.sum(axis=-3)
     moved[..., :3, gyro] = -tilts.sum(axis=-3)
-    moved[..., 3:, gyro] = -(force @ tilted).sum(axis=-3)
+    moved[..., 3:, gyro] = -(still.reshape(force.shape) @ tilts).sum(axis=-3)
     moved[..., 3:, accelerometer] = pushes.sum(axis=-3)
     matrix = np.empty((*angle.shape[:-2], model.size, model.size))
-    matrix[..., 6:, :] = np.eye(model.size)[6:]
+    matrix[..., 6:, :6] = 0.0
+    matrix[..., 6:, 6:] = np.eye(model.size - 6)
     matrix[..., :6, :] = free @ moved
     return matrix
 
@@ -182,8 +186,10 @@ def transition_of_increments(
 def _effects(basis: FloatArray, times: FloatArray, values: FloatArray) -> FloatArray:
     """Errors (..., n, 3, 3 + m) in body axes per unit of the three biases and m coefficients."""
     effects = np.empty((*values.shape, 3 + len(basis)))
-    effects[..., :3] = times[..., np.newaxis, np.newaxis] * np.eye(3)
-    effects[..., 3:] = np.tensordot(values, basis, ([-1], [2])).swapaxes(-1, -2)
+    effects[..., :3] = times[..., np.newaxis, np.newaxis] * _UNIT[:3, :3]
+    # Entry [i, m] is the sum of basis[m, i, j] times component j of the values.
+    combined = values @ basis.T.reshape(3, -1)
+    effects[..., 3:] = combined.reshape(*values.shape, len(basis))
     return effects
 
 
@@ -228,10 +234,10 @@ def process_noise(
     covariance = np.zeros((*force.shape[:-2], size, size))
     seconds = duration[..., np.newaxis, np.newaxis]
     tilt = noise.angle_random_walk**2 * seconds
-    covariance[..., :3, :3] = tilt * np.eye(3)
+    covariance[..., :3, :3] = tilt * _UNIT[:3, :3]
     transposed = np.swapaxes(force, -1, -2)
     covariance[..., 3:6, :3] = tilt / 2 * force
     covariance[..., :3, 3:6] = tilt / 2 * transposed
-    own = noise.velocity_random_walk**2 * seconds * np.eye(3)
+    own = noise.velocity_random_walk**2 * seconds * _UNIT[:3, :3]
     covariance[..., 3:6, 3:6] = own + tilt / 3 * force @ transposed
     return covariance

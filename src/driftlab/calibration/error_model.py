@@ -98,9 +98,9 @@ class ErrorModel:
         middle = 9 + len(self.gyro_basis)
         return ImuErrors(
             state[..., 6:9],
-            np.tensordot(state[..., 9:middle], self.gyro_basis, 1),
+            _combined(state[..., 9:middle], self.gyro_basis),
             state[..., middle : middle + 3],
-            np.tensordot(state[..., middle + 3 :], self.accelerometer_basis, 1),
+            _combined(state[..., middle + 3 :], self.accelerometer_basis),
         )
 
     def state(self, imu_errors: ImuErrors) -> FloatArray:
@@ -223,6 +223,12 @@ class ErrorModel:
         sizes = np.array([prior.attitude] * 3 + [0.0] * 3 + gyro + accelerometer)
         half = self.reduction(attitude) * sizes
         return half @ half.T
+
+
+def _combined(coefficients: FloatArray, basis: FloatArray) -> FloatArray:
+    """Matrices (..., 3, 3) with m coefficients (..., m) in a basis (m, 3, 3)."""
+    matrices: FloatArray = coefficients @ basis.reshape(-1, 9)
+    return matrices.reshape(*coefficients.shape[:-1], 3, 3)
 
 
 def _units(places: list[tuple[int, int]]) -> FloatArray:

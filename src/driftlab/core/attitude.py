@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from driftlab.checks import FloatArray
 
 from .quaternion import from_rotation_vector
-from .vectors import cross
+from .vectors import components_first, components_last, cross
 
 if TYPE_CHECKING:
     from driftlab.attitude.coning_algorithms import Algorithm, Weights
@@ -39,14 +39,14 @@ def step_vectors(algorithm: Algorithm, increments: NDArray[Any], past: int = 0) 
     first `past` are history."""
     kind, m = increments.dtype.type, algorithm.samples
     # Components first, so that everything but a cross product is plain arithmetic.
-    rows = np.ascontiguousarray(np.moveaxis(increments, -1, 0))
+    rows = np.ascontiguousarray(components_first(increments))
     if algorithm.memory:
         gamma, coning = rows[..., past:], _coning_with_memory(algorithm, rows, past)
     else:
         places = [rows[..., i::m] for i in range(m)]
         gamma, coning = sum(places[1:], places[0]), _weighted(algorithm.coning, places)
     if algorithm.iterate == "rotation vector":
-        return np.moveaxis(gamma + coning, 0, -1)
+        return components_last(gamma + coning)
     square = (gamma**2).sum(axis=0)
     if not (square < 4 * np.pi**2).all():
         raise turns_too_far(float(np.sqrt(square.max())))
@@ -57,7 +57,7 @@ def step_vectors(algorithm: Algorithm, increments: NDArray[Any], past: int = 0) 
         if algorithm.iterate == "second":
             # What the second iterate still has and the third removes.
             vectors -= kind(1 / 32) * cross(gamma, coning)
-    return np.moveaxis(vectors, 0, -1)
+    return components_last(vectors)
 
 
 def turns_too_far(angle: float) -> ValueError:

@@ -6,7 +6,7 @@ import numpy as np
 
 from driftlab.checks import FloatArray
 
-from .vectors import components
+from .vectors import components, stacked
 
 EARTH_RATE = 7.292115e-5
 SEMI_MAJOR_AXIS = 6378137.0
@@ -67,7 +67,7 @@ def gravitation(position: FloatArray) -> FloatArray:
     down = gravity(sine * sine, altitude)
     # The cosine of the latitude is rho/(across + altitude), so nothing is divided by rho.
     level = -down / (across + altitude) - EARTH_RATE**2
-    return np.stack([level * x, level * y, -down * sine], axis=-1)
+    return stacked(level * x, level * y, -down * sine)
 
 
 def _cylindrical(position: FloatArray) -> tuple[FloatArray, ...]:
@@ -103,7 +103,7 @@ def _geodetic(
 def ground_velocity(position: FloatArray) -> FloatArray:
     """Velocity (..., 3) of the turning Earth at a position (..., 3)."""
     x, y, z = components(position)
-    return EARTH_RATE * np.stack([-y, x, np.zeros_like(z)], axis=-1)
+    return EARTH_RATE * stacked(-y, x, np.zeros_like(z))
 
 
 def local_axes(latitude: FloatArray, longitude: FloatArray) -> FloatArray:
@@ -111,12 +111,9 @@ def local_axes(latitude: FloatArray, longitude: FloatArray) -> FloatArray:
     half_tilt, half_turn = np.pi / 4 - latitude / 2, np.pi / 4 + longitude / 2
     sine_tilt, cosine_tilt = np.sin(half_tilt), np.cos(half_tilt)
     sine_turn, cosine_turn = np.sin(half_turn), np.cos(half_turn)
-    return np.stack(
-        [
-            cosine_turn * sine_tilt,
-            sine_turn * sine_tilt,
-            sine_turn * cosine_tilt,
-            cosine_turn * cosine_tilt,
-        ],
-        axis=-1,
+    return stacked(
+        cosine_turn * sine_tilt,
+        sine_turn * sine_tilt,
+        sine_turn * cosine_tilt,
+        cosine_turn * cosine_tilt,
     )

@@ -101,11 +101,11 @@ def cumulative_product(quaternions: FloatArray) -> FloatArray:
     and one more product puts each block after those before it. So nearly all of the work is
     NumPy's, on arrays of sqrt(n), with two quaternion products an element.
     """
-    rows = np.moveaxis(quaternions.reshape(-1, *quaternions.shape[-2:]), 1, 0)
+    rows = quaternions.reshape(-1, *quaternions.shape[-2:]).swapaxes(0, 1)
     first, second = rows[..., 3] + 1j * rows[..., 2], rows[..., 0] + 1j * rows[..., 1]
     _scan(first, second)
     products = np.empty(quaternions.shape)
-    rows = np.moveaxis(products.reshape(-1, *quaternions.shape[-2:]), 1, 0)
+    rows = products.reshape(-1, *quaternions.shape[-2:]).swapaxes(0, 1)
     rows[..., 3], rows[..., 2] = first.real, first.imag
     rows[..., 0], rows[..., 1] = second.real, second.imag
     return products

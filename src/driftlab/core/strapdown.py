@@ -18,7 +18,7 @@ from .earth import (
     position_vector,
 )
 from .quaternion import conjugate, cumulative_product, multiply, rotate
-from .vectors import cross
+from .vectors import components_first, components_last, cross
 
 if TYPE_CHECKING:
     from driftlab.attitude.coning_algorithms import Algorithm
@@ -106,7 +106,7 @@ def velocity_of_pairs(angle: FloatArray, velocity: FloatArray) -> FloatArray:
     they change there is sculling, s = 2/3 (g1×v2 + v1×g2), which is turned by p/2 in its turn.
     """
     # Components first, so that everything but a cross product is plain arithmetic.
-    angles, velocities = np.moveaxis(angle, -1, 0), np.moveaxis(velocity, -1, 0)
+    angles, velocities = components_first(angle), components_first(velocity)
     g1, g2, v1, v2 = (row[..., i::2] for row in (angles, velocities) for i in (0, 1))
     p = g1 + g2 + (2 / 3) * cross(g1, g2)
     v = v1 + v2
@@ -114,7 +114,7 @@ def velocity_of_pairs(angle: FloatArray, velocity: FloatArray) -> FloatArray:
     once = cross(p, v)
     twice = cross(p, once)
     pairs = v + once / 2 + twice / 6 + cross(p, twice) / 24 + sculling + cross(p, sculling) / 2
-    return np.moveaxis(pairs, 0, -1)
+    return components_last(pairs)
 
 
 def _fall(

@@ -27,11 +27,30 @@ def components(vectors: FloatArray) -> list[FloatArray]:
     return [vectors[..., i] for i in range(vectors.shape[-1])]
 
 
+def stacked(*parts: FloatArray) -> FloatArray:
+    """Vectors (..., n) of n components (...) of one shape; for few sooner than `np.stack`."""
+    vectors = np.empty((*parts[0].shape, len(parts)))
+    for i, part in enumerate(parts):
+        vectors[..., i] = part
+    return vectors
+
+
+def components_first(vectors: NDArray[Any]) -> NDArray[Any]:
+    """View (3, ...) of vectors (..., 3): of `np.moveaxis`, what it comes to."""
+    return vectors.transpose(vectors.ndim - 1, *range(vectors.ndim - 1))
+
+
+def components_last(vectors: NDArray[Any]) -> NDArray[Any]:
+    """View (..., 3) of vectors (3, ...)."""
+    return vectors.transpose(*range(1, vectors.ndim), 0)
+
+
 def cross(a: NDArray[Any], b: NDArray[Any]) -> NDArray[Any]:
     """Cross product of vectors whose components stand along the *first* axis, (3, ...)."""
-    return np.stack(
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    )
+    x = a[1] * b[2] - a[2] * b[1]
+    product = np.empty((3, *x.shape), x.dtype)
+    product[0], product[1], product[2] = x, a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+    return product
 
 
 def cross_matrix(vector: FloatArray) -> FloatArray:
