@@ -16,6 +16,7 @@ from driftlab.book.machinery.panel import Explorer
 from driftlab.drift.characteristic_equation import asymptotic_roots
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.systematic_drift import drift_per_turn
+from grouped import opened
 from panel_numbers import NUMBER
 from panel_numbers.ch02 import SHAPES
 from panel_numbers.ch04 import turn_calibration
@@ -98,7 +99,7 @@ def estimate(values: Values) -> float:
     ],
 )
 def test_code_gives_the_numbers_of_its_panel(name, expected, tolerance) -> None:
-    panel = getattr(book, name)()
+    panel = opened(getattr(book, name))
     rng = random.Random(5)
     for _ in range(4):
         for control in panel.controls:
@@ -143,7 +144,7 @@ def test_panels_of_part_four_say_what_their_code_prints(
     panel_class: type[Explorer], name: str
 ) -> None:
     """The call beside the picture, run by itself, gives the panel's number."""
-    panel = panel_class()
+    panel = opened(panel_class)
     for preset in panel_class.presets:
         panel.preset.value = preset
         found = re.search(rf">{name} <b>(-?\d+\.\d+)°</b>", panel.text.value)

@@ -14,7 +14,7 @@ from driftlab.book import DriftExplorer
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
 from driftlab.book.machinery.picture import Picture
-from grouped import every_panel
+from grouped import every_panel, opened
 from panel_numbers import assert_shown, shown_numbers
 
 
@@ -89,19 +89,19 @@ def combine(panel: Explorer, count: int = 12) -> None:
 
 @every_panel
 def test_every_control_sweeps_to_both_ends_and_back(panel_class: type[Explorer]) -> None:
-    sweep(panel_class())
+    sweep(opened(panel_class))
 
 
 @every_panel
 def test_any_combination_gives_a_picture_numbers_and_code_that_runs(
     panel_class: type[Explorer],
 ) -> None:
-    combine(panel_class())
+    combine(opened(panel_class))
 
 
 @every_panel
 def test_numbers_beside_the_picture_are_the_package_s_own(panel_class: type[Explorer]) -> None:
-    panel = panel_class()
+    panel = opened(panel_class)
     rng = random.Random(11)
     for preset in panel.presets:
         panel.preset.value = preset

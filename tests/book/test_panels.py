@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 
 from driftlab.book.machinery.panel import Explorer
-from grouped import every_panel
+from grouped import every_panel, opened
 
 UNITS = {
     *("degrees", "°", "″", "′", "arcsec a turn", "deg/s", "°/h", "1e-3 °/√h"),
@@ -21,7 +21,7 @@ PURE_NUMBERS = {
 
 @every_panel
 def test_reset_and_presets(panel_class: type[Explorer]) -> None:
-    panel = panel_class()
+    panel = opened(panel_class)
     starts = {control.name: control.start for control in panel.controls}
     for name, values in panel.presets.items():
         panel.preset.value = name
@@ -34,7 +34,7 @@ def test_reset_and_presets(panel_class: type[Explorer]) -> None:
 @every_panel
 def test_picture_is_the_static_figure(panel_class: type[Explorer]) -> None:
     """Drawn move by move or all at once: the same pixels, and the same size."""
-    panel = panel_class()
+    panel = opened(panel_class)
     figure = panel.picture_class.draw(panel.compute(panel.values))
     figure.dpi = panel._picture.figure.dpi
     figure.canvas.draw()
