@@ -88,12 +88,12 @@ def calibration() -> None:
     model = ERROR_MODELS["averaged"]
     way = linearize_along(NINETEEN_POSITIONS, np.radians(37.5), model)
     covariance = covariance_analysis(way, ImuNoise(), PriorDeviations())
-    noise, seen = 1e-15 * np.eye(model.size), np.full(3, 1e-3)
+    noise, seen = 1e-15 * np.eye(6), np.full(3, 1e-3)
 
     def steps() -> None:
         p = covariance
         for matrix in way.transitions:
-            p = velocity_update(p, matrix, noise, seen, 1e-4).covariance
+            p = velocity_update(p, matrix[:6], noise, seen, 1e-4).covariance
 
     each = 1e6 * best(steps) / len(way.transitions)
     print(f"velocity_update, {model.size} states:             {each:8.1f} µs")

@@ -107,6 +107,16 @@ def test_covariance_is_symmetric_positive_and_not_larger_than_predicted(seed, si
     assert values[-3] > 0
 
 
+@given(seed=st.integers(0, 2**32 - 1), moving=st.integers(6, 12))
+def test_states_without_rows_stay_as_they_are(seed, moving):
+    covariance, turn, noise, velocity = random_step(seed, 12)
+    turn[moving:], noise[moving:], noise[:, moving:] = np.eye(12)[moving:], 0, 0
+    whole = velocity_update(covariance, turn, noise, velocity, 0.7)
+    rows = velocity_update(covariance, turn[:moving], noise[:moving, :moving], velocity, 0.7)
+    for expected, found in zip(whole, rows, strict=True):
+        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-11 * np.abs(expected).max())
+
+
 @given(variance=st.floats(1e-3, 1e3), own=st.floats(1e-3, 1e3), walk=st.floats(0, 1e3))
 def test_alone_a_velocity_is_weighed_by_its_variances(variance, own, walk):
     """With p = a^2 own + walk: p r/(p + r) is left, p/(p + r) of the error is taken out."""

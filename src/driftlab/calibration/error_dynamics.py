@@ -113,17 +113,18 @@ def transition(
     """
     gyro = slice(6, 9 + len(model.gyro_basis))
     accelerometer = slice(gyro.stop, model.size)
-    tilts = attitude @ _effects(model.gyro_basis, times, angle)
-    pushes = attitude @ _effects(model.accelerometer_basis, times, velocity)
     force = cross_matrix((attitude @ velocity[..., np.newaxis])[..., 0])
     # A tilt that arises at a node acts through the force that is still to come.
-    still = quadrature_weights.T @ force.reshape(*force.shape[:-2], 9)
+    still = (quadrature_weights.T @ force.reshape(*force.shape[:-2], 9)).reshape(force.shape)
+    # What turns in body axes at all nodes come to: a tilt, and below it a velocity.
+    carried = np.concatenate([attitude, still @ attitude], axis=-2)
+    carried = carried.swapaxes(-3, -2).reshape(*carried.shape[:-3], 6, -1)
     moved = np.zeros((*angle.shape[:-2], 6, model.size))
     moved[..., :6] = _UNIT
     moved[..., 3:, :3] = force.sum(axis=-3)
-    moved[..., :3, gyro] = -tilts.sum(axis=-3)
-    moved[..., 3:, gyro] = -(still.reshape(force.shape) @ tilts).sum(axis=-3)
-    moved[..., 3:, accelerometer] = pushes.sum(axis=-3)
+    moved[..., gyro] = -carried @ _effects(model.gyro_basis, times, angle)
+    pushes = _effects(model.accelerometer_basis, times, velocity)
+    moved[..., 3:, accelerometer] = carried[..., :3, :] @ pushes
     matrix = np.empty((*angle.shape[:-2], model.size, model.size))
     matrix[..., 6:, :6] = 0.0
     matrix[..., 6:, 6:] = np.eye(model.size - 6)
@@ -184,19 +185,17 @@ def transition_of_increments(
 
 
 def _effects(basis: FloatArray, times: FloatArray, values: FloatArray) -> FloatArray:
-    """Errors (..., n, 3, 3 + m) in body axes per unit of the three biases and m coefficients."""
+    """Errors (..., 3 n, 3 + m) in body axes, three rows a node, of three biases, m coefficients."""
     effects = np.empty((*values.shape, 3 + len(basis)))
     effects[..., :3] = times[..., np.newaxis, np.newaxis] * _UNIT[:3, :3]
     # Entry [i, m] is the sum of basis[m, i, j] times component j of the values.
     combined = values @ basis.T.reshape(3, -1)
     effects[..., 3:] = combined.reshape(*values.shape, len(basis))
-    return effects
+    return effects.reshape(*values.shape[:-2], -1, 3 + len(basis))
 
 
-def process_noise(
-    noise: ImuNoise, force: FloatArray, duration: FloatArray, size: int
-) -> FloatArray:
-    r"""Covariance that white sensor noise adds to the errors over an interval.
+def process_noise(noise: ImuNoise, force: FloatArray, duration: FloatArray) -> FloatArray:
+    r"""Covariance that white sensor noise adds to attitude and velocity over an interval.
 
     Parameters
     ----------
@@ -207,13 +206,12 @@ def process_noise(
         the transition matrix.
     duration : ndarray, shape (...)
         Length of the interval, s.
-    size : int
-        Number of states.
 
     Returns
     -------
-    ndarray, shape (..., size, size)
-        In the units of the states, squared; zero but for attitude and velocity.
+    ndarray, shape (..., 6, 6)
+        Attitude error (rad) and velocity error (m/s), each East, North, Up; to the sensor errors
+        nothing is added.
 
     Notes
     -----
@@ -227,11 +225,11 @@ def process_noise(
     A random walk of 1e-6 rad/sqrt(s) for 100 s:
 
     >>> noise = ImuNoise(angle_random_walk=1e-6, velocity_random_walk=0.0)
-    >>> covariance = process_noise(noise, np.zeros((3, 3)), np.array(100.0), 27)
+    >>> covariance = process_noise(noise, np.zeros((3, 3)), np.array(100.0))
     >>> f"{np.sqrt(covariance[0, 0]):.1e}"  # rad
     '1.0e-05'
     """
-    covariance = np.zeros((*force.shape[:-2], size, size))
+    covariance = np.empty((*force.shape[:-2], 6, 6))
     seconds = duration[..., np.newaxis, np.newaxis]
     tilt = noise.angle_random_walk**2 * seconds
     covariance[..., :3, :3] = tilt * _UNIT[:3, :3]

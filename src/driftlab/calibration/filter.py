@@ -225,8 +225,8 @@ def calibrate(
         arrived = last_of(way)
         step = velocity_update(
             covariance,
-            growth,
-            process_noise(noise, growth[..., 3:6, :3], np.asarray(duration), model.size),
+            growth[..., :6, :],
+            process_noise(noise, growth[..., 3:6, :3], np.asarray(duration)),
             arrived.velocity - reference[..., k, :],
             noise.reference_velocity**2,
         )

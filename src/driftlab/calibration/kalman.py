@@ -49,10 +49,11 @@ def velocity_update(
     ----------
     covariance : ndarray, shape (..., size, size)
         Before the step.
-    transition : ndarray, shape (..., size, size)
-        Transition matrix over the step.
-    noise : ndarray, shape (..., size, size)
-        Covariance of the process noise of the step.
+    transition : ndarray, shape (..., k, size)
+        Rows of the transition matrix over the step for the first k states; the others stay as
+        they are. At least the six of attitude and velocity.
+    noise : ndarray, shape (..., k, k)
+        Covariance of the process noise of the step in those states.
     velocity_error : ndarray, shape (..., 3)
         Computed minus measured velocity, m/s: states 3, 4, 5 plus noise. Wu (51), (52).
     velocity_variance : float
@@ -87,10 +88,11 @@ def covariance_update(
     ----------
     covariance : ndarray, shape (..., size, size)
         Before the step.
-    transition : ndarray, shape (..., size, size)
-        Transition matrix over the step.
-    noise : ndarray, shape (..., size, size)
-        Covariance of the process noise of the step.
+    transition : ndarray, shape (..., k, size)
+        Rows of the transition matrix over the step for the first k states; the others stay as
+        they are. At least the six of attitude and velocity.
+    noise : ndarray, shape (..., k, k)
+        Covariance of the process noise of the step in those states.
     velocity_variance : float
         Variance of the measured velocity in each component, (m/s)^2.
 
@@ -114,8 +116,13 @@ def covariance_update(
     >>> float(gain[3, 0]), float(weights[0, 0])
     (0.25, 0.25)
     """
-    predicted = transition @ covariance @ transition.mT
-    predicted += noise
+    moving = transition.shape[-2]
+    rows = transition @ covariance
+    lead = np.broadcast_shapes(rows.shape[:-2], noise.shape[:-2])
+    predicted = np.broadcast_to(covariance, (*lead, *covariance.shape[-2:])).copy()
+    predicted[..., :moving, :moving] = rows @ transition.mT + noise
+    predicted[..., :moving, moving:] = rows[..., moving:]
+    predicted[..., moving:, :moving] = rows[..., moving:].mT
     seen = predicted[..., 3:6]
     weights = np.linalg.inv(seen[..., 3:6, :] + velocity_variance * _UNIT)
     gain = seen @ weights

@@ -84,11 +84,10 @@ def covariance_analysis(
             f"got {update!r} s and {noise.reference_velocity!r} m/s."
         )
     covariance = linearized.model.covariance(prior, linearized.start)
-    added = process_noise(
-        noise, linearized.transitions[:, 3:6, :3], linearized.durations, linearized.model.size
-    )
+    rows = linearized.transitions[:, :6]  # the sensor errors are constant
+    added = process_noise(noise, rows[:, 3:, :3], linearized.durations)
     variances = noise.reference_velocity**2 * update / linearized.durations
-    for matrix, more, variance in zip(linearized.transitions, added, variances, strict=True):
+    for matrix, more, variance in zip(rows, added, variances, strict=True):
         covariance, _, _ = covariance_update(covariance, matrix, more, variance)
     return covariance
 
