@@ -11,6 +11,7 @@ from driftlab.book.ch02_characteristic_equation.experiments import characteristi
 from driftlab.book.ch02_characteristic_equation.figures.roots import RootsPicture
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
+from grouped import opened
 
 
 def test_value_rounded_by_a_browser_is_that_of_its_step() -> None:
@@ -32,7 +33,7 @@ def test_opens_with_a_preset_and_goes_back_to_it() -> None:
 
 
 def test_a_page_without_widgets_has_the_picture() -> None:
-    panel = RootsExplorer()
+    panel = opened(RootsExplorer)
     bundle = panel._repr_mimebundle_()
     assert "application/vnd.jupyter.widget-view+json" in bundle
     assert base64.b64decode(bundle["image/jpeg"]) == bytes(panel.image.value)
@@ -47,7 +48,7 @@ def test_panels_share_no_state() -> None:
 
 
 def test_own_values_are_not_called_a_preset() -> None:
-    panel = RootsExplorer()
+    panel = opened(RootsExplorer)
     panel.set(azimuth=12.0)
     assert panel.preset.value == ""
 
@@ -64,7 +65,7 @@ def test_own_values_are_not_called_a_preset() -> None:
     ],
 )
 def test_bad_values_are_refused_and_change_nothing(values: dict, sentence: str) -> None:
-    panel = RootsExplorer()
+    panel = opened(RootsExplorer)
     before = panel.values
     with pytest.raises(ValueError, match=sentence):
         panel.set(**{"azimuth": 1.0, **values})
