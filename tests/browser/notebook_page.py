@@ -153,6 +153,7 @@ class NotebookPage:
 
     def open(self, notebook: str) -> None:
         """Open a notebook of the server in JupyterLab, in place of the one that is open there."""
+        self.page.bring_to_front()
         if self.page.url.startswith(self.server.address):
             self.page.evaluate(REPLACE, notebook)
             self.trouble.clear()
@@ -168,6 +169,7 @@ class NotebookPage:
 
     def show(self, code: str) -> None:
         """Let a notebook of one cell show the output of some code, with no trouble so far."""
+        self.page.bring_to_front()
         self.page.evaluate(REWRITE, code)
         self.trouble.clear()
         self.run_all()
@@ -197,6 +199,7 @@ class NotebookPage:
 
     def show_on(self, screen: str) -> None:
         """Take the size of a screen; on the narrow one the list of files is hidden."""
+        self.page.bring_to_front()  # a page behind another is painted once a second
         size = SCREENS[screen]
         # Pages share a window, and a page that was opened meanwhile may have changed its size,
         # of which this one knows nothing: it would not ask for the size that it seems to have.
