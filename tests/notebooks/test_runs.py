@@ -233,7 +233,7 @@ from driftlab.book import RootsExplorer
 class Broken(RootsExplorer):
     def compute(self, values):
         if values["size"] > 0.2:
-            raise ZeroDivisionError("broken")
+            raise ZeroDivisionError("the panel is broken")
         return super().compute(values)
 explorer = Broken()
 explorer
@@ -248,7 +248,7 @@ BROKEN_INTERACT = """
 from ipywidgets import interact
 @interact(x=(0, 3))
 def broken(x):
-    raise ZeroDivisionError("broken")
+    raise ZeroDivisionError("interact is broken")
 """
 
 
@@ -267,14 +267,15 @@ def broken(x):
         ),
     ],
 )
-@pytest.mark.parametrize("cells", [[BROKEN_EXPLORER, MOVE_IT], [BROKEN_INTERACT]])
-def test_hidden_errors_are_found(cells: list[str], way: str, request) -> None:
+def test_hidden_errors_are_found(way: str, request) -> None:
     """The test above can fail: both kinds of swallowed callback error are seen."""
-    notebook = notebook_of(*cells)
+    notebook = notebook_of(BROKEN_EXPLORER, MOVE_IT, BROKEN_INTERACT)
     if way == "kernel":
         notebook = run_in_kernel(notebook)
     else:
         page = request.getfixturevalue("chapter_page")
         notebook = run_in_browser(page, "broken.ipynb", notebook)
         assert page.all_trouble() != []
-    assert any("broken" in error for error in hidden_errors(notebook))
+    found = "\n".join(hidden_errors(notebook))
+    assert "the panel is broken" in found
+    assert "interact is broken" in found
