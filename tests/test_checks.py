@@ -1,10 +1,14 @@
 """The shared checks: what they let through unchanged, and the sentence with which they refuse."""
 
+import re
+
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
 from driftlab.checks import (
+    checked_generator,
+    checked_instance,
     finite_array,
     finite_number,
     nonzero_vectors,
@@ -115,3 +119,30 @@ def test_quaternions_of_any_size_become_unit_ones(size):
     np.testing.assert_allclose(found, expected, rtol=0, atol=bound)
     with pytest.raises(ValueError, match=r"^value: expected nonzero quaternions, got a zero q"):
         unit_quaternions([[1, 0, 0, 0], [0, 0, 0, 0]], "value")
+
+
+@pytest.mark.parametrize(
+    ("value", "kind", "sentence"),
+    [
+        (3, str, "scheme: expected a str, got 3."),
+        ("x", int, "scheme: expected an int, got 'x'."),
+        (None, list, "scheme: expected a list, got None."),
+        (np.zeros(3), dict, "scheme: expected a dict, got ndarray."),
+    ],
+)
+def test_a_thing_of_another_kind_is_refused(value, kind, sentence):
+    with pytest.raises(ValueError, match=f"^{re.escape(sentence)}$"):
+        checked_instance(value, kind, "scheme")
+
+
+def test_a_thing_of_its_kind_is_returned():
+    value = [1]
+    assert checked_instance(value, list, "value") is value
+    rng = np.random.default_rng(1)
+    assert checked_generator(rng) is rng
+
+
+@pytest.mark.parametrize("seed", [None, 1, np.random.RandomState(1)])
+def test_noise_is_drawn_from_a_generator_only(seed):
+    with pytest.raises(ValueError, match=r"^rng: expected a numpy Generator to draw the noise"):
+        checked_generator(seed)

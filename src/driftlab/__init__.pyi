@@ -32,7 +32,24 @@ from .drift.turn_calibration import (
 )
 from .drift.weighing_designs import fit_turns as fit_turns
 from .gyrocompass.alignment import align as align, alignment_errors as alignment_errors
-from .increments import compensate as compensate, measure as measure
-from .strapdown import at_rest as at_rest, navigate as navigate
+from .imu import (
+    NO_ERRORS as NO_ERRORS,
+    TYPICAL_ERRORS as TYPICAL_ERRORS,
+    ImuErrors as ImuErrors,
+    ImuNoise as ImuNoise,
+    PriorDeviations as PriorDeviations,
+)
+from .increments import (
+    Increments as Increments,
+    compensate as compensate,
+    measure as measure,
+)
+from .motion.scheme import Scheme as Scheme
+from .strapdown import (
+    at_rest as at_rest,
+    last_of as last_of,
+    navigate as navigate,
+)
+from .triad import measured_rate as measured_rate
 
 __version__: str

@@ -20,9 +20,21 @@ def first_line(tree: ast.Module | ast.FunctionDef | ast.ClassDef) -> str:
 
 
 def public_names(tree: ast.Module) -> list[str]:
-    """Names of the public functions and classes of a module, in their order."""
-    defined = (n for n in tree.body if isinstance(n, ast.FunctionDef | ast.ClassDef))
-    return [node.name for node in defined if not node.name.startswith("_")]
+    """Names that a module offers: constants, functions and classes, in their order.
+
+    Checks of arguments, which the modules share, are left out.
+    """
+    names = []
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            names.append(node.name)
+        elif isinstance(node, ast.Assign | ast.AnnAssign):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            names += [t.id for t in targets if isinstance(t, ast.Name) and t.id.isupper()]
+            if [t.id for t in targets if isinstance(t, ast.Name)] == ["__all__"] and node.value:
+                names += ast.literal_eval(node.value)
+    offered = dict.fromkeys(names)  # each once
+    return [name for name in offered if not name.startswith(("_", "checked_"))]
 
 
 def overview() -> Iterator[str]:

@@ -6,13 +6,14 @@ Every function here takes the argument's name, which begins the sentence of the 
 from __future__ import annotations
 
 import operator
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 FloatArray = NDArray[np.float64]
 ComplexArray = NDArray[np.complexfloating[Any, Any]]
+Kind = TypeVar("Kind")
 
 
 def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
@@ -242,6 +243,72 @@ def positive_number(value: ArrayLike, name: str) -> float:
     if number < np.finfo(float).tiny:
         raise ValueError(f"{name}: expected a positive number, got {value!r}.")
     return number
+
+
+def checked_instance(value: object, kind: type[Kind], name: str) -> Kind:
+    """Return an object if it is of a kind.
+
+    Parameters
+    ----------
+    value : object
+        Anything.
+    kind : type
+        The class it must be of.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    object
+        `value` itself.
+
+    Raises
+    ------
+    ValueError
+        If it is of another class.
+
+    Examples
+    --------
+    >>> checked_instance(3, str, "scheme")
+    Traceback (most recent call last):
+    ValueError: scheme: expected a str, got 3.
+    """
+    if not isinstance(value, kind):
+        article = "an" if kind.__name__[0] in "AEIOUaeiou" else "a"
+        fields = getattr(kind, "_fields", ())  # of a NamedTuple
+        wanted = f"({', '.join(fields)})" if fields else ""
+        short = value is None or isinstance(value, str | int | float)
+        shown = repr(value) if short else type(value).__name__
+        raise ValueError(f"{name}: expected {article} {kind.__name__}{wanted}, got {shown}.")
+    return value
+
+
+def checked_generator(rng: object) -> np.random.Generator:
+    """Return the argument `rng` if noise can be drawn from it.
+
+    Parameters
+    ----------
+    rng : object
+        Should be a `numpy.random.Generator`.
+
+    Returns
+    -------
+    numpy.random.Generator
+
+    Raises
+    ------
+    ValueError
+        If it is something else, as a seed or None.
+
+    Examples
+    --------
+    >>> checked_generator(1)
+    Traceback (most recent call last):
+    ValueError: rng: expected a numpy Generator to draw the noise, got 1.
+    """
+    if not isinstance(rng, np.random.Generator):
+        raise ValueError(f"rng: expected a numpy Generator to draw the noise, got {rng!r}.")
+    return rng
 
 
 def whole_number(value: int, name: str, least: int = 1) -> int:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.constants import arcminute, arcsecond, degree, g, hour, micro
 
-from .checks import FloatArray, finite_arrays, finite_number
+from .checks import FloatArray, checked_generator, checked_instance, finite_arrays, finite_number
 
 
 class ImuErrors(NamedTuple):
@@ -157,6 +157,8 @@ def random_imu_errors(prior: PriorDeviations, rng: np.random.Generator, *shape: 
     >>> bool(units.gyro_bias.any())
     False
     """
+    checked_instance(prior, PriorDeviations, "prior")
+    checked_generator(rng)
     sizes = np.where(np.eye(3, dtype=bool), prior.scale, prior.installation)
     return ImuErrors(
         prior.gyro_bias * rng.standard_normal((*shape, 3)),
@@ -184,6 +186,7 @@ def checked_imu_errors(imu_errors: ImuErrors) -> ImuErrors:
     >>> checked_imu_errors(NO_ERRORS._replace(gyro_bias=np.zeros((5, 3)))).gyro_error.shape
     (5, 3, 3)
     """
+    checked_instance(imu_errors, ImuErrors, "imu_errors")
     checked = finite_arrays(
         gyro_bias=(imu_errors.gyro_bias, 3),
         gyro_error=(imu_errors.gyro_error, 3, 3),

@@ -10,7 +10,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .checks import FloatArray, finite_array, positive_number
+from .checks import (
+    FloatArray,
+    checked_generator,
+    checked_instance,
+    finite_array,
+    positive_number,
+)
 from .imu import ImuErrors, ImuNoise, checked_imu_errors
 
 
@@ -105,11 +111,7 @@ def checked_increments(increments: Increments) -> Increments:
         ...
     ValueError: increments.velocity: expected as many as increments.angle, 2, got 3.
     """
-    if not isinstance(increments, Increments):
-        raise ValueError(
-            "increments: expected Increments(interval, angle, velocity), "
-            f"got {type(increments).__name__}."
-        )
+    checked_instance(increments, Increments, "increments")
     seconds = positive_number(increments.interval, "increments.interval")
     rows = []
     for name in ("angle", "velocity"):
@@ -175,9 +177,7 @@ def measure(
         measured = measured + (seconds * bias)[..., np.newaxis, :]
         size = 0.0 if noise is None else getattr(noise, walk) * np.sqrt(seconds)
         if size:
-            if rng is None:
-                raise ValueError("rng: expected a numpy Generator to draw the noise, got None.")
-            measured += size * rng.standard_normal(measured.shape)
+            measured += size * checked_generator(rng).standard_normal(measured.shape)
         found.append(measured)
     return Increments(seconds, found[0], found[1])
 

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 from driftlab.attitude.coning_algorithms import ALGORITHMS
 
 from .checks import (
+    checked_instance,
     finite_arrays,
     finite_number,
     unit_quaternions,
@@ -110,7 +111,7 @@ def navigate(
     Returns
     -------
     Navigation
-        States (..., n // every), one after each `every` increments.
+        States (..., n // every), one after each `every` increments; `last_of` takes the last.
 
     Raises
     ------
@@ -173,6 +174,7 @@ def checked_interval(interval: float) -> float:
 
 def _checked(state: Navigation) -> Navigation:
     """Return the state as arrays, refusing what is not one by the name of the field."""
+    checked_instance(state, Navigation, "start")
     latitude, longitude, altitude, velocity, attitude = finite_arrays(
         latitude=(state.latitude,),
         longitude=(state.longitude,),

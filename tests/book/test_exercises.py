@@ -8,12 +8,12 @@ from functools import cache
 import numpy as np
 import pytest
 
-from driftlab.book.exercises import KINDS, by_kind, check, exercises, verdict
+from driftlab.book.exercises import KINDS, all_exercises, by_kind, check, verdict
 from driftlab.book.machinery.answers import Choice, Formula, Value
 from driftlab.book.machinery.reading import numbers
 from wrong_answers import WRONG
 
-EXERCISES = exercises()
+EXERCISES = all_exercises()
 VALUES = {n: e for n, e in EXERCISES.items() if isinstance(e, Value)}
 FORMULAS = {n: e for n, e in EXERCISES.items() if isinstance(e, Formula)}
 
@@ -85,7 +85,7 @@ def test_choice_names_what_is_wrong_with_every_other_statement(number):
 
 def test_importing_the_exercises_loads_no_plotting():
     code = (
-        "import sys; from driftlab.book.exercises import exercises; exercises(); "
+        "import sys; from driftlab.book.exercises import all_exercises; all_exercises(); "
         "print('matplotlib' in sys.modules)"
     )
     command = [sys.executable, "-c", code]

@@ -13,7 +13,7 @@ from driftlab.book import ledger
 from driftlab.book.ledger import KINDS, PAPERS, STATUSES
 from support import ROOT
 
-ENTRIES = ledger.ledger()
+ENTRIES = ledger.ledger_entries()
 every_entry = pytest.mark.parametrize(
     "entry", ENTRIES, ids=lambda entry: f"{entry.paper} {entry.label}"
 )

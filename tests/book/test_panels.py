@@ -70,7 +70,8 @@ def test_every_slider_says_its_unit(panel_class: type[Explorer]) -> None:
     for control in panel_class.controls:
         if control.is_slider:
             unit = control.label.rpartition(", ")[2]
-            assert unit in UNITS or control.label in PURE_NUMBERS, control.label
+            known = unit in UNITS or control.label in PURE_NUMBERS
+            assert known, f"{control.label}: no unit of UNITS, no number of PURE_NUMBERS"
 
 
 @every_panel

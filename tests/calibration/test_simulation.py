@@ -510,6 +510,16 @@ def test_scheme_that_leaves_errors_unobservable_is_warned_of_by_name():
         ("update_interval", "1", "real numbers, got dtype <U1"),
         ("update_interval", 0.05, r"an even number of samples, got 1 of 0\.05 s\.$"),
         ("update_interval", 0.15, r"an even number of samples, got 3 of 0\.05 s\.$"),
+        ("scheme", "+90X", r"a Scheme, got '\+90X'\.$"),
+        ("prior", None, r"a PriorDeviations, got None\.$"),
+        ("noise", 3, r"an ImuNoise, got 3\.$"),
+        ("assumed_noise", 3, r"an ImuNoise, got 3\.$"),
+        ("noise", ImuNoise(reference_velocity=0.0), "a deviation of the reference velocity above"),
+        (
+            "assumed_noise",
+            ImuNoise(reference_velocity=0.0),
+            "a deviation of the reference velocity above 0",
+        ),
         ("update_interval", 0.11, r"an even number of samples, got 2\.2 of 0\.05 s\.$"),
     ],
 )
@@ -529,6 +539,15 @@ def test_even_numbers_of_samples_may_be_rounded(sample, update):
 def test_settings_cannot_be_changed():
     with pytest.raises(FrozenInstanceError):
         TRIAL.keep = 1
+
+
+def test_runs_need_a_generator_and_a_unit():
+    with pytest.raises(ValueError, match=r"^rng: expected a numpy Generator .*, got 2\.$"):
+        BRIEF.run(2)
+    with pytest.raises(
+        ValueError, match=r"^imu_errors: expected an ImuErrors\(.*\), got ndarray\.$"
+    ):
+        BRIEF.run(np.random.default_rng(0), imu_errors=np.zeros(3))
 
 
 @pytest.mark.parametrize("runs", [0, -1, 2.0, True])

@@ -184,7 +184,7 @@ def test_many_coarse_turns_do_not_overflow(name):
         ({"turns": -1}, "^turns: expected a whole number of at least 1, got -1"),
         ({"turns": 1.5}, "^turns: expected a whole number of at least 1, got 1.5"),
         ({"steps_per_turn": 2}, "^steps_per_turn: expected a whole number of at least 3, got 2"),
-        ({"step_formula": "euler"}, "^step formula: expected one of .*, got 'euler'"),
+        ({"step_formula": "euler"}, "^step_formula: expected one of .*, got 'euler'"),
         ({"angle_noise": -1e-9}, "^angle_noise: expected one number of at least 0"),
         ({"angle_noise": [1e-9, 0]}, "^angle_noise: expected one number of at least 0"),
         ({"angle_noise": np.nan}, "^angle_noise: expected finite numbers"),

@@ -30,7 +30,7 @@ from pages import (
 from places import PLACES, Place
 from twin import Panel
 
-from driftlab.book.exercises import exercises
+from driftlab.book.exercises import all_exercises
 from driftlab.book.machinery.panel import ERROR_CLASS
 from driftlab.book.panels import EXPLORERS
 
@@ -142,9 +142,9 @@ def test_every_picture_has_a_caption_and_an_alternative_text(run: Run) -> None:
 def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
     path, notebook = run.path, run.notebook
     chapter = str(int(path.name[:2]))
-    expected = [n for n in exercises() if n.split(".")[0] == chapter]
+    expected = [n for n in all_exercises() if n.split(".")[0] == chapter]
     asked = re.findall(r"^### ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
-    assert asked == [(number, exercises()[number].kind.capitalize()) for number in expected]
+    assert asked == [(number, all_exercises()[number].kind.capitalize()) for number in expected]
     code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
     assert (
         re.findall(r'^answer = \.\.\.\ncheck\("([\d.]+)", answer\)', code, re.MULTILINE) == expected
@@ -157,9 +157,9 @@ def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
 def test_every_exercise_has_a_solution_that_is_right(run: Run) -> None:
     path, notebook = run.path, run.notebook
     chapter = str(int(path.name[:2]))
-    expected = [n for n in exercises() if n.split(".")[0] == chapter]
+    expected = [n for n in all_exercises() if n.split(".")[0] == chapter]
     headings = re.findall(r"^## ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
-    assert headings == [(number, exercises()[number].kind.capitalize()) for number in expected]
+    assert headings == [(number, all_exercises()[number].kind.capitalize()) for number in expected]
     printed = [text for cell in notebook.cells for text in printed_by(cell)]
     assert len(printed) == len(expected)
     for says in printed:

@@ -16,9 +16,9 @@ from .ch09_aligning_a_gyrocompass.panels import AlignmentBudgetExplorer as Align
 from .ch10_gyrocompass_at_work.panels import GyrocompassExplorer as GyrocompassExplorer
 from .ch11_one_triad.panels import CapstoneExplorer as CapstoneExplorer
 from .exercises import (
+    all_exercises as all_exercises,
     by_kind as by_kind,
     check as check,
-    exercises as exercises,
     verdict as verdict,
 )
 from .figures import figure as figure
@@ -26,7 +26,7 @@ from .ledger import (
     STATUSES as STATUSES,
     Table as Table,
     chapter_table as chapter_table,
-    ledger as ledger,
+    ledger_entries as ledger_entries,
     paper_table as paper_table,
     summary_table as summary_table,
 )

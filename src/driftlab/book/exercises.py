@@ -13,7 +13,7 @@ from .chapters import chapters_with, part_of
 from .machinery.answers import KINDS, Exercise, Verdict
 
 
-def exercises(chapter: str | None = None) -> dict[str, Exercise]:
+def all_exercises(chapter: str | None = None) -> dict[str, Exercise]:
     """Return the exercises of the book, or of one chapter, by number.
 
     Parameters
@@ -47,7 +47,7 @@ def check(number: str, answer: Any) -> None:
 def verdict(number: str, answer: Any) -> Verdict:
     """Return what `check` prints, and whether the answer is right; arguments as there."""
     chapter = str(number).split(".")[0].zfill(2)
-    known = exercises(chapter if chapter in chapters_with("exercises") else None)
+    known = all_exercises(chapter if chapter in chapters_with("exercises") else None)
     if not isinstance(number, str) or number not in known:
         first, *_, last = known
         raise ValueError(f'number: expected "{first}" to "{last}", got {number!r}.')
@@ -69,4 +69,4 @@ def by_kind(kind: str) -> dict[str, Exercise]:
     """
     if kind not in KINDS:
         raise ValueError(f"kind: expected one of {', '.join(KINDS)}, got {kind!r}.")
-    return {n: exercise for n, exercise in exercises().items() if exercise.kind == kind}
+    return {n: exercise for n, exercise in all_exercises().items() if exercise.kind == kind}

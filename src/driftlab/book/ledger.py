@@ -106,7 +106,7 @@ class Table:
 
 
 @cache
-def ledger() -> tuple[LedgerEntry, ...]:
+def ledger_entries() -> tuple[LedgerEntry, ...]:
     """Return all entries: paper by paper, and for each in the order of the chapters."""
     entries = [entry for chapter in chapters_with("ledger") for entry in _chapter_entries(chapter)]
     return tuple(sorted(entries, key=lambda entry: list(PAPERS).index(entry.paper)))
@@ -139,9 +139,9 @@ def chapter_table(chapter: str) -> Table:
     ValueError
         If no entry is treated there.
     """
-    found = [entry for entry in ledger() if entry.chapter == chapter]
+    found = [entry for entry in ledger_entries() if entry.chapter == chapter]
     if not found:
-        chapters = sorted({entry.chapter for entry in ledger()})
+        chapters = sorted({entry.chapter for entry in ledger_entries()})
         raise ValueError(f"chapter: expected one of {', '.join(chapters)}, got {chapter!r}.")
     rows = [("status", "what")]
     for status in STATUSES:
@@ -232,7 +232,7 @@ def errata() -> str:
 def _entries_of(paper: str) -> list[LedgerEntry]:
     if paper not in PAPERS:
         raise ValueError(f"paper: expected one of {', '.join(PAPERS)}, got {paper!r}.")
-    return [entry for entry in ledger() if entry.paper == paper]
+    return [entry for entry in ledger_entries() if entry.paper == paper]
 
 
 def _status(entry: LedgerEntry) -> str:

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import (
     FloatArray,
+    checked_instance,
     finite_array,
     finite_number,
     unit_quaternions,
@@ -30,6 +31,7 @@ from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 from .error_dynamics import free_transition, process_noise, transition_of_increments
 from .error_model import ErrorModel
 from .kalman import velocity_update
+from .linearization import checked_model
 
 
 class Calibration(NamedTuple):
@@ -184,6 +186,9 @@ def calibrate(
     >>> (found.deviations[-1, biases] / PriorDeviations().accelerometer_bias).round(2)
     array([0.76, 0.76, 0.32])
     """
+    checked_model(model)
+    checked_instance(prior, PriorDeviations, "prior")
+    checked_instance(noise, ImuNoise, "noise")
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     measured = checked_increments(increments)
     reference = finite_array(reference_velocity, "reference_velocity", 3)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.checks import FloatArray, finite_number
+from driftlab.checks import FloatArray, checked_instance, finite_number
 from driftlab.core.quaternion import from_rotation_vector, multiply, to_matrix
 from driftlab.earth import checked_latitude, earth_rate, gravity
 from driftlab.motion.scheme import Scheme
@@ -73,9 +73,7 @@ def checked_model(model: ErrorModel) -> ErrorModel:
     Traceback (most recent call last):
     ValueError: model: expected an ErrorModel, got 'averaged'.
     """
-    if not isinstance(model, ErrorModel):
-        raise ValueError(f"model: expected an ErrorModel, got {model!r}.")
-    return model
+    return checked_instance(model, ErrorModel, "model")
 
 
 def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -> LinearizedErrors:
@@ -115,6 +113,7 @@ def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -
     """
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     checked_model(model)
+    checked_instance(scheme, Scheme, "scheme")
     row = segments(scheme, 1e-3)
     time = sum(segment.duration for segment in row)
     if time > STEP * _MOST_STEPS:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.checks import FloatArray, finite_number
+from driftlab.checks import FloatArray, checked_instance, finite_number
 from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
@@ -78,11 +78,14 @@ def covariance_analysis(
     >>> round(1e6 * float(np.sqrt(variances[linearized.model.names.index("gyro scale x")])), 2)
     3.56
     """
+    checked_instance(noise, ImuNoise, "noise")
     if not (finite_number(update, "update") > 0 and noise.reference_velocity > 0):
         raise ValueError(
             "update, reference_velocity: expected a positive time and a positive velocity noise, "
             f"got {update!r} s and {noise.reference_velocity!r} m/s."
         )
+    checked_instance(prior, PriorDeviations, "prior")
+    checked_instance(linearized, LinearizedErrors, "linearized")
     covariance = linearized.model.covariance(prior, linearized.start)
     rows = linearized.transitions[:, :6]  # the sensor errors are constant
     added = process_noise(noise, rows[:, 3:, :3], linearized.durations)
@@ -117,6 +120,7 @@ def observability_matrix(linearized: LinearizedErrors) -> FloatArray:
     >>> observability_matrix(linearize_along(Scheme("+90Z", dwell=20.0), 0.7)).shape
     (21, 30)
     """
+    checked_instance(linearized, LinearizedErrors, "linearized")
     since, rows = np.eye(linearized.model.size), []
     for duration, matrix in zip(linearized.durations, linearized.transitions, strict=True):
         since = matrix @ since

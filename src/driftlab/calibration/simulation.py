@@ -13,7 +13,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_number, whole_number
+from driftlab.checks import (
+    FloatArray,
+    checked_generator,
+    checked_instance,
+    finite_number,
+    whole_number,
+)
 from driftlab.core.quaternion import from_rotation_vector, multiply
 from driftlab.earth import checked_latitude
 from driftlab.imu import (
@@ -98,7 +104,7 @@ class TableTrial:
         Of the table, rad.
     frame : str
         Choice of body axes, one of `driftlab.body_frames.BODY_FRAMES`.
-    prior, noise : Spread, Noise
+    prior, noise : PriorDeviations, ImuNoise
         Distributions of the sensor errors, of the initial attitude and of the noise: those of the
         simulation, and those that the filter assumes.
     assumed_noise : ImuNoise, optional
@@ -128,11 +134,16 @@ class TableTrial:
     keep: int = 20
 
     def __post_init__(self) -> None:
-        for name, kind in (("scheme", Scheme), ("prior", PriorDeviations), ("noise", ImuNoise)):
-            if not isinstance(getattr(self, name), kind):
-                raise ValueError(
-                    f"{name}: expected a {kind.__name__}, got {getattr(self, name)!r}."
-                )
+        checked_instance(self.scheme, Scheme, "scheme")
+        checked_instance(self.prior, PriorDeviations, "prior")
+        checked_instance(self.noise, ImuNoise, "noise")
+        if self.assumed_noise is not None:
+            checked_instance(self.assumed_noise, ImuNoise, "assumed_noise")
+        assumed = "noise" if self.assumed_noise is None else "assumed_noise"
+        if not getattr(self, assumed).reference_velocity > 0:
+            raise ValueError(
+                f"{assumed}: expected a deviation of the reference velocity above 0, got 0.0 m/s."
+            )
         checked_latitude(finite_number(self.latitude, "latitude"))
         error_model_for(self.frame)
         whole_number(self.keep, "keep")
@@ -186,6 +197,7 @@ class TableTrial:
         >>> [round(1e6 * float(errors.gyro_error[0, 0])) for errors in both]
         [-130, -103]
         """
+        checked_generator(rng)
         model = error_model_for(self.frame)
         warn_if_unobservable(linearize_along(self.scheme, self.latitude, model))
         lead = () if runs is None else (whole_number(runs, "runs"),)

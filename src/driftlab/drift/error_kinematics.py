@@ -150,6 +150,13 @@ def error_quaternion(rate: ArrayLike, measured_rate: ArrayLike, time: ArrayLike)
     >>> error = error_quaternion([0, 0, 1], [0, 0, 1.001], 2 * np.pi)
     >>> print(f"{error[2]:.6f} {np.sin(0.001 * np.pi):.6f}")
     0.003142 0.003142
+
+    Of a triad whose errors are known, `driftlab.triad.measured_rate` gives the measured rate:
+
+    >>> from driftlab import triad
+    >>> bent = [[0, 1e-3, 0], [1e-3, 0, 0], [0, 0, 0]]
+    >>> error_quaternion([1, 1, 0], triad.measured_rate([1, 1, 0], bent), 60.0).shape
+    (4,)
     """
     rate, measured_rate, time = finite_arrays(
         rate=(rate, 3), measured_rate=(measured_rate, 3), time=(time,)

@@ -88,5 +88,5 @@ def step_formula(name: str) -> StepFormula:
     pade     0.998693
     """
     if name not in STEP_FORMULAS:
-        raise ValueError(f"step formula: expected one of {', '.join(STEP_FORMULAS)}, got {name!r}.")
+        raise ValueError(f"step_formula: expected one of {', '.join(STEP_FORMULAS)}, got {name!r}.")
     return STEP_FORMULAS[name]

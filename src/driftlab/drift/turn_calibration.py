@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import (
     FloatArray,
+    checked_generator,
     finite_array,
     finite_arrays,
     nonzero_vectors,
@@ -187,10 +188,8 @@ class TurnExperiment:
         count = self.turns * self.steps_per_turn
         increments = np.repeat(increment[..., np.newaxis, :], count, axis=-2)
         if self.angle_noise:
-            if rng is None:
-                raise ValueError("rng: expected a numpy Generator to draw the noise, got None.")
             scale = self.angle_noise / np.sqrt(self.steps_per_turn)
-            increments = increments + rng.normal(0.0, scale, increments.shape)
+            increments = increments + checked_generator(rng).normal(0.0, scale, increments.shape)
         steps = step_formula(self.step_formula)(increments)
         # To unit norm, or the norms of many steps would multiply up to overflow.
         steps /= np.linalg.norm(steps, axis=-1, keepdims=True)

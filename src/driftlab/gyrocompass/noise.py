@@ -15,6 +15,7 @@ from scipy.signal import lfilter
 
 from driftlab.checks import (
     FloatArray,
+    checked_generator,
     finite_array,
     finite_number,
     positive_number,
@@ -89,8 +90,7 @@ class GyroNoise:
         ((2, 10000), '1e-06')
         """
         size = (*(whole_number(n, "shape") for n in shape), whole_number(count, "count"))
-        if not isinstance(rng, np.random.Generator):
-            raise ValueError(f"rng: expected a numpy Generator to draw the noise, got {rng!r}.")
+        checked_generator(rng)
         kept = float(np.exp(-self.interval / self.correlation_time))
         draws = rng.standard_normal(size)
         # The first value has the spread of all; later ones forget it little by little.

@@ -10,7 +10,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, finite_number, positive_number
+from driftlab.checks import (
+    FloatArray,
+    checked_instance,
+    finite_array,
+    finite_number,
+    positive_number,
+)
 from driftlab.core.quaternion import (
     conjugate,
     from_rotation_vector,
@@ -126,6 +132,7 @@ def simulate_compass(
     >>> [round(60 * float(np.degrees(error[-1])), 2) for error in found]
     [4.57, 4.57]
     """
+    checked_instance(trajectory, Trajectory, "trajectory")
     if trajectory.local_axes != "North, Up, East":
         raise ValueError(
             "trajectory: expected local axes North, Up, East, as of vehicle_trajectory, "

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, finite_arrays, whole_number
+from driftlab.checks import FloatArray, checked_generator, finite_array, finite_arrays, whole_number
 from driftlab.core.quaternion import from_rotation_vector, multiply
 from driftlab.core.vectors import wrap_angle
 from driftlab.frames import from_euler_angles
@@ -158,4 +158,4 @@ def normal_ranges(count: int, trials: int, rng: np.random.Generator) -> FloatArr
     (3.2, True)
     """
     size = (whole_number(trials, "trials"), whole_number(count, "count", least=2))
-    return range_over_deviation(rng.standard_normal(size))
+    return range_over_deviation(checked_generator(rng).standard_normal(size))

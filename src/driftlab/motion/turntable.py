@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import (
     FloatArray,
+    checked_instance,
     finite_number,
     unit_quaternions,
     whole_number,
@@ -86,6 +87,7 @@ def segments(scheme: Scheme, interval: float) -> list[Segment]:
         # A duration that is a whole number of intervals, but for rounding, is kept.
         return seconds * max(1, int(np.ceil(duration / seconds - 1e-6)))
 
+    checked_instance(scheme, Scheme, "scheme")
     attitude, row = scheme.start_attitude, []
     pause = whole(scheme.dwell)
     for axis, angle in scheme.turns:
