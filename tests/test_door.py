@@ -9,6 +9,7 @@ import pytest
 
 import driftlab
 from driftlab.book.chapters import CHAPTERS
+from driftlab.book.panels import EXPLORERS
 from support import ROOT, helper_modules
 
 SUBJECTS = ("motion", "drift", "attitude", "calibration", "gyrocompass")
@@ -69,6 +70,11 @@ def test_subject_offers_all_its_public_functions_and_classes(subject):
         and not name.startswith(("_", "checked_"))
     }
     assert public - set(package.__all__) == set()
+
+
+def test_the_book_offers_every_panel():
+    names = {explorer.__name__ for explorer in EXPLORERS}
+    assert names <= set(driftlab.book.__all__)
 
 
 def test_overview_names_every_module():

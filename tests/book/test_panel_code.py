@@ -13,6 +13,7 @@ from scipy.constants import arcsecond, degree, g, hour, micro
 from driftlab import book
 from driftlab.book import AlignmentBudgetExplorer, CapstoneExplorer, GyrocompassExplorer
 from driftlab.book.machinery.panel import Explorer
+from driftlab.book.panels import EXPLORERS
 from driftlab.drift.characteristic_equation import asymptotic_roots
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.systematic_drift import drift_per_turn
@@ -83,20 +84,32 @@ def estimate(values: Values) -> float:
     return float(number) * sizes[unit]
 
 
+CASES = (
+    ("ErrorMotionExplorer", error_at_the_end, {"rel": 1e-9, "abs": 1e-12}),
+    ("RootsExplorer", first_order_roots, {"rel": 1e-12}),
+    ("DriftExplorer", drift, {"rel": 1e-12}),
+    ("TurnCalibrationExplorer", estimates, {"abs": 1e-9}),
+    ("CayleyMapExplorer", cayley, {"abs": 1e-3, "rel": 1e-3}),
+    ("AlgorithmLaboratoryExplorer", worst_errors, {"rel": 0.01}),
+    ("CalibrationRunExplorer", estimate, {"abs": 1e-9}),
+)
+PRINTED = (
+    (AlignmentBudgetExplorer, "exact"),
+    (GyrocompassExplorer, "at the end"),
+    (CapstoneExplorer, "under way, as built"),
+)
+IN_WORDS = {"SplitExplorer", "ObservabilityExplorer"}
+"""Panels with a test of their own below."""
+
+
+def test_the_code_of_no_panel_is_forgotten() -> None:
+    tested = {name for name, *_ in CASES} | {e.__name__ for e, _ in PRINTED} | IN_WORDS
+    assert tested == {explorer.__name__ for explorer in EXPLORERS}
+
+
 @pytest.mark.parametrize(
     ("name", "expected", "tolerance"),
-    [
-        pytest.param(*case, id=case[0], marks=pytest.mark.xdist_group(case[0]))
-        for case in (
-            ("ErrorMotionExplorer", error_at_the_end, {"rel": 1e-9, "abs": 1e-12}),
-            ("RootsExplorer", first_order_roots, {"rel": 1e-12}),
-            ("DriftExplorer", drift, {"rel": 1e-12}),
-            ("TurnCalibrationExplorer", estimates, {"abs": 1e-9}),
-            ("CayleyMapExplorer", cayley, {"abs": 1e-3, "rel": 1e-3}),
-            ("AlgorithmLaboratoryExplorer", worst_errors, {"rel": 0.01}),
-            ("CalibrationRunExplorer", estimate, {"abs": 1e-9}),
-        )
-    ],
+    [pytest.param(*case, id=case[0], marks=pytest.mark.xdist_group(case[0])) for case in CASES],
 )
 def test_code_gives_the_numbers_of_its_panel(name, expected, tolerance) -> None:
     panel = opened(getattr(book, name))
@@ -133,11 +146,7 @@ def test_code_of_the_laboratory_of_schemes_names_what_is_unobservable() -> None:
     ("panel_class", "name"),
     [
         pytest.param(e, name, id=e.__name__, marks=pytest.mark.xdist_group(e.__name__))
-        for e, name in (
-            (AlignmentBudgetExplorer, "exact"),
-            (GyrocompassExplorer, "at the end"),
-            (CapstoneExplorer, "under way, as built"),
-        )
+        for e, name in PRINTED
     ],
 )
 def test_panels_of_part_four_say_what_their_code_prints(
