@@ -586,3 +586,21 @@ def test_states_are_refused_by_the_name_of_the_field(field):
         ValueError, match=r"^increments\.interval: expected a positive time of at most 20 s"
     ):
         navigate(good, record.increments._replace(interval=500.0))
+
+
+@pytest.mark.parametrize("runs", [2, 3])
+@pytest.mark.parametrize("alone", ["angle", "velocity"])
+def test_leading_axes_of_one_kind_of_increments_hold_for_both(runs, alone):
+    """Three runs and three components are easily taken for each other."""
+    rng = np.random.default_rng(21)
+    rows = Increments(0.5, 0.1 * rng.normal(size=(4, 3)), rng.normal(size=(4, 3)))
+    many = getattr(rows, alone) * rng.uniform(0.5, 1.5, (runs, 1, 1))
+    start = at_rest(0.7, [0, 0, 0, 1])
+    together = navigate(start, rows._replace(**{alone: many}))
+    assert together.velocity.shape == (runs, 2, 3)
+    for run in range(runs):
+        single = navigate(start, rows._replace(**{alone: many[run]}))
+        for one, all_runs in zip(single, together, strict=True):
+            np.testing.assert_allclose(
+                np.broadcast_to(all_runs, (runs, *one.shape))[run], one, rtol=0, atol=1e-9
+            )

@@ -89,6 +89,29 @@ def test_growth_of_increments_counts_the_local_axes_as_fixed(model):
     np.testing.assert_array_equal(found[6:], np.eye(model.size)[6:])
 
 
+def test_leading_axes_of_any_argument_count():
+    rng, lead = np.random.default_rng(14), (3, 1)
+    times, weights = rng.uniform(1, 2, 4), rng.uniform(0, 1, (4, 4))
+    plain = {
+        "free": free_transition(0.5, 2.0),
+        "attitude": to_matrix(random_quaternions(4)),
+        "times": times,
+        "angle": rng.normal(size=(4, 3)),
+        "velocity": rng.normal(size=(4, 3)),
+    }
+    alone = transition(FULL, *plain.values(), weights)
+    for name, value in plain.items():
+        arguments = plain | {name: np.tile(value, (*lead, *[1] * value.ndim))}
+        found = transition(FULL, *arguments.values(), weights)
+        assert found.shape == (*lead, 30, 30)
+        np.testing.assert_allclose(found, np.broadcast_to(alone, found.shape), rtol=1e-12)
+    force, durations = rng.normal(size=(3, 3)), np.array([1.0, 2.0])
+    found = process_noise(ImuNoise(0.3, 0.7), force, durations)
+    for one, duration in zip(found, durations, strict=True):
+        expected = process_noise(ImuNoise(0.3, 0.7), force, duration)
+        np.testing.assert_allclose(one, expected, rtol=0, atol=4 * EPS)
+
+
 def test_growth_of_increments_has_leading_axes():
     record = table_trajectory(Scheme("+20X", dwell=0.1), 0.5, 0.1, multiple_of=2)
     free, rng = free_transition(0.5, 2.2), np.random.default_rng(13)

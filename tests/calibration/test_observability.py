@@ -108,6 +108,31 @@ def test_they_are_the_same_three_anywhere_on_earth(latitude):
     assert_unobservable(way, unobservable_subspace(way).directions, common_misalignments(way.start))
 
 
+@pytest.mark.parametrize(
+    ("rotations", "dwell", "rate"),
+    [
+        ("+30X +30Y +30Z", 10.0, 10.0),
+        ("+90X +90Z", 10.0, 10.0),
+        ("+90X +90Y", 10.0, 10.0),
+        ("+90X +90Z", 20.0, 40.0),
+        ("+90Z", 20.0, 10.0),
+        ("+45X", 30.0, 10.0),
+        ("+90X", 1.0, 10.0),
+        ("", 3.0, 10.0),
+    ],
+)
+def test_short_pauses_show_as_much_as_many_measurements_in_them(
+    monkeypatch, rotations, dwell, rate
+):
+    """What counts is what a continuous measurement could show, not how few steps there are."""
+    scheme = Scheme(rotations, dwell=dwell, rate=np.radians(rate))
+    found = unobservable_subspace(linearize_along(scheme, 0.7, ERROR_MODELS["averaged"]))
+    monkeypatch.setattr(linearization, "STEP", 0.5)
+    monkeypatch.setattr(linearization, "_TURN", np.radians(5.0))
+    fine = unobservable_subspace(linearize_along(scheme, 0.7, ERROR_MODELS["averaged"]))
+    assert len(found.directions) == len(fine.directions)
+
+
 @every_scheme
 def test_unobservable_directions_leave_the_velocity_alone(scheme):
     way = linearize_along(scheme, LATITUDE)
@@ -261,9 +286,10 @@ def test_passage_takes_as_long_as_the_scheme(scheme):
 
 
 def test_steps_are_no_shorter_than_need_be():
-    """A pause is cut into steps of `STEP`, a rotation into steps of 30 degrees."""
-    way = linearize_along(Scheme("+90X", dwell=3 * linearization.STEP), LATITUDE)
-    expected = [*[linearization.STEP] * 3, *[3.0] * 3, *[linearization.STEP] * 3]
+    """A pause is cut into steps of `STEP`, a rotation into steps of 30 degrees; each into four."""
+    way = linearize_along(Scheme("+180X +90X", dwell=5 * linearization.STEP), LATITUDE)
+    pause = [linearization.STEP] * 5
+    expected = [*pause, *[3.0] * 6, *pause, *[2.25] * 4, *pause]
     np.testing.assert_allclose(way.durations, expected, rtol=1e-12)
 
 

@@ -73,7 +73,8 @@ def transition(
     """Transition matrix of all errors over an interval; Wu (49), (50).
 
     Errors that arise within the interval are propagated as if they had been there from its
-    beginning. This neglects terms of the order of the Earth's rotation in that time.
+    beginning. This neglects terms of the order of the Earth's rotation in that time, and of the
+    rotation of the local axes by the velocity error that arises in it.
 
     Parameters
     ----------
@@ -117,15 +118,23 @@ def transition(
     # A tilt that arises at a node acts through the force that is still to come.
     still = (quadrature_weights.T @ force.reshape(*force.shape[:-2], 9)).reshape(force.shape)
     # What turns in body axes at all nodes come to: a tilt, and below it a velocity.
-    carried = np.concatenate([attitude, still @ attitude], axis=-2)
+    pushed = still @ attitude
+    carried = np.concatenate([np.broadcast_to(attitude, pushed.shape), pushed], axis=-2)
     carried = carried.swapaxes(-3, -2).reshape(*carried.shape[:-3], 6, -1)
-    moved = np.zeros((*angle.shape[:-2], 6, model.size))
+    lead = np.broadcast_shapes(
+        free.shape[:-2],
+        attitude.shape[:-3],
+        times.shape[:-1],
+        angle.shape[:-2],
+        velocity.shape[:-2],
+    )
+    moved = np.zeros((*lead, 6, model.size))
     moved[..., :6] = _UNIT
     moved[..., 3:, :3] = force.sum(axis=-3)
     moved[..., gyro] = -carried @ _effects(model.gyro_basis, times, angle)
     pushes = _effects(model.accelerometer_basis, times, velocity)
     moved[..., 3:, accelerometer] = carried[..., :3, :] @ pushes
-    matrix = np.empty((*angle.shape[:-2], model.size, model.size))
+    matrix = np.empty((*lead, model.size, model.size))
     matrix[..., 6:, :6] = 0.0
     matrix[..., 6:, 6:] = np.eye(model.size - 6)
     matrix[..., :6, :] = free @ moved
@@ -186,12 +195,13 @@ def transition_of_increments(
 
 def _effects(basis: FloatArray, times: FloatArray, values: FloatArray) -> FloatArray:
     """Errors (..., 3 n, 3 + m) in body axes, three rows a node, of three biases, m coefficients."""
-    effects = np.empty((*values.shape, 3 + len(basis)))
+    lead = np.broadcast_shapes(times.shape, values.shape[:-1])
+    effects = np.empty((*lead, 3, 3 + len(basis)))
     effects[..., :3] = times[..., np.newaxis, np.newaxis] * _UNIT[:3, :3]
     # Entry [i, m] is the sum of basis[m, i, j] times component j of the values.
     combined = values @ basis.T.reshape(3, -1)
     effects[..., 3:] = combined.reshape(*values.shape, len(basis))
-    return effects.reshape(*values.shape[:-2], -1, 3 + len(basis))
+    return effects.reshape(*lead[:-1], -1, 3 + len(basis))
 
 
 def process_noise(noise: ImuNoise, force: FloatArray, duration: FloatArray) -> FloatArray:
@@ -229,7 +239,8 @@ def process_noise(noise: ImuNoise, force: FloatArray, duration: FloatArray) -> F
     >>> f"{np.sqrt(covariance[0, 0]):.1e}"  # rad
     '1.0e-05'
     """
-    covariance = np.empty((*force.shape[:-2], 6, 6))
+    lead = np.broadcast_shapes(force.shape[:-2], duration.shape)
+    covariance = np.empty((*lead, 6, 6))
     seconds = duration[..., np.newaxis, np.newaxis]
     tilt = noise.angle_random_walk**2 * seconds
     covariance[..., :3, :3] = tilt * _UNIT[:3, :3]

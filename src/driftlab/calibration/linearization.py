@@ -18,6 +18,7 @@ from .error_model import FULL, ErrorModel
 STEP = 10.0
 """Longest step of a pause, s; rotations are divided into shorter steps."""
 _MOST_STEPS = 20_000
+_LEAST = 4  # steps of a pause or a rotation: fewer velocities would not show all that grows in it
 _TURN = np.radians(30.0)  # rad: most that a step turns
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
 
@@ -40,7 +41,7 @@ class LinearizedErrors(NamedTuple):
     --------
     >>> linearized = linearize_along(Scheme("+90Z", dwell=60.0), 0.7)
     >>> float(linearized.durations.sum()), linearized.transitions.shape
-    (129.0, (15, 30, 30))
+    (129.0, (16, 30, 30))
     """
 
     model: ErrorModel
@@ -91,7 +92,7 @@ def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -
     Returns
     -------
     LinearizedErrors
-        Steps of at most `STEP` seconds and 30 degrees.
+        Steps of at most `STEP` seconds and 30 degrees, at least four a pause or rotation.
 
     Raises
     ------
@@ -109,7 +110,8 @@ def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -
 
     >>> linearized = linearize_along(Scheme("+90Z", dwell=20.0), 0.7)
     >>> linearized.durations
-    array([10., 10.,  3.,  3.,  3., 10., 10.])
+    array([5.  , 5.  , 5.  , 5.  , 2.25, 2.25, 2.25, 2.25, 5.  , 5.  , 5.  ,
+           5.  ])
     """
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     checked_model(model)
@@ -123,7 +125,7 @@ def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -
     distinct, lengths, begun, alike = [], [], [], []
     for segment in row:
         turn = abs(segment.rate) * segment.duration
-        count = int(np.ceil(max(segment.duration / STEP, turn / _TURN) - 1e-9))
+        count = max(_LEAST, int(np.ceil(max(segment.duration / STEP, turn / _TURN) - 1e-9)))
         # The steps of a pause are all alike: one stands for them.
         kinds = count if segment.rate else 1
         distinct += [segment] * kinds

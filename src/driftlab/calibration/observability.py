@@ -64,8 +64,8 @@ def covariance_analysis(
     Notes
     -----
     All measurements within a step are taken as one at its end. With pauses of minutes the standard
-    deviations of the sensor errors come out about one per cent too small, those of the velocity
-    about ten; with pauses of ten seconds some are a fifth too small.
+    deviations of the sensor errors come out about one per cent too small, those of the attitude
+    about five, those of the velocity about ten; shorter pauses have shorter steps.
 
     Examples
     --------
@@ -76,7 +76,7 @@ def covariance_analysis(
     >>> linearized = linearize_along(NINETEEN_POSITIONS, 0.7, ERROR_MODELS["averaged"])
     >>> variances = np.diag(covariance_analysis(linearized, ImuNoise(), PriorDeviations()))
     >>> round(1e6 * float(np.sqrt(variances[linearized.model.names.index("gyro scale x")])), 2)
-    3.56
+    3.55
     """
     checked_instance(noise, ImuNoise, "noise")
     if not (finite_number(update, "update") > 0 and noise.reference_velocity > 0):
@@ -118,7 +118,7 @@ def observability_matrix(linearized: LinearizedErrors) -> FloatArray:
     >>> from driftlab.calibration import linearize_along
     >>> from driftlab.motion.scheme import Scheme
     >>> observability_matrix(linearize_along(Scheme("+90Z", dwell=20.0), 0.7)).shape
-    (21, 30)
+    (36, 30)
     """
     checked_instance(linearized, LinearizedErrors, "linearized")
     since, rows = np.eye(linearized.model.size), []
@@ -175,7 +175,7 @@ def unobservable_subspace(linearized: LinearizedErrors) -> UnobservableSubspace:
     -----
     To make states comparable, each is counted in its standard deviation for a typical unit. A
     direction counts as unobservable if its singular value is less than 1e-10 of the largest, which
-    is the level of rounding.
+    is well above the level of rounding.
 
     Examples
     --------

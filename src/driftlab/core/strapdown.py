@@ -105,7 +105,9 @@ def velocity_of_pairs(angle: FloatArray, velocity: FloatArray) -> FloatArray:
     v = v1 + v2. Under a constant rate and force the body's turn adds p×v/2 + p×(p×v)/6 + ...; where
     they change there is sculling, s = 2/3 (g1×v2 + v1×g2), which is turned by p/2 in its turn.
     """
-    # Components first, so that everything but a cross product is plain arithmetic.
+    # Components first, so that everything but a cross product is plain arithmetic; broadcast
+    # before, or the components of one would meet the runs of the other.
+    angle, velocity = np.broadcast_arrays(angle, velocity)
     angles, velocities = components_first(angle), components_first(velocity)
     g1, g2, v1, v2 = (row[..., i::2] for row in (angles, velocities) for i in (0, 1))
     p = g1 + g2 + (2 / 3) * cross(g1, g2)
