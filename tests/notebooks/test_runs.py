@@ -138,17 +138,25 @@ def test_every_picture_has_a_caption_and_an_alternative_text(run: Run) -> None:
                 assert "<figcaption>" in data["text/html"], cell.id
 
 
+def exercises_of(path: Path) -> dict[str, str]:
+    """Kinds of the exercises of a chapter, as its headings say them, by number."""
+    chapter = str(int(path.name[:2]))
+    return {
+        number: exercise.kind.capitalize()
+        for number, exercise in all_exercises().items()
+        if number.split(".")[0] == chapter
+    }
+
+
 @runs_of(CHAPTERS)
 def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
     path, notebook = run.path, run.notebook
-    chapter = str(int(path.name[:2]))
-    expected = [n for n in all_exercises() if n.split(".")[0] == chapter]
+    expected = exercises_of(path)
     asked = re.findall(r"^### ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
-    assert asked == [(number, all_exercises()[number].kind.capitalize()) for number in expected]
+    assert asked == list(expected.items())
     code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
-    assert (
-        re.findall(r'^answer = \.\.\.\ncheck\("([\d.]+)", answer\)', code, re.MULTILINE) == expected
-    )
+    checked = re.findall(r'^answer = \.\.\.\ncheck\("([\d.]+)", answer\)', code, re.MULTILINE)
+    assert checked == list(expected)
     printed = [text for cell in notebook.cells for text in printed_by(cell)]
     assert printed.count("not answered yet.") == len(expected)
 
@@ -156,10 +164,9 @@ def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
 @runs_of(SOLUTIONS)
 def test_every_exercise_has_a_solution_that_is_right(run: Run) -> None:
     path, notebook = run.path, run.notebook
-    chapter = str(int(path.name[:2]))
-    expected = [n for n in all_exercises() if n.split(".")[0] == chapter]
+    expected = exercises_of(path)
     headings = re.findall(r"^## ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
-    assert headings == [(number, all_exercises()[number].kind.capitalize()) for number in expected]
+    assert headings == list(expected.items())
     printed = [text for cell in notebook.cells for text in printed_by(cell)]
     assert len(printed) == len(expected)
     for says in printed:
