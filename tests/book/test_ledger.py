@@ -10,7 +10,8 @@ import nbformat
 import pytest
 
 from driftlab.book import ledger
-from driftlab.book.ledger import KINDS, PAPERS, STATUSES
+from driftlab.book.errata import errata
+from driftlab.book.ledger import COPIES, KINDS, PAPERS, SEVERITIES, STATUSES
 from support import ROOT
 
 ENTRIES = ledger.ledger_entries()
@@ -34,7 +35,8 @@ NUMBERED = {
     ],
     "plotnikov": ["Fig. 1", "Fig. 2"],
 }
-# Larin's only table has no number, nor have Plotnikov's formulas; the book has names for them.
+# The seven numbers in Larin's text have no number, nor have Plotnikov's formulas; the book has
+# names for them.
 NAMED = {
     "larin": [
         *(f"sigma{i}* of the experiment" for i in range(1, 5)),
@@ -77,9 +79,12 @@ def test_entry_is_complete(entry):
     assert entry.kind in KINDS
     assert entry.status in STATUSES
     assert entry.says.endswith(".")
-    corrections = (entry.printed, entry.right, entry.proof)
-    assert all(corrections) if entry.status == "corrected" else not any(corrections)
-    for text in (entry.says, entry.remark, *corrections):
+    corrections = (entry.severity, entry.line, entry.copy, entry.right, entry.proof)
+    corrected = entry.status == "corrected"
+    assert all(corrections) if corrected else not any((*corrections, entry.in_favour))
+    assert not corrected or entry.severity in SEVERITIES
+    assert "`" not in entry.line
+    for text in (entry.says, entry.remark, *corrections[2:], entry.in_favour):
         assert text.count("$") % 2 == 0, text
 
 
@@ -112,19 +117,32 @@ def test_functions_and_tests_of_the_entry_exist(entry):
 
 @every_entry
 def test_what_holds_in_the_book_is_computed_and_tested(entry):
-    if entry.kind in ("equation", "table", "figure") and entry.status != "not recoverable":
+    if entry.kind != "claim" and entry.status != "not recoverable":
         assert entry.functions
         assert entry.tests
 
 
 def test_errata_file_is_what_the_ledger_says():
-    assert (ROOT / "ERRATA.md").read_text(encoding="utf-8") == ledger.errata()
+    assert (ROOT / "ERRATA.md").read_text(encoding="utf-8") == errata()
 
 
 def test_errata_hold_every_correction_and_nothing_else():
     corrected = [entry for entry in ENTRIES if entry.status == "corrected"]
-    headings = re.findall(r"^### (.*)$", ledger.errata(), flags=re.MULTILINE)
-    assert headings == [entry.label for entry in corrected]
+    text = errata()
+    headings = re.findall(r"^### (.*)$", text, flags=re.MULTILINE)
+    slips = re.findall(r"^- \*\*.*, (.*)\.\*\* `", text, flags=re.MULTILINE)
+    for found, severities in ((headings, list(SEVERITIES)[:-1]), (slips, ["typographical"])):
+        assert found == [entry.label for entry in corrected if entry.severity in severities]
+    for entry in corrected:
+        assert f"`{entry.line}`" in text
+
+
+def test_errata_say_first_what_was_read():
+    head, *_ = errata().split("### ")
+    assert list(COPIES) == list(PAPERS)
+    for copy in COPIES.values():
+        assert copy in head
+
 
 
 def test_tables_have_a_row_for_each_entry():

@@ -9,8 +9,8 @@ from pathlib import Path
 from tqdm import tqdm
 
 from .ch04_calibration_by_turns import printed_table
+from .errata import errata
 from .figures import figure_definitions
-from .ledger import errata
 from .machinery.publish import FigureDefinition, PublishedFigure, gallery, write_columns
 
 
@@ -35,7 +35,7 @@ def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | No
 
 
 def write_errata(file: Path) -> None:
-    """Write what is wrong in print, from the ledger."""
+    """Write what the copies of the papers have wrong, from the ledger."""
     file.write_text(errata(), encoding="utf-8", newline="\n")
     print(f"Written: {file}")
 

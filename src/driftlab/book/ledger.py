@@ -1,8 +1,7 @@
 """The equation ledger: what became of every equation, table, figure and claim of the four papers.
 
 The entries stand in the ``ledger.toml`` of the chapter that treats them. A chapter shows its own,
-chapter 12 shows all, and ``python -m driftlab.book errata`` writes the corrected ones to
-ERRATA.md.
+chapter 12 shows all, and `errata` writes the corrected ones to ERRATA.md.
 """
 
 from __future__ import annotations
@@ -33,15 +32,55 @@ PAPERS = {
 }
 """The four papers by the name that an entry gives, in the order of the book."""
 
+COPIES = {
+    "larin": (
+        "A text of the Russian paper that was read by a machine, with damage of its own: a doubled "
+        "equals sign, a bracket that is never closed, one prime for the transpose and for the time "
+        "derivative. Nobody here has seen the print. The copy names neither the journal nor the "
+        "year; 21 January 1987 is the day on which the editors received the paper."
+    ),
+    "perelyaev-chelnokov": (
+        "A text of the Russian paper that was read by a machine. Greek letters, signs and minus "
+        "signs are damaged in it, and it ends at the first word of section 2, so that none of the "
+        "algorithms is in it."
+    ),
+    "wu": (
+        "A text of the Chinese paper on a web page. The words are there; nearly all equations, the "
+        "contents of both tables and all figures are lost, and the list of conclusions breaks off."
+    ),
+    "plotnikov": (
+        "A text of the Russian paper that was read by a machine, with its formulas; the two "
+        "figures are lost. It has no year; its latest reference is of 2012."
+    ),
+}
+"""What of each paper lay before this book, and in which state."""
+
 STATUSES = {
-    "reproduced": "derived or computed anew, and equal to the print",
-    "corrected": "the print is wrong, and the right form is proved",
+    "reproduced": "derived or computed anew, and equal to the copy",
+    "corrected": "what the copy has is wrong, and the right form is proved",
     "reconstructed": "not printed, or lost in the copy at hand; built anew from what is said of it",
     "not recoverable": "cannot be had from the copy at hand, nor built anew from what it says",
 }
 """The four words, and what they mean."""
 
-KINDS = ("equation", "table", "figure", "claim")
+SEVERITIES = {
+    "mathematical": (
+        "a statement that does not hold as it stands, or not so far as it goes; no character "
+        "misread explains it"
+    ),
+    "possibly the copy's": (
+        "a formula or a number that does not hold as the copy has it; a few characters lost, "
+        "misread or put in would explain it, so the print may well be right"
+    ),
+    "reference or sign": (
+        "a number of a formula or of a reference, a modulus, the side of a diagonal: it points to "
+        "the wrong place, and the copy has it right elsewhere or leaves no doubt of what is meant"
+    ),
+    "typographical": "a slip of the pen or of the typesetter, which misleads nobody",
+}
+"""How much a correction weighs, and who may have made the slip."""
+
+KINDS = ("equation", "number", "table", "figure", "claim")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,8 +101,15 @@ class LedgerEntry:
         One of `STATUSES`.
     remark : str
         What there is to know of it, if anything.
-    printed, right, proof : str
-        Of a corrected one: what the paper has, what is right, and how that is proved.
+    severity : str
+        Of a corrected one: one of `SEVERITIES`.
+    line : str
+        Of a corrected one: the line as the copy has it, letter for letter.
+    copy, right, proof : str
+        Of a corrected one: what the copy has in the letters of this book, what is right, and how
+        that is proved.
+    in_favour : str
+        Of a corrected one: what speaks for the authors, if anything does.
     chapter, section : str
         Where the book treats it: number of the chapter, heading in it.
     functions : tuple of str
@@ -80,9 +126,12 @@ class LedgerEntry:
     chapter: str
     section: str
     remark: str = ""
-    printed: str = ""
+    severity: str = ""
+    line: str = ""
+    copy: str = ""
     right: str = ""
     proof: str = ""
+    in_favour: str = ""
     functions: tuple[str, ...] = ()
     tests: tuple[str, ...] = ()
 
@@ -150,7 +199,7 @@ def chapter_table(chapter: str) -> Table:
             rows += [
                 (
                     f"*{status}*",
-                    f"**{entry.label}**: in print {entry.printed}; right is {entry.right}.",
+                    f"**{entry.label}**: in the copy {entry.copy}; right is {entry.right}.",
                 )
                 for entry in those
             ]
@@ -199,36 +248,6 @@ def summary_table() -> Table:
     return Table([("", *STATUSES, "in all"), *rows])
 
 
-def errata() -> str:
-    """Return the text of ERRATA.md: what is wrong in print, what is right, how it is proved."""
-    lines = [
-        "# Errata of the four papers",
-        "",
-        "What Drift Lab found to be wrong in print, with the right form and its proof. Written by "
-        "`python -m driftlab.book errata` from the equation ledger; do not edit. The whole ledger, "
-        "with what was reproduced, reconstructed and not recoverable, is chapter 12 of the book.",
-        "",
-    ]
-    for paper, title in PAPERS.items():
-        lines += [f"## {title}", ""]
-        for entry in _entries_of(paper):
-            if entry.status == "corrected":
-                where = f"Chapter {entry.chapter}, *{entry.section}*"
-                tests = ", ".join(f"`{test}`" for test in entry.tests)
-                lines += [
-                    f"### {entry.label}",
-                    "",
-                    f"{entry.says}",
-                    "",
-                    f"- In print: {entry.printed}",
-                    f"- Right: {entry.right}",
-                    f"- Proof: {entry.proof}",
-                    f"- Where: {where}{f'; checked by {tests}' if tests else ''}.",
-                    "",
-                ]
-    return "\n".join(lines)
-
-
 def _entries_of(paper: str) -> list[LedgerEntry]:
     if paper not in PAPERS:
         raise ValueError(f"paper: expected one of {', '.join(PAPERS)}, got {paper!r}.")
@@ -237,9 +256,10 @@ def _entries_of(paper: str) -> list[LedgerEntry]:
 
 def _status(entry: LedgerEntry) -> str:
     """The status, with what is right or to be known of it."""
-    correction = f"in print {entry.printed}; right is {entry.right}." if entry.printed else ""
-    more = " ".join(filter(None, [correction, entry.remark]))
-    return f"*{entry.status}*: {more}" if more else f"*{entry.status}*"
+    correction = f"in the copy {entry.copy}; right is {entry.right}." if entry.copy else ""
+    more = " ".join(filter(None, [correction, entry.in_favour, entry.remark]))
+    status = f"*{entry.status}*" + (f" ({entry.severity})" if entry.severity else "")
+    return f"{status}: {more}" if more else status
 
 
 def _names(entry: LedgerEntry) -> str:

@@ -1,0 +1,92 @@
+"""ERRATA.md: what the copies of the four papers have wrong, written from the equation ledger."""
+
+from __future__ import annotations
+
+from .ledger import COPIES, PAPERS, SEVERITIES, LedgerEntry, Table, ledger_entries
+
+
+def errata() -> str:
+    """Return the text of ERRATA.md: what the copies have wrong, what is right, and the proof."""
+    corrected = [entry for entry in ledger_entries() if entry.status == "corrected"]
+    slips = [entry for entry in corrected if entry.severity == "typographical"]
+    return "\n".join(
+        [
+            "# Errata of the four papers",
+            "",
+            "What Drift Lab found to be wrong in the copies of four papers, with the right form "
+            "and its proof. Written by `python -m driftlab.book errata` from the equation ledger; "
+            "do not edit. The whole ledger, with what was reproduced, reconstructed and not "
+            "recoverable, is chapter 12 of the book.",
+            "",
+            "## What was read",
+            "",
+            "No print of any of the four papers was at hand. A proof below shows that *the text at "
+            "hand* is wrong; it does not show that the journal or the author was. Whoever has a "
+            "print is asked to compare.",
+            "",
+            *(f"- **{_authors(paper)}.** {copy}" for paper, copy in COPIES.items()),
+            "",
+            "## How much each weighs",
+            "",
+            *_errata_counts(corrected),
+            "",
+            *(line for paper in PAPERS for line in _errata_of(paper, corrected)),
+            "## Typographical, set apart",
+            "",
+            *(_slip(entry) for entry in slips),
+            "",
+        ]
+    )
+
+
+def _errata_counts(corrected: list[LedgerEntry]) -> list[str]:
+    """A table: how many corrections of each severity, and what the word means."""
+    labels = {
+        severity: [entry for entry in corrected if entry.severity == severity]
+        for severity in SEVERITIES
+    }
+    rows = [
+        ("severity", "how many", "meaning"),
+        *((severity, str(len(labels[severity])), SEVERITIES[severity]) for severity in SEVERITIES),
+    ]
+    return Table(rows)._repr_markdown_().splitlines()
+
+
+def _errata_of(paper: str, corrected: list[LedgerEntry]) -> list[str]:
+    """The section of one paper, without what is set apart as typographical."""
+    lines = [f"## {PAPERS[paper]}", ""]
+    for entry in corrected:
+        if entry.paper == paper and entry.severity != "typographical":
+            lines += [
+                f"### {entry.label}",
+                "",
+                entry.says,
+                "",
+                f"- Severity: {entry.severity}.",
+                f"- The line in the copy: `{entry.line}`",
+                f"- In the copy: {entry.copy}",
+                f"- Right: {entry.right}",
+                f"- Proof: {entry.proof}",
+                *([f"- In the authors' favour: {entry.in_favour}"] if entry.in_favour else []),
+                f"- Where: {_where(entry)}",
+                "",
+            ]
+    return lines
+
+
+def _slip(entry: LedgerEntry) -> str:
+    return (
+        f"- **{_authors(entry.paper)}, {entry.label}.** `{entry.line}` "
+        f"In the copy: {entry.copy}. Right: {entry.right}. {entry.proof}"
+    )
+
+
+def _where(entry: LedgerEntry) -> str:
+    tests = ", ".join(f"`{test}`" for test in entry.tests)
+    place = f"Chapter {entry.chapter}, *{entry.section}*"
+    return f"{place}; checked by {tests}." if tests else f"{place}."
+
+
+def _authors(paper: str) -> str:
+    """The names before the title."""
+    return PAPERS[paper].split(", *")[0].split(", on ")[0]
