@@ -11,7 +11,7 @@ import pytest
 from numpy.typing import ArrayLike
 
 from driftlab import body_frames, earth, frames, increments, quaternion, strapdown, triad, vectors
-from driftlab.attitude import cayley, coning_algorithms, finite_precision, integration, riccati
+from driftlab.attitude import cayley, drift_on_cones, finite_precision, integration, riccati
 from driftlab.calibration import (
     body_axes,
     error_dynamics,
@@ -112,8 +112,8 @@ CASES = {
         "history": INCREMENTS[:2],
     },
     fixed(integration.step_vectors, algorithm="one-step-3"): {"increments": INCREMENTS},
-    fixed(coning_algorithms.coning_drift, algorithm="two-step-4"): {
-        "half_angle": TIME,
+    fixed(drift_on_cones.coning_drift, algorithm="rotation-vector-2"): {
+        "half_angle": PITCH,
         "frequency": TIME,
         "sample_interval": TIME,
     },

@@ -107,7 +107,7 @@ def test_series_of_an_algorithm_is_what_it_computes(name: str) -> None:
         name,
         history=increments[: algorithm.memory] if algorithm.memory else None,
     )[0]
-    if algorithm.iterate == "rotation vector":
+    if algorithm.last_stage == "rotation vector":
         found = cayley.cayley_vector(quaternion.from_rotation_vector(found))
     # The series ends before h^8; its coefficients and those of the rate are of order one.
     expected = value(symbolic.algorithm_step_vector(algorithm, rate), h)
@@ -143,21 +143,43 @@ def test_program_computes_the_step(name: str) -> None:
     np.testing.assert_allclose(found, expected, rtol=0, atol=4e-16)
 
 
-def test_program_with_a_series_is_of_fourth_order() -> None:
-    increments = np.random.default_rng(4).normal(size=(2, 3))
-    symbols = [symbol for i in range(2) for symbol in symbolic.vector(f"g{i}")]
-    program = symbolic.step_program(ALGORITHMS["rotation-vector-2"], series=True)
+def test_another_last_stage_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"^last_stage: expected one of first iterate, .*'sine'"):
+        symbolic.step_program(ALGORITHMS["two-step-4"], "sine")
 
-    def error(size: float) -> float:
-        values = dict(zip(symbols, size * increments.ravel(), strict=True))
-        for symbol, expression in program:
-            values[symbol] = float(expression.subs(values))
-        found = np.array([values[symbol] for symbol, _ in program[-4:]])
-        exact = step_quaternions(size * increments, "rotation-vector-2")[0]
-        return quaternion.rotation_angle(quaternion.multiply(quaternion.conjugate(exact), found))
 
-    # phi^5/1920 of one step.
-    assert np.log2(error(0.1) / error(0.05)) == pytest.approx(5, abs=0.05)
+@pytest.mark.parametrize(
+    ("stage", "fifth"),
+    [
+        ("third iterate", -1 / 1920),
+        ("tangent", -1 / 1920),
+        ("tangent, dimension 3", -1 / 120),
+        ("series", -1 / 1920),
+        ("series, normalised", -1 / 1920),
+        ("rotation vector", 0.0),
+    ],
+)
+def test_last_stages_err_at_the_fifth_power_of_a_step(stage: str, fifth: float) -> None:
+    """About a fixed axis the angle is f + fifth f^5 + ..., as its series in the chapter says."""
+    program = symbolic.step_program(ALGORITHMS["two-step-4"], stage)
+    angles = np.array([0.05, 0.1, 0.2])
+    halves = angles[:, np.newaxis, np.newaxis] / 2 * np.array([[0.6, 0, 0.8]] * 2)
+    step = symbolic.run_program(program, halves)
+    found = 2 * np.arctan2(np.linalg.norm(step[:, :3], axis=-1), step[:, 3]) - angles
+    # The seventh power follows, with a factor below 1/100.
+    assert np.all(np.abs(found - fifth * angles**5) <= 0.01 * angles**7 + 2e-16)
+    if stage != "series":
+        np.testing.assert_allclose(np.linalg.norm(step, axis=-1), 1, rtol=0, atol=4e-16)
+
+
+@pytest.mark.parametrize("name", ALGORITHMS)
+def test_carried_out_program_is_the_step_of_the_package(name: str) -> None:
+    algorithm = ALGORITHMS[name]
+    rows = 0.1 * np.random.default_rng(4).normal(size=(5, algorithm.window, 3))
+    found = symbolic.run_program(symbolic.step_program(algorithm), rows)
+    past = rows[:, : algorithm.memory] if algorithm.memory else None
+    expected = step_quaternions(rows[:, algorithm.memory :], name, history=past)[:, 0]
+    np.testing.assert_allclose(found, expected, rtol=0, atol=4e-16)
 
 
 def test_operations_are_counted() -> None:

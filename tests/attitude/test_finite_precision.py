@@ -1,5 +1,7 @@
 """Short words: a step's quaternion and complement, and what is lost from step to step."""
 
+from fractions import Fraction
+
 import mpmath
 import numpy as np
 import pytest
@@ -9,6 +11,7 @@ from driftlab.attitude.cayley import rotation_quaternion
 from driftlab.attitude.coning_algorithms import ALGORITHMS
 from driftlab.attitude.finite_precision import UPDATES, integrate_in_word, step_in_word
 from driftlab.attitude.integration import integrate, step_vectors
+from driftlab.checks import unit_quaternions
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
 from support import EPS, random_quaternions, vectors
 
@@ -172,6 +175,58 @@ def test_compensated_sum_keeps_it(start):
 def test_short_word_loses_little_from_the_attitude_zero(update):
     """There the components that change are small, and small numbers have a fine spacing."""
     assert drift_at_earth_rate(update, [0, 0, 0, 1]) < 0.05
+
+
+def fused_by_fractions(attitude, column):
+    """The four products of each component, each added with one rounding, by exact fractions."""
+    total = np.float32(attitude[0] * column[0])
+    for a, c in zip(attitude[1:], column[1:], strict=True):
+        total = np.float32(float(Fraction(float(a)) * Fraction(float(c)) + Fraction(float(total))))
+    return total
+
+
+@given(seed=st.integers(0, 1000))
+def test_fused_multiply_add_rounds_a_product_and_its_sum_once(seed):
+    rng = np.random.default_rng(seed)
+    increments = rng.uniform(-0.3, 0.3, (1, 3)).astype(np.float32)
+    start = random_quaternions(1, seed=seed)[0].astype(np.float32)
+    start = (start / np.linalg.norm(start.astype(float))).astype(np.float32)
+    found = integrate_in_word(increments, "picard-1", start=start, fused=True)[0]
+    first = unit_quaternions(start, "start").astype(np.float32)
+    x, y, z, scalar, _ = step_in_word(step_vectors(increments, "picard-1", word=np.float32))[0]
+    columns = [(scalar, z, -y, x), (-z, scalar, x, y), (y, -x, scalar, z), (-x, -y, -z, scalar)]
+    expected = [fused_by_fractions(first, column) for column in columns]
+    np.testing.assert_array_equal(found, expected)
+
+
+@every_update
+def test_fused_sums_in_half_precision_are_those_of_a_longer_word_rounded(update):
+    increments = np.random.default_rng(0).uniform(-0.2, 0.2, (60, 3))
+    found = integrate_in_word(increments, update=update, word=np.float16, fused=True)
+    exact = integrate(increments)
+    assert found.dtype == np.float16
+    # Sixty samples make thirty steps, each good to some eps of the word.
+    np.testing.assert_allclose(
+        found.astype(float), exact, rtol=0, atol=30 * 8 * np.finfo(np.float16).eps
+    )
+
+
+def test_fused_words_of_64_bits_are_refused():
+    words = r"^word: expected float16 or float32 with fused multiply-add, got float64\.$"
+    with pytest.raises(ValueError, match=words):
+        integrate_in_word(np.zeros((2, 3)), word=np.float64, fused=True)
+
+
+@every_update
+@pytest.mark.parametrize("fused", [False, True])
+def test_length_is_one_if_it_is_mended_and_the_attitude_is_the_same(update, fused):
+    increments = np.random.default_rng(0).uniform(-0.2, 0.2, (600, 3))
+    options = {"update": update, "fused": fused}
+    mended = integrate_in_word(increments, normalise=True, **options).astype(float)
+    assert np.abs(np.linalg.norm(mended, axis=-1) - 1).max() < 2 * EPS32
+    left = integrate_in_word(increments, **options).astype(float)
+    angle = rotation_angle(multiply(conjugate(left), mended))
+    assert angle.max() < 300 * 8 * EPS32
 
 
 # Shapes, words, refusals

@@ -2,7 +2,6 @@
 
 from itertools import pairwise
 
-import mpmath
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
@@ -13,7 +12,6 @@ from driftlab.attitude.coning_algorithms import (
     ALGORITHMS,
     Algorithm,
     attitude_algorithm,
-    coning_drift,
 )
 from driftlab.attitude.integration import integrate, step_quaternions, step_vectors
 from driftlab.motion.profiles import Coning, FixedAxis, Sway
@@ -48,8 +46,9 @@ def increments(*shape, seed=0, size=0.1):
 # The formulas
 
 
-def cubic(g):
-    return (g @ g) * g / 192
+def tangent(f):
+    """-tan(|f|/4) f/|f|, its first two terms."""
+    return -f / 4 - (f @ f) * f / 192
 
 
 def picard_1(g):
@@ -57,34 +56,38 @@ def picard_1(g):
 
 
 def one_step_3(before, g):
-    return -g / 4 - np.cross(before, g) / 48 - cubic(g)
+    return tangent(g + np.cross(before, g) / 12)
 
 
 def one_step_3_first(g, after):
-    return -g / 4 - np.cross(g, after) / 48 - cubic(g)
+    return tangent(g + np.cross(g, after) / 12)
 
 
 def two_step_3(g1, g2):
     g, cross = g1 + g2, np.cross(g1, g2)
-    return -g / 4 - cross / 6 - cubic(g) - np.cross(g, cross) / 48
+    return -g / 4 - cross / 6 - (g @ g) * g / 192 - np.cross(g, cross) / 48
+
+
+def third_iterate(g1, g2):
+    g = g1 + g2
+    return -g / 4 - np.cross(g1, g2) / 6 - (g @ g) * g / 192
 
 
 def two_step_4(g1, g2):
-    g = g1 + g2
-    return -g / 4 - np.cross(g1, g2) / 6 - cubic(g)
+    return tangent(g1 + g2 + 2 / 3 * np.cross(g1, g2))
 
 
 def memory_4(before_that, before, g):
-    return -g / 4 - np.cross(before, g) / 24 + np.cross(before_that, g) / 96 - cubic(g)
+    return tangent(g + np.cross(before, g) / 6 - np.cross(before_that, g) / 24)
 
 
 def memory_4_first(g, after, after_that):
     """The mirror image: time runs backwards, and every cross product changes its sign twice."""
-    return -g / 4 - np.cross(g, after) / 24 + np.cross(g, after_that) / 96 - cubic(g)
+    return tangent(g + np.cross(g, after) / 6 - np.cross(g, after_that) / 24)
 
 
 def memory_4_second(before, g, after):
-    return -g / 4 - np.cross(before, g) / 96 - np.cross(g, after) / 96 - cubic(g)
+    return tangent(g + np.cross(before, g) / 24 + np.cross(g, after) / 24)
 
 
 def rotation_vector_2(g1, g2):
@@ -96,6 +99,7 @@ def rotation_vector_3(g1, g2, g3):
     return g1 + g2 + g3 + 9 / 20 * np.cross(g1, g3) + 27 / 40 * np.cross(g2, g3 - g1)
 
 
+THIRD_ITERATE = Algorithm("third iterate", 2, 0, {(0, 1): 2 / 3}, "third iterate", 4)
 # Sums of up to ten terms, each below one and good to a few eps.
 FORMULA = 16 * EPS
 
@@ -105,6 +109,7 @@ FORMULA = 16 * EPS
     [
         ("picard-1", picard_1, 1),
         ("two-step-3", two_step_3, 2),
+        (THIRD_ITERATE, third_iterate, 2),
         ("two-step-4", two_step_4, 2),
         ("rotation-vector-2", rotation_vector_2, 2),
         ("rotation-vector-3", rotation_vector_3, 3),
@@ -164,18 +169,15 @@ def test_names_are_keys_and_cannot_be_replaced():
 
 @given(rows=rows_of_increments)
 def test_algorithm_of_ones_own(rows):
-    """The mean of one-step-3 and picard-1: half the correction, and a start without any."""
-    own = Algorithm("own", 1, 1, {(0, 1): 1 / 24}, "third", 2, ({},))
+    """Half the correction of one-step-3, and a start without any."""
+    own = Algorithm("own", 1, 1, {(0, 1): 1 / 24}, "tangent", 2, ({},))
     assert attitude_algorithm(own) is own
-    expected = [picard_1(rows[0]) - cubic(rows[0])]
-    for before, g in pairwise(rows):
-        expected.append((one_step_3(before, g) + picard_1(g) - cubic(g)) / 2)
+    expected = [tangent(rows[0])]
+    expected += [tangent(g + np.cross(before, g) / 24) for before, g in pairwise(rows)]
     np.testing.assert_allclose(step_vectors(rows, own), expected, rtol=0, atol=FORMULA)
     # Twelve products, each good to 8 eps.
     attitude = cumulative_product(rotation_quaternion(np.array(expected)))
     np.testing.assert_allclose(integrate(rows, own), attitude, rtol=0, atol=100 * EPS)
-    drifts = [coning_drift(algorithm, 0.1, 1, 0.1) for algorithm in ("one-step-3", "picard-1")]
-    assert coning_drift(own, 0.1, 1, 0.1) == pytest.approx(sum(drifts) / 2, rel=0, abs=EPS)
 
 
 @pytest.mark.parametrize(
@@ -198,7 +200,14 @@ def test_algorithm_of_ones_own(rows):
     ],
 )
 def test_algorithms_that_do_not_fit_together_are_refused(arguments, words):
-    good = {"name": "own", "samples": 2, "memory": 0, "coning": {}, "iterate": "third", "order": 2}
+    good = {
+        "name": "own",
+        "samples": 2,
+        "memory": 0,
+        "coning": {},
+        "last_stage": "tangent",
+        "order": 2,
+    }
     assert Algorithm(**good).window == 2
     with pytest.raises(ValueError, match=rf"^{words}\.$"):
         Algorithm(**(good | arguments))
@@ -264,18 +273,20 @@ def test_coning_correction_is_exact_for_a_rate_that_is_linear_in_time(name, seed
     rate = np.random.default_rng(seed).uniform(-1, 1, (2, 3))
     rows = integrals(rate, interval, 0, count)
     gamma = rows.reshape(-1, chosen.samples, 3).sum(axis=1)
-    vectors = step_vectors(rows, name)
-    if name in CAYLEY:
-        vectors = -4 * vectors
-        if chosen.iterate != "first":
-            vectors -= np.sum(gamma**2, axis=-1, keepdims=True) * gamma / 48
-        if chosen.iterate == "second":
-            vectors -= np.cross(gamma, np.cross(*np.moveaxis(rows.reshape(-1, 2, 3), 1, 0))) / 12
     # The later steps begin with another a, which differs by a multiple of b; and so do the starts.
-    expected = np.cross(*rate) * (chosen.samples * interval) ** 3 / 12 if chosen.coning else 0
-    np.testing.assert_allclose(
-        vectors - gamma, np.broadcast_to(expected, gamma.shape), rtol=0, atol=16 * EPS
-    )
+    coning = np.zeros_like(gamma)
+    if chosen.coning:
+        coning += np.cross(*rate) * (chosen.samples * interval) ** 3 / 12
+    f = gamma + coning
+    expected = {
+        "first iterate": -gamma / 4,
+        "second iterate": -f / 4
+        - np.sum(gamma**2, axis=-1, keepdims=True) * gamma / 192
+        - np.cross(gamma, coning) / 32,
+        "tangent": -f / 4 - np.sum(f**2, axis=-1, keepdims=True) * f / 192,
+        "rotation vector": f,
+    }[chosen.last_stage]
+    np.testing.assert_allclose(step_vectors(rows, name), expected, rtol=0, atol=16 * EPS)
 
 
 A, B, C = np.random.default_rng(7).uniform(-1, 1, (3, 3))
@@ -551,8 +562,6 @@ def test_unknown_algorithm_is_refused_with_the_known_ones(function):
         ValueError, match=r"^algorithm: expected one of picard-1, .*, got 'two-step-5'\.$"
     ):
         function(increments(6), "two-step-5")
-    with pytest.raises(ValueError, match=r"^algorithm: expected one of .*, got 'euler'\.$"):
-        coning_drift("euler", 0.1, 1, 0.1)
 
 
 @every_function
@@ -688,130 +697,16 @@ def test_increments_that_a_word_cannot_hold_are_refused():
         step_vectors(np.full((2, 3), 1e5), "rotation-vector-2", word="float16")
 
 
-# The coning drift in closed form. Throughout, x is the angle of coning in the interval of one
-# increment, X that in a step.
-
-
-def one_interval(x):
-    """Interval at a coning of 1 Hz."""
-    return x / (2 * np.pi)
-
-
-def measured_drift(name, half_angle, per_turns, turns):
-    """Drift about the axis of the cone, rad/s, over whole turns at 1 Hz of which `per_turns` is."""
-    chosen, motion = ALGORITHMS[name], Coning(half_angle, 1)
-    rows = motion.increments(turns / per_turns, per_turns)
-    # The motion is periodic: what was before the first increment is like the last.
-    history = rows[-chosen.memory :] if chosen.memory else None
-    end = integrate(rows, name, start=motion.attitude(0), history=history)[-1]
-    # All errors together, in reference axes.
-    return to_rotation_vector(multiply(end, conjugate(motion.attitude(0))))[2] / turns
-
-
-# Increments in so many turns: x from 0.05 to 1.5, all multiples of 2 and 3.
-RHYTHMS = [(120, 1), (60, 1), (24, 1), (12, 1), (6, 1), (30, 7)]
-
-
-@every_algorithm
-@pytest.mark.parametrize(("count", "turns"), RHYTHMS)
-@pytest.mark.parametrize("degrees", [0.1, 0.3, 1.0])
-def test_coning_drift_is_the_measured_one(name, count, turns, degrees):
-    half_angle, interval = np.radians(degrees), turns / count
-    step = 2 * np.pi * interval * ALGORITHMS[name].samples
-    expected = coning_drift(name, half_angle, 1, interval)
-    # Left out of a step: a^4 X^3/96, which is |gamma|^2 gamma/48, without a correction; with one,
-    # terms of a^4 X^5, X^5/500 at most in what was seen. Rounding: the error of a step is a sum of
-    # some terms of a^2, each good to an eps.
-    left_out = step**3 / 90 if name == "picard-1" else step**5 / 450
-    steps = count / ALGORITHMS[name].samples
-    bound = steps / turns * (half_angle**4 * left_out + 8 * half_angle**2 * EPS)
-    measured = measured_drift(name, half_angle, count, turns)
-    assert measured == pytest.approx(expected, rel=0, abs=bound)
-    if degrees == 0.1 and step > 0.3:
-        assert bound < 0.02 * abs(expected)  # so there is something to find wrong
-
-
-@every_algorithm
-def test_what_coning_drift_leaves_out_is_of_fourth_power_in_the_half_angle(name):
-    """At 1/12 of a turn, where the rest is well above rounding."""
-
-    def rest(size):
-        half_angle = 16 * size  # from 14 degrees to 0.9
-        measured = measured_drift(name, half_angle, 12, 1)
-        return abs(measured - coning_drift(name, half_angle, 1, 1 / 12))
-
-    assert order_of(rest) == pytest.approx(4, abs=0.1)
-
-
-@pytest.mark.parametrize(
-    ("name", "power", "divisor"),
-    [
-        # In X, of a step: one interval, two, or three.
-        ("picard-1", 3, -12),
-        ("one-step-3", 5, -60),
-        ("two-step-3", 5, -960),
-        ("two-step-4", 5, -960),
-        ("memory-4", 5, 40),
-        ("rotation-vector-2", 5, -960),
-        ("rotation-vector-3", 7, -204120),
-    ],
-)
-@pytest.mark.parametrize("x", [0.05, 0.1, 0.2])
-def test_leading_term_of_the_coning_drift(name, power, divisor, x):
-    samples, half_angle = ALGORITHMS[name].samples, 0.3
-    interval = one_interval(x)
-    a_step = coning_drift(name, half_angle, 1, interval) * samples * interval
-    # What follows is smaller by a multiple of x^2 below 1/2.
-    expected = np.sin(half_angle) ** 2 * (samples * x) ** power / divisor
-    np.testing.assert_allclose(a_step, expected, rtol=x**2 / 2)
-
-
-@every_algorithm
-@pytest.mark.parametrize("x", [1e-3, 0.01, 0.1, 1.5])
-def test_coning_drift_in_fifty_digits(name, x):
-    chosen, half_angle, interval = ALGORITHMS[name], 0.3, one_interval(x)
-    with mpmath.workdps(50):
-        angle = 2 * mpmath.pi * mpmath.mpf(interval)
-        step = chosen.samples * angle
-        estimate = sum(
-            mpmath.mpf(weight) * 4 * mpmath.sin(angle / 2) ** 2 * mpmath.sin((j - i) * angle)
-            for (i, j), weight in chosen.coning.items()
-        )
-        expected = mpmath.sin(half_angle) ** 2 * (estimate - (step - mpmath.sin(step)) / 2)
-    a_step = coning_drift(name, half_angle, 1, interval) * chosen.samples * interval
-    # The two parts of the difference come from X and sin(X), each good to some eps.
-    bound = 4 * EPS * chosen.samples * x * np.sin(half_angle) ** 2
-    np.testing.assert_allclose(a_step, float(expected), rtol=8 * EPS, atol=bound)
-
-
-@every_algorithm
-def test_coning_drift_turns_with_the_coning_and_vanishes_without(name):
-    there, back = coning_drift(name, 0.1, [3, -3], 0.01)
-    assert there == -back != 0
-    assert coning_drift(name, 0, 3, 0.01) == coning_drift(name, 0.1, 0, 0.01) == 0
-
-
-@every_algorithm
-def test_coning_drift_depends_on_the_angle_per_interval(name):
-    """Twice as fast in half the time: a drift twice as fast."""
-    slow, fast = coning_drift(name, 0.1, [1, 2], [0.1, 0.05])
-    np.testing.assert_allclose(fast, 2 * slow, rtol=8 * EPS)
-
-
-@pytest.mark.parametrize("interval", [0.0, -1e-3])
-def test_coning_drift_refuses_intervals_that_are_not_positive(interval):
-    with pytest.raises(ValueError, match=r"^sample_interval: expected positive times, got "):
-        coning_drift("memory-4", 0.1, 1, [0.1, interval])
-
-
-def test_an_unknown_iterate_is_refused():
-    with pytest.raises(ValueError, match=r"^iterate: expected one of first, .*, got 'fourth'\.$"):
+def test_an_unknown_last_stage_is_refused():
+    with pytest.raises(
+        ValueError, match=r"^last_stage: expected one of first iterate, .*, got 'fourth'\.$"
+    ):
         Algorithm("mine", 1, 0, {}, "fourth", 4)
 
 
 def test_weights_that_are_no_numbers_are_refused():
     with pytest.raises(ValueError, match=r"^coning: expected finite numbers, got 1 NaN"):
-        Algorithm("mine", 2, 0, {(0, 1): np.nan}, "third", 4)
+        Algorithm("mine", 2, 0, {(0, 1): np.nan}, "tangent", 4)
 
 
 def test_a_list_is_no_algorithm():

@@ -1,6 +1,7 @@
 from . import (
     cayley as cayley,
     coning_algorithms as coning_algorithms,
+    drift_on_cones as drift_on_cones,
     finite_precision as finite_precision,
     integration as integration,
     riccati as riccati,
@@ -15,10 +16,13 @@ from .cayley import (
 from .coning_algorithms import (
     ALGORITHMS as ALGORITHMS,
     Algorithm as Algorithm,
-    Iterate as Iterate,
+    LastStage as LastStage,
     Weights as Weights,
     attitude_algorithm as attitude_algorithm,
+)
+from .drift_on_cones import (
     coning_drift as coning_drift,
+    step_drift as step_drift,
 )
 from .finite_precision import (
     UPDATES as UPDATES,

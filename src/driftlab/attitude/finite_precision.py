@@ -1,9 +1,11 @@
 """Effect of a short floating-point word on an attitude that is computed step by step.
 
 Perelyaev and Chelnokov remark, at the end of section 1, that the scalar part l0 of a step's
-quaternion is so close to 1 that a short word loses the difference, and advise to store 1 - l0
+quaternion is so close to 1 that a short word loses the difference, and advise to use 1 - l0
 instead. Here all arithmetic runs in the requested precision, in the order in which an on-board
-computer would do it, so that the advice can be compared with its alternatives.
+computer would do it, so that the advice can be compared with its alternatives: with a rounding
+after each product and each sum, or with fused multiply-add; with and without a division by the
+length after each step.
 """
 
 from __future__ import annotations
@@ -79,6 +81,8 @@ def integrate_in_word(
     start: ArrayLike = (0.0, 0.0, 0.0, 1.0),
     word: DTypeLike = np.float32,
     update: Update = "product",
+    fused: bool = False,
+    normalise: bool = False,
 ) -> NDArray[Any]:
     """Attitude after each step, computed step by step in a given floating-point precision.
 
@@ -101,16 +105,23 @@ def integrate_in_word(
         -(1 - l0), as the paper advises.
         ``"compensated"`` does the same and carries the rounding error of this last sum into the
         next step (Kahan summation).
+    fused : bool
+        Whether the four products of a component are added by fused multiply-add, which rounds a
+        product and the sum that it joins once, together. The step's own quaternion is computed
+        without. Not with words of 64 bits, whose products double precision does not hold.
+    normalise : bool
+        Whether the attitude is divided by its length after each step.
 
     Returns
     -------
     ndarray, shape (..., n // samples, 4)
-        Of dtype `word`; not normalised.
+        Of dtype `word`; of length one to rounding if `normalise`.
 
     Raises
     ------
     ValueError
-        If `update`, `word` or the algorithm is unknown, and as in `driftlab.attitude.integrate`.
+        If `update`, `word` or the algorithm is unknown, if `fused` is wanted with words of 64 bits,
+        and as in `driftlab.attitude.integrate`.
 
     Notes
     -----
@@ -131,9 +142,11 @@ def integrate_in_word(
     if update not in UPDATES:
         raise ValueError(f"update: expected one of {', '.join(UPDATES)}, got {update!r}.")
     vectors = step_vectors(increments, algorithm, word=word)
+    if fused and vectors.dtype == np.float64:
+        raise ValueError("word: expected float16 or float32 with fused multiply-add, got float64.")
     first = unit_quaternions(start, "start")
     finite_arrays(increments=(vectors, *vectors.shape[-2:]), start=(first, 4))
-    method = attitude_algorithm(algorithm).iterate
+    method = attitude_algorithm(algorithm).last_stage
     steps = step_in_word(vectors, rotation_vector=method == "rotation vector")
     leading = np.broadcast_shapes(steps.shape[:-2], first.shape[:-1])
     attitude = np.broadcast_to(first.astype(steps.dtype), (*leading, 4))
@@ -158,12 +171,11 @@ def integrate_in_word(
     attitudes = np.empty((len(columns), *leading, 4), steps.dtype)
     lost = np.zeros_like(attitude)
     for i, column in enumerate(columns):
-        terms = attitude[..., np.newaxis] * column
-        change = (terms[..., 0, :] + terms[..., 1, :]) + (terms[..., 2, :] + terms[..., 3, :])
+        change = _sum_of_products(attitude, column, fused=fused)
         if update == "product":
             attitude = change
         elif update == "small terms first":
-            attitude = scalars[i] * attitude + change
+            attitude = _multiply_add(scalars[i], attitude, change, fused=fused)
         elif update == "complement":
             attitude = attitude + change
         else:
@@ -171,5 +183,31 @@ def integrate_in_word(
             total = attitude + change
             lost = (total - attitude) - change
             attitude = total
+        if normalise:
+            squares = attitude**2
+            length = (squares[..., 0] + squares[..., 1]) + (squares[..., 2] + squares[..., 3])
+            attitude = attitude / np.sqrt(length)[..., np.newaxis]
         attitudes[i] = attitude
     return np.moveaxis(attitudes, 0, -2)
+
+
+def _sum_of_products(attitude: NDArray[Any], column: NDArray[Any], *, fused: bool) -> NDArray[Any]:
+    """Sum of attitude[..., j] times column[..., j, :] over j, rounded as a processor would."""
+    if not fused:
+        terms = attitude[..., np.newaxis] * column
+        return (terms[..., 0, :] + terms[..., 1, :]) + (terms[..., 2, :] + terms[..., 3, :])
+    total = attitude[..., :1] * column[..., 0, :]
+    for j in range(1, 4):
+        total = _multiply_add(attitude[..., j : j + 1], column[..., j, :], total, fused=True)
+    return total
+
+
+def _multiply_add(
+    a: NDArray[Any], b: NDArray[Any], c: NDArray[Any], *, fused: bool
+) -> NDArray[Any]:
+    """a times b plus c, with two roundings or with one."""
+    if not fused:
+        return a * b + c
+    # Double precision holds the product of two shorter words exactly. It rounds the sum a first
+    # time, far below the last digit of the word.
+    return (a.astype(np.float64) * b + c).astype(c.dtype)

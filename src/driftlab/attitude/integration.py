@@ -96,7 +96,7 @@ def step_quaternions(
     array([[0.    , 0.    , 0.0998, 0.995 ]])
     """
     vectors = step_vectors(increments, algorithm, history=history)
-    if attitude_algorithm(algorithm).iterate == "rotation vector":
+    if attitude_algorithm(algorithm).last_stage == "rotation vector":
         return from_rotation_vector(vectors)
     return rotation_quaternion(vectors)
 
@@ -146,7 +146,7 @@ def step_vectors(
     if rows.ndim < 2 or rows.shape[-1] != 3:
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
     largest = float(np.abs(rows).max())
-    if largest >= 2 * np.pi and chosen.iterate != "rotation vector":
+    if largest >= 2 * np.pi and chosen.last_stage != "rotation vector":
         raise turns_too_far(largest)
     if largest > 1e12:  # not even the rounding of such an angle is small
         raise ValueError(f"increments: expected angles in rad, got {largest:.3g}.")

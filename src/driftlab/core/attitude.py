@@ -29,7 +29,7 @@ def rotation_quaternion(k: FloatArray) -> FloatArray:
 def step_quaternions(algorithm: Algorithm, increments: FloatArray, past: int = 0) -> FloatArray:
     """Rotation (..., m, 4) over each step; arguments as in `step_vectors`."""
     vectors = step_vectors(algorithm, increments, past)
-    if algorithm.iterate == "rotation vector":
+    if algorithm.last_stage == "rotation vector":
         return from_rotation_vector(vectors)
     return rotation_quaternion(vectors)
 
@@ -45,18 +45,21 @@ def step_vectors(algorithm: Algorithm, increments: NDArray[Any], past: int = 0) 
     else:
         places = [rows[..., i::m] for i in range(m)]
         gamma, coning = sum(places[1:], places[0]), _weighted(algorithm.coning, places)
-    if algorithm.iterate == "rotation vector":
-        return components_last(gamma + coning)
+    stage, corrected = algorithm.last_stage, gamma + coning
+    if stage == "rotation vector":
+        return components_last(corrected)
     square = (gamma**2).sum(axis=0)
     if not (square < 4 * np.pi**2).all():
         raise turns_too_far(float(np.sqrt(square.max())))
-    if algorithm.iterate == "first":
-        vectors = kind(-1 / 4) * gamma
-    else:
-        vectors = kind(-1 / 4) * (gamma + coning) - kind(1 / 192) * square * gamma
-        if algorithm.iterate == "second":
-            # What the second iterate still has and the third removes.
-            vectors -= kind(1 / 32) * cross(gamma, coning)
+    if stage == "first iterate":
+        return components_last(kind(-1 / 4) * gamma)
+    if stage == "tangent":
+        square = (corrected**2).sum(axis=0)
+        return components_last((kind(-1 / 4) - kind(1 / 192) * square) * corrected)
+    vectors = kind(-1 / 4) * corrected - kind(1 / 192) * square * gamma
+    if stage == "second iterate":
+        # What the second iterate still has and the third removes.
+        vectors -= kind(1 / 32) * cross(gamma, coning)
     return components_last(vectors)
 
 

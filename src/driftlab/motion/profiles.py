@@ -19,6 +19,7 @@ from driftlab.checks import (
     nonzero_vectors,
     whole_number,
 )
+from driftlab.core.coning import cone_increments
 from driftlab.core.quaternion import from_rotation_vector, multiply
 
 
@@ -156,16 +157,8 @@ class Coning(Motion):
         return np.stack([-across * np.sin(phase), across * np.cos(phase), along], axis=-1)
 
     def _increments(self, middle: FloatArray, interval: float) -> FloatArray:
-        # Differences of cosines and sines as products, which lose no digits.
-        chord = 2 * np.sin(self.half_angle) * np.sin(self._around * interval / 2)
-        return np.stack(
-            [
-                -chord * np.sin(self._around * middle),
-                chord * np.cos(self._around * middle),
-                np.full_like(middle, self._along * interval),
-            ],
-            axis=-1,
-        )
+        around = np.asarray(self._around * interval)
+        return cone_increments(np.asarray(self.half_angle), around, self._around * middle)
 
     @property
     def _around(self) -> float:

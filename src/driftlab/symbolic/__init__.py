@@ -20,17 +20,25 @@ from driftlab.symbolic.objects import (
     skew_operator,
     vector,
 )
-from driftlab.symbolic.step_cost import Program, operations, step_program
+from driftlab.symbolic.step_cost import (
+    LAST_STAGES,
+    Program,
+    operations,
+    run_program,
+    step_program,
+)
 from driftlab.symbolic.step_series import (
     Series,
     algorithm_step_vector,
     exact_step_vector,
     leading_error,
     picard_iterate,
+    vector_of_rotation,
 )
 
 __all__ = [
     "IDENTITY",
+    "LAST_STAGES",
     "Program",
     "Series",
     "algorithm_step_vector",
@@ -52,8 +60,10 @@ __all__ = [
     "right_matrix",
     "rotation_exponential",
     "rotation_matrix",
+    "run_program",
     "simplified",
     "skew_operator",
     "step_program",
     "vector",
+    "vector_of_rotation",
 ]

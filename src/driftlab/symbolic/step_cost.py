@@ -1,8 +1,14 @@
 """One step of an attitude algorithm as the operations that a computer carries out."""
 
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import NamedTuple
+
+import numpy as np
 import sympy as sp
 
 from driftlab.attitude.coning_algorithms import Algorithm
+from driftlab.checks import FloatArray
 
 from .objects import vector
 
@@ -10,15 +16,14 @@ Program = list[tuple[sp.Symbol, sp.Expr]]
 """Assignments in their order, each of an expression in the symbols before it."""
 
 
-def step_program(algorithm: Algorithm, *, series: bool = False) -> Program:
-    """What a computer evaluates in one step, from the increments g0, g1, ... to the quaternion.
+class _Assignments:
+    """A program in the making."""
 
-    The last four assignments are the quaternion, scalar last. With `series`, the sine and cosine of
-    a rotation vector are cut off after the terms that an algorithm of fourth order needs.
-    """
-    program: Program = []
+    def __init__(self) -> None:
+        self.program: Program = []
 
-    def let(name: str, value: sp.Matrix) -> sp.Matrix:
+    def let(self, name: str, value: sp.Matrix) -> sp.Matrix:
+        """Assign a vector, and return its symbols."""
         # A component that only renames another is not an operation, so it gets no symbol.
         symbols = []
         for i, entry in enumerate(value, start=1):
@@ -26,45 +31,155 @@ def step_program(algorithm: Algorithm, *, series: bool = False) -> Program:
                 symbols.append(entry)
             else:
                 symbols.append(sp.Symbol(f"{name}_{i}", real=True))
-                program.append((symbols[-1], entry))
+                self.program.append((symbols[-1], entry))
         return sp.Matrix(symbols)
 
-    def number(name: str, value: sp.Expr) -> sp.Symbol:
-        return let(name, sp.Matrix([value]))[0]
+    def result(self, quaternion: sp.Matrix) -> None:
+        """Assign the quaternion: four numbers, the last of the program, named or not."""
+        symbols = sp.symbols("q_1:5", real=True)
+        self.program.extend(zip(symbols, quaternion, strict=True))
 
+    def number(self, name: str, value: sp.Expr) -> sp.Symbol:
+        """Assign a number, and return its symbol."""
+        return self.let(name, sp.Matrix([value]))[0]
+
+
+class Sums(NamedTuple):
+    """What a last stage starts from: the sum of a step, its coning correction, and both."""
+
+    gamma: sp.Matrix
+    coning: sp.Matrix
+    corrected: sp.Matrix
+
+
+def _first_iterate(a: _Assignments, sums: Sums) -> None:
+    _from_quarter_tangent(a, sums.gamma)
+
+
+def _second_iterate(a: _Assignments, sums: Sums) -> None:
+    cubic = a.number("cubic", a.number("gamma_square", sums.gamma.dot(sums.gamma)) / 48)
+    extra = a.let("eighth", sums.gamma / 8).cross(sums.coning)
+    _from_quarter_tangent(a, a.let("k", sums.corrected + cubic * sums.gamma + extra))
+
+
+def _third_iterate(a: _Assignments, sums: Sums) -> None:
+    cubic = a.number("cubic", a.number("gamma_square", sums.gamma.dot(sums.gamma)) / 48)
+    _from_quarter_tangent(a, a.let("k", sums.corrected + cubic * sums.gamma))
+
+
+def _from_quarter_tangent(a: _Assignments, k: sp.Matrix) -> None:
+    """The quaternion of -k/4: the factor, and the sign, are taken along in the numbers."""
+    square = a.number("square", a.number("k_square", k.dot(k)) / 16)
+    inverse = a.number("inverse", 1 / (1 + square))
+    scale = a.number("scale", inverse / 2)
+    a.result(sp.Matrix([*(scale * k), (1 - square) * inverse]))
+
+
+def _tangent(a: _Assignments, sums: Sums) -> None:
+    square = a.number("square", sums.corrected.dot(sums.corrected))
+    factor = a.number("factor", sp.Rational(1, 4) + a.number("scaled", square / 192))
+    k_square = a.number("k_square", square * a.number("factor_square", factor**2))
+    inverse = a.number("inverse", 1 / (1 + k_square))
+    scale = a.number("scale", 2 * a.number("product", factor * inverse))
+    a.result(sp.Matrix([*(scale * sums.corrected), (1 - k_square) * inverse]))
+
+
+def _tangent_of_dimension_3(a: _Assignments, sums: Sums) -> None:
+    square = a.number("square", sums.corrected.dot(sums.corrected))
+    factor = a.number("factor", sp.Rational(1, 2) + a.number("scaled", square / 24))
+    k_square = a.number("k_square", square * a.number("factor_square", factor**2))
+    cosine = a.number("cosine", 1 / a.number("root", sp.sqrt(1 + k_square)))
+    scale = a.number("scale", factor * cosine)
+    a.result(sp.Matrix([*(scale * sums.corrected), cosine]))
+
+
+def _rotation_vector(a: _Assignments, sums: Sums) -> None:
+    norm = a.number("norm", sp.sqrt(sums.corrected.dot(sums.corrected)))
+    half = a.number("half", norm / 2)
+    scale = a.number("scale", sp.sin(half) / norm)
+    a.result(sp.Matrix([*(scale * sums.corrected), sp.cos(half)]))
+
+
+def _series(a: _Assignments, sums: Sums) -> None:
+    a.result(_by_series(a, sums))
+
+
+def _normalised_series(a: _Assignments, sums: Sums) -> None:
+    series = a.let("series", _by_series(a, sums))
+    norm = a.number("norm", sp.sqrt(series.dot(series)))
+    a.result(a.number("inverse", 1 / norm) * series)
+
+
+def _by_series(a: _Assignments, sums: Sums) -> sp.Matrix:
+    square = a.number("square", sums.corrected.dot(sums.corrected))
+    scale = a.number("scale", sp.Rational(1, 2) - a.number("scaled", square / 48))
+    cosine = 1 + square * a.number("inner", square / 384 - sp.Rational(1, 8))
+    return sp.Matrix([*(scale * sums.corrected), cosine])
+
+
+LAST_STAGES: Mapping[str, Callable[[_Assignments, Sums], None]] = MappingProxyType(
+    {
+        "first iterate": _first_iterate,
+        "second iterate": _second_iterate,
+        "third iterate": _third_iterate,
+        "tangent": _tangent,
+        "tangent, dimension 3": _tangent_of_dimension_3,
+        "rotation vector": _rotation_vector,
+        "series": _series,
+        "series, normalised": _normalised_series,
+    }
+)
+"""Ways from the sum of a step and its coning correction to the quaternion: those of `Algorithm`,
+and four to compare with them. Dimension 3 goes by -tan(|f|/2) f/|f|; the series are the sine and
+cosine of a rotation vector, cut off after the terms that fourth order needs."""
+
+
+def step_program(algorithm: Algorithm, last_stage: str | None = None) -> Program:
+    """What a computer evaluates in one step, from the increments g0, g1, ... to the quaternion.
+
+    The last four assignments are the quaternion, scalar last. `last_stage` is one of `LAST_STAGES`
+    and takes the place of the algorithm's own.
+    """
+    stage = algorithm.last_stage if last_stage is None else last_stage
+    if stage not in LAST_STAGES:
+        raise ValueError(f"last_stage: expected one of {', '.join(LAST_STAGES)}, got {stage!r}.")
+    a = _Assignments()
     g = [vector(f"g{i}") for i in range(algorithm.window)]
-    gamma = let("gamma", sum(g[algorithm.memory :], sp.zeros(3, 1)))
+    gamma = a.let("gamma", sum(g[algorithm.memory :], sp.zeros(3, 1)))
     coning = sp.zeros(3, 1)
     for j in range(algorithm.window):
         left = [weight * g[i] for (i, other), weight in algorithm.coning.items() if other == j]
-        coning += let(f"left{j}", sum(left, sp.zeros(3, 1))).cross(g[j])
-    coning = let("coning", coning)
-    corrected = let("corrected", gamma + coning)
-    if algorithm.iterate == "rotation vector" and series:
-        square = number("square", corrected.dot(corrected))
-        scale = number("scale", sp.Rational(1, 2) - number("scaled", square / 48))
-        cosine = 1 + square * number("inner", square / 384 - sp.Rational(1, 8))
-        let("q", sp.Matrix([*(scale * corrected), cosine]))
-        return program
-    if algorithm.iterate == "rotation vector":
-        norm = number("norm", sp.sqrt(corrected.dot(corrected)))
-        half = number("half", norm / 2)
-        scale = number("scale", sp.sin(half) / norm)
-        let("q", sp.Matrix([*(scale * corrected), sp.cos(half)]))
-        return program
-    # Four times k with its sign changed: the sign is that of the quaternion's vector part.
-    k = corrected
-    if algorithm.iterate != "first":
-        cubic = number("cubic", number("gamma_square", gamma.dot(gamma)) / 48)
-        k = corrected + cubic * gamma
-    if algorithm.iterate == "second":
-        k += let("eighth", gamma / 8).cross(coning)
-    k = let("k", k)
-    square = number("square", number("k_square", k.dot(k)) / 16)
-    inverse = number("inverse", 1 / (1 + square))
-    scale = number("scale", inverse / 2)
-    let("q", sp.Matrix([*(scale * k), (1 - square) * inverse]))
-    return program
+        coning += a.let(f"left{j}", sum(left, sp.zeros(3, 1))).cross(g[j])
+    coning = a.let("coning", coning)
+    corrected = a.let("corrected", gamma + coning)
+    LAST_STAGES[stage](a, Sums(gamma, coning, corrected))
+    return a.program
+
+
+def run_program(program: Program, increments: FloatArray) -> FloatArray:
+    """Carry out a program in double precision.
+
+    Parameters
+    ----------
+    program : list
+        Of `step_program`.
+    increments : ndarray, shape (..., window, 3)
+        g0, g1, ... in rad.
+
+    Returns
+    -------
+    ndarray, shape (..., 4)
+        The last four values: the quaternion of the step.
+    """
+    values = {
+        symbol: increments[..., i, j]
+        for i in range(increments.shape[-2])
+        for j, symbol in enumerate(vector(f"g{i}"))
+    }
+    for symbol, expression in program:
+        used = list(expression.free_symbols)
+        values[symbol] = sp.lambdify(used, expression)(*(values[name] for name in used))
+    return np.stack([values[symbol] for symbol, _ in program[-4:]], axis=-1)
 
 
 def operations(program: Program) -> dict[str, int]:

@@ -35,11 +35,21 @@ def picard_iterate(k: Series, rate: Series) -> Series:
 def exact_step_vector(rate: Series) -> Series:
     """Series of the true k over a step of length h, to the order of `rate`.
 
-    Each of Picard's iterates has one more true coefficient than the one before.
+    From the linear equation of the quaternion, and so without Picard's iteration: each power of
+    2 dq/dt = q∘rate gives the next coefficient of q, and k = -v/(1 + s) of its vector and scalar
+    part.
     """
-    k = [sp.zeros(3, 1)]
-    for length in range(2, len(rate) + 1):
-        k = picard_iterate([*k, sp.zeros(3, 1)], rate[:length])
+    vector, scalar = [sp.zeros(3, 1)], [sp.Integer(1)]
+    for n in range(len(rate) - 1):
+        parts = [(vector[i], scalar[i], rate[n - i]) for i in range(n + 1)]
+        growth = sum((s * w + v.cross(w) for v, s, w in parts), sp.zeros(3, 1))
+        vector.append((growth / (2 * (n + 1))).applyfunc(sp.expand))
+        loss = sum(v.dot(w) for v, _, w in parts)
+        scalar.append(sp.expand(-loss / (2 * (n + 1))))
+    k: Series = []
+    for n, v in enumerate(vector):
+        known = sum((k[i] * scalar[n - i] for i in range(n)), sp.zeros(3, 1))
+        k.append((-(v + known) / 2).applyfunc(sp.expand))
     return k
 
 
@@ -58,21 +68,22 @@ def algorithm_step_vector(algorithm: Algorithm, rate: Series) -> Series:
             for (i, j), weight in algorithm.coning.items()
         ]
     )
-    if algorithm.iterate == "first":
+    if algorithm.last_stage == "first iterate":
         return _sum([(-sp.Rational(1, 4), gamma)])
-    if algorithm.iterate == "rotation vector":
-        return _vector_of_rotation(_sum([(1, gamma), (1, coning)]))
+    if algorithm.last_stage == "rotation vector":
+        return vector_of_rotation(_sum([(1, gamma), (1, coning)]))
+    corrected = _sum([(1, gamma), (1, coning)])
+    cubed = corrected if algorithm.last_stage == "tangent" else gamma
     terms = [
-        (-sp.Rational(1, 4), gamma),
-        (-sp.Rational(1, 4), coning),
-        (-sp.Rational(1, 192), _scaled(_dot(gamma, gamma), gamma)),
+        (-sp.Rational(1, 4), corrected),
+        (-sp.Rational(1, 192), _scaled(_dot(cubed, cubed), cubed)),
     ]
-    if algorithm.iterate == "second":
+    if algorithm.last_stage == "second iterate":
         terms.append((-sp.Rational(1, 32), _cross(gamma, coning)))
     return _sum(terms)
 
 
-def _vector_of_rotation(phi: Series) -> Series:
+def vector_of_rotation(phi: Series) -> Series:
     """-tan(phi/4) e as a series, with as many terms of the tangent as the order asks for."""
     x = sp.Symbol("x")
     # tan(x)/x has even powers of x only; x = |phi|/4 begins with the first power of h.

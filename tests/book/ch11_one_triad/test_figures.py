@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, strategies as st
 from scipy.constants import arcsecond
 
-from driftlab.attitude.coning_algorithms import coning_drift
+from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.ch11_one_triad import experiments as capstone
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.calibration.simulation import TableTrial

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 from scipy.constants import arcminute, arcsecond
 
-from driftlab.attitude.coning_algorithms import coning_drift
+from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.scenarios import ship_manoeuvre
 from driftlab.calibration.simulation import TableTrial
 from driftlab.drift.systematic_drift import drift_per_turn

@@ -9,16 +9,24 @@ x = sp.Symbol("x")
 G1, G2 = np.array([0.3, -0.1, 0.4]), np.array([0.35, 0.15, 0.25])
 
 
-def step(coning, *, k_factor=1 / 4, cubic=1 / 192):
-    """Quaternion of the step by hand, from a coning correction, scalar last."""
-    gamma = G1 + G2
-    k = -k_factor * (gamma + coning) - cubic * (gamma @ gamma) * gamma
+def quaternion(k):
     return np.array([*(-2 * k), 1 - k @ k]) / (1 + k @ k)
 
 
-def by_half_angle():
+def step(coning):
+    """Quaternion of the step by hand, from a coning correction, scalar last."""
+    f = G1 + G2 + coning
+    return quaternion(-(1 / 4 + f @ f / 192) * f)
+
+
+def with_the_cube_of_the_sum():
     gamma, coning = G1 + G2, 2 / 3 * np.cross(G1, G2)
-    k = -(gamma + coning) / 4 - (gamma @ gamma) * gamma / 192
+    return quaternion(-(gamma + coning) / 4 - (gamma @ gamma) * gamma / 192)
+
+
+def by_half_angle():
+    f = G1 + G2 + 2 / 3 * np.cross(G1, G2)
+    k = -(1 / 4 + f @ f / 192) * f
     return np.array([*-k, 1]) / np.sqrt(1 + k @ k)
 
 
@@ -65,6 +73,7 @@ WRONG = {
         (step(2 / 3 * np.cross(G2, G1)), "factors exchanged"),
         (by_half_angle(), "quarter of the angle"),
         (step(np.zeros(3)), "cross product is missing"),
+        (with_the_cube_of_the_sum(), "takes the corrected sum"),
         (
             multiply(from_rotation_vector(G2), from_rotation_vector(G1)),
             "the first of the two has to stand on the left",

@@ -6,7 +6,8 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.attitude.cayley import rotation_quaternion
-from driftlab.attitude.coning_algorithms import ALGORITHMS, Algorithm, coning_drift
+from driftlab.attitude.coning_algorithms import ALGORITHMS, Algorithm, LastStage
+from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.integration import step_quaternions, step_vectors
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
 from driftlab.checks import FloatArray
@@ -65,8 +66,8 @@ def _miller() -> list[float]:
     return [weights[pair] for pair in ((0, 1), (0, 2), (1, 2))]
 
 
-def _step(weight: float = 2 / 3) -> FloatArray:
-    algorithm = Algorithm("two halves", 2, 0, {(0, 1): weight}, "third", 4)
+def _step(weight: float = 2 / 3, last_stage: LastStage = "tangent") -> FloatArray:
+    algorithm = Algorithm("two halves", 2, 0, {(0, 1): weight}, last_stage, 4)
     return step_quaternions(HALVES, algorithm)[0]
 
 
@@ -186,6 +187,9 @@ EXERCISES: dict[str, Exercise] = {
                 lambda: rotation_quaternion(step_vectors(HALVES, "two-step-4")[0], 3)
             ),
             "This is the opposite rotation: k points against the axis.": lambda: conjugate(_step()),
+            "The cubic term is that of the sum. `two-step-4` takes the corrected sum for it.": (
+                lambda: _step(last_stage="third iterate")
+            ),
             "This is what `two-step-3` gives: the shorter formula is the better one.": (
                 lambda: step_quaternions(HALVES, "two-step-3")[0]
             ),

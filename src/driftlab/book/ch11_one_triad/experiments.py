@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import arcsecond
 
-from driftlab.attitude.coning_algorithms import coning_drift
+from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.body_frames import misalignment_vector
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, ship_manoeuvre
 from driftlab.calibration.simulation import TableTrial

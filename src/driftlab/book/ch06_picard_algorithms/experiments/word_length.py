@@ -1,103 +1,122 @@
-"""What a word of 32 bits does to the quaternion of a step, and to an attitude of many steps."""
+"""What a word of 32 bits does to an attitude of many steps, on three motions."""
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 from scipy.constants import day
 
-from driftlab.attitude.finite_precision import UPDATES, Update, integrate_in_word, step_in_word
+from driftlab.attitude.finite_precision import UPDATES, integrate_in_word
+from driftlab.attitude.integration import integrate
 from driftlab.checks import FloatArray
-from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
+from driftlab.motion.profiles import Motion
+from driftlab.quaternion import conjugate, multiply, rotation_angle
+
+from .algorithms import SHIP
+from .coning import BRACKET
 
 EARTH_RATE = 2 * np.pi / (day * 365.2422 / 366.2422)
 """Rate of the Earth against the stars, rad/s: one turn more in a year than there are days."""
 AXIS = np.array([0.6, 0.0, 0.8])
-"""Of all turns, in the body."""
-EARTH_SECONDS = 1.0
-"""How long the body stands on the Earth, s."""
-EARTH_SAMPLE_RATES: FloatArray = np.array([10.0, 30, 100, 300, 1000, 3000, 10000])
-"""Sample rates on the Earth, Hz."""
-NORM_STEPS = 2000
-"""Steps after which the norm is computed."""
-NORM_ANGLES: FloatArray = np.geomspace(1e-4, 0.1, 7)
-"""Angles of these steps, rad."""
-STARTS = 16
+"""Of the steady turn, in the body."""
+WORD_MOTIONS: Mapping[str, Motion | None] = MappingProxyType(
+    {"cone of 1°, 5 Hz": BRACKET, "ship, roll 30°, 0.5 Hz": SHIP, "steady turn": None}
+)
+"""Motions by name; None stands for equal steps about `AXIS`."""
+
+
+class Arithmetic(NamedTuple):
+    """How a processor adds products, and what is done with the length."""
+
+    fused: bool
+    normalise: bool
+
+
+ARITHMETICS: Mapping[str, Arithmetic] = MappingProxyType(
+    {
+        "rounded": Arithmetic(fused=False, normalise=False),
+        "rounded, normalised": Arithmetic(fused=False, normalise=True),
+        "fused": Arithmetic(fused=True, normalise=False),
+        "fused, normalised": Arithmetic(fused=True, normalise=True),
+    }
+)
+"""Kinds of arithmetic by name: each product and each sum rounded, or fused multiply-add; the length
+mended after each step, or not."""
+WORD_STEPS = 2000
+"""Steps after which the attitude is compared."""
+STEP_ANGLES: FloatArray = np.geomspace(1e-6, 1e-2, 13)
+"""Wanted angles of a step, rms over the run, rad."""
+STORED_AS_ONE = float(np.sqrt(8 * np.finfo(np.float32).epsneg / 2))
+"""Angle of a step, in rad, below which a word of 32 bits stores the scalar part cos(angle/2) as 1:
+where angle²/8 is half of its last digit."""
+WORD_STARTS = 16
 """Attitudes at the start, over which the errors are averaged."""
-ANGLES: FloatArray = np.geomspace(1e-6, 1.0, 61)
-"""Angles of a single step, rad."""
 
 
 class ShortWord(NamedTuple):
-    """Errors of arithmetic in float32, by update in the order of `UPDATES`.
+    """Errors of attitude by arithmetic in float32.
 
     Attributes
     ----------
-    angles : ndarray, shape (m,)
-        Angle of one step, rad.
-    subtracted, carried : ndarray, shape (m,)
-        Relative errors of 1 - l0 of the step: subtracted from the stored l0, computed by itself.
-    rates : ndarray, shape (n,)
-        Sample rates, Hz.
-    earth : ndarray, shape (update, n)
-        Error of attitude after `EARTH_SECONDS` on the Earth, rms over the starts, rad.
-    step_angles : ndarray, shape (p,)
-        Angles of the steps whose norm is looked at, rad.
-    norms : ndarray, shape (update, p)
-        Change of the norm over `NORM_STEPS` steps, rms over the starts.
+    angles : ndarray, shape (motion, m)
+        Angle of a step, rms over the run, rad; motions in the order of `WORD_MOTIONS`.
+    errors : ndarray, shape (arithmetic, motion, update, m)
+        Error of the attitude after `WORD_STEPS` steps, its length divided out, rms over the starts,
+        rad; in the orders of `ARITHMETICS`, `WORD_MOTIONS` and `UPDATES`.
+    stretched : ndarray, shape (motion, update, m)
+        Relative error of the quaternion's length, rms over the starts, without mending.
     """
 
     angles: FloatArray
-    subtracted: FloatArray
-    carried: FloatArray
-    rates: FloatArray
-    earth: FloatArray
-    step_angles: FloatArray
-    norms: FloatArray
+    errors: FloatArray
+    stretched: FloatArray
 
 
 def short_word_errors(seed: int = 2014) -> ShortWord:
-    """Compute the errors of one step, of a body on the turning Earth, and of a fast one's norm."""
-    k = -np.tan(ANGLES[:, np.newaxis] / 4) * AXIS
-    step = step_in_word(k.astype(np.float32)).astype(np.float64)
-    true = 2 * np.sin(ANGLES / 4) ** 2
+    """Integrate the three motions at many sample rates, in 32 bits and in 64.
+
+    Parameters
+    ----------
+    seed : int
+        Of the attitudes at the start.
+    """
     # Four normal deviates have no preferred direction: uniform over all rotations.
-    starts = np.random.default_rng(seed).normal(size=(STARTS, 4))
+    starts = np.random.default_rng(seed).normal(size=(WORD_STARTS, 4))
     starts /= np.linalg.norm(starts, axis=-1, keepdims=True)
     # Attitudes that the word can hold, so that what is measured is the arithmetic alone.
     starts = starts.astype(np.float32).astype(np.float64)
-    return ShortWord(
-        ANGLES,
-        np.abs(1 - step[:, 3] - true) / true,
-        np.abs(step[:, 4] - true) / true,
-        EARTH_SAMPLE_RATES,
-        np.array([
-            [_earth_error(starts, rate, update) for rate in EARTH_SAMPLE_RATES]
-            for update in UPDATES
-        ]),
-        NORM_ANGLES,
-        np.array([[_norm_error(starts, x, update) for x in NORM_ANGLES] for update in UPDATES]),
-    )  # fmt: skip
+    shape = (len(WORD_MOTIONS), len(UPDATES), len(STEP_ANGLES))
+    angles = np.empty((len(WORD_MOTIONS), len(STEP_ANGLES)))
+    errors, stretched = np.empty((len(ARITHMETICS), *shape)), np.empty(shape)
+    for j, motion in enumerate(WORD_MOTIONS.values()):
+        # The same holds for the increments.
+        runs = np.stack([_increments(motion, float(angle)) for angle in STEP_ANGLES])
+        runs = runs.astype(np.float32).astype(np.float64)
+        steps = runs[:, 0::2] + runs[:, 1::2]
+        angles[j] = np.sqrt((steps**2).sum(axis=-1).mean(axis=-1))
+        runs = runs[:, np.newaxis]
+        true = integrate(runs, start=starts)[..., -1, :]
+        for i, arithmetic in enumerate(ARITHMETICS.values()):
+            for u, update in enumerate(UPDATES):
+                end = integrate_in_word(runs, start=starts, update=update, **arithmetic._asdict())[
+                    ..., -1, :
+                ]
+                # Its angle does not depend on the length of the quaternion.
+                wrong = rotation_angle(multiply(conjugate(true), end.astype(np.float64)))
+                errors[i, j, u] = np.sqrt(np.mean(wrong**2, axis=-1))
+                if not arithmetic.fused and not arithmetic.normalise:
+                    length = np.linalg.norm(end.astype(np.float64), axis=-1)
+                    change = length / np.linalg.norm(starts, axis=-1) - 1
+                    stretched[j, u] = np.sqrt(np.mean(change**2, axis=-1))
+    return ShortWord(angles, errors, stretched)
 
 
-def _earth_error(starts: FloatArray, rate: float, update: Update) -> float:
-    steps = round(EARTH_SECONDS * rate)
-    found = _end(starts, EARTH_RATE / rate, steps, update)
-    true = multiply(starts, from_rotation_vector(EARTH_RATE * steps / rate * AXIS))
-    return _rms(rotation_angle(multiply(conjugate(true), found)))
-
-
-def _norm_error(starts: FloatArray, angle: float, update: Update) -> float:
-    found = _end(starts, angle, NORM_STEPS, update)
-    return _rms(np.linalg.norm(found, axis=-1) / np.linalg.norm(starts, axis=-1) - 1)
-
-
-def _end(starts: FloatArray, angle: float, steps: int, update: Update) -> FloatArray:
-    """Last attitude (STARTS, 4) after equal steps by `angle` in rad."""
-    # Picard's third iterate; about a fixed axis it has no other error than that of its series.
-    increments = np.tile(angle / 2 * AXIS, (2 * steps, 1))
-    found = integrate_in_word(increments, "two-step-4", start=starts, update=update)[:, -1]
-    return found.astype(np.float64)
-
-
-def _rms(values: FloatArray) -> float:
-    return float(np.sqrt(np.mean(values**2)))
+def _increments(motion: Motion | None, step_angle: float) -> FloatArray:
+    """Two increments a step (2 * WORD_STEPS, 3), at the sample rate that makes such steps."""
+    count = 2 * WORD_STEPS
+    if motion is None:
+        return np.tile(step_angle / 2 * AXIS, (count, 1))
+    typical = motion.rate(np.linspace(0, 20, 20_001))
+    rms = np.sqrt((typical**2).sum(axis=-1).mean())
+    return motion.increments(float(step_angle / 2 / rms), count)

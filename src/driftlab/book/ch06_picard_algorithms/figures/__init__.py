@@ -3,7 +3,7 @@
 from driftlab.book.machinery.publish import FigureDefinition
 
 from .. import experiments
-from . import algorithm_orders, coning_area, coning_drift, short_word
+from . import algorithm_orders, coning_area, coning_drift, last_stages, short_word
 
 FIGURES = (
     FigureDefinition(
@@ -39,7 +39,19 @@ FIGURES = (
         coning_drift.columns,
         lambda _: (
             "Apparent drift of a body that does not turn on the whole: dots measured over "
-            f"{experiments.DRIFT_STEPS} steps, lines by the closed formula for small cones."
+            f"{experiments.DRIFT_STEPS} steps, lines from a single step."
+        ),
+    ),
+    FigureDefinition(
+        "06-last-stages",
+        experiments.last_stage_errors,
+        last_stages.draw,
+        last_stages.columns,
+        lambda data: (
+            "Six ways from the corrected sum of two increments to a quaternion. Left: drift on a "
+            f"cone that is sampled {data.samples_a_round} times a round. Middle: error of one step "
+            "about a fixed axis; the rotation vector has none but rounding. Right: operations of a "
+            "step, a sine counted as one."
         ),
     ),
     FigureDefinition(
@@ -48,10 +60,11 @@ FIGURES = (
         short_word.draw,
         short_word.columns,
         lambda _: (
-            "Arithmetic in 32 bits. Left: 1 - λ0 of one step. Middle: a body stands on the turning "
-            "Earth and λ0 is stored as 1; carrying 1 - λ0 does as adding the small terms first "
-            "does, and a compensated sum far better. Right: at larger steps 1 - λ0 keeps the norm. "
-            f"Root mean square of {experiments.STARTS} attitudes."
+            "Arithmetic in 32 bits: error of the attitude after "
+            f"{experiments.WORD_STEPS} steps, its length divided out, by the angle of a step. "
+            "With 1 - λ0 the error is nowhere much larger than with λ0, and ten times smaller and "
+            "more where λ0 differs from 1 in the word, right of the dotted line. A compensated sum "
+            f"is better still. Root mean square of {experiments.WORD_STARTS} attitudes."
         ),
     ),
 )

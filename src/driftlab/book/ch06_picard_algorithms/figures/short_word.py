@@ -1,4 +1,4 @@
-"""What a word of 32 bits does to the quaternion of a step, and to an attitude of many steps."""
+"""What a word of 32 bits does to an attitude of many steps, on three motions."""
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -8,60 +8,63 @@ from driftlab.attitude.finite_precision import UPDATES
 from driftlab.book.machinery.picture import GREY, SERIES, in_style, long_table
 from driftlab.checks import FloatArray
 
-from ..experiments import EARTH_RATE, EARTH_SECONDS, NORM_STEPS, ShortWord
+from ..experiments import ARITHMETICS, STORED_AS_ONE, WORD_MOTIONS, WORD_STEPS, ShortWord
 
 LABELS = (
     r"product with $\lambda_0$",
     "small terms first",
-    r"sum, with $1-\lambda_0$",
-    "compensated",
+    r"sum, with $1-\lambda_0$ (the paper's advice)",
+    "compensated sum",
 )
 STYLES = tuple(
-    {**style, "marker": marker, "markersize": 5}
+    {**style, "marker": marker, "markersize": 4}
     for style, marker in zip((SERIES[1], SERIES[3], SERIES[0], SERIES[2]), "sDov", strict=True)
 )
+DRAWN = {"rounded": "each product and sum rounded", "fused, normalised": "fused, and normalised"}
+"""The two of `ARITHMETICS` that differ most, with their titles."""
+PAPERS_STEP = 2e-5
+"""Angle of a step, in rad, whose vector part is 1e-5: the paper speaks of that and less."""
 
 
 def columns(data: ShortWord) -> dict[str, FloatArray]:
     """Columns of the figure's CSV."""
-    curves = {
-        "1-l0 subtracted, over rad": (data.angles, data.subtracted),
-        "1-l0 carried, over rad": (data.angles, data.carried),
-    }
-    for i, update in enumerate(UPDATES):
-        curves[f"earth {update}, rad over Hz"] = (data.rates, data.earth[i])
-    for i, update in enumerate(UPDATES):
-        curves[f"norm {update}, over rad"] = (data.step_angles, data.norms[i])
+    curves = {}
+    for j, motion in enumerate(WORD_MOTIONS):
+        for i, arithmetic in enumerate(ARITHMETICS):
+            for u, update in enumerate(UPDATES):
+                name = f"{motion}, {arithmetic}, {update}: rad over step in rad"
+                curves[name] = (data.angles[j], data.errors[i, j, u])
+        for u, update in enumerate(UPDATES):
+            name = f"{motion}, length by {update}, over step in rad"
+            curves[name] = (data.angles[j], data.stretched[j, u])
     return long_table(curves)
 
 
 @in_style
 def draw(data: ShortWord) -> Figure:
-    """Draw the digits of 1 - l0, the error on the turning Earth, and the norm."""
-    figure = Figure(figsize=(10.5, 4.4))
-    step, earth, norm = figure.subplots(1, 3)
-    figure.subplots_adjust(0.065, 0.22, 0.985, 0.91, wspace=0.3)
-    step.set(title=r"one step: $1-\lambda_0$", xlabel="angle of the step, rad")
-    step.set(xscale="log", yscale="log", xlim=(1e-6, 1), ylim=(1e-10, 10))
-    step.set_ylabel("relative error")
-    earth.set(title=f"{EARTH_SECONDS:g} s on the turning Earth", xlabel="sample rate, Hz")
-    earth.set(xscale="log", yscale="log", xlim=(8, 12500), ylim=(1e-3, 100))
-    earth.set(ylabel="error of attitude, arc seconds")
-    norm.set(title=f"norm after {NORM_STEPS} steps", xlabel="angle of the step, rad")
-    norm.set(xscale="log", yscale="log", xlim=(7e-5, 0.14), ylim=(1e-9, 1e-2))
-    norm.set(ylabel="relative error")
-    turn = EARTH_RATE * EARTH_SECONDS / arcsecond
-    step.plot(data.angles, data.subtracted, **SERIES[1], label=r"$\lambda_0$ stored, subtracted")
-    # No error at all has no place on a logarithmic axis.
-    carried = np.where(data.carried > 0, data.carried, np.nan)
-    step.plot(data.angles, carried, **SERIES[0], label="computed by itself")
-    step.legend(loc="lower left", bbox_to_anchor=(0.0, 0.3))
-    earth.axhline(turn, color=GREY, linewidth=4, alpha=0.5)
-    earth.text(9, 1.4 * turn, "what the Earth has turned", va="bottom")
-    for style, error in zip(STYLES, data.earth, strict=True):
-        earth.plot(data.rates, error / arcsecond, **style)
-    for style, label, error in zip(STYLES, LABELS, data.norms, strict=True):
-        norm.plot(data.step_angles, error, **style, label=label)
-    handles, labels = norm.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncols=4, bbox_to_anchor=(0.66, 0))
+    """Draw the error of attitude over the angle of a step."""
+    figure = Figure(figsize=(10.5, 6.6))
+    panels = figure.subplots(2, 3, sharex=True, sharey=True)
+    figure.subplots_adjust(0.09, 0.14, 0.985, 0.95, wspace=0.06, hspace=0.16)
+    names = list(ARITHMETICS)
+    for number, (arithmetic, title) in enumerate(DRAWN.items()):
+        row = panels[number]
+        for j, (panel, motion) in enumerate(zip(row, WORD_MOTIONS, strict=True)):
+            panel.set(title="" if number else motion, xscale="log", yscale="log")
+            panel.set(xlim=(7e-7, 1.4e-2), ylim=(1e-3, 1e2))
+            panel.axvspan(7e-7, PAPERS_STEP, color=GREY, alpha=0.15)
+            panel.axvline(STORED_AS_ONE, color=GREY, linestyle=":", linewidth=1.2)
+            for u, (style, label) in enumerate(zip(STYLES, LABELS, strict=True)):
+                error = data.errors[names.index(arithmetic), j, u]
+                # No error at all has no place on a logarithmic axis.
+                shown = np.where(error > 0, error / arcsecond, np.nan)
+                panel.plot(data.angles[j], shown, **style, label=label)
+        row[0].set(ylabel=f"{title}:\nerror after {WORD_STEPS} steps, arc seconds")
+    for panel in panels[1]:
+        panel.set(xlabel="angle of a step, rad")
+    first = panels[0, 0]
+    first.text(8e-7, 1.3e-3, "the paper's\nsteps", va="bottom", fontsize=8)
+    first.text(1.15 * STORED_AS_ONE, 1.3e-3, r"$\lambda_0$ stored as 1" "\nto the left", fontsize=8)
+    handles, labels = first.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="lower center", ncols=4)
     return figure

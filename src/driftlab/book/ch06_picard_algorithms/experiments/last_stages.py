@@ -1,0 +1,102 @@
+"""Last stages of an algorithm side by side: what each errs, and what it costs.
+
+All begin with the same two increments and the same coning correction. What is measured is carried
+out by the programs whose operations are counted.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.drift_on_cones import step_drift
+from driftlab.checks import FloatArray
+from driftlab.core.coning import cone_increments
+from driftlab.symbolic import operations, run_program, step_program
+
+PAIR = ALGORITHMS["two-step-4"]
+"""The increments and the coning correction that all last stages start from."""
+COMPARED_STAGES = (
+    "third iterate",
+    "tangent",
+    "tangent, dimension 3",
+    "series",
+    "series, normalised",
+    "rotation vector",
+)
+"""Of `driftlab.symbolic.LAST_STAGES`, those of fourth order."""
+SAMPLES_A_ROUND = 24
+HALF_ANGLES: FloatArray = np.radians(np.geomspace(1.0, 90.0, 25))
+"""Of the cones, rad."""
+STEP_ANGLES: FloatArray = np.geomspace(0.02, 1.0, 18)
+"""Of steps about a fixed axis, rad."""
+
+
+class LastStageErrors(NamedTuple):
+    """Errors and costs, by last stage in the order of `COMPARED_STAGES`.
+
+    Attributes
+    ----------
+    samples_a_round : int
+        Increments while the cone goes round once.
+    half_angles : ndarray, shape (m,)
+        Of the cones, rad.
+    drifts : ndarray, shape (stage, m)
+        Drift in one round of the cone, rad.
+    step_angles : ndarray, shape (n,)
+        rad.
+    fixed_axis : ndarray, shape (stage, n)
+        Error of the angle of one such step about a fixed axis, rad.
+    stretched : ndarray, shape (stage, n)
+        Length of that step's quaternion, less one.
+    costs : tuple of int
+        Operations of a step.
+    """
+
+    samples_a_round: int
+    half_angles: FloatArray
+    drifts: FloatArray
+    step_angles: FloatArray
+    fixed_axis: FloatArray
+    stretched: FloatArray
+    costs: tuple[int, ...]
+
+
+def last_stage_errors() -> LastStageErrors:
+    """Try the last stages on cones of all widths and about a fixed axis, and count operations."""
+    drifts, fixed_axis, stretched = [], [], []
+    halves = STEP_ANGLES[:, np.newaxis, np.newaxis] / 2 * np.array([[0.0, 0, 1], [0, 0, 1]])
+    for stage in COMPARED_STAGES:
+        drifts.append(stage_drift(stage, HALF_ANGLES, SAMPLES_A_ROUND))
+        step = run_program(step_program(PAIR, stage), halves)
+        fixed_axis.append(2 * np.arctan2(step[:, 2], step[:, 3]) - STEP_ANGLES)
+        stretched.append(np.linalg.norm(step, axis=-1) - 1)
+    return LastStageErrors(
+        SAMPLES_A_ROUND,
+        HALF_ANGLES,
+        np.array(drifts),
+        STEP_ANGLES,
+        np.array(fixed_axis),
+        np.array(stretched),
+        tuple(sum(operations(step_program(PAIR, stage)).values()) for stage in COMPARED_STAGES),
+    )
+
+
+def stage_drift(stage: str, half_angles: FloatArray, samples_a_round: int) -> FloatArray:
+    """Drift (...) in one round of cones of given half angles (...), rad.
+
+    Parameters
+    ----------
+    stage : str
+        One of `driftlab.symbolic.LAST_STAGES`.
+    half_angles : ndarray, shape (...)
+        rad.
+    samples_a_round : int
+    """
+    sample = np.asarray(2 * np.pi / samples_a_round)
+    middle = sample * (np.arange(PAIR.samples) + 0.5)
+    increments = cone_increments(half_angles[..., np.newaxis], sample, middle)
+    step = run_program(step_program(PAIR, stage), increments)
+    step /= np.linalg.norm(step, axis=-1, keepdims=True)
+    steps = samples_a_round / PAIR.samples
+    return steps * step_drift(step, half_angles, np.asarray(PAIR.samples * sample))

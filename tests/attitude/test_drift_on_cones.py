@@ -1,0 +1,189 @@
+"""Drift on a cone from one step: against many, the narrow cone's formula, fifty digits."""
+
+import mpmath
+import numpy as np
+import pytest
+
+from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.drift_on_cones import coning_drift, step_drift
+from driftlab.attitude.integration import integrate
+from driftlab.motion.profiles import Coning
+from driftlab.quaternion import conjugate, from_rotation_vector, multiply, to_rotation_vector
+from support import EPS, order_of
+
+every_algorithm = pytest.mark.parametrize("name", ALGORITHMS)
+# Increments in so many turns: the cone goes round by 0.05 to 1.5 between two, all multiples of 2
+# and 3.
+RHYTHMS = [(120, 1), (60, 1), (24, 1), (12, 1), (6, 1), (30, 7)]
+
+
+def measured_drift(name, half_angle, count, turns):
+    """Drift about the axis of the cone, rad/s, over whole turns at 1 Hz."""
+    chosen, motion = ALGORITHMS[name], Coning(half_angle, 1)
+    rows = motion.increments(turns / count, count)
+    # The motion is periodic: what was before the first increment is like the last.
+    history = rows[-chosen.memory :] if chosen.memory else None
+    end = integrate(rows, name, start=motion.attitude(0), history=history)[-1]
+    # After whole turns the body is back, and all that the computed attitude has turned is error.
+    error = to_rotation_vector(multiply(end, conjugate(motion.attitude(0))))
+    return np.copysign(np.linalg.norm(error), error[2]) / turns
+
+
+def narrow_drift(name, half_angle, x):
+    """Drift of a step, rad, to the second power of the half angle, and without rounding."""
+    chosen = ALGORITHMS[name]
+    with mpmath.workdps(50):
+        x = mpmath.mpf(x)
+        step = chosen.samples * x
+        estimate = sum(
+            mpmath.mpf(weight) * 4 * mpmath.sin(x / 2) ** 2 * mpmath.sin((j - i) * x)
+            for (i, j), weight in chosen.coning.items()
+        )
+        return float(mpmath.sin(half_angle) ** 2 * (estimate - (step - mpmath.sin(step)) / 2))
+
+
+@every_algorithm
+@pytest.mark.parametrize(("count", "turns"), RHYTHMS)
+@pytest.mark.parametrize("degrees", [1.0, 20.0, 60.0, 90.0])
+def test_one_step_tells_the_drift_of_many(name, count, turns, degrees):
+    half_angle = np.radians(degrees)
+    expected = coning_drift(name, half_angle, 1, turns / count)
+    # Some eps a step; half a turn or more of drift cannot be told from what is left of it.
+    bound = 16 * EPS * count
+    if abs(expected) * turns < np.pi:
+        measured = measured_drift(name, half_angle, count, turns)
+        assert measured == pytest.approx(expected, rel=1e-9, abs=bound)
+
+
+@every_algorithm
+@pytest.mark.parametrize("x", [0.05, 0.2, 0.5, 1.5])
+def test_on_a_narrow_cone_it_is_the_closed_formula(name, x):
+    """What the formula leaves out is of the fourth power of the half angle."""
+
+    def rest(size):
+        half_angle = 8 * size  # from 7 degrees to half a degree
+        drift = coning_drift(name, half_angle, x / (2 * np.pi), 1.0) * ALGORITHMS[name].samples
+        return abs(drift - narrow_drift(name, half_angle, x))
+
+    if rest(1 / 64) > 1e5 * EPS:  # else rounding hides the power
+        assert order_of(rest) == pytest.approx(4, abs=0.2)
+    # Relative to the uncorrected drift, X^3/12 of a step, it is of the second power.
+    step = ALGORITHMS[name].samples * x
+    assert rest(0.001 / 8) < 1e-3**4 * step**3 + 16 * EPS
+
+
+def quaternion_product(p, q):
+    (a, b, c, d), (e, f, g, h) = p, q
+    return (
+        d * e + h * a + b * g - c * f,
+        d * f + h * b + c * e - a * g,
+        d * g + h * c + a * f - b * e,
+        d * h - a * e - b * f - c * g,
+    )
+
+
+def drift_in_fifty_digits(name, half_angle, x):
+    """Drift of a step, rad: the same thought, with another arithmetic."""
+    chosen = ALGORITHMS[name]
+    with mpmath.workdps(50):
+        a, x = mpmath.mpf(half_angle), mpmath.mpf(x)
+
+        def increment(i):
+            # The integral of the rate between two phases.
+            begin, end = (i - chosen.memory) * x, (i + 1 - chosen.memory) * x
+            return mpmath.matrix([
+                mpmath.sin(a) * (mpmath.cos(end) - mpmath.cos(begin)),
+                mpmath.sin(a) * (mpmath.sin(end) - mpmath.sin(begin)),
+                -(1 - mpmath.cos(a)) * x,
+            ])  # fmt: skip
+
+        def cross(u, v):
+            return mpmath.matrix([
+                u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
+            ])  # fmt: skip
+
+        rows = [increment(i) for i in range(chosen.window)]
+        gamma = sum(rows[chosen.memory :], mpmath.matrix(3, 1))
+        coning = mpmath.matrix(3, 1)
+        for (i, j), weight in chosen.coning.items():
+            coning += mpmath.mpf(weight) * cross(rows[i], rows[j])
+        f = gamma + coning
+        if chosen.last_stage == "rotation vector":
+            angle = mpmath.norm(f)
+            q = [*(f * mpmath.sin(angle / 2) / angle), mpmath.cos(angle / 2)]
+        else:
+            cubic = mpmath.norm(gamma) ** 2 * gamma / 192
+            k = {
+                "first iterate": -gamma / 4,
+                "second iterate": -f / 4 - cubic - cross(gamma, coning) / 32,
+                "tangent": -f / 4 - mpmath.norm(f) ** 2 * f / 192,
+            }[chosen.last_stage]
+            square = mpmath.norm(k) ** 2
+            q = [*(-2 * k / (1 + square)), (1 - square) / (1 + square)]
+        half = chosen.samples * x / 2
+        turned = quaternion_product(q, (0, 0, mpmath.sin(half), mpmath.cos(half)))
+        length = mpmath.sqrt(sum(entry**2 for entry in turned[:3]))
+        return float(2 * mpmath.atan2(length, turned[3]) - 2 * half)
+
+
+@every_algorithm
+@pytest.mark.parametrize("x", [1e-3, 0.05, 0.3])
+@pytest.mark.parametrize("half_angle", [1e-4, 0.02, 1.0])
+def test_rounding_leaves_some_eps_a_step(name, half_angle, x):
+    a_step = coning_drift(name, half_angle, x / (2 * np.pi), 1.0) * ALGORITHMS[name].samples
+    expected = drift_in_fifty_digits(name, half_angle, x)
+    assert a_step == pytest.approx(expected, rel=1e-12, abs=8 * EPS)
+
+
+@every_algorithm
+def test_drift_turns_with_the_coning_and_vanishes_without(name):
+    there, back = coning_drift(name, 0.1, [3, -3], 0.01)
+    assert there == pytest.approx(-back, rel=1e-9)
+    assert there != 0
+    # Nothing but rounding is left of a cone without width, or one that stands still.
+    for half_angle, frequency in ((0, 3), (0.1, 0)):
+        assert abs(coning_drift(name, half_angle, frequency, 0.01)) <= 8 * EPS / 0.01
+
+
+@every_algorithm
+def test_drift_depends_on_the_angle_per_interval(name):
+    """Twice as fast in half the time: a drift twice as fast."""
+    slow, fast = coning_drift(name, 0.1, [1, 2], [0.1, 0.05])
+    np.testing.assert_allclose(fast, 2 * slow, rtol=8 * EPS)
+
+
+@pytest.mark.parametrize("half_angle", [0.02, 1.0, 3.0])
+@pytest.mark.parametrize("step_angle", [-2.5, 0.1, 2.0, 3.5])
+def test_exact_step_does_not_drift_and_a_wrong_one_by_what_it_turns_too_far(half_angle, step_angle):
+    motion = Coning(half_angle, 1.0)
+    step = multiply(conjugate(motion.attitude(0)), motion.attitude(step_angle / (2 * np.pi)))
+    angles = np.array(half_angle), np.array(step_angle)
+    assert step_drift(step, *angles) == pytest.approx(0, abs=8 * EPS)
+    # An error about the cone's axis, which leans in the body by the half angle.
+    axis = np.array([0, np.sin(half_angle), np.cos(half_angle)])
+    for error in (1e-9, -0.2):
+        wrong = multiply(from_rotation_vector(error * axis), step)
+        assert step_drift(wrong, *angles) == pytest.approx(error, abs=8 * EPS)
+
+
+@pytest.mark.parametrize("interval", [0.0, -1e-3])
+def test_intervals_that_are_not_positive_are_refused(interval):
+    with pytest.raises(ValueError, match=r"^sample_interval: expected positive times, got "):
+        coning_drift("memory-4", 0.1, 1, [0.1, interval])
+
+
+def test_more_than_a_sphere_is_refused():
+    with pytest.raises(ValueError, match=r"^half_angle: expected at most pi rad, got 3\.2\.$"):
+        coning_drift("memory-4", [0.1, -3.2], 1, 0.1)
+
+
+def test_a_whole_turn_a_step_is_refused_where_k_is_infinite():
+    words = "^half_angle, frequency, sample_interval: expected less than a whole turn a step, "
+    with pytest.raises(ValueError, match=words):
+        coning_drift("two-step-4", 2.0, 1.0, [0.1, 0.6])
+    assert np.isfinite(coning_drift("rotation-vector-2", 2.0, 1.0, 0.6))
+
+
+def test_unknown_algorithm_is_refused():
+    with pytest.raises(ValueError, match=r"^algorithm: expected one of picard-1, "):
+        coning_drift("euler", 0.1, 1, 0.1)
