@@ -79,8 +79,8 @@ def range_distribution(count: int) -> Callable[[np.ndarray], np.ndarray]:
     return lambda places: np.interp(places, grid, below)
 
 
-def printed(value: float, like: str, rounding: str) -> str:
-    """A number as it would be printed with as many decimals as `like`."""
+def written(value: float, like: str, rounding: str) -> str:
+    """A number as it would be written with as many decimals as `like`."""
     return str(Decimal(float(value)).quantize(Decimal(like), rounding))
 
 

@@ -81,7 +81,7 @@ def test_the_folder_holds_the_catalogue_and_nothing_else() -> None:
     definitions = figures.figure_definitions()
     names = {f"{name}.svg" for name in definitions}
     names |= {f"{name}.csv" for name, each in definitions.items() if each.columns}
-    names |= {"04-larin-table.csv", "README.md"}
+    names |= {"04-larin-numbers.csv", "README.md"}
     assert {path.name for path in PUBLISHED.iterdir()} == names
 
 
@@ -96,12 +96,12 @@ def test_a_rebuild_writes_every_entry_the_gallery_and_larins_table(tmp_path: Pat
         "00-frames.svg",
         "05-cayley-map.svg",
         "05-cayley-map.csv",
-        "04-larin-table.csv",
+        "04-larin-numbers.csv",
         "README.md",
     }
     captions = {name: each.caption(each.compute()) for name, each in definitions.items()}
     assert (tmp_path / "README.md").read_text(encoding="utf-8") == gallery(captions)
-    for name in ("05-cayley-map.csv", "04-larin-table.csv"):
+    for name in ("05-cayley-map.csv", "04-larin-numbers.csv"):
         table = read(tmp_path / name)
         computed = {
             title: column if title in ("name", "curve") else column.astype(float)

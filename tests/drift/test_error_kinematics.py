@@ -1,4 +1,4 @@
-"""Larin, section 1: the printed matrices, the error equation, and its exact solution."""
+"""Larin, section 1: the matrices of the paper, the error equation, and its exact solution."""
 
 import mpmath
 import numpy as np
@@ -42,29 +42,29 @@ def exact_error(rate, measured_rate, time):
 
 
 @given(integer_rates)
-def test_1_1_printed_matrix(rate):
+def test_1_1_matrix_of_the_paper(rate):
     w1, w2, w3 = rate
-    printed = [[0, w3, -w2, w1], [-w3, 0, w1, w2], [w2, -w1, 0, w3], [-w1, -w2, -w3, 0]]
-    np.testing.assert_array_equal(rate_matrix(rate), printed)
+    expected = [[0, w3, -w2, w1], [-w3, 0, w1, w2], [w2, -w1, 0, w3], [-w1, -w2, -w3, 0]]
+    np.testing.assert_array_equal(rate_matrix(rate), expected)
 
 
 @given(arrays(int, 4, elements=st.integers(-1000, 1000)))
-def test_1_3_printed_matrix(attitude):
+def test_1_3_matrix_of_the_paper(attitude):
     l1, l2, l3, l0 = attitude
-    printed = [[l0, l3, -l2, -l1], [-l3, l0, l1, -l2], [l2, -l1, l0, -l3], [l1, l2, l3, l0]]
-    np.testing.assert_array_equal(error_composition_matrix(attitude), printed)
+    expected = [[l0, l3, -l2, -l1], [-l3, l0, l1, -l2], [l2, -l1, l0, -l3], [l1, l2, l3, l0]]
+    np.testing.assert_array_equal(error_composition_matrix(attitude), expected)
 
 
 @given(integer_rates, integer_rates)
-def test_1_4_printed_matrix(rate, measured_rate):
+def test_1_4_matrix_of_the_paper(rate, measured_rate):
     (w1, w2, w3), (wx, wy, wz) = rate, measured_rate
-    printed = [
+    expected = [
         [0, wz + w3, -(wy + w2), wx - w1],
         [-(wz + w3), 0, wx + w1, wy - w2],
         [wy + w2, -(wx + w1), 0, wz - w3],
         [-(wx - w1), -(wy - w2), -(wz - w3), 0],
     ]
-    np.testing.assert_array_equal(error_rate_matrix(rate, measured_rate), printed)
+    np.testing.assert_array_equal(error_rate_matrix(rate, measured_rate), expected)
 
 
 @given(quaternions(), quaternions())

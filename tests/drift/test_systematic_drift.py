@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, strategies as st
 from scipy.linalg import expm
+from scipy.spatial.transform import Rotation
 
 from driftlab.drift.characteristic_equation import (
     asymptotic_roots,
@@ -13,6 +14,7 @@ from driftlab.drift.characteristic_equation import (
     split_error_rate_matrix,
 )
 from driftlab.drift.error_kinematics import (
+    attitude_quaternion,
     error_quaternion,
     error_rate_matrix,
     error_transition_matrix,
@@ -23,7 +25,7 @@ from driftlab.drift.systematic_drift import (
     exact_drift_coefficient,
     principal_drifts,
 )
-from driftlab.quaternion import from_rotation_vector
+from driftlab.quaternion import from_rotation_vector, rotate
 from driftlab.triad import (
     measured_rate,
     non_orthogonality,
@@ -78,7 +80,7 @@ def test_singular_triad_is_refused(triad_error):
 
 @given(vectors(), vectors(), st.complex_numbers(max_magnitude=20))
 def test_2_1_is_the_determinant(rate, measured, s):
-    """det(sE - Omega_e), with two eps^T eps where the paper prints one."""
+    """det(sE - Omega_e), with two eps^T eps where the copy has one."""
     determinant = np.linalg.det(s * np.eye(4) - error_rate_matrix(rate, measured))
     # Each of the determinant's products is at most (|s| + |w| + |w_hat|)^4.
     size = (abs(s) + np.linalg.norm(rate) + np.linalg.norm(measured)) ** 4
@@ -95,12 +97,28 @@ def test_2_1_in_the_squares_of_the_two_rates(rate, measured):
     )
 
 
-def test_2_1_as_printed_lacks_one_eps_t_eps_in_one_coefficient():
+def test_2_1_in_the_copy_lacks_one_eps_t_eps_in_one_coefficient():
     rate, measured = np.array([1, 2, 3]), np.array([2, 0, 4])  # eps = [1, -2, 1]
     difference = characteristic_polynomial(rate, measured) - characteristic_polynomial(
-        rate, measured, as_printed=True
+        rate, measured, in_the_copy=True
     )
     np.testing.assert_array_equal(difference, [0, 0, 6, 0, 0])
+
+
+@pytest.mark.parametrize("axis", [RATE, [1, 0, 0], [-1, 2, 3]])
+def test_2_1_in_the_copy_has_the_roots_2_2_to_first_order(axis):
+    """The missing eps^T eps is of second order in the fast root and of third in the slow one."""
+
+    def error(size, pair):
+        measured = measured_rate(axis, size * SHAPE)
+        *_, middle, _, constant = characteristic_polynomial(axis, measured, in_the_copy=True)
+        fast = np.sqrt((middle + np.sqrt(middle**2 - 4 * constant)) / 2)
+        slow = np.sqrt(constant) / fast
+        exact = np.abs(exact_roots(axis, measured)[2 * pair].imag)
+        return np.abs((fast, slow)[pair] - exact)
+
+    orders = [order_of(lambda size, pair=pair: error(size, pair)) for pair in (0, 1)]
+    np.testing.assert_allclose(orders, [2, 3], atol=0.06)
 
 
 # Roots
@@ -183,6 +201,18 @@ def test_unknown_order_is_refused(order):
 
 
 # Drift
+
+
+def test_rate_error_is_fixed_in_the_body_and_turns_with_it():
+    """In N it goes round omega; of its sum over a turn only the part along omega is left."""
+    count = 64
+    times = 2 * np.pi / np.linalg.norm(RATE) * np.arange(count) / count
+    error = measured_rate(RATE, BENT) - RATE
+    in_fixed_frame = rotate(attitude_quaternion(RATE, times), error)
+    turned = Rotation.from_rotvec(RATE * times[:, np.newaxis]).apply(error)
+    np.testing.assert_allclose(in_fixed_frame, turned, rtol=0, atol=16 * EPS)
+    along = drift_coefficient(RATE, BENT) * RATE
+    np.testing.assert_allclose(in_fixed_frame.mean(axis=0), along, rtol=0, atol=count * EPS)
 
 
 @given(directions(), matrices(0.3))

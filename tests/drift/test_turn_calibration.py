@@ -123,9 +123,12 @@ def test_3_4_pair_axes_show_one_sigma_each(triad_error):
     np.testing.assert_allclose(
         drift_coefficient(PAIR_AXES, sigma), sigma[[0, 0, 1], [1, 2, 2]], rtol=0, atol=4 * EPS
     )
-    # (3.5) corrected: two thirds of the sum, where the paper has the sum.
+    # (3.5) with an axis of length one: two thirds of the sum, where the copy has the sum.
     total = sigma[0, 1] + sigma[0, 2] + sigma[1, 2]
     assert drift_coefficient(YATES_AXES[3], sigma) == pytest.approx(2 / 3 * total, abs=4 * EPS)
+    # With (1, 1, 1)/sqrt(2) in its place it is the sum.
+    n4 = np.ones(3) / np.sqrt(2)
+    assert n4 @ sigma @ n4 == pytest.approx(total, abs=4 * EPS)
 
 
 def test_axes_are_unit_vectors():
@@ -263,6 +266,31 @@ def test_variance_factors_one_by_weighing_three_quarters_by_least_squares():
     np.testing.assert_array_equal(np.diag(weights @ weights.T), 1)
     inverse = np.linalg.pinv(np.vstack([np.eye(3), np.ones(3)]))
     np.testing.assert_allclose(np.diag(inverse @ inverse.T), 0.75, rtol=4 * EPS)
+
+
+def test_weighing_halves_the_variance_of_three_less_an_empty_pan():
+    """What Yates made it for: four weighings on a scale with an unknown offset."""
+    weights = weighing(np.eye(4)).T
+    less_the_empty_pan = np.hstack([np.eye(3), -np.ones((3, 1))])
+    for rows in (weights, less_the_empty_pan):
+        np.testing.assert_array_equal(rows.sum(axis=1), 0)  # no offset is left
+    np.testing.assert_array_equal((less_the_empty_pan**2).sum(axis=1), 2 * (weights**2).sum(axis=1))
+    # A turn about a body axis is an empty pan: it shows no sigma.
+    np.testing.assert_allclose(drift_coefficient(np.eye(3), BENT), 0, rtol=0, atol=4 * EPS)
+
+
+def test_variance_of_the_weighing_on_larins_axes():
+    """With 3/2 of the fourth estimate 21/16; least squares with an offset leaves none, for 2."""
+    weights = weighing(np.eye(4) * [1, 1, 1, 1.5]).T
+    np.testing.assert_allclose((weights**2).sum(axis=1), 21 / 16, rtol=4 * EPS)
+    variances = np.diag(fit_turns(np.zeros(4), YATES_AXES, "common").covariance)[:3]
+    np.testing.assert_allclose(variances, 2, rtol=16 * EPS)
+
+
+@given(four_numbers)
+def test_weighing_refines_if_half_of_the_sum_exceeds_the_fourth_error(errors):
+    change = (weighing(errors) ** 2).sum() - (errors[:3] ** 2).sum()
+    assert change == pytest.approx(errors[3] ** 2 - errors.sum() ** 2 / 4, abs=16 * EPS)
 
 
 def test_whole_experiment_finds_sigma_to_second_order():

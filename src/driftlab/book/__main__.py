@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from .ch04_calibration_by_turns import printed_table
+from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, experiment_numbers
 from .errata import errata
 from .figures import figure_definitions
 from .machinery.publish import FigureDefinition, PublishedFigure, gallery, write_columns
@@ -23,15 +23,15 @@ def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | No
         shown = PublishedFigure(definition, definition.compute())
         shown.write(folder)
         captions[name] = shown.caption
-    table = printed_table.larin_table()
-    write_columns(folder / "04-larin-table.csv", {"name": printed_table.NAMES, **table})
+    table = experiment_numbers()
+    write_columns(folder / "04-larin-numbers.csv", {"name": NAMES, **table})
     (folder / "README.md").write_text(gallery(captions), encoding="utf-8", newline="\n")
-    print(f"\nLarin's numbers, written to {folder / '04-larin-table.csv'}:\n")
-    print(f"{'':10}{'printed':>14}{'reconstructed':>18}{'exact method':>18}")
-    rows = (printed_table.NAMES, printed_table.PRINTED, table["reconstructed"], table["exact"])
-    for name, printed, reconstructed, exact in zip(*rows, strict=True):
-        print(f"{name:10}{printed:>14}{reconstructed:>18.6e}{exact:>18.6e}")
-    print("\nThe printed sigma4* has lost its minus sign (chapter 4).")
+    print(f"\nLarin's numbers, written to {folder / '04-larin-numbers.csv'}:\n")
+    print(f"{'':10}{'the copy':>14}{'reconstructed':>18}{'exact method':>18}")
+    rows = (NAMES, IN_THE_COPY, table["reconstructed"], table["exact"])
+    for name, copy, reconstructed, exact in zip(*rows, strict=True):
+        print(f"{name:10}{copy:>14}{reconstructed:>18.6e}{exact:>18.6e}")
+    print("\nReconstructed with a minus sign before sigma4* (chapter 4).")
 
 
 def write_errata(file: Path) -> None:

@@ -22,7 +22,7 @@ for _array in (LARIN_TRIAD, SYMMETRIC, SKEW):
 SHAPES = {
     "symmetric": SYMMETRIC.astype(int).tolist(),
     "skew": SKEW.astype(int).tolist(),
-    "third axis bent, as in Larin's table": [[0, 0, 0], [0, 0, 0], [1, -1, 0]],
+    "third axis bent, as in Larin's experiment": [[0, 0, 0], [0, 0, 0], [1, -1, 0]],
     "x leans to axis 2 only": [[0, 1, 0], [0, 0, 0], [0, 0, 0]],
     "scale factor of all three": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
 }

@@ -13,7 +13,7 @@ from .systematic_drift import _along_and_across
 
 
 def characteristic_polynomial(
-    rate: ArrayLike, measured_rate: ArrayLike, *, as_printed: bool = False
+    rate: ArrayLike, measured_rate: ArrayLike, *, in_the_copy: bool = False
 ) -> FloatArray:
     r"""Coefficients of the characteristic polynomial det(sE - Omega_e); Larin (2.1), corrected.
 
@@ -21,8 +21,8 @@ def characteristic_polynomial(
     ----------
     rate, measured_rate : array_like, shape (..., 3)
         True and measured angular rate in body axes, rad/s.
-    as_printed : bool
-        Use the coefficient of s^2 that the paper prints. It lacks one eps^T eps, eps being the
+    in_the_copy : bool
+        Use the coefficient of s^2 that the copy has. It lacks one eps^T eps, eps being the
         error of the measured rate, and is offered only to show what that changes.
 
     Returns
@@ -36,13 +36,13 @@ def characteristic_polynomial(
 
     .. math:: s^4 + 2(|w|^2 + |\hat w|^2) s^2 + (|\hat w|^2 - |w|^2)^2.
 
-    The paper prints 4 w^T w + 4 w^T eps + eps^T eps as the coefficient of s^2.
+    The copy of the paper has 4 w^T w + 4 w^T eps + eps^T eps as the coefficient of s^2.
 
     Examples
     --------
     >>> characteristic_polynomial([0, 0, 1], [0, 0, 3])
     array([ 1.,  0., 20.,  0., 64.])
-    >>> characteristic_polynomial([0, 0, 1], [0, 0, 3], as_printed=True)
+    >>> characteristic_polynomial([0, 0, 1], [0, 0, 3], in_the_copy=True)
     array([ 1.,  0., 16.,  0., 64.])
     """
     rate, measured_rate = finite_arrays(rate=(rate, 3), measured_rate=(measured_rate, 3))
@@ -50,7 +50,7 @@ def characteristic_polynomial(
     rate_squared, along, error_squared = (
         np.einsum("...i,...i->...", a, b) for a, b in ((rate, rate), (rate, error), (error, error))
     )
-    quadratic = 4 * rate_squared + 4 * along + (1 if as_printed else 2) * error_squared
+    quadratic = 4 * rate_squared + 4 * along + (1 if in_the_copy else 2) * error_squared
     constant = (2 * along + error_squared) ** 2
     zero = np.zeros_like(quadratic)
     return np.stack([zero + 1, zero, quadratic, zero, constant], axis=-1)

@@ -30,7 +30,7 @@ def weighing(estimates: ArrayLike) -> FloatArray:
     ----------
     estimates : array_like, shape (..., 4)
         Estimates of sigma1, sigma2, sigma3 and of their sum. The sum is **3/2** of the turn
-        estimate about (1, 1, 1): the factor that (3.5) lacks in print.
+        estimate about (1, 1, 1): the factor that (3.5) lacks in the copy.
 
     Returns
     -------

@@ -12,7 +12,7 @@ from support import directions, matrices
 @given(matrices(1.0), directions())
 def test_roots_picture_shows_the_biquadratic(shape: np.ndarray, direction: np.ndarray) -> None:
     data = characteristic_roots(0.1, shape, direction)
-    # The printed equation spoils the sum of the squares and keeps their product.
+    # The copy's equation spoils the sum of the squares and keeps their product.
     squares = data.roots[..., 0] ** 2 * data.roots[..., 2] ** 2
     np.testing.assert_allclose(squares[3], squares[0], rtol=1e-6, atol=1e-12)
 
@@ -24,7 +24,7 @@ def test_roots_errors_have_the_slopes_of_the_text() -> None:
         np.polyfit(np.log(data.sizes[small]), np.log(error[small]), 1)[0]
         for error in np.moveaxis(root_errors(data), -1, 1).reshape(-1, len(data.sizes))
     ]
-    # first order: fast, slow; with the next term: fast, slow; as printed: fast, slow
+    # first order: fast, slow; with the next term: fast, slow; in the copy: fast, slow
     np.testing.assert_allclose(slopes, [2, 2, 3, 3, 2, 3], atol=0.05)
 
 

@@ -1,4 +1,4 @@
-"""The figures of chapter 04: turns, weighings, and the digits of Larin's table."""
+"""The figures of chapter 04: turns, weighings, and the digits of Larin's seven numbers."""
 
 import numpy as np
 import pytest
@@ -53,7 +53,7 @@ def test_turn_bias_floor_is_the_method_and_noise_falls_with_turns() -> None:
 
 
 @published("04-larin-digits")
-def test_three_candidates_give_all_seven_printed_numbers(figure: PublishedFigure) -> None:
+def test_three_candidates_give_all_seven_numbers(figure: PublishedFigure) -> None:
     data = figure.data
     assert data.winners == 3
     assert [data.labels[i] for i in np.flatnonzero(data.agrees[0].all(axis=-1))] == [

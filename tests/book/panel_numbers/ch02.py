@@ -15,7 +15,7 @@ from .values import Rows, Values, axis_of
 SHAPES = {
     "symmetric": np.ones((3, 3)) - np.eye(3),
     "skew": np.cross(np.eye(3), [-1.0, -1.0, -1.0]),
-    "third axis bent, as in Larin's table": np.outer([0, 0, 1], [1, -1, 0]),
+    "third axis bent, as in Larin's experiment": np.outer([0, 0, 1], [1, -1, 0]),
     "x leans to axis 2 only": np.outer([1, 0, 0], [0, 1, 0]),
     "scale factor of all three": np.eye(3),
 }
@@ -27,14 +27,14 @@ def roots(values: Values) -> Rows:
     measured = measured_rate(rate, triad_error)
     slow = np.linalg.norm(measured) - np.linalg.norm(rate)
     first, second = (asymptotic_roots(rate, triad_error, order=n).imag for n in (1, 2))
-    printed = characteristic_polynomial(rate, measured, as_printed=True)
-    sizes = np.sort(np.abs(np.sqrt(np.roots(printed[::2]) + 0j).imag))
+    in_the_copy = characteristic_polynomial(rate, measured, in_the_copy=True)
+    sizes = np.sort(np.abs(np.sqrt(np.roots(in_the_copy[::2]) + 0j).imag))
     return [
         (name, f"{fast:.9f} i, {slow:.9f} i")
         for name, fast, slow in (
             ("exact", exact_roots(rate, measured).imag.max(), slow),
             ("first order, (2.2)", first[0], first[2]),
             ("with the next term", second[0], second[2]),
-            ("(2.1) as printed", sizes[1], np.copysign(sizes[0], slow)),
+            ("(2.1) as the copy has it", sizes[1], np.copysign(sizes[0], slow)),
         )
     ]

@@ -45,15 +45,15 @@ def _first_order_largest() -> FloatArray:
 
 
 @cache
-def _cubic(*, printed: bool = False, powers: int = 3) -> Callable[..., float]:
+def _cubic(*, in_the_copy: bool = False, powers: int = 3) -> Callable[..., float]:
     """Coefficient of mu^3 in the fast root, a function of rho_1 and r.
 
-    Of the root of (2.1) as printed if asked for, or of the exact root with the binomial series
-    sqrt(1 + x) = 1 + x/2 - ... cut off after a power of x.
+    Of the root of (2.1) as the copy has it if asked for, or of the exact root with the binomial
+    series sqrt(1 + x) = 1 + x/2 - ... cut off after a power of x.
     """
     mu, rho, r, x = sp.symbols("mu rho_1 r x", real=True)
     across = rho**2 + r**2
-    if printed:
+    if in_the_copy:
         sum_of_squares = 4 + 4 * mu * rho + mu**2 * across
         product = (2 * mu * rho + mu**2 * across) ** 2
         root = sp.sqrt((sum_of_squares + sp.sqrt(sum_of_squares**2 - 4 * product)) / 2)
@@ -132,8 +132,8 @@ EXERCISES: dict[str, Exercise] = {
             "The cube in the binomial series is missing; it has a term in μ³ as well.": (
                 lambda rho, r: _cubic(powers=2)(rho, r)
             ),
-            "This is the term of (2.1) as printed. Start from the exact root.": (
-                lambda rho, r: _cubic(printed=True)(rho, r)
+            "This is the term of (2.1) as the copy has it. Start from the exact root.": (
+                lambda rho, r: _cubic(in_the_copy=True)(rho, r)
             ),
             "This is the third derivative; the series divides it by a factorial.": (
                 lambda rho, r: 6 * _cubic()(rho, r)

@@ -14,7 +14,7 @@ from driftlab.drift.characteristic_equation import (
 from driftlab.triad import measured_rate
 
 SIZES: FloatArray = np.concatenate([np.geomspace(1e-5, 1e-2, 25), np.linspace(0.0125, 0.5, 40)])
-FORMULAS = ("exact", "first order, (2.2)", "with the next term", "(2.1) as printed")
+FORMULAS = ("exact", "first order, (2.2)", "with the next term", "(2.1) as the copy has it")
 
 
 class Roots(NamedTuple):
@@ -68,17 +68,17 @@ def _by_formula(sizes: FloatArray, shape: FloatArray, direction: FloatArray) -> 
             exact_roots(direction, measured),
             asymptotic_roots(direction, triad_error),
             asymptotic_roots(direction, triad_error, order=2),
-            _printed_roots(direction, measured),
+            _copied_roots(direction, measured),
         ]
     )
 
 
-def _printed_roots(direction: FloatArray, measured: FloatArray) -> ComplexArray:
-    """Roots of the biquadratic as printed, the slow ones with the sign of the exact ones.
+def _copied_roots(direction: FloatArray, measured: FloatArray) -> ComplexArray:
+    """Roots of the biquadratic as the copy has it, the slow ones with the sign of the exact ones.
 
     For a gross deformation they may leave the imaginary axis, which true roots never do.
     """
-    polynomial = characteristic_polynomial(direction, measured, as_printed=True)
+    polynomial = characteristic_polynomial(direction, measured, in_the_copy=True)
     b, c = polynomial[..., 2], polynomial[..., 4]
     fast = np.sqrt(0.5 * (b + np.sqrt(b**2 - 4 * c + 0j)))
     slow = np.sqrt(c) / fast * np.sign(exact_roots(direction, measured)[..., 2].imag)

@@ -16,7 +16,7 @@ SIZES = (1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.
 
 
 class RootsExplorer(Explorer):
-    """Roots of (2.1): exact, asymptotic, and as printed."""
+    """Roots of (2.1): exact, asymptotic, and of the equation in the copy."""
 
     title = "Roots of the characteristic equation against deformation and axis"
     picture_class = RootsPicture
@@ -29,7 +29,7 @@ class RootsExplorer(Explorer):
         "Symmetric triad": {},
         "Skew triad": {"shape": "skew"},
         "Larin's triad": {
-            "shape": "third axis bent, as in Larin's table", "size": 2e-3, "azimuth": 0.0,
+            "shape": "third axis bent, as in Larin's experiment", "size": 2e-3, "azimuth": 0.0,
             "elevation": 45.0,
         },
         "Across the error": {

@@ -11,7 +11,7 @@ from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.weighing_designs import YATES_AXES, fit_turns
 
-from .experiments import AS_DERIVED, AS_PRINTED, estimate_errors, method_bias, yates_sigma
+from .experiments import AS_COPIED, AS_DERIVED, estimate_errors, method_bias, yates_sigma
 
 EQUAL = 1e-3 * SYMMETRIC
 STEPS = np.arange(20, 101)
@@ -69,25 +69,25 @@ def _yates(factor: float, y1: float, y2: float, y3: float, y4: float) -> float:
 EXERCISES: dict[str, Exercise] = {
     "4.1": Value(
         kind="predict",
-        right=lambda: _weighing_error(AS_PRINTED),
+        right=lambda: _weighing_error(AS_COPIED),
         accuracy=0.02,
         mistakes={
             "A turn about the space diagonal does not give the sum of the three: it gives 2/3 of "
-            "(3.5). As printed, the formula takes the one for the other.": (
+            "(3.5). As the copy has it, the formula takes the one for the other.": (
                 lambda: _weighing_error(AS_DERIVED)
             ),
-            "The fourth number is too small, not too large: the print leaves out a factor that is "
-            "more than one.": lambda: _weighing_error(AS_DERIVED**2),
+            "The fourth number is too small, not too large: the copy leaves out a "
+            "factor that is more than one.": lambda: _weighing_error(AS_DERIVED**2),
             "By that much the fourth number is wrong. The weighing does not take all of it.": (
-                lambda: _weighing_error(AS_PRINTED, weight=2)
+                lambda: _weighing_error(AS_COPIED, weight=2)
             ),
             "That is what is found, or the sign is reversed. What is found less what is true is "
-            "asked.": lambda: _weighing_error(AS_PRINTED, weight=-1),
+            "asked.": lambda: _weighing_error(AS_COPIED, weight=-1),
             "That is the part of one sigma. The part belongs to the sum of the three.": (
-                lambda: _weighing_error(AS_PRINTED, weight=1 / 3)
+                lambda: _weighing_error(AS_COPIED, weight=1 / 3)
             ),
             "That is in thousandths; a plain number is asked.": (
-                lambda: _weighing_error(AS_PRINTED, weight=1e3)
+                lambda: _weighing_error(AS_COPIED, weight=1e3)
             ),
         },
         remark="Half of the sigma itself is lost. Larin's example, with the sum zero, shows none "
@@ -164,7 +164,7 @@ EXERCISES: dict[str, Exercise] = {
         mistakes={
             "The fourth estimate stands for the sum of the sigmas here, but it is 2/3 of (3.5). An "
             "offset cancels, and the sigmas come out wrong.": (
-                lambda *estimates: _yates(AS_PRINTED, *estimates)
+                lambda *estimates: _yates(AS_COPIED, *estimates)
             ),
             "That is right without an offset. With one, a quarter of it stays, as in the text: its "
             "factor multiplies the offset too.": (

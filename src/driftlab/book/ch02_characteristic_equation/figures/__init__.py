@@ -15,8 +15,8 @@ FIGURES = (
         lambda data: (
             "Roots of the characteristic equation for a symmetric triad. The vertical "
             f"line marks the size {data.size:g} of the left panel. Larin's first-order roots err "
-            "by the size squared, with one more term by its cube; the printed equation spoils "
-            "the fast root."
+            "by the size squared, with one more term by its cube. The equation as the copy has it "
+            "is as good at first order and spoils the next term of the fast root."
         ),
     ),
 )

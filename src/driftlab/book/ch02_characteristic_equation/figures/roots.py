@@ -10,7 +10,7 @@ from ..experiments import FORMULAS, Roots, root_errors
 
 def columns(data: Roots) -> dict[str, FloatArray]:
     """Columns of the figure's CSV."""
-    names = ("exact", "first_order", "second_order", "as_printed")
+    names = ("exact", "first_order", "second_order", "in_the_copy")
     table = {"size": data.sizes}
     for i, name in enumerate(names):
         table |= {f"fast_{name}": data.branches[i, :, 0], f"slow_{name}": data.branches[i, :, 1]}
@@ -51,8 +51,8 @@ class RootsPicture(Picture[Roots]):
         self.errors = [
             self.line(error, **SERIES[1], label="first order: both roots"),
             self.line(error, **SERIES[2], label="with the next term: both roots"),
-            self.line(error, **SERIES[3], label="as printed: fast root"),
-            self.line(error, **SERIES[4], label="as printed: slow root"),
+            self.line(error, **SERIES[3], label="in the copy: fast root"),
+            self.line(error, **SERIES[4], label="in the copy: slow root"),
         ]
         plane.legend(loc="center", bbox_to_anchor=(0.5, 0.66), fontsize=7, handletextpad=0.1)
         course.legend(loc="center left", bbox_to_anchor=(0.0, 0.585))
@@ -63,9 +63,9 @@ class RootsPicture(Picture[Roots]):
             self.points[i].set_data(data.roots[i].real, data.roots[i].imag)
             self.fast[i].set_data(data.sizes, data.branches[i, :, 0])
             self.slow[i].set_data(data.sizes, data.branches[i, :, 1])
-        first, second, printed = root_errors(data)
+        first, second, copied = root_errors(data)
         for line, values in zip(
-            self.errors, (first[:, 0], second[:, 0], printed[:, 0], printed[:, 1]), strict=True
+            self.errors, (first[:, 0], second[:, 0], copied[:, 0], copied[:, 1]), strict=True
         ):
             # An error below rounding has no place on a logarithmic axis.
             line.set_data(data.sizes, np.where(values > 1e-15, values, np.nan))

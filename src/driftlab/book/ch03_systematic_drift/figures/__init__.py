@@ -42,7 +42,7 @@ FIGURES = (
         drift_map.draw,
         drift_map.columns,
         lambda data: (
-            "Drift coefficient of the triad of Larin's table for every axis of rotation. "
+            "Drift coefficient of the triad of Larin's experiment for every axis of rotation. "
             f"The extremes {1e3 * data.principal[0]:.3f} and {1e3 * data.principal[2]:.3f} "
             "(times 1e-3) lie, to first order, on the eigenvectors of the symmetric part (stars)."
         ),

@@ -1,8 +1,8 @@
-"""The experiments of chapter 04: single turns, calibrations, ways to weigh, printed digits."""
+"""The experiments of chapter 04: turns, calibrations, ways to weigh, the digits of the copy."""
 
 from .calibrations import (
+    AS_COPIED as AS_COPIED,
     AS_DERIVED as AS_DERIVED,
-    AS_PRINTED as AS_PRINTED,
     PLANS as PLANS,
     Plan as Plan,
     TurnEstimates as TurnEstimates,
@@ -10,7 +10,19 @@ from .calibrations import (
     turn_estimates as turn_estimates,
     yates_sigma as yates_sigma,
 )
-from .digits import LarinDigits as LarinDigits, larin_digits as larin_digits
+from .digits import (
+    CHOSEN_BY as CHOSEN_BY,
+    LarinDigits as LarinDigits,
+    larin_digits as larin_digits,
+)
+from .free_numbers import (
+    FACTORS as FACTORS,
+    OF_SIGMA1 as OF_SIGMA1,
+    FreeNumbers as FreeNumbers,
+    factor_bounds as factor_bounds,
+    free_numbers as free_numbers,
+    step_error as step_error,
+)
 from .turns import (
     ANGLE_NOISE as ANGLE_NOISE,
     FORMULAS as FORMULAS,

@@ -11,10 +11,10 @@ from driftlab.drift.turn_calibration import TurnExperiment
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing
 from driftlab.triad import non_orthogonality
 
-from ..printed_table import SUM_FACTORS
+from ..experiment_numbers import SUM_FACTORS
 from .turns import SEED
 
-AS_PRINTED, AS_DERIVED = SUM_FACTORS["1 (as printed)"], SUM_FACTORS["3/2 (as derived)"]
+AS_COPIED, AS_DERIVED = SUM_FACTORS["1, n4 as in the copy"], SUM_FACTORS["3/2, as derived"]
 """What multiplies the fourth turn estimate to give the sum of the sigmas."""
 REPEATS = 12
 """Runs of a calibration with noise."""

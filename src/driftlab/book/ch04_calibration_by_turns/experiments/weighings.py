@@ -8,13 +8,13 @@ from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns
 
-from .calibrations import AS_PRINTED, triad_error, yates_sigma
+from .calibrations import AS_COPIED, triad_error, yates_sigma
 from .turns import SEED
 
 METHODS = (
     "three axes, no weighing",
     "Yates, sum corrected by 3/2",
-    "Yates, sum as printed",
+    "Yates, sum as in the copy",
     "least squares",
     "least squares with offset",
 )
@@ -80,7 +80,7 @@ def _estimates(turn_estimates: FloatArray) -> FloatArray:
         [
             fit_turns(turn_estimates[:, :3], PAIR_AXES).sigma,
             yates_sigma(turn_estimates),
-            yates_sigma(turn_estimates, AS_PRINTED),
+            yates_sigma(turn_estimates, AS_COPIED),
             fit_turns(turn_estimates, YATES_AXES).sigma,
             fit_turns(turn_estimates, YATES_AXES, "common").sigma,
         ]

@@ -7,7 +7,7 @@ from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.turn_calibration import TurnExperiment
 
 from .. import experiments
-from . import larin_digits, turn_bias, turn_estimates, weighing_designs
+from . import free_numbers, larin_digits, turn_bias, turn_estimates, weighing_designs
 
 FIGURES = (
     FigureDefinition(
@@ -43,10 +43,26 @@ FIGURES = (
         larin_digits.draw,
         larin_digits.columns,
         lambda data: (
-            f"Of {data.agrees[..., 0].size} candidates (reading of the triad, step formula, number "
-            f"of steps), {data.winners} give all seven printed numbers, digit for digit. For each, "
-            "the most favourable forming of sigma4* and the more favourable of rounding and "
-            "cutting off is shown."
+            f"A row is a reading of the triad and a step formula; {data.winners} of "
+            f"{data.agrees[..., 0].size} marks in all seven columns. This is less than seven "
+            "confirmations: sigma1* chose the step formula and sigma4* the factor (open circles), "
+            "and the last three numbers are sums of the first four. Below each column stands how "
+            f"many of all {data.candidates} candidates give the number. Shown is the most "
+            "favourable factor, and the more favourable of rounding and cutting off."
+        ),
+    ),
+    FigureDefinition(
+        "04-larin-free-numbers",
+        experiments.free_numbers,
+        free_numbers.draw,
+        free_numbers.columns,
+        lambda data: (
+            "Two numbers left free: the angle error of the integrator in a hundredth of a turn and "
+            "the factor in sigma4*. Filled is where a number comes out, rounded or cut off; dots "
+            f"are {len(data.formulas)} step formulas with three factors each. With an axis of "
+            "unit length the digits of sigma1* pin the error, those of sigma4* and sigma1** "
+            "pin the factor, and the other four say nothing about either. With the other readings "
+            "of the triad sigma2* and sigma3* come out nowhere."
         ),
     ),
     FigureDefinition(

@@ -1,4 +1,4 @@
-"""Larin's table: every printed digit, the other winners, and the losing candidates."""
+"""Larin's seven numbers: every digit, the other winners, and the losing candidates."""
 
 from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Decimal
 from itertools import cycle, product
@@ -7,24 +7,27 @@ import mpmath
 import numpy as np
 import pytest
 
-from driftlab.book.ch04_calibration_by_turns.printed_table import (
+from driftlab.book.ch04_calibration_by_turns.copied_digits import digit_interval
+from driftlab.book.ch04_calibration_by_turns.experiment_numbers import (
+    IN_THE_COPY,
     NAMES,
-    PRINTED,
     SIGN_RESTORED,
     STEPS,
     SUM_FACTORS,
     TRIADS,
-    Reconstruction,
+    TRUE_SIGMA,
+    agreement,
+    agreement_when,
     candidates,
-    larin_table,
-    printed_triad_error,
+    experiment_numbers,
     reconstruct,
+    triad_reading,
 )
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment
 from driftlab.drift.weighing_designs import YATES_AXES, weighing
-from support import EPS, printed
+from support import EPS, written
 
 
 @pytest.fixture(scope="module")
@@ -33,14 +36,14 @@ def everyone():
 
 
 def place(number):
-    """One unit in the last place of a printed number."""
+    """One unit in the last place of a number."""
     return Decimal(1).scaleb(number.as_tuple().exponent)
 
 
-def test_reconstruction_gives_all_seven_printed_digits():
+def test_reconstruction_gives_every_digit_of_the_seven():
     winner = reconstruct()
     for value, text in zip(winner.values, SIGN_RESTORED, strict=True):
-        assert Decimal(printed(value, text, ROUND_DOWN)) == Decimal(text)
+        assert Decimal(written(value, text, ROUND_DOWN)) == Decimal(text)
     assert winner.agrees == [True] * 7
 
 
@@ -50,12 +53,12 @@ def test_reconstruction_gives_all_seven_printed_digits():
     ids=["all cut off", "all rounded", "some cut off and some rounded"],
 )
 def test_digits_are_all_cut_off_or_all_rounded(fractions, agree):
-    """Values beyond the printed ones by a fraction of the last place, in turn."""
+    """Values beyond those of the copy by a fraction of the last place, in turn."""
     values = [
         float(number + Decimal(fraction).copy_sign(number * Decimal(fraction)) * place(number))
         for number, fraction in zip(map(Decimal, SIGN_RESTORED), cycle(fractions), strict=False)
     ]
-    assert all(Reconstruction("", "", 100, "", np.array(values)).agrees) == agree
+    assert all(agreement(values)) == agree
 
 
 def test_reconstruction_in_thirty_digits():
@@ -90,7 +93,9 @@ def test_three_candidates_win_and_all_others_lose(everyone):
     """Two rivals with steps twice as long have the leading error of the first one."""
     winners = [each for each in everyone if all(each.agrees)]
     assert everyone[: len(winners)] == winners
-    assert {(each.triad, each.sum_factor) for each in winners} == {("unit third axis", "sqrt(3/2)")}
+    assert {(each.triad, each.sum_factor) for each in winners} == {
+        ("unit third axis", "sqrt(3/2), n4 over sqrt(2)")
+    }
     assert [(each.step_formula, each.steps) for each in winners] == [
         ("pade", 100),
         ("kutta-merson", 50),
@@ -98,9 +103,57 @@ def test_three_candidates_win_and_all_others_lose(everyone):
     ]
 
 
+def test_how_many_candidates_give_each_number(everyone):
+    """125 of 162 give the last one: the seven are no seven confirmations."""
+    counts = np.sum([each.agrees for each in everyone], axis=0)
+    assert dict(zip(NAMES, counts, strict=True)) == {
+        "sigma1*": 27,
+        "sigma2*": 33,
+        "sigma3*": 36,
+        "sigma4*": 3,
+        "sigma1**": 3,
+        "sigma2**": 69,
+        "sigma3**": 125,
+    }
+    # sigma1* does not see the triad, nor the factor: three formulas with all three of each.
+    assert counts[0] == 3 * len(TRIADS) * len(SUM_FACTORS)
+    assert {each.triad for each in everyone if any(each.agrees[1:3])} == {"unit third axis"}
+
+
+def test_no_candidate_gives_the_other_slip(everyone):
+    """With sigma3* a digit shorter all seven are possible, but not in any of these ways."""
+    texts = (*IN_THE_COPY[:2], "-1.00e-3", *IN_THE_COPY[3:])
+    scores = [agreement(each.values, texts) for each in everyone]
+    assert max(map(sum, scores)) == 6
+    assert not any(score[NAMES.index("sigma4*")] for score in scores)
+
+
+@pytest.mark.parametrize(
+    ("seven", "before", "after"),
+    [
+        ([float(text) for text in SIGN_RESTORED], 1.29e-6, 0.70e-6),
+        (reconstruct().values, 1.24e-6, 0.78e-6),
+    ],
+    ids=["sign restored", "reconstructed"],
+)
+def test_the_weighing_refines_the_experiment(seven, before, after):
+    """All three together; sigma1 alone gets worse."""
+    errors = np.stack([seven[:3], seven[4:]]) - TRUE_SIGMA
+    rms = np.sqrt((errors**2).mean(axis=-1))
+    np.testing.assert_allclose(rms, [before, after], rtol=0, atol=0.005e-6)
+    assert abs(errors[1, 0]) > abs(errors[0, 0])
+
+
+def test_the_digits_dropped_cannot_undo_the_refinement():
+    """Half of the sum of the four errors, s1* + s4* - s1**, exceeds that of the fourth number."""
+    s1, s4, weighed = (mpmath.iv.mpf(digit_interval(SIGN_RESTORED[i])) for i in (0, 3, 4))
+    half_of_the_sum = s1 + s4 - weighed
+    assert half_of_the_sum.b < s4.a < 0
+
+
 def test_winner_needs_cut_off_digits(everyone):
-    assert sum(everyone[0].agrees_when(ROUND_DOWN)) == 7
-    assert sum(everyone[0].agrees_when(ROUND_HALF_EVEN)) == 5
+    assert sum(agreement_when(ROUND_DOWN, everyone[0].values)) == 7
+    assert sum(agreement_when(ROUND_HALF_EVEN, everyone[0].values)) == 5
 
 
 @pytest.mark.parametrize(
@@ -125,9 +178,9 @@ def test_fourth_number_scales_with_its_factor(sum_factor):
 
     About (1, 1, 1) the estimate is 1e-6, so that the cube that the tangent adds is below 1e-16.
     """
-    factor = {"1": 1, "3/2": 3 / 2, "sqrt(3/2)": np.sqrt(3 / 2)}[sum_factor.split()[0]]
+    factor = {"1": 1, "3/2": 3 / 2, "sqrt(3/2)": np.sqrt(3 / 2)}[sum_factor.split(",")[0]]
     plain = TurnExperiment(step_formula="pade").estimate(
-        printed_triad_error("unit third axis"), YATES_AXES[3]
+        triad_reading("unit third axis"), YATES_AXES[3]
     )
     assert abs(plain) < 2e-6
     starred = reconstruct(sum_factor=sum_factor).values[3]
@@ -143,7 +196,7 @@ def test_first_number_is_the_integration_error_alone():
 
 
 def test_readings_of_the_triad():
-    linear, unit, symmetric = (printed_triad_error(triad) for triad in TRIADS)
+    linear, unit, symmetric = (triad_reading(triad) for triad in TRIADS)
     np.testing.assert_array_equal(linear, LARIN_TRIAD)
     np.testing.assert_array_equal(linear, [[0, 0, 0], [0, 0, 0], [2e-3, -2e-3, 0]])
     assert np.linalg.norm(np.eye(3)[2] + unit[2]) == pytest.approx(1, abs=EPS)
@@ -153,11 +206,11 @@ def test_readings_of_the_triad():
     np.testing.assert_array_equal(symmetric[2, :2], linear[2, :2] / 2)
 
 
-def test_table_has_printed_exact_and_reconstructed_numbers():
-    table = larin_table()
-    assert list(table) == ["printed", "exact", "reconstructed"]
-    assert len(NAMES) == len(PRINTED) == 7
-    np.testing.assert_array_equal(table["printed"], [float(text) for text in PRINTED])
+def test_the_numbers_of_the_copy_exact_and_reconstructed():
+    table = experiment_numbers()
+    assert list(table) == ["copy", "exact", "reconstructed"]
+    assert len(NAMES) == len(IN_THE_COPY) == 7
+    np.testing.assert_array_equal(table["copy"], [float(text) for text in IN_THE_COPY])
     np.testing.assert_array_equal(table["reconstructed"], reconstruct().values)
     # The digest's closed form, all of whose digits are given.
     digest = [0, 1.000499e-3, -0.999499e-3, 0, -5.0e-7, 0.999999e-3, -0.999999e-3]

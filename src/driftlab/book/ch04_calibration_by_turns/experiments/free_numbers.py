@@ -1,0 +1,109 @@
+"""What the digits pin down if the integrator and the forming of sigma4* are left free.
+
+Two numbers stand for all integrators and all formings: the angle error in each of a hundred steps,
+which adds one and the same amount to all four estimates, and the factor before the arc tangent in
+sigma4*.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.checks import FloatArray, finite_array
+from driftlab.drift.step_formulas import STEP_FORMULAS
+from driftlab.drift.turn_calibration import TurnExperiment, exact_turn_estimate
+from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, weighing
+
+from ..copied_digits import digit_interval
+from ..experiment_numbers import SIGN_RESTORED, TRIADS, triad_reading
+
+STEPS_IN_TURN = 100
+OF_SIGMA1 = np.array(digit_interval(SIGN_RESTORED[0])) * 2 * np.pi / STEPS_IN_TURN
+"""Least and greatest angle error of a step with which sigma1* comes out, rad."""
+STEP_ERRORS: FloatArray = np.union1d(
+    np.linspace(-3e-9, 3e-9, 60), np.linspace(OF_SIGMA1[0], OF_SIGMA1[1], 5)[1:-1]
+)
+"""Angle errors of one step that are looked at, rad; some of them give sigma1*."""
+FACTORS = (0.8, 1.7)
+"""Lowest and highest factor that is looked at."""
+
+
+class FreeNumbers(NamedTuple):
+    """Where each of the seven numbers comes out, for each reading of the triad.
+
+    Attributes
+    ----------
+    step_error : ndarray, shape (m,)
+        Angle error of the integrator in a hundredth of a turn, rad.
+    bounds : ndarray, shape (triad, 2, 7, m)
+        Lowest and highest factor between the two of `FACTORS` with which a number comes out,
+        rounded or cut off; NaN where none does.
+    formulas : dict of str to float
+        Angle error of the step formulas that lie in the range of `step_error`, rad.
+    """
+
+    step_error: FloatArray
+    bounds: FloatArray
+    formulas: dict[str, float]
+
+    def extent(self, triad: int) -> list[str]:
+        """Where each number comes out for one reading: "everywhere", "nowhere" or "in part"."""
+        low, high = self.bounds[triad]
+        whole = (low == FACTORS[0]) & (high == FACTORS[1])
+        return [
+            "everywhere" if all_of else "nowhere" if none_of else "in part"
+            for all_of, none_of in zip(whole.all(axis=-1), np.isnan(low).all(axis=-1), strict=True)
+        ]
+
+
+def free_numbers() -> FreeNumbers:
+    """Bounds of the factor over `STEP_ERRORS`, for each reading of the triad."""
+    bounds = [factor_bounds(triad, STEP_ERRORS, FACTORS) for triad in TRIADS]
+    errors = {formula: step_error(formula) for formula in STEP_FORMULAS}
+    within = {name: error for name, error in errors.items() if abs(error) <= STEP_ERRORS.max()}
+    return FreeNumbers(STEP_ERRORS, np.array(bounds), within)
+
+
+def step_error(formula: str) -> float:
+    """Angle error of a step formula in a hundredth of a turn, rad."""
+    turn = TurnExperiment(1, STEPS_IN_TURN, formula).estimate(np.zeros((3, 3)), PAIR_AXES[0])
+    return float(2 * np.pi * turn / STEPS_IN_TURN)
+
+
+def factor_bounds(
+    triad: str, step_error: ArrayLike, within: tuple[float, float] = FACTORS
+) -> FloatArray:
+    """Factors with which each of the seven numbers comes out, rounded or cut off.
+
+    Parameters
+    ----------
+    triad : str
+        A reading in `driftlab.book.ch04_calibration_by_turns.experiment_numbers.TRIADS`.
+    step_error : array_like, shape (m,)
+        Angle error of the integrator in a hundredth of a turn, rad.
+    within : tuple of float
+        The factors that are looked at.
+
+    Returns
+    -------
+    ndarray, shape (2, 7, m)
+        Lowest and highest factor; NaN where the number does not come out with any.
+    """
+    own = STEPS_IN_TURN * finite_array(step_error, "step_error") / (2 * np.pi)
+    estimates = exact_turn_estimate(triad_reading(triad), YATES_AXES) + own[..., np.newaxis]
+    low, high = np.array([digit_interval(text) for text in SIGN_RESTORED]).T
+    pairs = estimates[:, :3].T
+    comes_out = (low[:3, np.newaxis] <= pairs) & (pairs <= high[:3, np.newaxis])
+    whole = np.where(comes_out, np.reshape(within, (2, 1, 1)), np.nan)
+    # What sigma4* may be: by its own digits, and by those of each weighing.
+    rest = weighing(np.where(np.arange(4) < 3, estimates, 0)).T
+    fourth = np.stack([low[3:, np.newaxis], high[3:, np.newaxis]]) + np.zeros_like(own)
+    fourth[:, 1:] = 2 * (fourth[:, 1:] - rest)
+    with np.errstate(divide="ignore"):  # an estimate of zero: no factor makes a number of it
+        factors = np.tan(np.pi * fourth) / np.tan(np.pi * estimates[:, 3])
+    lowest = np.maximum(factors.min(axis=0), within[0])
+    highest = np.minimum(factors.max(axis=0), within[1])
+    some = lowest <= highest
+    parts = np.stack([np.where(some, lowest, np.nan), np.where(some, highest, np.nan)])
+    return np.concatenate([whole, parts], axis=1)
