@@ -61,8 +61,8 @@ FIGURES = (
             "the factor in sigma4*. Filled is where a number comes out, rounded or cut off; dots "
             f"are {len(data.formulas)} step formulas with three factors each. With an axis of "
             "unit length the digits of sigma1* pin the error, those of sigma4* and sigma1** "
-            "pin the factor, and the other four say nothing about either. With the other readings "
-            "of the triad sigma2* and sigma3* come out nowhere."
+            "pin the factor; the other four come out everywhere here and say nothing about either. "
+            "With the other readings of the triad sigma2* and sigma3* come out nowhere."
         ),
     ),
     FigureDefinition(

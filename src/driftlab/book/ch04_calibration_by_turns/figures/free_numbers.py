@@ -44,8 +44,8 @@ def draw(data: FreeNumbers) -> Figure:
             text = f"{word}: {', '.join(names) or 'none'}"
             panel.text(0, -0.24 - 0.1 * line, text, transform=panel.transAxes, fontsize=10)
     panels[0].set_ylabel(r"factor before the arc tangent in $\sigma_4^\ast$")
-    right = panels[-1].secondary_yaxis("right")
-    right.set_yticks(list(SUM_FACTORS.values()), ["1", r"$\sqrt{3/2}$", "3/2"])
+    for factor, name in zip(SUM_FACTORS.values(), ("1", r"$\sqrt{3/2}$", "3/2"), strict=True):
+        panels[-1].annotate(name, (1.02, factor), xycoords=("axes fraction", "data"), va="center")
     artists = [panel.get_legend_handles_labels() for panel in panels]
     handles = {label: handle for both in artists for handle, label in zip(*both, strict=True)}
     handles |= {label: handles.pop(label)}  # the dots last
