@@ -85,7 +85,7 @@ def test_the_folder_holds_the_catalogue_and_nothing_else() -> None:
     assert {path.name for path in PUBLISHED.iterdir()} == names
 
 
-def test_a_rebuild_writes_every_entry_the_gallery_and_larins_table(tmp_path: Path) -> None:
+def test_a_rebuild_writes_every_entry_the_gallery_and_larins_numbers(tmp_path: Path) -> None:
     definitions = {
         name: each
         for name, each in figures.figure_definitions().items()

@@ -105,6 +105,7 @@ def test_any_honest_seven_are_consistent_and_wrong_ones_are_not(starred, roundin
 
 def test_two_slips_of_one_character_make_the_seven_consistent():
     """One digit less of sigma3*, or a minus sign before sigma4*."""
+    assert sum(len(one_slip_away(text)) for text in IN_THE_COPY) == 1023
     assert IN_THE_COPY[2] == "-1.001e-3"
     assert single_slips(IN_THE_COPY) == [
         (NAMES.index("sigma3*"), "-1.00e-3"),
