@@ -23,6 +23,7 @@ from .exercises import (
 )
 from .figures import figure as figure
 from .ledger import (
+    SEVERITIES as SEVERITIES,
     STATUSES as STATUSES,
     Table as Table,
     chapter_table as chapter_table,

@@ -16,7 +16,7 @@ from pathlib import Path
 from .chapters import CHAPTERS, chapters_with
 
 PAPERS = {
-    "larin": "V. B. Larin, *On the calibration of a spatial angular-rate meter*, 1987",
+    "larin": "V. B. Larin, *On the calibration of a spatial angular-rate meter*, received 1987",
     "perelyaev-chelnokov": (
         "S. E. Perelyaev, Yu. N. Chelnokov, *New algorithms for determining the inertial "
         "orientation of an object*, 2014"
@@ -58,7 +58,7 @@ COPIES = {
 STATUSES = {
     "reproduced": "derived or computed anew, and equal to the copy",
     "corrected": "what the copy has is wrong, and the right form is proved",
-    "reconstructed": "not printed, or lost in the copy at hand; built anew from what is said of it",
+    "reconstructed": "not in the paper, or lost in the copy at hand; built anew from what is said of it",
     "not recoverable": "cannot be had from the copy at hand, nor built anew from what it says",
 }
 """The four words, and what they mean."""
