@@ -205,7 +205,7 @@ def test_without_motion_the_operating_formula_is_the_alignment_formula():
     assert np.allclose(working.compass_angle, working.heading - 0.01, rtol=1e-12)
 
 
-def test_operating_formula_as_the_paper_prints_it():
+def test_operating_formula_as_the_paper_has_it():
     v1, v3, alpha, chi, alpha_rate, chi_rate = 12.0, -7.0, 1e-4, -2e-4, 3e-8, 1e-8
     dw1, dw3, dpsi, heading, pitch, R, U = 2e-8, 5e-8, 3e-4, 0.7, 0.2, EARTH_RADIUS, EARTH_RATE
     c, s, t = np.cos(LATITUDE), np.sin(LATITUDE), np.tan(LATITUDE)

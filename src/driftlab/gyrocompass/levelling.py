@@ -8,7 +8,7 @@ accordingly:
     w_eta1 = k1 W3 + k2 ∫W3 dt,  w_eta3 = -k1 W1 - k2 ∫W1 dt,  w_eta2 given.
 
 The heading is the yaw of the body in the horizon plus the angle from the level part of w_eta to the
-horizon's first axis. The paper describes these equations and does not print them; they are
+horizon's first axis. The paper describes these equations and does not give them; they are
 reconstructed. Axes and angles are those of `driftlab.frames`.
 """
 

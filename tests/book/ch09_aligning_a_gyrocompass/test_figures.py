@@ -79,23 +79,23 @@ def test_each_term_goes_with_its_angle(figure: PublishedFigure) -> None:
 
 
 @published("09-alignment-terms")
-def test_the_misprint_is_what_separates_the_printed_formula_from_the_exact_error(
+def test_the_stray_factor_is_what_separates_the_formula_of_the_copy_from_the_exact_error(
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
     for panel in ("heading", "pitch"):
         corrected = largest(data.terms[panel].sum(axis=-1) - data.exact[panel])
         assert corrected < 0.01
-        assert largest(data.printed[panel] - data.exact[panel]) > 20 * corrected
+        assert largest(data.in_copy[panel] - data.exact[panel]) > 20 * corrected
     for panel, grid in alignments.GRIDS.items():
         place = grid if panel == "latitude" else LATITUDE
         third = data.terms[panel][:, 2]
         expected = data.terms[panel].sum(axis=-1) - third + third * np.tan(place)
-        np.testing.assert_allclose(data.printed[panel], expected, rtol=0, atol=1e-13)
-    # Where the tangent is one the misprint does not show.
+        np.testing.assert_allclose(data.in_copy[panel], expected, rtol=0, atol=1e-13)
+    # Where the tangent is one the factor does not show.
     at_45 = np.isclose(alignments.GRIDS["latitude"], np.pi / 4)
     assert at_45.sum() == 1
-    right, wrong = data.terms["latitude"].sum(axis=-1), data.printed["latitude"]
+    right, wrong = data.terms["latitude"].sum(axis=-1), data.in_copy["latitude"]
     np.testing.assert_allclose(right[at_45], wrong[at_45], rtol=1e-12)
 
 

@@ -18,7 +18,7 @@ from support import chi_bounds, largest, range_distribution
 
 
 @published("10-restarts")
-def test_the_printed_noise_needs_more_than_white_noise(figure: PublishedFigure) -> None:
+def test_the_noise_of_the_paper_needs_more_than_white_noise(figure: PublishedFigure) -> None:
     """0.06 to 0.5 deg/h become 0.01 to 0.02 in one window only if something slow is left."""
     data = figure.data
     before, after = data.deviations.T / HOURLY
@@ -49,7 +49,7 @@ def test_the_printed_spread_is_too_large_for_its_deviation(figure: PublishedFigu
     """A pair that is so far apart follows a beta law; pairs, counted twice or not, are fewer."""
     data = figure.data
     count = at_work.RESTARTS
-    ratio = at_work.PRINTED_SPREAD / at_work.PRINTED_DEVIATION
+    ratio = at_work.PAPER_SPREAD / at_work.PAPER_DEVIATION
     pair = beta.sf(ratio**2 / (2 * (count - 1)), 0.5, (count - 2) / 2)
     seen = np.count_nonzero(data.ranges >= ratio)
     assert 0 < seen <= binom.ppf(1 - 1e-6, at_work.TRIALS, comb(count, 2) * pair)
@@ -65,9 +65,9 @@ def test_the_printed_spread_is_too_large_for_its_deviation(figure: PublishedFigu
 def test_rounding_is_the_least_and_the_most_that_is_printed_so() -> None:
     low, high = at_work.printed_ratio_range()
     spreads, deviations = np.linspace(0.25, 0.35, 101), np.linspace(0.0535, 0.0545, 101)
-    assert {f"{spread:.1f}" for spread in spreads[1:-1]} == {f"{at_work.PRINTED_SPREAD:.1f}"}
+    assert {f"{spread:.1f}" for spread in spreads[1:-1]} == {f"{at_work.PAPER_SPREAD:.1f}"}
     inside = {f"{deviation:.3f}" for deviation in deviations[1:-1]}
-    assert inside == {f"{at_work.PRINTED_DEVIATION:.3f}"}
+    assert inside == {f"{at_work.PAPER_DEVIATION:.3f}"}
     ratios = spreads[:, np.newaxis] / deviations
     assert (low, high) == pytest.approx((ratios.min(), ratios.max()), rel=1e-12)
 
@@ -86,20 +86,20 @@ def test_the_shown_unit_follows_its_formula_within_the_noise_of_three_runs(
     assert low < np.mean(gap**2) / noise**2 < high
     assert abs(gap.mean()) < 4.9 * noise / np.sqrt(len(gap))
     assert largest(data.formula) > 5 * noise
-    # It is the unit whose largest error is nearest to the printed one.
+    # It is the unit whose largest error is nearest to the paper's.
     worst = largest(data.runs.mean(axis=0))
     shown = data.largest[at_work.SHOWN]
-    printed = np.radians(at_work.PRINTED_LARGEST)
-    assert worst == shown[np.abs(shown - printed).argmin()]
-    assert worst == pytest.approx(printed, rel=0.01)
+    wanted = np.radians(at_work.PAPER_LARGEST)
+    assert worst == shown[np.abs(shown - wanted).argmin()]
+    assert worst == pytest.approx(wanted, rel=0.01)
 
 
 @published("10-static-characteristic")
-def test_the_printed_error_is_the_median_of_the_shown_drift(figure: PublishedFigure) -> None:
+def test_the_error_of_the_paper_is_the_median_of_the_shown_drift(figure: PublishedFigure) -> None:
     data = figure.data
     medians = np.degrees(np.median(data.largest, axis=1))
     assert (np.diff(medians) > 0).all()
-    nearest = np.abs(medians - at_work.PRINTED_LARGEST).argmin()
+    nearest = np.abs(medians - at_work.PAPER_LARGEST).argmin()
     assert nearest == at_work.SHOWN
     assert at_work.LASTING[nearest] == 0.04
 

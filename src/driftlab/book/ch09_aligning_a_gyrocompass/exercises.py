@@ -64,8 +64,8 @@ def _some_box(rng: np.random.Generator) -> tuple[float, ...]:
     return (*angles, *rng.uniform(0.2, 1.2, 3), *rng.uniform(-1.0, 1.0, 6))
 
 
-def _two_alignments(*box: float, printed: bool = False) -> FloatArray:
-    """Heading errors (2,) at Psi and half a turn from it; `printed`: by the paper's formula."""
+def _two_alignments(*box: float, stray: bool = False) -> FloatArray:
+    """Heading errors (2,) at Psi and half a turn from it; `stray`: with the copy's factor."""
     heading, pitch, roll, latitude, earth, pull, *sensors = box
     headings = heading + np.array([0.0, np.pi])
     attitude = from_euler_angles(headings, pitch, roll)
@@ -81,7 +81,7 @@ def _two_alignments(*box: float, printed: bool = False) -> FloatArray:
         rotate(attitude, accelerometer_bias),
         pull,
     ).heading_terms
-    if printed:
+    if stray:
         terms[:, 2] *= np.tan(latitude)
     return terms.sum(axis=-1)
 
@@ -186,7 +186,7 @@ EXERCISES: dict[str, Exercise] = {
             "That all of it cancels is true of a level box. In one that leans, an offset and the "
             "cosine of the heading change their signs together.": lambda *box: 0.0,
             "Here is the paper's factor of the latitude in the third term, which does not belong "
-            "there.": lambda *box: _two_alignments(*box, printed=True).mean(),
+            "there.": lambda *box: _two_alignments(*box, stray=True).mean(),
             "That is the error of the first alignment alone.": lambda *box: _two_alignments(*box)[
                 0
             ],

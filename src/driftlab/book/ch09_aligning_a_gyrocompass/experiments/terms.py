@@ -1,4 +1,4 @@
-"""The terms of the alignment's heading error over heading, pitch and latitude, and the misprint."""
+"""The terms of the alignment's heading error over heading, pitch and latitude, and the stray factor."""
 
 from typing import Any, NamedTuple
 
@@ -36,22 +36,22 @@ class AlignmentTerms(NamedTuple):
     terms : dict of ndarray, shape (n, 4)
         The four terms of first order.
     exact : dict of ndarray, shape (n,)
-    printed : dict of ndarray, shape (n,)
-        First order, with the factor that is a misprint.
+    in_copy : dict of ndarray, shape (n,)
+        First order, with the stray factor of the copy.
     """
 
     terms: dict[str, FloatArray]
     exact: dict[str, FloatArray]
-    printed: dict[str, FloatArray]
+    in_copy: dict[str, FloatArray]
 
 
 def alignment_terms() -> AlignmentTerms:
-    """Return the terms of (alignment heading), their printed sum, and the exact error.
+    """Return the terms of (alignment heading), their sum as the copy has it, and the exact error.
 
     Heading, pitch and latitude vary one at a time. The sensor errors are given in North, Up, East,
     so that the terms do not mix.
     """
-    terms, exact, printed = {}, {}, {}
+    terms, exact, in_copy = {}, {}, {}
     for name, grid in GRIDS.items():
         at: dict[str, Any] = {**FIXED, name: grid}
         attitude = from_euler_angles(at["heading"], at["pitch"], 0.0)
@@ -67,5 +67,5 @@ def alignment_terms() -> AlignmentTerms:
         terms[name] = np.degrees(formula.heading_terms)
         exact[name] = np.degrees(wrap_angle(gap))
         surplus = formula.heading_terms[:, 2] * (np.tan(at["latitude"]) - 1)
-        printed[name] = np.degrees(formula.heading + surplus)
-    return AlignmentTerms(terms, exact, printed)
+        in_copy[name] = np.degrees(formula.heading + surplus)
+    return AlignmentTerms(terms, exact, in_copy)

@@ -18,15 +18,15 @@ def _terms_caption(data: experiments.AlignmentTerms) -> str:
         float(np.abs(data.terms[panel].sum(axis=-1) - data.exact[panel]).max())
         for panel in ("heading", "pitch")
     )
-    printed = max(
-        float(np.abs(data.printed[panel] - data.exact[panel]).max())
+    in_copy = max(
+        float(np.abs(data.in_copy[panel] - data.exact[panel]).max())
         for panel in ("heading", "pitch")
     )
     return (
         "The four terms of the alignment's heading error for one set of sensor errors given in "
         "North, Up, East, and the exact error beside their sum. In the first two panels the "
-        f"formula with its misprint is off by up to {printed:.2f} degrees, without it by up to "
-        f"{corrected:.1g}; toward the poles the misprint grows without bound."
+        f"copy's formula is off by up to {in_copy:.2f} degrees, without its stray factor by up to "
+        f"{corrected:.1g}; toward the poles that factor grows without bound."
     )
 
 

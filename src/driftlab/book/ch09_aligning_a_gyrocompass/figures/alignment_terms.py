@@ -1,4 +1,4 @@
-"""The terms of the alignment's heading error over heading, pitch and latitude, and the misprint."""
+"""The terms of the alignment's heading error over heading, pitch and latitude, and the stray factor."""
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -24,7 +24,7 @@ def columns(data: AlignmentTerms) -> dict[str, FloatArray]:
         for i, label in enumerate(LABELS):
             curves[f"{label} over {name}"] = (grid, data.terms[name][:, i].round(8))
         curves[f"exact over {name}"] = (grid, data.exact[name].round(8))
-        curves[f"as printed over {name}"] = (grid, data.printed[name].round(8))
+        curves[f"as in the copy over {name}"] = (grid, data.in_copy[name].round(8))
     return long_table(curves)
 
 
@@ -51,8 +51,8 @@ def draw(data: AlignmentTerms) -> Figure:
         for i, label in enumerate(LABELS):
             panel.plot(grid, terms[:, i], **SERIES[i], label=label)
         panel.plot(grid, data.exact[name], color=BLACK, linewidth=2.0, label="exact, all")
-        panel.plot(grid, data.printed[name], **SERIES[5],
-                   label="all, formula as printed")  # fmt: skip
+        panel.plot(grid, data.in_copy[name], **SERIES[5],
+                   label="all, formula of the copy")  # fmt: skip
         panel.plot(grid[::4], terms.sum(axis=-1)[::4], color=BLACK, marker="o", markersize=4,
                    linestyle="none", label="all, formula corrected")  # fmt: skip
     handles, labels = panels[0].get_legend_handles_labels()

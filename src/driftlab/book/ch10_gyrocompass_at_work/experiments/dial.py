@@ -24,7 +24,7 @@ LASTING: FloatArray = np.arange(0.0, 0.105, 0.01).round(2)
 """Deviation of the drift that each gyro keeps through all runs, deg/h."""
 SHOWN = 4
 """Index of the entry of `LASTING` from which one unit is shown."""
-PRINTED_LARGEST = 0.34
+PAPER_LARGEST = 0.34
 """The paper's largest averaged error, degrees."""
 
 
@@ -94,7 +94,7 @@ def static_characteristic(units: int = 300) -> StaticCharacteristic:
         worst = np.abs(errors.mean(axis=1)).max(axis=-1)
         largest.append(worst)
         if len(largest) == SHOWN + 1:
-            unit = int(np.abs(np.degrees(worst) - PRINTED_LARGEST).argmin())
+            unit = int(np.abs(np.degrees(worst) - PAPER_LARGEST).argmin())
             local = rotate(from_euler_angles(DIAL, 0.0, 0.0), drift[unit, 0, 0])
             aligned = alignment_errors(DIAL, 0.0, SARATOV_LATITUDE, local, np.zeros(3))
             formula = aligned.heading + north[unit, 0, 0]

@@ -18,7 +18,7 @@ from driftlab.motion.vehicle import static_imu
 
 RESTARTS = 26
 """The paper's."""
-PRINTED_SPREAD, PRINTED_DEVIATION = 0.3, 0.054
+PAPER_SPREAD, PAPER_DEVIATION = 0.3, 0.054
 """The paper's, degrees."""
 TRIALS = 200_000
 """Samples of as many normal values."""
@@ -72,6 +72,6 @@ def restart_series() -> Restarts:
 def printed_ratio_range() -> tuple[float, float]:
     """Return the least and the largest ratio of range to deviation that rounds to the print."""
     return (
-        (PRINTED_SPREAD - 0.05) / (PRINTED_DEVIATION + 0.0005),
-        (PRINTED_SPREAD + 0.05) / (PRINTED_DEVIATION - 0.0005),
+        (PAPER_SPREAD - 0.05) / (PAPER_DEVIATION + 0.0005),
+        (PAPER_SPREAD + 0.05) / (PAPER_DEVIATION - 0.0005),
     )

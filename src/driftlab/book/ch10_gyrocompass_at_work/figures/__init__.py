@@ -72,17 +72,17 @@ def _formula_caption(data: experiments.OperatingFormula) -> str:
 
 def _static_caption(data: experiments.StaticCharacteristic) -> str:
     medians = np.degrees(np.median(data.largest, axis=1))
-    lasting = np.interp(experiments.PRINTED_LARGEST, medians, data.lasting)
+    lasting = np.interp(experiments.PAPER_LARGEST, medians, data.lasting)
     return (
         "The paper's Fig. 1, simulated from its description; its own plot is lost. Left: one unit, "
         "three runs around the dial. Right: the largest error of the averaged characteristic over "
-        f"random units; the printed {experiments.PRINTED_LARGEST:g} degrees are the median for "
+        f"random units; the printed {experiments.PAPER_LARGEST:g} degrees are the median for "
         f"a lasting drift with a deviation of {lasting:.3f} degrees per hour a gyro."
     )
 
 
 def _restarts_caption(data: experiments.Restarts) -> str:
-    ratio = experiments.PRINTED_SPREAD / experiments.PRINTED_DEVIATION
+    ratio = experiments.PAPER_SPREAD / experiments.PAPER_DEVIATION
     low, _ = experiments.printed_ratio_range()
     averaged = data.deviations[:, 1] / (degree / hour)
     return (

@@ -15,8 +15,8 @@ from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style, long_
 from driftlab.gyrocompass.trials import most_range_over_deviation
 
 from ..experiments import (
-    PRINTED_DEVIATION,
-    PRINTED_SPREAD,
+    PAPER_DEVIATION,
+    PAPER_SPREAD,
     RESTARTS,
     Restarts,
     printed_ratio_range,
@@ -66,7 +66,7 @@ def draw(data: Restarts) -> Figure:
     third.set(title=f"range of {RESTARTS} values over deviation", xlabel="ratio")
     third.set(ylabel="probability density", xlim=(2.5, 7.3), ylim=(0, 1.6))
     third.hist(data.ranges, 120, density=True, color=SERIES[6]["color"], label="normal samples")
-    third.axvline(PRINTED_SPREAD / PRINTED_DEVIATION, **SERIES[1],
+    third.axvline(PAPER_SPREAD / PAPER_DEVIATION, **SERIES[1],
                   label="printed: 0.3 over 0.054")  # fmt: skip
     third.axvspan(*printed_ratio_range(), color=SERIES[1]["color"], alpha=0.15,
                   label="within rounding")  # fmt: skip

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLACK, SERIES, in_style, long_table
 
-from ..experiments import DIAL, PRINTED_LARGEST, SHOWN, StaticCharacteristic
+from ..experiments import DIAL, PAPER_LARGEST, SHOWN, StaticCharacteristic
 
 
 def columns(data: StaticCharacteristic) -> dict[str, Any]:
@@ -52,7 +52,7 @@ def draw(data: StaticCharacteristic) -> Figure:
     right.errorbar(data.lasting, middle, [middle - low, high - middle], color=SERIES[0]["color"],
                    marker="o", linestyle="none", capsize=3,
                    label="median, and 10 to 90 % of the units")  # fmt: skip
-    right.axhline(PRINTED_LARGEST, **SERIES[1],
-                  label=f"printed: {PRINTED_LARGEST:g}°")  # fmt: skip
+    right.axhline(PAPER_LARGEST, **SERIES[1],
+                  label=f"printed: {PAPER_LARGEST:g}°")  # fmt: skip
     right.legend(loc="upper left")
     return figure
