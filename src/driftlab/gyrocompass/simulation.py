@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.signal import lfilter
 
 from driftlab.checks import (
     FloatArray,
@@ -50,9 +51,9 @@ class HeadingErrors(NamedTuple):
     times : ndarray, shape (n,)
         From the start, s.
     heading_error : ndarray, shape (..., n)
-        rad; the speed error is removed.
+        rad; the speed error is removed: the true one, or with a log the one that it tells.
     speed_error : ndarray, shape (n,)
-        The speed error, rad.
+        The true speed error, rad.
     formula : OperatingHeadingError
         The paper's formula for the heading error; each term (..., n).
     tilt : ndarray, shape (..., n, 2)
@@ -88,6 +89,7 @@ def simulate_compass(
     damping: float = 0.0,
     tilt: float = 0.0,
     log: bool = False,
+    log_error: ArrayLike = (0.0, 0.0),
 ) -> HeadingErrors:
     """Align a compass at the start of a voyage, operate it under way, and return its errors.
 
@@ -106,8 +108,12 @@ def simulate_compass(
     tilt : float
         Error of the aligned horizon about East, rad.
     log : bool
-        Whether velocity and latitude are known to the computation: it then subtracts
-        `coriolis_correction` from the specific force, and rotates in azimuth at the true rate.
+        Whether a log tells the velocity, and the latitude is known. The computation then subtracts
+        `coriolis_correction` from the specific force and rotates in azimuth with the meridian. It
+        damps by the specific force less that which the log explains (velocity damping), so that
+        accelerations do not disturb the horizon.
+    log_error : array_like, shape (n + 1, 2) or (2,)
+        Of the log's velocity, North and East, at each of the trajectory's times or at all, m/s.
 
     Returns
     -------
@@ -117,8 +123,8 @@ def simulate_compass(
     Raises
     ------
     ValueError
-        If the shapes of the biases do not fit the trajectory, if its axes are not North, Up, East,
-        and as in `propagate_level_frame`.
+        If the shapes of the biases or of the log's error do not fit the trajectory, if there is an
+        error and no log, if the axes are not North, Up, East, and as in `propagate_level_frame`.
 
     Examples
     --------
@@ -150,6 +156,8 @@ def simulate_compass(
     biases = np.broadcast_to(gyro_bias, (*gyro_bias.shape[:-2], *angle.shape))
     stiffness = positive_number(tuning_factor, "tuning_factor")
     ratio = finite_number(damping, "damping")
+    if ratio < 0:
+        raise ValueError(f"damping: expected a number of at least 0, got {ratio!r}.")
     latitude = float(trajectory.latitude[0])
     pull = float(gravity(latitude))
     rate, up = static_imu(trajectory.attitude[0], latitude)
@@ -158,30 +166,71 @@ def simulate_compass(
     leaning = np.array([0.0, 0.0, -finite_number(tilt, "tilt")])
     bent = multiply(from_rotation_vector(leaning), start.attitude)
     swing = float(np.sqrt(pull / EARTH_RADIUS * stiffness))
+    gains = Gains(2 * ratio * swing / pull, stiffness / EARTH_RADIUS)
     pushed = velocity + interval * accelerometer_bias
     azimuth_rate = np.broadcast_to(
         (EARTH_RATE * np.sin(aligned.latitude))[..., np.newaxis], biases.shape[:-1]
     )
+    told = trajectory.velocity + _checked_log_error(log_error, log, trajectory)
     if log:
-        vertical = navigation_frame_rate(trajectory.latitude, trajectory.velocity)[:, 1]
-        azimuth_rate = 0.5 * (vertical[1:] + vertical[:-1])
-        correction = coriolis_correction(trajectory.latitude, trajectory.velocity)
-        north, east = np.moveaxis(correction, -1, 0)
-        known = np.stack([north, np.zeros_like(north), east], axis=-1)
-        # In body axes, like the specific force; the mean of both ends is that of the interval.
-        known = rotate(conjugate(trajectory.attitude), known)
-        pushed = pushed - interval * 0.5 * (known[1:] + known[:-1])
+        turning = navigation_frame_rate(trajectory.latitude, told)
+        azimuth_rate = 0.5 * (turning[1:, 1] + turning[:-1, 1])
+        # The force that turns a tuned horizon as the log tells; in the main the acceleration.
+        north, _, east = np.diff(turning, axis=0).T * EARTH_RADIUS / interval
+        wanted = np.stack([-east, north], axis=-1)
+        known = coriolis_correction(trajectory.latitude, told)
+        # The mean of both ends is that of the interval.
+        known = 0.5 * (known[1:] + known[:-1])
+        hidden = _hidden_from_damping(wanted, gains, interval)
+        pushed = pushed - interval * _in_body(known + hidden, trajectory)
     found = propagate_level_frame(
         LevelFrame(bent, start.rate),
         Increments(interval, angle + interval * biases, pushed),
-        Gains(2 * ratio * swing / pull, stiffness / EARTH_RADIUS),
+        gains,
         azimuth_rate,
     )
-    return _errors_of(found, trajectory, biases)
+    if log:
+        # Its rates belong to the ends of the intervals, where the integrals should have all of
+        # the force, and a half of what is hidden in an interval comes after its middle.
+        missing = 0.5 * interval * gains.integral * hidden
+        found = found._replace(rate=found.rate + np.stack([missing[:, 1], -missing[:, 0]], -1))
+    return _errors_of(found, trajectory, biases, told)
+
+
+def _checked_log_error(log_error: ArrayLike, log: bool, trajectory: Trajectory) -> FloatArray:
+    error = finite_array(log_error, "log_error", 2)
+    if error.ndim > 1 and error.shape != trajectory.velocity.shape:
+        raise ValueError(
+            f"log_error: expected shape {trajectory.velocity.shape} or (2,), got {error.shape}."
+        )
+    if error.any() and not log:
+        raise ValueError("log_error: expected zeros without a log, got an error of one.")
+    return error
+
+
+def _hidden_from_damping(wanted: FloatArray, gains: Gains, interval: float) -> FloatArray:
+    """Return the part c (n, 2) of a wanted force a that the damping must not see.
+
+    With c subtracted from the specific force W, the correction k1 (W - c) + k2 ∫(W - c) dt shall
+    be k1 (W - a) + k2 ∫W dt. Hence k1 c + k2 ∫c dt = k1 a: c is a through a high-pass filter, here
+    in the steps in which `propagate_level_frame` sums.
+    """
+    k1, k2 = gains
+    now = k1 + 0.5 * interval * k2
+    fading = [1.0, interval * k2 / now - 1.0]
+    hidden: FloatArray = lfilter([k1 / now, -k1 / now], fading, wanted, axis=0)
+    return hidden
+
+
+def _in_body(level: FloatArray, trajectory: Trajectory) -> FloatArray:
+    """Return level vectors (n, 2), one an interval, in body axes (n, 3): mean of its two ends."""
+    vector = np.insert(level, 1, 0.0, axis=-1)
+    back = conjugate(trajectory.attitude)
+    return 0.5 * (rotate(back[1:], vector) + rotate(back[:-1], vector))
 
 
 def _errors_of(
-    found: LevellingHistory, trajectory: Trajectory, gyro_bias: FloatArray
+    found: LevellingHistory, trajectory: Trajectory, gyro_bias: FloatArray, told: FloatArray
 ) -> HeadingErrors:
     """Errors of the computed heading and horizon, and those that the formula predicts."""
     true = trajectory.attitude[1:]
@@ -189,7 +238,8 @@ def _errors_of(
     tilt = -to_rotation_vector(multiply(found.attitude, conjugate(true)))[..., [0, 2]]
     heading, pitch, _ = to_euler_angles(true)
     speed_errors = speed_error(trajectory.latitude[1:], trajectory.velocity[1:])
-    compass_error = wrap_angle(found.compass_angle - speed_errors)
+    removed = speed_error(trajectory.latitude[1:], told[1:])
+    compass_error = wrap_angle(found.compass_angle - removed)
     yaw_error = wrap_angle(found.yaw_pitch_roll.heading - heading)
     formula = operating_heading_error(
         trajectory.latitude[1:],

@@ -1,4 +1,4 @@
-"""The terms of the alignment's heading error over heading, pitch and latitude, and the stray factor."""
+"""Terms of the alignment's heading error over heading, pitch, latitude, and the stray factor."""
 
 from typing import Any, NamedTuple
 

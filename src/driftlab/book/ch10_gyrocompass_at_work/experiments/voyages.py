@@ -29,14 +29,19 @@ CRAFT_COMPASS: dict[str, Any] = {
 }
 """Its compass, with everything wrong at once: arguments of `simulate_compass`."""
 
+DAMPING = 0.5
+"""Damping ratio of a horizon that is damped at sea."""
+LOG_SCALE, CURRENT = 0.01, (0.5, 0.0)
+"""A log with errors: what it tells too much, and the current to North and East, m/s, unseen."""
 
-class BallisticError(NamedTuple):
+
+class Horizons(NamedTuple):
     """Errors of several horizons on one voyage.
 
     Attributes
     ----------
     runs : dict of HeadingErrors
-        By tuning.
+        By tuning and damping.
     """
 
     runs: dict[str, HeadingErrors]
@@ -61,19 +66,36 @@ def errors_under_way() -> HeadingErrors:
     return simulate_compass(ship_manoeuvre(), GYRO_BIAS)
 
 
-def ballistic_errors() -> BallisticError:
+def ballistic_errors() -> Horizons:
     """Return the errors of five tunings with perfect sensors on the ship's voyage."""
     tunings: dict[str, dict[str, Any]] = {
         "Schuler: k2 = 1/R": {},
         "Schuler, with a log": {"log": True},
         "too stiff: k2 = 2/R": {"tuning_factor": 2.0},
         "too soft: k2 = 0.5/R": {"tuning_factor": 0.5},
-        "damped: k2 = 1/R, ratio 0.5": {"damping": 0.5},
+        f"damped: k2 = 1/R, ratio {DAMPING:g}": {"damping": DAMPING},
     }
     way = ship_manoeuvre()
-    return BallisticError(
+    return Horizons(
         {name: simulate_compass(way, np.zeros(3), **tuning) for name, tuning in tunings.items()}
     )
+
+
+def damping_at_sea() -> Horizons:
+    """Return the errors of four horizons with small drifts: undamped, and damped with a log or not.
+
+    The log measures the velocity through the water, so that a current is missing in what it tells.
+    """
+    way = ship_manoeuvre()
+    logs: dict[str, dict[str, Any]] = {
+        "undamped, with a log": {"log": True},
+        "damped, no log": {"damping": DAMPING},
+        "damped by a true log": {"damping": DAMPING, "log": True},
+        "damped by a log with errors": {
+            "damping": DAMPING, "log": True, "log_error": LOG_SCALE * way.velocity - CURRENT
+        },
+    }  # fmt: skip
+    return Horizons({name: simulate_compass(way, GYRO_BIAS, **log) for name, log in logs.items()})
 
 
 def operating_formula() -> OperatingFormula:

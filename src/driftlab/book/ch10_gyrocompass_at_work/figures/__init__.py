@@ -5,13 +5,13 @@ from scipy.constants import arcminute, degree, hour
 
 from driftlab.book.ch09_aligning_a_gyrocompass.experiments import WHITE
 from driftlab.book.machinery.publish import FigureDefinition
-from driftlab.book.scenarios import TURN
+from driftlab.book.scenarios import SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.simulation import HeadingErrors
 
 from .. import experiments
 from . import (
-    ballistic_error,
+    horizons,
     operating_formula,
     operation,
     restarts,
@@ -45,7 +45,7 @@ def _operation_caption(data: HeadingErrors) -> str:
     )
 
 
-def _ballistic_caption(data: experiments.BallisticError) -> str:
+def _ballistic_caption(data: experiments.Horizons) -> str:
     tilts = [np.abs(run.tilt).max() / arcminute for run in data.runs.values()]
     damped = _largest(list(data.runs.values())[-1].heading_error)
     return (
@@ -54,6 +54,22 @@ def _ballistic_caption(data: experiments.BallisticError) -> str:
         f"and with a log to take that out {tilts[1]:.1g} are left. Other tunings tilt by up to "
         f"{max(tilts[2:]):.0f}. The damped one answers at once, by {damped:.0f} degrees of "
         "heading, beyond the axes."
+    )
+
+
+def _damping_caption(data: experiments.Horizons) -> str:
+    undamped, alone, damped, wrong = (np.degrees(run.heading_error) for run in data.runs.values())
+    swing = SCHULER_PERIOD / 2 / next(iter(data.runs.values())).times[0]
+    rings, stays = (np.ptp(error[-round(swing) :]) for error in (undamped, damped))
+    return (
+        "The same voyage with gyros that drift by a few hundredths of a degree per hour. Undamped, "
+        f"the swing that the turn begins goes on: {rings:.2f} degrees of heading from top to "
+        f"bottom in the last half period. Damped by the log's velocity, {stays:.2f} of it are "
+        f"left. Damped without a log, the heading runs off by {np.abs(alone).max():.0f} degrees, "
+        "beyond the axes, as soon as the ship gathers way. The log with errors tells "
+        f"{experiments.LOG_SCALE:.0%} too much and does not see a current of "
+        f"{experiments.CURRENT[0]:g} m/s to the North; it is off by up to "
+        f"{np.abs(wrong - damped).max():.2f} degrees from the true one."
     )
 
 
@@ -108,9 +124,16 @@ FIGURES = (
     FigureDefinition(
         "10-ballistic-error",
         experiments.ballistic_errors,
-        ballistic_error.draw,
-        ballistic_error.columns,
+        horizons.drawn_within(6.0, 6.0),
+        horizons.columns,
         _ballistic_caption,
+    ),
+    FigureDefinition(
+        "10-damping",
+        experiments.damping_at_sea,
+        horizons.drawn_within(0.4, 0.5),
+        horizons.columns,
+        _damping_caption,
     ),
     FigureDefinition(
         "10-operation",
