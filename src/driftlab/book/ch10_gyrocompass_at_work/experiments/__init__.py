@@ -17,8 +17,9 @@ from .restarts import (
     RESTARTS,
     TRIALS,
     Restarts,
-    printed_ratio_range,
     restart_series,
+    rounded_ratio_range,
+    spread_readings,
 )
 from .settling import (
     FREQUENCY,
@@ -80,8 +81,9 @@ __all__ = [
     "dial_trial",
     "errors_under_way",
     "operating_formula",
-    "printed_ratio_range",
     "restart_series",
+    "rounded_ratio_range",
     "settling_and_swing",
+    "spread_readings",
     "static_characteristic",
 ]

@@ -69,9 +69,32 @@ def restart_series() -> Restarts:
     )
 
 
-def printed_ratio_range() -> tuple[float, float]:
-    """Return the least and the largest ratio of range to deviation that rounds to the print."""
+def rounded_ratio_range() -> tuple[float, float]:
+    """Return the least and the largest ratio of spread to deviation that rounds to the paper's."""
     return (
         (PAPER_SPREAD - 0.05) / (PAPER_DEVIATION + 0.0005),
         (PAPER_SPREAD + 0.05) / (PAPER_DEVIATION - 0.0005),
     )
+
+
+def spread_readings(ranges: FloatArray) -> dict[str, tuple[float, float]]:
+    """Return what a spread of 0.3 degrees may mean: ratio to the deviation, and its probability.
+
+    Probable is how often normal values have at least that ratio of range to deviation. Six
+    deviations are not a range: any values have them.
+
+    Parameters
+    ----------
+    ranges : ndarray, shape (n,)
+        Range over standard deviation of normal samples.
+    """
+    least, _ = rounded_ratio_range()
+    taken = PAPER_SPREAD / PAPER_DEVIATION
+    ratios = {
+        "largest minus least, 0.3/0.054": taken,
+        "the same, 0.25 rounded up, over 0.054": (PAPER_SPREAD - 0.05) / PAPER_DEVIATION,
+        "the same, 0.25 over 0.0545": least,
+        "plus and minus 0.3, 0.6/0.054": 2 * taken,
+    }
+    readings = {name: (ratio, float(np.mean(ranges >= ratio))) for name, ratio in ratios.items()}
+    return readings | {"six deviations, 0.324 in one digit": (6.0, 1.0)}

@@ -98,8 +98,8 @@ def _static_caption(data: experiments.StaticCharacteristic) -> str:
 
 
 def _restarts_caption(data: experiments.Restarts) -> str:
-    ratio = experiments.PAPER_SPREAD / experiments.PAPER_DEVIATION
-    low, _ = experiments.printed_ratio_range()
+    readings = experiments.spread_readings(data.ranges)
+    taken, _, least, *_ = (probability for _, probability in readings.values())
     averaged = data.deviations[:, 1] / (degree / hour)
     return (
         "The paper's Fig. 2, simulated from its description; its own plot is lost. Left: one "
@@ -107,9 +107,9 @@ def _restarts_caption(data: experiments.Restarts) -> str:
         f"averaged. Middle: noise of {WHITE[1]:g} degrees per hour a sample; "
         f"after the average {averaged[1]:.3f}, and {averaged[0]:.3f} where it was "
         f"{WHITE[0]:g}. Right: of "
-        f"{experiments.TRIALS} normal samples {np.mean(data.ranges >= ratio):.1%} have a range as "
-        f"large as the printed one, {np.mean(data.ranges >= low):.0%} one that could be rounded "
-        "to it."
+        f"{experiments.TRIALS} normal samples {taken:.1%} have a range of at least 0.3 over 0.054, "
+        f"and {least:.0%} one that could be rounded to it. If the spread means six deviations, "
+        f"{6 * experiments.PAPER_DEVIATION:.2f} degrees, there is nothing to explain."
     )
 
 
