@@ -96,6 +96,35 @@ def test_a_tilt_does_harm_only_in_second_order_and_a_wrong_north_in_first():
     assert harm(tilt=1e-3 * tilt) == pytest.approx(1e-6 / 4, rel=1e-5)
 
 
+def test_a_pitched_and_rolled_table_of_a_perfect_compass_shows_the_dial():
+    pitch, roll = np.meshgrid([-1.2, 0.3, 1.4], [-3.0, 0.2, 2.0])
+    table = {"pitch": pitch, "roll": roll}
+    errors = table_heading_error(0.7, NONE, NONE, LATITUDE, **table)
+    np.testing.assert_allclose(errors, 0, rtol=0, atol=256 * EPS)
+
+
+def test_a_pitched_unit_has_the_errors_of_its_alignment_to_first_order():
+    pitch, roll = 0.8, -1.1
+    attitude = from_euler_angles(DIAL, pitch, roll)
+
+    def gap(size):
+        shown = table_heading_error(
+            DIAL, size * GYRO_BIAS, size * ACCELEROMETER_BIAS, LATITUDE, pitch=pitch, roll=roll
+        )
+        local = (rotate(attitude, size * error) for error in (GYRO_BIAS, ACCELEROMETER_BIAS))
+        return np.abs(shown - alignment_errors(DIAL, pitch, LATITUDE, *local).heading)
+
+    assert order_of(lambda size: gap(size).max()) == pytest.approx(2, abs=0.02)
+
+
+def test_a_leaning_table_turns_a_pitched_bow_aside_in_first_order():
+    """The compass shows where the bow points, the dial does not: tan(pitch) times the tilt."""
+    north, east, pitch = 2e-4, -3e-4, 1.0
+    errors = table_heading_error(DIAL, NONE, NONE, LATITUDE, pitch=pitch, tilt=[north, east])
+    expected = np.tan(pitch) * (east * np.sin(DIAL) - north * np.cos(DIAL))
+    np.testing.assert_allclose(errors, expected, rtol=0, atol=10 * (north**2 + east**2))
+
+
 def test_a_whole_turn_of_the_dial_changes_nothing():
     there, again = (
         table_heading_error(DIAL + turn, GYRO_BIAS, ACCELEROMETER_BIAS, LATITUDE, tilt=(0.01, 0.02))

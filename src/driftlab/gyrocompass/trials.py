@@ -23,6 +23,8 @@ def table_heading_error(
     accelerometer_bias_body: ArrayLike,
     latitude: ArrayLike,
     *,
+    pitch: ArrayLike = 0.0,
+    roll: ArrayLike = 0.0,
     north_error: ArrayLike = 0.0,
     tilt: ArrayLike = (0.0, 0.0),
 ) -> FloatArray:
@@ -38,6 +40,8 @@ def table_heading_error(
         Accelerometer biases in body axes, m/s^2.
     latitude : array_like, shape (...)
         rad.
+    pitch, roll : array_like, shape (...)
+        To which the table is turned, rad.
     north_error : array_like, shape (...)
         True heading at which the dial reads zero, rad.
     tilt : array_like, shape (..., 2)
@@ -62,8 +66,10 @@ def table_heading_error(
     >>> (60 * np.degrees(error)).round(2)
     array([ 4.57,  2.28, -2.28, -4.57])
     """
-    shown, gyro_biases, accelerometer_biases, place, north, tilts = finite_arrays(
+    shown, up, over, gyro_biases, accelerometer_biases, place, north, tilts = finite_arrays(
         dial=(dial,),
+        pitch=(pitch,),
+        roll=(roll,),
         gyro_bias_body=(gyro_bias_body, 3),
         accelerometer_bias_body=(accelerometer_bias_body, 3),
         latitude=(latitude,),
@@ -71,7 +77,7 @@ def table_heading_error(
         tilt=(tilt, 2),
     )
     leaning = np.insert(tilts, 1, 0.0, axis=-1)
-    attitude = multiply(from_rotation_vector(leaning), from_euler_angles(shown + north, 0.0, 0.0))
+    attitude = multiply(from_rotation_vector(leaning), from_euler_angles(shown + north, up, over))
     rate, force = static_imu(attitude, place)
     return wrap_angle(align(rate + gyro_biases, force + accelerometer_biases).heading - shown)
 

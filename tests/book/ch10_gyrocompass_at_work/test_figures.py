@@ -12,7 +12,7 @@ from driftlab.book.ch10_gyrocompass_at_work.experiments import dial
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.gyrocompass.trials import most_range_over_deviation
 from published import published
-from saratov import HOURLY, LEVEL_RATE, SCHULER
+from saratov import GRAVITY, HOURLY, LEVEL_RATE, SCHULER
 from support import chi_bounds, largest, range_distribution
 
 # Restarts
@@ -98,13 +98,14 @@ def test_the_shown_unit_follows_its_formula_within_the_noise_of_three_runs(
     data = figure.data
     noise = at_work.RANDOM / np.sqrt(dial.RUNS) / LEVEL_RATE
     low, high = chi_bounds(len(at_work.DIAL))
-    gap = data.runs.mean(axis=0) - data.formula
-    assert low < np.mean(gap**2) / noise**2 < high
-    assert abs(gap.mean()) < 4.9 * noise / np.sqrt(len(gap))
-    assert largest(data.formula) > 5 * noise
+    for name, runs in data.runs.items():
+        gap = runs.mean(axis=0) - data.formula[name]
+        assert low < np.mean(gap**2) / noise**2 < high
+        assert abs(gap.mean()) < 4.9 * noise / np.sqrt(len(gap))
+    assert largest(data.formula["heading"]) > 5 * noise
     # It is the unit whose largest error is nearest to the paper's.
-    worst = largest(data.runs.mean(axis=0))
-    shown = data.largest[at_work.SHOWN]
+    worst = largest(data.runs["heading"].mean(axis=0))
+    shown = data.by_drift[0, at_work.SHOWN]
     wanted = np.radians(at_work.PAPER_LARGEST)
     assert worst == shown[np.abs(shown - wanted).argmin()]
     assert worst == pytest.approx(wanted, rel=0.01)
@@ -113,29 +114,41 @@ def test_the_shown_unit_follows_its_formula_within_the_noise_of_three_runs(
 @published("10-static-characteristic")
 def test_the_error_of_the_paper_is_the_median_of_the_shown_drift(figure: PublishedFigure) -> None:
     data = figure.data
-    medians = np.degrees(np.median(data.largest, axis=1))
-    assert (np.diff(medians) > 0).all()
-    nearest = np.abs(medians - at_work.PAPER_LARGEST).argmin()
-    assert nearest == at_work.SHOWN
-    assert at_work.LASTING[nearest] == 0.04
+    for by_size in (data.by_drift, data.by_offset):
+        alone, with_pitch_and_roll = np.degrees(np.median(by_size, axis=-1))
+        assert (np.diff(alone) > 0).all()
+        assert (with_pitch_and_roll > alone).all()
+        assert alone[0] < at_work.PAPER_LARGEST < alone[-1]
+        assert with_pitch_and_roll[0] < at_work.PAPER_LARGEST < with_pitch_and_roll[-1]
+    medians = np.degrees(np.median(data.by_drift[0], axis=-1))
+    assert np.abs(medians - at_work.PAPER_LARGEST).argmin() == at_work.SHOWN
+    assert at_work.LASTING[at_work.SHOWN] == 0.04
 
 
 def test_without_noise_a_unit_has_one_characteristic() -> None:
-    """The drift about East and the dial's zero; levelling is of second order like the rest."""
+    """Drift, offset, and the dial's zero to first order; the table's tilt where it is pitched."""
     rng = np.random.default_rng(7)
-    errors, gyro_bias, north = at_work.dial_trial(0.02 * HOURLY, 400, rng, random=0.0)
-    assert errors.shape == (400, 3, 25)
-    assert np.ptp(errors, axis=1).max() < 1e-15
-    np.testing.assert_allclose(errors[..., 0], errors[..., -1], rtol=0, atol=1e-14)
-    heading = at_work.DIAL + north
-    rates = gyro_bias / LEVEL_RATE
-    east = -rates[..., 0] * np.sin(heading) + rates[..., 2] * np.cos(heading)
-    # Squares of drifts against the Earth's rate, and of tilts, which a rate about Up also shows.
-    size = np.linalg.norm(rates, axis=-1).max() + 2 * at_work.LEVELLING
-    assert largest(errors - east - north) < size**2 < 0.1 * largest(east)
-    low, high = chi_bounds(gyro_bias.size)
-    assert low < np.mean((gyro_bias / (0.02 * HOURLY)) ** 2) < high
-    assert 0.95 * np.radians(0.1) < largest(north) <= np.radians(0.1)
+    trial = at_work.dial_trial(0.02 * HOURLY, 0.005, 200, rng, random=0.0)
+    rates, tilts = trial.drift / LEVEL_RATE, trial.offset / GRAVITY
+    # Squares of all that is small, times what a pitch of 60 degrees and the latitude make of it.
+    size = np.linalg.norm(rates, axis=-1) + 2 * np.linalg.norm(tilts, axis=-1)
+    size = (size + 2 * np.linalg.norm(trial.tilt, axis=-1) + np.abs(trial.north_error))[:, 0, 0]
+    for name, steepest in (("heading", 1.0), ("pitch", np.tan(np.pi / 3)), ("roll", 1.0)):
+        errors = trial.errors[name]
+        assert errors.shape == (200, 3, 25)
+        assert np.ptp(errors, axis=1).max() < 1e-15
+        expected = np.array([at_work.table_and_unit(trial, unit)[name] for unit in range(200)])
+        gap = np.abs(errors[:, 0] - expected).max(axis=-1)
+        assert (gap < 2 * (1 + steepest**2) * size**2).all()
+        assert largest(gap) < 0.1 * largest(expected)
+    np.testing.assert_allclose(
+        trial.errors["heading"][..., 0], trial.errors["heading"][..., -1], rtol=0, atol=1e-14
+    )
+    for part, deviation in ((trial.drift, 0.02 * HOURLY), (trial.offset, 0.005)):
+        low, high = chi_bounds(part.size)
+        assert low < np.mean((part / deviation) ** 2) < high
+    assert 0.95 * np.radians(0.1) < largest(trial.north_error) <= np.radians(0.1)
+    assert 0.95 * at_work.LEVELLING < largest(trial.tilt) <= at_work.LEVELLING
 
 
 # Settling

@@ -51,6 +51,7 @@ class GyrocompassExplorer(Explorer):
         },
         "Tuned too stiffly": {f"gyro_{axis}": 0.0 for axis in BODY_AXES} | {"tuning": 2.0},
         "Damped": {f"gyro_{axis}": 0.0 for axis in BODY_AXES} | {"damping": 0.5},
+        "Damped by the log": {"damping": 0.5, "log": True},
         "Open azimuth": {
             "gyro_forward": 0.0, "gyro_up": 0.1, "gyro_right": 0.0, "speed": 0.0, "turn": 0.0
         },

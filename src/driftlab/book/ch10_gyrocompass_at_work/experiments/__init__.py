@@ -4,12 +4,15 @@ from .dial import (
     DIAL,
     LASTING,
     LEVELLING,
+    OFFSETS,
     PAPER_LARGEST,
     RANDOM,
     SHOWN,
+    STOPS,
     StaticCharacteristic,
     dial_trial,
     static_characteristic,
+    table_and_unit,
 )
 from .restarts import (
     PAPER_DEVIATION,
@@ -58,6 +61,7 @@ __all__ = [
     "LASTING",
     "LEVELLING",
     "LOG_SCALE",
+    "OFFSETS",
     "PAPER_DEVIATION",
     "PAPER_LARGEST",
     "PAPER_SPREAD",
@@ -67,6 +71,7 @@ __all__ = [
     "SETTLING",
     "SETTLING_INTERVAL",
     "SHOWN",
+    "STOPS",
     "TILT",
     "TRIALS",
     "TUNING_FACTORS",
@@ -86,4 +91,5 @@ __all__ = [
     "settling_and_swing",
     "spread_readings",
     "static_characteristic",
+    "table_and_unit",
 ]

@@ -1,9 +1,9 @@
-"""Plotnikov Fig. 1, simulated from its description: heading error around the dial of a table."""
+"""Plotnikov Fig. 1, simulated from its description: heading error on a table of three angles."""
 
 from typing import NamedTuple
 
 import numpy as np
-from scipy.constants import arcminute, degree, hour
+from scipy.constants import arcminute, degree, g, hour, milli
 
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray
@@ -13,15 +13,26 @@ from driftlab.gyrocompass.trials import table_heading_error
 from driftlab.quaternion import rotate
 
 DIAL: FloatArray = np.radians(np.arange(0.0, 361.0, 15.0))
-"""Stops of the table, rad."""
+"""Stops of the table in heading and in roll, rad."""
+PITCHES: FloatArray = np.radians(np.arange(-60.0, 61.0, 5.0))
+"""As many stops in pitch, rad; how far the paper's table was pitched it does not say."""
+STOPS: dict[str, FloatArray] = {
+    name: np.stack(
+        [angles if name == other else 0 * DIAL for other in ("heading", "pitch", "roll")]
+    )
+    for name, angles in (("heading", DIAL), ("pitch", PITCHES), ("roll", DIAL))
+}
+"""Heading, pitch and roll (3, n) at the stops of the three turns, rad: the others stay at zero."""
 RUNS = 3
-"""Times that the paper goes around the dial."""
+"""Times that the paper turns its table."""
 LEVELLING, NORTH = 6 * arcminute, float(np.radians(0.1))
 """The paper's limits for the table: each axis is level, and its zero is North, within these."""
 RANDOM = 0.01 * degree / hour
 """Deviation of an averaged gyro from stop to stop, rad/s: of the paper's 0.01 to 0.02 deg/h."""
 LASTING: FloatArray = np.arange(0.0, 0.105, 0.01).round(2)
 """Deviation of the drift that each gyro keeps through all runs, deg/h."""
+OFFSETS: FloatArray = np.arange(0.0, 5.1, 0.5)
+"""Deviation of the offset that each accelerometer keeps through all runs, mg."""
 SHOWN = 4
 """Index of the entry of `LASTING` from which one unit is shown."""
 PAPER_LARGEST = 0.34
@@ -29,74 +40,116 @@ PAPER_LARGEST = 0.34
 
 
 class StaticCharacteristic(NamedTuple):
-    """Heading errors of one unit around the dial, and the largest errors of many.
+    """Heading errors of one unit on the table, and the largest errors of many.
 
     Attributes
     ----------
-    runs : ndarray, shape (3, n)
-        Heading errors of the shown unit, rad.
-    formula : ndarray, shape (n,)
-        What its lasting errors make of the heading to first order, rad.
-    lasting : ndarray, shape (m,)
-        Deviations of the drift that lasts, deg/h.
-    largest : ndarray, shape (m, units)
-        Largest errors of the averaged characteristic, rad.
+    runs : dict of ndarray, shape (3, n)
+        Heading errors of the shown unit by the angle that turns, rad.
+    formula : dict of ndarray, shape (n,)
+        What its lasting errors make of the heading to first order, and the table's own, rad.
+    lasting, offsets : ndarray, shape (m,)
+        Deviations of the drift, deg/h, and of the offset, mg, that last.
+    by_drift, by_offset : ndarray, shape (2, m, units)
+        Largest errors of the averaged characteristic, rad: in the turns in heading alone, and in
+        all three.
     """
 
-    runs: FloatArray
-    formula: FloatArray
+    runs: dict[str, FloatArray]
+    formula: dict[str, FloatArray]
     lasting: FloatArray
-    largest: FloatArray
+    offsets: FloatArray
+    by_drift: FloatArray
+    by_offset: FloatArray
+
+
+class DialTrial(NamedTuple):
+    """Many units, each on a table of its own.
+
+    Attributes
+    ----------
+    errors : dict of ndarray, shape (units, 3, n)
+        Of the heading, by the angle that turns, rad.
+    drift, offset : ndarray, shape (units, 1, 1, 3)
+        Those that last, rad/s and m/s^2.
+    north_error : ndarray, shape (units, 1, 1)
+        Of the table's zero, rad.
+    tilt : ndarray, shape (units, 1, 1, 2)
+        Of the table about North and East, rad.
+    """
+
+    errors: dict[str, FloatArray]
+    drift: FloatArray
+    offset: FloatArray
+    north_error: FloatArray
+    tilt: FloatArray
+
+    def largest(self) -> FloatArray:
+        """Return the largest errors (2, units) of the mean of the runs: in heading, in all turns."""
+        worst = [np.abs(each.mean(axis=1)).max(axis=-1) for each in self.errors.values()]
+        return np.array([worst[0], np.max(worst, axis=0)])
 
 
 def dial_trial(
-    lasting: float, units: int, rng: np.random.Generator, random: float = RANDOM
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Turn units around the dial on tables with errors within the paper's limits.
+    lasting: float, offset: float, units: int, rng: np.random.Generator, random: float = RANDOM
+) -> DialTrial:
+    """Turn units in heading, pitch and roll on tables with errors within the paper's limits.
 
-    The errors of a table are the same for all stops of one unit.
+    The errors of a table are the same at all stops of one unit.
 
     Parameters
     ----------
     lasting, random : float
         Deviations of the drift that lasts and of the one that changes from stop to stop, rad/s.
+    offset : float
+        Deviation of the accelerometers' offset, which lasts, m/s^2.
     units : int
     rng : numpy.random.Generator
-
-    Returns
-    -------
-    errors : ndarray, shape (units, 3, n)
-        Of the heading, rad.
-    drift : ndarray, shape (units, 1, 1, 3)
-        The one that lasts, rad/s.
-    north_error : ndarray, shape (units, 1, 1)
-        Of the table's zero, rad.
     """
     drift = lasting * rng.standard_normal((units, 1, 1, 3))
+    bias = offset * rng.standard_normal((units, 1, 1, 3))
     tilt = rng.uniform(-LEVELLING, LEVELLING, (units, 1, 1, 2))
     north = rng.uniform(-NORTH, NORTH, (units, 1, 1))
-    noise = random * rng.standard_normal((units, RUNS, len(DIAL), 3))
-    errors = table_heading_error(
-        DIAL, drift + noise, np.zeros(3), SARATOV_LATITUDE, north_error=north, tilt=tilt
-    )
-    return errors, drift, north
+    errors = {}
+    for name, (dial, pitch, roll) in STOPS.items():
+        noise = random * rng.standard_normal((units, RUNS, len(dial), 3))
+        errors[name] = table_heading_error(
+            dial, drift + noise, bias, SARATOV_LATITUDE, pitch=pitch, roll=roll,
+            north_error=north, tilt=tilt,
+        )  # fmt: skip
+    return DialTrial(errors, drift, bias, north, tilt)
+
+
+def table_and_unit(trial: DialTrial, unit: int) -> dict[str, FloatArray]:
+    """Return the heading errors (n,) of one unit and its table to first order, by turn, rad."""
+    expected = {}
+    for name, (dial, pitch, roll) in STOPS.items():
+        local = (
+            rotate(from_euler_angles(dial, pitch, roll), part[unit, 0, 0])
+            for part in (trial.drift, trial.offset)
+        )
+        north, east = trial.tilt[unit, 0, 0]
+        # A leaning table turns a pitched bow aside; the compass is right, and the dial is not.
+        aside = np.tan(pitch) * (east * np.sin(dial) - north * np.cos(dial))
+        aligned = alignment_errors(dial, pitch, SARATOV_LATITUDE, *local).heading
+        expected[name] = aligned + trial.north_error[unit, 0, 0] + aside
+    return expected
 
 
 def static_characteristic(units: int = 300) -> StaticCharacteristic:
-    """Turn many units around the dial for each of `LASTING`.
+    """Turn many units on the table for each of `LASTING`, and for each of `OFFSETS`.
 
-    The shown unit is the one whose largest error is nearest to the printed one.
+    The shown unit is the one whose largest error in the turns in heading is nearest to the paper's.
     """
     rng = np.random.default_rng(1)
-    largest = []
-    for lasting in LASTING * degree / hour:
-        errors, drift, north = dial_trial(float(lasting), units, rng)
-        worst = np.abs(errors.mean(axis=1)).max(axis=-1)
-        largest.append(worst)
-        if len(largest) == SHOWN + 1:
-            unit = int(np.abs(np.degrees(worst) - PAPER_LARGEST).argmin())
-            local = rotate(from_euler_angles(DIAL, 0.0, 0.0), drift[unit, 0, 0])
-            aligned = alignment_errors(DIAL, 0.0, SARATOV_LATITUDE, local, np.zeros(3))
-            formula = aligned.heading + north[unit, 0, 0]
-            runs = errors[unit]
-    return StaticCharacteristic(runs, formula, LASTING, np.array(largest))
+    drifting = [dial_trial(float(s), 0.0, units, rng) for s in LASTING * degree / hour]
+    offset = [dial_trial(0.0, float(s), units, rng) for s in OFFSETS * milli * g]
+    shown = drifting[SHOWN]
+    unit = int(np.abs(np.degrees(shown.largest()[0]) - PAPER_LARGEST).argmin())
+    return StaticCharacteristic(
+        {name: errors[unit] for name, errors in shown.errors.items()},
+        table_and_unit(shown, unit),
+        LASTING,
+        OFFSETS,
+        *(np.stack([trial.largest() for trial in each], axis=1) for each in (drifting, offset)),
+    )

@@ -87,13 +87,21 @@ def _formula_caption(data: experiments.OperatingFormula) -> str:
 
 
 def _static_caption(data: experiments.StaticCharacteristic) -> str:
-    medians = np.degrees(np.median(data.largest, axis=1))
-    lasting = np.interp(experiments.PAPER_LARGEST, medians, data.lasting)
+    kinds = ((data.lasting, data.by_drift), (data.offsets, data.by_offset))
+    drift, offset = (
+        [float(np.interp(experiments.PAPER_LARGEST, middle, lasting)) for middle in middles]
+        for lasting, middles in (
+            (lasting, np.degrees(np.median(largest, axis=-1))) for lasting, largest in kinds
+        )
+    )
     return (
-        "The paper's Fig. 1, simulated from its description; its own plot is lost. Left: one unit, "
-        "three runs around the dial. Right: the largest error of the averaged characteristic over "
-        f"random units; the printed {experiments.PAPER_LARGEST:g} degrees are the median for "
-        f"a lasting drift with a deviation of {lasting:.3f} degrees per hour a gyro."
+        "The paper's Fig. 1, simulated from its description; its own plot is lost. Above: one "
+        "unit, three runs around the dial, and the mean of three in turns of pitch and roll. "
+        "Below: the largest error of the averaged characteristic over random units. The paper's "
+        f"{experiments.PAPER_LARGEST:g} degrees are the median if each gyro keeps a drift with a "
+        f"deviation of {drift[0]:.3f} degrees per hour, or each accelerometer an offset of "
+        f"{offset[0]:.1f} mg; if the turns in pitch and roll count as well, {drift[1]:.3f} or "
+        f"{offset[1]:.1f}."
     )
 
 

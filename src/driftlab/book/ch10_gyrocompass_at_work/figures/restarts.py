@@ -67,7 +67,7 @@ def draw(data: Restarts) -> Figure:
     third.set(ylabel="probability density", xlim=(2.5, 7.3), ylim=(0, 1.6))
     third.hist(data.ranges, 120, density=True, color=SERIES[6]["color"], label="normal samples")
     third.axvline(PAPER_SPREAD / PAPER_DEVIATION, **SERIES[1],
-                  label="paper: 0.3 over 0.054")  # fmt: skip
+                  label="0.3 over 0.054, as a range")  # fmt: skip
     third.axvspan(*rounded_ratio_range(), color=SERIES[1]["color"], alpha=0.15,
                   label="within rounding")  # fmt: skip
     third.axvline(most_range_over_deviation(RESTARTS), **SERIES[4],
