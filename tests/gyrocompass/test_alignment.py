@@ -415,7 +415,22 @@ def north_term(north, east):
     return errors.heading
 
 
-def test_effect_of_the_north_drift_goes_with_the_velocity_north_only():
+@pytest.mark.parametrize("latitude", [0.0, 0.9, -1.3])
+def test_effect_of_the_north_drift_grows_with_the_speed_on_a_fixed_course(latitude):
+    """Up to the speed of the ground, and on every course but due East and due West."""
+    ground = EARTH_RADIUS * EARTH_RATE * np.cos(latitude)
+    speeds = np.linspace(0.0, 1.5 * ground, 301)
+    for course in np.radians(np.arange(0.0, 360.0, 7.0)):
+        bow = np.array([np.cos(course), np.sin(course)])
+        errors = operating_heading_error(
+            latitude, speeds[:, np.newaxis] * bow, [0, 0], [0, 0], [1e-9, 0], 0, 0, 0
+        )
+        effect = np.abs(errors.north_rate)
+        assert effect.argmax() == 200
+        assert (np.diff(effect[:201]) > 0).all()
+
+
+def test_effect_of_the_north_drift_comes_from_the_velocity_north():
     level = EARTH_RADIUS * EARTH_RATE * np.cos(0.9)
     assert north_term(0.0, 300.0) == 0  # due East it is not there at all
     speeds = np.linspace(0, level, 20)

@@ -284,6 +284,25 @@ def test_the_azimuth_channel_is_open_and_the_heading_is_not():
     )
 
 
+def test_how_the_heading_is_shared_at_the_start_does_not_matter():
+    """The alignment's heading as yaw, or as compass angle with a yaw of zero by definition."""
+    body, drift = from_euler_angles(0.7, 0.4, -0.3), np.array([2e-7, -1e-7, 3e-7])
+    rate, force = static_imu(body, LATITUDE)
+    found = align(rate + drift, force)
+    as_yaw = initial_level_frame(found)
+    turned = from_euler_angles(0.0, found.pitch, found.roll)
+    level = found.level_rate * np.array([np.cos(found.heading), np.sin(found.heading)])
+    increments = Increments(
+        10.0, *(np.tile(10.0 * part, (720, 1)) for part in (rate + drift, force))
+    )
+    runs = [
+        propagate_level_frame(start, increments, schuler_gains(), AZIMUTH_RATE)
+        for start in (as_yaw, LevelFrame(turned, level))
+    ]
+    assert np.abs(runs[1].yaw_pitch_roll.heading[0]) < 0.01 * runs[0].yaw_pitch_roll.heading[0]
+    np.testing.assert_allclose(runs[1].heading, runs[0].heading, rtol=0, atol=1e-9)
+
+
 def test_an_error_of_the_latitude_acts_like_a_drift_about_up():
     """The computer then turns its horizon in azimuth by U cos(latitude) times the error less."""
     error = np.radians(0.1)

@@ -277,6 +277,6 @@ EXERCISES: dict[str, Exercise] = {
                 lambda: _how_often(divided_by_n=True)
             ),
         },
-        remark="One restart in ten gone astray makes the printed numbers nothing unusual.",
+        remark="If one restart in ten goes astray, the paper's numbers are usual even as a range.",
     ),
 }

@@ -31,7 +31,7 @@ RANDOM = 0.01 * degree / hour
 """Deviation of an averaged gyro from stop to stop, rad/s: of the paper's 0.01 to 0.02 deg/h."""
 LASTING: FloatArray = np.arange(0.0, 0.105, 0.01).round(2)
 """Deviation of the drift that each gyro keeps through all runs, deg/h."""
-OFFSETS: FloatArray = np.arange(0.0, 5.1, 0.5)
+OFFSETS: FloatArray = np.arange(0.0, 11.0, 1.0)
 """Deviation of the offset that each accelerometer keeps through all runs, mg."""
 SHOWN = 4
 """Index of the entry of `LASTING` from which one unit is shown."""
@@ -85,7 +85,7 @@ class DialTrial(NamedTuple):
     tilt: FloatArray
 
     def largest(self) -> FloatArray:
-        """Return the largest errors (2, units) of the mean of the runs: in heading, in all turns."""
+        """Return largest errors (2, units) of the mean of the runs: in heading, in all turns."""
         worst = [np.abs(each.mean(axis=1)).max(axis=-1) for each in self.errors.values()]
         return np.array([worst[0], np.max(worst, axis=0)])
 
@@ -136,7 +136,7 @@ def table_and_unit(trial: DialTrial, unit: int) -> dict[str, FloatArray]:
     return expected
 
 
-def static_characteristic(units: int = 300) -> StaticCharacteristic:
+def static_characteristic(units: int = 500) -> StaticCharacteristic:
     """Turn many units on the table for each of `LASTING`, and for each of `OFFSETS`.
 
     The shown unit is the one whose largest error in the turns in heading is nearest to the paper's.
