@@ -51,7 +51,7 @@ def draw(data: StaticCharacteristic) -> Figure:
     """One unit on the table, and which drift or offset makes the paper's largest error."""
     figure = Figure(figsize=(10.5, 7.2))
     (heading, others), (drift, offset) = figure.subplots(2, 2)
-    figure.subplots_adjust(0.07, 0.075, 0.985, 0.95, wspace=0.17, hspace=0.34)
+    figure.subplots_adjust(0.07, 0.13, 0.985, 0.95, wspace=0.17, hspace=0.36)
     heading.set_title(f"one unit, lasting drift drawn with {data.lasting[SHOWN]:g} deg/h")
     heading.set(xlabel="heading, degrees", ylabel="heading error, degrees", xlim=(0, 360))
     others.set(title="the same unit, pitched or rolled, bow to the North")
@@ -70,14 +70,16 @@ def draw(data: StaticCharacteristic) -> Figure:
         others.plot(stops[name], np.degrees(data.formula[name]), **SERIES[3],
                     label="formula, lasting part" if name == "roll" else None)  # fmt: skip
     for panel in (heading, others):
-        panel.set(ylim=(-0.6, 0.6))
+        panel.set(ylim=(-0.6, 0.9))
         panel.set_xticks(range(-60 if panel is others else 0, 361, 60))
-        panel.legend(loc="best", ncols=2)
+        panel.legend(loc="upper left", ncols=2)
     units = data.by_drift.shape[-1]
     for panel, (kind, rows) in zip((drift, offset), _deviations(data).items(), strict=True):
         panel.set_title(f"largest error of the mean of 3 runs, {units} units each", fontsize=9)
         panel.set(xlabel=f"deviation of the lasting {kind}", ylabel="degrees", ylim=(0, 1.9))
         _draw_largest(panel, *rows)
+    handles, labels = drift.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="lower center", ncols=3)
     return figure
 
 
@@ -90,4 +92,3 @@ def _draw_largest(panel: Axes, lasting: FloatArray, quantiles: FloatArray) -> No
                        color=SERIES[2 * i]["color"], marker="os"[i], linestyle="none", capsize=3,
                        markersize=4, label=f"{turned}: median, 10 to 90 %")  # fmt: skip
     panel.axhline(PAPER_LARGEST, **SERIES[1], label=f"paper: {PAPER_LARGEST:g}°")
-    panel.legend(loc="upper left")
