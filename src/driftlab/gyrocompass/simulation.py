@@ -179,10 +179,14 @@ def simulate_compass(
         north, _, east = np.diff(turning, axis=0).T * EARTH_RADIUS / interval
         wanted = np.stack([-east, north], axis=-1)
         known = coriolis_correction(trajectory.latitude, told)
-        # The mean of both ends is that of the interval.
-        known = 0.5 * (known[1:] + known[:-1])
         hidden = _hidden_from_damping(wanted, gains, interval)
-        pushed = pushed - interval * _in_body(known + hidden, trajectory)
+        # In body axes, like the specific force; the mean of both ends is that of the interval.
+        to_body = conjugate(trajectory.attitude)
+        begin, end = (
+            rotate(to_body[part], np.insert(known[part] + hidden, 1, 0.0, axis=-1))
+            for part in (slice(-1), slice(1, None))
+        )
+        pushed = pushed - interval * 0.5 * (begin + end)
     found = propagate_level_frame(
         LevelFrame(bent, start.rate),
         Increments(interval, angle + interval * biases, pushed),
@@ -220,13 +224,6 @@ def _hidden_from_damping(wanted: FloatArray, gains: Gains, interval: float) -> F
     fading = [1.0, interval * k2 / now - 1.0]
     hidden: FloatArray = lfilter([k1 / now, -k1 / now], fading, wanted, axis=0)
     return hidden
-
-
-def _in_body(level: FloatArray, trajectory: Trajectory) -> FloatArray:
-    """Return level vectors (n, 2), one an interval, in body axes (n, 3): mean of its two ends."""
-    vector = np.insert(level, 1, 0.0, axis=-1)
-    back = conjugate(trajectory.attitude)
-    return 0.5 * (rotate(back[1:], vector) + rotate(back[:-1], vector))
 
 
 def _errors_of(
