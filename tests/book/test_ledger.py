@@ -144,7 +144,6 @@ def test_errata_say_first_what_was_read():
         assert copy in head
 
 
-
 def test_tables_have_a_row_for_each_entry():
     for paper in PAPERS:
         rows = ledger.paper_table(paper).rows[1:]

@@ -58,7 +58,9 @@ COPIES = {
 STATUSES = {
     "reproduced": "derived or computed anew, and equal to the copy",
     "corrected": "what the copy has is wrong, and the right form is proved",
-    "reconstructed": "not in the paper, or lost in the copy at hand; built anew from what is said of it",
+    "reconstructed": (
+        "not in the paper, or lost in the copy at hand; built anew from what is said of it"
+    ),
     "not recoverable": "cannot be had from the copy at hand, nor built anew from what it says",
 }
 """The four words, and what they mean."""
