@@ -36,7 +36,7 @@ COPIES = {
     "larin": (
         "A text of the Russian paper that was read by a machine, with damage of its own: a doubled "
         "equals sign, a bracket that is never closed, one prime for the transpose and for the time "
-        "derivative. Nobody here has seen the print. The copy names neither the journal nor the "
+        "derivative. It names neither the journal nor the "
         "year; 21 January 1987 is the day on which the editors received the paper."
     ),
     "perelyaev-chelnokov": (
