@@ -124,9 +124,13 @@ def test_averaging_halves_the_three_gyro_parameters():
 
 
 @pytest.mark.parametrize("function", [misalignment_vector, body_frame_rotation])
-def test_only_the_frame_of_the_accelerometers_asks_for_them(function):
-    expected = function(OTHER, frame="upper triangle")
-    np.testing.assert_array_equal(function(BENT, OTHER, "accelerometers"), expected)
+def test_only_the_frames_of_the_accelerometers_ask_for_them(function):
+    for theirs, of_gyros in (
+        ("accelerometers", "upper triangle"),
+        ("averaged accelerometers", "averaged"),
+    ):
+        expected = function(OTHER, frame=of_gyros)
+        np.testing.assert_array_equal(function(BENT, OTHER, theirs), expected)
     for frame in BODY_FRAMES[:3]:
         np.testing.assert_array_equal(function(BENT, OTHER, frame), function(BENT, frame=frame))
     np.testing.assert_array_equal(function(BENT), function(BENT, frame="averaged"))
@@ -163,10 +167,11 @@ def test_changed_matrix_is_symmetric_or_triangular(frame, matrix):
         "upper triangle": np.triu(changed, 1),
         "lower triangle": np.tril(changed, -1),
         "accelerometers": np.triu(changed, 1),
+        "averaged accelerometers": changed - changed.T,
     }[frame]
     # LAPACK's factors multiply to the triad within some tens of eps.
     np.testing.assert_allclose(zeros, 0, atol=64 * EPS)
-    # No axis turned round; for `averaged` all eigenvalues, which are the diagonal elsewhere.
+    # No axis turned round; for averaged axes all eigenvalues, which are the diagonal elsewhere.
     assert (np.linalg.eigvals(IDENTITY + changed).real > 0).all()
 
 
@@ -296,7 +301,7 @@ def test_unknown_frames_are_refused(function, frame):
     with pytest.raises(
         ValueError,
         match=r"^frame: expected one of averaged, upper triangle, lower triangle, accelerometers, "
-        rf"got {frame!r}\.$",
+        rf"averaged accelerometers, got {frame!r}\.$",
     ):
         function(BENT, OTHER, frame)
 
@@ -326,13 +331,14 @@ def test_matrices_with_nan_are_refused_by_name(function):
     ids=["turned round", "flat", "swapped", "all alike"],
 )
 def test_triads_that_are_left_handed_or_flat_are_refused(frame, triad):
-    name = "accelerometer_error" if frame == "accelerometers" else "gyro_error"
+    of_accelerometers = "accelerometers" in frame
+    name = "accelerometer_error" if of_accelerometers else "gyro_error"
     # One bad triad among good ones.
     many = np.stack([BENT, triad - IDENTITY])
     with pytest.raises(
         ValueError, match=rf"^{name}: expected a right-handed triad I \+ K, got a left-handed or a "
     ):
-        body_frame_rotation(*((BENT, many) if frame == "accelerometers" else (many,)), frame=frame)
+        body_frame_rotation(*((BENT, many) if of_accelerometers else (many,)), frame=frame)
 
 
 def test_an_attitude_error_known_at_three_attitudes_shows_the_misalignment():

@@ -11,7 +11,13 @@ from numpy.typing import ArrayLike
 
 from .checks import FloatArray, finite_array, finite_arrays
 
-BODY_FRAMES = ("averaged", "upper triangle", "lower triangle", "accelerometers")
+BODY_FRAMES = (
+    "averaged",
+    "upper triangle",
+    "lower triangle",
+    "accelerometers",
+    "averaged accelerometers",
+)
 """Ways to fix the body axes.
 
 ``averaged``: the gyro triad has no misalignment; the choice of Wu et al.
@@ -20,7 +26,10 @@ y gyro in the plane of x and y. The paper's introduction and Fig. 2 call it the 
 ``lower triangle``: zero below. Axis z lies along the z gyro, the y gyro in the plane of y and z;
 the paper's section 3 describes the usual choice so.
 ``accelerometers``: as `upper triangle`, of the accelerometers.
+``averaged accelerometers``: as `averaged`, of the accelerometers; the other of the two skew parts
+of which the paper says that one must be zero.
 """
+_OF_ACCELEROMETERS = BODY_FRAMES[3:]
 
 
 def misalignment_vector(
@@ -33,7 +42,7 @@ def misalignment_vector(
     gyro_error : array_like, shape (..., 3, 3)
         Error matrix K of the gyro triad.
     accelerometer_error : array_like, shape (..., 3, 3), optional
-        Error matrix of the accelerometer triad; needed for the frame ``accelerometers`` only.
+        Error matrix of the accelerometer triad; needed only for the axes that it fixes.
     frame : str
         One of `BODY_FRAMES`.
 
@@ -46,8 +55,8 @@ def misalignment_vector(
     Notes
     -----
     Subtracting its cross-product matrix from both error matrices changes the axes; Wu et al., (40)
-    and (42). For ``averaged`` it is the vector of the skew part, the mean of the vectors of the two
-    triangles:
+    and (42). For the averaged axes it is the vector of the skew part, the mean of the vectors of
+    the two triangles:
 
     .. math:: \tfrac12 (K_{zy} - K_{yz},\ K_{xz} - K_{zx},\ K_{yx} - K_{xy}).
 
@@ -62,7 +71,7 @@ def misalignment_vector(
     k = _matrix_for(gyro_error, accelerometer_error, frame)
     upper = np.stack([-k[..., 1, 2], k[..., 0, 2], -k[..., 0, 1]], axis=-1)
     lower = np.stack([k[..., 2, 1], -k[..., 2, 0], k[..., 1, 0]], axis=-1)
-    if frame == "averaged":
+    if frame.startswith("averaged"):
         return 0.5 * upper + 0.5 * lower
     return lower if frame == "lower triangle" else upper
 
@@ -77,7 +86,7 @@ def body_frame_rotation(
     gyro_error : array_like, shape (..., 3, 3)
         Error matrix K of the gyro triad.
     accelerometer_error : array_like, shape (..., 3, 3), optional
-        Error matrix of the accelerometer triad; needed for the frame ``accelerometers`` only.
+        Error matrix of the accelerometer triad; needed only for the axes that it fixes.
     frame : str
         One of `BODY_FRAMES`.
 
@@ -93,7 +102,7 @@ def body_frame_rotation(
 
     Notes
     -----
-    The matrix (I + K) R^T of the triad in the new axes is symmetric for ``averaged`` (a polar
+    The matrix (I + K) R^T of the triad in the new axes is symmetric for the averaged axes (a polar
     decomposition), and triangular with a positive diagonal for the others (a QR decomposition).
 
     Examples
@@ -105,16 +114,16 @@ def body_frame_rotation(
     >>> gyro_error = rotation - np.eye(3)
     >>> [np.allclose(body_frame_rotation(gyro_error, gyro_error, frame), rotation)
     ...  for frame in BODY_FRAMES]
-    [True, True, True, True]
+    [True, True, True, True, True]
     """
-    name = "accelerometer_error" if frame == "accelerometers" else "gyro_error"
+    name = "accelerometer_error" if frame in _OF_ACCELEROMETERS else "gyro_error"
     matrix = _matrix_for(gyro_error, accelerometer_error, frame)
     triad = np.eye(3) + matrix
     if not (np.linalg.det(triad) > 1e-12).all():
         raise ValueError(
             f"{name}: expected a right-handed triad I + K, got a left-handed or a flat one."
         )
-    if frame == "averaged":
+    if frame.startswith("averaged"):
         left, _, right = np.linalg.svd(triad)
         return left @ right
     # Zero below the diagonal is zero above it with the axes counted backwards.
@@ -163,7 +172,7 @@ def _matrix_for(
     if frame not in BODY_FRAMES:
         raise ValueError(f"frame: expected one of {', '.join(BODY_FRAMES)}, got {frame!r}.")
     gyro_error = finite_array(gyro_error, "gyro_error", 3, 3)
-    if frame != "accelerometers":
+    if frame not in _OF_ACCELEROMETERS:
         return gyro_error
     if accelerometer_error is None:
         raise ValueError("accelerometer_error: expected the matrix that fixes the axes, got None.")

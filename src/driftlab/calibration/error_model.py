@@ -247,34 +247,37 @@ def _model(
     frame: str | None,
     gyro: list[tuple[int, int]],
     accelerometer: list[tuple[int, int]],
-    symmetric: bool = False,
+    symmetric: str | None = None,
 ) -> ErrorModel:
-    basis = _units(_DIAGONAL + gyro)
-    if symmetric:
-        basis[3:] += np.swapaxes(basis[3:], -1, -2)
+    """Model with off-diagonal states at these places; a `symmetric` triad has their mirror too."""
     names = [f"{kind} {axis}" for kind in ("attitude", "velocity") for axis in LOCAL_AXES]
-    for sensor, places, rest in (
-        ("gyro", gyro, "non-orthogonality" if symmetric else "installation"),
-        ("accelerometer", accelerometer, "installation"),
-    ):
+    bases = []
+    for sensor, places in (("gyro", gyro), ("accelerometer", accelerometer)):
+        basis = _units(_DIAGONAL + places)
+        rest = "installation"
+        if sensor == symmetric:
+            basis[3:] += np.swapaxes(basis[3:], -1, -2)
+            rest = "non-orthogonality"
+        basis.setflags(write=False)
+        bases.append(basis)
         names += [f"{sensor} bias {axis}" for axis in AXES]
         names += _named(f"{sensor} scale", _DIAGONAL) + _named(f"{sensor} {rest}", places)
-    other = _units(_DIAGONAL + accelerometer)
-    for shared in (basis, other):
-        shared.setflags(write=False)
-    return ErrorModel(frame, basis, other, tuple(names))
+    return ErrorModel(frame, bases[0], bases[1], tuple(names))
 
 
 FULL = _model(None, _OFF_DIAGONAL, _OFF_DIAGONAL)
 """All 24 sensor errors, 30 states."""
 
 ERROR_MODELS = MappingProxyType({
-    "averaged": _model("averaged", _UPPER, _OFF_DIAGONAL, symmetric=True),
+    "averaged": _model("averaged", _UPPER, _OFF_DIAGONAL, symmetric="gyro"),
     "upper triangle": _model("upper triangle", _LOWER, _OFF_DIAGONAL),
     "lower triangle": _model("lower triangle", _UPPER, _OFF_DIAGONAL),
     "accelerometers": _model("accelerometers", _OFF_DIAGONAL, _LOWER),
+    "averaged accelerometers": _model(
+        "averaged accelerometers", _OFF_DIAGONAL, _UPPER, symmetric="accelerometer"
+    ),
 })  # fmt: skip
-"""The four choices of body axes, 27 states each."""
+"""The five choices of body axes, 27 states each."""
 
 
 def error_model_for(name: str) -> ErrorModel:
