@@ -409,6 +409,80 @@ def test_attitude_and_velocity_found_are_those_of_the_table(record):
     assert (velocity <= 1.5 + 1e-3).all()
 
 
+# A second pass, linearised about the first
+
+
+def test_a_second_pass_over_small_errors_finds_what_the_first_found(brief):
+    """So the prior counts once: a record so short leaves most of what is known to it."""
+    phi = 1e-6 * np.array([1.0, -2.0, 1.5])
+    reference = 1e-3 * np.random.default_rng(6).standard_normal((34, 3))
+    first = calibrated(brief, SMALL, phi, reference=reference)
+    again = calibrated(brief, SMALL, phi, reference=reference, about=first)
+    size = first.deviations[-1]
+    # Some hundredths of the usual errors: their squares are thousandths.
+    np.testing.assert_allclose((again.state[-1] - first.state[-1]) / size, 0, atol=2e-3)
+    np.testing.assert_allclose(again.deviations[-1], size, rtol=2e-3)
+    phi = attitude_error(again.attitude[-1], first.attitude[-1])
+    np.testing.assert_allclose(phi / size[:3], 0, atol=2e-3)
+    np.testing.assert_allclose((again.velocity - first.velocity)[-1] / size[3:6], 0, atol=2e-3)
+    np.testing.assert_allclose(again.nis, first.nis, atol=2e-3 * first.nis.max())
+    # Twice counted, the prior would make them smaller by up to the root of two.
+    assert (
+        size[6:] > 0.9 * np.sqrt(np.diag(first.model.covariance(SPREAD, [0, 0, 0, 1])))[6:]
+    ).any()
+
+
+@pytest.fixture(scope="module")
+def three_passes(record):
+    """A unit bent by 400 arc seconds, and its half, in each choice of axes: three passes."""
+    drawn = random_imu_errors(PriorDeviations(installation=2e-3), np.random.default_rng(4))
+    units = ImuErrors(*(np.multiply.outer([1.0, 0.5], part) for part in drawn))
+    found = {}
+    for frame in ERROR_MODELS:
+        row = [calibrated(record, units, frame=frame)]
+        for _ in range(2):
+            row.append(calibrated(record, units, frame=frame, about=row[-1]))
+        found[frame] = row
+    return found
+
+
+@every_frame
+def test_second_pass_takes_away_the_second_order_and_a_third_finds_nothing_more(
+    three_passes, frame
+):
+    """Half of the errors leave a quarter of what the second pass finds: that is second order."""
+    first, second, third = (found.state[:, -1, 6:] for found in three_passes[frame])
+    size = three_passes[frame][0].deviations[:, -1, 6:]
+    changes = [np.abs((b - a) / size).max(axis=-1) for a, b in ((first, second), (second, third))]
+    assert changes[0][0] > 1
+    assert changes[0][0] / changes[0][1] == pytest.approx(4, abs=0.4)
+    # The transition matrices are right within a hundredth; see the least squares above.
+    assert (changes[1] < 0.01 * changes[0]).all()
+
+
+@pytest.mark.parametrize("frame", [frame for frame in ERROR_MODELS if frame != "averaged"])
+def test_after_a_second_pass_the_choice_of_axes_does_not_matter(three_passes, frame):
+    apart = []
+    for usual, other in zip(three_passes["averaged"], three_passes[frame], strict=True):
+        translated, _ = imu_errors_in_frame(usual.imu_errors, frame)
+        gap = (other.model.state(translated) - other.state[:, -1])[:, 6:]
+        apart.append(np.abs(gap / other.deviations[:, -1, 6:]).max(axis=-1))
+    # In standard deviations that the filter states.
+    assert apart[0][0] > 0.5
+    assert apart[1][0] < 0.03
+    assert apart[2][0] < 0.01
+
+
+def test_a_pass_about_another_model_is_refused(brief):
+    first = calibrated(brief, SMALL)
+    with pytest.raises(
+        ValueError,
+        match=r"^about: expected a calibration with the model 'upper triangle', got one with "
+        r"'averaged'\.$",
+    ):
+        calibrated(brief, SMALL, frame="upper triangle", about=first)
+
+
 # The history
 
 

@@ -172,6 +172,24 @@ def test_trial_is_consistent_elsewhere_with_other_axes_and_rotations(frame, lati
     assert low < trial.calibration.nis.sum() < high
 
 
+@pytest.mark.parametrize("frame", ["averaged", "lower triangle"])
+def test_second_pass_is_consistent_however_bent_the_units_are(frame):
+    """Units bent by 400 arc seconds: one pass is far too sure of itself, two are not."""
+    prior = PriorDeviations(installation=400 * arcsecond)
+    trial = replace(TRIAL, frame=frame, prior=prior, update_interval=6.0)
+    once, twice = (
+        replace(trial, passes=passes).run(np.random.default_rng(3), 40) for passes in (1, 2)
+    )
+    low, high = between(0.05, 27 * 40)
+    assert once.nees[:, -1].sum() > 1.5 * high
+    assert low < twice.nees[:, -1].sum() < high
+    low, high = between(0.01, 3 * twice.calibration.nis.size)
+    assert low < twice.calibration.nis.sum() < high
+    # Both passes are of one record.
+    for part, other in zip(once.imu_errors, twice.imu_errors, strict=True):
+        np.testing.assert_array_equal(part, other)
+
+
 # Consistency: the size of the errors, and the axes
 
 
@@ -203,7 +221,7 @@ def test_deviations_at_the_end_are_those_of_the_check_values():
         np.testing.assert_allclose(found.max() / unit, printed, rtol=0, atol=digit)
 
 
-@pytest.mark.parametrize("frame", ["averaged", "accelerometers"])
+@pytest.mark.parametrize("frame", ["averaged", "averaged accelerometers"])
 def test_deviations_are_those_expected_without_any_data(frame):
     """Another computation: along the true motion, in a few long steps."""
     trial = replace(TRIAL, frame=frame, sample_interval=0.5)
@@ -267,9 +285,10 @@ def test_unit_in_other_axes_says_the_same(gyro, accelerometer, frame, rate):
     # A bias is the sensor's own.
     assert turned.gyro_bias is imu_errors.gyro_bias
     assert turned.accelerometer_bias is imu_errors.accelerometer_bias
-    chosen = turned.accelerometer_error if frame == "accelerometers" else turned.gyro_error
+    chosen = turned.accelerometer_error if "accelerometers" in frame else turned.gyro_error
     left_out = {
         "averaged": chosen - chosen.T,
+        "averaged accelerometers": chosen - chosen.T,
         "lower triangle": np.tril(chosen, -1),
     }.get(frame, np.triu(chosen, 1))
     # Rounding of a decomposition of order three, and of two products.

@@ -21,9 +21,16 @@ from driftlab.checks import (
     unit_quaternions,
     whole_number,
 )
-from driftlab.core.quaternion import from_rotation_vector, multiply
+from driftlab.core.attitude import step_quaternions
+from driftlab.core.quaternion import (
+    conjugate,
+    cumulative_product,
+    from_rotation_vector,
+    multiply,
+    to_rotation_vector,
+)
 from driftlab.core.strapdown import last_of, navigate
-from driftlab.earth import checked_latitude
+from driftlab.earth import checked_latitude, earth_rate
 from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
 from driftlab.increments import Increments, checked_increments, without_errors
 from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
@@ -128,6 +135,7 @@ def calibrate(
     prior: PriorDeviations,
     noise: ImuNoise,
     keep: int = 10,
+    about: Calibration | None = None,
 ) -> Calibration:
     """Estimate the sensor errors of a unit from its increments on a turntable.
 
@@ -151,6 +159,9 @@ def calibrate(
         Noise of the sensors and of the reference velocity, as the filter assumes it.
     keep : int
         The history keeps every `keep`-th update, and the last.
+    about : Calibration, optional
+        What an earlier pass over the same record found, with the same model. The error equations
+        are then linearised about it, all along, in place of the errors estimated so far.
 
     Returns
     -------
@@ -160,12 +171,17 @@ def calibrate(
     Raises
     ------
     ValueError
-        If shapes do not fit, the place is a pole, or the reference velocity is said to be without
-        noise.
+        If shapes do not fit, the place is a pole, the reference velocity is said to be without
+        noise, or `about` is of another model.
 
     Notes
     -----
     Wu, section 4; the filter's model is (45)-(52).
+
+    The first pass feeds its estimates back at once. What it has learnt while they were far off it
+    has learnt with the wrong derivatives, and does not unlearn. A pass `about` a result navigates
+    with that result from the beginning and feeds nothing back. It starts from the same prior about
+    the same mean, so nothing counts twice: one step of Gauss and Newton, or an iterated smoother.
 
     Examples
     --------
@@ -215,11 +231,18 @@ def calibrate(
         reference.shape[:-2],
         attitude.shape[:-1],
     )
-    state = np.zeros((*lead, model.size))
+    # The filter's estimate is the sum of the errors navigated with and of the mean of the rest.
+    state = mean = np.zeros((*lead, model.size))
+    believed = np.broadcast_to(attitude, (*lead, 4))
     # The starts of all runs are nearly one attitude; any of them gives the states' correlations.
     before = model.covariance(prior, attitude.reshape(-1, 4)[0])
     covariance = np.broadcast_to(before, (*lead, model.size, model.size))
-    home = at_rest(place, np.broadcast_to(attitude, (*lead, 4)))
+    if about is not None:
+        state, start_found = _linearization_point(measured, place, model, about)
+        mean = -state
+        mean[..., :3] = -to_rotation_vector(multiply(start_found, conjugate(believed)))
+        believed = start_found
+    home = at_rest(place, believed)
     now = home
     nis_history, history = [], []
     for k in range(updates):
@@ -228,24 +251,29 @@ def calibrate(
         attitudes = np.concatenate([now.attitude[..., np.newaxis, :], way.attitude], axis=-2)
         growth = transition_of_increments(model, free, attitudes, true)
         arrived = last_of(way)
+        mean = (growth @ mean[..., np.newaxis])[..., 0]
         step = velocity_update(
             covariance,
             growth[..., :6, :],
             process_noise(noise, growth[..., 3:6, :3], np.asarray(duration)),
-            arrived.velocity - reference[..., k, :],
+            arrived.velocity - mean[..., 3:6] - reference[..., k, :],
             noise.reference_velocity**2,
         )
         covariance = step.covariance
-        state = state + step.correction
-        state[..., :6] = 0.0
-        # Fed back: attitude and velocity are corrected; the position is known anyway.
-        now = home._replace(
-            velocity=arrived.velocity - step.correction[..., 3:6],
-            attitude=multiply(from_rotation_vector(step.correction[..., :3]), arrived.attitude),
+        mean = mean + step.correction
+        found = state + mean
+        found[..., :6] = 0.0
+        corrected = arrived._replace(
+            velocity=arrived.velocity - mean[..., 3:6],
+            attitude=multiply(from_rotation_vector(mean[..., :3]), arrived.attitude),
         )
+        if about is None:  # fed back
+            state, mean, arrived = found, np.zeros_like(mean), corrected
+        # The position is known anyway.
+        now = home._replace(velocity=arrived.velocity, attitude=arrived.attitude)
         nis_history.append(step.nis)
         if k + 1 in kept:
-            history.append((state, covariance, now.attitude, now.velocity))
+            history.append((found, covariance, corrected.attitude, corrected.velocity))
     # The history is an axis after those of the runs.
     states, covariances, attitudes, velocities = (
         np.stack(row, axis=len(lead)) for row in zip(*history, strict=True)
@@ -259,3 +287,23 @@ def calibrate(
         velocities,
         np.stack(nis_history, axis=-1),
     )
+
+
+def _linearization_point(
+    measured: Increments, latitude: float, model: ErrorModel, about: Calibration
+) -> tuple[FloatArray, FloatArray]:
+    """Sensor errors (..., size) that a pass found, and the attitude (..., 4) it began with.
+
+    The attitude at the end is the best known; the corrected gyros lead back from it.
+    """
+    if about.model is not model:
+        raise ValueError(
+            f"about: expected a calibration with the model {model.frame!r}, "
+            f"got one with {about.model.frame!r}."
+        )
+    state = about.state[..., -1, :]
+    angle = without_errors(measured, model.imu_errors(state)).angle
+    turned = cumulative_product(step_quaternions(ALGORITHM, angle))[..., -1, :]
+    # In axes that do not turn with the Earth: those of the beginning.
+    at_end = from_rotation_vector(about.times[-1] * earth_rate(latitude))
+    return state, multiply(multiply(at_end, about.attitude[..., -1, :]), conjugate(turned))

@@ -115,6 +115,9 @@ class TableTrial:
         in a sample, the computation's own error is a noticeable part of the errors that are sought.
     keep : int
         The history keeps every `keep`-th update, and the last.
+    passes : int
+        How often the filter goes through the record; each pass after the first is linearised about
+        the result of the one before.
 
     Examples
     --------
@@ -132,6 +135,7 @@ class TableTrial:
     sample_interval: float = 0.05
     update_interval: float = 1.0
     keep: int = 20
+    passes: int = 1
 
     def __post_init__(self) -> None:
         checked_instance(self.scheme, Scheme, "scheme")
@@ -147,6 +151,7 @@ class TableTrial:
         checked_latitude(finite_number(self.latitude, "latitude"))
         error_model_for(self.frame)
         whole_number(self.keep, "keep")
+        whole_number(self.passes, "passes")
         for name in ("sample_interval", "update_interval"):
             if finite_number(getattr(self, name), name) <= 0:
                 raise ValueError(f"{name}: expected a positive time, got {getattr(self, name)!r}.")
@@ -221,16 +226,20 @@ class TableTrial:
         reference = self.noise.reference_velocity * rng.standard_normal((*lead, updates, 3))
         # The table tells its attitude with an error.
         tilt = from_rotation_vector(-self.prior.attitude * rng.standard_normal((*lead, 3)))
-        calibration = calibrate(
-            measured,
-            reference,
-            latitude=self.latitude,
-            start=multiply(tilt, true.attitude[0]),
-            model=model,
-            prior=self.prior,
-            noise=self.noise if self.assumed_noise is None else self.assumed_noise,
-            keep=self.keep,
-        )
+        calibration = None
+        for _ in range(self.passes):
+            calibration = calibrate(
+                measured,
+                reference,
+                latitude=self.latitude,
+                start=multiply(tilt, true.attitude[0]),
+                model=model,
+                prior=self.prior,
+                noise=self.noise if self.assumed_noise is None else self.assumed_noise,
+                keep=self.keep,
+                about=calibration,
+            )
+        assert calibration is not None
         places = np.round(calibration.times / self.sample_interval).astype(int)
         errors = estimation_errors(calibration, imu_errors, true.attitude[places])
         return Trial(calibration, imu_errors, errors)
