@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from .chapters import chapters_with, part_of
-from .machinery.publish import FigureDefinition, PublishedFigure
+from .machinery.publish import FigureDefinition, PublishedFigure, read_columns
+
+_PUBLISHED = Path(__file__).parents[3] / "figures"
 
 
 def figure_definitions(chapter: str | None = None) -> dict[str, FigureDefinition]:
@@ -14,6 +18,9 @@ def figure_definitions(chapter: str | None = None) -> dict[str, FigureDefinition
 
 def figure(name: str) -> PublishedFigure:
     """Return a published figure by name, to be the last line of a notebook cell.
+
+    It is computed, but for a study of some minutes: that is read from its published CSV, if the
+    book's folder is there.
 
     Parameters
     ----------
@@ -29,4 +36,7 @@ def figure(name: str) -> PublishedFigure:
     known = figure_definitions(chapter if chapter in chapters_with("figures") else None)
     if name not in known:
         raise ValueError(f"name: expected one of {', '.join(known)}, got {name!r}.")
-    return PublishedFigure(known[name], known[name].compute())
+    definition, table = known[name], _PUBLISHED / f"{name}.csv"
+    if definition.restore is not None and table.exists():
+        return PublishedFigure(definition, definition.restore(read_columns(table)))
+    return PublishedFigure(definition, definition.compute())

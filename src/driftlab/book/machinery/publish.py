@@ -38,6 +38,8 @@ class FigureDefinition:
         Data to CSV columns of equal length; None for a drawing that shows no numbers.
     caption : callable
         Data to the sentence under the figure, so that its numbers are computed.
+    restore : callable, optional
+        Columns of the published CSV to the data, for what takes minutes to compute.
     """
 
     name: str
@@ -45,6 +47,7 @@ class FigureDefinition:
     draw: Callable[[Any], Figure]
     columns: Callable[[Any], dict[str, Any]] | None
     caption: Callable[[Any], str]
+    restore: Callable[[Mapping[str, list[str]]], Any] | None = None
 
 
 class PublishedFigure:
@@ -94,6 +97,15 @@ def gallery(captions: Mapping[str, str]) -> str:
     for name, caption in captions.items():
         lines += [f"![{caption}]({name}.svg)", "", f"**{name}.** {caption}", ""]
     return "\n".join(lines)
+
+
+def read_columns(path: Path) -> dict[str, list[str]]:
+    """Return the columns of a CSV that `write_columns` wrote, as words."""
+    with path.open(encoding="utf-8", newline="") as file:
+        header, *rows = csv.reader(file)
+    return {
+        title: list(column) for title, column in zip(header, zip(*rows, strict=True), strict=True)
+    }
 
 
 def write_columns(path: Path, columns: dict[str, Any]) -> None:

@@ -2,16 +2,15 @@
 
 from .at_rest import (
     ALL_STARTS,
+    AT_REST_SIZES,
     FRAMES,
     QUANTITIES,
     REST_DURATION,
     STARTS,
     InPlaceClaim,
     InPlaceErrors,
-    Verdict,
     error_ratios_at_rest,
     errors_at_rest,
-    verdict,
 )
 from .calibration import (
     PARAMETERS,
@@ -22,10 +21,18 @@ from .calibration import (
     typical_trial,
     unit_of,
 )
+from .choice_of_axes import (
+    BATCH,
+    CASES,
+    SIZES,
+    Case,
+    ChoiceOfAxes,
+    choice_of_axes,
+    normalised_errors,
+)
 from .consistency import (
     QUICK_TRIAL,
     RUNS,
-    RUNS_BY_FRAME,
     FilterConsistency,
     filter_consistency,
 )
@@ -35,19 +42,25 @@ from .schemes import (
     table_observability,
     up_in_body_axes,
 )
+from .verdicts import Verdict, verdict
 
 __all__ = [
     "ALL_STARTS",
+    "AT_REST_SIZES",
+    "BATCH",
+    "CASES",
     "FRAMES",
     "PARAMETERS",
     "QUANTITIES",
     "QUICK_TRIAL",
     "REST_DURATION",
     "RUNS",
-    "RUNS_BY_FRAME",
+    "SIZES",
     "STARTS",
     "CalibrationErrors",
     "CalibrationRun",
+    "Case",
+    "ChoiceOfAxes",
     "FilterConsistency",
     "InPlaceClaim",
     "InPlaceErrors",
@@ -56,9 +69,11 @@ __all__ = [
     "Verdict",
     "calibration_errors",
     "calibration_history",
+    "choice_of_axes",
     "error_ratios_at_rest",
     "errors_at_rest",
     "filter_consistency",
+    "normalised_errors",
     "table_observability",
     "typical_trial",
     "unit_of",

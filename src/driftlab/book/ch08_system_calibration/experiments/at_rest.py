@@ -4,16 +4,19 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from scipy.constants import hour
-from scipy.stats import binomtest
+from scipy.constants import arcsecond, hour
 
 from driftlab.body_frames import body_frame_rotation
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.body_axes import attitude_of_axes, imu_errors_in_frame
 from driftlab.calibration.static_navigation import StaticNavigationErrors, navigate_static
 from driftlab.checks import FloatArray
-from driftlab.imu import TYPICAL_ERRORS, ImuErrors
+from driftlab.frames import from_euler_angles
+from driftlab.gyrocompass.alignment import align
+from driftlab.imu import TYPICAL_ERRORS, ImuErrors, PriorDeviations
+from driftlab.increments import compensate, measure
 from driftlab.monte_carlo import sweep
+from driftlab.motion.turntable import static_trajectory
 
 from .calibration import typical_trial
 from .consistency import QUICK_TRIAL
@@ -27,8 +30,11 @@ FRAMES = {"averaged": "averaged axes", "upper triangle": "usual axes"}
 STARTS = ("one attitude", "the table's axes")
 """What the computers take for their attitude at the start. One attitude: both believe the same of
 the unit, each in its own axes."""
-ALL_STARTS = (STARTS[0], "its own true axes", STARTS[1])
-"""The same, and the exact attitude of each computer's own axes."""
+ALL_STARTS = (STARTS[0], "its own sensors", "its own true axes", STARTS[1])
+"""The same; the attitude that each computer finds from its own calibrated sensors; and the exact
+attitude of each computer's own axes."""
+AT_REST_SIZES = (40, 400)
+"""Spreads of the installation errors of the units at rest, arc seconds."""
 QUANTITIES = ("attitude", "velocity", "position")
 UNITS = 200
 SEED = 345
@@ -46,34 +52,17 @@ class InPlaceErrors(NamedTuple):
     runs: dict[tuple[str, str], StaticNavigationErrors]
 
 
-class Verdict(NamedTuple):
-    """How often the averaged axes did better.
-
-    Attributes
-    ----------
-    better, units : int
-    interval : tuple of float
-        Of 95 %, for the part of units that does better (Clopper and Pearson).
-    median : float
-        Of the ratios.
-    """
-
-    better: int
-    units: int
-    interval: tuple[float, float]
-    median: float
-
-
 class InPlaceClaim(NamedTuple):
     """Error with averaged axes over that with usual axes, unit by unit.
 
     Attributes
     ----------
-    ratios : dict of (str, str) to ndarray, shape (units,)
-        By start in `ALL_STARTS` and by quantity, ascending.
+    ratios : dict of (int, str, str) to ndarray, shape (units,)
+        By spread of the installation errors in `AT_REST_SIZES`, by start in `ALL_STARTS` and by
+        quantity, ascending.
     """
 
-    ratios: dict[tuple[str, str], FloatArray]
+    ratios: dict[tuple[int, str, str], FloatArray]
 
 
 def errors_at_rest() -> InPlaceErrors:
@@ -101,19 +90,32 @@ def error_ratios_at_rest(units: int = UNITS, seed: int = SEED) -> InPlaceClaim:
         How many.
     seed : int
     """
+    return InPlaceClaim({
+        (size, *key): ratios
+        for size in AT_REST_SIZES
+        for key, ratios in _ratios(size, units, seed).items()
+    })  # fmt: skip
+
+
+def _ratios(size: int, units: int, seed: int) -> dict[tuple[str, str], FloatArray]:
+    """Ratios by start and quantity, for units with installation errors of one size."""
+    table = replace(QUICK_TRIAL, prior=PriorDeviations(installation=size * arcsecond))
     trials = {
-        frame: sweep(replace(QUICK_TRIAL, frame=frame).run, units, seed=seed, batch=units)[0]
+        frame: sweep(replace(table, frame=frame).run, units, seed=seed, batch=units)[0]
         for frame in FRAMES
     }
     sizes: dict[tuple[str, str, str], FloatArray] = {}
     for frame, trial in trials.items():
+        found = trial.calibration.imu_errors
         one = _one_attitude(trial.imu_errors, trials["averaged"].calibration.imu_errors, frame)
+        sensed = _self_aligned(trial.imu_errors, found)
         own = _own_axes(trial.imu_errors, frame)
-        starts = (one, own, np.broadcast_to(TABLE_ATTITUDE, own.shape))
-        for start, axes in zip(ALL_STARTS, starts, strict=True):
+        table_axes = np.broadcast_to(TABLE_ATTITUDE, own.shape)
+        believed = (one, sensed, own, table_axes)
+        wanted = (one, own, own, table_axes)
+        for start, begin, axes in zip(ALL_STARTS, believed, wanted, strict=True):
             run = navigate_static(
-                trial.imu_errors, trial.calibration.imu_errors, TABLE_ATTITUDE,
-                start=axes, reference=axes,
+                trial.imu_errors, found, TABLE_ATTITUDE, start=begin, reference=axes,
                 latitude=TABLE_LATITUDE, duration=REST_DURATION,
                 interval=5.0, output_interval=300.0,
             )  # fmt: skip
@@ -121,22 +123,11 @@ def error_ratios_at_rest(units: int = UNITS, seed: int = SEED) -> InPlaceClaim:
                 squares = (getattr(run, quantity) ** 2).sum(axis=-1)
                 sizes[frame, start, quantity] = np.sqrt(squares.mean(axis=-1))
     averaged, usual = FRAMES
-    return InPlaceClaim({
-        (start, quantity): np.sort(
-            sizes[averaged, start, quantity] / sizes[usual, start, quantity]
-        )
+    return {
+        (start, quantity): np.sort(sizes[averaged, start, quantity] / sizes[usual, start, quantity])
         for start in ALL_STARTS
         for quantity in QUANTITIES
-    })  # fmt: skip
-
-
-def verdict(ratios: FloatArray) -> Verdict:
-    """Count the units for which the averaged axes did better, from ratios (units,)."""
-    better = int((ratios < 1).sum())
-    interval = binomtest(better, len(ratios)).proportion_ci(0.95, "exact")
-    return Verdict(
-        better, len(ratios), (float(interval.low), float(interval.high)), float(np.median(ratios))
-    )
+    }
 
 
 def _own_axes(imu_errors: ImuErrors, frame: str) -> FloatArray:
@@ -156,3 +147,13 @@ def _one_attitude(imu_errors: ImuErrors, found: ImuErrors, frame: str) -> FloatA
         return own
     turn = body_frame_rotation(found.gyro_error, found.accelerometer_error, frame)
     return attitude_of_axes(own, turn)
+
+
+def _self_aligned(imu_errors: ImuErrors, found: ImuErrors) -> FloatArray:
+    """Attitude (..., 4) that a computer finds from gravity and the Earth's rate, without noise."""
+    still = static_trajectory(TABLE_ATTITUDE, TABLE_LATITUDE, 1.0, 2).increments
+    sensed = compensate(measure(still, imu_errors), found)
+    # `align` counts axes forward, up, right: y, z and x here.
+    rate, force = (row.sum(axis=-2)[..., [1, 2, 0]] for row in (sensed.angle, sensed.velocity))
+    angles = align(rate, force)
+    return from_euler_angles(angles.heading, angles.pitch, angles.roll)[..., [2, 0, 1, 3]]

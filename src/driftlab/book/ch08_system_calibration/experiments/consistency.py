@@ -4,22 +4,15 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from scipy.constants import arcsecond
 
-from driftlab.body_frames import BODY_FRAMES
 from driftlab.calibration.simulation import TableTrial
 from driftlab.checks import FloatArray
-from driftlab.imu import PriorDeviations
 from driftlab.monte_carlo import mean_square_bounds, sweep
 from driftlab.motion.scheme import NINETEEN_POSITIONS
 
 RUNS = 60
 """Calibrations whose errors and innovations are followed over time."""
-RUNS_BY_FRAME = 100
-"""Calibrations for each choice of body axes and each spread of the installation errors."""
 SEED = 2018
-INSTALLATION_ERRORS: FloatArray = np.array([40.0, 100.0, 200.0, 400.0]) * arcsecond
-"""Spreads of the installation errors, rad."""
 QUICK_TRIAL = TableTrial(
     scheme=replace(NINETEEN_POSITIONS, dwell=63.0),
     sample_interval=0.25,
@@ -50,10 +43,6 @@ class FilterConsistency(NamedTuple):
     innovation_mean_bounds : tuple of float
     inside : float
         Part of the innovations inside their bounds.
-    sizes : ndarray, shape (m,)
-        Spreads of the installation errors, rad.
-    by_frame : ndarray, shape (4, m)
-        States at the end of a quick calibration, by choice of body axes.
     """
 
     times: FloatArray
@@ -65,8 +54,6 @@ class FilterConsistency(NamedTuple):
     innovation_mean: float
     innovation_mean_bounds: tuple[float, float]
     inside: float
-    sizes: FloatArray
-    by_frame: FloatArray
 
 
 def filter_consistency(runs: int = RUNS, seed: int = SEED) -> FilterConsistency:
@@ -84,15 +71,6 @@ def filter_consistency(runs: int = RUNS, seed: int = SEED) -> FilterConsistency:
     nis = found.calibration.nis
     innovations = nis.mean(axis=0) / 3
     low, high = (bound / 3 for bound in mean_square_bounds(3, runs))
-    by_frame = np.empty((len(BODY_FRAMES), len(INSTALLATION_ERRORS)))
-    for i, frame in enumerate(BODY_FRAMES):
-        for j, prior in enumerate(INSTALLATION_ERRORS):
-            quick = replace(
-                QUICK_TRIAL, frame=frame, prior=PriorDeviations(installation=float(prior))
-            )
-            # The same units and noise for each choice of axes.
-            last = sweep(quick.run, RUNS_BY_FRAME, seed=seed, batch=RUNS_BY_FRAME)[0]
-            by_frame[i, j] = last.nees[:, -1].mean() / size
     updates = np.arange(1.0, nis.shape[-1] + 1) * table.update_interval
     return FilterConsistency(
         found.calibration.times,
@@ -104,8 +82,6 @@ def filter_consistency(runs: int = RUNS, seed: int = SEED) -> FilterConsistency:
         float(nis.mean() / 3),
         _each(mean_square_bounds(3, nis.size), 3),
         float(np.mean((innovations > low) & (innovations < high))),
-        INSTALLATION_ERRORS,
-        by_frame,
     )
 
 

@@ -1,0 +1,99 @@
+"""Which choice of body axes leaves out least? Five choices, two schemes, units bent more and more.
+
+What a filter leaves out shows in its squared normalised errors: they are larger than they should
+be. A pass more over the same record, linearised about what the first has found, takes it away.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from scipy.constants import arcsecond
+
+from driftlab.body_frames import BODY_FRAMES
+from driftlab.checks import FloatArray
+from driftlab.imu import PriorDeviations
+from driftlab.monte_carlo import sweep
+from driftlab.motion.scheme import SCHEMES
+
+from .consistency import QUICK_TRIAL
+
+SIZES = (40, 100, 200, 400)
+"""Spreads of the installation errors, arc seconds."""
+UNITS = 300
+"""Units in each case: the same ones, with the same noise, for each choice of axes."""
+BATCH = 50
+"""Units calibrated at once; the first batch is the same however many follow."""
+SEED = 2018
+
+
+class Case(NamedTuple):
+    """One set-up of the study.
+
+    Attributes
+    ----------
+    scheme : str
+        One of `driftlab.motion.scheme.SCHEMES`, here with short pauses.
+    size : int
+        Spread of the installation errors, arc seconds.
+    frame : str
+        Choice of body axes.
+    passes : int
+        Over the record.
+    """
+
+    scheme: str
+    size: int
+    frame: str
+    passes: int
+
+
+CASES = tuple(
+    Case(scheme, size, frame, passes)
+    for passes, sizes in ((1, SIZES), (2, SIZES[-1:]))
+    for scheme in SCHEMES
+    for size in sizes
+    for frame in BODY_FRAMES
+)
+"""All that is compared. Twice over the record go only the units that are bent most."""
+
+
+class ChoiceOfAxes(NamedTuple):
+    """Squared errors of the 27 states at the end, normalised; 1 is what they should be.
+
+    Attributes
+    ----------
+    squares : dict of Case to ndarray, shape (units,)
+    """
+
+    squares: Mapping[Case, FloatArray]
+
+
+def choice_of_axes(units: int = UNITS) -> ChoiceOfAxes:
+    """Run the whole study: some minutes."""
+    return ChoiceOfAxes({case: normalised_errors(case, units) for case in CASES})
+
+
+def normalised_errors(case: Case, units: int) -> FloatArray:
+    """Calibrate random units, and return for each the mean over the states of the squared errors.
+
+    Parameters
+    ----------
+    case : Case
+    units : int
+
+    Returns
+    -------
+    ndarray, shape (units,)
+    """
+    trial = replace(
+        QUICK_TRIAL,
+        scheme=replace(SCHEMES[case.scheme], dwell=QUICK_TRIAL.scheme.dwell),
+        prior=PriorDeviations(installation=case.size * arcsecond),
+        frame=case.frame,
+        passes=case.passes,
+    )
+    found = sweep(trial.run, units, seed=SEED, batch=BATCH)
+    size = found[0].calibration.model.size
+    return np.concatenate([batch.nees[:, -1] for batch in found]) / size

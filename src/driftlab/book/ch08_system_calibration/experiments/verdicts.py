@@ -1,0 +1,43 @@
+"""Two methods compared unit by unit: how often one errs less, and what chance would do."""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.stats import binomtest
+
+from driftlab.checks import FloatArray
+
+
+class Verdict(NamedTuple):
+    """How often the averaged axes did better.
+
+    Attributes
+    ----------
+    better, units : int
+    interval : tuple of float
+        Of 95 %, for the part of units that does better (Clopper and Pearson).
+    chance : float
+        Probability that equal methods would be as far from one half: the sign test, on both sides.
+    median : float
+        Of the ratios.
+    """
+
+    better: int
+    units: int
+    interval: tuple[float, float]
+    chance: float
+    median: float
+
+
+def verdict(ratios: FloatArray) -> Verdict:
+    """Count the units for which the averaged axes did better, from ratios (units,)."""
+    better = int((ratios < 1).sum())
+    test = binomtest(better, len(ratios))
+    interval = test.proportion_ci(0.95, "exact")
+    return Verdict(
+        better,
+        len(ratios),
+        (float(interval.low), float(interval.high)),
+        float(test.pvalue),
+        float(np.median(ratios)),
+    )
