@@ -6,13 +6,13 @@ from dataclasses import FrozenInstanceError, replace
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
-from scipy.constants import arcsecond, degree, g, hour, micro
+from scipy.constants import arcsecond
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 from scipy.stats import binom, chi2, norm
 
 from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
-from driftlab.calibration.error_model import ERROR_MODELS, error_model_for
+from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.filter import Calibration
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import UnobservableWarning, covariance_analysis
@@ -191,34 +191,6 @@ def test_second_pass_is_consistent_however_bent_the_units_are(frame):
 
 
 # Consistency: the size of the errors, and the axes
-
-
-def test_deviations_at_the_end_are_those_of_the_check_values():
-    """`recovered.md`, section 3: 19 positions, 120 s each, velocity noise 1 cm/s at 1 Hz."""
-    prior = PriorDeviations(
-        gyro_bias=0.3 * degree / hour,
-        accelerometer_bias=300 * micro * g,
-        scale=100 * micro,
-        installation=100 * arcsecond,
-    )
-    noise = ImuNoise(0.005 * degree / 60, 5 * micro * g, 0.01 / np.sqrt(6))
-    # A sixth of the updates, each with a sixth of the variance.
-    trial = TableTrial(prior=prior, noise=noise, sample_interval=0.5, update_interval=6.0)
-    assert trial.scheme is NINETEEN_POSITIONS
-    deviations = trial.run(np.random.default_rng(3)).calibration.deviations[-1]
-    for name, printed, unit, digit in (
-        ("gyro bias", 0.009, degree / hour, 0.001),
-        ("gyro scale", 3.6, micro, 0.1),
-        ("gyro non-orthogonality", 1, arcsecond, 0.1),
-        ("accelerometer bias", 0.5, micro * g, 0.1),
-        ("accelerometer scale", 0.4, micro, 0.1),
-        ("accelerometer installation", 1, arcsecond, 0.1),
-    ):
-        names = error_model_for("averaged").names
-        found = np.array([d for n, d in zip(names, deviations, strict=True) if n.startswith(name)])
-        assert len(found) in (3, 6)
-        # "About": one of the last digit, of the largest of three.
-        np.testing.assert_allclose(found.max() / unit, printed, rtol=0, atol=digit)
 
 
 @pytest.mark.parametrize("frame", ["averaged", "averaged accelerometers"])
