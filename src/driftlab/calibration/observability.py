@@ -134,7 +134,9 @@ class UnobservableSubspace(NamedTuple):
     Attributes
     ----------
     eigenvalues : ndarray, shape (size,)
-        Of the Gramian, ascending; each state is counted in its typical size.
+        Of the Gramian, ascending; each state is counted in its typical size. They are squares of
+        singular values, so a zero shows as the square of a rounding error; eigenvalues computed
+        of the Gramian itself show it as about 1e-17 of the largest.
     directions : ndarray, shape (m, size)
         Basis of the null space, as states.
     descriptions : list of str

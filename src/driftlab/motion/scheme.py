@@ -142,7 +142,7 @@ EIGHTEEN_ROTATIONS = Scheme(
     "+90X +90X +90X +90Z +90Z +90Z +90Y +90Y +90Y",
     ("East", "North", "Up"),
 )
-"""Eighteen rotations, commonly printed as those of Camberlein and Mazzanti (1985); not confirmed.
+"""Eighteen rotations, commonly quoted as those of Camberlein and Mazzanti (1985); not confirmed.
 
 The contents of the paper's own Table 1 are lost in the copy at hand.
 """

@@ -98,7 +98,7 @@ def test_choice_of_axes_is_read_from_the_study_that_the_code_makes(figure: Publi
         Case("19 positions", 400, "averaged accelerometers", 2),
     ):
         found = normalised_errors(case, BATCH)
-        # Four decimals are written; a covariance of 27 states keeps seven digits or so.
+        # Six decimals are written; a covariance of 27 states keeps seven digits or so.
         np.testing.assert_allclose(found, squares[case][:BATCH], rtol=1e-5, atol=1e-4)
 
 

@@ -18,7 +18,7 @@ PASSES = {1: "one pass", 2: "two passes"}
 
 def columns(data: ChoiceOfAxes) -> dict[str, FloatArray]:
     """Columns of the figure's CSV: one a case, one row a unit."""
-    return {_title(case): values.round(4) for case, values in data.squares.items()}
+    return {_title(case): values.round(6) for case, values in data.squares.items()}
 
 
 def restore(table: Mapping[str, Sequence[str]]) -> ChoiceOfAxes:
