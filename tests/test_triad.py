@@ -342,7 +342,7 @@ def test_triads_that_are_left_handed_or_flat_are_refused(frame, triad):
 
 
 def test_an_attitude_error_known_at_three_attitudes_shows_the_misalignment():
-    """phi(t) - phi(0) = (C(t) - C(0)) kappa, so Wu's "cannot be separated" goes too far."""
+    """phi(t) - phi(0) = (C(t) - C(0)) kappa: what navigation alone, as Wu says, cannot separate."""
     kappa = np.array([2e-4, -3e-4, 1e-4])
     first = Rotation.from_rotvec([0.3, -0.2, 0.5])
     attitudes, errors = [first.as_matrix()], [np.zeros(3)]

@@ -9,6 +9,7 @@ from driftlab.book.ch07_installation_errors.experiments import (
     SCHEME,
     error_matrix_parts,
     plane_body_axes,
+    plane_split,
 )
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.imu import TYPICAL_ERRORS
@@ -21,6 +22,15 @@ def test_split_triad_shows_the_whole_and_its_parts() -> None:
     np.testing.assert_allclose(data.parts[0], TYPICAL_ERRORS.gyro_error, rtol=0, atol=0)
     np.testing.assert_allclose(data.parts[1:].sum(axis=0), data.parts[0], rtol=0, atol=1e-18)
     np.testing.assert_allclose(data.parts[3], cross_matrix(data.vector), rtol=0, atol=1e-18)
+
+
+@given(st.floats(-0.7, 0.7), st.floats(-0.7, 0.7))
+def test_plane_split_is_a_common_turn_and_an_opposite_one(x: float, y: float) -> None:
+    """Wu (43): theta_x = eta + mu, theta_y = eta - mu."""
+    whole, turned, closed = plane_split((x, y))
+    np.testing.assert_array_equal(whole, [x, y])
+    np.testing.assert_allclose(turned, (x + y) / 2, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(closed, [(x - y) / 2, (y - x) / 2], rtol=0, atol=1e-15)
 
 
 # Farther apart than a right angle the two are left-handed.

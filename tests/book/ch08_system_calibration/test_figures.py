@@ -17,6 +17,7 @@ from driftlab.book.ch08_system_calibration.experiments import (
     STARTS,
     Case,
     ChoiceOfAxes,
+    Verdict,
     at_rest,
     calibration_history,
     normalised_errors,
@@ -29,6 +30,7 @@ from driftlab.book.ch08_system_calibration.experiments.choice_of_axes import UNI
 from driftlab.book.ch08_system_calibration.figures import (
     table_observability as table_observability_figure,
 )
+from driftlab.book.ledger import ledger_entries
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
 from driftlab.calibration.error_model import ERROR_MODELS
@@ -37,7 +39,7 @@ from driftlab.calibration.observability import covariance_analysis, unobservable
 from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorDeviations
 from driftlab.monte_carlo import mean_square_bounds
 from driftlab.motion.scheme import SCHEMES, Scheme
-from published import published
+from published import computed, published
 
 
 @published("08-scheme-directions")
@@ -235,6 +237,49 @@ def test_averaged_axes_deviate_less_in_place_from_some_starts_and_not_from_other
     assert counted[40, own, "velocity"].median == pytest.approx(0.99, abs=2e-3)
     assert counted[400, own, "velocity"].median == pytest.approx(0.976, abs=2e-3)
     assert counted[40, table, "velocity"].median == pytest.approx(0.74, abs=5e-3)
+
+
+def said(label: str) -> str:
+    """Everything that a ledger entry of this paper says, in one row of words."""
+    (entry,) = (e for e in ledger_entries() if (e.paper, e.label) == ("wu", label))
+    return f"{entry.proof} {entry.in_favour}"
+
+
+def bounds(counted: Verdict) -> str:
+    """As the ledger writes an interval."""
+    low, high = counted.interval
+    return f"{100 * low:.0f} to {100 * high:.0f} %"
+
+
+@published("08-choice-of-axes")
+def test_numbers_of_the_ledger_are_those_of_the_studies(figure: PublishedFigure) -> None:
+    words = said("Least neglected terms")
+    first, second = SCHEMES
+    medians = []
+    for frame in BODY_FRAMES:
+        one, two = (figure.data.squares[Case(scheme, 400, frame, 1)] for scheme in SCHEMES)
+        errors = [values.std(ddof=1) / np.sqrt(UNITS) for values in (one, two)]
+        assert f"{one.mean():.1f} ± {errors[0]:.1f} and {two.mean():.1f} ± {errors[1]:.1f}" in words
+        medians.append(f"{np.median(one):.1f} and {np.median(two):.1f}")
+    assert f"Medians: {'; '.join(medians)}." in words
+    for rival in BODY_FRAMES[1:]:
+        pair = compared(figure.data, first, rival), compared(figure.data, second, rival)
+        assert f"in {pair[0].better} and {pair[1].better}" in words
+        assert f"{bounds(pair[0])}, {bounds(pair[1])})" in words
+    alone = compared(figure.data, first, "upper triangle").chance
+    assert f"a chance of {alone:.4f}." in words
+    twice = [v.mean() for case, v in figure.data.squares.items() if case.passes == 2]
+    assert f"between {min(twice):.2f} and {max(twice):.2f}." in words
+
+    words = said("Deviates less overall")
+    ratios = computed("08-in-place-claim").data.ratios
+    for start in ALL_STARTS:
+        typical, bent = (verdict(ratios[size, start, "velocity"]) for size in AT_REST_SIZES)
+        digits = 2 if start == ALL_STARTS[-1] else 3
+        medians = f"{typical.median:.{digits}f} and {bent.median:.{digits}f}"
+        assert f"in {typical.better} and {bent.better}" in words
+        assert f"{bounds(typical)}, {bounds(bent)})" in words
+        assert f", {medians}" in words or f"medians of the ratio {medians}" in words
 
 
 def test_attitude_of_a_unit_that_knows_its_errors_is_found_from_its_own_sensors() -> None:

@@ -51,6 +51,21 @@ class SplitTriad(NamedTuple):
     vector: FloatArray
 
 
+class PlaneSplit(NamedTuple):
+    """Angles by which an x and a y gyro lean in a plane, positive from x to y, rad.
+
+    Attributes
+    ----------
+    whole : ndarray, shape (2,)
+    misalignment, non_orthogonality : ndarray, shape (2,)
+        Its two parts: the same angle for both gyros, and opposite ones.
+    """
+
+    whole: FloatArray
+    misalignment: FloatArray
+    non_orthogonality: FloatArray
+
+
 class PlaneAxes(NamedTuple):
     """Angles in a plane, counted from the given axes x and y, positive from x to y, rad.
 
@@ -106,6 +121,24 @@ def error_matrix_parts(matrix: ArrayLike) -> SplitTriad:
     """
     whole = finite_array(matrix, "matrix", 3, 3)
     return SplitTriad(np.stack([whole, *decompose(whole)]), misalignment_vector(whole))
+
+
+def plane_split(gyros: tuple[float, float] = (0.30, 0.10)) -> PlaneSplit:
+    """Take the installation errors of two gyros in a plane apart; Wu Fig. 1, (43), (44).
+
+    Parameters
+    ----------
+    gyros : tuple of float
+        Angles by which the x and the y gyro lean, rad.
+    """
+    x, y = gyros
+    parts = decompose(np.array([[0, x, 0], [-y, 0, 0], [0, 0, 0]]))
+    # Row x leans to y by its entry, and row y to x by its own, which is the other way round.
+    turned, closed = (
+        np.array([matrix[0, 1], -matrix[1, 0]])
+        for matrix in (parts.misalignment, parts.non_orthogonality)
+    )
+    return PlaneSplit(np.array(gyros), turned, closed)
 
 
 def plane_body_axes(

@@ -7,7 +7,7 @@ from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.imu import TYPICAL_ERRORS
 
 from .. import experiments
-from . import equivalent_start, plane_axes, split_triad
+from . import equivalent_start, plane_axes, plane_split, split_triad
 
 
 def _equivalent_start_caption(data: experiments.EquivalentStart) -> str:
@@ -23,6 +23,18 @@ def _equivalent_start_caption(data: experiments.EquivalentStart) -> str:
 
 
 FIGURES = (
+    FigureDefinition(
+        "07-plane-split",
+        experiments.plane_split,
+        plane_split.draw,
+        plane_split.columns,
+        lambda data: (
+            "Two gyros in a plane, and the two parts of their installation errors. Misalignment "
+            f"turns both by the mean of their angles, {data.misalignment[0]:.2f} rad. "
+            "Non-orthogonality turns them towards each other by half of the difference, "
+            f"{data.non_orthogonality[0]:.2f} rad each."
+        ),
+    ),
     FigureDefinition(
         "07-split-triad",
         lambda: experiments.error_matrix_parts(TYPICAL_ERRORS.gyro_error),

@@ -43,9 +43,9 @@ def draw(data: PlaneAxes) -> Figure:
     given, usual, averaged = panels
     for panel, angle in ((given, 0.0), (usual, data.usual), (averaged, data.averaged)):
         beside = (0.09, 0.09 if panel is given else -0.09)
-        _pair(panel, np.full(2, angle), ("$x$", "$y$"), 1.3, color=BLACK)
-        _pair(panel, data.gyros, ("x gyro", "y gyro"), 1.0, beside, color=BLUE, linestyle="--")
-    _pair(
+        pair(panel, np.full(2, angle), ("$x$", "$y$"), 1.3, color=BLACK)
+        pair(panel, data.gyros, ("x gyro", "y gyro"), 1.0, beside, color=BLUE, linestyle="--")
+    pair(
         given,
         data.accelerometers,
         ("x acc.", "y acc."),
@@ -55,14 +55,14 @@ def draw(data: PlaneAxes) -> Figure:
         linestyle=":",
     )
     for panel, angle in ((usual, data.usual), (averaged, data.averaged)):
-        _pair(panel, np.zeros(2), ("", ""), 0.75, color=GREY)
+        pair(panel, np.zeros(2), ("", ""), 0.75, color=GREY)
         arc = np.linspace(0, angle, 30)
         panel.plot(0.62 * np.cos(arc), 0.62 * np.sin(arc), color=GREEN)
         panel.text(0.68, 0.04, f"{angle:.2f} rad")
     return figure
 
 
-def _pair(
+def pair(
     panel: Axes,
     angles: FloatArray,
     labels: tuple[str, str],

@@ -1,0 +1,47 @@
+"""The installation errors of two gyros in a plane, taken apart; Wu Fig. 1."""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, GREY, in_style, plain_axes
+from driftlab.checks import FloatArray
+
+from ..experiments import PlaneSplit
+from .plane_axes import pair
+
+TITLES = ("two gyros", "misalignment: both turn alike", "non-orthogonality: they close up")
+
+
+def columns(data: PlaneSplit) -> dict[str, FloatArray | list[str]]:
+    """Columns of the figure's CSV."""
+    whole, turned, closed = data
+    return {
+        "gyro": ["x", "y"],
+        "whole_rad": whole,
+        "misalignment_rad": turned,
+        "non_orthogonality_rad": closed,
+    }
+
+
+@in_style
+def draw(data: PlaneSplit) -> Figure:
+    """Draw the two gyros with both errors, with the one and with the other."""
+    figure = Figure(figsize=(10.5, 2.9))
+    panels = figure.subplots(1, 3)
+    figure.subplots_adjust(0.01, 0.02, 1.0, 0.9, wspace=0.02)
+    for panel, title, angles in zip(panels, TITLES, data, strict=True):
+        plain_axes(panel, reach=1.3)
+        panel.set(xlim=(-0.62, 1.98), ylim=(-0.2, 1.5), title=title)
+        pair(panel, np.zeros(2), ("$x$", "$y$"), 1.3, color=GREY)
+        pair(panel, angles, ("", ""), 1.1, color=BLUE, linestyle="--")
+        for right, angle in zip((0.0, np.pi / 2), angles, strict=True):
+            arc = right + np.linspace(0, angle, 30)
+            panel.plot(0.8 * np.cos(arc), 0.8 * np.sin(arc), color=GREEN)
+            # Beside the tip of the gyro.
+            tip = 1.2 * np.array([np.cos(right + angle), np.sin(right + angle)])
+            outside = "right" if right and angle > 0 else "left"
+            words = f"{angle:+.2f} rad".replace("-", "−")
+            panel.text(*tip, words, color=BLACK, ha=outside, va="center")
+    for panel, sign in zip(panels, ("=", "+"), strict=False):
+        panel.text(1.93, 0.6, sign, fontsize=16, ha="center")
+    return figure
