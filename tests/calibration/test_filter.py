@@ -473,14 +473,16 @@ def test_after_a_second_pass_the_choice_of_axes_does_not_matter(three_passes, fr
     assert apart[2][0] < 0.01
 
 
-def test_a_pass_about_another_model_is_refused(brief):
+def test_a_pass_about_another_model_or_other_runs_is_refused(brief):
     first = calibrated(brief, SMALL)
-    with pytest.raises(
-        ValueError,
-        match=r"^about: expected a calibration with the model 'upper triangle', got one with "
-        r"'averaged'\.$",
-    ):
+    words = r"^about: expected runs \(\) with the model 'upper triangle', got \(\) with 'averaged'"
+    with pytest.raises(ValueError, match=words):
         calibrated(brief, SMALL, frame="upper triangle", about=first)
+    two = ImuErrors(*(np.stack([part, part]) for part in SMALL))
+    with pytest.raises(ValueError, match=r"^about: expected runs \(2,\) with .* got \(\) with"):
+        calibrated(brief, two, about=first)
+    with pytest.raises(ValueError, match=r"^about: expected a Calibration\(.*\), got 'first'"):
+        calibrated(brief, SMALL, about="first")
 
 
 # The history

@@ -1,8 +1,7 @@
 """States of a calibration filter: Wu (45)-(48), and three more that are unobservable.
 
-The state is: attitude error phi and velocity error dv (East, North, Up), gyro biases and gyro
-matrix, accelerometer biases and accelerometer matrix. All 24 errors of a unit make 30 states, three
-directions of which are unobservable. A choice of body axes removes three numbers: 27 states.
+Attitude error phi and velocity error dv (East, North, Up), biases and matrix of the gyros, then of
+the accelerometers: 30 states. A choice of body axes removes three numbers: 27 states.
 
 Signs: the computed attitude is ``(I - [phi×]) C``, a velocity error is computed minus true, and a
 sensor error that remains after compensation is true minus assumed.
@@ -125,24 +124,18 @@ class ErrorModel:
         >>> state.shape, bool(np.allclose(again.gyro_error, TYPICAL_ERRORS.gyro_error))
         ((30,), True)
         """
-        coefficients = [
+        of_gyros, of_accelerometers = (
             # The matrices of a basis have no entries in common.
             np.tensordot(matrix, basis, ([-2, -1], [1, 2])) / (basis**2).sum(axis=(1, 2))
             for matrix, basis in (
                 (imu_errors.gyro_error, self.gyro_basis),
                 (imu_errors.accelerometer_error, self.accelerometer_basis),
             )
-        ]
-        parts = [
-            imu_errors.gyro_bias,
-            coefficients[0],
-            imu_errors.accelerometer_bias,
-            coefficients[1],
-        ]
-        parts = [np.zeros(6), *parts]
-        leading = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
-        whole = [np.broadcast_to(part, (*leading, part.shape[-1])) for part in parts]
-        return np.concatenate(whole, axis=-1)
+        )
+        parts = [np.zeros(6), imu_errors.gyro_bias, of_gyros]
+        parts += [imu_errors.accelerometer_bias, of_accelerometers]
+        lead = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
+        return np.concatenate([np.broadcast_to(x, (*lead, x.shape[-1])) for x in parts], axis=-1)
 
     def reduction(self, attitude: ArrayLike) -> FloatArray:
         """Matrix from all 30 states, in any body axes, to the states of this model.
@@ -218,10 +211,9 @@ class ErrorModel:
         '7.071e-05'
         """
         matrix = [prior.scale] * 3 + [prior.installation] * 6
-        gyro = [prior.gyro_bias] * 3 + matrix
-        accelerometer = [prior.accelerometer_bias] * 3 + matrix
-        sizes = np.array([prior.attitude] * 3 + [0.0] * 3 + gyro + accelerometer)
-        half = self.reduction(attitude) * sizes
+        sizes = [prior.attitude] * 3 + [0.0] * 3
+        sizes += [prior.gyro_bias] * 3 + matrix + [prior.accelerometer_bias] * 3 + matrix
+        half = self.reduction(attitude) * np.array(sizes)
         return half @ half.T
 
 

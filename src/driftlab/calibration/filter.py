@@ -1,9 +1,8 @@
 """Wu et al., section 4: calibrating a whole unit on a turntable with a Kalman filter.
 
 The unit navigates while the table turns it. Its centre does not move, so any computed velocity is
-an error, and a filter with a model of the growth of errors traces it back to the sensors. The
-filter's estimates are fed back at once: into attitude and velocity, and into the compensation of
-the increments that follow. So it always works near zero error, where its linear model holds.
+an error, and a filter traces it back to the sensors. The estimates are fed back at once: into
+attitude and velocity, and into the compensation of the increments that follow.
 """
 
 from __future__ import annotations
@@ -21,14 +20,8 @@ from driftlab.checks import (
     unit_quaternions,
     whole_number,
 )
+from driftlab.core import quaternion
 from driftlab.core.attitude import step_quaternions
-from driftlab.core.quaternion import (
-    conjugate,
-    cumulative_product,
-    from_rotation_vector,
-    multiply,
-    to_rotation_vector,
-)
 from driftlab.core.strapdown import last_of, navigate
 from driftlab.earth import checked_latitude, earth_rate
 from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
@@ -161,7 +154,7 @@ def calibrate(
         The history keeps every `keep`-th update, and the last.
     about : Calibration, optional
         What an earlier pass over the same record found, with the same model. The error equations
-        are then linearised about it, all along, in place of the errors estimated so far.
+        are then linearised about it, and not about the errors estimated so far.
 
     Returns
     -------
@@ -178,10 +171,10 @@ def calibrate(
     -----
     Wu, section 4; the filter's model is (45)-(52).
 
-    The first pass feeds its estimates back at once. What it has learnt while they were far off it
-    has learnt with the wrong derivatives, and does not unlearn. A pass `about` a result navigates
-    with that result from the beginning and feeds nothing back. It starts from the same prior about
-    the same mean, so nothing counts twice: one step of Gauss and Newton, or an iterated smoother.
+    The first pass feeds its estimates back at once; what it learnt while they were far off it has
+    learnt with the wrong derivatives. A pass `about` a result navigates with that from the
+    beginning and feeds nothing back. It starts from the same prior about the same mean, so nothing
+    counts twice: a step of Gauss and Newton.
 
     Examples
     --------
@@ -231,19 +224,20 @@ def calibrate(
         reference.shape[:-2],
         attitude.shape[:-1],
     )
-    # The filter's estimate is the sum of the errors navigated with and of the mean of the rest.
+    # The estimate: errors that are navigated with, and the mean of what is left of them.
     state = mean = np.zeros((*lead, model.size))
     believed = np.broadcast_to(attitude, (*lead, 4))
     # The starts of all runs are nearly one attitude; any of them gives the states' correlations.
     before = model.covariance(prior, attitude.reshape(-1, 4)[0])
     covariance = np.broadcast_to(before, (*lead, model.size, model.size))
     if about is not None:
-        state, start_found = _linearization_point(measured, place, model, about)
+        _check_about(about, model, lead)
+        state, start_found = _linearization_point(measured, place, about)
         mean = -state
-        mean[..., :3] = -to_rotation_vector(multiply(start_found, conjugate(believed)))
+        back = quaternion.multiply(believed, quaternion.conjugate(start_found))
+        mean[..., :3] = quaternion.to_rotation_vector(back)
         believed = start_found
-    home = at_rest(place, believed)
-    now = home
+    now = home = at_rest(place, believed)
     nis_history, history = [], []
     for k in range(updates):
         true = without_errors(measured.part(k * each, (k + 1) * each), model.imu_errors(state))
@@ -263,47 +257,44 @@ def calibrate(
         mean = mean + step.correction
         found = state + mean
         found[..., :6] = 0.0
+        back = quaternion.from_rotation_vector(mean[..., :3])
         corrected = arrived._replace(
             velocity=arrived.velocity - mean[..., 3:6],
-            attitude=multiply(from_rotation_vector(mean[..., :3]), arrived.attitude),
+            attitude=quaternion.multiply(back, arrived.attitude),
         )
         if about is None:  # fed back
             state, mean, arrived = found, np.zeros_like(mean), corrected
-        # The position is known anyway.
         now = home._replace(velocity=arrived.velocity, attitude=arrived.attitude)
         nis_history.append(step.nis)
         if k + 1 in kept:
             history.append((found, covariance, corrected.attitude, corrected.velocity))
-    # The history is an axis after those of the runs.
     states, covariances, attitudes, velocities = (
         np.stack(row, axis=len(lead)) for row in zip(*history, strict=True)
     )
-    return Calibration(
-        model,
-        duration * np.array(kept),
-        states,
-        covariances,
-        attitudes,
-        velocities,
-        np.stack(nis_history, axis=-1),
-    )
+    times, nis = duration * np.array(kept), np.stack(nis_history, axis=-1)
+    return Calibration(model, times, states, covariances, attitudes, velocities, nis)
+
+
+def _check_about(about: Calibration, model: ErrorModel, lead: tuple[int, ...]) -> None:
+    """Refuse an earlier pass that is of another model or of other runs."""
+    checked_instance(about, Calibration, "about")
+    if about.model is not model or about.state.shape[:-2] != lead:
+        raise ValueError(
+            f"about: expected runs {lead} with the model {model.frame!r}, "
+            f"got {about.state.shape[:-2]} with {about.model.frame!r}."
+        )
 
 
 def _linearization_point(
-    measured: Increments, latitude: float, model: ErrorModel, about: Calibration
+    measured: Increments, latitude: float, about: Calibration
 ) -> tuple[FloatArray, FloatArray]:
-    """Sensor errors (..., size) that a pass found, and the attitude (..., 4) it began with.
-
-    The attitude at the end is the best known; the corrected gyros lead back from it.
-    """
-    if about.model is not model:
-        raise ValueError(
-            f"about: expected a calibration with the model {model.frame!r}, "
-            f"got one with {about.model.frame!r}."
-        )
+    """State (..., size) that a pass found, and the attitude (..., 4) that it found for the start:
+    that at the end is known best, and the corrected gyros lead back from it."""
     state = about.state[..., -1, :]
-    angle = without_errors(measured, model.imu_errors(state)).angle
-    turned = cumulative_product(step_quaternions(ALGORITHM, angle))[..., -1, :]
+    angle = without_errors(measured, about.imu_errors).angle
+    turned = quaternion.cumulative_product(step_quaternions(ALGORITHM, angle))[..., -1, :]
     # In axes that do not turn with the Earth: those of the beginning.
-    at_end = from_rotation_vector(about.times[-1] * earth_rate(latitude))
-    return state, multiply(multiply(at_end, about.attitude[..., -1, :]), conjugate(turned))
+    at_end = quaternion.from_rotation_vector(about.times[-1] * earth_rate(latitude))
+    return state, quaternion.multiply(
+        quaternion.multiply(at_end, about.attitude[..., -1, :]), quaternion.conjugate(turned)
+    )

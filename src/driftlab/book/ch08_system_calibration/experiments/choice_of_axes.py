@@ -18,6 +18,7 @@ from driftlab.monte_carlo import sweep
 from driftlab.motion.scheme import SCHEMES
 
 from .consistency import QUICK_TRIAL
+from .verdicts import Verdict, verdict
 
 SIZES = (40, 100, 200, 400)
 """Spreads of the installation errors, arc seconds."""
@@ -68,6 +69,11 @@ class ChoiceOfAxes(NamedTuple):
     """
 
     squares: Mapping[Case, FloatArray]
+
+    def compared(self, scheme: str, size: int, rival: str, passes: int = 1) -> Verdict:
+        """How often averaged axes err less than a rival choice, unit by unit; see `Case`."""
+        averaged = self.squares[Case(scheme, size, BODY_FRAMES[0], passes)]
+        return verdict(averaged / self.squares[Case(scheme, size, rival, passes)])
 
 
 def choice_of_axes(units: int = UNITS) -> ChoiceOfAxes:

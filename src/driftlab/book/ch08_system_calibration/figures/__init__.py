@@ -34,13 +34,7 @@ def _axes_caption(data: experiments.ChoiceOfAxes) -> str:
     size = experiments.SIZES[-1]
     counts = []
     for rival in BODY_FRAMES[1:]:
-        first, second = (
-            experiments.verdict(
-                data.squares[experiments.Case(scheme, size, BODY_FRAMES[0], 1)]
-                / data.squares[experiments.Case(scheme, size, rival, 1)]
-            )
-            for scheme in SCHEMES
-        )
+        first, second = (data.compared(scheme, size, rival) for scheme in SCHEMES)
         counts.append(f"{rival} {first.better} and {second.better}")
     twice = [values.mean() for case, values in data.squares.items() if case.passes == 2]
     return (

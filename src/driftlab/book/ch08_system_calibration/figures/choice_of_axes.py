@@ -11,7 +11,7 @@ from driftlab.book.machinery.picture import BLACK, SERIES, in_style
 from driftlab.checks import FloatArray
 from driftlab.motion.scheme import SCHEMES
 
-from ..experiments import SIZES, Case, ChoiceOfAxes, verdict
+from ..experiments import SIZES, Case, ChoiceOfAxes
 
 PASSES = {1: "one pass", 2: "two passes"}
 
@@ -82,11 +82,7 @@ def _draw_units(panel: Axes, data: ChoiceOfAxes) -> None:
     rivals = BODY_FRAMES[1:]
     for k, (scheme, passes) in enumerate((s, p) for p in PASSES for s in SCHEMES):
         for row, rival in enumerate(rivals):
-            ratios = (
-                data.squares[Case(scheme, size, BODY_FRAMES[0], passes)]
-                / data.squares[Case(scheme, size, rival, passes)]
-            )
-            counted = verdict(ratios)
+            counted = data.compared(scheme, size, rival, passes)
             part = counted.better / counted.units
             low, high = counted.interval
             panel.errorbar(
