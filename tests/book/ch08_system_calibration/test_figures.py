@@ -1,11 +1,15 @@
 """The figures of chapter 08: what a turntable shows, calibrations, and what they are good for."""
 
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
 from scipy.constants import micro
 from scipy.stats import binom
 
 from driftlab.body_frames import BODY_FRAMES
+from driftlab.book import figures
 from driftlab.book.ch08_system_calibration.experiments import (
     ALL_STARTS,
     AT_REST_SIZES,
@@ -16,6 +20,7 @@ from driftlab.book.ch08_system_calibration.experiments import (
     QUANTITIES,
     STARTS,
     Case,
+    ChoiceOfAxes,
     Verdict,
     at_rest,
     calibration_history,
@@ -101,6 +106,20 @@ def test_choice_of_axes_is_read_from_the_study_that_the_code_makes(figure: Publi
         found = normalised_errors(case, BATCH)
         # Six decimals are written; a covariance of 27 states keeps seven digits or so.
         np.testing.assert_allclose(found, squares[case][:BATCH], rtol=1e-5, atol=1e-4)
+
+
+def test_a_study_is_computed_only_where_its_table_is_not_at_hand(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    name = "08-choice-of-axes"
+    known = figures.figure_definitions("08")[name]
+    whole = figures.figure(name).data
+    part = ChoiceOfAxes({case: values[:5] for case, values in whole.squares.items()})
+    quick = replace(known, compute=lambda: part)
+    monkeypatch.setattr(figures, "figure_definitions", lambda _: {name: quick})
+    assert len(figures.figure(name).data.squares[CASES[0]]) == UNITS
+    monkeypatch.setattr(figures, "_PUBLISHED", tmp_path)
+    assert figures.figure(name).data is part
 
 
 @published("08-choice-of-axes")
