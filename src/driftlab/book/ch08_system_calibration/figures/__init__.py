@@ -38,10 +38,11 @@ def _axes_caption(data: experiments.ChoiceOfAxes) -> str:
         counts.append(f"{rival} {first.better} and {second.better}")
     twice = [values.mean() for case, values in data.squares.items() if case.passes == 2]
     return (
-        f"{first.units} random units in each case, the same ones for each of five choices of body "
-        "axes, on the nineteen positions and on the eighteen rotations that are commonly quoted as "
-        "the paper's scheme, with short pauses. Left and middle: squared normalised errors, means "
-        "with their standard errors. Right: how often averaged axes err less in a unit, with 95 % "
+        f"{experiments.UNITS} random units in each case, {first.units} of those bent most; the "
+        "same ones for each of five choices of body axes, on the nineteen positions and on the "
+        "eighteen rotations that are commonly quoted as the paper's scheme, with short pauses. "
+        "Left and middle: squared normalised errors, means with their standard errors. Right: how "
+        "often averaged axes err less in a unit, with 95 % "
         f"intervals. After one pass over the record of units bent by {size}″ they err less than "
         f"{', '.join(counts)} times, on the first scheme and on the second. After a second pass, "
         "linearised about the first, all means lie between "

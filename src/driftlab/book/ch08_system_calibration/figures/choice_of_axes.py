@@ -14,16 +14,26 @@ from driftlab.motion.scheme import SCHEMES
 from ..experiments import SIZES, Case, ChoiceOfAxes
 
 PASSES = {1: "one pass", 2: "two passes"}
+MORE = ", more units"
 
 
 def columns(data: ChoiceOfAxes) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV: one a case, one row a unit."""
-    return {_title(case): values.round(6) for case, values in data.squares.items()}
+    """Columns of the figure's CSV: one row a unit; two columns a case that has twice as many."""
+    units = min(map(len, data.squares.values()))
+    return {
+        _title(case) + i * MORE: part
+        for case, values in data.squares.items()
+        for i, part in enumerate(values.round(6).reshape(-1, units))
+    }
 
 
 def restore(table: Mapping[str, Sequence[str]]) -> ChoiceOfAxes:
     """Return the study that a CSV holds."""
-    return ChoiceOfAxes({_case(title): np.array(row, float) for title, row in table.items()})
+    squares: dict[Case, FloatArray] = {}
+    for title, row in table.items():
+        case = _case(title.removesuffix(MORE))
+        squares[case] = np.append(squares.get(case, []), np.array(row, float))
+    return ChoiceOfAxes(squares)
 
 
 def _title(case: Case) -> str:
