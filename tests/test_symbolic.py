@@ -156,6 +156,7 @@ def test_another_last_stage_is_refused() -> None:
         ("tangent, dimension 3", -1 / 120),
         ("series", -1 / 1920),
         ("series, normalised", -1 / 1920),
+        ("sine series and root", -1 / 1920),
         ("rotation vector", 0.0),
     ],
 )

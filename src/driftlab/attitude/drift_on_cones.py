@@ -54,7 +54,10 @@ def coning_drift(
     and q the algorithm's quaternion of the step that begins at phase zero. The step after it is
     Z q Z*, and so on, so that n steps make (q Z)^n Z*^n. A perfect algorithm has a q Z that turns
     by X; what another q Z turns more or less, divided by the time of the step, is the drift.
-    Chapter 06. Rounding leaves some 1e-16 rad a step.
+    Chapter 06. Rounding leaves some 1e-16 rad a step. The axis of q Z, about which the error piles
+    up, is that of the cone but for the error of one step: with few samples a round of a wide cone
+    it leans by some degrees and more. A drift of more than half a turn a step is told apart from
+    one the other way by nothing, and comes out between -pi and pi a step.
 
     Examples
     --------

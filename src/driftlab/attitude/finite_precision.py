@@ -70,8 +70,9 @@ def step_in_word(vectors: NDArray[Any], *, rotation_vector: bool = False) -> NDA
         complement = kind(2) * np.sin(half / kind(2)) ** 2
         return np.concatenate([vector, np.cos(half), complement], axis=-1)
     scale = kind(2) / (kind(1) + square)
-    scalar = (kind(1) - square) / (kind(1) + square)
-    return np.concatenate([-scale * vectors, scalar, scale * square], axis=-1)
+    complement = scale * square
+    # The other way round, (1 - |k|²)/(1 + |k|²) would round three times near 1.
+    return np.concatenate([-scale * vectors, kind(1) - complement, complement], axis=-1)
 
 
 def integrate_in_word(

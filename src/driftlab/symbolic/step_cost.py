@@ -69,19 +69,16 @@ def _third_iterate(a: _Assignments, sums: Sums) -> None:
 
 def _from_quarter_tangent(a: _Assignments, k: sp.Matrix) -> None:
     """The quaternion of -k/4: the factor, and the sign, are taken along in the numbers."""
-    square = a.number("square", a.number("k_square", k.dot(k)) / 16)
-    inverse = a.number("inverse", 1 / (1 + square))
-    scale = a.number("scale", inverse / 2)
-    a.result(sp.Matrix([*(scale * k), (1 - square) * inverse]))
+    scale = a.number("scale", 8 / a.number("sum", k.dot(k) + 16))
+    a.result(sp.Matrix([*(scale * k), 4 * scale - 1]))
 
 
 def _tangent(a: _Assignments, sums: Sums) -> None:
     square = a.number("square", sums.corrected.dot(sums.corrected))
-    factor = a.number("factor", sp.Rational(1, 4) + a.number("scaled", square / 192))
-    k_square = a.number("k_square", square * a.number("factor_square", factor**2))
-    inverse = a.number("inverse", 1 / (1 + k_square))
-    scale = a.number("scale", 2 * a.number("product", factor * inverse))
-    a.result(sp.Matrix([*(scale * sums.corrected), (1 - k_square) * inverse]))
+    factor = a.number("factor", square + 48)  # k is -f factor/192
+    below = a.number("below", square * a.number("factor_square", factor**2) + 192**2)
+    scale = a.number("scale", 384 / below)
+    a.result(sp.Matrix([*(a.number("both", factor * scale) * sums.corrected), 192 * scale - 1]))
 
 
 def _tangent_of_dimension_3(a: _Assignments, sums: Sums) -> None:
@@ -100,21 +97,36 @@ def _rotation_vector(a: _Assignments, sums: Sums) -> None:
     a.result(sp.Matrix([*(scale * sums.corrected), sp.cos(half)]))
 
 
+def _sine_series(a: _Assignments, sums: Sums) -> tuple[sp.Symbol, sp.Symbol]:
+    """The square of f, and the sine of half of |f| over |f|, cut off."""
+    square = a.number("square", sums.corrected.dot(sums.corrected))
+    return square, a.number("sine", sp.Rational(1, 2) - a.number("scaled", square / 48))
+
+
 def _series(a: _Assignments, sums: Sums) -> None:
-    a.result(_by_series(a, sums))
+    _, sine = _sine_series(a, sums)
+    a.result(sp.Matrix([*(sine * sums.corrected), _cosine_series(a, sine)]))
+
+
+def _cosine_series(a: _Assignments, sine: sp.Symbol) -> sp.Expr:
+    # 1 - s/8 + s²/384, if the sine is 1/2 - s/48.
+    return 6 * a.number("sine_square", sine**2) - sp.Rational(1, 2)
 
 
 def _normalised_series(a: _Assignments, sums: Sums) -> None:
-    series = a.let("series", _by_series(a, sums))
-    norm = a.number("norm", sp.sqrt(series.dot(series)))
-    a.result(a.number("inverse", 1 / norm) * series)
+    square, sine = _sine_series(a, sums)
+    cosine = a.number("cosine", _cosine_series(a, sine))
+    sine_square = sp.Symbol("sine_square_1", real=True)
+    length = a.number("length", sp.sqrt(square * sine_square + cosine**2))
+    inverse = a.number("inverse", 1 / length)
+    scale = a.number("scale", inverse * sine)
+    a.result(sp.Matrix([*(scale * sums.corrected), inverse * cosine]))
 
 
-def _by_series(a: _Assignments, sums: Sums) -> sp.Matrix:
-    square = a.number("square", sums.corrected.dot(sums.corrected))
-    scale = a.number("scale", sp.Rational(1, 2) - a.number("scaled", square / 48))
-    cosine = 1 + square * a.number("inner", square / 384 - sp.Rational(1, 8))
-    return sp.Matrix([*(scale * sums.corrected), cosine])
+def _sine_and_root(a: _Assignments, sums: Sums) -> None:
+    square, sine = _sine_series(a, sums)
+    sine_square = a.number("sine_square", sine**2)
+    a.result(sp.Matrix([*(sine * sums.corrected), sp.sqrt(1 - square * sine_square)]))
 
 
 LAST_STAGES: Mapping[str, Callable[[_Assignments, Sums], None]] = MappingProxyType(
@@ -127,11 +139,14 @@ LAST_STAGES: Mapping[str, Callable[[_Assignments, Sums], None]] = MappingProxyTy
         "rotation vector": _rotation_vector,
         "series": _series,
         "series, normalised": _normalised_series,
+        "sine series and root": _sine_and_root,
     }
 )
 """Ways from the sum of a step and its coning correction to the quaternion: those of `Algorithm`,
-and four to compare with them. Dimension 3 goes by -tan(|f|/2) f/|f|; the series are the sine and
-cosine of a rotation vector, cut off after the terms that fourth order needs."""
+and five to compare with them. Dimension 3 goes by -tan(|f|/2) f/|f|. The series are the sine and
+cosine of a rotation vector, cut off after the terms that fourth order needs; in the last one the
+cosine is the root of what the sine leaves of one. Each is written with as few operations as were
+found."""
 
 
 def step_program(algorithm: Algorithm, last_stage: str | None = None) -> Program:

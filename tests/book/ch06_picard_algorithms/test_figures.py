@@ -5,22 +5,27 @@ import pytest
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS
 from driftlab.attitude.drift_on_cones import coning_drift
-from driftlab.attitude.finite_precision import UPDATES, integrate_in_word
+from driftlab.attitude.finite_precision import UPDATES, integrate_in_word, step_in_word
 from driftlab.attitude.integration import integrate
 from driftlab.book.ch06_picard_algorithms.experiments import (
     ARITHMETICS,
     COMPARED_STAGES,
+    RANDOM_KINDS,
+    RANDOM_MOTIONS,
     SAMPLE_RATES,
     STORED_AS_ONE,
     WORD_MOTIONS,
+    advice_gain,
     algorithm_errors,
     coning_area,
     measured_drift,
     stage_drift,
 )
+from driftlab.book.ch06_picard_algorithms.experiments.random_motion import random_increments
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.motion.profiles import Coning, Sway
 from driftlab.quaternion import conjugate, multiply, rotation_angle
+from driftlab.symbolic import operations, step_program
 from published import published
 
 
@@ -78,7 +83,7 @@ def test_drift_measured_over_many_steps_is_that_of_one(name: str) -> None:
 
 
 @published("06-last-stages")
-def test_last_stages_part_on_wide_cones_only(figure: PublishedFigure) -> None:
+def test_last_stages_part_on_wide_cones_and_in_fast_turns(figure: PublishedFigure) -> None:
     data = figure.data
     drift = dict(zip(COMPARED_STAGES, np.abs(data.drifts), strict=True))
     narrow, wide = data.half_angles < np.radians(3), data.half_angles > np.radians(30)
@@ -91,8 +96,30 @@ def test_last_stages_part_on_wide_cones_only(figure: PublishedFigure) -> None:
     assert np.all(drift["tangent"][wide] < 0.75 * drift["third iterate"][wide])
     assert np.all(drift["rotation vector"][wide] < drift["tangent"][wide])
     np.testing.assert_allclose(drift["series"], drift["series, normalised"], rtol=1e-9)
-    cost = dict(zip(COMPARED_STAGES, data.costs, strict=True))
-    assert cost["series"] < cost["tangent"] < cost["third iterate"] < cost["series, normalised"]
+    assert data.random.shape == (len(RANDOM_KINDS), len(COMPARED_STAGES), RANDOM_MOTIONS)
+    error = {stage: data.random[:, i] for i, stage in enumerate(COMPARED_STAGES)}
+    # Of 300 pairs of equal chances, 181 and more would be one in a thousand (binomial).
+    better = (error["tangent"] < error["rotation vector"]).sum(axis=-1)
+    assert np.all(better[:2] > 181)
+    assert better[2] < RANDOM_MOTIONS - 181
+    for stage in ("third iterate", "tangent, dimension 3"):
+        assert np.all((error["tangent"] < error[stage]).sum(axis=-1) > 181)
+
+
+def test_costs_are_those_of_the_text() -> None:
+    cost = {
+        stage: sum(operations(step_program(ALGORITHMS["two-step-4"], stage)).values())
+        for stage in COMPARED_STAGES
+    }
+    assert cost["series"] < cost["sine series and root"] < cost["tangent"]
+    assert cost["tangent"] == cost["tangent, dimension 3"] < cost["series, normalised"]
+    assert cost["series, normalised"] < cost["third iterate"]
+
+
+def test_random_increments_are_integrals_of_one_rate() -> None:
+    rows = random_increments(np.random.default_rng(1), 3, 64, 0.05, turning=1.0)
+    fine = random_increments(np.random.default_rng(1), 3, 256, 0.0125, turning=1.0)
+    np.testing.assert_allclose(rows, fine.reshape(3, 64, 4, 3).sum(axis=-2), rtol=0, atol=1e-14)
 
 
 @pytest.mark.parametrize("samples", [12, 24, 48])
@@ -117,28 +144,41 @@ def test_drift_of_a_stage_is_that_of_the_algorithm_with_it(name: str) -> None:
 def test_short_word_gains_from_the_advice_where_the_scalar_part_is_not_one(
     figure: PublishedFigure,
 ) -> None:
+    """Means over the steps; with four seeds they lay within a fifth of what is asserted, or less.
+
+    Below the line the advice and small terms first gave means of 0.97 to 1.14, above it in fused
+    arithmetic 0.91 to 1.5, and otherwise 1.8 to 27 in favour of the advice.
+    """
     data = figure.data
     assert data.errors.shape[:3] == (len(ARITHMETICS), len(WORD_MOTIONS), len(UPDATES))
-    product, small_first, complement, compensated = np.moveaxis(data.errors, 2, 0)
-    # The compensated sum errs least in each run, the advice never much more than the two others.
+    complement, compensated = data.errors[:, :, 2], data.errors[:, :, 3]
     assert np.all(compensated < complement)
-    assert np.all(complement < 1.5 * np.minimum(product, small_first))
-    rounded = list(ARITHMETICS).index("rounded")
-    for j in range(len(WORD_MOTIONS)):
-        differs = data.angles[j] > STORED_AS_ONE
-        gain = small_first[rounded, j] / complement[rounded, j]
-        # Where 1 is stored the two do the same sums but for their last digits.
-        assert np.all(gain[differs] > 1.5)
-        assert gain[differs].max() > 10
-        np.testing.assert_allclose(gain[~differs], 1, rtol=0.5)
-    # Fused sums round the products no more, which is what the advice gains by.
-    fused = list(ARITHMETICS).index("fused")
-    assert (small_first[fused] / complement[fused]).max() < 2
+    for name, arithmetic in ARITHMETICS.items():
+        for motion in WORD_MOTIONS:
+            below, above = (
+                advice_gain(data, name, motion, "small terms first", above=side)
+                for side in (False, True)
+            )
+            assert below.least <= below.mean <= below.most
+            assert 0.8 < below.mean < 1.25
+            if not arithmetic.fused:
+                assert above.mean > 1.5
+            elif not arithmetic.normalise:
+                assert 0.77 < above.mean < 1.3
+            for side in (False, True):
+                assert advice_gain(data, name, motion, "product", above=side).mean > 1.2
     # The length stays with 1 - l0, where it differs from 1.
-    stretched = data.stretched
     for j in range(len(WORD_MOTIONS)):
         differs = data.angles[j] > STORED_AS_ONE
-        assert np.all(stretched[j, 2, differs] < stretched[j, :2, differs].T.min(axis=0) / 2)
+        product, small_first, kept, _ = data.stretched[j][:, differs].max(axis=-1)
+        assert kept < min(product, small_first) / 2
+
+
+@pytest.mark.parametrize("angle", [1e-6, 1e-5, 4.8e-4, 5.1e-4, 6e-4, 1e-3, 0.3])
+def test_stored_scalar_part_is_the_nearest_number_of_the_word(angle: float) -> None:
+    k = np.array([-np.tan(angle / 4), 0.0, 0.0], dtype=np.float32)
+    exact = np.cos(2 * np.arctan(float(k[0])))
+    assert step_in_word(k)[3] == np.float32(exact)
 
 
 def test_scalar_part_is_stored_as_one_below_the_line_and_not_above() -> None:

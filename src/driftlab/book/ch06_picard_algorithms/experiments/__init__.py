@@ -26,6 +26,8 @@ from .coning import (
 )
 from .last_stages import (
     COMPARED_STAGES,
+    RANDOM_KINDS,
+    RANDOM_MOTIONS,
     LastStageErrors,
     last_stage_errors,
     stage_drift,
@@ -38,6 +40,7 @@ from .word_length import (
     WORD_STARTS,
     WORD_STEPS,
     ShortWord,
+    advice_gain,
     short_word_errors,
 )
 
@@ -53,6 +56,8 @@ __all__ = [
     "MOTIONS",
     "ORDER_MOTIONS",
     "ORDER_SAMPLE_RATES",
+    "RANDOM_KINDS",
+    "RANDOM_MOTIONS",
     "SAMPLE_RATES",
     "SHIP",
     "STORED_AS_ONE",
@@ -65,6 +70,7 @@ __all__ = [
     "ConingDrift",
     "LastStageErrors",
     "ShortWord",
+    "advice_gain",
     "algorithm_errors",
     "algorithm_orders",
     "coning_area",

@@ -10,9 +10,13 @@ import numpy as np
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS
 from driftlab.attitude.drift_on_cones import step_drift
+from driftlab.attitude.integration import integrate
 from driftlab.checks import FloatArray
 from driftlab.core.coning import cone_increments
+from driftlab.quaternion import conjugate, cumulative_product, multiply, rotation_angle
 from driftlab.symbolic import operations, run_program, step_program
+
+from .random_motion import random_increments
 
 PAIR = ALGORITHMS["two-step-4"]
 """The increments and the coning correction that all last stages start from."""
@@ -22,6 +26,7 @@ COMPARED_STAGES = (
     "tangent, dimension 3",
     "series",
     "series, normalised",
+    "sine series and root",
     "rotation vector",
 )
 """Of `driftlab.symbolic.LAST_STAGES`, those of fourth order."""
@@ -30,6 +35,16 @@ HALF_ANGLES: FloatArray = np.radians(np.geomspace(1.0, 90.0, 25))
 """Of the cones, rad."""
 STEP_ANGLES: FloatArray = np.geomspace(0.02, 1.0, 18)
 """Of steps about a fixed axis, rad."""
+RANDOM_KINDS = {"no steady turn": 0.0, "turning by 1 rad/s": 1.0, "turning by 3 rad/s": 3.0}
+"""Kinds of random motion, with the deviation of each component of the constant rate that is
+added, rad/s."""
+RANDOM_MOTIONS = 300
+"""Motions of each kind."""
+RANDOM_RATE, RANDOM_SECONDS = 24, 4
+"""Sample rate in Hz, and how long a motion lasts, s."""
+FINER = 8
+"""By how much more often the increments are read from which the true attitude is computed; it errs
+by the fourth power of this less."""
 
 
 class LastStageErrors(NamedTuple):
@@ -49,6 +64,8 @@ class LastStageErrors(NamedTuple):
         Error of the angle of one such step about a fixed axis, rad.
     stretched : ndarray, shape (stage, n)
         Length of that step's quaternion, less one.
+    random : ndarray, shape (kind, stage, motion)
+        Error of the attitude at the end of random motions, by kind as in `RANDOM_KINDS`, rad.
     costs : tuple of int
         Operations of a step.
     """
@@ -59,11 +76,19 @@ class LastStageErrors(NamedTuple):
     step_angles: FloatArray
     fixed_axis: FloatArray
     stretched: FloatArray
+    random: FloatArray
     costs: tuple[int, ...]
 
 
-def last_stage_errors() -> LastStageErrors:
-    """Try the last stages on cones of all widths and about a fixed axis, and count operations."""
+def last_stage_errors(seed: int = 6) -> LastStageErrors:
+    """Try the last stages on cones, about a fixed axis and on random motions; count operations.
+
+    Parameters
+    ----------
+    seed : int
+        Of the random motions.
+    """
+    rng = np.random.default_rng(seed)
     drifts, fixed_axis, stretched = [], [], []
     halves = STEP_ANGLES[:, np.newaxis, np.newaxis] / 2 * np.array([[0.0, 0, 1], [0, 0, 1]])
     for stage in COMPARED_STAGES:
@@ -78,6 +103,7 @@ def last_stage_errors() -> LastStageErrors:
         STEP_ANGLES,
         np.array(fixed_axis),
         np.array(stretched),
+        np.array([_random_errors(rng, turning) for turning in RANDOM_KINDS.values()]),
         tuple(sum(operations(step_program(PAIR, stage)).values()) for stage in COMPARED_STAGES),
     )
 
@@ -100,3 +126,18 @@ def stage_drift(stage: str, half_angles: FloatArray, samples_a_round: int) -> Fl
     step /= np.linalg.norm(step, axis=-1, keepdims=True)
     steps = samples_a_round / PAIR.samples
     return steps * step_drift(step, half_angles, np.asarray(PAIR.samples * sample))
+
+
+def _random_errors(rng: np.random.Generator, turning: float) -> FloatArray:
+    """Errors (stage, motion) at the end of random motions, rad."""
+    count = RANDOM_RATE * RANDOM_SECONDS
+    fine = random_increments(rng, RANDOM_MOTIONS, FINER * count, 1 / (FINER * RANDOM_RATE), turning)
+    true = integrate(fine, "rotation-vector-2")[:, -1]
+    pairs = fine.reshape(RANDOM_MOTIONS, -1, PAIR.samples, FINER, 3).sum(axis=-2)
+    errors = []
+    for stage in COMPARED_STAGES:
+        steps = run_program(step_program(PAIR, stage), pairs)
+        steps /= np.linalg.norm(steps, axis=-1, keepdims=True)
+        found = cumulative_product(steps)[:, -1]
+        errors.append(rotation_angle(multiply(conjugate(true), found)))
+    return np.array(errors)

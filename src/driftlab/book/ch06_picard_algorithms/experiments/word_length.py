@@ -1,4 +1,4 @@
-"""What a word of 32 bits does to an attitude of many steps, on three motions."""
+"""What a word of 32 bits does to an attitude of many steps, on four motions."""
 
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.constants import day
 
-from driftlab.attitude.finite_precision import UPDATES, integrate_in_word
+from driftlab.attitude.finite_precision import UPDATES, Update, integrate_in_word
 from driftlab.attitude.integration import integrate
 from driftlab.checks import FloatArray
 from driftlab.motion.profiles import Motion
@@ -15,15 +15,22 @@ from driftlab.quaternion import conjugate, multiply, rotation_angle
 
 from .algorithms import SHIP
 from .coning import BRACKET
+from .random_motion import WAVE_RATE, WAVES, random_increments
 
 EARTH_RATE = 2 * np.pi / (day * 365.2422 / 366.2422)
 """Rate of the Earth against the stars, rad/s: one turn more in a year than there are days."""
 AXIS = np.array([0.6, 0.0, 0.8])
 """Of the steady turn, in the body."""
 WORD_MOTIONS: Mapping[str, Motion | None] = MappingProxyType(
-    {"cone of 1°, 5 Hz": BRACKET, "ship, roll 30°, 0.5 Hz": SHIP, "steady turn": None}
+    {
+        "cone of 1°, 5 Hz": BRACKET,
+        "ship, roll 30°, 0.5 Hz": SHIP,
+        "steady turn": None,
+        "random motion": None,
+    }
 )
-"""Motions by name; None stands for equal steps about `AXIS`."""
+"""Motions by name. The last two are no `Motion`: equal steps about `AXIS`, and a random motion for
+each attitude at the start."""
 
 
 class Arithmetic(NamedTuple):
@@ -43,14 +50,14 @@ ARITHMETICS: Mapping[str, Arithmetic] = MappingProxyType(
 )
 """Kinds of arithmetic by name: each product and each sum rounded, or fused multiply-add; the length
 mended after each step, or not."""
-WORD_STEPS = 2000
+WORD_STEPS = 1000
 """Steps after which the attitude is compared."""
-STEP_ANGLES: FloatArray = np.geomspace(1e-6, 1e-2, 13)
+STEP_ANGLES: FloatArray = np.geomspace(1e-6, 1e-2, 17)
 """Wanted angles of a step, rms over the run, rad."""
 STORED_AS_ONE = float(np.sqrt(8 * np.finfo(np.float32).epsneg / 2))
 """Angle of a step, in rad, below which a word of 32 bits stores the scalar part cos(angle/2) as 1:
 where angle²/8 is half of its last digit."""
-WORD_STARTS = 16
+WORD_STARTS = 24
 """Attitudes at the start, over which the errors are averaged."""
 
 
@@ -73,13 +80,51 @@ class ShortWord(NamedTuple):
     stretched: FloatArray
 
 
+class Gain(NamedTuple):
+    """How many times smaller the error is with 1 - l0, over a range of step angles.
+
+    Attributes
+    ----------
+    mean : float
+        Geometric mean.
+    least, most : float
+    """
+
+    mean: float
+    least: float
+    most: float
+
+
+def advice_gain(
+    data: ShortWord, arithmetic: str, motion: str, other: Update, *, above: bool
+) -> Gain:
+    """Compare the update with 1 - l0 with another one.
+
+    Parameters
+    ----------
+    data : ShortWord
+    arithmetic, motion : str
+        Of `ARITHMETICS` and `WORD_MOTIONS`.
+    other : str
+        Of `driftlab.attitude.UPDATES`.
+    above : bool
+        Whether at steps above `STORED_AS_ONE`, or at those below.
+    """
+    i, j = list(ARITHMETICS).index(arithmetic), list(WORD_MOTIONS).index(motion)
+    errors = data.errors[i, j]
+    gains = errors[UPDATES.index(other)] / errors[UPDATES.index("complement")]
+    chosen = gains[(data.angles[j] > STORED_AS_ONE) == above]
+    mean = float(np.exp(np.log(chosen).mean()))
+    return Gain(mean, float(chosen.min()), float(chosen.max()))
+
+
 def short_word_errors(seed: int = 2014) -> ShortWord:
-    """Integrate the three motions at many sample rates, in 32 bits and in 64.
+    """Integrate the four motions at many sample rates, in 32 bits and in 64.
 
     Parameters
     ----------
     seed : int
-        Of the attitudes at the start.
+        Of the attitudes at the start, and of the random motions.
     """
     # Four normal deviates have no preferred direction: uniform over all rotations.
     starts = np.random.default_rng(seed).normal(size=(WORD_STARTS, 4))
@@ -89,13 +134,12 @@ def short_word_errors(seed: int = 2014) -> ShortWord:
     shape = (len(WORD_MOTIONS), len(UPDATES), len(STEP_ANGLES))
     angles = np.empty((len(WORD_MOTIONS), len(STEP_ANGLES)))
     errors, stretched = np.empty((len(ARITHMETICS), *shape)), np.empty(shape)
-    for j, motion in enumerate(WORD_MOTIONS.values()):
+    for j, name in enumerate(WORD_MOTIONS):
         # The same holds for the increments.
-        runs = np.stack([_increments(motion, float(angle)) for angle in STEP_ANGLES])
+        runs = np.stack([_increments(name, float(angle), seed) for angle in STEP_ANGLES])
         runs = runs.astype(np.float32).astype(np.float64)
-        steps = runs[:, 0::2] + runs[:, 1::2]
-        angles[j] = np.sqrt((steps**2).sum(axis=-1).mean(axis=-1))
-        runs = runs[:, np.newaxis]
+        steps = runs[..., 0::2, :] + runs[..., 1::2, :]
+        angles[j] = np.sqrt((steps**2).sum(axis=-1).mean(axis=(-1, -2)))
         true = integrate(runs, start=starts)[..., -1, :]
         for i, arithmetic in enumerate(ARITHMETICS.values()):
             for u, update in enumerate(UPDATES):
@@ -112,11 +156,16 @@ def short_word_errors(seed: int = 2014) -> ShortWord:
     return ShortWord(angles, errors, stretched)
 
 
-def _increments(motion: Motion | None, step_angle: float) -> FloatArray:
-    """Two increments a step (2 * WORD_STEPS, 3), at the sample rate that makes such steps."""
-    count = 2 * WORD_STEPS
-    if motion is None:
-        return np.tile(step_angle / 2 * AXIS, (count, 1))
-    typical = motion.rate(np.linspace(0, 20, 20_001))
-    rms = np.sqrt((typical**2).sum(axis=-1).mean())
-    return motion.increments(float(step_angle / 2 / rms), count)
+def _increments(name: str, step_angle: float, seed: int) -> FloatArray:
+    """Two increments a step (1 or WORD_STARTS, 2 * WORD_STEPS, 3), at the rate that makes them."""
+    count, motion = 2 * WORD_STEPS, WORD_MOTIONS[name]
+    if motion is not None:
+        typical = motion.rate(np.linspace(0, 20, 20_001))
+        rms = np.sqrt((typical**2).sum(axis=-1).mean())
+        return motion.increments(float(step_angle / 2 / rms), count)[np.newaxis]
+    if name == "steady turn":
+        return np.tile(step_angle / 2 * AXIS, (1, count, 1))
+    # Three components, each a sum of sines.
+    rms = np.sqrt(3 * WAVES / 2) * WAVE_RATE
+    interval = step_angle / 2 / rms
+    return random_increments(np.random.default_rng(seed), WORD_STARTS, count, interval)

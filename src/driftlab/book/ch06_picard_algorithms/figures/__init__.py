@@ -48,10 +48,11 @@ FIGURES = (
         last_stages.draw,
         last_stages.columns,
         lambda data: (
-            "Six ways from the corrected sum of two increments to a quaternion. Left: drift on a "
-            f"cone that is sampled {data.samples_a_round} times a round. Middle: error of one step "
-            "about a fixed axis; the rotation vector has none but rounding. Right: operations of a "
-            "step, a sine counted as one."
+            "Seven ways from the corrected sum of two increments to a quaternion. Above: drift on "
+            f"a cone that is sampled {data.samples_a_round} times a round, and error of one step "
+            "about a fixed axis, where the rotation vector has none but rounding. Below: error at "
+            "the end of random motions about three axes, over that of the rotation vector; and "
+            "operations of a step, a sine counted as one."
         ),
     ),
     FigureDefinition(
@@ -62,9 +63,9 @@ FIGURES = (
         lambda _: (
             "Arithmetic in 32 bits: error of the attitude after "
             f"{experiments.WORD_STEPS} steps, its length divided out, by the angle of a step. "
-            "With 1 - λ0 the error is nowhere much larger than with λ0, and ten times smaller and "
-            "more where λ0 differs from 1 in the word, right of the dotted line. A compensated sum "
-            f"is better still. Root mean square of {experiments.WORD_STARTS} attitudes."
+            "Where each product is rounded, 1 - λ0 errs several times less than the two updates "
+            "with λ0 as soon as λ0 differs from 1 in the word, right of the dotted line. A "
+            f"compensated sum errs least. Root mean square of {experiments.WORD_STARTS} attitudes."
         ),
     ),
 )

@@ -1,4 +1,4 @@
-"""What a word of 32 bits does to an attitude of many steps, on three motions."""
+"""What a word of 32 bits does to an attitude of many steps, on four motions."""
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -44,8 +44,8 @@ def columns(data: ShortWord) -> dict[str, FloatArray]:
 def draw(data: ShortWord) -> Figure:
     """Draw the error of attitude over the angle of a step."""
     figure = Figure(figsize=(10.5, 6.6))
-    panels = figure.subplots(2, 3, sharex=True, sharey=True)
-    figure.subplots_adjust(0.09, 0.14, 0.985, 0.95, wspace=0.06, hspace=0.16)
+    panels = figure.subplots(2, 4, sharex=True, sharey=True)
+    figure.subplots_adjust(0.075, 0.14, 0.985, 0.95, wspace=0.06, hspace=0.16)
     names = list(ARITHMETICS)
     for number, (arithmetic, title) in enumerate(DRAWN.items()):
         row = panels[number]
