@@ -113,6 +113,22 @@ def test_two_slips_of_one_character_make_the_seven_consistent():
     ]
 
 
+def test_if_digits_were_cut_off_the_minus_sign_is_the_only_slip():
+    place = NAMES.index("sigma4*")
+    assert single_slips(IN_THE_COPY, ROUND_DOWN) == [(place, "-0.165e-5")]
+    assert single_slips(IN_THE_COPY, ROUND_HALF_EVEN) == single_slips(IN_THE_COPY)
+
+
+@pytest.mark.parametrize("value", [1.234567e-3, -1.234567e-3, 0.0500049, -9.99999e2])
+def test_interval_of_a_rule_holds_what_the_rule_makes_of_a_value(value):
+    for rule in (ROUND_DOWN, ROUND_HALF_EVEN):
+        text = str(Decimal(repr(value)).quantize(Decimal("1e-5"), rounding=rule))
+        low, high = digit_interval(text, rule)
+        assert low <= value <= high
+        assert digit_interval(text)[0] <= low < high <= digit_interval(text)[1]
+        assert high - low == pytest.approx(1e-5, rel=1e-9)
+
+
 def test_slips_are_every_string_of_one_edit_that_is_a_number():
     """Against a search of all strings of the characters: one edit is a distance of one."""
     text = "1e-3"

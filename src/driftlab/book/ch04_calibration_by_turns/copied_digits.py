@@ -7,7 +7,7 @@ four.
 from __future__ import annotations
 
 import re
-from decimal import Decimal
+from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Decimal
 from itertools import chain
 
 import numpy as np
@@ -22,11 +22,19 @@ CHARACTERS = "0123456789.-"
 NUMBER = re.compile(r"-?\d+(\.\d+)?e-?\d+")
 
 
-def digit_interval(text: str) -> tuple[float, float]:
-    """Lowest and highest value that given digits may stand for, were they rounded or cut off."""
+def digit_interval(text: str, rule: str | None = None) -> tuple[float, float]:
+    """Lowest and highest value that given digits may stand for.
+
+    The rule is `decimal.ROUND_HALF_EVEN` for rounded digits and `decimal.ROUND_DOWN` for digits
+    that were cut off; without one both are allowed.
+    """
     number = Decimal(text)
     unit = Decimal(1).scaleb(number.as_tuple().exponent)  # type: ignore[arg-type]
-    ends = [number - unit / 2, number + unit / 2, number + unit.copy_sign(number)]
+    ends = [number]
+    if rule != ROUND_DOWN:
+        ends += [number - unit / 2, number + unit / 2]
+    if rule != ROUND_HALF_EVEN:
+        ends.append(number + unit.copy_sign(number))
     return float(min(ends)), float(max(ends))
 
 
@@ -42,13 +50,13 @@ def weighed_intervals(starred: tuple[str, ...]) -> FloatArray:
     return np.stack([middle - half_width, middle + half_width], axis=-1)
 
 
-def is_consistent(seven: tuple[str, ...]) -> bool:
-    """Can seven numbers with these digits stand together, whether rounded or cut off?
+def is_consistent(seven: tuple[str, ...], rule: str | None = None) -> bool:
+    """Can seven numbers with these digits stand together? The rule is that of `digit_interval`.
 
     Linear programming: is there a point in the box of the four starred intervals whose weighings
     lie in the three doubly starred ones?
     """
-    bounds = [digit_interval(text) for text in seven]
+    bounds = [digit_interval(text, rule) for text in seven]
     weights = weighing(np.eye(4)).T
     low, high = np.array(bounds[4:]).T
     # Scaled to units of 1e-9, or the solver's own tolerance would swallow the intervals.
@@ -61,17 +69,18 @@ def is_consistent(seven: tuple[str, ...]) -> bool:
     return bool(found.success)
 
 
-def single_slips(seven: tuple[str, ...]) -> list[tuple[int, str]]:
+def single_slips(seven: tuple[str, ...], rule: str | None = None) -> list[tuple[int, str]]:
     """Every way to make seven numbers consistent by one slip in one of them.
 
     A slip is one character replaced, left out or put in, or two neighbours exchanged, anywhere
-    in mantissa or exponent. Returned are the place of the changed number and its new text.
+    in mantissa or exponent. Returned are the place of the changed number and its new text. The
+    rule is that of `digit_interval`.
     """
     return [
         (place, text)
         for place, given in enumerate(seven)
         for text in one_slip_away(given)
-        if is_consistent((*seven[:place], text, *seven[place + 1 :]))
+        if is_consistent((*seven[:place], text, *seven[place + 1 :]), rule)
     ]
 
 
