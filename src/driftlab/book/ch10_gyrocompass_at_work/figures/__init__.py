@@ -69,7 +69,8 @@ def _damping_caption(data: experiments.Horizons) -> str:
         "beyond the axes, as soon as the ship gathers way. The log with errors tells "
         f"{experiments.LOG_SCALE:.0%} too much and does not see a current of "
         f"{experiments.CURRENT[0]:g} m/s to the North; it is off by up to "
-        f"{np.abs(wrong - damped).max():.2f} degrees from the true one."
+        f"{np.abs(wrong - damped).max():.2f} degrees from the run with "
+        "the true log."
     )
 
 
