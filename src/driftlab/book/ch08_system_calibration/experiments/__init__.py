@@ -1,17 +1,6 @@
 """Experiments of chapter 08: what a turntable shows, calibrations, and what they are good for."""
 
-from .at_rest import (
-    ALL_STARTS,
-    AT_REST_SIZES,
-    FRAMES,
-    QUANTITIES,
-    REST_DURATION,
-    STARTS,
-    InPlaceClaim,
-    InPlaceErrors,
-    error_ratios_at_rest,
-    errors_at_rest,
-)
+from .at_rest import FRAMES, REST_DURATION, InPlaceErrors, errors_at_rest
 from .calibration import (
     PARAMETERS,
     CalibrationErrors,
@@ -37,17 +26,29 @@ from .consistency import (
     FilterConsistency,
     filter_consistency,
 )
+from .in_place_claim import (
+    AT_REST_SIZES,
+    AVERAGED,
+    QUANTITIES,
+    TRIANGLES,
+    Comparison,
+    InPlaceClaim,
+    error_ratios,
+    error_ratios_at_rest,
+)
 from .schemes import (
     SchemeDirections,
     TableObservability,
     table_observability,
     up_in_body_axes,
 )
+from .starts import ALL_STARTS, STARTS
 from .verdicts import Verdict, verdict
 
 __all__ = [
     "ALL_STARTS",
     "AT_REST_SIZES",
+    "AVERAGED",
     "BATCH",
     "CASES",
     "FRAMES",
@@ -58,11 +59,13 @@ __all__ = [
     "RUNS",
     "SIZES",
     "STARTS",
+    "TRIANGLES",
     "UNITS",
     "CalibrationErrors",
     "CalibrationRun",
     "Case",
     "ChoiceOfAxes",
+    "Comparison",
     "FilterConsistency",
     "InPlaceClaim",
     "InPlaceErrors",
@@ -72,6 +75,7 @@ __all__ = [
     "calibration_errors",
     "calibration_history",
     "choice_of_axes",
+    "error_ratios",
     "error_ratios_at_rest",
     "errors_at_rest",
     "filter_consistency",

@@ -1,0 +1,155 @@
+"""Do averaged axes deviate less in place? The claim after Wu Figs. 3-5, over many units.
+
+The copy says neither which scheme calibrated the paper's unit, nor which triangle was the usual
+method's, nor with which attitude each computer began; so all of them are tried.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from scipy.constants import arcsecond
+
+from driftlab.body_frames import BODY_FRAMES
+from driftlab.book.scenarios import TABLE_LATITUDE
+from driftlab.calibration.simulation import Trial
+from driftlab.calibration.static_navigation import navigate_static
+from driftlab.checks import FloatArray
+from driftlab.imu import ImuErrors, PriorDeviations
+from driftlab.monte_carlo import sweep
+from driftlab.motion.scheme import SCHEMES
+
+from .at_rest import REST_DURATION
+from .consistency import QUICK_TRIAL
+from .starts import ALL_STARTS, TABLE_ATTITUDE, one_attitude, own_axes, self_aligned
+from .verdicts import Verdict, verdict
+
+AT_REST_SIZES = (40, 400)
+"""Spreads of the installation errors of the units at rest, arc seconds."""
+AVERAGED, *TRIANGLES = BODY_FRAMES[:3]
+"""The paper's choice of body axes, and the two that its usual method may have meant."""
+QUANTITIES = ("attitude", "velocity", "position")
+UNITS = 200
+"""Units of each size: the same ones, with the same noise, for each choice of axes."""
+SEED = 345
+
+
+class Comparison(NamedTuple):
+    """One comparison of the averaged axes with a rival.
+
+    Attributes
+    ----------
+    scheme : str
+        One of `driftlab.motion.scheme.SCHEMES`, here with short pauses.
+    size : int
+        Spread of the installation errors, arc seconds.
+    rival : str
+        Choice of body axes, one of `TRIANGLES`.
+    start : str
+        One of `ALL_STARTS`.
+    quantity : str
+        One of `QUANTITIES`.
+    """
+
+    scheme: str
+    size: int
+    rival: str
+    start: str
+    quantity: str
+
+
+class InPlaceClaim(NamedTuple):
+    """Error with averaged axes over that with a rival's.
+
+    Attributes
+    ----------
+    ratios : dict of Comparison to ndarray, shape (units,)
+    """
+
+    ratios: Mapping[Comparison, FloatArray]
+
+    def counted(self) -> dict[Comparison, Verdict]:
+        """How often averaged axes err less, unit by unit, in every comparison."""
+        return {key: verdict(values) for key, values in self.ratios.items()}
+
+    @property
+    def certain(self) -> float:
+        """Chance below which one comparison counts: Bonferroni, 5 % for all together."""
+        return 0.05 / len(self.ratios)
+
+
+def error_ratios_at_rest(units: int = UNITS) -> InPlaceClaim:
+    """Calibrate random units on both schemes, and let them navigate: about a minute.
+
+    Parameters
+    ----------
+    units : int
+        How many, in each case.
+    """
+    ratios: dict[Comparison, FloatArray] = {}
+    for scheme in SCHEMES:
+        for size in AT_REST_SIZES:
+            ratios |= error_ratios(scheme, size, units=units)
+    return InPlaceClaim(ratios)
+
+
+def error_ratios(
+    scheme: str, size: int, rivals: Sequence[str] = tuple(TRIANGLES), units: int = UNITS
+) -> dict[Comparison, FloatArray]:
+    """Compare averaged axes with rivals on the same data, from all starts and in all quantities.
+
+    Parameters
+    ----------
+    scheme : str
+    size : int
+        See `Comparison`.
+    rivals : sequence of str
+        Choices of body axes, of `TRIANGLES`.
+    units : int
+        Random units with installation errors of this size.
+
+    Returns
+    -------
+    dict of Comparison to ndarray, shape (units,)
+        Root mean square errors with averaged axes over those with the rival's.
+    """
+    table = replace(
+        QUICK_TRIAL,
+        scheme=replace(SCHEMES[scheme], dwell=QUICK_TRIAL.scheme.dwell),
+        prior=PriorDeviations(installation=size * arcsecond),
+    )
+    averaged, *others = (
+        sweep(replace(table, frame=frame).run, units, seed=SEED, batch=units)[0]
+        for frame in (AVERAGED, *rivals)
+    )
+    known = averaged.calibration.imu_errors
+    errors = _errors(averaged, known, AVERAGED)
+    ratios = {}
+    for rival, trial in zip(rivals, others, strict=True):
+        for key, theirs in _errors(trial, known, rival).items():
+            ratios[Comparison(scheme, size, rival, *key)] = errors[key] / theirs
+    return ratios
+
+
+def _errors(trial: Trial, known: ImuErrors, frame: str) -> dict[tuple[str, str], FloatArray]:
+    """Root mean square errors (units,) at rest, by start and quantity.
+
+    `known` are the errors that the calibration in averaged axes found.
+    """
+    true, found = trial.imu_errors, trial.calibration.imu_errors
+    one = one_attitude(true, known, frame)
+    own = own_axes(true, frame)
+    table_axes = np.broadcast_to(TABLE_ATTITUDE, own.shape)
+    begins = (one, self_aligned(true, found), own, table_axes)
+    references = (one, own, own, table_axes)
+    errors = {}
+    for start, begin, axes in zip(ALL_STARTS, begins, references, strict=True):
+        run = navigate_static(
+            true, found, TABLE_ATTITUDE, start=begin, reference=axes,
+            latitude=TABLE_LATITUDE, duration=REST_DURATION, interval=5.0, output_interval=300.0,
+        )  # fmt: skip
+        for quantity in QUANTITIES:
+            squares = (getattr(run, quantity) ** 2).sum(axis=-1)
+            errors[start, quantity] = np.sqrt(squares.mean(axis=-1))
+    return errors
