@@ -33,3 +33,9 @@ def published(*names: str) -> pytest.MarkDecorator:
         for name in names
     ]
     return pytest.mark.parametrize("figure", cases, indirect=True)
+
+
+def percent(interval: tuple[float, float]) -> str:
+    """An interval of parts, as the ledger writes it."""
+    low, high = interval
+    return f"{100 * low:.0f} to {100 * high:.0f} %"

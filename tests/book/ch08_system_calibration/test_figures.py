@@ -6,32 +6,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.constants import micro
-from scipy.stats import binom
 
 from driftlab.body_frames import BODY_FRAMES
 from driftlab.book import figures
 from driftlab.book.ch08_system_calibration.experiments import (
-    ALL_STARTS,
-    AT_REST_SIZES,
     BATCH,
     CASES,
-    FRAMES,
     PARAMETERS,
-    QUANTITIES,
-    STARTS,
-    TRIANGLES,
     Case,
     ChoiceOfAxes,
-    Comparison,
-    Verdict,
     calibration_history,
-    error_ratios,
     normalised_errors,
-    starts,
     table_observability,
     typical_trial,
     unit_of,
-    verdict,
 )
 from driftlab.book.ch08_system_calibration.experiments.choice_of_axes import UNITS
 from driftlab.book.ch08_system_calibration.figures import (
@@ -39,14 +27,13 @@ from driftlab.book.ch08_system_calibration.figures import (
 )
 from driftlab.book.ledger import ledger_entries
 from driftlab.book.machinery.publish import PublishedFigure
-from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import covariance_analysis, unobservable_subspace
-from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.monte_carlo import mean_square_bounds
 from driftlab.motion.scheme import SCHEMES, Scheme
-from published import computed, published
+from published import percent, published
 
 
 @published("08-scheme-directions")
@@ -197,93 +184,10 @@ def test_table_observability_draws_zero_for_the_unobservable(figure: PublishedFi
     assert len(drawn.ratios.get_xdata()) == 24
 
 
-@published("08-in-place")
-def test_in_place_curves_are_one_if_both_start_from_one_attitude(figure: PublishedFigure) -> None:
-    data = figure.data
-    one, table = STARTS
-    averaged, usual = FRAMES
-    for quantity in ("velocity", "position"):
-        curves = {key: getattr(run, quantity) for key, run in data.runs.items()}
-        apart = np.abs(curves[averaged, one] - curves[usual, one]).max()
-        assert apart < 0.01 * np.abs(curves[averaged, one]).max()
-        assert np.abs(curves[averaged, table] - curves[usual, table]).max() > 50 * apart
-
-
-def test_in_place_claim_verdict_counts() -> None:
-    counted = verdict(np.array([0.5, 0.9, 0.99, 1.2]))
-    assert (counted.better, counted.units) == (3, 4)
-    # 3 or 4 of four, and 0 or 1: 5 of 16 cases on each side.
-    assert counted.chance == pytest.approx(10 / 16)
-    assert counted.median == pytest.approx(0.945)
-    # Clopper and Pearson: the chance of 3 or more is 2.5 % at the lower bound.
-    low, high = counted.interval
-    assert binom.sf(2, 4, low) == pytest.approx(0.025)
-    assert binom.cdf(3, 4, high) == pytest.approx(0.025)
-
-
-@published("08-in-place-claim")
-def test_in_place_claim_is_read_from_the_study_that_the_code_makes(figure: PublishedFigure) -> None:
-    """The study takes a minute, so one of its cases of two hundred units is computed anew."""
-    ratios = figure.data.ratios
-    assert tuple(ratios) == tuple(
-        Comparison(scheme, size, rival, start, quantity)
-        for scheme in SCHEMES
-        for size in AT_REST_SIZES
-        for rival in TRIANGLES
-        for start in ALL_STARTS
-        for quantity in QUANTITIES
-    )
-    for key, found in error_ratios("18 rotations", 400, ("lower triangle",)).items():
-        # Seven decimals are written, and some errors are themselves small.
-        np.testing.assert_allclose(found, ratios[key], rtol=1e-5)
-
-
-@published("08-in-place-claim")
-def test_averaged_axes_deviate_less_in_place_from_some_starts_and_are_certainly_worse_from_none(
-    figure: PublishedFigure,
-) -> None:
-    counted, few = figure.data.counted(), figure.data.certain
-    one, sensed, own, table = ALL_STARTS
-    # No rounding in the table has made a ratio one.
-    assert all((ratios != 1).all() for ratios in figure.data.ratios.values())
-    assert few == 0.05 / 96
-    sure = [key for key, each in counted.items() if each.chance < few]
-    assert all(counted[key].better > 100 for key in sure)
-    # From one attitude and from its own sensors nothing is certain.
-    assert {key.start for key in sure} == {own, table}
-    upper, lower = TRIANGLES
-    nineteen, eighteen = SCHEMES
-    assert [key for key in sure if key.start == own] == [
-        (nineteen, 40, upper, own, "velocity"),
-        (nineteen, 400, upper, own, "velocity"),
-        (eighteen, 40, lower, own, "attitude"),
-    ]
-    # From the table's axes velocity in all cases, and everything in units bent most.
-    for key, each in counted.items():
-        if key.start == table:
-            assert each.better > 100
-            assert key in sure or (key.size == 40 and key.quantity != "velocity")
-    # Typical units come out alike within two thousandths from one attitude and their own sensors.
-    for key, each in counted.items():
-        if key.size == 40 and key.start in {one, sensed}:
-            assert each.median == pytest.approx(1, abs=2e-3)
-
-
-def said(label: str) -> str:
-    """Everything that a ledger entry of this paper says, in one row of words."""
-    (entry,) = (e for e in ledger_entries() if (e.paper, e.label) == ("wu", label))
-    return f"{entry.proof} {entry.in_favour}"
-
-
-def bounds(counted: Verdict) -> str:
-    """As the ledger writes an interval."""
-    low, high = counted.interval
-    return f"{100 * low:.0f} to {100 * high:.0f} %"
-
-
 @published("08-choice-of-axes")
 def test_numbers_of_the_ledger_are_those_of_the_studies(figure: PublishedFigure) -> None:
-    words = said("Least neglected terms")
+    (entry,) = (e for e in ledger_entries() if e.label == "Least neglected terms")
+    words = f"{entry.proof} {entry.in_favour}"
     medians = []
     for frame in BODY_FRAMES:
         one, two = (figure.data.squares[Case(scheme, 400, frame, 1)] for scheme in SCHEMES)
@@ -294,17 +198,18 @@ def test_numbers_of_the_ledger_are_those_of_the_studies(figure: PublishedFigure)
     for rival in BODY_FRAMES[1:]:
         pair = [figure.data.compared(scheme, 400, rival) for scheme in SCHEMES]
         assert f"in {pair[0].better} and {pair[1].better}" in words
-        assert f"{bounds(pair[0])}, {bounds(pair[1])})" in words
+        assert f"{percent(pair[0].interval)}, {percent(pair[1].interval)})" in words
+    rises = []
+    for scheme in SCHEMES:
+        averaged, rival = (
+            figure.data.squares[Case(scheme, 400, frame, 1)]
+            for frame in ("averaged", "averaged accelerometers")
+        )
+        more = averaged - rival
+        rises.append(f"{more.mean() / (more.std(ddof=1) / np.sqrt(more.size)):.1f}")
+    assert f"by {' and '.join(rises)} standard errors" in words
     twice = [v.mean() for case, v in figure.data.squares.items() if case.passes == 2]
     assert f"between {min(twice):.2f} and {max(twice):.2f}." in words
-
-
-def test_attitude_of_a_unit_that_knows_its_errors_is_found_from_its_own_sensors() -> None:
-    for frame in FRAMES:
-        known, turn = imu_errors_in_frame(TYPICAL_ERRORS, frame)
-        found = starts.self_aligned(TYPICAL_ERRORS, known)
-        expected = attitude_of_axes(starts.TABLE_ATTITUDE, turn)
-        np.testing.assert_allclose(attitude_error(found, expected), 0, rtol=0, atol=1e-12)
 
 
 def test_observability_of_a_table_is_that_of_its_own_scheme_model_latitude_and_noise() -> None:
