@@ -80,6 +80,17 @@ class ChoiceOfAxes(NamedTuple):
         averaged = self.squares[Case(scheme, size, BODY_FRAMES[0], passes)]
         return verdict(averaged / self.squares[Case(scheme, size, rival, passes)])
 
+    def excess(self, scheme: str, size: int, rival: str) -> tuple[float, float]:
+        """By how much the mean is larger in averaged axes, and the standard error of that.
+
+        After one pass; the units are paired.
+        """
+        averaged, other = (
+            self.squares[Case(scheme, size, frame, 1)] for frame in (BODY_FRAMES[0], rival)
+        )
+        more = averaged - other
+        return float(more.mean()), float(more.std(ddof=1) / np.sqrt(more.size))
+
 
 def choice_of_axes(units: int = UNITS) -> ChoiceOfAxes:
     """Run the whole study: some four minutes."""
