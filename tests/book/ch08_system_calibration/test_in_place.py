@@ -61,8 +61,9 @@ def test_in_place_claim_is_read_from_the_study_that_the_code_makes(figure: Publi
         for quantity in QUANTITIES
     )
     for key, found in error_ratios("18 rotations", 400, ("lower triangle",)).items():
-        # Seven decimals are written, and some errors are themselves small.
-        np.testing.assert_allclose(found, ratios[key], rtol=1e-5)
+        # A covariance of 27 states keeps seven digits or so, and small errors are differences:
+        # other processors have moved some ratios by two in the fifth digit.
+        np.testing.assert_allclose(found, ratios[key], rtol=1e-4)
 
 
 @published("08-in-place-claim")
