@@ -116,7 +116,8 @@ def test_two_slips_of_one_character_make_the_seven_consistent():
 def test_if_digits_were_cut_off_the_minus_sign_is_the_only_slip():
     place = NAMES.index("sigma4*")
     assert single_slips(IN_THE_COPY, ROUND_DOWN) == [(place, "-0.165e-5")]
-    assert single_slips(IN_THE_COPY, ROUND_HALF_EVEN) == single_slips(IN_THE_COPY)
+    both = [NAMES.index("sigma3*"), place]
+    assert [i for i, _ in single_slips(IN_THE_COPY, ROUND_HALF_EVEN)] == both
 
 
 @pytest.mark.parametrize("value", [1.234567e-3, -1.234567e-3, 0.0500049, -9.99999e2])
