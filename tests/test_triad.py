@@ -8,6 +8,7 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.body_frames import (
     BODY_FRAMES,
+    GYRO_FRAMES,
     body_frame_rotation,
     change_body_frame,
     misalignment_vector,
@@ -131,7 +132,7 @@ def test_only_the_frames_of_the_accelerometers_ask_for_them(function):
     ):
         expected = function(OTHER, frame=of_gyros)
         np.testing.assert_array_equal(function(BENT, OTHER, theirs), expected)
-    for frame in BODY_FRAMES[:3]:
+    for frame in GYRO_FRAMES:
         np.testing.assert_array_equal(function(BENT, OTHER, frame), function(BENT, frame=frame))
     np.testing.assert_array_equal(function(BENT), function(BENT, frame="averaged"))
 

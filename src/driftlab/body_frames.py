@@ -11,13 +11,11 @@ from numpy.typing import ArrayLike
 
 from .checks import FloatArray, finite_array, finite_arrays
 
-BODY_FRAMES = (
-    "averaged",
-    "upper triangle",
-    "lower triangle",
-    "accelerometers",
-    "averaged accelerometers",
-)
+GYRO_FRAMES = ("averaged", "upper triangle", "lower triangle")
+"""Those of `BODY_FRAMES` that the gyros fix."""
+ACCELEROMETER_FRAMES = ("accelerometers", "averaged accelerometers")
+"""Those that the accelerometers fix."""
+BODY_FRAMES = (*GYRO_FRAMES, *ACCELEROMETER_FRAMES)
 """Ways to fix the body axes.
 
 ``averaged``: the gyro triad has no misalignment; the choice of Wu et al.
@@ -29,7 +27,8 @@ the paper's section 3 describes the usual choice so.
 ``averaged accelerometers``: as `averaged`, of the accelerometers; the other of the two skew parts
 of which the paper says that one must be zero.
 """
-_OF_ACCELEROMETERS = BODY_FRAMES[3:]
+_SYMMETRIC = ("averaged", "averaged accelerometers")
+"""Those in which the matrix that fixes them has no skew part."""
 
 
 def misalignment_vector(
@@ -71,7 +70,7 @@ def misalignment_vector(
     k = _matrix_for(gyro_error, accelerometer_error, frame)
     upper = np.stack([-k[..., 1, 2], k[..., 0, 2], -k[..., 0, 1]], axis=-1)
     lower = np.stack([k[..., 2, 1], -k[..., 2, 0], k[..., 1, 0]], axis=-1)
-    if frame.startswith("averaged"):
+    if frame in _SYMMETRIC:
         return 0.5 * upper + 0.5 * lower
     return lower if frame == "lower triangle" else upper
 
@@ -116,14 +115,14 @@ def body_frame_rotation(
     ...  for frame in BODY_FRAMES]
     [True, True, True, True, True]
     """
-    name = "accelerometer_error" if frame in _OF_ACCELEROMETERS else "gyro_error"
+    name = "accelerometer_error" if frame in ACCELEROMETER_FRAMES else "gyro_error"
     matrix = _matrix_for(gyro_error, accelerometer_error, frame)
     triad = np.eye(3) + matrix
     if not (np.linalg.det(triad) > 1e-12).all():
         raise ValueError(
             f"{name}: expected a right-handed triad I + K, got a left-handed or a flat one."
         )
-    if frame.startswith("averaged"):
+    if frame in _SYMMETRIC:
         left, _, right = np.linalg.svd(triad)
         return left @ right
     # Zero below the diagonal is zero above it with the axes counted backwards.
@@ -172,7 +171,7 @@ def _matrix_for(
     if frame not in BODY_FRAMES:
         raise ValueError(f"frame: expected one of {', '.join(BODY_FRAMES)}, got {frame!r}.")
     gyro_error = finite_array(gyro_error, "gyro_error", 3, 3)
-    if frame not in _OF_ACCELEROMETERS:
+    if frame not in ACCELEROMETER_FRAMES:
         return gyro_error
     if accelerometer_error is None:
         raise ValueError("accelerometer_error: expected the matrix that fixes the axes, got None.")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .ledger import COPIES, PAPERS, SEVERITIES, LedgerEntry, Table, ledger_entries
+from .ledger import PAPERS, SEVERITIES, LedgerEntry, Table, ledger_entries
 
 
 def errata() -> str:
@@ -24,7 +24,7 @@ def errata() -> str:
             "hand* is wrong; it does not show that the journal or the author was. Whoever has a "
             "print is asked to compare.",
             "",
-            *(f"- **{_authors(paper)}.** {copy}" for paper, copy in COPIES.items()),
+            *(f"- **{paper.authors}.** {paper.copy}" for paper in PAPERS.values()),
             "",
             "## How much each weighs",
             "",
@@ -76,7 +76,7 @@ def _errata_of(paper: str, corrected: list[LedgerEntry]) -> list[str]:
 
 def _slip(entry: LedgerEntry) -> str:
     return (
-        f"- **{_authors(entry.paper)}, {entry.label}.** `{entry.line}` "
+        f"- **{PAPERS[entry.paper].authors}, {entry.label}.** `{entry.line}` "
         f"In the copy: {entry.copy}. Right: {entry.right}. {entry.proof}"
     )
 
@@ -85,8 +85,3 @@ def _where(entry: LedgerEntry) -> str:
     tests = ", ".join(f"`{test}`" for test in entry.tests)
     place = f"Chapter {entry.chapter}, *{entry.section}*"
     return f"{place}; checked by {tests}." if tests else f"{place}."
-
-
-def _authors(paper: str) -> str:
-    """The names before the title."""
-    return PAPERS[paper].split(", *")[0].split(", on ")[0]

@@ -12,48 +12,61 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
 from .chapters import CHAPTERS, chapters_with
 
+
+class Paper(NamedTuple):
+    """One of the four papers, and what of it lay before this book.
+
+    Attributes
+    ----------
+    authors, work : str
+        Of Markdown; the work with its year.
+    copy : str
+        What was read, and in which state it was.
+    """
+
+    authors: str
+    work: str
+    copy: str
+
+    def __str__(self) -> str:
+        return f"{self.authors}, {self.work}"
+
+
 PAPERS = {
-    "larin": "V. B. Larin, *On the calibration of a spatial angular-rate meter*, received 1987",
-    "perelyaev-chelnokov": (
-        "S. E. Perelyaev, Yu. N. Chelnokov, *New algorithms for determining the inertial "
-        "orientation of an object*, 2014"
+    "larin": Paper(
+        "V. B. Larin",
+        "*On the calibration of a spatial angular-rate meter*, received 1987",
+        "A text of the Russian paper that was read by a machine, with damage of its own: a doubled "
+        "equals sign, a bracket that is never closed, one prime for the transpose and for the time "
+        "derivative. It names neither the journal nor the year; 21 January 1987 is the day on "
+        "which the editors received the paper.",
     ),
-    "wu": (
-        "Wu Huali, Xiao Zhicai, Zhou Dawang, Wang Lingling, on decoupling the installation-error "
-        "matrices of an inertial navigation system, 2018"
+    "perelyaev-chelnokov": Paper(
+        "S. E. Perelyaev, Yu. N. Chelnokov",
+        "*New algorithms for determining the inertial orientation of an object*, 2014",
+        "A text of the Russian paper that was read by a machine. Greek letters, signs and minus "
+        "signs are damaged in it, and it ends at the first word of section 2, so that none of the "
+        "algorithms is in it.",
     ),
-    "plotnikov": (
-        "P. K. Plotnikov, A. V. Mikheev, S. G. Naumov, *Errors of a strapdown gyrocompass for "
-        "objects with unlimited rotation angles*, after 2012"
+    "wu": Paper(
+        "Wu Huali, Xiao Zhicai, Zhou Dawang, Wang Lingling",
+        "on decoupling the installation-error matrices of an inertial navigation system, 2018",
+        "A text of the Chinese paper on a web page. The words are there; nearly all equations, the "
+        "contents of both tables and all figures are lost, and the list of conclusions breaks off.",
+    ),
+    "plotnikov": Paper(
+        "P. K. Plotnikov, A. V. Mikheev, S. G. Naumov",
+        "*Errors of a strapdown gyrocompass for objects with unlimited rotation angles*, after "
+        "2012",
+        "A text of the Russian paper that was read by a machine, with its formulas; the two "
+        "figures are lost. It has no year; its latest reference is of 2012.",
     ),
 }
 """The four papers by the name that an entry gives, in the order of the book."""
-
-COPIES = {
-    "larin": (
-        "A text of the Russian paper that was read by a machine, with damage of its own: a doubled "
-        "equals sign, a bracket that is never closed, one prime for the transpose and for the time "
-        "derivative. It names neither the journal nor the "
-        "year; 21 January 1987 is the day on which the editors received the paper."
-    ),
-    "perelyaev-chelnokov": (
-        "A text of the Russian paper that was read by a machine. Greek letters, signs and minus "
-        "signs are damaged in it, and it ends at the first word of section 2, so that none of the "
-        "algorithms is in it."
-    ),
-    "wu": (
-        "A text of the Chinese paper on a web page. The words are there; nearly all equations, the "
-        "contents of both tables and all figures are lost, and the list of conclusions breaks off."
-    ),
-    "plotnikov": (
-        "A text of the Russian paper that was read by a machine, with its formulas; the two "
-        "figures are lost. It has no year; its latest reference is of 2012."
-    ),
-}
-"""What of each paper lay before this book, and in which state."""
 
 STATUSES = {
     "reproduced": "derived or computed anew, and equal to the copy",
@@ -243,10 +256,10 @@ def paper_table(paper: str) -> Table:
 def summary_table() -> Table:
     """Return how many entries of each paper have which status."""
     rows = []
-    for paper, title in PAPERS.items():
-        statuses = [entry.status for entry in _entries_of(paper)]
+    for name, paper in PAPERS.items():
+        statuses = [entry.status for entry in _entries_of(name)]
         counts = [statuses.count(status) for status in STATUSES]
-        rows.append((title, *map(str, counts), str(sum(counts))))
+        rows.append((str(paper), *map(str, counts), str(sum(counts))))
     return Table([("", *STATUSES, "in all"), *rows])
 
 

@@ -8,6 +8,7 @@ and `Calibration.nis` to three.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -226,20 +227,20 @@ class TableTrial:
         reference = self.noise.reference_velocity * rng.standard_normal((*lead, updates, 3))
         # The table tells its attitude with an error.
         tilt = from_rotation_vector(-self.prior.attitude * rng.standard_normal((*lead, 3)))
-        calibration = None
-        for _ in range(self.passes):
-            calibration = calibrate(
-                measured,
-                reference,
-                latitude=self.latitude,
-                start=multiply(tilt, true.attitude[0]),
-                model=model,
-                prior=self.prior,
-                noise=self.noise if self.assumed_noise is None else self.assumed_noise,
-                keep=self.keep,
-                about=calibration,
-            )
-        assert calibration is not None
+        one_pass = partial(
+            calibrate,
+            measured,
+            reference,
+            latitude=self.latitude,
+            start=multiply(tilt, true.attitude[0]),
+            model=model,
+            prior=self.prior,
+            noise=self.noise if self.assumed_noise is None else self.assumed_noise,
+            keep=self.keep,
+        )
+        calibration = one_pass()
+        for _ in range(1, self.passes):
+            calibration = one_pass(about=calibration)
         places = np.round(calibration.times / self.sample_interval).astype(int)
         errors = estimation_errors(calibration, imu_errors, true.attitude[places])
         return Trial(calibration, imu_errors, errors)

@@ -97,26 +97,26 @@ def _rotation_vector(a: _Assignments, sums: Sums) -> None:
     a.result(sp.Matrix([*(scale * sums.corrected), sp.cos(half)]))
 
 
-def _sine_series(a: _Assignments, sums: Sums) -> tuple[sp.Symbol, sp.Symbol]:
-    """The square of f, and the sine of half of |f| over |f|, cut off."""
+def _sine_series(a: _Assignments, sums: Sums) -> tuple[sp.Symbol, sp.Symbol, sp.Symbol]:
+    """The square of f, the sine of half of |f| over |f|, cut off, and its square."""
     square = a.number("square", sums.corrected.dot(sums.corrected))
-    return square, a.number("sine", sp.Rational(1, 2) - a.number("scaled", square / 48))
+    sine = a.number("sine", sp.Rational(1, 2) - a.number("scaled", square / 48))
+    return square, sine, a.number("sine_square", sine**2)
 
 
 def _series(a: _Assignments, sums: Sums) -> None:
-    _, sine = _sine_series(a, sums)
-    a.result(sp.Matrix([*(sine * sums.corrected), _cosine_series(a, sine)]))
+    _, sine, sine_square = _sine_series(a, sums)
+    a.result(sp.Matrix([*(sine * sums.corrected), _cosine_series(sine_square)]))
 
 
-def _cosine_series(a: _Assignments, sine: sp.Symbol) -> sp.Expr:
+def _cosine_series(sine_square: sp.Symbol) -> sp.Expr:
     # 1 - s/8 + s²/384, if the sine is 1/2 - s/48.
-    return 6 * a.number("sine_square", sine**2) - sp.Rational(1, 2)
+    return 6 * sine_square - sp.Rational(1, 2)
 
 
 def _normalised_series(a: _Assignments, sums: Sums) -> None:
-    square, sine = _sine_series(a, sums)
-    cosine = a.number("cosine", _cosine_series(a, sine))
-    sine_square = sp.Symbol("sine_square_1", real=True)
+    square, sine, sine_square = _sine_series(a, sums)
+    cosine = a.number("cosine", _cosine_series(sine_square))
     length = a.number("length", sp.sqrt(square * sine_square + cosine**2))
     inverse = a.number("inverse", 1 / length)
     scale = a.number("scale", inverse * sine)
@@ -124,8 +124,7 @@ def _normalised_series(a: _Assignments, sums: Sums) -> None:
 
 
 def _sine_and_root(a: _Assignments, sums: Sums) -> None:
-    square, sine = _sine_series(a, sums)
-    sine_square = a.number("sine_square", sine**2)
+    square, sine, sine_square = _sine_series(a, sums)
     a.result(sp.Matrix([*(sine * sums.corrected), sp.sqrt(1 - square * sine_square)]))
 
 

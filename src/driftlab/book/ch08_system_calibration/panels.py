@@ -6,7 +6,7 @@ from typing import ClassVar
 import numpy as np
 from scipy.constants import degree, g, hour, micro
 
-from driftlab.body_frames import BODY_FRAMES
+from driftlab.body_frames import BODY_FRAMES, GYRO_FRAMES
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.scenarios import TABLE_LATITUDE
@@ -122,7 +122,7 @@ class CalibrationRunExplorer(Explorer):
     controls = (
         Control("parameter", "sensor error", "gyro bias x", choices=PARAMETERS, group="what"),
         Control(
-            "frame", "body axes", "averaged", choices=tuple(BODY_FRAMES[:3]), group="what"
+            "frame", "body axes", "averaged", choices=GYRO_FRAMES, group="what"
         ),
         Control("minute", "moment, minutes", 40.0, 0.0, 40.0, 0.5, group="when"),
     )  # fmt: skip

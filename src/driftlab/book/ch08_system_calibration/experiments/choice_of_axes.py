@@ -9,15 +9,13 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from scipy.constants import arcsecond
 
 from driftlab.body_frames import BODY_FRAMES
 from driftlab.checks import FloatArray
-from driftlab.imu import PriorDeviations
 from driftlab.monte_carlo import sweep
 from driftlab.motion.scheme import SCHEMES
 
-from .consistency import QUICK_TRIAL
+from .consistency import quick_trial
 from .verdicts import Verdict, verdict
 
 SIZES = (40, 100, 200, 400)
@@ -59,8 +57,6 @@ CASES = tuple(
     for frame in BODY_FRAMES
 )
 """All that is compared. Twice over the record go only the units that are bent most."""
-
-
 MOST = (SIZES[-1], 1)
 """Size and passes of the cases with twice as many units."""
 
@@ -112,13 +108,8 @@ def normalised_errors(case: Case, units: int) -> FloatArray:
     -------
     ndarray, shape (units,)
     """
-    trial = replace(
-        QUICK_TRIAL,
-        scheme=replace(SCHEMES[case.scheme], dwell=QUICK_TRIAL.scheme.dwell),
-        prior=PriorDeviations(installation=case.size * arcsecond),
-        frame=case.frame,
-        passes=case.passes,
-    )
+    table = quick_trial(case.scheme, case.size)
+    trial = replace(table, frame=case.frame, passes=case.passes)
     found = sweep(trial.run, units, seed=SEED, batch=BATCH)
     size = found[0].calibration.model.size
     return np.concatenate([batch.nees[:, -1] for batch in found]) / size

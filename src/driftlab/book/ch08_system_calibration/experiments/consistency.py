@@ -4,11 +4,13 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
+from scipy.constants import arcsecond
 
 from driftlab.calibration.simulation import TableTrial
 from driftlab.checks import FloatArray
+from driftlab.imu import PriorDeviations
 from driftlab.monte_carlo import mean_square_bounds, sweep
-from driftlab.motion.scheme import NINETEEN_POSITIONS
+from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES
 
 RUNS = 60
 """Calibrations whose errors and innovations are followed over time."""
@@ -20,6 +22,23 @@ QUICK_TRIAL = TableTrial(
     keep=10_000,
 )
 """The nineteen positions with pauses half as long and few samples; only the end is kept."""
+
+
+def quick_trial(scheme: str, installation: float) -> TableTrial:
+    """Return `QUICK_TRIAL` on a scheme, for units that are bent more or less.
+
+    Parameters
+    ----------
+    scheme : str
+        One of `driftlab.motion.scheme.SCHEMES`; its pauses are made as short.
+    installation : float
+        Spread of the installation errors, arc seconds.
+    """
+    return replace(
+        QUICK_TRIAL,
+        scheme=replace(SCHEMES[scheme], dwell=QUICK_TRIAL.scheme.dwell),
+        prior=PriorDeviations(installation=installation * arcsecond),
+    )
 
 
 class FilterConsistency(NamedTuple):

@@ -9,25 +9,24 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from scipy.constants import arcsecond
 
-from driftlab.body_frames import BODY_FRAMES
+from driftlab.body_frames import GYRO_FRAMES
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.simulation import Trial
 from driftlab.calibration.static_navigation import navigate_static
 from driftlab.checks import FloatArray
-from driftlab.imu import ImuErrors, PriorDeviations
+from driftlab.imu import ImuErrors
 from driftlab.monte_carlo import sweep
 from driftlab.motion.scheme import SCHEMES
 
 from .at_rest import REST_DURATION
-from .consistency import QUICK_TRIAL
+from .consistency import quick_trial
 from .starts import ALL_STARTS, TABLE_ATTITUDE, one_attitude, own_axes, self_aligned
 from .verdicts import Verdict, verdict
 
 AT_REST_SIZES = (40, 400)
 """Spreads of the installation errors of the units at rest, arc seconds."""
-AVERAGED, *TRIANGLES = BODY_FRAMES[:3]
+AVERAGED, *TRIANGLES = GYRO_FRAMES
 """The paper's choice of body axes, and the two that its usual method may have meant."""
 QUANTITIES = ("attitude", "velocity", "position")
 UNITS = 200
@@ -114,11 +113,7 @@ def error_ratios(
     dict of Comparison to ndarray, shape (units,)
         Root mean square errors with averaged axes over those with the rival's.
     """
-    table = replace(
-        QUICK_TRIAL,
-        scheme=replace(SCHEMES[scheme], dwell=QUICK_TRIAL.scheme.dwell),
-        prior=PriorDeviations(installation=size * arcsecond),
-    )
+    table = quick_trial(scheme, size)
     averaged, *others = (
         sweep(replace(table, frame=frame).run, units, seed=SEED, batch=units)[0]
         for frame in (AVERAGED, *rivals)
