@@ -8,7 +8,12 @@ from hypothesis.extra.numpy import arrays
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.turn_calibration import TurnExperiment, exact_turn_estimate, turn_estimate
+from driftlab.drift.turn_calibration import (
+    TurnExperiment,
+    earth_offset,
+    exact_turn_estimate,
+    turn_estimate,
+)
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing
 from driftlab.quaternion import from_rotation_vector
 from driftlab.triad import non_orthogonality
@@ -77,7 +82,7 @@ def test_half_a_turn_of_error_has_an_estimate():
 def test_exact_estimate_is_the_kinematics_of_section_1(turns, n, triad_error):
     n = n / np.linalg.norm(n)
     error = error_quaternion(2 * np.pi * n, n @ (np.eye(3) + triad_error).T * 2 * np.pi, turns)
-    assert exact_turn_estimate(triad_error, n, turns) == pytest.approx(
+    assert exact_turn_estimate(n, triad_error, turns) == pytest.approx(
         turn_estimate(error, n, turns), abs=16 * EPS
     )
 
@@ -89,7 +94,7 @@ def test_exact_estimate_in_the_papers_own_letters(turns):
     size = np.linalg.norm(apparent)
     tangent = np.tan(turns * np.pi * (size - 1))
     expected = np.arctan(apparent @ n / size * tangent) / (turns * np.pi)
-    assert exact_turn_estimate(BENT, n, turns) == pytest.approx(expected, abs=4 * EPS)
+    assert exact_turn_estimate(n, BENT, turns) == pytest.approx(expected, abs=4 * EPS)
 
 
 @every_turn
@@ -98,8 +103,8 @@ def test_exact_integration_gives_the_exact_estimate(turns, steps):
     experiment = TurnExperiment(turns, steps)
     axes = random_axes(20)
     np.testing.assert_allclose(
-        experiment.estimate(BENT, axes),
-        exact_turn_estimate(BENT, axes, turns),
+        experiment.estimate(axes, BENT),
+        exact_turn_estimate(axes, BENT, turns),
         rtol=0,
         atol=4 * turns * steps * EPS,  # a few roundings a step
     )
@@ -111,7 +116,7 @@ def test_bias_of_the_method_is_of_second_order(turns):
 
     def bias(mu):
         return np.abs(
-            exact_turn_estimate(mu * SHAPE, axes, turns) - drift_coefficient(axes, mu * SHAPE)
+            exact_turn_estimate(axes, mu * SHAPE, turns) - drift_coefficient(axes, mu * SHAPE)
         ).max()
 
     assert order_of(bias) == pytest.approx(2, abs=0.05)
@@ -139,7 +144,7 @@ def test_axes_are_unit_vectors():
 def test_one_turn_in_a_hundred_steps_is_understood():
     error = [0.1, -0.2, 0.3, 0.9]
     assert turn_estimate(error, [1, 0, 0]) == turn_estimate(error, [1, 0, 0], 1)
-    assert exact_turn_estimate(BENT, [1, 1, 0]) == exact_turn_estimate(BENT, [1, 1, 0], 1)
+    assert exact_turn_estimate([1, 1, 0], BENT) == exact_turn_estimate([1, 1, 0], BENT, 1)
     assert TurnExperiment() == TurnExperiment(1, 100, "exact", 0.0)
 
 
@@ -157,7 +162,7 @@ def test_noise_of_the_estimate_is_the_angle_noise_over_the_turns():
     noise, turns, count = 1e-4, 4, 4000
     experiment = TurnExperiment(turns, 10, angle_noise=noise)
     rng = np.random.default_rng(1)
-    estimates = experiment.estimate(np.zeros((3, 3)), np.tile([1.0, 2, 2], (count, 1)), rng)
+    estimates = experiment.estimate(np.tile([1.0, 2, 2], (count, 1)), np.zeros((3, 3)), rng)
     expected = noise / (2 * np.pi * np.sqrt(turns))
     # Five standard deviations of a sample's standard deviation and of its mean.
     assert estimates.std() == pytest.approx(expected, rel=5 / np.sqrt(2 * count))
@@ -167,7 +172,7 @@ def test_noise_of_the_estimate_is_the_angle_noise_over_the_turns():
 def test_noise_repeats_with_its_seed_and_differs_between_rows():
     experiment = TurnExperiment(steps_per_turn=5, angle_noise=1e-3)
     axes = np.ones((2, 3))
-    first, again = (experiment.estimate(BENT, axes, np.random.default_rng(7)) for _ in range(2))
+    first, again = (experiment.estimate(axes, BENT, np.random.default_rng(7)) for _ in range(2))
     np.testing.assert_array_equal(first, again)
     assert first[0] != first[1]
 
@@ -175,7 +180,7 @@ def test_noise_repeats_with_its_seed_and_differs_between_rows():
 @pytest.mark.parametrize("name", STEP_FORMULAS)
 def test_many_coarse_turns_do_not_overflow(name):
     experiment = TurnExperiment(1000, 3, name)
-    assert np.linalg.norm(experiment.error_quaternion(BENT, [1, 1, 0])) == pytest.approx(
+    assert np.linalg.norm(experiment.error_quaternion([1, 1, 0], BENT)) == pytest.approx(
         1, abs=4 * 3000 * EPS
     )
 
@@ -200,7 +205,7 @@ def test_impossible_experiments_are_refused(settings, sentence):
 
 def test_noise_needs_a_generator():
     with pytest.raises(ValueError, match=r"^rng: expected a numpy Generator"):
-        TurnExperiment(angle_noise=1e-3).estimate(BENT, [1, 0, 0])
+        TurnExperiment(angle_noise=1e-3).estimate([1, 0, 0], BENT)
 
 
 @pytest.mark.parametrize("turns", [0, -1, 1.0, 0.5, True])
@@ -208,7 +213,7 @@ def test_noise_needs_a_generator():
     "function",
     [
         lambda k: turn_estimate([0, 0, 0, 1], [1, 0, 0], k),
-        lambda k: exact_turn_estimate(BENT, [1, 0, 0], k),
+        lambda k: exact_turn_estimate([1, 0, 0], BENT, k),
     ],
 )
 def test_only_whole_turns(function, turns):
@@ -225,8 +230,8 @@ def test_error_of_no_rotation_at_all_is_refused():
     "function",
     [
         lambda axis: turn_estimate([0, 0, 0, 1], axis),
-        lambda axis: exact_turn_estimate(BENT, axis),
-        lambda axis: TurnExperiment().error_quaternion(BENT, axis),
+        lambda axis: exact_turn_estimate(axis, BENT),
+        lambda axis: TurnExperiment().error_quaternion(axis, BENT),
     ],
 )
 def test_turn_about_no_axis_is_refused(function):
@@ -294,7 +299,7 @@ def test_weighing_refines_if_half_of_the_sum_exceeds_the_fourth_error(errors):
 
 
 def test_whole_experiment_finds_sigma_to_second_order():
-    estimates = exact_turn_estimate(BENT, YATES_AXES)
+    estimates = exact_turn_estimate(YATES_AXES, BENT)
     weighed = weighing(estimates * [1, 1, 1, 1.5])
     # Each estimate is |A n| - 1 but for third order: at most |M|^2/2 beside n^T Sigma n.
     bound = 0.5 * np.linalg.norm(BENT) ** 2 * (3 + 1.5) / 2
@@ -337,7 +342,7 @@ def test_fit_separates_scale_factors_from_non_orthogonality(scale, errors, found
 
 def test_common_offset_on_yates_axes_is_not_the_weighing():
     """A common offset of the *estimates* is one and a half times as large in the fourth number."""
-    estimates = exact_turn_estimate(BENT, YATES_AXES)
+    estimates = exact_turn_estimate(YATES_AXES, BENT)
     offset = 1e-3
     shifted = fit_turns(estimates + offset, YATES_AXES, "common")
     plain = fit_turns(estimates, YATES_AXES, "common")
@@ -383,8 +388,8 @@ def test_covariance_is_that_of_many_noisy_fits(scale):
 )
 def test_axes_that_do_not_determine_the_unknowns_are_refused(axes, scale, unknowns, found):
     sentence = (
-        f"^axes: expected axes that determine {unknowns} unknowns, "
-        f"got {len(axes)} axes that determine {found}"
+        f"^axes: expected turns that determine {unknowns} unknowns, "
+        f"got {len(axes)} turns that determine {found}"
     )
     with pytest.raises(ValueError, match=sentence):
         fit_turns(np.zeros(len(axes)), axes, scale)
@@ -403,3 +408,107 @@ def test_axes_that_do_not_determine_the_unknowns_are_refused(axes, scale, unknow
 def test_fit_refuses(estimates, axes, scale, sentence):
     with pytest.raises(ValueError, match=sentence):
         fit_turns(estimates, axes, scale)
+
+
+# A real table
+
+
+EIGHT, RATES = np.tile(YATES_AXES, (2, 1)), np.repeat([0.2, -0.15], 4)
+BIAS, UPWARD = np.array([2e-6, -1e-6, 5e-7]), 4.7e-5
+
+
+def real_estimates(axes, rates, triad_error=BENT):
+    """First order: n^T Sigma n, and what the Earth's rate and the biases add in a radian's time."""
+    return drift_coefficient(axes, triad_error) + (UPWARD + axes @ BIAS) / rates
+
+
+def test_earth_offset_by_hand():
+    """One turn in a sidereal day at the pole is the Earth's own; it reverses with the sense."""
+    day = 2 * np.pi / 86164.1  # rad/s
+    assert earth_offset(np.pi / 2, day) == pytest.approx(1, rel=1e-6)
+    assert earth_offset(np.pi / 6, -10 * day) == pytest.approx(-0.05, rel=1e-6)
+    assert earth_offset(0.7, day, [1, 0, 0]) == 0  # to the East
+    assert earth_offset(0.0, day, [0, 3, 0]) == pytest.approx(1, rel=1e-6)  # to the North
+
+
+def test_earth_offset_of_a_table_at_rest_is_refused():
+    with pytest.raises(ValueError, match=r"^table_rate: expected rates that are not zero, got 0"):
+        earth_offset(0.7, [0.1, 0.0])
+
+
+def test_fit_takes_off_the_known_earth_and_finds_the_biases():
+    fit = fit_turns(
+        real_estimates(EIGHT, RATES),
+        EIGHT,
+        table_rates=RATES,
+        earth_rate=np.full(8, UPWARD),
+        gyro_bias=True,
+    )
+    np.testing.assert_allclose(fit.sigma, SIGMAS, rtol=0, atol=100 * EPS)
+    np.testing.assert_allclose(fit.gyro_bias, BIAS, rtol=0, atol=100 * EPS)
+    assert fit.scale.shape == fit.earth_rate.shape == (0,)
+
+
+@given(offset=st.floats(-1e-2, 1e-2))
+def test_eight_turns_determine_eight_unknowns(offset):
+    fit = fit_turns(
+        real_estimates(EIGHT, RATES, BENT + offset * np.eye(3)),
+        EIGHT,
+        "common",
+        table_rates=RATES,
+        earth_rate="unknown",
+        gyro_bias=True,
+    )
+    found = np.hstack([fit.sigma, fit.scale, fit.gyro_bias, fit.earth_rate])
+    expected = np.hstack([SIGMAS, offset, BIAS, UPWARD])
+    np.testing.assert_allclose(found, expected, rtol=0, atol=400 * EPS)
+    assert fit.covariance.shape == (8, 8)
+
+
+def test_for_one_rate_and_sense_the_unknown_earth_is_the_common_offset():
+    rates = np.full(4, 0.3)
+    estimates = real_estimates(YATES_AXES, rates)
+    unknown = fit_turns(estimates, YATES_AXES, table_rates=rates, earth_rate="unknown")
+    common = fit_turns(estimates, YATES_AXES, "common")
+    np.testing.assert_allclose(unknown.sigma, common.sigma, rtol=0, atol=32 * EPS)
+    np.testing.assert_allclose(unknown.earth_rate, 0.3 * common.scale, rtol=0, atol=32 * EPS)
+    with pytest.raises(ValueError, match=r"^axes: expected turns that determine 5 unknowns"):
+        fit_turns(
+            np.tile(estimates, 2),
+            np.tile(YATES_AXES, (2, 1)),
+            "common",
+            table_rates=np.tile(rates, 2),
+            earth_rate="unknown",
+        )
+
+
+def test_covariance_with_rates_is_that_of_the_design():
+    design = np.column_stack([turn_design(EIGHT, "common"), EIGHT / RATES[:, None], 1 / RATES])
+    fit = fit_turns(
+        np.zeros(8), EIGHT, "common", table_rates=RATES, earth_rate="unknown", gyro_bias=True
+    )
+    normal = fit.covariance @ design.T @ design
+    np.testing.assert_allclose(normal, np.eye(8), rtol=0, atol=EPS * np.linalg.cond(design) ** 2)
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e9])
+def test_no_unit_of_the_rates_makes_the_unknowns_undetermined(size):
+    fit = fit_turns(drift_coefficient(EIGHT, BENT), EIGHT, table_rates=size * RATES, gyro_bias=True)
+    np.testing.assert_allclose(fit.sigma, SIGMAS, rtol=0, atol=100 * EPS)
+
+
+@pytest.mark.parametrize(
+    ("settings", "sentence"),
+    [
+        ({"gyro_bias": True}, "^table_rates: expected a rate for each turn, got none"),
+        ({"earth_rate": "unknown"}, "^table_rates: expected a rate for each turn, got none"),
+        ({"earth_rate": 5e-5}, "^table_rates: expected a rate for each turn, got none"),
+        ({"earth_rate": "known"}, "^earth_rate: expected rates or 'unknown', got 'known'"),
+        ({"earth_rate": np.ones(3)}, r"^earth_rate: expected shape \(8,\), got shape \(3,\)"),
+        ({"table_rates": np.ones(3)}, r"^table_rates: expected shape \(\.\.\., 8\), got shape"),
+        ({"table_rates": np.zeros(8)}, "^table_rates: expected 8 rates that are not zero"),
+    ],
+)
+def test_fit_of_a_real_table_refuses(settings, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        fit_turns(np.zeros(8), EIGHT, **settings)

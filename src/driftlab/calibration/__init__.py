@@ -1,4 +1,4 @@
-"""An inertial unit calibrated on a turntable by a Kalman filter (Wu and others)."""
+"""A unit on a turntable: by a Kalman filter (Wu and others), and turns (Larin) from a record."""
 
 from driftlab._lazy import attach
 

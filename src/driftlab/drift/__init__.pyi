@@ -23,6 +23,7 @@ from .error_kinematics import (
 from .step_formulas import (
     STEP_FORMULAS as STEP_FORMULAS,
     StepFormula as StepFormula,
+    integrate_steps as integrate_steps,
     step_formula as step_formula,
 )
 from .systematic_drift import (
@@ -33,6 +34,7 @@ from .systematic_drift import (
 )
 from .turn_calibration import (
     TurnExperiment as TurnExperiment,
+    earth_offset as earth_offset,
     exact_turn_estimate as exact_turn_estimate,
     turn_estimate as turn_estimate,
 )

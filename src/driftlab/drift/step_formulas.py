@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_array
+from driftlab.core.quaternion import cumulative_product
 from driftlab.quaternion import from_rotation_vector
 
 StepFormula = Callable[[ArrayLike], FloatArray]
@@ -90,3 +91,32 @@ def step_formula(name: str) -> StepFormula:
     if name not in STEP_FORMULAS:
         raise ValueError(f"step_formula: expected one of {', '.join(STEP_FORMULAS)}, got {name!r}.")
     return STEP_FORMULAS[name]
+
+
+def integrate_steps(increments: ArrayLike, name: str = "exact") -> FloatArray:
+    """Rotation over a whole row of increments, each of them taken as one step at constant rate.
+
+    Parameters
+    ----------
+    increments : array_like, shape (..., n, 3)
+        Integrals of the body rate over equal intervals, rad.
+    name : str
+        A key of `STEP_FORMULAS`.
+
+    Returns
+    -------
+    ndarray, shape (..., 4)
+        Unit quaternions: body axes at the end to those at the beginning.
+
+    Examples
+    --------
+    >>> integrate_steps(np.tile([0.0, 0.0, 0.01], (100, 1))).round(6)
+    array([0.      , 0.      , 0.479426, 0.877583])
+    """
+    rows = finite_array(increments, "increments", 3)
+    if rows.ndim < 2:
+        raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
+    steps = step_formula(name)(rows)
+    # To unit norm, or the norms of many steps would multiply up to overflow.
+    steps /= np.linalg.norm(steps, axis=-1, keepdims=True)
+    return cumulative_product(steps)[..., -1, :]

@@ -3,6 +3,9 @@
 A triad is turned k whole times about a known body axis n while the computer integrates its gyros.
 The body then has its first attitude again, so the computed rotation is all error. To first order
 the tangent of half its angle, taken along n, is k pi n^T Sigma n.
+
+All this is so in inertial space. On the Earth a body that a table has brought back has turned with
+the Earth meanwhile, and a gyro without any error says so: see `earth_offset`.
 """
 
 from __future__ import annotations
@@ -20,11 +23,12 @@ from driftlab.checks import (
     nonzero_vectors,
     whole_number,
 )
-from driftlab.core.quaternion import cumulative_product, from_rotation_vector
+from driftlab.core.quaternion import from_rotation_vector
 from driftlab.core.vectors import transform
+from driftlab.earth import earth_rate
 from driftlab.triad import checked_triad
 
-from .step_formulas import step_formula
+from .step_formulas import integrate_steps, step_formula
 from .systematic_drift import exact_drift_coefficient
 
 
@@ -72,15 +76,15 @@ def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) 
     return half_angle / (turns * np.pi)
 
 
-def exact_turn_estimate(triad_error: ArrayLike, axis: ArrayLike, turns: int = 1) -> FloatArray:
+def exact_turn_estimate(axis: ArrayLike, triad_error: ArrayLike, turns: int = 1) -> FloatArray:
     r"""Result of `turn_estimate` with exact integration and without noise, in closed form.
 
     Parameters
     ----------
-    triad_error : array_like, shape (..., 3, 3)
-        Matrix M of the errors of the triad, without unit.
     axis : array_like, shape (..., 3)
         Body axis n of the turns; only its direction counts.
+    triad_error : array_like, shape (..., 3, 3)
+        Matrix M of the errors of the triad, without unit.
     turns : int
         Number k of whole turns.
 
@@ -98,7 +102,7 @@ def exact_turn_estimate(triad_error: ArrayLike, axis: ArrayLike, turns: int = 1)
     Examples
     --------
     >>> triad_error = 0.01 * np.array([[0, 1, 0], [1, 0, 0], [0, 0, 0]])
-    >>> print(f"{exact_turn_estimate(triad_error, [1, 1, 0]):.6f}")  # n is an eigenvector
+    >>> print(f"{exact_turn_estimate([1, 1, 0], triad_error):.6f}")  # n is an eigenvector
     0.010000
     """
     turns = whole_number(turns, "turns")
@@ -110,9 +114,57 @@ def exact_turn_estimate(triad_error: ArrayLike, axis: ArrayLike, turns: int = 1)
     return turn_estimate(after, n, turns)
 
 
+def earth_offset(
+    latitude: ArrayLike, table_rate: ArrayLike, table_axis: ArrayLike = (0.0, 0.0, 1.0)
+) -> FloatArray:
+    r"""What the turning Earth adds to a turn estimate; (3.3) carried over to a real table.
+
+    Parameters
+    ----------
+    latitude : array_like, shape (...)
+        rad.
+    table_rate : array_like, shape (...)
+        Whole turns over the time of the record, rad/s, not zero. The sign is the sense: positive
+        is counter-clockwise, seen from the tip of the table's axis.
+    table_axis : array_like, shape (..., 3)
+        Direction a of the table's axis in East, North, Up; only its direction counts.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Offset of the estimate, without unit, whatever the axis in the body.
+
+    Notes
+    -----
+    With the Earth's rate U and the table's rate w it is, to first order,
+
+    .. math:: U \cdot a / w,
+
+    and reverses with the sense. A perfect triad shows exactly the rotation U T of the Earth in the
+    time T of the turns; a gyro bias b adds n . b / w in the same way.
+
+    Examples
+    --------
+    A table at latitude 37.5 degrees with its axis upright, at 10 degrees a second:
+
+    >>> offset = earth_offset(np.radians(37.5), np.radians([10.0, -10.0]))
+    >>> (np.degrees(offset) * 3600).round(2)  # arc seconds
+    array([ 52.46, -52.46])
+    """
+    latitude, rate, axis = finite_arrays(
+        latitude=(latitude,), table_rate=(table_rate,), table_axis=(table_axis, 3)
+    )
+    if not rate.all():
+        raise ValueError("table_rate: expected rates that are not zero, got 0.")
+    a, _ = nonzero_vectors(axis, "table_axis")
+    return np.einsum("...i,...i->...", earth_rate(latitude), a) / rate
+
+
 @dataclass(frozen=True)
 class TurnExperiment:
-    """How the turns are made and integrated: all of the test but the triad and the axis.
+    """Larin's computer experiment, in inertial space: all of it but the axis and the triad.
+
+    For a turn of a real table see `driftlab.motion.table_turn.TableTurn`.
 
     Attributes
     ----------
@@ -132,7 +184,7 @@ class TurnExperiment:
 
     >>> from driftlab.drift.weighing_designs import PAIR_AXES
     >>> triad_error = 1e-4 * np.array([[0, 1, 2], [1, 0, 3], [2, 3, 0]])
-    >>> TurnExperiment(turns=1, steps_per_turn=100).estimate(triad_error, PAIR_AXES).round(6)
+    >>> TurnExperiment(turns=1, steps_per_turn=100).estimate(PAIR_AXES, triad_error).round(6)
     array([0.0001, 0.0002, 0.0003])
     """
 
@@ -152,18 +204,18 @@ class TurnExperiment:
 
     def error_quaternion(
         self,
-        triad_error: ArrayLike,
         axis: ArrayLike,
+        triad_error: ArrayLike,
         rng: np.random.Generator | None = None,
     ) -> FloatArray:
         """Attitude error after the turns, integrated step by step as in a computer; Larin (1.2).
 
         Parameters
         ----------
-        triad_error : array_like, shape (..., 3, 3)
-            Matrix M of the errors of the triad, without unit.
         axis : array_like, shape (..., 3)
             Body axis of the turns; only its direction counts.
+        triad_error : array_like, shape (..., 3, 3)
+            Matrix M of the errors of the triad, without unit.
         rng : numpy.random.Generator, optional
             Source of the noise; needed when `angle_noise` is not zero.
 
@@ -178,7 +230,7 @@ class TurnExperiment:
         Without errors of the triad there is only that of the step formula:
 
         >>> experiment = TurnExperiment(steps_per_turn=10, step_formula="taylor-1")
-        >>> error = experiment.error_quaternion(np.zeros((3, 3)), [0, 0, 1])
+        >>> error = experiment.error_quaternion([0, 0, 1], np.zeros((3, 3)))
         >>> print(f"{np.arctan(error[2] / error[3]):.4f}")  # 10 arctan(pi/10) - pi
         -0.0976
         """
@@ -190,25 +242,22 @@ class TurnExperiment:
         if self.angle_noise:
             scale = self.angle_noise / np.sqrt(self.steps_per_turn)
             increments = increments + checked_generator(rng).normal(0.0, scale, increments.shape)
-        steps = step_formula(self.step_formula)(increments)
-        # To unit norm, or the norms of many steps would multiply up to overflow.
-        steps /= np.linalg.norm(steps, axis=-1, keepdims=True)
-        return cumulative_product(steps)[..., -1, :]
+        return integrate_steps(increments, self.step_formula)
 
     def estimate(
         self,
-        triad_error: ArrayLike,
         axis: ArrayLike,
+        triad_error: ArrayLike,
         rng: np.random.Generator | None = None,
     ) -> FloatArray:
         """Estimate n^T Sigma n by the whole experiment: integrate, then apply `turn_estimate`.
 
         Parameters
         ----------
-        triad_error : array_like, shape (..., 3, 3)
-            Matrix M of the errors of the triad, without unit.
         axis : array_like, shape (..., 3)
             Body axis n of the turns; only its direction counts.
+        triad_error : array_like, shape (..., 3, 3)
+            Matrix M of the errors of the triad, without unit.
         rng : numpy.random.Generator, optional
             Source of the noise; needed when `angle_noise` is not zero.
 
@@ -220,7 +269,7 @@ class TurnExperiment:
         Examples
         --------
         >>> triad_error = np.diag([0.0, 0.0, 1e-4])
-        >>> print(f"{TurnExperiment(turns=3).estimate(triad_error, [0, 0, 1]):.6f}")
+        >>> print(f"{TurnExperiment(turns=3).estimate([0, 0, 1], triad_error):.6f}")
         0.000100
         """
-        return turn_estimate(self.error_quaternion(triad_error, axis, rng), axis, self.turns)
+        return turn_estimate(self.error_quaternion(axis, triad_error, rng), axis, self.turns)

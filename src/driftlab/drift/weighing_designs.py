@@ -63,8 +63,12 @@ class TurnFit(NamedTuple):
         sigma1, sigma2, sigma3, without unit.
     scale : ndarray, shape (..., s)
         Scale-factor errors, without unit: none, one common to all gyros, or one for each gyro.
-    covariance : ndarray, shape (3 + s, 3 + s)
-        Covariance of (sigma, scale) when each estimate has unit variance.
+    gyro_bias : ndarray, shape (..., g)
+        None, or that of each gyro, rad/s.
+    earth_rate : ndarray, shape (..., e)
+        None, or the Earth's rate along the table's axis, rad/s.
+    covariance : ndarray, shape (3 + s + g + e, 3 + s + g + e)
+        Covariance of (sigma, scale, gyro_bias, earth_rate) when each estimate has unit variance.
 
     Examples
     --------
@@ -76,58 +80,129 @@ class TurnFit(NamedTuple):
 
     sigma: FloatArray
     scale: FloatArray
+    gyro_bias: FloatArray
+    earth_rate: FloatArray
     covariance: FloatArray
 
 
-def fit_turns(estimates: ArrayLike, axes: ArrayLike, scale: str = "none") -> TurnFit:
-    """Least squares on any set of turn axes, with or without scale-factor errors; Larin (3.4).
+def fit_turns(
+    estimates: ArrayLike,
+    axes: ArrayLike,
+    scale: str = "none",
+    *,
+    table_rates: ArrayLike | None = None,
+    earth_rate: ArrayLike | str = 0.0,
+    gyro_bias: bool = False,
+) -> TurnFit:
+    r"""Least squares on any set of turns, for the sigmas and what else is unknown; Larin (3.4).
 
     Parameters
     ----------
     estimates : array_like, shape (..., m)
-        Turn estimates n^T Sigma n, one for each axis.
+        Turn estimates, one for each turn.
     axes : array_like, shape (m, 3)
-        Axes n; only their directions count.
+        Axes n in the body; only their directions count.
     scale : {"none", "common", "each"}
         Other unknowns: none, one scale-factor error common to the three gyros (an offset common to
-        all estimates: a wrong turn angle looks the same), or one for each gyro.
+        all estimates: a table that overshoots looks the same), or one for each gyro.
+    table_rates : array_like, shape (m,), optional
+        Rate of each turn about its axis, with its sense as its sign, rad/s: whole turns over the
+        time of the record. Needed for the two that follow.
+    earth_rate : array_like, shape (m,) or (), or "unknown"
+        Component of the Earth's rate along each axis as it stands in space, rad/s, whose share is
+        taken off; or that the same component for all axes is one more unknown.
+    gyro_bias : bool
+        Whether the bias of each gyro is unknown.
 
     Returns
     -------
     TurnFit
-        The sigmas, the scale-factor errors, and their covariance for unit noise.
+        The unknowns, and their covariance for unit noise.
 
     Raises
     ------
     ValueError
-        If the axes do not determine the unknowns.
+        If the turns do not determine the unknowns.
+
+    Notes
+    -----
+    The estimate from a turn at the rate w about n, n pointing along a in space, is
+
+    .. math:: n^T \Sigma n + (U \cdot a + n^T b) / w
+
+    to first order, with the scale-factor errors on the diagonal of Sigma.
 
     Examples
     --------
     With Yates's four axes a scale-factor error common to all gyros can be found as well:
 
-    >>> from driftlab.drift.turn_calibration import TurnExperiment
+    >>> from driftlab.drift.turn_calibration import TurnExperiment, earth_offset
     >>> triad = 1e-4 * np.array([[4, 1, 2], [1, 4, 3], [2, 3, 4]])
-    >>> estimates = TurnExperiment().estimate(triad, YATES_AXES)
+    >>> estimates = TurnExperiment().estimate(YATES_AXES, triad)
     >>> fit = fit_turns(estimates, YATES_AXES, scale="common")
     >>> print(fit.sigma.round(6), fit.scale.round(6))
     [0.0001 0.0002 0.0003] [0.0004]
+
+    Turned both ways on the Earth they show the Earth's rate about the vertical too:
+
+    >>> rates = np.repeat([0.2, -0.2], 4)  # rad/s
+    >>> both = np.tile(estimates, 2) + earth_offset(0.7, rates)
+    >>> fit = fit_turns(
+    ...     both, np.tile(YATES_AXES, (2, 1)), "common", table_rates=rates, earth_rate="unknown"
+    ... )
+    >>> print(fit.sigma.round(6), fit.earth_rate.round(8))  # the latter is U sin 0.7
+    [0.0001 0.0002 0.0003] [4.698e-05]
     """
     n, _ = nonzero_vectors(axes, "axes")
     if n.ndim != 2:
         raise ValueError(f"axes: expected shape (m, 3), got shape {n.shape}.")
-    estimates = finite_array(estimates, "estimates", len(n))
+    values = finite_array(estimates, "estimates", len(n))
     squares = {"none": n[:, :0], "common": np.ones((len(n), 1)), "each": n**2}
     if scale not in squares:
         raise ValueError(f"scale: expected one of {', '.join(squares)}, got {scale!r}.")
+    times = _time_of_a_radian(table_rates, len(n))
+    if isinstance(earth_rate, str):
+        if earth_rate != "unknown":
+            raise ValueError(f"earth_rate: expected rates or 'unknown', got {earth_rate!r}.")
+        earth = times[:, np.newaxis]
+    else:
+        earth = times[:, np.newaxis][:, :0]
+        known = finite_array(earth_rate, "earth_rate")
+        if known.shape not in ((), (len(n),)):
+            raise ValueError(f"earth_rate: expected shape ({len(n)},), got shape {known.shape}.")
+        values = values - known * times
+    if table_rates is None and (gyro_bias or isinstance(earth_rate, str) or known.any()):
+        raise ValueError("table_rates: expected a rate for each turn, got none.")
     x, y, z = n.T
-    design = np.column_stack([2 * x * y, 2 * x * z, 2 * y * z, squares[scale]])
-    unknowns = design.shape[1]
-    if np.linalg.matrix_rank(design) < unknowns:
+    sigmas = np.column_stack([2 * x * y, 2 * x * z, 2 * y * z])
+    bias = times[:, np.newaxis] * (n if gyro_bias else n[:, :0])
+    parts = [sigmas, squares[scale], bias, earth]
+    inverse = _solve(np.hstack(parts))
+    ends = np.cumsum([part.shape[1] for part in parts])[:-1]
+    sigma, scales, biases, along = np.split(values @ inverse.T, ends, axis=-1)
+    return TurnFit(sigma, scales, biases, along, inverse @ inverse.T)
+
+
+def _time_of_a_radian(table_rates: ArrayLike | None, count: int) -> FloatArray:
+    """Inverse of each table rate (m,), s; zero if no rates are given."""
+    if table_rates is None:
+        return np.zeros(count)
+    rates = finite_array(table_rates, "table_rates", count)
+    if rates.ndim != 1 or not rates.all():
+        raise ValueError(f"table_rates: expected {count} rates that are not zero, got {rates}.")
+    return 1 / rates
+
+
+def _solve(design: FloatArray) -> FloatArray:
+    """Pseudo-inverse of a design matrix, refused if it does not determine the unknowns."""
+    # Columns of one size: a bias in rad/s is a small number, and no less determined for it.
+    size = np.linalg.norm(design, axis=0)
+    size[size == 0] = 1.0
+    turns, unknowns = design.shape
+    rank = np.linalg.matrix_rank(design / size)
+    if rank < unknowns:
         raise ValueError(
-            f"axes: expected axes that determine {unknowns} unknowns, "
-            f"got {len(n)} axes that determine {np.linalg.matrix_rank(design)}."
+            f"axes: expected turns that determine {unknowns} unknowns, "
+            f"got {turns} turns that determine {rank}."
         )
-    inverse = np.linalg.pinv(design)
-    solution = estimates @ inverse.T
-    return TurnFit(solution[..., :3], solution[..., 3:], inverse @ inverse.T)
+    return np.linalg.pinv(design / size) / size[:, np.newaxis]

@@ -180,7 +180,7 @@ def test_fourth_number_scales_with_its_factor(sum_factor):
     """
     factor = {"1": 1, "3/2": 3 / 2, "sqrt(3/2)": np.sqrt(3 / 2)}[sum_factor.split(",")[0]]
     plain = TurnExperiment(step_formula="pade").estimate(
-        triad_reading("unit third axis"), YATES_AXES[3]
+        YATES_AXES[3], triad_reading("unit third axis")
     )
     assert abs(plain) < 2e-6
     starred = reconstruct(sum_factor=sum_factor).values[3]

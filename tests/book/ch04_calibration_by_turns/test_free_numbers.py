@@ -35,7 +35,7 @@ def test_bounds_are_those_of_a_grid_of_factors(triad):
     """Every number by the formulas of the experiment, factor by factor."""
     errors = np.array([-1.36e-9, -0.4e-9, 2.1e-9])
     factors = np.linspace(*FACTORS, 1801)
-    estimates = exact_turn_estimate(triad_reading(triad), YATES_AXES)
+    estimates = exact_turn_estimate(YATES_AXES, triad_reading(triad))
     estimates = estimates + (100 * errors / (2 * np.pi))[:, np.newaxis]
     grid = inside(seven_numbers(estimates, factors[:, np.newaxis]))
     low, high = factor_bounds(triad, errors)

@@ -20,7 +20,7 @@ def turn_calibration(values: Values) -> Rows:
     experiment = TurnExperiment(values["turns"], values["steps"], values["formula"], noise)
     runs = 12 if noise else 1
     axes = np.tile(plan.axes, (runs, 1, 1))
-    estimates = experiment.estimate(triad, axes, np.random.default_rng(1987))
+    estimates = experiment.estimate(axes, triad, np.random.default_rng(1987))
     if plan.method == "yates":
         found = weighing(estimates * [1, 1, 1, 1.5])
     else:

@@ -28,7 +28,7 @@ def capstone(values: Values) -> Rows:
     # One turn about each axis between two of the triad's, each read with noise, shows a pair.
     between = [[1, 1, 0], [1, 0, 1], [0, 1, 1]] / np.sqrt(2)
     noise = np.random.default_rng(11)
-    sxy, sxz, syz = TurnExperiment(1, angle_noise=1.8 * arcsecond).estimate(bent, between, noise)
+    sxy, sxz, syz = TurnExperiment(1, angle_noise=1.8 * arcsecond).estimate(between, bent, noise)
     left = {
         "as built": bent,
         "after turns": bent - [[0, sxy, sxz], [sxy, 0, syz], [sxz, syz, 0]],

@@ -121,7 +121,7 @@ def reconstruct(
     experiment = TurnExperiment(turns=1, steps_per_turn=steps, step_formula=step_formula)
     if sum_factor not in SUM_FACTORS:
         raise ValueError(f"sum_factor: expected one of {list(SUM_FACTORS)}, got {sum_factor!r}.")
-    estimates = experiment.estimate(triad_reading(triad), YATES_AXES)
+    estimates = experiment.estimate(YATES_AXES, triad_reading(triad))
     values = seven_numbers(estimates, SUM_FACTORS[sum_factor])
     return Reconstruction(triad, step_formula, steps, sum_factor, values)
 
@@ -152,7 +152,7 @@ def experiment_numbers() -> dict[str, FloatArray]:
         "copy"; "exact", the method itself without integration error, with the corrected (3.5);
         "reconstructed", the assumptions of `reconstruct`.
     """
-    starred = exact_turn_estimate(LARIN_TRIAD, YATES_AXES)
+    starred = exact_turn_estimate(YATES_AXES, LARIN_TRIAD)
     starred[3] *= 1.5
     return {
         "copy": np.array([float(text) for text in IN_THE_COPY]),

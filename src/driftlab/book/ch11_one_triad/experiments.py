@@ -88,7 +88,7 @@ def pairs_and_turn(matrix: FloatArray) -> FloatArray:
 
 def found_by_turns(bent: FloatArray) -> FloatArray:
     """Return the pairs xy, xz, yz (3,), rad, that one turn about each pair axis shows."""
-    return TURNS.estimate(bent, PAIR_AXES, np.random.default_rng(SEED))
+    return TURNS.estimate(PAIR_AXES, bent, np.random.default_rng(SEED))
 
 
 @cache

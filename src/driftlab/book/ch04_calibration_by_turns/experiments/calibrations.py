@@ -84,7 +84,7 @@ def turn_estimates(
     axes, method = PLANS[plan]
     repeats = REPEATS if experiment.angle_noise else 1
     repeated = np.broadcast_to(axes, (repeats, *axes.shape))
-    estimates = experiment.estimate(triad_error, repeated, np.random.default_rng(seed))
+    estimates = experiment.estimate(repeated, triad_error, np.random.default_rng(seed))
     runs = yates_sigma(estimates) if method == "yates" else fit_turns(estimates, axes, method).sigma
     sigma = non_orthogonality(triad_error)[..., [0, 0, 1], [1, 2, 2]]
     return TurnEstimates(sigma, np.broadcast_to(runs, (REPEATS, 3)), axes)

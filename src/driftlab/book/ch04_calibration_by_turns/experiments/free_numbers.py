@@ -67,7 +67,7 @@ def free_numbers() -> FreeNumbers:
 
 def step_error(formula: str) -> float:
     """Angle error of a step formula in a hundredth of a turn, rad."""
-    turn = TurnExperiment(1, STEPS_IN_TURN, formula).estimate(np.zeros((3, 3)), PAIR_AXES[0])
+    turn = TurnExperiment(1, STEPS_IN_TURN, formula).estimate(PAIR_AXES[0], np.zeros((3, 3)))
     return float(2 * np.pi * turn / STEPS_IN_TURN)
 
 
@@ -91,7 +91,7 @@ def factor_bounds(
         Lowest and highest factor; NaN where the number does not come out with any.
     """
     own = STEPS_IN_TURN * finite_array(step_error, "step_error") / (2 * np.pi)
-    estimates = exact_turn_estimate(triad_reading(triad), YATES_AXES) + own[..., np.newaxis]
+    estimates = exact_turn_estimate(YATES_AXES, triad_reading(triad)) + own[..., np.newaxis]
     low, high = np.array([digit_interval(text) for text in SIGN_RESTORED]).T
     pairs = estimates[:, :3].T
     comes_out = (low[:3, np.newaxis] <= pairs) & (pairs <= high[:3, np.newaxis])

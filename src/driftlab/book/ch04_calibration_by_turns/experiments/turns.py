@@ -63,7 +63,7 @@ def turn_bias(triad_error: ArrayLike, runs: int = 400, seed: int = SEED) -> Turn
     rng = np.random.default_rng(seed)
     repeated = np.broadcast_to(PAIR_AXES[1], (runs, 3))
     noise = [
-        TurnExperiment(int(k), 12, "exact", ANGLE_NOISE).estimate(triad_error, repeated, rng).std()
+        TurnExperiment(int(k), 12, "exact", ANGLE_NOISE).estimate(repeated, triad_error, rng).std()
         for k in turns
     ]
     bias_by_turns = np.abs([method_bias(triad_error, int(k)) for k in turns])
@@ -89,7 +89,7 @@ def estimate_errors(triad_error: ArrayLike, step_formula: str, steps: ArrayLike)
     steps : array_like of int, shape (m,)
     """
     found = [
-        TurnExperiment(1, int(count), step_formula).estimate(triad_error, PAIR_AXES[1])
+        TurnExperiment(1, int(count), step_formula).estimate(PAIR_AXES[1], triad_error)
         for count in np.asarray(steps)
     ]
     return np.array(found) - drift_coefficient(PAIR_AXES[1], triad_error)
@@ -104,7 +104,7 @@ def method_bias(triad_error: ArrayLike, turns: int = 1) -> float:
     turns : int
         Whole turns k.
     """
-    exact = exact_turn_estimate(triad_error, PAIR_AXES[1], turns)
+    exact = exact_turn_estimate(PAIR_AXES[1], triad_error, turns)
     return float(exact - drift_coefficient(PAIR_AXES[1], triad_error))
 
 

@@ -1,0 +1,86 @@
+"""From the record of a table's turn, simulated or real, to the turn estimate of Larin (3.3)."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.attitude.coning_algorithms import Algorithm, attitude_algorithm
+from driftlab.attitude.integration import integrate
+from driftlab.checks import FloatArray, finite_array, finite_arrays, nonzero_vectors, whole_number
+from driftlab.core.quaternion import from_rotation_vector, multiply
+from driftlab.drift.turn_calibration import turn_estimate
+
+
+def recorded_turn_estimate(
+    increments: ArrayLike,
+    axis: ArrayLike,
+    turns: int = 1,
+    algorithm: str | Algorithm = "two-step-4",
+) -> FloatArray:
+    """Estimate n^T Sigma n from the angle increments of a gyro triad that a table has turned.
+
+    On the Earth the estimate contains the offsets of the Earth's rate and of the gyro bias as well:
+    see `driftlab.drift.turn_calibration.earth_offset`. The mean of two turns in opposite senses is
+    free of both.
+
+    Parameters
+    ----------
+    increments : array_like, shape (..., n, 3)
+        Integrals of the rates that the gyros measure, over equal intervals, rad; from rest to rest,
+        or as many whole turns at a constant rate.
+    axis : array_like, shape (..., 3)
+        Axis n of the turns in the body; only its direction counts. Whether the table turned about n
+        or -n is read from the increments, and does not change the sign of the estimate.
+    turns : int
+        Number k of whole turns.
+    algorithm : str or Algorithm
+        A key of `driftlab.attitude.coning_algorithms.ALGORITHMS`, or a custom algorithm. Rows at
+        the end that do not make a whole step are taken one by one at constant rate.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Estimates, without unit.
+
+    Raises
+    ------
+    ValueError
+        If the increments along the axis do not add up to `turns` turns within half a turn: another
+        axis, degrees, rates, or another number of turns. Also as in
+        `driftlab.attitude.integration.integrate` and `turn_estimate`.
+
+    Examples
+    --------
+    A perfect triad on the Earth, once about a body axis in each sense:
+
+    >>> from driftlab.motion import TableTurn
+    >>> found = []
+    >>> for rate in np.radians([10.0, -10.0]):
+    ...     turn = TableTurn(rate, latitude=np.radians(37.5))
+    ...     record = turn.increments([1, 1, 0], samples=3600)
+    ...     found.append(recorded_turn_estimate(record.angle, [1, 1, 0]))
+    >>> (np.degrees(found) * 3600).round(2)  # arc seconds
+    array([ 52.46, -52.46])
+    """
+    chosen = attitude_algorithm(algorithm)
+    count = whole_number(turns, "turns")
+    n, _ = nonzero_vectors(axis, "axis")
+    rows = finite_array(increments, "increments", 3)
+    if rows.ndim < 2:
+        raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
+    finite_arrays(increments=(rows, *rows.shape[-2:]), axis=(n, 3))
+    turned = np.einsum("...ij,...j->...i", rows, n).sum(axis=-1) / (2 * np.pi)
+    far = np.abs(np.abs(turned) - count)
+    if (far >= 0.5).any():
+        worst = np.ravel(turned)[np.argmax(far)]
+        raise ValueError(
+            f"increments: expected angles in rad that add up to {count} within half a turn, "
+            f"counted in turns about the axis, got {worst:.4g}."
+        )
+    length = rows.shape[-2]
+    whole = length - length % chosen.samples
+    attitude = integrate(rows[..., :whole, :], chosen)[..., -1, :]
+    for row in range(whole, length):
+        attitude = multiply(attitude, from_rotation_vector(rows[..., row, :]))
+    return turn_estimate(attitude, np.sign(turned)[..., np.newaxis] * n, count)

@@ -1,0 +1,221 @@
+"""Whole turns of a rate table on the turning Earth, and what ideal sensors on it deliver.
+
+The axis of the table is fixed to the Earth, and the body turns about an axis of its own that lies
+along it. Nothing else moves, so the integrals of angular rate and specific force need only those
+of the cosine and the sine of one angle.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.checks import FloatArray, finite_array, finite_number, nonzero_vectors, whole_number
+from driftlab.earth import checked_latitude, earth_rate, gravity
+from driftlab.increments import Increments
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(6)
+"""Exact to rounding over the eighth of a turn that a sample may have at most."""
+
+
+@dataclass(frozen=True)
+class TableTurn:
+    """How a table makes its whole turns: all of the motion but the axis in the body.
+
+    Attributes
+    ----------
+    rate : float
+        Rate of the table against the Earth between starting and stopping, rad/s. Its sign is the
+        sense: positive is counter-clockwise, seen from the tip of `table_axis`.
+    turns : int
+        Whole turns k.
+    latitude : float or None
+        rad; not a pole. None for Larin's computer experiment: no Earth and no gravity.
+    table_axis : tuple of float
+        Direction of the table's axis in East, North, Up; only its direction counts.
+    angle_error : float
+        By how much the table goes beyond its whole turns, in the sense in which it turns, rad.
+    ramp : float
+        Time in which the table gathers its rate evenly, and in which it stops, s.
+    rest : float
+        Time after stopping in which the gyros are still read, s.
+
+    Examples
+    --------
+    A turn each way at 10 degrees a second, begun and ended in two seconds:
+
+    >>> there = TableTurn(rate=np.radians(10.0), latitude=np.radians(37.5), ramp=2.0)
+    >>> back = TableTurn(rate=-np.radians(10.0), latitude=np.radians(37.5), ramp=2.0)
+    >>> print(f"{there.duration:.1f} {np.degrees(back.mean_rate):.3f}")
+    38.0 -9.474
+    """
+
+    rate: float
+    turns: int = 1
+    latitude: float | None = None
+    table_axis: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    angle_error: float = 0.0
+    ramp: float = 0.0
+    rest: float = 0.0
+
+    def __post_init__(self) -> None:
+        if finite_number(self.rate, "rate") == 0:
+            raise ValueError("rate: expected a rate that is not zero, got 0.")
+        whole_number(self.turns, "turns")
+        if self.latitude is not None:
+            checked_latitude(finite_number(self.latitude, "latitude"))
+        direction, _ = nonzero_vectors(self.table_axis, "table_axis")
+        if direction.ndim != 1:
+            raise ValueError(f"table_axis: expected shape (3,), got shape {direction.shape}.")
+        if abs(finite_number(self.angle_error, "angle_error")) >= np.pi:
+            raise ValueError(
+                f"angle_error: expected less than half a turn, got {self.angle_error!r} rad."
+            )
+        for name in ("ramp", "rest"):
+            if finite_number(getattr(self, name), name) < 0:
+                raise ValueError(
+                    f"{name}: expected a number of at least 0, got {getattr(self, name)!r}."
+                )
+        if self.ramp > self._until_braking:
+            raise ValueError(
+                f"ramp: expected at most {self._until_braking:.6g} s, in which the turns at the "
+                f"full rate are made, got {self.ramp!r}."
+            )
+
+    @property
+    def _until_braking(self) -> float:
+        return (2 * np.pi * self.turns + self.angle_error) / abs(self.rate)
+
+    @property
+    def duration(self) -> float:
+        """Time from the start to the end of the record.
+
+        Returns
+        -------
+        float
+            s.
+
+        Examples
+        --------
+        >>> print(f"{TableTurn(rate=np.radians(-10.0), turns=2, rest=5.0).duration:.1f}")
+        77.0
+        """
+        return self._until_braking + self.ramp + self.rest
+
+    @property
+    def mean_rate(self) -> float:
+        """Whole turns over the whole time, with the sign of the sense.
+
+        The Earth and a gyro bias add themselves up over the whole time, so this is the rate that
+        counts for them.
+
+        Returns
+        -------
+        float
+            rad/s.
+
+        Examples
+        --------
+        >>> slow = TableTurn(rate=np.radians(10.0), rest=36.0)
+        >>> print(f"{np.degrees(slow.mean_rate):.1f}")
+        5.0
+        """
+        return float(np.copysign(2 * np.pi * self.turns / self.duration, self.rate))
+
+    def angle(self, times: ArrayLike) -> FloatArray:
+        """Angle by which the table has turned against the Earth.
+
+        Parameters
+        ----------
+        times : array_like, shape (...)
+            Times since the start, s.
+
+        Returns
+        -------
+        ndarray, shape (...)
+            rad, with the sign of the sense.
+
+        Examples
+        --------
+        >>> np.degrees(TableTurn(rate=np.radians(10.0), ramp=2.0).angle([0, 2, 20, 38])).round(9)
+        array([  0.,  10., 190., 360.])
+        """
+        since = finite_array(times, "times")
+        return self.rate * (self._gathered(since) - self._gathered(since - self._until_braking))
+
+    def _gathered(self, since: FloatArray) -> FloatArray:
+        """Integral of a rate that grows evenly from 0 to 1 in the time of the ramp, and stays."""
+        if not self.ramp:
+            return np.maximum(since, 0.0)
+        growing = np.clip(since, 0.0, self.ramp)
+        return growing**2 / (2 * self.ramp) + np.maximum(since - self.ramp, 0.0)
+
+    def increments(self, axis: ArrayLike, samples: int) -> Increments:
+        """Return the increments of ideal gyros and accelerometers over equal intervals.
+
+        Parameters
+        ----------
+        axis : array_like, shape (..., 3)
+            Body axis that lies along the table's axis; only its direction counts. The shorter
+            rotation from the one to the other says how the sides of the body point at the start.
+        samples : int
+            Number n of intervals in the whole duration, at least eight in a turn.
+
+        Returns
+        -------
+        Increments
+            Of ideal sensors, arrays of shape (..., n, 3), exact to rounding.
+
+        Examples
+        --------
+        A gyro upright on the table feels the whole turn and the upward part of the Earth's rate:
+
+        >>> turn = TableTurn(rate=np.radians(10.0), latitude=np.radians(30.0))
+        >>> felt = turn.increments([0, 0, 1], samples=360).angle[:, 2].sum()
+        >>> print(f"{felt - 2 * np.pi:.6e} {turn.duration * earth_rate(turn.latitude)[2]:.6e}")
+        1.312581e-03 1.312581e-03
+        """
+        n, _ = nonzero_vectors(axis, "axis")
+        count = whole_number(samples, "samples", least=8 * self.turns)
+        times = np.linspace(0.0, self.duration, count + 1)
+        seconds = self.duration / count
+        cosine, sine = self._mean_cosine_and_sine(times)
+        turned = np.diff(self.angle(times))[:, np.newaxis] * n[..., np.newaxis, :]
+        pushed = np.zeros_like(turned)
+        if self.latitude is not None:
+            up = np.array([0.0, 0.0, float(gravity(self.latitude))])
+            for total, fixed in ((turned, earth_rate(self.latitude)), (pushed, up)):
+                # What is fixed to the Earth goes round the axis backwards, seen from the body.
+                start = self._in_body(fixed, n)
+                along = np.einsum("...i,...i->...", n, start)[..., np.newaxis] * n
+                total += seconds * (
+                    along[..., np.newaxis, :]
+                    + cosine[:, np.newaxis] * (start - along)[..., np.newaxis, :]
+                    - sine[:, np.newaxis] * np.cross(n, start)[..., np.newaxis, :]
+                )
+        return Increments(seconds, turned, pushed)
+
+    def _mean_cosine_and_sine(self, times: FloatArray) -> FloatArray:
+        """Means (2, n) of the cosine and the sine of the angle over the intervals."""
+        # Cut where the rate has a kink, or a quadrature would see it.
+        kinks = self._until_braking * np.array([[0.0], [1.0]]) + np.array([0.0, self.ramp])
+        edges = np.union1d(times, kinks[(kinks > times[0]) & (kinks < times[-1])])
+        half = 0.5 * np.diff(edges)[:, np.newaxis]
+        angles = self.angle(edges[:-1, np.newaxis] + half * (1 + _NODES))
+        pieces = np.stack([np.cos(angles), np.sin(angles)]) * half @ _WEIGHTS
+        sums = np.add.reduceat(pieces, np.searchsorted(edges, times[:-1]), axis=-1)
+        return np.asarray(sums / np.diff(times))
+
+    def _in_body(self, fixed: FloatArray, n: FloatArray) -> FloatArray:
+        """Components (..., 3) of a vector of the local axes (3,) along the sides of the body."""
+        a, _ = nonzero_vectors(self.table_axis, "table_axis")
+        swing = np.cross(a, n)
+        cosine = (n @ a)[..., np.newaxis]
+        twice = np.cross(swing, np.cross(swing, fixed))
+        near = fixed + np.cross(swing, fixed) + twice / np.maximum(1 + cosine, 1e-6)
+        # Upside down there is no shorter way: take half a turn about an axis across.
+        across = np.cross(a, np.eye(3)[np.argmin(np.abs(a))])
+        across /= np.linalg.norm(across)
+        return np.where(1 + cosine > 1e-6, near, 2 * (across @ fixed) * across - fixed)

@@ -1,0 +1,175 @@
+"""Turn estimates from increments: the Earth, bias, noise, errors of angle and axis, refusals."""
+
+import numpy as np
+import pytest
+from scipy.constants import arcsecond, degree, hour
+
+from driftlab.calibration.recorded_turns import recorded_turn_estimate
+from driftlab.drift.systematic_drift import drift_coefficient
+from driftlab.drift.turn_calibration import earth_offset, exact_turn_estimate
+from driftlab.drift.weighing_designs import YATES_AXES, fit_turns, weighing
+from driftlab.earth import EARTH_RATE
+from driftlab.imu import NO_ERRORS, ImuNoise
+from driftlab.increments import measure
+from driftlab.motion.table_turn import TableTurn
+from support import order_of
+
+BOTH = np.array([1.0, -1.0])
+BENT = np.array([[0, -30, 20], [-30, 0, 30], [20, 30, 0]]) * arcsecond
+"""The triad of chapter 11."""
+SARATOV, RATE = np.radians(51.5), 2 * np.pi / 36
+
+
+def senses(
+    axes, axis=None, *, gyro_error=NO_ERRORS.gyro_error, bias=(0, 0, 0), samples=720, **turn
+):
+    """Estimates (2, ...) about `axes` in both senses; the body really turns about `axis`."""
+    unit = NO_ERRORS._replace(gyro_error=gyro_error, gyro_bias=np.asarray(bias))
+    settings = {"rate": RATE, "latitude": SARATOV} | turn
+    rate, turns = settings.pop("rate"), settings.get("turns", 1)
+    found = []
+    for sense in BOTH:
+        record = TableTurn(sense * rate, **settings).increments(
+            axes if axis is None else axis, samples
+        )
+        found.append(recorded_turn_estimate(measure(record, unit).angle, axes, turns))
+    return np.array(found)
+
+
+@pytest.mark.parametrize(("speed", "found"), [(10, 52.46), (30, 17.49), (60, 8.74)])
+def test_a_perfect_triad_on_the_earth(speed, found):
+    there, back = senses(
+        YATES_AXES, rate=np.radians(speed), latitude=np.radians(37.5), samples=3600
+    )
+    np.testing.assert_allclose(there / arcsecond, found, rtol=0, atol=0.005)
+    np.testing.assert_allclose((there + back) / 2 / arcsecond, 0, atol=3e-8)
+    # The tangent of (3.3) adds the cube of the Earth's angle, 360 parts in a thousand million.
+    offset = earth_offset(np.radians(37.5), np.radians(speed))
+    np.testing.assert_allclose(there, offset, rtol=4e-7)
+
+
+@pytest.mark.parametrize("turns", [1, 3])
+def test_the_perfect_triad_in_closed_form(turns):
+    """(3.3) of the Earth's own rotation in the time of the turns, which is exact."""
+    time = turns * 2 * np.pi / RATE
+    half = EARTH_RATE * time / 2
+    expected = np.arctan(np.sin(SARATOV) * np.tan(half)) / (turns * np.pi)
+    found = senses(YATES_AXES, turns=turns, samples=3600 * turns)
+    np.testing.assert_allclose(found, [[expected] * 4, [-expected] * 4], rtol=0, atol=1e-12)
+
+
+def test_the_triad_of_chapter_11_its_trap_and_its_cures():
+    there, back = senses(YATES_AXES, gyro_error=BENT)
+    np.testing.assert_allclose(there[:3] / arcsecond, [37.44, 87.45, 97.45], rtol=0, atol=0.01)
+    yates = weighing(there * [1, 1, 1, 1.5])
+    np.testing.assert_allclose(yates / arcsecond, [-13.14, 36.87, 46.87], rtol=0, atol=0.01)
+    offset = fit_turns(there, YATES_AXES, "common")
+    np.testing.assert_allclose(offset.sigma / arcsecond, [-30, 20, 30], rtol=0, atol=0.01)
+    assert offset.scale == pytest.approx(earth_offset(SARATOV, RATE), abs=0.01 * arcsecond)
+    mean = (there + back)[:3] / 2
+    np.testing.assert_allclose(mean / arcsecond, [-30, 20, 30], rtol=0, atol=0.005)
+
+
+@pytest.mark.parametrize("ramp", [0.0, 5.0])
+@pytest.mark.parametrize("rest", [0.0, 7.0])
+def test_first_order_of_earth_and_bias_with_ramps_and_rest(ramp, rest):
+    bias = np.array([3.0, -2.0, 1.0]) * degree / hour
+    found = senses(YATES_AXES, gyro_error=BENT, bias=bias, ramp=ramp, rest=rest, turns=2)
+    mean_rate = BOTH * TableTurn(RATE, 2, SARATOV, ramp=ramp, rest=rest).mean_rate
+    n_b = YATES_AXES @ bias
+    expected = drift_coefficient(YATES_AXES, BENT) + np.add.outer(
+        earth_offset(SARATOV, mean_rate), np.zeros(4)
+    ) + n_b / mean_rate[:, None]  # fmt: skip
+    # Second order: squares and products of numbers of 4e-4 at most.
+    np.testing.assert_allclose(found, expected, rtol=0, atol=4e-4**2)
+
+
+def test_an_error_of_the_angle_is_of_first_order_and_the_same_in_both_senses():
+    delta = 20 * arcsecond
+    for turns in (1, 2):
+        plain, beyond = (
+            senses(YATES_AXES, gyro_error=BENT, turns=turns, angle_error=error)
+            for error in (0.0, delta)
+        )
+        np.testing.assert_allclose(beyond - plain, delta / (2 * np.pi * turns), rtol=1e-3)
+
+
+def test_an_error_of_the_axis_does_nothing_to_a_perfect_triad_in_inertial_space():
+    near = YATES_AXES + 1e-2 * np.array([1.0, -2.0, 0.5])
+    found = senses(YATES_AXES, near, latitude=None)
+    np.testing.assert_allclose(found, 0, atol=2e-10)  # the algorithm's own error
+
+
+def test_an_error_of_the_axis_enters_in_products():
+    """With M twice e.Sigma n, the same in both senses; with the Earth its level part, reversed."""
+    n, e = np.array([1.0, 1.0, 0.0]) / np.sqrt(2), np.array([0.0, 0.0, 1.0])
+    shift = 1e-3
+    exact, off = (senses(n, n + s * e, gyro_error=BENT, samples=3600) for s in (0.0, shift))
+    change = off - exact
+    assert change.mean() == pytest.approx(shift * 2 * e @ BENT @ n, rel=0.01)
+    assert 0 < abs(change @ BOTH / 2) < shift * EARTH_RATE / RATE
+
+    def product(size):
+        bend = size * BENT / np.abs(BENT).max()
+        exact = exact_turn_estimate(n, bend)
+        return abs(senses(n, n + size * e, gyro_error=bend, latitude=None)[0] - exact)
+
+    assert order_of(product) == pytest.approx(2, abs=0.05)
+
+
+def test_noise_of_an_estimate_is_that_of_the_angle():
+    noise, count = ImuNoise(angle_random_walk=1e-6), 2000
+    turn = TableTurn(RATE, 2, SARATOV)
+    record = turn.increments(np.tile([1.0, 2, 2], (count, 1)), 16)
+    found = recorded_turn_estimate(
+        measure(record, NO_ERRORS, noise, np.random.default_rng(1)).angle, [1, 2, 2], 2
+    )
+    expected = 1e-6 * np.sqrt(turn.duration) / (4 * np.pi)
+    # Five standard deviations of a sample's standard deviation.
+    assert found.std() == pytest.approx(expected, rel=5 / np.sqrt(2 * count))
+
+
+@pytest.mark.parametrize("algorithm", ["two-step-4", "rotation-vector-3", "memory-4", "one-step-3"])
+@pytest.mark.parametrize("rows", [720, 721, 722])
+def test_every_algorithm_takes_every_number_of_rows(algorithm, rows):
+    unit = NO_ERRORS._replace(gyro_error=BENT)
+    record = measure(TableTurn(RATE, latitude=SARATOV).increments([1, 1, 0], rows), unit)
+    found = recorded_turn_estimate(record.angle, [1, 1, 0], 1, algorithm)
+    expected = -30 * arcsecond + earth_offset(SARATOV, RATE)
+    # Steps of half a degree: errors of third order are below a hundredth of an arc second.
+    assert found == pytest.approx(expected, abs=0.01 * arcsecond)
+
+
+def test_the_sense_is_read_from_the_record():
+    record = TableTurn(-RATE, latitude=SARATOV).increments([1, 1, 0], 720).angle
+    estimates = [recorded_turn_estimate(record, axis) for axis in ([1, 1, 0], [-1, -1, 0])]
+    assert estimates[0] == estimates[1] == pytest.approx(-earth_offset(SARATOV, RATE), rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("change", "axis", "turns", "sentence"),
+    [
+        (np.degrees, [1, 1, 0], 1, r"add up to 1 within half a turn, .* got 57\.31"),
+        (lambda rows: 20 * rows, [1, 1, 0], 1, r"got 20\.01"),
+        (lambda rows: rows, [1, -1, 0], 1, "got .*e-"),
+        (lambda rows: rows, [1, 1, 0], 2, "add up to 2 within half a turn, .* got 1"),
+    ],
+)
+def test_a_record_of_something_else_is_refused(change, axis, turns, sentence):
+    record = TableTurn(RATE, latitude=SARATOV).increments([1, 1, 0], 720).angle
+    with pytest.raises(ValueError, match=f"^increments: expected angles in rad .*{sentence}"):
+        recorded_turn_estimate(change(record), axis, turns)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (([0, 0, 1], [0, 0, 1]), r"^increments: expected shape \(\.\.\., n, 3\), got shape \(3,\)"),
+        ((np.ones((4, 3)), [0, 0, 0]), "^axis: expected nonzero vectors"),
+        ((np.ones((4, 3)), [0, 0, 1], 1.0), "^turns: expected a whole number"),
+        ((np.ones((4, 3)), [0, 0, 1], 1, "guess"), "^algorithm: expected one of"),
+    ],
+)
+def test_refusals(arguments, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        recorded_turn_estimate(*arguments)
