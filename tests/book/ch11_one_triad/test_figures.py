@@ -9,9 +9,10 @@ from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.ch11_one_triad import experiments as capstone
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.calibration.simulation import TableTrial
+from driftlab.drift.turn_calibration import earth_offset
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import align
-from driftlab.imu import NO_ERRORS
+from driftlab.imu import TYPICAL_ERRORS
 from driftlab.motion.vehicle import static_imu
 from published import published
 from saratov import LATITUDE, LEVEL_RATE
@@ -39,17 +40,48 @@ def test_turns_find_the_bend_within_their_noise_and_the_filter_both(
 ) -> None:
     data = figure.data
     true, turns, filtered = data.known
-    # 0.005 degrees a root hour in 36 s; half of the angle, over pi, is the estimate.
-    noise = 0.005 * np.pi / 180 * np.sqrt(36 / 3600)
-    assert pytest.approx(noise) == capstone.TURNS.angle_noise
-    gap = largest(turns[:3] - true[:3])
-    assert 0.05 * noise / (2 * np.pi) < gap < 4.9 * noise / (2 * np.pi)
+    # 0.005 degrees a root hour in 36 s; half of the angle, over pi, is the estimate. A pair is one
+    # about the axis between two less half of those about the two, each from both senses.
+    noise = 0.005 * np.pi / 180 * np.sqrt(36 / 3600) / (2 * np.pi) * np.sqrt((1 + 2 / 4) / 2)
+    of_turns, of_filter = capstone.pair_deviations()
+    np.testing.assert_allclose(of_turns, noise)
+    gap = np.abs(turns[:3] - true[:3])
+    assert 0.05 * noise < gap.max() < 4.9 * noise
+    assert (np.abs(filtered - true)[:3] < 4.9 * of_filter).all()
     assert np.isnan(turns[3:]).all()
     np.testing.assert_allclose(true, [*capstone.NON_ORTHOGONALITY, *capstone.MISALIGNMENT])
     np.testing.assert_allclose(
         filtered - true, capstone.pairs_and_turn(capstone.filter_leftover()), rtol=0, atol=1e-18
     )
     assert largest(filtered - true) < 1.5 * arcsecond
+
+
+def test_twelve_turns_on_the_earth_are_as_noisy_as_they_say(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    bent = capstone.bent_triad(capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT)
+    of_turns, _ = capstone.pair_deviations()
+    runs = 200
+    errors = np.empty((runs, 3))
+    for seed in range(runs):
+        monkeypatch.setattr(capstone, "SEED", seed)
+        errors[seed] = (capstone.found_by_turns(bent).sigma - capstone.NON_ORTHOGONALITY) / of_turns
+    # Chi-square with 600 degrees of freedom: five standard deviations on either side.
+    assert np.mean(errors**2) == pytest.approx(1, abs=5 * np.sqrt(2 / errors.size))
+
+
+def test_one_sense_shows_the_earth_and_both_do_not() -> None:
+    bent = capstone.bent_triad(capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT)
+    there, back = capstone.turn_estimates(bent)
+    expected = np.einsum("ni,ij,nj->n", capstone.AXES, bent, capstone.AXES)
+    turn = capstone.TURNS[0]
+    odd = (
+        earth_offset(turn.latitude, turn.rate)
+        + capstone.AXES @ TYPICAL_ERRORS.gyro_bias / turn.rate
+    )
+    # Second order: squares and products of the bend, 2e-4, and the Earth's share, 3e-4.
+    np.testing.assert_allclose((there + back) / 2, expected, rtol=0, atol=3e-7)
+    np.testing.assert_allclose((there - back) / 2, odd, rtol=0, atol=3e-7)
 
 
 @published("11-capstone")
@@ -146,9 +178,8 @@ def test_what_a_real_calibration_leaves_does_not_depend_on_the_bend() -> None:
     other = capstone.bent_triad(
         np.array([60.0, -40.0, -50.0]) * arcsecond, np.array([-30.0, 45.0, 10.0]) * arcsecond
     )
-    imu_errors = NO_ERRORS._replace(gyro_error=other)
     trial = TableTrial(frame="accelerometers", sample_interval=0.1).run(
-        np.random.default_rng(capstone.SEED), imu_errors=imu_errors
+        np.random.default_rng(capstone.SEED), imu_errors=capstone.bent_unit(other)
     )
     left = trial.calibration.imu_errors.gyro_error - other
     default = capstone.bent_triad(capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT)

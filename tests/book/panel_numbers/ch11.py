@@ -7,13 +7,15 @@ from scipy.constants import arcminute, arcsecond
 
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.scenarios import ship_manoeuvre
+from driftlab.calibration.recorded_turns import recorded_turn_estimate
 from driftlab.calibration.simulation import TableTrial
 from driftlab.drift.systematic_drift import drift_per_turn
-from driftlab.drift.turn_calibration import TurnExperiment
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import alignment_errors
 from driftlab.gyrocompass.simulation import simulate_compass
-from driftlab.imu import NO_ERRORS
+from driftlab.imu import TYPICAL_ERRORS, ImuErrors, ImuNoise
+from driftlab.increments import Increments, measure
+from driftlab.motion.table_turn import TableTurn
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import rotate
 from driftlab.vectors import cross_matrix
@@ -25,16 +27,12 @@ def capstone(values: Values) -> Rows:
     xy, xz, yz = listed(values, "pair_0 pair_1 pair_2") * arcsecond
     turned = cross_matrix(listed(values, "turn_forward turn_up turn_right") * arcsecond)
     bent = np.array([[0, xy, xz], [xy, 0, yz], [xz, yz, 0]]) + turned
-    # One turn about each axis between two of the triad's, each read with noise, shows a pair.
-    between = [[1, 1, 0], [1, 0, 1], [0, 1, 1]] / np.sqrt(2)
-    noise = np.random.default_rng(11)
-    sxy, sxz, syz = TurnExperiment(1, angle_noise=1.8 * arcsecond).estimate(between, bent, noise)
+    sxy, sxz, syz = pairs_by_turns(unit_with(bent))
     left = {
         "as built": bent,
         "after turns": bent - [[0, sxy, sxz], [sxy, 0, syz], [sxz, syz, 0]],
         "after the filter": -filter_leftover(),
     }
-    axes = np.vstack([np.eye(3), between])
     cone = coning_drift(values["algorithm"], values["cone"] * arcminute, 5.0, 0.01)
     shaken = np.array([0, 0, cone])
     latitude, turn = np.radians(listed(values, "latitude turn"))
@@ -45,7 +43,7 @@ def capstone(values: Values) -> Rows:
     rates = way.increments.mean_rate
     rows = []
     for stage, error in left.items():
-        drift_a_turn = np.abs(drift_per_turn(axes, error)).max()
+        drift_a_turn = np.abs(drift_per_turn(SIX_AXES, error)).max()
         drifts = rotate(attitude, rate @ error.T + shaken)
         aligned = alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
         run = simulate_compass(way, rates @ error.T + shaken, log=True)
@@ -57,12 +55,32 @@ def capstone(values: Values) -> Rows:
     return rows
 
 
+SIX_AXES = np.vstack([np.eye(3), [[1, 1, 0], [1, 0, 1], [0, 1, 1]] / np.sqrt(2)])
+
+
+def unit_with(gyro_error: np.ndarray) -> ImuErrors:
+    """The unit that is calibrated: typical biases, and accelerometers that are square."""
+    square = np.zeros((3, 3))
+    return TYPICAL_ERRORS._replace(gyro_error=gyro_error, accelerometer_error=square)
+
+
+def pairs_by_turns(unit: ImuErrors) -> np.ndarray:
+    """Pairs of the unit's gyros, by turns at ten degrees a second about six axes, both ways."""
+    turns = [TableTurn(rate, latitude=np.radians(37.5)) for rate in np.radians([10.0, -10.0])]
+    true = np.stack([turn.increments(SIX_AXES, 180).angle for turn in turns])
+    seconds = 36.0 / 180
+    record = Increments(seconds, true, np.zeros_like(true))
+    record = measure(record, unit, ImuNoise(), np.random.default_rng(11))
+    x, y, z, xy, xz, yz = recorded_turn_estimate(record.angle, SIX_AXES).mean(axis=0)
+    # About a body axis there is its gyro's scale error; about one between two, half of theirs.
+    return np.array([xy - (x + y) / 2, xz - (x + z) / 2, yz - (y + z) / 2])
+
+
 @cache
 def filter_leftover() -> np.ndarray:
     """What the filter leaves in the gyros of the unit with which the panel opens."""
     true = np.array([[0, -30, 20], [-30, 0, 30], [20, 30, 0]]) * arcsecond
     true = true + cross_matrix(np.array([20, 25, 20]) * arcsecond)
-    imu_errors = NO_ERRORS._replace(gyro_error=true)
     trial = TableTrial(frame="accelerometers", sample_interval=0.1)
-    found = trial.run(np.random.default_rng(11), imu_errors=imu_errors).calibration.imu_errors
+    found = trial.run(np.random.default_rng(11), imu_errors=unit_with(true)).calibration.imu_errors
     return found.gyro_error - true

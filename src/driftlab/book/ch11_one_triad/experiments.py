@@ -9,16 +9,24 @@ from scipy.constants import arcsecond
 
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.body_frames import misalignment_vector
-from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, ship_manoeuvre
+from driftlab.book.scenarios import (
+    QUARTER_TURN,
+    SARATOV_LATITUDE,
+    TABLE_LATITUDE,
+    ship_manoeuvre,
+)
+from driftlab.calibration.filter import Calibration
+from driftlab.calibration.recorded_turns import recorded_turn_estimate
 from driftlab.calibration.simulation import TableTrial
 from driftlab.checks import FloatArray, finite_array, finite_number
 from driftlab.drift.systematic_drift import drift_per_turn
-from driftlab.drift.turn_calibration import TurnExperiment
-from driftlab.drift.weighing_designs import PAIR_AXES
+from driftlab.drift.weighing_designs import PAIR_AXES, TurnFit, fit_turns
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import alignment_errors
 from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
-from driftlab.imu import NO_ERRORS
+from driftlab.imu import TYPICAL_ERRORS, ImuErrors, ImuNoise
+from driftlab.increments import Increments, measure
+from driftlab.motion.table_turn import TableTurn
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import rotate
 from driftlab.triad import decompose
@@ -32,8 +40,10 @@ MISALIGNMENT: FloatArray = np.array([20.0, 25.0, 20.0]) * arcsecond
 AXES: FloatArray = np.vstack([np.eye(3), PAIR_AXES])
 """Axes of the drift per turn: forward, up, right, and between each two."""
 AXIS_NAMES = ("f", "u", "r", "f+u", "f+r", "u+r")
-TURNS = TurnExperiment(turns=1, angle_noise=1.8 * arcsecond)
-"""Larin's test: a turn about each pair axis, with noise of 0.005 deg/sqrt(h) for 36 s."""
+TURNS = tuple(TableTurn(sense * 2 * np.pi / 36, latitude=TABLE_LATITUDE) for sense in (1, -1))
+"""A turn in each sense on the table of the filter's calibration; 36 s, or 10 degrees a second."""
+TURN_SAMPLES = 180
+"""Increments of a turn, one each 2 degrees."""
 CONING_FREQUENCY, SAMPLE_INTERVAL = 5.0, 0.01
 """Of the shaking mount, Hz, and of the increments, s."""
 SEED = 11
@@ -86,26 +96,82 @@ def pairs_and_turn(matrix: FloatArray) -> FloatArray:
     return np.append(pairs, misalignment_vector(matrix))
 
 
-def found_by_turns(bent: FloatArray) -> FloatArray:
-    """Return the pairs xy, xz, yz (3,), rad, that one turn about each pair axis shows."""
-    return TURNS.estimate(PAIR_AXES, bent, np.random.default_rng(SEED))
+def bent_unit(bent: FloatArray) -> ImuErrors:
+    """Return the unit that both calibrations get: typical biases, and gyros with these errors.
+
+    Its accelerometers are square to each other and say how the axes of the body lie.
+    """
+    return TYPICAL_ERRORS._replace(gyro_error=bent, accelerometer_error=np.zeros((3, 3)))
+
+
+@cache
+def _true_turns() -> Increments:
+    """True increments (2, 6, n, 3) of the turns: senses, and `AXES`."""
+    both = [turn.increments(AXES, TURN_SAMPLES) for turn in TURNS]
+    angle, velocity = (
+        np.stack([getattr(one, part) for one in both]) for part in ("angle", "velocity")
+    )
+    return Increments(both[0].interval, angle, velocity)
+
+
+def turn_estimates(bent: FloatArray, *, noise: ImuNoise | None = None) -> FloatArray:
+    """Return what the unit shows after a turn about each of `AXES`, in both senses: (2, 6).
+
+    Parameters
+    ----------
+    bent : ndarray, shape (3, 3)
+        Error matrix of the gyros.
+    noise : ImuNoise, optional
+        None for a unit without noise.
+    """
+    rng = np.random.default_rng(SEED)
+    record = measure(_true_turns(), bent_unit(bent), noise, rng)
+    return recorded_turn_estimate(record.angle, AXES)
+
+
+def found_by_turns(bent: FloatArray) -> TurnFit:
+    """Return what twelve turns show: the pairs xy, xz, yz, scale factors, biases, and the Earth."""
+    rates = [turn.mean_rate for turn in TURNS]
+    return fit_turns(
+        turn_estimates(bent, noise=ImuNoise()).ravel(), np.tile(AXES, (2, 1)), scale="each",
+        table_rates=np.repeat(rates, len(AXES)), gyro_bias=True, earth_rate="unknown",
+    )  # fmt: skip
+
+
+@cache
+def filter_calibration() -> Calibration:
+    """Calibrate the default triad by the filter, in axes that the accelerometers fix."""
+    trial = TableTrial(latitude=TABLE_LATITUDE, frame="accelerometers", sample_interval=0.1)
+    unit = bent_unit(bent_triad(NON_ORTHOGONALITY, MISALIGNMENT))
+    return trial.run(np.random.default_rng(SEED), imu_errors=unit).calibration
 
 
 @cache
 def filter_leftover() -> FloatArray:
-    """Return what one filter calibration of the default triad leaves, (3, 3): found minus true.
+    """Return what the filter's calibration of the default triad leaves, (3, 3): found minus true.
 
-    The filter works in axes that the accelerometers fix, so it finds how the gyros stand to them.
     The noise it leaves does not depend on the bend to first order, so other bends get the same.
     """
     true = bent_triad(NON_ORTHOGONALITY, MISALIGNMENT)
-    imu_errors = NO_ERRORS._replace(gyro_error=true)
-    trial = TableTrial(frame="accelerometers", sample_interval=0.1).run(
-        np.random.default_rng(SEED), imu_errors=imu_errors
-    )
-    leftover: FloatArray = trial.calibration.imu_errors.gyro_error - true
+    leftover: FloatArray = filter_calibration().imu_errors.gyro_error - true
     leftover.setflags(write=False)
     return leftover
+
+
+def pair_deviations() -> tuple[FloatArray, FloatArray]:
+    """Return the standard deviations (3,) of the pairs, rad, that turns and the filter state."""
+    angle_noise = ImuNoise().angle_random_walk * np.sqrt(TURNS[0].duration)
+    # Formula (3.3) takes half of the angle along the axis, over pi.
+    covariance = found_by_turns(np.zeros((3, 3))).covariance
+    of_turns = angle_noise / (2 * np.pi) * np.sqrt(np.diag(covariance)[:3])
+    calibration = filter_calibration()
+    names = calibration.model.names
+    of_filter = []
+    for pair in ("xy", "xz", "yz"):
+        rows = [names.index(f"gyro installation {word}") for word in (pair, pair[::-1])]
+        # A pair is the mean of its two entries.
+        of_filter.append(calibration.covariance[-1][np.ix_(rows, rows)].mean())
+    return of_turns, np.sqrt(of_filter)
 
 
 def aligned_heading_error(
@@ -157,7 +223,7 @@ def calibration_stages(
         Step of the voyage, s.
     """
     bent = bent_triad(non_orthogonality, misalignment)
-    sigma = found_by_turns(bent)
+    sigma = found_by_turns(bent).sigma
     leftover = filter_leftover()
     left = np.stack([bent, bent - bent_triad(sigma, np.zeros(3)), -leftover])
     cone = coning_drift(algorithm, finite_number(half_angle, "half_angle"), CONING_FREQUENCY,
