@@ -22,6 +22,7 @@ from driftlab.calibration import (
 )
 from driftlab.drift import (
     characteristic_equation,
+    closed_motion,
     error_kinematics,
     step_formulas,
     systematic_drift,
@@ -199,6 +200,9 @@ CASES = {
 # Tested where they belong.
 APART = {
     weighing_designs.fit_turns,  # its two arguments share an axis instead of broadcasting
+    # Their increments must close, bent a little they do not.
+    closed_motion.drift_per_motion,
+    closed_motion.exact_drift_per_motion,
     riccati.integrate_riccati,  # takes a row of times and returns all that it knows about them
     finite_precision.integrate_in_word,  # answers in the word that it is asked for
     # Positions in m are too large for half precision.

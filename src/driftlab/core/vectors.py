@@ -63,16 +63,16 @@ def cross_matrix(vector: FloatArray) -> FloatArray:
 
 
 def left_jacobian(vector: FloatArray) -> FloatArray:
-    """Left Jacobian (3, 3) of SO(3) at a rotation vector (3,).
+    """Left Jacobians (..., 3, 3) of SO(3) at rotation vectors (..., 3).
 
-    It is the mean of the rotation matrices from the identity to the rotation itself.
+    Each is the mean of the rotation matrices from the identity to the rotation itself.
     """
-    angle = float(np.linalg.norm(vector))
-    if angle == 0:
-        return np.eye(3)
-    n = vector / angle
+    # A tiny stand-in for 0 gives sin(x)/x = 1 without a division by zero.
+    angle = np.maximum(norms(vector), np.finfo(float).tiny)[..., np.newaxis, np.newaxis]
+    n = vector / angle[..., 0]
     sine, cosine = np.sin(angle) / angle, 2 * np.sin(angle / 2) ** 2 / angle
-    return sine * np.eye(3) + cosine * cross_matrix(n) + (1 - sine) * np.outer(n, n)
+    outer = n[..., :, np.newaxis] * n[..., np.newaxis, :]
+    return sine * np.eye(3) + cosine * cross_matrix(n) + (1 - sine) * outer
 
 
 def wrap_angle(angle: FloatArray) -> FloatArray:

@@ -1,5 +1,6 @@
 from . import (
     characteristic_equation as characteristic_equation,
+    closed_motion as closed_motion,
     error_kinematics as error_kinematics,
     step_formulas as step_formulas,
     systematic_drift as systematic_drift,
@@ -11,6 +12,10 @@ from .characteristic_equation import (
     characteristic_polynomial as characteristic_polynomial,
     exact_roots as exact_roots,
     split_error_rate_matrix as split_error_rate_matrix,
+)
+from .closed_motion import (
+    drift_per_motion as drift_per_motion,
+    exact_drift_per_motion as exact_drift_per_motion,
 )
 from .error_kinematics import (
     attitude_quaternion as attitude_quaternion,

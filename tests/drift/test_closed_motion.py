@@ -1,0 +1,189 @@
+"""Drift over closed motions: against quadrature, SciPy's rotations, whole turns, and by order."""
+
+import numpy as np
+import pytest
+from hypothesis import given, strategies as st
+from scipy.spatial.transform import Rotation
+
+from driftlab.drift.closed_motion import drift_per_motion, exact_drift_per_motion
+from driftlab.drift.systematic_drift import drift_coefficient, drift_per_turn
+from driftlab.motion import Coning
+from driftlab.vectors import cross_matrix
+from support import EPS, directions, matrices, order_of, vectors
+
+SHAPE = np.array([[0.3, -0.8, 0.5], [0.9, -0.2, 0.7], [-0.6, 0.4, 0.1]])
+TUMBLE = np.pi / 2 * np.tile([[1, 0, 0], [0, 1, 0]], (3, 1))
+WAY = np.array([[0.3, -1.0, 0.2], [2.0, 0.4, -0.5], [-0.1, 0.7, 1.9]])
+"""Some way out; `closed` finds the way home."""
+
+
+def closed(way):
+    """The way, and the one turn that brings the body back."""
+    there = Rotation.identity()
+    for turn in way:
+        there = there * Rotation.from_rotvec(turn)
+    return np.vstack([way, there.inv().as_rotvec()])
+
+
+def cone(half_angle, samples=360):
+    return Coning(half_angle, 1.0).increments(1 / samples, samples)
+
+
+MOTIONS = {"turn": [[0, 0, 2 * np.pi]], "tumble": TUMBLE, "way": closed(WAY), "cone": cone(0.5)}
+every_motion = pytest.mark.parametrize("increments", MOTIONS.values(), ids=MOTIONS)
+
+
+def apparent(increments, triad_error):
+    """What SciPy makes of the measured increments."""
+    attitude = Rotation.identity()
+    for turn in np.asarray(increments) @ (np.eye(3) + triad_error).T:
+        attitude = attitude * Rotation.from_rotvec(turn)
+    return attitude
+
+
+@given(directions(), matrices(1e-2))
+def test_whole_turn_is_larins_drift(direction, triad_error):
+    n = direction / np.linalg.norm(direction)
+    turn = 2 * np.pi * n[np.newaxis]
+    expected = 2 * np.pi * drift_coefficient(n, triad_error) * n
+    np.testing.assert_allclose(drift_per_motion(turn, triad_error), expected, atol=1e-15)
+    size = np.linalg.norm(exact_drift_per_motion(turn, triad_error))
+    np.testing.assert_allclose(size, abs(drift_per_turn(n, triad_error)), atol=1e-14)
+
+
+@given(st.lists(vectors(3.0), min_size=1, max_size=6), vectors(1.0))
+def test_skew_part_leaves_nothing_on_any_closed_motion(way, kappa):
+    drift = drift_per_motion(closed(way), cross_matrix(kappa))
+    np.testing.assert_allclose(drift, 0, atol=1e-13)
+
+
+def test_rotated_block_leaves_exactly_nothing():
+    rotated = Rotation.from_rotvec([0.3, -0.2, 0.1]).as_matrix() - np.eye(3)
+    for increments in (TUMBLE, closed(WAY)):
+        np.testing.assert_allclose(exact_drift_per_motion(increments, rotated), 0, atol=1e-14)
+
+
+@every_motion
+def test_first_order_differs_from_exact_in_second(increments):
+    order = order_of(
+        lambda size: np.linalg.norm(
+            exact_drift_per_motion(increments, size * SHAPE)
+            - drift_per_motion(increments, size * SHAPE)
+        )
+    )
+    assert abs(order - 2) < 0.05
+
+
+@every_motion
+def test_exact_drift_is_that_of_scipys_rotations(increments):
+    expected = apparent(increments, 0.02 * SHAPE)
+    true = apparent(increments, np.zeros((3, 3)))
+    np.testing.assert_allclose(
+        exact_drift_per_motion(increments, 0.02 * SHAPE),
+        (expected * true.inv()).as_rotvec(),
+        rtol=0,
+        atol=4 * len(increments) * EPS,
+    )
+
+
+def test_repeated_motion_drifts_in_proportion():
+    once = exact_drift_per_motion(TUMBLE, 0.01 * SHAPE)
+    for times in (2, 5, 20):
+        repeated = exact_drift_per_motion(np.tile(TUMBLE, (times, 1)), 0.01 * SHAPE)
+        np.testing.assert_allclose(repeated, times * once, rtol=0, atol=1e-13)
+
+
+def test_there_and_back_leaves_exactly_nothing():
+    motion = np.vstack([WAY, -WAY[::-1]])
+    np.testing.assert_allclose(exact_drift_per_motion(motion, 0.3 * SHAPE), 0, atol=1e-14)
+    np.testing.assert_allclose(drift_per_motion(motion, 0.3 * SHAPE), 0, atol=1e-14)
+
+
+@pytest.mark.parametrize("half_angle", [0.1, 0.6, 2.0])
+def test_cone_has_the_drift_in_closed_form(half_angle):
+    """Integrated in SymPy, in the axes of the cone; the body leans about axis 1 at the start."""
+    (s11, _, s13), (_, s22, s23), (s31, s32, s33) = SHAPE
+    sine, cosine = np.sin(half_angle), np.cos(half_angle)
+    of_cone = np.pi * np.array(
+        [
+            -(s13 + s31) * sine**2,
+            -(s23 + s32) * sine**2,
+            (s11 + s22) * sine**2 - 2 * s33 * cosine * (1 - cosine),
+        ]
+    )
+    expected = Rotation.from_rotvec([-half_angle, 0, 0]).apply(of_cone)
+    samples = 720
+    found = drift_per_motion(cone(half_angle, samples), SHAPE, tolerance=1e-2)
+    # The increments leave out how the axis moves within a sample: second order in its angle.
+    bound = 3 * (2 * np.pi / samples) ** 2
+    np.testing.assert_allclose(found, expected, rtol=0, atol=bound * np.linalg.norm(SHAPE))
+
+
+def test_continuous_motion_against_quadrature():
+    """The integral of C M rate over a period, by the trapezoidal rule of a periodic function."""
+    motion, samples = Coning(0.4, 2.0), 1440
+    time = np.arange(64) / 128
+    rate = motion.rate(time) @ SHAPE.T
+    mean = Rotation.from_quat(motion.attitude(time)).apply(rate).mean(axis=0) / 2
+    expected = Rotation.from_quat(motion.attitude(0.0)).inv().apply(mean)
+    found = drift_per_motion(motion.increments(0.5 / samples, samples), SHAPE)
+    # Second order in the angle of the cone that one increment covers.
+    np.testing.assert_allclose(found, expected, rtol=0, atol=(2 * np.pi / samples) ** 2)
+
+
+@given(vectors(1.0), matrices(1.0))
+def test_small_motion_counts_by_the_area_of_its_rotation_vector(axis, triad_error):
+    """(tr M I - M - M^T) times the area that the rotation vector goes round."""
+    phase = np.linspace(0, 2 * np.pi, 49)
+    size = 1e-3
+    path = size * np.stack([np.cos(phase), axis[0] * np.sin(phase), axis[1] * np.sin(phase)], -1)
+    attitudes = Rotation.from_rotvec(path)
+    motion = (attitudes[:-1].inv() * attitudes[1:]).as_rotvec()
+    area = np.cross(path[:-1], path[1:]).sum(axis=0) / 2
+    matrix = np.trace(triad_error) * np.eye(3) - triad_error - triad_error.T
+    drift = attitudes[0].apply(drift_per_motion(motion, triad_error))
+    # What is left is of the third power of the size.
+    np.testing.assert_allclose(drift, matrix @ area, rtol=0, atol=100 * size**3)
+
+
+def test_leading_axes_broadcast_and_arguments_stay():
+    motions = np.stack([closed(WAY), closed(WAY[::-1])])
+    errors = np.array([0.1, 0.2, 0.3])[:, np.newaxis, np.newaxis, np.newaxis] * SHAPE
+    motions.setflags(write=False)
+    errors.setflags(write=False)
+    for function in (drift_per_motion, exact_drift_per_motion):
+        together = function(motions, errors)
+        assert together.shape == (3, 2, 3)
+        for i, j in np.ndindex(3, 2):
+            alone = function(motions[j], errors[i, 0])
+            np.testing.assert_allclose(together[i, j], alone, rtol=0, atol=1e-14)
+
+
+@pytest.mark.parametrize("function", [drift_per_motion, exact_drift_per_motion])
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (([0, 0, 6.28], SHAPE), r"increments: expected shape \(\.\.\., n, 3\), got shape \(3,\)"),
+        (([[0, 0, np.nan]], SHAPE), "increments: expected finite numbers"),
+        (([[0, 0, 0]], np.zeros(3)), "triad_error: expected shape"),
+        ((WAY, SHAPE), r"increments: .*closes to 0\.0001 rad, got one that ends 3\.1 rad"),
+        ((np.zeros((2, 4, 3)), np.zeros((3, 3, 3))), "increments, triad_error: expected leading"),
+    ],
+)
+def test_refusals(function, arguments, sentence):
+    with pytest.raises(ValueError, match=f"^{sentence}"):
+        function(*arguments)
+
+
+def test_tolerance_is_the_callers():
+    coarse = cone(0.5, samples=36)
+    with pytest.raises(ValueError, match="expected a motion that closes"):
+        drift_per_motion(coarse, SHAPE)
+    assert drift_per_motion(coarse, SHAPE, tolerance=0.02).shape == (3,)
+    with pytest.raises(ValueError, match=r"^tolerance: expected a positive number"):
+        drift_per_motion(coarse, SHAPE, tolerance=0)
+
+
+def test_flat_triad_is_refused():
+    with pytest.raises(ValueError, match=r"^triad_error: expected three sensitive axes"):
+        exact_drift_per_motion(TUMBLE, np.diag([0.0, 0.0, -1.0]))
