@@ -1,6 +1,9 @@
 """Wrong answers to the exercises of chapter 01."""
 
 import numpy as np
+import sympy as sp
+
+w, m, t = sp.symbols("w m t")
 
 WRONG = {
     "1.1": [
@@ -22,5 +25,13 @@ WRONG = {
     "1.4": [
         ([0.9999896, 0.0037533, -0.0000140, 0.0025795], "scalar stands first"),
         ([-0.0028260, 0.0003542, -0.0035538, 0.9999896], "seen from the fixed frame"),
+    ],
+    "1.5": [
+        ([m * w * t, 0, 0], "false rate times the time"),
+        ([m * sp.sin(w * t), m * (1 - sp.cos(w * t)), 0], "seen from the reference frame"),
+        ([w * m * sp.sin(w * t), w * m * (sp.cos(w * t) - 1), 0], "divides by w again"),
+        ([m * sp.sin(w * t) / 2, m * (sp.cos(w * t) - 1) / 2, 0], "half of the rotation vector"),
+        ([m * sp.cos(w * t), -m * sp.sin(w * t), 0], r"not yet\.\s*$"),
+        ("30 degrees", "not readable"),
     ],
 }

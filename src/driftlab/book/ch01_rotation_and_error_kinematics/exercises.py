@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from driftlab.book.machinery.answers import Choice, Exercise, Value
+from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
 from driftlab.checks import FloatArray
 from driftlab.drift.error_kinematics import error_quaternion, error_rate_matrix
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
@@ -54,6 +54,11 @@ def _rates_taken_for_constant() -> FloatArray:
     return multiply(
         from_rotation_vector(-rate * SECONDS), from_rotation_vector(BENT @ rate * SECONDS)
     )
+
+
+def _picked_up(w: float, m: float, t: float) -> FloatArray:
+    """First order error of a triad whose first gyro picks up m of a rate w about axis 3."""
+    return m * np.array([np.sin(w * t), np.cos(w * t) - 1, 0])
 
 
 EXERCISES: dict[str, Exercise] = {
@@ -113,5 +118,26 @@ EXERCISES: dict[str, Exercise] = {
             ),
         },
         remark="Two integrations and one of the difference agree: (1.4) holds for changing rates.",
+    ),
+    "1.5": Formula(
+        kind="compute",
+        arguments=("w", "m", "t"),
+        draw=lambda rng: tuple(rng.uniform(0.5, 2, 3)),
+        right=_picked_up,
+        mistakes={
+            "That is the false rate times the time. An error that is there already turns, as seen "
+            "from a body that turns.": lambda w, m, t: [m * w * t, 0, 0],
+            "That is the error as seen from the reference frame. What stands still there goes "
+            "round the other way as seen from the body.": (
+                lambda w, m, t: _picked_up(w, m, t) * [1, -1, 1]
+            ),
+            "This is the vector part of the quaternion, half of the rotation vector.": (
+                lambda w, m, t: _picked_up(w, m, t) / 2
+            ),
+            "The false rate is m times w, and the sum over the time divides by w again.": (
+                lambda w, m, t: w * _picked_up(w, m, t)
+            ),
+        },
+        remark="A circle of radius m through zero. A false rate across the turn never gets far.",
     ),
 }
