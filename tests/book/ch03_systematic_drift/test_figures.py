@@ -1,12 +1,19 @@
-"""The figures of chapter 03: the drift in time, by symmetry and over all axes."""
+"""The figures of chapter 03: the drift in time, by symmetry, over all axes, of closed motions."""
 
 import numpy as np
 import pytest
 from hypothesis import given
 
-from driftlab.book.ch03_systematic_drift.experiments import drift_history, drift_map
+from driftlab.book.ch03_systematic_drift.experiments import (
+    REPEATS,
+    closed_motions,
+    drift_history,
+    drift_map,
+)
 from driftlab.book.ch03_systematic_drift.figures import drift_history as drift_history_figure
 from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.scenarios import LARIN_TRIAD
+from driftlab.drift.closed_motion import exact_drift_per_motion
 from driftlab.drift.systematic_drift import drift_coefficient
 from published import published
 from support import directions, matrices
@@ -48,11 +55,36 @@ def test_drift_map_lies_between_its_principal_values(triad_error: np.ndarray) ->
     np.testing.assert_allclose(at_axes, data.principal, rtol=0, atol=1e-16)
 
 
+@published("03-closed-motions")
+def test_closed_motions_leave_the_same_each_time_and_the_swing_nothing(
+    figure: PublishedFigure,
+) -> None:
+    for name, motion in closed_motions().items():
+        history = figure.data[name]
+        back = history.angle[history.motions % 1 == 0]
+        exact = np.linalg.norm(exact_drift_per_motion(motion, LARIN_TRIAD))
+        # The samples of the cone miss its start by less than 1e-4 rad.
+        np.testing.assert_allclose(back, exact * np.arange(REPEATS + 1), rtol=1e-4, atol=1e-12)
+        # What first order lacks is of the size of the entries squared, some turns long.
+        assert abs(exact - history.first_order) < 4 * np.pi * np.abs(LARIN_TRIAD).max() ** 2
+        assert f"({name})" in figure.caption or name == "swing"
+    assert figure.data["swing"].first_order < 1e-14
+    # On the way the swing is wrong as well.
+    assert figure.data["swing"].angle.max() > 1e-4
+
+
+def test_closed_motions_are_as_fine_as_asked() -> None:
+    fine, coarse = closed_motions(720), closed_motions(6)
+    for name in ("whole turn", "tumble", "swing"):
+        np.testing.assert_allclose(fine[name].sum(axis=0), coarse[name].sum(axis=0), atol=1e-12)
+
+
 @pytest.mark.parametrize(
     ("call", "sentence"),
     [
         (lambda: drift_history(np.eye(3), [0, 0, 0]), "direction: expected nonzero"),
         (lambda: drift_history(np.eye(3), [1, 0, 0], 0), "samples_per_turn: expected a"),
+        (lambda: closed_motions(100), "increments: expected a multiple of six, got 100"),
         (lambda: drift_map(np.full((3, 3), np.nan)), "triad_error: expected finite"),
     ],
 )

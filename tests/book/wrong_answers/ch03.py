@@ -49,4 +49,10 @@ WRONG = {
         (lambda m: 2 * np.pi * np.linalg.norm((m + m.T) / 2, 2), "This is the largest size"),
         (3.0e-3, r"not yet\.\s*$"),
     ],
+    "3.6": [
+        ("abdf", r"\(b\) adds angles"),
+        ("acdf", r"\(c\) takes the pace"),
+        ("adef", r"\(e\) would be so"),
+        ("ad", "something else is too"),
+    ],
 }

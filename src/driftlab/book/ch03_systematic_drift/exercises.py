@@ -171,4 +171,17 @@ EXERCISES: dict[str, Exercise] = {
         },
         remark="One eigenvalue answers for all axes at once.",
     ),
+    "3.6": Choice(
+        kind="explain",
+        right="adf",
+        wrong={
+            "b": "adds angles about axes that move meanwhile. Carried into one frame, they need "
+            "not add up to zero.",
+            "c": "takes the pace into account, and there is none in the sum: twice the rate lasts "
+            "half as long.",
+            "e": "would be so if the rate, seen from the reference frame, added up to nothing. On "
+            "a cone it adds up to the solid angle.",
+        },
+        remark="Only the path counts, and a path that is taken back leaves nothing.",
+    ),
 }

@@ -6,7 +6,7 @@ from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.book.scenarios import LARIN_TRIAD, OBLIQUE_AXIS, SYMMETRIC
 
 from .. import experiments
-from . import drift_by_symmetry, drift_history, drift_map
+from . import closed_motions, drift_by_symmetry, drift_history, drift_map
 
 
 def _history_caption(data: experiments.DriftHistory) -> str:
@@ -15,6 +15,20 @@ def _history_caption(data: experiments.DriftHistory) -> str:
         "A symmetric triad, each gyro leaning by 2e-3 to the other two, turned "
         f"{experiments.TURNS} times. Along the axis the error grows by {drift:.1f} arcmin a "
         "turn; across it, the error comes back to nearly nothing each time."
+    )
+
+
+def _motions_caption(data: dict[str, experiments.MotionHistory]) -> str:
+    drifts = [
+        f"{60 * np.degrees(history.first_order):.1f} ({name})"
+        for name, history in data.items()
+        if history.first_order > 1e-9
+    ]
+    return (
+        f"The triad of Larin's experiment in {len(data)} motions, each made {experiments.REPEATS} "
+        "times. Left: the way of the third body axis, from the dot and back. Right: the error, "
+        "exact, with dots where the body is back; the straight lines are first order. A motion "
+        f"leaves, in arc minutes: {', '.join(drifts)}. The swing about one axis leaves nothing."
     )
 
 
@@ -46,5 +60,12 @@ FIGURES = (
             f"The extremes {1e3 * data.principal[0]:.3f} and {1e3 * data.principal[2]:.3f} "
             "(times 1e-3) lie, to first order, on the eigenvectors of the symmetric part (stars)."
         ),
+    ),
+    FigureDefinition(
+        "03-closed-motions",
+        lambda: experiments.motion_histories(LARIN_TRIAD),
+        closed_motions.draw,
+        closed_motions.columns,
+        _motions_caption,
     ),
 )

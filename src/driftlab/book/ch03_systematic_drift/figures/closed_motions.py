@@ -1,0 +1,65 @@
+"""What one bent triad leaves of motions that come back, each made several times."""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from driftlab.book.machinery.picture import (
+    BLACK,
+    GREY,
+    SERIES,
+    in_style,
+    plain_axes,
+    project,
+)
+from driftlab.checks import FloatArray
+
+from ..experiments import REPEATS, MotionHistory
+
+VIEW = (-15.0, 30.0)
+"""Azimuth and elevation from which none of the ways is seen edge on, degrees."""
+
+
+def columns(data: dict[str, MotionHistory]) -> dict[str, FloatArray]:
+    """Columns of the figure's CSV: every sixth place of each motion."""
+    motions = next(iter(data.values())).motions[::6]
+    angles = {f"{name.replace(' ', '_')}_rad": history.angle[::6] for name, history in data.items()}
+    return {"motions": motions, **angles}
+
+
+@in_style
+def draw(data: dict[str, MotionHistory]) -> Figure:
+    """Way of the third axis in each motion, and the error with its first order."""
+    figure = Figure(figsize=(10.0, 4.4))
+    grid = figure.add_gridspec(2, 3, width_ratios=[1, 1, 3])
+    figure.subplots_adjust(0.005, 0.12, 0.985, 0.92, wspace=0.12, hspace=0.15)
+    errors = figure.add_subplot(grid[:, 2])
+    errors.set(title="rotation from R to B", xlabel="motions", ylabel="angle, arc minutes")
+    errors.set(xlim=(0, REPEATS))
+    ends = np.array([0, REPEATS])
+    outline = np.linspace(0, 2 * np.pi, 100)
+    for place, style, (name, history) in zip(np.ndindex(2, 2), SERIES, data.items(), strict=False):
+        track = history.track[history.motions <= 1][::3]
+        sheet = figure.add_subplot(grid[place])
+        plain_axes(sheet, reach=1.15)
+        sheet.set_title(name)
+        sheet.plot(np.cos(outline), np.sin(outline), color=GREY, linewidth=0.8)
+        for tip in project(np.eye(3), *VIEW):
+            sheet.plot([0, tip[0]], [0, tip[1]], color=BLACK, linewidth=0.8)
+        sheet.plot(*project(track, *VIEW).T, color=style["color"], linewidth=2)
+        sheet.plot(*project(track[0], *VIEW), color=BLACK, marker="o", markersize=4)
+        errors.plot(history.motions, 60 * np.degrees(history.angle), **style, label=name)
+        errors.plot(ends, 60 * np.degrees(history.first_order) * ends, color=GREY, linewidth=0.9)
+        back = np.flatnonzero(history.motions % 1 == 0)
+        errors.plot(
+            history.motions[back],
+            60 * np.degrees(history.angle[back]),
+            color=BLACK,
+            linestyle="none",
+            marker="o",
+            markersize=4,
+            clip_on=False,
+        )
+    errors.plot([], [], color=GREY, linewidth=0.9, label="first order")
+    errors.set_ylim(bottom=0)
+    errors.legend(loc="upper left")
+    return figure
