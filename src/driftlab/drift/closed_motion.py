@@ -2,7 +2,7 @@
 
 To first order the attitude error, seen in the reference frame, grows with C M rate, C being the
 attitude and M the error of the triad. Over a closed motion the skew part of M leaves nothing: it
-adds up to C kappa at the end less C kappa at the beginning. A whole turn is the simplest case.
+adds up to C kappa at the beginning less C kappa at the end. A whole turn is the simplest case.
 
 A motion is given as angle increments, each of them a turn about a fixed axis. Only the path counts,
 not the pace, so no time occurs.
