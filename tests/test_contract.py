@@ -10,7 +10,18 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 
-from driftlab import body_frames, earth, frames, increments, quaternion, strapdown, triad, vectors
+from driftlab import (
+    axes,
+    body_frames,
+    conventions,
+    earth,
+    frames,
+    increments,
+    quaternion,
+    strapdown,
+    triad,
+    vectors,
+)
 from driftlab.attitude import cayley, drift_on_cones, finite_precision, integration, riccati
 from driftlab.calibration import (
     body_axes,
@@ -195,6 +206,21 @@ CASES = {
         "pitch": PITCH,
     },
     heading_error.speed_error: {"latitude": LATITUDE, "velocity": LEVEL},
+    fixed(axes.convert_vectors, from_axes="NED", to_axes="NUE"): {"vectors": RATE},
+    fixed(axes.convert_matrix, from_axes="FRD", to_axes="RFU"): {"matrix": BENT},
+    fixed(axes.convert_attitude, reference=("NED", "ENU"), body=("FRD", "FUR")): {"attitude": Q},
+    fixed(conventions.convert_attitude_error, source="larin", target="phi"): {
+        "error": RATE,
+        "true_attitude": Q,
+    },
+    conventions.position_angle: {
+        "latitude": LATITUDE,
+        "latitude_error": PITCH,
+        "longitude_error": TIME,
+    },
+    conventions.mirror_heading: {"heading": TIME},
+    conventions.scalar_first: {"quaternion": Q},
+    conventions.scalar_last: {"quaternion": Q},
     fixed(vehicle.smooth_step, begin=0.5, duration=3.0): {"times": TIME},
 }
 # Tested where they belong.
@@ -262,9 +288,12 @@ WITHOUT_AXES = (
     "times",
     "dial",
     "north_error",
+    "latitude_error",
+    "longitude_error",
 )
-# To have no history is not bad, and gravity is known where none is given.
-ALLOWED = [("history", "none"), ("gravity", "none")]
+# To have no history is not bad, gravity is known where none is given, and some errors need no
+# attitude.
+ALLOWED = [("history", "none"), ("gravity", "none"), ("true_attitude", "none")]
 
 every_function = pytest.mark.parametrize(
     ("function", "good"), CASES.items(), ids=[function.__name__ for function in CASES]

@@ -14,11 +14,12 @@ Conventions, fixed here once for the whole package:
 * A bias says its axes where there is a choice: ``gyro_bias_body``, ``gyro_bias_nue`` (North, Up,
   East).
 * Local axes are East, North, Up. In Part IV they are North, Up, East, as in its paper, with body
-  axes forward, up, right and headings from North to West; see `frames`.
+  axes forward, up, right and headings from North to West; see `frames`. `axes` converts from and
+  to other axes, `conventions` other signs and orders.
 * Bad input raises `ValueError` with one sentence: which argument, what was expected, what came.
 
-Ground floor: `checks`, `vectors`, `quaternion`, `earth`, `frames`, `triad`, `body_frames`, `imu`,
-`increments`, `strapdown`, `monte_carlo`. On it stand the subjects: `motion`, `drift`, `attitude`,
+Ground floor: `checks`, `vectors`, `quaternion`, `earth`, `axes`, `conventions`, `frames`, `triad`,
+`body_frames`, `imu`, `increments`, `strapdown`, `monte_carlo`. On it stand the subjects: `motion`, `drift`, `attitude`,
 `calibration`, `gyrocompass`. All of these need NumPy and SciPy only. `symbolic` (SymPy) and `book`
 (Matplotlib, ipywidgets) come with ``pip install driftlab[book]``. ``python -m driftlab`` lists what
 there is; nothing is loaded before it is asked for.

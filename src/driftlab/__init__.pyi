@@ -1,9 +1,11 @@
 from . import (
     attitude as attitude,
+    axes as axes,
     body_frames as body_frames,
     book as book,
     calibration as calibration,
     checks as checks,
+    conventions as conventions,
     drift as drift,
     earth as earth,
     frames as frames,
@@ -19,6 +21,7 @@ from . import (
     vectors as vectors,
 )
 from .attitude.integration import integrate as integrate
+from .axes import convert_attitude as convert_attitude, convert_vectors as convert_vectors
 from .calibration.filter import calibrate as calibrate
 from .calibration.simulation import TableTrial as TableTrial
 from .drift.systematic_drift import (

@@ -111,7 +111,9 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
 
     Notes
     -----
-    Plotnikov, trigonometric alignment. The heading is positive from North to West.
+    Plotnikov, trigonometric alignment. The heading is positive from North to West. Two directions
+    do not tell in which axes they are given: a log in forward, right, down must be converted first
+    by `driftlab.axes.convert_vectors`, or the roll comes out wrong by a quarter turn.
 
     Examples
     --------
