@@ -8,7 +8,7 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).parent
 GROUND_FLOOR = (
-    *("checks", "vectors", "quaternion", "earth", "frames"),
+    *("checks", "vectors", "quaternion", "earth", "axes", "conventions", "frames"),
     *("triad", "body_frames", "imu", "increments", "strapdown", "monte_carlo"),
 )
 SUBJECTS = ("motion", "drift", "attitude", "calibration", "gyrocompass", "symbolic", "book")

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from pages import CHAPTERS, FOLDER, LEDGER, NOTEBOOKS, PAGES, markdown, name_of
+from pages import CHAPTERS, FOLDER, LEDGER, NOTEBOOKS, PAGES, START, markdown, name_of
 
+ENDS = ["In your textbook", "Read on"]
 BONES = [
     "A puzzle",
     "What you will be able to do",
@@ -17,6 +18,7 @@ BONES = [
     "Reproduce",
     "Exercises",
     "Sources, and what was",
+    *ENDS,
 ]
 
 
@@ -61,6 +63,19 @@ def test_chapter_has_its_bones_in_order(path: Path) -> None:
     assert [
         next((bone for bone in BONES if heading.startswith(bone)), heading) for heading in headings
     ] == BONES
+
+
+@pytest.mark.parametrize("path", [START, *CHAPTERS], ids=name_of)
+def test_chapter_ends_in_books_and_the_way_on(path: Path) -> None:
+    """The last three cells: where a textbook has it, what to read, and the neighbours."""
+    textbook, read_on, neighbours = nbformat.read(path, as_version=4).cells[-3:]
+    number = path.name[:2]
+    assert textbook.id == f"{number}-in-your-textbook-1"
+    assert textbook.source.startswith("## In your textbook\n\n")
+    assert LEDGER.name in textbook.source  # where the letters and signs stand side by side
+    assert read_on.id == f"{number}-read-on-1"
+    assert neighbours.id == f"{number}-end-1"
+    assert "\n" not in neighbours.source
 
 
 def test_minutes_are_the_same_wherever_they_stand() -> None:

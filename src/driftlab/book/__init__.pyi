@@ -32,3 +32,7 @@ from .ledger import (
     summary_table as summary_table,
 )
 from .machinery.submissions import class_summary as class_summary
+from .references import (
+    all_references as all_references,
+    references_table as references_table,
+)

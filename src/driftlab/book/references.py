@@ -1,0 +1,73 @@
+"""What the book cites: each book, paper and standard once, with the chapters in which it stands.
+
+The entries are in ``references.toml``. The notebooks quote them letter for letter, under "Read on"
+and under "Sources"; chapter 12 lists all.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from .ledger import Table
+
+
+@dataclass(frozen=True, kw_only=True)
+class Reference:
+    """A book, a paper or a standard.
+
+    Attributes
+    ----------
+    key : str
+        Name of the entry.
+    authors : str
+        Initials and surnames, as far as they could be checked.
+    title : str
+        Empty if it could not be checked.
+    about : str
+        Of what it treats, where the title is missing.
+    where : str
+        Journal with its volume, or edition and publisher.
+    year : int
+        0 if it could not be checked.
+    doi : str
+        Empty if none was seen.
+    chapters : tuple of str
+        Numbers of the chapters that name it in full.
+    """
+
+    key: str
+    authors: str
+    title: str = ""
+    about: str = ""
+    where: str = ""
+    year: int = 0
+    doi: str = ""
+    chapters: tuple[str, ...]
+
+    def __str__(self) -> str:
+        """As it stands in the notebooks, in Markdown."""
+        title = f"*{self.title}*" if self.title else self.about
+        return ", ".join(filter(None, [self.authors, title, self.where, str(self.year or "")]))
+
+
+@cache
+def all_references() -> tuple[Reference, ...]:
+    """Return all entries, by author and year."""
+    text = Path(__file__).with_suffix(".toml").read_text(encoding="utf-8")
+    return tuple(
+        Reference(**entry | {"chapters": tuple(entry["chapters"])})
+        for entry in tomllib.loads(text)["reference"]
+    )
+
+
+def references_table() -> Table:
+    """Return all entries with their digital identifiers and the chapters that name them."""
+    rows = [(str(entry), _link(entry.doi), ", ".join(entry.chapters)) for entry in all_references()]
+    return Table([("", "DOI", "in chapter"), *rows])
+
+
+def _link(doi: str) -> str:
+    return f"[{doi}](https://doi.org/{doi})" if doi else ""

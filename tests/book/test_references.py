@@ -1,0 +1,66 @@
+"""Every reference stands once in the data, and in the chapters letter for letter."""
+
+import re
+from importlib import import_module
+
+import pytest
+from pages import FOLDER, markdown
+
+from driftlab.book.references import all_references, references_table
+
+ENTRIES = all_references()
+CHAPTERS = {path.name[:2]: path for path in sorted(FOLDER.glob("[0-9][0-9]_*.ipynb"))}
+TEXTS = {number: markdown(path) for number, path in CHAPTERS.items()}
+
+
+def test_entries_are_in_order_and_each_is_there_once():
+    keys = [entry.key for entry in ENTRIES]
+    assert keys == sorted(set(keys))
+    citations = [str(entry) for entry in ENTRIES]
+    assert len(set(citations)) == len(citations)
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.key)
+def test_entry_is_well_formed(entry):
+    assert bool(entry.title) != bool(entry.about)
+    assert entry.where or entry.doi  # where to find it
+    assert entry.year == 0 or 1850 < entry.year < 2030
+    if entry.year:
+        assert entry.key.endswith(str(entry.year)) or not re.search(r"\d{4}$", entry.key)
+    assert re.fullmatch(r"(10\.\d{4,9}/\S+)?", entry.doi)
+    assert not re.search(r"\s\s|\.$|\|", str(entry))
+
+
+@pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.key)
+def test_chapters_that_quote_an_entry_are_those_it_names(entry):
+    quoting = tuple(number for number, text in TEXTS.items() if str(entry) in text)
+    assert quoting == entry.chapters != ()
+
+
+@pytest.mark.parametrize("number", CHAPTERS)
+def test_every_line_to_read_on_is_an_entry_and_says_why(number):
+    section = TEXTS[number].split("## Read on\n\n")[1].split("\n\n")[0]
+    lines = section.split("\n")
+    assert 2 <= len(lines) <= 7
+    for line in lines:
+        found = [entry for entry in ENTRIES if line.startswith(f"- {entry}: ")]
+        assert len(found) == 1, line
+        assert re.fullmatch(r"\S.*[^.]\.", line.removeprefix(f"- {found[0]}: ")), line
+
+
+def test_table_has_every_entry_with_its_identifier():
+    _, *rows = references_table().rows
+    assert [row[0] for row in rows] == [str(entry) for entry in ENTRIES]
+    for entry, (_, link, chapters) in zip(ENTRIES, rows, strict=True):
+        assert link == (f"[{entry.doi}](https://doi.org/{entry.doi})" if entry.doi else "")
+        assert chapters == ", ".join(entry.chapters)
+
+
+def test_functions_named_beside_a_textbook_exist():
+    """Names in backticks that end the sections on textbooks, wherever they are offered."""
+    modules = ["axes", "conventions", "frames", "quaternion", "triad", "gyrocompass", "calibration"]
+    offered = set().union(*(dir(import_module(f"driftlab.{name}")) for name in modules))
+    for number, text in TEXTS.items():
+        section = text.split("## In your textbook")[-1].split("\n## ")[0]
+        for name in re.findall(r"`((?:convert|mirror|scalar|position|axes)_\w+)", section):
+            assert name in offered, (number, name)
