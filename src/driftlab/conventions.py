@@ -25,7 +25,7 @@ With C the true matrix, body to reference, and Ĉ the computed one:
 
 ``phi``: Ĉ = (I - [e×]) C, in reference axes. The book's φ in chapters 07 and 08, its δ in chapter
 10, and the phi-angle error model.
-``titterton-weston``: the same; the book of Titterton and Weston calls it Ψ.
+``titterton-weston``: the same; the tilt and azimuth errors of Titterton and Weston.
 ``groves``: Ĉ = (I + [e×]) C, in reference axes. The δψ of Groves; the book's ε in chapter 09.
 ``larin``: Ĉ = C (I + [e×]), in body axes; e is twice the vector part of λ_e, chapters 01 to 04.
 """

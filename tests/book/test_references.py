@@ -1,15 +1,17 @@
 """Every reference stands once in the data, and in the chapters letter for letter."""
 
 import re
-from importlib import import_module
 
 import pytest
 from pages import FOLDER, markdown
 
 from driftlab.book.references import all_references, references_table
+from support import ROOT
 
 ENTRIES = all_references()
 CHAPTERS = {path.name[:2]: path for path in sorted(FOLDER.glob("[0-9][0-9]_*.ipynb"))}
+OTHERS = {"M_g", "M_a"}  # of Groves's software
+SOURCE = ROOT / "src" / "driftlab"
 TEXTS = {number: markdown(path) for number, path in CHAPTERS.items()}
 
 
@@ -56,11 +58,27 @@ def test_table_has_every_entry_with_its_identifier():
         assert chapters == ", ".join(entry.chapters)
 
 
-def test_functions_named_beside_a_textbook_exist():
-    """Names in backticks that end the sections on textbooks, wherever they are offered."""
-    modules = ["axes", "conventions", "frames", "quaternion", "triad", "gyrocompass", "calibration"]
-    offered = set().union(*(dir(import_module(f"driftlab.{name}")) for name in modules))
-    for number, text in TEXTS.items():
-        section = text.split("## In your textbook")[-1].split("\n## ")[0]
-        for name in re.findall(r"`((?:convert|mirror|scalar|position|axes)_\w+)", section):
-            assert name in offered, (number, name)
+def test_names_beside_a_textbook_are_names_of_the_package():
+    """In the sections on textbooks, and in the columns of chapter 12 that speak of the code."""
+    sources = "\n".join(path.read_text(encoding="utf-8") for path in SOURCE.rglob("*.py"))
+    desk = TEXTS["12"].split("## With your textbook on the desk")[1].split("\n## ")[0]
+    signs, words = desk.split("### The field's words")
+    cells = [
+        *(column for row in table_rows(signs) for column in (row[1], row[-1])),
+        *(row[2] for row in table_rows(words)),
+        *(
+            text.split("## In your textbook")[1].split("\n## ")[0]
+            for number, text in TEXTS.items()
+            if number != "12"
+        ),
+    ]
+    names = set(re.findall(r"`-?(?:driftlab\.)?([A-Za-z]\w+)", "\n".join(cells))) - OTHERS
+    assert len(names) > 25
+    unknown = {name for name in names if not re.search(rf"\b{name}\b", sources)}
+    assert {n for n in unknown if not (SOURCE / f"{n}.py").exists()} == set()
+
+
+def table_rows(text):
+    """Rows of the tables in Markdown, without their headers."""
+    lines = [line.strip("|").split("|") for line in text.splitlines() if line.startswith("| ")]
+    return [[cell.strip() for cell in line] for line in lines[1:]]
