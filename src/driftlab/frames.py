@@ -2,7 +2,8 @@
 
 Heading is positive *about Up*, from North to West, as in the paper of Plotnikov and others; pitch
 lifts the bow; roll is about the forward axis. The attitude is their product in this order and maps
-body components to local ones. Most of the field counts headings the other way, from North to East.
+body components to local ones. Most of the field counts headings the other way, from North to East,
+and has other axes: `driftlab.axes` and `driftlab.conventions` convert.
 """
 
 from __future__ import annotations
