@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_array, finite_number, nonzero_vectors, whole_number
+from driftlab.core.quaternion import rotate
 from driftlab.earth import checked_latitude, earth_rate, gravity
 from driftlab.increments import Increments
 
@@ -188,7 +189,7 @@ class TableTurn:
             up = np.array([0.0, 0.0, float(gravity(self.latitude))])
             for total, fixed in ((turned, earth_rate(self.latitude)), (pushed, up)):
                 # What is fixed to the Earth goes round the axis backwards, seen from the body.
-                start = self._in_body(fixed, n)
+                start = self.seen_at_start(fixed, n)
                 along = np.einsum("...i,...i->...", n, start)[..., np.newaxis] * n
                 total += seconds * (
                     along[..., np.newaxis, :]
@@ -208,14 +209,37 @@ class TableTurn:
         sums = np.add.reduceat(pieces, np.searchsorted(edges, times[:-1]), axis=-1)
         return np.asarray(sums / np.diff(times))
 
-    def _in_body(self, fixed: FloatArray, n: FloatArray) -> FloatArray:
-        """Components (..., 3) of a vector of the local axes (3,) along the sides of the body."""
+    def seen_at_start(self, fixed: ArrayLike, axis: ArrayLike) -> FloatArray:
+        """Components in body axes, at the start, of a vector fixed to the Earth.
+
+        Parameters
+        ----------
+        fixed : array_like, shape (3,)
+            East, North, Up, in any unit.
+        axis : array_like, shape (..., 3)
+            Body axis that lies along the table's axis; only its direction counts.
+
+        Returns
+        -------
+        ndarray, shape (..., 3)
+            Body axes, in the same unit.
+
+        Examples
+        --------
+        The body's x axis points up, and its z axis where the shorter rotation has brought it:
+
+        >>> turn = TableTurn(rate=0.2)
+        >>> turn.seen_at_start([0, 0, 1], axis=[1, 0, 0]).round(9)
+        array([1., 0., 0.])
+        >>> turn.seen_at_start([1, 0, 0], axis=[1, 0, 0]).round(9)
+        array([ 0.,  0., -1.])
+        """
+        fixed = finite_array(fixed, "fixed", 3)
+        n, _ = nonzero_vectors(axis, "axis")
         a, _ = nonzero_vectors(self.table_axis, "table_axis")
-        swing = np.cross(a, n)
-        cosine = (n @ a)[..., np.newaxis]
-        twice = np.cross(swing, np.cross(swing, fixed))
-        near = fixed + np.cross(swing, fixed) + twice / np.maximum(1 + cosine, 1e-6)
-        # Upside down there is no shorter way: take half a turn about an axis across.
+        # From a to n by the shorter way; upside down, half a turn about any axis across.
+        to_body = np.concatenate([np.cross(a, n), 1 + (n @ a)[..., np.newaxis]], axis=-1)
         across = np.cross(a, np.eye(3)[np.argmin(np.abs(a))])
-        across /= np.linalg.norm(across)
-        return np.where(1 + cosine > 1e-6, near, 2 * (across @ fixed) * across - fixed)
+        opposite = np.abs(to_body).max(axis=-1, keepdims=True) < 1e-9
+        to_body = np.where(opposite, np.append(across, 0.0), to_body)
+        return rotate(to_body / np.linalg.norm(to_body, axis=-1, keepdims=True), fixed)

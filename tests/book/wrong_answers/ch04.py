@@ -46,4 +46,22 @@ WRONG = {
         (_least_squares_without_offset, "least squares without an offset"),
         (Y1, "takes the offset in full"),
     ],
+    "4.6": [
+        (-24.034, "^not yet. The sign"),
+        (35.77, "level part"),
+        (43.09, "whole rate of the Earth"),
+        (302.0, "divides it by the angle"),
+        (48.07, "the number of turns does not matter"),
+        (1.1652e-4, "in arc seconds; this is in radians"),
+    ],
+    "4.7": [
+        ([6, 0.25, 0.75], "Count all unknowns"),
+        ([12, 0.25, 0.75], "fewer do"),
+        ([10, 0.25, 0.75], "no tenth unknown"),
+        ([9, 0.5, 1.5], "one sense only"),
+        ([9, 0.25, 0.5], "without unknown scale factors"),
+        ([9, 0.25, 2 / 3], "one common scale factor"),
+        ([9, 0.5, 0.8660], "standard deviations"),
+        ([9, 0.75, 0.25], "exchanged"),
+    ],
 }

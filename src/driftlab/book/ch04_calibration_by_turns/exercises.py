@@ -4,12 +4,15 @@ from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.constants import arcsecond, degree
 
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
 from driftlab.book.scenarios import LARIN_TRIAD, SYMMETRIC
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.weighing_designs import YATES_AXES, fit_turns
+from driftlab.drift.turn_calibration import earth_offset
+from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns
+from driftlab.earth import EARTH_RATE
 
 from .experiments import AS_COPIED, AS_DERIVED, estimate_errors, method_bias, yates_sigma
 
@@ -17,6 +20,31 @@ EQUAL = 1e-3 * SYMMETRIC
 STEPS = np.arange(20, 101)
 DIAGONALS = np.array([[1.0, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
 EDGES = np.array([[1.0, 1, 0], [1, -1, 0], [1, 0, 1], [1, 0, -1], [0, 1, 1], [0, 1, -1]])
+
+SOUTHERN, CLOCKWISE, WHOLE_TURNS = -33.9 * degree, -20 * degree, 2
+"""Latitude, table rate and turns of exercise 4.6."""
+BODY_AND_PAIRS = np.vstack([PAIR_AXES, np.eye(3)])
+
+
+def _seconds_of_arc(offset: ArrayLike) -> float:
+    return float(offset) / arcsecond  # type: ignore[arg-type]
+
+
+def _twelve_turns(*, scale: str = "each", senses: int = 2) -> list[float]:
+    """Mean variance of the sigmas by both plans of exercise 4.7."""
+    variances = []
+    for axes in (EDGES, BODY_AND_PAIRS):
+        rates = np.repeat([1.0, -1.0][:senses], len(axes))
+        turns = np.tile(axes, (senses, 1))
+        fit = fit_turns(
+            np.zeros(len(turns)), turns, scale, table_rates=rates, gyro_bias=senses == 2
+        )
+        variances.append(float(np.diag(fit.covariance)[:3].mean()))
+    return variances
+
+
+def _nine(*variances: float, turns: int = 9) -> FloatArray:
+    return np.array([turns, *variances])
 
 
 def _weighing_error(factor: float, *, weight: float = 1.0) -> float:
@@ -183,5 +211,62 @@ EXERCISES: dict[str, Exercise] = {
         },
         remark="Nothing of the offset is left. The price is noise: the squares of the four factors "
         "add up to two.",
+    ),
+    "4.6": Value(
+        kind="predict",
+        unit="arc seconds",
+        right=lambda: _seconds_of_arc(earth_offset(SOUTHERN, CLOCKWISE)),
+        accuracy=0.01,
+        mistakes={
+            "The sign. In the South the Earth turns clockwise, seen from above, and so does the "
+            "table: the Earth adds to the turn.": (
+                lambda: -_seconds_of_arc(earth_offset(SOUTHERN, CLOCKWISE))
+            ),
+            "That is with the level part of the Earth's rate, the cosine of the latitude. It goes "
+            "round and sums to zero; the part along the table's axis counts.": (
+                lambda: _seconds_of_arc(EARTH_RATE * np.cos(SOUTHERN) / abs(CLOCKWISE))
+            ),
+            "That is the whole rate of the Earth. Only its part along the table's axis adds up.": (
+                lambda: _seconds_of_arc(EARTH_RATE / abs(CLOCKWISE))
+            ),
+            "That is the angle by which the Earth turns about the table's axis meanwhile. (3.3) "
+            "divides it by the angle of the turns.": (
+                lambda: _seconds_of_arc(2 * np.pi * WHOLE_TURNS * earth_offset(SOUTHERN, CLOCKWISE))
+            ),
+            "Two turns take twice the time, and (3.3) divides by twice the number: the number of "
+            "turns does not matter.": (
+                lambda: WHOLE_TURNS * _seconds_of_arc(earth_offset(SOUTHERN, CLOCKWISE))
+            ),
+        },
+        remark="The same for every axis in the body, and reversed for the other sense.",
+    ),
+    "4.7": Value(
+        kind="compute",
+        right=lambda: _nine(*_twelve_turns()),
+        absolute=5e-3,
+        mistakes={
+            "Six axes are needed for sigmas and scale factors, but in one sense each they say "
+            "nothing of the biases apart. Count all unknowns.": (
+                lambda: _nine(*_twelve_turns(), turns=6)
+            ),
+            "Twelve turns do determine the nine, but fewer do: three axes turned both ways tell "
+            "the biases.": lambda: _nine(*_twelve_turns(), turns=12),
+            "The Earth's rate is known here, so it is no tenth unknown.": (
+                lambda: _nine(*_twelve_turns(), turns=10)
+            ),
+            "These variances belong to one sense only. Each axis is turned twice.": (
+                lambda: _nine(*_twelve_turns(senses=1))
+            ),
+            'These variances are without unknown scale factors: `scale="each"` is asked.': (
+                lambda: _nine(*_twelve_turns(scale="none"))
+            ),
+            "That is for one common scale factor; each gyro has its own here.": (
+                lambda: _nine(*_twelve_turns(scale="common"))
+            ),
+            "These are standard deviations.": lambda: _nine(*np.sqrt(_twelve_turns())),
+            "The two plans are exchanged.": lambda: _nine(*_twelve_turns()[::-1]),
+        },
+        remark="About the edges the scale factors drop out of the difference of two estimates. "
+        "About the body axes they have to be taken off, with the noise of two more turns.",
     ),
 }

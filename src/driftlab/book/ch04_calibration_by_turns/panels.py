@@ -12,15 +12,19 @@ from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.checks import FloatArray
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment
+from driftlab.motion.table_turn import TableTurn
 
-from .experiments import PLANS, TurnEstimates, triad_error, turn_estimates
+from .experiments import PLANS, SENSES, TurnEstimates, triad_error, turn_estimates
 from .figures.turn_estimates import TurnEstimatesPicture
 
 ARC_SECOND = float(np.radians(1 / 3600))
+DEGREE_PER_HOUR = float(np.radians(1 / 3600))
+PERFECT = {"sigma2": 0.0, "sigma3": 0.0}
+ON_EARTH = {"formula": "exact", "earth": "turning"}
 
 
 class TurnCalibrationExplorer(Explorer):
-    """Calibration by whole turns: axes, turns, steps, integrator and noise."""
+    """Calibration by whole turns: axes, turns, steps, integrator, noise, Earth and bias."""
 
     title = "Calibration by turns: estimated against true non-orthogonality"
     picture_class = TurnEstimatesPicture
@@ -40,6 +44,11 @@ class TurnCalibrationExplorer(Explorer):
             "formula", "step formula", "taylor-4", choices=tuple(STEP_FORMULAS), group="experiment"
         ),
         Control("noise", "noise, arcsec a turn", 0.0, 0.0, 20.0, 0.5, group="experiment"),
+        Control("earth", "Earth", "none", choices=("none", "turning"), group="table"),
+        Control("latitude", "latitude, °", 37.5, -85.0, 85.0, 0.5, group="table"),
+        Control("rate", "table rate, deg/s", 10.0, 5.0, 100.0, 1.0, group="table"),
+        Control("senses", "senses", "one", choices=tuple(SENSES), group="table"),
+        Control("bias", "bias of each gyro, °/h", 0.0, -1.0, 1.0, 0.05, group="table"),
     )  # fmt: skip
     presets: ClassVar = {
         "Larin's triad, axes as in (2.4)": {"skew": 1.0, "formula": "pade"},
@@ -48,6 +57,12 @@ class TurnCalibrationExplorer(Explorer):
         "Scale error, three axes": {"scale": 0.2},
         "Scale error, solved for": {
             "scale": 0.2, "plan": "four axes, least squares and common scale"
+        },
+        "On the Earth, a perfect triad": {**PERFECT, **ON_EARTH},
+        "On the Earth, Larin's triad": {"skew": 1.0, **ON_EARTH},
+        "On the Earth, both senses": {"skew": 1.0, **ON_EARTH, "senses": "both"},
+        "On the Earth, common offset": {
+            "skew": 1.0, **ON_EARTH, "plan": "four axes, least squares and common scale"
         },
     }  # fmt: skip
 
@@ -62,8 +77,24 @@ class TurnCalibrationExplorer(Explorer):
             values["turns"], values["steps"], values["formula"], ARC_SECOND * values["noise"]
         )
 
+    @staticmethod
+    def _table(values: Values) -> TableTurn | None:
+        """The real table, if there is anything that a turn in inertial space does not show."""
+        earth = values["earth"] == "turning"
+        if not (earth or values["bias"]):
+            return None
+        latitude = float(np.radians(values["latitude"])) if earth else None
+        return TableTurn(float(np.radians(values["rate"])), values["turns"], latitude)
+
     def compute(self, values: Values) -> TurnEstimates:
-        return turn_estimates(self._triad_error(values), values["plan"], self._experiment(values))
+        return turn_estimates(
+            self._triad_error(values),
+            values["plan"],
+            self._experiment(values),
+            table=self._table(values),
+            senses=values["senses"],
+            gyro_bias=values["bias"] * DEGREE_PER_HOUR,
+        )
 
     def numbers(self, data: TurnEstimates) -> list[tuple[str, str]]:
         runs = f", mean of {len(data.runs)}" if self.values["noise"] else ""
@@ -74,14 +105,22 @@ class TurnCalibrationExplorer(Explorer):
         ]
 
     def call(self, values: Values) -> str:
-        experiment = self._experiment(values)
+        experiment, table = self._experiment(values), self._table(values)
+        given = ["triad_error", repr(values["plan"]), "experiment"]
+        if table is not None:
+            bias = values["bias"] * DEGREE_PER_HOUR
+            given += ["table=table", f"gyro_bias={bias!r}"] if bias else ["table=table"]
+        if values["senses"] != "one":
+            given.append(f"senses={values['senses']!r}")
         return (
             "import numpy as np\n"
             "from driftlab.book.ch04_calibration_by_turns.experiments import turn_estimates\n"
             "from driftlab.drift import TurnExperiment\n"
-            f"triad_error = {matrix_code(self._triad_error(values))}\n"
+            + ("from driftlab.motion import TableTurn\n" if table else "")
+            + f"triad_error = {matrix_code(self._triad_error(values))}\n"
             f"experiment = {experiment}\n"
-            f"turn_estimates(triad_error, {values['plan']!r}, experiment).runs"
+            + (f"table = {table}\n" if table else "")
+            + f"turn_estimates({', '.join(given)}).runs"
         )
 
 

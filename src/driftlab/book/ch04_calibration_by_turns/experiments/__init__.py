@@ -4,6 +4,7 @@ from .calibrations import (
     AS_COPIED as AS_COPIED,
     AS_DERIVED as AS_DERIVED,
     PLANS as PLANS,
+    SENSES as SENSES,
     Plan as Plan,
     TurnEstimates as TurnEstimates,
     triad_error as triad_error,
@@ -22,6 +23,17 @@ from .free_numbers import (
     factor_bounds as factor_bounds,
     free_numbers as free_numbers,
     step_error as step_error,
+)
+from .real_table import (
+    SIGMA_ON_TABLE as SIGMA_ON_TABLE,
+    WAYS as WAYS,
+    Budget as Budget,
+    RealTable as RealTable,
+    RealTableErrors as RealTableErrors,
+    budget as budget,
+    real_table as real_table,
+    sigmas_by_way as sigmas_by_way,
+    simulated_turns as simulated_turns,
 )
 from .turns import (
     ANGLE_NOISE as ANGLE_NOISE,

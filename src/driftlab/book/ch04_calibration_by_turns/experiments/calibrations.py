@@ -1,5 +1,6 @@
 """Calibrations by turns about several axes: estimated against true non-orthogonality."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -7,8 +8,12 @@ from numpy.typing import ArrayLike
 
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray, finite_array
-from driftlab.drift.turn_calibration import TurnExperiment
+from driftlab.drift.step_formulas import integrate_steps
+from driftlab.drift.turn_calibration import TurnExperiment, turn_estimate
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing
+from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise
+from driftlab.increments import Increments, measure
+from driftlab.motion.table_turn import TableTurn
 from driftlab.triad import non_orthogonality
 
 from ..experiment_numbers import SUM_FACTORS
@@ -16,6 +21,8 @@ from .turns import SEED
 
 AS_COPIED, AS_DERIVED = SUM_FACTORS["1, n4 as in the copy"], SUM_FACTORS["3/2, as derived"]
 """What multiplies the fourth turn estimate to give the sum of the sigmas."""
+SENSES = {"one": (1.0,), "both": (1.0, -1.0)}
+"""Factors of the table's rate by what the panel calls them."""
 REPEATS = 12
 """Runs of a calibration with noise."""
 
@@ -65,6 +72,10 @@ def turn_estimates(
     plan: str = "three pair axes, (3.4)",
     experiment: TurnExperiment | None = None,
     seed: int = SEED,
+    *,
+    table: TableTurn | None = None,
+    senses: str = "one",
+    gyro_bias: float = 0.0,
 ) -> TurnEstimates:
     """Calibrate one triad `REPEATS` times (once, if there is no noise).
 
@@ -76,18 +87,56 @@ def turn_estimates(
     experiment : TurnExperiment, optional
     seed : int
         Of the noise.
+    table : TableTurn, optional
+        How a table makes the turns; without one they are Larin's, in inertial space.
+    senses : {"one", "both"}
+        Whether to turn as the table says only, or also the other way, and take the mean.
+    gyro_bias : float
+        Of each gyro, rad/s. It needs a table, for a turn without a time has no rate.
     """
     triad_error = finite_array(triad_error, "triad_error", 3, 3)
     if plan not in PLANS:
         raise ValueError(f"plan: expected one of {', '.join(PLANS)}, got {plan!r}.")
+    if senses not in SENSES:
+        raise ValueError(f"senses: expected one of {', '.join(SENSES)}, got {senses!r}.")
     experiment = experiment or TurnExperiment()
     axes, method = PLANS[plan]
     repeats = REPEATS if experiment.angle_noise else 1
     repeated = np.broadcast_to(axes, (repeats, *axes.shape))
-    estimates = experiment.estimate(repeated, triad_error, np.random.default_rng(seed))
+    rng = np.random.default_rng(seed)
+    if table is None:
+        turned = [experiment.estimate(repeated, triad_error, rng) for _ in SENSES[senses]]
+    else:
+        unit = NO_ERRORS._replace(gyro_error=triad_error, gyro_bias=np.full(3, gyro_bias))
+        turned = [
+            _on_table(replace(table, rate=sense * table.rate), experiment, repeated, unit, rng)
+            for sense in SENSES[senses]
+        ]
+    estimates = np.mean(turned, axis=0)
     runs = yates_sigma(estimates) if method == "yates" else fit_turns(estimates, axes, method).sigma
     sigma = non_orthogonality(triad_error)[..., [0, 0, 1], [1, 2, 2]]
     return TurnEstimates(sigma, np.broadcast_to(runs, (REPEATS, 3)), axes)
+
+
+def _on_table(
+    table: TableTurn,
+    experiment: TurnExperiment,
+    axes: FloatArray,
+    unit: ImuErrors,
+    rng: np.random.Generator,
+) -> FloatArray:
+    """Turn estimates (..., m) about axes (..., m, 3), integrated as in Larin's experiment."""
+    true = table.increments(axes[0], experiment.steps_per_turn * table.turns)
+    repeated = Increments(
+        true.interval,
+        np.broadcast_to(true.angle, (len(axes), *true.angle.shape)),
+        true.velocity,
+    )
+    a_turn = table.duration / table.turns
+    noise = ImuNoise(experiment.angle_noise / float(np.sqrt(a_turn)), velocity_random_walk=0.0)
+    rows = measure(repeated, unit, noise, rng).angle
+    error = integrate_steps(rows, experiment.step_formula)
+    return turn_estimate(error, np.sign(table.rate) * axes, table.turns)
 
 
 def yates_sigma(estimates: ArrayLike, sum_factor: float = AS_DERIVED) -> FloatArray:

@@ -26,7 +26,7 @@ class TurnEstimatesPicture(Picture[TurnEstimates]):
         values, errors = self.figure.subplots(1, 2, gridspec_kw={"width_ratios": [1, 1.1]})
         self.figure.subplots_adjust(0.08, 0.14, 0.985, 0.9, wspace=0.28)
         names = [r"$\sigma_1$", r"$\sigma_2$", r"$\sigma_3$"]
-        values.set(title="true and estimated", ylabel=r"$10^{-3}$ rad", ylim=(-3, 3))
+        values.set(title="true and estimated", ylabel=r"$10^{-3}$ rad", ylim=(-4.5, 4.5))
         errors.set(title="size of the error", ylabel="rad", yscale="log", ylim=(1e-9, 1))
         for axes in (values, errors):
             axes.set(xlim=(0.4, 3.6), xticks=[1, 2, 3])

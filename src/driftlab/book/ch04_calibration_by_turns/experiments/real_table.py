@@ -1,0 +1,248 @@
+"""Turns of a real table on the Earth: what each error of theirs does to the sigmas."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from scipy.constants import arcminute, arcsecond, degree, hour, micro
+
+from driftlab.calibration.recorded_turns import recorded_turn_estimate
+from driftlab.checks import FloatArray
+from driftlab.drift.systematic_drift import drift_coefficient
+from driftlab.drift.turn_calibration import earth_offset, exact_turn_estimate
+from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns
+from driftlab.earth import earth_rate
+from driftlab.imu import NO_ERRORS, ImuNoise
+from driftlab.increments import measure
+from driftlab.motion.table_turn import TableTurn
+
+from .calibrations import SENSES, triad_error
+from .turns import SEED
+
+SIGMA_ON_TABLE: FloatArray = np.array([-30.0, 20.0, 30.0]) * arcsecond
+"""True sigmas, rad; chapter 11 has the same triad."""
+BOTH = SENSES["both"]
+"""Counter-clockwise, then clockwise, about each of Yates's four axes."""
+WAYS = (
+    "one sense",
+    "both senses",
+    "one sense, common offset",
+    "both senses, common offset",
+)
+"""Three axes, or four if an offset is solved for."""
+SAMPLES = 72
+"""Increments of a turn; `rotation-vector-2` needs no more."""
+
+
+@dataclass(frozen=True)
+class RealTable:
+    """Where and how the turns are made, and how large the errors are: one standard deviation each.
+
+    Attributes
+    ----------
+    rate : float
+        Of the table, rad/s; a turn about each axis.
+    latitude : float
+        rad.
+    gyro_bias : float
+        Of each gyro, rad/s.
+    common_scale, gyro_scale : float
+        Scale-factor error of all gyros, and of each one besides.
+    overshoot, stopping : float
+        Angle by which the table goes too far in every turn, and at random in each, rad.
+    mounting, tilt : float
+        Of the body's axis on the table, each time it is mounted, and of the table's axis, rad.
+    angle_random_walk : float
+        rad/sqrt(s).
+    """
+
+    rate: float = 10 * degree
+    latitude: float = 37.5 * degree
+    gyro_bias: float = 0.3 * degree / hour
+    common_scale: float = 30 * micro
+    gyro_scale: float = 5 * micro
+    overshoot: float = 5 * arcsecond
+    stopping: float = 1 * arcsecond
+    mounting: float = 1 * arcminute
+    tilt: float = 1 * arcminute
+    angle_random_walk: float = 0.005 * degree / float(np.sqrt(hour))
+
+    @property
+    def triad(self) -> FloatArray:
+        """Triad error (3, 3) without scale factors."""
+        return triad_error(SIGMA_ON_TABLE)
+
+
+class Budget(NamedTuple):
+    """Root mean square error of the three sigmas to first order, by source and way.
+
+    Attributes
+    ----------
+    sizes : dict of str to str
+        The sources, and how large each is assumed to be.
+    effects : ndarray, shape (source, way)
+        rad.
+    total : ndarray, shape (way,)
+        In quadrature, rad.
+    """
+
+    sizes: dict[str, str]
+    effects: FloatArray
+    total: FloatArray
+
+
+class RealTableErrors(NamedTuple):
+    """Budget against simulation.
+
+    Attributes
+    ----------
+    rates : ndarray, shape (m,)
+        Table rates, rad/s.
+    expected : ndarray, shape (m, way)
+        Total of the budget, rad.
+    simulated_rates : ndarray, shape (r,)
+        rad/s.
+    simulated, half_width : ndarray, shape (r, way)
+        Root mean square error over the runs, and half of its 95 % interval, rad.
+    budget : Budget
+        At the default rate.
+    runs : int
+    """
+
+    rates: FloatArray
+    expected: FloatArray
+    simulated_rates: FloatArray
+    simulated: FloatArray
+    half_width: FloatArray
+    budget: Budget
+    runs: int
+
+
+def sigmas_by_way(estimates: FloatArray) -> FloatArray:
+    """Sigmas (way, ..., 3) from estimates (..., 2, 4): both senses, Yates's four axes."""
+    ways = (estimates[..., 0, :], estimates.mean(axis=-2))
+    plain = [fit_turns(turns[..., :3], PAIR_AXES).sigma for turns in ways]
+    with_offset = [fit_turns(turns, YATES_AXES, "common").sigma for turns in ways]
+    return np.stack([*plain, *with_offset])
+
+
+def budget(table: RealTable | None = None) -> Budget:
+    """Budget of the errors, each source by its first order, which for two is that of a product."""
+    table = table or RealTable()
+    rates = np.broadcast_to((table.rate * np.array(BOTH))[:, np.newaxis], (2, 4))
+    one, none = np.ones((2, 4)), np.zeros((2, 4))
+    each_turn = np.eye(8).reshape(8, 2, 4)
+    level = earth_rate(table.latitude) * [0, 1, 0]
+    mounted = []
+    for index, n in enumerate(YATES_AXES):
+        for e in _across(n):
+            one_mounting = none.copy()
+            one_mounting[:, index] = 2 * e @ table.triad @ n
+            one_mounting[:, index] -= e @ TableTurn(1.0).seen_at_start(level, n) / rates[:, index]
+            mounted.append(one_mounting)
+    walk = table.angle_random_walk * np.sqrt(2 * np.pi / table.rate) / (2 * np.pi)
+    of_the_method = exact_turn_estimate(YATES_AXES, table.triad)
+    of_the_method = of_the_method - drift_coefficient(YATES_AXES, table.triad)
+    patterns = {
+        "Earth's rate": ([earth_offset(table.latitude, rates)], f"{table.latitude / degree:g}°"),
+        "scale factor, all gyros": (
+            [table.common_scale * one], f"{table.common_scale / micro:g} ppm"
+        ),
+        "scale factor, each gyro": (
+            table.gyro_scale * YATES_AXES.T[:, np.newaxis] ** 2 * one,
+            f"{table.gyro_scale / micro:g} ppm",
+        ),
+        "gyro bias": (
+            table.gyro_bias * YATES_AXES.T[:, np.newaxis] / rates,
+            f"{table.gyro_bias / degree * hour:g} °/h",
+        ),
+        "table overshoots": (
+            [table.overshoot / (2 * np.pi) * one], f"{table.overshoot / arcsecond:g}″"
+        ),
+        "table stops at random": (
+            table.stopping / (2 * np.pi) * each_turn, f"{table.stopping / arcsecond:g}″"
+        ),
+        "gyro noise": (
+            walk * each_turn, f"{60 * np.degrees(table.angle_random_walk):g} °/√h"
+        ),
+        "axis of the body": (
+            table.mounting * np.array(mounted), f"{table.mounting / arcminute:g}′"
+        ),
+        "axis of the table": (
+            [table.tilt * level[1] / rates], f"{table.tilt / arcminute:g}′"
+        ),
+        "bias of the method": ([of_the_method * one], "second order"),
+    }  # fmt: skip
+    effects = []
+    for pattern, _ in patterns.values():
+        responses = sigmas_by_way(np.asarray(pattern))
+        effects.append(np.sqrt((responses**2).sum(axis=(1, 2)) / 3))
+    table_of_effects = np.array(effects)
+    return Budget(
+        {name: size for name, (_, size) in patterns.items()},
+        table_of_effects,
+        np.sqrt((table_of_effects**2).sum(axis=0)),
+    )
+
+
+def simulated_turns(table: RealTable, runs: int, rng: np.random.Generator) -> FloatArray:
+    """Estimates (runs, 2, 4) of turns in both senses about Yates's axes, all errors at once."""
+    noise = ImuNoise(table.angle_random_walk, velocity_random_walk=0.0)
+    sides = np.array([_across(n) for n in YATES_AXES])
+    found = np.empty((runs, 2, 4))
+    for run in found:
+        tilt = table.tilt * rng.standard_normal(2)
+        overshoot = table.overshoot * rng.standard_normal()
+        scales = table.gyro_scale * rng.standard_normal(3)
+        scales += table.common_scale * rng.standard_normal()
+        unit = NO_ERRORS._replace(
+            gyro_error=table.triad + np.diag(scales),
+            gyro_bias=table.gyro_bias * rng.standard_normal(3),
+        )
+        wobble = table.mounting * rng.standard_normal((4, 1, 2)) @ sides
+        axes = YATES_AXES + wobble[:, 0]
+        for sense, row in zip(BOTH, run, strict=True):
+            turn = TableTurn(
+                sense * table.rate,
+                latitude=table.latitude,
+                table_axis=(tilt[0], tilt[1], 1.0),
+                angle_error=overshoot,
+            )
+            true = turn.increments(axes, SAMPLES)
+            # Where each of the four turns stops, the last interval takes up.
+            stops = sense * table.stopping * rng.standard_normal((4, 1))
+            true.angle[:, -1] += stops * axes
+            record = measure(true, unit, noise, rng)
+            row[:] = recorded_turn_estimate(record.angle, YATES_AXES, 1, "rotation-vector-2")
+    return found
+
+
+def real_table(runs: int = 200, seed: int = SEED) -> RealTableErrors:
+    """Budget over the table's rate, and simulations of the whole at three rates.
+
+    Parameters
+    ----------
+    runs : int
+        Calibrations simulated at each rate.
+    seed : int
+        Of all errors and the noise.
+    """
+    rng = np.random.default_rng(seed)
+    rates = np.array([1, 1.5, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100]) * degree
+    simulated_rates = rates[[2, 6, 10]]
+    simulated, half_width = np.empty((2, len(simulated_rates), len(WAYS)))
+    for row, rate in enumerate(simulated_rates):
+        estimates = simulated_turns(RealTable(rate), runs, rng)
+        squares = ((sigmas_by_way(estimates) - SIGMA_ON_TABLE) ** 2).mean(axis=-1)
+        simulated[row] = np.sqrt(squares.mean(axis=-1))
+        # The mean of the squares is near normal; its root divides by twice the root.
+        half_width[row] = 1.96 * squares.std(axis=-1) / np.sqrt(runs) / (2 * simulated[row])
+    expected = np.array([budget(RealTable(rate)).total for rate in rates])
+    return RealTableErrors(rates, expected, simulated_rates, simulated, half_width, budget(), runs)
+
+
+def _across(n: FloatArray) -> FloatArray:
+    """Two unit vectors (2, 3) at right angles to a unit vector (3,) and to each other."""
+    first = np.cross(n, np.eye(3)[np.argmin(np.abs(n))])
+    first /= np.linalg.norm(first)
+    return np.array([first, np.cross(n, first)])

@@ -1,0 +1,159 @@
+"""The figure and the panel of a real table: its budget by hand, its simulation, its presets."""
+
+import numpy as np
+import pytest
+from scipy.constants import arcsecond, degree, hour
+
+from driftlab.book import TurnCalibrationExplorer
+from driftlab.book.ch04_calibration_by_turns.experiments import (
+    PLANS,
+    SIGMA_ON_TABLE,
+    WAYS,
+    RealTable,
+    budget,
+    sigmas_by_way,
+    simulated_turns,
+    turn_estimates,
+)
+from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.scenarios import LARIN_TRIAD
+from driftlab.drift.systematic_drift import drift_coefficient
+from driftlab.drift.turn_calibration import earth_offset
+from driftlab.drift.weighing_designs import YATES_AXES
+from driftlab.earth import EARTH_RATE
+from driftlab.motion.table_turn import TableTurn
+from published import published
+
+ONE, BOTH, OFFSET, BOTH_AND_OFFSET = WAYS
+ERRORS = set(RealTable.__dataclass_fields__) - {"rate", "latitude"}
+QUIET = dict.fromkeys(ERRORS, 0.0)
+
+
+def by_source(table: RealTable) -> dict[str, dict[str, float]]:
+    found = budget(table)
+    rows = (dict(zip(WAYS, row, strict=True)) for row in found.effects / arcsecond)
+    return dict(zip(found.sizes, rows, strict=True))
+
+
+def test_budget_by_hand() -> None:
+    """Ten degrees a second, 37.5 degrees: each source that has a formula of one line."""
+    table, rows = RealTable(), by_source(RealTable())
+    assert rows["Earth's rate"][ONE] == pytest.approx(52.46, abs=0.01)
+    assert rows["scale factor, all gyros"][BOTH] == pytest.approx(30e-6 / arcsecond, rel=1e-9)
+    # Each pair axis has the mean of two scale factors, or of two biases times the root of two.
+    each = 5e-6 / np.sqrt(2) / arcsecond
+    assert rows["scale factor, each gyro"][ONE] == pytest.approx(each, rel=1e-9)
+    bias = 0.3 * degree / hour / (10 * degree) / arcsecond
+    assert rows["gyro bias"][ONE] == pytest.approx(bias, rel=1e-9)
+    assert rows["table overshoots"][ONE] == pytest.approx(5 / (2 * np.pi), rel=1e-9)
+    # Variance 1, a half by two senses, 2 by the offset (exercise 4.5), 1 by both.
+    walk = table.angle_random_walk * 6 / (2 * np.pi) / arcsecond
+    noise = [rows["gyro noise"][way] for way in WAYS]
+    np.testing.assert_allclose(noise, walk * np.sqrt([1, 0.5, 2, 1]), rtol=1e-9)
+    tilted = 60 * EARTH_RATE * np.cos(37.5 * degree) / (10 * degree)
+    assert rows["axis of the table"][ONE] == pytest.approx(tilted, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("source", "left"),
+    [
+        ("Earth's rate", {ONE}),
+        ("axis of the table", {ONE}),
+        ("scale factor, all gyros", {ONE, BOTH}),
+        ("table overshoots", {ONE, BOTH}),
+        ("gyro bias", {ONE, OFFSET}),
+        ("scale factor, each gyro", set(WAYS)),
+        ("table stops at random", set(WAYS)),
+    ],
+)
+def test_what_each_way_cures(source: str, left: set[str]) -> None:
+    effects = by_source(RealTable())[source]
+    assert {way for way, effect in effects.items() if effect > 1e-9} == left
+
+
+@pytest.mark.parametrize("rate", [1.0, 5.0, 30.0])
+def test_second_order_of_the_estimate_on_a_table(rate: float) -> None:
+    """Half the square of what stands across, and the products with the Earth, as derived."""
+    table = RealTable(rate * degree, **QUIET)
+    (found,) = simulated_turns(table, 1, np.random.default_rng(0))
+    for sense, row in zip((1, -1), found, strict=True):
+        w = sense * table.rate
+        for n, estimate in zip(YATES_AXES, row, strict=True):
+            turning = EARTH_RATE * np.array([0, np.cos(table.latitude), np.sin(table.latitude)])
+            seen = TableTurn(w).seen_at_start(turning, n) / w
+            bent = table.triad @ n
+            along, across = n @ bent, bent - (n @ bent) * n
+            first = along + n @ seen
+            second = across @ across / 2 + along * (n @ seen) - across @ seen
+            # Third order: cubes of at most 5e-3, with the factor of the tangent, pi squared.
+            size = np.linalg.norm(seen) + np.linalg.norm(bent)
+            assert abs(estimate - first - second) < 4 * size**3 + 2e-12
+            if rate == 30.0:
+                assert abs(second) > 50 * (4 * size**3)
+
+
+def test_simulated_turns_without_errors_show_sigma_and_earth() -> None:
+    table = RealTable(**QUIET)
+    (found,) = simulated_turns(table, 1, np.random.default_rng(0))
+    offsets = earth_offset(table.latitude, table.rate * np.array([[1], [-1]]))
+    expected = drift_coefficient(YATES_AXES, table.triad) + offsets
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-7)
+    ways = sigmas_by_way(found)
+    np.testing.assert_allclose(ways[1:], [SIGMA_ON_TABLE] * 3, rtol=0, atol=1e-7)
+    np.testing.assert_allclose(ways[0] - SIGMA_ON_TABLE, 52.46 * arcsecond, rtol=1e-3)
+
+
+@published("04-real-table")
+def test_simulation_agrees_with_the_budget(figure: PublishedFigure) -> None:
+    data = figure.data
+    expected = data.expected[np.searchsorted(data.rates, data.simulated_rates)]
+    # half_width is 1.96 deviations, estimated from the runs; twelve comparisons, so allow four.
+    assert (np.abs(data.simulated - expected) < 4 / 1.96 * data.half_width).all()
+    at_ten = data.expected[data.rates.tolist().index(10 * degree)]
+    np.testing.assert_allclose(at_ten, data.budget.total, rtol=1e-12)
+    assert "0.5 arc seconds at 10 deg/s" in figure.definition.caption(data)
+
+
+@published("04-real-table")
+def test_figure_says_what_each_way_leaves(figure: PublishedFigure) -> None:
+    largest = figure.data.budget.effects.argmax(axis=0)
+    names = list(figure.data.budget.sizes)
+    assert [names[row] for row in largest] == [
+        "Earth's rate",
+        "scale factor, all gyros",
+        "gyro bias",
+        "scale factor, each gyro",
+    ]
+    # "In one sense the Earth covers everything else."
+    effects = figure.data.budget.effects[:, 0]
+    assert effects[0] > 8 * np.delete(effects, 0).max()
+
+
+def test_presets_show_the_trap_and_its_cures() -> None:
+    panel = TurnCalibrationExplorer()
+    errors = {}
+    for name in panel.presets:
+        panel.preset.value = name
+        data = panel.compute(panel.values)
+        errors[name] = np.abs(data.runs - data.true).max() / arcsecond
+    assert errors["On the Earth, a perfect triad"] == pytest.approx(52.46, abs=0.01)
+    assert errors["On the Earth, Larin's triad"] > 50
+    assert errors["On the Earth, both senses"] < 0.2
+    assert errors["On the Earth, common offset"] < 0.2
+
+
+def test_a_bias_survives_the_common_offset_and_not_both_senses() -> None:
+    table = TableTurn(10 * degree, latitude=37.5 * degree)
+    common = "four axes, least squares and common scale"
+    for plan, senses, harmed in ((common, "one", True), (next(iter(PLANS)), "both", False)):
+        data = turn_estimates(
+            LARIN_TRIAD, plan, table=table, senses=senses, gyro_bias=degree / hour
+        )
+        # A degree an hour is 5.7 arc seconds at this rate. About a pair axis its root of two
+        # counts, about the diagonal its root of three: the offset takes the one, not the other.
+        assert (np.abs(data.runs - data.true).max() > 1.5 * arcsecond) == harmed
+
+
+def test_senses_are_refused_by_name() -> None:
+    with pytest.raises(ValueError, match=r"^senses: expected one of one, both, got 'left'"):
+        turn_estimates(LARIN_TRIAD, senses="left")
