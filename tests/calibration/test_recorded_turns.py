@@ -94,6 +94,17 @@ def test_an_error_of_the_angle_is_of_first_order_and_the_same_in_both_senses():
         np.testing.assert_allclose(beyond - plain, delta / (2 * np.pi * turns), rtol=1e-3)
 
 
+def test_a_wrong_zero_mark_reverses_and_cancels_in_the_mean():
+    delta = 20 * arcsecond  # counter-clockwise on the dial, whatever the sense of the turn
+    beyond, short = (
+        senses(YATES_AXES, gyro_error=BENT, angle_error=sign * delta) for sign in (1, -1)
+    )
+    plain = senses(YATES_AXES, gyro_error=BENT)
+    there, back = beyond[0] - plain[0], short[1] - plain[1]
+    np.testing.assert_allclose(there, delta / (2 * np.pi), rtol=1e-3)
+    np.testing.assert_allclose(there + back, 0, atol=1e-3 * delta)
+
+
 def test_an_error_of_the_axis_does_nothing_to_a_perfect_triad_in_inertial_space():
     near = YATES_AXES + 1e-2 * np.array([1.0, -2.0, 0.5])
     found = senses(YATES_AXES, near, latitude=None)

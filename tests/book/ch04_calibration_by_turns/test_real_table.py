@@ -154,6 +154,13 @@ def test_a_bias_survives_the_common_offset_and_not_both_senses() -> None:
         assert (np.abs(data.runs - data.true).max() > 1.5 * arcsecond) == harmed
 
 
-def test_senses_are_refused_by_name() -> None:
-    with pytest.raises(ValueError, match=r"^senses: expected one of one, both, got 'left'"):
-        turn_estimates(LARIN_TRIAD, senses="left")
+@pytest.mark.parametrize(
+    ("settings", "sentence"),
+    [
+        ({"senses": "left"}, "^senses: expected one of one, both, got 'left'"),
+        ({"gyro_bias": 1e-6}, "^table: expected a TableTurn, .* got None"),
+    ],
+)
+def test_refusals(settings, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        turn_estimates(LARIN_TRIAD, **settings)

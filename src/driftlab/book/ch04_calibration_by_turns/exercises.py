@@ -149,7 +149,8 @@ EXERCISES: dict[str, Exercise] = {
             "f": "takes two different things for one. The bias of the method is quadratic in M, "
             "and the same in both senses.",
         },
-        remark="So turn both ways, as fast as the table and the gyros bear.",
+        remark="The Earth's rate goes the way of the bias. So turn both ways, as fast as the table "
+        "and the gyros bear.",
     ),
     "4.4": Value(
         kind="compute",

@@ -11,8 +11,8 @@ from driftlab.checks import FloatArray, finite_array
 from driftlab.drift.step_formulas import integrate_steps
 from driftlab.drift.turn_calibration import TurnExperiment, turn_estimate
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing
-from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise
-from driftlab.increments import Increments, measure
+from driftlab.imu import NO_ERRORS, ImuErrors
+from driftlab.increments import measure
 from driftlab.motion.table_turn import TableTurn
 from driftlab.triad import non_orthogonality
 
@@ -88,7 +88,8 @@ def turn_estimates(
     seed : int
         Of the noise.
     table : TableTurn, optional
-        How a table makes the turns; without one they are Larin's, in inertial space.
+        How a table makes the turns, and how many; without one they are Larin's, in inertial
+        space.
     senses : {"one", "both"}
         Whether to turn as the table says only, or also the other way, and take the mean.
     gyro_bias : float
@@ -99,6 +100,8 @@ def turn_estimates(
         raise ValueError(f"plan: expected one of {', '.join(PLANS)}, got {plan!r}.")
     if senses not in SENSES:
         raise ValueError(f"senses: expected one of {', '.join(SENSES)}, got {senses!r}.")
+    if gyro_bias and table is None:
+        raise ValueError("table: expected a TableTurn, whose rate says what a bias does, got None.")
     experiment = experiment or TurnExperiment()
     axes, method = PLANS[plan]
     repeats = REPEATS if experiment.angle_noise else 1
@@ -127,14 +130,10 @@ def _on_table(
 ) -> FloatArray:
     """Turn estimates (..., m) about axes (..., m, 3), integrated as in Larin's experiment."""
     true = table.increments(axes[0], experiment.steps_per_turn * table.turns)
-    repeated = Increments(
-        true.interval,
-        np.broadcast_to(true.angle, (len(axes), *true.angle.shape)),
-        true.velocity,
-    )
-    a_turn = table.duration / table.turns
-    noise = ImuNoise(experiment.angle_noise / float(np.sqrt(a_turn)), velocity_random_walk=0.0)
-    rows = measure(repeated, unit, noise, rng).angle
+    rows = measure(true, unit).angle
+    size = experiment.angle_noise / np.sqrt(experiment.steps_per_turn)
+    if size:
+        rows = rows + rng.normal(0.0, size, (len(axes), *rows.shape))
     error = integrate_steps(rows, experiment.step_formula)
     return turn_estimate(error, np.sign(table.rate) * axes, table.turns)
 
