@@ -27,7 +27,6 @@ from driftlab.calibration import (
     body_axes,
     error_dynamics,
     filter,
-    recorded_turns,
     simulation as calibration_simulation,
     static_navigation,
 )
@@ -35,6 +34,7 @@ from driftlab.drift import (
     characteristic_equation,
     closed_motion,
     error_kinematics,
+    recorded_turns,
     step_formulas,
     systematic_drift,
     turn_calibration,

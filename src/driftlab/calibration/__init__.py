@@ -1,4 +1,4 @@
-"""A unit on a turntable: by a Kalman filter (Wu and others), and turns (Larin) from a record."""
+"""An inertial unit calibrated on a turntable by a Kalman filter (Wu and others)."""
 
 from driftlab._lazy import attach
 

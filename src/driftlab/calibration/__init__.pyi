@@ -6,7 +6,6 @@ from . import (
     kalman as kalman,
     linearization as linearization,
     observability as observability,
-    recorded_turns as recorded_turns,
     simulation as simulation,
     static_navigation as static_navigation,
 )
@@ -51,9 +50,6 @@ from .observability import (
     observability_matrix as observability_matrix,
     unobservable_subspace as unobservable_subspace,
     warn_if_unobservable as warn_if_unobservable,
-)
-from .recorded_turns import (
-    recorded_turn_estimate as recorded_turn_estimate,
 )
 from .simulation import (
     TableTrial as TableTrial,

@@ -2,6 +2,7 @@ from . import (
     characteristic_equation as characteristic_equation,
     closed_motion as closed_motion,
     error_kinematics as error_kinematics,
+    recorded_turns as recorded_turns,
     step_formulas as step_formulas,
     systematic_drift as systematic_drift,
     turn_calibration as turn_calibration,
@@ -24,6 +25,9 @@ from .error_kinematics import (
     error_rate_matrix as error_rate_matrix,
     error_transition_matrix as error_transition_matrix,
     rate_matrix as rate_matrix,
+)
+from .recorded_turns import (
+    recorded_turn_estimate as recorded_turn_estimate,
 )
 from .step_formulas import (
     STEP_FORMULAS as STEP_FORMULAS,

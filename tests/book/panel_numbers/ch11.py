@@ -7,8 +7,8 @@ from scipy.constants import arcminute, arcsecond
 
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.scenarios import ship_manoeuvre
-from driftlab.calibration.recorded_turns import recorded_turn_estimate
 from driftlab.calibration.simulation import TableTrial
+from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.systematic_drift import drift_per_turn
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import alignment_errors

@@ -16,9 +16,9 @@ from driftlab.book.scenarios import (
     ship_manoeuvre,
 )
 from driftlab.calibration.filter import Calibration
-from driftlab.calibration.recorded_turns import recorded_turn_estimate
 from driftlab.calibration.simulation import TableTrial
 from driftlab.checks import FloatArray, finite_array, finite_number
+from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.systematic_drift import drift_per_turn
 from driftlab.drift.weighing_designs import PAIR_AXES, TurnFit, fit_turns
 from driftlab.frames import from_euler_angles

@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.constants import arcminute, arcsecond, degree, hour, micro
 
-from driftlab.calibration.recorded_turns import recorded_turn_estimate
 from driftlab.checks import FloatArray
+from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.turn_calibration import earth_offset, exact_turn_estimate
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.constants import arcsecond, degree, hour
 
-from driftlab.calibration.recorded_turns import recorded_turn_estimate
+from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.turn_calibration import earth_offset, exact_turn_estimate
 from driftlab.drift.weighing_designs import YATES_AXES, fit_turns, weighing
