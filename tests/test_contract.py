@@ -22,7 +22,16 @@ from driftlab import (
     triad,
     vectors,
 )
-from driftlab.attitude import cayley, drift_on_cones, finite_precision, integration, riccati
+from driftlab.attitude import (
+    cayley,
+    drift_on_cones,
+    finite_precision,
+    integration,
+    noise_amplification,
+    riccati,
+    sculling,
+    spherical_area,
+)
 from driftlab.calibration import (
     body_axes,
     error_dynamics,
@@ -141,6 +150,11 @@ CASES = {
         "frequency": TIME,
         "sample_interval": TIME,
     },
+    fixed(noise_amplification.step_noise_covariance, algorithm="one-step-3"): {"turn": RATE},
+    fixed(noise_amplification.noise_growth, algorithm="memory-4"): {"sample_angle": TIME},
+    spherical_area.solid_angle: {"directions": INCREMENTS},
+    sculling.sculling_correction: {"angle": INCREMENTS, "velocity": INCREMENTS[::-1]},
+    sculling.step_velocities: {"angle": INCREMENTS, "velocity": INCREMENTS[::-1]},
     profiles.Coning(0.3, 0.5).attitude: {"time": TIME},
     profiles.Coning(0.3, 0.5).rate: {"time": TIME},
     profiles.Sway(0.3, 0.5).attitude: {"time": TIME},
@@ -278,6 +292,7 @@ WITHOUT_AXES = (
     "frequency",
     "sample_interval",
     "table_rate",
+    "sample_angle",
     "latitude",
     "altitude",
     "heading",

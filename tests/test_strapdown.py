@@ -7,8 +7,8 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
+from driftlab.attitude.sculling import step_velocities
 from driftlab.core import strapdown as core
-from driftlab.core.strapdown import velocity_of_pairs
 from driftlab.earth import EARTH_RATE, curvature_radii, earth_rate, gravity
 from driftlab.increments import Increments
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
@@ -173,7 +173,7 @@ def test_velocity_over_a_step_is_good_to_the_fourth_power_of_its_length():
             atol=1e-17,
         )
         angle, push = (np.diff(f(interval * np.arange(3)[:, None]), axis=0) for f in integrals)
-        return float(np.linalg.norm(velocity_of_pairs(angle, push)[0] - answer.y[4:, -1]))
+        return float(np.linalg.norm(step_velocities(angle, push)[0] - answer.y[4:, -1]))
 
     parts = [
         waves([7, -11, 4], [5, 3, -8], [4, 3, 5], [1, 2, 3]),
@@ -186,7 +186,7 @@ def test_velocity_over_a_step_is_good_to_the_fourth_power_of_its_length():
 
 def test_velocity_over_a_step_is_exact_where_nothing_turns():
     push = np.random.default_rng(1).normal(size=(5, 8, 3))
-    pairs = velocity_of_pairs(np.zeros((5, 8, 3)), push)
+    pairs = step_velocities(np.zeros((5, 8, 3)), push)
     np.testing.assert_array_equal(pairs, push[:, ::2] + push[:, 1::2])
 
 

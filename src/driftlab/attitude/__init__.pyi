@@ -4,7 +4,10 @@ from . import (
     drift_on_cones as drift_on_cones,
     finite_precision as finite_precision,
     integration as integration,
+    noise_amplification as noise_amplification,
     riccati as riccati,
+    sculling as sculling,
+    spherical_area as spherical_area,
 )
 from .cayley import (
     cayley_transform as cayley_transform,
@@ -35,9 +38,22 @@ from .integration import (
     step_quaternions as step_quaternions,
     step_vectors as step_vectors,
 )
+from .noise_amplification import (
+    NoiseGrowth as NoiseGrowth,
+    correction_gains as correction_gains,
+    noise_growth as noise_growth,
+    step_noise_covariance as step_noise_covariance,
+)
 from .riccati import (
     SWITCH as SWITCH,
     RiccatiSolution as RiccatiSolution,
     integrate_riccati as integrate_riccati,
     riccati_rate as riccati_rate,
+)
+from .sculling import (
+    sculling_correction as sculling_correction,
+    step_velocities as step_velocities,
+)
+from .spherical_area import (
+    solid_angle as solid_angle,
 )

@@ -18,7 +18,7 @@ from .earth import (
     position_vector,
 )
 from .quaternion import conjugate, cumulative_product, multiply, rotate
-from .vectors import components_first, components_last, cross
+from .sculling import velocity_of_steps
 
 if TYPE_CHECKING:
     from driftlab.attitude.coning_algorithms import Algorithm
@@ -67,7 +67,7 @@ def navigate(
     before = np.concatenate(
         [np.broadcast_to(first, (*attitude.shape[:-2], 1, 4)), attitude[..., :-1, :]], axis=-2
     )
-    pushes = rotate(before, velocity_of_pairs(angle, velocity))
+    pushes = rotate(before, velocity_of_steps(algorithm, angle, velocity))
     position = position_vector(start.latitude, start.altitude)
     speed = rotate(to_inertial, start.velocity) + ground_velocity(position)
     positions, speeds = np.empty_like(pushes), np.empty_like(pushes)
@@ -96,27 +96,6 @@ def last_of(states: Navigation) -> Navigation:
         states.velocity[..., -1, :],
         states.attitude[..., -1, :],
     )
-
-
-def velocity_of_pairs(angle: FloatArray, velocity: FloatArray) -> FloatArray:
-    """Velocity increments (..., n // 2, 3) of pairs, in the body axes at the start of each pair.
-
-    With g1, g2, v1, v2 the increments of a pair, p = g1 + g2 + 2/3 g1×g2 is its rotation vector and
-    v = v1 + v2. Under a constant rate and force the body's turn adds p×v/2 + p×(p×v)/6 + ...; where
-    they change there is sculling, s = 2/3 (g1×v2 + v1×g2), which is turned by p/2 in its turn.
-    """
-    # Components first, so that everything but a cross product is plain arithmetic; broadcast
-    # before, or the components of one would meet the runs of the other.
-    angle, velocity = np.broadcast_arrays(angle, velocity)
-    angles, velocities = components_first(angle), components_first(velocity)
-    g1, g2, v1, v2 = (row[..., i::2] for row in (angles, velocities) for i in (0, 1))
-    p = g1 + g2 + (2 / 3) * cross(g1, g2)
-    v = v1 + v2
-    sculling = (2 / 3) * (cross(g1, v2) + cross(v1, g2))
-    once = cross(p, v)
-    twice = cross(p, once)
-    pairs = v + once / 2 + twice / 6 + cross(p, twice) / 24 + sculling + cross(p, sculling) / 2
-    return components_last(pairs)
 
 
 def _fall(

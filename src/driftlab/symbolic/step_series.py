@@ -64,7 +64,7 @@ def algorithm_step_vector(algorithm: Algorithm, rate: Series) -> Series:
     coning = _sum(
         [(0, gamma)]
         + [
-            (sp.nsimplify(weight, rational=True), _cross(increments[i], increments[j]))
+            (sp.Rational(weight).limit_denominator(10**6), _cross(increments[i], increments[j]))
             for (i, j), weight in algorithm.coning.items()
         ]
     )

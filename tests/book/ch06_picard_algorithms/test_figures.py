@@ -2,24 +2,37 @@
 
 import numpy as np
 import pytest
+from scipy.special import factorial, factorial2
+from scipy.stats import chi2
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.coning_algorithms import ALGORITHMS, Algorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.finite_precision import UPDATES, integrate_in_word, step_in_word
 from driftlab.attitude.integration import integrate
 from driftlab.book.ch06_picard_algorithms.experiments import (
+    ANGLE_RANDOM_WALK,
     ARITHMETICS,
+    BRACKET,
+    COMPARED,
     COMPARED_STAGES,
+    FLOOR_RATES,
+    FLOOR_SECONDS,
+    QUANTUM,
     RANDOM_KINDS,
     RANDOM_MOTIONS,
     SAMPLE_RATES,
+    SAMPLES_A_ROUND,
     STORED_AS_ONE,
     WORD_MOTIONS,
     advice_gain,
     algorithm_errors,
+    carried_floor,
     coning_area,
     measured_drift,
+    missed_part,
+    rounded,
     stage_drift,
+    weights_by_distance,
 )
 from driftlab.book.ch06_picard_algorithms.experiments.random_motion import random_increments
 from driftlab.book.machinery.publish import PublishedFigure
@@ -208,3 +221,74 @@ def test_laboratory_gives_each_algorithm_its_own_error_in_any_order() -> None:
                 found = method(increments, name, start=motion.attitude(0.0))
                 error = rotation_angle(multiply(conjugate(motion.attitude(data.times[i])), found))
                 np.testing.assert_allclose(data.histories[i], error, rtol=0, atol=1e-14)
+
+
+@published("06-noise-and-band")
+def test_band_and_floors_are_those_of_the_text(figure: PublishedFigure) -> None:
+    data = figure.data
+    often = SAMPLES_A_ROUND > 30
+    x = 2 * np.pi / SAMPLES_A_ROUND[often]
+    # The first term of the series, Ignagni's; the next is smaller by the square of a step.
+    for name, first in (
+        ("picard-1", x**2 / 6),
+        ("two-step-4", x**4 / 30),
+        ("rotation-vector-3", x**6 / 140),
+    ):
+        np.testing.assert_allclose(data.missed[name][often], first, rtol=0.06)
+    for i, rate in enumerate(FLOOR_RATES):
+        for name, errors in data.drifted.items():
+            drift = coning_drift(COMPARED[name], BRACKET.half_angle, BRACKET.frequency, 1 / rate)
+            assert errors[i] == pytest.approx(FLOOR_SECONDS * abs(drift), rel=1e-9)
+    # Of 12 runs with two components each a root mean square is good to a factor of two and a half
+    # (a chi-squared of 12 degrees, one in ten thousand on either side).
+    low, high = np.sqrt(chi2.ppf([1e-4, 1 - 1e-4], 12) / 12)
+    ratio = data.carried / carried_floor(FLOOR_RATES, QUANTUM)
+    assert np.all((low < ratio) & (ratio < high)), ratio
+    noise = ANGLE_RANDOM_WALK * np.sqrt(FLOOR_SECONDS)
+    assert np.all(data.carried < 5 * noise)
+    assert np.all(data.carried > noise / 5)
+    assert np.all(data.cut_off[FLOOR_RATES >= 50] > data.drifted["two-step-4"][FLOOR_RATES >= 50])
+
+
+def test_missed_part_is_the_drift_on_a_narrow_cone() -> None:
+    samples, half_angle = np.array([1.3, 2.5, 7.0, 20]), 1e-3
+    for algorithm in COMPARED.values():
+        drift = coning_drift(algorithm, half_angle, 1.0, 1 / samples)
+        expected = drift / (np.pi * half_angle**2)
+        # Left out is the square of the half angle, in steps of up to three turns.
+        np.testing.assert_allclose(missed_part(algorithm, samples), expected, atol=1e-3)
+
+
+def test_counter_that_carries_over_never_loses_more_than_half_a_digit() -> None:
+    rows = np.random.default_rng(2).normal(size=(50, 3))
+    start = np.zeros((1, 3))
+    kept = np.cumsum(rounded(rows, 0.1, start, carry=True)[0] - rows, axis=0)
+    lost = np.cumsum(rounded(rows, 0.1, start, carry=False)[0] - rows, axis=0)
+    assert np.abs(kept).max() < 0.05 + 1e-12
+    assert np.abs(lost).max() > 0.1
+
+
+@pytest.mark.parametrize("samples", [2, 3, 4, 5, 6])
+def test_weights_for_a_cone_leave_ignagnis_first_term(samples: int) -> None:
+    """m!/(2^(m+1) (2m+1)!!) of the angle between two samples, to the power 2m + 1."""
+    totals = weights_by_distance(samples)
+    published = {3: [27 / 20, 9 / 20], 4: [214 / 105, 92 / 105, 54 / 105]}
+    if samples in published:
+        np.testing.assert_allclose(totals, published[samples], rtol=1e-13)
+    weights = {(samples - 1 - d, samples - 1): w for d, w in enumerate(totals, start=1)}
+    algorithm = Algorithm("m", samples, 0, weights, "rotation vector", 2)
+    x = 0.9 / samples
+    first = factorial(samples) / (2.0**samples * factorial2(2 * samples + 1)) * x ** (2 * samples)
+    assert -missed_part(algorithm, np.array(2 * np.pi / x)) == pytest.approx(first, rel=0.1)
+
+
+def test_leading_term_is_too_large_where_samples_are_few() -> None:
+    """A cone of 20 Hz sampled at 100 Hz: half of it and less is what more samples bring."""
+    x = 2 * np.pi * 20 / 100
+    ratios = []
+    for m in (2, 3, 4, 5, 6):
+        weights = {(m - 1 - d, m - 1): w for d, w in enumerate(weights_by_distance(m), start=1)}
+        algorithm = Algorithm("m", m, 0, weights, "rotation vector", 2)
+        first = factorial(m) / (2.0**m * factorial2(2 * m + 1)) * x ** (2 * m)
+        ratios.append(-float(missed_part(algorithm, np.array(5.0))) / first)
+    np.testing.assert_allclose(ratios, [0.83, 0.74, 0.65, 0.57, 0.50], atol=0.006)

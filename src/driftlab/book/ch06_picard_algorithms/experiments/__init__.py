@@ -13,6 +13,7 @@ from .algorithms import (
     algorithm_orders,
     fitted_orders,
 )
+from .closed_cones import ClosedCone, closed_cone, swept_in_a_sample
 from .coning import (
     BRACKET,
     BRACKET_SAMPLE_RATE,
@@ -24,6 +25,12 @@ from .coning import (
     drift_by_frequency_and_rate,
     measured_drift,
 )
+from .four_samples import (
+    COMPARED,
+    FOUR_SAMPLES,
+    weights_by_distance,
+    weights_of_polynomial,
+)
 from .last_stages import (
     COMPARED_STAGES,
     RANDOM_KINDS,
@@ -32,6 +39,21 @@ from .last_stages import (
     last_stage_errors,
     stage_drift,
 )
+from .noise_and_band import (
+    ANGLE_RANDOM_WALK,
+    FLOOR_RATES,
+    FLOOR_SECONDS,
+    QUANTUM,
+    SAMPLES_A_ROUND,
+    NoiseAndBand,
+    carried_floor,
+    missed_part,
+    noise_and_band,
+    rounded,
+    rounding_error,
+)
+from .sculling import SHAKER, Sculling, sculling_error
+from .symmetry import random_algorithm
 from .word_length import (
     ARITHMETICS,
     EARTH_RATE,
@@ -45,20 +67,28 @@ from .word_length import (
 )
 
 __all__ = [
+    "ANGLE_RANDOM_WALK",
     "ARITHMETICS",
     "BRACKET",
     "BRACKET_SAMPLE_RATE",
+    "COMPARED",
     "COMPARED_STAGES",
     "DRAWN_HALF_ANGLE",
     "DRIFT_STEPS",
     "DURATION",
     "EARTH_RATE",
+    "FLOOR_RATES",
+    "FLOOR_SECONDS",
+    "FOUR_SAMPLES",
     "MOTIONS",
     "ORDER_MOTIONS",
     "ORDER_SAMPLE_RATES",
+    "QUANTUM",
     "RANDOM_KINDS",
     "RANDOM_MOTIONS",
+    "SAMPLES_A_ROUND",
     "SAMPLE_RATES",
+    "SHAKER",
     "SHIP",
     "STORED_AS_ONE",
     "WORD_MOTIONS",
@@ -66,18 +96,32 @@ __all__ = [
     "WORD_STEPS",
     "AlgorithmLaboratory",
     "AlgorithmOrders",
+    "ClosedCone",
     "ConingArea",
     "ConingDrift",
     "LastStageErrors",
+    "NoiseAndBand",
+    "Sculling",
     "ShortWord",
     "advice_gain",
     "algorithm_errors",
     "algorithm_orders",
+    "carried_floor",
+    "closed_cone",
     "coning_area",
     "drift_by_frequency_and_rate",
     "fitted_orders",
     "last_stage_errors",
     "measured_drift",
+    "missed_part",
+    "noise_and_band",
+    "random_algorithm",
+    "rounded",
+    "rounding_error",
+    "sculling_error",
     "short_word_errors",
     "stage_drift",
+    "swept_in_a_sample",
+    "weights_by_distance",
+    "weights_of_polynomial",
 ]

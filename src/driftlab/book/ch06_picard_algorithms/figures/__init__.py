@@ -1,9 +1,19 @@
 """The published figures of chapter 06, with their captions."""
 
+import numpy as np
+from scipy.constants import arcsecond, degree, hour
+
 from driftlab.book.machinery.publish import FigureDefinition
 
 from .. import experiments
-from . import algorithm_orders, coning_area, coning_drift, last_stages, short_word
+from . import (
+    algorithm_orders,
+    coning_area,
+    coning_drift,
+    last_stages,
+    noise_and_band,
+    short_word,
+)
 
 FIGURES = (
     FigureDefinition(
@@ -53,6 +63,21 @@ FIGURES = (
             "about a fixed axis, where the rotation vector has none but rounding. Below: error at "
             "the end of random motions about three axes, over that of the rotation vector; and "
             "operations of a step, a sine counted as one."
+        ),
+    ),
+    FigureDefinition(
+        "06-noise-and-band",
+        experiments.noise_and_band,
+        noise_and_band.draw,
+        noise_and_band.columns,
+        lambda _: (
+            "Left: the part of a narrow cone's coning that an algorithm misses; thin, the first "
+            "term of its series, too large where samples are few. Right: drift on the bracket, and "
+            "the floors under it: gyros that round to "
+            f"{experiments.QUANTUM / arcsecond:g} arc second, and white noise of "
+            f"{experiments.ANGLE_RANDOM_WALK * np.sqrt(hour) / degree:g}°/√h. A remainder that is "
+            "lost spoils what the corrections gain; one that is carried costs about as much as "
+            "the noise."
         ),
     ),
     FigureDefinition(

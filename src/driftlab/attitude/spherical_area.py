@@ -1,0 +1,53 @@
+"""The solid angle that an axis of a body goes round, and what the gyro along it sums up meanwhile.
+
+Goodman and Robinson's theorem (1958): while an axis of a body describes a closed cone and the body
+comes back, the gyro along the axis sums up minus the solid angle of the cone, but for whole turns.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.checks import FloatArray, nonzero_vectors
+
+
+def solid_angle(directions: ArrayLike) -> FloatArray:
+    """Solid angle inside a closed polygon on the sphere, its corners joined by great circles.
+
+    Parameters
+    ----------
+    directions : array_like, shape (..., n, 3)
+        Corners in their order, as vectors of any length. The last is joined to the first.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Steradians, from -2 pi to 2 pi; positive if the inside lies to the left for one who walks
+        along on the sphere. It is known up to the whole sphere, 4 pi.
+
+    Raises
+    ------
+    ValueError
+        If a direction has no length, or there are fewer than three of them.
+
+    Examples
+    --------
+    An eighth of the sphere:
+
+    >>> float(solid_angle(np.eye(3)) / np.pi)
+    0.5
+    """
+    corners, _ = nonzero_vectors(directions, "directions")
+    if corners.ndim < 2 or corners.shape[-2] < 3:
+        raise ValueError(
+            "directions: expected shape (..., n, 3) with n of at least 3, "
+            f"got shape {corners.shape}."
+        )
+    # Triangles from a common corner; the tangent of half the solid angle of each is a quotient
+    # (van Oosterom and Strackee), of numbers whose arguments add up.
+    first, a, b = corners[..., :1, :], corners[..., 1:-1, :], corners[..., 2:, :]
+    volume = np.sum(first * np.cross(a, b), axis=-1)
+    cosines = 1 + np.sum(first * a + a * b + b * first, axis=-1)
+    whole = 2 * np.arctan2(volume, cosines).sum(axis=-1)
+    return np.asarray(np.remainder(whole + 2 * np.pi, 4 * np.pi) - 2 * np.pi)[()]

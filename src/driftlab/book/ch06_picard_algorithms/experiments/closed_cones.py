@@ -1,0 +1,90 @@
+"""Closed cones of any shape: the solid angle that an axis goes round, and what its gyro sums up."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from driftlab.attitude.spherical_area import solid_angle
+from driftlab.checks import FloatArray
+from driftlab.core.coning import cone_increments
+from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotate
+
+CORNERS = 4096
+"""Points on a closed cone; with so many the great circles between them leave 1e-6 of the area."""
+
+
+class ClosedCone(NamedTuple):
+    """One round of a body whose third axis describes a closed cone.
+
+    Attributes
+    ----------
+    axis : ndarray, shape (n, 3)
+        The third body axis in reference axes, all along the round.
+    summed : float
+        Integral of the rate about that axis, rad: what the gyro along it sums up.
+    solid_angle : float
+        Inside the cone, positive to the left of the way.
+    """
+
+    axis: FloatArray
+    summed: float
+    solid_angle: float
+
+
+def closed_cone(first: float, second: float, loops: int = 1) -> ClosedCone:
+    """Take a body round a cone that is not round, and back.
+
+    Its rotation vector runs round an ellipse in the plane of the first two axes or, if it has more
+    loops about the second axis than about the first, a Lissajous figure.
+
+    Parameters
+    ----------
+    first, second : float
+        Largest rotation about each of the axes, rad.
+    loops : int
+        Swings about the second axis in one about the first.
+
+    Returns
+    -------
+    ClosedCone
+    """
+    phase = 2 * np.pi * np.arange(CORNERS) / CORNERS
+    swing = np.stack([first * np.cos(phase), second * np.sin(loops * phase), 0 * phase], axis=-1)
+    attitude = from_rotation_vector(swing)
+    # The body comes back, so its quaternion is a trigonometric series, and so is its derivative.
+    turns = np.fft.fftfreq(CORNERS, 1 / CORNERS)[:, np.newaxis]
+    derivative = np.fft.ifft(1j * turns * np.fft.fft(attitude, axis=0), axis=0).real
+    rate = 2 * multiply(conjugate(attitude), derivative)[..., :3]
+    axis = rotate(attitude, np.array([0.0, 0.0, 1.0]))
+    return ClosedCone(axis, float(2 * np.pi * rate[:, 2].mean()), float(solid_angle(axis)))
+
+
+def swept_in_a_sample(half_angle: float, sample_angle: float) -> tuple[float, float]:
+    """Solid angles that the third axis sweeps in one sample on a cone: computed, and true.
+
+    The computer takes each increment for a rotation about a fixed axis, so that its third axis runs
+    along a row of small arcs. Each is seen from the axis about which the computed attitude goes
+    round: from there all are alike.
+
+    Parameters
+    ----------
+    half_angle : float
+        Of the cone, rad, less than a right angle.
+    sample_angle : float
+        By which the cone goes round in a sample, rad.
+
+    Returns
+    -------
+    computed, true : float
+        Steradians; their difference is the drift of a sample.
+    """
+    third = np.array([0.0, 0.0, 1.0])
+    sample = np.asarray(sample_angle)
+    increment = cone_increments(np.asarray(half_angle), sample, sample / 2)
+    turned = multiply(from_rotation_vector(increment), from_rotation_vector(sample_angle * third))
+    middle = turned[:3] / np.linalg.norm(turned[:3])
+    nodes, weights = np.polynomial.legendre.leggauss(20)
+    along = rotate(from_rotation_vector((nodes[:, np.newaxis] + 1) / 2 * increment), third)
+    # (1 - cos θ) dψ about the middle, on the arc.
+    moved = np.cross(along, np.cross(increment, along)) @ middle / (1 + along @ middle)
+    return float(weights @ moved / 2), float(2 * sample_angle * np.sin(half_angle / 2) ** 2)
