@@ -53,7 +53,7 @@ from .noise_and_band import (
     rounding_error,
 )
 from .sculling import SHAKER, Sculling, sculling_error
-from .symmetry import random_algorithm
+from .symmetry import drift_orders, order_on_ship, random_algorithm
 from .word_length import (
     ARITHMETICS,
     EARTH_RATE,
@@ -110,11 +110,13 @@ __all__ = [
     "closed_cone",
     "coning_area",
     "drift_by_frequency_and_rate",
+    "drift_orders",
     "fitted_orders",
     "last_stage_errors",
     "measured_drift",
     "missed_part",
     "noise_and_band",
+    "order_on_ship",
     "random_algorithm",
     "rounded",
     "rounding_error",

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from scipy.constants import g
 from scipy.special import j1
 
 from driftlab.attitude.coning_algorithms import Algorithm
@@ -48,7 +49,7 @@ class Sculling(NamedTuple):
         return from_rotation_vector(swing[..., np.newaxis] * np.array([1.0, 0.0, 0.0]))
 
 
-SHAKER = Sculling(float(np.radians(1.0)), 10.0, 5.0)
+SHAKER = Sculling(float(np.radians(1.0)), g, 5.0)
 """The bracket again, now swinging about one axis while something shakes it at 1 g."""
 
 

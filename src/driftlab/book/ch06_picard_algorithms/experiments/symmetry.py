@@ -5,6 +5,12 @@ from typing import get_args
 import numpy as np
 
 from driftlab.attitude.coning_algorithms import Algorithm, LastStage
+from driftlab.attitude.drift_on_cones import coning_drift
+from driftlab.attitude.integration import integrate
+from driftlab.checks import FloatArray
+from driftlab.quaternion import conjugate, multiply, rotation_angle
+
+from .algorithms import SHIP
 
 
 def random_algorithm(rng: np.random.Generator) -> Algorithm:
@@ -36,3 +42,39 @@ def random_algorithm(rng: np.random.Generator) -> Algorithm:
     last_stage: LastStage = stages[rng.integers(len(stages))]
     memory = window - samples
     return Algorithm("random", samples, memory, coning, last_stage, 3, ({},) * memory)
+
+
+def drift_orders(algorithm: Algorithm, half_angles: FloatArray) -> FloatArray:
+    """Powers of the step with which an algorithm's drift on cones grows.
+
+    Parameters
+    ----------
+    algorithm : Algorithm
+    half_angles : ndarray, shape (n,)
+        rad.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+    """
+    # A tenth of a radian round the cone in all increments that one step looks at, and half of it.
+    interval = np.array([[0.1], [0.05]]) / algorithm.window / (2 * np.pi)
+    coarse, fine = np.abs(coning_drift(algorithm, half_angles, 1.0, interval))
+    return np.log2(coarse / fine)
+
+
+def order_on_ship(algorithm: Algorithm) -> float:
+    """Power of the step with which the largest error on the ship grows."""
+    errors = []
+    for steps in (512, 1024):
+        memory, interval = algorithm.memory, 2.0 / (steps * algorithm.samples)
+        rows = SHIP.increments(interval, memory + steps * algorithm.samples)
+        found = integrate(
+            rows[memory:],
+            algorithm,
+            start=SHIP.attitude(memory * interval),
+            history=rows[:memory] if memory else None,
+        )
+        ends = interval * (memory + algorithm.samples * np.arange(1, steps + 1))
+        errors.append(rotation_angle(multiply(conjugate(SHIP.attitude(ends)), found)).max())
+    return float(np.log2(errors[0] / errors[1]))
