@@ -85,4 +85,10 @@ WRONG = {
         ("cdef", r"\(e\) is false"),
         ("cf", "something else is too"),
     ],
+    "6.10": [
+        (0, "another one at each moment"),
+        (-90, "on its left"),
+        (270, "do not add up"),
+        (180, "twice as much"),
+    ],
 }

@@ -3,12 +3,13 @@
 from functools import cache
 
 import numpy as np
-from scipy.constants import arcsecond
+from scipy.constants import arcsecond, degree
 
 from driftlab.attitude.cayley import rotation_quaternion
 from driftlab.attitude.coning_algorithms import ALGORITHMS, Algorithm, LastStage
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.integration import step_quaternions, step_vectors
+from driftlab.attitude.spherical_area import solid_angle
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
 from driftlab.checks import FloatArray
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply
@@ -217,5 +218,19 @@ EXERCISES: dict[str, Exercise] = {
             "products of neighbours tell little of the area between the samples.",
         },
         remark="The choice among the seven comes last; first the increments must be true and many.",
+    ),
+    "6.10": Value(
+        kind="predict",
+        right=lambda: float(solid_angle(np.eye(3))) / degree,
+        unit="degrees",
+        mistakes={
+            "The gyro says so, and is right about its rate. But the axis about which it felt "
+            "nothing was another one at each moment.": lambda: 0,
+            "The way has the eighth of the sphere on its left: look from outside, or go the way "
+            "with a pencil.": lambda: -float(solid_angle(np.eye(3))) / degree,
+            "Three right angles about three different axes do not add up; and none of them is "
+            "about the rod.": lambda: 270,
+        },
+        remark="The solid angle of an octant. Geometers call it a holonomy.",
     ),
 }
