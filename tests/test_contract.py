@@ -32,6 +32,7 @@ from driftlab.attitude import (
     sculling,
     spherical_area,
 )
+from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.calibration import (
     body_axes,
     error_dynamics,
@@ -139,6 +140,11 @@ CASES = {
         "increments": INCREMENTS,
         "start": Q,
     },
+    fixed(integration.integrate, algorithm=FunctionalIteration("own", window=2)): {
+        "increments": INCREMENTS,
+        "start": Q,
+    },
+    fixed(increments.increments_from_rates, interval=0.1, degree=3): {"rates": INCREMENTS},
     fixed(integration.step_quaternions, algorithm="two-step-4"): {"increments": INCREMENTS},
     fixed(integration.step_quaternions, algorithm="memory-4"): {
         "increments": INCREMENTS,

@@ -7,7 +7,7 @@ from scipy.spatial.transform import Rotation
 
 from driftlab import quaternion, symbolic
 from driftlab.attitude import cayley, riccati
-from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.integration import step_quaternions, step_vectors
 from driftlab.drift import error_kinematics
 from driftlab.vectors import cross_matrix
@@ -92,9 +92,9 @@ def test_exact_series_obeys_the_riccati_equation() -> None:
     assert all(entry.coeff(t, i) == 0 for entry in residual for i in range(6))
 
 
-@pytest.mark.parametrize("name", ALGORITHMS)
+@pytest.mark.parametrize("name", CONING_ALGORITHMS)
 def test_series_of_an_algorithm_is_what_it_computes(name: str) -> None:
-    algorithm, rate, h = ALGORITHMS[name], series_of_numbers(8), 0.01
+    algorithm, rate, h = CONING_ALGORITHMS[name], series_of_numbers(8), 0.01
     piece = h / algorithm.samples
     edges = piece * np.arange(-algorithm.memory, algorithm.samples + 1)
     coefficients = np.round(SERIES, 6)
@@ -118,12 +118,12 @@ def test_leading_error_of_an_exact_algorithm_is_refused() -> None:
     steady = [symbolic.vector("w")] + [sp.zeros(3, 1)] * 4
     # At a constant rate a rotation vector is exact, whatever the order.
     with pytest.raises(ValueError, match=r"^rate: expected a longer series, got one that rotation"):
-        symbolic.leading_error(ALGORITHMS["rotation-vector-2"], steady)
+        symbolic.leading_error(CONING_ALGORITHMS["rotation-vector-2"], steady)
 
 
-@pytest.mark.parametrize("name", ALGORITHMS)
+@pytest.mark.parametrize("name", CONING_ALGORITHMS)
 def test_program_computes_the_step(name: str) -> None:
-    algorithm = ALGORITHMS[name]
+    algorithm = CONING_ALGORITHMS[name]
     increments = 0.1 * np.random.default_rng(4).normal(size=(algorithm.window, 3))
     values = {
         symbol: increments[i, j]
@@ -145,7 +145,7 @@ def test_program_computes_the_step(name: str) -> None:
 
 def test_another_last_stage_is_refused() -> None:
     with pytest.raises(ValueError, match=r"^last_stage: expected one of first iterate, .*'sine'"):
-        symbolic.step_program(ALGORITHMS["two-step-4"], "sine")
+        symbolic.step_program(CONING_ALGORITHMS["two-step-4"], "sine")
 
 
 @pytest.mark.parametrize(
@@ -162,7 +162,7 @@ def test_another_last_stage_is_refused() -> None:
 )
 def test_last_stages_err_at_the_fifth_power_of_a_step(stage: str, fifth: float) -> None:
     """About a fixed axis the angle is f + fifth f^5 + ..., as its series in the chapter says."""
-    program = symbolic.step_program(ALGORITHMS["two-step-4"], stage)
+    program = symbolic.step_program(CONING_ALGORITHMS["two-step-4"], stage)
     angles = np.array([0.05, 0.1, 0.2])
     halves = angles[:, np.newaxis, np.newaxis] / 2 * np.array([[0.6, 0, 0.8]] * 2)
     step = symbolic.run_program(program, halves)
@@ -173,9 +173,9 @@ def test_last_stages_err_at_the_fifth_power_of_a_step(stage: str, fifth: float) 
         np.testing.assert_allclose(np.linalg.norm(step, axis=-1), 1, rtol=0, atol=4e-16)
 
 
-@pytest.mark.parametrize("name", ALGORITHMS)
+@pytest.mark.parametrize("name", CONING_ALGORITHMS)
 def test_carried_out_program_is_the_step_of_the_package(name: str) -> None:
-    algorithm = ALGORITHMS[name]
+    algorithm = CONING_ALGORITHMS[name]
     rows = 0.1 * np.random.default_rng(4).normal(size=(5, algorithm.window, 3))
     found = symbolic.run_program(symbolic.step_program(algorithm), rows)
     past = rows[:, : algorithm.memory] if algorithm.memory else None

@@ -45,6 +45,7 @@ from .imu import (
 from .increments import (
     Increments as Increments,
     compensate as compensate,
+    increments_from_rates as increments_from_rates,
     measure as measure,
 )
 from .motion.scheme import Scheme as Scheme

@@ -15,7 +15,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 
 from .checks import (
     checked_instance,
@@ -31,7 +31,7 @@ from .increments import Increments, checked_increments
 
 __all__ = ["Navigation", "at_rest", "checked_interval", "last_of", "navigate"]
 
-ALGORITHM = ALGORITHMS["two-step-4"]
+ALGORITHM = CONING_ALGORITHMS["two-step-4"]
 """The attitude algorithm of the navigation; its step is a pair of increments."""
 _LONGEST = 20.0  # s: interval for which the fixed point still converges quickly
 

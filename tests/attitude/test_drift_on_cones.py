@@ -4,14 +4,14 @@ import mpmath
 import numpy as np
 import pytest
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import coning_drift, step_drift
 from driftlab.attitude.integration import integrate
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, to_rotation_vector
 from support import EPS, order_of
 
-every_algorithm = pytest.mark.parametrize("name", ALGORITHMS)
+every_algorithm = pytest.mark.parametrize("name", CONING_ALGORITHMS)
 # Increments in so many turns: the cone goes round by 0.05 to 1.5 between two, all multiples of 2
 # and 3.
 RHYTHMS = [(120, 1), (60, 1), (24, 1), (12, 1), (6, 1), (30, 7)]
@@ -19,7 +19,7 @@ RHYTHMS = [(120, 1), (60, 1), (24, 1), (12, 1), (6, 1), (30, 7)]
 
 def measured_drift(name, half_angle, count, turns):
     """Drift about the axis of the cone, rad/s, over whole turns at 1 Hz."""
-    chosen, motion = ALGORITHMS[name], Coning(half_angle, 1)
+    chosen, motion = CONING_ALGORITHMS[name], Coning(half_angle, 1)
     rows = motion.increments(turns / count, count)
     # The motion is periodic: what was before the first increment is like the last.
     history = rows[-chosen.memory :] if chosen.memory else None
@@ -31,7 +31,7 @@ def measured_drift(name, half_angle, count, turns):
 
 def narrow_drift(name, half_angle, x):
     """Drift of a step, rad, to the second power of the half angle, and without rounding."""
-    chosen = ALGORITHMS[name]
+    chosen = CONING_ALGORITHMS[name]
     with mpmath.workdps(50):
         x = mpmath.mpf(x)
         step = chosen.samples * x
@@ -62,13 +62,15 @@ def test_on_a_narrow_cone_it_is_the_closed_formula(name, x):
 
     def rest(size):
         half_angle = 8 * size  # from 7 degrees to half a degree
-        drift = coning_drift(name, half_angle, x / (2 * np.pi), 1.0) * ALGORITHMS[name].samples
+        drift = (
+            coning_drift(name, half_angle, x / (2 * np.pi), 1.0) * CONING_ALGORITHMS[name].samples
+        )
         return abs(drift - narrow_drift(name, half_angle, x))
 
     if rest(1 / 64) > 1e5 * EPS:  # else rounding hides the power
         assert order_of(rest) == pytest.approx(4, abs=0.2)
     # Relative to the uncorrected drift, X^3/12 of a step, it is of the second power.
-    step = ALGORITHMS[name].samples * x
+    step = CONING_ALGORITHMS[name].samples * x
     assert rest(0.001 / 8) < 1e-3**4 * step**3 + 16 * EPS
 
 
@@ -84,7 +86,7 @@ def quaternion_product(p, q):
 
 def drift_in_fifty_digits(name, half_angle, x):
     """Drift of a step, rad: the same thought, with another arithmetic."""
-    chosen = ALGORITHMS[name]
+    chosen = CONING_ALGORITHMS[name]
     with mpmath.workdps(50):
         a, x = mpmath.mpf(half_angle), mpmath.mpf(x)
 
@@ -130,7 +132,7 @@ def drift_in_fifty_digits(name, half_angle, x):
 @pytest.mark.parametrize("x", [1e-3, 0.05, 0.3])
 @pytest.mark.parametrize("half_angle", [1e-4, 0.02, 1.0])
 def test_rounding_leaves_some_eps_a_step(name, half_angle, x):
-    a_step = coning_drift(name, half_angle, x / (2 * np.pi), 1.0) * ALGORITHMS[name].samples
+    a_step = coning_drift(name, half_angle, x / (2 * np.pi), 1.0) * CONING_ALGORITHMS[name].samples
     expected = drift_in_fifty_digits(name, half_angle, x)
     assert a_step == pytest.approx(expected, rel=1e-12, abs=8 * EPS)
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from driftlab.attitude.cayley import rotation_quaternion
-from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.finite_precision import UPDATES, integrate_in_word, step_in_word
 from driftlab.attitude.integration import integrate, step_vectors
 from driftlab.checks import unit_quaternions
@@ -18,7 +18,7 @@ from support import EPS, random_quaternions, vectors
 EPS32 = float(np.finfo(np.float32).eps)
 EARTH_RATE = 7.292115e-5  # rad/s
 
-every_algorithm = pytest.mark.parametrize("name", ALGORITHMS)
+every_algorithm = pytest.mark.parametrize("name", CONING_ALGORITHMS)
 every_update = pytest.mark.parametrize("update", UPDATES)
 both_kinds = pytest.mark.parametrize("rotation_vector", [False, True])
 
@@ -239,7 +239,7 @@ def test_answer_is_in_the_word(name, update, word):
     increments = np.random.default_rng(0).uniform(-0.2, 0.2, (6, 3))
     attitude = integrate_in_word(increments, name, word=word, update=update)
     assert attitude.dtype == np.dtype(word)
-    assert attitude.shape == (6 // ALGORITHMS[name].samples, 4)
+    assert attitude.shape == (6 // CONING_ALGORITHMS[name].samples, 4)
 
 
 @every_update

@@ -10,6 +10,7 @@ from hypothesis.extra.numpy import arrays
 from driftlab.attitude.cayley import rotation_quaternion
 from driftlab.attitude.coning_algorithms import (
     ALGORITHMS,
+    CONING_ALGORITHMS,
     Algorithm,
     attitude_algorithm,
 )
@@ -28,9 +29,9 @@ from support import EPS, IDENTITY, order_of, random_quaternions
 
 MEMORY = ["one-step-3", "memory-4"]
 ROTATION_VECTOR = ["rotation-vector-2", "rotation-vector-3"]
-CAYLEY = [name for name in ALGORITHMS if name not in ROTATION_VECTOR]
+CAYLEY = [name for name in CONING_ALGORITHMS if name not in ROTATION_VECTOR]
 
-every_algorithm = pytest.mark.parametrize("name", ALGORITHMS)
+every_algorithm = pytest.mark.parametrize("name", CONING_ALGORITHMS)
 with_memory = pytest.mark.parametrize("name", MEMORY)
 with_rotation_vector = pytest.mark.parametrize("name", ROTATION_VECTOR)
 with_cayley = pytest.mark.parametrize("name", CAYLEY)
@@ -161,7 +162,9 @@ def test_attitude_is_the_product_of_the_steps(name, rows):
 
 def test_names_are_keys_and_cannot_be_replaced():
     assert all(ALGORITHMS[name].name == name for name in ALGORITHMS)
-    assert attitude_algorithm("memory-4") is ALGORITHMS["memory-4"]
+    assert [*ALGORITHMS] == [*CONING_ALGORITHMS, "functional-iteration"]
+    assert all(ALGORITHMS[name] is CONING_ALGORITHMS[name] for name in CONING_ALGORITHMS)
+    assert attitude_algorithm("memory-4") is CONING_ALGORITHMS["memory-4"]
     assert attitude_algorithm("memory-4").window == 3
     with pytest.raises(TypeError, match="does not support item assignment"):
         ALGORITHMS["memory-4"] = None
@@ -234,7 +237,7 @@ def exact_rotation(rate, time):
 
 def local_error(name, rate, interval):
     """Rotation vector from the exact rotation to that of a step from time 0."""
-    chosen = ALGORITHMS[name]
+    chosen = CONING_ALGORITHMS[name]
     rows = integrals(rate, interval, -chosen.memory, chosen.window)
     history = rows[: chosen.memory] if chosen.memory else None
     step = step_quaternions(rows[chosen.memory :], name, history=history)[0]
@@ -253,7 +256,7 @@ def local_order(name, rate):
 def test_local_order_is_one_more_than_the_order(name, seed):
     """On a rate that is quadratic in time."""
     rate = np.random.default_rng(seed).uniform(-1, 1, (3, 3))
-    assert local_order(name, rate) == pytest.approx(ALGORITHMS[name].order + 1, abs=0.1)
+    assert local_order(name, rate) == pytest.approx(CONING_ALGORITHMS[name].order + 1, abs=0.1)
 
 
 @every_algorithm
@@ -261,7 +264,7 @@ def test_local_order_is_one_more_than_the_order(name, seed):
 def test_local_order_on_a_rate_that_is_linear_in_time(name, seed):
     """The coning correction of one-step-3 is exact there, which gives it an order more."""
     rate = np.random.default_rng(seed).uniform(-1, 1, (2, 3))
-    expected = ALGORITHMS[name].order + (2 if name == "one-step-3" else 1)
+    expected = CONING_ALGORITHMS[name].order + (2 if name == "one-step-3" else 1)
     assert local_order(name, rate) == pytest.approx(expected, abs=0.1)
 
 
@@ -269,7 +272,7 @@ def test_local_order_on_a_rate_that_is_linear_in_time(name, seed):
 @pytest.mark.parametrize("seed", range(3))
 def test_coning_correction_is_exact_for_a_rate_that_is_linear_in_time(name, seed):
     """Half the integral of gamma × omega over a step of T is a × b T^3/12 for omega = a + b t."""
-    chosen, interval, count = ALGORITHMS[name], 0.1, 6
+    chosen, interval, count = CONING_ALGORITHMS[name], 0.1, 6
     rate = np.random.default_rng(seed).uniform(-1, 1, (2, 3))
     rows = integrals(rate, interval, 0, count)
     gamma = rows.reshape(-1, chosen.samples, 3).sum(axis=1)
@@ -304,7 +307,7 @@ A, B, C = np.random.default_rng(7).uniform(-1, 1, (3, 3))
     ],
 )
 def test_leading_term_of_the_local_error(name, power, leading):
-    rate, samples = np.array([A, B, C]), ALGORITHMS[name].samples
+    rate, samples = np.array([A, B, C]), CONING_ALGORITHMS[name].samples
 
     def rest(size):
         interval = 8 * size
@@ -321,7 +324,7 @@ COUNTS = 6 * 2 ** np.arange(4, 9)
 
 def errors(motion, name, duration, count, **options):
     """Angle between the calculated and the exact attitude after each step."""
-    interval, samples = duration / count, ALGORITHMS[name].samples
+    interval, samples = duration / count, CONING_ALGORITHMS[name].samples
     attitude = integrate(
         motion.increments(interval, count), name, start=motion.attitude(0), **options
     )
@@ -339,7 +342,7 @@ def fitted_order(error):
 def test_global_order_on_a_motion_without_symmetries(name, motion):
     """Without a history: the starts keep the order. Errors from 1e-3 to 1e-11."""
     order = fitted_order(lambda count: errors(motion, name, 4, count).max())
-    assert order == pytest.approx(ALGORITHMS[name].order, abs=0.1)
+    assert order == pytest.approx(CONING_ALGORITHMS[name].order, abs=0.1)
 
 
 def test_small_cone_makes_one_step_3_look_fourth_order():
@@ -371,7 +374,7 @@ def test_order_about_a_fixed_axis(name):
 @given(g=st.floats(-6.28, 6.28))
 def test_local_residual_about_a_fixed_axis(name, g):
     """4 atan(g/4 + g^3/192) - g, or the same without the cube."""
-    chosen = ALGORITHMS[name]
+    chosen = CONING_ALGORITHMS[name]
     # In unequal parts: parallel increments have no cross product, whatever their sizes.
     parts = np.array([g]) if chosen.samples == 1 else np.array([0.3 * g, 0.7 * g])
     history = np.outer([0.5, -0.2], [0, 0, 1]) if chosen.memory else None
@@ -406,7 +409,7 @@ def test_order_with_the_true_history(name):
         attitude = integrate(rows[2:], name, start=start, history=rows[:2])[-1]
         return rotation_angle(multiply(conjugate(SWAY.attitude(4)), attitude))
 
-    assert fitted_order(final) == pytest.approx(ALGORITHMS[name].order, abs=0.1)
+    assert fitted_order(final) == pytest.approx(CONING_ALGORITHMS[name].order, abs=0.1)
 
 
 @with_memory
@@ -418,7 +421,7 @@ def test_zero_history_keeps_the_order_in_the_end(name):
     history = np.zeros((2, 3))
     # After the first step alone the error is of third order for both.
     order = fitted_order(lambda count: errors(SWAY, name, 4, count, history=history)[1:].max())
-    assert order == pytest.approx(ALGORITHMS[name].order, abs=0.1)
+    assert order == pytest.approx(CONING_ALGORITHMS[name].order, abs=0.1)
     first = fitted_order(lambda count: errors(SWAY, name, 4, count, history=history)[0])
     assert first == pytest.approx(3, abs=0.1)
 
@@ -440,7 +443,7 @@ def test_two_first_steps_by_another_algorithm(other, order):
 @every_algorithm
 @given(data=st.data())
 def test_chunks_are_the_same_as_all_at_once(name, data):
-    chosen, count = ALGORITHMS[name], 24
+    chosen, count = CONING_ALGORITHMS[name], 24
     rows, start = increments(count, seed=4), random_quaternions(1)[0]
     # Cuts after whole steps; what is before the first suffices to start.
     places = range(-(-chosen.window // chosen.samples) * chosen.samples, count, chosen.samples)
@@ -462,7 +465,7 @@ def test_chunks_are_the_same_as_all_at_once(name, data):
 def test_leading_axes_are_loops(name):
     rows, start = increments(2, 1, 12), random_quaternions(3)
     together = integrate(rows, name, start=start)
-    assert together.shape == (2, 3, 12 // ALGORITHMS[name].samples, 4)
+    assert together.shape == (2, 3, 12 // CONING_ALGORITHMS[name].samples, 4)
     for i, j in np.ndindex(2, 3):
         alone = integrate(rows[i, 0], name, start=start[j])
         np.testing.assert_allclose(together[i, j], alone, rtol=0, atol=100 * EPS)
@@ -495,7 +498,7 @@ def test_history_broadcasts(name, leading, past):
         np.testing.assert_allclose(together[index], alone, rtol=0, atol=4 * EPS)
 
 
-@pytest.mark.parametrize("name", [name for name in ALGORITHMS if name not in MEMORY])
+@pytest.mark.parametrize("name", [name for name in CONING_ALGORITHMS if name not in MEMORY])
 def test_history_of_an_algorithm_without_memory_is_not_looked_at(name):
     rows = increments(6)
     np.testing.assert_array_equal(integrate(rows, name, history="none"), integrate(rows, name))
@@ -657,7 +660,7 @@ def test_bad_starts_are_refused(name):
 
 @with_cayley
 def test_whole_turn_in_a_step_is_refused_where_k_is_infinite(name):
-    samples = ALGORITHMS[name].samples
+    samples = CONING_ALGORITHMS[name].samples
     part = np.array([2.0, -1.0, 2.0]) / 3 / samples
     below, above = np.tile(6.283 * part, (6, 1)), np.tile(6.284 * part, (6, 1))
     assert np.isfinite(integrate(below, name)).all()
@@ -671,7 +674,7 @@ def test_whole_turn_in_a_step_is_refused_where_k_is_infinite(name):
 
 @with_rotation_vector
 def test_whole_turns_in_a_step_are_nothing_to_a_rotation_vector(name):
-    samples = ALGORITHMS[name].samples
+    samples = CONING_ALGORITHMS[name].samples
     rows = np.tile(np.array([0, 0, 7 / samples]), (6, 1))
     steps = np.arange(1, 6 // samples + 1)
     expected = from_rotation_vector(np.outer(7 * steps, [0, 0, 1]))

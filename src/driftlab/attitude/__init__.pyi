@@ -3,6 +3,7 @@ from . import (
     coning_algorithms as coning_algorithms,
     drift_on_cones as drift_on_cones,
     finite_precision as finite_precision,
+    functional_iteration as functional_iteration,
     integration as integration,
     noise_amplification as noise_amplification,
     riccati as riccati,
@@ -18,7 +19,9 @@ from .cayley import (
 )
 from .coning_algorithms import (
     ALGORITHMS as ALGORITHMS,
+    CONING_ALGORITHMS as CONING_ALGORITHMS,
     Algorithm as Algorithm,
+    AttitudeAlgorithm as AttitudeAlgorithm,
     LastStage as LastStage,
     Weights as Weights,
     attitude_algorithm as attitude_algorithm,
@@ -32,6 +35,10 @@ from .finite_precision import (
     Update as Update,
     integrate_in_word as integrate_in_word,
     step_in_word as step_in_word,
+)
+from .functional_iteration import (
+    WIDEST as WIDEST,
+    FunctionalIteration as FunctionalIteration,
 )
 from .integration import (
     integrate as integrate,

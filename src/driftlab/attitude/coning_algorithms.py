@@ -13,7 +13,8 @@ not be the authors' own forms. The two rotation-vector algorithms are the usual 
 weights for three samples are Miller's (1983).
 
 In the names, the last number is the global order, except that `picard-1` is the first iterate and
-that the two rotation-vector algorithms count their samples.
+that the two rotation-vector algorithms count their samples. `CONING_ALGORITHMS` are these seven;
+`ALGORITHMS` has `functional-iteration` besides, which works without cross products.
 """
 
 from __future__ import annotations
@@ -24,6 +25,8 @@ from types import MappingProxyType
 from typing import Literal, get_args
 
 from driftlab.checks import finite_array, whole_number
+
+from .functional_iteration import FunctionalIteration
 
 Weights = Mapping[tuple[int, int], float]
 """Weights of the cross products g_i × g_j, keyed by places i < j in a row of increments."""
@@ -114,13 +117,13 @@ class Algorithm:
 
         Examples
         --------
-        >>> ALGORITHMS["memory-4"].window
+        >>> CONING_ALGORITHMS["memory-4"].window
         3
         """
         return self.samples + self.memory
 
 
-ALGORITHMS: Mapping[str, Algorithm] = MappingProxyType(
+CONING_ALGORITHMS: Mapping[str, Algorithm] = MappingProxyType(
     {
         algorithm.name: algorithm
         for algorithm in (
@@ -150,20 +153,28 @@ ALGORITHMS: Mapping[str, Algorithm] = MappingProxyType(
         )
     }
 )
-"""Algorithms by name, in the order of the tables of chapter 06."""
+"""Algorithms with cross products by name, in the order of the tables of chapter 06."""
+
+AttitudeAlgorithm = Algorithm | FunctionalIteration
+"""An algorithm of either kind."""
+
+ALGORITHMS: Mapping[str, AttitudeAlgorithm] = MappingProxyType(
+    {**CONING_ALGORITHMS, "functional-iteration": FunctionalIteration("functional-iteration")}
+)
+"""All algorithms by name: those with cross products, and functional iteration."""
 
 
-def attitude_algorithm(algorithm: str | Algorithm) -> Algorithm:
+def attitude_algorithm(algorithm: str | AttitudeAlgorithm) -> AttitudeAlgorithm:
     """Return an algorithm by its name, or an algorithm itself.
 
     Parameters
     ----------
-    algorithm : str or Algorithm
+    algorithm : str or Algorithm or FunctionalIteration
         A key of `ALGORITHMS`, or a custom algorithm.
 
     Returns
     -------
-    Algorithm
+    Algorithm or FunctionalIteration
         The one of that name, or `algorithm` unchanged.
 
     Raises
@@ -176,7 +187,7 @@ def attitude_algorithm(algorithm: str | Algorithm) -> Algorithm:
     >>> attitude_algorithm("rotation-vector-3").samples
     3
     """
-    if isinstance(algorithm, Algorithm):
+    if isinstance(algorithm, Algorithm | FunctionalIteration):
         return algorithm
     if not isinstance(algorithm, str) or algorithm not in ALGORITHMS:
         raise ValueError(f"algorithm: expected one of {', '.join(ALGORITHMS)}, got {algorithm!r}.")

@@ -12,13 +12,13 @@ from numpy.typing import ArrayLike
 from driftlab.checks import FloatArray, finite_arrays
 from driftlab.core.attitude import step_quaternions
 from driftlab.core.coning import cone_increments
-from driftlab.core.quaternion import from_rotation_vector, multiply
+from driftlab.core.quaternion import cumulative_product, from_rotation_vector, multiply
 
-from .coning_algorithms import Algorithm, attitude_algorithm
+from .coning_algorithms import AttitudeAlgorithm, attitude_algorithm
 
 
 def coning_drift(
-    algorithm: str | Algorithm,
+    algorithm: str | AttitudeAlgorithm,
     half_angle: ArrayLike,
     frequency: ArrayLike,
     sample_interval: ArrayLike,
@@ -27,7 +27,7 @@ def coning_drift(
 
     Parameters
     ----------
-    algorithm : str or Algorithm
+    algorithm : str or Algorithm or FunctionalIteration
         A key of `driftlab.attitude.ALGORITHMS`, or a custom algorithm.
     half_angle : array_like, shape (...)
         Half the opening angle of the cone, rad, at most pi in absolute value.
@@ -50,7 +50,8 @@ def coning_drift(
 
     Notes
     -----
-    Let Z be the rotation about the cone's axis by the angle X that the cone goes round in a step,
+    Let Z be the rotation about the cone's axis by the angle X that the cone goes round in a step
+    (for functional iteration in a window, whose steps belong together),
     and q the algorithm's quaternion of the step that begins at phase zero. The step after it is
     Z q Z*, and so on, so that n steps make (q Z)^n Z*^n. A perfect algorithm has a q Z that turns
     by X; what another q Z turns more or less, divided by the time of the step, is the drift.
@@ -82,14 +83,18 @@ def coning_drift(
     places = np.arange(chosen.window) - chosen.memory + 0.5
     sample = x[..., np.newaxis]
     increments = cone_increments(angle[..., np.newaxis], sample, sample * places)
-    turned = np.linalg.norm(increments[..., chosen.memory :, :].sum(axis=-2), axis=-1)
+    step = increments[..., chosen.memory : chosen.memory + chosen.samples, :]
+    turned = np.linalg.norm(step.sum(axis=-2), axis=-1)
     if chosen.last_stage != "rotation vector" and (turned >= 2 * np.pi).any():
         raise ValueError(
             "half_angle, frequency, sample_interval: expected less than a whole turn a step, where "
             f"the vector k is infinite, got {turned.max():.3g} rad."
         )
-    step = step_quaternions(chosen, increments, past=chosen.memory)[..., 0, :]
-    return step_drift(step, angle, chosen.samples * x) / (chosen.samples * interval)
+    steps = step_quaternions(chosen, increments, past=chosen.memory)
+    # One step, or all of a window that is computed as a whole.
+    count = chosen.window - chosen.memory
+    turned_in_all = cumulative_product(steps)[..., -1, :]
+    return step_drift(turned_in_all, angle, count * x) / (count * interval)
 
 
 def step_drift(step: FloatArray, half_angle: FloatArray, step_angle: FloatArray) -> FloatArray:

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from driftlab.checks import finite_array, finite_arrays, unit_quaternions
 
-from .coning_algorithms import Algorithm, attitude_algorithm
+from .coning_algorithms import AttitudeAlgorithm, attitude_algorithm
 from .integration import step_vectors
 
 Update = Literal["product", "small terms first", "complement", "compensated"]
@@ -77,7 +77,7 @@ def step_in_word(vectors: NDArray[Any], *, rotation_vector: bool = False) -> NDA
 
 def integrate_in_word(
     increments: ArrayLike,
-    algorithm: str | Algorithm = "two-step-4",
+    algorithm: str | AttitudeAlgorithm = "two-step-4",
     *,
     start: ArrayLike = (0.0, 0.0, 0.0, 1.0),
     word: DTypeLike = np.float32,
@@ -91,7 +91,7 @@ def integrate_in_word(
     ----------
     increments : array_like, shape (..., n, 3)
         Integrals of the body rate over equal intervals, rad.
-    algorithm : str or Algorithm
+    algorithm : str or Algorithm or FunctionalIteration
         As in `driftlab.attitude.integrate`.
     start : array_like, shape (..., 4)
         Attitude before the first increment; brought to unit norm.

@@ -12,12 +12,12 @@ from driftlab.core import attitude as core
 from driftlab.core.attitude import rotation_quaternion, turns_too_far
 from driftlab.core.quaternion import cumulative_product, from_rotation_vector, multiply
 
-from .coning_algorithms import Algorithm, attitude_algorithm
+from .coning_algorithms import AttitudeAlgorithm, attitude_algorithm
 
 
 def integrate(
     increments: ArrayLike,
-    algorithm: str | Algorithm = "two-step-4",
+    algorithm: str | AttitudeAlgorithm = "two-step-4",
     *,
     start: ArrayLike = (0.0, 0.0, 0.0, 1.0),
     history: ArrayLike | None = None,
@@ -29,8 +29,9 @@ def integrate(
     increments : array_like, shape (..., n, 3)
         Integrals of the body rate over equal intervals, rad, in the order in which they happen.
         They must be true integrals, as from an integrating gyro. Sampled rates times the interval
-        are not: they lose the coning between two samples, see chapter 06.
-    algorithm : str or Algorithm
+        are not: they lose the coning between two samples, see chapter 06. For these there is
+        `driftlab.increments.increments_from_rates`.
+    algorithm : str or Algorithm or FunctionalIteration
         A key of `ALGORITHMS`, or a custom algorithm.
     start : array_like, shape (..., 4)
         Attitude before the first increment; brought to unit norm.
@@ -51,7 +52,14 @@ def integrate(
     ValueError
         If the algorithm is unknown, or if the increments do not make whole steps, are too few to
         start without a history, or (unless the rotation vector is used) turn by a whole turn in one
-        step. All algorithms are meant for steps that turn by much less than 1 rad.
+        step. All algorithms are meant for steps that turn by much less than 1 rad. Functional
+        iteration refuses fewer increments than a window has, and such that it does not settle on.
+
+    Notes
+    -----
+    Functional iteration gives an attitude after every increment. If the last window is not full,
+    it is moved back until it is: any number of increments from one window on will do. A stream that
+    is handed over in whole windows gives the same attitudes as all at once.
 
     Examples
     --------
@@ -67,7 +75,7 @@ def integrate(
 
 
 def step_quaternions(
-    increments: ArrayLike, algorithm: str | Algorithm, *, history: ArrayLike | None = None
+    increments: ArrayLike, algorithm: str | AttitudeAlgorithm, *, history: ArrayLike | None = None
 ) -> FloatArray:
     """Quaternion of the rotation over each single step.
 
@@ -75,7 +83,7 @@ def step_quaternions(
     ----------
     increments : array_like, shape (..., n, 3)
         Integrals of the body rate over equal intervals, rad.
-    algorithm : str or Algorithm
+    algorithm : str or Algorithm or FunctionalIteration
         A key of `ALGORITHMS`, or a custom algorithm.
     history : array_like, shape (..., m, 3), optional
         The increments before the first, rad; as in `integrate`.
@@ -103,7 +111,7 @@ def step_quaternions(
 
 def step_vectors(
     increments: ArrayLike,
-    algorithm: str | Algorithm,
+    algorithm: str | AttitudeAlgorithm,
     *,
     history: ArrayLike | None = None,
     word: DTypeLike = np.float64,
@@ -114,7 +122,7 @@ def step_vectors(
     ----------
     increments : array_like, shape (..., n, 3)
         Integrals of the body rate over equal intervals, rad.
-    algorithm : str or Algorithm
+    algorithm : str or Algorithm or FunctionalIteration
         A key of `ALGORITHMS`, or a custom algorithm.
     history : array_like, shape (..., m, 3), optional
         The increments before the first, rad; as in `integrate`.
@@ -157,10 +165,11 @@ def step_vectors(
             f"keep the last {left_over} for the next call."
         )
     if history is None or not chosen.memory:
-        if chosen.memory and count < chosen.window:
+        if count < chosen.window:
+            why = " to start without a history" if chosen.memory else ""
             raise ValueError(
-                f"increments: expected at least {chosen.window} for {chosen.name} to start without "
-                f"a history, got {count}."
+                f"increments: expected at least {chosen.window} for {chosen.name}{why}, "
+                f"got {count}."
             )
         return core.step_vectors(chosen, _in_word(rows, dtype), past=0)
     past = finite_array(history, "history", 3)

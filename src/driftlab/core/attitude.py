@@ -9,11 +9,12 @@ from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
 
+from . import functional_iteration
 from .quaternion import from_rotation_vector
 from .vectors import components_first, components_last, cross
 
 if TYPE_CHECKING:
-    from driftlab.attitude.coning_algorithms import Algorithm, Weights
+    from driftlab.attitude.coning_algorithms import Algorithm, AttitudeAlgorithm, Weights
 
 
 def rotation_quaternion(k: FloatArray) -> FloatArray:
@@ -26,7 +27,9 @@ def rotation_quaternion(k: FloatArray) -> FloatArray:
     return quaternion / (one**2 + square)
 
 
-def step_quaternions(algorithm: Algorithm, increments: FloatArray, past: int = 0) -> FloatArray:
+def step_quaternions(
+    algorithm: AttitudeAlgorithm, increments: FloatArray, past: int = 0
+) -> FloatArray:
     """Rotation (..., m, 4) over each step; arguments as in `step_vectors`."""
     vectors = step_vectors(algorithm, increments, past)
     if algorithm.last_stage == "rotation vector":
@@ -34,9 +37,14 @@ def step_quaternions(algorithm: Algorithm, increments: FloatArray, past: int = 0
     return rotation_quaternion(vectors)
 
 
-def step_vectors(algorithm: Algorithm, increments: NDArray[Any], past: int = 0) -> NDArray[Any]:
+def step_vectors(
+    algorithm: AttitudeAlgorithm, increments: NDArray[Any], past: int = 0
+) -> NDArray[Any]:
     """Vector (..., m, 3) of each step: k, or the rotation vector; of the increments (..., n, 3) the
     first `past` are history."""
+    if algorithm.last_stage == "functional iteration":
+        window, iterations = algorithm.window, algorithm.iterations
+        return functional_iteration.step_vectors(increments, window, iterations)
     kind, m = increments.dtype.type, algorithm.samples
     # Components first, so that everything but a cross product is plain arithmetic.
     rows = np.ascontiguousarray(components_first(increments))

@@ -5,7 +5,7 @@ import pytest
 from scipy.special import factorial, factorial2
 from scipy.stats import chi2
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS, Algorithm
+from driftlab.attitude.coning_algorithms import ALGORITHMS, CONING_ALGORITHMS, Algorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.finite_precision import UPDATES, integrate_in_word, step_in_word
 from driftlab.attitude.integration import integrate
@@ -72,10 +72,10 @@ def test_algorithm_orders_are_those_of_the_derivation_except_where_symmetry_hide
 ) -> None:
     data = figure.data
     orders = {
-        name: dict(zip(ALGORITHMS, row, strict=True))
+        name: dict(zip(CONING_ALGORITHMS, row, strict=True))
         for name, row in zip(("narrow", "wide", "ship", "axis"), data.orders, strict=True)
     }
-    for name, algorithm in ALGORITHMS.items():
+    for name, algorithm in CONING_ALGORITHMS.items():
         assert orders["ship"][name] == pytest.approx(algorithm.order, abs=0.1)
         assert orders["wide"][name] == pytest.approx(algorithm.order, abs=0.15)
         assert orders["narrow"][name] == pytest.approx(2 if name == "picard-1" else 4, abs=0.1)
@@ -85,7 +85,7 @@ def test_algorithm_orders_are_those_of_the_derivation_except_where_symmetry_hide
             assert orders["axis"][name] == pytest.approx(2 if name == "picard-1" else 4, abs=0.1)
 
 
-@pytest.mark.parametrize("name", ALGORITHMS)
+@pytest.mark.parametrize("name", CONING_ALGORITHMS)
 def test_drift_measured_over_many_steps_is_that_of_one(name: str) -> None:
     # The wobble across the axis tilts what is read along it, by less than 1e-4 of it.
     for half_angle, frequency, rate in ((0.01, 1.0, 30.0), (0.01, 5.0, 40.0), (0.3, 5.0, 100.0)):
@@ -121,7 +121,7 @@ def test_last_stages_part_on_wide_cones_and_in_fast_turns(figure: PublishedFigur
 
 def test_costs_are_those_of_the_text() -> None:
     cost = {
-        stage: sum(operations(step_program(ALGORITHMS["two-step-4"], stage)).values())
+        stage: sum(operations(step_program(CONING_ALGORITHMS["two-step-4"], stage)).values())
         for stage in COMPARED_STAGES
     }
     assert cost["series"] < cost["sine series and root"] < cost["tangent"]
@@ -148,7 +148,7 @@ def test_dimension_4_errs_less_than_dimension_3_beyond_narrow_cones(samples: int
 @pytest.mark.parametrize("name", ["two-step-3", "two-step-4", "rotation-vector-2"])
 def test_drift_of_a_stage_is_that_of_the_algorithm_with_it(name: str) -> None:
     half_angles = np.radians([1.0, 60.0])
-    found = stage_drift(ALGORITHMS[name].last_stage, half_angles, 24)
+    found = stage_drift(CONING_ALGORITHMS[name].last_stage, half_angles, 24)
     expected = coning_drift(name, half_angles, 1.0, 1 / 24)
     np.testing.assert_allclose(found, expected, rtol=0, atol=24e-15)
 

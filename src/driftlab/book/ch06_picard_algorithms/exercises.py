@@ -6,7 +6,7 @@ import numpy as np
 from scipy.constants import arcsecond, degree
 
 from driftlab.attitude.cayley import rotation_quaternion
-from driftlab.attitude.coning_algorithms import ALGORITHMS, Algorithm, LastStage
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm, LastStage
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.integration import step_quaternions, step_vectors
 from driftlab.attitude.spherical_area import solid_angle
@@ -29,7 +29,7 @@ def _growth(name: str) -> float:
 @cache
 def _on_the_ship() -> FloatArray:
     """The panel's errors (algorithm, rate) on the ship in arc seconds."""
-    return algorithm_errors(SHIP, SAMPLE_RATES[0], tuple(ALGORITHMS)).worst / arcsecond
+    return algorithm_errors(SHIP, SAMPLE_RATES[0], tuple(CONING_ALGORITHMS)).worst / arcsecond
 
 
 def _lowest_rate(needed: int) -> int:
@@ -63,7 +63,7 @@ def _weights(*, at_middle: bool = False) -> FloatArray:
 
 
 def _miller() -> list[float]:
-    weights = ALGORITHMS["rotation-vector-3"].coning
+    weights = CONING_ALGORITHMS["rotation-vector-3"].coning
     return [weights[pair] for pair in ((0, 1), (0, 2), (1, 2))]
 
 
@@ -86,7 +86,9 @@ EXERCISES: dict[str, Exercise] = {
             "Those are the powers of the global order: how the error at a given time grows with "
             "the step, on one and the same motion. Here the motion has changed and the step has "
             "not: look at the drift of one sample.": (
-                lambda: [2.0 ** ALGORITHMS[name].order for name in ("picard-1", "two-step-4")]
+                lambda: [
+                    2.0 ** CONING_ALGORITHMS[name].order for name in ("picard-1", "two-step-4")
+                ]
             ),
             "The rounds are twice as many, and each leaves more than before.": lambda: [2, 2],
             "The two are exchanged.": lambda: [_growth("two-step-4"), _growth("picard-1")],
@@ -99,7 +101,7 @@ EXERCISES: dict[str, Exercise] = {
         unit="Hz",
         mistakes={
             "There nearly all are below one arc second. A lower rate is enough for some.": (
-                lambda: _lowest_rate(len(ALGORITHMS) - 1)
+                lambda: _lowest_rate(len(CONING_ALGORITHMS) - 1)
             ),
             "There none is below one arc second: look at the exponents, and at the order.": (
                 lambda: SAMPLE_RATES[0]

@@ -7,7 +7,7 @@ from typing import ClassVar
 import numpy as np
 from scipy.constants import arcsecond
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.coning_algorithms import ALGORITHMS, CONING_ALGORITHMS
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.motion.profiles import Motion
@@ -42,7 +42,10 @@ class AlgorithmLaboratoryExplorer(Explorer):
         Control("frequency", "frequency, Hz", 1.0, 0.1, 3.0, 0.1, group="motion"),
         Control("rate", "sample rate, Hz", 96, stops=SAMPLE_RATES, group="computer"),
         Control("word", "word length", "64 bits", choices=tuple(WORDS), group="computer"),
-        *(Control(name, name, True, group="algorithms") for name in ALGORITHMS),
+        *(
+            Control(name, name, name in CONING_ALGORITHMS, group="algorithms")
+            for name in ALGORITHMS
+        ),
     )  # fmt: skip
     presets: ClassVar = {
         "Small cone": {},

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS, attitude_algorithm
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, attitude_algorithm
 from driftlab.attitude.finite_precision import integrate_in_word
 from driftlab.attitude.integration import step_quaternions
 from driftlab.checks import FloatArray
@@ -175,9 +175,11 @@ def fitted_orders(data: AlgorithmLaboratory) -> list[float | None]:
 
 
 def algorithm_orders() -> AlgorithmOrders:
-    """Measure the order of every algorithm on every motion of `ORDER_MOTIONS`."""
+    """Measure the orders of the algorithms with cross products on all of `ORDER_MOTIONS`."""
     trials = [
-        algorithm_errors(motion, ORDER_SAMPLE_RATES[0], tuple(ALGORITHMS), rates=ORDER_SAMPLE_RATES)
+        algorithm_errors(
+            motion, ORDER_SAMPLE_RATES[0], tuple(CONING_ALGORITHMS), rates=ORDER_SAMPLE_RATES
+        )
         for motion in ORDER_MOTIONS.values()
     ]
     return AlgorithmOrders(

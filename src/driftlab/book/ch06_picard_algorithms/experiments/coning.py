@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, attitude_algorithm
 from driftlab.attitude.integration import integrate
 from driftlab.checks import FloatArray, whole_number
 from driftlab.motion.profiles import Coning
@@ -56,7 +56,7 @@ class ConingArea(NamedTuple):
 
 
 class ConingDrift(NamedTuple):
-    """Sizes of the drift on a cone, by algorithm in the order of `ALGORITHMS`.
+    """Sizes of the drift on a cone, by algorithm in the order of `CONING_ALGORITHMS`.
 
     Attributes
     ----------
@@ -133,7 +133,7 @@ def _area(closed: FloatArray) -> float:
 
 
 def measured_drift(algorithm: str, half_angle: float, frequency: float, rate: float) -> float:
-    """Measure the drift of an algorithm on a cone over `DRIFT_STEPS` steps.
+    """Measure the drift of an algorithm on a cone over `DRIFT_STEPS` steps or windows.
 
     Seen from the axis of the cone all steps are alike, so the error's component along that axis
     grows by the same amount at each: a few steps tell the drift as well as many.
@@ -152,8 +152,8 @@ def measured_drift(algorithm: str, half_angle: float, frequency: float, rate: fl
     float
         Apparent less true rate along the axis of the cone, rad/s.
     """
-    motion, chosen = Coning(half_angle, frequency), ALGORITHMS[algorithm]
-    count = DRIFT_STEPS * chosen.samples
+    motion, chosen = Coning(half_angle, frequency), attitude_algorithm(algorithm)
+    count = DRIFT_STEPS * (chosen.window - chosen.memory)
     increments = motion.increments(1 / rate, chosen.memory + count)
     # A past of its own keeps the start formulas of algorithms with memory out of the measurement.
     found = integrate(
@@ -175,14 +175,14 @@ def drift_by_frequency_and_rate() -> ConingDrift:
             abs(measured_drift(name, BRACKET.half_angle, float(frequency), BRACKET_SAMPLE_RATE))
             for frequency in DRIFT_FREQUENCIES
         ]
-        for name in ALGORITHMS
+        for name in CONING_ALGORITHMS
     ]
     by_rate = [
         [
             abs(measured_drift(name, BRACKET.half_angle, BRACKET.frequency, float(rate)))
             for rate in DRIFT_SAMPLE_RATES
         ]
-        for name in ALGORITHMS
+        for name in CONING_ALGORITHMS
     ]
     return ConingDrift(
         DRIFT_FREQUENCIES, np.array(by_frequency), DRIFT_SAMPLE_RATES, np.array(by_rate)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import step_drift
 from driftlab.attitude.integration import integrate
 from driftlab.checks import FloatArray
@@ -18,7 +18,7 @@ from driftlab.symbolic import operations, run_program, step_program
 
 from .random_motion import random_increments
 
-PAIR = ALGORITHMS["two-step-4"]
+PAIR = CONING_ALGORITHMS["two-step-4"]
 """The increments and the coning correction that all last stages start from."""
 COMPARED_STAGES = (
     "third iterate",

@@ -9,7 +9,7 @@ from driftlab.book.machinery.picture import BLACK, GREY, SERIES, Picture
 
 from ..experiments import DURATION, SAMPLE_RATES, AlgorithmLaboratory
 
-MARKERS = "osD^vPX"
+MARKERS = "osD^vPX*"
 STYLES = {
     name: {**style, "marker": marker, "markersize": 4.5}
     for name, style, marker in zip(ALGORITHMS, SERIES, MARKERS, strict=False)

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.book.machinery.picture import in_style
 from driftlab.checks import FloatArray
 
@@ -15,7 +15,7 @@ def columns(data: AlgorithmOrders) -> dict[str, FloatArray]:
     """Columns of the figure's CSV: errors in rad, except those of pure rounding."""
     table = {"rate_hz": data.rates}
     for motion, errors in zip(("cone_1", "cone_60", "sway", "fixed_axis"), data.worst, strict=True):
-        for name, column in zip(ALGORITHMS, errors, strict=True):
+        for name, column in zip(CONING_ALGORITHMS, errors, strict=True):
             # On a fixed axis a rotation vector is exact, and what is left differs by machine.
             if column.max() > 1e-13:
                 table[f"{motion}_{name}"] = column
@@ -34,14 +34,14 @@ def draw(data: AlgorithmOrders) -> Figure:
         panel.minorticks_off()
         if not title.startswith("fixed axis"):  # there errors lie in the way
             draw_slopes(panel, ORDER_SAMPLE_RATES[0], 1e-11)
-        for (name, style), errors in zip(STYLES.items(), worst, strict=True):
+        for name, errors in zip(CONING_ALGORITHMS, worst, strict=True):
             # No error at all has no place on a logarithmic axis.
             shown = np.where(errors > 0, errors, np.nan)
-            panel.plot(data.rates, shown, **style, label=name)
+            panel.plot(data.rates, shown, **STYLES[name], label=name)
     for panel in panels[2:]:
         panel.set_xlabel("sample rate, Hz")
     for panel in panels[::2]:
         panel.set_ylabel("largest error of attitude, rad")
     handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncols=len(STYLES), fontsize=8)
+    figure.legend(handles, labels, loc="lower center", ncols=len(labels), fontsize=8)
     return figure

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import degree, hour
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.machinery.picture import in_style, long_table
 from driftlab.checks import FloatArray
@@ -25,7 +25,7 @@ CURVES = {
 def columns(data: ConingDrift) -> dict[str, FloatArray]:
     """Columns of the figure's CSV."""
     curves = {}
-    for i, name in enumerate(ALGORITHMS):
+    for i, name in enumerate(CONING_ALGORITHMS):
         curves[f"{name}, rad/s over coning frequency in Hz"] = (
             data.frequencies,
             data.by_frequency[i],
@@ -54,7 +54,7 @@ def draw(data: ConingDrift) -> Figure:
     frequencies, rates = np.geomspace(0.8, 40, 200), np.geomspace(12, 1000, 200)
     handles = []
     for name, label in CURVES.items():
-        i = list(ALGORITHMS).index(name)
+        i = list(CONING_ALGORITHMS).index(name)
         line = dict(STYLES[name])
         dots = {"color": line["color"], "linestyle": "none", "marker": line.pop("marker")}
         dots["markersize"] = line.pop("markersize")
