@@ -20,13 +20,24 @@ from timing import best
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS
 from driftlab.attitude.integration import integrate
+from driftlab.book.ch06_picard_algorithms.experiments import (
+    PRECESSION_SECONDS,
+    precession,
+    precession_error,
+)
 from driftlab.book.panels import EXPLORERS
 from driftlab.drift.error_kinematics import (
     error_quaternion,
     error_rate_matrix,
     error_transition_matrix,
 )
-from driftlab.quaternion import cumulative_product, from_rotation_vector
+from driftlab.quaternion import (
+    conjugate,
+    cumulative_product,
+    from_rotation_vector,
+    multiply,
+    rotation_angle,
+)
 
 
 def error_quaternions() -> None:
@@ -93,7 +104,7 @@ def extended_product(quaternions: np.ndarray) -> np.ndarray:
 
 def attitudes() -> None:
     """Attitude from increments: the algorithms, and the peers on their own terms."""
-    count, rate = 10**6 - 10**6 % 6, 100.0
+    count, rate = 10**6 - 10**6 % 12, 100.0
     time = np.arange(count)[:, None] / rate
     increments = np.sin(time * [2.0, 1.3, 0.7] + [0.0, 1.0, 2.0]) / rate
     print(f"integrate, {count} increments in one call")
@@ -181,6 +192,37 @@ def pyins_navigation(increments: np.ndarray, rate: float) -> Peer:
     return 1e9 * best(run, repeats=3) / len(rows), gap
 
 
+def from_rates() -> None:
+    """Attitude from sampled rates, on numpy-quaternion's own test of a precession."""
+    count = 2000
+    times = np.linspace(0.0, PRECESSION_SECONDS, count + 1)
+    true, rates = precession(times)
+    print(f"attitude from {count} sampled rates of a precession")
+    fastest = np.inf
+    for degree in (3, 5, 7):
+        ours = best(lambda degree=degree: precession_error(count, degree), repeats=3)
+        fastest = min(fastest, ours)
+        error = precession_error(count, degree)
+        print(f"  spline of degree {degree}, iteration    {1e3 * ours:8.1f} ms   error {error:.0e}")
+    try:
+        import quaternion
+    except ImportError as missing:
+        print(f"  numpy-quaternion                   left out: {missing}")
+        return
+    start = quaternion.quaternion(*np.roll(true[0], 1))
+
+    def run() -> np.ndarray:
+        found = quaternion.integrate_angular_velocity((times, rates), 0.0, times[-1], R0=start)[1]
+        return np.roll(quaternion.as_float_array(found), -1, axis=-1)
+
+    theirs = best(run, repeats=1)
+    error = rotation_angle(multiply(conjugate(true), run())).max()
+    print(
+        f"  numpy-quaternion                   {1e3 * theirs:8.1f} ms   error {error:.0e} "
+        f"{theirs / fastest:6.1f} x"
+    )
+
+
 def redraws(moves: int = 10) -> None:
     for explorer_class in EXPLORERS:
         explorer = explorer_class()
@@ -213,6 +255,7 @@ if __name__ == "__main__":
     exponentials()
     products()
     attitudes()
+    from_rates()
     navigation()
     calibration()
     gyrocompass()

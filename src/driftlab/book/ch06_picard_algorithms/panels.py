@@ -73,7 +73,7 @@ class AlgorithmLaboratoryExplorer(Explorer):
         orders = fitted_orders(data)
         worst = [history.max() / arcsecond for history in data.histories]
         return [
-            (name, f"{error:.2e}″, order {'none' if order is None else f'{order:.2f}'}")
+            (name, _result(error, order))
             for name, error, order in zip(data.names, worst, orders, strict=True)
         ]
 
@@ -98,6 +98,13 @@ class AlgorithmLaboratoryExplorer(Explorer):
             "    error = rotation_angle(multiply(conjugate(motion.attitude(ends)), attitude))\n"
             "    print(name, 3600 * np.degrees(error.max()), 'arc seconds')"
         )
+
+
+def _result(error: float, order: float | None) -> str:
+    """Largest error in arc seconds, and the order, as the panel shows them."""
+    if np.isnan(error):
+        return "refuses: no polynomial fits"
+    return f"{error:.2e}″, order {'none' if order is None else f'{order:.2f}'}"
 
 
 PANELS = (AlgorithmLaboratoryExplorer,)

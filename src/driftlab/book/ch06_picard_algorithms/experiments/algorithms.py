@@ -47,11 +47,12 @@ class AlgorithmLaboratory(NamedTuple):
     times : list of ndarray, shape (n,)
         For each algorithm, the ends of its steps, s.
     histories : list of ndarray, shape (n,)
-        For each algorithm, the angle of its error at these times, rad.
+        For each algorithm, the angle of its error at these times, rad; NaN where functional
+        iteration refuses increments that no polynomial fits.
     rates : ndarray, shape (m,)
         Sample rates, Hz.
     worst : ndarray, shape (algorithm, m)
-        Largest error during the motion at each sample rate, rad.
+        Largest error during the motion at each sample rate, rad; NaN as above.
     rounding : float
         An error below it is not told from rounding, rad.
     """
@@ -117,6 +118,7 @@ def algorithm_errors(
     if rate not in rates:
         raise ValueError(f"rate: expected one of {', '.join(map(str, rates))} Hz, got {rate!r}.")
     samples = [attitude_algorithm(name).samples for name in names]
+    may_refuse = [name not in CONING_ALGORITHMS for name in names]
     worst = np.empty((len(names), len(rates)))
     histories: dict[int, FloatArray] = {}
     for j, sample_rate in enumerate(rates):
@@ -125,11 +127,17 @@ def algorithm_errors(
         moments = np.arange(count + 1) / sample_rate
         exact = motion.attitude(moments)
         # Algorithms whose steps are equally long go together: each call has its price.
-        for step in sorted(set(samples)):
-            group = [i for i, length in enumerate(samples) if length == step]
-            chosen = [names[i] for i in group]
-            found = _attitudes(increments, chosen, exact[0], short_word=short_word)
-            errors = rotation_angle(multiply(conjugate(exact[step::step]), found))
+        for kind in sorted(set(zip(samples, may_refuse, strict=True))):
+            group = [i for i, of in enumerate(zip(samples, may_refuse, strict=True)) if of == kind]
+            chosen, step = [names[i] for i in group], kind[0]
+            try:
+                found = _attitudes(increments, chosen, exact[0], short_word=short_word)
+            except ValueError:
+                if not kind[1]:
+                    raise
+                errors = np.full((1, count), np.nan)
+            else:
+                errors = rotation_angle(multiply(conjugate(exact[step::step]), found))
             worst[group, j] = errors.max(axis=-1)
             if sample_rate == rate:
                 histories |= dict(zip(group, errors, strict=True))

@@ -10,6 +10,7 @@ from . import (
     algorithm_orders,
     coning_area,
     coning_drift,
+    functional_iteration,
     last_stages,
     noise_and_band,
     short_word,
@@ -78,6 +79,23 @@ FIGURES = (
             f"{experiments.ANGLE_RANDOM_WALK * np.sqrt(hour) / degree:g}°/√h. A remainder that is "
             "lost spoils what the corrections gain; one that is carried costs about as much as "
             "the noise."
+        ),
+    ),
+    FigureDefinition(
+        "06-functional-iteration",
+        experiments.window_errors,
+        functional_iteration.draw,
+        functional_iteration.columns,
+        lambda _: (
+            "Functional iteration with windows of several widths, beside two algorithms with cross "
+            f"products, on a cone of {np.degrees(experiments.WIDE_BRACKET.half_angle):g}° at "
+            f"{experiments.WIDE_BRACKET.frequency:g} Hz. Left: with many samples a round each "
+            "increment more in the window gains; below some five it does not, and the widest "
+            "windows refuse. Middle and right: error after "
+            f"{experiments.NOISY_COUNT / experiments.WIDE_BRACKET_RATE:g} s at "
+            f"{experiments.WIDE_BRACKET_RATE:g} Hz, root mean square of {experiments.NOISY_RUNS} "
+            "runs, if every increment has an error: noise hides what the wider windows gain, and "
+            f"the widest, {experiments.WINDOWS[-1]} increments, magnifies it."
         ),
     ),
     FigureDefinition(

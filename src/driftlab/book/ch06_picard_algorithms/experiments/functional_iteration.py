@@ -1,0 +1,215 @@
+"""Functional iteration beside the algorithms with cross products: where it gains, where not."""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.interpolate import CubicSpline
+
+from driftlab.attitude.coning_algorithms import AttitudeAlgorithm, attitude_algorithm
+from driftlab.attitude.drift_on_cones import coning_drift
+from driftlab.attitude.functional_iteration import FunctionalIteration
+from driftlab.attitude.integration import integrate
+from driftlab.checks import FloatArray
+from driftlab.increments import increments_from_rates
+from driftlab.motion.profiles import Coning
+from driftlab.quaternion import (
+    conjugate,
+    from_rotation_vector,
+    multiply,
+    pure,
+    rotate,
+    rotation_angle,
+)
+
+WIDE_BRACKET = Coning(float(np.radians(10.0)), 5.0)
+"""The bracket of the puzzle, tilted ten times as far."""
+WIDE_BRACKET_RATE = 100.0
+"""Sample rate on it, Hz."""
+WINDOWS = (4, 8, 12, 20)
+"""Increments in a window."""
+WINDOW_ALGORITHMS: dict[str, AttitudeAlgorithm] = {
+    "two-step-4": attitude_algorithm("two-step-4"),
+    "rotation-vector-3": attitude_algorithm("rotation-vector-3"),
+    **{f"window of {n}": FunctionalIteration(f"window of {n}", n) for n in WINDOWS},
+}
+"""What is compared."""
+WINDOW_SAMPLES_A_ROUND: FloatArray = np.geomspace(2.5, 40.0, 37)
+"""Increments while the cone goes round once; not whole numbers all of them."""
+ERROR_SIZES: FloatArray = np.geomspace(1e-8, 1e-3, 6)
+"""Errors of an increment: standard deviations of white noise, and steps of quantisation, rad."""
+NOISY_COUNT = 960
+"""Increments of a noisy run, a multiple of all windows."""
+NOISY_RUNS = 16
+
+
+class WindowErrors(NamedTuple):
+    """Errors by algorithm in the order of `WINDOW_ALGORITHMS`; NaN where one refuses.
+
+    Attributes
+    ----------
+    samples : ndarray, shape (m,)
+        Samples a round.
+    drifts : ndarray, shape (algorithm, m)
+        Size of the drift on `WIDE_BRACKET`, rad/s.
+    sizes : ndarray, shape (s,)
+        Of the errors of an increment, rad.
+    noisy, quantised : ndarray, shape (algorithm, s)
+        Error of the attitude after `NOISY_COUNT` increments of `WIDE_BRACKET` with white noise, and
+        with quantised angles; root mean square of `NOISY_RUNS` runs, rad.
+    added_up : ndarray, shape (s,)
+        What the white noise of three gyros adds up to on the average, rad.
+    """
+
+    samples: FloatArray
+    drifts: FloatArray
+    sizes: FloatArray
+    noisy: FloatArray
+    quantised: FloatArray
+    added_up: FloatArray
+
+
+def window_errors(seed: int = 6) -> WindowErrors:
+    """Try windows of several widths: with few samples and many, with noise, with quantisation.
+
+    Parameters
+    ----------
+    seed : int
+        Of the noise, which is the same for all algorithms.
+    """
+    drifts = [
+        [drift_or_refused(algorithm, samples) for samples in WINDOW_SAMPLES_A_ROUND]
+        for algorithm in WINDOW_ALGORITHMS.values()
+    ]
+    rng = np.random.default_rng(seed)
+    true = WIDE_BRACKET.increments(1 / WIDE_BRACKET_RATE, NOISY_COUNT)
+    noise = rng.standard_normal((NOISY_RUNS, *true.shape))
+    phase = rng.uniform(size=(NOISY_RUNS, 1, 3))
+    noisy = [_errors(true + size * noise) for size in ERROR_SIZES]
+    quantised = [_errors(quantised_increments(true, size, phase)) for size in ERROR_SIZES]
+    added_up = ERROR_SIZES * np.sqrt(3 * NOISY_COUNT)
+    return WindowErrors(
+        WINDOW_SAMPLES_A_ROUND,
+        np.array(drifts),
+        ERROR_SIZES,
+        np.transpose(noisy),
+        np.transpose(quantised),
+        added_up,
+    )
+
+
+def drift_or_refused(algorithm: str | AttitudeAlgorithm, samples: float) -> float:
+    """Size of the drift on `WIDE_BRACKET` at so many samples a round, rad/s; NaN if refused."""
+    cone = WIDE_BRACKET
+    try:
+        drift = coning_drift(
+            algorithm, cone.half_angle, cone.frequency, 1 / cone.frequency / samples
+        )
+    except ValueError:
+        return float("nan")
+    return abs(float(drift))
+
+
+def quantised_increments(true: FloatArray, quantum: float, phase: FloatArray) -> FloatArray:
+    """Increments (..., n, 3) of gyros that count whole steps of the angle and keep the rest.
+
+    Parameters
+    ----------
+    true : ndarray, shape (n, 3)
+        rad.
+    quantum : float
+        The step, rad.
+    phase : ndarray, shape (..., 1, 3)
+        What of a step is there at the beginning, 0 to 1.
+    """
+    angle = np.concatenate([np.zeros((1, 3)), np.cumsum(true, axis=0)])
+    return quantum * np.diff(np.floor(angle / quantum + phase), axis=-2)
+
+
+def _errors(increments: FloatArray) -> list[float]:
+    """Root mean squares, over runs, of each algorithm's error at the end, rad; NaN if refused."""
+    start, end = WIDE_BRACKET.attitude([0.0, increments.shape[-2] / WIDE_BRACKET_RATE])
+    errors = []
+    for algorithm in WINDOW_ALGORITHMS.values():
+        try:
+            found = integrate(increments, algorithm, start=start)[..., -1, :]
+        except ValueError:
+            errors.append(float("nan"))
+        else:
+            angles = rotation_angle(multiply(conjugate(end), found))
+            errors.append(float(np.sqrt(np.mean(angles**2))))
+    return errors
+
+
+PRECESSION_SECONDS = 1e4
+"""Duration of `precession`: a hundred rounds of the orbit, ten of its plane, s."""
+
+
+def precession(times: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Attitude (m, 4) and reference rate (m, 3), rad/s, of an orbit that precesses and nods.
+
+    It is the motion of numpy-quaternion's own test of its `integrate_angular_velocity`.
+
+    Parameters
+    ----------
+    times : ndarray, shape (m,)
+        s, up to `PRECESSION_SECONDS`.
+    """
+    orbit, slow = 2 * np.pi * np.array([100, 10]) / PRECESSION_SECONDS
+    opening, nodding = np.pi / 8, np.pi / 40
+    widening = 2 * opening / PRECESSION_SECONDS
+    # One turn after the other, each about an axis (0, 1, 2): its angle, and the rate of that.
+    turns = (
+        (0, -1.1 * opening, 0.0),
+        (2, slow * times, slow),
+        (0, opening + widening * times, widening),
+        (2, (orbit - slow) * times, orbit - slow),
+        (1, nodding * np.cos(slow * times), -nodding * slow * np.sin(slow * times)),
+    )
+    attitude, rate = np.tile([0.0, 0.0, 0.0, 1.0], (len(times), 1)), np.zeros((len(times), 3))
+    for axis, angle, angle_rate in turns:
+        rate += rotate(attitude, np.multiply.outer(angle_rate + 0 * times, np.eye(3)[axis]))
+        turn = from_rotation_vector(np.multiply.outer(angle + 0 * times, np.eye(3)[axis]))
+        attitude = multiply(attitude, turn)
+    return attitude, rate
+
+
+def precession_error(count: int, degree: int) -> float:
+    """Largest error on `precession` from so many sampled rates, by functional iteration, rad.
+
+    Parameters
+    ----------
+    count : int
+        Intervals between the samples.
+    degree : int
+        Of the spline that makes increments of the rates.
+    """
+    times = np.linspace(0.0, PRECESSION_SECONDS, count + 1)
+    attitude, rate = precession(times)
+    # Rates in reference axes are, with the other sign, body rates of the inverse rotation.
+    rows = increments_from_rates(-rate, PRECESSION_SECONDS / count, degree=degree)
+    found = conjugate(integrate(rows, "functional-iteration", start=conjugate(attitude[0])))
+    return float(rotation_angle(multiply(conjugate(attitude[1:]), found)).max())
+
+
+def precession_error_of_peer(count: int) -> float:
+    """Do the same as numpy-quaternion does it: a cubic spline of the rates, and an integrator.
+
+    Parameters
+    ----------
+    count : int
+        Intervals between the samples.
+    """
+    times = np.linspace(0.0, PRECESSION_SECONDS, count + 1)
+    attitude, rate = precession(times)
+    spline = CubicSpline(times, rate)
+    solution = solve_ivp(
+        lambda time, quaternion: multiply(pure(spline(time) / 2), quaternion),
+        (0.0, PRECESSION_SECONDS),
+        attitude[0],
+        t_eval=times,
+        method="DOP853",
+        rtol=1e-11,
+        atol=1e-12,
+    )
+    return float(rotation_angle(multiply(conjugate(attitude), solution.y.T)).max())
