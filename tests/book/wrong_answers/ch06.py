@@ -85,6 +85,13 @@ WRONG = {
         ("cdef", r"\(e\) is false"),
         ("cf", "something else is too"),
     ],
+    "6.9": [
+        (16, "fourth order of the pair"),
+        (32, "with an odd number"),
+        (128, "power of a single window"),
+        (1 / 61.7, "the old one over the new"),
+        (50, "not yet"),
+    ],
     "6.10": [
         (0, "another one at each moment"),
         (-90, "on its left"),

@@ -8,13 +8,22 @@ from scipy.constants import arcsecond, degree
 from driftlab.attitude.cayley import rotation_quaternion
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm, LastStage
 from driftlab.attitude.drift_on_cones import coning_drift
+from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import step_quaternions, step_vectors
 from driftlab.attitude.spherical_area import solid_angle
 from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
 from driftlab.checks import FloatArray
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply
 
-from .experiments import BRACKET, BRACKET_SAMPLE_RATE, SAMPLE_RATES, SHIP, algorithm_errors
+from .experiments import (
+    BRACKET,
+    BRACKET_SAMPLE_RATE,
+    SAMPLE_RATES,
+    SHIP,
+    WIDE_BRACKET,
+    WIDE_BRACKET_RATE,
+    algorithm_errors,
+)
 
 HALVES = np.array([[0.3, -0.1, 0.4], [0.35, 0.15, 0.25]])
 
@@ -75,6 +84,14 @@ def _step(weight: float = 2 / 3, last_stage: LastStage = "tangent") -> FloatArra
 def _turned_one_after_the_other(first: int) -> FloatArray:
     halves = from_rotation_vector(HALVES)
     return multiply(halves[first], halves[1 - first])
+
+
+def _gain_of_sampling() -> float:
+    """Factor by which a window of four gains, on the wide bracket, if it is read twice as often."""
+    cone, four = WIDE_BRACKET, FunctionalIteration("four", 4)
+    intervals = [1 / WIDE_BRACKET_RATE, 0.5 / WIDE_BRACKET_RATE]
+    slow, fast = coning_drift(four, cone.half_angle, cone.frequency, intervals)
+    return float(slow / fast)
 
 
 EXERCISES: dict[str, Exercise] = {
@@ -220,6 +237,24 @@ EXERCISES: dict[str, Exercise] = {
             "products of neighbours tell little of the area between the samples.",
         },
         remark="The choice among the seven comes last; first the increments must be true and many.",
+    ),
+    "6.9": Value(
+        kind="predict",
+        right=_gain_of_sampling,
+        accuracy=0.05,
+        mistakes={
+            "That is the fourth order of the pair, `two-step-4`. Four increments carry a cubic, "
+            "and a higher order.": lambda: 2**4,
+            "That would be so with an odd number. In an even window the error of the polynomial "
+            "is odd about the middle, and that gains a power.": lambda: 2**5,
+            "That is the power of a single window. There are twice as many windows.": (
+                lambda: 2**7
+            ),
+            "The drift has to shrink: give the old one over the new one.": (
+                lambda: 1 / _gain_of_sampling()
+            ),
+        },
+        remark="Nearly two to the sixth, the order of a window of four.",
     ),
     "6.10": Value(
         kind="predict",

@@ -38,7 +38,7 @@ WINDOW_SAMPLES_A_ROUND: FloatArray = np.geomspace(2.5, 40.0, 37)
 """Increments while the cone goes round once; not whole numbers all of them."""
 ERROR_SIZES: FloatArray = np.geomspace(1e-8, 1e-3, 6)
 """Errors of an increment: standard deviations of white noise, and steps of quantisation, rad."""
-NOISY_COUNT = 960
+NOISY_COUNT = 480
 """Increments of a noisy run, a multiple of all windows."""
 NOISY_RUNS = 16
 
