@@ -37,8 +37,8 @@ class FunctionalIteration:
     window : int
         Number N of increments that a polynomial of degree N - 1 is fitted to; `WIDEST` at most.
     iterations : int, optional
-        How often to iterate from the constant quaternion; by default until it settles. The error of
-        iteration j is of the order of (a/2)^(j+1)/(j+1)! in a window that turns by the angle a.
+        How often to iterate from the constant quaternion; by default until it settles. In a window
+        that turns by theta in all, iterate j errs by (theta/2)^(j+1)/(j+1)! at most.
     samples, memory : int
         One increment makes a step, and none is needed before the first. Of any algorithm.
     last_stage : str
