@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.integration import integrate, step_vectors
 from driftlab.attitude.noise_amplification import (
     correction_gains,
@@ -80,7 +80,7 @@ def test_drawn_noise_has_the_variance_of_the_formula(name):
 def test_small_turns_hardly_amplify_and_the_form_with_one_factor_does():
     angle = 0.1
     growth = {name: noise_growth(a, angle) for name, a in COMPARED.items()}
-    for name in ALGORITHMS:
+    for name in CONING_ALGORITHMS:
         assert abs(growth[name].white - 1) < 0.12 * angle**2
     assert growth["four, one factor"].white - 1 > 30 * (growth["four, spread"].white - 1)
     assert growth["four, one factor"].carried > 7 * growth["four, spread"].carried

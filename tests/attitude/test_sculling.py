@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS, Algorithm
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm
 from driftlab.attitude.sculling import sculling_correction, step_velocities
 from driftlab.book.ch06_picard_algorithms.experiments import COMPARED, SHAKER, sculling_error
 
@@ -88,4 +88,4 @@ def test_what_cannot_be_is_refused():
     with pytest.raises(ValueError, match=r"^angle: expected .* multiple of 3 for rotation-v"):
         sculling_correction(rows, rows, "rotation-vector-3")
     with pytest.raises(ValueError, match=r"^velocity: expected"):
-        step_velocities(rows, rows[:2], ALGORITHMS["two-step-4"])
+        step_velocities(rows, rows[:2], CONING_ALGORITHMS["two-step-4"])

@@ -25,6 +25,7 @@ from .coning_algorithms import (
     LastStage as LastStage,
     Weights as Weights,
     attitude_algorithm as attitude_algorithm,
+    coning_algorithm as coning_algorithm,
 )
 from .drift_on_cones import (
     coning_drift as coning_drift,

@@ -192,3 +192,34 @@ def attitude_algorithm(algorithm: str | AttitudeAlgorithm) -> AttitudeAlgorithm:
     if not isinstance(algorithm, str) or algorithm not in ALGORITHMS:
         raise ValueError(f"algorithm: expected one of {', '.join(ALGORITHMS)}, got {algorithm!r}.")
     return ALGORITHMS[algorithm]
+
+
+def coning_algorithm(algorithm: str | Algorithm) -> Algorithm:
+    """Return an algorithm with cross products by its name, or such an algorithm itself.
+
+    Parameters
+    ----------
+    algorithm : str or Algorithm
+        A key of `CONING_ALGORITHMS`, or a custom algorithm.
+
+    Returns
+    -------
+    Algorithm
+        The one of that name, or `algorithm` unchanged.
+
+    Raises
+    ------
+    ValueError
+        If the name is unknown, or the algorithm has no cross products.
+
+    Examples
+    --------
+    >>> coning_algorithm("functional-iteration")
+    Traceback (most recent call last):
+        ...
+    ValueError: algorithm: expected one with cross products, got functional-iteration.
+    """
+    chosen = attitude_algorithm(algorithm)
+    if not isinstance(chosen, Algorithm):
+        raise ValueError(f"algorithm: expected one with cross products, got {chosen.name}.")
+    return chosen

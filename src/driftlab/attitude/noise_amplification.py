@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_array
 
-from .coning_algorithms import Algorithm, attitude_algorithm
+from .coning_algorithms import Algorithm, coning_algorithm
 
 
 class NoiseGrowth(NamedTuple):
@@ -40,7 +40,7 @@ def correction_gains(algorithm: str | Algorithm) -> FloatArray:
     Parameters
     ----------
     algorithm : str or Algorithm
-        A key of `driftlab.attitude.ALGORITHMS`, or a custom algorithm.
+        A key of `driftlab.attitude.CONING_ALGORITHMS`, or a custom algorithm.
 
     Returns
     -------
@@ -52,7 +52,7 @@ def correction_gains(algorithm: str | Algorithm) -> FloatArray:
     >>> correction_gains("rotation-vector-3").round(3)
     array([-1.125,  0.   ,  1.125])
     """
-    chosen = attitude_algorithm(algorithm)
+    chosen = coning_algorithm(algorithm)
     gains = np.zeros(chosen.window)
     for (i, j), weight in chosen.coning.items():
         gains[i] -= weight
@@ -66,7 +66,7 @@ def step_noise_covariance(algorithm: str | Algorithm, turn: ArrayLike) -> FloatA
     Parameters
     ----------
     algorithm : str or Algorithm
-        A key of `driftlab.attitude.ALGORITHMS`, or a custom algorithm.
+        A key of `driftlab.attitude.CONING_ALGORITHMS`, or a custom algorithm.
     turn : array_like, shape (..., 3)
         Turn θ of the body during one sample, rad.
 
@@ -83,7 +83,7 @@ def step_noise_covariance(algorithm: str | Algorithm, turn: ArrayLike) -> FloatA
     >>> np.diag(step_noise_covariance("two-step-4", [0.0, 0.0, 0.1])).round(4)
     array([2.0089, 2.0089, 2.    ])
     """
-    chosen = attitude_algorithm(algorithm)
+    chosen = coning_algorithm(algorithm)
     angle = finite_array(turn, "turn", 3)
     square = np.sum(angle**2, axis=-1)[..., np.newaxis, np.newaxis]
     across = square * np.eye(3) - angle[..., :, np.newaxis] * angle[..., np.newaxis, :]
@@ -97,7 +97,7 @@ def noise_growth(algorithm: str | Algorithm, sample_angle: ArrayLike) -> NoiseGr
     Parameters
     ----------
     algorithm : str or Algorithm
-        A key of `driftlab.attitude.ALGORITHMS`, or a custom algorithm.
+        A key of `driftlab.attitude.CONING_ALGORITHMS`, or a custom algorithm.
     sample_angle : array_like, shape (...)
         Angle θ by which the body turns during one sample, rad.
 
@@ -121,7 +121,7 @@ def noise_growth(algorithm: str | Algorithm, sample_angle: ArrayLike) -> NoiseGr
     >>> print(f"{growth.white:.5f} {growth.carried:.5f}")
     1.00110 0.01110
     """
-    chosen = attitude_algorithm(algorithm)
+    chosen = coning_algorithm(algorithm)
     theta = np.asarray(finite_array(sample_angle, "sample_angle"))[..., np.newaxis]
     gains, m = correction_gains(chosen), chosen.samples
     # e^(ix) - 1 over ix is a turn by x/2 times sin(x/2)/(x/2).

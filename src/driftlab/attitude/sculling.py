@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from driftlab.checks import FloatArray, finite_array, finite_arrays
 from driftlab.core import sculling as core
 
-from .coning_algorithms import Algorithm, attitude_algorithm
+from .coning_algorithms import Algorithm, coning_algorithm
 
 
 def sculling_correction(
@@ -91,7 +91,7 @@ def step_velocities(
 def _checked(
     angle: ArrayLike, velocity: ArrayLike, algorithm: str | Algorithm
 ) -> tuple[Algorithm, FloatArray, FloatArray]:
-    chosen = attitude_algorithm(algorithm)
+    chosen = coning_algorithm(algorithm)
     if chosen.memory:
         raise ValueError(f"algorithm: expected one without memory, got {chosen.name}.")
     angles, velocities = finite_array(angle, "angle", 3), finite_array(velocity, "velocity", 3)

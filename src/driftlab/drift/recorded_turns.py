@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.attitude.coning_algorithms import Algorithm, attitude_algorithm
+from driftlab.attitude.coning_algorithms import AttitudeAlgorithm, attitude_algorithm
 from driftlab.attitude.integration import integrate
 from driftlab.checks import FloatArray, finite_array, finite_arrays, nonzero_vectors, whole_number
 from driftlab.core.quaternion import from_rotation_vector, multiply
@@ -16,7 +16,7 @@ def recorded_turn_estimate(
     increments: ArrayLike,
     axis: ArrayLike,
     turns: int = 1,
-    algorithm: str | Algorithm = "two-step-4",
+    algorithm: str | AttitudeAlgorithm = "two-step-4",
 ) -> FloatArray:
     """Estimate n^T Sigma n from the angle increments of a gyro triad that a table has turned.
 
@@ -34,7 +34,7 @@ def recorded_turn_estimate(
         or -n is read from the increments, and does not change the sign of the estimate.
     turns : int
         Number k of whole turns.
-    algorithm : str or Algorithm
+    algorithm : str or Algorithm or FunctionalIteration
         A key of `driftlab.attitude.coning_algorithms.ALGORITHMS`, or a custom algorithm. Rows at
         the end that do not make a whole step are taken one by one at constant rate.
 

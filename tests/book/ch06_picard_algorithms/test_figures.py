@@ -325,7 +325,7 @@ def test_wider_windows_gain_until_few_samples_or_noise_hide_it(figure: Published
     np.testing.assert_allclose(
         noisy["window of 12"][noise], noisy["rotation-vector-3"][noise], rtol=0.05
     )
-    # Sums of the deviates of 16 runs and 3 gyros, root mean square of 48: off by a third in one case of 1000.
+    # Root mean square of 48 deviates, of 16 runs and 3 gyros: off by a third in one case of 1000.
     np.testing.assert_allclose(noisy["window of 12"], data.added_up, rtol=0.33)
     assert np.all(noisy["window of 20"][:-1] > 10 * noisy["window of 12"][:-1])
     assert np.all(quantised["window of 20"][:-1] > 100 * quantised["window of 12"][:-1])

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS, Algorithm, Weights
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm, Weights
 from driftlab.checks import FloatArray
 
 
@@ -75,5 +75,5 @@ FOUR_SAMPLES = {
     )
 }
 """Algorithms of four samples. The first two have the same drift on a narrow cone."""
-COMPARED = {**ALGORITHMS, **FOUR_SAMPLES}
+COMPARED = {**CONING_ALGORITHMS, **FOUR_SAMPLES}
 """The algorithms of the chapter and those of four samples, by name."""

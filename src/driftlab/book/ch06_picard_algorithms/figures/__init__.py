@@ -89,8 +89,8 @@ FIGURES = (
         lambda _: (
             "Functional iteration with windows of several widths, beside two algorithms with cross "
             f"products, on a cone of {np.degrees(experiments.WIDE_BRACKET.half_angle):g}° at "
-            f"{experiments.WIDE_BRACKET.frequency:g} Hz. Left: with many samples a round each "
-            "increment more in the window gains; below some five it does not, and the widest "
+            f"{experiments.WIDE_BRACKET.frequency:g} Hz. Left: with many samples a round the "
+            "wider window errs less; below some five it does not, and the widest "
             "windows refuse. Middle and right: error after "
             f"{experiments.NOISY_COUNT / experiments.WIDE_BRACKET_RATE:g} s at "
             f"{experiments.WIDE_BRACKET_RATE:g} Hz, root mean square of {experiments.NOISY_RUNS} "
