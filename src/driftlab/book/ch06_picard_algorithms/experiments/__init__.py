@@ -45,7 +45,6 @@ from .functional_iteration import (
     precession,
     precession_error,
     precession_error_of_peer,
-    quantised_increments,
     window_errors,
 )
 from .last_stages import (
@@ -66,9 +65,9 @@ from .noise_and_band import (
     carried_floor,
     missed_part,
     noise_and_band,
-    rounded,
     rounding_error,
 )
+from .rounding import rounded
 from .sculling import SHAKER, Sculling, sculling_error
 from .symmetry import drift_orders, order_on_ship, random_algorithm
 from .word_length import (
@@ -147,7 +146,6 @@ __all__ = [
     "precession",
     "precession_error",
     "precession_error_of_peer",
-    "quantised_increments",
     "random_algorithm",
     "rounded",
     "rounding_error",

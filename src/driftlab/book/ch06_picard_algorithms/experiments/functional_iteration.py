@@ -22,6 +22,8 @@ from driftlab.quaternion import (
     rotation_angle,
 )
 
+from .rounding import rounded
+
 WIDE_BRACKET = Coning(float(np.radians(10.0)), 5.0)
 """The bracket of the puzzle, tilted ten times as far."""
 WIDE_BRACKET_RATE = 100.0
@@ -84,9 +86,9 @@ def window_errors(seed: int = 6) -> WindowErrors:
     rng = np.random.default_rng(seed)
     true = WIDE_BRACKET.increments(1 / WIDE_BRACKET_RATE, NOISY_COUNT)
     noise = rng.standard_normal((NOISY_RUNS, *true.shape))
-    phase = rng.uniform(size=(NOISY_RUNS, 1, 3))
+    phase = rng.uniform(size=(NOISY_RUNS, 3))
     noisy = [_errors(true + size * noise) for size in ERROR_SIZES]
-    quantised = [_errors(quantised_increments(true, size, phase)) for size in ERROR_SIZES]
+    quantised = [_errors(rounded(true, size, size * phase, carry=True)) for size in ERROR_SIZES]
     added_up = ERROR_SIZES * np.sqrt(3 * NOISY_COUNT)
     return WindowErrors(
         WINDOW_SAMPLES_A_ROUND,
@@ -108,22 +110,6 @@ def drift_or_refused(algorithm: str | AttitudeAlgorithm, samples: float) -> floa
     except ValueError:
         return float("nan")
     return abs(float(drift))
-
-
-def quantised_increments(true: FloatArray, quantum: float, phase: FloatArray) -> FloatArray:
-    """Increments (..., n, 3) of gyros that count whole steps of the angle and keep the rest.
-
-    Parameters
-    ----------
-    true : ndarray, shape (n, 3)
-        rad.
-    quantum : float
-        The step, rad.
-    phase : ndarray, shape (..., 1, 3)
-        What of a step is there at the beginning, 0 to 1.
-    """
-    angle = np.concatenate([np.zeros((1, 3)), np.cumsum(true, axis=0)])
-    return quantum * np.diff(np.floor(angle / quantum + phase), axis=-2)
 
 
 def _errors(increments: FloatArray) -> list[float]:

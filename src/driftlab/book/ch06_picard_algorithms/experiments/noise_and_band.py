@@ -13,6 +13,7 @@ from driftlab.quaternion import conjugate, multiply, to_rotation_vector
 
 from .coning import BRACKET
 from .four_samples import COMPARED
+from .rounding import rounded
 
 SAMPLES_A_ROUND: FloatArray = np.geomspace(1.05, 100, 240)
 """Abscissa of the band width, samples in one round of the cone."""
@@ -68,35 +69,6 @@ def missed_part(algorithm: Algorithm, samples_a_round: FloatArray) -> FloatArray
         for (i, j), weight in algorithm.coning.items()
     )
     return (found - (step - np.sin(step)) / 2) / (step / 2)
-
-
-def rounded(
-    increments: FloatArray, quantum: float, start: FloatArray, *, carry: bool
-) -> FloatArray:
-    """Increments (..., n, 3) as whole multiples of a quantum.
-
-    Parameters
-    ----------
-    increments : ndarray, shape (n, 3)
-        rad.
-    quantum : float
-        rad.
-    start : ndarray, shape (..., 3)
-        Angle that stands in the counter at the start, rad.
-    carry : bool
-        Whether what is cut off counts for the next increment, as in a counter that runs on;
-        otherwise each increment is rounded by itself.
-
-    Returns
-    -------
-    ndarray, shape (..., n, 3)
-    """
-    if not carry:
-        return np.broadcast_to(
-            quantum * np.round(increments / quantum), (*start.shape[:-1], *increments.shape)
-        )
-    reached = np.concatenate([np.zeros((1, 3)), np.cumsum(increments, axis=0)])
-    return np.diff(quantum * np.round((reached + start[..., np.newaxis, :]) / quantum), axis=-2)
 
 
 def rounding_error(

@@ -1,0 +1,34 @@
+"""Gyros that round to a last digit."""
+
+import numpy as np
+
+from driftlab.checks import FloatArray
+
+
+def rounded(
+    increments: FloatArray, quantum: float, start: FloatArray, *, carry: bool
+) -> FloatArray:
+    """Increments (..., n, 3) as whole multiples of a quantum.
+
+    Parameters
+    ----------
+    increments : ndarray, shape (n, 3)
+        rad.
+    quantum : float
+        rad.
+    start : ndarray, shape (..., 3)
+        Angle that stands in the counter at the start, rad.
+    carry : bool
+        Whether what is cut off counts for the next increment, as in a counter that runs on;
+        otherwise each increment is rounded by itself.
+
+    Returns
+    -------
+    ndarray, shape (..., n, 3)
+    """
+    if not carry:
+        return np.broadcast_to(
+            quantum * np.round(increments / quantum), (*start.shape[:-1], *increments.shape)
+        )
+    reached = np.concatenate([np.zeros((1, 3)), np.cumsum(increments, axis=0)])
+    return np.diff(quantum * np.round((reached + start[..., np.newaxis, :]) / quantum), axis=-2)
