@@ -18,6 +18,7 @@ from driftlab import (
     frames,
     increments,
     quaternion,
+    sampled_rates,
     strapdown,
     triad,
     vectors,
@@ -144,7 +145,7 @@ CASES = {
         "increments": INCREMENTS,
         "start": Q,
     },
-    fixed(increments.increments_from_rates, interval=0.1, degree=3): {"rates": INCREMENTS},
+    fixed(sampled_rates.increments_from_rates, interval=0.1, degree=3): {"rates": INCREMENTS},
     fixed(integration.step_quaternions, algorithm="two-step-4"): {"increments": INCREMENTS},
     fixed(integration.step_quaternions, algorithm="memory-4"): {
         "increments": INCREMENTS,

@@ -15,6 +15,7 @@ from . import (
     monte_carlo as monte_carlo,
     motion as motion,
     quaternion as quaternion,
+    sampled_rates as sampled_rates,
     strapdown as strapdown,
     symbolic as symbolic,
     triad as triad,
@@ -24,6 +25,7 @@ from .attitude.integration import integrate as integrate
 from .axes import convert_attitude as convert_attitude, convert_vectors as convert_vectors
 from .calibration.filter import calibrate as calibrate
 from .calibration.simulation import TableTrial as TableTrial
+from .drift.recorded_turns import recorded_turn_estimate as recorded_turn_estimate
 from .drift.systematic_drift import (
     drift_coefficient as drift_coefficient,
     drift_per_turn as drift_per_turn,
@@ -45,10 +47,11 @@ from .imu import (
 from .increments import (
     Increments as Increments,
     compensate as compensate,
-    increments_from_rates as increments_from_rates,
     measure as measure,
 )
 from .motion.scheme import Scheme as Scheme
+from .motion.table_turn import TableTurn as TableTurn
+from .sampled_rates import increments_from_rates as increments_from_rates
 from .strapdown import (
     at_rest as at_rest,
     last_of as last_of,

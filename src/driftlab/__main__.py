@@ -9,7 +9,7 @@ from pathlib import Path
 PACKAGE = Path(__file__).parent
 GROUND_FLOOR = (
     *("checks", "vectors", "quaternion", "earth", "axes", "conventions", "frames"),
-    *("triad", "body_frames", "imu", "increments", "strapdown", "monte_carlo"),
+    *("triad", "body_frames", "imu", "increments", "sampled_rates", "strapdown", "monte_carlo"),
 )
 SUBJECTS = ("motion", "drift", "attitude", "calibration", "gyrocompass", "symbolic", "book")
 

@@ -30,7 +30,7 @@ def integrate(
         Integrals of the body rate over equal intervals, rad, in the order in which they happen.
         They must be true integrals, as from an integrating gyro. Sampled rates times the interval
         are not: they lose the coning between two samples, see chapter 06. For these there is
-        `driftlab.increments.increments_from_rates`.
+        `driftlab.sampled_rates.increments_from_rates`.
     algorithm : str or Algorithm or FunctionalIteration
         A key of `ALGORITHMS`, or a custom algorithm.
     start : array_like, shape (..., 4)

@@ -11,7 +11,6 @@ from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import integrate
 from driftlab.checks import FloatArray
-from driftlab.increments import increments_from_rates
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import (
     conjugate,
@@ -21,6 +20,7 @@ from driftlab.quaternion import (
     rotate,
     rotation_angle,
 )
+from driftlab.sampled_rates import increments_from_rates
 
 from .rounding import rounded
 

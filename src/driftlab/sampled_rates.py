@@ -1,0 +1,97 @@
+"""Increments from sampled rates, which most logs hold; integrating instruments give increments."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.interpolate import make_interp_spline
+
+from .checks import FloatArray, finite_array, positive_number, whole_number
+
+
+def increments_from_rates(
+    rates: ArrayLike, interval: float, *, times: ArrayLike | None = None, degree: int = 5
+) -> FloatArray:
+    """Angle increments over equal intervals, from sampled rates: integrals of a spline.
+
+    Parameters
+    ----------
+    rates : array_like, shape (..., m, 3)
+        Angular rate at m moments, body axes, rad/s: values at these moments, not means.
+    interval : float
+        Of the increments, s; and of the samples, if no `times` are given.
+    times : array_like, shape (m,), optional
+        Moments of the samples, s, if they are not equally spaced or not those of the increments.
+        No gap may be longer than 1.5 times the usual (median) spacing.
+    degree : {5, 3, 7}
+        Of the spline. The error of the integrals goes with this power of the spacing, plus one.
+
+    Returns
+    -------
+    ndarray, shape (..., n, 3)
+        rad. The first begins with the first sample; what is left after the last whole interval is
+        not used. Without `times` n is m - 1.
+
+    Raises
+    ------
+    ValueError
+        If there are not more samples than the degree, an argument is not finite, the times do not
+        increase or have a gap, or no whole interval lies between the first and the last.
+
+    Notes
+    -----
+    A spline guesses what the rate does between the samples. It does well with ten samples in a
+    period of the fastest motion and more. Nothing helps with two or fewer: a faster motion leaves
+    the same samples as a slower one. If an instrument gives increments, use those. Specific force
+    becomes increments of velocity in the same way.
+
+    Examples
+    --------
+    A tenth of a second on a cone, from rates at 100 Hz, by three degrees: errors in rad.
+
+    >>> from driftlab.motion import Coning
+    >>> cone = Coning(half_angle=0.02, frequency=5.0)
+    >>> rates, true = cone.rate(np.arange(11) / 100), cone.increments(0.01, 10)
+    >>> for degree in (3, 5, 7):
+    ...     print(f"{np.abs(increments_from_rates(rates, 0.01, degree=degree) - true).max():.0e}")
+    1e-06
+    4e-08
+    2e-09
+    """
+    rows = finite_array(rates, "rates", 3)
+    if whole_number(degree, "degree") not in (3, 5, 7):
+        raise ValueError(f"degree: expected 3, 5 or 7, got {degree!r}.")
+    if rows.ndim < 2 or rows.shape[-2] <= degree:
+        raise ValueError(
+            f"rates: expected shape (..., m, 3) with m at least {degree + 1} for degree {degree}, "
+            f"got shape {rows.shape}."
+        )
+    step, count = positive_number(interval, "interval"), rows.shape[-2]
+    if times is None:
+        moments, whole = step * np.arange(count), count - 1
+    else:
+        moments = _sample_times(times, count)
+        # What rounding takes from the last interval is given back.
+        whole = int(moments[-1] / step * (1 + 1e-9) + 1e-9)
+    if whole < 1:
+        raise ValueError(
+            f"interval: expected at most the time of all samples, {moments[-1]:g} s, got {step:g}."
+        )
+    spline = make_interp_spline(moments, rows, degree, axis=-2).antiderivative()
+    edges = np.minimum(step * np.arange(whole + 1), moments[-1])
+    return np.diff(spline(edges), axis=-2)
+
+
+def _sample_times(times: ArrayLike, count: int) -> FloatArray:
+    """Times (m,) of samples from the first on, s."""
+    moments = finite_array(times, "times", count)
+    steps = np.diff(moments)
+    if moments.ndim != 1 or not (steps > 0).all():
+        raise ValueError(f"times: expected {count} increasing times (m,), got {times!r:.60}.")
+    longest = int(np.argmax(steps))
+    if steps[longest] > 1.5 * np.median(steps):
+        raise ValueError(
+            f"times: expected no gap, got {steps[longest]:.6g} s after the time "
+            f"{moments[longest]:.10g} where {np.median(steps):.6g} s are usual."
+        )
+    return moments - moments[0]

@@ -1,0 +1,102 @@
+"""Increments from sampled rates, by splines: exactness, order, refusals."""
+
+import numpy as np
+import pytest
+
+from driftlab.motion.profiles import Coning
+from driftlab.sampled_rates import increments_from_rates
+from support import EPS
+
+CONE = Coning(half_angle=np.radians(10), frequency=5.0)
+
+
+def rates_at(rate, seconds=1.0):
+    return CONE.rate(np.arange(round(rate * seconds) + 1) / rate)
+
+
+@pytest.mark.parametrize("degree", [3, 5, 7])
+def test_splines_integrate_polynomials_of_their_degree(degree):
+    rng = np.random.default_rng(0)
+    polynomial = np.polynomial.Polynomial(rng.uniform(-1, 1, degree + 1))
+    times = np.sort(rng.uniform(0, 0.04, 31)) + 0.1 * np.arange(31)
+    rates = polynomial(times)[:, np.newaxis] * [1.0, -2.0, 0.5]
+    found = increments_from_rates(rates, 0.13, times=times, degree=degree)
+    edges = times[0] + 0.13 * np.arange(len(found) + 1)
+    assert edges[-1] <= times[-1] < edges[-1] + 0.13
+    expected = np.diff(polynomial.integ()(edges))[:, np.newaxis] * [1.0, -2.0, 0.5]
+    # The integrals grow to 3^8; splines of 31 samples magnify rounding by less than a hundred.
+    bound = 100 * EPS * np.abs(polynomial.integ()(edges)).max() * 2
+    np.testing.assert_allclose(found, expected, rtol=0, atol=bound)
+
+
+@pytest.mark.parametrize("degree", [3, 5, 7])
+def test_error_of_the_integrals_goes_with_the_degree_and_one(degree):
+    def error(size):
+        rate = round(12.5 / size)
+        found = increments_from_rates(rates_at(rate), 1 / rate, degree=degree)
+        return np.abs(np.cumsum(found - CONE.increments(1 / rate, rate), axis=0)).max()
+
+    # The ends, where the spline has neighbours on one side only, go with one power more.
+    sizes = np.array([1 / 8, 1 / 16, 1 / 32])
+    slope = np.polyfit(np.log(sizes), np.log([error(size) for size in sizes]), 1)[0]
+    assert degree + 0.9 < slope < degree + 2.1
+
+
+def test_times_that_are_equally_spaced_are_the_interval():
+    rates, times = rates_at(100), 1.7e3 + np.arange(101) / 100
+    plain = increments_from_rates(rates, 0.01)
+    assert plain.shape == (100, 3)
+    # The differences of such times are good to 1e-13 s; rates are below 40 rad/s.
+    np.testing.assert_allclose(
+        increments_from_rates(rates, 0.01, times=times), plain, rtol=0, atol=1e-10
+    )
+    twice = increments_from_rates(rates, 0.02, times=times)
+    np.testing.assert_allclose(twice, plain[::2] + plain[1::2], rtol=0, atol=1e-10)
+
+
+def test_leading_axes_of_rates_are_loops():
+    rates = np.stack([rates_at(50), 2 * rates_at(50)])
+    together = increments_from_rates(rates, 0.02)
+    for alone, rows in zip(together, rates, strict=True):
+        np.testing.assert_allclose(increments_from_rates(rows, 0.02), alone, rtol=0, atol=8 * EPS)
+
+
+def test_a_faster_motion_leaves_the_same_samples():
+    """At 50 Hz a vibration of 30 Hz looks like one of 20 Hz: no spline can tell."""
+    slow, fast = (Coning(0.02, hertz) for hertz in (-20.0, 30.0))
+    times = np.arange(101) / 50
+    across = np.s_[:, :2]
+    ratio = 30.0 / -20.0
+    np.testing.assert_allclose(
+        fast.rate(times)[across], ratio * slow.rate(times)[across], rtol=0, atol=1e-11
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (
+            {"rates": np.zeros((5, 3))},
+            r"rates: expected shape \(\.\.\., m, 3\) with m at least 6 for degree 5, "
+            r"got shape \(5, 3\)",
+        ),
+        ({"rates": np.full((9, 3), np.nan)}, "rates: expected finite numbers, got 27 NaN or infin"),
+        ({"interval": 0.0}, r"interval: expected a positive number, got 0\.0"),
+        ({"degree": 4}, "degree: expected 3, 5 or 7, got 4"),
+        ({"times": np.arange(8.0)}, r"times: expected shape \(\.\.\., 9\), got shape \(8,\)"),
+        ({"times": np.zeros(9)}, r"times: expected 9 increasing times \(m,\), got array"),
+        (
+            {"times": [0, 1, 2, 3, 4, 6, 7, 8, 9]},
+            "times: expected no gap, got 2 s after the time 4 where 1 s are usual",
+        ),
+        (
+            {"times": np.arange(9.0), "interval": 9.0},
+            "interval: expected at most the time of all samples, 8 s, got 9",
+        ),
+    ],
+)
+def test_rates_that_make_no_increments_are_refused(arguments, words):
+    good = {"rates": np.zeros((9, 3)), "interval": 0.1}
+    assert increments_from_rates(**good).shape == (8, 3)
+    with pytest.raises(ValueError, match=rf"^{words}"):
+        increments_from_rates(**(good | arguments))
