@@ -38,6 +38,7 @@ from driftlab.book.ch06_picard_algorithms.experiments import (
     precession_error,
     precession_error_of_peer,
     rounded,
+    short_word_errors,
     stage_drift,
     weights_by_distance,
 )
@@ -187,6 +188,12 @@ def test_short_word_gains_from_the_advice_where_the_scalar_part_is_not_one(
                 assert 0.77 < above.mean < 1.3
             for side in (False, True):
                 assert advice_gain(data, name, motion, "product", above=side).mean > 1.2
+    # The figure is read from its CSV, so one motion is computed anew.
+    anew = short_word_errors(motions=["steady turn"])
+    j = list(WORD_MOTIONS).index("steady turn")
+    np.testing.assert_allclose(anew.angles[0], data.angles[j], rtol=1e-11)
+    np.testing.assert_allclose(anew.errors[:, 0], data.errors[:, j], rtol=1e-3, atol=1e-15)
+    np.testing.assert_allclose(anew.stretched[0], data.stretched[j], rtol=1e-3, atol=1e-15)
     # The length stays with 1 - l0, where it differs from 1.
     for j in range(len(WORD_MOTIONS)):
         differs = data.angles[j] > STORED_AS_ONE

@@ -73,6 +73,7 @@ from .symmetry import drift_orders, order_on_ship, random_algorithm
 from .word_length import (
     ARITHMETICS,
     EARTH_RATE,
+    STEP_ANGLES,
     STORED_AS_ONE,
     WORD_MOTIONS,
     WORD_STARTS,
@@ -110,6 +111,7 @@ __all__ = [
     "SAMPLE_RATES",
     "SHAKER",
     "SHIP",
+    "STEP_ANGLES",
     "STORED_AS_ONE",
     "WIDE_BRACKET",
     "WIDE_BRACKET_RATE",

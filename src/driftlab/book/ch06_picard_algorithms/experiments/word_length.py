@@ -1,6 +1,6 @@
 """What a word of 32 bits does to an attitude of many steps, on four motions."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -118,23 +118,25 @@ def advice_gain(
     return Gain(mean, float(chosen.min()), float(chosen.max()))
 
 
-def short_word_errors(seed: int = 2014) -> ShortWord:
-    """Integrate the four motions at many sample rates, in 32 bits and in 64.
+def short_word_errors(seed: int = 2014, motions: Sequence[str] = tuple(WORD_MOTIONS)) -> ShortWord:
+    """Integrate motions at many sample rates, in 32 bits and in 64.
 
     Parameters
     ----------
     seed : int
         Of the attitudes at the start, and of the random motions.
+    motions : sequence of str
+        Of `WORD_MOTIONS`; the first axis of the results goes through them.
     """
     # Four normal deviates have no preferred direction: uniform over all rotations.
     starts = np.random.default_rng(seed).normal(size=(WORD_STARTS, 4))
     starts /= np.linalg.norm(starts, axis=-1, keepdims=True)
     # Attitudes that the word can hold, so that what is measured is the arithmetic alone.
     starts = starts.astype(np.float32).astype(np.float64)
-    shape = (len(WORD_MOTIONS), len(UPDATES), len(STEP_ANGLES))
-    angles = np.empty((len(WORD_MOTIONS), len(STEP_ANGLES)))
+    shape = (len(motions), len(UPDATES), len(STEP_ANGLES))
+    angles = np.empty((len(motions), len(STEP_ANGLES)))
     errors, stretched = np.empty((len(ARITHMETICS), *shape)), np.empty(shape)
-    for j, name in enumerate(WORD_MOTIONS):
+    for j, name in enumerate(motions):
         # The same holds for the increments.
         runs = np.stack([_increments(name, float(angle), seed) for angle in STEP_ANGLES])
         runs = runs.astype(np.float32).astype(np.float64)

@@ -110,5 +110,6 @@ FIGURES = (
             "with λ0 as soon as λ0 differs from 1 in the word, right of the dotted line. A "
             f"compensated sum errs least. Root mean square of {experiments.WORD_STARTS} attitudes."
         ),
+        short_word.restore,
     ),
 )

@@ -1,5 +1,7 @@
 """What a word of 32 bits does to an attitude of many steps, on four motions."""
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import arcsecond
@@ -8,7 +10,14 @@ from driftlab.attitude.finite_precision import UPDATES
 from driftlab.book.machinery.picture import GREY, SERIES, in_style, long_table
 from driftlab.checks import FloatArray
 
-from ..experiments import ARITHMETICS, STORED_AS_ONE, WORD_MOTIONS, WORD_STEPS, ShortWord
+from ..experiments import (
+    ARITHMETICS,
+    STEP_ANGLES,
+    STORED_AS_ONE,
+    WORD_MOTIONS,
+    WORD_STEPS,
+    ShortWord,
+)
 
 LABELS = (
     r"product with $\lambda_0$",
@@ -38,6 +47,18 @@ def columns(data: ShortWord) -> dict[str, FloatArray]:
             name = f"{motion}, length by {update}, over step in rad"
             curves[name] = (data.angles[j], data.stretched[j, u])
     return long_table(curves)
+
+
+def restore(table: Mapping[str, Sequence[str]]) -> ShortWord:
+    """Return the study that a CSV holds."""
+    angles, values = (
+        np.array(table[column], float).reshape(len(WORD_MOTIONS), -1, len(STEP_ANGLES))
+        for column in ("x", "y")
+    )
+    # By motion: the errors by arithmetic and update, then the lengths by update.
+    lengths = len(UPDATES)
+    errors = values[:, :-lengths].reshape(len(WORD_MOTIONS), -1, lengths, len(STEP_ANGLES))
+    return ShortWord(angles[:, 0], errors.swapaxes(0, 1), values[:, -lengths:])
 
 
 @in_style
