@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import coning_drift, step_drift
 from driftlab.book.ch06_picard_algorithms.experiments import COMPARED, random_algorithm
 from driftlab.core.attitude import step_quaternions
@@ -135,7 +135,7 @@ def test_what_rounds_each_axis_by_itself_is_not_covariant():
     assert np.abs(rounded(rotate(turned, rows)) - rotate(turned, rounded(rows))).max() > 1e-3
 
 
-@pytest.mark.parametrize("name", [*ALGORITHMS, "four, one factor"])
+@pytest.mark.parametrize("name", [*CONING_ALGORITHMS, "four, one factor"])
 def test_no_algorithm_drifts_with_an_odd_order(name):
     algorithm = COMPARED[name]
     even = 2 * ((algorithm.order + 1) // 2)
