@@ -8,6 +8,7 @@ from importlib import import_module
 import pytest
 
 import driftlab
+from driftlab.__main__ import overview
 from driftlab.book.chapters import CHAPTERS
 from driftlab.book.panels import EXPLORERS
 from support import ROOT, helper_modules
@@ -81,6 +82,29 @@ def test_overview_names_every_module():
     text = printed_by("-m", "driftlab")
     for module in helper_modules():
         assert f"{module.__name__}: " in text
+
+
+@pytest.mark.parametrize(
+    ("word", "module"),
+    [
+        ("IMU", "imu"),
+        ("boresight", "body_frames"),
+        ("cross-coupling", "triad"),
+        ("nis", "calibration.kalman"),
+        ("northing error", "gyrocompass.heading_error"),
+        ("rate table", "motion.table_turn"),
+        ("sculling", "attitude.sculling"),
+    ],
+)
+def test_overview_leads_from_a_word_of_the_field_to_its_module(word, module):
+    found = "\n".join(overview(word))
+    assert f"driftlab.{module}: " in found
+    assert found.count("driftlab.") < 20 < "\n".join(overview()).count("driftlab.")
+
+
+def test_overview_says_that_it_does_not_know_a_word():
+    text = printed_by("-m", "driftlab", "flux", "capacitor")
+    assert text.splitlines()[-1].startswith("Nothing here speaks of 'flux capacitor'.")
 
 
 def test_each_chapter_has_a_folder_of_its_name():

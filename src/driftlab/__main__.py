@@ -1,8 +1,13 @@
-"""``python -m driftlab``: what there is, module by module."""
+"""``python -m driftlab``: what there is, module by module.
+
+``python -m driftlab WORD`` lists the modules that speak of a word: IMU, boresight, sculling.
+"""
 
 from __future__ import annotations
 
 import ast
+import re
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -37,25 +42,49 @@ def public_names(tree: ast.Module) -> list[str]:
     return [name for name in offered if not name.startswith(("_", "checked_"))]
 
 
-def overview() -> Iterator[str]:
-    """Lines that say what the package holds, without importing any of it."""
-    yield first_line(ast.parse((PACKAGE / "__init__.py").read_text(encoding="utf-8")))
+def overview(word: str = "") -> Iterator[str]:
+    """Lines that say what the package holds, without importing any of it.
+
+    Parameters
+    ----------
+    word : str
+        Only what has it in a name or a docstring, in capitals or not; everything if empty.
+    """
+    yield first_line(_tree(PACKAGE / "__init__.py"))
     for name in GROUND_FLOOR:
-        yield from _module(PACKAGE / f"{name}.py", name)
+        yield from _module(PACKAGE / f"{name}.py", name, word)
     for name in SUBJECTS:
-        tree = ast.parse((PACKAGE / name / "__init__.py").read_text(encoding="utf-8"))
-        yield f"\ndriftlab.{name}: {first_line(tree)}"
-        for path in sorted((PACKAGE / name).glob("[!_]*.py")):
-            yield from _module(path, f"{name}.{path.stem}", indent="  ")
+        modules = [
+            line
+            for path in sorted((PACKAGE / name).glob("[!_]*.py"))
+            for line in _module(path, f"{name}.{path.stem}", word, indent="  ")
+        ]
+        if modules:
+            yield f"\ndriftlab.{name}: {first_line(_tree(PACKAGE / name / '__init__.py'))}"
+            yield from modules
 
 
-def _module(path: Path, name: str, indent: str = "") -> Iterator[str]:
-    tree = ast.parse(path.read_text(encoding="utf-8"))
+def _tree(path: Path) -> ast.Module:
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
+def _module(path: Path, name: str, word: str, indent: str = "") -> Iterator[str]:
+    tree = _tree(path)
+    names = public_names(tree)
+    documented = (ast.Module, ast.ClassDef, ast.FunctionDef)
+    nodes = [node for node in ast.walk(tree) if isinstance(node, documented)]
+    texts = [name, *names, *(ast.get_docstring(node) or "" for node in nodes)]
+    sought = r"\b" + r"\s+".join(map(re.escape, word.split()))
+    if not re.search(sought, " ".join(texts), re.IGNORECASE):
+        return
     yield f"\n{indent}driftlab.{name}: {first_line(tree)}"
-    names = ", ".join(public_names(tree))
     if names:
-        yield f"{indent}    {names}"
+        yield f"{indent}    {', '.join(names)}"
 
 
 if __name__ == "__main__":
-    print("\n".join(overview()))
+    words = " ".join(sys.argv[1:])
+    lines = list(overview(words))
+    if len(lines) == 1:
+        lines.append(f"Nothing here speaks of {words!r}. The words of the book are in chapter 12.")
+    print("\n".join(lines))

@@ -1,7 +1,8 @@
 """Choice of body axes for a unit with two bent triads; Wu et al., section 2.3.
 
 The body axes can be chosen so that one of the two triads has no misalignment, because a rotation of
-the axes changes the misalignment of both triads by the same amount.
+the axes changes the misalignment of both triads by the same amount. What is
+left between these axes and those of the vehicle is the unit's boresight or mounting error.
 """
 
 from __future__ import annotations

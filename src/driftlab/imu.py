@@ -1,4 +1,4 @@
-"""Errors of an inertial unit: a model of them, their noise, and how large they may be.
+"""Errors of an inertial measurement unit (IMU): a model, their noise, and how large they may be.
 
 ``measured rate = (I + K) rate + bias + noise``, and so for the specific force: Wu (1)-(5).
 """

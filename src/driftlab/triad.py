@@ -4,6 +4,8 @@ A triad with error matrix K measures ``(I + K) w``; Wu et al., sections 2 and 3.
 three matrices: a diagonal one (scale-factor errors), a symmetric one (non-orthogonality) and a
 skew one, the *misalignment*: a small rotation of the triad as a whole.
 
+Data sheets say cross-coupling (or cross-axis sensitivity) for an entry off the diagonal.
+
 A function of one triad calls the whole matrix `triad_error`, M in Part I; where there are two
 triads they are `gyro_error` and `accelerometer_error`, K and L from Part III on.
 """

@@ -3,6 +3,7 @@
 The compass takes the horizontal component of the rate of the local axes for North, and the specific
 force for the vertical. Motion round the Earth adds to both. The error formula, here called
 (operating heading), gives the error that remains when both are known.
+`speed_error` is the northing error (steaming error) of other books.
 """
 
 from __future__ import annotations
