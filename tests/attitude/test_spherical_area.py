@@ -38,6 +38,36 @@ def test_solid_angle_does_not_depend_on_axes_first_corner_or_length():
     assert solid_angle(corners[::-1]) == pytest.approx(-expected, abs=100 * EPS)
 
 
+X, Y, Z = np.eye(3)
+
+
+@pytest.mark.parametrize("shift", range(4))
+def test_quarter_of_the_sphere_begun_at_any_corner(shift):
+    """A lune, two of whose corners are opposite but no neighbours."""
+    assert solid_angle(np.roll([X, Y, -X, Z], shift, axis=0)) == pytest.approx(np.pi, abs=8 * EPS)
+
+
+@pytest.mark.parametrize("near", [1e-4, 1e-8, 1e-12, 1e-15])
+def test_corners_that_are_nearly_opposite_cost_no_digits(near):
+    # Shifting a corner along the circle on which it lies changes no area.
+    shifted = [X, Y, -X * np.cos(near) - Y * np.sin(near), Z]
+    expected = np.pi + near  # the other edge of that corner turns about Z
+    assert solid_angle(shifted) == pytest.approx(expected, abs=1e-14)
+
+
+@pytest.mark.parametrize("count", [3, 4, 5, 6, 8, 360, 361])
+def test_equators_are_half_the_sphere(count):
+    around = 2 * np.pi * np.arange(count) / count
+    corners = np.stack([np.cos(around), np.sin(around), np.zeros(count)], axis=-1)
+    turned = rotate(random_quaternions(20, seed=3)[:, np.newaxis], corners)
+    np.testing.assert_allclose(np.abs(solid_angle(turned)), 2 * np.pi, rtol=0, atol=1e-12)
+
+
+def test_neighbours_that_are_opposite_are_refused():
+    with pytest.raises(ValueError, match=r"^directions: expected neighbours that one great circle"):
+        solid_angle([X, -X, Y])
+
+
 def test_fewer_than_three_directions_are_refused():
     with pytest.raises(ValueError, match=r"^directions: expected shape .* at least 3, got shape"):
         solid_angle(np.eye(3)[:2])

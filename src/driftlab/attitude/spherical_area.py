@@ -6,10 +6,17 @@ comes back, the gyro along the axis sums up minus the solid angle of the cone, b
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, nonzero_vectors
+
+_OPPOSITE = 1e-12
+"""One and the cosine between neighbours, below which they count as opposite: a microradian."""
+_CANDIDATES = np.array([p for p in product((-1.0, 0.0, 1.0), repeat=3) if any(p)])
+_CANDIDATES /= np.linalg.norm(_CANDIDATES, axis=-1, keepdims=True)
 
 
 def solid_angle(directions: ArrayLike) -> FloatArray:
@@ -29,7 +36,8 @@ def solid_angle(directions: ArrayLike) -> FloatArray:
     Raises
     ------
     ValueError
-        If a direction has no length, or there are fewer than three of them.
+        If a direction has no length, if there are fewer than three of them, or if two neighbours
+        are opposite, which any great circle through them would join.
 
     Examples
     --------
@@ -44,10 +52,17 @@ def solid_angle(directions: ArrayLike) -> FloatArray:
             "directions: expected shape (..., n, 3) with n of at least 3, "
             f"got shape {corners.shape}."
         )
-    # Triangles from a common corner; the tangent of half the solid angle of each is a quotient
-    # (van Oosterom and Strackee), of numbers whose arguments add up.
-    first, a, b = corners[..., :1, :], corners[..., 1:-1, :], corners[..., 2:, :]
-    volume = np.sum(first * np.cross(a, b), axis=-1)
-    cosines = 1 + np.sum(first * a + a * b + b * first, axis=-1)
+    following = np.roll(corners, -1, axis=-2)
+    if (1 + np.sum(corners * following, axis=-1) < _OPPOSITE).any():
+        raise ValueError(
+            "directions: expected neighbours that one great circle joins, got opposite ones."
+        )
+    # Triangles from a common apex, one for each edge; the tangent of half the solid angle of each
+    # is a quotient (van Oosterom and Strackee), of numbers whose arguments add up. It is 0/0 for a
+    # corner opposite to the apex, so the apex is the candidate farthest from all such.
+    farthest = np.argmax(np.min(1 + corners @ _CANDIDATES.T, axis=-2), axis=-1)
+    apex = _CANDIDATES[farthest][..., np.newaxis, :]
+    volume = np.sum(apex * np.cross(corners, following), axis=-1)
+    cosines = 1 + np.sum(apex * corners + corners * following + following * apex, axis=-1)
     whole = 2 * np.arctan2(volume, cosines).sum(axis=-1)
     return np.asarray(np.remainder(whole + 2 * np.pi, 4 * np.pi) - 2 * np.pi)[()]
