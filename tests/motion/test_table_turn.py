@@ -89,6 +89,25 @@ def test_along_the_axis_only_angle_and_time_count(n, ramp, rest, sense):
     assert turn.mean_rate == pytest.approx(sense * 2 * np.pi / turn.duration, rel=4 * EPS)
 
 
+@pytest.mark.parametrize(
+    ("settings", "samples"),
+    [
+        ({"rate": 0.2, "rest": 300.0}, 8),
+        ({"rate": -1.0, "turns": 10, "rest": 3600.0}, 80),
+        ({"rate": 0.2, "turns": 10, "ramp": 30.0, "rest": 100.0, "angle_error": 3.0}, 80),
+    ],
+)
+def test_a_long_sample_is_the_sum_of_short_ones(settings, samples):
+    """A sample may hold several turns, for the rests count as well."""
+    turn = TableTurn(latitude=0.7, table_axis=(0.0, 1.0, 0.2), **settings)
+    coarse = turn.increments([1, 2, 3], samples)
+    fine = turn.increments([1, 2, 3], 64 * samples)
+    for long, short in ((coarse.angle, fine.angle), (coarse.velocity, fine.velocity)):
+        summed = short.reshape(samples, 64, 3).sum(axis=1)
+        bound = 64 * EPS * np.abs(short).sum() / samples
+        np.testing.assert_allclose(long, summed, rtol=0, atol=max(bound, 1e-12))
+
+
 def test_without_the_earth_there_is_the_turn_alone():
     found = TableTurn(-TEN, turns=3).increments([[0, 3, 4], [1, 0, 0]], 60)
     expected = -6 * np.pi / 60 * np.array([[0, 0.6, 0.8], [1, 0, 0]])

@@ -18,7 +18,7 @@ from driftlab.earth import checked_latitude, earth_rate, gravity
 from driftlab.increments import Increments
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(6)
-"""Exact to rounding over the eighth of a turn that a sample may have at most."""
+"""Exact to rounding over an eighth of a turn."""
 
 
 @dataclass(frozen=True)
@@ -203,6 +203,13 @@ class TableTurn:
         # Cut where the rate has a kink, or a quadrature would see it.
         kinks = self._until_braking * np.array([[0.0], [1.0]]) + np.array([0.0, self.ramp])
         edges = np.union1d(times, kinks[(kinks > times[0]) & (kinks < times[-1])])
+        # And so that no piece turns by more than an eighth, however long a sample is.
+        widths = np.diff(edges)
+        parts = np.ceil(np.abs(self.rate) * widths / (np.pi / 4)).astype(int)
+        within = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+        edges = np.append(
+            np.repeat(edges[:-1], parts) + within * np.repeat(widths / parts, parts), edges[-1]
+        )
         half = 0.5 * np.diff(edges)[:, np.newaxis]
         angles = self.angle(edges[:-1, np.newaxis] + half * (1 + _NODES))
         pieces = np.stack([np.cos(angles), np.sin(angles)]) * half @ _WEIGHTS
