@@ -7,6 +7,7 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.drift.closed_motion import drift_per_motion, exact_drift_per_motion
 from driftlab.drift.systematic_drift import drift_coefficient, drift_per_turn
+from driftlab.earth import EARTH_RATE
 from driftlab.motion import Coning
 from driftlab.vectors import cross_matrix
 from support import EPS, directions, matrices, order_of, vectors
@@ -93,6 +94,14 @@ def test_repeated_motion_drifts_in_proportion():
         np.testing.assert_allclose(repeated, times * once, rtol=0, atol=1e-13)
 
 
+def test_a_motion_that_the_earth_keeps_open_is_refused_with_its_cure():
+    turning = np.diff(np.sin(np.arange(61) * np.pi / 30))[:, np.newaxis] * [0.0, 0.2, 0.0]
+    drift_per_motion(turning, SHAPE)
+    on_earth = turning + EARTH_RATE * np.array([0.0, 0.6, 0.8])  # a minute
+    with pytest.raises(ValueError, match=r"ends 0\.004\d* rad .*; on the Earth take its rate off"):
+        drift_per_motion(on_earth, SHAPE)
+
+
 def test_there_and_back_leaves_exactly_nothing():
     motion = np.vstack([WAY, -WAY[::-1]])
     np.testing.assert_allclose(exact_drift_per_motion(motion, 0.3 * SHAPE), 0, atol=1e-14)
@@ -166,7 +175,7 @@ def test_leading_axes_broadcast_and_arguments_stay():
         (([0, 0, 6.28], SHAPE), r"increments: expected shape \(\.\.\., n, 3\), got shape \(3,\)"),
         (([[0, 0, np.nan]], SHAPE), "increments: expected finite numbers"),
         (([[0, 0, 0]], np.zeros(3)), "triad_error: expected shape"),
-        ((WAY, SHAPE), r"increments: .*closes to 0\.0001 rad, got one that ends 3\.1 rad"),
+        ((WAY, SHAPE), r"increments: .*closes to 0\.0001 rad, got one that ends 3\.1 rad from where it began\.$"),
         ((np.zeros((2, 4, 3)), np.zeros((3, 3, 3))), "increments, triad_error: expected leading"),
     ],
 )

@@ -160,16 +160,27 @@ def test_the_sense_is_read_from_the_record():
 @pytest.mark.parametrize(
     ("change", "axis", "turns", "sentence"),
     [
-        (np.degrees, [1, 1, 0], 1, r"add up to 1 within half a turn, .* got 57\.31"),
-        (lambda rows: 20 * rows, [1, 1, 0], 1, r"got 20\.01"),
+        (np.degrees, [1, 1, 0], 1, r"to 1 within 0\.05, .* along the axis, got 57\.31: "),
+        (lambda rows: 20 * rows, [1, 1, 0], 1, r"got 20\.01: "),
         (lambda rows: rows, [1, -1, 0], 1, "got .*e-"),
-        (lambda rows: rows, [1, 1, 0], 2, "add up to 2 within half a turn, .* got 1"),
+        (lambda rows: rows, [1, 0, 1], 1, r"got 0\.500.: another axis, degrees, rates, or a re"),
+        (lambda rows: rows, [1, 1, 0], 2, r"to 2 within 0\.1, .* got 1: "),
+        (lambda rows: rows[:670], [1, 1, 0], 1, r"got 0\.9309: .* or a record that is cut\?$"),
+        (lambda rows: rows, [1, 1, 0.1], 1, r"at most 0\.05 turns across .* got 0\.07.*: another"),
+        (lambda rows: np.tile(rows, (16, 1)), [1, 1, 0], 15, r"to 15 within 0\.5, .* got 16\."),
     ],
 )
 def test_a_record_of_something_else_is_refused(change, axis, turns, sentence):
     record = TableTurn(RATE, latitude=SARATOV).increments([1, 1, 0], 720).angle
     with pytest.raises(ValueError, match=f"^increments: expected angles in rad .*{sentence}"):
         recorded_turn_estimate(change(record), axis, turns)
+
+
+def test_a_triad_of_the_simplest_kind_is_not_refused():
+    """Scale factors and cross-coupling of 4 %, and the estimate is their own."""
+    for triad in (0.04 * np.eye(3), -0.04 * np.eye(3), 0.04 * np.fliplr(np.eye(3))):
+        found = senses(YATES_AXES, gyro_error=triad).mean(axis=0)
+        np.testing.assert_allclose(found, exact_turn_estimate(YATES_AXES, triad), atol=1e-6)
 
 
 @pytest.mark.parametrize(

@@ -423,9 +423,9 @@ def real_estimates(axes, rates, triad_error=BENT):
 
 
 def test_earth_offset_by_hand():
-    """One turn in a sidereal day at the pole is the Earth's own; it reverses with the sense."""
+    """One turn in a sidereal day is the Earth's own; it reverses with the sense."""
     day = 2 * np.pi / 86164.1  # rad/s
-    assert earth_offset(np.pi / 2, day) == pytest.approx(1, rel=1e-6)
+    assert earth_offset(np.arcsin(0.9), day) == pytest.approx(0.9, rel=1e-6)
     assert earth_offset(np.pi / 6, -10 * day) == pytest.approx(-0.05, rel=1e-6)
     assert earth_offset(0.7, day, [1, 0, 0]) == 0  # to the East
     assert earth_offset(0.0, day, [0, 3, 0]) == pytest.approx(1, rel=1e-6)  # to the North
@@ -434,6 +434,11 @@ def test_earth_offset_by_hand():
 def test_earth_offset_of_a_table_at_rest_is_refused():
     with pytest.raises(ValueError, match=r"^table_rate: expected rates that are not zero, got 0"):
         earth_offset(0.7, [0.1, 0.0])
+
+
+def test_earth_offset_takes_no_degrees_for_a_latitude():
+    with pytest.raises(ValueError, match=r"^latitude: expected at most 89\.9 degrees .* 37\.5 rad"):
+        earth_offset(37.5, 0.1)
 
 
 def test_fit_takes_off_the_known_earth_and_finds_the_biases():
@@ -463,6 +468,35 @@ def test_eight_turns_determine_eight_unknowns(offset):
     expected = np.hstack([SIGMAS, offset, BIAS, UPWARD])
     np.testing.assert_allclose(found, expected, rtol=0, atol=400 * EPS)
     assert fit.covariance.shape == (8, 8)
+
+
+def test_residuals_are_what_the_fit_leaves_of_each_estimate():
+    """The design by hand: no scale factors, no Earth, biases known to be zero."""
+    noisy = real_estimates(EIGHT, RATES) + np.random.default_rng(7).normal(size=(5, 8))
+    fit = fit_turns(noisy, EIGHT, table_rates=RATES, earth_rate=UPWARD)
+    fitted = fit.sigma @ turn_design(EIGHT, "none").T
+    np.testing.assert_allclose(fit.residuals, noisy - UPWARD / RATES - fitted, atol=100 * EPS)
+    np.testing.assert_allclose(fit.residuals @ turn_design(EIGHT, "none"), 0, atol=100 * EPS)
+
+
+def test_residuals_show_the_wrong_sign_of_an_axis_if_turns_are_left_over():
+    axes = np.tile(np.vstack([PAIR_AXES, np.eye(3)]), (2, 1))
+    rates, settings = np.repeat([0.2, -0.2], 6), {"earth_rate": "unknown", "gyro_bias": True}
+    estimates = real_estimates(axes, rates)
+    fit = fit_turns(estimates, axes, "each", table_rates=rates, **settings)
+    assert np.abs(fit.residuals).max() < 1e-15
+    sign = np.where(np.arange(12) % 6 == 5, -1.0, 1.0)  # the third body axis, both senses
+    wrong = fit_turns(
+        estimates, sign[:, np.newaxis] * axes, "each", table_rates=sign * rates, **settings
+    )
+    np.testing.assert_allclose(wrong.sigma, SIGMAS, rtol=0, atol=100 * EPS)  # no sign of the slip
+    assert np.abs(wrong.residuals).max() > 0.1 * UPWARD / 0.2
+    eight = np.where(np.arange(8) % 4 == 3, -1.0, 1.0)  # as many turns as unknowns
+    silent = fit_turns(
+        real_estimates(EIGHT, RATES), eight[:, np.newaxis] * EIGHT, "common",
+        table_rates=eight * RATES, **settings,
+    )  # fmt: skip
+    assert np.abs(silent.residuals).max() < 1e-15
 
 
 def test_for_one_rate_and_sense_the_unknown_earth_is_the_common_offset():

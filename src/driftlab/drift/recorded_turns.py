@@ -9,7 +9,11 @@ from driftlab.attitude.coning_algorithms import AttitudeAlgorithm, attitude_algo
 from driftlab.attitude.integration import integrate
 from driftlab.checks import FloatArray, finite_array, finite_arrays, nonzero_vectors, whole_number
 from driftlab.core.quaternion import from_rotation_vector, multiply
+from driftlab.core.vectors import norms
 from driftlab.drift.turn_calibration import turn_estimate
+
+_TOLERANCE = 0.05
+"""By which part a triad may say too much or too little: more than a simple one does."""
 
 
 def recorded_turn_estimate(
@@ -46,9 +50,10 @@ def recorded_turn_estimate(
     Raises
     ------
     ValueError
-        If the increments along the axis do not add up to `turns` turns within half a turn: another
-        axis, degrees, rates, or another number of turns. Also as in
-        `driftlab.attitude.integration.integrate` and `turn_estimate`.
+        If the increments add up to something else than `turns` turns about the axis: along it they
+        may be off by 5 % of these (and by less than half a turn), across it by as much. Another
+        axis, degrees, rates and a record that is cut are found so; what is less looks like an error
+        of the triad. Also as in `driftlab.attitude.integration.integrate` and `turn_estimate`.
 
     Examples
     --------
@@ -70,17 +75,31 @@ def recorded_turn_estimate(
     if rows.ndim < 2:
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
     finite_arrays(increments=(rows, *rows.shape[-2:]), axis=(n, 3))
-    turned = np.einsum("...ij,...j->...i", rows, n).sum(axis=-1) / (2 * np.pi)
-    far = np.abs(np.abs(turned) - count)
-    if (far >= 0.5).any():
-        worst = np.ravel(turned)[np.argmax(far)]
-        raise ValueError(
-            f"increments: expected angles in rad that add up to {count} within half a turn, "
-            f"counted in turns about the axis, got {worst:.4g}."
-        )
+    turned = _whole_turns(rows.sum(axis=-2) / (2 * np.pi), n, count)
     length = rows.shape[-2]
     whole = length - length % chosen.samples
     attitude = integrate(rows[..., :whole, :], chosen)[..., -1, :]
     for row in range(whole, length):
         attitude = multiply(attitude, from_rotation_vector(rows[..., row, :]))
     return turn_estimate(attitude, np.sign(turned)[..., np.newaxis] * n, count)
+
+
+def _whole_turns(total: FloatArray, n: FloatArray, count: int) -> FloatArray:
+    """Turns (...) along the axis, of increments that add up to `total` (..., 3), in turns."""
+    along: FloatArray = np.einsum("...i,...i->...", total, n)
+    across = norms(total - along[..., np.newaxis] * n)
+    limit = _TOLERANCE * count
+    off = np.abs(np.abs(along) - count)
+    if (off >= min(limit, 0.5)).any():
+        worst = np.ravel(along)[np.argmax(off)]
+        raise ValueError(
+            f"increments: expected angles in rad that add up to {count} within "
+            f"{min(limit, 0.5):g}, counted in turns along the axis, got {worst:.4g}: another axis, "
+            "degrees, rates, or a record that is cut?"
+        )
+    if (across > limit).any():
+        raise ValueError(
+            f"increments: expected angles in rad that add up to at most {limit:g} turns across "
+            f"the axis, got {across.max():.4g}: another axis?"
+        )
+    return along

@@ -25,7 +25,7 @@ from driftlab.checks import (
 )
 from driftlab.core.quaternion import from_rotation_vector
 from driftlab.core.vectors import transform
-from driftlab.earth import earth_rate
+from driftlab.earth import checked_latitude, earth_rate
 from driftlab.triad import checked_triad
 
 from .step_formulas import integrate_steps, step_formula
@@ -122,7 +122,7 @@ def earth_offset(
     Parameters
     ----------
     latitude : array_like, shape (...)
-        rad.
+        rad; not a pole.
     table_rate : array_like, shape (...)
         Whole turns over the time of the record, rad/s, not zero. The sign is the sense: positive
         is counter-clockwise, seen from the tip of the table's axis.
@@ -157,7 +157,7 @@ def earth_offset(
     if not rate.all():
         raise ValueError("table_rate: expected rates that are not zero, got 0.")
     a, _ = nonzero_vectors(axis, "table_axis")
-    return np.einsum("...i,...i->...", earth_rate(latitude), a) / rate
+    return np.einsum("...i,...i->...", earth_rate(checked_latitude(latitude)), a) / rate
 
 
 @dataclass(frozen=True)

@@ -69,6 +69,9 @@ class TurnFit(NamedTuple):
         None, or the Earth's rate along the table's axis, rad/s.
     covariance : ndarray, shape (3 + s + g + e, 3 + s + g + e)
         Covariance of (sigma, scale, gyro_bias, earth_rate) when each estimate has unit variance.
+    residuals : ndarray, shape (..., m)
+        Each estimate less what the unknowns make of it, without unit. Large ones show a slip, such
+        as the wrong sign of an axis; as many turns as unknowns leave none.
 
     Examples
     --------
@@ -83,6 +86,7 @@ class TurnFit(NamedTuple):
     gyro_bias: FloatArray
     earth_rate: FloatArray
     covariance: FloatArray
+    residuals: FloatArray
 
 
 def fit_turns(
@@ -101,13 +105,15 @@ def fit_turns(
     estimates : array_like, shape (..., m)
         Turn estimates, one for each turn.
     axes : array_like, shape (m, 3)
-        Axes n in the body; only their directions count.
+        Axes n in the body, each as it points along the table's axis in space: up, on a level
+        table. With body axes forward, right, down an upright unit turns about (0, 0, -1). Only
+        their directions count.
     scale : {"none", "common", "each"}
         Other unknowns: none, one scale-factor error common to the three gyros (an offset common to
         all estimates: a table that overshoots looks the same), or one for each gyro.
     table_rates : array_like, shape (m,), optional
-        Rate of each turn about its axis, with its sense as its sign, rad/s: whole turns over the
-        time of the record. Needed for the two that follow.
+        Rate of each turn about its axis, rad/s: whole turns over the time of the record, positive
+        if counter-clockwise, seen from above on a level table. Needed for the two that follow.
     earth_rate : array_like, shape (m,) or (), or "unknown"
         Component of the Earth's rate along each axis as it stands in space, rad/s, whose share is
         taken off; or that the same component for all axes is one more unknown.
@@ -117,7 +123,7 @@ def fit_turns(
     Returns
     -------
     TurnFit
-        The unknowns, and their covariance for unit noise.
+        The unknowns, their covariance for unit noise, and the residuals.
 
     Raises
     ------
@@ -177,10 +183,12 @@ def fit_turns(
     sigmas = np.column_stack([2 * x * y, 2 * x * z, 2 * y * z])
     bias = times[:, np.newaxis] * (n if gyro_bias else n[:, :0])
     parts = [sigmas, squares[scale], bias, earth]
-    inverse = _solve(np.hstack(parts))
+    design = np.hstack(parts)
+    inverse = _solve(design)
     ends = np.cumsum([part.shape[1] for part in parts])[:-1]
-    sigma, scales, biases, along = np.split(values @ inverse.T, ends, axis=-1)
-    return TurnFit(sigma, scales, biases, along, inverse @ inverse.T)
+    unknowns = values @ inverse.T
+    residuals = values - unknowns @ design.T
+    return TurnFit(*np.split(unknowns, ends, axis=-1), inverse @ inverse.T, residuals)
 
 
 def _time_of_a_radian(table_rates: ArrayLike | None, count: int) -> FloatArray:
