@@ -1,4 +1,4 @@
-"""The panel of chapter 04: noise."""
+"""The panel of chapter 04: noise, and the arc seconds of the text."""
 
 from driftlab.book import TurnCalibrationExplorer
 
@@ -8,3 +8,9 @@ def test_noise_gives_a_spread_and_its_mean() -> None:
     assert "mean of" not in panel.text.value
     panel.preset.value = "Noisy gyros"
     assert "mean of 12" in panel.text.value
+
+
+def test_the_offset_of_the_earth_stands_in_arc_seconds_beside_the_picture() -> None:
+    panel = TurnCalibrationExplorer()
+    panel.preset.value = "On the Earth, a perfect triad"
+    assert panel.text.value.count("0.00, 52.46") == 3

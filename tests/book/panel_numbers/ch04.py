@@ -61,7 +61,12 @@ def turn_calibration(values: Values) -> Rows:
     else:
         found = fit_turns(estimates, plan.axes, plan.method).sigma
     suffix = f" true, found{f', mean of {runs}' if noise else ''}, 1e-3"
+    pairs = list(zip((s1, s2, s3), found.mean(axis=0), strict=True))
     return [
-        (f"σ{index}{suffix}", f"{1e3 * true:.3f}, {1e3 * mean:.6f}")
-        for index, true, mean in zip("₁₂₃", (s1, s2, s3), found.mean(axis=0), strict=True)
+        row
+        for index, (true, mean) in zip("₁₂₃", pairs, strict=True)
+        for row in (
+            (f"σ{index}{suffix}", f"{1e3 * true:.3f}, {1e3 * mean:.6f}"),
+            (f"σ{index} in arc seconds", f"{true / arcsecond:.2f}, {mean / arcsecond:.2f}"),
+        )
     ]

@@ -31,6 +31,7 @@ WRONG = {
         ([m * sp.sin(w * t), m * (1 - sp.cos(w * t)), 0], "seen from the reference frame"),
         ([w * m * sp.sin(w * t), w * m * (sp.cos(w * t) - 1), 0], "divides by w again"),
         ([m * sp.sin(w * t) / 2, m * (sp.cos(w * t) - 1) / 2, 0], "half of the rotation vector"),
+        ([m * (1 - sp.cos(w * t)), m * sp.sin(w * t), 0], "second gyro picked up"),
         ([m * sp.cos(w * t), -m * sp.sin(w * t), 0], r"not yet\.\s*$"),
         ("30 degrees", "not readable"),
     ],

@@ -49,6 +49,8 @@ WRONG = {
     "4.6": [
         (-24.034, "^not yet. The sign"),
         (35.77, "level part"),
+        (-35.8, "^not yet. Two slips"),
+        (150.9, "in one of the two turns"),
         (43.09, "whole rate of the Earth"),
         (302.0, "divides it by the angle"),
         (48.07, "the number of turns does not matter"),
@@ -56,6 +58,8 @@ WRONG = {
     ],
     "4.7": [
         ([6, 0.25, 0.75], "Count all unknowns"),
+        ([8, 0.25, 0.75], "Eight were enough in the text"),
+        ([9, 0.25, 0.25], "do not weigh alike"),
         ([12, 0.25, 0.75], "fewer do"),
         ([10, 0.25, 0.75], "no tenth unknown"),
         ([9, 0.5, 1.5], "one sense only"),

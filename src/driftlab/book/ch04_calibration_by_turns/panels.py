@@ -98,11 +98,13 @@ class TurnCalibrationExplorer(Explorer):
 
     def numbers(self, data: TurnEstimates) -> list[tuple[str, str]]:
         runs = f", mean of {len(data.runs)}" if self.values["noise"] else ""
-        rows = zip((1, 2, 3), data.true, data.runs.mean(axis=0), strict=True)
-        return [
-            (f"σ{'₀₁₂₃'[i]} true, found{runs}, 1e-3", f"{1e3 * true:.3f}, {1e3 * mean:.6f}")
-            for i, true, mean in rows
-        ]
+        rows: list[tuple[str, str]] = []
+        for name, *pair in zip(("σ₁", "σ₂", "σ₃"), data.true, data.runs.mean(axis=0), strict=True):
+            true, found = 1e3 * np.array(pair)
+            rows.append((f"{name} true, found{runs}, 1e-3", f"{true:.3f}, {found:.6f}"))
+            true, found = np.array(pair) / ARC_SECOND
+            rows.append((f"{name} in arc seconds", f"{true:.2f}, {found:.2f}"))
+        return rows
 
     def call(self, values: Values) -> str:
         experiment, table = self._experiment(values), self._table(values)

@@ -1,5 +1,7 @@
 """What one bent triad leaves of motions that come back, each made several times."""
 
+from typing import Any
+
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -17,6 +19,9 @@ from ..experiments import REPEATS, MotionHistory
 
 VIEW = (-15.0, 30.0)
 """Azimuth and elevation from which none of the ways is seen edge on, degrees."""
+BESIDE = ((-0.13, -0.06), (0.0, 0.13), (-0.12, 0.0))
+"""From each stick to its number, clear of the ways."""
+CENTRED: dict[str, Any] = {"ha": "center", "va": "center"}
 
 
 def columns(data: dict[str, MotionHistory]) -> dict[str, FloatArray]:
@@ -43,10 +48,12 @@ def draw(data: dict[str, MotionHistory]) -> Figure:
         plain_axes(sheet, reach=1.15)
         sheet.set_title(name)
         sheet.plot(np.cos(outline), np.sin(outline), color=GREY, linewidth=0.8)
-        for tip in project(np.eye(3), *VIEW):
+        for number, tip in enumerate(project(np.eye(3), *VIEW)):
             sheet.plot([0, tip[0]], [0, tip[1]], color=BLACK, linewidth=0.8)
+            sheet.text(*0.55 * tip + BESIDE[number], f"{number + 1}", fontsize=9, **CENTRED)
         sheet.plot(*project(track, *VIEW).T, color=style["color"], linewidth=2)
         sheet.plot(*project(track[0], *VIEW), color=BLACK, marker="o", markersize=4)
+        sheet.text(0, 1.1, "start", fontsize=9, **CENTRED)
         errors.plot(history.motions, 60 * np.degrees(history.angle), **style, label=name)
         errors.plot(ends, 60 * np.degrees(history.first_order) * ends, color=GREY, linewidth=0.9)
         back = np.flatnonzero(history.motions % 1 == 0)

@@ -87,7 +87,8 @@ FIGURES = (
             "sense the Earth covers everything else; both senses leave the scale factor, and a "
             "common offset solved for leaves the gyro bias. Both together leave "
             f"{3600 * np.degrees(data.budget.total[-1]):.1f} arc seconds at "
-            f"{np.degrees(experiments.RealTable().rate):g} deg/s."
+            f"{np.degrees(experiments.RealTable().rate):g} deg/s. On the right a row is a source; "
+            f"a mark that is not there is below {real_table.LOWEST:g} arc seconds."
         ),
     ),
 )

@@ -6,12 +6,13 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import arcsecond, degree
 
-from driftlab.book.machinery.picture import SERIES, in_style
+from driftlab.book.machinery.picture import GREY, SERIES, in_style
 
 from ..experiments import WAYS, RealTable, RealTableErrors
 
 _MARKERS = "osD^"
-_LOWEST = 1e-3  # arc seconds: what is smaller is not drawn
+LOWEST = 1e-3
+"""Arc seconds; what is smaller has no mark in the right panel."""
 
 
 def columns(data: RealTableErrors) -> dict[str, Any]:
@@ -40,12 +41,17 @@ def draw(data: RealTableErrors) -> Figure:
     over_rate.set(ylabel="rms error of a sigma, arc seconds")
     over_rate.set_xticks([1, 2, 5, 10, 20, 50, 100], ["1", "2", "5", "10", "20", "50", "100"])
     over_rate.minorticks_off()
-    sources.set(title=f"source by source, {rate:g} deg/s", xscale="log", xlim=(_LOWEST, 100))
+    sources.set(title=f"source by source, {rate:g} deg/s", xscale="log", xlim=(0.8 * LOWEST, 200))
     sources.set_xlabel("rms error of a sigma, arc seconds")
     rows = np.arange(len(data.budget.sizes) + 1)
     labels = [f"{name}, {size}" for name, size in data.budget.sizes.items()]
     sources.set_yticks(rows, [*labels, "in quadrature"])
     sources.set_ylim(rows[-1] + 0.5, -0.5)
+    # Lines between the rows, none through the marks.
+    sources.grid(visible=False, axis="y")
+    sources.tick_params(axis="y", length=0)
+    for border in rows[:-1] + 0.5:
+        sources.axhline(border, color=GREY, linewidth=0.6 if border < rows[-1] - 1 else 1.2)
     effects = np.vstack([data.budget.effects, data.budget.total]) / arcsecond
     for index, (way, style, marker) in enumerate(zip(WAYS, SERIES, _MARKERS, strict=False)):
         over_rate.plot(data.rates / degree, data.expected[:, index] / arcsecond, **style)
@@ -59,10 +65,10 @@ def draw(data: RealTableErrors) -> Figure:
             linestyle="none",
             label=way,
         )
-        seen = effects[:, index] >= _LOWEST
+        seen = effects[:, index] >= LOWEST
         sources.plot(
             effects[seen, index],
-            rows[seen] + 0.16 * (index - 1.5),
+            rows[seen] + 0.18 * (index - 1.5),
             color=style["color"],
             marker=marker,
             markersize=5,
