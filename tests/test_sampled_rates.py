@@ -61,6 +61,29 @@ def test_leading_axes_of_rates_are_loops():
         np.testing.assert_allclose(increments_from_rates(rows, 0.02), alone, rtol=0, atol=8 * EPS)
 
 
+def test_a_lost_sample_is_bridged_if_the_caller_allows_it():
+    times = np.arange(101) / 100
+    lost = np.delete(np.arange(101), 50)
+    true = CONE.increments(0.01, 100)
+    found = increments_from_rates(CONE.rate(times[lost]), 0.01, times=times[lost], longest_gap=2.5)
+    assert found.shape == true.shape
+    # The error is of the sixth power of the spacing, which is twice as long at the gap.
+    whole = np.abs(increments_from_rates(CONE.rate(times), 0.01) - true).max()
+    assert np.abs(found - true).max() < 2**6 * whole
+
+
+def test_noise_is_magnified_at_the_ends_and_averaged_in_the_middle():
+    """Weights of all samples in all increments, one sample at a time."""
+    one_by_one = np.repeat(np.eye(61)[..., np.newaxis], 3, axis=-1)
+    for degree, at_end, between in ((3, 0.93, 0.66), (5, 2.2, 0.70), (7, 10.3, 0.72)):
+        weights = increments_from_rates(one_by_one, 1.0, degree=degree)[..., 0]
+        variance = (weights**2).sum(axis=0)
+        np.testing.assert_allclose(variance[[0, -1]], at_end, rtol=0.01)
+        np.testing.assert_allclose(variance[20:-20], between, atol=0.005)
+        # Far from the ends each sample counts once, so a long sum has the noise of its samples.
+        np.testing.assert_allclose(weights.sum(axis=1)[20:-20], 1, rtol=1e-3)
+
+
 def test_a_faster_motion_leaves_the_same_samples():
     """At 50 Hz a vibration of 30 Hz looks like one of 20 Hz: no spline can tell."""
     slow, fast = (Coning(0.02, hertz) for hertz in (-20.0, 30.0))
@@ -87,8 +110,14 @@ def test_a_faster_motion_leaves_the_same_samples():
         ({"times": np.zeros(9)}, r"times: expected 9 increasing times \(m,\), got array"),
         (
             {"times": [0, 1, 2, 3, 4, 6, 7, 8, 9]},
-            "times: expected no gap, got 2 s after the time 4 where 1 s are usual",
+            r"times: expected no gap longer than 1\.5 times the usual 1 s \(longest_gap\), "
+            "got 2 s after the time 4",
         ),
+        (
+            {"times": [0, 1, 2, 3, 4, 7, 8, 9, 10], "longest_gap": 2.5},
+            r"times: expected no gap longer than 2\.5 times the usual 1 s \(longest_gap\), got 3 s",
+        ),
+        ({"longest_gap": 1.0}, r"longest_gap: expected more than 1, got 1\.0"),
         (
             {"times": np.arange(9.0), "interval": 9.0},
             "interval: expected at most the time of all samples, 8 s, got 9",

@@ -10,7 +10,12 @@ from .checks import FloatArray, finite_array, positive_number, whole_number
 
 
 def increments_from_rates(
-    rates: ArrayLike, interval: float, *, times: ArrayLike | None = None, degree: int = 5
+    rates: ArrayLike,
+    interval: float,
+    *,
+    times: ArrayLike | None = None,
+    degree: int = 5,
+    longest_gap: float = 1.5,
 ) -> FloatArray:
     """Angle increments over equal intervals, from sampled rates: integrals of a spline.
 
@@ -22,9 +27,12 @@ def increments_from_rates(
         Of the increments, s; and of the samples, if no `times` are given.
     times : array_like, shape (m,), optional
         Moments of the samples, s, if they are not equally spaced or not those of the increments.
-        No gap may be longer than 1.5 times the usual (median) spacing.
     degree : {5, 3, 7}
         Of the spline. The error of the integrals goes with this power of the spacing, plus one.
+    longest_gap : float
+        Longest time between two samples, in usual (median) spacings; more than 1. A single lost
+        sample leaves a gap of 2. The spline bridges what is let through, and errs there as if all
+        samples were so far apart.
 
     Returns
     -------
@@ -36,7 +44,8 @@ def increments_from_rates(
     ------
     ValueError
         If there are not more samples than the degree, an argument is not finite, the times do not
-        increase or have a gap, or no whole interval lies between the first and the last.
+        increase or have a gap that is too long, or no whole interval lies between the first and the
+        last.
 
     Notes
     -----
@@ -44,6 +53,12 @@ def increments_from_rates(
     period of the fastest motion and more. Nothing helps with two or fewer: a faster motion leaves
     the same samples as a slower one. If an instrument gives increments, use those. Specific force
     becomes increments of velocity in the same way.
+
+    At an end the spline has samples on one side only, and magnifies their noise, the more the
+    higher its degree. Of white noise of variance 1 in the rates the first increment and the last
+    have the variance 0.93, 2.2 and 10.3 for the degrees 3, 5 and 7, in units of interval², and
+    those in the middle 0.66, 0.70 and 0.72. Neighbours share their noise, so the sum of many grows
+    by 1 in each interval for all degrees. Where the end matters, go on recording a few samples.
 
     Examples
     --------
@@ -66,11 +81,13 @@ def increments_from_rates(
             f"rates: expected shape (..., m, 3) with m at least {degree + 1} for degree {degree}, "
             f"got shape {rows.shape}."
         )
+    if not positive_number(longest_gap, "longest_gap") > 1:
+        raise ValueError(f"longest_gap: expected more than 1, got {longest_gap!r}.")
     step, count = positive_number(interval, "interval"), rows.shape[-2]
     if times is None:
         moments, whole = step * np.arange(count), count - 1
     else:
-        moments = _sample_times(times, count)
+        moments = _sample_times(times, count, longest_gap)
         # What rounding takes from the last interval is given back.
         whole = int(moments[-1] / step * (1 + 1e-9) + 1e-9)
     if whole < 1:
@@ -82,16 +99,17 @@ def increments_from_rates(
     return np.diff(spline(edges), axis=-2)
 
 
-def _sample_times(times: ArrayLike, count: int) -> FloatArray:
+def _sample_times(times: ArrayLike, count: int, longest_gap: float) -> FloatArray:
     """Times (m,) of samples from the first on, s."""
     moments = finite_array(times, "times", count)
     steps = np.diff(moments)
     if moments.ndim != 1 or not (steps > 0).all():
         raise ValueError(f"times: expected {count} increasing times (m,), got {times!r:.60}.")
     longest = int(np.argmax(steps))
-    if steps[longest] > 1.5 * np.median(steps):
+    if steps[longest] > longest_gap * np.median(steps):
         raise ValueError(
-            f"times: expected no gap, got {steps[longest]:.6g} s after the time "
-            f"{moments[longest]:.10g} where {np.median(steps):.6g} s are usual."
+            f"times: expected no gap longer than {longest_gap:g} times the usual "
+            f"{np.median(steps):.6g} s (longest_gap), got {steps[longest]:.6g} s after the time "
+            f"{moments[longest]:.10g}."
         )
     return moments - moments[0]
