@@ -22,8 +22,6 @@ from driftlab.quaternion import (
 )
 from driftlab.sampled_rates import increments_from_rates
 
-from .rounding import rounded
-
 WIDE_BRACKET = Coning(float(np.radians(10.0)), 5.0)
 """The bracket of the puzzle, tilted ten times as far."""
 WIDE_BRACKET_RATE = 100.0
@@ -39,7 +37,7 @@ WINDOW_ALGORITHMS: dict[str, AttitudeAlgorithm] = {
 WINDOW_SAMPLES_A_ROUND: FloatArray = np.geomspace(2.5, 40.0, 37)
 """Increments while the cone goes round once; not whole numbers all of them."""
 ERROR_SIZES: FloatArray = np.geomspace(1e-8, 1e-3, 6)
-"""Errors of an increment: standard deviations of white noise, and steps of quantisation, rad."""
+"""Errors of an increment: standard deviations of white noise, rad."""
 NOISY_COUNT = 480
 """Increments of a noisy run, a multiple of all windows."""
 NOISY_RUNS = 16
@@ -55,10 +53,10 @@ class WindowErrors(NamedTuple):
     drifts : ndarray, shape (algorithm, m)
         Size of the drift on `WIDE_BRACKET`, rad/s.
     sizes : ndarray, shape (s,)
-        Of the errors of an increment, rad.
-    noisy, quantised : ndarray, shape (algorithm, s)
-        Error of the attitude after `NOISY_COUNT` increments of `WIDE_BRACKET` with white noise, and
-        with quantised angles; root mean square of `NOISY_RUNS` runs, rad.
+        Standard deviations of the noise of an increment, rad.
+    noisy : ndarray, shape (algorithm, s)
+        Error of the attitude after `NOISY_COUNT` increments of `WIDE_BRACKET` with white noise;
+        root mean square of `NOISY_RUNS` runs, rad.
     added_up : ndarray, shape (s,)
         What the white noise of three gyros adds up to on the average, rad.
     """
@@ -67,12 +65,11 @@ class WindowErrors(NamedTuple):
     drifts: FloatArray
     sizes: FloatArray
     noisy: FloatArray
-    quantised: FloatArray
     added_up: FloatArray
 
 
 def window_errors(seed: int = 6) -> WindowErrors:
-    """Try windows of several widths: with few samples and many, with noise, with quantisation.
+    """Try windows of several widths: with few samples and many, and with noise.
 
     Parameters
     ----------
@@ -86,16 +83,13 @@ def window_errors(seed: int = 6) -> WindowErrors:
     rng = np.random.default_rng(seed)
     true = WIDE_BRACKET.increments(1 / WIDE_BRACKET_RATE, NOISY_COUNT)
     noise = rng.standard_normal((NOISY_RUNS, *true.shape))
-    phase = rng.uniform(size=(NOISY_RUNS, 3))
     noisy = [_errors(true + size * noise) for size in ERROR_SIZES]
-    quantised = [_errors(rounded(true, size, size * phase, carry=True)) for size in ERROR_SIZES]
     added_up = ERROR_SIZES * np.sqrt(3 * NOISY_COUNT)
     return WindowErrors(
         WINDOW_SAMPLES_A_ROUND,
         np.array(drifts),
         ERROR_SIZES,
         np.transpose(noisy),
-        np.transpose(quantised),
         added_up,
     )
 

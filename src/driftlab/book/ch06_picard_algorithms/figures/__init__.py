@@ -73,7 +73,8 @@ FIGURES = (
         noise_and_band.columns,
         lambda _: (
             "Left: the part of a narrow cone's coning that an algorithm misses; thin, the first "
-            "term of its series, too large where samples are few. Right: drift on the bracket, and "
+            "term of its series, too large where samples are few. Right: drift on the bracket in "
+            f"{experiments.FLOOR_SECONDS:g} s, and "
             "the floors under it: gyros that round to "
             f"{experiments.QUANTUM / arcsecond:g} arc second, and white noise of "
             f"{experiments.ANGLE_RANDOM_WALK * np.sqrt(hour) / degree:g}°/√h. A remainder that is "
@@ -90,11 +91,12 @@ FIGURES = (
             "Functional iteration with windows of several widths, beside two algorithms with cross "
             f"products, on a cone of {np.degrees(experiments.WIDE_BRACKET.half_angle):g}° at "
             f"{experiments.WIDE_BRACKET.frequency:g} Hz. Left: with many samples a round the "
-            "wider window errs less; below some five it does not, and the widest "
-            "windows refuse. Middle and right: error after "
+            "wider window errs less; below some five it does not. Where a window's points are "
+            "missing, its iterations do not settle and the package refuses; at the lower right the "
+            "widest is down to rounding, magnified. Right: error after "
             f"{experiments.NOISY_COUNT / experiments.WIDE_BRACKET_RATE:g} s at "
             f"{experiments.WIDE_BRACKET_RATE:g} Hz, root mean square of {experiments.NOISY_RUNS} "
-            "runs, if every increment has an error: noise hides what the wider windows gain, and "
+            "runs, if every increment has noise: it hides what the wider windows gain, and "
             f"the widest, {experiments.WINDOWS[-1]} increments, magnifies it."
         ),
     ),

@@ -1,10 +1,10 @@
-"""Functional iteration: drift by samples a round, and what errors of the increments do to it."""
+"""Functional iteration: drift by samples a round, and what noise of the increments does to it."""
 
 import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import arcsecond, degree, hour
 
-from driftlab.book.machinery.picture import BLACK, SERIES, in_style, long_table
+from driftlab.book.machinery.picture import GREY, SERIES, in_style, long_table
 from driftlab.checks import FloatArray
 
 from ..experiments import WIDE_BRACKET, WINDOW_ALGORITHMS, WindowErrors
@@ -28,7 +28,6 @@ def columns(data: WindowErrors) -> dict[str, FloatArray]:
         for what, x, y in (
             ("drift in rad/s over samples a round", data.samples, data.drifts[i]),
             ("error in rad over noise in rad", data.sizes, data.noisy[i]),
-            ("error in rad over quantum in rad", data.sizes, data.quantised[i]),
         ):
             seen = ~np.isnan(y)
             curves[f"{name}, {what}"] = (x[seen], y[seen])
@@ -37,25 +36,22 @@ def columns(data: WindowErrors) -> dict[str, FloatArray]:
 
 @in_style
 def draw(data: WindowErrors) -> Figure:
-    """Draw drift over samples a round, and error over noise and over quantisation."""
+    """Draw drift over samples a round, and error over noise."""
     figure = Figure(figsize=(10.5, 4.8))
-    drift, noise, quantum = figure.subplots(1, 3)
-    figure.subplots_adjust(0.07, 0.22, 0.985, 0.92, wspace=0.3)
-    noise.sharey(quantum)
+    drift, noise = figure.subplots(1, 2)
+    figure.subplots_adjust(0.075, 0.22, 0.985, 0.92, wspace=0.22)
     drift.set(title=f"cone of {np.degrees(WIDE_BRACKET.half_angle):g}°, true increments")
-    drift.set(xlabel="samples a round", ylabel="apparent drift, deg/h", ylim=(1e-7, 1e6))
-    drift.set_xticks([2.5, 5, 10, 20, 40], ["2.5", "5", "10", "20", "40"])
+    drift.set(xlabel="samples a round", ylabel="apparent drift, deg/h", ylim=(1e-10, 1e6))
     noise.set(title="white noise", xlabel="deviation of an increment, arc seconds")
     noise.set(ylabel="error of attitude, arc seconds")
-    quantum.set(title="quantised angles", xlabel="quantum, arc seconds")
+    sizes = data.sizes / arcsecond
+    # Wide and pale, behind the curves that lie on it.
+    sums = data.added_up / arcsecond
+    noise.plot(sizes, sums, color=GREY, alpha=0.35, linewidth=7, label="the noise, added up")
     for i, (name, style) in enumerate(LINES.items()):
         drift.plot(data.samples, data.drifts[i] / DEGREE_PER_HOUR, **style, markevery=3)
-        sizes = data.sizes / arcsecond
         noise.plot(sizes, data.noisy[i] / arcsecond, **style, label=name)
-        quantum.plot(sizes, data.quantised[i] / arcsecond, **style)
-    sums = data.added_up / arcsecond
-    noise.plot(sizes, sums, color=BLACK, linewidth=0.8, linestyle=":", label="the noise, added up")
-    for panel in (drift, noise, quantum):
+    for panel in (drift, noise):
         panel.set(xscale="log", yscale="log")
     drift.minorticks_off()
     drift.set_xticks([2.5, 5, 10, 20, 40], ["2.5", "5", "10", "20", "40"])

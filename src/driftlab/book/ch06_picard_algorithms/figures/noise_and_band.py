@@ -30,7 +30,12 @@ LABELS = {
     "rotation-vector-3": "three samples",
     "four, spread": "four samples",
 }
-LINES = {**STYLES, "four, spread": {"color": BLACK, "linestyle": (0, (5, 1, 1, 1))}}
+DASHES = ("-", "--", "-.", (0, (5, 1, 1, 1, 1, 1)))
+LINES = {
+    name: {"color": STYLES[name]["color"] if name in STYLES else BLACK, "linestyle": dashes}
+    for name, dashes in zip(LABELS, DASHES, strict=True)
+}
+"""Colours as in the other figures; dashes that differ where the curves lie close together."""
 
 
 def columns(data: NoiseAndBand) -> dict[str, FloatArray]:
@@ -53,10 +58,11 @@ def draw(data: NoiseAndBand) -> Figure:
     _draw_band(band, data)
     _draw_floors(floors, data)
     handles = [
-        band.plot([], [], color=LINES[name]["color"], linestyle=LINES[name]["linestyle"])[0]
-        for name in LABELS
+        *(band.plot([], [], **LINES[name])[0] for name in LABELS),
+        band.plot([], [], color=GREY, linewidth=0.7)[0],
     ]
-    figure.legend(handles, LABELS.values(), loc="lower center", ncols=len(LABELS), fontsize=8)
+    names = (*LABELS.values(), "first term of the series (left)")
+    figure.legend(handles, names, loc="lower center", ncols=len(names), fontsize=8)
     return figure
 
 
@@ -70,9 +76,7 @@ def _draw_band(panel: Axes, data: NoiseAndBand) -> None:
     x = 2 * np.pi / SAMPLES_A_ROUND
     for name in LABELS:
         line = LINES[name]
-        panel.plot(
-            SAMPLES_A_ROUND, data.missed[name], color=line["color"], linestyle=line["linestyle"]
-        )
+        panel.plot(SAMPLES_A_ROUND, data.missed[name], **line)
         m = COMPARED[name].samples
         first = factorial(m) / (2.0**m * factorial2(2 * m + 1)) * x ** (2 * m)
         panel.plot(SAMPLES_A_ROUND, first, color=line["color"], linewidth=0.7)
@@ -87,13 +91,13 @@ def _draw_floors(panel: Axes, data: NoiseAndBand) -> None:
     panel.minorticks_off()
     rates = np.geomspace(18, 450, 120)
     for name in LABELS:
-        line = LINES[name]
         drift = np.abs(coning_drift(COMPARED[name], half_angle, frequency, 1 / rates))
-        panel.plot(rates, drift / DEGREE_PER_HOUR, color=line["color"], linestyle=line["linestyle"])
+        panel.plot(rates, drift / DEGREE_PER_HOUR, **LINES[name])
     unit = DEGREE_PER_HOUR * FLOOR_SECONDS
     panel.plot(FLOOR_RATES, data.cut_off / unit, "x", color=GREY, label="rounding, remainder lost")
     panel.plot(FLOOR_RATES, data.carried / unit, "o", color=ORANGE, label="remainder carried")
-    panel.plot(rates, carried_floor(rates, QUANTUM) / unit, color=ORANGE, linewidth=0.8)
+    expected = carried_floor(rates, QUANTUM) / unit
+    panel.plot(rates, expected, color=ORANGE, linewidth=0.8, label="the same, expected")
     white = ANGLE_RANDOM_WALK * np.sqrt(FLOOR_SECONDS) / unit
-    panel.axhline(white, color=GREY, linestyle=(0, (1, 2)), label="white noise, one sigma")
+    panel.axhline(white, color=GREY, linestyle=":", linewidth=2, label="white noise, one sigma")
     panel.legend(loc="lower left", fontsize=8)
