@@ -122,8 +122,8 @@ CASES = {
     },
     step_formulas.integrate_steps: {"increments": INCREMENTS},
     recorded_turns.recorded_turn_estimate: {
-        "increments": np.tile([-0.007, -0.011, 0.9], (7, 1)),
-        "axis": np.array([0.1, -0.2, 1.0]),
+        "increments": np.tile([0.0, 0.0, 1.0], (6, 1)),
+        "axis": np.array([0.0, 0.0, 2.0]),
     },
     weighing_designs.weighing: {"estimates": Q},
     cayley.cayley_transform: {"matrix": BENT},

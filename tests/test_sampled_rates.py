@@ -54,6 +54,19 @@ def test_times_that_are_equally_spaced_are_the_interval():
     np.testing.assert_allclose(twice, plain[::2] + plain[1::2], rtol=0, atol=1e-10)
 
 
+@pytest.mark.parametrize("interval", [0.005, 0.01, 0.02, 0.1, 1 / 128])
+def test_seconds_since_1970_lose_no_interval(interval):
+    rng = np.random.default_rng(4)
+    for count in (8, 100, 364, 399):
+        times = 1.7e9 + rng.uniform(0, 1) + interval * np.arange(count)
+        found = increments_from_rates(np.ones((count, 3)), interval, times=times)
+        assert found.shape == (count - 1, 3)
+        # A constant rate does not notice the rounding of the times.
+        np.testing.assert_allclose(found, interval, rtol=1e-9)
+    short = increments_from_rates(np.ones((9, 3)), 1.0, times=0.998 * np.arange(9.0))
+    assert len(short) == 7
+
+
 def test_leading_axes_of_rates_are_loops():
     rates = np.stack([rates_at(50), 2 * rates_at(50)])
     together = increments_from_rates(rates, 0.02)

@@ -8,6 +8,9 @@ from scipy.interpolate import make_interp_spline
 
 from .checks import FloatArray, finite_array, positive_number, whole_number
 
+_NEARLY_WHOLE = 1e-3
+"""Part that the last interval may lack, because time stamps are rounded."""
+
 
 def increments_from_rates(
     rates: ArrayLike,
@@ -88,15 +91,15 @@ def increments_from_rates(
         moments, whole = step * np.arange(count), count - 1
     else:
         moments = _sample_times(times, count, longest_gap)
-        # What rounding takes from the last interval is given back.
-        whole = int(moments[-1] / step * (1 + 1e-9) + 1e-9)
+        # Seconds since 1970 are good to a quarter of a microsecond. An interval at the end that
+        # lacks so little is whole; the spline goes on beyond the last sample.
+        whole = int(moments[-1] / step + _NEARLY_WHOLE)
     if whole < 1:
         raise ValueError(
             f"interval: expected at most the time of all samples, {moments[-1]:g} s, got {step:g}."
         )
     spline = make_interp_spline(moments, rows, degree, axis=-2).antiderivative()
-    edges = np.minimum(step * np.arange(whole + 1), moments[-1])
-    return np.diff(spline(edges), axis=-2)
+    return np.diff(spline(step * np.arange(whole + 1)), axis=-2)
 
 
 def _sample_times(times: ArrayLike, count: int, longest_gap: float) -> FloatArray:

@@ -175,7 +175,10 @@ def test_leading_axes_broadcast_and_arguments_stay():
         (([0, 0, 6.28], SHAPE), r"increments: expected shape \(\.\.\., n, 3\), got shape \(3,\)"),
         (([[0, 0, np.nan]], SHAPE), "increments: expected finite numbers"),
         (([[0, 0, 0]], np.zeros(3)), "triad_error: expected shape"),
-        ((WAY, SHAPE), r"increments: .*closes to 0\.0001 rad, got one that ends 3\.1 rad from where it began\.$"),
+        (
+            (WAY, SHAPE),
+            r"increments: .*closes to 0\.0001 rad, got one that ends 3\.1 rad from where it began\.$",
+        ),
         ((np.zeros((2, 4, 3)), np.zeros((3, 3, 3))), "increments, triad_error: expected leading"),
     ],
 )

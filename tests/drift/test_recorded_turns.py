@@ -176,6 +176,20 @@ def test_a_record_of_something_else_is_refused(change, axis, turns, sentence):
         recorded_turn_estimate(change(record), axis, turns)
 
 
+def test_the_default_is_exact_for_few_rows():
+    """On the Earth the axis of the rotation wanders by a ten-thousandth, and no more is lost."""
+    record = TableTurn(RATE, latitude=SARATOV).increments([1, 1, 0], 36).angle
+    truth = earth_offset(SARATOV, RATE)
+    assert recorded_turn_estimate(record, [1, 1, 0]) == pytest.approx(truth, abs=1e-9)
+    lost = recorded_turn_estimate(record, [1, 1, 0], 1, "two-step-4") - truth
+    assert lost / arcsecond == pytest.approx(-1.6, abs=0.1)
+
+
+def test_too_few_rows_are_refused():
+    with pytest.raises(ValueError, match=r"^increments: expected at least 2 rows for rot.*, got 1"):
+        recorded_turn_estimate([[0, 0, 2 * np.pi]], [0, 0, 1])
+
+
 def test_a_triad_of_the_simplest_kind_is_not_refused():
     """Scale factors and cross-coupling of 4 %, and the estimate is their own."""
     for triad in (0.04 * np.eye(3), -0.04 * np.eye(3), 0.04 * np.fliplr(np.eye(3))):
