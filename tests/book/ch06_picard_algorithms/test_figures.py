@@ -41,6 +41,7 @@ from driftlab.book.ch06_picard_algorithms.experiments import (
     short_word_errors,
     stage_drift,
     weights_by_distance,
+    weights_of_polynomial,
 )
 from driftlab.book.ch06_picard_algorithms.experiments.random_motion import random_increments
 from driftlab.book.machinery.publish import PublishedFigure
@@ -296,6 +297,23 @@ def test_weights_for_a_cone_leave_ignagnis_first_term(samples: int) -> None:
     x = 0.9 / samples
     first = factorial(samples) / (2.0**samples * factorial2(2 * samples + 1)) * x ** (2 * samples)
     assert -missed_part(algorithm, np.array(2 * np.pi / x)) == pytest.approx(first, rel=0.1)
+
+
+@pytest.mark.parametrize("samples", [2, 3, 4])
+def test_weights_of_a_polynomial_are_exact_for_it(samples: int) -> None:
+    """Half the integral of the angle times the rate, by a Gauss rule that is exact for it."""
+    coefficients = np.random.default_rng(samples).normal(size=(3, samples))
+    rate = [np.polynomial.Polynomial(row) for row in coefficients]
+    nodes, gauss = np.polynomial.legendre.leggauss(samples + 1)
+    times = (nodes + 1) / 2
+    turned = np.array([one.integ()(times) for one in rate]).T
+    rates = np.array([one(times) for one in rate]).T
+    expected = (gauss[:, np.newaxis] / 2 * np.cross(turned, rates)).sum(axis=0) / 2
+    ends = np.linspace(0, 1, samples + 1)
+    rows = np.diff([one.integ()(ends) for one in rate]).T
+    weights = weights_of_polynomial(samples)
+    found = sum(weight * np.cross(rows[i], rows[j]) for (i, j), weight in weights.items())
+    np.testing.assert_allclose(found, expected, rtol=1e-11, atol=1e-13)
 
 
 def test_leading_term_is_too_large_where_samples_are_few() -> None:

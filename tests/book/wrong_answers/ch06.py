@@ -89,6 +89,7 @@ WRONG = {
         (16, "fourth order of the pair"),
         (32, "with an odd number"),
         (128, "power of a single window"),
+        (256, "window of six"),
         (1 / 61.7, "the old one over the new"),
         (50, "not yet"),
     ],
@@ -96,6 +97,8 @@ WRONG = {
         (0, "another one at each moment"),
         (-90, "on its left"),
         (270, "do not add up"),
+        (-270, "whole turn makes no difference"),
+        (-np.pi / 2, "in radians, and of the opposite sign"),
         (180, "twice as much"),
     ],
 }

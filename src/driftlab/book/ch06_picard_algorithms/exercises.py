@@ -247,6 +247,7 @@ EXERCISES: dict[str, Exercise] = {
             "and a higher order.": lambda: 2**4,
             "That would be so with an odd number. In an even window the error of the polynomial "
             "is odd about the middle, and that gains a power.": lambda: 2**5,
+            "That would be so with a window of six. Four increments carry a cubic.": lambda: 2**8,
             "That is the power of a single window. There are twice as many windows.": (
                 lambda: 2**7
             ),
@@ -267,6 +268,10 @@ EXERCISES: dict[str, Exercise] = {
             "with a pencil.": lambda: -float(solid_angle(np.eye(3))) / degree,
             "Three right angles about three different axes do not add up; and none of them is "
             "about the rod.": lambda: 270,
+            "So turned the rod would stand the same way. A whole turn makes no difference: count "
+            "the short way round.": lambda: float(solid_angle(np.eye(3))) / degree - 360,
+            "That is in radians, and of the opposite sign: the eighth of the sphere lies on the "
+            "left of the way.": lambda: -float(solid_angle(np.eye(3))),
         },
         remark="The solid angle of an octant. Geometers call it a holonomy.",
     ),
