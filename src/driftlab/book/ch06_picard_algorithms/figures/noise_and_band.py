@@ -1,5 +1,7 @@
 """Band width against sample rate, and the floors of rounding and noise under the drift."""
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -31,7 +33,7 @@ LABELS = {
     "four, spread": "four samples",
 }
 DASHES = ("-", "--", "-.", (0, (5, 1, 1, 1, 1, 1)))
-LINES = {
+LINES: dict[str, dict[str, Any]] = {
     name: {"color": STYLES[name]["color"] if name in STYLES else BLACK, "linestyle": dashes}
     for name, dashes in zip(LABELS, DASHES, strict=True)
 }
