@@ -3,7 +3,8 @@
 The algorithms of `coning_algorithms` keep of Picard's iterates what their order needs. Here nothing
 is cut off. A window of increments determines a polynomial for the rate, and the linear equation of
 the quaternion is iterated with it until nothing changes but the last digits. What is left as an
-error is that of the polynomial.
+error is that of the polynomial; inside a window of few increments that turns by more than two
+whole turns also that of the nodes, 5e-8 rad and less.
 
 The method is Wu's: RodFIter for the Rodrigues vector, QuatFIter for the quaternion (Y. Wu, G. Yan,
 *Attitude reconstruction from inertial measurements: QuatFIter and its comparison with RodFIter*,
@@ -37,8 +38,9 @@ class FunctionalIteration:
     window : int
         Number N of increments that a polynomial of degree N - 1 is fitted to; `WIDEST` at most.
     iterations : int, optional
-        How often to iterate from the constant quaternion; by default until it settles. In a window
-        that turns by theta in all, iterate j errs by (theta/2)^(j+1)/(j+1)! at most.
+        How often to iterate from the constant quaternion; by default until it settles. Where the
+        fitted rate turns by theta in a window, to and fro counted in full, iterate j errs by
+        (theta/2)^(j+1)/(j+1)! at most.
     samples, memory : int
         One increment makes a step, and none is needed before the first. Of any algorithm.
     last_stage : str

@@ -12,6 +12,7 @@ from driftlab.attitude.coning_algorithms import ALGORITHMS, CONING_ALGORITHMS, A
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.finite_precision import UPDATES, integrate_in_word, step_in_word
 from driftlab.attitude.integration import integrate
+from driftlab.attitude.noise_amplification import noise_growth
 from driftlab.book.ch06_picard_algorithms.experiments import (
     ANGLE_RANDOM_WALK,
     ARITHMETICS,
@@ -40,8 +41,10 @@ from driftlab.book.ch06_picard_algorithms.experiments import (
     rounded,
     short_word_errors,
     stage_drift,
+    turned_by_fit,
     weights_by_distance,
     weights_of_polynomial,
+    window_noise_growth,
 )
 from driftlab.book.ch06_picard_algorithms.experiments.random_motion import random_increments
 from driftlab.book.machinery.publish import PublishedFigure
@@ -353,6 +356,21 @@ def test_wider_windows_gain_until_few_samples_or_noise_hide_it(figure: Published
     # Root mean square of 48 deviates, of 16 runs and 3 gyros: off by a third in one case of 1000.
     np.testing.assert_allclose(noisy["window of 12"], data.added_up, rtol=0.33)
     assert np.all(noisy["window of 20"][:-1] > 10 * noisy["window of 12"][:-1])
+
+
+@pytest.mark.parametrize("angle", [0.01, 0.1, 0.3])
+def test_a_window_of_one_increment_hears_noise_as_the_plain_product_does(angle: float) -> None:
+    found, plain = window_noise_growth(1, angle), noise_growth("picard-1", angle)
+    # One window in the middle; the shifts are of 1e-6 and have curves of their own.
+    assert found.white == pytest.approx(plain.white, rel=1e-5)
+    assert found.carried == pytest.approx(plain.carried, rel=1e-4)
+
+
+def test_turned_by_fit_counts_to_and_fro() -> None:
+    steady = np.tile([0.0, 0.0, 0.02], (12, 1))
+    assert turned_by_fit(steady) == pytest.approx(0.24, rel=1e-9)
+    swing = 0.01 * np.cos(np.pi * (np.arange(6) + 0.5) / 6)[:, np.newaxis] * [1.0, 0, 0]
+    assert turned_by_fit(swing) == pytest.approx(np.abs(swing).sum(), rel=0.01)
 
 
 def test_precession_has_the_rate_that_is_said() -> None:

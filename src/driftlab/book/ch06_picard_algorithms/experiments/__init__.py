@@ -45,7 +45,9 @@ from .functional_iteration import (
     precession,
     precession_error,
     precession_error_of_peer,
+    turned_by_fit,
     window_errors,
+    window_noise_growth,
 )
 from .last_stages import (
     COMPARED_STAGES,
@@ -155,7 +157,9 @@ __all__ = [
     "short_word_errors",
     "stage_drift",
     "swept_in_a_sample",
+    "turned_by_fit",
     "weights_by_distance",
     "weights_of_polynomial",
     "window_errors",
+    "window_noise_growth",
 ]

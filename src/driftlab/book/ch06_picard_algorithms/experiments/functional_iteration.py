@@ -10,6 +10,7 @@ from driftlab.attitude.coning_algorithms import AttitudeAlgorithm, attitude_algo
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import integrate
+from driftlab.attitude.noise_amplification import NoiseGrowth
 from driftlab.checks import FloatArray
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import (
@@ -19,6 +20,7 @@ from driftlab.quaternion import (
     pure,
     rotate,
     rotation_angle,
+    to_rotation_vector,
 )
 from driftlab.sampled_rates import increments_from_rates
 
@@ -92,6 +94,43 @@ def window_errors(seed: int = 6) -> WindowErrors:
         np.transpose(noisy),
         added_up,
     )
+
+
+def turned_by_fit(window: FloatArray) -> float:
+    """Angle by which the polynomial through a window of increments (N, 3) turns in all, rad.
+
+    To and fro count in full.
+    """
+    count = len(window)
+    powers = np.arange(count + 1)
+    until = np.linspace(0.0, 1.0, count + 1)[:, np.newaxis] ** powers
+    sums = np.concatenate([np.zeros((1, 3)), np.cumsum(window, axis=0)])
+    rate = np.polynomial.polynomial.polyder(np.linalg.solve(until, sums))
+    nodes = np.linspace(0.0, 1.0, 2001)
+    speed = np.linalg.norm(np.polynomial.polynomial.polyval(nodes, rate), axis=0)
+    return float(np.trapezoid(speed, nodes))
+
+
+def window_noise_growth(window: int, sample_angle: float) -> NoiseGrowth:
+    """Growth of the variance across a steady turn, as of `driftlab.attitude.noise_growth`.
+
+    Parameters
+    ----------
+    window : int
+        Increments in a window.
+    sample_angle : float
+        Turn of the body in a sample, rad.
+    """
+    size, count = 1e-6, 4 * window
+    rows = np.tile([0.0, 0.0, sample_angle], (count, 1))
+    shifted = rows + size * np.eye(count)[..., np.newaxis] * [1.0, 0.0, 0.0]
+    algorithm = FunctionalIteration("own", window)
+    end, found = integrate(rows, algorithm)[-1], integrate(shifted, algorithm)[:, -1]
+    moved = to_rotation_vector(multiply(found, conjugate(end))) / size
+    gains = moved[:, 0] + 1j * moved[:, 1]
+    inner = np.s_[window : 3 * window]  # whole windows, with neighbours
+    white, carried = (np.mean(np.abs(g[inner]) ** 2) for g in (gains, np.diff(gains)))
+    return NoiseGrowth(white, carried)
 
 
 def drift_or_refused(algorithm: str | AttitudeAlgorithm, samples: float) -> float:
