@@ -131,8 +131,8 @@ EXERCISES: dict[str, Exercise] = {
             "round the other way as seen from the body.": (
                 lambda w, m, t: _picked_up(w, m, t) * [1, -1, 1]
             ),
-            "That is the error if the second gyro picked up the turn. Here it is the first, and the "
-            "false rate is about the first axis.": (
+            "That is the error if the second gyro picked up the turn. Here it is the first, and "
+            "the false rate is about the first axis.": (
                 lambda w, m, t: _picked_up(w, m, t)[[1, 0, 2]] * [-1, 1, 1]
             ),
             "This is the vector part of the quaternion, half of the rotation vector.": (

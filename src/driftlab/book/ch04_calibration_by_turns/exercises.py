@@ -227,8 +227,8 @@ EXERCISES: dict[str, Exercise] = {
             "round and sums to zero; the part along the table's axis counts.": (
                 lambda: _seconds_of_arc(EARTH_RATE * np.cos(SOUTHERN) / abs(CLOCKWISE))
             ),
-            "Two slips: that is with the level part of the Earth's rate, the cosine of the latitude, "
-            "and with the other sign. Which part adds up, and which way does the table turn?": (
+            "Two slips: that is with the level part of the Earth's rate, the cosine of the "
+            "latitude, and with the other sign. Which part adds up, and which way does the table turn?": (
                 lambda: -_seconds_of_arc(EARTH_RATE * np.cos(SOUTHERN) / abs(CLOCKWISE))
             ),
             "That is the whole rate of the Earth. Only its part along the table's axis adds up.": (
@@ -257,8 +257,8 @@ EXERCISES: dict[str, Exercise] = {
             "nothing of the biases apart. Count all unknowns.": (
                 lambda: _nine(*_twelve_turns(), turns=6)
             ),
-            "Eight were enough in the text, where the three gyros shared one scale factor. Count the "
-            "unknowns anew.": lambda: _nine(*_twelve_turns(), turns=8),
+            "Eight were enough in the text, where the three gyros shared one scale factor. Count "
+            "the unknowns anew.": lambda: _nine(*_twelve_turns(), turns=8),
             "Twelve turns do determine the nine, but fewer do: three axes turned both ways tell "
             "the biases.": lambda: _nine(*_twelve_turns(), turns=12),
             "The Earth's rate is known here, so it is no tenth unknown.": (
@@ -273,8 +273,8 @@ EXERCISES: dict[str, Exercise] = {
             "That is for one common scale factor; each gyro has its own here.": (
                 lambda: _nine(*_twelve_turns(scale="common"))
             ),
-            "The two plans do not weigh alike. About the pair axes a scale factor looks like a sigma "
-            "until the turns about the body axes take it off, and these have noise.": (
+            "The two plans do not weigh alike. About the pair axes a scale factor looks like a "
+            "sigma until the turns about the body axes take it off, and these have noise.": (
                 lambda: _nine(*2 * _twelve_turns()[:1])
             ),
             "These are standard deviations.": lambda: _nine(*np.sqrt(_twelve_turns())),

@@ -27,7 +27,8 @@ def _motions_caption(data: dict[str, experiments.MotionHistory]) -> str:
     return (
         f"The triad of Larin's experiment in {len(data)} motions, each made {experiments.REPEATS} "
         "times. Left: the way of the third body axis, from the start and back; the sticks are the "
-        "three body axes at the start. Right: the error, exact, with dots where the body is back; the straight lines are first order. A motion "
+        "three body axes at the start. Right: the error, exact, with dots where "
+        "the body is back; the straight lines are first order. A motion "
         f"leaves, in arc minutes: {', '.join(drifts)}. The swing about one axis leaves nothing."
     )
 

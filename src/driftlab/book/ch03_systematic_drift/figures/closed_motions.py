@@ -19,7 +19,7 @@ from ..experiments import REPEATS, MotionHistory
 
 VIEW = (-15.0, 30.0)
 """Azimuth and elevation from which none of the ways is seen edge on, degrees."""
-BESIDE = ((-0.13, -0.06), (0.0, 0.13), (-0.12, 0.0))
+BESIDE = ((-0.18, 0.06), (0.0, 0.13), (-0.12, 0.0))
 """From each stick to its number, clear of the ways."""
 CENTRED: dict[str, Any] = {"ha": "center", "va": "center"}
 
