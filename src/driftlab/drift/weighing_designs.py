@@ -188,7 +188,8 @@ def fit_turns(
     ends = np.cumsum([part.shape[1] for part in parts])[:-1]
     unknowns = values @ inverse.T
     residuals = values - unknowns @ design.T
-    return TurnFit(*np.split(unknowns, ends, axis=-1), inverse @ inverse.T, residuals)
+    sigma, scales, biases, along = np.split(unknowns, ends, axis=-1)
+    return TurnFit(sigma, scales, biases, along, inverse @ inverse.T, residuals)
 
 
 def _time_of_a_radian(table_rates: ArrayLike | None, count: int) -> FloatArray:

@@ -228,9 +228,8 @@ EXERCISES: dict[str, Exercise] = {
                 lambda: _seconds_of_arc(EARTH_RATE * np.cos(SOUTHERN) / abs(CLOCKWISE))
             ),
             "Two slips: that is with the level part of the Earth's rate, the cosine of the "
-            "latitude, and with the other sign. Which part adds up, and which way does the table turn?": (
-                lambda: -_seconds_of_arc(EARTH_RATE * np.cos(SOUTHERN) / abs(CLOCKWISE))
-            ),
+            "latitude, and with the other sign. Which part adds up, and which way does the table "
+            "turn?": (lambda: -_seconds_of_arc(EARTH_RATE * np.cos(SOUTHERN) / abs(CLOCKWISE))),
             "That is the whole rate of the Earth. Only its part along the table's axis adds up.": (
                 lambda: _seconds_of_arc(EARTH_RATE / abs(CLOCKWISE))
             ),

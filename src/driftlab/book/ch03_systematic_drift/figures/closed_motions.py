@@ -50,7 +50,8 @@ def draw(data: dict[str, MotionHistory]) -> Figure:
         sheet.plot(np.cos(outline), np.sin(outline), color=GREY, linewidth=0.8)
         for number, tip in enumerate(project(np.eye(3), *VIEW)):
             sheet.plot([0, tip[0]], [0, tip[1]], color=BLACK, linewidth=0.8)
-            sheet.text(*0.55 * tip + BESIDE[number], f"{number + 1}", fontsize=9, **CENTRED)
+            x, y = 0.55 * tip + BESIDE[number]
+            sheet.text(x, y, f"{number + 1}", fontsize=9, **CENTRED)
         sheet.plot(*project(track, *VIEW).T, color=style["color"], linewidth=2)
         sheet.plot(*project(track[0], *VIEW), color=BLACK, marker="o", markersize=4)
         sheet.text(0, 1.1, "start", fontsize=9, **CENTRED)
