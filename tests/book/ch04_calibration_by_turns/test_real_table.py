@@ -15,6 +15,7 @@ from driftlab.book.ch04_calibration_by_turns.experiments import (
     simulated_turns,
     turn_estimates,
 )
+from driftlab.book.ch04_calibration_by_turns.figures.real_table import LOWEST
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.systematic_drift import drift_coefficient
@@ -124,6 +125,9 @@ def test_figure_says_what_each_way_leaves(figure: PublishedFigure) -> None:
         "gyro bias",
         "scale factor, each gyro",
     ]
+    # A row without a mark has its reason in the caption.
+    assert figure.data.budget.effects.min() < LOWEST * arcsecond
+    assert f"below {LOWEST:g} arc seconds" in figure.caption
     # "In one sense the Earth covers everything else."
     effects = figure.data.budget.effects[:, 0]
     assert effects[0] > 8 * np.delete(effects, 0).max()
