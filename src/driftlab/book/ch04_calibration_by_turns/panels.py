@@ -39,7 +39,7 @@ class TurnCalibrationExplorer(Explorer):
             group="experiment",
         ),
         Control("turns", "turns k", 1, 1, 5, 1, group="experiment"),
-        Control("steps", "steps in a turn", 100, 6, 200, 1, group="experiment"),
+        Control("steps", "steps in a turn", 100, 8, 200, 1, group="experiment"),
         Control(
             "formula", "step formula", "taylor-4", choices=tuple(STEP_FORMULAS), group="experiment"
         ),

@@ -54,6 +54,9 @@ class AlgorithmLaboratoryExplorer(Explorer):
         "Fixed axis": {"motion": "fixed axis", "amplitude": 57.0, "frequency": 0.5},
         "Short word": {**ON_THE_SHIP, "word": "32 bits"},
         "Too few samples": {"amplitude": 5.0, "frequency": 3.0, "rate": 12},
+        "Functional iteration": {
+            "amplitude": 10.0, "frequency": 3.0, "functional-iteration": True,
+        },
     }  # fmt: skip
 
     @staticmethod
