@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Decimal
+from functools import cache
 from itertools import chain
 
 import numpy as np
@@ -69,19 +70,25 @@ def is_consistent(seven: tuple[str, ...], rule: str | None = None) -> bool:
     return bool(found.success)
 
 
-def single_slips(seven: tuple[str, ...], rule: str | None = None) -> list[tuple[int, str]]:
+@cache
+def single_slips(seven: tuple[str, ...], rule: str | None = None) -> tuple[tuple[int, str], ...]:
     """Every way to make seven numbers consistent by one slip in one of them.
 
     A slip is one character replaced, left out or put in, or two neighbours exchanged, anywhere
     in mantissa or exponent. Returned are the place of the changed number and its new text. The
     rule is that of `digit_interval`.
     """
-    return [
+    if rule is None:
+        slips = (
+            (place, text) for place, given in enumerate(seven) for text in one_slip_away(given)
+        )
+    else:  # of wider intervals came the same slips and more
+        slips = iter(single_slips(seven))
+    return tuple(
         (place, text)
-        for place, given in enumerate(seven)
-        for text in one_slip_away(given)
+        for place, text in slips
         if is_consistent((*seven[:place], text, *seven[place + 1 :]), rule)
-    ]
+    )
 
 
 def one_slip_away(text: str) -> list[str]:

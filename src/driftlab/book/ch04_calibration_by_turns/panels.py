@@ -52,17 +52,17 @@ class TurnCalibrationExplorer(Explorer):
     )  # fmt: skip
     presets: ClassVar = {
         "Larin's triad, axes as in (2.4)": {"skew": 1.0, "formula": "pade"},
-        "Noisy gyros": {"noise": 5.0},
-        "Coarse steps": {"steps": 12, "formula": "taylor-2"},
-        "Scale error, three axes": {"scale": 0.2},
-        "Scale error, solved for": {
-            "scale": 0.2, "plan": "four axes, least squares and common scale"
-        },
         "On the Earth, a perfect triad": {**PERFECT, **ON_EARTH},
         "On the Earth, Larin's triad": {"skew": 1.0, **ON_EARTH},
         "On the Earth, both senses": {"skew": 1.0, **ON_EARTH, "senses": "both"},
         "On the Earth, common offset": {
             "skew": 1.0, **ON_EARTH, "plan": "four axes, least squares and common scale"
+        },
+        "Noisy gyros": {"noise": 5.0},
+        "Coarse steps": {"steps": 12, "formula": "taylor-2"},
+        "Scale error, three axes": {"scale": 0.2},
+        "Scale error, solved for": {
+            "scale": 0.2, "plan": "four axes, least squares and common scale"
         },
     }  # fmt: skip
 
