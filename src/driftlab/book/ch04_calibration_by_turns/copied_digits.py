@@ -78,12 +78,9 @@ def single_slips(seven: tuple[str, ...], rule: str | None = None) -> tuple[tuple
     in mantissa or exponent. Returned are the place of the changed number and its new text. The
     rule is that of `digit_interval`.
     """
-    if rule is None:
-        slips = (
-            (place, text) for place, given in enumerate(seven) for text in one_slip_away(given)
-        )
-    else:  # of wider intervals came the same slips and more
-        slips = iter(single_slips(seven))
+    # A rule narrows the intervals: what it lets pass, both rules together let pass too.
+    every = [(place, text) for place, given in enumerate(seven) for text in one_slip_away(given)]
+    slips = every if rule is None else single_slips(seven)
     return tuple(
         (place, text)
         for place, text in slips
