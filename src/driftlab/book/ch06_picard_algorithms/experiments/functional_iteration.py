@@ -12,6 +12,7 @@ from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import integrate
 from driftlab.attitude.noise_amplification import NoiseGrowth
 from driftlab.checks import FloatArray
+from driftlab.core.functional_iteration import tables
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import (
     conjugate,
@@ -101,14 +102,9 @@ def turned_by_fit(window: FloatArray) -> float:
 
     To and fro count in full.
     """
-    count = len(window)
-    powers = np.arange(count + 1)
-    until = np.linspace(0.0, 1.0, count + 1)[:, np.newaxis] ** powers
-    sums = np.concatenate([np.zeros((1, 3)), np.cumsum(window, axis=0)])
-    rate = np.polynomial.polynomial.polyder(np.linalg.solve(until, sums))
-    nodes = np.linspace(0.0, 1.0, 2001)
-    speed = np.linalg.norm(np.polynomial.polynomial.polyval(nodes, rate), axis=0)
-    return float(np.trapezoid(speed, nodes))
+    rate = tables(len(window)).rate @ window
+    _, weights = np.polynomial.legendre.leggauss(len(rate))
+    return float(weights @ np.linalg.norm(rate, axis=-1))
 
 
 def window_noise_growth(window: int, sample_angle: float) -> NoiseGrowth:
