@@ -32,7 +32,6 @@ from .four_samples import (
     weights_of_polynomial,
 )
 from .functional_iteration import (
-    ERROR_SIZES,
     NOISY_COUNT,
     NOISY_RUNS,
     PRECESSION_SECONDS,
@@ -41,7 +40,6 @@ from .functional_iteration import (
     WINDOW_ALGORITHMS,
     WINDOWS,
     WindowErrors,
-    drift_or_refused,
     precession,
     precession_error,
     precession_error_of_peer,
@@ -67,7 +65,6 @@ from .noise_and_band import (
     carried_floor,
     missed_part,
     noise_and_band,
-    rounding_error,
 )
 from .rounding import rounded
 from .sculling import SHAKER, Sculling, sculling_error
@@ -96,7 +93,6 @@ __all__ = [
     "DRIFT_STEPS",
     "DURATION",
     "EARTH_RATE",
-    "ERROR_SIZES",
     "FLOOR_RATES",
     "FLOOR_SECONDS",
     "FOUR_SAMPLES",
@@ -139,7 +135,6 @@ __all__ = [
     "closed_cone",
     "coning_area",
     "drift_by_frequency_and_rate",
-    "drift_or_refused",
     "drift_orders",
     "fitted_orders",
     "last_stage_errors",
@@ -152,7 +147,6 @@ __all__ = [
     "precession_error_of_peer",
     "random_algorithm",
     "rounded",
-    "rounding_error",
     "sculling_error",
     "short_word_errors",
     "stage_drift",
