@@ -212,3 +212,21 @@ def test_rotation_matrix_is_that_of_the_cayley_vector() -> None:
     found = numbers(matrix.subs(dict(zip(k, RATE, strict=True))))
     expected = quaternion.rotate(cayley.rotation_quaternion(RATE, dimension=3), np.eye(3)).T
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-15)
+
+
+def test_identity_shows_what_it_proved() -> None:
+    p, q = symbolic.quaternion("p"), symbolic.quaternion("q")
+    shown = symbolic.identity(symbolic.left_matrix(p) * q, symbolic.multiply(p, q), "L(p)q", "p q")
+    assert repr(shown) == "L(p)q = p q for every p, q: proved"
+    assert r"\checkmark" in shown._repr_latex_()
+    x = sp.Symbol("x")
+    assert repr(symbolic.identity((x + 1) ** 2, x**2 + 2 * x + 1)).endswith("for every x: proved")
+    assert symbolic.identity(symbolic.pure(sp.zeros(3, 1)), 0).right == "0"
+
+
+def test_identity_refuses_what_differs() -> None:
+    p, q = symbolic.quaternion("p"), symbolic.quaternion("q")
+    with pytest.raises(AssertionError, match=r"^The sides differ by \[\[2\*p_2\*q_3"):
+        symbolic.identity(symbolic.multiply(p, q), symbolic.multiply(q, p))
+    with pytest.raises(ValueError, match=r"^right: expected the shape \(4, 1\) of left, got \(\)"):
+        symbolic.identity(p, sp.Integer(1))

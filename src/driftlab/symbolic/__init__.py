@@ -1,5 +1,6 @@
 """The book's objects in SymPy: rotations and rates, and the steps of attitude algorithms."""
 
+from driftlab.symbolic.identity import Identity, identity
 from driftlab.symbolic.objects import (
     IDENTITY,
     cayley_transform,
@@ -39,6 +40,7 @@ from driftlab.symbolic.step_series import (
 __all__ = [
     "IDENTITY",
     "LAST_STAGES",
+    "Identity",
     "Program",
     "Series",
     "algorithm_step_vector",
@@ -48,6 +50,7 @@ __all__ = [
     "error_composition_matrix",
     "error_rate_matrix",
     "exact_step_vector",
+    "identity",
     "leading_error",
     "left_matrix",
     "multiply",

@@ -1,0 +1,94 @@
+"""A proof that shows what it proved: two expressions, their difference brought to zero."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import groupby
+
+import sympy as sp
+
+from driftlab.symbolic.objects import simplified
+
+
+@dataclass(frozen=True)
+class Identity:
+    """Two expressions that are equal, typeset in a notebook.
+
+    Attributes
+    ----------
+    left, right : str
+        The two sides in LaTeX.
+    free : tuple of str
+        The symbols for whose every value it holds, in LaTeX; (x_1, x_2, x_3) counts as one, x.
+    """
+
+    left: str
+    right: str
+    free: tuple[str, ...]
+
+    def _repr_latex_(self) -> str:
+        letters = r",\ ".join(self.free)
+        where = rf"\quad\text{{for every }} {letters}" if letters else ""
+        return rf"$\displaystyle {self.left} \;=\; {self.right} \quad\checkmark{where}$"
+
+    def __repr__(self) -> str:
+        where = f" for every {', '.join(self.free)}" if self.free else ""
+        return f"{self.left} = {self.right}{where}: proved"
+
+
+def identity(
+    left: sp.Expr | sp.MatrixBase,
+    right: sp.Expr | sp.MatrixBase | int,
+    left_text: str = "",
+    right_text: str = "",
+) -> Identity:
+    """Prove that two expressions are equal for all values of their symbols, and show it.
+
+    Parameters
+    ----------
+    left, right : expression or matrix
+        Their difference is brought to the normal form of a rational expression, in which square
+        roots, sines and cosines count as symbols (see `simplified`). ``right=0`` stands for a zero
+        of the shape of `left`.
+    left_text, right_text : str
+        How the sides are to be typeset, in LaTeX; if not given, the expressions themselves.
+
+    Returns
+    -------
+    Identity
+        As the last line of a cell it shows the two sides and a tick.
+
+    Raises
+    ------
+    AssertionError
+        If the difference is not zero; the message has it.
+    ValueError
+        If one side is a matrix and the other is not, or their shapes differ.
+
+    Examples
+    --------
+    >>> from driftlab import symbolic as sym
+    >>> p, q = sym.quaternion("p"), sym.quaternion("q")
+    >>> sym.identity(
+    ...     sym.left_matrix(p) * q, sym.right_matrix(q) * p, "L(p) q", "R(q) p"
+    ... )
+    L(p) q = R(q) p for every p, q: proved
+    """
+    sides = [sp.sympify(left), sp.sympify(right)]
+    if sides[1] == 0 and isinstance(sides[0], sp.MatrixBase):
+        sides[1] = sp.zeros(*sides[0].shape)
+    shapes = [side.shape if isinstance(side, sp.MatrixBase) else () for side in sides]
+    if shapes[0] != shapes[1]:
+        raise ValueError(f"right: expected the shape {shapes[0]} of left, got {shapes[1]}.")
+    difference = sp.Matrix([sides[0] - sides[1]])
+    if not all(entry.is_zero for entry in simplified(difference)):
+        raise AssertionError(f"The sides differ by {simplified(difference).tolist()}.")
+    symbols = sorted(sides[0].free_symbols | sides[1].free_symbols, key=lambda s: s.sort_key())
+    stems = [sp.latex(symbol).partition("_")[0] for symbol in symbols]
+    texts = [
+        text or sp.latex(0 if side.is_zero_matrix else side)
+        if isinstance(side, sp.MatrixBase)
+        else text or sp.latex(side)
+        for text, side in zip((left_text, right_text), sides, strict=True)
+    ]
+    return Identity(texts[0], texts[1], tuple(stem for stem, _ in groupby(sorted(stems))))
