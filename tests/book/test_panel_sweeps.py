@@ -14,8 +14,9 @@ from driftlab.book import DriftExplorer
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
 from driftlab.book.machinery.picture import Picture
+from driftlab.book.machinery.results import Results
 from grouped import every_panel, opened
-from panel_numbers import assert_shown, shown_numbers
+from panel_numbers import assert_shown, results_of
 
 
 def places(control: Control) -> list:
@@ -52,7 +53,7 @@ def assert_sound(panel: Explorer) -> None:
     """Fail if anything in the panel tells of an error."""
     assert hidden_errors(panel) == []
     assert panel.message.value == ""
-    assert "nan" not in panel.text.value
+    assert "nan" not in panel.headline.value + panel.text.value
 
 
 def sweep(panel: Explorer) -> None:
@@ -64,15 +65,17 @@ def sweep(panel: Explorer) -> None:
     for preset in panel.presets:
         panel.preset.value = preset
         assert_sound(panel)
-        before, picture = panel.values, panel.image.value
+        before, picture = panel.values, panel.view.widget.value
         for control in idle.copy():
             for place in places(control):
                 panel._widgets[control.name].value = place
                 assert_sound(panel)
-                if panel.image.value != picture and control in idle:
+                if panel.view.widget.value != picture and control in idle:
                     idle.remove(control)
             panel._widgets[control.name].value = before[control.name]
-            assert panel.image.value == picture, "the picture depends on the way to the values"
+            assert panel.view.widget.value == picture, (
+                "the picture depends on the way to the values"
+            )
         assert panel.values == before
     assert idle == [], "these change no picture from any preset"
 
@@ -105,10 +108,10 @@ def test_numbers_beside_the_picture_are_the_package_s_own(panel_class: type[Expl
     rng = random.Random(11)
     for preset in panel.presets:
         panel.preset.value = preset
-        assert_shown(panel_class.__name__, panel.values, shown_numbers(panel.text.value))
+        assert_shown(panel_class.__name__, panel.values, results_of(panel))
     for _ in range(8):
         panel.set(**{control.name: any_place(control, rng) for control in panel.controls})
-        assert_shown(panel_class.__name__, panel.values, shown_numbers(panel.text.value))
+        assert_shown(panel_class.__name__, panel.values, results_of(panel))
 
 
 class DotPicture(Picture[float]):
@@ -137,7 +140,7 @@ class Sound(Explorer):
         return values["x"] + values["y"]
 
     def numbers(self, data):
-        return [("sum", f"{data:.3f}")]
+        return Results(("sum", f"{data:.3f}"), ())
 
     def call(self, values):
         return f"assert {values['x']} >= 0"
@@ -167,12 +170,12 @@ class HidesItsError(Sound):
                 raise ZeroDivisionError("hidden")
         except ZeroDivisionError as error:
             fault = {"output_type": "error", "ename": "", "evalue": str(error), "traceback": []}
-            self.children[0].outputs = (fault,)
+            self.children = [*self.children[:3], widgets.Output(outputs=(fault,))]
 
 
 class SaysNan(Sound):
     def numbers(self, data):
-        return [("sum", f"{data if data < 3 else float('nan')}")]
+        return Results(("sum", f"{data if data < 3 else float('nan')}"), ())
 
 
 class Deaf(Sound):
@@ -266,11 +269,12 @@ def test_random_combinations_see_what_a_sweep_does_not(broken: type[Explorer]) -
 
 class WrongSign(DriftExplorer):
     def numbers(self, data):
-        return [(name, value.lstrip("-")) for name, value in super().numbers(data)]
+        headline, rows, columns = super().numbers(data)
+        return Results((headline[0], headline[1].lstrip("-")), rows, columns)
 
 
 def test_a_wrong_number_is_seen() -> None:
     panel = WrongSign()
     panel.set(m12=-2.0, m21=-2.0)
-    with pytest.raises(AssertionError, match="drift a turn"):
-        assert_shown("DriftExplorer", panel.values, shown_numbers(panel.text.value))
+    with pytest.raises(AssertionError, match="drift in one turn"):
+        assert_shown("DriftExplorer", panel.values, results_of(panel))

@@ -1,21 +1,24 @@
 """All panels: presets, names and units of controls, the same picture as the figure."""
 
+import html
 import io
+import re
 
 import ipywidgets as widgets
 import numpy as np
 import pytest
 from PIL import Image
 
-from driftlab.book.machinery.panel import Explorer
+from driftlab.book.machinery.panel import OWN_VALUES, Explorer
 from grouped import every_panel, opened
+from panel_numbers import results_of
 
 UNITS = {
-    *("degrees", "°", "″", "′", "arcsec a turn", "deg/s", "°/h", "1e-3 °/√h"),
-    *("m/s", "mm/s", "mg", "µg/√Hz", "Hz", "s", "minutes", "ppm", "1e-3"),
+    *("°", "′", "″", "mrad", "°/s", "°/h", "10⁻³ °/√h", "10⁻³", "ppm"),
+    *("m/s", "mm/s", "mg", "µg/√Hz", "Hz", "s", "min"),
 }
 PURE_NUMBERS = {
-    *("size μ", "RK45 tolerance", "turns k", "steps in a turn", "tuning k2 R", "damping ratio"),
+    *("size μ", "RK45 tolerance", "turns k", "steps in a turn", "tuning k₂R", "damping ratio"),
 }
 
 
@@ -36,10 +39,10 @@ def test_picture_is_the_static_figure(panel_class: type[Explorer]) -> None:
     """Drawn move by move or all at once: the same pixels, and the same size."""
     panel = opened(panel_class)
     figure = panel.picture_class.draw(panel.compute(panel.values))
-    figure.dpi = panel._picture.figure.dpi
+    figure.dpi = panel.view.picture.figure.dpi
     figure.canvas.draw()
     static = np.asarray(figure.canvas.buffer_rgba())[..., :3].astype(int)
-    moved = np.asarray(Image.open(io.BytesIO(panel.image.value))).astype(int)
+    moved = np.asarray(Image.open(io.BytesIO(panel.view.widget.value))).astype(int)
     assert static.shape == moved.shape
     # What moves is drawn above what stays, so the few pixels where they cross may differ.
     assert np.mean(np.abs(static - moved) > 60) < 0.005
@@ -83,3 +86,36 @@ def test_a_slider_shows_every_step_it_makes(panel_class: type[Explorer]) -> None
             assert len(shown) == 2, widget.description
             step = float(f"{widget.step:{widget.readout_format}}")
             assert step == pytest.approx(widget.step), widget.description
+
+
+@every_panel
+def test_every_preset_says_what_to_look_for(panel_class: type[Explorer]) -> None:
+    """One line each, short enough to stay one, so that nothing below it moves."""
+    panel = opened(panel_class)
+    assert list(panel.look_for) == list(panel.presets)
+    for sentence in panel.look_for.values():
+        assert re.fullmatch(r"[A-Z0-9].*[.?]", sentence), sentence
+        assert len(sentence) <= 80, sentence
+    name, sentence = list(panel.look_for.items())[-1]
+    panel.preset.value = name
+    assert html.escape(sentence) in panel.guide.value
+    assert sentence in panel.page.alt
+    control = next(c for c in panel.controls if c.is_slider and not c.options)
+    here = panel.values[control.name]
+    panel.set(**{control.name: control.low if here != control.low else control.high})
+    assert OWN_VALUES in panel.guide.value
+
+
+@every_panel
+def test_results_keep_their_rows_and_their_units(panel_class: type[Explorer]) -> None:
+    """Nothing moves below them, and no number has a power of ten by e."""
+    panel = opened(panel_class)
+    sizes = set()
+    for preset in panel.presets:
+        panel.preset.value = preset
+        results = panel.numbers(panel.compute(panel.values))
+        sizes.add((len(results.rows), len(results.columns)))
+        for name, text in results_of(panel):
+            assert not re.search(r"\d[eE][-+]?\d|\[|deg|arcsec|arcmin", f"{name} {text}"), text
+        assert ": ".join(results.headline) in panel.page.alt
+    assert len(sizes) == 1

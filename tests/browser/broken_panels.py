@@ -15,11 +15,11 @@ class Blinking(RootsExplorer):
     title = "blinking"
 
     def compute(self, values):
-        if self.image.value:
-            size = Image.open(io.BytesIO(self.image.value)).size
+        if self.view.widget.value:
+            size = Image.open(io.BytesIO(self.view.widget.value)).size
             blank = io.BytesIO()
             Image.new("RGB", size, "white").save(blank, format="png")
-            self.image.value = blank.getvalue()
+            self.view.widget.value = blank.getvalue()
             time.sleep(0.1)
         return super().compute(values)
 
@@ -30,7 +30,7 @@ class Growing(RootsExplorer):
     title = "growing"
 
     def compute(self, values):
-        self.image.width = "500" if values["azimuth"] > 50 else "400"
+        self.view.widget.width = "500" if values["azimuth"] > 50 else "400"
         return super().compute(values)
 
 
@@ -62,4 +62,4 @@ class Nameless(RootsExplorer):
 
     def __init__(self):
         super().__init__()
-        self.children[0].outputs = ()
+        self.children = self.children[1:]

@@ -14,6 +14,7 @@ from PIL import Image
 
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import PANEL_CLASS, Explorer
+from panel_numbers import shown_numbers
 
 if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
@@ -43,9 +44,7 @@ PICTURE = """async (panel) => {
   return btoa(text);
 }"""
 
-NUMBERS = """panel => [...panel.querySelectorAll("span > b")].map(value => [
-  value.previousSibling.textContent.slice(0, -1), value.textContent,
-])"""
+RESULTS = "panel => panel.querySelector('.driftlab-results').innerHTML"
 
 # By the name of each control: what its readout, menu, line or box says.
 SHOWN = """panel => [
@@ -149,7 +148,7 @@ class PanelPage:
 
     def numbers(self) -> list[tuple[str, str]]:
         """Names and values beside the picture."""
-        return [(name, value) for name, value in self._element.evaluate(NUMBERS)]
+        return shown_numbers(self._element.evaluate(RESULTS))
 
     def code(self) -> str:
         """The Python lines below the sliders."""

@@ -56,7 +56,7 @@ def test_opens_with_picture_and_numbers(panel: Panel) -> None:
 @every_panel
 def test_a_screen_reader_is_told_what_there_is(panel: Panel) -> None:
     shown, twin = panel
-    assert shown.image.get_attribute("alt") == twin.title
+    assert shown.image.get_attribute("alt") == twin.page.alt
     for control in twin.controls:
         element = shown.element(control)
         assert element.count() == 1

@@ -13,7 +13,7 @@ from places import Place
 
 from driftlab import book
 from driftlab.book.machinery.panel import Explorer
-from panel_numbers import assert_shown, shown_numbers
+from panel_numbers import assert_shown, results_of
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
@@ -41,9 +41,9 @@ class Panel(NamedTuple):
         values = self.shown.values()
         self.twin.set(**values)
         assert self.twin.message.value == ""
-        assert self.shown.numbers() == shown_numbers(self.twin.text.value)
+        assert self.shown.numbers() == results_of(self.twin)
         assert f"<pre>{html.escape(self.shown.code())}</pre>" == self.twin.code.value
-        pictures = (self.shown.picture(), self.twin.image.value)
+        pictures = (self.shown.picture(), self.twin.view.widget.value)
         pixels = [np.asarray(Image.open(io.BytesIO(file))) for file in pictures]
         np.testing.assert_array_equal(*pixels, err_msg=f"not the picture of {values}")
         assert_shown(type(self.twin).__name__, values, self.shown.numbers())

@@ -11,44 +11,44 @@ from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import covariance_analysis
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS
+from panel_numbers import results_of
 
 
 def test_a_scheme_is_typed_and_a_wrong_word_gives_a_sentence() -> None:
     panel = ObservabilityExplorer()
-    picture = panel.image.value
+    picture = panel.view.widget.value
     panel._widgets["rotations"].value = "+90X +90W"
     assert "expected words like +90Y or -180X" in panel.message.value
     assert "got &#x27;+90W&#x27;" in panel.message.value
-    assert panel.image.value == picture
+    assert panel.view.widget.value == picture
     panel._widgets["rotations"].value = "+99999999X"
     assert "expected at most 3600 degrees a word" in panel.message.value
     panel._widgets["rotations"].value = "+90X −90Y"  # a pasted minus is one too
     assert panel.message.value == ""
     panel._widgets["rotations"].value = "+90X +90Y"
     assert panel.message.value == ""
-    assert panel.image.value != picture
+    assert panel.view.widget.value != picture
     with pytest.raises(ValueError, match="rotations: expected text, got 90"):
         panel.set(rotations=90)
 
 
 def test_observability_panel_says_rank_directions_and_deviations() -> None:
     panel = ObservabilityExplorer("19 positions, all 30")
-    assert "rank <b>27 of 30</b>" in panel.text.value
-    assert "both triads turned together about y, the attitude with them" in panel.text.value
-    # A short number has one column, a longer one two, the longest a row for itself.
-    assert "flex: 0 0 21.5em; max-width: 100%'>rank" in panel.text.value
-    assert "flex: 0 0 43em; max-width: 100%'>unobservable" in panel.text.value
-    assert "flex: 0 0 100%; max-width: 100%'>accelerometer inst" in panel.text.value
+    said = dict(results_of(panel))
+    assert said["states that this scheme shows"] == "27 of 30"
+    hidden = said["not observable"]
+    assert "both triads turned together about y, the attitude with them" in hidden
     panel.preset.value = "19 positions, 27 states"
-    assert "rank <b>27 of 27</b>" in panel.text.value
-    assert "unobservable" not in panel.text.value
+    said = dict(results_of(panel))
+    assert said["states that this scheme shows"] == "27 of 27"
+    assert said["not observable"] == "nothing"
     noise = ImuNoise(0.005 * degree / np.sqrt(hour), 5 * micro * g, 0.01)
     model = ERROR_MODELS["averaged"]
     way = linearize_along(NINETEEN_POSITIONS, np.radians(37.5), model)
     covariance = covariance_analysis(way, noise, PriorDeviations())
     biases = np.sqrt(np.diag(covariance)[6:9]) / (degree / hour)
-    said = ", ".join(f"{bias:.2g}" for bias in biases)
-    assert f"gyro bias x, y, z <b>{said} deg/h</b>" in panel.text.value
+    found = [float(text) for text in said["gyro bias x, y, z, °/h"].split(", ")]
+    assert found == pytest.approx(biases, rel=0.005)
 
 
 @pytest.mark.xdist_group("CalibrationRunExplorer")
@@ -58,12 +58,12 @@ def test_calibration_panel_agrees_with_the_run() -> None:
     trial = typical_trial("averaged")
     at = int(np.abs(trial.calibration.times - 1200).argmin())
     state = trial.calibration.model.names.index("gyro scale x")
+    said = dict(results_of(panel))
     for name, value in (
         ("estimate", trial.calibration.state[at, state]),
         ("true", trial.imu_errors.gyro_error[0, 0]),
-        ("error", trial.errors[at, state]),
+        ("error at this moment", trial.errors[at, state]),
         ("three deviations", 3 * trial.calibration.deviations[at, state]),
     ):
-        said = panel.text.value.split(f"{name} <b>")[1].split(" ppm")[0]
         # The averaged axes change a scale factor by second order only: 0.01 ppm.
-        assert float(said) == pytest.approx(value / micro, abs=0.02)
+        assert float(said[name].removesuffix(" ppm")) == pytest.approx(value / micro, abs=0.02)

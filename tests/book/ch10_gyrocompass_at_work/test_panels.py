@@ -8,14 +8,14 @@ from driftlab.book import GyrocompassExplorer
 @pytest.mark.xdist_group("GyrocompassExplorer")
 def test_axes_that_must_reach_farther_are_drawn_anew_and_come_back() -> None:
     panel = GyrocompassExplorer()
-    at_first, background = panel.image.value, panel._background
+    at_first, background = panel.view.widget.value, panel.view.background
     panel.set(damping=0.5)
-    assert panel._background is not background
-    far = panel._picture.panels[0].get_ylim()
+    assert panel.view.background is not background
+    far = panel.view.picture.panels[0].get_ylim()
     assert far == (-25.0, 25.0)
-    background = panel._background
+    background = panel.view.background
     panel.set(damping=0.55)
-    assert panel._background is background  # the same step: nothing to draw but lines
+    assert panel.view.background is background  # the same step: nothing to draw but lines
     panel.set(damping=0.0)
-    assert panel._picture.panels[0].get_ylim() == (-1.0, 1.0)
-    assert panel.image.value == at_first
+    assert panel.view.picture.panels[0].get_ylim() == (-1.0, 1.0)
+    assert panel.view.widget.value == at_first

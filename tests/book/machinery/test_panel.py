@@ -1,17 +1,22 @@
 """What any panel does with values, presets, refusals and errors, tried on a few."""
 
 import base64
+import io
 from typing import ClassVar
 
+import ipywidgets as widgets
 import numpy as np
 import pytest
+from PIL import Image
 
 from driftlab.book import DriftExplorer, RootsExplorer, TurnCalibrationExplorer
 from driftlab.book.ch02_characteristic_equation.experiments import characteristic_roots
 from driftlab.book.ch02_characteristic_equation.figures.roots import RootsPicture
 from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.panel import ERROR_CLASS, Explorer
+from driftlab.book.machinery.panel import ERROR_CLASS, OWN_VALUES, Explorer
+from driftlab.book.machinery.results import Results
 from grouped import opened
+from panel_numbers import results_of, shown_numbers
 
 
 def test_value_rounded_by_a_browser_is_that_of_its_step() -> None:
@@ -36,14 +41,14 @@ def test_a_page_without_widgets_has_the_picture() -> None:
     panel = opened(RootsExplorer)
     bundle = panel._repr_mimebundle_()
     assert "application/vnd.jupyter.widget-view+json" in bundle
-    assert base64.b64decode(bundle["image/jpeg"]) == bytes(panel.image.value)
+    assert base64.b64decode(bundle["image/jpeg"]) == bytes(panel.view.widget.value)
 
 
 def test_panels_share_no_state() -> None:
     first, second = RootsExplorer(), RootsExplorer()
-    picture = second.image.value
+    picture = second.view.widget.value
     first.set(size=0.4)
-    assert second.image.value == picture
+    assert second.view.widget.value == picture
     assert second.values["size"] != 0.4
 
 
@@ -90,7 +95,7 @@ class Fragile(Explorer):
     def numbers(self, data):
         if self.values["x"] == 0:
             raise ValueError("broken <here> as well")  # not a refusal of the reader's values
-        return [("n", "1")]
+        return Results(("n", "1"), [("m", "2")])
 
     def call(self, values):
         return "pass"
@@ -98,11 +103,12 @@ class Fragile(Explorer):
 
 def test_a_refusal_is_a_sentence_in_the_panel_and_keeps_the_picture() -> None:
     panel = Fragile()
-    picture = panel.image.value
+    picture = panel.view.widget.value
     panel.set(x=1.5)
     assert "x: expected at most 1, got more &amp; more." in panel.message.value
-    assert panel.image.value == picture
-    assert panel.text.value == panel.code.value == ""
+    assert panel.view.widget.value == picture
+    assert results_of(panel) == [("n", "–"), ("m", "–")]
+    assert panel.code.value == ""
     panel.set(x=0.5)
     assert panel.message.value == ""
 
@@ -114,3 +120,69 @@ def test_a_broken_callback_is_raised_and_shown(place: float, error: type[Excepti
         panel._widgets["x"].value = place
     assert ERROR_CLASS in panel.message.value
     assert "broken &lt;here&gt;" in panel.message.value
+
+
+class Lamp:
+    """What draws in the page by itself: a widget, and a way to bring it up to date."""
+
+    def __init__(self) -> None:
+        self.widget = widgets.Label()
+
+    def show(self, data: float) -> None:
+        self.widget.value = f"{data:g}"
+
+
+class Shining(Explorer):
+    """An explorer whose picture is no Matplotlib figure."""
+
+    title = "shining"
+    picture_class = Lamp
+    controls = (Control("x", "x", 0.5, 0.0, 3.0, 0.1),)
+    presets: ClassVar = {"start": {}}
+    look_for: ClassVar = {"start": "How bright is it?"}
+
+    def compute(self, values):
+        return 2 * values["x"]
+
+    def numbers(self, data):
+        return Results(("brightness", f"{data:g}"), ())
+
+    def call(self, values):
+        return "pass"
+
+
+def test_any_widget_can_draw_for_an_explorer() -> None:
+    panel = Shining()
+    panel.set(x=1.5)
+    assert panel.view.widget.value == "3"
+    assert panel.view.widget in panel.children[1].children
+    assert panel.page.alt == f"shining. {OWN_VALUES} brightness: 3"
+    assert "application/vnd.jupyter.widget-view+json" in panel._repr_mimebundle_()
+
+
+def test_a_picture_is_as_sharp_as_the_screen_within_bounds() -> None:
+    panel = RootsExplorer()
+    widths = {}
+    for ratio in (2.0, 1.0, 3.0, 1.5):
+        panel.page.ratio = ratio
+        widths[ratio] = Image.open(io.BytesIO(panel.view.widget.value)).width
+    assert widths == {1.0: 1312, 1.5: 1575, 2.0: 2100, 3.0: 2100}
+    assert panel.view.widget.width == "1050"
+
+
+def test_what_is_missing_has_a_sign_and_zero_has_none() -> None:
+    results = Results(("a < b", "-0.00"), [("row", "-0", "1 & 2")], ("left", "right"))
+    assert results_of_html(results) == [
+        ("a < b", "0.00"),
+        ("row: left", "0"),
+        ("row: right", "1 & 2"),
+    ]
+    assert results_of_html(results.blank()) == [
+        ("a < b", "–"),
+        ("row: left", "–"),
+        ("row: right", "–"),
+    ]
+
+
+def results_of_html(results: Results) -> list[tuple[str, str]]:
+    return shown_numbers(results.headline_html() + results.table_html())

@@ -9,16 +9,35 @@ import html
 import re
 from collections.abc import Callable
 
+from driftlab.book.machinery.panel import Explorer
+
 from . import ch01, ch02, ch03, ch04, ch05, ch06, ch07, ch08, ch09, ch10, ch11
 from .values import Rows, Values
 
 NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 
 
-def shown_numbers(table: str) -> Rows:
-    """Names and values in the HTML of a panel's table."""
-    pairs = re.findall(r">([^<>]*) <b>([^<>]*)</b>", table)
-    return [(html.unescape(name), html.unescape(value)) for name, value in pairs]
+def shown_numbers(results: str) -> Rows:
+    """Names and values in the HTML of a panel's headline and table.
+
+    In a table of several columns a value is called by its row and column.
+    """
+    text = html.unescape
+    rows = [
+        (text(name), text(value))
+        for name, value in re.findall(r"<span>([^<]*)</span> <b>([^<]*)</b>", results)
+    ]
+    columns = [text(title) for title in re.findall(r"<th scope=.col.>([^<]*)</th>", results)]
+    for name, cells in re.findall(r"<th scope=.row.>([^<]*)</th>(.*?)</tr>", results):
+        values = [text(value) for value in re.findall(r"<td>([^<]*)</td>", cells)]
+        names = [f"{text(name)}: {column}" for column in columns] or [text(name)] * len(values)
+        rows += zip(names, values, strict=True)
+    return rows
+
+
+def results_of(panel: Explorer) -> Rows:
+    """What a panel shows."""
+    return shown_numbers(panel.headline.value + panel.text.value)
 
 
 def assert_shown(panel: str, values: Values, shown: Rows) -> None:

@@ -4,9 +4,10 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from driftlab.drift.characteristic_equation import exact_roots
+from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.quaternion import from_rotation_vector, multiply, pure
 
-from .values import Rows, Values, listed
+from .values import ABSENT, Rows, Values, angle, listed, three_digits
 
 
 def error_motion(values: Values) -> Rows:
@@ -25,11 +26,16 @@ def error_motion(values: Values) -> Rows:
     times = found.t[:, np.newaxis]
     exact = multiply(from_rotation_vector(-times * rate), from_rotation_vector(times * measured))
     worst = np.linalg.norm(found.y.T - exact, axis=-1).max()
+    after = ABSENT
+    if rate.any():
+        turned = error_quaternion(rate, measured, 2 * np.pi / np.linalg.norm(rate))
+        after = angle(2 * np.arctan2(np.linalg.norm(turned[:3]), abs(turned[3])))
     return [
-        ("true rate", f"{sizes[0]:.3f} deg/s"),
-        ("measured rate", f"{sizes[1]:.3f} deg/s"),
-        ("their sum, fast", f"{fast:.3f} deg/s"),
-        ("their difference, slow", f"{sizes[1] - sizes[0]:.3f} deg/s"),
-        ("RK45 steps", f"{len(times) - 1}"),
-        ("its worst error", f"{worst:.1e}"),
+        ("error after one whole turn", after),
+        ("true rate", f"{sizes[0]:.3f} °/s"),
+        ("measured rate", f"{sizes[1]:.3f} °/s"),
+        ("sum: the fast root", f"{fast:.3f} °/s"),
+        ("difference: the slow one", f"{sizes[1] - sizes[0]:.3f} °/s"),
+        ("steps of the integrator", f"{len(times) - 1}"),
+        ("its largest error", three_digits(worst)),
     ]

@@ -16,9 +16,11 @@ def drift(values: Values) -> Rows:
     extremes, axes = principal_drifts(triad_error, exact=True)
     largest = np.abs(extremes).argmax()
     worst = 2 * np.pi * extremes[largest]
+    x, y, z = axes[largest]
     return [
-        ("drift a turn, exact", f"{drift_per_turn(axis, triad_error) / arcminute:.3f} arcmin"),
-        ("first order", f"{first_order / arcminute:.3f} arcmin"),
-        ("drift a turn about the worst axis", f"{worst / arcminute:.3f} arcmin"),
-        ("which is", np.array2string(axes[largest].round(3), suppress_small=True)),
+        ("drift in one turn", f"{drift_per_turn(axis, triad_error) / arcminute:.3f}′"),
+        ("to first order", f"{first_order / arcminute:.3f}′"),
+        ("about the worst axis", f"{worst / arcminute:.3f}′"),
+        ("worst axis, azimuth", f"{np.degrees(np.arctan2(y, x)):.1f}°"),
+        ("worst axis, elevation", f"{np.degrees(np.arctan2(z, np.hypot(x, y))):.1f}°"),
     ]

@@ -60,13 +60,12 @@ def turn_calibration(values: Values) -> Rows:
         found = weighing(estimates * [1, 1, 1, 1.5])
     else:
         found = fit_turns(estimates, plan.axes, plan.method).sigma
-    suffix = f" true, found{f', mean of {runs}' if noise else ''}, 1e-3"
+    column = f"mean of {runs}, mrad" if noise else "found, mrad"
     pairs = list(zip((s1, s2, s3), found.mean(axis=0), strict=True))
-    return [
-        row
-        for index, (true, mean) in zip("₁₂₃", pairs, strict=True)
-        for row in (
-            (f"σ{index}{suffix}", f"{1e3 * true:.3f}, {1e3 * mean:.6f}"),
-            (f"σ{index} in arc seconds", f"{true / arcsecond:.2f}, {mean / arcsecond:.2f}"),
-        )
-    ]
+    largest = max((mean - true for true, mean in pairs), key=abs)
+    rows = [("largest error", f"{largest / arcsecond:.2f}″")]
+    for index, (true, mean) in zip("₁₂₃", pairs, strict=True):
+        rows.append((f"σ{index}: true, mrad", f"{1e3 * true:.3f}"))
+        rows.append((f"σ{index}: {column}", f"{1e3 * mean:.4f}"))
+        rows.append((f"σ{index}: error, ″", f"{(mean - true) / arcsecond:.2f}"))
+    return rows

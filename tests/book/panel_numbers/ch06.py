@@ -1,7 +1,6 @@
 """Rows of the panel of chapter 06."""
 
 import numpy as np
-from scipy.constants import arcsecond
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS
 from driftlab.attitude.finite_precision import integrate_in_word
@@ -9,7 +8,7 @@ from driftlab.attitude.integration import integrate
 from driftlab.motion.profiles import Coning, FixedAxis, Sway
 from driftlab.quaternion import conjugate, multiply, rotation_angle
 
-from .values import Rows, Values
+from .values import ABSENT, Rows, Values, angle
 
 
 def algorithm_laboratory(values: Values) -> Rows:
@@ -18,8 +17,11 @@ def algorithm_laboratory(values: Values) -> Rows:
     short = values["word"] == "32 bits"
     method = integrate_in_word if short else integrate
     floor = 1e-5 if short else 1e-12
-    rows = []
-    for name in (name for name in ALGORITHMS if values[name]):
+    rows, errors = [], {}
+    for name in ALGORITHMS:
+        if not values[name]:
+            rows += [(f"{name}: largest error", ABSENT), (f"{name}: order", ABSENT)]
+            continue
         worst = {}
         for rate in (12, 24, 48, 96, 192):
             attitude = method(
@@ -29,8 +31,10 @@ def algorithm_laboratory(values: Values) -> Rows:
             error = rotation_angle(multiply(conjugate(motion.attitude(ends)), attitude))
             worst[rate] = error.max()
         seen = {rate: error for rate, error in worst.items() if floor < error < 1e-2}
-        order = "none"
+        order = ABSENT
         if len(seen) > 2:
             order = f"{-np.polyfit(np.log(list(seen)), np.log(list(seen.values())), 1)[0]:.2f}"
-        rows.append((name, f"{worst[values['rate']] / arcsecond:.2e}″, order {order}"))
-    return rows
+        errors[name] = worst[values["rate"]]
+        rows += [(f"{name}: largest error", angle(errors[name])), (f"{name}: order", order)]
+    best = min(errors, key=lambda name: np.nan_to_num(errors[name], nan=np.inf))
+    return [(f"least error, by {best}", angle(errors[best])), *rows]

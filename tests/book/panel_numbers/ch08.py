@@ -10,7 +10,7 @@ from driftlab.calibration.observability import covariance_analysis, unobservable
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import Scheme
 
-from .values import Rows, Values
+from .values import Rows, Values, three_digits
 
 
 def observability(values: Values) -> Rows:
@@ -26,23 +26,24 @@ def observability(values: Values) -> Rows:
     )
     after = np.sqrt(np.diag(covariance_analysis(way, noise, PriorDeviations())))
     unobservable = unobservable_subspace(way)
-    rows = [("rank", f"{model.size - len(unobservable.directions)} of {model.size}")]
-    rows += [("unobservable", text) for text in unobservable.descriptions]
+    seen = f"{model.size - len(unobservable.directions)} of {model.size}"
+    hidden = "; ".join(unobservable.descriptions) or "nothing"
+    rows = [("states that this scheme shows", seen), ("not observable", hidden)]
     kinds = dict.fromkeys(name.rpartition(" ")[0] for name in model.names[6:])
     for kind in kinds:
         size, unit = unit_of(kind)
         states = [i for i, name in enumerate(model.names) if name.rpartition(" ")[0] == kind]
         places = ", ".join(model.names[i].rpartition(" ")[2] for i in states)
-        found = ", ".join(f"{after[i] / size:.2g}" for i in states)
-        rows.append((f"{kind} {places}", f"{found} {unit}"))
+        found = ", ".join(three_digits(after[i] / size) for i in states)
+        rows.append((f"{kind} {places}, {unit.strip()}", found))
     return rows
 
 
 def unit_of(name: str) -> tuple[float, str]:
-    """Size in SI and name of the unit in which a sensor error is told."""
+    """Size in SI and sign of the unit in which a sensor error is told, with its space."""
     if "bias" in name:
-        return (degree / hour, "deg/h") if "gyro" in name else (micro * g, "µg")
-    return (micro, "ppm") if "scale" in name else (arcsecond, "arc seconds")
+        return (degree / hour, " °/h") if "gyro" in name else (micro * g, " µg")
+    return (micro, " ppm") if "scale" in name else (arcsecond, "″")
 
 
 def calibration(values: Values) -> Rows:
@@ -53,11 +54,12 @@ def calibration(values: Values) -> Rows:
     name = found.model.names[state]
     size, unit = unit_of(name)
     estimate, three = found.state[at, state] / size, 3 * found.deviations[at, state] / size
+    error = trial.errors[at, state] / size
     return [
-        (name, ""),
+        ("error at this moment", f"{error:.4f}{unit}"),
+        ("in these body axes", name),
+        ("true", f"{estimate + error:.4f}{unit}"),
+        ("estimate", f"{estimate:.4f}{unit}"),
+        ("three deviations", f"{three:.4f}{unit}"),
         ("moment", f"{found.times[at] / 60:.1f} min"),
-        ("estimate", f"{estimate:.4f} {unit}"),
-        ("true", f"{estimate + trial.errors[at, state] / size:.4f} {unit}"),
-        ("error", f"{trial.errors[at, state] / size:.4f} {unit}"),
-        ("three deviations", f"{three:.4g} {unit}"),
     ]

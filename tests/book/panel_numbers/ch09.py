@@ -9,7 +9,7 @@ from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import conjugate, multiply, rotate, rotation_angle
 from driftlab.vectors import wrap_angle
 
-from .values import Rows, Values, listed
+from .values import ABSENT, Rows, Values, listed
 
 
 def alignment_budget(values: Values) -> Rows:
@@ -28,10 +28,13 @@ def alignment_budget(values: Values) -> Rows:
 
     def said(error: float, name: str) -> str:
         hidden = vertical and name in ("heading", "roll")
-        return "none" if hidden else f"{np.degrees(error):.4f}°"
+        return ABSENT if hidden else f"{np.degrees(error):.4f}°"
 
     def exact(name: str) -> str:
         return said(wrap_angle(getattr(found, name) - getattr(true, name)), name)
+
+    def pair(name: str, first: str, second: str) -> Rows:
+        return [(f"{name}: exact", first), (f"{name}: first order", second)]
 
     terms = (
         "east gyro",
@@ -39,15 +42,12 @@ def alignment_budget(values: Values) -> Rows:
         "north acc., tan pitch",
         "east acc., tan latitude",
     )
-    rows = [
-        (name, said(term, "heading"))
-        for name, term in zip(terms, formula.heading_terms, strict=True)
-    ]
-    rows += [("sum, first order", said(formula.heading, "heading")), ("exact", exact("heading"))]
+    headline = "no heading" if vertical else exact("heading")
+    rows = [("heading error", headline)]
+    rows += pair("heading", exact("heading"), said(formula.heading, "heading"))
+    for name, term in zip(terms, formula.heading_terms, strict=True):
+        rows += pair(f"by {name}", ABSENT, said(term, "heading"))
     for name in ("pitch", "roll", "latitude"):
-        rows.append((f"{name} error, exact", exact(name)))
-        rows.append((f"{name} error, first order", said(getattr(formula, name), name)))
+        rows += pair(name, exact(name), said(getattr(formula, name), name))
     first_order = np.linalg.norm(alignment_attitude_error(latitude, *local))
-    rows.append(("attitude error, exact", said(turned, "attitude")))
-    rows.append(("attitude error, first order", said(first_order, "attitude")))
-    return rows
+    return rows + pair("attitude", said(turned, "attitude"), said(first_order, "attitude"))

@@ -6,7 +6,7 @@ from scipy.constants import arcminute, degree, hour
 from driftlab.book.scenarios import ship_manoeuvre
 from driftlab.gyrocompass.simulation import simulate_compass
 
-from .values import Rows, Values, listed
+from .values import ABSENT, Rows, Values, listed
 
 
 def gyrocompass(values: Values) -> Rows:
@@ -19,16 +19,24 @@ def gyrocompass(values: Values) -> Rows:
         tilt=values["tilt"] * arcminute,
         log=values["log"],
     )
-    north, east = (np.abs(run.tilt[:, i]).max() / arcminute for i in (0, 1))
-    gap = f"{np.degrees(np.abs(run.heading_error - run.formula.heading).max()):.4f}°"
     small = max(np.abs([run.yaw_error, run.compass_error]).max(axis=-1)) <= 0.2
-    return [
-        ("largest heading error", f"{np.degrees(np.abs(run.heading_error).max()):.4f}°"),
-        ("at the end", f"{np.degrees(run.heading_error[-1]):.4f}°"),
-        ("largest gap to the formula", gap if small else "too large errors for it"),
-        ("largest tilt about North", f"{north:.3f}′"),
-        ("largest tilt about East", f"{east:.3f}′"),
-        ("largest speed error", f"{np.degrees(np.abs(run.speed_error).max()):.4f}°"),
-        ("yaw error at the end", f"{np.degrees(run.yaw_error[-1]):.4f}°"),
-        ("compass error at the end", f"{np.degrees(run.compass_error[-1]):.4f}°"),
-    ]
+    gap = np.abs(run.heading_error - run.formula.heading)
+    rows = [("largest heading error", f"{np.degrees(np.abs(run.heading_error).max()):.4f}°")]
+    for name, error in (
+        ("heading", run.heading_error),
+        ("of it, yaw ψ", run.yaw_error),
+        ("of it, compass angle", run.compass_error),
+        ("speed deviation", run.speed_error),
+        ("off the formula", gap if small else None),
+    ):
+        largest, last = (
+            (ABSENT, ABSENT)
+            if error is None
+            else (f"{np.degrees(x):.4f}°" for x in (np.abs(error).max(), error[-1]))
+        )
+        rows += [(f"{name}: largest", largest), (f"{name}: at the end", last)]
+    for i, axis in enumerate(("North", "East")):
+        tilt = run.tilt[:, i] / arcminute
+        rows.append((f"tilt about {axis}: largest", f"{np.abs(tilt).max():.3f}′"))
+        rows.append((f"tilt about {axis}: at the end", f"{tilt[-1]:.3f}′"))
+    return rows

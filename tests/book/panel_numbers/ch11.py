@@ -48,11 +48,11 @@ def capstone(values: Values) -> Rows:
         aligned = alignment_errors(headings, 0.0, latitude, drifts, np.zeros(3)).heading
         run = simulate_compass(way, rates @ error.T + shaken, log=True)
         rows += [
-            (f"drift in a turn, {stage}", f"{drift_a_turn / arcsecond:.1f}″"),
-            (f"aligned heading, {stage}", f"{np.abs(aligned).max() / arcminute:.3f}′"),
-            (f"under way, {stage}", f"{np.degrees(np.abs(run.heading_error).max()):.4f}°"),
+            (f"{stage}: drift in a turn", f"{drift_a_turn / arcsecond:.1f}″"),
+            (f"{stage}: aligned heading", f"{np.abs(aligned).max() / arcminute:.3f}′"),
+            (f"{stage}: under way", f"{np.degrees(np.abs(run.heading_error).max()):.4f}°"),
         ]
-    return rows
+    return [("heading error under way, as built", rows[2][1]), *rows]
 
 
 SIX_AXES = np.vstack([np.eye(3), [[1, 1, 0], [1, 0, 1], [0, 1, 1]] / np.sqrt(2)])

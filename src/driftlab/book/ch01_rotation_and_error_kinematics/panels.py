@@ -8,7 +8,11 @@ import numpy as np
 
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.machinery.results import ABSENT, Results
+from driftlab.book.machinery.units import angle_text, number_text
 from driftlab.checks import FloatArray
+from driftlab.drift.error_kinematics import error_quaternion
+from driftlab.quaternion import rotation_angle
 
 from .experiments import (
     DURATION,
@@ -30,11 +34,11 @@ class ErrorMotionExplorer(Explorer):
     picture_class = ErrorMotionPicture
     controls = (
         *(
-            Control(f"rate{i}", f"true rate {i}, deg/s", start, -15.0, 15.0, 0.5, group="true rate")
+            Control(f"rate{i}", f"axis {i}, °/s", start, -15.0, 15.0, 0.5, group="true rate")
             for i, start in zip((1, 2, 3), (6.0, 12.0, 6.0), strict=True)
         ),
         *(
-            Control(f"error{i}", f"error {i}, deg/s", start, -3.0, 3.0, 0.05, group="gyro error")
+            Control(f"error{i}", f"axis {i}, °/s", start, -3.0, 3.0, 0.05, group="gyro error")
             for i, start in zip((1, 2, 3), (1.0, -3.0, 0.0), strict=True)
         ),
         Control("tolerance", "RK45 tolerance", 1e-2, stops=TOLERANCES, group="integrator"),
@@ -49,6 +53,12 @@ class ErrorMotionExplorer(Explorer):
         },
         "A true zero": {"rate1": 0.0, "rate2": 0.0, "rate3": 0.0},
     }  # fmt: skip
+    look_for: ClassVar = {
+        "Gross error": "The dots are a numerical integrator. Where do they leave the lines?",
+        "Error along the rate": "Does the error come back after a turn, or does it grow?",
+        "Error across the rate": "The same size of error, turned by 90°. What is different now?",
+        "A true zero": "The body stands still. What is left for the error to do?",
+    }
 
     @staticmethod
     def _rates(values: Values) -> tuple[FloatArray, FloatArray]:
@@ -58,18 +68,27 @@ class ErrorMotionExplorer(Explorer):
     def compute(self, values: Values) -> ErrorMotion:
         return error_motion(*self._rates(values), tolerance=values["tolerance"])
 
-    def numbers(self, data: ErrorMotion) -> list[tuple[str, str]]:
+    def numbers(self, data: ErrorMotion) -> Results:
         rate, measured = self._rates(self.values)
         worst = integration_error(data, rate, measured).max()
-        true_size, size = np.degrees(np.linalg.norm([rate, measured], axis=-1))
-        return [
-            ("true rate", f"{true_size:.3f} deg/s"),
-            ("measured rate", f"{size:.3f} deg/s"),
-            ("their sum, fast", f"{size + true_size:.3f} deg/s"),
-            ("their difference, slow", f"{size - true_size:.3f} deg/s"),
-            ("RK45 steps", f"{len(data.integrated_time) - 1}"),
-            ("its worst error", f"{worst:.1e}"),
-        ]
+        true_size, size = np.linalg.norm([rate, measured], axis=-1)
+        after = ABSENT
+        if true_size:
+            turned = error_quaternion(rate, measured, 2 * np.pi / true_size)
+            after = angle_text(float(rotation_angle(turned)))
+        sizes = (true_size, size, size + true_size, size - true_size)
+        names = ("true rate", "measured rate", "sum: the fast root", "difference: the slow one")
+        return Results(
+            ("error after one whole turn", after),
+            [
+                *(
+                    (name, f"{np.degrees(value):.3f} °/s")
+                    for name, value in zip(names, sizes, strict=True)
+                ),
+                ("steps of the integrator", f"{len(data.integrated_time) - 1}"),
+                ("its largest error", number_text(float(worst))),
+            ],
+        )
 
     def call(self, values: Values) -> str:
         rate = [values[f"rate{i}"] for i in (1, 2, 3)]

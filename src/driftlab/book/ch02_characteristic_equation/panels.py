@@ -7,6 +7,7 @@ from typing import ClassVar
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.machinery.results import Results
 from driftlab.book.scenarios import SHAPES
 
 from .experiments import FORMULAS, Roots, characteristic_roots
@@ -36,14 +37,26 @@ class RootsExplorer(Explorer):
             "shape": "x leans to axis 2 only", "size": 0.3, "azimuth": 90.0, "elevation": 0.0
         },
     }  # fmt: skip
+    look_for: ClassVar = {
+        "Symmetric triad": "Push the size up. Which formula is the first to leave the exact root?",
+        "Skew triad": "Turn the axis. Is there one for which the slow root all but vanishes?",
+        "Larin's triad": "The bend is small here. How many digits do the formulas share?",
+        "Across the error": "To first order the slow root is zero. Is it?",
+    }
 
     def compute(self, values: Values) -> Roots:
         return characteristic_roots(values["size"], SHAPES[values["shape"]], axis_of(values))
 
-    def numbers(self, data: Roots) -> list[tuple[str, str]]:
+    def numbers(self, data: Roots) -> Results:
         fast, slow = data.roots[:, 0].imag, data.roots[:, 2].imag
-        rows = zip(FORMULAS, fast, slow, strict=True)
-        return [(name, f"{a:.9f} i, {b:.9f} i") for name, a, b in rows]
+        return Results(
+            ("slow root, exact", f"{slow[0]:.6f} i"),
+            [
+                (name, f"{a:.9f} i", f"{b:.9f} i")
+                for name, a, b in zip(FORMULAS, fast, slow, strict=True)
+            ],
+            ("fast root", "slow root"),
+        )
 
     def call(self, values: Values) -> str:
         return (

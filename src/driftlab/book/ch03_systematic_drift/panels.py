@@ -3,10 +3,12 @@
 from typing import ClassVar
 
 import numpy as np
+from scipy.constants import arcminute
 
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, matrix_code
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.machinery.results import Results
 from driftlab.book.scenarios import LARIN_TRIAD, SKEW, SYMMETRIC
 from driftlab.checks import FloatArray
 
@@ -18,7 +20,7 @@ ENTRIES = [f"m{row}{column}" for row in (1, 2, 3) for column in (1, 2, 3)]
 TRIAD_ERROR_CONTROLS = tuple(
     Control(
         entry,
-        f"{gyro} {'scale' if gyro == 'xyz'[column] else f'to axis {column + 1}'}, 1e-3",
+        f"{gyro} {'scale, 10⁻³' if gyro == 'xyz'[column] else f'to axis {column + 1}, mrad'}",
         0.0,
         -1e3 * LARGEST_ENTRY,
         1e3 * LARGEST_ENTRY,
@@ -58,17 +60,29 @@ class DriftExplorer(Explorer):
         "One gyro leans": {"m12": 2.0, "elevation": 0.0},
         "Scale factor": triad_error_values(1e-3 * np.eye(3)),
     }  # fmt: skip
+    look_for: ClassVar = {
+        "Symmetric triad": "Turn the axis. About which one does this triad drift most?",
+        "Skew triad": "Try any axis you like. Then change one entry, and try again.",
+        "Larin's triad": "The worst axis is none of the three. Can you find it before you look?",
+        "One gyro leans": "One small lean. Guess the drift of a turn before you read it.",
+        "Scale factor": "Nothing leans here. About which axis is the drift largest?",
+    }
 
     def compute(self, values: Values) -> DriftHistory:
         return drift_history(triad_error_of(values), axis_of(values))
 
-    def numbers(self, data: DriftHistory) -> list[tuple[str, str]]:
-        return [
-            ("drift a turn, exact", f"{_arcmin(data.exact_per_turn)}"),
-            ("first order", f"{_arcmin(data.first_order_per_turn)}"),
-            ("drift a turn about the worst axis", f"{_arcmin(data.worst_per_turn)}"),
-            ("which is", np.array2string(data.worst_axis.round(3), suppress_small=True)),
-        ]
+    def numbers(self, data: DriftHistory) -> Results:
+        x, y, z = data.worst_axis
+        azimuth, elevation = np.degrees([np.arctan2(y, x), np.arcsin(np.clip(z, -1.0, 1.0))])
+        return Results(
+            ("drift in one turn", _arcmin(data.exact_per_turn)),
+            [
+                ("to first order", _arcmin(data.first_order_per_turn)),
+                ("about the worst axis", _arcmin(data.worst_per_turn)),
+                ("worst axis, azimuth", f"{azimuth:.1f}°"),
+                ("worst axis, elevation", f"{elevation:.1f}°"),
+            ],
+        )
 
     def call(self, values: Values) -> str:
         return (
@@ -82,7 +96,7 @@ class DriftExplorer(Explorer):
 
 
 def _arcmin(angle: float) -> str:
-    return f"{60 * np.degrees(angle):.3f} arcmin"
+    return f"{angle / arcminute:.3f}′"
 
 
 PANELS = (DriftExplorer,)

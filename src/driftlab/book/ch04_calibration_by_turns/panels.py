@@ -9,6 +9,7 @@ import numpy as np
 from driftlab.book.machinery.axis import matrix_code
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.machinery.results import Results
 from driftlab.checks import FloatArray
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment
@@ -29,11 +30,11 @@ class TurnCalibrationExplorer(Explorer):
     title = "Calibration by turns: estimated against true non-orthogonality"
     picture_class = TurnEstimatesPicture
     controls = (
-        Control("sigma1", "σ₁ (x, y), 1e-3", 0.0, -2.5, 2.5, 0.1, group="true triad"),
-        Control("sigma2", "σ₂ (x, z), 1e-3", 1.0, -2.5, 2.5, 0.1, group="true triad"),
-        Control("sigma3", "σ₃ (y, z), 1e-3", -1.0, -2.5, 2.5, 0.1, group="true triad"),
-        Control("skew", "skew part, 1e-3", 0.0, -2.5, 2.5, 0.1, group="true triad"),
-        Control("scale", "common scale, 1e-3", 0.0, -0.5, 0.5, 0.01, group="true triad"),
+        Control("sigma1", "σ₁ (x, y), mrad", 0.0, -2.5, 2.5, 0.1, group="true triad"),
+        Control("sigma2", "σ₂ (x, z), mrad", 1.0, -2.5, 2.5, 0.1, group="true triad"),
+        Control("sigma3", "σ₃ (y, z), mrad", -1.0, -2.5, 2.5, 0.1, group="true triad"),
+        Control("skew", "skew part, mrad", 0.0, -2.5, 2.5, 0.1, group="true triad"),
+        Control("scale", "scale of all, 10⁻³", 0.0, -0.5, 0.5, 0.01, group="true triad"),
         Control(
             "plan", "turns and weighing", next(iter(PLANS)), choices=tuple(PLANS),
             group="experiment",
@@ -43,12 +44,12 @@ class TurnCalibrationExplorer(Explorer):
         Control(
             "formula", "step formula", "taylor-4", choices=tuple(STEP_FORMULAS), group="experiment"
         ),
-        Control("noise", "noise, arcsec a turn", 0.0, 0.0, 20.0, 0.5, group="experiment"),
+        Control("noise", "noise of a turn, ″", 0.0, 0.0, 20.0, 0.5, group="experiment"),
         Control("earth", "Earth", "none", choices=("none", "turning"), group="table"),
         Control("latitude", "latitude, °", 37.5, -85.0, 85.0, 0.5, group="table"),
-        Control("rate", "table rate, deg/s", 10.0, 5.0, 100.0, 1.0, group="table"),
+        Control("rate", "table rate, °/s", 10.0, 5.0, 100.0, 1.0, group="table"),
         Control("senses", "senses", "one", choices=tuple(SENSES), group="table"),
-        Control("bias", "bias of each gyro, °/h", 0.0, -1.0, 1.0, 0.05, group="table"),
+        Control("bias", "gyro bias, °/h", 0.0, -1.0, 1.0, 0.05, group="table"),
     )  # fmt: skip
     presets: ClassVar = {
         "Larin's triad, axes as in (2.4)": {"skew": 1.0, "formula": "pade"},
@@ -65,6 +66,17 @@ class TurnCalibrationExplorer(Explorer):
             "scale": 0.2, "plan": "four axes, least squares and common scale"
         },
     }  # fmt: skip
+    look_for: ClassVar = {
+        "Larin's triad, axes as in (2.4)": "Change the step formula. Which can you tell apart?",
+        "On the Earth, a perfect triad": "Nothing is bent, and something is found. What is it?",
+        "On the Earth, Larin's triad": "How much of what is found belongs to the triad?",
+        "On the Earth, both senses": "Turned forth and back. What has become of the Earth?",
+        "On the Earth, common offset": "Another cure. Add a gyro bias: does it still work?",
+        "Noisy gyros": "Twelve calibrations of one triad. How far apart do they lie?",
+        "Coarse steps": "Twelve steps in a turn. Is the error still a matter of the gyros?",
+        "Scale error, three axes": "The gyros are a little too sensitive. What gets the blame?",
+        "Scale error, solved for": "The same gyros, another plan. What has it done with the scale?",
+    }
 
     @staticmethod
     def _triad_error(values: Values) -> FloatArray:
@@ -96,15 +108,24 @@ class TurnCalibrationExplorer(Explorer):
             gyro_bias=values["bias"] * DEGREE_PER_HOUR,
         )
 
-    def numbers(self, data: TurnEstimates) -> list[tuple[str, str]]:
-        runs = f", mean of {len(data.runs)}" if self.values["noise"] else ""
-        rows: list[tuple[str, str]] = []
-        for name, *pair in zip(("σ₁", "σ₂", "σ₃"), data.true, data.runs.mean(axis=0), strict=True):
-            true, found = 1e3 * np.array(pair)
-            rows.append((f"{name} true, found{runs}, 1e-3", f"{true:.3f}, {found:.6f}"))
-            true, found = np.array(pair) / ARC_SECOND
-            rows.append((f"{name} in arc seconds", f"{true:.2f}, {found:.2f}"))
-        return rows
+    def numbers(self, data: TurnEstimates) -> Results:
+        found = data.runs.mean(axis=0)
+        errors = (found - data.true) / ARC_SECOND
+        largest = errors[np.abs(errors).argmax()]
+        return Results(
+            ("largest error", f"{largest:.2f}″"),
+            [
+                (name, f"{1e3 * true:.3f}", f"{1e3 * mean:.4f}", f"{error:.2f}")
+                for name, true, mean, error in zip(
+                    ("σ₁", "σ₂", "σ₃"), data.true, found, errors, strict=True
+                )
+            ],
+            (
+                "true, mrad",
+                f"mean of {len(data.runs)}, mrad" if self.values["noise"] else "found, mrad",
+                "error, ″",
+            ),
+        )
 
     def call(self, values: Values) -> str:
         experiment, table = self._experiment(values), self._table(values)

@@ -7,6 +7,7 @@ import numpy as np
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.machinery.results import Results
 
 from .experiments import EXAMPLE, CayleyMap, cayley_map
 from .figures.cayley_map import CayleyMapPicture
@@ -18,7 +19,7 @@ class CayleyMapExplorer(Explorer):
     title = "The two Cayley vectors of a rotation"
     picture_class = CayleyMapPicture
     controls = (
-        Control("angle", "angle φ, degrees", EXAMPLE, -360.0, 360.0, 1.0, group="rotation"),
+        Control("angle", "angle φ, °", EXAMPLE, -360.0, 360.0, 1.0, group="rotation"),
         *AXIS_CONTROLS,
     )
     presets: ClassVar = {
@@ -29,29 +30,37 @@ class CayleyMapExplorer(Explorer):
         "Whole turn": {"angle": 360.0},
         "No rotation": {"angle": 0.0},
     }
+    look_for: ClassVar = {
+        "Both finite": "Move the angle. Which of the three vectors is the first to run away?",
+        "Half a turn": "One vector has no end here. How long are the other two?",
+        "Three quarters": "Where are the vector of dimension 4 and its shadow equally long?",
+        "Nearly a whole turn": "Ten degrees are missing. Which vector would you rather use?",
+        "Whole turn": "The same attitude as at the start. What do the three vectors say?",
+        "No rotation": "Nothing has turned. Which vector makes trouble nevertheless?",
+    }
 
     def compute(self, values: Values) -> CayleyMap:
         return cayley_map(np.radians(values["angle"]), axis_of(values))
 
-    def numbers(self, data: CayleyMap) -> list[tuple[str, str]]:
-        def length(along: float | None) -> str:
-            return "infinite" if along is None else f"{abs(along):.4f}"
+    def numbers(self, data: CayleyMap) -> Results:
+        def along(size: float | None, factor: float) -> str:
+            return "∞" if size is None else f"{size * factor:.3f}"
 
-        def vector(along: float | None) -> str:
-            if along is None:
-                return "infinite"
-            return "(" + ", ".join(f"{x:.3f}" for x in np.round(along * data.axis, 3)) + ")"
-
-        return [
-            ("dimension 3", vector(data.along_3)),
-            ("length", length(data.along_3)),
-            ("from its singularity", f"{np.degrees(data.distance_3):.0f}°"),
-            ("dimension 4", vector(data.along_4)),
-            ("length", length(data.along_4)),
-            ("from its singularity", f"{np.degrees(data.distance_4):.0f}°"),
-            ("shadow", vector(data.shadow)),
-            ("length", length(data.shadow)),
-        ]
+        sizes = (data.along_3, data.along_4, data.shadow)
+        lengths = [np.inf if size is None else abs(size) for size in sizes]
+        away = (data.distance_3, data.distance_4, abs(data.angle))
+        return Results(
+            ("the shorter of dimension 4 and its shadow", f"{min(lengths[1:]):.4f}"),
+            [
+                *(
+                    (f"component {i}", *(along(size, float(factor)) for size in sizes))
+                    for i, factor in enumerate(data.axis, 1)
+                ),
+                ("length", *("∞" if np.isinf(size) else f"{size:.4f}" for size in lengths)),
+                ("to its singularity", *(f"{np.degrees(angle):.0f}°" for angle in away)),
+            ],
+            ("dimension 3", "dimension 4", "shadow"),
+        )
 
     def call(self, values: Values) -> str:
         return (

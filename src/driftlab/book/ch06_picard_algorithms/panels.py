@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import ClassVar
 
 import numpy as np
-from scipy.constants import arcsecond
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS, CONING_ALGORITHMS
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.machinery.results import ABSENT, Results
+from driftlab.book.machinery.units import angle_text
 from driftlab.motion.profiles import Motion
 
 from .experiments import (
@@ -38,7 +39,7 @@ class AlgorithmLaboratoryExplorer(Explorer):
     picture_class = AlgorithmLaboratoryPicture
     controls = (
         Control("motion", "motion", "coning", choices=tuple(MOTIONS), group="motion"),
-        Control("amplitude", "amplitude, degrees", 1.0, 0.5, 60.0, 0.5, group="motion"),
+        Control("amplitude", "amplitude, °", 1.0, 0.5, 60.0, 0.5, group="motion"),
         Control("frequency", "frequency, Hz", 1.0, 0.1, 3.0, 0.1, group="motion"),
         Control("rate", "sample rate, Hz", 96, stops=SAMPLE_RATES, group="computer"),
         Control("word", "word length", "64 bits", choices=tuple(WORDS), group="computer"),
@@ -58,6 +59,15 @@ class AlgorithmLaboratoryExplorer(Explorer):
             "amplitude": 10.0, "frequency": 3.0, "functional-iteration": True,
         },
     }  # fmt: skip
+    look_for: ClassVar = {
+        "Small cone": "Which curves lie on each other? Untick some to find out.",
+        "Wide cone": "The same cone, opened wide. Which curves have changed their slope?",
+        "Swaying ship": "Put the algorithms in order. Does the order hold at every sample rate?",
+        "Fixed axis": "No coning at all. Why do some algorithms still do worse than others?",
+        "Short word": "More samples, less error? Follow the curves to the right.",
+        "Too few samples": "Four samples a turn of the cone. Is there anything left to choose?",
+        "Functional iteration": "One more algorithm. Lower the sample rate: how long does it lead?",
+    }
 
     @staticmethod
     def _motion(values: Values) -> Motion:
@@ -72,13 +82,22 @@ class AlgorithmLaboratoryExplorer(Explorer):
             self._motion(values), values["rate"], ticked, short_word=WORDS[values["word"]]
         )
 
-    def numbers(self, data: AlgorithmLaboratory) -> list[tuple[str, str]]:
-        orders = fitted_orders(data)
-        worst = [history.max() / arcsecond for history in data.histories]
-        return [
-            (name, _result(error, order))
-            for name, error, order in zip(data.names, worst, orders, strict=True)
-        ]
+    def numbers(self, data: AlgorithmLaboratory) -> Results:
+        worst = dict(zip(data.names, (history.max() for history in data.histories), strict=True))
+        orders = dict(zip(data.names, fitted_orders(data), strict=True))
+        best = min(data.names, key=lambda name: np.nan_to_num(worst[name], nan=np.inf))
+        return Results(
+            (f"least error, by {best}", angle_text(worst[best])),
+            [
+                (
+                    name,
+                    angle_text(worst.get(name, np.nan)),
+                    ABSENT if orders.get(name) is None else f"{orders[name]:.2f}",
+                )
+                for name in ALGORITHMS
+            ],
+            ("largest error", "order"),
+        )
 
     def call(self, values: Values) -> str:
         kind = MOTIONS[values["motion"]].__name__
@@ -101,13 +120,6 @@ class AlgorithmLaboratoryExplorer(Explorer):
             "    error = rotation_angle(multiply(conjugate(motion.attitude(ends)), attitude))\n"
             "    print(name, 3600 * np.degrees(error.max()), 'arc seconds')"
         )
-
-
-def _result(error: float, order: float | None) -> str:
-    """Largest error in arc seconds, and the order, as the panel shows them."""
-    if np.isnan(error):
-        return "refuses: no polynomial fits"
-    return f"{error:.2e}″, order {'none' if order is None else f'{order:.2f}'}"
 
 
 PANELS = (AlgorithmLaboratoryExplorer,)

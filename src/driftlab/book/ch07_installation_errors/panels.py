@@ -9,6 +9,7 @@ from scipy.constants import arcsecond, micro
 
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.machinery.results import Results
 from driftlab.checks import FloatArray
 from driftlab.imu import TYPICAL_ERRORS
 
@@ -60,6 +61,14 @@ class SplitExplorer(Explorer):
         "Scale only": {"kxx": 400.0, "kyy": -200.0},
         "No error": {},
     }
+    look_for: ClassVar = {
+        "Typical unit": "Nine numbers. Which of the three parts is the largest?",
+        "One gyro leans": "One entry only. Into which parts does it go, and how much into each?",
+        "Turned as a whole": "All axes are still square. Which parts must be empty then?",
+        "Two gyros close up": "Two axes lean to each other. What is left for the misalignment?",
+        "Scale only": "Could any other choice of body axes change this picture?",
+        "No error": "A perfect triad. Move one slider: which pictures answer?",
+    }
 
     @staticmethod
     def _matrix(values: Values) -> FloatArray:
@@ -69,17 +78,18 @@ class SplitExplorer(Explorer):
     def compute(self, values: Values) -> SplitTriad:
         return error_matrix_parts(self._matrix(values))
 
-    def numbers(self, data: SplitTriad) -> list[tuple[str, str]]:
+    def numbers(self, data: SplitTriad) -> Results:
         _, scale, symmetric, _ = data.parts
-        rows = []
-        for i, (axis, (j, k)) in enumerate(zip("xyz", ((0, 1), (0, 2), (1, 2)), strict=True)):
-            pair = "xyz"[j] + "xyz"[k]
-            rows += [
-                (f"scale {axis}", f"{scale[i, i] / micro:.1f} ppm"),
-                (f"non-orthogonality {pair}", f"{symmetric[j, k] / arcsecond:.1f}″"),
-                (f"misalignment about {axis}", f"{data.vector[i] / arcsecond:.1f}″"),
-            ]
-        return rows
+        pairs = symmetric[[0, 0, 1], [1, 2, 2]] / arcsecond
+        turned = data.vector / arcsecond
+        return Results(
+            ("the most that two axes lack of square", f"{np.abs(2 * pairs).max():.1f}″"),
+            [
+                ("scale of x, y, z, ppm", *(f"{x:.1f}" for x in np.diag(scale) / micro)),
+                ("non-orthogonality xy, xz, yz, ″", *(f"{x:.1f}" for x in pairs)),
+                ("misalignment about x, y, z, ″", *(f"{x:.1f}" for x in turned)),
+            ],
+        )
 
     def call(self, values: Values) -> str:
         rows = [[values[_entry(row, column)] for column in range(3)] for row in range(3)]

@@ -9,6 +9,8 @@ from scipy.constants import degree, g, hour, micro
 from driftlab.body_frames import BODY_FRAMES, GYRO_FRAMES
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.units import number_text
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.imu import ImuNoise
@@ -29,6 +31,7 @@ STATES = {
     "all 30": FULL,
     **{f"27, {frame}": ERROR_MODELS[frame] for frame in BODY_FRAMES},
 }
+SIGNS = {"deg/h": "°/h", "arc seconds": "″"}
 STARTS = ("Up East North", "East North Up", "North Up East")
 
 
@@ -44,15 +47,15 @@ class ObservabilityExplorer(Explorer):
         ),
         Control("start", "x, y, z at first", STARTS[0], choices=STARTS, group="scheme"),
         Control("dwell", "pause, s", 120.0, 10.0, 300.0, 10.0, group="scheme"),
-        Control("rate", "turn rate, deg/s", 10.0, 2.0, 40.0, 1.0, group="scheme"),
+        Control("rate", "turn rate, °/s", 10.0, 2.0, 40.0, 1.0, group="scheme"),
         Control("states", "states", "27, averaged", choices=tuple(STATES), group="filter"),
         Control(
-            "latitude", "latitude, degrees", float(np.degrees(TABLE_LATITUDE)), -80.0, 80.0, 0.5,
+            "latitude", "latitude, °", float(np.degrees(TABLE_LATITUDE)), -80.0, 80.0, 0.5,
             group="filter",
         ),
-        Control("gyro", "gyro noise, 1e-3 °/√h", 5.0, 0.0, 50.0, 0.5, group="noise"),
-        Control("accelerometer", "acc. noise, µg/√Hz", 5.0, 0.0, 100.0, 1.0, group="noise"),
-        Control("velocity", "velocity noise, mm/s", 10.0, 1.0, 100.0, 1.0, group="noise"),
+        Control("gyro", "gyro, 10⁻³ °/√h", 5.0, 0.0, 50.0, 0.5, group="noise"),
+        Control("accelerometer", "accel., µg/√Hz", 5.0, 0.0, 100.0, 1.0, group="noise"),
+        Control("velocity", "velocity, mm/s", 10.0, 1.0, 100.0, 1.0, group="noise"),
     )  # fmt: skip
     presets: ClassVar = {
         "19 positions, 27 states": {},
@@ -64,6 +67,14 @@ class ObservabilityExplorer(Explorer):
         "About one axis only": {"rotations": "+90Z +90Z +90Z +90Z"},
         "Hurried": {"dwell": 10.0, "rate": 40.0},
     }  # fmt: skip
+    look_for: ClassVar = {
+        "19 positions, 27 states": "Which sensor error is known best afterwards, and which least?",
+        "19 positions, all 30": "Three directions stay hidden. Which deviations show it?",
+        "18 rotations": "One rotation fewer, another order. Is anything lost?",
+        "18 rotations, bad start": "The same rotations from another start. What is lost now?",
+        "About one axis only": "The table turns about z alone. What can it never find out?",
+        "Hurried": "Short pauses, fast turns. Which errors mind, and which do not?",
+    }
 
     @staticmethod
     def _scheme(values: Values) -> Scheme:
@@ -84,19 +95,20 @@ class ObservabilityExplorer(Explorer):
             float(np.radians(values["latitude"])),
         )
 
-    def numbers(self, data: TableObservability) -> list[tuple[str, str]]:
+    def numbers(self, data: TableObservability) -> Results:
         size = len(data.names)
-        rows = [("rank", f"{size - data.unobservable} of {size}")]
-        rows += [("unobservable", text) for text in data.descriptions]
-        # One entry for each kind of error, so that the sliders stay close to the picture.
+        rows = [("not observable", "; ".join(data.descriptions) or "nothing")]
+        # One row for each kind of error, so that the table is as long for any states.
         errors = zip(data.names[6:], data.after[6:], strict=True)
         for kind, members in groupby(errors, key=lambda error: error[0].rsplit(" ", 1)[0]):
             names, deviations = zip(*members, strict=True)
             scale, unit = unit_of(names[0])
             places = ", ".join(name.rsplit(" ", 1)[1] for name in names)
-            values = ", ".join(f"{deviation / scale:.2g}" for deviation in deviations)
-            rows.append((f"{kind} {places}", f"{values} {unit}"))
-        return rows
+            values = ", ".join(number_text(float(deviation / scale)) for deviation in deviations)
+            rows.append((f"{kind} {places}, {SIGNS.get(unit, unit)}", values))
+        return Results(
+            ("states that this scheme shows", f"{size - data.unobservable} of {size}"), rows
+        )
 
     def call(self, values: Values) -> str:
         model = STATES[values["states"]]
@@ -124,7 +136,7 @@ class CalibrationRunExplorer(Explorer):
         Control(
             "frame", "body axes", "averaged", choices=GYRO_FRAMES, group="what"
         ),
-        Control("minute", "moment, minutes", 40.0, 0.0, 40.0, 0.5, group="when"),
+        Control("minute", "moment, min", 40.0, 0.0, 40.0, 0.5, group="when"),
     )  # fmt: skip
     presets: ClassVar = {
         "Gyro bias": {},
@@ -133,21 +145,32 @@ class CalibrationRunExplorer(Explorer):
         "Accelerometer bias": {"parameter": "accelerometer bias x"},
         "Accelerometer installation": {"parameter": "accelerometer off-diagonal xy"},
     }
+    look_for: ClassVar = {
+        "Gyro bias": "When does the deviation fall? Look at the table's turns below.",
+        "Gyro scale": "In which minute does it become known, and what does the table do then?",
+        "Gyro non-orthogonality": "It needs turns of a certain kind. Which ones?",
+        "Accelerometer bias": "A bias hides behind a tilt. Which positions tell them apart?",
+        "Accelerometer installation": "Compare its fall with that of the bias. What comes first?",
+    }
 
     def compute(self, values: Values) -> CalibrationRun:
         return calibration_history(values["parameter"], values["frame"], values["minute"])
 
-    def numbers(self, data: CalibrationRun) -> list[tuple[str, str]]:
+    def numbers(self, data: CalibrationRun) -> Results:
         size, unit = unit_of(data.name)
+        sign = SIGNS.get(unit, unit)
+        unit = sign if sign == "″" else f" {sign}"
         at = data.shown
-        return [
-            (data.name, ""),
-            ("moment", f"{data.times[at] / 60:.1f} min"),
-            ("estimate", f"{data.estimate[at] / size:.4f} {unit}"),
-            ("true", f"{data.true / size:.4f} {unit}"),
-            ("error", f"{(data.true - data.estimate[at]) / size:.4f} {unit}"),
-            ("three deviations", f"{3 * data.deviation[at] / size:.4g} {unit}"),
-        ]
+        return Results(
+            ("error at this moment", f"{(data.true - data.estimate[at]) / size:.4f}{unit}"),
+            [
+                ("in these body axes", data.name),
+                ("true", f"{data.true / size:.4f}{unit}"),
+                ("estimate", f"{data.estimate[at] / size:.4f}{unit}"),
+                ("three deviations", f"{3 * data.deviation[at] / size:.4f}{unit}"),
+                ("moment", f"{data.times[at] / 60:.1f} min"),
+            ],
+        )
 
     def call(self, values: Values) -> str:
         return (

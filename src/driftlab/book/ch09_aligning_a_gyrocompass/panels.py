@@ -9,17 +9,18 @@ from scipy.constants import degree
 
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.machinery.results import ABSENT, Results
 from driftlab.book.machinery.sensor_controls import (
     BODY_AXES,
     accelerometer_bias_code,
     accelerometer_biases,
     accelerometer_controls,
-    degrees_text,
     gyro_bias_code,
     gyro_biases,
     gyro_controls,
     slider_value,
 )
+from driftlab.book.machinery.units import degrees_text
 from driftlab.book.scenarios import SARATOV_LATITUDE
 
 from .experiments import (
@@ -62,6 +63,16 @@ class AlignmentBudgetExplorer(Explorer):
         "Vertical": {"pitch": 90.0},
         "Upside down": {"roll": 180.0},
     }
+    look_for: ClassVar = {
+        "A bit of everything": "Six small errors. Which one spoils the heading most?",
+        "No errors, level, to the North": "Nothing is wrong. Add one error, and turn the heading.",
+        "One gyro, level": "At which headings does this gyro do no harm at all?",
+        "One accelerometer, level": "Move to the equator. What happens there? Then lift the bow.",
+        "Far North": "The same sensors, 85° of latitude. Which bars have grown?",
+        "Nearly vertical": "Five degrees more to go. What will the heading do?",
+        "Vertical": "The bow points to the zenith. Where does it head now?",
+        "Upside down": "Belly up. Which of the six errors have changed sides?",
+    }
 
     def compute(self, values: Values) -> AlignmentBudget:
         latitude, heading, pitch, roll = (
@@ -71,13 +82,24 @@ class AlignmentBudgetExplorer(Explorer):
             latitude, heading, pitch, roll, gyro_biases(values), accelerometer_biases(values)
         )
 
-    def numbers(self, data: AlignmentBudget) -> list[tuple[str, str]]:
-        rows = list(zip(TERMS, map(degrees_text, data.bars), strict=True))
+    def numbers(self, data: AlignmentBudget) -> Results:
+        *terms, total, exact = data.bars
+        rows = [
+            ("heading", degrees_text(exact), degrees_text(total)),
+            *(
+                (f"by {name}", ABSENT, degrees_text(term))
+                for name, term in zip(TERMS[:-2], terms, strict=True)
+            ),
+        ]
         for name in ("pitch", "roll", "latitude", "attitude"):
-            first_order, exact = getattr(data, name)
-            rows.append((f"{name} error, exact", degrees_text(exact)))
-            rows.append((f"{name} error, first order", degrees_text(first_order)))
-        return rows
+            first_order, error = getattr(data, name)
+            rows.append((name, degrees_text(error), degrees_text(first_order)))
+        no_heading = np.isnan(exact)
+        return Results(
+            ("heading error", "no heading" if no_heading else degrees_text(exact)),
+            rows,
+            ("exact", "first order"),
+        )
 
     def call(self, values: Values) -> str:
         latitude, heading, pitch, roll = (

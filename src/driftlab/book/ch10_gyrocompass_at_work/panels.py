@@ -7,15 +7,16 @@ from scipy.constants import arcminute, degree
 
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
+from driftlab.book.machinery.results import ABSENT, Results
 from driftlab.book.machinery.sensor_controls import (
     BODY_AXES,
-    degrees_text,
     gyro_bias_code,
     gyro_biases,
     gyro_controls,
     slider_value,
 )
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, SPEED, ship_manoeuvre
+from driftlab.checks import FloatArray
 from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
 
 from .experiments import GYRO_BIAS, TUNING_FACTORS
@@ -34,7 +35,7 @@ class GyrocompassExplorer(Explorer):
         Control("course", "course to West, °", 0.0, -180.0, 180.0, 5.0, group="ship"),
         Control("turn", "then turns by, °", slider_value(QUARTER_TURN, degree), -360.0, 360.0,
                 5.0, group="ship"),
-        Control("tuning", "tuning k2 R", 1.0, stops=TUNING_FACTORS, group="instrument"),
+        Control("tuning", "tuning k₂R", 1.0, stops=TUNING_FACTORS, group="instrument"),
         Control("damping", "damping ratio", 0.0, 0.0, 1.0, 0.05, group="instrument"),
         Control("tilt", "tilt at the start, ′", 0.0, -3.0, 3.0, 0.1, group="instrument"),
         *gyro_controls(GYRO_BIAS, 0.1),
@@ -57,6 +58,17 @@ class GyrocompassExplorer(Explorer):
         },
         "Whole turn": {"turn": 360.0},
     }  # fmt: skip
+    look_for: ClassVar = {
+        "Small drifts, a turn": "Find the turn that does the least harm to the heading.",
+        "Perfect sensors": "Nothing is wrong with the sensors. Where does the error come from?",
+        "Perfect sensors and a log": "A log tells the velocity. What does it take away?",
+        "Swinging for 84 minutes": "Change the latitude. Who minds: the tilt, or the heading?",
+        "Tuned too stiffly": "Tuned off Schuler's period. Is too stiff worse than too soft?",
+        "Damped": "The swing dies out. What is the price?",
+        "Damped by the log": "When the swing has gone, what is left?",
+        "Open azimuth": "One gyro drifts about Up. Which curve is a straight line?",
+        "Whole turn": "The ship comes back to its course. Does the heading come back too?",
+    }
 
     def compute(self, values: Values) -> HeadingErrors:
         latitude, course, turn = (
@@ -71,24 +83,23 @@ class GyrocompassExplorer(Explorer):
             log=values["log"],
         )
 
-    def numbers(self, data: HeadingErrors) -> list[tuple[str, str]]:
-        worst = np.abs(data.tilt).max(axis=0) / arcminute
-        gap = np.abs(data.heading_error - data.formula.heading).max()
-        # Of first order: good while all angles are small.
+    def numbers(self, data: HeadingErrors) -> Results:
+        # The formula is of first order: good while all angles are small.
         large = max(np.abs(data.yaw_error).max(), np.abs(data.compass_error).max()) > 0.2
-        return [
-            ("largest heading error", degrees_text(np.abs(data.heading_error).max())),
-            ("at the end", degrees_text(data.heading_error[-1])),
-            (
-                "largest gap to the formula",
-                "too large errors for it" if large else degrees_text(gap),
-            ),
-            ("largest tilt about North", f"{worst[0]:.3f}′"),
-            ("largest tilt about East", f"{worst[1]:.3f}′"),
-            ("largest speed error", degrees_text(np.abs(data.speed_error).max())),
-            ("yaw error at the end", degrees_text(data.yaw_error[-1])),
-            ("compass error at the end", degrees_text(data.compass_error[-1])),
+        gap = np.abs(data.heading_error - data.formula.heading)
+        rows = [
+            _row(name, np.degrees(error), "°", 4)
+            for name, error in (
+                ("heading", data.heading_error),
+                ("of it, yaw ψ", data.yaw_error),
+                ("of it, compass angle", data.compass_error),
+                ("speed deviation", data.speed_error),
+                ("off the formula", np.full(1, np.nan) if large else gap),
+            )
         ]
+        for i, axis in enumerate(("North", "East")):
+            rows.append(_row(f"tilt about {axis}", data.tilt[:, i] / arcminute, "′", 3))
+        return Results(("largest heading error", rows[0][1]), rows, ("largest", "at the end"))
 
     def call(self, values: Values) -> str:
         latitude, speed, course, turn = (
@@ -107,6 +118,13 @@ class GyrocompassExplorer(Explorer):
             f"    log={values['log']})\n"
             "print(np.degrees(run.heading_error[-1]), np.degrees(run.formula.heading[-1]))"
         )
+
+
+def _row(name: str, error: FloatArray, unit: str, decimals: int) -> tuple[str, str, str]:
+    """Name of an error, its largest size and its last value, in a unit."""
+    sizes = (np.abs(error).max(), error[-1])
+    largest, last = (ABSENT if np.isnan(x) else f"{x:.{decimals}f}{unit}" for x in sizes)
+    return name, largest, last
 
 
 PANELS = (GyrocompassExplorer,)

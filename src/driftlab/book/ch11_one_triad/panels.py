@@ -10,7 +10,9 @@ from scipy.constants import arcminute, arcsecond, degree
 from driftlab.attitude.coning_algorithms import ALGORITHMS
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.sensor_controls import BODY_AXES, degrees_text, slider_value
+from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.sensor_controls import BODY_AXES, slider_value
+from driftlab.book.machinery.units import degrees_text
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE
 
 from .experiments import (
@@ -64,6 +66,16 @@ class CapstoneExplorer(Explorer):
         "A shaking mount, no correction": {"cone": 3.0, "algorithm": "picard-1"},
         "A shaking mount, corrected": {"cone": 3.0},
     }  # fmt: skip
+    look_for: ClassVar = {
+        "Bent and turned": "Follow one bend from left to right: where does each stage catch it?",
+        "The puzzle": "Your guess from the beginning of the chapter: how far off is the heading?",
+        "Bent only": "The triad is bent and sits straight. Which calibration helps?",
+        "Turned as a whole": "The triad is square and sits askew. Which calibration helps now?",
+        "Straight": "Nothing is bent. What is there left to see?",
+        "The ship turns right round": "A whole turn at sea. Where has the swing gone?",
+        "A shaking mount, no correction": "Change the algorithm. Can a calibration make up for it?",
+        "A shaking mount, corrected": "The same shaking. What does the correction leave?",
+    }
 
     def compute(self, values: Values) -> Capstone:
         return calibration_stages(
@@ -75,18 +87,24 @@ class CapstoneExplorer(Explorer):
             algorithm=values["algorithm"],
         )
 
-    def numbers(self, data: Capstone) -> list[tuple[str, str]]:
-        rows = []
-        for i, stage in enumerate(STAGES):
-            drift = np.abs(data.per_turn[i]).max() / arcsecond
-            rows += [
-                (f"drift in a turn, {stage}", f"{drift:.1f}″"),
-                (f"aligned heading, {stage}",
-                 f"{np.abs(data.aligned[i]).max() / arcminute:.3f}′"),
-                (f"under way, {stage}",
-                 degrees_text(np.abs(data.under_way.heading_error[i]).max())),
-            ]  # fmt: skip
-        return rows
+    def numbers(self, data: Capstone) -> Results:
+        per_turn, aligned, under_way = (
+            np.abs(errors).max(axis=-1)
+            for errors in (data.per_turn, data.aligned, data.under_way.heading_error)
+        )
+        return Results(
+            ("heading error under way, as built", degrees_text(under_way[0])),
+            [
+                (
+                    stage,
+                    f"{per_turn[i] / arcsecond:.1f}″",
+                    f"{aligned[i] / arcminute:.3f}′",
+                    degrees_text(under_way[i]),
+                )
+                for i, stage in enumerate(STAGES)
+            ],
+            ("drift in a turn", "aligned heading", "under way"),
+        )
 
     def call(self, values: Values) -> str:
         pairs = [values[f"pair_{i}"] for i in range(3)]

@@ -9,8 +9,8 @@ from .control import Control
 from .panel import Values
 
 AXIS_CONTROLS = (
-    Control("azimuth", "azimuth, degrees", 45.0, -180.0, 180.0, 1.0, group="axis of rotation"),
-    Control("elevation", "elevation, degrees", 15.0, -90.0, 90.0, 1.0, group="axis of rotation"),
+    Control("azimuth", "azimuth, °", 45.0, -180.0, 180.0, 1.0, group="axis of rotation"),
+    Control("elevation", "elevation, °", 15.0, -90.0, 90.0, 1.0, group="axis of rotation"),
 )
 
 

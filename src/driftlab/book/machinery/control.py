@@ -73,7 +73,7 @@ class Control:
             "value": self.start,
             "description": self.label,
             "tooltip": self.full_name,
-            "style": {"description_width": "11em"},
+            "style": {"description_width": "9.5em"},
             "layout": {"width": "auto"},
         }
         if self.is_box:

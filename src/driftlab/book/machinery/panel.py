@@ -1,49 +1,44 @@
 """What every slider panel of the book is made of.
 
-An explorer is a `Picture`, a list of controls, and one function from the controls' values to the
-picture's data. The picture is a Matplotlib figure kept for the panel's life: its background is
-drawn once, and anew only if the axes have changed their reach, a move of a slider redraws only the
-artists that move, and the result goes as a JPEG into an image widget: at this quality nobody sees
-the difference, and a PNG takes several times as long to make. There is no output area to flicker or
-to swallow an error: bad values show a sentence in the panel, and anything unforeseen shows its
-traceback there and is raised again.
+An explorer is a picture, a list of controls, and one function from the controls' values to the
+picture's data. What draws is a `View`: a Matplotlib picture that is redrawn at each move, or a
+widget that lives in the page. Results stand in a table beside the controls, and a line under the
+title says what to look for. There is no output area to swallow an error: bad values show a sentence
+in the panel, and anything unforeseen shows its traceback there and is raised again.
 """
 
-import base64
 import html
-import io
-import re
 import traceback
 from collections.abc import Mapping, Sequence
-from importlib.resources import files
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Protocol
 
 import ipywidgets as widgets
-import matplotlib
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from PIL import Image
 
 from .control import Control
-from .picture import STYLE, Picture
+from .matplotlib_view import MatplotlibView
+from .page import Page
+from .picture import Picture
+from .results import Results
 
 ERROR_CLASS = "driftlab-error"
 """HTML class of a traceback in a panel; the tests look for it."""
 
 PANEL_CLASS = "driftlab-panel"
-"""HTML class of every panel; the script and the style below look for it."""
+"""HTML class of every panel; page.js and page.css look for it and for what begins like it."""
 
-FOCUS_STYLE = (
-    f"<style>.{PANEL_CLASS} :focus-visible "
-    "{ outline: 2px solid currentColor !important; outline-offset: 1px; }</style>"
-)
-"""Where the keyboard is must be seen on every kind of control."""
-
-ACCESSIBILITY_SCRIPT = (files(__package__) / "accessibility.js").read_text("utf-8")
-
-PIXEL_RATIO = 1.25
-"""Pixels of the picture for one of the page: more are sharper, and take longer to compress."""
+OWN_VALUES = "Your own values: say first what you expect, then move one thing at a time."
+"""What stands under the title when the values are no preset's."""
 
 Values = Mapping[str, Any]
+
+
+class View(Protocol):
+    """What draws the data of an explorer."""
+
+    widget: widgets.DOMWidget
+
+    def show(self, data: Any) -> None:
+        """Bring the widget up to date."""
 
 
 class Explorer(widgets.VBox):
@@ -59,17 +54,19 @@ class Explorer(widgets.VBox):
     """
 
     title: ClassVar[str]
-    picture_class: ClassVar[type[Picture[Any]]]
+    picture_class: ClassVar[type[Picture[Any]] | type[View]]
     controls: ClassVar[Sequence[Control]]
     presets: ClassVar[Mapping[str, Values]]
     """By name, the values that differ from the controls' own."""
+    look_for: ClassVar[Mapping[str, str]] = {}
+    """By preset, a question or an invitation: what is to be looked at."""
 
     def compute(self, values: Values) -> Any:
         """Return the picture's data. A `ValueError` becomes a sentence in the panel."""
         raise NotImplementedError
 
-    def numbers(self, data: Any) -> Sequence[tuple[str, str]]:
-        """Return what stands beside the picture: names and formatted values with units."""
+    def numbers(self, data: Any) -> Results:
+        """Return what stands beside the picture, with units."""
         raise NotImplementedError
 
     def call(self, values: Values) -> str:
@@ -84,19 +81,13 @@ class Explorer(widgets.VBox):
         self._presets = {name: {**starts, **values} for name, values in self.presets.items()}
         opening = self._presets[preset or next(iter(self.presets))]
         self._setting = False  # whether it is this object that moves the widgets
-        self._picture = self.picture_class()
-        for artist in self._picture.moving:
-            artist.set_animated(True)
-        canvas = self._picture.figure.canvas
-        assert isinstance(canvas, FigureCanvasAgg)
-        width, _ = canvas.get_width_height()
-        self._picture.figure.dpi = PIXEL_RATIO * self._picture.figure.dpi
-        self._canvas = canvas
-        self._picture.rescaled = True  # nothing has been drawn yet
-
-        fitting = {"max_width": "100%", "margin": "0"}
-        self.image = widgets.Image(format="jpeg", width=width, layout=fitting)
+        self._results = Results(("", ""), ())
+        self.page = Page(layout={"display": "none"})
+        self.view = self._new_view()
+        self.view.widget.add_class("driftlab-picture")
+        self.guide = widgets.HTML()
         self.message = widgets.HTML()
+        self.headline = _with_class(widgets.HTML(), "driftlab-headline")
         self.text = widgets.HTML()
         self.code = widgets.HTML()
         self.preset = widgets.Dropdown(
@@ -108,39 +99,48 @@ class Explorer(widgets.VBox):
             widget.observe(self._moved, "value")
         self.preset.observe(self._preset_chosen, "value")
         self.reset.on_click(lambda _: self.set(**opening))
-        super().__init__(
-            [
-                _script(ACCESSIBILITY_SCRIPT),
-                widgets.HTML(f"{FOCUS_STYLE}<b>{html.escape(self.title)}</b>"),
-                widgets.HBox([self.preset, self.reset]),
-                # The picture stands above the sliders, so that it does not move away from them.
-                self.image,
-                self.message,
-                self.text,
-                *self._rows(),
-                self.code,
-            ]
-        )
+        title = widgets.HTML(f"<h4>{html.escape(self.title)}</h4>")
+        work = [
+            _with_class(widgets.VBox([title, self.guide, self.message]), "driftlab-title"),
+            # The picture stands above the sliders, so that it does not move away from them.
+            self.view.widget,
+            _with_class(
+                widgets.Box(
+                    [
+                        _with_class(widgets.VBox([self.headline, self.text]), "driftlab-results"),
+                        _with_class(widgets.VBox(self._rows()), "driftlab-controls"),
+                    ]
+                ),
+                "driftlab-lower",
+            ),
+        ]
+        super().__init__([self.page, _with_class(widgets.Box(work), "driftlab-work"), self.code])
         self.add_class(PANEL_CLASS)
         self.set(**opening)
+
+    def _new_view(self) -> View:
+        if issubclass(self.picture_class, Picture):
+            return MatplotlibView(self.picture_class(), self.page)
+        return self.picture_class()
 
     def _rows(self) -> list[widgets.Box]:
         """The controls by group: boxes to tick and lines of text across, sliders in columns."""
         groups: dict[str, list[Control]] = {}
         for control in self.controls:
             groups.setdefault(control.group, []).append(control)
-        across, columns = [], []
+        across: list[widgets.Box] = [widgets.HBox([self.preset, self.reset])]
+        columns = []
         for group, members in groups.items():
-            heading = [widgets.HTML(_compact(html.escape(group)))] if group else []
+            heading = [widgets.HTML(html.escape(group))] if group else []
             row = [*heading, *(self._widgets[control.name] for control in members)]
             if all(control.is_box for control in members):
-                across.append(widgets.HBox(row, layout={"flex_flow": "row wrap"}))
+                box = widgets.HBox(row, layout={"flex_flow": "row wrap", "align_items": "center"})
+                across.append(_with_class(box, "driftlab-boxes"))
             elif all(control.examples for control in members):
                 across.append(widgets.VBox(row))
             else:
-                # As many columns as the page has room for; the sliders share what is left over.
-                columns.append(widgets.VBox(row, layout={"flex": "1 1 26em", "max_width": "40em"}))
-        return [*across, widgets.HBox(columns, layout={"flex_flow": "row wrap"})]
+                columns.append(_with_class(widgets.VBox(row), "driftlab-group"))
+        return [*across, _with_class(widgets.HBox(columns), "driftlab-groups")]
 
     @property
     def values(self) -> dict[str, Any]:
@@ -182,11 +182,14 @@ class Explorer(widgets.VBox):
             self.set(**self._presets[change["new"]])
 
     def _name_preset(self) -> None:
-        """Let the preset menu say what the values are."""
+        """Let the preset menu say what the values are, and the line below the title go with it."""
         matching = [name for name, preset in self._presets.items() if preset == self.values]
+        name = matching[0] if matching else ""
         self._setting = True
-        self.preset.value = matching[0] if matching else ""
+        self.preset.value = name
         self._setting = False
+        self._looking = self.look_for.get(name, "") if name else OWN_VALUES
+        self.guide.value = f"<p class='driftlab-guide'>{html.escape(self._looking)}</p>"
 
     def redraw(self) -> None:
         """Compute and show the picture, the numbers and the code for the present values."""
@@ -202,74 +205,37 @@ class Explorer(widgets.VBox):
             data = self.compute(values)
         except ValueError as refusal:
             reason = html.escape(str(refusal))
-            excuse = "No picture for these values; the one above is the last."
-            self._say(f"<p role='alert'>{excuse} {reason}</p>")
-            self.text.value = self.code.value = ""
+            excuse = "No picture for these values; the one below is the last."
+            self._say(f"<p role='alert' class='driftlab-guide'>{excuse} {reason}</p>")
+            self._tell(self._results.blank())
+            self.code.value = ""
             return
-        self._picture.update(data)
-        self.image.value = self._jpeg()
-        self.text.value = _table(self.numbers(data))
+        self.view.show(data)
+        self._results = self.numbers(data)
+        self._tell(self._results)
         self.code.value = f"<pre>{html.escape(self.call(values))}</pre>"
         self._say("")
 
+    def _tell(self, results: Results) -> None:
+        self.headline.value, self.text.value = results.headline_html(), results.table_html()
+        self.page.alt = f"{self.title}. {self._looking} {': '.join(results.headline)}"
+
     def _say(self, message: str) -> None:
+        """Show a sentence in place of what to look for; with none, that again."""
         self.message.value = message
         self.message.layout.display = None if message else "none"
+        self.guide.layout.display = "none" if message else None
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        """The live panel, and for pages that cannot show one, its picture."""
+        """The live panel, and for pages that cannot show one, the picture."""
         bundle = super()._repr_mimebundle_(**options)
-        return {**bundle, "image/jpeg": base64.b64encode(self.image.value).decode()}
-
-    def _draw_background(self) -> None:
-        with matplotlib.rc_context(STYLE):
-            self._canvas.draw()
-        self._background = self._canvas.copy_from_bbox(self._picture.figure.bbox)
-        self._picture.rescaled = False
-
-    def _jpeg(self) -> bytes:
-        canvas = self._canvas
-        if self._picture.rescaled:
-            self._draw_background()
-        canvas.restore_region(self._background)
-        with matplotlib.rc_context(STYLE):
-            for artist in self._picture.moving:
-                artist.axes.draw_artist(artist)  # type: ignore[union-attr]
-        buffer = io.BytesIO()
-        pixels = canvas.buffer_rgba()
-        # X: the fourth byte means nothing. The picture is opaque.
-        picture = Image.frombuffer("RGBX", canvas.get_width_height(), pixels, "raw", "RGBX", 0, 1)
-        # Colours as fine as the rest, or thin coloured lines would fade.
-        picture.save(buffer, format="jpeg", quality=90, subsampling=0)
-        return buffer.getvalue()
+        picture = self.view.widget._repr_mimebundle_(**options)
+        # Some widgets hand over metadata as well.
+        formats = picture[0] if isinstance(picture, tuple) else picture
+        return {**bundle, **{name: formats[name] for name in formats if name.startswith("image/")}}
 
 
-def _script(code: str) -> widgets.Output:
-    """Return a widget that runs JavaScript in the page and shows nothing."""
-    output = {
-        "output_type": "display_data",
-        "data": {"application/javascript": code},
-        "metadata": {},
-    }
-    return widgets.Output(outputs=(output,), layout={"display": "none"})
-
-
-def _compact(content: str, style: str = "") -> str:
-    """Content of an HTML widget in lines closer than those of a slider."""
-    return f"<div style='line-height: 1.5; {style}'>{content}</div>"
-
-
-def _table(numbers: Sequence[tuple[str, str]]) -> str:
-    # Cells of a fixed width: what the values are does not move what stands below.
-    cells = ""
-    for name, number in numbers:
-        # What rounds to zero has no sign.
-        value = re.sub(r"-(0(\.0*)?)(?![\d.e])", r"\1", number)
-        # What does not fit into a column has two, or a row for itself.
-        length = len(name) + len(value)
-        width = "21.5em" if length < 40 else "43em" if length < 80 else "100%"
-        cells += (
-            f"<span style='flex: 0 0 {width}; max-width: 100%'>"
-            f"{html.escape(name)} <b>{html.escape(value)}</b></span>"
-        )
-    return _compact(cells, "display: flex; flex-wrap: wrap")
+def _with_class(widget: Any, name: str) -> Any:
+    """Return the widget with an HTML class, which page.css looks for."""
+    widget.add_class(name)
+    return widget

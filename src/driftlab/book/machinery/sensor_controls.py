@@ -18,11 +18,6 @@ def slider_value(quantity: float, unit: float) -> float:
     return round(float(quantity / unit), 6)
 
 
-def degrees_text(angle: float) -> str:
-    """Return an angle, rad, as a panel shows it in degrees; NaN is shown as "none"."""
-    return "none" if np.isnan(angle) else f"{np.degrees(angle):.4f}°"
-
-
 def gyro_controls(gyro_bias: FloatArray, most: float) -> tuple[Control, ...]:
     """Return sliders up to `most` deg/h for gyro biases that begin at `gyro_bias` (3,), rad/s."""
     return tuple(

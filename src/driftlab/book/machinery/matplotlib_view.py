@@ -1,0 +1,98 @@
+"""A Matplotlib picture in a panel, redrawn at each move of a slider.
+
+The picture is kept for the panel's life: its background is drawn once, and anew only if the axes
+have changed their reach; a move redraws only the artists that move, and the result goes as a JPEG
+into an image widget. At this quality nobody sees the difference, and a PNG takes several times as
+long to make. There is no output area to flicker or to swallow an error.
+"""
+
+from __future__ import annotations
+
+import base64
+import io
+from typing import Any
+
+import ipywidgets as widgets
+import matplotlib
+from PIL import Image
+
+from .page import Page
+from .picture import STYLE, Picture
+
+LEAST_RATIO, MOST_RATIO = 1.25, 2.0
+"""Pixels of the picture for one of the page: more are sharper, and take longer to compress."""
+
+
+class StillImage(widgets.Image):  # type: ignore[misc]
+    """An image widget that a page without widgets can show as well."""
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        bundle = super()._repr_mimebundle_(**options)
+        return {**bundle, "image/jpeg": base64.b64encode(self.value).decode()}
+
+
+class MatplotlibView:
+    """What draws a `Picture` for an explorer.
+
+    Parameters
+    ----------
+    picture : Picture
+    page : Page
+        Says how many pixels the screen has for one of the page.
+
+    Attributes
+    ----------
+    picture : Picture
+    widget : StillImage
+        To be placed in the panel.
+    """
+
+    def __init__(self, picture: Picture[Any], page: Page) -> None:
+        self.picture = picture
+        self._page = page
+        for artist in picture.moving:
+            artist.set_animated(True)
+        canvas: Any = picture.figure.canvas  # Matplotlib says nothing of the types of its methods
+        self._canvas = canvas
+        self._dpi = picture.figure.dpi
+        width, _ = canvas.get_width_height()
+        self.widget = StillImage(format="jpeg", width=width)
+        self._take_ratio()
+        page.observe(self._ratio_told, "ratio")
+
+    def _take_ratio(self) -> None:
+        ratio = min(max(self._page.ratio, LEAST_RATIO), MOST_RATIO)
+        self.picture.figure.dpi = ratio * self._dpi
+        self.picture.rescaled = True  # nothing has been drawn at this size yet
+
+    def _ratio_told(self, _: Any) -> None:
+        self._take_ratio()
+        if self.widget.value:
+            self.widget.value = self._jpeg()
+
+    def show(self, data: Any) -> None:
+        """Bring the picture up to date."""
+        self.picture.update(data)
+        self.widget.value = self._jpeg()
+
+    def _draw_background(self) -> None:
+        with matplotlib.rc_context(STYLE):
+            self._canvas.draw()
+        self.background = self._canvas.copy_from_bbox(self.picture.figure.bbox)
+        self.picture.rescaled = False
+
+    def _jpeg(self) -> bytes:
+        canvas: Any = self._canvas
+        if self.picture.rescaled:
+            self._draw_background()
+        canvas.restore_region(self.background)
+        with matplotlib.rc_context(STYLE):
+            for artist in self.picture.moving:
+                artist.axes.draw_artist(artist)  # type: ignore[union-attr]
+        buffer = io.BytesIO()
+        pixels = canvas.buffer_rgba()
+        # X: the fourth byte means nothing. The picture is opaque.
+        picture = Image.frombuffer("RGBX", canvas.get_width_height(), pixels, "raw", "RGBX", 0, 1)
+        # Colours as fine as the rest, or thin coloured lines would fade.
+        picture.save(buffer, format="jpeg", quality=90, subsampling=0)
+        return buffer.getvalue()

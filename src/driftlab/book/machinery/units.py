@@ -1,0 +1,47 @@
+"""How panels write numbers: signs for words, three digits or more, no powers of ten by e."""
+
+import numpy as np
+from scipy.constants import arcminute, arcsecond, degree
+
+from .results import ABSENT
+
+SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def degrees_text(angle: float) -> str:
+    """Return an angle, rad, in degrees; NaN is an angle that does not exist."""
+    return ABSENT if np.isnan(angle) else f"{np.degrees(angle):.4f}°"
+
+
+def number_text(value: float) -> str:
+    """Return a number to three digits; a power of ten only for what is small or large indeed.
+
+    Examples
+    --------
+    >>> [number_text(x) for x in (0.0123, 104.2, 6502.0, 3.21e-7, 0.0)]
+    ['0.0123', '104', '6500', '3.21·10⁻⁷', '0']
+    """
+    mantissa, exponent = f"{value:.2e}".split("e")
+    power = int(exponent)
+    if value == 0:
+        return "0"
+    if -5 < power < 5:
+        return f"{float(f'{value:.2e}'):.{max(0, 2 - power)}f}"
+    return f"{mantissa}·10{str(power).translate(SUPERSCRIPT)}"
+
+
+def angle_text(angle: float) -> str:
+    """Return an angle, rad, to three digits in degrees, minutes or seconds of arc.
+
+    Examples
+    --------
+    >>> [angle_text(x) for x in (0.05, 0.001, 1e-5, 1e-13, float("nan"))]
+    ['2.86°', '3.44′', '2.06″', '2.06·10⁻⁸″', '–']
+    """
+    if np.isnan(angle):
+        return ABSENT
+    unit, sign = next(
+        ((unit, sign) for unit, sign in ((degree, "°"), (arcminute, "′")) if abs(angle) >= unit),
+        (arcsecond, "″"),
+    )
+    return number_text(float(angle / unit)) + sign
