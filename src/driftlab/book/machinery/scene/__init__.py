@@ -1,0 +1,1 @@
+"""Living scenes: bodies in space that turn, curves beside them, one time for both."""

@@ -1,0 +1,268 @@
+"""What a scene shows, as arrays: things in space, curves beside them, one time for both.
+
+An experiment computes the arrays; `Stage` says which of them is drawn how. The script in the page
+and the stills draw the same stage, so that every place on a screen is a number of the package.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from driftlab.checks import FloatArray
+
+KINDS = ("line", "arrow", "face", "dot", "label", "trace")
+"""What a part can be. A face shows its front only; a trace is drawn up to the present moment."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """One thing in space.
+
+    Attributes
+    ----------
+    kind : str
+        One of `KINDS`.
+    points : ndarray, shape (p, 3) or (n, p, 3)
+        Its corners, counter-clockwise from outside for a face; with a leading axis, at each of the
+        n moments. A trace has (n, 3): where its point is at each moment.
+    style : str
+        A class of ``scene.css``: what it is, and so how it looks.
+    track : str
+        Name of the attitude with which it turns; "" if it stands still.
+    text : str
+        What a label says.
+    fill : str
+        A colour of its own, for a face whose colour is a number.
+    handle : str
+        Name under which a dot can be dragged, over a sphere about the origin; "" if it cannot.
+    """
+
+    kind: str
+    points: FloatArray
+    style: str
+    track: str = ""
+    text: str = ""
+    fill: str = ""
+    handle: str = ""
+
+
+@dataclass(frozen=True)
+class View:
+    """A window into space.
+
+    Attributes
+    ----------
+    title : str
+        Says what is seen, and how much it is magnified.
+    parts : tuple of Part
+    azimuth, elevation : float
+        From where the reader looks at first, degrees.
+    reach : float
+        What lies so far from the origin is at the window's edge.
+    """
+
+    title: str
+    parts: tuple[Part, ...]
+    azimuth: float = -60.0
+    elevation: float = 24.0
+    reach: float = 1.6
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A curve over the scene's time.
+
+    Attributes
+    ----------
+    name : str
+        Stands at its end, in place of a legend.
+    values : ndarray, shape (n,)
+        In the unit of the plot's axis; NaN leaves a gap.
+    style : str
+        A class of ``scene.css``.
+    moments : ndarray of int, optional
+        Only these moments, as dots.
+    """
+
+    name: str
+    values: FloatArray
+    style: str
+    moments: NDArray[np.integer] | None = None
+
+
+@dataclass(frozen=True)
+class Plot:
+    """Curves over the scene's time.
+
+    Attributes
+    ----------
+    title : str
+        With the unit.
+    curves : tuple of Curve
+    low, high : float
+        What the ordinate spans.
+    """
+
+    title: str
+    curves: tuple[Curve, ...]
+    low: float
+    high: float
+
+    @property
+    def ticks(self) -> list[float]:
+        """Round values between `low` and `high`."""
+        return ticks_between(self.low, self.high, 4)
+
+
+@dataclass(frozen=True)
+class Readout:
+    """A number that follows the time.
+
+    Attributes
+    ----------
+    name : str
+    values : ndarray, shape (n,)
+    decimals : int
+    unit : str
+    """
+
+    name: str
+    values: FloatArray
+    decimals: int
+    unit: str
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A scene at all its moments.
+
+    Attributes
+    ----------
+    times : ndarray, shape (n,)
+        Evenly spaced, two at least, in `time_unit`.
+    time_unit : str
+        "turns", "s", "min".
+    seconds : float
+        How long it plays.
+    tracks : dict of str to ndarray, shape (n, 4)
+        Attitudes by name, quaternions from the body to space, scalar last.
+    views : tuple of View
+    plots : tuple of Plot
+    readouts : tuple of Readout
+        The first one is the number that matters.
+    """
+
+    times: FloatArray
+    time_unit: str
+    seconds: float
+    tracks: dict[str, FloatArray]
+    views: tuple[View, ...]
+    plots: tuple[Plot, ...] = ()
+    readouts: tuple[Readout, ...] = ()
+
+    def __post_init__(self) -> None:
+        n = len(self.times)
+        for view in self.views:
+            for part in view.parts:
+                if part.kind not in KINDS:
+                    raise ValueError(
+                        f"kind: expected one of {', '.join(KINDS)}, got {part.kind!r}."
+                    )
+                if part.track and part.track not in self.tracks:
+                    raise ValueError(f"track: expected one of tracks, got {part.track!r}.")
+                moving = part.kind == "trace" or np.ndim(part.points) == 3
+                if moving and len(part.points) != n:
+                    raise ValueError(
+                        f"points: expected {n} moments of {part.style}, got {len(part.points)}."
+                    )
+        arrays = [
+            *self.tracks.values(),
+            *(part.points for view in self.views for part in view.parts),
+        ]
+        if not all(np.isfinite(array).all() for array in arrays):
+            raise ValueError("stage: expected finite points and tracks, got NaN or infinity.")
+
+    def message(self) -> dict[str, Any]:
+        """The stage as the script in the page takes it: text as text, arrays as bytes."""
+        return {
+            "times": _packed(self.times),
+            "timeUnit": self.time_unit,
+            "timeTicks": ticks_between(self.times[0], self.times[-1], 6),
+            "seconds": self.seconds,
+            "tracks": {name: _packed(track) for name, track in self.tracks.items()},
+            "views": [
+                {
+                    "title": view.title,
+                    "azimuth": view.azimuth,
+                    "elevation": view.elevation,
+                    "reach": view.reach,
+                    "parts": [
+                        {
+                            "kind": part.kind,
+                            "points": _packed(part.points),
+                            "shape": list(np.shape(part.points)),
+                            "style": part.style,
+                            "track": part.track,
+                            "text": part.text,
+                            "fill": part.fill,
+                            "handle": part.handle,
+                        }
+                        for part in view.parts
+                    ],
+                }
+                for view in self.views
+            ],
+            "plots": [
+                {
+                    "title": plot.title,
+                    "low": plot.low,
+                    "high": plot.high,
+                    "ticks": plot.ticks,
+                    "curves": [
+                        {
+                            "name": curve.name,
+                            "values": _packed(curve.values),
+                            "style": curve.style,
+                            "moments": None if curve.moments is None else _packed(curve.moments),
+                        }
+                        for curve in plot.curves
+                    ],
+                }
+                for plot in self.plots
+            ],
+            "readouts": [
+                {
+                    "name": readout.name,
+                    "values": _packed(readout.values),
+                    "decimals": readout.decimals,
+                    "unit": readout.unit,
+                }
+                for readout in self.readouts
+            ],
+        }
+
+
+def ticks_between(low: float, high: float, most: int) -> list[float]:
+    """Round values from `low` to `high`, about `most` of them."""
+    ticks = np.asarray(MaxNLocator(most, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high))
+    margin = 1e-9 * (high - low)
+    return [float(t) for t in ticks.round(12) if low - margin <= t <= high + margin]
+
+
+def _packed(array: Any) -> memoryview:
+    return np.ascontiguousarray(array, dtype=np.float64).data.cast("B")
+
+
+def reach(values: FloatArray) -> tuple[float, float]:
+    """Return a round span on both sides of zero that holds all values that are finite."""
+    largest = np.abs(values[np.isfinite(values)]).max(initial=0.0)
+    if largest < 1e-12:
+        return -1.0, 1.0
+    steps = 10.0 ** np.floor(np.log10(largest)) * np.array([1, 1.5, 2, 3, 5, 7, 10, 15])
+    step = float(steps[0.98 * steps >= largest][0])
+    return -step, step

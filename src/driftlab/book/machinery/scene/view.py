@@ -1,0 +1,117 @@
+"""A living scene in a panel: the widget that plays a stage, and handles that move the sliders."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib.resources import files
+from typing import Any, ClassVar
+
+import anywidget
+import ipywidgets as widgets
+import numpy as np
+import traitlets
+
+from driftlab.checks import FloatArray
+
+from ..control import Control
+from ..panel import Explorer, Values
+from .stage import Stage
+from .still import STYLE, still
+
+SCRIPTS = ("arrays.js", "space.js", "curves.js", "scene.js")
+"""The script in the page, in pieces of one idea each; a widget carries it as one text."""
+
+
+class SceneWidget(anywidget.AnyWidget):
+    """Plays a stage in the page.
+
+    Attributes
+    ----------
+    stage : dict
+        What `Stage.message` returns.
+    moment : int
+        The moment that is shown, as soon as it stands still.
+    autoplay : bool
+        Whether it plays by itself when the reader first sees it.
+    picture : str
+        SVG of the stage, for pages without widgets; it stays here.
+    """
+
+    _esm = "\n".join((files(__package__) / name).read_text("utf-8") for name in SCRIPTS)
+    _css = STYLE
+    stage = traitlets.Dict().tag(sync=True)
+    moment = traitlets.Int(0).tag(sync=True)
+    autoplay = traitlets.Bool(False).tag(sync=True)
+    picture: Callable[[], str] = staticmethod(str)
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        """The widget, and for pages that cannot show one, a still."""
+        data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
+        return {**data, "image/svg+xml": self.picture()}, metadata
+
+
+class SceneView:
+    """What draws a scene for an explorer; subclasses say which `stage` shows the data.
+
+    Attributes
+    ----------
+    widget : SceneWidget
+        To be placed in the panel.
+    """
+
+    autoplay: ClassVar[bool] = False
+
+    def __init__(self) -> None:
+        self.widget = SceneWidget(autoplay=self.autoplay)
+
+    def stage(self, data: Any) -> Stage:
+        """Return what is shown of an experiment's data."""
+        raise NotImplementedError
+
+    def show(self, data: Any) -> None:
+        """Bring the widget up to date."""
+        stage = self.stage(data)
+        self.widget.stage = stage.message()
+        self.widget.picture = lambda: still(stage)
+
+
+class SceneExplorer(Explorer):
+    """A panel whose picture is a scene; a handle in it moves the sliders, and they move it."""
+
+    picture_class: ClassVar[type[SceneView]]
+    folded: ClassVar[bool] = False
+    """Whether the sliders wait behind a line to click, because the handles do the same."""
+
+    def __init__(self, preset: str | None = None) -> None:
+        super().__init__(preset)
+        self.view.widget.on_msg(self._asked)
+
+    def _rows(self) -> list[widgets.Box]:
+        first, *others = super()._rows()
+        if self.folded:
+            others = [widgets.Accordion(others, titles=["Exact values"], selected_index=None)]
+        return [first, *others]
+
+    def dragged(self, handle: str, direction: FloatArray) -> Values:
+        """Return the values of the controls that bring a handle into a direction (3,).
+
+        The direction is in the axes of what the handle turns with; its length is that of the
+        handle's place. Values beyond a control's ends are moved to them.
+        """
+        raise NotImplementedError
+
+    def _asked(self, _: Any, message: dict[str, Any], __: Any) -> None:
+        try:
+            values = self.dragged(message["handle"], np.array(message["direction"], float))
+            controls = {control.name: control for control in self.controls}
+            self.set(**{name: nearest(controls[name], value) for name, value in values.items()})
+        finally:
+            self.view.widget.send({"done": True})  # now it may ask again
+
+
+def nearest(control: Control, value: float) -> float:
+    """Return the value of a slider that is nearest to `value`."""
+    if control.options:
+        return min(control.options, key=lambda option: abs(option - value))
+    steps = round((min(max(value, control.low), control.high) - control.low) / control.step)
+    return round(control.low + steps * control.step, 9)
