@@ -2,6 +2,7 @@ from . import scenarios as scenarios
 from .ch01_rotation_and_error_kinematics.panels import ErrorMotionExplorer as ErrorMotionExplorer
 from .ch02_characteristic_equation.panels import RootsExplorer as RootsExplorer
 from .ch03_systematic_drift.panels import DriftExplorer as DriftExplorer
+from .ch03_systematic_drift.scenes import TurningBlock as TurningBlock
 from .ch04_calibration_by_turns.panels import TurnCalibrationExplorer as TurnCalibrationExplorer
 from .ch05_cayley_and_riccati.panels import CayleyMapExplorer as CayleyMapExplorer
 from .ch06_picard_algorithms.panels import (

@@ -16,7 +16,7 @@ Chapter 12 has none: it shows what the others hold.
 
 
 def chapters_with(part: str) -> list[str]:
-    """Numbers of the chapters that have a part: "figures", "panels", "exercises" or "ledger"."""
+    """Numbers of the chapters that have a part: "figures", "panels", "scenes", "exercises", "ledger"."""
     here = Path(__file__).parent
     return [
         number

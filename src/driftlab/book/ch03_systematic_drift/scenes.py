@@ -142,12 +142,11 @@ class TurningBlock(SceneExplorer):
         "Skew triad": DriftExplorer.presets["Skew triad"],
     }  # fmt: skip
     look_for: ClassVar = {
-        "The puzzle": "The ghost is where the computer believes the block to be. "
-        "Watch it leave, and look what is left after each whole turn.",
+        "The puzzle": "The ghost is what the computer believes. What is left after a whole turn?",
         "About the third edge": "Does the ghost leave for good now?",
         "About the other diagonal": "The same block. Which way does the ghost go?",
         "Symmetric triad": "Drag the green axis: which way drifts most? Is there a way without?",
-        "Skew triad": "All three gyros lean as if the triad were turned. What stays after a turn?",
+        "Skew triad": "All gyros lean as if the triad were turned. What stays after a turn?",
     }
 
     def compute(self, values: Values) -> DriftHistory:

@@ -1,5 +1,6 @@
-// A living scene draws a stage (see stage.py) and lets it move: the arrays come from the kernel once, and playing,
-// scrubbing and looking around need it no more. Only a dragged handle asks it for new arrays.
+// A living scene draws a stage (see stage.py) and lets it move: the arrays come from the kernel once,
+// and playing, scrubbing and looking around need it no more. Only a dragged handle asks it for new
+// ones. These pieces are one script: arrays, space, curves, scene.
 
 const SVG = "http://www.w3.org/2000/svg";
 const VIEW = 100; // half the width of a view in its own units: its reach

@@ -35,7 +35,7 @@ const placed = (part, tracks, k) => {
   const first = moving ? k * count * 3 : 0;
   const corners = [];
   for (let i = 0; i < count; i++) {
-    const corner = part.points.subarray(first + 3 * i, first + 3 * i + 3);
+    const corner = part.points.slice(first + 3 * i, first + 3 * i + 3);
     corners.push(part.track ? turned(tracks[part.track], k, corner) : corner);
   }
   return corners;
@@ -192,10 +192,14 @@ class ViewOfSpace {
     for (const end of ["pointerup", "pointercancel"]) this.svg.addEventListener(end, done);
   }
 
-  // Where a handle is now, as seen by the reader: to the right, up, towards.
+  // Where a handle is, or will be when the kernel has answered, as seen by the reader: to the right,
+  // up, towards.
   seen(name) {
     const { part } = this.drawn.find((each) => each.part.handle === name);
-    const [place] = placed(part, this.scene.stage.tracks, this.scene.moment);
+    const { stage, moment, next, asking } = this.scene;
+    const asked = next ?? asking;
+    const points = asked?.handle === name ? asked.direction : part.points;
+    const [place] = placed({ ...part, points, shape: [1, 3] }, stage.tracks, moment);
     return { part, place: camera(...this.eye).map((direction) => dot(direction, place)) };
   }
 
