@@ -23,6 +23,10 @@ from .exercises import (
     verdict as verdict,
 )
 from .figures import figure as figure
+from .guesses import (
+    guess as guess,
+    guesses as guesses,
+)
 from .ledger import (
     SEVERITIES as SEVERITIES,
     STATUSES as STATUSES,

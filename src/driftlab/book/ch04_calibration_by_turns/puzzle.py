@@ -1,0 +1,68 @@
+"""The puzzle of chapter 04: a perfect triad on a perfect table."""
+
+import numpy as np
+from scipy.constants import arcsecond, degree
+
+from driftlab.drift import recorded_turn_estimate
+from driftlab.motion import TableTurn
+
+from ..machinery.puzzle import Choice, Number, Puzzle
+
+LATITUDE = 37.5 * degree
+RATE = 10 * degree
+AXIS = [1, 1, 0]
+"""The diagonal between the first two gyros."""
+
+LESS, SAME, OTHER_SIGN, NOTHING = (
+    "the same kind of error, but less of it",
+    "the same error again",
+    "the same error with the other sign",
+    "no error at all",
+)
+
+
+def seeming_error(rate: float) -> float:
+    """Angle that the first two gyros seem to miss of a right angle, arc seconds.
+
+    Parameters
+    ----------
+    rate : float
+        Of the table, rad/s; negative is clockwise.
+    """
+    record = TableTurn(rate, latitude=LATITUDE).increments(AXIS, samples=360)
+    # A turn estimates half of what the two axes miss.
+    return 2 * float(recorded_turn_estimate(record.angle, AXIS)) / arcsecond
+
+
+def other_way() -> str:
+    """What the clockwise turn shows."""
+    there, back = seeming_error(RATE), seeming_error(-RATE)
+    if np.isclose(back, -there, rtol=1e-3):
+        return OTHER_SIGN
+    if np.isclose(back, there, rtol=1e-3):
+        return SAME
+    return LESS if abs(back) > 1e-3 * abs(there) else NOTHING
+
+
+PUZZLE = Puzzle(
+    chapter="04",
+    edition=1,
+    questions=(
+        Number(
+            asks="How far do two perfect gyros seem to be from a right angle?",
+            unit="″",
+            low=0.1,
+            high=10000,
+            truth=lambda: seeming_error(RATE),
+        ),
+        Choice(
+            asks="You turn it once more, clockwise. What do you find?",
+            options=(LESS, SAME, OTHER_SIGN, NOTHING),
+            truth=other_way,
+        ),
+    ),
+    says=(
+        "Nothing is wrong with the gyros, the table or the computer. And yet everybody who does "
+        "this sees it. So what did the gyros feel, and how would you get rid of it?"
+    ),
+)

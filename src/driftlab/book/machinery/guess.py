@@ -1,0 +1,202 @@
+"""The guess control of a puzzle: first a guess, then the answer.
+
+It is made of ipywidgets alone, with no script. The number field is for the keyboard and for screen
+readers, which hear its label; the slider moves with it.
+"""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Sequence
+from typing import Any
+
+import ipywidgets as widgets
+
+from .kept_guesses import keep, kept_guess
+from .marks import marks
+from .puzzle import Answer, Choice, Number, Puzzle, rounded
+
+GUESS_CLASS = "driftlab-guess"
+"""HTML class of every guess control."""
+
+WITHOUT_GUESS = "You looked without a guess, so none is kept for this puzzle."
+
+
+class NumberInput:
+    """A field and a slider for one number; they move together."""
+
+    def __init__(self, question: Number) -> None:
+        self.question = question
+        limits = {"value": question.start, "min": question.low, "max": question.high}
+        wide = {"width": "auto", "max_width": "30em", "margin": "0"}
+        slider_text = f"{question.asks} ({question.unit})"
+        if question.whole:
+            self.field = widgets.BoundedIntText(**limits, description="Your guess")
+            self.slider = widgets.IntSlider(
+                **limits, readout=False, layout=wide, tooltip=slider_text
+            )
+        else:
+            self.field = widgets.BoundedFloatText(**limits, description="Your guess", step="any")
+            self.slider = widgets.FloatSlider(
+                question.place(question.start),
+                min=0,
+                max=1,
+                step=0.005,
+                readout=False,
+                layout=wide,
+                tooltip=slider_text,
+            )
+        self.field.layout = {"width": "14em"}
+        self.slider.observe(self._slid, "value")
+        self.field.observe(self._typed, "value")
+        typed = widgets.HBox([self.field, widgets.Label(question.unit)])
+        self.widget = widgets.VBox([_text(question.asks), typed, self.slider])
+        self._moving = False
+
+    @property
+    def value(self) -> Answer:
+        """The guess, in the question's unit."""
+        return float(self.field.value)
+
+    def freeze(self) -> None:
+        """Take no more guesses."""
+        self.field.disabled = self.slider.disabled = True
+
+    def _slid(self, change: Any) -> None:
+        question = self.question
+        value = change["new"]
+        if not question.whole:
+            value = rounded(question.low * (question.high / question.low) ** value)
+        self._move(self.field, value)
+
+    def _typed(self, change: Any) -> None:
+        value = change["new"]
+        self._move(self.slider, value if self.question.whole else self.question.place(value))
+
+    def _move(self, other: Any, value: float) -> None:
+        if not self._moving:
+            self._moving = True
+            try:
+                other.value = value
+            finally:
+                self._moving = False
+
+
+class ChoiceInput:
+    """Buttons for the answers of one question; none is chosen at first."""
+
+    def __init__(self, question: Choice) -> None:
+        self.question = question
+        self.radio = widgets.RadioButtons(
+            options=question.options, value=None, layout={"width": "max-content"}
+        )
+        self.widget = widgets.VBox([_text(question.asks), self.radio])
+
+    @property
+    def value(self) -> Answer | None:
+        """The chosen words, if any."""
+        return self.radio.value
+
+    def freeze(self) -> None:
+        """Take no more guesses."""
+        self.radio.disabled = True
+
+
+class GuessControl:
+    """What stands under a puzzle: its questions in short, a guess for each, then the answers.
+
+    Parameters
+    ----------
+    puzzle : Puzzle
+        What is asked.
+    """
+
+    def __init__(self, puzzle: Puzzle) -> None:
+        self.puzzle = puzzle
+        self.inputs = [
+            NumberInput(q) if isinstance(q, Number) else ChoiceInput(q) for q in puzzle.questions
+        ]
+        self.button = widgets.Button(description="That is my guess", button_style="primary")
+        self.look = widgets.Button(
+            description="Show me", tooltip="See the answer without a guess; that is possible too"
+        )
+        self.answer = widgets.HTML()
+        self.button.on_click(lambda _: self.take())
+        self.look.on_click(lambda _: self.reveal(None, keep(puzzle, None)))
+        self.widget = widgets.VBox(
+            [
+                *(each.widget for each in self.inputs),
+                widgets.HBox([self.button, self.look]),
+                self.answer,
+            ],
+            layout={"max_width": "46em"},
+        )
+        self.widget.add_class(GUESS_CLASS)
+        answered, guess = kept_guess(puzzle)
+        if answered:
+            self.reveal(guess, "This is the guess that you made before." if guess else "")
+
+    def take(self) -> None:
+        """Keep the guess that the controls show, and show the answer."""
+        guess = [each.value for each in self.inputs]
+        if None in guess:
+            self.answer.value = "<p role='alert'>Please choose an answer to each question.</p>"
+            return
+        self.reveal(guess, keep(self.puzzle, guess))  # type: ignore[arg-type]
+
+    def reveal(self, guess: Sequence[Answer] | None, note: str) -> None:
+        """Show the answers beside a guess.
+
+        Parameters
+        ----------
+        guess : sequence of float or str, or None
+            An answer for each question; None if there was no guess.
+        note : str
+            What is to be said of its keeping, if anything.
+        """
+        truths = self.puzzle.truths()
+        lines = []
+        for number, (question, truth) in enumerate(zip(self.puzzle.questions, truths, strict=True)):
+            own = None if guess is None else guess[number]
+            found = f"{html.escape(question.asks)} <b>{html.escape(question.written(truth))}</b>"
+            far = "" if own is None else html.escape(question.how_far(own, truth))
+            lines.append(f"<p style='{CLOSE}'>{found} {far}</p>")
+            if isinstance(question, Number):
+                lines.append(marks(question, own, truth))  # type: ignore[arg-type]
+        lines.append(f"<p style='{CLOSE}'>{html.escape(self.puzzle.remark(truths))}</p>")
+        note = " ".join(filter(None, [WITHOUT_GUESS if guess is None else "", note]))
+        if note:
+            lines.append(f"<p style='{CLOSE}'><small>{html.escape(note)}</small></p>")
+        # An alert is read out when it appears; of a region that is put in anew with its text most
+        # screen readers say nothing.
+        self.answer.value = f"<div role='alert' aria-live='polite'>{''.join(lines)}</div>"
+        self.button.disabled = self.look.disabled = True
+        for position, each in enumerate(self.inputs):
+            if guess is not None:
+                _show_guess(each, guess[position])
+            each.freeze()
+
+    def __repr__(self) -> str:
+        asks = " ".join(question.asks for question in self.puzzle.questions)
+        return f"A guess first: {asks}\n{HOW_TO_SEE}"
+
+    def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
+        """The control, and for a page that is not live, the question without the answer."""
+        asks = "".join(f"<li>{html.escape(q.asks)}</li>" for q in self.puzzle.questions)
+        return {
+            **self.widget._repr_mimebundle_(**options),
+            "text/html": f"<p><b>A guess first.</b></p><ul>{asks}</ul><p>{HOW_TO_SEE}</p>",
+            "text/plain": repr(self),
+        }
+
+
+CLOSE = "margin: 0.5em 0; line-height: 1.45"
+HOW_TO_SEE = "Run this cell in JupyterLab to make your guess; then the answer appears here."
+
+
+def _text(words: str) -> widgets.HTML:
+    return widgets.HTML(f"<div style='{CLOSE}'>{html.escape(words)}</div>")
+
+
+def _show_guess(each: NumberInput | ChoiceInput, guess: Answer) -> None:
+    (each.field if isinstance(each, NumberInput) else each.radio).value = guess

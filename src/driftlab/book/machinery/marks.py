@@ -1,0 +1,66 @@
+"""A guess and the truth as two marks on one scale: HTML in the page's own colours."""
+
+from __future__ import annotations
+
+import html
+
+from .puzzle import Number
+
+LABEL = "position: absolute; white-space: nowrap; font-size: 0.85em"
+
+
+def marks(question: Number, guess: float | None, truth: float) -> str:
+    """Return the scale of a question with the truth below it and the guess, if any, above.
+
+    Parameters
+    ----------
+    question : Number
+        Whose scale it is.
+    guess, truth : float
+        In the question's unit.
+    """
+    line = "position: absolute; left: 0; right: 0; top: 2.4em; border-top: 2px solid currentColor"
+    parts = [f"<div style='{line}'></div>"]
+    for tick in question.ticks():
+        at = 100 * question.place(tick)
+        parts.append(
+            f"<div style='{LABEL}; left: {at:.1f}%; top: 2.1em; height: 0.7em; "
+            "border-left: 1px solid currentColor; opacity: 0.6'></div>"
+            f"<div style='{LABEL}; left: {at:.1f}%; top: 4.6em; transform: translateX(-50%); "
+            f"opacity: 0.75'>{written_tick(tick)}</div>"
+        )
+    # The diamonds differ in their filling and in their words, and stand on different sides.
+    parts.append(_mark(question, truth, "it is", top="2.75em", filled=True, label_top="3.3em"))
+    says = f"The answer {question.written(truth)}"
+    if guess is not None:
+        parts.append(_mark(question, guess, "you", top="1.55em", filled=False, label_top="0"))
+        says += f" and your guess {question.written(guess)}"
+    says += (
+        f" on a scale from {question.written(question.low)} to {question.written(question.high)}"
+    )
+    return (
+        f"<div role='img' aria-label='{html.escape(says, quote=True)}' "
+        "style='position: relative; height: 6em; margin: 0.3em 2.5em; max-width: 34em'>"
+        f"{''.join(parts)}</div>"
+    )
+
+
+def _mark(
+    question: Number, value: float, who: str, *, top: str, filled: bool, label_top: str
+) -> str:
+    place = 100 * question.place(value)
+    # A label at an end of the scale stays within it.
+    shift = "0" if place < 12 else "-100%" if place > 88 else "-50%"
+    filling = "currentColor" if filled else "transparent"
+    return (
+        f"<div style='position: absolute; left: {place:.1f}%; top: {top}; width: 0.55em; "
+        f"height: 0.55em; background: {filling}; border: 2px solid currentColor; "
+        "box-sizing: border-box; transform: translateX(-50%) rotate(45deg)'></div>"
+        f"<div style='{LABEL}; left: {place:.1f}%; top: {label_top}; "
+        f"transform: translateX({shift})'>{who} <b>{html.escape(question.written(value))}</b></div>"
+    )
+
+
+def written_tick(value: float) -> str:
+    """Return a value of the scale as short as it can be."""
+    return f"{value:,.0f}".replace(",", "\u202f") if value >= 1 or value == 0 else f"{value:g}"
