@@ -23,10 +23,6 @@ from .exercises import (
     verdict as verdict,
 )
 from .figures import figure as figure
-from .guesses import (
-    guess as guess,
-    guesses as guesses,
-)
 from .ledger import (
     SEVERITIES as SEVERITIES,
     STATUSES as STATUSES,
@@ -37,6 +33,10 @@ from .ledger import (
     summary_table as summary_table,
 )
 from .machinery.submissions import class_summary as class_summary
+from .puzzles import (
+    guess as guess,
+    guesses as guesses,
+)
 from .references import (
     all_references as all_references,
     references_table as references_table,

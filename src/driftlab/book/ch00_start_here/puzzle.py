@@ -24,7 +24,7 @@ PUZZLE = Puzzle(
             asks="The gyro leans by 7′. How far off is the attitude after one turn?",
             unit="′",
             low=0.1,
-            high=1000,
+            high=100,
             truth=error_after_one_turn,
         ),
     ),

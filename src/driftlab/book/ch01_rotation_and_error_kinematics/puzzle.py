@@ -25,7 +25,7 @@ PUZZLE = Puzzle(
             asks="How far off is the computed attitude after the turn?",
             unit="°",
             low=0.1,
-            high=100,
+            high=180,
             truth=error_after_one_turn,
         ),
     ),

@@ -41,7 +41,7 @@ PUZZLE = Puzzle(
         Number(
             asks="How long are the three numbers, as a vector, one degree before the whole turn?",
             unit="",
-            low=0.1,
+            low=0.001,
             high=100000,
             truth=lambda: float(np.linalg.norm(three_numbers(359.0))),
         ),

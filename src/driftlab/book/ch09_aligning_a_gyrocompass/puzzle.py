@@ -43,8 +43,8 @@ PUZZLE = Puzzle(
         Number(
             asks="At latitude 85°, how far off is North?",
             unit="′",
-            low=0.1,
-            high=10000,
+            low=0.01,
+            high=1000,
             truth=lambda: heading_error(85.0),
         ),
         Choice(

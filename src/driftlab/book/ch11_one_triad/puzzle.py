@@ -29,7 +29,7 @@ PUZZLE = Puzzle(
             asks="How wrong is the heading half an hour after the turn?",
             unit="″",
             low=1,
-            high=100000,
+            high=10000,
             truth=heading_error,
         ),
     ),

@@ -22,6 +22,13 @@ GUESS_CLASS = "driftlab-guess"
 WITHOUT_GUESS = "You looked without a guess, so none is kept for this puzzle."
 
 
+UNITS = {"°": "degrees (°)", "′": "arc minutes (′)", "″": "arc seconds (″)"}
+"""Units whose signs are too small to stand alone beside a field."""
+
+
+KEPT = "This is the guess that you made first; it is kept in guesses.json."
+
+
 class NumberInput:
     """A field and a slider for one number; they move together."""
 
@@ -36,7 +43,7 @@ class NumberInput:
                 **limits, readout=False, layout=wide, tooltip=slider_text
             )
         else:
-            self.field = widgets.BoundedFloatText(**limits, description="Your guess", step="any")
+            self.field = widgets.BoundedFloatText(**limits, description="Your guess")
             self.slider = widgets.FloatSlider(
                 question.place(question.start),
                 min=0,
@@ -49,7 +56,7 @@ class NumberInput:
         self.field.layout = {"width": "14em"}
         self.slider.observe(self._slid, "value")
         self.field.observe(self._typed, "value")
-        typed = widgets.HBox([self.field, widgets.Label(question.unit)])
+        typed = widgets.HBox([self.field, widgets.Label(UNITS.get(question.unit, question.unit))])
         self.widget = widgets.VBox([_text(question.asks), typed, self.slider])
         self._moving = False
 
@@ -123,18 +130,15 @@ class GuessControl:
         self.answer = widgets.HTML()
         self.button.on_click(lambda _: self.take())
         self.look.on_click(lambda _: self.reveal(None, keep(puzzle, None)))
-        self.widget = widgets.VBox(
-            [
-                *(each.widget for each in self.inputs),
-                widgets.HBox([self.button, self.look]),
-                self.answer,
-            ],
-            layout={"max_width": "46em"},
-        )
+        asking = [*(each.widget for each in self.inputs), widgets.HBox([self.button, self.look])]
+        self.widget = widgets.VBox([*asking, self.answer], layout={"max_width": "46em"})
         self.widget.add_class(GUESS_CLASS)
         answered, guess = kept_guess(puzzle)
         if answered:
-            self.reveal(guess, "This is the guess that you made before." if guess else "")
+            self.reveal(
+                guess, "Your guess of an earlier day; the first one counts." if guess else ""
+            )
+            self.widget.children = [self.answer]
 
     def take(self) -> None:
         """Keep the guess that the controls show, and show the answer."""
@@ -158,7 +162,7 @@ class GuessControl:
         lines = []
         for number, (question, truth) in enumerate(zip(self.puzzle.questions, truths, strict=True)):
             own = None if guess is None else guess[number]
-            found = f"{html.escape(question.asks)} <b>{html.escape(question.written(truth))}</b>"
+            found = f"{html.escape(question.asks)} <b>{html.escape(question.written(truth))}</b>."
             far = "" if own is None else html.escape(question.how_far(own, truth))
             lines.append(f"<p style='{CLOSE}'>{found} {far}</p>")
             if isinstance(question, Number):
@@ -171,9 +175,7 @@ class GuessControl:
         # screen readers say nothing.
         self.answer.value = f"<div role='alert' aria-live='polite'>{''.join(lines)}</div>"
         self.button.disabled = self.look.disabled = True
-        for position, each in enumerate(self.inputs):
-            if guess is not None:
-                _show_guess(each, guess[position])
+        for each in self.inputs:
             each.freeze()
 
     def __repr__(self) -> str:
@@ -196,7 +198,3 @@ HOW_TO_SEE = "Run this cell in JupyterLab to make your guess; then the answer ap
 
 def _text(words: str) -> widgets.HTML:
     return widgets.HTML(f"<div style='{CLOSE}'>{html.escape(words)}</div>")
-
-
-def _show_guess(each: NumberInput | ChoiceInput, guess: Answer) -> None:
-    (each.field if isinstance(each, NumberInput) else each.radio).value = guess

@@ -132,7 +132,7 @@ class Choice:
 
     def how_far(self, guess: Answer, truth: Answer) -> str:
         """Return whether a guess is right, as a sentence."""
-        return "That is what you guessed." if guess == truth else "You guessed otherwise."
+        return "That is what you guessed." if guess == truth else f"You guessed: {guess}."
 
 
 Question: TypeAlias = Number | Choice

@@ -1,0 +1,255 @@
+"""The guess control: first a guess, then the answer; the first guess is kept."""
+
+import json
+import math
+import os
+import re
+
+import pytest
+
+from driftlab.book import guess, guesses
+from driftlab.book.chapters import CHAPTERS, chapters_with
+from driftlab.book.machinery import kept_guesses
+from driftlab.book.machinery.guess import WITHOUT_GUESS, GuessControl
+from driftlab.book.machinery.kept_guesses import FILE, in_memory, keep, kept_guess
+from driftlab.book.machinery.marks import marks
+from driftlab.book.machinery.puzzle import Choice, Number, Puzzle
+from driftlab.book.puzzles import ENOUGH, puzzle_of
+
+LENGTH = Number(asks="How long?", unit="m", low=0.1, high=1000, truth=lambda: 20.0)
+COUNT = Number(asks="How many?", unit="of 8", low=0, high=8, truth=lambda: 6.0, whole=True)
+SIDE = Choice(asks="Which <side>?", options=("left", "right"), truth=lambda: "left")
+PUZZLE = Puzzle(chapter="03", edition=1, questions=(LENGTH, SIDE), says="It is {0}. Why?")
+
+
+@pytest.fixture(autouse=True)
+def empty_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(kept_guesses, "in_memory", {})
+    return tmp_path
+
+
+def guessed(length: float = 10.0, side: str = "right", puzzle: Puzzle = PUZZLE) -> GuessControl:
+    control = GuessControl(puzzle)
+    control.inputs[0].field.value = length
+    control.inputs[1].radio.value = side
+    control.button.click()
+    return control
+
+
+def test_nothing_is_said_before_a_guess():
+    control = GuessControl(PUZZLE)
+    bundle = control._repr_mimebundle_()
+    assert control.answer.value == ""
+    for shown in (repr(control), bundle["text/html"], bundle["text/plain"]):
+        assert "20" not in shown
+        assert "JupyterLab" in shown
+    assert "Which &lt;side&gt;?" in bundle["text/html"]
+
+
+def test_a_choice_has_to_be_made_first(empty_folder):
+    control = GuessControl(PUZZLE)
+    control.button.click()
+    assert "choose" in control.answer.value
+    assert "20" not in control.answer.value
+    assert not (empty_folder / FILE).exists()
+
+
+def test_guess_and_truth_stand_beside_each_other():
+    control = guessed()
+    answer = control.answer.value
+    for words in ("<b>20 m</b>", "half of it", "You guessed: right.", "It is 20 m. Why?"):
+        assert words in answer
+    assert "role='alert'" in answer
+    assert "your guess 10 m on a scale from 0.1 m to 1000 m" in answer
+    assert control.button.disabled
+    assert control.inputs[0].slider.disabled
+
+
+def test_field_and_slider_move_together():
+    number = GuessControl(PUZZLE).inputs[0]
+    number.slider.value = 0.5
+    assert number.value == 10.0
+    number.field.value = 1000
+    assert number.slider.value == 1
+    count = GuessControl(Puzzle(chapter="x", edition=1, questions=(COUNT,), says="")).inputs[0]
+    count.slider.value = 7
+    assert count.value == 7
+
+
+def test_first_guess_stays(empty_folder):
+    first, second = GuessControl(PUZZLE), GuessControl(PUZZLE)
+    for control, length in ((first, 10.0), (second, 20.0)):
+        control.inputs[0].field.value = length
+        control.inputs[1].radio.value = "left"
+        control.button.click()
+    assert kept_guess(PUZZLE) == (True, [10.0, "left"])
+    again = GuessControl(PUZZLE)
+    assert "you <b>10 m</b>" in again.answer.value
+    assert "that you made first" in again.answer.value
+    assert os.listdir(empty_folder) == [FILE]  # nothing is left of the writing
+
+
+def test_looking_without_a_guess_is_said_and_kept():
+    control = GuessControl(PUZZLE)
+    control.look.click()
+    assert WITHOUT_GUESS in control.answer.value
+    assert "you <b>" not in control.answer.value
+    assert WITHOUT_GUESS in GuessControl(PUZZLE).answer.value
+    assert kept_guess(PUZZLE) == (True, None)
+
+
+def test_another_edition_asks_anew():
+    guessed()
+    changed = Puzzle(chapter="03", edition=2, questions=(LENGTH, SIDE), says="")
+    assert kept_guess(changed) == (False, None)
+    guessed(30.0, puzzle=changed)
+    assert kept_guess(PUZZLE)[1] == [10.0, "right"]
+    assert kept_guess(changed)[1] == [30.0, "right"]
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "",
+        "not JSON",
+        "[1]",
+        '{"guesses": 3}',
+        "\udcff",
+        *(
+            json.dumps({"guesses": {PUZZLE.key: entry}})
+            for entry in (3, [1], [1, "up"], [True, "left"], [float("nan"), "left"], [1e9, "left"])
+        ),
+    ],
+)
+def test_foreign_file_is_left_alone(content, empty_folder):
+    path = empty_folder / FILE
+    path.write_text(content, "utf-8", errors="surrogateescape")
+    before = path.read_bytes()
+    answer = guessed().answer.value
+    assert path.read_bytes() == before
+    assert "stays as it is" in answer
+    assert kept_guess(PUZZLE) == (True, [10.0, "right"])  # as long as the kernel lives
+    assert "that you made first" in GuessControl(PUZZLE).answer.value
+
+
+def test_folder_in_the_place_of_the_file(empty_folder):
+    (empty_folder / FILE).mkdir()
+    assert "stays as it is" in guessed().answer.value
+
+
+def test_nothing_can_be_written(monkeypatch, empty_folder):
+    def refuse(*_):
+        raise PermissionError
+
+    monkeypatch.setattr(os, "replace", refuse)
+    assert "cannot be written" in guessed().answer.value
+    assert os.listdir(empty_folder) == []
+    assert kept_guess(PUZZLE)[1] == [10.0, "right"]
+
+
+def test_guess_of_another_chapter_stays_beside(empty_folder):
+    guessed()
+    other = Puzzle(chapter="04", edition=1, questions=(COUNT,), says="")
+    assert keep(other, [3.0]) == ""
+    kept = json.loads((empty_folder / FILE).read_text("utf-8"))["guesses"]
+    assert list(kept) == [PUZZLE.key, other.key]
+    assert in_memory == {}
+
+
+@pytest.mark.parametrize(
+    ("value", "says"),
+    [
+        (20, "it almost exactly"),
+        (10, "half of it"),
+        (2, "a tenth of it"),
+        (40.5, "twice as much"),
+        (1000, "about 50 times as much"),
+        (0.1, "about 200 times what you guessed"),
+        (23, "a little more than it is"),
+    ],
+)
+def test_how_far_off_is_said_in_words(value, says):
+    assert says in LENGTH.how_far(value, 20.0)
+
+
+@pytest.mark.parametrize(("value", "says"), [(6, "exactly"), (7, "1 too many"), (0, "6 too few")])
+def test_counts_differ_by_a_number(value, says):
+    assert says in COUNT.how_far(value, 6.0)
+
+
+def test_marks_stay_on_the_scale():
+    for value in (LENGTH.low, LENGTH.start, LENGTH.high):
+        places = re.findall(r"left: (-?[\d.]+)%", marks(LENGTH, value, 20.0))
+        assert places
+        assert all(0 <= float(place) <= 100 for place in places)
+
+
+def test_every_chapter_opens_with_a_puzzle():
+    assert chapters_with("puzzle") == list(CHAPTERS)
+    with pytest.raises(ValueError, match=r"^chapter: expected .*, got '99'"):
+        guess("99")
+
+
+@pytest.fixture(scope="module")
+def truths():
+    return {chapter: puzzle_of(chapter).truths() for chapter in CHAPTERS}
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_truth_lies_on_its_scale_and_is_not_given_away(chapter, truths):
+    puzzle = puzzle_of(chapter)
+    assert puzzle.chapter == chapter
+    assert puzzle.allows(truths[chapter])
+    assert puzzle.remark(truths[chapter])
+    for question, truth in zip(puzzle.questions, truths[chapter], strict=True):
+        if isinstance(question, Number) and not question.whole:
+            # The slider does not begin near the answer.
+            assert abs(math.log10(truth / question.start)) > 0.4
+
+
+def test_sentences_under_the_answers_are_true(truths):
+    """What the puzzles say without a number of their own."""
+    assert truths["00"][0] == pytest.approx(6.88 * 3.1416, rel=1e-3)  # a circle comes in
+    assert truths["01"][0] < 0.05 * 30  # nearly all has come home
+    afternoon, months = truths["02"]
+    assert afternoon < 6
+    assert months > 60 * 24
+    assert truths["03"][1] > 1000
+    assert truths["06"][0] * 60 > 15.04 * 60  # ′ a minute in °/h, and the Earth's 15.04 °/h
+    assert truths["07"] == [6.0]
+    assert truths["08"][1] == 27
+    assert truths["10"][0] < 0.01
+    assert truths["10"][1] > 1
+    assert truths["11"][0] > 200
+
+
+def test_looking_back_at_nothing():
+    assert repr(guesses()) == guesses().says
+    assert "No guess is kept yet" in guesses()._repr_html_()
+
+
+def test_looking_back_at_all(truths):
+    for chapter in CHAPTERS:
+        puzzle = puzzle_of(chapter)
+        early = chapter < "06"
+        keep(
+            puzzle,
+            [
+                truth if isinstance(q, Choice) or q.whole else truth * (10 if early else 2)
+                for q, truth in zip(puzzle.questions, truths[chapter], strict=True)
+            ],
+        )
+    found = guesses()
+    assert len(found.rows) == sum(len(each) for each in truths.values())
+    assert {row.ratio for row in found.rows} == {"10", "2", "right"}
+    assert "within a factor 10 of the truth" in found.says
+    assert "came closer" in found.says
+    assert found._repr_html_().count("<tr>") == len(found.rows) + 1
+    assert len(repr(found).splitlines()) == len(found.rows) + 1
+
+
+def test_few_guesses_say_nothing_of_intuition():
+    keep(puzzle_of("01"), [30.0])
+    assert f"With {ENOUGH} numbers" in guesses().says
+    assert guesses().rows[0].ratio == "24"
