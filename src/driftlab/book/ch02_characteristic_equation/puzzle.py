@@ -44,7 +44,7 @@ PUZZLE = Puzzle(
         ),
     ),
     says=(
-        "An afternoon, and months. The false rates are equally large. What does the error count, "
+        "An hour or two, and months. The false rates are equally large. What does the error count, "
         "if not the size of what is wrong?"
     ),
 )

@@ -65,10 +65,6 @@ class NumberInput:
         """The guess, in the question's unit."""
         return float(self.field.value)
 
-    def freeze(self) -> None:
-        """Take no more guesses."""
-        self.field.disabled = self.slider.disabled = True
-
     def _slid(self, change: Any) -> None:
         question = self.question
         value = change["new"]
@@ -104,10 +100,6 @@ class ChoiceInput:
         """The chosen words, if any."""
         return self.radio.value
 
-    def freeze(self) -> None:
-        """Take no more guesses."""
-        self.radio.disabled = True
-
 
 class GuessControl:
     """What stands under a puzzle: its questions in short, a guess for each, then the answers.
@@ -130,15 +122,16 @@ class GuessControl:
         self.answer = widgets.HTML()
         self.button.on_click(lambda _: self.take())
         self.look.on_click(lambda _: self.reveal(None, keep(puzzle, None)))
-        asking = [*(each.widget for each in self.inputs), widgets.HBox([self.button, self.look])]
-        self.widget = widgets.VBox([*asking, self.answer], layout={"max_width": "46em"})
+        self.buttons = widgets.HBox([self.button, self.look])
+        self.widget = widgets.VBox(
+            [*(each.widget for each in self.inputs), self.buttons, self.answer],
+            layout={"max_width": "46em"},
+        )
         self.widget.add_class(GUESS_CLASS)
         answered, guess = kept_guess(puzzle)
         if answered:
-            self.reveal(
-                guess, "Your guess of an earlier day; the first one counts." if guess else ""
-            )
-            self.widget.children = [self.answer]
+            self.reveal(guess, "" if guess is None else KEPT)
+            self.widget.children = [self.answer]  # nobody has pressed a button
 
     def take(self) -> None:
         """Keep the guess that the controls show, and show the answer."""
@@ -175,8 +168,8 @@ class GuessControl:
         # screen readers say nothing.
         self.answer.value = f"<div role='alert' aria-live='polite'>{''.join(lines)}</div>"
         self.button.disabled = self.look.disabled = True
-        for each in self.inputs:
-            each.freeze()
+        # The answer takes the place of the questions. The buttons stay: one of them has the focus.
+        self.widget.children = [self.buttons, self.answer]
 
     def __repr__(self) -> str:
         asks = " ".join(question.asks for question in self.puzzle.questions)
