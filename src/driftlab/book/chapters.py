@@ -9,10 +9,7 @@ from types import ModuleType
 CHAPTERS = {
     folder.name[2:4]: folder.name for folder in sorted(Path(__file__).parent.glob("ch[0-9][0-9]_*"))
 }
-"""Folders by the number of the chapter, "00" to "11"; each is called like its notebook.
-
-Chapter 12 has none: it shows what the others hold.
-"""
+"""Folders by the number of the chapter, "00" to "12"; each is called like its notebook."""
 
 
 def chapters_with(part: str) -> list[str]:

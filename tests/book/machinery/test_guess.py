@@ -5,8 +5,10 @@ import math
 import os
 import re
 
+import nbformat
 import numpy as np
 import pytest
+from pages import CHAPTERS as CHAPTERS_IN_ORDER, LEDGER, START, name_of
 from scipy.constants import arcminute
 
 from driftlab.book import guess, guesses
@@ -211,6 +213,18 @@ def test_truth_lies_on_its_scale_and_is_not_given_away(chapter, truths):
             assert abs(math.log10(truth / question.start)) > 0.4
 
 
+@pytest.mark.parametrize("path", [START, *CHAPTERS_IN_ORDER, LEDGER], ids=name_of)
+def test_question_stands_before_what_computes_the_answer(path):
+    """Under the text the question; what computes the answer is folded away when a page opens."""
+    cells = nbformat.read(path, as_version=4).cells
+    text, asked, fold, computes = cells[1:5]
+    assert text.source.startswith("## A puzzle")
+    assert asked.source == f'from driftlab.book import guess\n\nguess("{path.name[:2]}")'
+    assert fold.source.startswith("### Guessed? Then compute it")
+    assert fold.metadata["jp-MarkdownHeadingCollapsed"] is True
+    assert computes.cell_type == "code"
+
+
 def test_sentences_under_the_answers_are_true(truths):
     """What the puzzles say without a number of their own."""
     assert truths["00"][0] == pytest.approx(6.88 * 3.1416, rel=1e-3)  # a circle comes in
@@ -226,6 +240,7 @@ def test_sentences_under_the_answers_are_true(truths):
     assert truths["10"][1] > 1
     assert 50 < plumb_line() < 55
     assert truths["11"][0] > 200
+    assert truths["12"] == [pytest.approx(60.0)]
 
 
 def plumb_line() -> float:

@@ -145,7 +145,7 @@ class Puzzle:
     Attributes
     ----------
     chapter : str
-        Its number, "00" to "11".
+        Its number, "00" to "12".
     edition : int
         Counts up when the puzzle asks something else: an older guess is no guess at it.
     questions : tuple of Number or Choice
