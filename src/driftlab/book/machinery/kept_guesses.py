@@ -84,7 +84,7 @@ def keep(puzzle: Puzzle, guess: Sequence[Answer] | None, path: Path | None = Non
 
 
 def _resolved(path: Path | None) -> Path:
-    return (path or Path(FILE)).absolute()
+    return (path or Path(FILE)).resolve()  # a link stays a link
 
 
 def _read(path: Path) -> dict[str, Any]:
