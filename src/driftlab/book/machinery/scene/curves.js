@@ -60,7 +60,8 @@ class PlotOfTime {
       const end = curve.values.findLast((value) => !Number.isNaN(value));
       if (end === undefined || !curve.name) continue;
       let at = Math.max(PLOT.top + 4, Math.min(bottom, y(end)));
-      while (taken.some((other) => Math.abs(other - at) < 11)) at += at > PLOT.height / 2 ? -1 : 1;
+      const away = at > PLOT.height / 2 ? -1 : 1; // towards the middle, where there is room
+      while (taken.some((other) => Math.abs(other - at) < 11)) at += away;
       taken.push(at);
       const place = { x: PLOT.left + width + 8, y: at.toFixed(2), class: `dl-name dl-${curve.style}` };
       make(this.svg, "text", place, curve.name);

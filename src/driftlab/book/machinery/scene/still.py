@@ -184,8 +184,9 @@ def _plot(plot: Plot, stage: Stage, moments: Sequence[int] | FloatArray, clip: s
         known = y[np.isfinite(y)]
         if curve.name and known.size:
             at = float(np.clip(known[-1], TOP + 4, bottom))
+            away = -1 if at > HEIGHT / 2 else 1  # towards the middle, where there is room
             while any(abs(other - at) < 11 for other in taken):
-                at += -1 if at > HEIGHT / 2 else 1
+                at += away
             taken.append(at)
             elements.append(
                 f'<text class="dl-name dl-{curve.style}" x="{right + 8:g}" y="{at:.2f}">'
