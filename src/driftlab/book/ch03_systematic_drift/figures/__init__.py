@@ -14,7 +14,7 @@ def _history_caption(data: experiments.DriftHistory) -> str:
     return (
         "A symmetric triad, each gyro leaning by 2e-3 to the other two, turned "
         f"{experiments.TURNS} times. Along the axis the error grows by {drift:.1f} arcmin a "
-        "turn; across it, the error comes back to nearly nothing each time."
+        "turn; perpendicular to it, the error comes back to nearly nothing each time."
     )
 
 
@@ -26,8 +26,8 @@ def _motions_caption(data: dict[str, experiments.MotionHistory]) -> str:
     ]
     return (
         f"The triad of Larin's experiment in {len(data)} motions, each made {experiments.REPEATS} "
-        "times. Left: the way of the third body axis, from the start and back; the sticks are the "
-        "three body axes at the start. Right: the error, exact, with dots where "
+        "times. Left: the path of the third body axis, from the start and back; the sticks are the "
+        "three body axes at the start. Right: the exact error, with dots where "
         "the body is back; the straight lines are first order. A motion "
         f"leaves, in arc minutes: {', '.join(drifts)}. The swing about one axis leaves nothing."
     )
