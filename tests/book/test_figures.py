@@ -113,3 +113,9 @@ def test_a_rebuild_writes_every_entry_the_gallery_and_larins_numbers(tmp_path: P
 def test_unknown_figure() -> None:
     with pytest.raises(ValueError, match=r"name: expected one of 00-frames.* got 'none'"):
         figures.figure("none")
+
+
+def test_a_figure_draws_the_numbers_that_it_is_given() -> None:
+    definition = figures.figure_definitions("02")["02-roots"]
+    data = definition.compute()
+    assert figures.figure("02-roots", data).data is data

@@ -16,7 +16,7 @@ def figure_definitions(chapter: str | None = None) -> dict[str, FigureDefinition
     return {each.name: each for c in chapters for each in part_of(c, "figures").FIGURES}
 
 
-def figure(name: str) -> PublishedFigure:
+def figure(name: str, data: object = None) -> PublishedFigure:
     """Return a published figure by name, to be the last line of a notebook cell.
 
     It is computed, but for a study of some minutes: that is read from its published CSV, if the
@@ -26,6 +26,8 @@ def figure(name: str) -> PublishedFigure:
     ----------
     name : str
         Name of its file in the folder ``figures``: "03-drift-map".
+    data : object, optional
+        Numbers of the chapter's experiment, to draw these instead of computing them again.
 
     Raises
     ------
@@ -37,6 +39,8 @@ def figure(name: str) -> PublishedFigure:
     if name not in known:
         raise ValueError(f"name: expected one of {', '.join(known)}, got {name!r}.")
     definition, table = known[name], _PUBLISHED / f"{name}.csv"
+    if data is not None:
+        return PublishedFigure(definition, data)
     if definition.restore is not None and table.exists():
         return PublishedFigure(definition, definition.restore(read_columns(table)))
     return PublishedFigure(definition, definition.compute())
