@@ -14,10 +14,10 @@ def _equivalent_start_caption(data: experiments.EquivalentStart) -> str:
     largest = data.tilts.max(axis=1) / arcsecond
     return (
         "A unit on a turntable. Left: scale errors and non-orthogonality drift, the latter to "
-        f"{largest[1]:.0f} arc seconds; misalignment comes back, and is what the total derivative "
-        f"says to {np.abs(data.tilts[2] - data.tilts[3]).max() / arcsecond:.1g} arc seconds. "
-        "Middle: two triads turned together are without effect only if the start is turned as "
-        "well. Right: what remains is of second order for a skew matrix, and only rounding for a "
+        f"{largest[1]:.0f} arc seconds; misalignment comes back, as the total derivative says, "
+        f"within {np.abs(data.tilts[2] - data.tilts[3]).max() / arcsecond:.1g} arc seconds. "
+        "Middle: two triads turned together have no effect only if the start is turned as well. "
+        "Right: what remains is of second order for a skew matrix, and only rounding for a "
         "true rotation."
     )
 

@@ -25,7 +25,7 @@ def _consistency_caption(data: experiments.FilterConsistency) -> str:
     return (
         f"{experiments.RUNS} calibrations of random units. "
         f"Left: squared normalised errors of all states, each value of one; {inside:.0%} of the "
-        "values lie within their bounds, and neighbouring values hang together. Right: the same "
+        "values lie within their bounds, and neighbouring values are correlated. Right: the same "
         f"of the innovations, {data.inside:.1%} within theirs."
     )
 
@@ -59,16 +59,17 @@ def _claim_caption(data: experiments.InPlaceClaim) -> str:
         these = [each for key, each in counted.items() if key.start == start]
         sure = [each for each in these if each.chance < data.certain]
         wins = sum(each.better > units / 2 for each in sure)
-        said.append(f"from {start} in {wins} and {len(sure) - wins}")
+        said.append(f"from {start} {wins} and {len(sure) - wins}")
     return (
         f"Random units, {units} of either size, calibrated in averaged axes and in two triangles "
         "on the same data, on the nineteen positions and on eighteen rotations, then at rest for "
         f"{experiments.REST_DURATION / hour:.0f} hours; the two computers begin from four starts. "
         "Above: root mean square error with averaged axes over that with the upper triangle, on "
         "the nineteen positions; the scales differ. Below: part of the units in which averaged "
-        f"axes err less, with 95 % intervals, in all {len(counted)} comparisons. Certain in spite "
-        f"of so many (each below 0.05/{len(counted)}) are gains and losses of averaged axes, of "
-        f"{len(counted) // len(experiments.ALL_STARTS)} for each start: {', '.join(said)}."
+        f"axes err less, with 95 % intervals, in all {len(counted)} comparisons. Certain "
+        f"(each below 0.05/{len(counted)}) are, in the "
+        f"{len(counted) // len(experiments.ALL_STARTS)} comparisons for each start, these gains "
+        f"and losses of averaged axes: {', '.join(said)}."
     )
 
 
@@ -92,7 +93,7 @@ FIGURES = (
         lambda data: (
             f"All {len(data.names)} states on the nineteen positions. Left: {data.unobservable} "
             "eigenvalues of the Gramian are zero but for rounding (crosses). Right: biases and "
-            "scale errors become known all the same; of the off-diagonal entries only "
+            "scale errors still become known; of the off-diagonal entries only "
             "combinations do."
         ),
     ),
