@@ -18,7 +18,7 @@ FIGURES = (
             "The two Cayley vectors of a rotation about a given axis. The vector of dimension 3 is "
             "infinite at half a turn (thin lines), that of dimension 4 at a whole turn (thick "
             "lines at the edges); there its shadow, the vector of the quaternion with the other "
-            f"sign, is zero. The marks stand at {np.degrees(data.angle):.0f}°."
+            f"sign, is zero. The marks are at {np.degrees(data.angle):.0f}°."
         ),
     ),
     FigureDefinition(
@@ -29,7 +29,7 @@ FIGURES = (
         lambda data: (
             f"A body that passes the whole turn at {np.degrees(data.miss):.0f}° from the singular "
             "attitude. Left: the vector with and without the switch to its shadow; about a fixed "
-            f"axis it is given up at a length of {np.linalg.norm(data.ended.vector[-1]):.0e}. "
+            f"axis it ends at a length of {np.linalg.norm(data.ended.vector[-1]):.0e}. "
             "Middle: a fixed step loses digits at the singularity for good. Right: a variable step "
             "reaches the same accuracy, with more work; each dot is a tolerance, each line a "
             "distance from the singularity."

@@ -23,11 +23,10 @@ FIGURES = (
         coning_area.draw,
         coning_area.columns,
         lambda data: (
-            "Across the axis of the cone the increments add up to a closed way. On a narrow cone "
-            "the rotation about that axis is the area inside; sums of increments enclose a polygon "
-            "and miss the "
-            f"slivers ({data.samples} samples a round are drawn). On the right, a pair of samples "
-            "with their triangle."
+            "At right angles to the axis of the cone the increments add up to a closed curve. On a "
+            "narrow cone the rotation about that axis is the area inside; sums of increments "
+            f"enclose a polygon and miss the slivers ({data.samples} samples a round are drawn). "
+            "On the right, a pair of samples with their triangle."
         ),
     ),
     FigureDefinition(
@@ -39,8 +38,8 @@ FIGURES = (
             "Largest error of each algorithm in "
             f"{experiments.DURATION:g} s against the rate at which the gyros are read. "
             "The small cone and the fixed axis hide the third-order errors that the ship shows; on "
-            "the wide cone they show as a wobble that does not grow. On a fixed axis rotation "
-            "vectors leave rounding only."
+            "the wide cone they show as a wobble that does not grow. On a fixed axis the rotation "
+            "vectors have no error but rounding."
         ),
     ),
     FigureDefinition(
@@ -72,8 +71,9 @@ FIGURES = (
         noise_and_band.draw,
         noise_and_band.columns,
         lambda _: (
-            "Left: the part of a narrow cone's coning that an algorithm misses; thin, the first "
-            "term of its series, too large where samples are few. Right: drift on the bracket in "
+            "Left: the part of a narrow cone's coning that an algorithm misses. Thin lines are the "
+            "first terms of the series, too large where samples are few. Right: drift on the "
+            "bracket in "
             f"{experiments.FLOOR_SECONDS:g} s, and "
             "the floors under it: gyros that round to "
             f"{experiments.QUANTUM / arcsecond:g} arc second, and white noise of "
