@@ -110,7 +110,7 @@ def test_functions_and_tests_of_the_entry_exist(entry):
             chapter = Path(path).name[:2]
             assert (ROOT / path).exists()
             (cell,) = (cell for cell in notebook(chapter).cells if cell.id == test)
-            assert re.search(r"\bassert\b|\bsym\.identity\(", cell.source), name
+            assert re.search(r"\bassert\b|\bidentity\(", cell.source), name
         else:
             assert test in functions_in(path), name
 
