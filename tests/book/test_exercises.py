@@ -1,18 +1,26 @@
 """Every exercise of the book: its mistakes are told apart, wrong answers get the right reason."""
 
+import json
 import re
 import subprocess
 import sys
 from functools import cache
+from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from driftlab import book
+from driftlab.book.chapters import CHAPTERS
 from driftlab.book.exercises import KINDS, all_exercises, by_kind, check, verdict
-from driftlab.book.machinery.answers import Choice, Formula, Value
+from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.hints import hints_of
 from driftlab.book.machinery.reading import numbers
 from wrong_answers import WRONG
 
+NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 EXERCISES = all_exercises()
 VALUES = {n: e for n, e in EXERCISES.items() if isinstance(e, Value)}
 FORMULAS = {n: e for n, e in EXERCISES.items() if isinstance(e, Formula)}
@@ -37,15 +45,15 @@ def test_chapters_have_four_or_more_of_every_kind_in_order():
 @pytest.mark.parametrize("number", EXERCISES)
 @pytest.mark.parametrize("answer", [..., None, "", "?", "...", [1.0, ...]])
 def test_what_is_not_answered_is_neither_right_nor_wrong(number, answer):
-    assert verdict(number, answer) == (None, "not answered yet.")
+    assert verdict(number, answer)[:2] == (None, "not answered yet.")
 
 
 @pytest.mark.parametrize("number", EXERCISES)
 def test_wrong_answer_is_refused_with_its_reason(number):
     assert WRONG.get(number), "no wrong answer to try"
-    for (_, words), (right, says) in zip(WRONG[number], replies(number), strict=True):
-        assert right is False
-        assert re.search(words, says), says
+    for (_, words), reply in zip(WRONG[number], replies(number), strict=True):
+        assert reply.right is False
+        assert re.search(words, reply.says), reply.says
 
 
 @pytest.mark.parametrize("number", VALUES)
@@ -53,7 +61,7 @@ def test_right_value_passes_and_each_mistake_is_told_apart(number):
     exercise = VALUES[number]
     assert exercise.verdict(exercise.right()).right
     for says, value in exercise.mistakes.items():
-        assert exercise.verdict(value()) == (False, f"not yet. {says}")
+        assert exercise.verdict(value())[:2] == (False, f"not yet. {says}")
 
 
 @pytest.mark.parametrize("number", FORMULAS)
@@ -61,7 +69,7 @@ def test_right_formula_passes_and_each_mistake_is_told_apart(number):
     exercise = FORMULAS[number]
     assert exercise.verdict(exercise.right).right
     for says, function in exercise.mistakes.items():
-        assert exercise.verdict(function) == (False, f"not yet. {says}")
+        assert exercise.verdict(function)[:2] == (False, f"not yet. {says}")
 
 
 @pytest.mark.parametrize("number", VALUES)
@@ -80,7 +88,10 @@ def test_choice_names_what_is_wrong_with_every_other_statement(number):
     assert not set(exercise.right) & set(exercise.wrong)
     assert exercise.verdict(exercise.right).right
     for letter, reason in exercise.wrong.items():
-        assert exercise.verdict(exercise.right + letter) == (False, f"not yet. ({letter}) {reason}")
+        assert exercise.verdict(exercise.right + letter)[:2] == (
+            False,
+            f"not yet. ({letter}) {reason}",
+        )
 
 
 def test_importing_the_exercises_loads_no_plotting():
@@ -93,11 +104,17 @@ def test_importing_the_exercises_loads_no_plotting():
     assert answer.stdout.strip() == "False"
 
 
-def test_check_prints_one_line_and_refuses_an_unknown_number(capsys):
+def test_check_prints_what_it_says_and_refuses_an_unknown_number(capsys):
     check("1.3", "bce")
     assert capsys.readouterr().out.startswith("Exercise 1.3: right. ")
+    check(1.3, "bce")
+    assert capsys.readouterr().out.startswith("Exercise 1.3: right. ")
+    check(6.1, ...)
+    assert 'write "6.10", as text' in capsys.readouterr().out
     with pytest.raises(ValueError, match=r'^number: expected "1\.1" to "11\.\d", got \'x\''):
         check("x", 1)
+    with pytest.raises(ValueError, match=r'^number: expected "1\.1" to "11\.\d", got 3'):
+        check(3, 1)
     with pytest.raises(ValueError, match=r'^number: expected "1\.1" to "1\.5", got '):
         check("1.6", 1)
 
@@ -108,3 +125,84 @@ def test_lists_for_teachers_have_every_exercise_with_its_answer_and_its_mistakes
     assert all(exercise.expected() and exercise.feedback() for exercise in EXERCISES.values())
     with pytest.raises(ValueError, match=r"^kind: expected one of predict, .*, got 'guess'"):
         by_kind("guess")
+
+
+def test_every_exercise_has_a_ladder_that_ends_in_a_section_of_its_chapter():
+    for chapter in CHAPTERS:
+        ladders = hints_of(chapter) if chapter != "00" else {}
+        assert list(ladders) == [n for n in EXERCISES if n.split(".")[0].zfill(2) == chapter]
+        (path,) = NOTEBOOKS.glob(f"{chapter}_*.ipynb")
+        headings = {
+            line.lstrip("#").strip()
+            for cell in json.loads(path.read_text("utf-8"))["cells"]
+            for line in cell["source"]
+            if line.startswith("##")
+        }
+        for number, each in ladders.items():
+            assert each.section in headings, number
+            assert all(len(rung) > 30 for rung in each.rungs), number
+            assert each.model or EXERCISES[number].kind != "explain", number
+
+
+@pytest.mark.parametrize("number", VALUES)
+def test_no_hint_gives_the_answer(number):
+    exercise = VALUES[number]
+    right = {f"{entry:.3g}" for entry in np.abs(numbers(exercise.right())).flat if entry > 2}
+    ladder = " ".join(hints_of(number.split(".")[0].zfill(2))[number].rungs)
+    assert not right & set(re.findall(r"\d+\.?\d*", ladder))
+
+
+ALL_AT_THEIR_ENDS = {f"m{i}{j}": 2.0 for i in (1, 2, 3) for j in (1, 2, 3)}
+TURNED = {"kxy": -40.0, "kyx": 40.0, "kxz": 40.0, "kzx": -40.0, "kyz": -40.0, "kzy": 40.0}
+SETTINGS = {
+    "1.2": (book.ErrorMotionExplorer, "Error along the rate", {"error3": -0.3, "error1": 2.65}),
+    "3.2": (book.DriftExplorer, "Larin's triad", {"azimuth": 45.0, "elevation": 35.0}),
+    "4.2": (book.TurnCalibrationExplorer, "Larin's triad, axes as in (2.4)", {}),
+    "5.2": (book.CayleyMapExplorer, "Both finite", {"angle": 219.0}),
+    "6.2": (book.AlgorithmLaboratoryExplorer, "Swaying ship", {"rate": 24}),
+    "7.2": (book.SplitExplorer, "No error", TURNED),
+    "9.4": (book.AlignmentBudgetExplorer, "No errors, level, to the North", {"acc_right": 1.5}),
+    "10.5": (book.GyrocompassExplorer, "Small drifts, a turn", {"tuning": 0.95}),
+    "11.4": (book.CapstoneExplorer, "Bent and turned", {}),
+}
+"""The panel of an exercise, its preset, and what the reader sets besides."""
+FOUND = {
+    "3.2": ALL_AT_THEIR_ENDS,
+    "4.2": {"steps": round(float(EXERCISES["4.2"].right()))},
+    "9.4": {"pitch": round(float(EXERCISES["9.4"].right()))},
+    "11.4": {"turn_right": round(float(EXERCISES["11.4"].right()))},
+}
+"""What more a reader sets who has found the answer."""
+
+
+def panel_at(panel_class, preset, settings):
+    """All that an exercise sees of a panel."""
+    values = {control.name: control.start for control in panel_class.controls}
+    return SimpleNamespace(values={**values, **panel_class.presets[preset], **settings})
+
+
+@pytest.mark.parametrize("number", SETTINGS)
+def test_panel_is_read_as_an_answer(number):
+    panel_class, preset, settings = SETTINGS[number]
+    assert verdict(number, panel_at(panel_class, preset, {})).right is False
+    found = panel_at(panel_class, preset, {**settings, **FOUND.get(number, {})})
+    assert verdict(number, found).right
+    other = book.SplitExplorer if number != "7.2" else book.DriftExplorer
+    stranger = panel_at(other, next(iter(other.presets)), {})
+    assert verdict(number, stranger).says.startswith("not readable. Expected the panel of this")
+
+
+def test_panel_that_is_set_otherwise_is_told_so():
+    wrong = panel_at(*SETTINGS["1.2"][:2], {"error1": 2.65})
+    assert "Begin with the preset" in verdict("1.2", wrong).says
+    roots = (book.RootsExplorer, "Across the error")
+    assert "not yet. At this azimuth" in verdict("2.2", panel_at(*roots, {})).says
+    assert "the other azimuth too" in verdict("2.2", panel_at(*roots, {"azimuth": 0.0})).says
+    several = panel_at(book.ObservabilityExplorer, "19 positions, 27 states", {})
+    assert "No one setting of a panel" in verdict("8.2", several).says
+
+
+def test_every_slide_exercise_reads_its_panel_or_says_that_it_cannot():
+    slides = {n for n, each in by_kind("slide").items() if each.from_panel}
+    assert slides == {*SETTINGS, "2.2"}
+    assert {*by_kind("slide")} - slides == {"6.3", "8.2"}

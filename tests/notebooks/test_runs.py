@@ -175,7 +175,9 @@ def test_every_exercise_has_a_solution_that_is_right(run: Run) -> None:
 
 def printed_by(cell: NotebookNode) -> list[str]:
     """What `check` said in a cell, without the exercise's number."""
-    outputs = "".join(output.get("text", "") for output in cell.get("outputs", ()))
+    outputs = "\n".join(
+        output.get("data", {}).get("text/plain", "") for output in cell.get("outputs", ())
+    )
     return re.findall(r"^Exercise [\d.]+: (.*)$", outputs, flags=re.MULTILINE)
 
 

@@ -20,6 +20,7 @@ from .exercises import (
     all_exercises as all_exercises,
     by_kind as by_kind,
     check as check,
+    hint as hint,
     verdict as verdict,
 )
 from .figures import figure as figure

@@ -1,8 +1,9 @@
 """The exercises of the book, which answer back: ``check("3.2", answer)``.
 
 Each chapter's exercises are data in a module of their own: what is right, and what likely mistakes
-lead to, both as computed by the package. `reading` takes an answer in any form, `answers` judges
-it, `slips` finds the mistake that explains it.
+lead to, both as computed by the package. `reading` takes an answer in any form, `answers` and
+`formulas` judge it, `slips` finds the mistake that explains it, `sizes` says how far off it is,
+and `card` shows all that, with the chapter's `hints`.
 """
 
 from __future__ import annotations
@@ -10,7 +11,13 @@ from __future__ import annotations
 from typing import Any
 
 from .chapters import chapters_with, part_of
-from .machinery.answers import KINDS, Exercise, Verdict
+from .machinery.card import Card, HintCard, show
+from .machinery.exercise import KINDS, Exercise, Verdict
+from .machinery.hints import hints_of
+from .machinery.progress import Progress
+
+PROGRESS = Progress()
+"""What has been answered since the kernel started."""
 
 
 def all_exercises(chapter: str | None = None) -> dict[str, Exercise]:
@@ -25,33 +32,80 @@ def all_exercises(chapter: str | None = None) -> dict[str, Exercise]:
     return {n: each for c in chapters for n, each in part_of(c, "exercises").EXERCISES.items()}
 
 
-def check(number: str, answer: Any) -> None:
-    """Say whether `answer` is right; if it is not, name the likely mistake where there is one.
+def check(number: str | float, answer: Any) -> None:
+    """Show a card that says whether `answer` is right, and what may be wrong with it.
 
     Parameters
     ----------
     number : str
-        The exercise's number, as in the text: "3.2" is the second one of chapter 03.
+        The exercise's number, as in the text: "3.2" is the second one of chapter 03. A number
+        without quotation marks will do, ``check(3.2, answer)``; but to Python 6.10 is 6.1.
     answer
         A number or an array in any form, a SymPy expression or a function, or the letters of the
-        chosen statements, as the exercise asks. ``...`` stands for an answer that is still missing.
+        chosen statements, as the exercise asks. An exercise with a slider panel takes the panel as
+        well. ``...`` stands for an answer that is still missing.
+
+    Raises
+    ------
+    ValueError
+        If there is no exercise of that number.
+
+    Notes
+    -----
+    Outside a notebook the card is plain text. How many exercises of the chapter are right is
+    counted since the kernel started, and the first guess at a "predict" exercise is kept as long,
+    to be shown beside the answer.
+    """
+    name, exercise = _exercise(number)
+    found = exercise.verdict(answer)
+    PROGRESS.note(name, answer, found)
+    chapter = _chapter(name)
+    right, count = PROGRESS.of(all_exercises(chapter))
+    notes = []
+    if found.right and exercise.kind == "predict":
+        notes.append(PROGRESS.guess_against(name, answer))
+    if not isinstance(number, str) and f"{name}0" in all_exercises(chapter):
+        notes.append(f'This is {name}. For the tenth exercise write "{name}0", as text.')
+    progress = f"{right} of {count} right in chapter {chapter}"
+    show(Card(name, found, hints_of(chapter)[name], tuple(notes), progress))
+
+
+def hint(number: str | float) -> None:
+    """Show one hint more than the last time: a nudge, then the idea, then the section that helps.
+
+    Parameters
+    ----------
+    number : str
+        The exercise's number, as in `check`.
 
     Raises
     ------
     ValueError
         If there is no exercise of that number.
     """
-    print(f"Exercise {number}: {verdict(number, answer).says}")
+    name, _ = _exercise(number)
+    each = hints_of(_chapter(name))[name]
+    show(HintCard(name, each, PROGRESS.next_rung(name, len(each.rungs) + 1)))
 
 
-def verdict(number: str, answer: Any) -> Verdict:
-    """Return what `check` prints, and whether the answer is right; arguments as there."""
-    chapter = str(number).split(".")[0].zfill(2)
+def verdict(number: str | float, answer: Any) -> Verdict:
+    """Return what `check` says, and whether the answer is right; arguments as there."""
+    return _exercise(number)[1].verdict(answer)
+
+
+def _exercise(number: str | float) -> tuple[str, Exercise]:
+    """The exercise of a number, and the number as text."""
+    name = str(number) if isinstance(number, (str, float)) else ""
+    chapter = _chapter(name)
     known = all_exercises(chapter if chapter in chapters_with("exercises") else None)
-    if not isinstance(number, str) or number not in known:
+    if name not in known:
         first, *_, last = known
         raise ValueError(f'number: expected "{first}" to "{last}", got {number!r}.')
-    return known[number].verdict(answer)
+    return name, known[name]
+
+
+def _chapter(name: str) -> str:
+    return name.split(".")[0].zfill(2)
 
 
 def by_kind(kind: str) -> dict[str, Exercise]:

@@ -8,7 +8,9 @@ import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 
-from driftlab.book.exercises import check
+from driftlab.book.exercises import check, verdict
+from driftlab.book.machinery.card import Card
+from driftlab.book.machinery.hints import Help
 from driftlab.book.machinery.submissions import class_summary, saved_verdicts
 
 
@@ -18,6 +20,13 @@ def said(number, answer):
     return new_code_cell(outputs=[new_output("stream", name="stdout", text=out.getvalue())])
 
 
+def shown(number, answer):
+    """The same as a card in a notebook."""
+    card = Card(number, verdict(number, answer), Help("", "", ""))
+    data = {"text/plain": repr(card), "text/html": card._repr_html_()}
+    return new_code_cell(outputs=[new_output("display_data", data)])
+
+
 def test_each_kind_of_verdict_is_read(tmp_path):
     cells = [
         new_markdown_cell("Exercise 1.9: right."),
@@ -25,11 +34,13 @@ def test_each_kind_of_verdict_is_read(tmp_path):
         said("1.2", 7.5),
         said("1.3", ...),
         said("1.4", [1, 2]),
-        new_code_cell(outputs=[new_output("display_data", {"text/plain": "Exercise 1.8: right."})]),
+        shown("1.5", [0, 0, 0]),
+        shown("2.1", "ace"),
     ]
     path = tmp_path / "mine.ipynb"
     nbformat.write(new_notebook(cells=cells), path)
-    assert saved_verdicts(path) == {"1.1": True, "1.2": False, "1.3": None, "1.4": False}
+    verdicts = {"1.1": True, "1.2": False, "1.3": None, "1.4": False, "1.5": False, "2.1": True}
+    assert saved_verdicts(path) == verdicts
 
 
 @pytest.mark.parametrize("content", ["", "{}", "[]", "[1]", json.dumps({"cells": [3]}), "é"])

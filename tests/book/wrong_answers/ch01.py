@@ -11,11 +11,16 @@ WRONG = {
         ([90, 180, 360], "how far the body has turned"),
         (np.radians([180, 0, 0]), "asked in degrees"),
         ([180, 360, 0], "After half a turn"),
+        ([180, 0, 360], "look at the last of the three"),
+        ([90, 180, 0], "third is right, the first and second not yet"),
+        (["180", "0", "0"], "without quotation marks"),
     ],
     "1.2": [
         (0.3, "the two sizes"),
         (-2.67, "sign"),
         (0.0465, "asked in degrees per second"),
+        (2.5, "Too small"),
+        (3, "Too large"),
     ],
     "1.3": [
         ("abce", r"^not yet. \(a\)"),
@@ -32,7 +37,7 @@ WRONG = {
         ([w * m * sp.sin(w * t), w * m * (sp.cos(w * t) - 1), 0], "divides by w again"),
         ([m * sp.sin(w * t) / 2, m * (sp.cos(w * t) - 1) / 2, 0], "half of the rotation vector"),
         ([m * (1 - sp.cos(w * t)), m * sp.sin(w * t), 0], "second gyro picked up"),
-        ([m * sp.cos(w * t), -m * sp.sin(w * t), 0], r"not yet\.\s*$"),
+        ([m * sp.cos(w * t), -m * sp.sin(w * t), 0], "1 of 3 parts"),
         ("30 degrees", "not readable"),
     ],
 }

@@ -52,6 +52,8 @@ WRONG = {
         ("bc", "something else is too"),
     ],
     "2.4": [
+        (RHO * ACROSS**2, "the sign and a constant factor are not"),
+        (-ACROSS * RHO**2 / 2, "Two of the arguments have changed places"),
         (RHO * ACROSS**2 / 2, "The sign"),
         (-RHO * (RHO**2 + ACROSS**2) / 2, "cube in the binomial series"),
         (lambda rho, r: -3 * rho * r**2, "third derivative"),

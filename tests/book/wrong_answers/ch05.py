@@ -35,10 +35,12 @@ WRONG = {
         ("ab", "something else is too"),
     ],
     "5.2": [
+        (180, "no length is twice another"),
+        (4.19, "in radians. And in the right unit: There the two are equally long"),
         (240, "equally long"),
         (263.6, "exchanged"),
         (141, "as the shadow"),
-        (109.5, "half as much"),
+        (109.5, "angle and its half"),
         (np.radians(219), "asked in degrees; this is in radians"),
     ],
     "5.3": [
@@ -50,7 +52,7 @@ WRONG = {
     "5.4": [
         (-sp.tan(phi / 4), "without the squares"),
         (sp.tan(phi / 8), "The size is right"),
-        (lambda angle: -np.sin(angle / 8) / np.cos(angle / 8) / 2, "half as much"),
+        (lambda angle: -np.sin(angle / 8) / np.cos(angle / 8) / 2, "a constant factor is not"),
         (-sp.tan(sp.Symbol("x") / 8), "found also x"),
     ],
     "5.5": [

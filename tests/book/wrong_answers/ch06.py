@@ -37,7 +37,9 @@ WRONG = {
         ([4, 16], "powers of the global order"),
         ([2, 2], "each leaves more"),
         ([32, 8], "exchanged"),
-        ([16, 62], "twice as much"),
+        ([16, 62], "the first is too large"),
+        ([4, 32], "The second is right. The first is too small"),
+        ([16, 4], "order is not the one that is asked"),
     ],
     "6.2": [
         (48, "A lower rate is enough"),
@@ -58,13 +60,13 @@ WRONG = {
     "6.5": [
         ([27 / 40, 9 / 20, 27 / 40], "Miller"),
         ([57 / 80, 57 / 80, 33 / 80], "first increment and the last"),
-        ([57 / 40, 33 / 40, 57 / 40], "twice as much"),
+        ([57 / 40, 33 / 40, 57 / 40], "one common factor"),
         ([-57 / 320, -33 / 320, -57 / 320], "belong to k"),
     ],
     "6.6": [
         (sp.Rational(1, 12), "limit for a cone"),
         ((x - sp.sin(x)) / (2 * x**2 * sp.sin(x)), "arc for the chord"),
-        ((x - sp.sin(x)) / (4 * sp.sin(x / 2) ** 2 * sp.sin(x)), "twice as much"),
+        ((x - sp.sin(x)) / (4 * sp.sin(x / 2) ** 2 * sp.sin(x)), "a constant factor is not"),
         (-(x - sp.sin(x)) / (8 * sp.sin(x / 2) ** 2 * sp.sin(x)), "sign is reversed"),
     ],
     "6.7": [
@@ -99,6 +101,6 @@ WRONG = {
         (270, "do not add up"),
         (-270, "whole turn makes no difference"),
         (-np.pi / 2, "in radians, and of the opposite sign"),
-        (180, "twice as much"),
+        (180, "angle and its half"),
     ],
 }

@@ -60,6 +60,8 @@ WRONG = {
         ),
     ],
     "9.6": [
+        (100, r"^not yet\. Too small\.$"),
+        (400, r"^not yet\. Too large\.$"),
         (114, "drift at the end"),
         (624, "Ten samples"),
         (1971, "number of samples"),

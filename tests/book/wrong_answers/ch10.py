@@ -11,6 +11,7 @@ WRONG = {
         ([0, 55, 0.2], "does not follow it"),
         ([0, 0, 0], "a part of it looks like a tilt"),
         ([0, 0, 0.4], "about the middle"),
+        ([0, 0, 1], "first and second are right. The third is too large"),
     ],
     "10.2": [
         ("abcd", r"^not yet. \(c\)"),
@@ -42,6 +43,8 @@ WRONG = {
     ],
     "10.7": [
         (0.0006, "without any outliers"),
+        (0.5, "Too large, by about a power of ten"),
+        (0.945, "the share of those that are not meant"),
         (5.6, "this is in %"),
         (0.0777, "n - 1 below"),
     ],

@@ -3,7 +3,10 @@
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.reading import slider
 from driftlab.checks import FloatArray
 from driftlab.drift.error_kinematics import error_quaternion, error_rate_matrix
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
@@ -77,6 +80,9 @@ EXERCISES: dict[str, Exercise] = {
             "After half a turn: do turns to the one and to the other side end differently?": (
                 lambda: np.array([180, 360, 0])
             ),
+            "A whole turn more or less is no error: look at the last of the three.": (
+                lambda: np.array([180, 0, 360])
+            ),
         },
         remark="A test that turns the body by halves of a turn would never find the wrong wire.",
     ),
@@ -85,6 +91,11 @@ EXERCISES: dict[str, Exercise] = {
         right=_same_size,
         unit="degrees per second",
         accuracy=0.02,
+        from_panel=slider(
+            "error1",
+            "Begin with the preset, set error 3 to −0.3 deg/s, and then move error 1 alone.",
+            **{"rate1": 0.0, "rate2": 0.0, "rate3": SPIN, "error2": 0.0, "error3": -TOO_LITTLE},
+        ),
         mistakes={
             "That makes up for the false rate along the true one as if both pointed the same way; "
             "it is the two sizes that must agree.": lambda: TOO_LITTLE,

@@ -1,12 +1,16 @@
 """Exercises of chapter 02: the characteristic equation and its roots."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache
+from typing import Any
 
 import numpy as np
 import sympy as sp
 
-from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.reading import SettingError
 from driftlab.checks import FloatArray
 from driftlab.drift.characteristic_equation import asymptotic_roots, exact_roots
 from driftlab.drift.systematic_drift import (
@@ -42,6 +46,15 @@ def _first_order_zero() -> FloatArray:
 def _first_order_largest() -> FloatArray:
     first_order, _ = _slow_roots()
     return AZIMUTHS[first_order > first_order.max() - 1e-12]
+
+
+def _one_of_two(values: Mapping[str, Any]) -> FloatArray:
+    """What the panel shows is one azimuth, and two are asked: say whether it is one of them."""
+    if values["shape"] != "x leans to axis 2 only":
+        raise SettingError("Choose the shape `x leans to axis 2 only`.")
+    if values["azimuth"] % 180:
+        raise SettingError("At this azimuth the rows `exact` and `first order` differ.")
+    raise SettingError("Here first order is exact. Find the other azimuth too, and give both.")
 
 
 @cache
@@ -96,6 +109,7 @@ EXERCISES: dict[str, Exercise] = {
         unit="degrees",
         absolute=0.5,
         any_order=True,
+        from_panel=_one_of_two,
         mistakes={
             "There Larin's slow root is zero, and the true one is not: compare the two rows of "
             "numbers.": _first_order_zero,

@@ -1,10 +1,15 @@
 """Exercises of chapter 03: the systematic drift."""
 
+import itertools
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
-from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.reading import SettingError
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import (
@@ -15,6 +20,7 @@ from driftlab.drift.systematic_drift import (
 from driftlab.drift.weighing_designs import PAIR_AXES
 from driftlab.quaternion import from_rotation_vector, multiply, to_rotation_vector
 from driftlab.triad import measured_rate
+from driftlab.vectors import direction_from_angles
 
 from .experiments import DIAGONAL, LARGEST_ENTRY, TURNS
 
@@ -55,6 +61,16 @@ def _largest_drift(symmetric: FloatArray) -> float:
     return float(2 * np.pi * np.linalg.eigvalsh(symmetric)[-1])
 
 
+def _shown(values: Mapping[str, Any]) -> float:
+    """Drift a turn, in arc minutes, of a panel that is set to the axis of the exercise."""
+    if (values["azimuth"], values["elevation"]) != (45.0, 35.0):
+        raise SettingError("Set the azimuth to 45 degrees and the elevation to 35.")
+    places = itertools.product((1, 2, 3), repeat=2)
+    triad_error = 1e-3 * np.reshape([values[f"m{i}{j}"] for i, j in places], (3, 3))
+    axis = direction_from_angles(*np.radians([45.0, 35.0]))
+    return float(_arcmin(drift_per_turn(axis, triad_error)))
+
+
 EXERCISES: dict[str, Exercise] = {
     "3.1": Value(
         kind="predict",
@@ -88,6 +104,7 @@ EXERCISES: dict[str, Exercise] = {
         right=lambda: _arcmin(drift_per_turn(DIAGONAL, REACH)),
         unit="arc minutes",
         accuracy=0.005,
+        from_panel=_shown,
         mistakes={
             "These are the six leans alone. A scale error drifts as well.": (
                 lambda: _arcmin(drift_per_turn(DIAGONAL, REACH - LARGEST_ENTRY * np.eye(3)))

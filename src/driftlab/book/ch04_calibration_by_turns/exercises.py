@@ -6,7 +6,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import arcsecond, degree
 
-from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.reading import slider
 from driftlab.book.scenarios import LARIN_TRIAD, SYMMETRIC
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_coefficient
@@ -125,6 +128,12 @@ EXERCISES: dict[str, Exercise] = {
         kind="slide",
         right=lambda: _steps_to_stay_near(method_bias(LARIN_TRIAD)),
         absolute=1.0,
+        from_panel=slider(
+            "steps",
+            "Go back to the preset, with the formula `pade`, and change the steps alone.",
+            **{f"sigma{i}": value for i, value in enumerate((0.0, 1.0, -1.0), 1)},
+            **{"formula": "pade", "noise": 0.0, "scale": 0.0, "earth": "none"},
+        ),
         mistakes={
             "At a hundred steps the integrator still has a share in the error. The formula `exact` "
             "shows the bias of the method alone.": (

@@ -3,7 +3,10 @@
 import numpy as np
 
 from driftlab.attitude.cayley import cayley_vector, rotation_quaternion
-from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.reading import slider
 from driftlab.checks import FloatArray
 from driftlab.quaternion import multiply
 
@@ -46,7 +49,11 @@ EXERCISES: dict[str, Exercise] = {
         right=lambda: _angle_of_ratio(2),
         unit="degrees",
         absolute=0.6,
+        from_panel=slider("angle", ""),
         mistakes={
+            "There the vector of dimension 3 is infinite, and no length is twice another.": (
+                lambda: 180.0
+            ),
             "There both vectors are zero; look for another angle.": lambda: 0.0,
             "There the two are equally long.": lambda: _angle_of_ratio(1),
             "The two are exchanged: there the vector of dimension 4 is twice the other.": (

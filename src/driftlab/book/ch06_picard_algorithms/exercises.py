@@ -11,7 +11,10 @@ from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import step_quaternions, step_vectors
 from driftlab.attitude.spherical_area import solid_angle
-from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.reading import slider
 from driftlab.checks import FloatArray
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply
 
@@ -116,6 +119,12 @@ EXERCISES: dict[str, Exercise] = {
         kind="slide",
         right=lambda: _lowest_rate(1),
         unit="Hz",
+        from_panel=slider(
+            "rate",
+            "Begin with the preset `Swaying ship` and change the sample rate alone.",
+            motion="swaying ship",
+            word="64 bits",
+        ),
         mistakes={
             "There nearly all are below one arc second. A lower rate is enough for some.": (
                 lambda: _lowest_rate(len(CONING_ALGORITHMS) - 1)

@@ -1,12 +1,16 @@
 """Exercises of chapter 07: installation errors, taken apart."""
 
+from collections.abc import Mapping
 from functools import cache
+from typing import Any
 
 import numpy as np
-from scipy.constants import arcsecond
+from scipy.constants import arcsecond, micro
 
 from driftlab.body_frames import misalignment_vector
-from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.formulas import Formula
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.body_axes import attitude_error
 from driftlab.checks import FloatArray
@@ -72,6 +76,12 @@ def _hidden(*vector: float) -> FloatArray:
     return -(_skew(*vector) @ _skew(*vector)) / 2
 
 
+def _entries(values: Mapping[str, Any]) -> FloatArray:
+    """Error matrix (3, 3) of a panel in arc seconds; its scale errors are in ppm."""
+    entries = np.array([[values[f"k{i}{j}"] for j in "xyz"] for i in "xyz"], dtype=float)
+    return np.where(np.eye(3), entries * micro / arcsecond, entries)
+
+
 EXERCISES: dict[str, Exercise] = {
     "7.1": Value(
         kind="predict",
@@ -102,6 +112,7 @@ EXERCISES: dict[str, Exercise] = {
         right=lambda: _skew(40, 40, 40),
         unit="arc seconds",
         absolute=1.0,
+        from_panel=_entries,
         mistakes={
             "This is non-orthogonality and nothing else: the matrix equals its transpose.": (
                 lambda: -np.abs(_skew(40, 40, 40))

@@ -8,7 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value, Verdict
+from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.exercise import Exercise, Objection, Verdict
+from driftlab.book.machinery.formulas import Formula
 from driftlab.book.machinery.reading import UnreadableError
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.checks import FloatArray
@@ -99,10 +101,10 @@ class _Positions(Exercise):
             "Which sensor error is known worst, if it is far worse than with nineteen positions.",
         ]
 
-    def _objection(self, answer: Any) -> str | None:
+    def _objection(self, answer: Any) -> Objection | None:
         scheme = _scheme(answer)
         if scheme.positions != self.positions:
-            return (
+            return Objection(
                 f"This scheme has {scheme.positions} positions: one more than there are rotations."
             )
         try:
@@ -110,10 +112,10 @@ class _Positions(Exercise):
         except ValueError as error:
             raise UnreadableError(str(error)) from None
         if unobservable:
-            return f"Unobservable stay {'; '.join(unobservable)}."
+            return Objection(f"Unobservable stay {'; '.join(unobservable)}.")
         ratio, name = _compared(scheme)
         if ratio > self.most:
-            return (
+            return Objection(
                 f"Nothing stays unobservable. But {name} has {ratio:.0f} times the deviation that "
                 "the nineteen positions reach. Ask which pair of positions, or which turn, would "
                 "show it."

@@ -6,7 +6,10 @@ import numpy as np
 from scipy.constants import degree, g, hour, milli
 from scipy.optimize import brentq
 
-from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.reading import slider
 from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
@@ -209,6 +212,13 @@ EXERCISES: dict[str, Exercise] = {
         right=_same_as_gyro,
         unit="degrees",
         absolute=1.0,
+        from_panel=slider(
+            "pitch",
+            "At last only the right accelerometer errs, by 1.5 mg; heading and roll are zero.",
+            **dict.fromkeys(("gyro_forward", "gyro_up", "gyro_right"), 0.0),
+            **{"acc_forward": 0.0, "acc_up": 0.0, "acc_right": 1.5},
+            **{"heading": 0.0, "roll": 0.0, "latitude": 51.5},
+        ),
         mistakes={
             "As much, but with the other sign: the bow must be lifted, not lowered.": (
                 lambda: _same_as_gyro(sign=-1.0)

@@ -5,7 +5,10 @@ from functools import cache
 import numpy as np
 from scipy.constants import arcminute, degree, hour
 
-from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.reading import slider
 from driftlab.book.scenarios import (
     QUARTER_TURN,
     SARATOV_LATITUDE as LATITUDE,
@@ -226,6 +229,13 @@ EXERCISES: dict[str, Exercise] = {
         kind="slide",
         right=_best_tuning,
         absolute=0.01,
+        from_panel=slider(
+            "tuning",
+            "Begin with the preset `Small drifts, a turn` and change the tuning alone.",
+            **{"latitude": 51.5, "speed": 10.0, "course": 0.0, "turn": 90.0, "tilt": 0.0},
+            **{"gyro_forward": 0.01, "gyro_up": 0.03, "gyro_right": 0.01, "log": False},
+            damping=0.0,
+        ),
         mistakes={
             "That is Schuler's own. On this voyage another stop of the slider has a smaller "
             "largest error.": lambda: 1.0,

@@ -6,7 +6,10 @@ from functools import cache
 import numpy as np
 from scipy.constants import arcsecond
 
-from driftlab.book.machinery.answers import Choice, Exercise, Formula, Value
+from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.reading import slider
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE as LATITUDE, SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
 from driftlab.drift.systematic_drift import drift_per_turn
@@ -189,6 +192,12 @@ EXERCISES: dict[str, Exercise] = {
         right=_slider,
         unit="arc seconds",
         absolute=13.0,
+        from_panel=slider(
+            "turn_right",
+            "Begin with the preset `Bent and turned` and move the slider `about right` alone.",
+            **{"pair_0": -30.0, "pair_1": 20.0, "pair_2": 30.0, "turn_forward": 20.0},
+            **{"turn_up": 25.0, "turn": 90.0},
+        ),
         mistakes={
             "There the preset stands. It is a turn to the East that leaves no swing then.": (
                 lambda: _slider(right_gyro=-1.0)

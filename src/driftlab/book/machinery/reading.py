@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,10 @@ class UnreadableError(ValueError):
     """An answer that cannot be compared: another form, another shape, not finite."""
 
 
+class SettingError(UnreadableError):
+    """A slider panel that is not set as the exercise says."""
+
+
 def numbers(value: Any) -> Numbers:
     """Return `value`, of any form that stands for numbers, as an array.
 
@@ -26,7 +30,7 @@ def numbers(value: Any) -> Numbers:
     """
     if isinstance(value, sp.MatrixBase):
         value = value.tolist()
-    if isinstance(value, str):
+    if any(isinstance(entry, str) for entry in entries(value)):
         raise UnreadableError("Expected numbers without quotation marks, such as 1.5 or [1, 2].")
     try:
         array = np.asarray(value)
@@ -45,6 +49,33 @@ def numbers(value: Any) -> Numbers:
     if not np.isfinite(array).all():
         raise UnreadableError("Expected finite numbers, got NaN or infinity.")
     return array.astype(np.complex128) if np.iscomplex(array).any() else np.real(array) * 1.0
+
+
+def panel_values(answer: Any) -> Mapping[str, Any] | None:
+    """The values of a slider panel, by name; None if the answer is none."""
+    values = getattr(answer, "values", None)
+    return values if isinstance(values, Mapping) else None
+
+
+def slider(wanted: str, says: str, **needed: Any) -> Callable[[Mapping[str, Any]], Any]:
+    """Return a function that reads one control of a panel.
+
+    Parameters
+    ----------
+    wanted : str
+        Name of the control.
+    says : str
+        What to say if the others are not set as needed.
+    **needed
+        Values of other controls without which the answer means nothing.
+    """
+
+    def reading(values: Mapping[str, Any]) -> Any:
+        if any(values[name] != value for name, value in needed.items()):
+            raise SettingError(says)
+        return values[wanted]
+
+    return reading
 
 
 def read(reading: Callable[..., Any], *arguments: Any) -> Any:

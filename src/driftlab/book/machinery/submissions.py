@@ -85,7 +85,10 @@ def saved_verdicts(path: str | Path) -> dict[str, bool | None]:
     try:
         cells = json.loads(Path(path).read_text(encoding="utf-8"))["cells"]
         outputs = [output for cell in cells for output in cell.get("outputs", ())]
-        texts = ["".join(output.get("text", "")) for output in outputs]
+        texts = [
+            "".join(output.get("text", "") or output.get("data", {}).get("text/plain", ""))
+            for output in outputs
+        ]
     except (KeyError, TypeError, AttributeError, UnicodeDecodeError, json.JSONDecodeError):
         raise ValueError(f"path: expected a notebook, got {str(path)!r}.") from None
     words = {"right": True, "not answered yet": None}

@@ -1,0 +1,149 @@
+"""What a reader sees of an exercise: a card with a sign, ticks, and a ladder of hints.
+
+A card is a few lines of HTML without style sheet or script, so that it looks the same in every
+notebook and on a saved page; its colours are transparent, so that it suits a dark page too, and
+each sign says in a word what it means. Elsewhere it is plain text.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+import sys
+from dataclasses import dataclass
+
+from .exercise import Verdict
+from .hints import Help
+
+SIGNS = {
+    "right": ("✓ Right", "0, 158, 115"),
+    "not yet": ("✗ Not yet", "213, 94, 0"),
+    "not readable": ("? Not readable", "213, 94, 0"),
+    "not answered yet": ("○ Open", "128, 128, 128"),
+}
+"""By the first words of a verdict, what the card says, and its colour."""
+
+TICKS = {True: "✓", False: "✗"}
+
+
+@dataclass(frozen=True)
+class Card:
+    """What is said of an answer.
+
+    Attributes
+    ----------
+    number : str
+        The exercise's number.
+    verdict : Verdict
+        What is thought of the answer.
+    help : Help
+        What helps with the exercise.
+    notes : tuple of str
+        Sentences that follow: a first guess against the truth, how to write the number.
+    progress : str
+        How the chapter stands.
+    """
+
+    number: str
+    verdict: Verdict
+    help: Help
+    notes: tuple[str, ...] = ()
+    progress: str = ""
+
+    def __repr__(self) -> str:
+        lines = [f"Exercise {self.number}: {self.verdict.says}", *self._ticks(), *self._words()]
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        sign, colour = SIGNS[self.verdict.word]
+        says = self.verdict.says.partition(".")[2].strip()
+        head = f"<b>{sign}</b> &nbsp;Exercise {html.escape(self.number)}"
+        if self.progress:
+            head += f"<span style='float: right; opacity: 0.75'>{html.escape(self.progress)}</span>"
+        body = [says, *self._words()] if says else self._words()
+        lines = [head, *map(in_html, body)]
+        lines[1:1] = [
+            f"<span style='letter-spacing: 0.3em' aria-label='{_aloud(row)}'>{ticks}</span>"
+            for row, ticks in zip(self.verdict.parts, self._ticks(), strict=True)
+        ]
+        if not self.verdict.right:
+            lines.append(ladder(self.help))
+        return boxed(lines, colour)
+
+    def _ticks(self) -> list[str]:
+        return [" ".join(TICKS[part] for part in row) for row in self.verdict.parts]
+
+    def _words(self) -> list[str]:
+        model = [f"In words: {self.help.model}"] if self.verdict.right and self.help.model else []
+        return [*self.notes, *model]
+
+
+@dataclass(frozen=True)
+class HintCard:
+    """As much of an exercise's help as has been asked for."""
+
+    number: str
+    help: Help
+    rungs: int
+
+    def __repr__(self) -> str:
+        shown = [f"Hint {i}: {text}" for i, text in enumerate(self.help.rungs[: self.rungs], 1)]
+        if self.rungs > len(shown):
+            shown.append(f"The section that helps: {self.help.section}.")
+        return "\n".join([f"Exercise {self.number}", *shown])
+
+    def _repr_html_(self) -> str:
+        shown = [
+            f"<b>{name}</b> &nbsp;{in_html(text)}"
+            for name, text in zip(("Nudge", "Idea"), self.help.rungs[: self.rungs], strict=False)
+        ]
+        if self.rungs > len(shown):
+            shown.append(link(self.help))
+        head = f"Exercise {html.escape(self.number)}"
+        return boxed([head, *shown], SIGNS["not answered yet"][1])
+
+
+def show(card: Card | HintCard) -> None:
+    """Show a card where there is a notebook, else print it."""
+    ipython = sys.modules.get("IPython")
+    if ipython is None or ipython.get_ipython() is None:
+        print(card)
+    else:
+        ipython.display.display(card)
+
+
+def ladder(help_: Help) -> str:
+    """The hints in HTML, each folded into the one before."""
+    inner = f"<div>{link(help_)}</div>"
+    for name, text in reversed(tuple(zip(("A nudge", "More: the idea"), help_.rungs, strict=True))):
+        inner = (
+            "<details style='margin-top: 0.2em'><summary style='cursor: pointer'>"
+            f"{name}</summary><div style='padding-left: 1em'>{in_html(text)}{inner}</div></details>"
+        )
+    return inner
+
+
+def link(help_: Help) -> str:
+    """A link to the section that helps, within the page."""
+    target, name = html.escape(help_.anchor), html.escape(help_.section)
+    return f"The section that helps: <a href='#{target}'>{name}</a>"
+
+
+def in_html(text: str) -> str:
+    """Text in HTML; what stands between backticks is code."""
+    return re.sub(r"`([^`]*)`", r"<code>\1</code>", html.escape(text))
+
+
+def boxed(lines: list[str], colour: str) -> str:
+    """Lines of HTML in a box that shines through."""
+    style = (
+        f"border: 1px solid rgba({colour}, 0.5); border-left: 6px solid rgb({colour}); "
+        f"background: rgba({colour}, 0.08); color: inherit; border-radius: 4px; "
+        "padding: 0.5em 1em; margin: 0.3em 0; max-width: 46em; line-height: 1.5; overflow: hidden"
+    )
+    inside = "".join(f"<div>{line}</div>" for line in lines)
+    return f"<div role='status' style='{style}'>{inside}</div>"
+
+
+def _aloud(row: tuple[bool, ...]) -> str:
+    return ", ".join("right" if part else "not yet" for part in row)

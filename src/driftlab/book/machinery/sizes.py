@@ -1,0 +1,113 @@
+"""How far off a wrong answer is, in words that do not give the right one away."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .reading import Numbers
+
+ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
+
+
+def how_far_off(
+    given: Numbers, right: Numbers, parts: NDArray[np.bool_], *, any_order: bool = False
+) -> str:
+    """Say of a wrong answer which parts are right, and of the others whether they are too large.
+
+    Parameters
+    ----------
+    given, right : ndarray
+        The answer and what is right, of one shape.
+    parts : ndarray of bool
+        Which parts of the answer are right, of the same shape.
+    any_order : bool
+        The parts may come in any order, so that nothing is said of the size of one of them.
+    """
+    if given.ndim == 0:
+        return _sentence(size(given[()], right[()]))
+    if not any_order:
+        if _same(np.sort_complex(given.ravel()), np.sort_complex(right.ravel())):
+            return "The numbers are right, their order is not."
+        factor = common_factor(given, right)
+        if factor:
+            each = "Both" if given.size == 2 else "All"
+            return f"{each} are {size(factor, 1.0)}: one common factor."
+    right = np.where(np.abs(right) < 1e-9 * np.abs(right).max(), 0, right)  # all but rounding
+    flat = parts.ravel()
+    wrong = [i for i, good in enumerate(flat) if not good]
+    first = wrong[0]
+    remark = "" if any_order else size(given.flat[first], right.flat[first])
+    if given.ndim > 1 or flat.size > len(ORDINALS):
+        return (
+            f"{_count(int(flat.sum()))} of the {flat.size} entries {_is(flat.sum())} right so far."
+        )
+    if not flat.any():
+        which = f"; the first is {remark}" if remark else ""
+        none = "Neither of the two" if flat.size == 2 else f"None of the {_number(flat.size)}"
+        return f"{none} is right yet{which}."
+    good = [ORDINALS[i] for i, each in enumerate(flat) if each]
+    bad = [ORDINALS[i] for i in wrong]
+    if len(bad) == 1 and remark:
+        return f"The {_listed(good)} {_is(len(good))} right. The {bad[0]} is {remark}."
+    which = f"; the {bad[0]} is {remark}" if remark else ""
+    return f"The {_listed(good)} {_is(len(good))} right, the {_listed(bad)} not yet{which}."
+
+
+def size(given: Any, right: Any) -> str:
+    """Say how one number misses another: "too large", "too small, by about a power of ten"."""
+    if np.iscomplex(given) and not np.iscomplex(right):
+        return "not a real number"
+    if np.iscomplex(given) or np.iscomplex(right):
+        return "not the right complex number"
+    given, right = float(np.real(given)), float(np.real(right))
+    if right == 0 or given == 0:
+        return "too large" if given > right else "too small"
+    ratio = abs(given / right)
+    large = "too large" if ratio > 1 else "too small"
+    decades = abs(np.log10(ratio))
+    if decades > 0.8:
+        count = round(float(decades))
+        power = "a power of ten" if count == 1 else f"{_number(count)} powers of ten"
+        large = f"{large}, by about {power}"
+    if given * right < 0:
+        return "of the wrong sign" if 0.5 < ratio < 2 else f"of the wrong sign and {large}"
+    return large if right > 0 else f"of the right sign, but its size is {large}"
+
+
+def common_factor(given: Numbers, right: Numbers) -> float | None:
+    """Return the one factor by which all parts are too large, if there is one."""
+    there = np.abs(right) > 1e-9 * np.abs(right).max()
+    if there.sum() < 2 or np.iscomplexobj(given) or np.iscomplexobj(right):
+        return None
+    factors = given[there] / right[there]
+    factor = float(factors.flat[0])
+    alike = factor != 0 and np.allclose(factors, factor, rtol=1e-3, atol=0)
+    return factor if alike and _same(given, factor * right) else None
+
+
+def _same(a: Numbers, b: Numbers) -> bool:
+    return bool(np.allclose(a, b, rtol=1e-3, atol=1e-6 * float(np.abs(b).max())))
+
+
+def _sentence(words: str) -> str:
+    return f"{words[0].upper()}{words[1:]}."
+
+
+def _listed(words: list[str]) -> str:
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+
+
+def _is(count: int) -> str:
+    return "is" if count == 1 else "are"
+
+
+def _number(count: int) -> str:
+    words = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
+    return words[count] if count < len(words) else str(count)
+
+
+def _count(count: int) -> str:
+    return "None" if count == 0 else _number(count).capitalize()
