@@ -131,7 +131,8 @@ class PanelPage:
         self.page = page
         self.explorer_class = explorer_class
         heading = page.get_by_text(explorer_class.title, exact=True)
-        self.panel = page.locator(f".{PANEL_CLASS}").filter(has=heading)
+        # An exercise may repeat the panel of its chapter, below it.
+        self.panel = page.locator(f".{PANEL_CLASS}").filter(has=heading).first
         self.image = self.panel.locator("img")
         self.image.wait_for()
         # The element itself: to find it again by its title takes longer than most questions to it.
