@@ -67,7 +67,7 @@ class Card:
             for row, ticks in zip(self.verdict.parts, self._ticks(), strict=True)
         ]
         if not self.verdict.right:
-            lines.append(ladder(self.help))
+            lines += [ladder(self.help), link(self.help)]
         return boxed(lines, colour)
 
     def _ticks(self) -> list[str]:
@@ -114,11 +114,12 @@ def show(card: Card | HintCard) -> None:
 
 def ladder(help_: Help) -> str:
     """The hints in HTML, each folded into the one before."""
-    inner = f"<div>{link(help_)}</div>"
-    for name, text in reversed(tuple(zip(("A nudge", "More: the idea"), help_.rungs, strict=True))):
+    steps = zip(("A nudge", "More: the idea"), map(in_html, help_.rungs), strict=True)
+    inner = ""
+    for name, text in reversed(tuple(steps)):
         inner = (
-            "<details style='margin-top: 0.2em'><summary style='cursor: pointer'>"
-            f"{name}</summary><div style='padding-left: 1em'>{in_html(text)}{inner}</div></details>"
+            f"<details><summary style='cursor: pointer'>{name}</summary>"
+            f"<div style='padding-left: 1em'>{text}{inner}</div></details>"
         )
     return inner
 
