@@ -68,6 +68,6 @@ WRONG = {
             lambda k1, k2: (k1 + k2 - np.cross(k1, k2)) / (1 - k1 @ k2),
             "vectors of dimension 3",
         ),
-        (with_scalar_first, "scalar stands first"),
+        (with_scalar_first, "scalar is first"),
     ],
 }

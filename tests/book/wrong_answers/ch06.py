@@ -78,7 +78,7 @@ WRONG = {
         (with_the_cube_of_the_sum(), "takes the corrected sum"),
         (
             multiply(from_rotation_vector(G2), from_rotation_vector(G1)),
-            "the first of the two has to stand on the left",
+            "the first of the two has to be on the left",
         ),
     ],
     "6.8": [

@@ -35,7 +35,7 @@ WRONG = {
     "7.5": [
         (sp.zeros(3, 3), "symmetric part of a sum"),
         (lambda x, y, z: np.zeros((3, 3)), "symmetric part of a sum"),
-        (-_CROSS * _CROSS, "the square of what is asked"),
+        (-_CROSS * _CROSS, "the square of what you want"),
         (_CROSS * _CROSS / 2, "true rotation"),
         (sp.diag(_Y**2 + _Z**2, _X**2 + _Z**2, _X**2 + _Y**2) / 2, "angles between them"),
     ],

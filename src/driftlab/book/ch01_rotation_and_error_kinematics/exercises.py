@@ -122,7 +122,7 @@ EXERCISES: dict[str, Exercise] = {
             "This is the error as seen from the fixed frame; (1.3) sees it from the body.": (
                 _error_in_fixed_frame
             ),
-            "The entry stands at the wrong side of the diagonal: gyro x picks up the second "
+            "The entry is on the wrong side of the diagonal: gyro x picks up the second "
             "component of the rate.": lambda: _error(BENT.T),
             "The exact solution holds for constant rates only; these change.": (
                 _rates_taken_for_constant
@@ -153,6 +153,6 @@ EXERCISES: dict[str, Exercise] = {
                 lambda w, m, t: w * _picked_up(w, m, t)
             ),
         },
-        remark="A circle of radius m through zero. A false rate across the turn never gets far.",
+        remark="A false rate beside the turn never gets far.",
     ),
 }

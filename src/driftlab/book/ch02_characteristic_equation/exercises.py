@@ -94,14 +94,13 @@ EXERCISES: dict[str, Exercise] = {
         kind="predict",
         right="ace",
         wrong={
-            "b": "holds to first order only. What the gyros pick up across the axis makes the "
+            "b": "holds to first order only. What the gyros pick up beside the axis makes the "
             "measured rate a little longer.",
             "d": "sets the size of each row, not the angles between the rows. Two axes that lean "
             "to each other report more than there is about the line between them.",
             "f": "makes every measured rate longer or shorter in one and the same proportion.",
         },
-        remark="All three keep every length: the triad matrix is orthogonal, a rotation or a "
-        "reflection. The slow root cannot tell a wrong sign from a good gyro.",
+        remark="The slow root cannot tell a wrong sign from a good gyro.",
     ),
     "2.2": Value(
         kind="slide",
@@ -118,10 +117,10 @@ EXERCISES: dict[str, Exercise] = {
             "One of the two belongs to Larin's slow root: he has zero there, the truth has not.": (
                 lambda: np.array([0.0, 90.0])
             ),
-            "One of the two is the right axis, by the name that the exercise leaves out: azimuths "
-            "are asked from −179 degrees up.": lambda: _first_order_exact() - [0, 360],
+            "One of the two is the right axis, by the name that the exercise leaves out: give "
+            "azimuths from −179 degrees up.": lambda: _first_order_exact() - [0, 360],
         },
-        remark="Nothing lies across the axis there. The elevation does not matter: a whole plane.",
+        remark="All of it is along the axis there. The elevation does not matter: a whole plane.",
     ),
     "2.3": Choice(
         kind="explain",
@@ -141,8 +140,8 @@ EXERCISES: dict[str, Exercise] = {
         draw=lambda rng: tuple(rng.uniform(0.5, 2, 2)),
         right=lambda rho, r: _cubic()(rho, r),
         mistakes={
-            "The sign: the longer the part along the axis, the less the part across adds to the "
-            "length.": lambda rho, r: -_cubic()(rho, r),
+            "The sign: the longer the part along the axis, the less the perpendicular part adds to "
+            "the length.": lambda rho, r: -_cubic()(rho, r),
             "The cube in the binomial series is missing; it has a term in μ³ as well.": (
                 lambda rho, r: _cubic(powers=2)(rho, r)
             ),
@@ -153,7 +152,7 @@ EXERCISES: dict[str, Exercise] = {
                 lambda rho, r: 6 * _cubic()(rho, r)
             ),
         },
-        remark="It is the same for the slow root. And it is zero where nothing lies across.",
+        remark="It is the same for the slow root. And it is zero where r is.",
     ),
     "2.5": Value(
         kind="compute",
@@ -169,6 +168,5 @@ EXERCISES: dict[str, Exercise] = {
                 lambda: _errors() / np.linalg.norm(RATE)
             ),
         },
-        remark="Half the size, and about a sixteenth of the error: the fourth power.",
     ),
 }

@@ -77,14 +77,14 @@ EXERCISES: dict[str, Exercise] = {
         right=lambda: drift_coefficient(AXES, OPPOSITE_SCALES),
         absolute=0.01,
         mistakes={
-            "That would be right as a plain number; thousandths are asked.": (
+            "That would be right as a plain number; give thousandths.": (
                 lambda: 1e-3 * drift_coefficient(AXES, OPPOSITE_SCALES)
             ),
             "The second axis is the first, turned the other way. Does the apparent frame then run "
             "ahead of the turn, or lag behind it?": (
                 lambda: np.where(AXES[:, 0] < 0, -1, 1) * drift_coefficient(AXES, OPPOSITE_SCALES)
             ),
-            "The components of the axis enter with their first power here. Each stands in the "
+            "The components of the axis enter with their first power here. Each is in the "
             "coefficient twice, on the left and on the right of M.": _by_first_powers,
             "That is the size of the whole rate error Mn. Only its part along the axis drifts, and "
             "that part has a sign.": (
@@ -112,20 +112,18 @@ EXERCISES: dict[str, Exercise] = {
             "More is possible: some sliders are not at their ends.": (
                 lambda: _arcmin(drift_per_turn(DIAGONAL, LARGEST_ENTRY * np.eye(3)))
             ),
-            "That is the angle after all the turns of the picture; the drift in one is asked.": (
+            "That is the angle after all the turns of the picture; give the drift in one.": (
                 lambda: TURNS * _arcmin(drift_per_turn(DIAGONAL, REACH))
             ),
         },
-        remark="All nine matter equally: about the space diagonal every product of two components "
-        "is the same.",
     ),
     "3.3": Choice(
         kind="explain",
         right="ad",
         wrong={
-            "b": "forgets that the axis stands in the coefficient twice: with the opposite sign it "
-            "gives the same. The skew part lies across the axis in both senses.",
-            "c": "counts the three entries off the diagonal of Σ. Scale errors stand on it.",
+            "b": "forgets that the axis enters the coefficient twice: with the opposite sign it "
+            "gives the same. What the skew part adds is perpendicular to it.",
+            "c": "counts the three entries off the diagonal of Σ. Scale errors are on it.",
             "e": "is not enough: what vanishes on a cone is not seen by any number of axes on it.",
             "f": "counts entries. To first order a skew part leaves nothing to see after a whole "
             "turn, about whichever axis.",
@@ -175,13 +173,13 @@ EXERCISES: dict[str, Exercise] = {
             "These are eigenvalues of M itself. Its skew part changes them, but does not drift.": (
                 lambda triad_error: 2 * np.pi * np.linalg.eigvals(triad_error).real.max()
             ),
-            "This is the coefficient; the angle after one turn is asked.": (
+            "This is the coefficient; give the angle after one turn.": (
                 lambda triad_error: principal_drifts(triad_error)[0][-1]
             ),
-            "This is the exact drift; first order is asked.": (
+            "This is the exact drift; give first order.": (
                 lambda triad_error: 2 * np.pi * principal_drifts(triad_error, exact=True)[0][-1]
             ),
-            "This is the largest size. The largest value is asked; some triads lag behind more "
+            "This is the largest size. Give the largest value; some triads lag behind more "
             "than they run ahead.": (
                 lambda triad_error: 2 * np.pi * np.abs(principal_drifts(triad_error)[0]).max()
             ),

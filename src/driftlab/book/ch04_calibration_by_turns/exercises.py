@@ -117,7 +117,7 @@ EXERCISES: dict[str, Exercise] = {
             "That is the part of one sigma. The part belongs to the sum of the three.": (
                 lambda: _weighing_error(AS_COPIED, weight=1 / 3)
             ),
-            "That is in thousandths; a plain number is asked.": (
+            "That is in thousandths; give a plain number.": (
                 lambda: _weighing_error(AS_COPIED, weight=1e3)
             ),
         },
@@ -145,14 +145,13 @@ EXERCISES: dict[str, Exercise] = {
             "There the error is smallest: the integrator's own just cancels the bias. With more "
             "steps it grows again.": lambda: STEPS[np.abs(_errors("pade")).argmin()],
         },
-        remark="The formula's angle error is negative and the bias positive, hence the dip.",
     ),
     "4.3": Choice(
         kind="explain",
         right="abd",
         wrong={
-            "c": "has only the part of the bias along the axis. The parts across turn with the "
-            "body and come back to zero after a whole turn.",
+            "c": "has only the part of the bias along the axis. The rest of it turns with the "
+            "body and comes back to zero after a whole turn.",
             "e": "forgets that the triad error adds up at the same pace: the angle of the bias "
             "grows with the time, and so does what it is divided by.",
             "f": "takes two different things for one. The bias of the method is quadratic in M, "
@@ -181,18 +180,16 @@ EXERCISES: dict[str, Exercise] = {
             "axes cannot do better than he did.": (
                 lambda: _mean_variances(YATES_AXES, YATES_AXES, EDGES)
             ),
-            "An offset is solved for as well; least squares without one is asked.": (
+            "An offset is solved for as well; leave it out.": (
                 lambda: _mean_variances(YATES_AXES, DIAGONALS, EDGES, scale="common")
             ),
             "These are standard deviations.": (
                 lambda: np.sqrt(_mean_variances(YATES_AXES, DIAGONALS, EDGES))
             ),
-            "These are the sums of the three variances; the means are asked.": (
+            "These are the sums of the three variances; give the means.": (
                 lambda: 3 * _mean_variances(YATES_AXES, DIAGONALS, EDGES)
             ),
         },
-        remark="The four space diagonals of a cube weigh all three sigmas in every turn. A turn "
-        "for a turn they do better than the six.",
     ),
     "4.5": Formula(
         kind="compute",
@@ -219,8 +216,7 @@ EXERCISES: dict[str, Exercise] = {
             "That is the second sigma.": lambda *estimates: _sigma(estimates, number=2),
             "That is the third sigma.": lambda *estimates: _sigma(estimates, number=3),
         },
-        remark="Nothing of the offset is left. The price is noise: the squares of the four factors "
-        "add up to two.",
+        remark="Nothing of the offset is left.",
     ),
     "4.6": Value(
         kind="predict",
@@ -275,7 +271,7 @@ EXERCISES: dict[str, Exercise] = {
             "These variances belong to one sense only. Each axis is turned twice.": (
                 lambda: _nine(*_twelve_turns(senses=1))
             ),
-            'These variances are without unknown scale factors: `scale="each"` is asked.': (
+            'These variances are without unknown scale factors: use `scale="each"`.': (
                 lambda: _nine(*_twelve_turns(scale="none"))
             ),
             "That is for one common scale factor; each gyro has its own here.": (

@@ -104,7 +104,7 @@ EXERCISES: dict[str, Exercise] = {
         kind="explain",
         right="acd",
         wrong={
-            "b": "holds for the motion along a fixed axis only. Find the part across the axis: it "
+            "b": "holds for the motion along a fixed axis only. Find the part beside the axis: it "
             "has a denominator.",
             "e": "looks at the length only. What does the direction of the vector do when the body "
             "passes the whole turn at a small distance?",
@@ -126,10 +126,9 @@ EXERCISES: dict[str, Exercise] = {
             "This is the rule for the vectors of dimension 3.": (
                 lambda k1, k2: _composed(k1, k2, dimension=3)
             ),
-            "The scalar stands first in your quaternions; `multiply` expects it last.": (
+            "The scalar is first in your quaternions; `multiply` expects it last.": (
                 _composed_scalar_first
             ),
         },
-        remark="It can be had with one division, and without a quaternion on the way.",
     ),
 }

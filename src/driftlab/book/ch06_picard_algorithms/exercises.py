@@ -176,7 +176,7 @@ EXERCISES: dict[str, Exercise] = {
             "You took the rate in the middle of a third for its mean; increments are integrals.": (
                 lambda: _weights(at_middle=True)
             ),
-            "Those belong to k. The correction is asked that is added to the increment.": (
+            "Those belong to k. Give the correction that is added to the increment.": (
                 lambda: -_weights() / 4
             ),
         },
@@ -191,7 +191,7 @@ EXERCISES: dict[str, Exercise] = {
             "That is the limit for a cone that is sampled often. At other x it leaves a drift.": (
                 lambda x: 1 / 12
             ),
-            "That takes the arc for the chord: the increments across the axis are shorter.": (
+            "That takes the arc for the chord: the increments beside the axis are shorter.": (
                 lambda x: (x - np.sin(x)) / (2 * x**2 * np.sin(x))
             ),
             "That needs the true correction over one sample; this is the one over a pair.": (
@@ -230,7 +230,7 @@ EXERCISES: dict[str, Exercise] = {
                 lambda: _turned_one_after_the_other(0)
             ),
             "One turn after the other takes the rate for constant in each half; besides, the "
-            "first of the two has to stand on the left.": lambda: _turned_one_after_the_other(1),
+            "first of the two has to be on the left.": lambda: _turned_one_after_the_other(1),
         },
         remark="No sine and no root, and its length is one.",
     ),
@@ -277,7 +277,7 @@ EXERCISES: dict[str, Exercise] = {
             "with a pencil.": lambda: -float(solid_angle(np.eye(3))) / degree,
             "Three right angles about three different axes do not add up; and none of them is "
             "about the rod.": lambda: 270,
-            "So turned the rod would stand the same way. A whole turn makes no difference: count "
+            "Turned like that the rod would look the same. A whole turn makes no difference: count "
             "the short way round.": lambda: float(solid_angle(np.eye(3))) / degree - 360,
             "That is in radians, and of the opposite sign: the eighth of the sphere lies on the "
             "left of the way.": lambda: -float(solid_angle(np.eye(3))),

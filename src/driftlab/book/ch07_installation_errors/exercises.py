@@ -124,7 +124,6 @@ EXERCISES: dict[str, Exercise] = {
             "One misalignment is negative: the one about x.": (lambda: _skew(-40, 40, 40)),
             "One misalignment is negative: the one about y.": lambda: _skew(40, -40, 40),
         },
-        remark="The axis of the turn is the diagonal, equally far from all three gyros.",
     ),
     "7.3": Choice(
         kind="explain",
@@ -149,12 +148,12 @@ EXERCISES: dict[str, Exercise] = {
             "rotation vector that goes before C is -φ.": (
                 lambda: _two_units(rotate(_record().attitude[0], KAPPA))
             ),
-            "The second row is φ - Cκ already. What is asked is φ itself, before the comparison.": (
+            "The second row is φ - Cκ already. Give φ itself, before the comparison.": (
                 lambda: np.stack([_two_units()[0]] * 2)
             ),
             "The second row has the sign of the opposite misalignment: look at the matrix of the "
             "cross product, κ first.": lambda: _two_units(gyro_error=-cross_matrix(KAPPA)),
-            "The ideal unit starts with -κ. But κ stands in body axes, and φ in those of the "
+            "The ideal unit starts with -κ. But κ is in body axes, and φ in those of the "
             "table: C(0) is missing.": lambda: _two_units(-KAPPA),
             "The errors contain the turn of the Earth: `integrate` stays in axes that do not turn, "
             "and the attitudes of the record are counted from axes that do.": (
@@ -171,21 +170,21 @@ EXERCISES: dict[str, Exercise] = {
         mistakes={
             "Zero is (M + Mᵀ)/2 - I. But the symmetric factor of a product is not the symmetric "
             "part of a sum: S S is M Mᵀ.": lambda *vector: np.zeros((3, 3)),
-            "This is M Mᵀ - I, the square of what is asked: S S - I.": (
+            "This is M Mᵀ - I, the square of what you want: S S - I.": (
                 lambda *vector: 2 * _hidden(*vector)
             ),
-            "This is the second order that a true rotation has. What is asked is what I + [κ×] "
+            "This is the second order that a true rotation has. Find what I + [κ×] "
             "has instead of it.": lambda *vector: -_hidden(*vector),
             "The lengths of the axes are right; the angles between them change as well.": (
                 lambda *vector: np.diag(np.diag(_hidden(*vector)))
             ),
-            "The scale is missing: what moves across its own direction also becomes longer.": (
+            "The scale is missing: what moves sideways also becomes longer.": (
                 lambda *vector: _hidden(*vector) - np.diag(np.diag(_hidden(*vector)))
             ),
             "One term of [κ×][κ×] = κκᵀ - κᵀκ I is missing.": (
                 lambda *vector: -np.outer(vector, vector) / 2
             ),
         },
-        remark="Scale on the diagonal, non-orthogonality beside it: both hide at second order.",
+        remark="Both hide at second order.",
     ),
 }

@@ -257,7 +257,7 @@ EXERCISES: dict[str, Exercise] = {
                 lambda *compass: _without_forward(*compass, pull=1.0)
             ),
         },
-        remark="At heading zero it is the full alignment's. Towards West or East it bursts.",
+        remark="At heading zero it is the full alignment's.",
     ),
     "9.6": Value(
         kind="compute",
@@ -274,7 +274,7 @@ EXERCISES: dict[str, Exercise] = {
             ),
             "Ten samples come in a second, and the mean over the window has a smaller part of the "
             "walk than the drift at its end.": lambda: _window(NOISE.white, 1.0),
-            "That is the number of samples; the time is asked.": lambda: (
+            "That is the number of samples; give the time.": lambda: (
                 _best_window() / NOISE.interval
             ),
         },

@@ -171,8 +171,8 @@ EXERCISES: dict[str, Exercise] = {
         kind="explain",
         right="abd",
         wrong={
-            "c": "does not fit the brackets: a tilt about East stands in that for North, which has "
-            "the factor of the velocity North. In that for East only its rate stands.",
+            "c": "does not fit the brackets: a tilt about East is in the one for North, with "
+            "the factor of the velocity North. The one for East has only its rate.",
             "e": "is not so: both channels have the same gains, and the same period.",
             "f": "forgets the factor of the second bracket, which grows with the velocity North.",
         },
@@ -187,10 +187,10 @@ EXERCISES: dict[str, Exercise] = {
             "asked, and on a way North half of the Coriolis force is no tilt.": (
                 lambda: _wrong_log() / 2
             ),
-            "That is the ratio of the tilt to the speed error; the other one is asked.": (
+            "That is the ratio of the tilt to the speed error; give the other one.": (
                 lambda: 1 / _wrong_log()
             ),
-            "Not the sine: the speed error stands against the level part of the Earth's rate.": (
+            "Not the sine: the speed error is divided by the level part of the Earth's rate.": (
                 lambda: _wrong_log() / np.tan(LATITUDE)
             ),
             "Not the cosine: the Coriolis force that is level comes from the part of the Earth's "
@@ -223,7 +223,6 @@ EXERCISES: dict[str, Exercise] = {
                 lambda: [np.degrees(GROWTH) * _growing_drift().times[-1] ** 2 / 2, 0.0]
             ),
         },
-        remark="It grows like the drift itself: the yaw has nothing to cancel it with.",
     ),
     "10.5": Value(
         kind="slide",
@@ -242,11 +241,10 @@ EXERCISES: dict[str, Exercise] = {
             "The right side of Schuler's, but too far: now the acceleration tilts the horizon.": (
                 lambda: 0.8
             ),
-            "That has the smallest error at the end; the largest on the way is asked.": (
+            "That has the smallest error at the end; look for the largest on the way.": (
                 _best_at_the_end
             ),
         },
-        remark="Turn the ship to the other side, and Schuler's is best: it was luck.",
     ),
     "10.6": Formula(
         kind="compute",
@@ -270,7 +268,7 @@ EXERCISES: dict[str, Exercise] = {
                 lambda *way: _hangs(*way) / np.tan(way[1])
             ),
             "A force is not yet a tilt: g is missing.": lambda *way: _hangs(*way) * way[2],
-            "Without acceleration there is a force all the same: the axes turn.": lambda *way: 0.0,
+            "Without acceleration there is still a force: the axes turn.": lambda *way: 0.0,
         },
         remark="On every course the tilt is about the line of the way itself.",
     ),

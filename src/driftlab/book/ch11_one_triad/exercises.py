@@ -199,7 +199,7 @@ EXERCISES: dict[str, Exercise] = {
             **{"turn_up": 25.0, "turn": 90.0},
         ),
         mistakes={
-            "There the preset stands. It is a turn to the East that leaves no swing then.": (
+            "That is the value of the preset, with which a turn to the East leaves no swing.": (
                 lambda: _slider(right_gyro=-1.0)
             ),
             "That makes the forward gyro's entry vanish; the right gyro makes an East tilt too.": (
@@ -209,7 +209,6 @@ EXERCISES: dict[str, Exercise] = {
                 lambda: _slider(about_forward=-1.0)
             ),
         },
-        remark="Not safe: both entries are still there. Turn the ship the other way.",
     ),
     "11.5": Value(
         kind="compute",
@@ -221,11 +220,10 @@ EXERCISES: dict[str, Exercise] = {
             "Each turn begins at another heading; its tilt points a quarter of a turn farther.": (
                 lambda: _by_phases(0.0)
             ),
-            "That is in degrees; the multiples of what one turn leaves are asked.": (
+            "That is in degrees; give multiples of what one turn leaves.": (
                 lambda: np.degrees(_one_turn()) * np.array(_four_turns())
             ),
         },
-        remark="Half a period or a whole one between turns takes most of the swing away.",
     ),
     "11.6": Formula(
         kind="compute",
@@ -245,8 +243,8 @@ EXERCISES: dict[str, Exercise] = {
             "Look at the side to which the upper axis leans in a positive roll.": (
                 lambda k11, k21, k31, roll: k21 * (1 - np.cos(roll)) - k31 * np.sin(roll)
             ),
-            "That is the tilt about the line of the bow; the one about the level line to the "
-            "right is asked.": lambda k11, k21, k31, roll: -k11 * roll,
+            "That is the tilt about the line of the bow; give the one about the level line to "
+            "the right.": lambda k11, k21, k31, roll: -k11 * roll,
             "The first index is the gyro that errs, the second the axis of the turn: the upper "
             "gyro and the right one have changed places.": (
                 lambda k11, k21, k31, roll: _rolled(k11, k31, k21, roll)
