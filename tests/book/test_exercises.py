@@ -13,10 +13,9 @@ import pytest
 
 from driftlab import book
 from driftlab.book.chapters import CHAPTERS
-from driftlab.book.exercises import KINDS, all_exercises, by_kind, check, verdict
+from driftlab.book.exercises import KINDS, all_exercises, by_kind, check, hints_of, verdict
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.hints import hints_of
 from driftlab.book.machinery.reading import numbers
 from wrong_answers import WRONG
 

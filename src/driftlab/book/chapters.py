@@ -13,7 +13,7 @@ CHAPTERS = {
 
 
 def chapters_with(part: str) -> list[str]:
-    """Numbers of the chapters that have a part: "figures", "panels", "scenes", "exercises", "ledger"."""
+    """Numbers of the chapters that have a part: say "figures", "scenes" or "ledger"."""
     here = Path(__file__).parent
     return [
         number

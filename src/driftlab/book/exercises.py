@@ -8,12 +8,15 @@ and `card` shows all that, with the chapter's `hints`.
 
 from __future__ import annotations
 
+import tomllib
+from functools import cache
+from importlib.resources import files
 from typing import Any
 
-from .chapters import chapters_with, part_of
+from .chapters import CHAPTERS, chapters_with, part_of
 from .machinery.card import Card, HintCard, show
 from .machinery.exercise import KINDS, Exercise, Verdict
-from .machinery.hints import hints_of
+from .machinery.hints import Help
 from .machinery.progress import Progress
 
 PROGRESS = Progress()
@@ -30,6 +33,13 @@ def all_exercises(chapter: str | None = None) -> dict[str, Exercise]:
     """
     chapters = chapters_with("exercises") if chapter is None else [chapter]
     return {n: each for c in chapters for n, each in part_of(c, "exercises").EXERCISES.items()}
+
+
+@cache
+def hints_of(chapter: str) -> dict[str, Help]:
+    """Return the help with each exercise of a chapter, "01" to "11", by the exercise's number."""
+    text = (files(__package__) / CHAPTERS[chapter] / "hints.toml").read_text("utf-8")
+    return {number: Help(**each) for number, each in tomllib.loads(text).items()}
 
 
 def check(number: str | float, answer: Any) -> None:

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from driftlab.book.machinery.axis import axis_code, axis_of, matrix_code
+from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, matrix_code
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import box, frame_of_box, pin
@@ -16,8 +16,8 @@ from driftlab.book.machinery.units import angle_text
 from driftlab.checks import FloatArray
 from driftlab.quaternion import from_rotation_vector, multiply
 
+from .controls import TRIAD_ERROR_CONTROLS, TRIADS, triad_error_of
 from .experiments import EXAGGERATION, TURNS, DriftHistory, drift_history
-from .panels import DriftExplorer, triad_error_of
 
 SAMPLES = 96
 """Moments in a turn; at ten seconds for five turns some fifty a second."""
@@ -128,24 +128,24 @@ class TurningBlock(SceneExplorer):
 
     title = "A block on a turntable, and where its computer believes it to be"
     picture_class = TurningBlockView
-    controls = DriftExplorer.controls
+    controls = (*TRIAD_ERROR_CONTROLS, *AXIS_CONTROLS)
     folded = True
     presets: ClassVar = {
-        "The puzzle": DriftExplorer.presets["One gyro leans"],
+        "The puzzle": TRIADS["One gyro leans"],
         "About the third edge": {
-            **DriftExplorer.presets["One gyro leans"], "elevation": 90.0
+            **TRIADS["One gyro leans"], "elevation": 90.0
         },
         "About the other diagonal": {
-            **DriftExplorer.presets["One gyro leans"], "azimuth": -45.0
+            **TRIADS["One gyro leans"], "azimuth": -45.0
         },
-        "Symmetric triad": DriftExplorer.presets["Symmetric triad"],
-        "Skew triad": DriftExplorer.presets["Skew triad"],
+        "Symmetric triad": TRIADS["Symmetric triad"],
+        "Skew triad": TRIADS["Skew triad"],
     }  # fmt: skip
     look_for: ClassVar = {
         "The puzzle": "The ghost is what the computer believes. What is left after a whole turn?",
         "About the third edge": "Does the ghost leave for good now?",
         "About the other diagonal": "The same block. Which way does the ghost go?",
-        "Symmetric triad": "Drag the green axis: which way drifts most? Is there a way without?",
+        "Symmetric triad": "Drag the dashed axis: which way drifts most? Is there a way without?",
         "Skew triad": "All gyros lean as if the triad were turned. What stays after a turn?",
     }
 

@@ -5,12 +5,7 @@ What helps stands in the file ``hints.toml`` of each chapter, beside its exercis
 
 from __future__ import annotations
 
-import tomllib
-from functools import cache
-from importlib.resources import files
 from typing import NamedTuple
-
-from driftlab.book.chapters import CHAPTERS
 
 
 class Help(NamedTuple):
@@ -42,10 +37,3 @@ class Help(NamedTuple):
     def rungs(self) -> tuple[str, str]:
         """The steps of the ladder below the section itself."""
         return self.nudge, self.idea
-
-
-@cache
-def hints_of(chapter: str) -> dict[str, Help]:
-    """Return the help with each exercise of a chapter, "01" to "11", by the exercise's number."""
-    text = (files("driftlab.book") / CHAPTERS[chapter] / "hints.toml").read_text("utf-8")
-    return {number: Help(**each) for number, each in tomllib.loads(text).items()}

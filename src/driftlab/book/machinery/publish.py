@@ -33,7 +33,7 @@ class FigureDefinition:
     compute : callable
         Takes nothing, returns the picture's data.
     draw : callable
-        Data to a Matplotlib figure.
+        Data to a Matplotlib figure, or to the text of an SVG, as a scene draws itself.
     columns : callable or None
         Data to CSV columns of equal length; None for a drawing that shows no numbers.
     caption : callable
@@ -44,7 +44,7 @@ class FigureDefinition:
 
     name: str
     compute: Callable[[], Any]
-    draw: Callable[[Any], Figure]
+    draw: Callable[[Any], Figure | str]
     columns: Callable[[Any], dict[str, Any]] | None
     caption: Callable[[Any], str]
     restore: Callable[[Mapping[str, list[str]]], Any] | None = None
@@ -69,6 +69,8 @@ class PublishedFigure:
 
     def svg(self) -> bytes:
         """The picture as SVG whose bytes repeat: no date, identifiers from a fixed salt."""
+        if isinstance(self._figure, str):
+            return self._figure.encode()
         buffer = io.BytesIO()
         with matplotlib.rc_context(STYLE):
             self._figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})

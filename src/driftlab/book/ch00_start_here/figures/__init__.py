@@ -3,9 +3,19 @@
 from driftlab.book.machinery.publish import FigureDefinition
 
 from ..experiments import paper_frames
-from . import frames
+from . import frames, map_of_ideas
 
 FIGURES = (
+    FigureDefinition(
+        "00-map-of-ideas",
+        lambda: map_of_ideas.IDEAS,
+        map_of_ideas.draw,
+        None,
+        lambda _: (
+            "The book on one page: what a bend of the triad leads to, from left to right; what "
+            "helps, above; what comes on top of it, below. The small numbers are chapters."
+        ),
+    ),
     FigureDefinition(
         "00-frames",
         paper_frames,

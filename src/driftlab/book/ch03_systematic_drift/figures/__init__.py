@@ -2,11 +2,13 @@
 
 import numpy as np
 
+from driftlab.book.ch00_start_here.puzzle import LEANING
 from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.book.scenarios import LARIN_TRIAD, OBLIQUE_AXIS, SYMMETRIC
 
 from .. import experiments
-from . import closed_motions, drift_by_symmetry, drift_history, drift_map
+from ..scenes import SAMPLES, magnification
+from . import closed_motions, drift_by_symmetry, drift_history, drift_map, turning_block
 
 
 def _history_caption(data: experiments.DriftHistory) -> str:
@@ -33,7 +35,24 @@ def _motions_caption(data: dict[str, experiments.MotionHistory]) -> str:
     )
 
 
+def _block_caption(data: experiments.DriftHistory) -> str:
+    factor = magnification(np.linalg.norm(data.error, axis=-1).max())
+    return (
+        "A block with three gyros on a turntable, and in dashes the block as its computer believes "
+        f"it to be. The first gyro leans; its lean is drawn {experiments.EXAGGERATION} times "
+        f"too large, the error {factor} times. After each whole turn the block is back, "
+        "and the ghost is not."
+    )
+
+
 FIGURES = (
+    FigureDefinition(
+        "03-turning-block",
+        lambda: experiments.drift_history(LEANING, [1, 1, 0], SAMPLES),
+        turning_block.draw,
+        turning_block.columns,
+        _block_caption,
+    ),
     FigureDefinition(
         "03-drift-history",
         lambda: experiments.drift_history(experiments.LARGEST_ENTRY * SYMMETRIC, OBLIQUE_AXIS),

@@ -77,6 +77,7 @@ def _document(stage: Stage, moments: Sequence[int] | FloatArray) -> str:
     beside = LINE * (1.5 + len(stage.readouts)) + 150 * len(stage.plots)
     width, height = len(stage.views) * (VIEW_SIZE + 8) + side, max(tall, beside)
     parts = [
+        '<?xml version="1.0" encoding="utf-8"?>',
         f'<svg xmlns="http://www.w3.org/2000/svg" class="dl-scene" '
         f'viewBox="0 0 {width:g} {height:g}" width="{width:g}" height="{height:g}">',
         f"<style>{STYLE}</style>",
@@ -124,20 +125,20 @@ def _view(view: View, stage: Stage, moments: Sequence[int] | FloatArray) -> list
             x, y = ([f"{c[0, j]:.2f}" for c in flat] for j in (0, 1))
             if part.kind == "dot":
                 size = f'r="{5 if part.handle else 2.5}"'
-                moves = _animated("cx", x) + _animated("cy", y)
+                moves = _animated("cx", x, stage.seconds) + _animated("cy", y, stage.seconds)
                 elements.append(
                     f'<circle {name}{fill} {size} cx="{x[-1]}" cy="{y[-1]}">{moves}</circle>'
                 )
             else:
-                moves = _animated("x", x) + _animated("y", y)
+                moves = _animated("x", x, stage.seconds) + _animated("y", y, stage.seconds)
                 text = escape(part.text)
                 elements.append(f'<text {name} x="{x[-1]}" y="{y[-1]}">{text}{moves}</text>')
             continue
         paths = [part_path(part, c) for c in flat]
-        moves = _animated("d", paths)
+        moves = _animated("d", paths, stage.seconds)
         if part.kind == "face":
             shown = ["visible" if _faces_reader(c) else "hidden" for c in flat]
-            moves += _animated("visibility", shown)
+            moves += _animated("visibility", shown, stage.seconds)
             fill += f' visibility="{shown[-1]}"'
         elements.append(f'<path {name}{fill} d="{paths[-1]}">{moves}</path>')
     return elements
@@ -166,7 +167,7 @@ def _plot(plot: Plot, stage: Stage, moments: Sequence[int] | FloatArray, clip: s
     widths = [f"{c - LEFT + 4:.2f}" for c in cursor]
     elements.append(
         f'<clipPath id="{clip}"><rect x="{LEFT - 4:g}" y="0" height="{HEIGHT:g}" '
-        f'width="{widths[-1]}">{_animated("width", widths)}</rect></clipPath>'
+        f'width="{widths[-1]}">{_animated("width", widths, stage.seconds)}</rect></clipPath>'
     )
     taken: list[float] = []
     for curve in plot.curves:
@@ -193,7 +194,9 @@ def _plot(plot: Plot, stage: Stage, moments: Sequence[int] | FloatArray, clip: s
                 f"{escape(curve.name)}</text>"
             )
     paths = [f"M{c:.2f},{TOP:g}V{bottom:g}" for c in cursor]
-    elements.append(f'<path class="dl-cursor" d="{paths[-1]}">{_animated("d", paths)}</path>')
+    elements.append(
+        f'<path class="dl-cursor" d="{paths[-1]}">{_animated("d", paths, stage.seconds)}</path>'
+    )
     return elements
 
 
@@ -206,12 +209,12 @@ def curve_path(x: FloatArray, y: FloatArray) -> str:
     return path
 
 
-def _animated(attribute: str, values: list[str]) -> str:
+def _animated(attribute: str, values: list[str], seconds: float) -> str:
     if len(set(values)) == 1:
         return ""
     mode = ' calcMode="discrete"' if attribute == "visibility" else ""
     return (
-        f'<animate attributeName="{attribute}" dur="10s" repeatCount="indefinite"{mode} '
+        f'<animate attributeName="{attribute}" dur="{seconds:g}s" repeatCount="indefinite"{mode} '
         f'values="{";".join(values)}"/>'
     )
 

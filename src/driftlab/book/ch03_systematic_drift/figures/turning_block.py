@@ -1,0 +1,49 @@
+"""The block of the book's first puzzle, moving by itself where no script runs."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from driftlab.book.machinery.scene.stage import Stage
+from driftlab.book.machinery.scene.still import animation
+from driftlab.checks import FloatArray
+
+from ..experiments import DriftHistory
+from ..scenes import SAMPLES, TurningBlockView, parts_of_error
+
+SHOWN = 2
+"""Turns that are played."""
+FRAMES = 24 * SHOWN + 1
+"""Drawn moments; between two of them the page draws straight lines."""
+
+
+def stage(data: DriftHistory) -> Stage:
+    """The first turns of the block, without curves and numbers: they would answer the puzzle."""
+    whole = TurningBlockView().stage(data)
+    moments = slice(SHOWN * SAMPLES + 1)
+    (view,) = whole.views
+    return replace(
+        whole,
+        times=whole.times[moments],
+        tracks={name: track[moments] for name, track in whole.tracks.items()},
+        views=(replace(view, title="the block, and the ghost in its computer"),),
+        seconds=8.0,
+        plots=(),
+        readouts=(),
+    )
+
+
+def draw(data: DriftHistory) -> str:
+    """Animated SVG of the block and its ghost."""
+    return animation(stage(data), FRAMES)
+
+
+def columns(data: DriftHistory) -> dict[str, FloatArray]:
+    """Columns of the figure's CSV: the error about the axis and perpendicular to it."""
+    moments = slice(0, SHOWN * SAMPLES + 1, SAMPLES // 24)
+    along, rest = parts_of_error(data)
+    return {
+        "turns": data.turns[moments],
+        "along_rad": np.asarray(along[moments]),
+        "perpendicular_rad": rest[moments],
+    }
