@@ -7,6 +7,7 @@ import re
 import ipywidgets as widgets
 import numpy as np
 import pytest
+from matplotlib.axes import Axes
 from PIL import Image
 
 from driftlab.book.machinery.panel import OWN_VALUES, Explorer
@@ -118,4 +119,31 @@ def test_results_keep_their_rows_and_their_units(panel_class: type[Explorer]) ->
         for name, text in results_of(panel):
             assert not re.search(r"\d[eE][-+]?\d|\[|deg|arcsec|arcmin", f"{name} {text}"), text
         assert ": ".join(results.headline) in panel.page.alt
+        if preset not in NOTHING_TO_SEE:
+            shares = [share_used(axes) for axes in panel.view.picture.figure.axes]
+            assert max(shares, default=1.0) > 0.35, preset
     assert len(sizes) == 1
+
+
+NOTHING_TO_SEE = {"No errors, level, to the North", "Vertical", "Straight"}
+"""Presets in which there is no error, or no heading that might be wrong."""
+
+
+def share_used(axes: Axes) -> float:
+    """Part of the height of axes that moving curves or bars take, and zero with them.
+
+    A drawing without axes, or of curves that stay, is as large as it has been made.
+    """
+    heights = [np.zeros(1)] if axes.get_yscale() == "linear" else []
+    if axes.patches and axes.containers:  # bars lie down
+        widths = [bar.get_width() for bar in axes.patches]
+        return float(np.ptp([0.0, *widths]) / np.ptp(axes.get_xlim()))
+    for line in axes.get_lines():
+        if line.get_animated() and len(np.unique(line.get_xdata())) > 2:
+            heights.append(np.asarray(line.get_ydata(), float))
+    if not axes.axison or len(heights) == (axes.get_yscale() == "linear"):
+        return 1.0
+    shown = np.concatenate(heights)
+    shown = shown[np.isfinite(shown)]
+    ends = axes.transLimits.transform(axes.transScale.transform([(1, y) for y in shown]))[:, 1]
+    return float(np.ptp(np.clip(ends, 0.0, 1.0)))

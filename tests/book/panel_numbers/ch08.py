@@ -2,13 +2,14 @@
 
 import numpy as np
 from scipy.constants import arcsecond, degree, g, hour, micro, milli
+from scipy.spatial.transform import Rotation
 
 from driftlab.book.ch08_system_calibration.experiments import PARAMETERS, typical_trial
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import covariance_analysis, unobservable_subspace
 from driftlab.imu import ImuNoise, PriorDeviations
-from driftlab.motion.scheme import Scheme
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
 from .values import Rows, Values, three_digits
 
@@ -62,4 +63,20 @@ def calibration(values: Values) -> Rows:
         ("estimate", f"{estimate:.4f}{unit}"),
         ("three deviations", f"{three:.4f}{unit}"),
         ("moment", f"{found.times[at] / 60:.1f} min"),
+        ("the table", table_says(found.times[at])),
     ]
+
+
+def table_says(second: float) -> str:
+    """What a table does on the nineteen positions: two minutes of rest, nine seconds a turn."""
+    body = Rotation.from_matrix(np.array([[0, 1, 0], [0, 0, 1], [1, 0, 0]]))
+    for word in (*NINETEEN_POSITIONS.rotations.split(), ""):
+        if second <= 120:
+            up = body.inv().apply([0, 0, 1])
+            axis = np.abs(up).argmax()
+            return f"rests, {'+' if up[axis] > 0 else '−'}{'xyz'[axis]} up"
+        if second < 129:
+            return f"turns {word}"
+        second -= 129
+        body = body * Rotation.from_euler(word[-1], float(word[:-1]), degrees=True)
+    raise AssertionError("the scheme is over")

@@ -32,6 +32,8 @@ class ErrorMotion(NamedTuple):
         Error quaternion as integrated.
     tolerance : float
         Of the integrator.
+    turn : float
+        How long a whole turn of the body takes, s; infinity if it stands still.
     """
 
     time: FloatArray
@@ -39,6 +41,7 @@ class ErrorMotion(NamedTuple):
     integrated_time: FloatArray
     integrated: FloatArray
     tolerance: float
+    turn: float
 
 
 def error_motion(
@@ -68,7 +71,9 @@ def error_motion(
         atol=tolerance,
     )
     exact = error_quaternion(rate, measured_rate, time)
-    return ErrorMotion(time, exact, solution.t, solution.y.T, tolerance)
+    speed = float(np.linalg.norm(rate))
+    turn = 2 * np.pi / speed if speed else np.inf
+    return ErrorMotion(time, exact, solution.t, solution.y.T, tolerance, turn)
 
 
 def integration_error(motion: ErrorMotion, rate: ArrayLike, measured_rate: ArrayLike) -> FloatArray:

@@ -24,7 +24,7 @@ from .experiments import (
     table_observability,
     unit_of,
 )
-from .figures.calibration_run import CalibrationRunPicture
+from .figures.calibration_run import CalibrationRunPicture, table_says
 from .figures.table_observability import TableObservabilityPicture
 
 STATES = {
@@ -169,6 +169,7 @@ class CalibrationRunExplorer(Explorer):
                 ("estimate", f"{data.estimate[at] / size:.4f}{unit}"),
                 ("three deviations", f"{3 * data.deviation[at] / size:.4f}{unit}"),
                 ("moment", f"{data.times[at] / 60:.1f} min"),
+                ("the table", table_says(data.times[at] / 60)),
             ],
         )
 

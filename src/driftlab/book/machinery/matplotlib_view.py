@@ -1,9 +1,9 @@
 """A Matplotlib picture in a panel, redrawn at each move of a slider.
 
-The picture is kept for the panel's life: its background is drawn once, and anew only if the axes
-have changed their reach; a move redraws only the artists that move, and the result goes as a JPEG
-into an image widget. At this quality nobody sees the difference, and a PNG takes several times as
-long to make. There is no output area to flicker or to swallow an error.
+The picture is kept for the panel's life: its background is drawn once for each reach of the axes, a
+move redraws only the artists that move, and the result goes as a JPEG into an image widget. At this
+quality nobody sees the difference, and a PNG takes several times as long to make. There is no
+output area to flicker or to swallow an error.
 """
 
 from __future__ import annotations
@@ -21,6 +21,9 @@ from .picture import STYLE, Picture
 
 LEAST_RATIO, MOST_RATIO = 1.25, 2.0
 """Pixels of the picture for one of the page: more are sharper, and take longer to compress."""
+
+KEPT = 4
+"""Backgrounds that a view keeps: a slider may move to and fro over a step of the axes."""
 
 
 class StillImage(widgets.Image):  # type: ignore[misc]
@@ -55,6 +58,7 @@ class MatplotlibView:
         canvas: Any = picture.figure.canvas  # Matplotlib says nothing of the types of its methods
         self._canvas = canvas
         self._dpi = picture.figure.dpi
+        self._backgrounds: dict[Any, Any] = {}
         width, _ = canvas.get_width_height()
         self.widget = StillImage(format="jpeg", width=width)
         self._take_ratio()
@@ -76,9 +80,17 @@ class MatplotlibView:
         self.widget.value = self._jpeg()
 
     def _draw_background(self) -> None:
-        with matplotlib.rc_context(STYLE):
-            self._canvas.draw()
-        self.background = self._canvas.copy_from_bbox(self.picture.figure.bbox)
+        """Draw what does not move, or take it from what has been drawn with these limits before."""
+        figure = self.picture.figure
+        limits = tuple((axes.get_xlim(), axes.get_ylim()) for axes in figure.axes)
+        key = (figure.dpi, limits)
+        if key not in self._backgrounds:
+            with matplotlib.rc_context(STYLE):
+                self._canvas.draw()
+            if len(self._backgrounds) == KEPT:
+                del self._backgrounds[next(iter(self._backgrounds))]
+            self._backgrounds[key] = self._canvas.copy_from_bbox(figure.bbox)
+        self.background = self._backgrounds[key]
         self.picture.rescaled = False
 
     def _jpeg(self) -> bytes:

@@ -65,8 +65,8 @@ function serveAllPanels() {
 // Whether light letters stand on a dark ground, by the first ground that is not transparent.
 function isDark(element) {
   for (let node = element; node; node = node.parentElement) {
-    const [red, green, blue, alpha = 1] =
-      getComputedStyle(node).backgroundColor.match(/[\d.]+/g).map(Number);
+    const ground = getComputedStyle(node).backgroundColor.match(/[\d.]+/g) ?? [0, 0, 0, 0];
+    const [red, green, blue, alpha = 1] = ground.map(Number);
     if (alpha > 0.5) return 0.3 * red + 0.6 * green + 0.1 * blue < 128;
   }
   return false;
@@ -92,7 +92,7 @@ function render({ model, el }) {
     model.set("ratio", window.devicePixelRatio);
     model.save_changes();
 
-    const colour = () => panel.classList.toggle("driftlab-dark", isDark(panel));
+    const colour = () => panel.isConnected && panel.classList.toggle("driftlab-dark", isDark(panel));
     const themes = new MutationObserver(() => setTimeout(colour, 200));  // when it has been loaded
     themes.observe(document.body, { attributes: true });
     const system = window.matchMedia("(prefers-color-scheme: dark)");

@@ -17,6 +17,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.text import Text
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray
@@ -38,6 +39,9 @@ SERIES: tuple[dict[str, Any], ...] = (
     {"color": SKY, "linestyle": (0, (1, 1))},
     {"color": GREY, "linestyle": (0, (3, 2))},
 )
+
+REACHES = tuple(k * 10.0**power for power in range(-6, 4) for k in (1, 2, 5))
+"""How far axes may reach, if nothing else is said."""
 
 Data = TypeVar("Data")
 
@@ -80,18 +84,34 @@ class Picture(Generic[Data]):
         return picture.figure
 
     def set_reach(
-        self, axes: Axes, direction: str, values: ArrayLike, steps: Sequence[float]
+        self, axes: Axes, direction: str, values: ArrayLike, steps: Sequence[float] = REACHES
     ) -> None:
-        """Let axes reach as far on both sides of zero as the smallest step that holds all values.
+        """Let axes reach from zero as far as the smallest step that holds all values.
 
-        Few steps keep pictures comparable, and what is large does not leave them.
+        To both sides, or to one if nothing is on the other. Few steps keep pictures comparable, and
+        what is large does not leave them.
         """
-        sizes = np.abs(np.asarray(values, float))
-        largest = sizes.max(initial=0.0, where=np.isfinite(sizes))
-        step = next((step for step in steps if largest <= step), steps[-1])
-        if getattr(axes, f"get_{direction}lim")() != (-step, step):
-            getattr(axes, f"set_{direction}lim")(-step, step)
+        shown = np.asarray(values, float)
+        shown = shown[np.isfinite(shown)]
+        low, high = min(shown.min(initial=0.0), 0.0), max(shown.max(initial=0.0), 0.0)
+        step = next((step for step in steps if max(-low, high) <= step), steps[-1])
+        # What is small on the other side of zero has a little room there.
+        below, above = (step if size > 0.1 * step else 0.12 * step for size in (-low, high))
+        if below == above:
+            below = above = step
+        self.set_limits(axes, direction, -below, above)
+
+    def set_limits(self, axes: Axes, direction: str, low: float, high: float) -> None:
+        """Set the limits of axes; if they are new, everything is drawn anew."""
+        if getattr(axes, f"get_{direction}lim")() != (low, high):
+            getattr(axes, f"set_{direction}lim")(low, high)
             self.rescaled = True
+
+    def words(self, axes: Axes, **style: Any) -> Text:
+        """Add an empty text that `update` will place and fill."""
+        text = axes.text(0.0, 0.0, "", **style)
+        self.moving.append(text)
+        return text
 
     def line(self, axes: Axes, **style: Any) -> Line2D:
         """Add an empty line that `update` will move."""
@@ -132,6 +152,18 @@ def project(points: FloatArray, azimuth: float = -60.0, elevation: float = 24.0)
     right = np.array([-np.sin(a), np.cos(a), 0.0])
     up = np.array([-np.sin(e) * np.cos(a), -np.sin(e) * np.sin(a), np.cos(e)])
     return points @ np.stack([right, up], axis=-1)
+
+
+def legend_above(axes: Axes, ncols: int = 4, **style: Any) -> None:
+    """Put the legend into the line of the title, where no data can come to lie under it."""
+    axes.legend(
+        loc="lower right",
+        bbox_to_anchor=(1.0, 0.985),
+        ncols=ncols,
+        frameon=False,
+        borderaxespad=0.0,
+        **{"handlelength": 1.8, "columnspacing": 1.1, "handletextpad": 0.5, **style},
+    )
 
 
 def plain_axes(axes: Axes, reach: float = 1.25) -> None:

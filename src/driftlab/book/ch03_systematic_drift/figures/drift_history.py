@@ -20,6 +20,12 @@ from driftlab.checks import FloatArray
 
 from ..experiments import EXAGGERATION, TURNS, DriftHistory
 
+DARK_GREEN = "#007A59"
+"""The green of the lines, dark enough for letters."""
+REACHES_ALONG = (0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 12.0)
+REACHES_ACROSS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0)
+"""How far the axes may reach, degrees and minutes of arc; the last holds `LARGEST_ENTRY`."""
+
 
 def columns(data: DriftHistory) -> dict[str, FloatArray]:
     """Columns of the figure's CSV: the rotation vector along the axis and across it."""
@@ -28,28 +34,33 @@ def columns(data: DriftHistory) -> dict[str, FloatArray]:
     return {"turns": data.turns, "along_rad": along, "across_rad": across}
 
 
-class DriftHistoryPicture(Picture[DriftHistory]):
-    """Exaggerated triad, frames R and B at the end, and the error over `TURNS` turns.
+MOST_TURNED = np.radians(40.0)
+"""How far frame B may be drawn off R."""
+FACTORS = (200, 100, 50, 20, 10, 5, 2, 1)
+"""How many times larger than it is the error of B may be drawn."""
 
-    The limits hold everything that entries up to `LARGEST_ENTRY` can do.
-    """
+
+class DriftHistoryPicture(Picture[DriftHistory]):
+    """Exaggerated triad, frames R and B at the end, and the error over `TURNS` turns."""
 
     size = (10.5, 4.0)
 
     def build(self) -> None:
-        grid = self.figure.add_gridspec(2, 3, width_ratios=[0.8, 0.8, 1.5], height_ratios=[2, 1])
-        self.figure.subplots_adjust(0.01, 0.13, 0.985, 0.92, wspace=0.16, hspace=0.14)
+        grid = self.figure.add_gridspec(2, 3, width_ratios=[0.85, 0.85, 1.4], height_ratios=[2, 1])
+        self.figure.subplots_adjust(0.005, 0.12, 0.985, 0.93, wspace=0.13, hspace=0.3)
         triad, frames = (self.figure.add_subplot(grid[:, i]) for i in (0, 1))
-        history = self.figure.add_subplot(grid[0, 2])
-        across = self.figure.add_subplot(grid[1, 2], sharex=history)
+        history = self.history = self.figure.add_subplot(grid[0, 2])
+        across = self.across_axes = self.figure.add_subplot(grid[1, 2], sharex=history)
         for panel in (triad, frames):
             plain_axes(panel)
-        triad.set_title(f"gyro axes, bent ×{EXAGGERATION}")
-        frames.set_title(f"R and B after {TURNS} turns")
-        history.set(title="rotation from R to B", ylabel="along axis, degrees")
-        history.set(xlim=(0, TURNS), ylim=(-12, 12))
+            panel.set(xlim=(-0.95, 1.1), ylim=(-0.9, 1.2))
+        triad.set_title(f"the gyros' axes, lean ×{EXAGGERATION}")
+        frames.set_title(f"R, and B as computed, after {TURNS} turns")
+        history.set(title="along the axis: the slope is the drift", ylabel="error, °")
+        history.set(xlim=(0, TURNS))
         history.tick_params(labelbottom=False)
-        across.set(xlabel="turns", ylabel="across, arcmin", ylim=(0, 45))
+        across.set(title="across the axis: back after each turn", ylabel="error, ′")
+        across.set_xlabel("turns", loc="left")
         for panel in (triad, frames):
             for label, tip in zip(("$i_1$", "$i_2$", "$i_3$"), project(np.eye(3)), strict=True):
                 panel.plot([0, tip[0]], [0, tip[1]], color=BLACK, linewidth=1.2)
@@ -59,46 +70,57 @@ class DriftHistoryPicture(Picture[DriftHistory]):
         self.frame_b = self._three(frames, bent)
         spin = {"color": BLUE, "linestyle": "-.", "linewidth": 1.2}
         self.axis = [self.line(panel, **spin) for panel in (triad, frames)]
-        self.worst = self.line(triad, color=GREEN, linestyle=":", linewidth=1.2)
-        self.axis[0].set_label("axis of the turns")
-        self.worst.set_label("worst axis")
-        self.triad[0].set_label("gyro axes")
-        triad.legend(loc="lower left", ncols=2, bbox_to_anchor=(0.02, -0.16))
-        self.frame_b[0].set_label("B, as computed")
-        frames.legend(loc="lower center", bbox_to_anchor=(0.5, -0.16))
+        self.worst = self.line(triad, color=GREEN, linestyle=":", linewidth=1.8)
+        named = {"ha": "center", "va": "center", "fontsize": 8.5}
+        self.axis_name = self.words(triad, color=BLUE, **named)
+        self.worst_name = self.words(triad, color=DARK_GREEN, **named)
+        self.factor = self.words(frames, color=BLACK, fontsize=8.5)
+        self.factor.set_position((-0.9, -0.86))
         self.along = self.line(history, **SERIES[0], label="full motion")
-        self.first = self.line(
-            history, color=GREY, linestyle="--", label=r"first order, $2\pi\rho$ a turn"
-        )
+        self.first = self.line(history, color=GREY, linestyle="--", label="first order")
         self.snapshots = self.line(
-            history,
-            color=BLACK,
-            linestyle="none",
-            marker="o",
-            clip_on=False,
-            label="seen once a turn",
+            history, color=BLACK, linestyle="none", marker="o", clip_on=False, label="once a turn"
         )
         self.across = self.line(across, **SERIES[0])
         self.across_snapshots = self.line(
             across, color=BLACK, linestyle="none", marker="o", clip_on=False
         )
-        history.legend(loc="lower left", ncols=2)
+        self.figure.legend(
+            handles=[self.along, self.first, self.snapshots],
+            loc="lower right", ncols=3, frameon=False, bbox_to_anchor=(0.99, -0.015),
+            columnspacing=1.1,
+        )  # fmt: skip
 
     def _three(self, panel: Axes, style: dict[str, object]) -> list[Line2D]:
         return [self.line(panel, **style) for _ in range(3)]
 
     def update(self, data: DriftHistory) -> None:
-        apparent = Rotation.from_rotvec(data.snapshots[-1]).apply(np.eye(3))
+        angle = np.linalg.norm(data.snapshots[-1])
+        factor = next((factor for factor in FACTORS if factor * angle <= MOST_TURNED), 1)
+        self.factor.set_text(f"error of B drawn ×{factor}")
+        apparent = Rotation.from_rotvec(factor * data.snapshots[-1]).apply(np.eye(3))
         for lines, axes in ((self.triad, data.triad), (self.frame_b, apparent)):
             for line, tip in zip(lines, project(axes), strict=True):
                 line.set_data([0, tip[0]], [0, tip[1]])
-        spin = project(np.stack([-1.15 * data.direction, 1.15 * data.direction]))
+        spin = project(np.stack([-data.direction, data.direction]))
         for line in self.axis:
             line.set_data(*spin.T)
-        self.worst.set_data(*project(np.stack([-data.worst_axis, data.worst_axis])).T)
+        # Its name stands at the other end than that of the axis, also where the two are one.
+        sign = 1.0 if data.worst_axis @ data.direction >= 0 else -1.0
+        worst = project(sign * np.stack([-data.worst_axis, data.worst_axis]))
+        self.worst.set_data(*worst.T)
+        for text, end, name in (
+            (self.axis_name, spin[0], "axis of the turns"),
+            (self.worst_name, worst[1], "worst axis"),
+        ):
+            x, y = end * (1 + 0.12 / max(float(np.linalg.norm(end)), 0.1))
+            text.set_position((float(np.clip(x, -0.6, 0.85)), float(np.clip(y, -0.84, 1.1))))
+            text.set_text(name)
         table = columns(data)
-        self.along.set_data(data.turns, np.degrees(table["along_rad"]))
-        across = 60 * np.degrees(table["across_rad"])
+        along, across = np.degrees(table["along_rad"]), 60 * np.degrees(table["across_rad"])
+        self.set_reach(self.history, "y", along, REACHES_ALONG)
+        self.set_reach(self.across_axes, "y", across, REACHES_ACROSS)
+        self.along.set_data(data.turns, along)
         self.across.set_data(data.turns, across)
         self.across_snapshots.set_data(data.whole_turns, across[:: (len(across) - 1) // TURNS])
         self.snapshots.set_data(data.whole_turns, np.degrees(data.snapshots @ data.direction))

@@ -45,7 +45,7 @@ class CayleyMapPicture(Picture[CayleyMap]):
         self.frame[0].set_label("turned frame")
         triad.legend(loc="lower left", ncols=2, bbox_to_anchor=(0.05, -0.1))
         curves.set(title="the vector's component along the axis", xlim=(-360, 360))
-        curves.set(xlabel=r"angle $\varphi$, degrees", ylim=(-REACH, REACH))
+        curves.set(xlabel=r"angle $\varphi$, °", ylim=(-REACH, REACH))
         curves.set_xticks(range(-360, 361, 90))
         labels = (
             r"dimension 3: $-\tan(\varphi/2)$",
@@ -60,6 +60,9 @@ class CayleyMapPicture(Picture[CayleyMap]):
             curves.axvline(angle, color=BLUE, linewidth=0.8)
         for angle in (-360, 360):
             curves.axvline(angle, color=VERMILION, linewidth=2.5)
+        curves.text(187, 0.95 * -REACH, "dimension 3\nhas no end here", va="bottom", fontsize=8.5)
+        curves.text(353, 0.97 * REACH, "dimension 4\nhas no end here", va="top", ha="right",
+                    fontsize=8.5)  # fmt: skip
         self.here = self.line(curves, color=BLACK, linewidth=0.8, linestyle=(0, (2, 2)))
         self.dots = [
             self.line(curves, marker=marker, markersize=8, linestyle="none", color=style["color"])

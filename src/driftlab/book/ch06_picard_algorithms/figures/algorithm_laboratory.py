@@ -16,11 +16,21 @@ STYLES = {
 }
 """Line style of each algorithm, the same in every figure."""
 
+TICKS = {
+    1e-9: "10⁻⁹″", 1e-6: "10⁻⁶″", 1e-3: "0.001″", 1.0: "1″", 60.0: "1′", 3600.0: "1°",
+    360000.0: "100°",
+}  # fmt: skip
+"""Errors in seconds of arc, and how they are called at the axis."""
+BOTTOMS = (1e-2, 1e-4, 1e-7, 1e-10)
+TOPS = (1.0, 100.0, 1e4, 1e6)
+"""Where the axis of the errors may begin and end, seconds of arc."""
+ORDERS = (2, 3, 4)
+
 
 def draw_slopes(panel: Axes, rate: float, top: float) -> None:
     """Draw lines of order 2, 3 and 4 that begin at a sample rate in Hz and the error `top`."""
     rates = np.array([rate, 9.0 * rate])
-    for order in (2, 3, 4):
+    for order in ORDERS:
         errors = top * (rates / rates[0]) ** -float(order)
         panel.plot(rates, errors, color=GREY, linewidth=0.8)
         panel.text(1.05 * rates[1], errors[1], f"order {order}", color=GREY, va="center")
@@ -33,14 +43,18 @@ class AlgorithmLaboratoryPicture(Picture[AlgorithmLaboratory]):
 
     def build(self) -> None:
         history, order = self.figure.subplots(1, 2, sharey=True)
-        self.figure.subplots_adjust(0.075, 0.21, 0.985, 0.92, wspace=0.08)
-        history.set(title="error after each step", xlabel="time, s", xlim=(0, DURATION))
-        history.set(ylabel="error of attitude, arc seconds", yscale="log", ylim=(1e-10, 1e6))
-        order.set(title=f"largest error in {DURATION:g} s", xscale="log", yscale="log")
+        self.figure.subplots_adjust(0.06, 0.21, 0.985, 0.92, wspace=0.05)
+        self.order_axes = order
+        history.set(title="error of attitude after each step", xlabel="time, s")
+        history.set(xlim=(0, DURATION), yscale="log")
+        order.set(title=f"largest error in {DURATION:g} s: steeper is better", xscale="log")
         order.set(xlabel="sample rate, Hz", xlim=(10.5, 220))
         order.set_xticks(SAMPLE_RATES, [str(rate) for rate in SAMPLE_RATES])
         order.minorticks_off()
-        draw_slopes(order, SAMPLE_RATES[0], 5e-6)
+        history.set_yticks(list(TICKS), list(TICKS.values()))
+        history.set_yticks([], minor=True)
+        self.slopes = [self.line(order, color=GREY, linewidth=0.8) for _ in ORDERS]
+        self.slope_names = [self.words(order, color=GREY, va="center") for _ in ORDERS]
         self.here = self.line(order, color=BLACK, linewidth=0.8, linestyle=(0, (2, 2)))
         self.histories = {
             name: self.line(history, **{**style, "marker": ""}) for name, style in STYLES.items()
@@ -49,8 +63,9 @@ class AlgorithmLaboratoryPicture(Picture[AlgorithmLaboratory]):
             name: self.line(order, **style, label=name) for name, style in STYLES.items()
         }
         self.figure.legend(
-            handles=list(self.orders.values()), loc="lower center", ncols=len(STYLES), fontsize=8
-        )
+            handles=list(self.orders.values()), loc="lower center", ncols=len(STYLES), fontsize=8,
+            frameon=False,
+        )  # fmt: skip
 
     def update(self, data: AlgorithmLaboratory) -> None:
         for name in STYLES:
@@ -66,4 +81,21 @@ class AlgorithmLaboratoryPicture(Picture[AlgorithmLaboratory]):
             )
             self.histories[name].set_data(data.times[shown], history)
             self.orders[name].set_data(data.rates, worst)
-        self.here.set_data([data.rate, data.rate], [1e-10, 1e6])
+        self._scale(data)
+        self.here.set_data([data.rate, data.rate], self.order_axes.get_ylim())
+
+    def _scale(self, data: AlgorithmLaboratory) -> None:
+        """Fit the axes, and let the lines of known order begin below the middle of them."""
+        # What is far below rounding says nothing; the first steps of a history may be exact.
+        told = data.worst[np.isfinite(data.worst)] / arcsecond
+        least = told.min(initial=TOPS[-1], where=told > 0.02 * data.rounding / arcsecond)
+        low = next(step for step in BOTTOMS if step <= 0.3 * least or step == BOTTOMS[-1])
+        high = next(step for step in TOPS if told.max() <= step or step == TOPS[-1])
+        self.set_limits(self.order_axes, "y", low, high)
+        rates = SAMPLE_RATES[0] * np.array([1.0, 3.0])
+        top = low * (high / low) ** 0.36
+        for order, line, name in zip(ORDERS, self.slopes, self.slope_names, strict=True):
+            errors = top * (rates / rates[0]) ** -float(order)
+            line.set_data(rates, errors)
+            name.set_position((1.05 * rates[1], errors[1]))
+            name.set_text(f"order {order}" if errors[1] > 1.5 * low else "")

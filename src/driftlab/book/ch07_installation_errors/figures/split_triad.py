@@ -1,6 +1,7 @@
 """An error matrix taken apart, and what each part does to the three axes; Wu (7)-(15), Fig. 1."""
 
 import numpy as np
+from scipy.constants import arcsecond, micro
 
 from driftlab.book.machinery.picture import (
     BLUE,
@@ -18,6 +19,9 @@ from ..experiments import SplitTriad
 EXAGGERATION = 600.0
 """How many times larger than it is an error is drawn."""
 
+DARK_GREY = "#5c5c5c"
+"""The grey of the lines, dark enough for small letters."""
+
 TITLES = ("the whole triad", "scale", "non-orthogonality", "misalignment")
 
 
@@ -28,33 +32,43 @@ def columns(data: SplitTriad) -> dict[str, FloatArray]:
 
 
 class SplitTriadPicture(Picture[SplitTriad]):
-    """Four triads: the bent one, and what each part alone would do."""
+    """Four triads with their matrices: the bent one, and what each part alone would do."""
 
-    size = (10.5, 3.3)
+    size = (10.5, 3.9)
 
     def build(self) -> None:
         panels = self.figure.subplots(1, 4)
-        self.figure.subplots_adjust(0.005, 0.09, 0.995, 0.88, wspace=0.02)
-        self.axes_lines = []
-        for panel, title in zip(panels, TITLES, strict=True):
+        self.figure.subplots_adjust(0.005, 0.02, 0.995, 0.93, wspace=0.02)
+        self.axes_lines, self.matrices = [], []
+        for panel, title, sign in zip(panels, TITLES, " =++", strict=True):
             plain_axes(panel)
-            panel.set(xlim=(-0.75, 1.45), ylim=(-0.6, 1.45))
+            panel.set(xlim=(-0.65, 1.3), ylim=(-0.68, 2.0))
             panel.set_title(title)
+            panel.text(-0.72, 1.62, sign, fontsize=15, ha="center", va="center")
             for tip in project(np.eye(3)):
                 panel.plot([0, tip[0]], [0, tip[1]], color=GREY, linewidth=1.2)
             self.axes_lines.append([
                 self.line(panel, color=color, linewidth=2.2, marker=marker, markevery=[1])
                 for color, marker in ((BLUE, "o"), (VERMILION, "s"), (GREEN, "^"))
             ])  # fmt: skip
-        for line, label in zip(self.axes_lines[0], "xyz", strict=True):
-            line.set_label(f"sensitive axis {label}")
-        self.figure.legend(
-            handles=[*self.axes_lines[0]], loc="lower center", ncols=3, bbox_to_anchor=(0.5, -0.01)
-        )
-        self.figure.text(0.005, 0.02, f"errors drawn {EXAGGERATION:g} times too large", color=GREY)
+            matrix = self.words(panel, family="DejaVu Sans Mono", fontsize=9.5, ha="center",
+                                va="center", linespacing=1.35)  # fmt: skip
+            matrix.set_position((0.33, 1.62))
+            self.matrices.append(matrix)
+        for tip, name in zip(project(np.eye(3)), "xyz", strict=True):
+            for panel in panels:
+                x, y = 1.17 * tip
+                panel.text(x, y, name, ha="center", va="center")
+        self.figure.text(
+            0.005, 0.02, f"leans drawn ×{EXAGGERATION:g}; matrices: ″, and ppm on the diagonal",
+            color=DARK_GREY, fontsize=8.5,
+        )  # fmt: skip
 
     def update(self, data: SplitTriad) -> None:
-        for lines, part in zip(self.axes_lines, data.parts, strict=True):
+        units = np.where(np.eye(3, dtype=bool), micro, arcsecond)
+        for lines, words, part in zip(self.axes_lines, self.matrices, data.parts, strict=True):
             # The rows of I + K are the sensitive axes.
             for line, tip in zip(lines, project(np.eye(3) + EXAGGERATION * part), strict=True):
                 line.set_data([0, tip[0]], [0, tip[1]])
+            rounded = np.round(part / units, 1) + 0.0  # no negative zero
+            words.set_text("\n".join(" ".join(f"{x:5g}" for x in row) for row in rounded))

@@ -3,35 +3,99 @@
 `calibration_errors` shows all of them.
 """
 
+from functools import cache
+from typing import NamedTuple
+
 import numpy as np
 
-from driftlab.book.machinery.picture import BLACK, GREY, SERIES, Picture
+from driftlab.book.machinery.picture import BLACK, SERIES, Picture, legend_above
+from driftlab.calibration.simulation import TableTrial
+from driftlab.motion.scheme import SCHEMES
 
-from ..experiments import CalibrationRun
+from ..experiments import CalibrationRun, up_in_body_axes
+
+BOTTOMS = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5)
+"""Where the axis of the sizes may begin."""
+
+
+class Pause(NamedTuple):
+    """A pause of the table, and the rotation after it.
+
+    Attributes
+    ----------
+    begin, end : float
+        Minutes.
+    up : str
+        Body axis that points up, with its sign.
+    rotation : str
+        Word of the scheme; empty after the last pause.
+    """
+
+    begin: float
+    end: float
+    up: str
+    rotation: str
+
+
+@cache
+def pauses() -> tuple[Pause, ...]:
+    """Return what the table does in the calibrations of the chapter."""
+    scheme = TableTrial().scheme
+    directions = up_in_body_axes()
+    up = directions.up[list(SCHEMES.values()).index(scheme)]
+    found, begin = [], 0.0
+    words = [*scheme.rotations.split(), ""]
+    for word, (_, angle) in zip(words, [*scheme.turns, (None, 0.0)], strict=True):
+        end = begin + scheme.dwell
+        x = up[round(begin + 0.5 * scheme.dwell)]
+        axis = int(np.abs(x).argmax())
+        name = ("+" if x[axis] > 0 else "−") + "xyz"[axis]
+        found.append(Pause(begin / 60, end / 60, name, word))
+        begin = end + abs(angle) / scheme.rate
+    return tuple(found)
+
+
+def table_says(minute: float) -> str:
+    """Return in words what the table does at a minute."""
+    last = next((pause for pause in reversed(pauses()) if pause.begin <= minute), pauses()[0])
+    return f"rests, {last.up} up" if minute <= last.end else f"turns {last.rotation}"
 
 
 class CalibrationRunPicture(Picture[CalibrationRun]):
-    """Size of the error beside three deviations, and the error in deviations."""
+    """Size of the error beside three deviations, the error in deviations, and the table."""
 
-    size = (10.5, 4.0)
+    size = (10.5, 4.4)
 
     def build(self) -> None:
-        size, ratio = self.figure.subplots(1, 2)
-        self.figure.subplots_adjust(0.075, 0.23, 0.985, 0.91, wspace=0.2)
-        size.set(title="error, in standard deviations known before", yscale="log", ylim=(1e-5, 10))
-        ratio.set(title="error, in standard deviations the filter states", ylim=(-4.2, 4.2))
+        grid = self.figure.add_gridspec(2, 2, height_ratios=[1, 0.17])
+        self.figure.subplots_adjust(0.06, 0.11, 0.985, 0.93, wspace=0.14, hspace=0.46)
+        size, ratio = (self.figure.add_subplot(grid[0, i]) for i in (0, 1))
+        table = self.figure.add_subplot(grid[1, :])
+        self.size_axes, self.ratio_axes = size, ratio
+        size.set(title="in deviations known before", yscale="log")
+        ratio.set(title="error, in deviations that the filter states: inside ±3?", ylim=(-4.2, 4.2))
         for panel in (size, ratio):
-            panel.set(xlabel="time, minutes", xlim=(0, 41))
+            panel.set_xlim(0, 41)
+            panel.set_xlabel("time, min", loc="right", labelpad=0)
         for bound in (-3, 3):
             ratio.axhline(bound, color=BLACK, linestyle="--", linewidth=1.2)
-        self.error = self.line(size, **SERIES[0], label="size of the error")
-        self.bound = self.line(size, **SERIES[1], label="three deviations that the filter states")
+        table.set(xlim=(0, 41), ylim=(0, 1), xlabel="the table: which axis is up, and how it turns")
+        table.set_yticks([])
+        table.grid(visible=False)
+        table.tick_params(labelbottom=False, bottom=False)
+        for i, (begin, end, up, rotation) in enumerate(pauses()):
+            face = ("#e4eef5", "#f6efe0")[i % 2]
+            table.axvspan(begin, end, facecolor=face, edgecolor="none")
+            table.text((begin + end) / 2, 0.7, up, ha="center", va="center", fontsize=8)
+            table.text(end, 0.25, rotation, ha="center", va="center", fontsize=6.5)
+        self.error = self.line(size, **SERIES[0], label="error")
+        self.bound = self.line(size, **SERIES[1], label="three deviations stated")
         self.ratio = self.line(ratio, **SERIES[0])
         self.marks = [
-            self.line(panel, color=GREY, linewidth=1.0, linestyle=(0, (2, 2)))
-            for panel in (size, ratio)
+            self.line(panel, color=BLACK, linewidth=1.2, linestyle=(0, (2, 2)))
+            for panel in (size, ratio, table)
         ]
-        size.legend(loc="upper center", bbox_to_anchor=(0.5, -0.15), ncols=2)
+        legend_above(size, 2)
 
     def update(self, data: CalibrationRun) -> None:
         minutes = data.times / 60
@@ -39,6 +103,12 @@ class CalibrationRunPicture(Picture[CalibrationRun]):
         self.error.set_data(minutes, np.abs(error) / data.before)
         self.bound.set_data(minutes, 3 * data.deviation / data.before)
         self.ratio.set_data(minutes, error / data.deviation)
+        least = (3 * data.deviation / data.before).min()
+        low = next((step for step in BOTTOMS if step <= 0.1 * least), BOTTOMS[-1])
+        self.set_limits(self.size_axes, "y", low, 10.0)
+        farthest = float(np.abs(error / data.deviation).max())
+        reach = next((step for step in (3.3, 4.2, 6.0) if farthest <= step), 10.0)
+        self.set_limits(self.ratio_axes, "y", -reach, reach)
         here = minutes[data.shown]
-        self.marks[0].set_data([here, here], [1e-5, 10])
-        self.marks[1].set_data([here, here], [-4.2, 4.2])
+        for mark in self.marks:
+            mark.set_data([here, here], mark.axes.get_ylim())

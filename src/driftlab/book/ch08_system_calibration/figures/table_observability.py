@@ -8,8 +8,12 @@ from driftlab.checks import FloatArray
 
 from ..experiments import TableObservability
 
+DARK_GREY = "#5c5c5c"
 FLOOR = 1e-21
 """Below it an eigenvalue, relative to the largest, is drawn as zero."""
+
+DRAWN_ZERO = 1e-13
+"""Where zero is drawn: below all eigenvalues that are none, so that these have the room."""
 
 
 def columns(data: TableObservability) -> dict[str, FloatArray | list[str]]:
@@ -35,16 +39,29 @@ class TableObservabilityPicture(Picture[TableObservability]):
     def build(self) -> None:
         values, ratios = self.figure.subplots(1, 2, gridspec_kw={"width_ratios": [0.62, 1.0]})
         self.figure.subplots_adjust(0.065, 0.27, 0.99, 0.91, wspace=0.16)
-        values.set(title="eigenvalues of the Gramian", xlabel="number", yscale="log")
-        values.set(xlim=(0, 31), ylim=(FLOOR / 5, 10), ylabel="relative to the largest")
-        values.set_yticks([1e-20, 1e-15, 1e-10, 1e-5, 1])
-        values.axhline(FLOOR, color=GREY, linewidth=0.8)
-        values.text(30.5, 1.5 * FLOOR, "zero", color=GREY, ha="right")
+        values.set(
+            title="how strongly each direction shows",
+            xlabel="eigenvalue of the Gramian, by size",
+            yscale="log",
+        )
+        values.set(xlim=(0, 31), ylim=(DRAWN_ZERO / 10, 10), ylabel="relative to the largest")
+        values.set_yticks([1e-12, 1e-9, 1e-6, 1e-3, 1])
+        values.axhline(DRAWN_ZERO, color=GREY, linewidth=0.8)
+        values.text(
+            30.5,
+            1.7 * DRAWN_ZERO,
+            "zero: not observable",
+            color=DARK_GREY,
+            ha="right",
+            fontsize=8.5,
+        )
         self.bright = self.line(values, color=BLUE, marker="o", linestyle="none", markersize=4)
         self.unobservable = self.line(
             values, color=VERMILION, marker="X", linestyle="none", markersize=7
         )
-        ratios.set(title="deviation after the scheme, over that before", yscale="log")
+        ratios.set(
+            title="deviation after the scheme, over that before: lower is better", yscale="log"
+        )
         ratios.set(xlim=(-0.7, len(SLOTS) - 0.3), ylim=(5e-4, 2))
         ratios.axhline(1.0, color=BLACK, linewidth=0.8)
         ratios.set_xticks(range(len(SLOTS)), SLOTS, rotation=55, ha="right", fontsize=7.5)
@@ -52,9 +69,13 @@ class TableObservabilityPicture(Picture[TableObservability]):
 
     def update(self, data: TableObservability) -> None:
         numbers = np.arange(1, len(data.eigenvalues) + 1)
-        values = np.maximum(data.eigenvalues, FLOOR)
-        self.unobservable.set_data(numbers[: data.unobservable], np.full(data.unobservable, FLOOR))
+        values = np.maximum(data.eigenvalues, DRAWN_ZERO)
+        self.unobservable.set_data(
+            numbers[: data.unobservable], np.full(data.unobservable, DRAWN_ZERO)
+        )
         self.bright.set_data(numbers[data.unobservable :], values[data.unobservable :])
+        low = 5e-4 if _ratios(data)[6:].min() >= 5e-4 else 1e-5
+        self.set_limits(self.ratios.axes, "y", low, 2.0)
         self.ratios.set_data(
             [SLOTS.index(_slot(name)) for name in data.names[6:]], _ratios(data)[6:]
         )

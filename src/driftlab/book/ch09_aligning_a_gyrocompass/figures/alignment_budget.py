@@ -1,13 +1,15 @@
 """What each sensor error does to the heading of an aligned compass: by term, and exactly."""
 
 import numpy as np
+from matplotlib.patches import Rectangle
+from matplotlib.ticker import MaxNLocator
 
-from driftlab.book.machinery.picture import BLACK, SERIES, Picture
+from driftlab.book.machinery.picture import BLACK, SERIES, Picture, legend_above
 from driftlab.checks import FloatArray
 
 from ..experiments import TERMS, AlignmentBudget
 
-STEPS = (0.5, 2.0, 10.0, 50.0, 180.0)
+STEPS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 180.0)
 """How far the axes may reach, degrees."""
 
 
@@ -27,12 +29,13 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
 
     def build(self) -> None:
         left, right = self.figure.subplots(1, 2, width_ratios=(1, 1.15))
-        self.figure.subplots_adjust(0.155, 0.19, 0.97, 0.91, wspace=0.2)
+        self.figure.subplots_adjust(0.155, 0.13, 0.985, 0.91, wspace=0.16)
         self.left, self.right = left, right
         rows = -np.arange(len(TERMS))
         left.set_yticks(rows, TERMS)
-        left.set(title="heading error by term", xlabel="degrees")
+        left.set(title="heading error by term, °")
         left.set_ylim(-len(TERMS) + 0.4, 0.6)
+        left.xaxis.set_major_locator(MaxNLocator(5))
         left.axvline(0, color=BLACK, linewidth=0.8)
         left.axhline(-3.5, color=BLACK, linewidth=0.8, linestyle=":")
         styles = [*(SERIES[0],) * 4, SERIES[1], SERIES[4]]
@@ -40,24 +43,43 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
         for bar, style in zip(self.bars, styles, strict=True):
             bar.set_color(style["color"])
             self.moving.append(bar)
-        right.set(title="the same errors at other headings", xlabel="heading, degrees")
-        right.set(ylabel="heading error, degrees", xlim=(-180, 180))
-        right.set_xticks(
-            [-180, -90, 0, 90, 180], ["South", "−90\nEast", "North", "90\nWest", "South"]
-        )
+        right.set(title="at all headings, °", xlim=(-180, 180))
+        right.set_xticks([-180, -90, 0, 90, 180], ["South", "East", "North", "West", "South"])
         self.first_order = self.line(right, **SERIES[1], label="first order")
         self.exact = self.line(right, color=BLACK, linewidth=0.9, label="exact")
         self.here = self.line(
             right, color=BLACK, marker="o", linestyle="none", label="this heading"
         )
-        right.legend(loc="upper right", ncols=3)
+        legend_above(right, 3)
+        self.hatched, self.reasons = [], []
+        for panel in (left, right):
+            sheet = Rectangle((0, 0), 1, 1, transform=panel.transAxes, facecolor="#f4f4f4",
+                              edgecolor="#9a9a9a", hatch="//", linewidth=0)  # fmt: skip
+            panel.add_patch(sheet)
+            self.moving.append(sheet)
+            self.hatched.append(sheet)
+            reason = self.words(
+                panel,
+                transform=panel.transAxes,
+                ha="center",
+                va="center",
+                fontsize=12,
+                bbox={"facecolor": "white", "edgecolor": "none"},
+            )
+            reason.set_position((0.5, 0.5))
+            self.reasons.append(reason)
 
     def update(self, data: AlignmentBudget) -> None:
+        # A body that points to the zenith or the nadir heads nowhere: no error, and no zero either.
+        nowhere = bool(np.isnan(data.bars).all())
+        for sheet, reason in zip(self.hatched, self.reasons, strict=True):
+            sheet.set_visible(nowhere)
+            reason.set_text("no heading exists here" if nowhere else "")
+            reason.set_visible(nowhere)
         for bar, value in zip(self.bars, np.degrees(data.bars), strict=True):
             bar.set_width(np.nan_to_num(value))
-        shown = np.degrees([*data.bars, *data.exact, *data.first_order])
-        self.set_reach(self.left, "x", shown, STEPS)
-        self.set_reach(self.right, "y", shown, STEPS)
+        self.set_reach(self.left, "x", np.degrees(data.bars), STEPS)
+        self.set_reach(self.right, "y", np.degrees([*data.exact, *data.first_order]), STEPS)
         degrees = np.degrees(data.headings)
         self.first_order.set_data(degrees, np.degrees(data.first_order))
         self.exact.set_data(degrees, np.degrees(data.exact))

@@ -4,10 +4,14 @@ import numpy as np
 from matplotlib.axes import Axes
 from scipy.constants import arcminute, minute
 
-from driftlab.book.machinery.picture import BLACK, SERIES, Picture
+from driftlab.book.machinery.picture import BLACK, SERIES, Picture, legend_above
 from driftlab.book.scenarios import DURATION, SPEED_UP, TURN
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.simulation import HeadingErrors
+
+DEGREES = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 25.0, 75.0, 200.0)
+MINUTES = (0.5, 1.0, 2.0, 5.0, 15.0, 75.0, 1000.0)
+"""How far the axes may reach."""
 
 
 def columns(data: HeadingErrors) -> dict[str, FloatArray]:
@@ -41,31 +45,37 @@ class OperationPicture(Picture[HeadingErrors]):
         self.figure.subplots_adjust(0.06, 0.14, 0.985, 0.91, wspace=0.2)
         heading, tilt, halves = self.panels = panels
         for panel in panels:
-            panel.set(xlabel="time, minutes", xlim=(0, DURATION / minute))
+            panel.set(xlabel="time, min", xlim=(0, DURATION / minute))
             panel.set_xticks(range(0, 121, 20))
             shade_manoeuvres(panel)
-        heading.set(title="heading error, degrees")
-        tilt.set(title="tilt of the horizon, arc minutes")
-        halves.set(title="errors of its two parts, degrees")
+        heading.set(title="heading error, °")
+        tilt.set(title="tilt, ′")
+        halves.set(title="parts, °")
         self.error = self.line(heading, color=SERIES[0]["color"], linewidth=3.0, alpha=0.6,
                                label="simulated")  # fmt: skip
         self.formula = self.line(heading, color=BLACK, linewidth=1.0, label="formula")
-        self.speed_error = self.line(halves, **SERIES[3], label="speed error")
+        self.speed_error = self.line(halves, **SERIES[3], label="speed")
         self.north = self.line(tilt, **SERIES[0], label="about North")
         self.east = self.line(tilt, **SERIES[1], label="about East")
-        self.yaw = self.line(halves, **SERIES[2], label="yaw psi")
-        self.compass = self.line(halves, **SERIES[4], label="compass angle Psi_K")
-        for panel in (heading, tilt):
-            panel.legend(loc="lower left")
-        halves.legend(loc="upper left")
+        self.yaw = self.line(halves, **SERIES[2], label=r"yaw $\psi$")
+        self.compass = self.line(halves, **SERIES[4], label=r"compass $\Psi_K$")
+        for panel in panels:
+            legend_above(
+                panel, 3, handlelength=1.4, columnspacing=0.7, handletextpad=0.3, fontsize=8
+            )
 
     def update(self, data: HeadingErrors) -> None:
         minutes = data.times / minute
         heading, tilt, halves = self.panels
-        self.set_reach(heading, "y", np.degrees(data.heading_error), (1.0, 5.0, 25.0, 75.0, 200.0))
-        self.set_reach(tilt, "y", data.tilt / arcminute, (3.0, 15.0, 75.0, 1000.0))
+        self.set_reach(
+            heading,
+            "y",
+            [np.degrees(data.heading_error), np.degrees(data.formula.heading)],
+            DEGREES,
+        )
+        self.set_reach(tilt, "y", data.tilt / arcminute, MINUTES)
         parts = [data.yaw_error, data.compass_error, data.speed_error]
-        self.set_reach(halves, "y", np.degrees(parts), (3.0, 15.0, 75.0, 200.0))
+        self.set_reach(halves, "y", np.degrees(parts), DEGREES)
         self.error.set_data(minutes, np.degrees(data.heading_error))
         self.formula.set_data(minutes, np.degrees(data.formula.heading))
         self.speed_error.set_data(minutes, np.degrees(data.speed_error))
