@@ -1,6 +1,7 @@
 """What can be tested of how well a figure can be seen: contrast, captions, no word of a colour."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -41,6 +42,24 @@ def test_every_line_style_of_the_book_stands_out_from_the_page():
         assert contrast(style["color"]) >= 3, style
     # What differs in colour differs in its dashes too.
     assert len({str(style["linestyle"]) for style in picture.SERIES}) == len(picture.SERIES)
+
+
+def on_a_dark_page(colour):
+    """A colour of a panel's picture after the filter that page.css lays over it there."""
+    css = (Path(picture.__file__).parent / "page.css").read_text("utf-8")
+    (amount,) = re.findall(r"filter: invert\(([\d.]+)\) hue-rotate\(180deg\)", css)
+    inverted = float(amount) - (2 * float(amount) - 1) * np.array(to_rgb(colour))
+    # The matrix of a half turn of the hue, of the W3C's filter effects.
+    grey = np.array([0.213, 0.715, 0.072])
+    return np.clip(2 * np.outer(np.ones(3), grey) @ inverted - inverted, 0.0, 1.0)
+
+
+def test_every_line_style_stands_out_from_a_dark_page_too():
+    paper = on_a_dark_page("white")
+    assert contrast(paper) > 15
+    assert contrast(on_a_dark_page("black"), paper) > 12
+    for style in picture.SERIES:
+        assert contrast(on_a_dark_page(style["color"]), paper) >= 3, style
 
 
 @published(*NAMES)

@@ -71,7 +71,7 @@ class CalibrationRunPicture(Picture[CalibrationRun]):
         self.figure.subplots_adjust(0.06, 0.11, 0.985, 0.93, wspace=0.14, hspace=0.46)
         size, ratio = (self.figure.add_subplot(grid[0, i]) for i in (0, 1))
         table = self.figure.add_subplot(grid[1, :])
-        self.size_axes, self.ratio_axes = size, ratio
+        self.size_axes, self.ratio_axes, self.table_axes = size, ratio, table
         size.set(title="in deviations known before", yscale="log")
         ratio.set(title="error, in deviations that the filter states: inside ±3?", ylim=(-4.2, 4.2))
         for panel in (size, ratio):
@@ -110,5 +110,7 @@ class CalibrationRunPicture(Picture[CalibrationRun]):
         reach = next((step for step in (3.3, 4.2, 6.0) if farthest <= step), 10.0)
         self.set_limits(self.ratio_axes, "y", -reach, reach)
         here = minutes[data.shown]
-        for mark in self.marks:
-            mark.set_data([here, here], mark.axes.get_ylim())
+        for mark, axes in zip(
+            self.marks, (self.size_axes, self.ratio_axes, self.table_axes), strict=True
+        ):
+            mark.set_data([here, here], axes.get_ylim())

@@ -63,6 +63,7 @@ class TableObservabilityPicture(Picture[TableObservability]):
             title="deviation after the scheme, over that before: lower is better", yscale="log"
         )
         ratios.set(xlim=(-0.7, len(SLOTS) - 0.3), ylim=(5e-4, 2))
+        self.ratio_axes = ratios
         ratios.axhline(1.0, color=BLACK, linewidth=0.8)
         ratios.set_xticks(range(len(SLOTS)), SLOTS, rotation=55, ha="right", fontsize=7.5)
         self.ratios = self.line(ratios, color=BLUE, marker="o", linestyle="none", markersize=5)
@@ -75,7 +76,7 @@ class TableObservabilityPicture(Picture[TableObservability]):
         )
         self.bright.set_data(numbers[data.unobservable :], values[data.unobservable :])
         low = 5e-4 if _ratios(data)[6:].min() >= 5e-4 else 1e-5
-        self.set_limits(self.ratios.axes, "y", low, 2.0)
+        self.set_limits(self.ratio_axes, "y", low, 2.0)
         self.ratios.set_data(
             [SLOTS.index(_slot(name)) for name in data.names[6:]], _ratios(data)[6:]
         )
