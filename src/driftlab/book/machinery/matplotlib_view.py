@@ -22,7 +22,7 @@ from .picture import STYLE, Picture
 LEAST_RATIO, MOST_RATIO = 1.25, 2.0
 """Pixels of the picture for one of the page: more are sharper, and take longer to compress."""
 
-KEPT = 4
+KEPT = 8
 """Backgrounds that a view keeps: a slider may move to and fro over a step of the axes."""
 
 
@@ -84,13 +84,14 @@ class MatplotlibView:
         figure = self.picture.figure
         limits = tuple((axes.get_xlim(), axes.get_ylim()) for axes in figure.axes)
         key = (figure.dpi, limits)
-        if key not in self._backgrounds:
+        background = self._backgrounds.pop(key, None)
+        if background is None:
             with matplotlib.rc_context(STYLE):
                 self._canvas.draw()
+            background = self._canvas.copy_from_bbox(figure.bbox)
             if len(self._backgrounds) == KEPT:
                 del self._backgrounds[next(iter(self._backgrounds))]
-            self._backgrounds[key] = self._canvas.copy_from_bbox(figure.bbox)
-        self.background = self._backgrounds[key]
+        self._backgrounds[key] = self.background = background  # the last used is the last
         self.picture.rescaled = False
 
     def _jpeg(self) -> bytes:
