@@ -222,6 +222,7 @@ def test_identity_shows_what_it_proved() -> None:
     x = sp.Symbol("x")
     assert repr(symbolic.identity((x + 1) ** 2, x**2 + 2 * x + 1)).endswith("for every x: proved")
     assert symbolic.identity(symbolic.pure(sp.zeros(3, 1)), 0).right == "0"
+    assert symbolic.identity(sp.sin(x) ** 2 + sp.cos(x) ** 2, 1).free == ("x",)
 
 
 def test_identity_refuses_what_differs() -> None:

@@ -48,8 +48,9 @@ def identity(
     ----------
     left, right : expression or matrix
         Their difference is brought to the normal form of a rational expression, in which square
-        roots, sines and cosines count as symbols (see `simplified`). ``right=0`` stands for a zero
-        of the shape of `left`.
+        roots, sines and cosines count as symbols (see `simplified`); what is not zero by that is
+        left to SymPy's ``simplify``, which knows more of angles and takes longer. ``right=0``
+        stands for a zero of the shape of `left`.
     left_text, right_text : str
         How the sides are to be typeset, in LaTeX; if not given, the expressions themselves.
 
@@ -80,9 +81,11 @@ def identity(
     shapes = [side.shape if isinstance(side, sp.MatrixBase) else () for side in sides]
     if shapes[0] != shapes[1]:
         raise ValueError(f"right: expected the shape {shapes[0]} of left, got {shapes[1]}.")
-    difference = sp.Matrix([sides[0] - sides[1]])
-    if not all(entry.is_zero for entry in simplified(difference)):
-        raise AssertionError(f"The sides differ by {simplified(difference).tolist()}.")
+    difference = simplified(sp.Matrix([sides[0] - sides[1]]))
+    if not difference.is_zero_matrix:
+        difference = difference.applyfunc(sp.simplify)
+    if not difference.is_zero_matrix:
+        raise AssertionError(f"The sides differ by {difference.tolist()}.")
     symbols = sorted(sides[0].free_symbols | sides[1].free_symbols, key=lambda s: s.sort_key())
     stems = [sp.latex(symbol).partition("_")[0] for symbol in symbols]
     texts = [
