@@ -3,9 +3,11 @@
 
 usage: python3 lab.py [command]
 
-  open      set up what is missing and open the book (so does no command at all)
+  open      set up what is missing and open your copy of the book (so does no command at all)
               --no-browser   only print the address
               --port N       use this port
+              --original     open the book itself, for authors
+  fresh     bring clean notebooks and put yours aside: all, or "fresh 03" for chapter 03
   test      check the project: ruff, mypy, import-linter and pytest
               --quick        leave out browsers, chapters and whole set-ups
               other arguments go to pytest, which then runs alone
@@ -33,6 +35,7 @@ if sys.version_info < (3, 11):  # noqa: UP036
 
 sys.path.append(str(Path(__file__).resolve().parent))
 
+from bootstrap.copies import BOOK, bring_clean, bring_copies
 from bootstrap.environment import (
     ENVIRONMENT,
     PYPROJECT,
@@ -45,6 +48,7 @@ from bootstrap.environment import (
 )
 from bootstrap.steps import (
     HOME,
+    JUPYTER,
     PYTHON,
     VENV,
     NoPackages,
@@ -55,14 +59,15 @@ from bootstrap.steps import (
     surroundings,
 )
 
-NOTEBOOK = "notebooks/00_start_here.ipynb"
+FIRST = "00_start_here.ipynb"
 QUICK = ["--hypothesis-profile=quick", "-m", "not browser and not kernel and not setup"]
 
 # The token travels in the environment because other users can read command lines. It becomes
 # an argument inside the process because arguments, unlike JUPYTER_TOKEN, also win over a user's
 # configuration that switches tokens off. Encryption keeps what a kernel says from other users of
 # the computer. The book's matrices are small: threads for them only get in the way of the browser.
-# The address is printed from the server's loop, hence when it listens.
+# The address is printed from the server's loop, hence when it listens. Only the server itself can
+# say where its custom.css is; other than by this line that would be the user's own folder.
 SERVER = """\
 import os, sys, zmq
 from jupyterlab.labapp import LabApp
@@ -75,6 +80,7 @@ options = [
 ]
 try:
     server = LabApp.initialize_server([*sys.argv[1:], *options])
+    server.web_app.settings["static_custom_path"].insert(0, os.environ["DRIFTLAB_STYLE"])
     address = f"http://127.0.0.1:{server.port}{server.default_url}?token={token}"
     welcome = f"Drift Lab is open at\\n\\n  {address}\\n\\nCtrl-C stops it."
     server.io_loop.add_callback(lambda: print(welcome, flush=True))
@@ -95,6 +101,7 @@ def open_book(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="lab.py open", usage="python3 lab.py --help")
     parser.add_argument("--no-browser", action="store_true")
     parser.add_argument("--port", type=int, default=0)  # 0: any, chosen by the system
+    parser.add_argument("--original", action="store_true")
     options = parser.parse_args(arguments)
     if options.port:
         try:
@@ -109,6 +116,7 @@ def open_book(arguments: list[str]) -> int:
         if not is_whole():
             raise
         say(f"{trouble}\nMeanwhile the book opens with the packages of the last set-up.")
+    folder = BOOK if options.original else bring_copies()
     command = [
         *[str(PYTHON), "-c", SERVER],
         f"--ServerApp.root_dir={HOME}",
@@ -117,7 +125,8 @@ def open_book(arguments: list[str]) -> int:
         "--ServerApp.port_retries=0",
         "--ServerApp.base_url=/",
         f"--ServerApp.open_browser={not options.no_browser}",
-        f"--LabApp.default_url=/lab/tree/{NOTEBOOK}",
+        f"--LabApp.default_url=/lab/tree/{folder.name}/{FIRST}",
+        "--LabApp.custom_css=True",
         # Not WARN: that alarms beginners with "not trusted" at each opening of a clean notebook.
         "--ServerApp.log_level=ERROR",
         "--LabApp.log_level=ERROR",
@@ -129,7 +138,9 @@ def open_book(arguments: list[str]) -> int:
     say("Starting JupyterLab ...")
     # In a session of its own Ctrl-C does not reach the server, which would end in disorder from
     # that and our request together.
-    environment = surroundings(DRIFTLAB_TOKEN=secrets.token_hex(24))
+    environment = surroundings(
+        DRIFTLAB_TOKEN=secrets.token_hex(24), DRIFTLAB_STYLE=str(JUPYTER / "custom")
+    )
     with running(command, env=environment, start_new_session=True) as server:
         try:
             code = abs(server.wait())
@@ -138,6 +149,13 @@ def open_book(arguments: list[str]) -> int:
             return 0
     if code:
         raise Trouble("JupyterLab did not end as it should; its messages above tell why.")
+    return 0
+
+
+def fresh(arguments: list[str]) -> int:
+    """Bring clean copies of all notebooks, or of those whose names begin so."""
+    set_up()
+    bring_clean(arguments)
     return 0
 
 
@@ -200,7 +218,14 @@ def expect_none(arguments: list[str]) -> None:
         raise Trouble(f"This command takes no arguments; there came: {' '.join(arguments)}.")
 
 
-COMMANDS = {"open": open_book, "test": test, "figures": figures, "bench": bench, "lock": lock}
+COMMANDS = {
+    "open": open_book,
+    "fresh": fresh,
+    "test": test,
+    "figures": figures,
+    "bench": bench,
+    "lock": lock,
+}
 
 
 def main(arguments: list[str]) -> int:

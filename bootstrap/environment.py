@@ -147,9 +147,6 @@ def build() -> None:
         listed = ["--no-compile", "--progress-bar=off", "--require-hashes", "-r", ENVIRONMENT.name]
         verify(new, run_step([*pip, *listed]))
         run_step([*pip, "--no-build-isolation", "--editable", "."])
-        # JupyterLab would offer to fetch news from the network.
-        quiet = {"disabledExtensions": {"@jupyterlab/apputils-extension:announcements": True}}
-        write(new / "etc/jupyter/labconfig/page_config.json", json.dumps(quiet))
         there = (path.relative_to(new).as_posix() for path in site_packages(new).iterdir())
         contents = [name for name in there if not name.endswith("__pycache__")]
         write(new / STAMP, json.dumps({**wanted_stamp(), "folder": str(new), "contents": contents}))

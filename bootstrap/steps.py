@@ -15,6 +15,7 @@ HOME = Path(__file__).resolve().parents[1]
 VENV = (HOME / ".venv").resolve()  # it may be a link to a disk with more room
 BIN, PYTHON_NAME = ("Scripts", "python.exe") if os.name == "nt" else ("bin", "python")
 PYTHON = VENV / BIN / PYTHON_NAME
+JUPYTER = HOME / "bootstrap/jupyter"  # how the book's JupyterLab is set; the user's settings win
 LOG = HOME / ".setup.log"  # what the latest step of the set-up printed
 VERSION = f"{sys.version_info[0]}.{sys.version_info[1]}"
 
@@ -59,7 +60,8 @@ def surroundings(**extra: str) -> dict[str, str]:
     misleading.add("PYTHONDONTWRITEBYTECODE")
     misleading |= {f"PIP_{name}" for name in ("CONSTRAINT", "PREFIX", "PYTHON", "ROOT", "TARGET")}
     kept = {name: value for name, value in os.environ.items() if name not in misleading}
-    for name, first in {"PATH": PYTHON.parent, "JUPYTER_PATH": VENV / "share/jupyter"}.items():
+    before = {"PATH": PYTHON.parent, "JUPYTER_PATH": VENV / "share/jupyter"}
+    for name, first in {**before, "JUPYTER_CONFIG_PATH": JUPYTER}.items():
         kept[name] = os.pathsep.join([str(first), *filter(None, [kept.get(name)])])
     ours = {f"PIP_{name}": "0" for name in ("DRY_RUN", "QUIET", "REQUIRE_HASHES", "USER")}
     ours.update(PYTHONNOUSERSITE="1", PIP_DISABLE_PIP_VERSION_CHECK="1", VIRTUAL_ENV=str(VENV))

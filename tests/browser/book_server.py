@@ -22,7 +22,8 @@ from pages import FOLDER
 
 # Starts JupyterLab as lab.py does: its token comes from DRIFTLAB_TOKEN and wins over any
 # configuration that switches tokens off.
-SERVER = run_path(str(FOLDER.parent / "lab.py"), run_name="lab")["SERVER"]
+LAB = run_path(str(FOLDER.parent / "lab.py"), run_name="lab")
+SERVER, JUPYTER = LAB["SERVER"], LAB["JUPYTER"]
 
 
 class Server(NamedTuple):
@@ -47,11 +48,8 @@ def book_server(folder: Path) -> Iterator[Server]:
     """
     book = folder / "notebooks"
     shutil.copytree(FOLDER, book, ignore=shutil.ignore_patterns(".ipynb_checkpoints"))
-    quiet = {
-        "disabledExtensions": {"@jupyterlab/apputils-extension:announcements": True},
-        # Whether JupyterLab should be built anew is found out with node, at each opening of a page.
-        "buildCheck": False,
-    }
+    # Whether JupyterLab should be built anew is found out with node, at each opening of a page.
+    quiet = {"buildCheck": False}
     (folder / "config/labconfig").mkdir(parents=True)
     (folder / "config/labconfig/page_config.json").write_text(json.dumps(quiet), "utf-8")
     widgets = folder / "settings/@jupyter-widgets/jupyterlab-manager"
@@ -65,11 +63,13 @@ def book_server(folder: Path) -> Iterator[Server]:
     environment = {
         **{name: value for name, value in os.environ.items() if not name.startswith("JUPYTER")},
         "JUPYTER_CONFIG_DIR": str(folder / "config"),
+        "JUPYTER_CONFIG_PATH": str(JUPYTER),
         "JUPYTER_RUNTIME_DIR": str(folder / "runtime"),
         "JUPYTER_DATA_DIR": str(folder / "data"),
         "JUPYTERLAB_SETTINGS_DIR": str(folder / "settings"),
         "JUPYTERLAB_WORKSPACES_DIR": str(folder / "workspaces"),
         "IPYTHONDIR": str(folder / "ipython"),
+        "DRIFTLAB_STYLE": str(JUPYTER / "custom"),
         "DRIFTLAB_TOKEN": token,
     }
     command = [
@@ -77,6 +77,7 @@ def book_server(folder: Path) -> Iterator[Server]:
         *["--ServerApp.ip=127.0.0.1", f"--ServerApp.port={port}", "--ServerApp.port_retries=0"],
         # So that a test can ask the application for its notebook and its kernel.
         "--LabApp.expose_app_in_browser=True",
+        "--LabApp.custom_css=True",
     ]
     if os.name != "nt" and os.geteuid() == 0:
         command.append("--allow-root")
