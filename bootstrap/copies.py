@@ -176,10 +176,10 @@ def place(copy: Copy) -> None:
         try:
             write(copy.path, copy.clean)
         except OSError as error:
-            copy.path.with_name(copy.path.name + ".new").unlink(missing_ok=True)
             if error.errno in (errno.EEXIST, errno.ENOTDIR):
                 what = f"{copy.path.parent} is in the way of the copies: move it away"
                 raise Trouble(f"{what} and run this again.") from error
+            copy.path.with_name(copy.path.name + ".new").unlink(missing_ok=True)
             raise
 
 

@@ -69,6 +69,9 @@ import os
 class LabApp:
     port, default_url = 8888, "/lab"
 
+    class web_app:
+        settings = {"static_custom_path": []}
+
     @classmethod
     def initialize_server(cls, argv):
         open(os.path.join(os.environ.get("JUPYTER_RUNTIME_DIR", "."), "jupyter.new"), "w").close()
@@ -83,6 +86,9 @@ class LabApp:
 """
 
 
+PARTS = ("environment", "steps", "copies")
+
+
 def load(folder: Path) -> SimpleNamespace:
     """Import lab.py of a folder and what it consists of."""
     sys.path.insert(0, str(folder))
@@ -90,13 +96,13 @@ def load(folder: Path) -> SimpleNamespace:
         spec = importlib.util.spec_from_file_location("lab", folder / "lab.py")
         lab = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(lab)
-        parts = [importlib.import_module(f"bootstrap.{name}") for name in ("environment", "steps")]
+        parts = {name: importlib.import_module(f"bootstrap.{name}") for name in PARTS}
     finally:
         while str(folder) in sys.path:
             sys.path.remove(str(folder))
-        for name in ("bootstrap", "bootstrap.environment", "bootstrap.steps"):
+        for name in ("bootstrap", *(f"bootstrap.{name}" for name in PARTS)):
             sys.modules.pop(name, None)
-    return SimpleNamespace(lab=lab, environment=parts[0], steps=parts[1])
+    return SimpleNamespace(lab=lab, **parts)
 
 
 def command(folder: Path, *arguments: str) -> list[str]:
@@ -120,6 +126,8 @@ def run(folder: Path, *arguments: str, **variables: str) -> SimpleNamespace:
 def make_tiny(folder: Path) -> Path:
     (folder / "src/driftlab").mkdir(parents=True)
     (folder / "src/jupyterlab").mkdir()
+    (folder / "notebooks").mkdir()
+    (folder / "notebooks/00_start_here.ipynb").write_text('{"cells": [], "metadata": {}}', "utf-8")
     shutil.copy(ROOT / "lab.py", folder)
     shutil.copytree(
         ROOT / "bootstrap", folder / "bootstrap", ignore=shutil.ignore_patterns("__pycache__")
@@ -265,7 +273,7 @@ def test_unknown_command(tiny: Path) -> None:
     done = run(tiny, "opne", PYTHONSAFEPATH="1")
     assert done.code == 1
     assert done.complained == (
-        'There is no command "opne"; there are open, test, figures, bench, lock.'
+        'There is no command "opne"; there are open, fresh, test, figures, bench, lock.'
     )
 
 
@@ -795,7 +803,7 @@ def address_of(process: subprocess.Popen[str]) -> tuple[str, str]:
             break
     if "package index cannot be reached" in said and "CI" not in os.environ:
         pytest.skip("the package index cannot be reached")
-    page = r"(http://127\.0\.0\.1:\d+)/lab/tree/notebooks/00_start_here\.ipynb\?token=(\w{48})\n"
+    page = r"(http://127\.0\.0\.1:\d+)/lab/tree/my-book/00_start_here\.ipynb\?token=(\w{48})\n"
     found = re.search(page, said)
     assert found, said
     return found[1], found[2]
@@ -841,7 +849,7 @@ def test_the_book_opens_on_a_machine_that_never_saw_it(tmp_path: Path) -> None:
         with pytest.raises(OSError):  # noqa: PT011 - refused or without a route, by system
             socket.create_connection(("127.0.0.2", int(base.rpartition(":")[2])), timeout=5)
 
-        notebook = ask(f"{base}/api/contents/notebooks/00_start_here.ipynb", token)
+        notebook = ask(f"{base}/api/contents/my-book/00_start_here.ipynb", token)
         assert notebook["content"]["cells"]
         assert notebook["writable"]
 
