@@ -110,10 +110,7 @@ def bring_clean(beginnings: list[str]) -> None:
 def list_copies() -> list[Copy]:
     """Compare the book with the copies; say which of its files are no notebooks."""
     try:
-        asked = [str(PYTHON), "-I", "-S", "-c", "import sys; print(sys.version.split()[0])"]
-        version = subprocess.run(asked, check=True, capture_output=True, text=True).stdout.strip()
-        language = {**LANGUAGE, "version": version}
-        copies = []
+        language, copies = language_of(PYTHON), []
         for original in sorted(BOOK.rglob("*.ipynb")):
             if ".ipynb_checkpoints" not in original.parts:
                 try:
@@ -128,6 +125,13 @@ def list_copies() -> list[Copy]:
     if not copies:
         raise Trouble(f"The project is incomplete, get it afresh: {BOOK} has no notebooks.")
     return copies
+
+
+def language_of(python: Path) -> dict[str, Any]:
+    """Return what a kernel of this Python says of its language."""
+    asked = [str(python), "-I", "-S", "-c", "import sys; print(sys.version.split()[0])"]
+    version = subprocess.run(asked, check=True, capture_output=True, text=True).stdout.strip()
+    return {**LANGUAGE, "version": version}
 
 
 def clean_text(original: str, language: dict[str, Any]) -> str:

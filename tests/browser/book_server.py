@@ -3,7 +3,6 @@
 import json
 import os
 import secrets
-import shutil
 import socket
 import subprocess
 import sys
@@ -18,7 +17,7 @@ from typing import NamedTuple
 import nbformat
 from nbformat import NotebookNode
 from notebook_page import PATIENCE
-from pages import FOLDER
+from pages import FOLDER, NOTEBOOKS
 
 # Starts JupyterLab as lab.py does: its token comes from DRIFTLAB_TOKEN and wins over any
 # configuration that switches tokens off.
@@ -47,7 +46,7 @@ def book_server(folder: Path) -> Iterator[Server]:
     user's is read or written.
     """
     book = folder / "notebooks"
-    shutil.copytree(FOLDER, book, ignore=shutil.ignore_patterns(".ipynb_checkpoints"))
+    serve_copies(book)
     # Whether JupyterLab should be built anew is found out with node, at each opening of a page.
     quiet = {"buildCheck": False}
     (folder / "config/labconfig").mkdir(parents=True)
@@ -92,6 +91,17 @@ def book_server(folder: Path) -> Iterator[Server]:
     finally:
         server.terminate()
         server.wait(30)
+
+
+def serve_copies(folder: Path) -> None:
+    """Write the copies of all notebooks that a reader has."""
+    from bootstrap.copies import clean_text, language_of  # since lab.py was run, they are found
+
+    language = language_of(Path(sys.executable))
+    for path in NOTEBOOKS:
+        copy = folder / path.relative_to(FOLDER)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_text(clean_text(path.read_text("utf-8"), language), "utf-8")
 
 
 def wait_for(server: subprocess.Popen[bytes], url: str, token: str, log: Path) -> None:

@@ -1,0 +1,61 @@
+"""A still picture that stands where a live widget cannot.
+
+The page of a notebook prefers the widget to every picture in the same output, even if all it can
+say is that there is no such widget any more: a day later, in a file without a kernel, in print. So
+the picture is an output of its own, and hides as long as the widget lives beside it.
+"""
+
+import base64
+import html
+
+from IPython.display import display
+from ipywidgets import DOMWidget
+
+STILL_CLASS = "driftlab-still"
+"""HTML class of a still; its style and the tests look for it."""
+
+# In JupyterLab, Notebook and nbconvert's pages. A widget that was found has parts; one that was
+# not is a sentence, which the still makes superfluous.
+STYLE = f"""
+.jp-OutputArea:has(.jupyter-widgets *) .{STILL_CLASS} {{ display: none; }}
+.jp-OutputArea:has(.{STILL_CLASS}) .jupyter-widgets:not(:has(*)) {{ display: none; }}
+"""
+
+
+def still(picture: bytes, kind: str, description: str) -> str:
+    """Return HTML with a picture and the sentence that says how to have the live one.
+
+    Parameters
+    ----------
+    picture : bytes
+        The file of the picture.
+    kind : str
+        What kind of file it is, such as "jpeg" or "svg+xml".
+    description : str
+        What the picture shows, for those who do not see it.
+    """
+    source = f"data:image/{kind};base64,{base64.b64encode(picture).decode()}"
+    return (
+        f'<style>{STYLE}</style><figure class="{STILL_CLASS}" style="margin: 0">'
+        f'<img src="{source}" alt="{html.escape(description)}" style="max-width: 100%">'
+        "<figcaption>This is how it stood when its cell was run. Run the cell again to move it."
+        "</figcaption></figure>"
+    )
+
+
+def display_with_still(widget: DOMWidget, picture: bytes, kind: str, description: str) -> None:
+    """Show a widget, and a picture of it wherever it does not live.
+
+    Parameters
+    ----------
+    widget : DOMWidget
+    picture : bytes
+        The file of the picture.
+    kind : str
+        What kind of file it is, such as "jpeg" or "svg+xml".
+    description : str
+        What the picture shows, for those who do not see it.
+    """
+    live = {**widget._repr_mimebundle_(), "text/plain": description}
+    for bundle in (live, {"text/html": still(picture, kind, description), "text/plain": ""}):
+        display(bundle, raw=True)  # type: ignore[no-untyped-call]
