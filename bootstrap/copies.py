@@ -104,7 +104,8 @@ def bring_clean(beginnings: list[str]) -> None:
                 copy = copy._replace(state=State.MISSING)
             if copy.state is not State.CLEAN:
                 place(copy)
-    say(f"{COPIES.name} has clean copies of {', '.join(copy.short for copy in copies)}.")
+    what = ", ".join(copy.short for copy in copies) if beginnings else "all notebooks"
+    say(f"{COPIES.name} has clean copies of {what}.")
 
 
 def list_copies() -> list[Copy]:

@@ -14,7 +14,6 @@ from test_lab import ROOT, load, make_tiny
 
 CHAPTER = "03_drift.ipynb"
 TODAY = r"\.\d{4}-\d{2}-\d{2}"
-pytestmark = pytest.mark.xdist_group("lab")
 
 
 def notebook(*sources: str, output: str = "") -> str:
@@ -136,6 +135,7 @@ def test_a_touched_copy_stays_and_the_new_one_comes_on_request(
     assert sources(copies.COPIES / CHAPTER) == ["2 + 3"]
     again = touch(copies, "another answer")
     copies.bring_clean([])
+    assert capsys.readouterr().out.endswith("my-book has clean copies of all notebooks.\n")
     assert put_aside(copies) == [mine, again]
     assert sources(copies.COPIES / CHAPTER) == ["2 + 3"]
 

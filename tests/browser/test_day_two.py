@@ -22,6 +22,9 @@ ANSWERED = """async () => {
   await new Promise(resolve => setTimeout(resolve, 100));
 }"""
 
+WIDTHS = """() => [...document.querySelectorAll(".jp-RenderedMarkdown > p")].map(
+  text => text.getBoundingClientRect().width / parseFloat(getComputedStyle(text).fontSize))"""
+
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser-faults")]
 
 
@@ -29,6 +32,9 @@ def test_a_copy_that_was_only_opened_has_nothing_to_save(chapter_page: NotebookP
     chapter_page.open(LEDGER.name)
     chapter_page.page.evaluate(ANSWERED)
     assert not chapter_page.page.evaluate(DIRTY)
+    # The settings and the style that lab.py brings are there too.
+    assert max(chapter_page.page.evaluate(WIDTHS)) <= 46
+    assert chapter_page.page.locator(".jp-DirListing-headerItem:visible").count() == 1
 
 
 def test_a_still_stands_where_the_widget_is_gone(chapter_page: NotebookPage) -> None:
