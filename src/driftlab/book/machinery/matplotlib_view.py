@@ -8,7 +8,6 @@ output area to flicker or to swallow an error.
 
 from __future__ import annotations
 
-import base64
 import io
 from typing import Any
 
@@ -26,14 +25,6 @@ KEPT = 8
 """Backgrounds that a view keeps: a slider may move to and fro over a step of the axes."""
 
 
-class StillImage(widgets.Image):  # type: ignore[misc]
-    """An image widget that a page without widgets can show as well."""
-
-    def _repr_mimebundle_(self, **options: Any) -> Any:
-        bundle = super()._repr_mimebundle_(**options)
-        return {**bundle, "image/jpeg": base64.b64encode(self.value).decode()}
-
-
 class MatplotlibView:
     """What draws a `Picture` for an explorer.
 
@@ -46,7 +37,7 @@ class MatplotlibView:
     Attributes
     ----------
     picture : Picture
-    widget : StillImage
+    widget : Image
         To be placed in the panel.
     """
 
@@ -60,7 +51,7 @@ class MatplotlibView:
         self._dpi = picture.figure.dpi
         self._backgrounds: dict[Any, Any] = {}
         width, _ = canvas.get_width_height()
-        self.widget = StillImage(format="jpeg", width=width)
+        self.widget = widgets.Image(format="jpeg", width=width)
         self._take_ratio()
         page.observe(self._ratio_told, "ratio")
 
@@ -78,6 +69,10 @@ class MatplotlibView:
         """Bring the picture up to date."""
         self.picture.update(data)
         self.widget.value = self._jpeg()
+
+    def still(self) -> tuple[bytes, str]:
+        """Return the picture as it stands, and what kind of file it is."""
+        return self.widget.value, "jpeg"
 
     def _draw_background(self) -> None:
         """Draw what does not move, or take it from what has been drawn with these limits before."""

@@ -19,6 +19,7 @@ from .matplotlib_view import MatplotlibView
 from .page import Page
 from .picture import Picture
 from .results import Results
+from .still import display_with_still
 
 ERROR_CLASS = "driftlab-error"
 """HTML class of a traceback in a panel; the tests look for it."""
@@ -39,6 +40,9 @@ class View(Protocol):
 
     def show(self, data: Any) -> None:
         """Bring the widget up to date."""
+
+    def still(self) -> tuple[bytes, str]:
+        """Return what is shown as the file of a picture, and its kind: "jpeg", "svg+xml"."""
 
 
 class Explorer(widgets.VBox):
@@ -226,13 +230,10 @@ class Explorer(widgets.VBox):
         self.message.layout.display = None if message else "none"
         self.guide.layout.display = "none" if message else None
 
-    def _repr_mimebundle_(self, **options: Any) -> Any:
-        """The live panel, and for pages that cannot show one, the picture."""
-        bundle = super()._repr_mimebundle_(**options)
-        picture = self.view.widget._repr_mimebundle_(**options)
-        # Some widgets hand over metadata as well.
-        formats = picture[0] if isinstance(picture, tuple) else picture
-        return {**bundle, **{name: formats[name] for name in formats if name.startswith("image/")}}
+    def _ipython_display_(self) -> None:
+        """The live panel, and for pages that cannot show it, its picture."""
+        picture, kind = self.view.still()
+        display_with_still(self, picture, kind, self.page.alt)
 
 
 def _with_class(widget: Any, name: str) -> Any:

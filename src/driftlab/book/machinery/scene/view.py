@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from importlib.resources import files
 from typing import Any, ClassVar
 
@@ -33,8 +32,6 @@ class SceneWidget(anywidget.AnyWidget):
         The moment that is shown, as soon as it stands still.
     autoplay : bool
         Whether it plays by itself when the reader first sees it.
-    picture : str
-        SVG of the stage, for pages without widgets; it stays here.
     """
 
     _esm = "\n".join((files(__package__) / name).read_text("utf-8") for name in SCRIPTS)
@@ -42,12 +39,6 @@ class SceneWidget(anywidget.AnyWidget):
     stage = traitlets.Dict().tag(sync=True)
     moment = traitlets.Int(0).tag(sync=True)
     autoplay = traitlets.Bool(False).tag(sync=True)
-    picture: Callable[[], str] = staticmethod(str)
-
-    def _repr_mimebundle_(self, **options: Any) -> Any:
-        """The widget, and for pages that cannot show one, a still."""
-        data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
-        return {**data, "image/svg+xml": self.picture()}, metadata
 
 
 class SceneView:
@@ -70,9 +61,12 @@ class SceneView:
 
     def show(self, data: Any) -> None:
         """Bring the widget up to date."""
-        stage = self.stage(data)
-        self.widget.stage = stage.message()
-        self.widget.picture = lambda: still(stage)
+        self._shown = self.stage(data)
+        self.widget.stage = self._shown.message()
+
+    def still(self) -> tuple[bytes, str]:
+        """Return the last moment as SVG, and what kind of file it is."""
+        return still(self._shown).encode(), "svg+xml"
 
 
 class SceneExplorer(Explorer):
