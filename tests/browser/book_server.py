@@ -3,6 +3,7 @@
 import json
 import os
 import secrets
+import shutil
 import socket
 import subprocess
 import sys
@@ -45,8 +46,10 @@ def book_server(folder: Path) -> Iterator[Server]:
     Settings, workspaces and runtime files of the server lie in `folder` as well, and none of the
     user's is read or written.
     """
-    book = folder / "notebooks"
+    root = folder / "book"
+    book = root / "notebooks"
     serve_copies(book)
+    shutil.copytree(FOLDER.parent / "figures", root / "figures")  # chapters show some by name
     # Whether JupyterLab should be built anew is found out with node, at each opening of a page.
     quiet = {"buildCheck": False}
     (folder / "config/labconfig").mkdir(parents=True)
@@ -72,7 +75,7 @@ def book_server(folder: Path) -> Iterator[Server]:
         "DRIFTLAB_TOKEN": token,
     }
     command = [
-        *[sys.executable, "-c", SERVER, "--no-browser", f"--ServerApp.root_dir={book}"],
+        *[sys.executable, "-c", SERVER, "--no-browser", f"--ServerApp.root_dir={root}"],
         *["--ServerApp.ip=127.0.0.1", f"--ServerApp.port={port}", "--ServerApp.port_retries=0"],
         # So that a test can ask the application for its notebook and its kernel.
         "--LabApp.expose_app_in_browser=True",

@@ -154,18 +154,19 @@ class NotebookPage:
     def open(self, notebook: str) -> None:
         """Open a notebook of the server in JupyterLab, in place of the one that is open there."""
         self.page.bring_to_front()
+        path = f"{self.server.folder.name}/{notebook}"
         if self.page.url.startswith(self.server.address):
-            self.page.evaluate(REPLACE, notebook)
+            self.page.evaluate(REPLACE, path)
             self.trouble.clear()
         else:
-            url = f"{self.server.address}/lab/tree/{notebook}?token={self.server.token}&reset"
+            url = f"{self.server.address}/lab/tree/{path}?token={self.server.token}&reset"
             self.page.goto(url, wait_until="domcontentloaded")
         self.page.wait_for_selector(".jp-Notebook-ExecutionIndicator[data-status=idle]")
         self.page.evaluate(LISTEN)
 
     def saved(self) -> NotebookNode:
         """Save the notebook as a reader does, and read the file."""
-        return nbformat.read(self.server.folder / self.page.evaluate(SAVE), as_version=4)
+        return nbformat.read(self.server.folder.parent / self.page.evaluate(SAVE), as_version=4)
 
     def show(self, code: str) -> None:
         """Let a notebook of one cell show the output of some code, with no trouble so far."""

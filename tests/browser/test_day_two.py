@@ -48,7 +48,7 @@ def test_a_still_stands_where_the_widget_is_gone(chapter_page: NotebookPage) -> 
 
     saved = chapter_page.saved()
     saved.metadata.pop("widgets")  # readers have this state not saved: it makes notebooks dirty
-    NotebookNotary(data_dir=str(server.folder.parent / "data")).sign(saved)  # as if saved so
+    NotebookNotary(data_dir=str(server.folder.parents[1] / "data")).sign(saved)  # as if saved so
     chapter_page.open(server.add_notebook("day_two.ipynb", saved))
     page.get_by_text("model not found").wait_for(state="attached")
     assert not page.get_by_text("model not found").is_visible()
