@@ -12,7 +12,7 @@ from matplotlib.text import Text
 
 from driftlab.book.machinery import picture
 from driftlab.book.machinery.publish import PublishedFigure
-from driftlab.book.panels import EXPLORERS
+from driftlab.book.panels import EXPLORERS, SCENES
 from published import NAMES, published
 
 COLOUR_WORDS = re.compile(
@@ -65,6 +65,8 @@ def test_every_line_style_stands_out_from_a_dark_page_too():
 @published(*NAMES)
 def test_lines_and_texts_stand_out_from_the_page(figure: PublishedFigure) -> None:
     drawn = figure._figure
+    if isinstance(drawn, str):
+        return  # a scene: its colours are those of scene.css, below
     for text in drawn.findobj(Text):
         if text.get_text().strip() and text.get_visible():
             assert contrast(text.get_color()) >= 4.5, text
@@ -81,12 +83,30 @@ def test_lines_and_texts_stand_out_from_the_page(figure: PublishedFigure) -> Non
 @published(*NAMES)
 def test_caption_is_sentences_and_names_no_colour(figure: PublishedFigure) -> None:
     assert re.match(r"[A-Z0-9“(].*[.”)]$", figure.caption, re.DOTALL), figure.caption
-    written = [figure.caption, *(text.get_text() for text in figure._figure.findobj(Text))]
+    drawn = figure._figure
+    if isinstance(drawn, str):
+        texts = re.findall(r"<text[^>]*>([^<]+)", drawn)
+    else:
+        texts = [text.get_text() for text in drawn.findobj(Text)]
+    written = [figure.caption, *texts]
     assert not [words for words in written if COLOUR_WORDS.search(words)]
 
 
-@pytest.mark.parametrize("panel", EXPLORERS, ids=lambda panel: panel.__name__)
+@pytest.mark.parametrize("theme", [0, 1], ids=["light", "dark"])
+def test_what_a_scene_draws_stands_out_from_the_page(theme: int) -> None:
+    """As a text does; grounds, rules and what is painted on paper aside."""
+    css = (Path(picture.__file__).parent / "scene/scene.css").read_text("utf-8")
+    block = re.findall(r"\{([^}]*--dl-ink[^}]*)\}", css)[theme]
+    colours = dict(re.findall(r"--dl-(\w+): (#\w+)", block))
+    paper = colours.pop("paper")
+    for name in ("rule", "sea", "block"):
+        assert contrast(colours.pop(name), paper) > 1, name
+    for name, colour in colours.items():
+        assert contrast(colour, paper) >= 4.5, name
+
+
+@pytest.mark.parametrize("panel", [*EXPLORERS, *SCENES], ids=lambda panel: panel.__name__)
 def test_panel_names_no_colour(panel) -> None:
     labels = [control.label for control in panel.controls]
-    for words in [panel.title, *panel.presets, *labels]:
+    for words in [panel.title, *panel.presets, *panel.look_for.values(), *labels]:
         assert not COLOUR_WORDS.search(words), words

@@ -111,7 +111,7 @@ def test_a_rebuild_writes_every_entry_the_gallery_and_larins_numbers(tmp_path: P
 
 
 def test_unknown_figure() -> None:
-    with pytest.raises(ValueError, match=r"name: expected one of 00-frames.* got 'none'"):
+    with pytest.raises(ValueError, match=r"name: expected one of 00-map-of-ideas.* got 'none'"):
         figures.figure("none")
 
 

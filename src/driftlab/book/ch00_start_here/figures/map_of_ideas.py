@@ -59,10 +59,7 @@ def draw(_: object) -> Figure:
             )
         )  # fmt: skip
         axes.text(idea.x, idea.y + 0.08, idea.says, ha="center", va="center", color=BLACK)
-        axes.text(
-            idea.x, idea.y - 0.3, idea.chapters, ha="center", va="center", fontsize=8,
-            color=idea.colour,
-        )  # fmt: skip
+        axes.text(idea.x, idea.y - 0.3, idea.chapters, ha="center", va="center", fontsize=8)
     for cause, effect in LEADS_TO:
         start, end = IDEAS[cause], IDEAS[effect]
         if start.x == end.x:
