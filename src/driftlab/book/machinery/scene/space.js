@@ -133,7 +133,9 @@ class ViewOfSpace {
       if (still && !this.moved) continue;
       const corners = placed(part, tracks, k);
       const flat = corners.map((c) => [scale * dot(c, right), -scale * dot(c, up)]);
-      each.depth = corners.reduce((sum, c) => sum + dot(c, out), 0) / corners.length;
+      each.depth = part.ground
+        ? -Number.MAX_VALUE
+        : corners.reduce((sum, c) => sum + dot(c, out), 0) / corners.length;
       const [x, y] = flat[0];
       if (part.kind === "dot") {
         element.setAttribute("cx", x.toFixed(2));
@@ -245,6 +247,6 @@ class ViewOfSpace {
 }
 
 // What a part looks like, wherever it is.
-const looks = ({ kind, style, text, fill, handle, shape }) =>
-  [kind, style, text, fill, handle, kind === "trace" ? 0 : shape];
+const looks = ({ kind, style, text, fill, handle, ground, shape }) =>
+  [kind, style, text, fill, handle, ground, kind === "trace" ? 0 : shape];
 

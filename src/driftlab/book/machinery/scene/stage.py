@@ -40,6 +40,8 @@ class Part:
         A colour of its own, for a face whose colour is a number.
     handle : str
         Name under which a dot can be dragged, over a sphere about the origin; "" if it cannot.
+    ground : bool
+        Whether everything else stands on it, and so is drawn after it.
     """
 
     kind: str
@@ -49,6 +51,7 @@ class Part:
     text: str = ""
     fill: str = ""
     handle: str = ""
+    ground: bool = False
 
 
 @dataclass(frozen=True)
@@ -211,6 +214,7 @@ class Stage:
                             "text": part.text,
                             "fill": part.fill,
                             "handle": part.handle,
+                            "ground": part.ground,
                         }
                         for part in view.parts
                     ],
