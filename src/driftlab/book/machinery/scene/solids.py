@@ -1,4 +1,4 @@
-"""Things to put on a stage: blocks, arrows, circles, a globe."""
+"""Things to put on a stage: blocks, arrows, circles, a globe, a ship on the sea."""
 
 from __future__ import annotations
 
@@ -91,4 +91,51 @@ def globe(colours: list[list[str]], style: str = "globe", radius: float = 1.0) -
         )
         for i in range(rows)
         for j in range(columns)
+    )
+
+
+HULL = np.array([[-0.15, -0.5], [0.15, -0.5], [0.17, 0.12], [0.0, 0.62], [-0.17, 0.12]])
+"""Outline (5, 2) of a ship's deck, to the right and forward, counter-clockwise from above."""
+
+
+def ship(track: str = "") -> tuple[Part, ...]:
+    """Return a ship that floats on the plane z = 0, its bow along y: hull, bridge and mast.
+
+    The bridge stands in the middle, so that what is nearer to the reader is drawn later from
+    wherever he looks.
+    """
+    deck, line = np.full((5, 1), 0.16), np.zeros((5, 1))
+    above, below = np.hstack([HULL, deck]), np.hstack([0.85 * HULL, line])
+    sides = [
+        Part("face", np.array([below[i - 1], below[i], above[i], above[i - 1]]), "hull", track)
+        for i in range(5)
+    ]
+    bridge = box_corners((0.09, 0.14, 0.08)) + [0.0, 0.0, 0.24]
+    return (
+        *sides,
+        Part("face", above, "hull", track),
+        *(Part("face", bridge[list(face)], "hull", track) for face in FACES),
+        Part("line", np.array([[0.0, 0.0, 0.32], [0.0, 0.0, 0.8]]), "hull", track),
+    )
+
+
+def compass_card(radius: float, style: str, track: str = "") -> tuple[Part, ...]:
+    """Return a ring with marks all 30 degrees, its North along y; a longer one at each quarter."""
+    marks = []
+    for i in range(12):
+        outward = direction_from_angles(np.radians(30.0 * i), 0.0)
+        inner = (0.88 if i % 3 == 0 else 0.94) * radius
+        marks.append(Part("line", np.stack([inner * outward, radius * outward]), style, track))
+    return (Part("line", circle([0.0, 0.0, 1.0], radius), style, track), *marks)
+
+
+def sea(radius: float) -> tuple[Part, ...]:
+    """Return a disc of water on the plane z = 0, with East along x and North along y."""
+    letters = {"N": (0.0, 1.0), "E": (1.0, 0.0), "S": (0.0, -1.0), "W": (-1.0, 0.0)}
+    return (
+        Part("face", circle([0.0, 0.0, 1.0], radius)[:-1], "sea", ground=True),
+        *(
+            Part("label", 1.07 * radius * np.array([[*place, 0.0]]), "letter", text=letter)
+            for letter, place in letters.items()
+        ),
     )
