@@ -34,6 +34,7 @@ from .settling import (
     Settling,
     settling_and_swing,
 )
+from .ship import WAKE, WAKE_POINTS, ShipWithCompass, ship_with_compass
 from .voyages import (
     CRAFT,
     CRAFT_COMPASS,
@@ -75,11 +76,14 @@ __all__ = [
     "TILT",
     "TRIALS",
     "TUNING_FACTORS",
+    "WAKE",
+    "WAKE_POINTS",
     "WORKING",
     "Horizons",
     "OperatingFormula",
     "Restarts",
     "Settling",
+    "ShipWithCompass",
     "StaticCharacteristic",
     "ballistic_errors",
     "damping_at_sea",
@@ -89,6 +93,7 @@ __all__ = [
     "restart_series",
     "rounded_ratio_range",
     "settling_and_swing",
+    "ship_with_compass",
     "spread_readings",
     "static_characteristic",
     "table_and_unit",

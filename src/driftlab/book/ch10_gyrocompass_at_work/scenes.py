@@ -1,0 +1,231 @@
+"""A ship with its compass on board as a living scene: what it does, and what its compass shows."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+from scipy.constants import arcminute, minute
+
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import Values
+from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.scene.solids import arrow, compass_card, sea, ship
+from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, reach
+from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
+from driftlab.book.machinery.units import degrees_text
+from driftlab.book.scenarios import SPEED, SPEED_UP, TURN
+from driftlab.checks import FloatArray
+from driftlab.quaternion import from_rotation_vector, multiply
+
+from .experiments import GYRO_BIAS, ShipWithCompass, ship_with_compass
+
+TILT_FACTOR, HEADING_FACTOR, LEAN_FACTOR = 1000, 15, 20
+"""How many times too large the horizon's tilt, the heading's error and the plumb line are drawn."""
+CARD, SEA, HANDLES = 0.95, 1.42, 1.2
+"""Radius of the compass card, of the water, and of the ring on which the courses are set."""
+METRES = 3000.0
+"""Of the wake in one unit of the view."""
+WINDOWS = {
+    "gathering way": (SPEED_UP[0] - 2 * minute, SPEED_UP[0] + 8 * minute, 1),
+    "the turn": (TURN[0] - 4 * minute, TURN[0] + 12 * minute, 1),
+    "two hours": (0.0, np.inf, 6),
+}
+"""First and last time that are shown, s, and every how many steps there is a moment."""
+
+
+class ShipUnderWayView(SceneView):
+    """The ship, the plumb line on board, and the horizon and the North that its compass shows."""
+
+    def stage(self, data: tuple[ShipWithCompass, float, float, bool]) -> Stage:
+        run, course, turn, is_whole = data
+        return Stage(
+            times=run.times / minute,
+            time_unit="min",
+            seconds=10.0,
+            tracks={"ship": about_up(run.heading), "ghost": shown_axes(run.tilt, run.shown_error)},
+            views=(
+                View(
+                    f"its horizon × {TILT_FACTOR}, its N × {HEADING_FACTOR}, "
+                    f"plumb line × {LEAN_FACTOR}",
+                    (
+                        *sea(SEA),
+                        *compass_card(CARD, "edge"),
+                        *course_handles(course, turn),
+                        Part("line", wake_points(run), "rate"),
+                        *ship("ship"),
+                        *shown_compass("ghost"),
+                        *plumb_line(run.lean),
+                    ),
+                    azimuth=-48.0,
+                    elevation=44.0,
+                    reach=1.6,
+                ),
+            ),
+            plots=(tilt_plot(run, is_whole), heading_plot(run)),
+            readouts=(
+                Readout("heading shown is off by", np.degrees(run.shown_error), 3, "°"),
+                Readout("the ship's own way makes", np.degrees(run.speed_error), 3, "°"),
+                Readout("horizon is off by", size(run.tilt) / arcminute, 3, "′"),
+                Readout("plumb line is off by", size(np.arctan(run.lean)) / arcminute, 1, "′"),
+            ),
+        )
+
+
+def about_up(angle: FloatArray) -> FloatArray:
+    """Attitude (..., 4) after a turn by an angle, rad, from North to West about Up."""
+    return from_rotation_vector(np.multiply.outer(angle, [0.0, 0.0, 1.0]))
+
+
+def shown_axes(
+    tilt: FloatArray, shown_error: FloatArray, factor: float = TILT_FACTOR
+) -> FloatArray:
+    """Attitude (n, 4) of the horizon and the North that the compass shows, errors magnified.
+
+    A heading is counted from North to West: what shows too much of it has its North in the East.
+    """
+    north, east = factor * tilt.T
+    leaning = from_rotation_vector(np.stack([east, north, np.zeros(len(tilt))], axis=-1))
+    return multiply(leaning, about_up(-HEADING_FACTOR * shown_error))
+
+
+def shown_compass(track: str) -> tuple[Part, ...]:
+    """The compass card as the instrument has it: its horizon, and a needle to its North."""
+    return (
+        *compass_card(CARD, "ghost", track),
+        Part("arrow", np.array([[0.0, 0.4, 0.0], [0.0, 0.95, 0.0]]), "ghost", track),
+        Part("label", np.array([[0.0, 1.06, 0.0]]), "ghost", track, text="its N"),
+    )
+
+
+def plumb_line(lean: FloatArray) -> tuple[Part, ...]:
+    """Up as a plumb line on board has it, at each moment, from the bridge upwards."""
+    north, east = LEAN_FACTOR * lean.T
+    up = np.stack([east, north, np.ones(len(lean))], axis=-1)
+    tip = 0.7 * up / np.linalg.norm(up, axis=-1, keepdims=True)
+    foot = np.array([0.0, 0.0, 0.32])
+    return tuple(
+        Part(part.kind, part.points + foot, "third", text=part.text)
+        for part in arrow(tip, "third", text="plumb line's Up")
+    )
+
+
+def course_handles(course: float, turn: float) -> tuple[Part, ...]:
+    """The courses before and after the turn, on a ring around the ship."""
+    parts: list[Part] = []
+    courses = {"course": (course, HANDLES), "course after the turn": (course + turn, 1.1 * HANDLES)}
+    for name, (angle, radius) in courses.items():
+        place = radius * np.array([[-np.sin(angle), np.cos(angle), 0.0]])
+        parts.append(Part("dot", place, "axis", handle=name))
+    return tuple(parts)
+
+
+def dragged_course(values: Values, handle: str, direction: FloatArray) -> Values:
+    """Return the course, or the turn, with which a handle of `course_handles` lies in a direction.
+
+    A turn goes on from where it is, so that a handle that is led around makes a whole turn.
+    """
+    bearing = float(np.degrees(np.arctan2(-direction[0], direction[1])))
+    if handle == "course":
+        return {"course": bearing}
+    turn = values["turn"]
+    return {"turn": turn + (bearing - values["course"] - turn + 180.0) % 360.0 - 180.0}
+
+
+def wake_points(run: ShipWithCompass) -> FloatArray:
+    """Corners (n, p, 3) of the wake: to the East, to the North, on the water."""
+    flat = run.wake[..., ::-1] / METRES
+    return np.concatenate([flat, np.zeros((*flat.shape[:-1], 1))], axis=-1)
+
+
+def size(errors: FloatArray) -> FloatArray:
+    """Size (n,) of level errors (n, 2)."""
+    return np.hypot(*errors.T)
+
+
+def tilt_plot(run: ShipWithCompass, is_whole: bool) -> Plot:
+    """Tilt of the horizon; beside it, where the ship accelerates, how far off the plumb line is."""
+    north, east = run.tilt.T / arcminute
+    if is_whole:
+        curves = (Curve("about North", north, "second"), Curve("about East", east, "ghost"))
+        return Plot("horizon's error, ′", curves, *reach(run.tilt / arcminute))
+    plumb, horizon = size(np.arctan(run.lean)) / arcminute, size(run.tilt) / arcminute
+    curves = (Curve("plumb line", plumb, "third"), Curve("horizon", horizon, "ghost"))
+    return Plot("off the true Up, ′", curves, 0.0, reach(np.append(plumb, horizon))[1])
+
+
+def heading_plot(run: ShipWithCompass) -> Plot:
+    """Error of the heading shown, and what the ship's own way makes of it."""
+    shown, own = np.degrees(run.shown_error), np.degrees(run.speed_error)
+    curves = (Curve("ship's own way", own, "soft"), Curve("shown", shown, "ghost"))
+    low, high = reach(np.append(shown, own))
+    return Plot("error of the heading shown, °", curves, low, high)
+
+
+class ShipUnderWay(SceneExplorer):
+    """Sail, turn, and watch which Up and which North the compass believes in."""
+
+    title = "A ship under way, and what its compass shows"
+    picture_class = ShipUnderWayView
+    folded = True
+    controls = (
+        Control("speed", "speed, m/s", SPEED, 0.0, 15.0, 0.5, group="ship"),
+        Control("course", "course to West, °", 0.0, -180.0, 180.0, 5.0, group="ship"),
+        Control("turn", "then turns by, °", 0.0, -360.0, 360.0, 5.0, group="ship"),
+        Control("window", "show", "gathering way", choices=tuple(WINDOWS), group="time"),
+        Control("drift", "the gyros drift", False),
+        Control("log", "a log tells the velocity", False),
+    )
+    presets: ClassVar = {
+        "To the North": {},
+        "To the East": {"course": -90.0},
+        "At rest": {"speed": 0.0, "drift": True, "window": "two hours"},
+        "A whole turn": {"turn": 360.0, "window": "the turn"},
+        "A voyage": {"turn": 90.0, "drift": True, "window": "two hours"},
+    }
+    look_for: ClassVar = {
+        "To the North": "The ship gathers way. Who believes the plumb line: the horizon, the needle?",
+        "To the East": "The same plumb line, to the East. Where is the needle's error now?",
+        "At rest": "Nothing moves but the gyros' drift. Does the needle stay where it is?",
+        "A whole turn": "The plumb line swings right round. What does the horizon make of it?",
+        "A voyage": "Gyros that drift a little, and a turn to the West. What begins with the turn?",
+    }
+
+    def compute(self, values: Values) -> tuple[ShipWithCompass, float, float, bool]:
+        course, turn = float(np.radians(values["course"])), float(np.radians(values["turn"]))
+        run = ship_with_compass(
+            values["speed"], course, turn, GYRO_BIAS * values["drift"], log=values["log"]
+        )
+        first, last, step = WINDOWS[values["window"]]
+        begin, end = np.searchsorted(run.times, [first, last])
+        return run.at(slice(begin, end, step)), course, turn, values["window"] == "two hours"
+
+    def dragged(self, handle: str, direction: FloatArray) -> Values:
+        return dragged_course(self.values, handle, direction)
+
+    def numbers(self, data: tuple[ShipWithCompass, float, float, bool]) -> Results:
+        run = data[0]
+        return Results(
+            ("heading shown is off by up to", degrees_text(np.abs(run.shown_error).max())),
+            [
+                ("of this the ship's own way", degrees_text(np.abs(run.speed_error).max())),
+                ("horizon", f"{size(run.tilt).max() / arcminute:.3f}′"),
+                ("plumb line", f"{size(np.arctan(run.lean)).max() / arcminute:.1f}′"),
+            ],
+        )
+
+    def call(self, values: Values) -> str:
+        bias = "GYRO_BIAS" if values["drift"] else "np.zeros(3)"
+        return (
+            "import numpy as np\n"
+            "from driftlab.book.ch10_gyrocompass_at_work.experiments import (\n"
+            "    GYRO_BIAS, ship_with_compass\n"
+            ")\n"
+            f"course, turn = np.radians([{values['course']}, {values['turn']}])\n"
+            f"run = ship_with_compass({values['speed']}, course, turn, {bias}, "
+            f"log={values['log']})\n"
+            "print(np.degrees(run.shown_error[-1]))"
+        )
+
+
+SCENES = (ShipUnderWay,)
