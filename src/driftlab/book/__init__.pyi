@@ -15,7 +15,10 @@ from .ch08_system_calibration.panels import (
 )
 from .ch09_aligning_a_gyrocompass.panels import AlignmentBudgetExplorer as AlignmentBudgetExplorer
 from .ch10_gyrocompass_at_work.panels import GyrocompassExplorer as GyrocompassExplorer
-from .ch10_gyrocompass_at_work.scenes import ShipUnderWay as ShipUnderWay
+from .ch10_gyrocompass_at_work.scenes import (
+    SchulerPendulum as SchulerPendulum,
+    ShipUnderWay as ShipUnderWay,
+)
 from .ch11_one_triad.panels import CapstoneExplorer as CapstoneExplorer
 from .exercises import (
     all_exercises as all_exercises,

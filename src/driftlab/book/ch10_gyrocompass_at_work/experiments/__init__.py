@@ -14,6 +14,7 @@ from .dial import (
     static_characteristic,
     table_and_unit,
 )
+from .pendulum import Pendulum, schuler_pendulum
 from .restarts import (
     PAPER_DEVIATION,
     PAPER_SPREAD,
@@ -81,6 +82,7 @@ __all__ = [
     "WORKING",
     "Horizons",
     "OperatingFormula",
+    "Pendulum",
     "Restarts",
     "Settling",
     "ShipWithCompass",
@@ -92,6 +94,7 @@ __all__ = [
     "operating_formula",
     "restart_series",
     "rounded_ratio_range",
+    "schuler_pendulum",
     "settling_and_swing",
     "ship_with_compass",
     "spread_readings",

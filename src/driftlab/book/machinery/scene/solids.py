@@ -110,7 +110,7 @@ def ship(track: str = "") -> tuple[Part, ...]:
         Part("face", np.array([below[i - 1], below[i], above[i], above[i - 1]]), "hull", track)
         for i in range(5)
     ]
-    bridge = box_corners((0.09, 0.14, 0.08)) + [0.0, 0.0, 0.24]
+    bridge = box_corners((0.09, 0.14, 0.08)) + np.array([0.0, 0.0, 0.24])
     return (
         *sides,
         Part("face", above, "hull", track),

@@ -1,4 +1,4 @@
-"""A ship with its compass on board as a living scene: what it does, and what its compass shows."""
+"""A ship with its compass on board: what it does, and what its compass shows."""
 
 from __future__ import annotations
 
@@ -18,7 +18,11 @@ from driftlab.book.scenarios import SPEED, SPEED_UP, TURN
 from driftlab.checks import FloatArray
 from driftlab.quaternion import from_rotation_vector, multiply
 
-from .experiments import GYRO_BIAS, ShipWithCompass, ship_with_compass
+from ..experiments import (
+    GYRO_BIAS,
+    ShipWithCompass,
+    ship_with_compass,
+)
 
 TILT_FACTOR, HEADING_FACTOR, LEAN_FACTOR = 1000, 15, 20
 """How many times too large the horizon's tilt, the heading's error and the plumb line are drawn."""
@@ -43,7 +47,10 @@ class ShipUnderWayView(SceneView):
             times=run.times / minute,
             time_unit="min",
             seconds=10.0,
-            tracks={"ship": about_up(run.heading), "ghost": shown_axes(run.tilt, run.shown_error)},
+            tracks={
+                "ship": about_up(run.heading),
+                "ghost": shown_axes(run.tilt, run.shown_error, (TILT_FACTOR, HEADING_FACTOR)),
+            },
             views=(
                 View(
                     f"its horizon × {TILT_FACTOR}, its N × {HEADING_FACTOR}, "
@@ -78,15 +85,19 @@ def about_up(angle: FloatArray) -> FloatArray:
 
 
 def shown_axes(
-    tilt: FloatArray, shown_error: FloatArray, factor: float = TILT_FACTOR
+    tilt: FloatArray, shown_error: FloatArray, factors: tuple[float, float]
 ) -> FloatArray:
-    """Attitude (n, 4) of the horizon and the North that the compass shows, errors magnified.
+    """Attitude (n, 4) of the horizon and the North that the compass shows, magnified by factors.
 
     A heading is counted from North to West: what shows too much of it has its North in the East.
     """
-    north, east = factor * tilt.T
-    leaning = from_rotation_vector(np.stack([east, north, np.zeros(len(tilt))], axis=-1))
-    return multiply(leaning, about_up(-HEADING_FACTOR * shown_error))
+    return multiply(leaning(factors[0] * tilt), about_up(-factors[1] * shown_error))
+
+
+def leaning(tilt: FloatArray) -> FloatArray:
+    """Attitude (n, 4) of what leans about North and about East by tilts (n, 2), rad."""
+    north, east = tilt.T
+    return from_rotation_vector(np.stack([east, north, np.zeros(len(tilt))], axis=-1))
 
 
 def shown_compass(track: str) -> tuple[Part, ...]:
@@ -184,7 +195,7 @@ class ShipUnderWay(SceneExplorer):
         "A voyage": {"turn": 90.0, "drift": True, "window": "two hours"},
     }
     look_for: ClassVar = {
-        "To the North": "The ship gathers way. Who believes the plumb line: the horizon, the needle?",
+        "To the North": "The ship gathers way. Who follows the plumb line: horizon, needle?",
         "To the East": "The same plumb line, to the East. Where is the needle's error now?",
         "At rest": "Nothing moves but the gyros' drift. Does the needle stay where it is?",
         "A whole turn": "The plumb line swings right round. What does the horizon make of it?",
@@ -226,6 +237,3 @@ class ShipUnderWay(SceneExplorer):
             f"log={values['log']})\n"
             "print(np.degrees(run.shown_error[-1]))"
         )
-
-
-SCENES = (ShipUnderWay,)
