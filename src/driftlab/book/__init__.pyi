@@ -20,6 +20,7 @@ from .ch10_gyrocompass_at_work.scenes import (
     ShipUnderWay as ShipUnderWay,
 )
 from .ch11_one_triad.panels import CapstoneExplorer as CapstoneExplorer
+from .ch11_one_triad.scenes import TurningShip as TurningShip
 from .exercises import (
     all_exercises as all_exercises,
     by_kind as by_kind,

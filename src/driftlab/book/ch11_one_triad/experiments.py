@@ -158,6 +158,23 @@ def filter_leftover() -> FloatArray:
     return leftover
 
 
+def left_over(bent: FloatArray, stage: str) -> FloatArray:
+    """Return the error matrix (3, 3) that the computer does not know of.
+
+    Parameters
+    ----------
+    bent : ndarray, shape (3, 3)
+        Error matrix of the gyros.
+    stage : str
+        One of `STAGES`.
+    """
+    if stage == STAGES[0]:
+        return bent
+    if stage == STAGES[1]:
+        return bent - bent_triad(found_by_turns(bent).sigma, np.zeros(3))
+    return -filter_leftover()
+
+
 def pair_deviations() -> tuple[FloatArray, FloatArray]:
     """Return the standard deviations (3,) of the pairs, rad, that turns and the filter state."""
     angle_noise = ImuNoise().angle_random_walk * np.sqrt(TURNS[0].duration)
@@ -223,9 +240,7 @@ def calibration_stages(
         Step of the voyage, s.
     """
     bent = bent_triad(non_orthogonality, misalignment)
-    sigma = found_by_turns(bent).sigma
-    leftover = filter_leftover()
-    left = np.stack([bent, bent - bent_triad(sigma, np.zeros(3)), -leftover])
+    left = np.stack([left_over(bent, stage) for stage in STAGES])
     cone = coning_drift(algorithm, finite_number(half_angle, "half_angle"), CONING_FREQUENCY,
                         SAMPLE_INTERVAL)  # fmt: skip
     shaken = np.array([0.0, 0.0, float(cone)])
@@ -236,8 +251,8 @@ def calibration_stages(
         np.stack(
             [
                 pairs_and_turn(bent),
-                np.append(sigma, [np.nan] * 3),
-                pairs_and_turn(bent + leftover),
+                np.append(pairs_and_turn(bent - left[1])[:3], [np.nan] * 3),
+                pairs_and_turn(bent - left[2]),
             ]
         ),
         drift_per_turn(AXES, left[:, np.newaxis]),

@@ -68,7 +68,7 @@ class PendulumView(SceneView):
             ),
             readouts=(
                 Readout("tilt about East", tilt[:, 1], 2, "′"),
-                Readout("way told, off by", miles, 2, " M"),
+                Readout("way told, off by", miles, 2, " nmi"),
                 Readout("velocity told, off by", data.velocity_error, 2, " m/s"),
                 Readout("heading, off by", np.degrees(data.heading_error), 2, "°"),
             ),

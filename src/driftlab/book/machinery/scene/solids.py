@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -139,3 +142,8 @@ def sea(radius: float) -> tuple[Part, ...]:
             for letter, place in letters.items()
         ),
     )
+
+
+def lifted(parts: Iterable[Part], height: float) -> tuple[Part, ...]:
+    """Return parts higher by `height`; what turns about another axis than Up must not be lifted."""
+    return tuple(replace(part, points=part.points + np.array([0, 0, height])) for part in parts)

@@ -1,0 +1,47 @@
+"""A ship that turns with a bent triad on board: what the turn leaves behind."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from driftlab.book.ch10_gyrocompass_at_work.experiments import ShipWithCompass, ship_with_compass
+from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, ship_manoeuvre
+from driftlab.checks import FloatArray
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
+
+
+def turning_ship(
+    gyro_error: FloatArray,
+    *,
+    speed: float = 0.0,
+    turn: float = QUARTER_TURN,
+    latitude: float = SARATOV_LATITUDE,
+) -> ShipWithCompass:
+    """Turn a ship whose compass has a log, and gyros with an error matrix that nobody told it.
+
+    Parameters
+    ----------
+    gyro_error : ndarray, shape (3, 3)
+        In body axes forward, up, right.
+    speed, turn, latitude : float
+        As for `ship_manoeuvre`.
+    """
+    way = ship_manoeuvre(latitude, speed, turn=turn)
+    gyro_bias = way.increments.mean_rate @ gyro_error.T
+    return ship_with_compass(speed, 0.0, turn, gyro_bias, log=True, latitude=latitude)
+
+
+def swing_factor(latitude: float = SARATOV_LATITUDE, east_speed: float = 0.0) -> float:
+    """Return how many times larger the heading swings than the horizon about East.
+
+    Schuler's frequency over the level rate from which North is read.
+
+    Parameters
+    ----------
+    latitude : float
+        rad.
+    east_speed : float
+        Velocity to the East, m/s.
+    """
+    level = EARTH_RATE * np.cos(latitude) + east_speed / EARTH_RADIUS
+    return float(np.sqrt(gravity(latitude) / EARTH_RADIUS) / level)
