@@ -93,3 +93,8 @@ def test_a_dragged_gyro_leaves_the_others() -> None:
     scene._asked(None, message, [])
     # The sliders stop at whole seconds.
     assert largest(bent_of(scene.values) - target) < 1.01 * arcsecond
+    # As far as it goes: still the others stay.
+    scene._asked(None, {"handle": "gyro 2", "direction": [0.5, 0.5, 0.1]}, [])
+    after = bent_of(scene.values)
+    assert largest((after - target)[[0, 2]]) < 1.01 * arcsecond
+    assert (after[1, [0, 2]] > 40 * arcsecond).all()

@@ -189,7 +189,10 @@ class TurningShip(SceneExplorer):
         axis = np.empty(3)
         axis[TO_SCENE] = direction
         lean = axis / max(axis[i], 1e-3) / LEAN_FACTOR
-        bent[i] = np.where(np.arange(3) == i, 0.0, lean)
+        # A slider is half of the sum or of the difference of two entries. Where no slider is at
+        # its end, the other gyros stay where they are.
+        most = 2 * MOST * arcsecond - np.abs(bent[:, i])
+        bent[i] = np.where(np.arange(3) == i, 0.0, np.clip(lean, -most, most))
         names = [*(f"pair_{j}" for j in range(3)), *(f"turn_{a}" for a in BODY_AXES)]
         return dict(zip(names, pairs_and_turn(bent) / arcsecond, strict=True))
 
