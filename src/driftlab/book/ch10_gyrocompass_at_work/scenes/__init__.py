@@ -3,4 +3,6 @@
 from .pendulum import SchulerPendulum
 from .ship import ShipUnderWay
 
+__all__ = ["SCENES", "SchulerPendulum", "ShipUnderWay"]
+
 SCENES = (ShipUnderWay, SchulerPendulum)

@@ -63,7 +63,7 @@ class PendulumView(SceneView):
                 Plot(
                     "way North that its turn tells, error, nautical miles",
                     (Curve("computed", miles, "ghost"), Curve("", miles, "good", whole)),
-                    *reach(np.append(miles, 1.0)),
+                    *one_or_both_sides(np.append(miles, 1.0)),
                 ),
             ),
             readouts=(
@@ -73,6 +73,13 @@ class PendulumView(SceneView):
                 Readout("heading, off by", np.degrees(data.heading_error), 2, "°"),
             ),
         )
+
+
+def one_or_both_sides(values: FloatArray) -> tuple[float, float]:
+    """Return a round span as `reach` does, but from zero where hardly anything is below it."""
+    low, high = reach(values)
+    least = float(values.min())
+    return (min(least, 0.0), high) if least > 0.05 * low else (low, high)
 
 
 def earth_parts(data: Pendulum) -> tuple[Part, ...]:
