@@ -34,11 +34,11 @@ class PlotOfTime {
     this.svg.replaceChildren();
     this.svg.setAttribute("aria-label", `${plot.title}: ${plot.curves.map((c) => c.name).join(", ")}`);
     make(this.svg, "text", { x: PLOT.left, y: 13, class: "dl-title" }, plot.title);
-    for (const tick of plot.ticks) {
+    for (const [tick, text] of plot.ticks) {
       const at = y(tick).toFixed(2);
       make(this.svg, "path", { d: `M${PLOT.left},${at}H${PLOT.left + width}`, class: "dl-rule" });
       const style = { x: PLOT.left - 5, y: at, class: "dl-tick dl-end" };
-      make(this.svg, "text", style, String(tick).replace("-", "−"));
+      make(this.svg, "text", style, text);
     }
     for (const tick of timeTicks) {
       const at = this.x(tick).toFixed(2);

@@ -79,8 +79,9 @@ class Scene {
     for (const each of [...this.views, ...this.plots]) each.draw(k);
     readouts.forEach((each, i) => {
       const value = each.values[k];
-      const text = Number.isNaN(value) ? "–" : `${signless(value.toFixed(each.decimals))}${each.unit}`;
-      this.cells[i].nodeValue = text;
+      this.cells[i].nodeValue = Number.isNaN(value)
+        ? "–"
+        : each.words[value] ?? `${signless(value.toFixed(each.decimals))}${each.unit}`;
     });
     const range = Math.abs(times.at(-1) - times[0]);
     this.clock.textContent = `${times[k].toFixed(range > 30 ? 1 : 2)} ${timeUnit}`;

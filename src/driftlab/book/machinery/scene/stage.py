@@ -109,17 +109,23 @@ class Plot:
     curves : tuple of Curve
     low, high : float
         What the ordinate spans.
+    decades : bool
+        Whether curves and span are given as decimal logarithms; the ticks show the numbers.
     """
 
     title: str
     curves: tuple[Curve, ...]
     low: float
     high: float
+    decades: bool = False
 
     @property
-    def ticks(self) -> list[float]:
-        """Round values between `low` and `high`."""
-        return ticks_between(self.low, self.high, 4)
+    def ticks(self) -> list[tuple[float, str]]:
+        """Places between `low` and `high`, and what is written at them."""
+        places = ticks_between(self.low, self.high, 4)
+        if self.decades:
+            return [(place, f"{10.0**place:g}") for place in places if place == round(place)]
+        return [(place, f"{place:g}".replace("-", "−")) for place in places]
 
 
 @dataclass(frozen=True)
@@ -132,12 +138,22 @@ class Readout:
     values : ndarray, shape (n,)
     decimals : int
     unit : str
+    words : tuple of str
+        What is said in place of the numbers 0, 1, 2, ...; then `values` are such numbers.
     """
 
     name: str
     values: FloatArray
-    decimals: int
-    unit: str
+    decimals: int = 0
+    unit: str = ""
+    words: tuple[str, ...] = ()
+
+    def said(self, moment: int) -> str:
+        """What stands in the table at a moment."""
+        value = self.values[moment]
+        if np.isnan(value):
+            return "–"
+        return self.words[int(value)] if self.words else f"{value:.{self.decimals}f}{self.unit}"
 
 
 @dataclass(frozen=True)
@@ -245,6 +261,7 @@ class Stage:
                     "values": _packed(readout.values),
                     "decimals": readout.decimals,
                     "unit": readout.unit,
+                    "words": list(readout.words),
                 }
                 for readout in self.readouts
             ],

@@ -102,9 +102,7 @@ def _document(stage: Stage, moments: Sequence[int] | FloatArray) -> str:
         down += 150
     for readout in stage.readouts:
         down += LINE
-        value = readout.values[moments[-1]]
-        number = "–" if np.isnan(value) else f"{value:.{readout.decimals}f}{readout.unit}"
-        said = f"{readout.name}: {number}" if len(moments) == 1 else ""
+        said = f"{readout.name}: {readout.said(moments[-1])}" if len(moments) == 1 else ""
         parts.append(f'<text x="{left + 44}" y="{down:g}">{escape(said)}</text>' if said else "")
     return "\n".join(filter(None, [*parts, "</svg>"])) + "\n"
 
@@ -149,9 +147,8 @@ def _plot(plot: Plot, stage: Stage, moments: Sequence[int] | FloatArray, clip: s
     x, _ = plot_places(plot, stage, stage.times)
     right, bottom = WIDTH - RIGHT, HEIGHT - BOTTOM
     elements = [f'<text class="dl-title" x="{LEFT:g}" y="13">{escape(plot.title)}</text>']
-    for tick in plot.ticks:
+    for tick, text in plot.ticks:
         _, y = plot_places(plot, stage, np.full(len(x), tick))
-        text = f"{tick:g}".replace("-", "−")
         elements += [
             f'<path class="dl-rule" d="M{LEFT:g},{y[0]:.2f}H{right:g}"/>',
             f'<text class="dl-tick dl-end" x="{LEFT - 5:g}" y="{y[0]:.2f}">{text}</text>',
