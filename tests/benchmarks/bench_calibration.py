@@ -9,10 +9,10 @@ from scipy.spatial.transform import Rotation
 from timing import best
 from tqdm import tqdm
 
+from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.kalman import velocity_update
 from driftlab.calibration.linearization import linearize_along
-from driftlab.calibration.observability import covariance_analysis
 from driftlab.calibration.simulation import TableTrial
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments

@@ -9,9 +9,9 @@ from scipy.constants import degree, g, hour, micro
 
 import covariance_by_hand
 from covariance_by_hand import ARC_SECOND, LATITUDE, deviations
+from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.linearization import linearize_along
-from driftlab.calibration.observability import covariance_analysis
 from driftlab.calibration.simulation import TableTrial
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS

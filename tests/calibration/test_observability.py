@@ -9,11 +9,11 @@ from scipy.linalg import null_space, subspace_angles
 from scipy.spatial.transform import Rotation
 
 from driftlab.calibration import linearization
+from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import (
     UnobservableWarning,
-    covariance_analysis,
     observability_matrix,
     unobservable_subspace,
     warn_if_unobservable,

@@ -13,6 +13,7 @@ from .ch08_system_calibration.panels import (
     CalibrationRunExplorer as CalibrationRunExplorer,
     ObservabilityExplorer as ObservabilityExplorer,
 )
+from .ch08_system_calibration.scenes import TurningTable as TurningTable
 from .ch09_aligning_a_gyrocompass.panels import AlignmentBudgetExplorer as AlignmentBudgetExplorer
 from .ch10_gyrocompass_at_work.panels import GyrocompassExplorer as GyrocompassExplorer
 from .ch10_gyrocompass_at_work.scenes import (

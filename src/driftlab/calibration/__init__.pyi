@@ -1,5 +1,6 @@
 from . import (
     body_axes as body_axes,
+    covariance as covariance,
     error_dynamics as error_dynamics,
     error_model as error_model,
     filter as filter,
@@ -13,6 +14,10 @@ from .body_axes import (
     attitude_error as attitude_error,
     attitude_of_axes as attitude_of_axes,
     imu_errors_in_frame as imu_errors_in_frame,
+)
+from .covariance import (
+    covariance_analysis as covariance_analysis,
+    deviation_history as deviation_history,
 )
 from .error_dynamics import (
     free_transition as free_transition,
@@ -46,7 +51,6 @@ from .linearization import (
 from .observability import (
     UnobservableSubspace as UnobservableSubspace,
     UnobservableWarning as UnobservableWarning,
-    covariance_analysis as covariance_analysis,
     observability_matrix as observability_matrix,
     unobservable_subspace as unobservable_subspace,
     warn_if_unobservable as warn_if_unobservable,

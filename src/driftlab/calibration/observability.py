@@ -1,4 +1,4 @@
-"""Observability along a rotation scheme: information, null directions, expected accuracy.
+"""Observability along a rotation scheme: information and null directions.
 
 It uses the filter's error model along the true motion of the table, without any data. A direction
 of the state that has no effect on the velocity is a null direction of the observability Gramian.
@@ -11,14 +11,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.checks import FloatArray, checked_instance, finite_number
+from driftlab.checks import FloatArray, checked_instance
 from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
-from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
+from driftlab.imu import ImuErrors, PriorDeviations
 
-from .error_dynamics import process_noise
 from .error_model import AXES, ERROR_MODELS, FULL, ErrorModel
-from .kalman import covariance_update
 from .linearization import LinearizedErrors
 
 
@@ -33,66 +31,6 @@ class UnobservableWarning(UserWarning):
     ...     warnings.simplefilter("ignore", UnobservableWarning)
     ...     warn_if_unobservable(linearize_along(Scheme(""), 0.7))
     """
-
-
-def covariance_analysis(
-    linearized: LinearizedErrors, noise: ImuNoise, prior: PriorDeviations, update: float = 1.0
-) -> FloatArray:
-    """Covariance of the estimation errors at the end of a scheme, without any data.
-
-    Parameters
-    ----------
-    linearized : LinearizedErrors
-        The error equations along the scheme.
-    noise : ImuNoise
-        Of the sensors and of the reference velocity.
-    prior : PriorDeviations
-        Standard deviations of the errors before the calibration.
-    update : float
-        Time between two measurements of the velocity, s.
-
-    Returns
-    -------
-    ndarray, shape (size, size)
-        In the units of the states, squared.
-
-    Raises
-    ------
-    ValueError
-        If `update` or the noise of the velocity is not positive.
-
-    Notes
-    -----
-    All measurements within a step are taken as one at its end. With pauses of minutes the standard
-    deviations of the sensor errors come out about one per cent too small, those of the attitude
-    about five, those of the velocity about ten; shorter pauses have shorter steps.
-
-    Examples
-    --------
-    How well the scheme of 19 positions finds the scale factor of a gyro, in ppm:
-
-    >>> from driftlab.calibration import linearize_along
-    >>> from driftlab.motion.scheme import NINETEEN_POSITIONS
-    >>> linearized = linearize_along(NINETEEN_POSITIONS, 0.7, ERROR_MODELS["averaged"])
-    >>> variances = np.diag(covariance_analysis(linearized, ImuNoise(), PriorDeviations()))
-    >>> round(1e6 * float(np.sqrt(variances[linearized.model.names.index("gyro scale x")])), 2)
-    3.55
-    """
-    checked_instance(noise, ImuNoise, "noise")
-    if not (finite_number(update, "update") > 0 and noise.reference_velocity > 0):
-        raise ValueError(
-            "update, reference_velocity: expected a positive time and a positive velocity noise, "
-            f"got {update!r} s and {noise.reference_velocity!r} m/s."
-        )
-    checked_instance(prior, PriorDeviations, "prior")
-    checked_instance(linearized, LinearizedErrors, "linearized")
-    covariance = linearized.model.covariance(prior, linearized.start)
-    rows = linearized.transitions[:, :6]  # the sensor errors are constant
-    added = process_noise(noise, rows[:, 3:, :3], linearized.durations)
-    variances = noise.reference_velocity**2 * update / linearized.durations
-    for matrix, more, variance in zip(rows, added, variances, strict=True):
-        covariance, _, _ = covariance_update(covariance, matrix, more, variance)
-    return covariance
 
 
 def observability_matrix(linearized: LinearizedErrors) -> FloatArray:

@@ -27,9 +27,10 @@ from driftlab.book.ch08_system_calibration.figures import (
 )
 from driftlab.book.ledger import ledger_entries
 from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.linearization import linearize_along
-from driftlab.calibration.observability import covariance_analysis, unobservable_subspace
+from driftlab.calibration.observability import unobservable_subspace
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.monte_carlo import mean_square_bounds
 from driftlab.motion.scheme import SCHEMES, Scheme

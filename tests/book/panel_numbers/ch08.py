@@ -5,9 +5,10 @@ from scipy.constants import arcsecond, degree, g, hour, micro, milli
 from scipy.spatial.transform import Rotation
 
 from driftlab.book.ch08_system_calibration.experiments import PARAMETERS, typical_trial
+from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.calibration.linearization import linearize_along
-from driftlab.calibration.observability import covariance_analysis, unobservable_subspace
+from driftlab.calibration.observability import unobservable_subspace
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 

@@ -36,6 +36,7 @@ from .in_place_claim import (
     error_ratios,
     error_ratios_at_rest,
 )
+from .scheme_run import SchemeRun, scheme_run
 from .schemes import (
     SchemeDirections,
     TableObservability,
@@ -70,6 +71,7 @@ __all__ = [
     "InPlaceClaim",
     "InPlaceErrors",
     "SchemeDirections",
+    "SchemeRun",
     "TableObservability",
     "Verdict",
     "calibration_errors",
@@ -80,6 +82,7 @@ __all__ = [
     "errors_at_rest",
     "filter_consistency",
     "normalised_errors",
+    "scheme_run",
     "table_observability",
     "typical_trial",
     "unit_of",

@@ -6,11 +6,11 @@ from typing import NamedTuple
 import numpy as np
 
 from driftlab.book.scenarios import TABLE_LATITUDE
+from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_model import FULL, ErrorModel
 from driftlab.calibration.linearization import LinearizedErrors, checked_model, linearize_along
 from driftlab.calibration.observability import (
     UnobservableSubspace,
-    covariance_analysis,
     unobservable_subspace,
 )
 from driftlab.checks import FloatArray, finite_number

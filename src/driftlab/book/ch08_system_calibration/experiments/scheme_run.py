@@ -1,0 +1,94 @@
+"""A rotation scheme as it is played: how the body stands, and how well its errors are known."""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from driftlab.book.scenarios import TABLE_LATITUDE
+from driftlab.calibration.covariance import deviation_history
+from driftlab.calibration.error_model import ERROR_MODELS
+from driftlab.calibration.linearization import linearize_along
+from driftlab.checks import FloatArray
+from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.motion.scheme import DIRECTIONS, NINETEEN_POSITIONS, Scheme
+from driftlab.motion.turntable import Segment, segments
+from driftlab.quaternion import from_rotation_vector, multiply, to_matrix
+
+MOMENTS = 12
+"""Of each pause, and of each turn."""
+
+
+class SchemeRun(NamedTuple):
+    """A scheme at n moments: as many in a turn as in a pause, though a pause is much longer.
+
+    Attributes
+    ----------
+    place : ndarray, shape (n,)
+        In the row of positions: k in the middle of pause k, k + 1/2 in the middle of the turn that
+        follows it.
+    minutes : ndarray, shape (n,)
+        Since the start.
+    attitude : ndarray, shape (n, 4)
+        Body to East, North, Up.
+    doings : tuple of str
+        What the table does, pause or turn, one after the other.
+    doing : ndarray of int, shape (n,)
+        Which of `doings` it is.
+    names : tuple of str
+        Of the 27 states in averaged axes.
+    deviations : ndarray, shape (n, 27)
+        Expected standard deviations of the states, SI units.
+    """
+
+    place: FloatArray
+    minutes: FloatArray
+    attitude: FloatArray
+    doings: tuple[str, ...]
+    doing: NDArray[np.integer]
+    names: tuple[str, ...]
+    deviations: FloatArray
+
+
+@lru_cache(maxsize=8)
+def scheme_run(scheme: Scheme = NINETEEN_POSITIONS) -> SchemeRun:
+    """Follow a scheme, and the covariance of a filter that sees the velocity once a second.
+
+    The unit has the typical spread of errors, the sensors the typical noise. The last runs are
+    kept.
+
+    Parameters
+    ----------
+    scheme : Scheme
+    """
+    way = linearize_along(scheme, TABLE_LATITUDE, ERROR_MODELS["averaged"])
+    known = deviation_history(way, ImuNoise(), PriorDeviations())
+    known_at = np.append(0.0, np.cumsum(way.durations))
+    row = segments(scheme, 1e-3)
+    begins = np.append(0.0, np.cumsum([segment.duration for segment in row]))
+    doing = np.append(np.repeat(np.arange(len(row)), MOMENTS), len(row) - 1)
+    step = np.arange(len(doing))
+    since = (step - MOMENTS * doing) / MOMENTS * np.diff(begins)[doing]
+    turned = np.array([segment.rate * segment.axis for segment in row])[doing]
+    at_first = np.array([segment.attitude for segment in row])[doing]
+    times = begins[doing] + since
+    return SchemeRun(
+        0.75 + step / (2 * MOMENTS),
+        times / 60,
+        multiply(at_first, from_rotation_vector(turned * since[:, np.newaxis])),
+        tuple(doing_of(segment) for segment in row),
+        doing,
+        way.model.names,
+        np.stack([np.interp(times, known_at, column) for column in known.T], axis=-1),
+    )
+
+
+def doing_of(segment: Segment) -> str:
+    """Say how the body stands in a pause, or what turns it, like "turns by +90° about y"."""
+    if segment.rate:
+        angle = np.degrees(segment.rate * segment.duration)
+        return f"turns by {angle:+.0f}° about {'xyz'[segment.axis.argmax()]}".replace("-", "−")
+    axes = to_matrix(segment.attitude).T
+    words = [max(DIRECTIONS, key=lambda word: axis @ np.array(DIRECTIONS[word])) for axis in axes]
+    return ", ".join(f"{axis} {word}" for axis, word in zip("xyz", words, strict=True))
