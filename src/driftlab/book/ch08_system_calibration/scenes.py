@@ -78,7 +78,7 @@ class TurningTableView(SceneView):
             ),
             plots=(known_plot(run, data.gyro), known_plot(run, data.accelerometer)),
             readouts=(
-                Readout("the table", run.doing, words=run.doings),
+                Readout("the table", run.doing.astype(float), words=run.doings),
                 Readout("since the start", run.minutes, 1, " min"),
             ),
         )
