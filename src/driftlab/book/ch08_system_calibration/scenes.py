@@ -140,11 +140,11 @@ class TurningTable(SceneExplorer):
     title = "What each turn of the table makes known"
     picture_class = TurningTableView
     controls = (
-        Control("scheme", "scheme", "19 positions", choices=tuple(PLAYED), group="what"),
-        Control("gyro", "of the gyros", "gyro scale", choices=GYROS, group="what"),
+        Control("scheme", "scheme", "19 positions", choices=tuple(PLAYED), group="shown"),
+        Control("gyro", "gyros", "gyro scale", choices=GYROS, group="shown"),
         Control(
-            "accelerometer", "of the accelerometers", "accelerometer bias", choices=ACCELEROMETERS,
-            group="what",
+            "accelerometer", "accelerometers", "accelerometer bias", choices=ACCELEROMETERS,
+            group="shown",
         ),
     )  # fmt: skip
     presets: ClassVar = {
@@ -159,11 +159,11 @@ class TurningTable(SceneExplorer):
         },
     }  # fmt: skip
     look_for: ClassVar = {
-        "Nineteen positions": "Turns about y, about x, about z. Which of them make which curve fall?",
+        "Nineteen positions": "Turns about y, x and z. Which of them make which curve fall?",
         "Eighteen rotations": "The same three axes in another order. Do the curves follow?",
         "Only about z": "Forty minutes, and z is always up. Which errors does nobody learn?",
-        "A bad start": "One axis never leaves the horizon. Which curve stays up?",
-        "The angles": "An angle lies between two axes. After which turn do all of them fall at once?",
+        "A bad start": "One axis never leaves the horizon. Which curves stay up?",
+        "The angles": "An angle lies between two axes. After which turn do they all fall?",
     }
 
     def compute(self, values: Values) -> Known:
@@ -171,24 +171,19 @@ class TurningTable(SceneExplorer):
         return Known(run, values["gyro"], values["accelerometer"])
 
     def numbers(self, data: Known) -> Results:
-        before, after = data.run.deviations[0], data.run.deviations[-1]
-        sensor_errors = range(6, len(data.run.names))
-        known = sum(after[i] < 0.1 * before[i] for i in sensor_errors)
+        run = data.run
+        before, after = run.deviations[0, 6:], run.deviations[-1, 6:]
+        known = int(np.sum(after < 0.1 * before))
         rows = []
         for kind in (data.gyro, data.accelerometer):
             size, unit = unit_of(kind)
-            states = states_of(kind, data.run.names)
-            # As many rows for any kind, so that nothing jumps.
-            worst = max(states, key=lambda i: after[i])
-            rows.append(
-                (
-                    f"{kind}: least known, {data.run.names[worst].rsplit(' ', 1)[1]}",
-                    f"{number_text(before[worst] / size)} {SIGNS.get(unit, unit)}",
-                    f"{number_text(after[worst] / size)} {SIGNS.get(unit, unit)}",
-                )
-            )
+            worst = max(states_of(kind, run.names), key=lambda i: after[i - 6])
+            rows.append((
+                f"{run.names[worst]}, {SIGNS.get(unit, unit)}",
+                *(number_text(row[worst - 6] / size) for row in (before, after)),
+            ))  # fmt: skip
         return Results(
-            ("sensor errors known ten times better than before", f"{known} of 21"),
+            ("known ten times better than before", f"{known} of {len(after)} errors"),
             rows,
             ("before", "after"),
         )
