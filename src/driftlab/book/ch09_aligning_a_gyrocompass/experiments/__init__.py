@@ -18,15 +18,18 @@ from .budget import (
     AlignmentBudget,
     alignment_budget,
 )
+from .level_box import FARTHEST, MAGNIFIED, LevelBox, level_box
 from .terms import FIXED, GRIDS, AlignmentTerms, alignment_terms
-from .vertical import OverTheVertical, errors_over_the_vertical
+from .vertical import OverTheVertical, errors_over_the_vertical, turn_over
 
 __all__ = [
     "ACCELEROMETER_BIAS",
+    "FARTHEST",
     "FIXED",
     "GRIDS",
     "GYRO_BIAS",
     "HEADING",
+    "MAGNIFIED",
     "MOVING_AVERAGE",
     "PITCH",
     "ROLL",
@@ -36,10 +39,13 @@ __all__ = [
     "AlignmentBudget",
     "AlignmentTerms",
     "AveragingWindow",
+    "LevelBox",
     "OverTheVertical",
     "alignment_budget",
     "alignment_terms",
     "errors_over_the_vertical",
     "gyro_noise",
     "heading_spread_by_window",
+    "level_box",
+    "turn_over",
 ]

@@ -3,9 +3,10 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from driftlab.book.scenarios import SARATOV_LATITUDE
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, finite_array, finite_number
 from driftlab.frames import from_euler_angles, to_euler_angles
 from driftlab.gyrocompass.alignment import align
 from driftlab.motion.vehicle import static_imu
@@ -22,7 +23,9 @@ class OverTheVertical(NamedTuple):
     ----------
     angles : ndarray, shape (n,)
         Of the turn about the right axis, rad; the vertical is between two of them.
-    heading, roll : ndarray, shape (n,)
+    attitude : ndarray, shape (n, 4)
+        Body to North, Up, East.
+    heading, pitch, roll : ndarray, shape (n,)
         Of the true attitude, rad.
     heading_error, roll_error, attitude_error : ndarray, shape (n,)
         rad.
@@ -33,7 +36,9 @@ class OverTheVertical(NamedTuple):
     """
 
     angles: FloatArray
+    attitude: FloatArray
     heading: FloatArray
+    pitch: FloatArray
     roll: FloatArray
     heading_error: FloatArray
     roll_error: FloatArray
@@ -42,15 +47,43 @@ class OverTheVertical(NamedTuple):
     runs: int
 
 
-def errors_over_the_vertical() -> OverTheVertical:
-    """Align bodies with random sensor errors in all attitudes of a half turn of the bow."""
-    rng, runs = np.random.default_rng(9), 400
+def turn_over(angles: ArrayLike, heading: float = HEADING, aside: float = 0.0) -> FloatArray:
+    """Attitudes (n, 4) of a body that turns about its right axis until the bow is over the top.
+
+    Parameters
+    ----------
+    angles : array_like, shape (n,)
+        Of the turn, rad.
+    heading : float
+        Before the turn, rad.
+    aside : float
+        By how much the bow misses the zenith, rad: the roll before the turn.
+    """
+    over = finite_array(angles, "angles")[:, np.newaxis] * np.array([0.0, 0.0, 1.0])
+    start = from_euler_angles(finite_number(heading, "heading"), 0.0, finite_number(aside, "aside"))
+    return multiply(start, from_rotation_vector(over))
+
+
+def errors_over_the_vertical(
+    heading: float = HEADING, aside: float = 0.0, step: float = np.radians(1.0), runs: int = 400
+) -> OverTheVertical:
+    """Align bodies with random sensor errors in all attitudes of a half turn of the bow.
+
+    Parameters
+    ----------
+    heading, aside : float
+        See `turn_over`, rad.
+    step : float
+        Between two attitudes, rad.
+    runs : int
+        Bodies, each with errors of its own.
+    """
+    rng = np.random.default_rng(9)
     size = (runs, 1, 3)
     gyro_bias = float(np.abs(GYRO_BIAS).max()) * rng.standard_normal(size)
     accelerometer_bias = float(np.abs(ACCELEROMETER_BIAS).max()) * rng.standard_normal(size)
-    angles = np.radians(np.arange(0.5, 180.0, 1.0))
-    over = angles[:, np.newaxis] * np.array([0.0, 0.0, 1.0])
-    attitude = multiply(from_euler_angles(HEADING, 0.0, 0.0), from_rotation_vector(over))
+    angles = np.arange(step / 2, np.pi, step)
+    attitude = turn_over(angles, heading, aside)
     true = to_euler_angles(attitude)
     rate, force = static_imu(attitude, SARATOV_LATITUDE)
     found = align(rate + gyro_bias, force + accelerometer_bias)
@@ -61,8 +94,8 @@ def errors_over_the_vertical() -> OverTheVertical:
     away = rotation_angle(multiply(found.attitude, conjugate(attitude)))
     return OverTheVertical(
         angles,
-        true.heading,
-        true.roll,
+        attitude,
+        *true,
         spread(found.heading - true.heading),
         spread(found.roll - true.roll),
         np.sqrt(np.mean(away**2, axis=0)),
