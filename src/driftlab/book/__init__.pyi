@@ -15,7 +15,10 @@ from .ch08_system_calibration.panels import (
 )
 from .ch08_system_calibration.scenes import TurningTable as TurningTable
 from .ch09_aligning_a_gyrocompass.panels import AlignmentBudgetExplorer as AlignmentBudgetExplorer
-from .ch09_aligning_a_gyrocompass.scenes import BoxOnTheWayNorth as BoxOnTheWayNorth
+from .ch09_aligning_a_gyrocompass.scenes import (
+    BowOverTheTop as BowOverTheTop,
+    BoxOnTheWayNorth as BoxOnTheWayNorth,
+)
 from .ch10_gyrocompass_at_work.panels import GyrocompassExplorer as GyrocompassExplorer
 from .ch10_gyrocompass_at_work.scenes import (
     SchulerPendulum as SchulerPendulum,

@@ -4,13 +4,20 @@ import numpy as np
 import pytest
 from scipy.constants import degree, hour
 
-from driftlab.book.ch09_aligning_a_gyrocompass.experiments import MAGNIFIED, level_box
-from driftlab.book.ch09_aligning_a_gyrocompass.scenes import (
+from driftlab.book.ch09_aligning_a_gyrocompass.experiments import (
+    HEADING,
+    MAGNIFIED,
+    level_box,
+    over_the_top,
+)
+from driftlab.book.ch09_aligning_a_gyrocompass.scenes.level_box import (
     BoxOnTheWayNorth,
     inside_parts,
 )
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.alignment import alignment_errors
+from driftlab.quaternion import conjugate, multiply, rotation_angle
+from driftlab.vectors import wrap_angle
 from grouped import opened
 
 DRIFT = 0.01 * degree / hour
@@ -52,3 +59,38 @@ def test_the_bow_is_dragged_to_where_the_hand_is() -> None:
     # In the axes of the box, a quarter turn to the left is the direction -right.
     assert scene.dragged("bow", np.array([0.0, 0.0, -0.8]))["heading"] == pytest.approx(120.0)
     assert scene.dragged("bow", np.array([-0.8, 0.0, 1e-9]))["heading"] == pytest.approx(-150.0)
+
+
+def test_over_the_top_the_angles_jump_and_the_attitude_does_not() -> None:
+    run = over_the_top()
+    up = run.true.angles < np.pi / 2
+    for angle, before in ((run.true.heading, HEADING), (run.true.roll, 0.0)):
+        after = wrap_angle(before + np.pi)
+        np.testing.assert_allclose(wrap_angle(angle[up] - before), 0.0, atol=1e-9)
+        np.testing.assert_allclose(wrap_angle(angle[~up] - after), 0.0, atol=1e-9)
+    # The steps of a turn of half a degree each, nothing else.
+    steps = rotation_angle(multiply(conjugate(run.true.attitude[:-1]), run.true.attitude[1:]))
+    np.testing.assert_allclose(steps, np.radians(0.5), atol=1e-9)
+    assert run.true.heading_error.max() > 50 * run.true.heading_error[0]
+    assert run.true.attitude_error.max() < 1.5 * run.true.attitude_error.min()
+
+
+@pytest.mark.parametrize("aside", [2.0, 30.0])
+def test_past_the_zenith_the_heading_turns_smoothly(aside) -> None:
+    """By the closed form of a bow on a leaning great circle."""
+    run = over_the_top(0.0, np.radians(aside)).true
+    forward = np.cos(run.angles)
+    right = -np.sin(run.angles) * np.sin(np.radians(aside))
+    np.testing.assert_allclose(
+        np.abs(wrap_angle(run.heading)), np.arctan2(np.abs(right), forward), atol=1e-9
+    )
+    np.testing.assert_allclose(
+        np.sin(run.pitch), np.sin(run.angles) * np.cos(np.radians(aside)), atol=1e-12
+    )
+
+
+def test_the_found_attitude_stays_as_near_as_the_large_errors_let_it() -> None:
+    run = over_the_top()
+    away = rotation_angle(multiply(run.found, conjugate(run.true.attitude)))
+    assert np.degrees(away.max()) < 15
+    assert np.ptp(away) < 0.5 * away.max()

@@ -20,10 +20,20 @@ from .budget import (
 )
 from .level_box import FARTHEST, MAGNIFIED, LevelBox, level_box
 from .terms import FIXED, GRIDS, AlignmentTerms, alignment_terms
-from .vertical import OverTheVertical, errors_over_the_vertical, turn_over
+from .vertical import (
+    BOXES,
+    ERRORS_SHOWN,
+    OverTheTop,
+    OverTheVertical,
+    errors_over_the_vertical,
+    over_the_top,
+    turn_over,
+)
 
 __all__ = [
     "ACCELEROMETER_BIAS",
+    "BOXES",
+    "ERRORS_SHOWN",
     "FARTHEST",
     "FIXED",
     "GRIDS",
@@ -40,6 +50,7 @@ __all__ = [
     "AlignmentTerms",
     "AveragingWindow",
     "LevelBox",
+    "OverTheTop",
     "OverTheVertical",
     "alignment_budget",
     "alignment_terms",
@@ -47,5 +58,6 @@ __all__ = [
     "gyro_noise",
     "heading_spread_by_window",
     "level_box",
+    "over_the_top",
     "turn_over",
 ]

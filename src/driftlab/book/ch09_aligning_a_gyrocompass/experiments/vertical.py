@@ -15,6 +15,11 @@ from driftlab.vectors import wrap_angle
 
 from .budget import ACCELEROMETER_BIAS, GYRO_BIAS, HEADING
 
+BOXES = 32
+"""With random sensor errors, for a picture that answers at once."""
+ERRORS_SHOWN = 20
+"""How many times too large the sensor errors are where the found attitude is drawn."""
+
 
 class OverTheVertical(NamedTuple):
     """True angles, and root mean square errors of many alignments, over the angle of a turn.
@@ -45,6 +50,24 @@ class OverTheVertical(NamedTuple):
     attitude_error: FloatArray
     together_error: FloatArray
     runs: int
+
+
+class OverTheTop(NamedTuple):
+    """A half turn of the bow as many boxes find it, and as one finds it whose errors are large.
+
+    Attributes
+    ----------
+    true : OverTheVertical
+        The motion, and the errors of `BOXES` boxes.
+    found : ndarray, shape (n, 4)
+        Attitude that one box finds with sensor errors `ERRORS_SHOWN` times the typical ones.
+    found_heading : ndarray, shape (n,)
+        rad.
+    """
+
+    true: OverTheVertical
+    found: FloatArray
+    found_heading: FloatArray
 
 
 def turn_over(angles: ArrayLike, heading: float = HEADING, aside: float = 0.0) -> FloatArray:
@@ -102,3 +125,17 @@ def errors_over_the_vertical(
         spread(found.heading + found.roll - true.heading - true.roll),
         runs,
     )
+
+
+def over_the_top(heading: float = HEADING, aside: float = 0.0) -> OverTheTop:
+    """Turn a box over, each half degree, and align it on the way.
+
+    Parameters
+    ----------
+    heading, aside : float
+        See `turn_over`, rad.
+    """
+    true = errors_over_the_vertical(heading, aside, np.radians(0.5), BOXES)
+    rate, force = static_imu(true.attitude, SARATOV_LATITUDE)
+    found = align(rate + ERRORS_SHOWN * GYRO_BIAS, force + ERRORS_SHOWN * ACCELEROMETER_BIAS)
+    return OverTheTop(true, found.attitude, found.heading)

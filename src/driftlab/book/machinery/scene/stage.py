@@ -153,7 +153,11 @@ class Readout:
         value = self.values[moment]
         if np.isnan(value):
             return "–"
-        return self.words[int(value)] if self.words else f"{value:.{self.decimals}f}{self.unit}"
+        if self.words:
+            return self.words[int(value)]
+        number = f"{value:.{self.decimals}f}"
+        # What rounds to zero has no sign.
+        return number.replace("-", "−" if float(number) else "") + self.unit
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""The box of chapter 09 on the Earth: a level one on its way North, and one that goes over."""
+"""A level box on its way North, and what is left there of the Earth's rate."""
 
 from __future__ import annotations
 
@@ -10,68 +10,35 @@ from scipy.constants import arcminute, degree, hour
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
-from driftlab.book.machinery.scene.solids import box, circle, globe
+from driftlab.book.machinery.scene.solids import box, globe
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.sensor_controls import BODY_AXES
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
-from driftlab.frames import FROM_EAST_NORTH_UP
-from driftlab.quaternion import conjugate, multiply, rotate
+from driftlab.quaternion import multiply
 from driftlab.vectors import direction_from_angles
 
-from .experiments import (
+from ..experiments import (
     MAGNIFIED,
     LevelBox,
     level_box,
 )
+from .card import (
+    BOW,
+    CARD,
+    HALF_SIZES,
+    TO_SPACE,
+    compass_card,
+    from_origin,
+    in_space,
+    level_direction,
+)
 
-HALF_SIZES = (0.5, 0.16, 0.32)
-"""Of the box: forward, up, right."""
-BOW = 0.8
-"""Where the handle at the bow is."""
 RATE = 1.2
 """Length of the whole of the Earth's rate."""
-CARD = 1.25
-"""Radius of the compass card."""
 SITE = np.radians(68.0)
 """Longitude in the picture of the place on the globe, rad."""
-TO_SPACE = conjugate(FROM_EAST_NORTH_UP)
-"""From North, Up, East to the axes of the views, whose third points up the page."""
-
-
-def in_space(local: FloatArray) -> FloatArray:
-    """Vectors (..., 3) in the axes of a view, from North, Up, East."""
-    return rotate(TO_SPACE, local)
-
-
-def level_direction(heading: FloatArray) -> FloatArray:
-    """Unit vectors (n, 3) in a view from headings to West (n,), rad."""
-    heading = np.atleast_1d(heading)
-    return np.stack([-np.sin(heading), np.cos(heading), np.zeros_like(heading)], axis=-1)
-
-
-def from_origin(tips: FloatArray) -> FloatArray:
-    """Ends (n, 2, 3) of lines from the origin to tips (n, 3)."""
-    return np.stack([np.zeros_like(tips), tips], axis=1)
-
-
-def compass_card(height: float) -> tuple[Part, ...]:
-    """A card with the four directions and a mark each thirty degrees."""
-    rim = circle((0, 0, 1), CARD, height)
-    names = dict(zip("NWSE", level_direction(np.arange(4) * np.pi / 2), strict=True))
-    lift = np.array([0.0, 0.0, height])
-    return (
-        Part("face", rim[:-1], "ground"),
-        *(
-            Part("line", np.array([0.93, 1.0])[:, np.newaxis] * rim[i], "soft")
-            for i in range(0, 72, 6)
-        ),
-        *(
-            Part("label", (0.84 * CARD * place + lift)[np.newaxis], "soft", text=name)
-            for name, place in names.items()
-        ),
-    )
 
 
 class LevelBoxView(SceneView):
@@ -143,7 +110,7 @@ def inside_parts(data: LevelBox) -> tuple[Part, ...]:
         Part("dot", BOW * forward[np.newaxis], "axis", "box", handle="bow"),
         Part("label", np.array([[0.66, 0.0, -0.2]]), "axis", "box", text="bow"),
         Part("arrow", from_origin(rate), "rate"),
-        Part("label", (0.9 * rate + [-0.48, 0.0, 0.0])[:, np.newaxis], "rate", text="Earth's rate"),
+        Part("label", (0.9 * rate + [-0.62, 0.0, 0.0])[:, np.newaxis], "rate", text="Earth's rate"),
         Part("line", np.stack([rate, level], axis=1), "soft"),
         Part("arrow", from_origin(level), "gyro"),
         Part("label", (0.7 * level + [0.52, 0.0, 0.0])[:, np.newaxis], "gyro", text="level part"),
@@ -210,6 +177,3 @@ class BoxOnTheWayNorth(SceneExplorer):
             f"rate[{BODY_AXES.index(values['gyro'])}] += {values['drift']} * degree / hour\n"
             f"print(np.degrees(align(rate, force).heading) - {values['heading']})"
         )
-
-
-SCENES = (BoxOnTheWayNorth,)
