@@ -1,5 +1,6 @@
 from . import scenarios as scenarios
 from .ch01_rotation_and_error_kinematics.panels import ErrorMotionExplorer as ErrorMotionExplorer
+from .ch01_rotation_and_error_kinematics.scenes import FalseRate as FalseRate
 from .ch02_characteristic_equation.panels import RootsExplorer as RootsExplorer
 from .ch03_systematic_drift.panels import DriftExplorer as DriftExplorer
 from .ch03_systematic_drift.scenes import TurningBlock as TurningBlock

@@ -7,7 +7,12 @@ from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
 from driftlab.checks import FloatArray, finite_array
-from driftlab.drift.error_kinematics import error_quaternion, error_rate_matrix
+from driftlab.drift.error_kinematics import (
+    attitude_quaternion,
+    error_quaternion,
+    error_rate_matrix,
+)
+from driftlab.quaternion import rotate, rotation_angle, to_rotation_vector
 
 DURATION = 60.0
 """Length of a history, s."""
@@ -15,6 +20,8 @@ SAMPLES = 601
 """Times in a history."""
 SPIN = 12.0
 """Rate about the third axis, degrees a second, of the presets whose true rate has one axis."""
+MOMENTS = 301
+"""Times of an error in space; a turn of 12 degrees a second ends at one of them."""
 
 
 class ErrorMotion(NamedTuple):
@@ -87,3 +94,68 @@ def integration_error(motion: ErrorMotion, rate: ArrayLike, measured_rate: Array
     """
     exact = error_quaternion(rate, measured_rate, motion.integrated_time)
     return np.linalg.norm(motion.integrated - exact, axis=-1)
+
+
+class ErrorInSpace(NamedTuple):
+    """A body, where its computer believes it to be, and the rotation between them, over time.
+
+    Attributes
+    ----------
+    time : ndarray, shape (m,)
+        s.
+    attitude, apparent : ndarray, shape (m, 4)
+        True and computed attitude, body to reference.
+    vector : ndarray, shape (m, 3)
+        Rotation vector from the one to the other, in reference axes, rad.
+    added : ndarray, shape (m, 3)
+        False rate in reference axes, rad/s: what, to first order, changes the vector.
+    angle : ndarray, shape (m,)
+        Of the error, rad.
+    turn : float
+        Time of a whole turn, s; infinite without a rate.
+    """
+
+    time: FloatArray
+    attitude: FloatArray
+    apparent: FloatArray
+    vector: FloatArray
+    added: FloatArray
+    angle: FloatArray
+    turn: float
+
+    @property
+    def whole_turns(self) -> FloatArray:
+        """The moments (t,) that are nearest to whole turns, from the start on."""
+        count = int(self.time[-1] / self.turn + 1e-9)
+        step = self.time[1] - self.time[0]
+        return np.rint(np.arange(count + 1) * (self.turn if count else 0.0) / step).astype(int)
+
+
+def error_in_space(
+    rate: ArrayLike, false_rate: ArrayLike, duration: float = DURATION
+) -> ErrorInSpace:
+    """Follow a body under a constant rate, and a computer that adds a false one, from [0, 0, 0, 1].
+
+    Parameters
+    ----------
+    rate, false_rate : array_like, shape (3,)
+        In body axes, rad/s. The computer integrates their sum.
+    duration : float
+        s, above 0.
+    """
+    if not finite_array(duration, "duration") > 0:
+        raise ValueError(f"duration: expected a number above 0, got {duration!r}.")
+    omega, false = finite_array(rate, "rate", 3), finite_array(false_rate, "false_rate", 3)
+    time = np.linspace(0.0, duration, MOMENTS)
+    attitude = attitude_quaternion(omega, time)
+    error = error_quaternion(omega, omega + false, time)
+    speed = float(np.linalg.norm(omega))
+    return ErrorInSpace(
+        time,
+        attitude,
+        attitude_quaternion(omega + false, time),
+        rotate(attitude, to_rotation_vector(error)),
+        rotate(attitude, false),
+        rotation_angle(error),
+        2 * np.pi / speed if speed else np.inf,
+    )
