@@ -53,7 +53,7 @@ class FalseRateView(SceneView):
             seconds=9.0,
             tracks={"body": data.attitude, "ghost": data.apparent},
             views=(
-                View(f"the false rate is drawn × {MAGNIFIED}, the ghost as it is", bodies(data)),
+                View(f"false rate × {MAGNIFIED}, ghost not magnified", bodies(data)),
                 error_view(data),
             ),
             plots=(Plot("the computer is wrong by, °", tuple(curves), 0.0, largest),),
@@ -95,7 +95,7 @@ def error_view(data: ErrorInSpace) -> View:
     growing = 0.45 * data.added / max(np.linalg.norm(data.added[0]), 1e-12)
     start = np.zeros_like(tip)
     return View(
-        f"the error as a vector in space; the ring is {ring}°",
+        f"the error as a vector; ring: {ring}°",
         (
             Part("line", circle([0, 0, 1], RING), "rule"),
             Part("line", np.array([[0, 0, -0.5], [0, 0, RING]]), "axis"),

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
 from driftlab.attitude.cayley import cayley_vector, rotation_quaternion, shadow
@@ -15,6 +15,8 @@ ANGLES: FloatArray = np.radians(np.arange(-359.5, 360.0, 1.0))
 """Angles of the curves, rad: every one a little away from the singular ones."""
 EXAMPLE = 130.0
 """Angle of the rotation in the published figure, and when the panel opens, degrees."""
+MOMENTS = 361
+"""Of two turns, two degrees apart."""
 TURNS = 3
 STEPS = 200
 """Steps a turn of the integrator with a fixed step."""
@@ -108,6 +110,79 @@ def cayley_curves() -> FloatArray:
             cayley_vector(-quaternions, 4) @ axis,
         ]
     )
+
+
+class ShadowSteps(NamedTuple):
+    """Cayley vectors of dimension 4 over two turns about an axis, and which of two is used.
+
+    Attributes
+    ----------
+    angle : ndarray, shape (m,)
+        phi, from 0 to 4 pi, rad.
+    axis : ndarray, shape (3,)
+        Unit axis.
+    attitude : ndarray, shape (m, 4)
+        Quaternion of phi: minus one after a turn, and plus one again after two.
+    heights : ndarray, shape (2, m)
+        tan(phi/4) of the quaternion, and of the one with the other sign; NaN where infinite.
+    used : ndarray of int, shape (m,)
+        Row of `heights` that a computer uses that steps over to the other one as soon as the one
+        it has is longer than `switch`.
+    switch : float
+    """
+
+    angle: FloatArray
+    axis: FloatArray
+    attitude: FloatArray
+    heights: FloatArray
+    used: NDArray[np.integer]
+    switch: float
+
+    @property
+    def vectors(self) -> FloatArray:
+        """Cayley vectors (2, m, 3); NaN where infinite."""
+        return -self.heights[..., np.newaxis] * self.axis
+
+    @property
+    def in_use(self) -> FloatArray:
+        """Length (m,) of the vector that is used; NaN where infinite."""
+        return np.abs(self.heights[self.used, np.arange(len(self.used))])
+
+    @property
+    def steps(self) -> FloatArray:
+        """Angles (s,) at which the computer steps over, rad: once a turn, if it does."""
+        first = 4 * np.arctan(self.switch)
+        return first + 2 * np.pi * np.arange(2 if np.isfinite(self.switch) else 0)
+
+
+def shadow_steps(axis: ArrayLike, switch: float = SWITCH) -> ShadowSteps:
+    """Follow a Cayley vector and its shadow through two turns; (1.3), (1.9).
+
+    Parameters
+    ----------
+    axis : array_like, shape (3,)
+        Only its direction counts.
+    switch : float
+        Length at which a computer steps over to the shadow, at least 1; it may be infinite.
+    """
+    if not switch >= 1:
+        raise ValueError(f"switch: expected a length of at least 1, got {switch!r}.")
+    direction, _ = nonzero_vectors(axis, "axis")
+    angle = np.linspace(0.0, 4 * np.pi, MOMENTS)
+    attitude = from_rotation_vector(np.minimum(angle, 2 * np.pi)[:, np.newaxis] * direction)
+    # The quaternion of more than a turn, which a rotation vector would fold back.
+    second = from_rotation_vector(np.maximum(angle - 2 * np.pi, 0.0)[:, np.newaxis] * direction)
+    attitude = multiply(attitude, second)
+    heights = np.full((2, len(angle)), np.nan)
+    for row, quaternion in zip(heights, (attitude, -attitude), strict=True):
+        finite = 1 + quaternion[:, 3] > 1e-9
+        row[finite] = -cayley_vector(quaternion[finite]) @ direction
+    used, now = np.zeros(len(angle), int), 0
+    for moment, lengths in enumerate(np.abs(heights).T):
+        if np.isfinite(switch) and not lengths[now] <= switch:
+            now = 1 - now
+        used[moment] = now
+    return ShadowSteps(angle, direction, attitude, heights, used, switch)
 
 
 class RiccatiTurns(NamedTuple):
