@@ -5,6 +5,7 @@ from .ch02_characteristic_equation.panels import RootsExplorer as RootsExplorer
 from .ch03_systematic_drift.panels import DriftExplorer as DriftExplorer
 from .ch03_systematic_drift.scenes import TurningBlock as TurningBlock
 from .ch04_calibration_by_turns.panels import TurnCalibrationExplorer as TurnCalibrationExplorer
+from .ch04_calibration_by_turns.scenes import FourMountings as FourMountings
 from .ch05_cayley_and_riccati.panels import CayleyMapExplorer as CayleyMapExplorer
 from .ch05_cayley_and_riccati.scenes import LampAndShadow as LampAndShadow
 from .ch06_picard_algorithms.panels import (

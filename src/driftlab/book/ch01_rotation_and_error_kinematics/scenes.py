@@ -116,10 +116,10 @@ class FalseRate(SceneExplorer):
     title = "A body that turns, and a computer with a false rate"
     picture_class = FalseRateView
     controls = (
-        Control("rate", "about the third axis, °/s", SPIN, stops=RATES, group="true rate"),
         Control("size", "size, °/s", 1.0, 0.1, 1.2, 0.1, group="false rate"),
         Control("azimuth", "azimuth, °", 0.0, -180.0, 180.0, 1.0, group="false rate"),
         Control("elevation", "elevation, °", 0.0, -90.0, 90.0, 1.0, group="false rate"),
+        Control("rate", "about the third axis, °/s", SPIN, stops=RATES, group="true rate"),
     )
     folded = True
     presets: ClassVar = {

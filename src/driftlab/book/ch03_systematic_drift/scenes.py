@@ -100,6 +100,15 @@ def parts_of_error(data: DriftHistory) -> tuple[FloatArray, FloatArray]:
 
 def block_parts(triad: FloatArray, axis: FloatArray) -> tuple[Part, ...]:
     """The block with its edges' directions, its three gyros, and the axis that it turns about."""
+    return (
+        *triad_parts(triad),
+        Part("line", AXIS_LENGTH * np.stack([-axis, axis]), "axis", "block"),
+        *pin(AXIS_LENGTH * axis, "axis", "block", handle="axis of the turns")[1:],
+    )
+
+
+def triad_parts(triad: FloatArray) -> tuple[Part, ...]:
+    """The block with its edges' directions and its three gyros."""
     tips = LENGTH * triad / np.linalg.norm(triad, axis=1, keepdims=True)
     gyros = [
         part
@@ -107,13 +116,7 @@ def block_parts(triad: FloatArray, axis: FloatArray) -> tuple[Part, ...]:
         for part in pin(tips[i], "gyro", "block", text=str(i + 1), handle=f"gyro {i + 1}")
     ]
     edges = [Part("line", np.array([np.zeros(3), LENGTH * e]), "edge", "block") for e in np.eye(3)]
-    return (
-        *box(HALF_SIZES, "block", "block"),
-        *edges,
-        *gyros,
-        Part("line", AXIS_LENGTH * np.stack([-axis, axis]), "axis", "block"),
-        *pin(AXIS_LENGTH * axis, "axis", "block", handle="axis of the turns")[1:],
-    )
+    return (*box(HALF_SIZES, "block", "block"), *edges, *gyros)
 
 
 def ghost_parts(triad: FloatArray) -> tuple[Part, ...]:
@@ -121,6 +124,13 @@ def ghost_parts(triad: FloatArray) -> tuple[Part, ...]:
     tips = LENGTH * triad / np.linalg.norm(triad, axis=1, keepdims=True)
     pins = [part for tip in tips for part in pin(tip, "ghost", "ghost")]
     return (*frame_of_box(HALF_SIZES, "ghost", "ghost"), *pins)
+
+
+def leaning(handle: str, direction: FloatArray) -> Values:
+    """Values of a gyro's two leans, mrad, that bring its arrow into a direction (3,)."""
+    i = int(handle[-1]) - 1
+    lean = 1e3 * direction / max(direction[i], 1e-3) / EXAGGERATION
+    return {f"m{i + 1}{j + 1}": lean[j] for j in range(3) if j != i}
 
 
 class TurningBlock(SceneExplorer):
@@ -154,9 +164,7 @@ class TurningBlock(SceneExplorer):
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         if handle.startswith("gyro"):
-            i = int(handle[-1]) - 1
-            lean = 1e3 * direction / max(direction[i], 1e-3) / EXAGGERATION
-            return {f"m{i + 1}{j + 1}": lean[j] for j in range(3) if j != i}
+            return leaning(handle, direction)
         x, y, z = direction / np.linalg.norm(direction)
         return {
             "azimuth": np.degrees(np.arctan2(y, x)),

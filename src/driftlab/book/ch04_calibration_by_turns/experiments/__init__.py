@@ -24,6 +24,12 @@ from .free_numbers import (
     free_numbers as free_numbers,
     step_error as step_error,
 )
+from .mountings import (
+    PERIOD as PERIOD,
+    SAMPLES as SAMPLES,
+    Mountings as Mountings,
+    mountings as mountings,
+)
 from .real_table import (
     SIGMA_ON_TABLE as SIGMA_ON_TABLE,
     WAYS as WAYS,

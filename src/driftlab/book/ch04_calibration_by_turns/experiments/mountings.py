@@ -1,0 +1,142 @@
+"""A calibration as it is made: four mountings on a table, one turn in each, and the error."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from driftlab.checks import FloatArray, finite_array
+from driftlab.drift.systematic_drift import drift_coefficient
+from driftlab.drift.turn_calibration import turn_estimate
+from driftlab.drift.weighing_designs import YATES_AXES
+from driftlab.imu import NO_ERRORS
+from driftlab.increments import measure
+from driftlab.motion.table_turn import TableTurn
+from driftlab.quaternion import (
+    conjugate,
+    cumulative_product,
+    from_rotation_vector,
+    multiply,
+    rotate,
+    to_rotation_vector,
+)
+from driftlab.triad import non_orthogonality
+
+SAMPLES = 90
+"""Moments of a turn."""
+RESTS, MOVES = 8, 12
+"""Moments in which the table rests after a turn, and in which the body is mounted anew."""
+PERIOD = SAMPLES + RESTS + MOVES
+"""Moments of a mounting."""
+
+
+class Mountings(NamedTuple):
+    """Four turns, each followed by a rest in which the body is mounted for the next one, if any.
+
+    Attributes
+    ----------
+    time : ndarray, shape (m,)
+        s; the body turns at an even rate.
+    attitude : ndarray, shape (m, 4)
+        Body to laboratory, whose third axis is that of the table.
+    error : ndarray, shape (m, 3)
+        Rotation vector from the body to where its computer believes it to be, in body axes, rad.
+        The computer starts anew with each mounting; in between the error is zero.
+    vectors : ndarray, shape (4, m, 3)
+        The same of each mounting by itself in laboratory axes, rad: zero before it, and after it
+        what its turn has left.
+    added : ndarray, shape (m, 3)
+        False rate in laboratory axes as a fraction of the table's rate; zero while it rests.
+    mounting : ndarray of int, shape (m,)
+        0 to 3.
+    turning : ndarray of bool, shape (m,)
+        Whether there is a turn, or the rest after it: the error is one of a turn.
+    ends : ndarray of int, shape (4,)
+        Moments at which the turns end.
+    estimates : ndarray, shape (4,)
+        Turn estimates about `driftlab.drift.weighing_designs.YATES_AXES`.
+    expected : ndarray, shape (4,)
+        What they are to first order in inertial space, n^T M n.
+    sigma : ndarray, shape (3,)
+        True [sigma1, sigma2, sigma3].
+    triad_error : ndarray, shape (3, 3)
+    """
+
+    time: FloatArray
+    attitude: FloatArray
+    error: FloatArray
+    vectors: FloatArray
+    added: FloatArray
+    mounting: NDArray[np.integer]
+    turning: NDArray[np.bool_]
+    ends: NDArray[np.integer]
+    estimates: FloatArray
+    expected: FloatArray
+    sigma: FloatArray
+    triad_error: FloatArray
+
+
+def mountings(triad_error: ArrayLike, table: TableTurn) -> Mountings:
+    """Turn a triad about Larin's four axes, and follow its computer; Larin (3.3).
+
+    Parameters
+    ----------
+    triad_error : array_like, shape (3, 3)
+    table : TableTurn
+        It makes one even turn, counter-clockwise, about an upright axis.
+    """
+    bent = finite_array(triad_error, "triad_error", 3, 3)
+    if table != TableTurn(abs(table.rate), latitude=table.latitude):
+        raise ValueError(f"table: expected one even turn, counter-clockwise, got {table}.")
+    turned = table.increments(YATES_AXES, SAMPLES)
+    felt = measure(turned, NO_ERRORS._replace(gyro_error=bent)).angle  # (4, SAMPLES, 3)
+    step = 2 * np.pi / SAMPLES
+    true = step * np.arange(1, SAMPLES + 1)[:, np.newaxis] * YATES_AXES[:, np.newaxis]
+    relative = np.tile([0.0, 0.0, 0.0, 1.0], (4, SAMPLES + 1, 1))
+    computed = relative.copy()
+    relative[:, 1:] = from_rotation_vector(true)
+    computed[:, 1:] = cumulative_product(from_rotation_vector(felt))
+    quaternion = multiply(conjugate(relative), computed)
+
+    start = upright(YATES_AXES)[:, np.newaxis]
+    error = np.zeros((4, PERIOD, 3))
+    error[:, : SAMPLES + 1] = to_rotation_vector(quaternion)
+    error[:, SAMPLES + 1 : SAMPLES + RESTS] = error[:, SAMPLES, np.newaxis]
+    attitude = np.empty((4, PERIOD, 4))
+    attitude[:, : SAMPLES + 1] = multiply(start, relative)
+    attitude[:, SAMPLES + 1 :] = attitude[:, SAMPLES, np.newaxis]
+    part = np.arange(1, MOVES + 1)[:, np.newaxis] / (MOVES + 1)
+    for i in range(3):
+        there = to_rotation_vector(multiply(conjugate(attitude[i, SAMPLES]), start[i + 1, 0]))
+        moves = multiply(attitude[i, SAMPLES], from_rotation_vector(part * there))
+        attitude[i, SAMPLES + RESTS :] = moves
+    added = np.zeros((4, PERIOD, 3))
+    added[:, :SAMPLES] = (felt - step * YATES_AXES[:, np.newaxis]) / step
+
+    in_laboratory = rotate(attitude, error)
+    moments = np.arange(4 * PERIOD - MOVES)  # after the last turn nothing is mounted
+    vectors = np.zeros((4, len(moments), 3))
+    for i, vector in enumerate(vectors):
+        vector[i * PERIOD : i * PERIOD + SAMPLES] = in_laboratory[i, :SAMPLES]
+        vector[i * PERIOD + SAMPLES :] = in_laboratory[i, SAMPLES]
+    return Mountings(
+        table.duration / SAMPLES * moments,
+        attitude.reshape(-1, 4)[moments],
+        error.reshape(-1, 3)[moments],
+        vectors,
+        rotate(attitude, added).reshape(-1, 3)[moments],
+        moments // PERIOD,
+        moments % PERIOD < SAMPLES + RESTS,
+        PERIOD * np.arange(4) + SAMPLES,
+        turn_estimate(quaternion[:, -1], YATES_AXES),
+        drift_coefficient(YATES_AXES, bent),
+        non_orthogonality(bent)[[0, 0, 1], [1, 2, 2]],
+        bent,
+    )
+
+
+def upright(axes: ArrayLike) -> FloatArray:
+    """Attitude (..., 4) that brings a body axis (..., 3) to the third axis by the shorter way."""
+    n = finite_array(axes, "axes", 3)
+    half_way = np.concatenate([np.cross(n, [0.0, 0, 1]), 1 + n[..., 2:]], axis=-1)
+    return half_way / np.linalg.norm(half_way, axis=-1, keepdims=True)
