@@ -177,7 +177,7 @@ def pitch_and_roll(up: FloatArray) -> tuple[FloatArray, FloatArray]:
 
     Examples
     --------
-    The specific force at rest points Up; here the bow is lifted by 0.1 rad:
+    The specific force at rest points Up; here the bow is raised by 0.1 rad:
 
     >>> pitch, roll = pitch_and_roll(9.8 * np.array([np.sin(0.1), np.cos(0.1), 0.0]))
     >>> print(f"{pitch:.3f}")

@@ -160,7 +160,7 @@ def test_velocity_shows_a_unit_as_it_shows_its_reduction(scheme, frame):
 
 
 def test_eighteen_rotations_from_north_up_east_leave_three_more():
-    """Axis z is never lifted there, so its accelerations never show."""
+    """Axis z is never raised there, so its accelerations never show."""
     scheme = replace(EIGHTEEN_ROTATIONS, start=("North", "Up", "East"))
     attitudes = Rotation.from_quat(table_trajectory(scheme, LATITUDE, 1.0).attitude)
     np.testing.assert_allclose(attitudes.apply([0, 0, 1])[:, 2], 0, atol=64 * EPS)

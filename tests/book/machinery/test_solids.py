@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from driftlab.book.machinery.scene.solids import lifted, sea, ship
+from driftlab.book.machinery.scene.solids import raised, sea, ship
 from driftlab.book.machinery.scene.stage import Stage, View
 from driftlab.book.machinery.scene.still import still
 
@@ -28,5 +28,5 @@ def test_the_hull_and_the_bridge_show_their_outside() -> None:
 
 
 def test_lifted_parts_keep_their_shape() -> None:
-    for low, high in zip(ship(), lifted(ship(), 0.5), strict=True):
+    for low, high in zip(ship(), raised(ship(), 0.5), strict=True):
         assert np.allclose(high.points - low.points, [0.0, 0.0, 0.5])

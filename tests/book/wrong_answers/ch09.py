@@ -44,7 +44,7 @@ WRONG = {
         ),
     ],
     "9.4": [
-        (-41, "bow must be lifted"),
+        (-41, "bow must be raised"),
         (65, "takes away"),
         (41, "helped each other"),
         (1.284, "asked in degrees"),

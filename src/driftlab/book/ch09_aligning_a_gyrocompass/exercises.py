@@ -220,7 +220,7 @@ EXERCISES: dict[str, Exercise] = {
             **{"heading": 0.0, "roll": 0.0, "latitude": 51.5},
         ),
         mistakes={
-            "As much, but with the other sign: the bow must be lifted, not lowered.": (
+            "As much, but with the other sign: the bow must be raised, not lowered.": (
                 lambda: _same_as_gyro(sign=-1.0)
             ),
             "The term of the latitude is at work as well, and takes away from that of the pitch.": (

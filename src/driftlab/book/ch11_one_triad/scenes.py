@@ -23,7 +23,7 @@ from driftlab.book.ch10_gyrocompass_at_work.scenes.ship import (
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
-from driftlab.book.machinery.scene.solids import box, compass_card, lifted, pin, sea, ship
+from driftlab.book.machinery.scene.solids import box, compass_card, pin, raised, sea, ship
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, reach
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.sensor_controls import BODY_AXES
@@ -77,9 +77,9 @@ class TurningShipView(SceneView):
                 View(
                     f"leans × {LEAN_FACTOR}, horizon × {TILT_FACTOR}, its N × {HEADING_FACTOR}",
                     (
-                        *lifted((*sea(SEA), *ship("ship")), WATER),
-                        *lifted(course_handles(0.0, data.turn)[1:], WATER),
-                        *lifted((Part("line", wake_points(run), "rate"),), WATER),
+                        *raised((*sea(SEA), *ship("ship")), WATER),
+                        *raised(course_handles(0.0, data.turn)[1:], WATER),
+                        *raised((Part("line", wake_points(run), "rate"),), WATER),
                         *compass_card(CARD, "edge"),
                         *shown_compass("ghost"),
                         *triad_parts(data.bent, data.known),

@@ -11,7 +11,16 @@ from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import arrow, box, circle
-from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, reach
+from driftlab.book.machinery.scene.stage import (
+    GROUND,
+    Curve,
+    Part,
+    Plot,
+    Readout,
+    Stage,
+    View,
+    reach,
+)
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.scenarios import DURATION, SCHULER_PERIOD, SPEED
 from driftlab.checks import FloatArray
@@ -89,7 +98,7 @@ def earth_parts(data: Pendulum) -> tuple[Part, ...]:
     outward = np.stack([np.zeros_like(angle), -np.sin(angle), np.cos(angle)], axis=-1)
     pier = centre + EARTH * np.array([1.0, 1.1])[:, np.newaxis] * outward[:, np.newaxis]
     return (
-        Part("face", circle([1.0, 0.0, 0.0], EARTH)[:-1] + centre, "sea", ground=True),
+        Part("face", circle([1.0, 0.0, 0.0], EARTH)[:-1] + centre, "sea", lift=GROUND),
         Part("dot", centre[np.newaxis], "edge"),
         Part("label", centre[np.newaxis] + [0.0, 0.0, -0.1], "soft", text="centre of the Earth"),
         Part("line", pier, "axis"),

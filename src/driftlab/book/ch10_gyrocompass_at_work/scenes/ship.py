@@ -10,7 +10,7 @@ from scipy.constants import arcminute, minute
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
-from driftlab.book.machinery.scene.solids import arrow, compass_card, lifted, sea, ship
+from driftlab.book.machinery.scene.solids import arrow, compass_card, raised, sea, ship
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, reach
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.units import degrees_text
@@ -114,7 +114,7 @@ def plumb_line(lean: FloatArray) -> tuple[Part, ...]:
     north, east = LEAN_FACTOR * lean.T
     up = np.stack([east, north, np.ones(len(lean))], axis=-1)
     tip = 0.7 * up / np.linalg.norm(up, axis=-1, keepdims=True)
-    return lifted(arrow(tip, "third", text="plumb line's Up"), 0.32)  # from the bridge
+    return raised(arrow(tip, "third", text="plumb line's Up"), 0.32)  # from the bridge
 
 
 def course_handles(course: float, turn: float) -> tuple[Part, ...]:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from driftlab.checks import FloatArray
 from driftlab.vectors import direction_from_angles
 
-from .stage import Part
+from .stage import GROUND, Part
 
 FACES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
 """Corners of a box's faces, counter-clockwise from outside; corner 4 i + 2 j + k."""
@@ -136,7 +136,7 @@ def sea(radius: float) -> tuple[Part, ...]:
     """Return a disc of water on the plane z = 0, with East along x and North along y."""
     letters = {"N": (0.0, 1.0), "E": (1.0, 0.0), "S": (0.0, -1.0), "W": (-1.0, 0.0)}
     return (
-        Part("face", circle([0.0, 0.0, 1.0], radius)[:-1], "sea", ground=True),
+        Part("face", circle([0.0, 0.0, 1.0], radius)[:-1], "sea", lift=GROUND),
         *(
             Part("label", 1.07 * radius * np.array([[*place, 0.0]]), "letter", text=letter)
             for letter, place in letters.items()
@@ -144,6 +144,6 @@ def sea(radius: float) -> tuple[Part, ...]:
     )
 
 
-def lifted(parts: Iterable[Part], height: float) -> tuple[Part, ...]:
-    """Return parts higher by `height`; what turns about another axis than Up must not be lifted."""
+def raised(parts: Iterable[Part], height: float) -> tuple[Part, ...]:
+    """Return parts higher by `height`; what turns about another axis than Up must not be raised."""
     return tuple(replace(part, points=part.points + np.array([0, 0, height])) for part in parts)

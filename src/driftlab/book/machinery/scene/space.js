@@ -129,13 +129,15 @@ class ViewOfSpace {
     const scale = VIEW / this.view.reach;
     for (const each of this.drawn) {
       const { part, element } = each;
+      const there = k >= part.since;
       const still = !part.track && part.kind !== "trace" && part.shape.length < 3;
-      if (still && !this.moved) continue;
+      if (still && !this.moved && there === each.there) continue;
+      each.there = there;
       const corners = placed(part, tracks, k);
       const flat = corners.map((c) => [scale * dot(c, right), -scale * dot(c, up)]);
-      each.depth = part.ground
-        ? -Number.MAX_VALUE
-        : corners.reduce((sum, c) => sum + dot(c, out), 0) / corners.length;
+      each.depth = corners.reduce((sum, c) => sum + dot(c, out), 0) / corners.length + part.lift;
+      const seen = there && (part.kind !== "face" || area(flat) < 0);
+      element.setAttribute("visibility", seen ? "visible" : "hidden");
       const [x, y] = flat[0];
       if (part.kind === "dot") {
         element.setAttribute("cx", x.toFixed(2));
@@ -145,7 +147,6 @@ class ViewOfSpace {
         element.setAttribute("y", y.toFixed(2));
       } else if (part.kind === "face") {
         element.setAttribute("d", `M${places(flat)}Z`);
-        element.setAttribute("visibility", area(flat) < 0 ? "visible" : "hidden");
       } else {
         element.setAttribute("d", part.kind === "arrow" ? arrowPath(flat) : `M${places(flat)}`);
       }
@@ -247,6 +248,6 @@ class ViewOfSpace {
 }
 
 // What a part looks like, wherever it is.
-const looks = ({ kind, style, text, fill, handle, ground, shape }) =>
-  [kind, style, text, fill, handle, ground, kind === "trace" ? 0 : shape];
+const looks = ({ kind, style, text, fill, handle, shape }) =>
+  [kind, style, text, fill, handle, kind === "trace" ? 0 : shape];
 

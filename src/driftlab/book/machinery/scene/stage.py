@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
 
+GROUND = -1e6
+"""The `lift` of what everything else stands on: it is drawn first."""
 KINDS = ("line", "arrow", "face", "dot", "label", "trace")
 """What a part can be. A face shows its front only; a trace is drawn up to the present moment."""
 
@@ -40,8 +42,11 @@ class Part:
         A colour of its own, for a face whose colour is a number.
     handle : str
         Name under which a dot can be dragged, over a sphere about the origin; "" if it cannot.
-    ground : bool
-        Whether everything else stands on it, and so is drawn after it.
+    lift : float
+        By how much it is drawn as if it were nearer to the reader, so that a line on a surface is
+        not covered by the faces beside it.
+    since : int
+        The moment from which on it is there.
     """
 
     kind: str
@@ -51,7 +56,8 @@ class Part:
     text: str = ""
     fill: str = ""
     handle: str = ""
-    ground: bool = False
+    lift: float = 0.0
+    since: int = 0
 
 
 @dataclass(frozen=True)
@@ -234,7 +240,8 @@ class Stage:
                             "text": part.text,
                             "fill": part.fill,
                             "handle": part.handle,
-                            "ground": part.ground,
+                            "lift": part.lift,
+                            "since": part.since,
                         }
                         for part in view.parts
                     ],

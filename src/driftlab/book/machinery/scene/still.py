@@ -111,7 +111,7 @@ def _view(view: View, stage: Stage, moments: Sequence[int] | FloatArray) -> list
     a, e = np.radians([view.azimuth, view.elevation])
     out = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
     depths = [
-        -np.inf if part.ground else np.mean([(place(part, stage, k) @ out).mean() for k in moments])
+        np.mean([(place(part, stage, k) @ out).mean() for k in moments]) + part.lift
         for part in view.parts
     ]
     elements = []
@@ -120,25 +120,28 @@ def _view(view: View, stage: Stage, moments: Sequence[int] | FloatArray) -> list
         flat = [flat_corners(view, part, stage, k) for k in moments]
         name = f'class="dl-{part.kind} dl-{part.style}"'
         fill = f' style="fill: {part.fill}"' if part.fill else ""
+        there = [k >= part.since for k in moments]
+        if part.kind == "face":
+            there = [k and _faces_reader(c) for k, c in zip(there, flat, strict=True)]
+        shown = ["visible" if each else "hidden" for each in there]
+        appears = _animated("visibility", shown)
+        if shown[-1] == "hidden" or appears:
+            fill += f' visibility="{shown[-1]}"'
         if part.kind in ("dot", "label"):
             x, y = ([f"{c[0, j]:.2f}" for c in flat] for j in (0, 1))
             if part.kind == "dot":
                 size = f'r="{5 if part.handle else 2.5}"'
-                moves = _animated("cx", x, stage.seconds) + _animated("cy", y, stage.seconds)
+                moves = _animated("cx", x) + _animated("cy", y) + appears
                 elements.append(
                     f'<circle {name}{fill} {size} cx="{x[-1]}" cy="{y[-1]}">{moves}</circle>'
                 )
             else:
-                moves = _animated("x", x, stage.seconds) + _animated("y", y, stage.seconds)
+                moves = _animated("x", x) + _animated("y", y) + appears
                 text = escape(part.text)
-                elements.append(f'<text {name} x="{x[-1]}" y="{y[-1]}">{text}{moves}</text>')
+                elements.append(f'<text {name}{fill} x="{x[-1]}" y="{y[-1]}">{text}{moves}</text>')
             continue
         paths = [part_path(part, c) for c in flat]
-        moves = _animated("d", paths, stage.seconds)
-        if part.kind == "face":
-            shown = ["visible" if _faces_reader(c) else "hidden" for c in flat]
-            moves += _animated("visibility", shown, stage.seconds)
-            fill += f' visibility="{shown[-1]}"'
+        moves = _animated("d", paths) + appears
         elements.append(f'<path {name}{fill} d="{paths[-1]}">{moves}</path>')
     return elements
 
