@@ -2,6 +2,7 @@ from . import scenarios as scenarios
 from .ch01_rotation_and_error_kinematics.panels import ErrorMotionExplorer as ErrorMotionExplorer
 from .ch01_rotation_and_error_kinematics.scenes import FalseRate as FalseRate
 from .ch02_characteristic_equation.panels import RootsExplorer as RootsExplorer
+from .ch03_systematic_drift.globe import GlobeOfAxes as GlobeOfAxes
 from .ch03_systematic_drift.panels import DriftExplorer as DriftExplorer
 from .ch03_systematic_drift.scenes import TurningBlock as TurningBlock
 from .ch04_calibration_by_turns.panels import TurnCalibrationExplorer as TurnCalibrationExplorer

@@ -9,28 +9,27 @@ import numpy as np
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, matrix_code
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
-from driftlab.book.machinery.scene.solids import box, frame_of_box, pin
-from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, reach
+from driftlab.book.machinery.scene.stage import Curve, Plot, Readout, Stage, View, reach
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.units import angle_text
+from driftlab.book.scenarios import SKEW, SYMMETRIC
 from driftlab.checks import FloatArray
 from driftlab.quaternion import from_rotation_vector, multiply
 
-from .controls import TRIAD_ERROR_CONTROLS, TRIADS, triad_error_of
+from .block import (
+    axis_dragged,
+    axis_parts,
+    block_parts,
+    ghost_parts,
+    gyro_dragged,
+    magnification,
+)
+from .controls import TRIAD_ERROR_CONTROLS, TRIADS, triad_error_of, triad_error_values
 from .experiments import EXAGGERATION, TURNS, DriftHistory, drift_history
+from .globe import GlobeOfAxes
 
 SAMPLES = 96
 """Moments in a turn; at ten seconds for five turns some fifty a second."""
-HALF_SIZES = (0.62, 0.5, 0.4)
-"""Of the block."""
-LENGTH = 1.1
-"""Of an arrow that shows a gyro's sensitive axis."""
-AXIS_LENGTH = 1.4
-"""Of the axis of rotation, to either side."""
-MAGNIFICATIONS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
-"""How many times too large the error may be drawn."""
-LARGEST_SHOWN = np.radians(75)
-"""Error that the ghost shows at most, rad."""
 
 
 class TurningBlockView(SceneView):
@@ -54,7 +53,11 @@ class TurningBlockView(SceneView):
             views=(
                 View(
                     f"gyros bent × {EXAGGERATION}, error × {factor}",
-                    (*block_parts(data.triad, data.direction), *ghost_parts(data.triad)),
+                    (
+                        *block_parts(data.triad, "block"),
+                        *axis_parts(data.direction, "block"),
+                        *ghost_parts(data.triad),
+                    ),
                 ),
             ),
             plots=(
@@ -85,52 +88,11 @@ class TurningBlockView(SceneView):
         )
 
 
-def magnification(largest: float) -> int:
-    """Return how many times too large an error of up to `largest`, rad, can be drawn."""
-    fitting = [m for m in MAGNIFICATIONS if m * largest <= LARGEST_SHOWN]
-    return fitting[-1] if fitting else 1
-
-
 def parts_of_error(data: DriftHistory) -> tuple[FloatArray, FloatArray]:
     """Error (m,) about the axis of the turns, and the size of the rest, rad."""
     along = data.error @ data.direction
     rest = data.error - along[:, np.newaxis] * data.direction
     return along, np.linalg.norm(rest, axis=-1)
-
-
-def block_parts(triad: FloatArray, axis: FloatArray) -> tuple[Part, ...]:
-    """The block with its edges' directions, its three gyros, and the axis that it turns about."""
-    return (
-        *triad_parts(triad),
-        Part("line", AXIS_LENGTH * np.stack([-axis, axis]), "axis", "block"),
-        *pin(AXIS_LENGTH * axis, "axis", "block", handle="axis of the turns")[1:],
-    )
-
-
-def triad_parts(triad: FloatArray) -> tuple[Part, ...]:
-    """The block with its edges' directions and its three gyros."""
-    tips = LENGTH * triad / np.linalg.norm(triad, axis=1, keepdims=True)
-    gyros = [
-        part
-        for i in range(3)
-        for part in pin(tips[i], "gyro", "block", text=str(i + 1), handle=f"gyro {i + 1}")
-    ]
-    edges = [Part("line", np.array([np.zeros(3), LENGTH * e]), "edge", "block") for e in np.eye(3)]
-    return (*box(HALF_SIZES, "block", "block"), *edges, *gyros)
-
-
-def ghost_parts(triad: FloatArray) -> tuple[Part, ...]:
-    """The block where the computer believes it to be."""
-    tips = LENGTH * triad / np.linalg.norm(triad, axis=1, keepdims=True)
-    pins = [part for tip in tips for part in pin(tip, "ghost", "ghost")]
-    return (*frame_of_box(HALF_SIZES, "ghost", "ghost"), *pins)
-
-
-def leaning(handle: str, direction: FloatArray) -> Values:
-    """Values of a gyro's two leans, mrad, that bring its arrow into a direction (3,)."""
-    i = int(handle[-1]) - 1
-    lean = 1e3 * direction / max(direction[i], 1e-3) / EXAGGERATION
-    return {f"m{i + 1}{j + 1}": lean[j] for j in range(3) if j != i}
 
 
 class TurningBlock(SceneExplorer):
@@ -148,15 +110,17 @@ class TurningBlock(SceneExplorer):
         "About the other diagonal": {
             **TRIADS["One gyro leans"], "azimuth": -45.0
         },
-        "Symmetric triad": TRIADS["Symmetric triad"],
-        "Skew triad": TRIADS["Skew triad"],
+        "Symmetric triad": {
+            **triad_error_values(1e-3 * SYMMETRIC), "azimuth": 45.0, "elevation": 35.0
+        },
+        "Skew triad": {**triad_error_values(1e-3 * SKEW), "azimuth": -45.0, "elevation": 0.0},
     }  # fmt: skip
     look_for: ClassVar = {
         "The puzzle": "The ghost is what the computer believes. What is left after a whole turn?",
         "About the third edge": "Does the ghost leave for good now?",
         "About the other diagonal": "The same block. Which way does the ghost go?",
-        "Symmetric triad": "Drag the dashed axis: which way drifts most? Is there a way without?",
-        "Skew triad": "All gyros lean as if the triad were turned. What stays after a turn?",
+        "Symmetric triad": "The worst axis of this block. Drag it: is there one without drift?",
+        "Skew triad": "Each gyro leans as much as in the symmetric one. What stays after a turn?",
     }
 
     def compute(self, values: Values) -> DriftHistory:
@@ -164,12 +128,8 @@ class TurningBlock(SceneExplorer):
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         if handle.startswith("gyro"):
-            return leaning(handle, direction)
-        x, y, z = direction / np.linalg.norm(direction)
-        return {
-            "azimuth": np.degrees(np.arctan2(y, x)),
-            "elevation": np.degrees(np.arcsin(z)),
-        }
+            return gyro_dragged(handle, direction, self.values)
+        return axis_dragged(direction)
 
     def numbers(self, data: DriftHistory) -> Results:
         return Results(
@@ -191,4 +151,4 @@ class TurningBlock(SceneExplorer):
         )
 
 
-SCENES = (TurningBlock,)
+SCENES = (TurningBlock, GlobeOfAxes)

@@ -7,19 +7,19 @@ from typing import ClassVar
 import numpy as np
 from scipy.constants import arcsecond
 
-from driftlab.book.ch03_systematic_drift.experiments import EXAGGERATION
-from driftlab.book.ch03_systematic_drift.panels import (
+from driftlab.book.ch03_systematic_drift.block import (
+    LENGTH,
+    block_parts,
+    ghost_parts,
+    gyro_dragged,
+    magnification,
+)
+from driftlab.book.ch03_systematic_drift.controls import (
     TRIAD_ERROR_CONTROLS,
     triad_error_of,
     triad_error_values,
 )
-from driftlab.book.ch03_systematic_drift.scenes import (
-    LENGTH,
-    ghost_parts,
-    leaning,
-    magnification,
-    triad_parts,
-)
+from driftlab.book.ch03_systematic_drift.experiments import EXAGGERATION
 from driftlab.book.machinery.axis import matrix_code
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Values
@@ -85,7 +85,7 @@ class MountingsView(SceneView):
                     f"gyros bent × {EXAGGERATION}, error × {factor}",
                     (
                         *table_parts(),
-                        *triad_parts(gyros(data)),
+                        *block_parts(gyros(data), "block"),
                         *angle_parts(gyros(data)),
                         *ghost_parts(gyros(data)),
                     ),
@@ -222,7 +222,7 @@ class FourMountings(SceneExplorer):
         return mountings(triad_error_of(values), self._table(values))
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
-        return leaning(handle, direction)
+        return gyro_dragged(handle, direction, self.values)
 
     def numbers(self, data: Mountings) -> Results:
         errors = (data.estimates[:3] - data.sigma) / arcsecond

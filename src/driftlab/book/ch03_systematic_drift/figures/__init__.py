@@ -7,7 +7,8 @@ from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.book.scenarios import LARIN_TRIAD, OBLIQUE_AXIS, SYMMETRIC
 
 from .. import experiments
-from ..scenes import SAMPLES, magnification
+from ..block import magnification
+from ..scenes import SAMPLES
 from . import closed_motions, drift_by_symmetry, drift_history, drift_map, turning_block
 
 
