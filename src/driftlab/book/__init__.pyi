@@ -12,6 +12,8 @@ from .ch05_cayley_and_riccati.scenes import LampAndShadow as LampAndShadow
 from .ch06_picard_algorithms.panels import (
     AlgorithmLaboratoryExplorer as AlgorithmLaboratoryExplorer,
 )
+from .ch06_picard_algorithms.scenes import ShakingBracket as ShakingBracket
+from .ch06_picard_algorithms.square import SquareThatDoesNotClose as SquareThatDoesNotClose
 from .ch07_installation_errors.panels import SplitExplorer as SplitExplorer
 from .ch08_system_calibration.panels import (
     CalibrationRunExplorer as CalibrationRunExplorer,

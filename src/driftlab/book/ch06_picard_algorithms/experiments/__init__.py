@@ -13,6 +13,7 @@ from .algorithms import (
     algorithm_orders,
     fitted_orders,
 )
+from .bracket import BracketRun, SquareOfTurns, bracket_run, square_of_turns
 from .closed_cones import ClosedCone, closed_cone, swept_in_a_sample
 from .coning import (
     BRACKET,
@@ -120,6 +121,7 @@ __all__ = [
     "WORD_STEPS",
     "AlgorithmLaboratory",
     "AlgorithmOrders",
+    "BracketRun",
     "ClosedCone",
     "ConingArea",
     "ConingDrift",
@@ -127,10 +129,12 @@ __all__ = [
     "NoiseAndBand",
     "Sculling",
     "ShortWord",
+    "SquareOfTurns",
     "WindowErrors",
     "advice_gain",
     "algorithm_errors",
     "algorithm_orders",
+    "bracket_run",
     "carried_floor",
     "closed_cone",
     "coning_area",
@@ -149,6 +153,7 @@ __all__ = [
     "rounded",
     "sculling_error",
     "short_word_errors",
+    "square_of_turns",
     "stage_drift",
     "swept_in_a_sample",
     "turned_by_fit",

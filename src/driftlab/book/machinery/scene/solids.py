@@ -18,6 +18,14 @@ FACES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (
 EDGES = tuple((i, j) for i in range(8) for j in range(i) if (i ^ j) in (1, 2, 4))
 """Pairs of corners of a box's edges."""
 
+ABOVE = {"azimuth": -90.0, "elevation": 90.0}
+"""From where a plane is seen with its first axis to the right and its second one up."""
+
+
+def in_plane(points: FloatArray) -> FloatArray:
+    """Points (..., 3) in space from points (..., 2) in the plane of the first two axes."""
+    return np.concatenate([points, np.zeros((*points.shape[:-1], 1))], axis=-1)
+
 
 def box_corners(half_sizes: ArrayLike) -> FloatArray:
     """Corners (8, 3) of a box about the origin with half sizes (3,)."""

@@ -1,0 +1,174 @@
+"""The shaking bracket of the puzzle as a living scene."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+from scipy.constants import arcsecond, degree
+
+from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.panel import Values
+from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.scene.solids import ABOVE, box, in_plane, pin
+from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, reach
+from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
+from driftlab.checks import FloatArray
+from driftlab.motion import Coning
+from driftlab.quaternion import rotate
+
+from .experiments import (
+    DRAWN_HALF_ANGLE,
+    BracketRun,
+    bracket_run,
+)
+from .experiments.bracket import FINE, ROUNDS
+from .square import SquareThatDoesNotClose
+
+TILT = 15
+"""How many times too large the cone is drawn."""
+HALF_SIZES = (0.6, 0.45, 0.3)
+"""Of the body."""
+LENGTH = 1.2
+"""Of its third axis."""
+
+
+class ShakingBracketView(SceneView):
+    """The bracket on its cone, what its increments add up to, and the error that grows."""
+
+    def stage(self, data: BracketRun) -> Stage:
+        drawn = Coning(TILT * data.motion.half_angle, data.motion.frequency)
+        attitude = drawn.attitude(data.times)
+        size = np.sin(data.motion.half_angle) ** 2
+        slivers = (data.area.circle_area - data.area.polygon_area) * size
+        predicted = slivers * data.motion.frequency * data.times / arcsecond
+        sums_only, with_pairs = -data.sums_only / arcsecond, -data.with_pairs / arcsecond
+        return Stage(
+            times=data.times,
+            time_unit="s",
+            seconds=12.0,
+            tracks={"body": attitude},
+            views=(
+                View(f"the bracket, tilt × {TILT}", cone_parts(attitude), reach=1.5),
+                View(
+                    "its rate, summed: circle, samples, slivers",
+                    circle_parts(data),
+                    **ABOVE,
+                    reach=1.15,
+                ),
+            ),
+            plots=(
+                Plot(
+                    "missed about the axis of the cone, ″",
+                    (
+                        Curve("slivers, added up", predicted, "soft"),
+                        Curve("sums only", sums_only, "ghost"),
+                        Curve("with pairs", with_pairs, "good"),
+                    ),
+                    0.0,
+                    reach(np.concatenate([sums_only, predicted]))[1],
+                ),
+            ),
+            readouts=(
+                Readout("missed, sums only", sums_only, 2, "″"),
+                Readout("missed, with pairs", with_pairs, 2, "″"),
+                Readout("rounds", data.motion.frequency * data.times, 2, ""),
+            ),
+        )
+
+
+def cone_parts(attitude: FloatArray) -> tuple[Part, ...]:
+    """The body, its third axis with the way of its tip, and a handle on the cone."""
+    tips = LENGTH * rotate(attitude, np.array([0.0, 0, 1]))
+    return (
+        *box(HALF_SIZES, "block", "body"),
+        *pin((0.0, 0.0, LENGTH), "gyro", "body"),
+        Part("line", np.array([[0.0, 0, -0.8], [0, 0, LENGTH]]), "edge"),
+        Part("trace", tips, "trace"),
+        *pin(tips[0], "axis", handle="half angle of the cone"),
+    )
+
+
+def circle_parts(data: BracketRun) -> tuple[Part, ...]:
+    """The way of the summed rate, its samples with their chords, and the slivers between."""
+    radius = np.sin(DRAWN_HALF_ANGLE)
+    middle = np.array([1.0, 0.0])  # the sum begins on the circle
+    circle = in_plane(data.area.circle / radius + middle)
+    corners = in_plane(data.area.corners / radius + middle)
+    parts = [Part("line", circle, "soft"), Part("dot", circle[data.places, np.newaxis], "gyro")]
+    for i in range(data.area.samples):
+        ready = (i + 1) * data.in_a_sample
+        arc = circle[i * FINE : (i + 1) * FINE + 1 : 4]
+        parts += [
+            Part("face", arc, "missed", since=ready),
+            Part("line", corners[i : i + 2], "plain", lift=0.1, since=ready),
+            Part("dot", corners[i + 1 : i + 2], "plain", lift=0.2, since=ready),
+        ]
+    return tuple(parts)
+
+
+class ShakingBracket(SceneExplorer):
+    """Let the bracket of the puzzle run, and see what its samples miss."""
+
+    title = "The shaking bracket, and what the sum of its increments misses"
+    picture_class = ShakingBracketView
+    controls = (
+        Control("half_angle", "half angle of the cone, °", 1.0, 0.5, 3.0, 0.05),
+        Control("rate", "sampled at, Hz", 100.0, stops=(20.0, 40.0, 60.0, 100.0, 200.0)),
+    )
+    presets: ClassVar = {
+        "The puzzle": {},
+        "Sampled at 40 Hz": {"rate": 40.0},
+        "Sampled at 200 Hz": {"rate": 200.0},
+        "A cone twice as wide": {"half_angle": 2.0},
+    }
+    look_for: ClassVar = {
+        "The puzzle": "The slivers between chords and circle can hardly be seen. See them count.",
+        "Sampled at 40 Hz": "Now you see them. By which factor has the error grown?",
+        "Sampled at 200 Hz": "Half as long a sample: what is left of the error?",
+        "A cone twice as wide": "The same slivers, of a circle twice as wide. Guess the error.",
+    }
+
+    def compute(self, values: Values) -> BracketRun:
+        return bracket_run(values["half_angle"] * degree, values["rate"])
+
+    def dragged(self, handle: str, direction: FloatArray) -> Values:
+        x, y, z = direction
+        return {"half_angle": np.arctan2(np.hypot(x, y), z) / degree / TILT}
+
+    def numbers(self, data: BracketRun) -> Results:
+        seconds = ROUNDS / data.motion.frequency
+        sums_only, with_pairs = (
+            f"{-error[-1] / arcsecond / seconds:.3f}°/h"  # the same as arc seconds a second
+            for error in (data.sums_only, data.with_pairs)
+        )
+        return Results(
+            ("drift, sums only", sums_only),
+            [
+                ("drift, with pairs", with_pairs),
+                ("samples in a round", str(data.area.samples)),
+                ("missed part of the circle", f"{100 * missed(data):.3f} %"),
+            ],
+        )
+
+    def call(self, values: Values) -> str:
+        return (
+            "import numpy as np\n"
+            "from scipy.constants import arcsecond\n"
+            "from driftlab.attitude import integrate\n"
+            "from driftlab.motion import Coning\n"
+            "from driftlab.quaternion import conjugate, multiply, to_rotation_vector\n"
+            f"motion, rate = Coning(np.radians({values['half_angle']}), 5.0), {values['rate']}\n"
+            "increments = motion.increments(1 / rate, round(rate))\n"
+            "computed = integrate(increments, 'picard-1', start=motion.attitude(0.0))[-1]\n"
+            "error = multiply(computed, conjugate(motion.attitude(1.0)))\n"
+            "print(to_rotation_vector(error)[2] / arcsecond)"
+        )
+
+
+def missed(data: BracketRun) -> float:
+    """Part of the circle that is outside the polygon."""
+    return 1 - data.area.polygon_area / data.area.circle_area
+
+
+SCENES = (ShakingBracket, SquareThatDoesNotClose)
