@@ -15,6 +15,7 @@ from .ch06_picard_algorithms.panels import (
 from .ch06_picard_algorithms.scenes import ShakingBracket as ShakingBracket
 from .ch06_picard_algorithms.square import SquareThatDoesNotClose as SquareThatDoesNotClose
 from .ch07_installation_errors.panels import SplitExplorer as SplitExplorer
+from .ch07_installation_errors.scenes import TwoTables as TwoTables
 from .ch08_system_calibration.panels import (
     CalibrationRunExplorer as CalibrationRunExplorer,
     ObservabilityExplorer as ObservabilityExplorer,

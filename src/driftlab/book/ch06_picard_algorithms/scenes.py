@@ -100,7 +100,7 @@ def circle_parts(data: BracketRun) -> tuple[Part, ...]:
         ready = (i + 1) * data.in_a_sample
         arc = circle[i * FINE : (i + 1) * FINE + 1 : 4]
         parts += [
-            Part("face", arc, "missed", since=ready),
+            Part("face", arc, "missed", lift=0.15, since=ready),
             Part("line", corners[i : i + 2], "plain", lift=0.1, since=ready),
             Part("dot", corners[i + 1 : i + 2], "plain", lift=0.2, since=ready),
         ]
