@@ -156,7 +156,11 @@ class ViewOfSpace {
     const order = [...this.drawn].sort((a, b) => a.depth - b.depth);
     if (order.some((each, i) => each !== this.order?.[i])) {
       const focused = document.activeElement;
-      for (const each of order) this.svg.append(each.element);
+      let next = null;
+      for (const { element } of order.toReversed()) {
+        if (element.nextSibling !== next) this.svg.insertBefore(element, next); // few have moved
+        next = element;
+      }
       if (this.svg.contains(focused)) focused.focus({ preventScroll: true });
       this.order = order;
     }
