@@ -9,7 +9,7 @@ import numpy as np
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, matrix_code
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
-from driftlab.book.machinery.scene.solids import globe, pin
+from driftlab.book.machinery.scene.solids import globe
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, reach
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.units import angle_text
@@ -138,7 +138,7 @@ def way_parts(axes: FloatArray) -> tuple[Part, ...]:
         *pins,
         Part("dot", 1.3 * axes[:, np.newaxis], "axis", lift=LIFT),
         Part("line", np.stack([axes[0], start]), "way", lift=LIFT),
-        *pin(start, "axis", handle="axis of the turns")[1:],
+        Part("dot", start[np.newaxis], "axis", handle="axis of the turns", lift=2 * LIFT),
     )
 
 
@@ -165,11 +165,11 @@ class GlobeOfAxes(SceneExplorer):
         },
     }  # fmt: skip
     look_for: ClassVar = {
-        "The first block": "Play. Where the axis crosses the black cone, where is the ghost?",
-        "The second block": "Every gyro leans as much as before. Where has the colour gone?",
+        "The first block": "Play. Where is the ghost when the axis crosses the thick line, the cone?",
+        "The second block": "Every gyro leans as much as before. Where has the drift gone?",
         "One gyro leans": "The cone has opened into two planes. Which edges lie in them?",
-        "Larin's triad": "Drag the green axis to where the drift is largest, then play.",
-        "Scale factor": "One colour everywhere. Lean a gyro: when does the first cone open?",
+        "Larin's triad": "Drag the large dot to where the drift is largest, then play.",
+        "Scale factor": "No cone anywhere. Lean gyros 1 and 2 to each other until one opens.",
     }
 
     def compute(self, values: Values) -> AxisTour:
