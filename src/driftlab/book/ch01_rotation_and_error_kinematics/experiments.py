@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from scipy.integrate import solve_ivp
 
 from driftlab.checks import FloatArray, finite_array
@@ -124,7 +124,7 @@ class ErrorInSpace(NamedTuple):
     turn: float
 
     @property
-    def whole_turns(self) -> FloatArray:
+    def whole_turns(self) -> NDArray[np.intp]:
         """The moments (t,) that are nearest to whole turns, from the start on."""
         count = int(self.time[-1] / self.turn + 1e-9)
         step = self.time[1] - self.time[0]

@@ -165,7 +165,7 @@ class GlobeOfAxes(SceneExplorer):
         },
     }  # fmt: skip
     look_for: ClassVar = {
-        "The first block": "Play. Where is the ghost when the axis crosses the thick line, the cone?",
+        "The first block": "Play. Where is the ghost when the axis crosses the thick line?",
         "The second block": "Every gyro leans as much as before. Where has the drift gone?",
         "One gyro leans": "The cone has opened into two planes. Which edges lie in them?",
         "Larin's triad": "Drag the large dot to where the drift is largest, then play.",

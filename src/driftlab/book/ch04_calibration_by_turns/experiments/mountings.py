@@ -120,7 +120,7 @@ def mountings(triad_error: ArrayLike, table: TableTurn) -> Mountings:
         vector[i * PERIOD : i * PERIOD + SAMPLES] = in_laboratory[i, :SAMPLES]
         vector[i * PERIOD + SAMPLES :] = in_laboratory[i, SAMPLES]
     return Mountings(
-        table.duration / SAMPLES * moments,
+        np.asarray(table.duration / SAMPLES * moments, float),
         attitude.reshape(-1, 4)[moments],
         error.reshape(-1, 3)[moments],
         vectors,

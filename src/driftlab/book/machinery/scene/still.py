@@ -124,24 +124,28 @@ def _view(view: View, stage: Stage, moments: Sequence[int] | FloatArray) -> list
         if part.kind == "face":
             there = [k and _faces_reader(c) for k, c in zip(there, flat, strict=True)]
         shown = ["visible" if each else "hidden" for each in there]
-        appears = _animated("visibility", shown)
+        appears = _animated("visibility", shown, stage.seconds)
         if shown[-1] == "hidden" or appears:
             fill += f' visibility="{shown[-1]}"'
         if part.kind in ("dot", "label"):
             x, y = ([f"{c[0, j]:.2f}" for c in flat] for j in (0, 1))
             if part.kind == "dot":
                 size = f'r="{5 if part.handle else 2.5}"'
-                moves = _animated("cx", x) + _animated("cy", y) + appears
+                moves = (
+                    _animated("cx", x, stage.seconds) + _animated("cy", y, stage.seconds) + appears
+                )
                 elements.append(
                     f'<circle {name}{fill} {size} cx="{x[-1]}" cy="{y[-1]}">{moves}</circle>'
                 )
             else:
-                moves = _animated("x", x) + _animated("y", y) + appears
+                moves = (
+                    _animated("x", x, stage.seconds) + _animated("y", y, stage.seconds) + appears
+                )
                 text = escape(part.text)
                 elements.append(f'<text {name}{fill} x="{x[-1]}" y="{y[-1]}">{text}{moves}</text>')
             continue
         paths = [part_path(part, c) for c in flat]
-        moves = _animated("d", paths) + appears
+        moves = _animated("d", paths, stage.seconds) + appears
         elements.append(f'<path {name}{fill} d="{paths[-1]}">{moves}</path>')
     return elements
 
