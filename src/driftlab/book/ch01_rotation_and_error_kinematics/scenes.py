@@ -92,7 +92,7 @@ def error_view(data: ErrorInSpace) -> View:
     largest = np.linalg.norm(degrees, axis=-1).max()
     ring = next((size for size in RINGS if size >= largest), RINGS[-1])
     tip = RING / ring * degrees
-    growing = 0.45 * data.added / float(max(np.linalg.norm(data.added[0]), 1e-12))
+    growing = 0.45 * data.added / max(float(np.linalg.norm(data.added[0])), 1e-12)
     start = np.zeros_like(tip)
     return View(
         f"the error as a vector; ring: {ring}°",
