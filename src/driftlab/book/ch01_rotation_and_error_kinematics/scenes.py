@@ -89,7 +89,7 @@ def bodies(data: ErrorInSpace) -> tuple[Part, ...]:
 def error_view(data: ErrorInSpace) -> View:
     """The error as a vector in space, the way of its tip, and what is being added there."""
     degrees = np.degrees(data.vector)
-    largest = np.linalg.norm(degrees, axis=-1).max()
+    largest = float(np.linalg.norm(degrees, axis=-1).max())
     ring = next((size for size in RINGS if size >= largest), RINGS[-1])
     tip = RING / ring * degrees
     growing = 0.45 * data.added / max(float(np.linalg.norm(data.added[0])), 1e-12)
@@ -129,10 +129,10 @@ class FalseRate(SceneExplorer):
         "A true zero": {"rate": 0.0},
     }
     look_for: ClassVar = {
-        "Across the true rate": "The false rate turns with the body. Where does that lead the red "
-        "vector in a turn?",
+        "Across the true rate": "The false rate turns with the body. Where does that lead the "
+        "error vector in a turn?",
         "Along the true rate": "Now the false rate keeps its direction. Does the error come back?",
-        "In between": "Drag the blue dot. Which part of the false rate is the one that stays?",
+        "In between": "Drag the false rate. Which part of the false rate is the one that stays?",
         "A true zero": "Nothing turns, so nothing takes the false rate round. What comes of it?",
     }
 

@@ -162,7 +162,7 @@ class LampAndShadow(SceneExplorer):
     }
     look_for: ClassVar = {
         "One vector only": "Where does the image go when the point comes to the lamp?",
-        "Step over at 1.2": "Watch the green arrow. How long does it ever become?",
+        "Step over at 1.2": "Watch the vector in use. How long does it ever become?",
         "Step over late": "How short is the shadow when the computer takes it at last?",
         "About the third edge": "Another axis. Has anything changed in the plane of the lamp?",
     }
