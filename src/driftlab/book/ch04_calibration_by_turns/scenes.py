@@ -230,7 +230,7 @@ class FourMountings(SceneExplorer):
             ("largest error of a σ", f"{errors[np.abs(errors).argmax()]:.2f}″"),
             [
                 (
-                    f"gyros {i + 1} and {j + 1}, 90° − 2{name}",
+                    f"gyros {i + 1}, {j + 1}: −2{name}",
                     f"{-2 * sigma / arcsecond:+.1f}″",
                     f"{-2 * estimate / arcsecond:+.1f}″",
                 )
@@ -238,7 +238,7 @@ class FourMountings(SceneExplorer):
                     SIGMAS, PAIRS, data.sigma, data.estimates, strict=False
                 )
             ],
-            ("beyond 90°, true", "found"),
+            ("true", "found"),
         )
 
     def call(self, values: Values) -> str:
