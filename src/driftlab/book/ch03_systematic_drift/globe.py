@@ -186,7 +186,7 @@ class GlobeOfAxes(SceneExplorer):
             [
                 ("to first order", angle_text(data.first_order[0])),
                 ("most, to first order", f"{arcmin(data.principal[2]):.3f}′"),
-                ("least, to first order", f"{arcmin(data.principal[0]):.3f}′"),
+                ("least, to first order", f"{arcmin(data.principal[0]):.3f}′".replace("-", "−")),
             ],
         )
 
