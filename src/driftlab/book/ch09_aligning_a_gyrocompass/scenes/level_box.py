@@ -110,7 +110,7 @@ def inside_parts(data: LevelBox) -> tuple[Part, ...]:
         Part("dot", BOW * forward[np.newaxis], "axis", "box", handle="bow"),
         Part("label", np.array([[0.66, 0.0, -0.2]]), "axis", "box", text="bow"),
         Part("arrow", from_origin(rate), "rate"),
-        Part("label", (0.9 * rate + [-0.62, 0.0, 0.0])[:, np.newaxis], "rate", text="Earth's rate"),
+        Part("label", (0.9 * rate + [-0.75, 0.0, 0.0])[:, np.newaxis], "rate", text="Earth's rate"),
         Part("line", np.stack([rate, level], axis=1), "soft"),
         Part("arrow", from_origin(level), "gyro"),
         Part("label", (0.7 * level + [0.52, 0.0, 0.0])[:, np.newaxis], "gyro", text="level part"),

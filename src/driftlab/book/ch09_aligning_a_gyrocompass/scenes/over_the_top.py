@@ -86,7 +86,7 @@ class OverTheTopView(SceneView):
                 ),
             ),
             readouts=(
-                Readout("heading", angles[0], 1, "°"),
+                Readout("heading", np.degrees(true.heading), 1, "°"),
                 Readout("heading found within", np.degrees(true.heading_error), 2, "°"),
                 Readout("attitude found within", np.degrees(true.attitude_error), 2, "°"),
             ),
@@ -122,7 +122,7 @@ class BowOverTheTop(SceneExplorer):
     picture_class = OverTheTopView
     controls = (
         Control("heading", "heading before, °", slider_value(HEADING, degree), -180.0, 180.0, 1.0),
-        Control("aside", "misses the zenith by, °", 0.0, 0.0, 45.0, 0.5),
+        Control("aside", "off the zenith, °", 0.0, 0.0, 45.0, 0.5),
     )
     presets: ClassVar = {
         "Through the zenith": {},
