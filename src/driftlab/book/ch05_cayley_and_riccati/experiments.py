@@ -15,8 +15,7 @@ ANGLES: FloatArray = np.radians(np.arange(-359.5, 360.0, 1.0))
 """Angles of the curves, rad: every one a little away from the singular ones."""
 EXAMPLE = 130.0
 """Angle of the rotation in the published figure, and when the panel opens, degrees."""
-MOMENTS = 361
-"""Of two turns, two degrees apart."""
+MOMENTS = 361  # of two turns
 TURNS = 3
 STEPS = 200
 """Steps a turn of the integrator with a fixed step."""
@@ -120,14 +119,12 @@ class ShadowSteps(NamedTuple):
     angle : ndarray, shape (m,)
         phi, from 0 to 4 pi, rad.
     axis : ndarray, shape (3,)
-        Unit axis.
     attitude : ndarray, shape (m, 4)
-        Quaternion of phi: minus one after a turn, and plus one again after two.
+        Quaternion of phi: minus one after a turn, one again after two.
     heights : ndarray, shape (2, m)
         tan(phi/4) of the quaternion, and of the one with the other sign; NaN where infinite.
     used : ndarray of int, shape (m,)
-        Row of `heights` that a computer uses that steps over to the other one as soon as the one
-        it has is longer than `switch`.
+        Row of `heights` in use: the other one as soon as it is longer than `switch`.
     switch : float
     """
 
@@ -151,8 +148,8 @@ class ShadowSteps(NamedTuple):
     @property
     def steps(self) -> FloatArray:
         """Angles (s,) at which the computer steps over, rad: once a turn, if it does."""
-        first = 4 * np.arctan(self.switch)
-        return first + 2 * np.pi * np.arange(2 if np.isfinite(self.switch) else 0)
+        turns = [0, 1] if np.isfinite(self.switch) else []
+        return 4 * np.arctan(self.switch) + 2 * np.pi * np.array(turns, float)
 
 
 def shadow_steps(axis: ArrayLike, switch: float = SWITCH) -> ShadowSteps:
@@ -169,19 +166,15 @@ def shadow_steps(axis: ArrayLike, switch: float = SWITCH) -> ShadowSteps:
         raise ValueError(f"switch: expected a length of at least 1, got {switch!r}.")
     direction, _ = nonzero_vectors(axis, "axis")
     angle = np.linspace(0.0, 4 * np.pi, MOMENTS)
-    attitude = from_rotation_vector(np.minimum(angle, 2 * np.pi)[:, np.newaxis] * direction)
-    # The quaternion of more than a turn, which a rotation vector would fold back.
-    second = from_rotation_vector(np.maximum(angle - 2 * np.pi, 0.0)[:, np.newaxis] * direction)
-    attitude = multiply(attitude, second)
+    attitude = from_rotation_vector(angle[:, np.newaxis] * direction)
     heights = np.full((2, len(angle)), np.nan)
     for row, quaternion in zip(heights, (attitude, -attitude), strict=True):
         finite = 1 + quaternion[:, 3] > 1e-9
         row[finite] = -cayley_vector(quaternion[finite]) @ direction
-    used, now = np.zeros(len(angle), int), 0
-    for moment, lengths in enumerate(np.abs(heights).T):
-        if np.isfinite(switch) and not lengths[now] <= switch:
-            now = 1 - now
-        used[moment] = now
+    used = np.zeros(len(angle), int)
+    for moment, lengths in enumerate(np.abs(heights).T if np.isfinite(switch) else ()):
+        now = used[moment - 1] if moment else 0
+        used[moment] = now if lengths[now] <= switch else 1 - now
     return ShadowSteps(angle, direction, attitude, heights, used, switch)
 
 
