@@ -10,7 +10,7 @@ from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, matr
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import globe
-from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, reach
+from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, span
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.units import angle_text
 from driftlab.book.scenarios import SKEW
@@ -76,7 +76,7 @@ class GlobeOfAxesView(SceneView):
                         Curve("exact", exact, "ghost"),
                         Curve("no drift", 0 * first_order, "good", crossings),
                     ),
-                    *reach(exact),
+                    *span(exact),
                 ),
             ),
             readouts=(

@@ -25,7 +25,7 @@ from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import circle
-from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, reach
+from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, span
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.scenarios import LARIN_TRIAD, SKEW
 from driftlab.checks import FloatArray
@@ -92,7 +92,7 @@ class MountingsView(SceneView):
                 ),
                 errors_view(data),
             ),
-            plots=(Plot("error about the axis / 2π, mrad", curves, *span(values)),),
+            plots=(Plot("error about the axis / 2π, mrad", curves, *span(values, LEAST)),),
             readouts=(
                 Readout("error about the axis", np.degrees(along) * 60, 2, "′"),
                 *(
@@ -112,13 +112,6 @@ class MountingsView(SceneView):
                 ),
             ),
         )
-
-
-def span(values: FloatArray) -> tuple[float, float]:
-    """Return what a plot of values, mrad, spans: zero, all values, and no less than `LEAST`."""
-    low, high = reach(np.append(values, LEAST))
-    known = values[np.isfinite(values)]
-    return (low if known.min() < 0.1 * low else 0.0), (high if known.max() > 0 else LEAST)
 
 
 def gyros(data: Mountings) -> FloatArray:

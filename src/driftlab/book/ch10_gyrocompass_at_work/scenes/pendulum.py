@@ -20,6 +20,7 @@ from driftlab.book.machinery.scene.stage import (
     Stage,
     View,
     reach,
+    span,
 )
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.scenarios import DURATION, SCHULER_PERIOD, SPEED
@@ -72,7 +73,7 @@ class PendulumView(SceneView):
                 Plot(
                     "way North that its turn tells, error, nautical miles",
                     (Curve("computed", miles, "ghost"), Curve("", miles, "good", whole)),
-                    *one_or_both_sides(np.append(miles, 1.0)),
+                    *span(miles, 1.0),
                 ),
             ),
             readouts=(
@@ -82,13 +83,6 @@ class PendulumView(SceneView):
                 Readout("heading, off by", np.degrees(data.heading_error), 2, "°"),
             ),
         )
-
-
-def one_or_both_sides(values: FloatArray) -> tuple[float, float]:
-    """Return a round span as `reach` does, but from zero where hardly anything is below it."""
-    low, high = reach(values)
-    least = float(values.min())
-    return (min(least, 0.0), high) if least > 0.05 * low else (low, high)
 
 
 def earth_parts(data: Pendulum) -> tuple[Part, ...]:

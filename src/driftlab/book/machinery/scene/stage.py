@@ -203,7 +203,8 @@ class Stage:
                         f"kind: expected one of {', '.join(KINDS)}, got {part.kind!r}."
                     )
                 if part.track and part.track not in self.tracks:
-                    raise ValueError(f"track: expected one of tracks, got {part.track!r}.")
+                    known = ", ".join(self.tracks)
+                    raise ValueError(f"track: expected one of {known}, got {part.track!r}.")
                 moving = part.kind == "trace" or np.ndim(part.points) == 3
                 if moving and len(part.points) != n:
                     raise ValueError(
@@ -298,3 +299,23 @@ def reach(values: FloatArray) -> tuple[float, float]:
     steps = 10.0 ** np.floor(np.log10(largest)) * np.array([1, 1.5, 2, 3, 5, 7, 10, 15])
     step = float(steps[0.98 * steps >= largest][0])
     return -step, step
+
+
+def span(values: FloatArray, least: float = 0.0) -> tuple[float, float]:
+    """Return a round span of zero and all values: of one side where hardly any are on the other.
+
+    Parameters
+    ----------
+    values : ndarray
+        NaN counts for nothing.
+    least : float
+        It reaches at least so far, or smaller values would look large.
+    """
+    low, high = reach(np.append(values, least))
+    known = values[np.isfinite(values)]
+    lowest, highest = float(known.min(initial=0.0)), float(known.max(initial=0.0))
+    if highest > 0.05 * high and lowest > 0.05 * low:
+        return lowest, high
+    if lowest < 0.05 * low and highest < 0.05 * high:
+        return low, highest
+    return low, high
