@@ -4,10 +4,12 @@ import numpy as np
 
 from driftlab.book.ch00_start_here.puzzle import LEANING
 from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.scene.published import scene_figure
 from driftlab.book.scenarios import LARIN_TRIAD, OBLIQUE_AXIS, SYMMETRIC
 
 from .. import experiments
 from ..block import magnification
+from ..globe import GlobeOfAxes
 from ..scenes import SAMPLES
 from . import closed_motions, drift_by_symmetry, drift_history, drift_map, turning_block
 
@@ -47,6 +49,14 @@ def _block_caption(data: experiments.DriftHistory) -> str:
 
 
 FIGURES = (
+    scene_figure(
+        "03-globe-of-axes",
+        GlobeOfAxes,
+        "The first block",
+        "All axes of rotation as a globe, painted with what the first block of the puzzle drifts "
+        "in one turn about each. The thick lines are the cone of axes without drift. As the axis "
+        "goes round, the ghost of the block shows what its computer believes.",
+    ),
     FigureDefinition(
         "03-turning-block",
         lambda: experiments.drift_history(LEANING, [1, 1, 0], SAMPLES),

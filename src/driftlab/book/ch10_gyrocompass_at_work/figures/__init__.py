@@ -5,11 +5,13 @@ from scipy.constants import arcminute, degree, hour
 
 from driftlab.book.ch09_aligning_a_gyrocompass.experiments import WHITE
 from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.scene.published import scene_figure
 from driftlab.book.scenarios import SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.simulation import HeadingErrors
 
 from .. import experiments
+from ..scenes import ShipUnderWay
 from . import (
     horizons,
     operating_formula,
@@ -123,6 +125,13 @@ def _restarts_caption(data: experiments.Restarts) -> str:
 
 
 FIGURES = (
+    scene_figure(
+        "10-ship-under-way",
+        ShipUnderWay,
+        "A whole turn",
+        "A ship goes round in a circle. Its compass carries a horizon and a needle with it, in "
+        "dashes, as far as they are wrong.",
+    ),
     FigureDefinition(
         "10-settling",
         experiments.settling_and_swing,
