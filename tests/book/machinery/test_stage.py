@@ -4,15 +4,8 @@ import numpy as np
 import pytest
 
 from driftlab.book.machinery.scene.solids import FACES, arrow, box, box_corners, circle, globe
-from driftlab.book.machinery.scene.stage import (
-    Part,
-    Readout,
-    Stage,
-    View,
-    reach,
-    span,
-    ticks_between,
-)
+from driftlab.book.machinery.scene.spans import reach, span, ticks_between
+from driftlab.book.machinery.scene.stage import Part, Readout, Stage, View
 from driftlab.book.machinery.scene.still import part_path
 
 TIMES = np.arange(3.0)

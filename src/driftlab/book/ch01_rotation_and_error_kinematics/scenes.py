@@ -11,7 +11,8 @@ from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import ABSENT, Results
 from driftlab.book.machinery.scene.solids import box, circle, frame_of_box, pin
-from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, reach
+from driftlab.book.machinery.scene.spans import reach
+from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.units import angle_text
 from driftlab.checks import FloatArray

@@ -10,7 +10,8 @@ from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, matr
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import globe
-from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, span
+from driftlab.book.machinery.scene.spans import span
+from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.units import angle_text
 from driftlab.book.scenarios import SKEW

@@ -9,7 +9,8 @@ import numpy as np
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, matrix_code
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
-from driftlab.book.machinery.scene.stage import Curve, Plot, Readout, Stage, View, reach, span
+from driftlab.book.machinery.scene.spans import reach, span
+from driftlab.book.machinery.scene.stage import Curve, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.units import angle_text
 from driftlab.book.scenarios import SKEW, SYMMETRIC

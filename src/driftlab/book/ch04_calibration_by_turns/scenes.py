@@ -25,7 +25,8 @@ from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import circle
-from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, span
+from driftlab.book.machinery.scene.spans import span
+from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.scenarios import LARIN_TRIAD, SKEW
 from driftlab.checks import FloatArray

@@ -11,17 +11,8 @@ from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import arrow, box, circle
-from driftlab.book.machinery.scene.stage import (
-    GROUND,
-    Curve,
-    Part,
-    Plot,
-    Readout,
-    Stage,
-    View,
-    reach,
-    span,
-)
+from driftlab.book.machinery.scene.spans import reach, span
+from driftlab.book.machinery.scene.stage import GROUND, Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.scenarios import DURATION, SCHULER_PERIOD, SPEED
 from driftlab.checks import FloatArray

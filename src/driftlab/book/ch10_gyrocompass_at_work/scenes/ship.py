@@ -11,7 +11,8 @@ from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import arrow, compass_card, raised, sea, ship
-from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View, reach
+from driftlab.book.machinery.scene.spans import reach
+from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.units import degrees_text
 from driftlab.book.scenarios import SPEED, SPEED_UP, TURN

@@ -15,7 +15,8 @@ from driftlab.checks import FloatArray
 from driftlab.core.quaternion import rotate
 
 from ..picture import project
-from .stage import Part, Plot, Stage, View, ticks_between
+from .spans import ticks_between
+from .stage import Part, Plot, Stage, View
 
 STYLE = (files(__package__) / "scene.css").read_text("utf-8")
 
