@@ -8,10 +8,11 @@ from pages import LEDGER, notebook_of
 from driftlab.book.machinery.still import STILL_CLASS
 
 SHOW = """
-from ipywidgets import HTML, VBox
+from ipywidgets import HTML, Image, VBox
 from driftlab.book.machinery.still import display_with_still
 triangle = b"<svg xmlns='http://www.w3.org/2000/svg'><path d='M9 9h72v72z'/></svg>"
-display_with_still(VBox([HTML("alive")]), triangle, "svg+xml", "A triangle, half of a square.")
+picture = Image(value=triangle, format="svg+xml", width=72)
+display_with_still(VBox([HTML("alive"), picture]), triangle, "svg+xml", "A triangle, half of a square.")
 """
 HEIGHT = f"() => document.querySelector('.{STILL_CLASS}').getBoundingClientRect().height"
 DIRTY = "() => window.jupyterapp.shell.currentWidget.context.model.dirty"
@@ -45,6 +46,7 @@ def test_a_still_stands_where_the_widget_is_gone(chapter_page: NotebookPage) -> 
     chapter_page.run_all()
     page.locator(".widget-html").wait_for()
     assert page.evaluate(HEIGHT) == 0
+    page.locator("img.widget-image").wait_for()  # seen: it is a widget, and has no parts
 
     saved = chapter_page.saved()
     saved.metadata.pop("widgets")  # readers have this state not saved: it makes notebooks dirty

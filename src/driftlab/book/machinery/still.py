@@ -18,7 +18,9 @@ STILL_CLASS = "driftlab-still"
 # not is a sentence, which the still makes superfluous.
 STYLE = f"""
 .jp-OutputArea:has(.jupyter-widgets *) .{STILL_CLASS} {{ display: none; }}
-.jp-OutputArea:has(.{STILL_CLASS}) .jupyter-widgets:not(:has(*)) {{ display: none; }}
+.jp-OutputArea:has(.{STILL_CLASS}) .jp-OutputArea-output.jupyter-widgets:not(:has(*)) {{
+  display: none;
+}}
 """
 
 
