@@ -35,6 +35,7 @@ def test_a_copy_that_was_only_opened_has_nothing_to_save(chapter_page: NotebookP
     assert not chapter_page.page.evaluate(DIRTY)
     # The settings and the style that lab.py brings are there too.
     assert max(chapter_page.page.evaluate(WIDTHS)) <= 46
+    chapter_page.show_files(True)
     assert chapter_page.page.locator(".jp-DirListing-headerItem:visible").count() == 1
 
 
