@@ -12,7 +12,8 @@ from ipywidgets import HTML, Image, VBox
 from driftlab.book.machinery.still import display_with_still
 triangle = b"<svg xmlns='http://www.w3.org/2000/svg'><path d='M9 9h72v72z'/></svg>"
 picture = Image(value=triangle, format="svg+xml", width=72)
-display_with_still(VBox([HTML("alive"), picture]), triangle, "svg+xml", "A triangle, half of a square.")
+widget = VBox([HTML("alive"), picture])
+display_with_still(widget, triangle, "svg+xml", "A triangle, half of a square.")
 """
 HEIGHT = f"() => document.querySelector('.{STILL_CLASS}').getBoundingClientRect().height"
 DIRTY = "() => window.jupyterapp.shell.currentWidget.context.model.dirty"
