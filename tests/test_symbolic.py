@@ -231,3 +231,14 @@ def test_identity_refuses_what_differs() -> None:
         symbolic.identity(symbolic.multiply(p, q), symbolic.multiply(q, p))
     with pytest.raises(ValueError, match=r"^right: expected the shape \(4, 1\) of left, got \(\)"):
         symbolic.identity(p, sp.Integer(1))
+
+
+def test_identity_says_where_a_side_may_not_exist() -> None:
+    x = sp.Symbol("x")
+    shown = symbolic.identity((x**2 - 1) / (x - 1), x + 1, "left", "right")
+    assert repr(shown) == "left = right for every x for which both exist: proved"
+    assert "which both exist" in shown._repr_latex_()
+    assert symbolic.identity(sp.tan(x) * sp.cos(x), sp.sin(x)).has_poles
+    assert not symbolic.identity(sp.exp(-x) * sp.exp(x), sp.Integer(1)).has_poles
+    with pytest.raises(AssertionError):
+        symbolic.identity(sp.sqrt(x**2), x)

@@ -20,19 +20,25 @@ class Identity:
         The two sides in LaTeX.
     free : tuple of str
         The symbols for whose every value it holds, in LaTeX; (x_1, x_2, x_3) counts as one, x.
+    has_poles : bool
+        Whether a side may have no value somewhere, so that it holds where both have one.
     """
 
     left: str
     right: str
     free: tuple[str, ...]
+    has_poles: bool = False
 
     def _repr_latex_(self) -> str:
         letters = r",\ ".join(self.free)
         where = rf"\quad\text{{for every }} {letters}" if letters else ""
+        if self.has_poles:
+            where += r"\text{ for which both exist}"
         return rf"$\displaystyle {self.left} \;=\; {self.right} \quad\checkmark{where}$"
 
     def __repr__(self) -> str:
         where = f" for every {', '.join(self.free)}" if self.free else ""
+        where += " for which both exist" if self.has_poles else ""
         return f"{self.left} = {self.right}{where}: proved"
 
 
@@ -42,7 +48,10 @@ def identity(
     left_text: str = "",
     right_text: str = "",
 ) -> Identity:
-    """Prove that two expressions are equal for all values of their symbols, and show it.
+    """Prove that two expressions are equal, and show it.
+
+    They are equal for all values that the assumptions on their symbols allow and for which both
+    sides exist. An expansion that was cut off is proved as it was cut off: say so in its text.
 
     Parameters
     ----------
@@ -94,4 +103,14 @@ def identity(
         else text or sp.latex(side)
         for text, side in zip((left_text, right_text), sides, strict=True)
     ]
-    return Identity(texts[0], texts[1], tuple(stem for stem, _ in groupby(sorted(stems))))
+    free = tuple(stem for stem, _ in groupby(sorted(stems)))
+    return Identity(texts[0], texts[1], free, any(map(_has_poles, sides)))
+
+
+def _has_poles(side: sp.Expr | sp.MatrixBase) -> bool:
+    """Whether something with symbols is divided by, or is a tangent or its like."""
+    divided = any(
+        power.exp.could_extract_minus_sign() and power.base.free_symbols
+        for power in side.atoms(sp.Pow)
+    )
+    return divided or bool(side.atoms(sp.tan, sp.cot, sp.sec, sp.csc, sp.log))

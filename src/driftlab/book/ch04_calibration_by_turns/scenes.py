@@ -200,12 +200,12 @@ class FourMountings(SceneExplorer):
     }
     look_for: ClassVar = {
         "A bent triad": "The tip of each error goes round. Where does it stand after the turn?",
-        "Larin's triad": "One gyro leans to one neighbour, away from the other. Which turn sees "
-        "nothing?",
+        "Larin's triad": "One gyro leans to one neighbour, away from the other. Which turns "
+        "see nothing?",
         "Skew triad": "All gyros lean, and all loops close. Look at the angles between the gyros.",
         "Scale factor": "All angles are right. What do the four turns say?",
         "A perfect triad, on the Earth": "Nothing is bent here, and yet every "
-        "arrow grows. Which way do they lean?",
+        "arrow grows. Do they stand upright?",
     }
 
     @staticmethod

@@ -46,6 +46,6 @@ PUZZLE = Puzzle(
     ),
     says=(
         "All that was looked at is a velocity that should be zero. What do the quarter turns do "
-        "that waiting does not, and why must it be these?"
+        "that waiting does not, and which turns will do?"
     ),
 )

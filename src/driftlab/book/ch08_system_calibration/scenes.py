@@ -163,7 +163,7 @@ class TurningTable(SceneExplorer):
         "Eighteen rotations": "The same three axes in another order. Do the curves follow?",
         "Only about z": "Forty minutes, and z is always up. Which errors does nobody learn?",
         "A bad start": "One axis never leaves the horizon. Which curves stay up?",
-        "The angles": "An angle lies between two axes. After which turn do they all fall?",
+        "The angles": "An angle lies between two axes. Which turns does each pair wait for?",
     }
 
     def compute(self, values: Values) -> Known:

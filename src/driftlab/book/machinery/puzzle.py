@@ -12,6 +12,7 @@ Answer: TypeAlias = float | str
 
 PARTS = {
     1 / 10: "a tenth of it",
+    1 / 7: "a seventh of it",
     1 / 5: "a fifth of it",
     1 / 4: "a quarter of it",
     1 / 3: "a third of it",
@@ -25,6 +26,7 @@ PARTS = {
     3: "three times as much",
     4: "four times as much",
     5: "five times as much",
+    7: "seven times as much",
     10: "ten times as much",
 }
 """What a guess is of the truth, in words; beyond these a number says it."""

@@ -14,7 +14,6 @@ from driftlab.book.machinery.scene.solids import box, frame_of_box
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.sensor_controls import slider_value
-from driftlab.book.machinery.units import degrees_text
 from driftlab.checks import FloatArray
 from driftlab.quaternion import multiply, rotate
 
@@ -121,7 +120,14 @@ class BowOverTheTop(SceneExplorer):
     title = "The bow goes over the top"
     picture_class = OverTheTopView
     controls = (
-        Control("heading", "heading before, °", slider_value(HEADING, degree), -180.0, 180.0, 1.0),
+        Control(
+            "heading",
+            "heading before, to West, °",
+            slider_value(HEADING, degree),
+            -180.0,
+            180.0,
+            1.0,
+        ),
         Control("aside", "off the zenith, °", 0.0, 0.0, 45.0, 0.5),
     )
     presets: ClassVar = {
@@ -145,11 +151,11 @@ class BowOverTheTop(SceneExplorer):
     def numbers(self, data: OverTheTop) -> Results:
         heading, attitude = data.true.heading_error, data.true.attitude_error
         return Results(
-            ("heading found within, at worst", degrees_text(heading.max())),
+            ("heading found within, at worst", f"{np.degrees(heading.max()):.2f}°"),
             [
-                ("heading, level", degrees_text(heading[0])),
-                ("attitude, level", degrees_text(attitude[0])),
-                ("attitude, at worst", degrees_text(attitude.max())),
+                ("heading, level", f"{np.degrees(heading[0]):.2f}°"),
+                ("attitude, level", f"{np.degrees(attitude[0]):.2f}°"),
+                ("attitude, at worst", f"{np.degrees(attitude.max()):.2f}°"),
             ],
         )
 

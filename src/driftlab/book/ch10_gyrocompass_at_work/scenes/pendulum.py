@@ -147,7 +147,7 @@ class SchulerPendulum(SceneExplorer):
     def numbers(self, data: Pendulum) -> Results:
         largest = np.degrees(np.abs(data.heading_error).max())
         return Results(
-            ("out of level by up to", f"{size(data.tilt).max() / arcminute:.3f}′"),
+            ("then out of level by up to", f"{size(data.tilt).max() / arcminute:.3f}′"),
             [
                 ("way told, off by up to",
                  f"{np.abs(data.place_error).max() / nautical_mile:.3f} nautical miles"),

@@ -216,7 +216,10 @@ class ShipUnderWay(SceneExplorer):
         return Results(
             ("heading shown is off by up to", degrees_text(np.abs(run.shown_error).max())),
             [
-                ("of this the ship's own way", degrees_text(np.abs(run.speed_error).max())),
+                (
+                    "the ship's own way alone makes up to",
+                    degrees_text(np.abs(run.speed_error).max()),
+                ),
                 ("horizon", f"{size(run.tilt).max() / arcminute:.3f}′"),
                 ("plumb line", f"{size(np.arctan(run.lean)).max() / arcminute:.1f}′"),
             ],
