@@ -36,6 +36,7 @@ def empty_folder(tmp_path, monkeypatch):
 
 def guessed(length: float = 10.0, side: str = "right", puzzle: Puzzle = PUZZLE) -> GuessControl:
     control = GuessControl(puzzle)
+    control.inputs[0].field.value = 1.0
     control.inputs[0].field.value = length
     control.inputs[1].radio.value = side
     control.button.click()
@@ -60,6 +61,15 @@ def test_a_choice_has_to_be_made_first(empty_folder):
     assert not (empty_folder / FILE).exists()
 
 
+def test_where_a_slider_stands_at_first_is_no_guess(empty_folder):
+    control = GuessControl(PUZZLE)
+    control.inputs[1].radio.value = "left"
+    control.button.click()
+    assert "Move each slider" in control.answer.value
+    assert "20" not in control.answer.value
+    assert not (empty_folder / FILE).exists()
+
+
 def test_guess_and_truth_stand_beside_each_other():
     control = guessed()
     answer = control.answer.value
@@ -73,6 +83,7 @@ def test_guess_and_truth_stand_beside_each_other():
 
 def test_field_and_slider_move_together():
     number = GuessControl(PUZZLE).inputs[0]
+    number.slider.value = 0.25
     number.slider.value = 0.5
     assert number.value == 10.0
     number.field.value = 1000
@@ -85,6 +96,7 @@ def test_field_and_slider_move_together():
 def test_first_guess_stays(empty_folder):
     first, second = GuessControl(PUZZLE), GuessControl(PUZZLE)
     for control, length in ((first, 10.0), (second, 20.0)):
+        control.inputs[0].field.value = 1.0
         control.inputs[0].field.value = length
         control.inputs[1].radio.value = "left"
         control.button.click()

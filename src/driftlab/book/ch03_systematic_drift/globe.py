@@ -36,6 +36,8 @@ AZIMUTH = 15.0
 """From where the reader looks at first, so that the worst axis of the first block is in sight."""
 LIFT = 0.2
 """How much nearer than they are the lines on the globe are drawn; half a face is as large."""
+ROUNDING = 1e-6
+"""A drift below, arc minutes a turn, is what a computer leaves of zero."""
 
 
 class GlobeOfAxesView(SceneView):
@@ -47,6 +49,8 @@ class GlobeOfAxesView(SceneView):
         first_order, exact = (60 * np.degrees(x) for x in (data.first_order, data.exact))
         ends = np.stack([-data.axes, data.axes], axis=1)
         crossings = np.flatnonzero(first_order[:-1] * first_order[1:] < 0)
+        if np.abs(first_order).max() < ROUNDING:
+            crossings = crossings[:0]  # a drift that is zero everywhere changes its sign nowhere
         return Stage(
             times=np.degrees(data.way),
             time_unit="°",
@@ -183,7 +187,7 @@ class GlobeOfAxes(SceneExplorer):
 
     def numbers(self, data: AxisTour) -> Results:
         return Results(
-            ("left after one turn about the axis at first", angle_text(data.exact[0])),
+            ("left after one turn about the starting axis", angle_text(data.exact[0])),
             [
                 ("to first order", angle_text(data.first_order[0])),
                 ("most, to first order", f"{arcmin(data.principal[2]):.3f}′"),

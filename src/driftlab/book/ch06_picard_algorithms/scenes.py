@@ -114,7 +114,7 @@ class ShakingBracket(SceneExplorer):
     title = "The shaking bracket, and what the sum of its increments misses"
     picture_class = ShakingBracketView
     controls = (
-        Control("half_angle", "half angle of the cone, °", 1.0, 0.5, 3.0, 0.05),
+        Control("half_angle", "half angle, °", 1.0, 0.5, 3.0, 0.05),
         Control("rate", "sampled at, Hz", 100.0, stops=(20.0, 40.0, 60.0, 100.0, 200.0)),
     )
     presets: ClassVar = {

@@ -103,8 +103,8 @@ class SquareThatDoesNotClose(SceneExplorer):
     title = "Four small turns that add up to nothing"
     picture_class = SquareView
     controls = (
-        Control("first", "turn about axis 1, °", 30.0, 2.0, WIDEST, 1.0),
-        Control("second", "turn about axis 2, °", 30.0, 2.0, WIDEST, 1.0),
+        Control("first", "about axis 1, °", 30.0, 2.0, WIDEST, 1.0),
+        Control("second", "about axis 2, °", 30.0, 2.0, WIDEST, 1.0),
     )
     presets: ClassVar = {
         "Thirty degrees": {},

@@ -29,6 +29,12 @@ UNITS = {"°": "degrees (°)", "′": "arc minutes (′)", "″": "arc seconds (
 KEPT = "This is the guess that you made first; it is kept in guesses.json."
 
 
+UNANSWERED = (
+    "Move each slider, or type a number, and choose an answer where there is a choice. "
+    "Then it is a guess."
+)
+
+
 class NumberInput:
     """A field and a slider for one number; they move together."""
 
@@ -59,13 +65,15 @@ class NumberInput:
         typed = widgets.HBox([self.field, widgets.Label(UNITS.get(question.unit, question.unit))])
         self.widget = widgets.VBox([_text(question.asks), typed, self.slider])
         self._moving = False
+        self._touched = False  # where the slider stands at first is nobody's guess
 
     @property
-    def value(self) -> Answer:
-        """The guess, in the question's unit."""
-        return float(self.field.value)
+    def value(self) -> Answer | None:
+        """The guess, in the question's unit; None before there is one."""
+        return float(self.field.value) if self._touched else None
 
     def _slid(self, change: Any) -> None:
+        self._touched = True
         question = self.question
         value = change["new"]
         if not question.whole:
@@ -73,6 +81,7 @@ class NumberInput:
         self._move(self.field, value)
 
     def _typed(self, change: Any) -> None:
+        self._touched = True
         value = change["new"]
         self._move(self.slider, value if self.question.whole else self.question.place(value))
 
@@ -137,7 +146,7 @@ class GuessControl:
         """Keep the guess that the controls show, and show the answer."""
         guess = [each.value for each in self.inputs]
         if None in guess:
-            self.answer.value = "<p role='alert'>Please choose an answer to each question.</p>"
+            self.answer.value = f"<p role='alert'>{UNANSWERED}</p>"
             return
         self.reveal(guess, keep(self.puzzle, guess))  # type: ignore[arg-type]
 

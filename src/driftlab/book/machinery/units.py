@@ -5,6 +5,8 @@ from scipy.constants import arcminute, arcsecond, degree
 
 from .results import ABSENT
 
+ROUNDING = 1e-18
+"""An angle below, rad, is what a computer leaves of zero."""
 SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -40,6 +42,8 @@ def angle_text(angle: float) -> str:
     """
     if np.isnan(angle):
         return ABSENT
+    if abs(angle) < ROUNDING:
+        angle = 0.0
     unit, sign = next(
         ((unit, sign) for unit, sign in ((degree, "°"), (arcminute, "′")) if abs(angle) >= unit),
         (arcsecond, "″"),

@@ -137,7 +137,7 @@ class BowOverTheTop(SceneExplorer):
     }
     look_for: ClassVar = {
         "Through the zenith": "The box turns smoothly. What do its heading and its roll do?",
-        "Past it by two degrees": "No jump now. How fast must the needle turn all the same?",
+        "Past it by two degrees": "No jump now. How fast must the needle still turn?",
         "Past it by thirty": "Far from the zenith. What is left of the peak?",
     }
 
@@ -151,7 +151,7 @@ class BowOverTheTop(SceneExplorer):
     def numbers(self, data: OverTheTop) -> Results:
         heading, attitude = data.true.heading_error, data.true.attitude_error
         return Results(
-            ("heading found within, at worst", f"{np.degrees(heading.max()):.2f}°"),
+            ("largest heading error", f"{np.degrees(heading.max()):.2f}°"),
             [
                 ("heading, level", f"{np.degrees(heading[0]):.2f}°"),
                 ("attitude, level", f"{np.degrees(attitude[0]):.2f}°"),

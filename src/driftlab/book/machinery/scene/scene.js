@@ -29,6 +29,10 @@ class Scene {
       "msg:custom": () => this.answered(),
       "change:stage": () => this.take(),
       "change:moment": () => this.goTo(model.get("moment"), false),
+      "change:busy": () => {
+        root.classList.toggle("dl-busy", model.get("busy"));
+        root.setAttribute("aria-busy", model.get("busy"));
+      },
     };
     for (const [event, listener] of Object.entries(this.listeners)) model.on(event, listener);
     this.take();

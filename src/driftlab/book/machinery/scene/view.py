@@ -32,6 +32,8 @@ class SceneWidget(anywidget.AnyWidget):
         The moment that is shown, as soon as it stands still.
     autoplay : bool
         Whether it plays by itself when the reader first sees it.
+    busy : bool
+        Whether the kernel computes; what takes long is shown pale.
     """
 
     _esm = "\n".join((files(__package__) / name).read_text("utf-8") for name in SCRIPTS)
@@ -39,6 +41,7 @@ class SceneWidget(anywidget.AnyWidget):
     stage = traitlets.Dict().tag(sync=True)
     moment = traitlets.Int(0).tag(sync=True)
     autoplay = traitlets.Bool(False).tag(sync=True)
+    busy = traitlets.Bool(False).tag(sync=True)
 
 
 class SceneView:
@@ -85,6 +88,13 @@ class SceneExplorer(Explorer):
         if self.folded:
             others = [widgets.Accordion(others, titles=["Exact values"], selected_index=None)]
         return [first, *others]
+
+    def redraw(self) -> None:
+        self.view.widget.busy = True
+        try:
+            super().redraw()
+        finally:
+            self.view.widget.busy = False
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         """Return the values of the controls that bring a handle into a direction (3,).
