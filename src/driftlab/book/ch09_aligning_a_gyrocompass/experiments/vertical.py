@@ -108,6 +108,8 @@ def errors_over_the_vertical(
     angles = np.arange(step / 2, np.pi, step)
     attitude = turn_over(angles, heading, aside)
     true = to_euler_angles(attitude)
+    # Half a turn and minus half a turn are the same; rounding would choose between them by chance.
+    roll = np.where(np.isclose(true.roll, -np.pi), np.pi, true.roll)
     rate, force = static_imu(attitude, SARATOV_LATITUDE)
     found = align(rate + gyro_bias, force + accelerometer_bias)
 
@@ -118,11 +120,13 @@ def errors_over_the_vertical(
     return OverTheVertical(
         angles,
         attitude,
-        *true,
+        true.heading,
+        true.pitch,
+        roll,
         spread(found.heading - true.heading),
-        spread(found.roll - true.roll),
+        spread(found.roll - roll),
         np.sqrt(np.mean(away**2, axis=0)),
-        spread(found.heading + found.roll - true.heading - true.roll),
+        spread(found.heading + found.roll - true.heading - roll),
         runs,
     )
 
