@@ -60,6 +60,11 @@ class Part:
     lift: float = 0.0
     since: int = 0
 
+    @property
+    def nearness(self) -> float:
+        """What is added to its depth before the parts are sorted: names are drawn last."""
+        return self.lift - GROUND if self.kind == "label" else self.lift
+
 
 @dataclass(frozen=True)
 class View:
@@ -242,7 +247,7 @@ class Stage:
                             "text": part.text,
                             "fill": part.fill,
                             "handle": part.handle,
-                            "lift": part.lift,
+                            "lift": part.nearness,
                             "since": part.since,
                         }
                         for part in view.parts

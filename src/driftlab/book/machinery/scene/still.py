@@ -112,7 +112,7 @@ def _view(view: View, stage: Stage, moments: Sequence[int] | FloatArray) -> list
     a, e = np.radians([view.azimuth, view.elevation])
     out = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
     depths = [
-        np.mean([(place(part, stage, k) @ out).mean() for k in moments]) + part.lift
+        np.mean([(place(part, stage, k) @ out).mean() for k in moments]) + part.nearness
         for part in view.parts
     ]
     elements = []
