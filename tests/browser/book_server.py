@@ -93,7 +93,11 @@ def book_server(folder: Path) -> Iterator[Server]:
         yield Server(address, token, book)
     finally:
         server.terminate()
-        server.wait(30)
+        try:
+            server.wait(30)
+        except subprocess.TimeoutExpired:  # it waits for kernels that nobody needs any more
+            server.kill()
+            server.wait()
 
 
 def serve_copies(folder: Path) -> None:
