@@ -86,7 +86,8 @@ class SceneExplorer(Explorer):
     def _rows(self) -> list[widgets.Box]:
         first, *others = super()._rows()
         if self.folded:
-            others = [widgets.Accordion(others, titles=["Exact values"], selected_index=None)]
+            inside = widgets.VBox(others)
+            others = [widgets.Accordion([inside], titles=["Exact values"], selected_index=None)]
         return [first, *others]
 
     def redraw(self) -> None:
