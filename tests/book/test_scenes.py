@@ -9,7 +9,7 @@ import pytest
 
 from driftlab.book.machinery.panel import ERROR_CLASS
 from driftlab.book.machinery.scene.stage import Stage
-from driftlab.book.machinery.scene.still import animation, place, still
+from driftlab.book.machinery.scene.svg import animation, place, still
 from driftlab.book.machinery.scene.view import SceneExplorer, nearest
 from grouped import every_scene, opened
 

@@ -7,7 +7,7 @@ import pytest
 from notebook_page import NotebookPage, wait_until
 
 from driftlab.book.machinery.scene.stage import Stage, View
-from driftlab.book.machinery.scene.still import flat_corners, part_path, still
+from driftlab.book.machinery.scene.svg import flat_corners, part_path, still
 from driftlab.book.machinery.scene.view import SceneExplorer
 from driftlab.book.panels import SCENES
 

@@ -5,7 +5,7 @@ import pytest
 
 from driftlab.book.machinery.scene.solids import raised, sea, ship
 from driftlab.book.machinery.scene.stage import Stage, View
-from driftlab.book.machinery.scene.still import still
+from driftlab.book.machinery.scene.svg import still
 
 
 @pytest.mark.parametrize("azimuth", [-150.0, -60.0, 30.0, 120.0])

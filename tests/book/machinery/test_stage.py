@@ -6,7 +6,7 @@ import pytest
 from driftlab.book.machinery.scene.solids import FACES, arrow, box, box_corners, circle, globe
 from driftlab.book.machinery.scene.spans import reach, span, ticks_between
 from driftlab.book.machinery.scene.stage import Part, Readout, Stage, View
-from driftlab.book.machinery.scene.still import part_path
+from driftlab.book.machinery.scene.svg import part_path
 
 TIMES = np.arange(3.0)
 STANDING = np.tile([0.0, 0, 0, 1], (3, 1))

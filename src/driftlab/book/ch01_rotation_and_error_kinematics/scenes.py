@@ -6,7 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from driftlab.book.machinery.axis import axis_code, axis_of
+from driftlab.book.machinery.axis import axis_code, axis_of, axis_values
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import ABSENT, Results
@@ -146,11 +146,7 @@ class FalseRate(SceneExplorer):
         return error_in_space(*self._rates(values))
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
-        x, y, z = direction / np.linalg.norm(direction)
-        return {
-            "azimuth": np.degrees(np.arctan2(y, x)),
-            "elevation": np.degrees(np.arcsin(np.clip(z, -1, 1))),
-        }
+        return axis_values(direction)
 
     def numbers(self, data: ErrorInSpace) -> Results:
         one = data.whole_turns[1:2]

@@ -62,9 +62,3 @@ def gyro_dragged(handle: str, direction: FloatArray, values: Values) -> Values:
     length = 1e3 / EXAGGERATION + values[f"m{i + 1}{i + 1}"]  # along its own axis, as it is drawn
     lean = length * direction / max(direction[i], 1e-3)
     return {f"m{i + 1}{j + 1}": lean[j] for j in range(3) if j != i}
-
-
-def axis_dragged(direction: FloatArray) -> Values:
-    """Values of `AXIS_CONTROLS` that put the axis of the turns into a direction (3,)."""
-    x, y, z = direction / np.linalg.norm(direction)
-    return {"azimuth": np.degrees(np.arctan2(y, x)), "elevation": np.degrees(np.arcsin(z))}

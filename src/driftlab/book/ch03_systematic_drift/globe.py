@@ -6,7 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, matrix_code
+from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values, matrix_code
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import globe
@@ -21,7 +21,6 @@ from driftlab.quaternion import from_rotation_vector
 from .axes import AxisTour, axis_tour
 from .block import (
     AXIS_LENGTH,
-    axis_dragged,
     block_parts,
     ghost_parts,
     gyro_dragged,
@@ -183,7 +182,7 @@ class GlobeOfAxes(SceneExplorer):
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         if handle.startswith("gyro"):
             return gyro_dragged(handle, direction, self.values)
-        return axis_dragged(direction)
+        return axis_values(direction)
 
     def numbers(self, data: AxisTour) -> Results:
         return Results(

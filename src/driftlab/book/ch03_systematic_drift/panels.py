@@ -2,10 +2,9 @@
 
 from typing import ClassVar
 
-import numpy as np
 from scipy.constants import arcminute
 
-from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, matrix_code
+from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values, matrix_code
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import Results
 
@@ -33,15 +32,14 @@ class DriftExplorer(Explorer):
         return drift_history(triad_error_of(values), axis_of(values))
 
     def numbers(self, data: DriftHistory) -> Results:
-        x, y, z = data.worst_axis
-        azimuth, elevation = np.degrees([np.arctan2(y, x), np.arcsin(np.clip(z, -1.0, 1.0))])
+        worst = axis_values(data.worst_axis)
         return Results(
             ("drift in one turn", _arcmin(data.exact_per_turn)),
             [
                 ("to first order", _arcmin(data.first_order_per_turn)),
                 ("about the worst axis", _arcmin(data.worst_per_turn)),
-                ("worst axis, azimuth", f"{azimuth:.1f}°"),
-                ("worst axis, elevation", f"{elevation:.1f}°"),
+                ("worst axis, azimuth", f"{worst['azimuth']:.1f}°"),
+                ("worst axis, elevation", f"{worst['elevation']:.1f}°"),
             ],
         )
 

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, matrix_code
+from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values, matrix_code
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.spans import reach, span
@@ -18,7 +18,6 @@ from driftlab.checks import FloatArray
 from driftlab.quaternion import from_rotation_vector, multiply
 
 from .block import (
-    axis_dragged,
     axis_parts,
     block_parts,
     ghost_parts,
@@ -130,7 +129,7 @@ class TurningBlock(SceneExplorer):
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         if handle.startswith("gyro"):
             return gyro_dragged(handle, direction, self.values)
-        return axis_dragged(direction)
+        return axis_values(direction)
 
     def numbers(self, data: DriftHistory) -> Results:
         return Results(

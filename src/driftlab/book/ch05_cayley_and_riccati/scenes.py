@@ -7,7 +7,7 @@ from typing import ClassVar
 import numpy as np
 
 from driftlab.attitude.riccati import SWITCH
-from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of
+from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
@@ -171,11 +171,7 @@ class LampAndShadow(SceneExplorer):
         return shadow_steps(axis_of(values), values["switch"])
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
-        x, y, z = direction / np.linalg.norm(direction)
-        return {
-            "azimuth": np.degrees(np.arctan2(y, x)),
-            "elevation": np.degrees(np.arcsin(np.clip(z, -1, 1))),
-        }
+        return axis_values(direction)
 
     def numbers(self, data: ShadowSteps) -> Results:
         longest = data.in_use.max()

@@ -19,6 +19,13 @@ def axis_of(values: Values) -> FloatArray:
     return direction_from_angles(np.radians(values["azimuth"]), np.radians(values["elevation"]))
 
 
+def axis_values(direction: FloatArray) -> dict[str, float]:
+    """Values of `AXIS_CONTROLS` for a direction (3,) of any length."""
+    x, y, z = direction / np.linalg.norm(direction)
+    azimuth, elevation = np.degrees([np.arctan2(y, x), np.arcsin(np.clip(z, -1.0, 1.0))])
+    return {"azimuth": float(azimuth), "elevation": float(elevation)}
+
+
 def axis_code(values: Values) -> str:
     """Code for the same."""
     return f"direction_from_angles(*np.radians([{values['azimuth']}, {values['elevation']}]))"

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from driftlab.book.machinery.scene.stage import Stage
-from driftlab.book.machinery.scene.still import animation
+from driftlab.book.machinery.scene.svg import animation
 from driftlab.checks import FloatArray
 
 from ..experiments import DriftHistory

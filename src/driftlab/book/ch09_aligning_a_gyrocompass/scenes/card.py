@@ -36,7 +36,7 @@ def from_origin(tips: FloatArray) -> FloatArray:
     return np.stack([np.zeros_like(tips), tips], axis=1)
 
 
-def compass_card(height: float) -> tuple[Part, ...]:
+def lettered_card(height: float) -> tuple[Part, ...]:
     """The rim of a card with the four directions and a mark each thirty degrees."""
     rim = circle((0, 0, 1), CARD, height)
     mark = np.array([[0.93], [1.0]])

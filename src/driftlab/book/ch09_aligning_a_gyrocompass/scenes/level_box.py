@@ -29,9 +29,9 @@ from .card import (
     CARD,
     HALF_SIZES,
     TO_SPACE,
-    compass_card,
     from_origin,
     in_space,
+    lettered_card,
     level_direction,
 )
 
@@ -104,7 +104,7 @@ def inside_parts(data: LevelBox) -> tuple[Part, ...]:
     found = level_direction(-data.magnified_error)
     forward = np.array([1.0, 0.0, 0.0])
     return (
-        *compass_card(-HALF_SIZES[1]),
+        *lettered_card(-HALF_SIZES[1]),
         *box(HALF_SIZES, "glass", "box"),
         Part("line", np.outer([HALF_SIZES[0], BOW], forward), "axis", "box"),
         Part("dot", BOW * forward[np.newaxis], "axis", "box", handle="bow"),

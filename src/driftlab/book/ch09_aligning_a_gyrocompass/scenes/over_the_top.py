@@ -23,9 +23,9 @@ from .card import (
     CARD,
     HALF_SIZES,
     TO_SPACE,
-    compass_card,
     from_origin,
     in_space,
+    lettered_card,
     level_direction,
 )
 
@@ -101,7 +101,7 @@ def overturned_parts(data: OverTheTop) -> tuple[Part, ...]:
         for heading in (data.true.heading, data.found_heading, data.true.heading[:1])
     )
     return (
-        *compass_card(CARD_BELOW),
+        *lettered_card(CARD_BELOW),
         *box(HALF_SIZES, "block", "box"),
         Part("arrow", np.outer([HALF_SIZES[0], BOW], forward), "axis", "box"),
         Part("label", 1.15 * BOW * forward[np.newaxis], "axis", "box", text="bow"),

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..publish import FigureDefinition
 from .stage import Stage
-from .still import animation
+from .svg import animation
 from .view import SceneExplorer
 
 FRAMES = 73

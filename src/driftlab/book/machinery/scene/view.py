@@ -15,7 +15,7 @@ from driftlab.checks import FloatArray
 from ..control import Control
 from ..panel import Explorer, Values
 from .stage import Stage
-from .still import STYLE, still
+from .svg import STYLE, still
 
 SCRIPTS = ("arrays.js", "space.js", "curves.js", "scene.js")
 """The script in the page, in pieces of one idea each; a widget carries it as one text."""
