@@ -15,6 +15,7 @@ from . import (
     monte_carlo as monte_carlo,
     motion as motion,
     quaternion as quaternion,
+    recordings as recordings,
     sampled_rates as sampled_rates,
     strapdown as strapdown,
     symbolic as symbolic,

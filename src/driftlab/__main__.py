@@ -16,7 +16,9 @@ GROUND_FLOOR = (
     *("checks", "vectors", "quaternion", "earth", "axes", "conventions", "frames"),
     *("triad", "body_frames", "imu", "increments", "sampled_rates", "strapdown", "monte_carlo"),
 )
-SUBJECTS = ("motion", "drift", "attitude", "calibration", "gyrocompass", "symbolic", "book")
+SUBJECTS = (
+    *("motion", "drift", "attitude", "recordings", "calibration", "gyrocompass", "symbolic", "book"),
+)
 
 
 def first_line(tree: ast.Module | ast.FunctionDef | ast.ClassDef) -> str:

@@ -1,0 +1,1 @@
+"""What chapter 13 makes of published recordings: numbers, not yet pictures."""

@@ -1,0 +1,2 @@
+from . import recording as recording
+from .recording import Recording as Recording
