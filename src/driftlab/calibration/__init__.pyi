@@ -6,6 +6,7 @@ from . import (
     filter as filter,
     kalman as kalman,
     linearization as linearization,
+    matrix_conventions as matrix_conventions,
     observability as observability,
     simulation as simulation,
     static_navigation as static_navigation,
@@ -13,6 +14,7 @@ from . import (
 from .body_axes import (
     attitude_error as attitude_error,
     attitude_of_axes as attitude_of_axes,
+    imu_errors_in_accelerometer_axes as imu_errors_in_accelerometer_axes,
     imu_errors_in_frame as imu_errors_in_frame,
 )
 from .covariance import (
@@ -47,6 +49,15 @@ from .linearization import (
     LinearizedErrors as LinearizedErrors,
     checked_model as checked_model,
     linearize_along as linearize_along,
+)
+from .matrix_conventions import (
+    SI_READINGS as SI_READINGS,
+    ImucalMatrices as ImucalMatrices,
+    ImuTkMatrices as ImuTkMatrices,
+    KalibrMatrices as KalibrMatrices,
+    NominalReadings as NominalReadings,
+    PsinsMatrices as PsinsMatrices,
+    RosMatrices as RosMatrices,
 )
 from .observability import (
     UnobservableSubspace as UnobservableSubspace,

@@ -92,8 +92,53 @@ def imu_errors_in_frame(imu_errors: ImuErrors, frame: str | None) -> tuple[ImuEr
     if frame is None:
         return imu_errors, np.broadcast_to(np.eye(3), imu_errors.gyro_error.shape)
     turn = body_frame_rotation(imu_errors.gyro_error, imu_errors.accelerometer_error, frame)
-    turned = imu_errors._replace(
+    return _turned(imu_errors, turn), turn
+
+
+def imu_errors_in_accelerometer_axes(
+    imu_errors: ImuErrors, zeros: str = "above"
+) -> tuple[ImuErrors, FloatArray]:
+    """Sensor errors in body axes that the accelerometers fix by a triangle, and the rotation.
+
+    Parameters
+    ----------
+    imu_errors : ImuErrors
+        Sensor errors (...) in given body axes.
+    zeros : {"above", "below"}
+        Where L, the accelerometers' matrix, is to be zero. Above its diagonal: x lies along the x
+        accelerometer, y in the plane of x and y; kalibr, PSINS, and the frame "accelerometers".
+        Below: z lies along the z accelerometer, y in the plane of y and z; IMU-TK.
+
+    Returns
+    -------
+    imu_errors : ImuErrors
+        Sensor errors (...) in the new axes.
+    turn : ndarray, shape (..., 3, 3)
+        Rotation matrix from components in the given axes to components in the new ones.
+
+    Raises
+    ------
+    ValueError
+        If `zeros` is another word, or the accelerometer triad is left-handed or flat.
+
+    Examples
+    --------
+    >>> from driftlab.imu import TYPICAL_ERRORS
+    >>> turned, _ = imu_errors_in_accelerometer_axes(TYPICAL_ERRORS, "below")
+    >>> bool(np.allclose(np.tril(turned.accelerometer_error, -1), 0, rtol=0, atol=1e-15))
+    True
+    """
+    if zeros not in ("above", "below"):
+        raise ValueError(f"zeros: expected 'above' or 'below', got {zeros!r}.")
+    if zeros == "above":
+        return imu_errors_in_frame(imu_errors, "accelerometers")
+    turn = body_frame_rotation(imu_errors.accelerometer_error, frame="lower triangle")
+    return _turned(imu_errors, turn), turn
+
+
+def _turned(imu_errors: ImuErrors, turn: FloatArray) -> ImuErrors:
+    """Both triads in rotated body axes."""
+    return imu_errors._replace(
         gyro_error=change_body_frame(imu_errors.gyro_error, turn),
         accelerometer_error=change_body_frame(imu_errors.accelerometer_error, turn),
     )
-    return turned, turn
