@@ -41,6 +41,7 @@ from driftlab.calibration import (
     simulation as calibration_simulation,
     static_navigation,
 )
+from driftlab.calibration.matrix_conventions import forms
 from driftlab.drift import (
     characteristic_equation,
     closed_motion,
@@ -269,6 +270,8 @@ APART = {
     body_axes.attitude_of_axes,
     body_axes.attitude_error,
     static_navigation.navigate_static,
+    forms.bias_behind_matrix,
+    forms.refuse_unless_zero,
     levelling.propagate_level_frame,
     simulation.simulate_compass,
     vehicle.vehicle_trajectory,

@@ -34,7 +34,8 @@ def inverse(matrix: FloatArray, name: str) -> FloatArray:
     """
     if not (np.linalg.cond(matrix) < 1e12).all():
         raise ValueError(f"{name}: expected a matrix with an inverse, got a singular one.")
-    return np.linalg.inv(matrix)
+    inverted: FloatArray = np.linalg.inv(matrix)  # NumPy's own type is wider
+    return inverted
 
 
 def refuse_unless_zero(**effects: ArrayLike) -> None:

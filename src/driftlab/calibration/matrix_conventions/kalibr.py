@@ -21,8 +21,8 @@ _ROUNDING = 1e-12  # of an error matrix, which has no unit
 class KalibrMatrices:
     """kalibr, scale-misalignment: ``f = M f + b``, ``w = M_g C_gyro_i w + A C_gyro_i f + b``.
 
-    On the left stands what is measured: of the five only kalibr's matrices make errors, as ours
-    do. Whoever corrects readings with M takes the error twice.
+    On the left stands what is measured: kalibr's matrices make errors, as ours do. Whoever
+    multiplies his readings by M has each error twice.
 
     Attributes
     ----------
