@@ -38,10 +38,10 @@ from driftlab.calibration import (
     body_axes,
     error_dynamics,
     filter,
+    nominal_readings,
     simulation as calibration_simulation,
     static_navigation,
 )
-from driftlab.calibration.matrix_conventions import forms
 from driftlab.drift import (
     characteristic_equation,
     closed_motion,
@@ -270,8 +270,7 @@ APART = {
     body_axes.attitude_of_axes,
     body_axes.attitude_error,
     static_navigation.navigate_static,
-    forms.bias_behind_matrix,
-    forms.refuse_unless_zero,
+    nominal_readings.checked_zeros,
     levelling.propagate_level_frame,
     simulation.simulate_compass,
     vehicle.vehicle_trajectory,

@@ -1,4 +1,5 @@
 from . import (
+    biases_behind_matrix as biases_behind_matrix,
     body_axes as body_axes,
     covariance as covariance,
     error_dynamics as error_dynamics,
@@ -7,9 +8,14 @@ from . import (
     kalman as kalman,
     linearization as linearization,
     matrix_conventions as matrix_conventions,
+    nominal_readings as nominal_readings,
     observability as observability,
     simulation as simulation,
     static_navigation as static_navigation,
+)
+from .biases_behind_matrix import (
+    PsinsMatrices as PsinsMatrices,
+    RosMatrices as RosMatrices,
 )
 from .body_axes import (
     attitude_error as attitude_error,
@@ -51,13 +57,13 @@ from .linearization import (
     linearize_along as linearize_along,
 )
 from .matrix_conventions import (
-    SI_READINGS as SI_READINGS,
     ImucalMatrices as ImucalMatrices,
     ImuTkMatrices as ImuTkMatrices,
     KalibrMatrices as KalibrMatrices,
+)
+from .nominal_readings import (
+    SI_READINGS as SI_READINGS,
     NominalReadings as NominalReadings,
-    PsinsMatrices as PsinsMatrices,
-    RosMatrices as RosMatrices,
 )
 from .observability import (
     UnobservableSubspace as UnobservableSubspace,
