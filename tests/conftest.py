@@ -21,6 +21,10 @@ settings.load_profile("driftlab")
 # and the threads of several processes would wait for each other. NumPy is not imported yet.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+# Kernels of notebooks run in other folders.
+if folder := os.environ.get("DRIFTLAB_RECORDINGS"):
+    os.environ["DRIFTLAB_RECORDINGS"] = str(Path(folder).absolute())
+
 # What nbformat imports for schemas builds grammars of addresses with this package, for two seconds
 # in each process, if it is there; nothing of a notebook is checked with it.
 sys.modules.setdefault("rfc3987_syntax", None)

@@ -9,11 +9,13 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.stats import chi2, studentized_range
 
 import driftlab
+from driftlab.recordings import Recording, RecordingUnavailable, published
 
 ROOT = Path(__file__).parents[1]
 """The project's folder."""
@@ -126,3 +128,11 @@ def assert_normal(values, deviation):
     products = unit.T @ unit / len(unit)
     assert (np.abs(products[np.triu_indices(unit.shape[1], 1)]) < bound).all()
     assert (np.abs((unit[1:] * unit[:-1]).mean(axis=0)) < bound).all()
+
+
+def recording_or_skip(name: str) -> Recording:
+    """A published recording; without its file the test is skipped. Tests fetch nothing."""
+    try:
+        return published(name, download=False)
+    except RecordingUnavailable as reason:
+        pytest.skip(str(reason))
