@@ -14,10 +14,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import numpy as np
-
-from driftlab import earth
-
+from .csv_reader import read_csv
+from .imu_tk_reader import read_imu_tk
+from .psins_reader import read_psins
 from .recording import Recording
 
 XSENS_ZERO_COUNT = 32768
@@ -121,8 +120,8 @@ PUBLISHED = {
             name="ferraris-session",
             title="Six rests, and one whole turn about each axis, by hand",
             description="A MEMS unit at 102.4 Hz for 101 s, put on each of its six sides and "
-            "turned once about each axis. Gyros in deg/s, accelerometers in m/s^2; a second file says "
-            "where the nine sections lie. Gravity as the program has it.",
+            "turned once about each axis. Gyros in deg/s, accelerometers in m/s^2; a second file "
+            "says where the nine sections lie. Gravity as the program has it.",
             authors="A. Küderle, N. Roth, R. Richer",
             licence="MIT",
             licence_stated="MIT License, Copyright (c) 2018 MaD-Lab Erlangen (LICENSE)",
@@ -282,46 +281,41 @@ def published(name: str, download: bool = True) -> Recording:
 
 
 def _xsens(accelerometer_path: Path, gyro_path: Path) -> Recording:
-    accelerometer, gyro = np.loadtxt(accelerometer_path), np.loadtxt(gyro_path)
-    return Recording(
-        XSENS_GYRO_SCALE * (gyro[:, 1:] - XSENS_ZERO_COUNT),
-        XSENS_ACCELEROMETER_SCALE * (accelerometer[:, 1:] - XSENS_ZERO_COUNT),
-        interval=0.01,
-        kind="rates",
-        times=gyro[:, 0],
+    return read_imu_tk(
+        accelerometer_path,
+        gyro_path,
+        units=(f"{XSENS_GYRO_SCALE!r} rad/s", f"{XSENS_ACCELEROMETER_SCALE!r} m/s^2"),
+        zeros=(XSENS_ZERO_COUNT, XSENS_ZERO_COUNT),
         gravity=9.81744,
     )
 
 
 def _ferraris(path: Path, _: Path) -> Recording:
-    rows = np.loadtxt(path, delimiter=",", skiprows=1)
-    return Recording(np.radians(rows[:, 1:4]), rows[:, 4:7], 1 / 102.4, "rates", gravity=9.81)
+    return read_csv(
+        path,
+        gyro=("gyr_x", "gyr_y", "gyr_z"),
+        accelerometer=("acc_x", "acc_y", "acc_z"),
+        units=("deg/s", "m/s^2"),
+        rate=102.4,
+        gravity=9.81,
+    )
 
 
 def _rolled_by_hand(path: Path) -> Recording:
-    rows = np.loadtxt(path)
-    return Recording(rows[:, 3:], rows[:, :3], 0.01, "rates", gravity=9.81)
-
-
-def _laser_gyro(path: Path) -> Recording:
-    rows = np.loadtxt(path, comments="%")
-    place, scale, pulses = rows[1], rows[2], rows[3:]
-    latitude = float(np.radians(place[0]))
-    return Recording(
-        np.radians(scale[:3] / 3600) * pulses[:, :3],
-        1e-6 * place[5] * scale[3:] * pulses[:, 3:],
-        interval=float(place[4] / 1000),
-        kind="increments",
-        axes="RFU",
-        latitude=latitude,
-        gravity=float(earth.gravity(latitude, place[2])),
+    return read_csv(
+        path,
+        gyro=(4, 5, 6),
+        accelerometer=(1, 2, 3),
+        units=("rad/s", "m/s^2"),
+        rate=100.0,
+        gravity=9.81,
     )
 
 
 _READERS: dict[str, Callable[..., Recording]] = {
     "xsens-mti": _xsens,
     "ferraris-session": _ferraris,
-    "laser-gyro": _laser_gyro,
+    "laser-gyro": read_psins,
 }
 
 

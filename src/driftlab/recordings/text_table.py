@@ -1,0 +1,337 @@
+"""Numbers in columns, as all the loggers write them: found, read fast, and refused by line.
+
+NumPy's parser reads the numbers. Only if it stumbles, or a line has more or fewer cells than the
+others, are the lines looked at one by one, for a sentence that says which and why.
+"""
+
+from __future__ import annotations
+
+import codecs
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from driftlab.checks import FloatArray
+
+from .units import is_unit
+
+_NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?|[-+]?(nan|inf(inity)?)", re.I)
+_TWO_NUMBERS = re.compile(rf"({_NUMBER.pattern})(\s+({_NUMBER.pattern}))+", re.I)
+_COMMENT = ("%", "#", "//")
+
+
+@dataclass(frozen=True, eq=False)
+class TextTable:
+    """The lines of a text file that hold numbers, and what its header calls the columns.
+
+    Attributes
+    ----------
+    path : Path
+        Where it was read.
+    names, units : tuple of str
+        Of the columns, without quotes; empty if the file has no header, or "" for a column.
+    lines : list of str
+        From the first with numbers to the last.
+    first_line : int
+        Number in the file of the first of them, counted from 1.
+    delimiter : str or None
+        Between cells; None are blanks.
+    width : int
+        Cells in a line.
+    """
+
+    path: Path
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    lines: list[str]
+    first_line: int
+    delimiter: str | None
+    width: int
+
+    def column(self, wanted: str | int) -> tuple[int, int]:
+        """Return the place of a column, and its sign.
+
+        Parameters
+        ----------
+        wanted : str or int
+            Its name, or its number counted from 1; a minus before either changes the sign.
+
+        Returns
+        -------
+        index, sign : int
+            The place counted from 0; 1 or -1.
+
+        Raises
+        ------
+        ValueError
+            If there is no such column, or more than one.
+
+        Examples
+        --------
+        >>> table = TextTable(Path("log.csv"), ("t", "wx", "wy"), ("", "", ""), [], 2, ",", 3)
+        >>> table.column("-wx"), table.column(3), table.column("-3")
+        ((1, -1), (2, 1), (2, -1))
+        """
+        text = str(wanted).strip()
+        for name, sign in ((text, 1), (text[1:].strip(), -1)):
+            if sign < 0 and not text.startswith("-"):
+                break
+            places = [i for i, one in enumerate(self.names) if one == name] or [
+                i for i, one in enumerate(self.names) if one.lower() == name.lower()
+            ]
+            if len(places) > 1:
+                raise ValueError(
+                    f"columns: expected one column {name!r} in {self.path.name}, got "
+                    f"{len(places)}: say it by number."
+                )
+            if places:
+                return places[0], sign
+            if re.fullmatch(r"\d+", name) and 1 <= int(name) <= self.width:
+                return int(name) - 1, sign
+        known = f"{', '.join(self.names)}, or " if any(self.names) else ""
+        raise ValueError(
+            f"columns: expected {known}a number from 1 to {self.width} for {self.path.name}, "
+            f"got {wanted!r}."
+        )
+
+    def numbers(self, columns: Sequence[int]) -> FloatArray:
+        """Return some columns, all of whose cells must be finite numbers.
+
+        Parameters
+        ----------
+        columns : sequence of int
+            Their places, counted from 0.
+
+        Returns
+        -------
+        ndarray, shape (n, k)
+
+        Raises
+        ------
+        ValueError
+            If a line has another number of cells, or one of these cells is no finite number.
+
+        Examples
+        --------
+        >>> table = TextTable(Path("log.csv"), (), (), ["1;2", "", "3;x"], 1, ";", 2)
+        >>> table.numbers([0])
+        array([[1.],
+               [3.]])
+        >>> table.numbers([1])
+        Traceback (most recent call last):
+        ValueError: log.csv, line 3: expected a number in column 2, got 'x'.
+        """
+        rows: FloatArray | None = None
+        fault = ""
+        if {len(line.split(self.delimiter)) for line in self.lines if line} <= {self.width}:
+            try:
+                rows = np.loadtxt(
+                    self.lines,
+                    delimiter=self.delimiter,
+                    usecols=columns,
+                    comments=None,
+                    ndmin=2,
+                )
+            except ValueError as error:
+                fault = str(error)
+        if rows is None or not np.isfinite(rows).all():
+            self._refuse(columns, fault)
+        assert rows is not None
+        return rows
+
+    def texts(self, column: int) -> list[str]:
+        """Return a column as text.
+
+        Parameters
+        ----------
+        column : int
+            Its place, counted from 0.
+
+        Returns
+        -------
+        list of str
+
+        Examples
+        --------
+        >>> TextTable(Path("log.csv"), (), (), ["12:00:00.1,5"], 1, ",", 2).texts(0)
+        ['12:00:00.1']
+        """
+        return [self.cells(line)[column] for line in self.lines if line]
+
+    def line_of(self, row: int) -> int:
+        """Return the number in the file of the line that holds a row.
+
+        Parameters
+        ----------
+        row : int
+            Counted from 0.
+
+        Returns
+        -------
+        int
+            Counted from 1, as editors do.
+
+        Examples
+        --------
+        >>> TextTable(Path("log.csv"), (), (), ["1,2", "", "3,4"], 5, ",", 2).line_of(1)
+        7
+        """
+        return self.first_line + [i for i, line in enumerate(self.lines) if line][row]
+
+    def cells(self, line: str) -> list[str]:
+        """Return the cells of a line.
+
+        Parameters
+        ----------
+        line : str
+            One of `lines`.
+
+        Returns
+        -------
+        list of str
+
+        Examples
+        --------
+        >>> TextTable(Path("log.csv"), (), (), [], 1, ",", 2).cells("1, 2")
+        ['1', '2']
+        """
+        return _cells(line, self.delimiter)
+
+    def _refuse(self, columns: Sequence[int], fault: str) -> None:
+        """Say what is wrong with the first line that something is wrong with."""
+        for number, line in enumerate(self.lines, self.first_line):
+            if not line:
+                continue
+            cells = self.cells(line)
+            where = f"{self.path.name}, line {number}: expected"
+            if len(cells) != self.width:
+                raise ValueError(
+                    f"{where} {self.width} cells as in line {self.first_line}, got {len(cells)}: "
+                    f"{line!r:.60}."
+                )
+            for column in columns:
+                if not _NUMBER.fullmatch(cells[column]) or "n" in cells[column].lower():
+                    name = self.names[column] if any(self.names) else ""
+                    got = repr(cells[column]) if cells[column] else "an empty cell"
+                    raise ValueError(
+                        f"{where} a number in column {name or column + 1}, got {got:.60}."
+                    )
+        raise ValueError(f"{self.path.name}: expected lines of numbers, got one: {fault}.")
+
+
+def read_table(path: str | Path) -> TextTable:
+    """Find the numbers in a text file: its header, its delimiter and its decimal sign.
+
+    Parameters
+    ----------
+    path : str or Path
+        Cells between commas, semicolons, tabs or blanks, with decimal points, or with decimal
+        commas if the delimiter is another. Lines that begin with %, # or // are comments, and so is
+        what follows a % or # in a line of numbers.
+
+    Returns
+    -------
+    TextTable
+        Decimal commas have become points in its lines, and quotes and comments are gone.
+
+    Raises
+    ------
+    ValueError
+        If no line has two numbers or more.
+    OSError
+        If the file cannot be read.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     log = Path(folder, "log.csv")
+    ...     _ = log.write_text("# my log\\nt [ms];wx [deg/s]\\n0;0,5\\n10;0,75\\n")
+    ...     table = read_table(log)
+    >>> table.names, table.units, table.lines
+    (('t', 'wx'), ('ms', 'deg/s'), ['0;0.5', '10;0.75'])
+    """
+    path = Path(path)
+    lines = [line.strip(" \r") for line in _decoded(path.read_bytes()).split("\n")]
+    start, delimiter = next(
+        (
+            (i, found or None)
+            for i, line in enumerate(lines)
+            if not line.startswith(_COMMENT) and (found := _delimiter(line)) is not None
+        ),
+        (-1, None),
+    )
+    if start < 0:
+        raise ValueError(f"{path.name}: expected lines of numbers, got none in {len(lines)} lines.")
+    names, units = _header(lines[:start], delimiter, len(_cells(lines[start], delimiter)))
+    body = "\n".join(lines[start:])
+    if '"' in body:
+        body = re.sub(r'"([^"\n]*)"', lambda cell: _unquoted(cell[1], delimiter), body)
+    if delimiter != "," and "," in body:
+        body = body.replace(",", ".")
+    body = re.sub(r"(^//|[%#]).*", "", body, flags=re.M) if re.search("[%#]|//", body) else body
+    lines = body.rstrip("\n").split("\n")
+    width = len(lines[0].split(delimiter))
+    return TextTable(path, names, units, lines, start + 1, delimiter, width)
+
+
+def _decoded(content: bytes) -> str:
+    """Text of a file, with one kind of line end."""
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        text = content.decode("utf-16")
+    else:
+        try:
+            text = content.decode("utf-8-sig")
+        except UnicodeDecodeError:  # such as the degree sign of an old program
+            text = content.decode("latin-1")
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _delimiter(line: str) -> str | None:
+    """What stands between the numbers of a line: "" are blanks; None if it has no numbers."""
+    for delimiter in (";", "\t", ",", ""):
+        cells = _cells(line, delimiter or None)
+        if any(_TWO_NUMBERS.fullmatch(cell) for cell in cells):
+            continue  # blanks part the cells, and the commas are decimal
+        numbers = sum(bool(_NUMBER.fullmatch(cell)) for cell in cells)
+        # Among numbers there may be a date, a label, or nothing.
+        if numbers >= 2 and 2 * numbers > len(cells):
+            return delimiter
+    return None
+
+
+def _cells(line: str, delimiter: str | None) -> list[str]:
+    if '"' in line and delimiter == ",":  # a comma in quotes is part of its cell
+        return [cell.strip(' "') for cell in re.split(r',(?=(?:[^"]*"[^"]*")*[^"]*$)', line)]
+    return [cell.strip(' "') for cell in line.split(delimiter)]
+
+
+def _unquoted(cell: str, delimiter: str | None) -> str:
+    """A cell without its quotes, and with a decimal point."""
+    return cell.replace(",", ".") if delimiter == "," else cell
+
+
+def _header(
+    lines: list[str], delimiter: str | None, width: int
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names and units of columns, from the last one or two lines before the numbers."""
+    units = ("",) * width
+    for line in reversed([line for line in lines if line]):
+        stripped = re.sub(r"^(%|#|//)+\s*", "", line)
+        cells = tuple(_cells(stripped, delimiter))
+        cells += ("",) * (width - len(cells) if width - len(cells) == 1 else 0)
+        if len(cells) != width:
+            break
+        if not any(units) and all(not cell or is_unit(cell.strip("()[]")) for cell in cells):
+            units = tuple(cell.strip("()[]") for cell in cells)
+            continue
+        named = [re.fullmatch(r"(.*?)\s*[(\[]([^()\[\]]*)[)\]]", cell) for cell in cells]
+        names = tuple(
+            m[1] if m and is_unit(m[2]) else cell for m, cell in zip(named, cells, strict=True)
+        )
+        found = tuple(m[2] if m and is_unit(m[2]) else "" for m in named)
+        return names, units if any(units) else found
+    return ("",) * width if any(units) else (), units

@@ -1,0 +1,71 @@
+"""Time stamps of a log: equal steps or jitter; refused if they stand still or leave gaps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from driftlab.checks import FloatArray, positive_number
+
+
+def spacing_of_stamps(
+    stamps: FloatArray, longest_gap: float, place: Callable[[int], str]
+) -> tuple[float, FloatArray | None]:
+    """Return the interval of some samples, and their times if they are not equally spaced.
+
+    Parameters
+    ----------
+    stamps : ndarray, shape (n,)
+        Since the first, s; at least two.
+    longest_gap : float
+        Longest step that is let through, in usual (median) steps.
+    place : callable
+        Says where a row stands, for the sentences: "log.csv, line 5" for row 3, say.
+
+    Returns
+    -------
+    interval : float
+        s; the usual step, or the mean one of stamps that were rounded.
+    times : ndarray, shape (n,), or None
+        The stamps. None if they are those of equal steps, rounded to their last digit: a logger
+        of 102.4 Hz that writes milliseconds gives steps of 9 and of 10 ms, and has neither.
+
+    Raises
+    ------
+    ValueError
+        If there is one stamp only, stamps do not increase, or a step is too long.
+
+    Examples
+    --------
+    >>> stamps = np.round(np.arange(2000) / 102.4, 3)
+    >>> interval, times = spacing_of_stamps(stamps, 1.5, lambda row: f"line {row + 2}")
+    >>> round(1 / interval, 3), times
+    (102.4, None)
+    """
+    if len(stamps) < 2:
+        raise ValueError(f"{place(0)}: expected two time stamps at least, got one.")
+    steps = np.diff(stamps)
+    if not (steps > 0).all():
+        row = int(np.argmin(steps > 0)) + 1
+        slip = "the same stamp again" if steps[row - 1] == 0 else f"{-steps[row - 1]:.6g} s earlier"
+        raise ValueError(
+            f"{place(row)}: expected a time stamp after that of the line before, got {slip}; "
+            "if stamps are too coarse, say interval or rate in their stead."
+        )
+    usual = float(np.median(steps))
+    longest = int(np.argmax(steps))
+    if steps[longest] > positive_number(longest_gap, "longest_gap") * usual:
+        raise ValueError(
+            f"{place(longest + 1)}: expected no gap longer than {longest_gap:g} times the usual "
+            f"{usual:.6g} s (longest_gap), got {steps[longest]:.6g} s since the line before."
+        )
+    rows = np.arange(len(stamps))
+    mean, first = np.polyfit(rows, stamps, 1)
+    # Rounded stamps lie within half a last digit of their line, and within one of the fitted one.
+    digits = np.unique(np.round(steps / usual, 9))
+    digit = usual * float(np.diff(digits).min()) if len(digits) > 1 else 1e-9 * usual
+    off = np.abs(stamps - first - mean * rows).max()
+    if off <= 1.001 * digit + 1e-9 * usual + 4 * np.spacing(np.abs(stamps).max()):
+        return float(f"{mean:.12g}"), None
+    return float(f"{usual:.9g}"), stamps
