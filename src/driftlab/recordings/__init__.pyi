@@ -1,7 +1,6 @@
 from . import (
     channels as channels,
     csv_reader as csv_reader,
-    gravity_turns as gravity_turns,
     guards as guards,
     imu_tk_reader as imu_tk_reader,
     psins_reader as psins_reader,
@@ -9,7 +8,14 @@ from . import (
     recording as recording,
     text_table as text_table,
     time_stamps as time_stamps,
+    turns_of_gravity as turns_of_gravity,
     units as units,
+)
+from .channels import (
+    clipped_rows as clipped_rows,
+    dead_channels as dead_channels,
+    longest_run as longest_run,
+    twin_channels as twin_channels,
 )
 from .csv_reader import read_csv as read_csv
 from .guards import (
@@ -33,3 +39,22 @@ from .publishers import (
     published_file as published_file,
 )
 from .recording import Recording as Recording
+from .text_table import (
+    TextTable as TextTable,
+    read_table as read_table,
+)
+from .time_stamps import spacing_of_stamps as spacing_of_stamps
+from .turns_of_gravity import (
+    GravityTurns as GravityTurns,
+    gravity_turns as gravity_turns,
+)
+from .units import (
+    ACCELEROMETER_UNITS as ACCELEROMETER_UNITS,
+    GYRO_UNITS as GYRO_UNITS,
+    TIME_UNITS as TIME_UNITS,
+    Unit as Unit,
+    accelerometer_unit as accelerometer_unit,
+    gyro_unit as gyro_unit,
+    is_unit as is_unit,
+    time_unit as time_unit,
+)

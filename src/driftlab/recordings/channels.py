@@ -14,7 +14,7 @@ CLIPPED_RATIO = 5.0
 """Values at the extreme for each at the next level; a swing without noise has 1/(√2 - 1) = 2.4."""
 
 
-def is_dead(channels: FloatArray) -> list[bool]:
+def dead_channels(channels: FloatArray) -> list[bool]:
     """Say which channels never change while another one does.
 
     Parameters
@@ -28,7 +28,7 @@ def is_dead(channels: FloatArray) -> list[bool]:
 
     Examples
     --------
-    >>> is_dead(np.stack([np.arange(200.0), np.ones(200)], axis=1))
+    >>> dead_channels(np.stack([np.arange(200.0), np.ones(200)], axis=1))
     [False, True]
     """
     constant = np.ptp(channels, axis=0) == 0
@@ -104,7 +104,7 @@ def clipped_rows(channel: FloatArray) -> tuple[int, float]:
     return found
 
 
-def twins(channels: FloatArray) -> list[tuple[int, int]]:
+def twin_channels(channels: FloatArray) -> list[tuple[int, int]]:
     """Return pairs of channels that are the same, but for unit, sign and zero.
 
     Parameters
@@ -119,7 +119,7 @@ def twins(channels: FloatArray) -> list[tuple[int, int]]:
     Examples
     --------
     >>> one, other = np.random.default_rng(1).normal(size=(2, 200))
-    >>> twins(np.stack([one, other, -2 * one], axis=1))
+    >>> twin_channels(np.stack([one, other, -2 * one], axis=1))
     [(0, 2)]
     """
     spread = np.ptp(channels, axis=0)

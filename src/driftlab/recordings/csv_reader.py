@@ -128,7 +128,7 @@ def read_csv(
     return without_doubts(recording, allow)
 
 
-def common_kind(scales: Sequence[Unit]) -> None:
+def checked_kind(scales: Sequence[Unit]) -> None:
     """Refuse rates beside increments.
 
     Parameters
@@ -143,7 +143,7 @@ def common_kind(scales: Sequence[Unit]) -> None:
 
     Examples
     --------
-    >>> common_kind([gyro_unit("deg"), accelerometer_unit("m/s")])
+    >>> checked_kind([gyro_unit("deg"), accelerometer_unit("m/s")])
     """
     if len({scale.kind for scale in scales}) > 1:
         words = {"rates": "rates", "increments": "increments over each interval"}
@@ -190,7 +190,7 @@ def _scales(
                 f"{table.path.name} has it, got {unit!r}."
             )
         scales.append(meaning(unit))
-    common_kind(scales)
+    checked_kind(scales)
     return scales
 
 

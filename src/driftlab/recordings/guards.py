@@ -19,9 +19,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.constants import g as STANDARD_GRAVITY
 
-from .channels import CLIPPED_RATIO, clipped_rows, is_dead, longest_run, twins
-from .gravity_turns import gravity_turns
+from .channels import CLIPPED_RATIO, clipped_rows, dead_channels, longest_run, twin_channels
+
 from .recording import Recording
+from .turns_of_gravity import gravity_turns
 
 RULES = {
     "force": "the median specific force has the size of gravity",
@@ -42,6 +43,8 @@ _FORCE_FACTOR = 1.8
 """Half way, as a factor, to the least slip of units known here: feet for metres, 3.28."""
 _TURNING_FACTOR = 2**0.5
 """Half way to the least slip of the interval known here: every other sample lost."""
+_MAJORITY = 0.5
+"""Share of gravity's turns that a slip must explain to be named; good logs have 0.87 and more."""
 _MOST_RATE = 1.05 * np.radians(2000)
 """End of the range of most gyros, and the errors of scale of a bad one, rad/s."""
 _LONGEST_GAP = 1.5
@@ -201,7 +204,7 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
 def _turning_doubts(recording: Recording) -> Iterator[Doubt]:
     """Doubts that come from gravity's turns in the body."""
     found = gravity_turns(recording)
-    if found is None or found.explained < found.needed:
+    if found is None or found.explained < max(found.needed, _MAJORITY):
         return
     evidence = f"over {found.turns} turns of gravity in the body, {found.explained:.0%} explained"
     too_large = 1 / found.factor
@@ -237,7 +240,7 @@ def _channel_doubts(recording: Recording) -> Iterator[Doubt]:
     if recording.accelerometer is not None:
         triads.append(recording.accelerometer)
     channels = np.concatenate(triads, axis=1)
-    dead = is_dead(channels)
+    dead = dead_channels(channels)
     for name, channel, lifeless in zip(_CHANNELS, channels.T, dead, strict=False):
         if lifeless:
             yield Doubt(
@@ -268,7 +271,7 @@ def _channel_doubts(recording: Recording) -> Iterator[Doubt]:
                 float(rows),
                 allowed,
             )
-    for one, other in twins(channels):
+    for one, other in twin_channels(channels):
         yield Doubt(
             "twins",
             f"{_CHANNELS[one]} and {_CHANNELS[other]}: expected different channels, got the same: "
@@ -295,6 +298,8 @@ def _force_slips(recording: Recording) -> dict[str, float]:
         "specific force in g taken for increments": 1 / (g * step),
         "g*s taken for m/s": 1 / g,
         "m/s taken for g*s": g,
+        "half as long an interval": 2.0,
+        "twice as long an interval": 0.5,
     }
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from driftlab.checks import finite_array
 
-from .csv_reader import common_kind
+from .csv_reader import checked_kind
 from .guards import without_doubts
 from .recording import Recording
 from .text_table import read_table
@@ -78,7 +78,7 @@ def read_imu_tk(
     if len(units) != 2:
         raise ValueError(f"units: expected two, of gyros and accelerometers, got {units!r}.")
     scales = gyro_unit(units[0]), accelerometer_unit(units[1])
-    common_kind(scales)
+    checked_kind(scales)
     offsets = finite_array(zeros, "zeros", 2)
     tables = read_table(gyro_path), read_table(accelerometer_path)
     for table in tables:

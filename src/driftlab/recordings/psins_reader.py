@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from driftlab import earth
-from driftlab.checks import FloatArray, positive_number
+from driftlab.checks import FloatArray
 
 from .guards import without_doubts
 from .recording import Recording
@@ -165,8 +165,12 @@ def _header(table: TextTable, rows: FloatArray) -> PsinsHeader:
     attitude, place, scale = rows[:3]
     latitude, longitude = np.radians(place[:2])
     pitch, roll, heading = np.radians(attitude[:3])
-    for row, value in ((1, place[4]), (1, place[5]), *((2, one) for one in scale)):
-        positive_number(value, f"{table.path.name}, line {table.line_of(row)}")
+    for row, values in ((1, place[4:]), (2, scale)):
+        if not (values > 0).all():
+            raise ValueError(
+                f"{table.path.name}, line {table.line_of(row)}: expected interval, gravity and scale "
+                f"above zero, got {values.min():g}."
+            )
     return PsinsHeader(
         float(pitch),
         float(roll),
