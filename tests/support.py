@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from decimal import Decimal
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 from pkgutil import walk_packages
@@ -130,9 +131,14 @@ def assert_normal(values, deviation):
     assert (np.abs((unit[1:] * unit[:-1]).mean(axis=0)) < bound).all()
 
 
+@cache
 def recording_or_skip(name: str) -> Recording:
     """A published recording; without its file the test is skipped. Tests fetch nothing."""
     try:
-        return published(name, download=False)
+        recording = published(name, download=False)
     except RecordingUnavailable as reason:
         pytest.skip(str(reason))
+    for rows in (recording.gyro, recording.accelerometer):
+        if rows is not None:
+            rows.setflags(write=False)  # all tests share them
+    return recording

@@ -91,16 +91,12 @@ def clipped_rows(channel: FloatArray) -> tuple[int, float]:
     ((0, 0.0), (232, 116.0))
     """
     found = (0, 0.0)
-    levels, counts = np.unique(channel, return_counts=True)
-    if len(levels) < 3:
-        return found
-    for level, count, beside in (
-        (levels[0], counts[0], counts[1]),
-        (levels[-1], counts[-1], counts[-2]),
-    ):
-        there = channel == level
-        if (there[2:] & there[1:-1] & there[:-2]).any():
-            found = max(found, (int(count), float(count / (beside + 1))), key=lambda one: one[1])
+    for rising in (channel, -channel):
+        there = rising == rising.max()
+        below = rising[~there]
+        if len(below) and (there[2:] & there[1:-1] & there[:-2]).any():
+            count, beside = np.count_nonzero(there), np.count_nonzero(below == below.max())
+            found = max(found, (count, count / (beside + 1)), key=lambda one: one[1])
     return found
 
 

@@ -104,17 +104,25 @@ def read_csv(
     places = {triad: _places(table, wanted, triad) for triad, wanted in columns.items()}
     scales = _scales(table, places, units)
     offsets = finite_array(zeros, "zeros", 2)
-    numbers = table.numbers([index for triad in places.values() for index, _ in triad])
-    values = [
-        scale.size * np.array([sign for _, sign in triad]) * (numbers[:, 3 * i : 3 * i + 3] - zero)
-        for i, (triad, scale, zero) in enumerate(
-            zip(places.values(), scales, offsets, strict=False)
-        )
-    ]
-    spacing, times = _timing(table, time, interval, rate, longest_gap)
+    stamp, size = _stamp_column(table, time, interval, rate)
+    indices = [index for triad in places.values() for index, _ in triad]
+    numbers = table.numbers(indices if size is None else [*indices, stamp])
+    triads = []
+    for i, (triad, scale) in enumerate(zip(places.values(), scales, strict=True)):
+        signs = np.array([sign for _, sign in triad])
+        triads.append(scale.size * signs * (numbers[:, 3 * i : 3 * i + 3] - offsets[i]))
+    times = None
+    if time is None:
+        spacing = float(interval or 1 / (rate or 1))
+    else:
+        if size is None:
+            stamps = _seconds_of_dates(table, stamp)
+        else:  # first the difference: of 1.7e18 ns, say, little is left in s
+            stamps = size * (numbers[:, -1] - numbers[0, -1])
+        spacing, times = spacing_of_stamps(stamps, longest_gap, table.place)
     recording = Recording(
-        values[0],
-        values[1] if len(values) > 1 else None,
+        triads[0],
+        triads[1] if len(triads) > 1 else None,
         spacing,
         scales[0].kind,
         times,
@@ -185,45 +193,34 @@ def _scales(
                 )
             unit = written.pop()
         elif any(one and meaning(one) != meaning(unit) for one in written):
+            known = " or ".join(sorted(filter(None, written)))
             raise ValueError(
-                f"units: expected {' or '.join(sorted(written))} for {triad}, as the header of "
-                f"{table.path.name} has it, got {unit!r}."
+                f"units: expected {known} for {triad}, as the header of {table.path.name} has it, "
+                f"got {unit!r}."
             )
         scales.append(meaning(unit))
     checked_kind(scales)
     return scales
 
 
-def _timing(
+def _stamp_column(
     table: TextTable,
     time: str | int | tuple[str | int, str] | None,
     interval: float | None,
     rate: float | None,
-    longest_gap: float,
-) -> tuple[float, FloatArray | None]:
-    """Interval and perhaps times, from the one of the three that is given."""
+) -> tuple[int, float | None]:
+    """Index of the column of time stamps and size of its unit, None if they are no numbers."""
     if sum(value is not None for value in (time, interval, rate)) != 1:
         raise ValueError(
             f"time, interval, rate: expected one of them, got {time!r}, {interval!r} and {rate!r}."
         )
     if time is None:
-        if rate is None:
-            return positive_number(interval, "interval"), None  # type: ignore[arg-type]
-        return 1 / positive_number(rate, "rate"), None
+        positive_number(interval or rate or 0, "rate" if interval is None else "interval")
+        return -1, None
     column, unit = time if isinstance(time, tuple) else (time, "")
     index, _ = table.column(column)
     unit = unit or (table.units[index] if table.units else "")
-    if unit == "iso":
-        stamps = _seconds_of_dates(table, index)
-    else:
-        size = time_unit(unit)
-        moments = table.numbers([index])[:, 0]
-        stamps = size * (moments - moments[0])  # first the difference: of 1.7e18 ns little is left
-
-    def place(row: int) -> str:
-        return f"{table.path.name}, line {table.line_of(row)}"
-
-    return spacing_of_stamps(stamps, longest_gap, place)
+    return index, None if unit == "iso" else time_unit(unit)
 
 
 def _seconds_of_dates(table: TextTable, index: int) -> FloatArray:
@@ -233,7 +230,7 @@ def _seconds_of_dates(table: TextTable, index: int) -> FloatArray:
         match = re.fullmatch(r"(\d{4}-\d\d-\d\d[T ]\d\d:\d\d:\d\d(?:\.\d+)?)(Z|[-+][\d:]+)?", text)
         if not match:
             raise ValueError(
-                f"{table.path.name}, line {table.line_of(row)}: expected a date and time such as "
+                f"{table.place(row)}: expected a date and time such as "
                 f"2024-05-01T12:00:00.25, got {text!r:.60}."
             )
         dates.append(match[1])

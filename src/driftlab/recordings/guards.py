@@ -20,7 +20,6 @@ import numpy as np
 from scipy.constants import g as STANDARD_GRAVITY
 
 from .channels import CLIPPED_RATIO, clipped_rows, dead_channels, longest_run, twin_channels
-
 from .recording import Recording
 from .turns_of_gravity import gravity_turns
 

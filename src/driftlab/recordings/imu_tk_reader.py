@@ -93,11 +93,8 @@ def read_imu_tk(
             f"gyro_path: expected the time stamps of {tables[1].path.name}, got others: the triads "
             "were not sampled together, and this reader resamples nothing."
         )
-    interval, times = spacing_of_stamps(
-        gyro[:, 0] - gyro[0, 0],
-        longest_gap,
-        lambda row: f"{tables[0].path.name}, line {tables[0].line_of(row)}",
-    )
+    stamps = gyro[:, 0] - gyro[0, 0]
+    interval, times = spacing_of_stamps(stamps, longest_gap, tables[0].place)
     recording = Recording(
         scales[0].size * (gyro[:, 1:] - offsets[0]),
         scales[1].size * (accelerometer[:, 1:] - offsets[1]),

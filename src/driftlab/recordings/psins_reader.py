@@ -168,8 +168,8 @@ def _header(table: TextTable, rows: FloatArray) -> PsinsHeader:
     for row, values in ((1, place[4:]), (2, scale)):
         if not (values > 0).all():
             raise ValueError(
-                f"{table.path.name}, line {table.line_of(row)}: expected interval, gravity and scale "
-                f"above zero, got {values.min():g}."
+                f"{table.place(row)}: expected interval, gravity and "
+                f"scale above zero, got {values.min():g}."
             )
     return PsinsHeader(
         float(pitch),

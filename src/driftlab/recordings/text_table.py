@@ -161,8 +161,8 @@ class TextTable:
         """
         return [self.cells(line)[column] for line in self.lines if line]
 
-    def line_of(self, row: int) -> int:
-        """Return the number in the file of the line that holds a row.
+    def place(self, row: int) -> str:
+        """Return where a row stands, for a sentence.
 
         Parameters
         ----------
@@ -171,15 +171,16 @@ class TextTable:
 
         Returns
         -------
-        int
-            Counted from 1, as editors do.
+        str
+            The file's name, and the number of the line counted from 1, as editors do.
 
         Examples
         --------
-        >>> TextTable(Path("log.csv"), (), (), ["1,2", "", "3,4"], 5, ",", 2).line_of(1)
-        7
+        >>> TextTable(Path("log.csv"), (), (), ["1,2", "", "3,4"], 5, ",", 2).place(1)
+        'log.csv, line 7'
         """
-        return self.first_line + [i for i, line in enumerate(self.lines) if line][row]
+        line = [i for i, line in enumerate(self.lines) if line][row]
+        return f"{self.path.name}, line {self.first_line + line}"
 
     def cells(self, line: str) -> list[str]:
         """Return the cells of a line.
@@ -255,7 +256,9 @@ def read_table(path: str | Path) -> TextTable:
     (('t', 'wx'), ('ms', 'deg/s'), ['0;0.5', '10;0.75'])
     """
     path = Path(path)
-    lines = [line.strip(" \r") for line in _decoded(path.read_bytes()).split("\n")]
+    lines = [line.strip(" ") for line in _decoded(path.read_bytes()).split("\n")]
+    while lines and not lines[-1].strip(",;\t "):
+        lines.pop()
     start, delimiter = next(
         (
             (i, found or None)
@@ -273,7 +276,7 @@ def read_table(path: str | Path) -> TextTable:
     if delimiter != "," and "," in body:
         body = body.replace(",", ".")
     body = re.sub(r"(^//|[%#]).*", "", body, flags=re.M) if re.search("[%#]|//", body) else body
-    lines = body.rstrip("\n").split("\n")
+    lines = body.split("\n")
     width = len(lines[0].split(delimiter))
     return TextTable(path, names, units, lines, start + 1, delimiter, width)
 

@@ -60,12 +60,12 @@ def spacing_of_stamps(
             f"{place(longest + 1)}: expected no gap longer than {longest_gap:g} times the usual "
             f"{usual:.6g} s (longest_gap), got {steps[longest]:.6g} s since the line before."
         )
-    rows = np.arange(len(stamps))
-    mean, first = np.polyfit(rows, stamps, 1)
-    # Rounded stamps lie within half a last digit of their line, and within one of the fitted one.
-    digits = np.unique(np.round(steps / usual, 9))
-    digit = usual * float(np.diff(digits).min()) if len(digits) > 1 else 1e-9 * usual
-    off = np.abs(stamps - first - mean * rows).max()
-    if off <= 1.001 * digit + 1e-9 * usual + 4 * np.spacing(np.abs(stamps).max()):
-        return float(f"{mean:.12g}"), None
+    # Of rounded stamps the steps have two sizes, one last digit apart, and the stamps lie within
+    # that digit of a line.
+    sizes = np.unique(np.round(steps / usual, 9))
+    if len(sizes) <= 2 and np.ptp(sizes) < 0.5:  # no lost sample
+        rows = np.arange(len(stamps))
+        slope, first = np.polyfit(rows, stamps, 1)
+        if np.abs(stamps - first - slope * rows).max() < usual * (np.ptp(sizes) + 1e-6):
+            return float(f"{slope:.12g}"), None
     return float(f"{usual:.9g}"), stamps

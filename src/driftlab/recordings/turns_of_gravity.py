@@ -87,7 +87,8 @@ def gravity_turns(recording: Recording) -> GravityTurns | None:
 
     Notes
     -----
-    A constant bias of the gyros is fitted along with each. All 48 orders and signs
+    A constant bias of the gyros is fitted along with each, unless that alone would explain half
+    of gravity's turns, as it does on a table that turns steadily. All 48 orders and signs
     of the columns are tried, each with its best factor; the one that explains most is returned, or
     one that changes less and leaves not twice as much unexplained.
     How much 24 tries (signs of the factor apart) explain by chance of n components that are
@@ -133,11 +134,12 @@ def gravity_turns(recording: Recording) -> GravityTurns | None:
         np.diff(values[ends], axis=0) / gravity for values in (mean, products, weights)
     )
     told = np.einsum("jki,pkl,sjl->psi", _CROSS, _ORDERS, products, optimize=True)
-    # What a bias would make of gravity is taken out of both.
+    told, turned = told.reshape(len(_ORDERS), -1), turns.ravel()
+    # What a bias would make of gravity is taken out of both, unless a steady turn is all there is.
     biased, _ = np.linalg.qr(np.einsum("jki,sj->sik", _CROSS, weights).reshape(-1, 3))
-    told = told.reshape(len(_ORDERS), -1)
-    told = told - (told @ biased) @ biased.T
-    turned = turns.ravel() - biased @ (biased.T @ turns.ravel())
+    left = turned - biased @ (biased.T @ turned)
+    if left @ left > turned @ turned / 2:
+        told, turned = told - (told @ biased) @ biased.T, left
     common, size = told @ turned, np.sum(told**2, axis=1)
     share = np.divide(common**2, size, out=np.zeros(len(size)), where=(common > 0) & (size > 0))
     share /= np.sum(turned**2)

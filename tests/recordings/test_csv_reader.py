@@ -1,0 +1,295 @@
+"""Logs in every form that loggers write are read to the last digit, or refused by their line."""
+
+import re
+
+import numpy as np
+import pytest
+from hypothesis import given, strategies as st
+from numpy.testing import assert_allclose, assert_array_equal
+
+from driftlab.recordings import read_csv, read_table
+
+GYRO, FORCE = ("gyr_x", "gyr_y", "gyr_z"), ("acc_x", "acc_y", "acc_z")
+UNITS = ("rad/s", "m/s^2")
+HEADER = "t,gyr_x,gyr_y,gyr_z,acc_x,acc_y,acc_z"
+ROWS = [
+    "0.00,0.1,0.2,0.3,0.4,0.5,9.7",
+    "0.01,0.2,0.3,0.4,0.5,0.6,9.8",
+    "0.02,0.3,0.4,0.5,0.6,0.7,9.9",
+]
+
+
+@pytest.fixture
+def log(tmp_path):
+    """Writes a log and reads it, by default with columns, units and rate that fit."""
+
+    def read(lines, *, encoding="utf-8", end="\n", **changes):
+        path = tmp_path / "log.csv"
+        path.write_bytes(end.join(lines).encode(encoding))
+        given = {"gyro": GYRO, "accelerometer": FORCE, "units": UNITS, "rate": 100.0} | changes
+        return read_csv(path, **given)
+
+    return read
+
+
+def refused(log, words, lines, **changes):
+    with pytest.raises(ValueError, match=re.escape(words)):
+        log(lines, **changes)
+
+
+@st.composite
+def forms(draw):
+    """One of the ways to write the same numbers, and how to ask for them then."""
+    rng = np.random.default_rng(draw(st.integers(0, 999)))
+    values = rng.normal(size=(draw(st.integers(1, 9)), 6))
+    values[:, 5] += 20
+    order = draw(st.permutations(range(6)))
+    signs = np.array([draw(st.sampled_from((1, -1))) for _ in range(6)])
+    delimiter = draw(st.sampled_from(",;\t ")) + " " * draw(st.integers(0, 2))
+    comma = delimiter[0] != "," and draw(st.booleans())
+    quote = draw(st.sampled_from(("", '"')))
+    comment = draw(
+        st.sampled_from(("", "# my log 12 34\n", "% by me\n%\n", "// Rate: 100.0Hz\n\n"))
+    )
+    named = draw(st.booleans())
+    columns = [(GYRO + FORCE)[place] for place in order]
+    form = draw(st.sampled_from((repr, "{:+.17e}".format, "{:24.17g}".format)))
+    lines = [delimiter.join(f"{quote}{name}{quote}" for name in columns)] if named else []
+    for row in values * signs:
+        cells = [f"{quote}{form(float(row[place])).strip()}{quote}" for place in order]
+        lines.append(delimiter.join(cell.replace(".", "," if comma else ".") for cell in cells))
+    end = draw(st.sampled_from(("\n", "\r\n", "\r")))
+    text = comment + "\n".join(lines) + "\n" * draw(st.integers(0, 3))
+    encoding = draw(st.sampled_from(("utf-8", "utf-8-sig", "utf-16", "latin-1")))
+    wanted = [
+        f"{'-' * bool(sign < 0)}{name if named else order.index(place) + 1}"
+        for place, (name, sign) in enumerate(zip(GYRO + FORCE, signs, strict=True))
+    ]
+    return values, text.replace("\n", end).encode(encoding), wanted
+
+
+@given(forms())
+def test_any_form_is_read_to_the_last_digit(tmp_path_factory, form):
+    values, content, wanted = form
+    path = tmp_path_factory.getbasetemp() / "any_form.csv"
+    path.write_bytes(content)
+    read = read_csv(
+        path, gyro=wanted[:3], accelerometer=wanted[3:], units=UNITS, rate=50, allow=["force"]
+    )
+    assert_array_equal(read.gyro, values[:, :3])
+    assert_array_equal(read.accelerometer, values[:, 3:])
+    assert read.interval == 0.02
+
+
+def test_units_and_time_come_from_a_header_as_phyphox_writes_it(log):
+    header = '"Time (s)","Gyroscope x (rad/s)","Gyroscope y (rad/s)","Gyroscope z (rad/s)"'
+    columns = ["Gyroscope x", "Gyroscope y", "-gyroscope Z"]
+    told = {"gyro": columns, "accelerometer": None, "units": None, "rate": None, "time": "Time"}
+    read = log([header, "0.5,1,2,3", "0.6,1,2,4", "0.7,1,2,5"], **told)
+    assert read.interval == pytest.approx(0.1)
+    assert_array_equal(read.gyro[:, 2], [-3, -4, -5])
+
+
+def test_units_may_stand_in_a_line_of_their_own(log):
+    lines = ["t;a;b;c", "ms;°/s;°/s;°/s", "0;180;0;0", "10;180;0;0"]
+    told = {"gyro": "abc", "accelerometer": None, "units": None, "rate": None, "time": "t"}
+    refused(log, "gyro: expected three columns, got 'abc'", lines, **told)
+    read = log(lines, **told | {"gyro": list("abc")})
+    assert_allclose(read.gyro[0], [np.pi, 0, 0])
+    assert read.interval == pytest.approx(0.01)
+
+
+def test_counts_have_a_size_and_a_zero(log):
+    lines = [HEADER, "0,32768,33030,32768,100,100,8292"]
+    read = log(lines, units=("1/131 deg/s", "1/8192 g"), zeros=(32768, 100))
+    assert_allclose(np.degrees(read.gyro), [[0, 2, 0]])
+    assert_allclose(read.accelerometer, [[0, 0, 9.80665]])
+
+
+def test_labels_beside_the_numbers_do_no_harm(log):
+    rows = [f"2024-05-01 12:00:0{i},{i},2,3,0,0,9.8,ok" for i in range(3)]
+    read = log([f"{HEADER},state", *rows], rate=None, time=("t", "iso"))
+    assert (read.interval, read.times, len(read)) == (1.0, None, 3)
+
+
+@pytest.mark.parametrize(
+    ("unit", "stamps"),
+    [
+        ("s", [1.7e9, 1.7e9 + 0.5, 1.7e9 + 1.0]),
+        ("ms", [100, 600, 1100]),
+        ("us", [0, 500000, 1000000]),
+        ("ns", [1700000000000000000, 1700000000500000000, 1700000001000000000]),
+        ("iso", ["2024-05-01T12:00:59Z", "2024-05-01T12:00:59.5Z", "2024-05-01T12:01:00Z"]),
+    ],
+)
+def test_stamps_have_units(log, unit, stamps):
+    lines = [HEADER, *(f"{stamp},1,2,3,0,0,9.8" for stamp in stamps)]
+    read = log(lines, rate=None, time=("t", unit))
+    assert read.interval == pytest.approx(0.5, rel=1e-6)
+
+
+def test_jitter_is_kept_and_rounding_is_not(log):
+    rng = np.random.default_rng(2)
+    even = np.arange(500) / 102.4
+    for stamps, kept in ((even + 1e-3 * rng.uniform(size=500), True), (even.round(3), False)):
+        lines = [HEADER, *(f"{stamp!r},1,2,3,0,0,9.8" for stamp in stamps.tolist())]
+        read = log(lines, rate=None, time=("t", "s"), allow=["stuck"])
+        assert (read.times is not None) == kept
+        if kept:
+            assert_allclose(read.times, stamps - stamps[0], atol=1e-12)
+        else:  # a line through stamps with errors of up to half a millisecond
+            assert read.interval == pytest.approx(1 / 102.4, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("lines", "words"),
+    [
+        (
+            [HEADER, ROWS[0], "0.01,0.2"],
+            "log.csv, line 3: expected 7 cells as in line 2, got 2: '0.01,0.2'.",
+        ),
+        (
+            ["# a", HEADER, *ROWS[:2], "", "0,1,2,x,0,0,9.8"],
+            "line 6: expected a number in column gyr_z, got 'x'.",
+        ),
+        (
+            [HEADER, ROWS[0], "0,1,2,,0,0,9.8"],
+            "line 3: expected a number in column gyr_z, got an empty cell.",
+        ),
+        (
+            [HEADER, ROWS[0], "0,1,2,NaN,0,0,9.8"],
+            "line 3: expected a number in column gyr_z, got 'NaN'.",
+        ),
+        (
+            [HEADER, ROWS[0], "0,1,2,-inf,0,0,9.8"],
+            "line 3: expected a number in column gyr_z, got '-inf'.",
+        ),
+        ([HEADER, *ROWS, HEADER], "line 5: expected a number in column gyr_x, got 'gyr_x'."),
+        (
+            [HEADER, ROWS[0], "0,1,2,1_0,0,0,9.8"],
+            "line 3: expected a number in column gyr_z, got '1_0'.",
+        ),
+        ([HEADER, ROWS[0], ROWS[1][:-6]], "line 3: expected 7 cells as in line 2, got 6"),
+        ([HEADER], "log.csv: expected lines of numbers, got none in 1 lines."),
+        ([""], "log.csv: expected lines of numbers, got none"),
+    ],
+    ids=[
+        "short",
+        "text",
+        "empty",
+        "nan",
+        "inf",
+        "header-again",
+        "underscore",
+        "cut",
+        "none",
+        "nothing",
+    ],
+)
+def test_a_bad_line_is_refused_by_its_number(log, lines, words):
+    refused(log, words, lines)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"gyro": ("gyr_x", "gyr_y", "gyr_w")}, "columns: expected t, gyr_x, gyr_y, gyr_z, acc_x"),
+        ({"gyro": (0, 1, 2)}, "or a number from 1 to 7 for log.csv, got 0."),
+        ({"units": None}, "units: expected one of deg/s, mdeg/s, rad/s"),
+        ({"units": ("furlong", "g")}, "for gyros, perhaps with the size of a count before it"),
+        ({"units": ("deg/s", "0 g")}, "for accelerometers, perhaps with the size"),
+        ({"units": "deg/s"}, "units: expected one for each of gyro, accelerometer, got 'deg/s'."),
+        ({"units": ("deg/s", "m/s")}, "got rates of the gyros with increments over each interval"),
+        ({"rate": None}, "time, interval, rate: expected one of them, got None, None and None."),
+        (
+            {"interval": 0.01},
+            "time, interval, rate: expected one of them, got None, 0.01 and 100.0",
+        ),
+        ({"rate": -5.0}, "rate: expected a positive number, got -5.0."),
+        (
+            {"rate": None, "time": ("t", "h")},
+            "units: expected one of s, ms, us, ns for time, got 'h'.",
+        ),
+        ({"rate": None, "time": ("t", "iso")}, "line 2: expected a date and time such as"),
+        ({"zeros": (1, 2, 3)}, "zeros: expected shape"),
+        ({"allow": ("hope",)}, "allow: expected names out of force, rate, half turn"),
+        ({"latitude": 59.9}, "latitude: expected rad"),
+        (
+            {"units": ("rad/s", "g")},
+            "log: accelerometer: expected a median size near gravity, 9.81",
+        ),
+    ],
+)
+def test_a_bad_question_is_refused_in_a_sentence(log, changes, words):
+    refused(log, words, [HEADER, *ROWS], **changes)
+
+
+def test_the_header_is_not_contradicted(log):
+    lines = [HEADER.replace("_x", "_x [deg/s]", 1), *ROWS]
+    refused(log, "units: expected deg/s for gyro, as the header of log.csv has it", lines)
+    assert len(log(lines, units=("dps", "m/s²"))) == 3
+    refused(
+        log,
+        "units: expected one unit for all columns of gyro, got '' and 'deg/s'",
+        lines,
+        units=None,
+    )
+
+
+def test_two_columns_of_one_name_are_told_by_number(log):
+    lines = [HEADER.replace("gyr_z", "gyr_y"), *ROWS]
+    refused(
+        log,
+        "columns: expected one column 'gyr_y' in log.csv, got 2: say it by number.",
+        lines,
+        gyro=("gyr_x", "gyr_y", 4),
+    )
+    assert len(log(lines, gyro=(2, 3, 4))) == 3
+
+
+@pytest.mark.parametrize(
+    ("stamps", "words"),
+    [
+        (
+            [0, 10, 10, 20],
+            "line 4: expected a time stamp after that of the line before, got the same",
+        ),
+        (
+            [0, 10, 5, 20],
+            "line 4: expected a time stamp after that of the line before, got 0.005 s earlier",
+        ),
+        (
+            [0, 10, 20, 50],
+            "line 5: expected no gap longer than 1.5 times the usual 0.01 s (longest_gap), got",
+        ),
+    ],
+)
+def test_stamps_that_do_not_go_on_are_refused_by_their_line(log, stamps, words):
+    lines = [HEADER, *(f"{stamp},1,2,3,0,0,9.8" for stamp in stamps)]
+    refused(log, words, lines, rate=None, time=("t", "ms"))
+
+
+def test_a_gap_that_is_asked_for_is_let_through(log):
+    lines = [HEADER, *(f"{stamp},1,2,3,0,0,9.8" for stamp in (0, 10, 20, 50, 60))]
+    told = {"rate": None, "time": ("t", "ms"), "longest_gap": 4}
+    refused(
+        log, "times: expected steps of about 0.01 s, got one of 0.03 s after row 3", lines, **told
+    )
+    assert_allclose(log(lines, **told, allow=["gap"]).times, [0, 0.01, 0.02, 0.05, 0.06])
+
+
+@given(st.text(alphabet=',;\t "#%-+.eE0123456789xn\n', max_size=60))
+def test_whatever_stands_in_a_file_it_is_read_or_refused_in_a_sentence(tmp_path_factory, text):
+    path = tmp_path_factory.getbasetemp() / "whatever.csv"
+    path.write_text(text)
+    reason = ""
+    try:
+        table = read_table(path)
+        rows = table.numbers(range(table.width))
+    except ValueError as error:
+        reason = str(error)
+    if reason:
+        assert re.fullmatch(r"whatever\.csv(, line \d+)?: expected .*\.", reason)
+    else:
+        assert np.isfinite(rows).all()
+        assert rows.shape[1] == table.width

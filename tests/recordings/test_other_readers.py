@@ -1,0 +1,83 @@
+"""The forms of IMU-TK and PSINS: what they hold by hand, and what is no such log."""
+
+import re
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from driftlab.recordings import psins_header, read_imu_tk, read_psins
+
+ACCELEROMETER = ["0.00 0 100 9800", "0.01 0 100 9810", "0.02 0 200 9790"]
+GYRO = ["0.00 5 6 7", "0.01 5 6 8", "0.02 5 7 7"]
+PSINS = ["% made up", "0 0 90 0 0 0", "30 100 0 5 4 9.8", ".1 .2 .3 100 200 300", "1 -2 3 0 0 130"]
+
+
+@pytest.fixture
+def read(tmp_path):
+    def read(accelerometer=ACCELEROMETER, gyro=GYRO, **changes):
+        paths = tmp_path / "acc.mat", tmp_path / "gyro.mat"
+        for path, lines in zip(paths, (accelerometer, gyro), strict=True):
+            path.write_text("\n".join(lines))
+        return read_imu_tk(*paths, **{"units": ("mrad/s", "1e-3 m/s^2"), "zeros": (5, 0)} | changes)
+
+    return read
+
+
+def test_counts_of_imu_tk_become_si_units(read):
+    recording = read()
+    assert_allclose(recording.gyro, [[0, 1e-3, 2e-3], [0, 1e-3, 3e-3], [0, 2e-3, 2e-3]])
+    assert_allclose(recording.accelerometer[2], [0, 0.2, 9.79])
+    assert (recording.interval, recording.times, recording.name) == (0.01, None, "gyro")
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"gyro": GYRO[:2]}, "gyro_path: expected the time stamps of acc.mat, got others"),
+        ({"gyro": [*GYRO[:2], "0.03 5 7 7"]}, "gyro_path: expected the time stamps of acc.mat"),
+        ({"gyro": [line[:-2] for line in GYRO]}, "gyro.mat: expected a time stamp and three"),
+        ({"gyro": [*GYRO[:2], "0.02 5 7"]}, "gyro.mat, line 3: expected 4 cells as in line 1"),
+        ({"units": ("rad/s",)}, "units: expected two, of gyros and accelerometers"),
+        ({"units": ("rad", "m/s^2")}, "units: expected rates with specific force"),
+        ({"units": ("rad/s", "m/s^2")}, "gyro: accelerometer: expected a median size near gravity"),
+    ],
+)
+def test_what_is_no_log_of_imu_tk_is_refused(read, changes, words):
+    with pytest.raises(ValueError, match=re.escape(words)):
+        read(**changes)
+
+
+def test_pulses_of_psins_become_increments(tmp_path):
+    path = tmp_path / "ring.imu"
+    path.write_text("\n".join(PSINS))
+    recording, header = read_psins(path), psins_header(path)
+    arcsec = np.pi / 648000
+    assert_allclose(recording.gyro, [[0.1 * arcsec, -0.4 * arcsec, 0.9 * arcsec]])
+    assert_allclose(recording.accelerometer, [[0, 0, 130 * 300e-6 * 9.8]])
+    assert (recording.interval, recording.axes, header.start) == (0.004, "RFU", 5.0)
+    assert_allclose(
+        np.degrees([recording.latitude, header.longitude, header.heading]), [30, 100, 90]
+    )
+
+
+@pytest.mark.parametrize(
+    ("line", "text", "words"),
+    [
+        (2, "30 100 0 5 0 9.8", "line 3: expected interval, gravity and scale above zero, got 0."),
+        (3, ".1 .2 .3 100 200 -1", "line 4: expected interval, gravity and scale above zero"),
+        (2, "3000 100 0 5 4 9.8", "latitude: expected"),
+        (4, "1 -2 3 0 0", "line 5: expected 6 cells as in line 2, got 5: '1 -2 3 0 0'."),
+        (
+            4,
+            "1 -2 3 0 0 13",
+            "ring: accelerometer: expected a median size near 0.0392 m/s, gravity",
+        ),
+        (4, "", "ring.imu: expected three lines of header and then samples, got 3 lines."),
+    ],
+)
+def test_what_is_no_log_of_psins_is_refused(tmp_path, line, text, words):
+    path = tmp_path / "ring.imu"
+    path.write_text("\n".join([*PSINS[:line], text, *PSINS[line + 1 :]]))
+    with pytest.raises(ValueError, match=re.escape(words)):
+        read_psins(path)
