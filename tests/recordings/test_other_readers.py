@@ -10,7 +10,7 @@ from driftlab.recordings import psins_header, read_imu_tk, read_psins
 
 ACCELEROMETER = ["0.00 0 100 9800", "0.01 0 100 9810", "0.02 0 200 9790"]
 GYRO = ["0.00 5 6 7", "0.01 5 6 8", "0.02 5 7 7"]
-PSINS = ["% made up", "0 0 90 0 0 0", "30 100 0 5 4 9.8", ".1 .2 .3 100 200 300", "1 -2 3 0 0 130"]
+PSINS = ["% made up", "0 0 90 0 0 0", "30 100 0 5 4 9.8", ".1 .2 .3 100 200 300", "1 -2 3 0 0 13"]
 
 
 @pytest.fixture
@@ -54,7 +54,7 @@ def test_pulses_of_psins_become_increments(tmp_path):
     recording, header = read_psins(path), psins_header(path)
     arcsec = np.pi / 648000
     assert_allclose(recording.gyro, [[0.1 * arcsec, -0.4 * arcsec, 0.9 * arcsec]])
-    assert_allclose(recording.accelerometer, [[0, 0, 130 * 300e-6 * 9.8]])
+    assert_allclose(recording.accelerometer, [[0, 0, 13 * 300e-6 * 9.8]])
     assert (recording.interval, recording.axes, header.start) == (0.004, "RFU", 5.0)
     assert_allclose(
         np.degrees([recording.latitude, header.longitude, header.heading]), [30, 100, 90]

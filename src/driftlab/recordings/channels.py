@@ -95,7 +95,7 @@ def clipped_rows(channel: FloatArray) -> tuple[int, float]:
         there = rising == rising.max()
         below = rising[~there]
         if len(below) and (there[2:] & there[1:-1] & there[:-2]).any():
-            count, beside = np.count_nonzero(there), np.count_nonzero(below == below.max())
+            count, beside = int(there.sum()), int((below == below.max()).sum())
             found = max(found, (count, count / (beside + 1)), key=lambda one: one[1])
     return found
 
