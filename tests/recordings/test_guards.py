@@ -7,7 +7,15 @@ import numpy as np
 import pytest
 
 from driftlab.motion.profiles import Coning
-from driftlab.recordings import PUBLISHED, RULES, Recording, doubts, gravity_turns, longest_run
+from driftlab.recordings import (
+    PUBLISHED,
+    RULES,
+    Recording,
+    clipped_rows,
+    doubts,
+    gravity_turns,
+    longest_run,
+)
 from support import recording_or_skip
 
 DEGREE, G = np.pi / 180, 9.80665
@@ -187,6 +195,12 @@ def test_coarse_steps_and_samples_written_twice_are_not_called_stuck():
     for channel in (noise.round(), noise.repeat(5), (noise / 3).round()):
         _, rows, allowed = longest_run(channel)
         assert rows < allowed < 1000
+
+
+def test_the_pulses_of_a_quiet_gyro_are_not_called_clipped():
+    rng = np.random.default_rng(6)
+    for mean in (0.02, 0.2, 1.0, 3.0):
+        assert clipped_rows(rng.poisson(mean, size=20_000).astype(float))[1] < 2.4
 
 
 def test_a_record_without_accelerometers_is_judged_by_what_it_has():

@@ -70,7 +70,7 @@ def test_pulses_of_psins_become_increments(tmp_path):
         (4, "1 -2 3 0 0", "line 5: expected 6 cells as in line 2, got 5: '1 -2 3 0 0'."),
         (
             4,
-            "1 -2 3 0 0 13",
+            "1 -2 3 0 0 130",
             "ring: accelerometer: expected a median size near 0.0392 m/s, gravity",
         ),
         (4, "", "ring.imu: expected three lines of header and then samples, got 3 lines."),

@@ -94,7 +94,8 @@ def clipped_rows(channel: FloatArray) -> tuple[int, float]:
     for rising in (channel, -channel):
         there = rising == rising.max()
         below = rising[~there]
-        if len(below) and (there[2:] & there[1:-1] & there[:-2]).any():
+        # What stands there most of the time rests; few pulses of a quiet gyro go one way only.
+        if len(below) > len(rising) / 2 and (there[2:] & there[1:-1] & there[:-2]).any():
             count, beside = int(there.sum()), int((below == below.max()).sum())
             found = max(found, (count, count / (beside + 1)), key=lambda one: one[1])
     return found
