@@ -10,6 +10,10 @@ from . import (
     matrix_conventions as matrix_conventions,
     nominal_readings as nominal_readings,
     observability as observability,
+    pose_fit as pose_fit,
+    pose_results as pose_results,
+    poses as poses,
+    rest_noise as rest_noise,
     simulation as simulation,
     static_navigation as static_navigation,
 )
@@ -71,6 +75,14 @@ from .observability import (
     observability_matrix as observability_matrix,
     unobservable_subspace as unobservable_subspace,
     warn_if_unobservable as warn_if_unobservable,
+)
+from .pose_results import (
+    Consistency as Consistency,
+    PoseCalibration as PoseCalibration,
+)
+from .poses import (
+    POSE_AXES as POSE_AXES,
+    calibrate_by_poses as calibrate_by_poses,
 )
 from .simulation import (
     TableTrial as TableTrial,

@@ -6,6 +6,7 @@ from . import (
     psins_reader as psins_reader,
     publishers as publishers,
     recording as recording,
+    rests as rests,
     text_table as text_table,
     time_stamps as time_stamps,
     turns_of_gravity as turns_of_gravity,
@@ -39,6 +40,7 @@ from .publishers import (
     published_file as published_file,
 )
 from .recording import Recording as Recording
+from .rests import Rests as Rests
 from .text_table import (
     TextTable as TextTable,
     read_table as read_table,

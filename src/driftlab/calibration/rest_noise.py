@@ -1,0 +1,90 @@
+"""How well means over rests are known, and turns between them: noise taken from the rests."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from driftlab.checks import FloatArray, checked_instance
+from driftlab.core.poses import Poses, Variances
+from driftlab.imu import ImuNoise
+from driftlab.recordings.recording import Recording
+
+_BLOCK = 0.5
+"""Means over so many seconds show the slow part of the noise."""
+_LEAST = 1e-9
+"""Least deviation of a mean, relative to gravity, or in rad and rad/s: records without noise."""
+
+
+def noise_of_rests(
+    recording: Recording,
+    rows: list[tuple[int, int]],
+    poses: Poses,
+    noise: ImuNoise | None = None,
+) -> tuple[Variances, tuple[float, float]]:
+    """Variances of the means over the rests and of the turns between them.
+
+    Parameters
+    ----------
+    recording : Recording
+        With accelerometers.
+    rows : list of (int, int)
+        First row of each rest, and the first after it.
+    poses : driftlab.core.poses.Poses
+        Made of the same.
+    noise : ImuNoise, optional
+        White noise to use instead of the rests' own.
+
+    Returns
+    -------
+    variances : driftlab.core.poses.Variances
+        Of means that are as good as those over half a second let expect.
+    colour : (float, float)
+        Of gyros and accelerometers: variance of these means, as a multiple of that of white noise.
+
+    Examples
+    --------
+    See `driftlab.calibration.poses.calibrate_by_poses`.
+    """
+    assert recording.accelerometer is not None
+    interval = poses.interval
+    share = 1.0 if recording.kind == "rates" else 1 / interval
+    lengths = np.array([e - b for b, e in rows])[:, np.newaxis]
+    if noise is None:
+        width = max(1, round(_BLOCK / interval))
+        rate, rate_colour = _row_variance(share * recording.gyro, rows, width)
+        force, force_colour = _row_variance(share * recording.accelerometer, rows, width)
+    else:
+        checked_instance(noise, ImuNoise, "noise")
+        rate = np.full(3, noise.angle_random_walk**2 / interval)
+        force = np.full(3, noise.velocity_random_walk**2 / interval)
+        rate_colour = force_colour = np.nan
+    per_increment = float(rate.mean()) * interval**2
+    moves, still = poses.begin[1:] - poses.end[:-1], poses.end - poses.begin
+    return (
+        Variances(
+            np.maximum(force / lengths, (_LEAST * poses.gravity) ** 2),
+            np.maximum(rate / lengths, _LEAST**2),
+            np.maximum(per_increment * moves, _LEAST**2),
+            per_increment * still,
+        ),
+        (rate_colour, force_colour),
+    )
+
+
+def _row_variance(
+    samples: FloatArray, rows: list[tuple[int, int]], width: int
+) -> tuple[FloatArray, float]:
+    """Variance (3,) of one sample that explains the means over `width`, and its share of colour."""
+    white = sum(((samples[b:e] - samples[b:e].mean(axis=0)) ** 2).sum(axis=0) for b, e in rows)
+    white = np.asarray(white / sum(e - b - 1 for b, e in rows))
+    total, freedom = np.zeros(3), 0
+    for b, e in rows:
+        count = (e - b) // width
+        if count > 1:
+            means = samples[b : b + count * width].reshape(count, width, 3).mean(axis=1)
+            total += ((means - means.mean(axis=0)) ** 2).sum(axis=0)
+            freedom += count - 1
+    if not freedom or not white.any():
+        return white, np.nan
+    slow = width * total / freedom
+    return slow, float(slow.sum() / white.sum())
