@@ -22,6 +22,7 @@ from .pose_results import Consistency
 KINDS = ("rests", "moves", "rates")
 """Kinds of residuals: |force| at rest, tilt or turn after a move, gyros at rest."""
 _PASSES = 12
+_MOST = 100  # steps in one of them; five are usual
 _IN_THE_DARK = np.array([0.1] * 6 + [1.0] * 3 + [0.1] * 9 + [0.1] * 3 + [0.01] * 9)
 """An unknown that poses do not show better than so is in the dark: parts, rad, m/s^2, rad/s."""
 
@@ -83,7 +84,7 @@ def fit_poses(
     Raises
     ------
     ValueError
-        If the poses leave unknowns in the dark, and there is no prior.
+        If the poses leave unknowns in the dark and there is no prior, or the fit does not settle.
 
     Examples
     --------
@@ -102,7 +103,14 @@ def fit_poses(
         weights = _Weights(model, unknowns, free, variances, excess, sizes)
         if turn == 0 and sizes is None:
             _refuse_dark(weights.jacobian(unknowns[free]), free)
-        found = least_squares(weights.residuals, unknowns[free], weights.jacobian, method="lm")
+        found = least_squares(
+            weights.residuals, unknowns[free], weights.jacobian, method="lm", max_nfev=_MOST
+        )
+        if not found.success:
+            raise ValueError(
+                f"rests: expected residuals that a fit can settle on, got none in {_MOST} steps: "
+                "a move that is cut, another unit, or noise stated much too small?"
+            )
         unknowns[free], iterations = found.x, iterations + found.nfev
         if turn == 1:  # weighted for what the first one found
             tests = weights.tests(found.x)
@@ -112,8 +120,10 @@ def fit_poses(
             if np.allclose(excess, before, rtol=1e-3, atol=0):
                 break
     jacobian = weights.jacobian(found.x)
+    # Of the triangle of a QR decomposition, because squares would lose half the digits.
+    inverse = np.linalg.inv(np.linalg.qr(jacobian, mode="r"))
     covariance = np.zeros((core.UNKNOWNS, core.UNKNOWNS))
-    covariance[np.ix_(free, free)] = np.linalg.inv(jacobian.T @ jacobian)
+    covariance[np.ix_(free, free)] = inverse @ inverse.T
     residuals = model.residuals(unknowns)
     tilts, turns = np.split(residuals[model.moves], [2 * len(poses.open)])
     return PoseFit(
@@ -149,6 +159,7 @@ class _Weights:
         self.model, self.excess, self.free, self._at = model, excess, free, unknowns.copy()
         self.sizes = None if sizes is None else sizes[free]
         self.kinds = (model.rests, model.moves, model.rates)
+        model.face(unknowns)
         none = Variances(*(np.zeros_like(part) for part in variances))
         ones = Variances(*(np.ones_like(part) for part in variances))
         self._noise = model.covariance(unknowns, variances)

@@ -90,7 +90,8 @@ def calibrate_by_poses(
     ------
     ValueError
         If the record has no accelerometers or no gravity, a rest or pair is not one of the record,
-        or the poses leave some numbers in the dark and no `prior` is given.
+        the poses leave some numbers in the dark and no `prior` is given, or the fit does not
+        settle.
 
     Notes
     -----
@@ -175,7 +176,7 @@ def calibrate_by_poses(
         fit.rate,
         fit.consistency,
         colour,
-        float((poses.begin[1:] - poses.end[:-1]).max() * poses.interval),
+        float(np.diff(poses.edges).max() * poses.interval),
         fit.iterations,
     )
 
@@ -258,23 +259,24 @@ def _poses(
 ) -> core.Poses:
     assert recording.accelerometer is not None
     share = 1.0 if recording.kind == "rates" else 1 / recording.interval
-    angle = recording.angles()
     begin, end = np.array(rows).T
     if recording.kind == "rates":
         # Increments of rates lie between samples, equally spaced even where the stamps are not.
         end = end - 1
         if recording.times is not None:
             since = (recording.times - recording.times[0]) / recording.interval
-            begin, end = np.rint(since[begin]), np.rint(since[end])
+            begin, end = np.rint(since[begin]).astype(int), np.rint(since[end]).astype(int)
+    moves = [slice(first, last) for first, last in zip(end[:-1], begin[1:], strict=True)]
+    angle = recording.angles()
+    velocity = recording.increments().velocity if sensitivity else None
     at_once = [i for i, j in closed if j == i + 1]
     return core.Poses(
         np.array([share * recording.accelerometer[b:e].mean(axis=0) for b, e in rows]),
         np.array([share * recording.gyro[b:e].mean(axis=0) for b, e in rows]),
-        angle,
-        recording.increments().velocity if sensitivity else None,
+        np.concatenate([angle[move] for move in moves]),
+        None if velocity is None else np.concatenate([velocity[move] for move in moves]),
         recording.interval,
-        np.minimum(begin, len(angle)).astype(int),
-        np.minimum(end, len(angle)).astype(int),
+        np.cumsum([0, *(len(angle[move]) for move in moves)]),
         gravity,
         np.array(closed, int).reshape(-1, 2),
         np.setdiff1d(np.arange(len(rows) - 1), at_once),

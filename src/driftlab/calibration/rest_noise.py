@@ -59,13 +59,11 @@ def noise_of_rests(
         force = np.full(3, noise.velocity_random_walk**2 / interval)
         rate_colour = force_colour = np.nan
     per_increment = float(rate.mean()) * interval**2
-    moves, still = poses.begin[1:] - poses.end[:-1], poses.end - poses.begin
     return (
         Variances(
             np.maximum(force / lengths, (_LEAST * poses.gravity) ** 2),
             np.maximum(rate / lengths, _LEAST**2),
-            np.maximum(per_increment * moves, _LEAST**2),
-            per_increment * still,
+            np.maximum(per_increment * np.diff(poses.edges), _LEAST**2),
         ),
         (rate_colour, force_colour),
     )

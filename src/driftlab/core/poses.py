@@ -18,12 +18,11 @@ from .attitude import step_quaternions
 from .quaternion import (
     conjugate,
     cumulative_product,
-    from_rotation_vector,
     multiply,
     to_matrix,
     to_rotation_vector,
 )
-from .vectors import cross_matrix, norms
+from .vectors import cross_matrix, left_jacobian, norms
 
 if TYPE_CHECKING:
     from driftlab.attitude.coning_algorithms import AttitudeAlgorithm
@@ -39,10 +38,10 @@ class Poses(NamedTuple):
     """What a recording says of n rests and of the ways between them.
 
     `force` and `rate` (n, 3) are means over the rests. `angle` and `velocity` (N, 3) are measured
-    increments of `interval`, the latter None for gyros that do not feel force; rest i lasts from
-    the moment `begin[i]` to `end[i]`, counted in increments. Between the rests of each row (i, j)
-    of `closed` the unit has come back to its attitude; `open` are the rests i after which gravity
-    counts.
+    increments of `interval` over the moves, one after the other, the latter None for gyros that do
+    not feel force; the move from rest i to the next has the rows `edges[i]` to `edges[i + 1]`.
+    Between the rests of each row (i, j) of `closed` the unit has come back to its attitude; `open`
+    are the rests i after which gravity counts.
     """
 
     force: FloatArray
@@ -50,8 +49,7 @@ class Poses(NamedTuple):
     angle: FloatArray
     velocity: FloatArray | None
     interval: float
-    begin: np.ndarray
-    end: np.ndarray
+    edges: np.ndarray
     gravity: float
     closed: np.ndarray
     open: np.ndarray
@@ -59,13 +57,11 @@ class Poses(NamedTuple):
 
 
 class Variances(NamedTuple):
-    """Of the noise: means of force and rate (n, 3), turns over the moves and the rests (n - 1,),
-    (n,), each component."""
+    """Of the noise of each component: means of force and rate (n, 3), turns over moves (n - 1,)."""
 
     force: FloatArray
     rate: FloatArray
     move: FloatArray
-    rest: FloatArray
 
 
 def matrices(
@@ -100,8 +96,9 @@ def path_integrals(
     quaternions = np.concatenate([[[0.0, 0.0, 0.0, 1.0]], cumulative_product(steps)])
     start = quaternions[begin]
     back = to_matrix(conjugate(start))
-    halfway = multiply(quaternions[:-1], from_rotation_vector(0.5 * angle))
-    middle = (to_matrix(halfway) @ inverse).reshape(-1, 9)
+    # The mean attitude over each step, relative to its beginning, is the left Jacobian.
+    mean = to_matrix(quaternions[:-1]) @ left_jacobian(angle) @ inverse
+    middle = mean.reshape(-1, 9)
     derivatives = []
     for source in sources:
         sums = [middle[b:e].T @ source[b:e] for b, e in zip(begin, end, strict=True)]
@@ -122,11 +119,20 @@ class PoseModel:
     def __init__(self, poses: Poses):
         self.poses = poses
         self._at: FloatArray | None = None
+        self.face(np.zeros(UNKNOWNS))
         count = len(poses.force)
         self.rests = np.s_[:count]
         self.moves = np.s_[count : count + 2 * len(poses.open) + 3 * len(poses.closed)]
         self.rates = np.s_[self.moves.stop : self.moves.stop + 3 * count]
         self.size = self.rates.stop
+
+    def face(self, unknowns: FloatArray) -> None:
+        """Take the components across gravity as the unknowns show it: they stay till told anew."""
+        error, bias, *_ = matrices(unknowns)
+        inverse = np.asarray(np.linalg.inv(np.eye(3) + error), np.float64)
+        force = (self.poses.force - bias) @ inverse.T
+        unit = force / norms(force)[:, np.newaxis]
+        self._planes, self._at = _planes(unit[self.poses.open + 1]), None
 
     def residuals(self, unknowns: FloatArray) -> FloatArray:
         """All residuals (m,)."""
@@ -161,7 +167,6 @@ class PoseModel:
         noise = np.einsum("anx,nx,bnx->ab", by_force, variances.force, by_force)
         for (i, j), through in zip(poses.closed, self._through, strict=True):
             by_turn[row : row + 3, i:j] = np.moveaxis(through, 0, 1)
-            noise[row : row + 3, row : row + 3] += variances.rest[i + 1 : j].sum() * np.eye(3)
             row += 3
         noise += np.einsum("amx,m,bmx->ab", by_turn, variances.move, by_turn)
         at = np.arange(self.rates.start, self.rates.stop)
@@ -188,25 +193,25 @@ class PoseModel:
         i = poses.open
         first = np.concatenate([np.arange(count - 1), poses.closed[:, 0]])
         last = np.concatenate([np.arange(1, count), poses.closed[:, 1]])
-        gyro_inverse = np.linalg.inv(np.eye(3) + gyro_error)
+        gyro_inverse = np.asarray(np.linalg.inv(np.eye(3) + gyro_error), np.float64)
         dt = poses.interval
         rest = poses.angle - dt * gyro_bias
         if poses.velocity is not None:
             velocity = (poses.velocity - dt * bias) @ inverse.T
             rest = rest - velocity @ sensitivity.T
-        true: FloatArray = np.asarray(rest @ gyro_inverse.T, np.float64)
+        true = rest @ gyro_inverse.T
         sources = [true, np.full((len(true), 1), dt, np.float64)]
         if poses.velocity is not None:
             sources.append(velocity)
         attitude, by_source = path_integrals(
-            poses.algorithm, true, gyro_inverse, sources, poses.end[first], poses.begin[last]
+            poses.algorithm, true, gyro_inverse, sources, poses.edges[first], poses.edges[last]
         )
         by_turn = np.zeros((len(first), 3, UNKNOWNS))
         for part, values in zip((GYRO, GYRO_BIAS, SENSITIVITY), by_source, strict=False):
             by_turn[..., part] = values.reshape(len(first), 3, -1)
         self._back = back = to_matrix(conjugate(attitude[i]))
         self._seen = seen = np.einsum("mij,mj->mi", back, unit[i])
-        self._planes = planes = _planes(unit[i + 1])
+        planes = self._planes
         tilts = np.einsum("mij,mj->mi", planes, seen - unit[i + 1])
         by_known_tilt = planes @ (back @ by_known_unit[i] - by_known_unit[i + 1])
         by_turn_tilt = planes @ cross_matrix(seen) @ back @ by_turn[i]
@@ -215,7 +220,8 @@ class PoseModel:
         end_of_open = self.moves.start + 2 * len(i)
         jacobian[self.moves.start : end_of_open, :9] = by_known_tilt.reshape(-1, 9)
         jacobian[self.moves.start : end_of_open, 9:] = by_turn_tilt[..., 9:].reshape(-1, 21)
-        jacobian[end_of_open : self.moves.stop] = by_turn[closed].reshape(-1, UNKNOWNS)
+        by_turn_left = np.linalg.solve(left_jacobian(left), by_turn[closed])
+        jacobian[end_of_open : self.moves.stop] = by_turn_left.reshape(-1, UNKNOWNS)
         jacobian[self.rates, GYRO_BIAS] = -np.tile(np.eye(3), (count, 1))
         by_entry_of_g = -np.einsum("ij,nk->nijk", np.eye(3), force)
         jacobian[self.rates, SENSITIVITY] = by_entry_of_g.reshape(-1, 9)
@@ -235,7 +241,7 @@ class PoseModel:
         through = []
         for i, j in self.poses.closed:
             here, rows = np.array([0.0, 0.0, 0.0, 1.0]), []
-            for move in range(i, j):  # the rests between turn by next to nothing
+            for move in range(i, j):
                 rows.append(to_matrix(here))
                 here = multiply(here, attitude[move])
             through.append(np.array(rows))

@@ -1,0 +1,500 @@
+"""Calibration by poses: simulated units are found again with the deviations stated, one closed turn
+is Larin's estimate, too few poses are refused, and published units come out as published."""
+
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from driftlab.attitude import attitude_algorithm, integrate
+from driftlab.body_frames import body_frame_rotation, change_body_frame
+from driftlab.calibration import FULL
+from driftlab.calibration.body_axes import imu_errors_in_frame
+from driftlab.calibration.poses import POSE_AXES, calibrate_by_poses
+from driftlab.core.poses import UNKNOWNS, PoseModel, Poses
+from driftlab.core.quaternion import conjugate
+from driftlab.drift import turn_estimate
+from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise, PriorDeviations
+from driftlab.increments import Increments, measure
+from driftlab.quaternion import rotate
+from driftlab.recordings.publishers import (
+    XSENS_ACCELEROMETER_SCALE,
+    XSENS_GYRO_SCALE,
+    ferraris_sections,
+)
+from driftlab.recordings.recording import Recording
+from driftlab.recordings.rests import rests
+from driftlab.vectors import cross_matrix
+from support import assert_normal, chi_bounds, largest, recording_or_skip
+
+GRAVITY = 9.81
+NOISE = ImuNoise(angle_random_walk=1e-4, velocity_random_walk=1e-3)
+QUIET = ImuNoise(angle_random_walk=1e-9, velocity_random_walk=1e-8)
+WIDE = PriorDeviations(gyro_bias=1e-3, accelerometer_bias=0.1, scale=0.05, installation=0.05)
+RATE, STILL, MOVE = 50.0, 75, 50  # Hz, rows
+
+
+def unit(seed, size=1.0):
+    rng = np.random.default_rng(seed)
+    return ImuErrors(
+        size * 2e-3 * rng.standard_normal(3),
+        size * 0.01 * rng.standard_normal((3, 3)),
+        size * 0.1 * rng.standard_normal(3),
+        size * 0.01 * rng.standard_normal((3, 3)),
+    )
+
+
+def moved(turns):
+    """True increments of a unit that rests, turns by each vector (rad), and rests again."""
+    profile = 1 - np.cos(2 * np.pi * (np.arange(MOVE) + 0.5) / MOVE)
+    still = np.zeros((STILL, 3))
+    rows = [still]
+    for turn in turns:
+        rows += [profile[:, np.newaxis] * turn / MOVE, still]
+    angle = np.concatenate(rows)
+    attitude = integrate(angle, "memory-4")
+    velocity = rotate(conjugate(attitude), [0.0, 0.0, GRAVITY]) / RATE
+    places = [i * (STILL + MOVE) for i in range(len(turns) + 1)]
+    return Increments(1 / RATE, angle, velocity), [(b + 2, b + STILL - 2) for b in places]
+
+
+def log(increments):
+    return Recording(increments.angle, increments.velocity, increments.interval, "increments")
+
+
+@cache
+def by_hand(moves=14):
+    return moved(np.random.default_rng(2).uniform(-2.5, 2.5, (moves, 3)))
+
+
+def in_axes(errors, body_axes):
+    """True errors in the axes of a choice."""
+    if body_axes != "lower triangle accelerometers":
+        return imu_errors_in_frame(errors, body_axes)[0]
+    turn = body_frame_rotation(errors.accelerometer_error, frame="lower triangle")
+    return errors._replace(
+        gyro_error=change_body_frame(errors.gyro_error, turn),
+        accelerometer_error=change_body_frame(errors.accelerometer_error, turn),
+    )
+
+
+@pytest.mark.parametrize("body_axes", POSE_AXES)
+def test_a_unit_without_noise_is_found_exactly_in_any_axes(body_axes):
+    true, rows = by_hand()
+    errors = unit(1)
+    record = log(measure(true, errors))
+    found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=QUIET, body_axes=body_axes)
+    for one, other in zip(found.imu_errors, in_axes(errors, body_axes), strict=True):
+        # The velocity of a rest, a mean over 71 rows, is exact; the way is off by what the
+        # integration loses, some 1e-7 rad at 0.1 rad a step.
+        np.testing.assert_allclose(one, other, rtol=0, atol=2e-6)
+    fixed = found.covariance.diagonal() < 1e-30
+    assert fixed.sum() == (0 if "averaged" in body_axes else 3)
+    assert np.linalg.matrix_rank(found.covariance, tol=1e-9 * found.covariance.max()) <= 21
+
+
+def test_rates_say_what_increments_say():
+    true, rows = by_hand()
+    errors = unit(1)
+    measured = measure(true, errors)
+    # Means over an interval stand for the rate in its middle.
+    record = Recording(RATE * measured.angle, RATE * measured.velocity, 1 / RATE, "rates")
+    stamped = Recording(
+        record.gyro,
+        record.accelerometer,
+        1 / RATE,
+        "rates",
+        times=5.0 + np.arange(len(record)) / RATE,
+    )
+    found, again = (
+        calibrate_by_poses(r, rows, gravity=GRAVITY, noise=QUIET) for r in (record, stamped)
+    )
+    truth = in_axes(errors, "accelerometers")
+    # The coning that samples lose goes with the square of the step: measured, 3e-4 here.
+    assert largest(found.imu_errors.gyro_error - truth.gyro_error) < 1e-3
+    for one, other in zip(found.imu_errors, again.imu_errors, strict=True):
+        np.testing.assert_allclose(one, other, rtol=0, atol=1e-9)
+
+
+def poses_of(record, rows, closed=()):
+    share, feels = 1 / record.interval, record.accelerometer
+    moves = np.concatenate([np.r_[a[1] : b[0]] for a, b in pairwise(rows)])
+    return Poses(
+        np.array([share * record.accelerometer[b:e].mean(axis=0) for b, e in rows]),
+        np.array([share * record.gyro[b:e].mean(axis=0) for b, e in rows]),
+        record.gyro[moves],
+        feels[moves],
+        record.interval,
+        np.cumsum([0, *(b[0] - a[1] for a, b in pairwise(rows))]),
+        GRAVITY,
+        np.array(closed, int).reshape(-1, 2),
+        np.setdiff1d(np.arange(len(rows) - 1), [i for i, j in closed if j == i + 1]),
+        attitude_algorithm("memory-4"),
+    )
+
+
+def test_derivatives_are_those_of_the_residuals():
+    """But for the derivatives of the coning correction, a twelfth of the cross product of steps,
+    summed up over less than a turn."""
+    true, rows = by_hand(moves=5)
+    back = moved([[0, 0, 2 * np.pi], [0.4, 0, 0], [0.5, 0.8, 0], [0, -0.6, 1.2]])
+    for (increments, places), closed in (((true, rows), ()), (back, [(0, 1)])):
+        model = PoseModel(poses_of(log(increments), places, closed))
+        at, step = np.zeros(UNKNOWNS), 1e-5
+        coning = np.linalg.norm(np.diff(increments.angle, axis=0), axis=-1).max() / 12 * 2 * np.pi
+        exact = model.jacobian(at).copy()
+        for k in range(UNKNOWNS):
+            ahead, behind = at.copy(), at.copy()
+            ahead[k] += step
+            behind[k] -= step
+            slope = (model.residuals(ahead) - model.residuals(behind)) / (2 * step)
+            np.testing.assert_allclose(exact[:, k], slope, rtol=1e-6, atol=coning)
+
+
+RUNS = 30
+
+
+@cache
+def trials():
+    """Errors in their deviations (RUNS, 21), and chi-square by freedom of each kind, summed."""
+    true, rows = by_hand()
+    errors = unit(4)
+    truth = in_axes(errors, "accelerometers")
+    rng = np.random.default_rng(8)
+    scaled, squares, freedoms = [], np.zeros(3), np.zeros(3)
+    for _ in range(RUNS):
+        record = log(measure(true, errors, NOISE, rng))
+        found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE)
+        wrong = (FULL.state(found.imu_errors) - FULL.state(truth))[6:]
+        free = found.covariance.diagonal() > 0
+        root = np.linalg.cholesky(found.covariance[np.ix_(free, free)])
+        scaled.append(np.linalg.solve(root, wrong[free]))
+        tests = list(found.consistency.values())
+        squares += [test.chi_square for test in tests]
+        freedoms += [test.freedom for test in tests]
+    return np.array(scaled), squares, freedoms
+
+
+def test_errors_are_as_large_as_the_covariance_says():
+    scaled, _, _ = trials()
+    assert scaled.shape == (RUNS, 21)
+    assert_normal(scaled, 1.0)
+
+
+def test_residuals_are_as_large_as_noise_makes_them():
+    _, squares, freedoms = trials()
+    for total, freedom in zip(squares, freedoms, strict=True):
+        low, high = chi_bounds(round(freedom))
+        assert low < total / freedom < high
+
+
+def test_noise_of_the_rests_is_noise_enough():
+    """What the rests themselves say of the noise agrees with what was put in: 15 rests of 2 blocks
+    of half a second and three axes make 45 degrees of freedom or more, two triads."""
+    true, rows = by_hand()
+    record = log(measure(true, unit(4), NOISE, np.random.default_rng(1)))
+    own = calibrate_by_poses(record, rows, gravity=GRAVITY)
+    told = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE)
+    ratio = own.deviations.gyro_error / told.deviations.gyro_error
+    low, high = np.sqrt(chi_bounds(30))
+    assert (ratio > low).all()
+    assert (ratio < high).all()
+    assert 0.3 < own.colour[0] < 2.5
+
+
+def test_what_noise_does_not_explain_is_added_and_said():
+    true, rows = by_hand()
+    rng = np.random.default_rng(5)
+    measured = measure(true, unit(4), NOISE, rng)
+    velocity = measured.velocity.copy()
+    for begin, end in rows:  # each pose has an error of its own, of 0.02 m/s^2
+        velocity[begin - 2 : end + 2] += 0.02 / RATE * rng.standard_normal(3)
+    found = calibrate_by_poses(
+        log(measured._replace(velocity=velocity)), rows, gravity=GRAVITY, noise=NOISE
+    )
+    test = found.consistency["rests"]
+    assert not test.holds
+    # Its square is estimated from the 5 or so degrees of freedom that 15 rests leave.
+    assert 0.02 / 4 < test.excess < 0.02 * 4
+    assert "not noise alone" in found.why
+
+
+def test_gyros_that_feel_force():
+    true, rows = by_hand()
+    felt = np.random.default_rng(6).normal(0, 1e-4, (3, 3))  # rad/s for 1 m/s^2
+    measured = measure(true, unit(4), NOISE, np.random.default_rng(7))
+    record = log(measured._replace(angle=measured.angle + true.velocity @ felt.T))
+    blind = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE)
+    assert not blind.consistency["rates"].holds
+    found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE, sensitivity=True)
+    assert found.consistency["rates"].holds
+    turn = body_frame_rotation(
+        None or unit(4).gyro_error, unit(4).accelerometer_error, "accelerometers"
+    )
+    wrong = (found.sensitivity - felt @ turn.T) / found.sensitivity_deviations
+    assert largest(wrong) < 4.9  # one in a million, each
+    assert not blind.sensitivity.any()
+
+
+@pytest.mark.parametrize("axis", [[0, 0, 1], [0, 1, 0], [1, 1, 0]])
+def test_one_closed_turn_is_larins_estimate_to_first_order(axis):
+    """All that a closed turn shows of K is n^T K n, and the estimate is (3.3). The prior takes its
+    share of it, the square of 1e-4 rad over 0.05 times 2 pi."""
+    n = np.array(axis) / np.linalg.norm(axis)
+    true, rows = moved([2 * np.pi * n])
+    bent = np.random.default_rng(3).standard_normal((3, 3))
+
+    def difference(size):
+        record = log(measure(true, NO_ERRORS._replace(gyro_error=size * bent)))
+        found = calibrate_by_poses(
+            record, rows, gravity=GRAVITY, noise=NOISE, prior=WIDE, closed=[(0, 1)]
+        )
+        way = record.gyro[rows[0][1] : rows[1][0]]
+        estimate = turn_estimate(integrate(way, "memory-4")[-1], n)
+        return abs(n @ found.imu_errors.gyro_error @ n - estimate)
+
+    for size in (1e-2, 1e-3, 1e-4):
+        assert difference(size) < 20 * size**2
+
+
+def test_closed_paths_over_several_moves_add_what_gravity_does_not_show():
+    """Turns about the vertical tell gravity nothing; that the attitude came back does."""
+    turns = np.random.default_rng(2).uniform(-2.5, 2.5, (10, 3))
+    back = [[0, 0, 1.5], [0, 1.2, 0], [0, -1.2, 0], [0, 0, -1.5]]
+    true, rows = moved([*back, *turns])
+    errors = unit(4)
+    record = log(measure(true, errors, NOISE, np.random.default_rng(9)))
+    truth = in_axes(errors, "accelerometers").gyro_error
+    without, with_path = (
+        calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE, closed=closed)
+        for closed in ((), [(0, 4)])
+    )
+    assert (with_path.deviations.gyro_error <= without.deviations.gyro_error * (1 + 1e-6)).all()
+    assert len(with_path.turn_residuals) == len(without.turn_residuals) + 1
+    wrong = (with_path.imu_errors.gyro_error - truth) / with_path.deviations.gyro_error
+    assert largest(wrong) < 4.9
+
+
+def test_too_few_poses_leave_numbers_in_the_dark():
+    true, rows = moved([[0.5, 0, 0], [0, 0, 1.0], [-0.4, 0, 0]])
+    record = log(measure(true, unit(4), NOISE, np.random.default_rng(1)))
+    with pytest.raises(
+        ValueError, match=r"^rests: expected poses that show all 21 numbers"
+    ) as info:
+        calibrate_by_poses(record, rows, gravity=GRAVITY)
+    assert "accelerometer bias x" in str(info.value)
+    assert "gyro bias" not in str(info.value)  # the rests show it
+    found = calibrate_by_poses(record, rows, gravity=GRAVITY, prior=WIDE)
+    assert found.deviations.accelerometer_bias[0] == pytest.approx(0.1, rel=0.2)  # still dark
+    assert found.deviations.gyro_bias.max() < 1e-3
+
+
+def test_turns_about_two_axes_leave_the_third_gyro_in_the_dark():
+    turns = np.random.default_rng(2).uniform(-2.5, 2.5, (14, 3)) * [1, 0, 0]
+    true, rows = moved(turns)
+    with pytest.raises(ValueError, match=r"in the dark.*gyro scale y.*gyro scale z"):
+        calibrate_by_poses(
+            log(measure(true, unit(4), NOISE, np.random.default_rng(1))), rows, gravity=GRAVITY
+        )
+
+
+TRUE, ROWS = by_hand()
+GOOD = {"recording": log(TRUE), "rests": ROWS, "gravity": GRAVITY, "noise": NOISE}
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"recording": 3}, "^recording: expected a Recording"),
+        ({"recording": Recording(TRUE.angle, None, 0.02, "increments")}, "^recording: .* without"),
+        ({"gravity": None}, "^gravity: expected m/s.2, because the record knows neither"),
+        ({"gravity": -9.8}, "^gravity: expected a positive number"),
+        ({"rests": ROWS[:1]}, "^rests: expected at least two, .* got 1"),
+        ({"rests": ROWS[::-1]}, "^rests: expected rows in order"),
+        ({"rests": [*ROWS, (10**6, 10**6 + 9)]}, "^rests: expected rows in order"),
+        ({"body_axes": "mine"}, "^body_axes: expected one of averaged, .*, got 'mine'"),
+        ({"closed": [(3, 2)]}, "^closed: expected pairs of rests 0 to 14, the earlier"),
+        ({"closed": [(0, 99)]}, "^closed: expected pairs"),
+        ({"noise": 1.0}, "^noise: expected an ImuNoise"),
+        ({"prior": 1.0}, "^prior: expected a PriorDeviations"),
+        ({"prior": PriorDeviations(scale=0.0)}, "^prior: expected deviations above zero"),
+        ({"gyro_bias": [1.0, 2.0]}, "^gyro_bias: expected shape"),
+        ({"gyro_bias": [[1.0, 2.0, 3.0]]}, "^gyro_bias: expected shape"),
+    ],
+)
+def test_refusals(change, words):
+    with pytest.raises(ValueError, match=words):
+        calibrate_by_poses(**(GOOD | change))
+
+
+def test_gravity_is_the_records_or_that_of_its_latitude():
+    given = Recording(TRUE.angle, TRUE.velocity, 0.02, "increments", gravity=9.7, latitude=0.5)
+    place = Recording(TRUE.angle, TRUE.velocity, 0.02, "increments", latitude=0.5)
+    assert calibrate_by_poses(given, ROWS, noise=NOISE).gravity == 9.7
+    assert 9.78 < calibrate_by_poses(place, ROWS, noise=NOISE).gravity < 9.80
+
+
+# Published units.
+
+# IMU-TK's result on its own record, as its users publish it, with zeros below the diagonal and with
+# zeros above: x' = T K (x - b), counts.
+IMU_TK = {
+    "lower triangle accelerometers": (
+        ([[1, -0.0033593, -0.00890639], [0, 1, -0.0213341], [0, 0, 1]],
+         [0.00241278, 0.00242712, 0.00241168]),
+        ([[1, 0.00593634, 0.00111101], [0.00808812, 1, -0.0535569], [0.0253067, -0.0025513, 1]],
+         [0.000209295, 0.000209899, 0.000209483]),
+    ),
+    "accelerometers": (
+        ([[1, 0, 0], [-0.00354989, 1, 0], [-0.00890444, -0.0213032, 1]],
+         [0.00241267, 0.00242659, 0.00241232]),
+        ([[1, 0.00927517, 0.00990014], [0.00507442, 1, -0.0322229], [0.0162201, -0.0239393, 1]],
+         [0.000209338, 0.000209834, 0.000209664]),
+    ),
+}  # fmt: skip
+
+
+def published_xsens(body_axes):
+    """Error matrices of accelerometers and gyros: true = T K (x - b), x = measured / scale."""
+    for (t, k), scale in zip(
+        IMU_TK[body_axes], (XSENS_ACCELEROMETER_SCALE, XSENS_GYRO_SCALE), strict=True
+    ):
+        yield np.linalg.inv(np.array(t) * k / scale) - np.eye(3)
+
+
+def test_the_two_published_results_are_one_unit():
+    upper, lower = (list(published_xsens(axes)) for axes in IMU_TK)
+    turn = body_frame_rotation(upper[0], frame="upper triangle")
+    for one, other in zip(upper, lower, strict=True):
+        assert largest(change_body_frame(one, turn) - other) < 1e-5
+
+
+@cache
+def xsens():
+    recording = recording_or_skip("xsens-mti")
+    return recording, rests(recording, multiple=6)
+
+
+def test_xsens_is_as_published():
+    """With IMU-TK's bias, the mean of the first rest. The entries' own deviations are 2e-3."""
+    recording, found = xsens()
+    begin, end = found.rows[0]
+    bias = recording.gyro[begin:end].mean(axis=0)
+    unit = calibrate_by_poses(recording, found, gyro_bias=bias)
+    ours = unit.imu_errors.accelerometer_error, unit.imu_errors.gyro_error
+    turn = body_frame_rotation(ours[0], frame="lower triangle")
+    lower, upper = IMU_TK
+    for one, here, there in zip(ours, published_xsens(upper), published_xsens(lower), strict=True):
+        assert largest(one - here) < 5e-4
+        assert largest(change_body_frame(one, turn) - there) < 5e-4
+    assert not unit.consistency["rates"].holds
+
+
+def test_xsens_gyros_feel_gravity():
+    """Nine numbers more take the residual of the moves from half a degree to an eighth."""
+    recording, found = xsens()
+    plain = calibrate_by_poses(recording, found)
+    felt = calibrate_by_poses(recording, found, sensitivity=True)
+    rms = [np.sqrt(np.mean(unit.turn_residuals**2)) for unit in (plain, felt)]
+    assert rms[1] < rms[0] / 3
+    assert largest(felt.sensitivity / felt.sensitivity_deviations) > 20
+    ratios = [
+        u.consistency["rates"].chi_square / u.consistency["rates"].freedom for u in (plain, felt)
+    ]
+    assert ratios[0] > 20
+    assert ratios[1] < 2
+    # The published matrix is one that gravity has bent.
+    _, gyros = published_xsens("accelerometers")
+    assert largest(felt.imu_errors.gyro_error - gyros) > 2 * felt.deviations.gyro_error.max()
+
+
+# Scales in percent, angles in degrees: sx sy sz myz mxy mxz of each triad, and epsilon.
+MPU9150 = {
+    1: ([0.363, 0.315, 0.647, 0.123, 0.020, 0.317],
+        [0.041, 0.457, 0.826, -0.034, -0.120, 0.806], [0.030, -0.364, -0.074]),
+    2: ([0.471, 0.482, 0.932, -0.284, -0.010, 0.145],
+        [0.007, 0.260, -0.179, -0.639, 0.210, 0.262], [-0.565, 0.013, 0.069]),
+    3: ([0.382, 0.355, 0.780, 0.260, -0.012, 0.282],
+        [-0.058, 0.277, 0.242, 0.150, -0.072, 0.876], [0.142, -0.482, -0.079]),
+    4: ([0.263, 0.448, 0.721, -0.009, -0.028, -0.104],
+        [0.227, 0.599, 0.308, -0.105, 0.025, 0.072], [-0.102, -0.129, 0.015]),
+    5: ([0.251, 0.286, 0.804, 0.056, 0.000, 0.191],
+        [0.226, 0.570, 0.853, 0.080, 0.178, 0.497], [0.077, -0.223, 0.075]),
+}  # fmt: skip
+
+
+def published_mpu9150(number):
+    """Error matrices; the gyros' epsilon leads from their axes to those of the accelerometers."""
+    *triads, epsilon = MPU9150[number]
+    found = []
+    for sx, sy, sz, *angles in triads:
+        yz, xy, xz = np.radians(angles)
+        scales = np.diag([sx, sy, sz]) / 100
+        found.append(np.eye(3) + scales + [[0, xy, xz], [0, 0, yz], [0, 0, 0]])
+    turn = np.eye(3) + cross_matrix(np.radians(epsilon))
+    return found[0] - np.eye(3), turn @ found[1] - np.eye(3)
+
+
+@cache
+def mpu9150(number):
+    recording = recording_or_skip(f"mpu9150-{number}")
+    found = rests(recording)
+    return (
+        recording,
+        found,
+        calibrate_by_poses(recording, found, body_axes="lower triangle accelerometers"),
+    )
+
+
+@pytest.mark.parametrize("number", MPU9150)
+def test_five_units_are_as_published_but_for_the_gyros_of_two(number):
+    """Deviations are 3e-4 and 1e-3; a tenth unit would leave three of them once in ten."""
+    _, _, unit = mpu9150(number)
+    accelerometers, gyros = published_mpu9150(number)
+    assert largest(unit.imu_errors.accelerometer_error - accelerometers) < 4e-4
+    difference = largest(unit.imu_errors.gyro_error - gyros)
+    low, high = {2: (4e-3, 6e-3), 4: (2.5e-3, 3.5e-3)}.get(number, (0.0, 1.5e-3))
+    assert low < difference < high
+    for test in unit.consistency.values():  # noise of the rests explains all that is left
+        assert test.chi_square < 1.5 * test.freedom
+
+
+def test_a_pause_that_is_no_rest_makes_the_published_table_of_the_second_unit():
+    """Its authors' rule takes 0.16 s in the middle of a move for a rest, while the unit sways."""
+    recording, found, unit = mpu9150(2)
+    _, gyros = published_mpu9150(2)
+    pause = (1634, 1648)
+    assert all(not (b < pause[1] and pause[0] < e) for b, e in found.rows)
+    sway = recording.gyro[slice(*pause)].std(axis=0)
+    begin, end = found.rows[int(np.argmin(found.loudest))]
+    assert sway.min() > 20 * recording.gyro[begin:end].std(axis=0).max()
+    with_pause = calibrate_by_poses(
+        recording, sorted([*found.rows, pause]), body_axes="lower triangle accelerometers"
+    )
+    assert largest(with_pause.imu_errors.gyro_error - gyros) < largest(
+        unit.imu_errors.gyro_error - gyros
+    )
+    assert with_pause.turn_residuals.max() > 3 * unit.turn_residuals.max()
+
+
+def test_larins_turns_by_hand():
+    """Each turn of the Ferraris session alone, as a closed path, and Larin's formula on it."""
+    recording = recording_or_skip("ferraris-session")
+    found, sections = rests(recording), ferraris_sections(download=False)
+    angle = recording.angles()
+    for name, axis, published in (
+        ("x_rot", 0, 0.02790),
+        ("y_rot", 1, -0.01758),
+        ("z_rot", 2, -0.00177),
+    ):
+        middle = sum(sections[name]) / 2
+        first = int(np.searchsorted(found.begin, middle)) - 1
+        pair = found.rows[first : first + 2]
+        unit = calibrate_by_poses(recording, pair, gravity=9.81, closed=[(0, 1)], prior=WIDE)
+        estimate = unit.imu_errors.gyro_error[axis, axis]
+        way = angle[pair[0][1] - 1 : pair[1][0]] - recording.interval * unit.imu_errors.gyro_bias
+        turn = np.eye(3)[axis] * np.sign(way.sum(axis=0)[axis])
+        larin = float(turn_estimate(integrate(way, "memory-4")[-1], turn))
+        assert abs(estimate - larin) < 1e-3
+        assert abs(larin - published) < 1e-3

@@ -1,0 +1,123 @@
+"""Rests: found where they are, with their reasons, in simulated logs and in published ones."""
+
+import numpy as np
+import pytest
+
+from driftlab.recordings.recording import Recording
+from driftlab.recordings.rests import rests
+from support import recording_or_skip
+
+NOISE, FORCE_NOISE = 1e-3, 2e-2
+
+
+def log(*moves, rows=3000, interval=0.01, kind="rates", force=True):
+    """Rest with noise, but for turns of 1 rad/s between the given rows."""
+    rng = np.random.default_rng(3)
+    gyro = NOISE * rng.standard_normal((rows, 3))
+    accelerometer = FORCE_NOISE * rng.standard_normal((rows, 3)) + [0.0, 0.0, 9.8]
+    for begin, end in moves:
+        gyro[begin:end, 1] += 1 - np.cos(np.linspace(0, 2 * np.pi, end - begin))
+    if kind == "increments":
+        gyro, accelerometer = gyro * interval, accelerometer * interval
+    return Recording(gyro, accelerometer if force else None, interval, kind)
+
+
+@pytest.mark.parametrize("kind", ["rates", "increments"])
+@pytest.mark.parametrize("force", [True, False])
+def test_rests_lie_between_the_moves_and_touch_none(kind, force):
+    moves = [(800, 1000), (1600, 1900)]
+    found = rests(log(*moves, kind=kind, force=force))
+    assert len(found) == 3
+    edges = [0, *np.ravel(moves), 3000]
+    for (begin, end), first, last in zip(found.rows, edges[::2], edges[1::2], strict=True):
+        # A window of 1 s is cut off, and may have reached into the move by less than that.
+        assert first < begin <= first + 100
+        assert last - 100 <= end < last
+    np.testing.assert_allclose(found.durations, (found.end - found.begin) * 0.01)
+    assert (found.loudest >= 1).all()
+    assert (found.loudest < 20).all()
+
+
+def test_noise_is_that_of_the_quietest_window():
+    """A variance of n values has a deviation of sqrt(2/n) of itself; here 3 x 100 of them, the
+    least of 24 independent windows: no more than 4 deviations below."""
+    found = rests(log((800, 1000)))
+    for noise, true in ((found.gyro_noise, NOISE), (found.accelerometer_noise, FORCE_NOISE)):
+        ratio = noise / (true * np.sqrt(3))
+        assert 1 - 4 * np.sqrt(0.5 / 300) < ratio < 1
+
+
+def test_what_is_quiet_but_too_short_is_told():
+    found = rests(log((800, 1000), (1200, 1400)))
+    assert len(found) == 2
+    ((begin, end),) = found.too_short
+    assert 1000 < begin < end < 1200
+    assert "too short" in repr(found)
+    assert "1 quiet stretches were too short" in found.why
+    longer = rests(log((800, 1000), (1200, 1400)), window=0.5)
+    assert len(longer) == 3
+
+
+def test_a_log_without_moves_is_one_rest():
+    found = rests(log())
+    assert found.rows == [(100, 2900)]
+    assert found.why.startswith("1 rest: ")
+
+
+def test_other_multiples_are_told():
+    found = rests(log((800, 1000)))
+    assert found.alternatives == ((10.0, 2), (40.0, 2))
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"window": 20.0}, r"^recording: expected at least two windows of 20 s, got 30 s"),
+        ({"multiple": 1.0}, r"^multiple: expected more than 1"),
+        ({"trim": 0.1}, r"^trim: expected at least half a window, 0.5, got 0.1"),
+        ({"window": 0}, r"^window: expected a positive number"),
+        (
+            {"shortest": 60.0},
+            r"^recording: expected a rest of 62 s, settling included, .* got 30 s",
+        ),
+    ],
+)
+def test_refusals(change, words):
+    with pytest.raises(ValueError, match=words):
+        rests(log(), **change)
+
+
+def test_a_record_that_is_none_is_refused():
+    with pytest.raises(ValueError, match=r"^recording: expected a Recording"):
+        rests(np.zeros((300, 3)))
+
+
+def test_a_triad_that_hangs_is_refused():
+    gyro = NOISE * np.random.default_rng(1).standard_normal((1000, 3)) + 0.3
+    gyro[400:700] = gyro[400]
+    with pytest.raises(ValueError, match=r"^recording.gyro: expected noise .* 100 equal rows"):
+        rests(Recording(gyro, None, 0.01, "rates"))
+
+
+@pytest.mark.parametrize(
+    ("name", "count"),
+    [
+        ("xsens-mti", 38),  # as IMU-TK finds
+        ("ferraris-session", 13),  # six poses, the ways to the turns, and between them
+        *((f"mpu9150-{number}", 22) for number in range(1, 6)),
+    ],
+)
+def test_published_records(name, count):
+    recording = recording_or_skip(name)
+    for multiple in (20, 30, 40):
+        assert len(rests(recording, multiple=multiple)) == count
+
+
+def test_a_parked_car_rests_for_most_of_the_time():
+    found = rests(recording_or_skip("laser-gyro"))
+    longest = int(np.argmax(found.durations))
+    assert found.durations.sum() > 0.9 * 1847
+    # The quiet stretch that its users speak of.
+    begin, end = (row * 0.01 for row in found.rows[longest])
+    assert begin < 1050
+    assert end > 1490
