@@ -1,5 +1,5 @@
 """Calibration by poses: simulated units are found again with the deviations stated, one closed turn
-is Larin's estimate, too few poses are refused, and published units come out as published."""
+is Larin's estimate, and too few poses are refused."""
 
 from functools import cache
 from itertools import pairwise
@@ -18,15 +18,8 @@ from driftlab.drift import turn_estimate
 from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise, PriorDeviations
 from driftlab.increments import Increments, measure
 from driftlab.quaternion import rotate
-from driftlab.recordings.publishers import (
-    XSENS_ACCELEROMETER_SCALE,
-    XSENS_GYRO_SCALE,
-    ferraris_sections,
-)
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.rests import rests
-from driftlab.vectors import cross_matrix
-from support import assert_normal, chi_bounds, largest, recording_or_skip
+from support import assert_normal, chi_bounds, largest
 
 GRAVITY = 9.81
 NOISE = ImuNoise(angle_random_walk=1e-4, velocity_random_walk=1e-3)
@@ -311,6 +304,7 @@ GOOD = {"recording": log(TRUE), "rests": ROWS, "gravity": GRAVITY, "noise": NOIS
         ({"gravity": None}, "^gravity: expected m/s.2, because the record knows neither"),
         ({"gravity": -9.8}, "^gravity: expected a positive number"),
         ({"rests": ROWS[:1]}, "^rests: expected at least two, .* got 1"),
+        ({"rests": [(0, 500), (500, 900)]}, "^rests: expected moves between them, got 0 rows"),
         ({"rests": ROWS[::-1]}, "^rests: expected rows in order"),
         ({"rests": [*ROWS, (10**6, 10**6 + 9)]}, "^rests: expected rows in order"),
         ({"body_axes": "mine"}, "^body_axes: expected one of averaged, .*, got 'mine'"),
@@ -333,168 +327,3 @@ def test_gravity_is_the_records_or_that_of_its_latitude():
     place = Recording(TRUE.angle, TRUE.velocity, 0.02, "increments", latitude=0.5)
     assert calibrate_by_poses(given, ROWS, noise=NOISE).gravity == 9.7
     assert 9.78 < calibrate_by_poses(place, ROWS, noise=NOISE).gravity < 9.80
-
-
-# Published units.
-
-# IMU-TK's result on its own record, as its users publish it, with zeros below the diagonal and with
-# zeros above: x' = T K (x - b), counts.
-IMU_TK = {
-    "lower triangle accelerometers": (
-        ([[1, -0.0033593, -0.00890639], [0, 1, -0.0213341], [0, 0, 1]],
-         [0.00241278, 0.00242712, 0.00241168]),
-        ([[1, 0.00593634, 0.00111101], [0.00808812, 1, -0.0535569], [0.0253067, -0.0025513, 1]],
-         [0.000209295, 0.000209899, 0.000209483]),
-    ),
-    "accelerometers": (
-        ([[1, 0, 0], [-0.00354989, 1, 0], [-0.00890444, -0.0213032, 1]],
-         [0.00241267, 0.00242659, 0.00241232]),
-        ([[1, 0.00927517, 0.00990014], [0.00507442, 1, -0.0322229], [0.0162201, -0.0239393, 1]],
-         [0.000209338, 0.000209834, 0.000209664]),
-    ),
-}  # fmt: skip
-
-
-def published_xsens(body_axes):
-    """Error matrices of accelerometers and gyros: true = T K (x - b), x = measured / scale."""
-    for (t, k), scale in zip(
-        IMU_TK[body_axes], (XSENS_ACCELEROMETER_SCALE, XSENS_GYRO_SCALE), strict=True
-    ):
-        yield np.linalg.inv(np.array(t) * k / scale) - np.eye(3)
-
-
-def test_the_two_published_results_are_one_unit():
-    upper, lower = (list(published_xsens(axes)) for axes in IMU_TK)
-    turn = body_frame_rotation(upper[0], frame="upper triangle")
-    for one, other in zip(upper, lower, strict=True):
-        assert largest(change_body_frame(one, turn) - other) < 1e-5
-
-
-@cache
-def xsens():
-    recording = recording_or_skip("xsens-mti")
-    return recording, rests(recording, multiple=6)
-
-
-def test_xsens_is_as_published():
-    """With IMU-TK's bias, the mean of the first rest. The entries' own deviations are 2e-3."""
-    recording, found = xsens()
-    begin, end = found.rows[0]
-    bias = recording.gyro[begin:end].mean(axis=0)
-    unit = calibrate_by_poses(recording, found, gyro_bias=bias)
-    ours = unit.imu_errors.accelerometer_error, unit.imu_errors.gyro_error
-    turn = body_frame_rotation(ours[0], frame="lower triangle")
-    lower, upper = IMU_TK
-    for one, here, there in zip(ours, published_xsens(upper), published_xsens(lower), strict=True):
-        assert largest(one - here) < 5e-4
-        assert largest(change_body_frame(one, turn) - there) < 5e-4
-    assert not unit.consistency["rates"].holds
-
-
-def test_xsens_gyros_feel_gravity():
-    """Nine numbers more take the residual of the moves from half a degree to an eighth."""
-    recording, found = xsens()
-    plain = calibrate_by_poses(recording, found)
-    felt = calibrate_by_poses(recording, found, sensitivity=True)
-    rms = [np.sqrt(np.mean(unit.turn_residuals**2)) for unit in (plain, felt)]
-    assert rms[1] < rms[0] / 3
-    assert largest(felt.sensitivity / felt.sensitivity_deviations) > 20
-    ratios = [
-        u.consistency["rates"].chi_square / u.consistency["rates"].freedom for u in (plain, felt)
-    ]
-    assert ratios[0] > 20
-    assert ratios[1] < 2
-    # The published matrix is one that gravity has bent.
-    _, gyros = published_xsens("accelerometers")
-    assert largest(felt.imu_errors.gyro_error - gyros) > 2 * felt.deviations.gyro_error.max()
-
-
-# Scales in percent, angles in degrees: sx sy sz myz mxy mxz of each triad, and epsilon.
-MPU9150 = {
-    1: ([0.363, 0.315, 0.647, 0.123, 0.020, 0.317],
-        [0.041, 0.457, 0.826, -0.034, -0.120, 0.806], [0.030, -0.364, -0.074]),
-    2: ([0.471, 0.482, 0.932, -0.284, -0.010, 0.145],
-        [0.007, 0.260, -0.179, -0.639, 0.210, 0.262], [-0.565, 0.013, 0.069]),
-    3: ([0.382, 0.355, 0.780, 0.260, -0.012, 0.282],
-        [-0.058, 0.277, 0.242, 0.150, -0.072, 0.876], [0.142, -0.482, -0.079]),
-    4: ([0.263, 0.448, 0.721, -0.009, -0.028, -0.104],
-        [0.227, 0.599, 0.308, -0.105, 0.025, 0.072], [-0.102, -0.129, 0.015]),
-    5: ([0.251, 0.286, 0.804, 0.056, 0.000, 0.191],
-        [0.226, 0.570, 0.853, 0.080, 0.178, 0.497], [0.077, -0.223, 0.075]),
-}  # fmt: skip
-
-
-def published_mpu9150(number):
-    """Error matrices; the gyros' epsilon leads from their axes to those of the accelerometers."""
-    *triads, epsilon = MPU9150[number]
-    found = []
-    for sx, sy, sz, *angles in triads:
-        yz, xy, xz = np.radians(angles)
-        scales = np.diag([sx, sy, sz]) / 100
-        found.append(np.eye(3) + scales + [[0, xy, xz], [0, 0, yz], [0, 0, 0]])
-    turn = np.eye(3) + cross_matrix(np.radians(epsilon))
-    return found[0] - np.eye(3), turn @ found[1] - np.eye(3)
-
-
-@cache
-def mpu9150(number):
-    recording = recording_or_skip(f"mpu9150-{number}")
-    found = rests(recording)
-    return (
-        recording,
-        found,
-        calibrate_by_poses(recording, found, body_axes="lower triangle accelerometers"),
-    )
-
-
-@pytest.mark.parametrize("number", MPU9150)
-def test_five_units_are_as_published_but_for_the_gyros_of_two(number):
-    """Deviations are 3e-4 and 1e-3; a tenth unit would leave three of them once in ten."""
-    _, _, unit = mpu9150(number)
-    accelerometers, gyros = published_mpu9150(number)
-    assert largest(unit.imu_errors.accelerometer_error - accelerometers) < 4e-4
-    difference = largest(unit.imu_errors.gyro_error - gyros)
-    low, high = {2: (4e-3, 6e-3), 4: (2.5e-3, 3.5e-3)}.get(number, (0.0, 1.5e-3))
-    assert low < difference < high
-    for test in unit.consistency.values():  # noise of the rests explains all that is left
-        assert test.chi_square < 1.5 * test.freedom
-
-
-def test_a_pause_that_is_no_rest_makes_the_published_table_of_the_second_unit():
-    """Its authors' rule takes 0.16 s in the middle of a move for a rest, while the unit sways."""
-    recording, found, unit = mpu9150(2)
-    _, gyros = published_mpu9150(2)
-    pause = (1634, 1648)
-    assert all(not (b < pause[1] and pause[0] < e) for b, e in found.rows)
-    sway = recording.gyro[slice(*pause)].std(axis=0)
-    begin, end = found.rows[int(np.argmin(found.loudest))]
-    assert sway.min() > 20 * recording.gyro[begin:end].std(axis=0).max()
-    with_pause = calibrate_by_poses(
-        recording, sorted([*found.rows, pause]), body_axes="lower triangle accelerometers"
-    )
-    assert largest(with_pause.imu_errors.gyro_error - gyros) < largest(
-        unit.imu_errors.gyro_error - gyros
-    )
-    assert with_pause.turn_residuals.max() > 3 * unit.turn_residuals.max()
-
-
-def test_larins_turns_by_hand():
-    """Each turn of the Ferraris session alone, as a closed path, and Larin's formula on it."""
-    recording = recording_or_skip("ferraris-session")
-    found, sections = rests(recording), ferraris_sections(download=False)
-    angle = recording.angles()
-    for name, axis, published in (
-        ("x_rot", 0, 0.02790),
-        ("y_rot", 1, -0.01758),
-        ("z_rot", 2, -0.00177),
-    ):
-        middle = sum(sections[name]) / 2
-        first = int(np.searchsorted(found.begin, middle)) - 1
-        pair = found.rows[first : first + 2]
-        unit = calibrate_by_poses(recording, pair, gravity=9.81, closed=[(0, 1)], prior=WIDE)
-        estimate = unit.imu_errors.gyro_error[axis, axis]
-        way = angle[pair[0][1] - 1 : pair[1][0]] - recording.interval * unit.imu_errors.gyro_bias
-        turn = np.eye(3)[axis] * np.sign(way.sum(axis=0)[axis])
-        larin = float(turn_estimate(integrate(way, "memory-4")[-1], turn))
-        assert abs(estimate - larin) < 1e-3
-        assert abs(larin - published) < 1e-3

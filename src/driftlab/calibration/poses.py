@@ -269,16 +269,19 @@ def _poses(
     moves = [slice(first, last) for first, last in zip(end[:-1], begin[1:], strict=True)]
     angle = recording.angles()
     velocity = recording.increments().velocity if sensitivity else None
+    way, algorithm = np.concatenate([angle[move] for move in moves]), attitude_algorithm("memory-4")
+    if len(way) < algorithm.window:
+        raise ValueError(f"rests: expected moves between them, got {len(way)} rows of moves.")
     at_once = [i for i, j in closed if j == i + 1]
     return core.Poses(
         np.array([share * recording.accelerometer[b:e].mean(axis=0) for b, e in rows]),
         np.array([share * recording.gyro[b:e].mean(axis=0) for b, e in rows]),
-        np.concatenate([angle[move] for move in moves]),
+        way,
         None if velocity is None else np.concatenate([velocity[move] for move in moves]),
         recording.interval,
         np.cumsum([0, *(len(angle[move]) for move in moves)]),
         gravity,
         np.array(closed, int).reshape(-1, 2),
         np.setdiff1d(np.arange(len(rows) - 1), at_once),
-        attitude_algorithm("memory-4"),
+        algorithm,
     )
