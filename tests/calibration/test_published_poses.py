@@ -179,6 +179,5 @@ def test_larins_turns_by_hand():
         way = angle[pair[0][1] - 1 : pair[1][0]] - recording.interval * unit.imu_errors.gyro_bias
         turn = np.eye(3)[axis] * np.sign(way.sum(axis=0)[axis])
         larin = float(turn_estimate(integrate(way, "memory-4")[-1], turn))
-        print(name, estimate, larin, published)
         assert abs(estimate - larin) < 1e-4
         assert abs(larin - published) < 2e-4
