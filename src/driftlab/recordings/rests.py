@@ -223,7 +223,7 @@ def rests(
         raise ValueError(
             f"recording: expected a rest of {least + 2 * cut:g} s, settling included, in which no "
             f"window of {seconds:g} s scatters by more than {times:g} times the noise of the "
-            f"quietest one, got {longest:.2g} s at most: a larger multiple or a shorter rest may do."
+            f"quietest one, got {longest:.2g} s at most: try a larger multiple or a shorter rest."
         )
     return Rests(
         np.array([b for b, _ in kept]),
