@@ -55,6 +55,7 @@ from driftlab.drift import (
 from driftlab.gyrocompass import (
     alignment,
     heading_error,
+    inertial_alignment,
     levelling,
     noise,
     simulation,
@@ -227,6 +228,10 @@ CASES = {
         "heading": TIME,
         "pitch": PITCH,
     },
+    fixed(inertial_alignment.inertial_alignment_deviation, angle_random_walk=1e-6): {
+        "latitude": LATITUDE,
+        "duration": TIME,
+    },
     heading_error.speed_error: {"latitude": LATITUDE, "velocity": LEVEL},
     fixed(axes.convert_vectors, from_axes="NED", to_axes="NUE"): {"vectors": RATE},
     fixed(axes.convert_matrix, from_axes="FRD", to_axes="RFU"): {"matrix": BENT},
@@ -272,6 +277,7 @@ APART = {
     static_navigation.navigate_static,
     nominal_readings.checked_zeros,
     levelling.propagate_level_frame,
+    inertial_alignment.align_in_inertial_frame,
     simulation.simulate_compass,
     vehicle.vehicle_trajectory,
     # Their last axis is a row, and shorter or gone in the answer.
@@ -310,6 +316,7 @@ WITHOUT_AXES = (
     "yaw_error",
     "gravity",
     "times",
+    "duration",
     "dial",
     "north_error",
     "latitude_error",

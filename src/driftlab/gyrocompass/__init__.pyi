@@ -2,6 +2,7 @@ from . import (
     alignment as alignment,
     gains as gains,
     heading_error as heading_error,
+    inertial_alignment as inertial_alignment,
     levelling as levelling,
     noise as noise,
     simulation as simulation,
@@ -25,6 +26,11 @@ from .heading_error import (
     heading_error_of_attitude as heading_error_of_attitude,
     operating_heading_error as operating_heading_error,
     speed_error as speed_error,
+)
+from .inertial_alignment import (
+    InertialAlignment as InertialAlignment,
+    align_in_inertial_frame as align_in_inertial_frame,
+    inertial_alignment_deviation as inertial_alignment_deviation,
 )
 from .levelling import (
     LevelFrame as LevelFrame,

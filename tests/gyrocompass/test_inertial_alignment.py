@@ -1,0 +1,327 @@
+"""Alignment in inertial space against simulated bodies, its rival, its formulas; refusals."""
+
+import time
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from driftlab.core.carried_gravity import cone_velocity, earth_turn, wahba_rotation
+from driftlab.core.velocity_noise import _mixtures, _windows, mean_deviation
+from driftlab.earth import EARTH_RATE
+from driftlab.frames import from_euler_angles, navigation_frame_rate, to_euler_angles
+from driftlab.gyrocompass.alignment import align, alignment_attitude_error
+from driftlab.gyrocompass.inertial_alignment import (
+    _DENSITIES,
+    align_in_inertial_frame,
+    inertial_alignment_deviation,
+)
+from driftlab.increments import Increments
+from driftlab.motion.vehicle import static_imu, vehicle_trajectory
+from driftlab.quaternion import (
+    conjugate,
+    from_rotation_vector,
+    multiply,
+    rotate,
+    rotation_angle,
+    to_rotation_vector,
+)
+from support import random_quaternions
+
+LATITUDE = np.radians(51.5)
+WALK = np.radians(0.01) / 60
+BELL = 140 * np.polynomial.Polynomial([0, 1, -1]) ** 3
+
+
+def still(attitude, latitude, *, interval, count):
+    """Increments of a body at rest."""
+    rate, force = static_imu(attitude, latitude)
+    rows = (
+        np.repeat(interval * part[..., np.newaxis, :], count, axis=-2) for part in (rate, force)
+    )
+    return Increments(interval, *rows)
+
+
+def ship(latitude, duration, interval, rng, arm=(3.0, 10.0, 2.0)):
+    """A ship that rolls by 5 degrees in 8 s, and pitches and yaws; the unit sits off its centre."""
+    times = interval * np.arange(round(duration / interval) + 1)
+    heading, pitch, roll = (
+        np.radians(size) * np.sin(2 * np.pi / period * times + rng.uniform(0, 2 * np.pi))
+        for size, period in ((2.0, 10.4), (1.5, 6.4), (5.0, 8.0))
+    )
+    heading = heading + rng.uniform(-np.pi, np.pi)
+    place = rotate(from_euler_angles(heading, pitch, roll), np.array(arm))
+    velocity = np.gradient(place, interval, axis=0)
+    return vehicle_trajectory(
+        latitude, velocity[:, [0, 2]], heading, pitch, roll, interval=interval
+    )
+
+
+def error(found, true):
+    """Rotation vector in North, Up, East from the true to the found attitude."""
+    return to_rotation_vector(multiply(found, conjugate(true)))
+
+
+# Attitude
+
+
+def test_an_attitude_at_rest_is_found_in_both_hemispheres():
+    attitude = random_quaternions(4, seed=1)
+    places = np.radians([-80.0, -33.0, 0.0, 51.5])
+    found = align_in_inertial_frame(still(attitude, places, interval=0.1, count=3000), places)
+    # A step is 0.2 s, in which the Earth turns by 1.5e-5; rounding is magnified by 1/(U T)^2.
+    for body in (found.attitude, found.start_attitude):
+        assert rotation_angle(multiply(body, conjugate(attitude))).max() < 1e-9
+    assert np.allclose(found.level_rate, EARTH_RATE * np.cos(places), rtol=1e-7)
+    assert found.residual.max() < 1e-9
+    assert found.deviation.max() < 1e-8
+
+
+@pytest.mark.parametrize("swing", [0.0, 0.3])
+def test_angles_are_those_at_the_end_while_a_body_turns(swing):
+    interval = 0.02
+    times = np.arange(0, 200 + interval / 2, interval)
+    ride = vehicle_trajectory(
+        -LATITUDE,
+        np.zeros((len(times), 2)),
+        2.0 + 0.02 * times,
+        swing * np.sin(0.1 * times),
+        interval=interval,
+    )
+    found = align_in_inertial_frame(ride.increments, -LATITUDE)
+    # The simulated rate is steady in an interval and jumps between two. Steps of pairs take it for
+    # smooth: their coning weight is 2/3 where 1/2 were right, a drift of w x w' dt^2/12.
+    drift = 0.02 * (swing * 0.01) * interval**2 / 12
+    bound = 1e-9 + drift / (EARTH_RATE * np.cos(LATITUDE))
+    assert rotation_angle(multiply(found.attitude, conjugate(ride.attitude[-1]))) < bound
+    assert rotation_angle(multiply(found.start_attitude, conjugate(ride.attitude[0]))) < bound
+    expected = to_euler_angles(ride.attitude[-1])
+    assert np.allclose([found.heading, found.pitch, found.roll], expected, atol=bound)
+
+
+def test_means_and_inertial_space_agree_on_a_body_that_is_still():
+    rng = np.random.default_rng(4)
+    attitude = from_euler_angles(
+        rng.uniform(-3, 3, 5), rng.uniform(-1, 1, 5), rng.uniform(-3, 3, 5)
+    )
+    rows = still(attitude, LATITUDE, interval=0.5, count=200)
+    means = align(rows.angle.mean(axis=-2), rows.velocity.mean(axis=-2)).attitude
+    found = align_in_inertial_frame(rows, LATITUDE).attitude
+    assert rotation_angle(multiply(found, conjugate(means))).max() < 1e-8
+
+
+@pytest.mark.parametrize("latitude", np.radians([-55.0, 10.0, 60.0]))
+def test_a_ship_in_a_swell_is_aligned_where_means_fail_by_degrees(latitude):
+    rng = np.random.default_rng(8)
+    for _ in range(3):
+        ride = ship(latitude, 300.0, 0.02, rng)
+        found = align_in_inertial_frame(ride.increments, latitude)
+        # Three swings together move the unit by at most 1.3 m, each in at most 10.4 s. Integrated
+        # by parts, the bell's third derivative at the two ends is left, 840 each.
+        swung = 1.3 * 10.4 / (2 * np.pi)
+        bound = 2 * 840 * swung / (9.8 * EARTH_RATE * np.cos(latitude) * 300.0**4)
+        assert abs(error(found.attitude, ride.attitude[-1])[1]) < bound < np.radians(0.1)
+        _, angle, velocity = ride.increments
+        means = align(angle.mean(axis=0), velocity.mean(axis=0))
+        assert rotation_angle(multiply(means.attitude, conjugate(ride.attitude[-1]))) > 0.1
+
+
+def test_a_stretch_that_begins_in_the_middle_of_a_swing_is_as_good():
+    """The velocity at the start is free in the fit."""
+    times = np.arange(0, 300.001, 0.05)
+    drifting = np.stack([np.full(len(times), 0.5), np.full(len(times), -0.3)], axis=-1)
+    ride = vehicle_trajectory(LATITUDE, drifting, 1.0, interval=0.05)
+    begin = Increments(*ride.increments)
+    found = align_in_inertial_frame(begin, LATITUDE)
+    # What counts of a constant velocity is the turn of the level along the way, v/R, against U.
+    along = 0.5 / (6.37e6 * EARTH_RATE * np.cos(LATITUDE))
+    assert np.isclose(error(found.attitude, ride.attitude[-1])[1], -along, rtol=0.05)
+
+
+# Errors of the sensors
+
+
+def test_constant_biases_make_the_errors_of_means():
+    """First order, at the end of the record; the drift's part of half the time is the bound."""
+    attitude = from_euler_angles(0.7, 0.2, -0.3)
+    rows = still(attitude, LATITUDE, interval=0.1, count=6000)
+    gyro, force = np.radians([0.02, -0.03, 0.05]) / 3600, np.array([3e-4, -2e-4, 5e-4])
+    to_body = conjugate(attitude)
+    bent = Increments(
+        0.1,
+        rows.angle + 0.1 * rotate(to_body, gyro),
+        rows.velocity + 0.1 * rotate(to_body, force),
+    )
+    found = align_in_inertial_frame(bent, LATITUDE)
+    expected = alignment_attitude_error(LATITUDE, gyro, force)
+    gap = error(found.attitude, attitude) - expected
+    drift = np.abs(gyro).max() * 600.0
+    turned = EARTH_RATE * 600.0 * np.abs(expected).max()
+    assert np.abs(gap).max() < drift + turned
+    assert abs(gap[1]) < 0.05 * abs(expected[1])
+    # The North gyro's bias shows in the rate of gravity.
+    level = EARTH_RATE * np.cos(LATITUDE)
+    assert np.isclose(found.level_rate - level, gyro[0], rtol=0.1)
+
+
+def test_a_wrong_latitude_hardly_matters():
+    rows = still(from_euler_angles(0.4, 0.0, 0.0), LATITUDE, interval=0.1, count=3000)
+    found = align_in_inertial_frame(rows, LATITUDE + np.radians(0.1))
+    assert abs(found.heading - 0.4) < EARTH_RATE * 300 * np.radians(0.1)
+
+
+def test_the_drift_is_seen_through_the_bell():
+    """A step of the East gyro's drift at a moment: the bell's integral from there on."""
+    level = EARTH_RATE * np.cos(LATITUDE)
+    size, duration = 1e-3 * level, 400.0
+    for moment in (0.2, 0.5, 0.7):
+        rows = still(np.array([0.0, 0.0, 0.0, 1.0]), LATITUDE, interval=0.1, count=4000)
+        rows.angle[round(moment * 4000) :, 2] += 0.1 * size
+        found = align_in_inertial_frame(rows, LATITUDE)
+        expected = (BELL.integ()(1) - BELL.integ()(moment)) * size / level
+        # The rest is of the order of the Earth's turn in the record, 0.03.
+        assert abs(found.start_attitude[1] * 2 - expected) < EARTH_RATE * duration * size / level
+
+
+def test_the_bell_is_one_and_its_integrals_are_those_of_the_formula():
+    assert np.isclose(BELL.integ()(1), 1.0)
+    squares = [(BELL.deriv(order) ** 2).integ()(1) for order in (3, 2)] + [(BELL**2).integ()(1)]
+    assert np.allclose(_DENSITIES, squares)
+
+
+def noisy(runs, rng, duration=200.0, interval=0.25, velocity=0.0):
+    """Many records of a still body with noise of the gyros, and of the velocity."""
+    count = round(duration / interval)
+    rows = still(np.array([0.0, 0.0, 0.0, 1.0]), LATITUDE, interval=interval, count=count)
+    angle = rows.angle + WALK * np.sqrt(interval) * rng.standard_normal((runs, count, 3))
+    shaken = velocity * rng.standard_normal((runs, count + 1, 3))
+    return Increments(interval, angle, rows.velocity + np.diff(shaken, axis=-2))
+
+
+@pytest.mark.parametrize("velocity", [0.0, 0.05])
+def test_deviations_foretold_and_stated_are_those_of_many_runs(velocity):
+    rng = np.random.default_rng(6)
+    runs = 300
+    found = align_in_inertial_frame(noisy(runs, rng, velocity=velocity), LATITUDE)
+    foretold = inertial_alignment_deviation(LATITUDE, 200.0, WALK, velocity * np.sqrt(0.25))
+    scatter = np.sqrt(np.mean(found.heading**2))
+    # A deviation of 300 runs is known to 4 per cent; three of these.
+    assert abs(scatter / foretold - 1) < 0.13
+    assert np.sqrt(np.mean(found.deviation**2)) > 0.9 * scatter
+    assert np.median(found.deviation) < 2.5 * scatter
+    # Two stated deviations hold 0.954 of normal errors; 300 runs tell that to 0.012.
+    assert np.mean(np.abs(found.heading) < 2 * found.deviation) > 0.954 - 3 * 0.012
+
+
+def test_swaying_alone_is_not_understated():
+    """A walk of the gyros that may hide under the swaying is counted in, so it is overstated."""
+    rng = np.random.default_rng(7)
+    rides = [ship(LATITUDE, 120.0, 0.05, rng) for _ in range(12)]
+    rows = Increments(0.05, *(np.stack([getattr(r.increments, name) for r in rides])
+                              for name in ("angle", "velocity")))  # fmt: skip
+    found = align_in_inertial_frame(rows, LATITUDE)
+    errors = error(found.attitude, np.stack([r.attitude[-1] for r in rides]))[:, 1]
+    assert np.sqrt(np.mean(errors**2)) < np.sqrt(np.mean(found.deviation**2))
+
+
+# Parts
+
+
+def test_wahbas_rotation_is_scipys():
+    rng = np.random.default_rng(2)
+    given, wanted = rng.standard_normal((2, 7, 20, 3))
+    weights = rng.uniform(size=20)
+    found = wahba_rotation(given, wanted, weights)
+    for one, first, second in zip(found, given, wanted, strict=True):
+        peer, _ = Rotation.align_vectors(second, first, weights)
+        assert (Rotation.from_quat(one) * peer.inv()).magnitude() < 1e-7
+
+
+def test_the_cone_is_the_integral_of_a_direction_that_turns_with_the_earth():
+    times = np.linspace(0, 3000, 3001)
+    axis = navigation_frame_rate(LATITUDE)
+    up = rotate(from_rotation_vector(times[:, np.newaxis] * axis), np.array([0.0, 1.0, 0.0]))
+    slope = np.gradient(cone_velocity(np.array(LATITUDE), times), 1.0, axis=0, edge_order=2)
+    assert np.allclose(slope, up, atol=1e-8)
+    again = rotate(earth_turn(np.array(LATITUDE), 3000.0), up[-1])
+    assert np.allclose(again, [0, 1, 0], atol=1e-14)
+
+
+def test_windows_are_blind_to_a_parabola_and_know_white_velocity():
+    blind, inverses, log_determinants, mixtures = _mixtures(16)
+    times = np.linspace(0, 1, 2000, endpoint=False)
+    parabola = np.stack([times**2, 1 - times], axis=-1)
+    assert np.abs(blind.T @ _windows(parabola, 16)).max() < 1e-12
+    assert np.allclose(-np.linalg.slogdet(inverses)[1], log_determinants)
+    assert (mixtures > 0).all()
+    assert np.isfinite(mean_deviation(np.zeros((2000, 2)), _DENSITIES))
+
+
+# Contract
+
+
+def test_leading_axes_broadcast_and_arguments_are_left_alone():
+    attitude = random_quaternions(2, 1, seed=3)
+    places = np.radians([10.0, 20.0, 30.0])
+    rows = still(attitude, LATITUDE, interval=0.2, count=301)
+    rows.angle.setflags(write=False)
+    rows.velocity.setflags(write=False)
+    found = align_in_inertial_frame(rows, places)
+    assert found.attitude.shape == (2, 3, 4)
+    assert all(part.shape == (2, 3) for part in (*found[:3], *found[5:]))
+    for i, j in np.ndindex(2, 3):
+        one = align_in_inertial_frame(
+            Increments(0.2, rows.angle[i, 0], rows.velocity[i, 0]), places[j]
+        )
+        assert rotation_angle(multiply(one.attitude, conjugate(found.attitude[i, j]))) < 1e-9
+        assert np.ndim(one.heading) == 0
+
+
+def test_of_an_odd_number_the_first_is_left_out():
+    rows = still(from_euler_angles(1.0, 0.1, 0.2), LATITUDE, interval=0.2, count=501)
+    odd = align_in_inertial_frame(rows, LATITUDE)
+    even = align_in_inertial_frame(rows.part(1, 501), LATITUDE)
+    assert np.array_equal(odd.attitude, even.attitude)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda r: r.part(0, 71), "increments: expected at least 72, got 71"),
+        (lambda r: r._replace(velocity=5 * r.velocity), r"velocity: .* 5 times what gravity makes"),
+        (lambda r: r._replace(velocity=r.velocity / 9.8), r"velocity: .* or in g\?"),
+        (lambda r: r._replace(velocity=0 * r.velocity), r"velocity: expected integrals"),
+        (lambda r: r._replace(angle=57.3 * r.angle), r"angle: .* 35.7 times as fast as the Earth"),
+        (lambda r: r._replace(angle=r.angle[:, :2]), r"angle: expected shape"),
+        (lambda r: r._replace(interval=0.0), r"interval: expected a positive"),
+    ],
+)
+def test_refusals(change, words):
+    rows = still(np.array([0.0, 0.0, 0.0, 1.0]), LATITUDE, interval=0.2, count=300)
+    with pytest.raises(ValueError, match=words):
+        align_in_inertial_frame(change(rows), LATITUDE)
+
+
+def test_poles_and_bad_numbers_are_refused():
+    rows = still(np.array([0.0, 0.0, 0.0, 1.0]), LATITUDE, interval=0.2, count=300)
+    with pytest.raises(ValueError, match=r"latitude: expected at most 89.9 degrees"):
+        align_in_inertial_frame(rows, np.pi / 2)
+    with pytest.raises(ValueError, match="increments: expected an Increments"):
+        align_in_inertial_frame(rows.angle, LATITUDE)
+    with pytest.raises(ValueError, match="leading axes that broadcast"):
+        align_in_inertial_frame(
+            Increments(0.2, np.stack([rows.angle] * 2), np.stack([rows.velocity] * 3)), LATITUDE
+        )
+    with pytest.raises(ValueError, match="duration: expected positive times, got 0"):
+        inertial_alignment_deviation(LATITUDE, 0.0, WALK)
+    with pytest.raises(ValueError, match="angle_random_walk: expected a number of at least 0"):
+        inertial_alignment_deviation(LATITUDE, 10.0, -WALK)
+    with pytest.raises(ValueError, match="velocity_noise: expected a number of at least 0"):
+        inertial_alignment_deviation(LATITUDE, 10.0, WALK, -1.0)
+
+
+def test_half_an_hour_at_a_hundred_a_second_takes_a_moment():
+    rows = still(np.array([0.0, 0.0, 0.0, 1.0]), LATITUDE, interval=0.01, count=184_000)
+    begin = time.process_time()
+    align_in_inertial_frame(rows, LATITUDE)
+    assert time.process_time() - begin < 1.0
