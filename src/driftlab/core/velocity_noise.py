@@ -1,11 +1,11 @@
 """How much of what is left of a level velocity is swaying, and how much a walk of the carried axes.
 
-Three kinds of noise stand in the velocity that is left when gravity's is taken out. A base that
-sways near its place has the derivative of a displacement that forgets; the accelerometers' rounding
-forgets itself; and axes whose angle walks, as white gyro noise lets them, have a velocity whose
-second derivative is white. Their sizes come from the likelihood of the velocity without its
-parabola (restricted maximum likelihood, REML), because the parabola is what the heading is found
-from.
+Four kinds of noise stand in the velocity that is left when gravity's is taken out. A base that
+sways near its place has the derivative of a displacement that forgets. The accelerometers' rounding
+forgets itself. Their noise, and pulses that they lose when shaken, make a velocity that walks. And
+axes whose angle walks, as white gyro noise lets them, have a velocity whose second derivative is
+white. The sizes come from the likelihood of the velocity without its parabola (restricted maximum
+likelihood, REML), because the parabola is what the heading is found from.
 """
 
 from __future__ import annotations
@@ -21,16 +21,18 @@ MOST_WINDOWS, FEWEST_WINDOWS = 32, 8
 STEPS_A_WINDOW = 4
 """Fewest steps from one window to the next."""
 _FINE = 8  # points from one window to the next, for the covariances
-_SWAY_RATIOS, _WALK_RATIOS = np.geomspace(1e-2, 1e4, 19), np.geomspace(1e-3, 1e6, 28)
+_RATIOS = (np.geomspace(1e-1, 1e4, 6), np.ones(1), np.geomspace(1e-2, 1e4, 10),
+           np.geomspace(1e-3, 1e6, 14))  # fmt: skip
+"""Sizes of the four, in variance, beside that which forgets."""
 
 
 def mean_deviation(level: FloatArray, densities: FloatArray) -> FloatArray:
     """Standard deviation (...) of an estimate, from what is left of a level velocity (..., m, 2).
 
-    The unit of time is the length of the record. `densities` (3,) are the variances of the estimate
-    when displacement, velocity, or the velocity's second derivative is white with density 1. The
-    sizes of the three are not known well, so the variance is the mean over many ratios of them,
-    each with its likelihood for weight.
+    The unit of time is the length of the record. `densities` (4,) are the variances of the estimate
+    when displacement, velocity, or the velocity's first or second derivative is white with density
+    1. Their sizes are not known well, so the variance is the mean over many ratios of them, each
+    with its likelihood for weight.
     """
     count = window_count(level.shape[-2])
     blind, inverses, log_determinants, mixtures = _mixtures(count)
@@ -62,10 +64,10 @@ def _windows(level: FloatArray, count: int) -> FloatArray:
 
 @lru_cache
 def _mixtures(count: int) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Mixtures of the three noises, k of them, as windows show them that are blind to a parabola.
+    """Mixtures of the four noises, k of them, as windows show them that are blind to a parabola.
 
     Returns the combinations (count, count - 3) of windows, the inverse covariances
-    (k, count - 3, count - 3) and logarithms of the determinants (k,), and the densities (k, 3).
+    (k, count - 3, count - 3) and logarithms of the determinants (k,), and the densities (k, 4).
     """
     points = (count + 1) * _FINE
     times = (np.arange(points) + 0.5) / points
@@ -78,11 +80,12 @@ def _mixtures(count: int) -> tuple[FloatArray, FloatArray, FloatArray, FloatArra
         [
             points * slopes @ slopes.T,
             points * bells @ bells.T,
+            bells @ early @ bells.T,
             bells @ (early**2 * (3 * late - early) / 6) @ bells.T,
         ]
     )
     sizes = np.trace(noises, axis1=1, axis2=2) / len(bells)
-    ratios = np.stack(np.meshgrid(_SWAY_RATIOS, 1.0, _WALK_RATIOS), axis=-1).reshape(-1, 3)
+    ratios = np.stack(np.meshgrid(*_RATIOS), axis=-1).reshape(-1, len(noises))
     mixtures = ratios / sizes
     covariances = np.tensordot(mixtures, noises, 1)
     return blind, np.linalg.inv(covariances), np.linalg.slogdet(covariances)[1], mixtures

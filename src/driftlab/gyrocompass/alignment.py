@@ -115,6 +115,11 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
     do not tell in which axes they are given: a log in forward, right, down must be converted first
     by `driftlab.axes.convert_vectors`, or the roll comes out wrong by a quarter turn.
 
+    The body must not turn meanwhile. A body that leans about East by a small angle more at the end
+    than at the start turns the heading by this angle over T U cos(latitude), where T is the time of
+    the means: an arc minute in five minutes by about a degree. The latitude that comes out gives alarm,
+    if it is known. `driftlab.gyrocompass.inertial_alignment` aligns a body that sways.
+
     Examples
     --------
     At 45 degrees of latitude, with the bow to the West:

@@ -31,8 +31,8 @@ from driftlab.increments import Increments, checked_increments
 
 _ALGORITHM = CONING_ALGORITHMS["two-step-4"]
 _FEWEST = 2 * STEPS_A_WINDOW * (FEWEST_WINDOWS + 1)
-_DENSITIES: FloatArray = np.array([100800.0, 1120.0, 700 / 429])
-"""Integrals from 0 to 1 of the squares of the third and the second derivative of the bell
+_DENSITIES: FloatArray = np.array([100800.0, 1120.0, 280 / 11, 700 / 429])
+"""Integrals from 0 to 1 of the squares of the third, second and first derivative of the bell
 p = 140 x^3 (1 - x)^3 of `inertial_alignment_deviation`, and of its own."""
 
 
@@ -249,7 +249,7 @@ def inertial_alignment_deviation(
         if value < 0:
             raise ValueError(f"{name}: expected a number of at least 0, got {value!r}.")
     pull = normal_gravity(place) if gravity is None else positive_number(gravity, "gravity")
-    _, by_velocity, by_walk = _DENSITIES
+    _, by_velocity, _, by_walk = _DENSITIES
     variance = by_walk * walk**2 / time + by_velocity * (sway / pull) ** 2 / time**5
     return np.sqrt(variance) / (EARTH_RATE * np.cos(place))
 
