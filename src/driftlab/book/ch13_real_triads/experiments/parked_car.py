@@ -1,0 +1,179 @@
+"""Plotnikov Fig. 2 with a real triad: headings of a parked car, found again and again."""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.stats import chi2, f
+
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
+from driftlab.checks import FloatArray
+from driftlab.core.carried_gravity import (
+    carried_velocity,
+    cone_velocity,
+    earth_turn,
+    wahba_rotation,
+)
+from driftlab.core.quaternion import multiply
+from driftlab.frames import to_euler_angles
+from driftlab.gyrocompass.alignment import Alignment, align
+from driftlab.gyrocompass.inertial_alignment import align_in_inertial_frame
+from driftlab.increments import Increments
+from driftlab.recordings.publishers import published
+from driftlab.vectors import wrap_angle
+
+METHODS = ("means", "two velocities", "all velocities")
+"""Rows of the headings. Of the first the heading is that of the mean, of the others at the end."""
+HEADER = float(np.radians(-90.6))
+"""Heading in the header of the recording, rad, which says of itself "maybe inaccurate".
+
+PSINS counts it from North to West, as Part IV does: in its `a2mat` the forward axis of a level body
+is (-sin yaw, cos yaw, 0) in East, North, Up, so a negative yaw looks East.
+"""
+RESTART, LONGER, STRETCH = 70.0, 180.0, 300.0
+"""Seconds of a restart; the record has 26 times the first, ten times the second."""
+UNREST = 10.0
+"""Seconds over which the unrest of the car is taken."""
+
+
+class ParkedCar(NamedTuple):
+    """Headings from stretches of one record, by the three methods in the order of `METHODS`.
+
+    Attributes
+    ----------
+    restarts, longer, stretches : ndarray, shape (3, 26), (3, 10), (3, 6)
+        Of 70, 180 and 300 s, rad.
+    restart_deviations, longer_deviations, stretch_deviations : ndarray, shape (26,), (10,), (6,)
+        Standard deviations as all velocities state them, rad.
+    found_latitude : ndarray, shape (26,)
+        From the means of each restart, rad: the alarm that `align` has in its hand.
+    level_rate : ndarray, shape (26,)
+        At which gravity is seen to move in each restart, rad/s.
+    latitude : ndarray, shape ()
+        Of the place, rad.
+    unrest : ndarray, shape (184,)
+        Standard deviation of the level rates' means over a second, in each ten seconds, rad/s.
+    """
+
+    restarts: FloatArray
+    longer: FloatArray
+    stretches: FloatArray
+    restart_deviations: FloatArray
+    longer_deviations: FloatArray
+    stretch_deviations: FloatArray
+    found_latitude: FloatArray
+    level_rate: FloatArray
+    latitude: FloatArray
+    unrest: FloatArray
+
+
+class Spread(NamedTuple):
+    """How far a few headings spread, all in rad.
+
+    Attributes
+    ----------
+    mean, deviation, reach : float
+        Mean, standard deviation, and largest minus least.
+    low, high : float
+        Interval of 95 per cent for the deviation, if the headings are normal and independent.
+    """
+
+    mean: float
+    deviation: float
+    reach: float
+    low: float
+    high: float
+
+
+def parked_car() -> ParkedCar:
+    """Cut the record into stretches and find the heading in each, by three methods."""
+    recording = published("laser-gyro", download=False).in_axes("FUR")
+    if recording.latitude is None:
+        raise ValueError("recording: expected one that knows its latitude.")
+    whole, latitude = recording.increments(), recording.latitude
+    restarts, longer, five_minutes = (
+        stretches(whole, seconds) for seconds in (RESTART, LONGER, STRETCH)
+    )
+    carried = [align_in_inertial_frame(p, latitude) for p in (restarts, longer, five_minutes)]
+    means = [_means(parts) for parts in (restarts, longer, five_minutes)]
+    two = [two_velocities(parts, latitude) for parts in (restarts, longer, five_minutes)]
+    headings = [
+        np.stack([mean.heading, pair, found.heading])
+        for mean, pair, found in zip(means, two, carried, strict=True)
+    ]
+    return ParkedCar(
+        headings[0],
+        headings[1],
+        headings[2],
+        carried[0].deviation,
+        carried[1].deviation,
+        carried[2].deviation,
+        found_latitude=means[0].latitude,
+        level_rate=carried[0].level_rate,
+        latitude=np.array(latitude),
+        unrest=unrest(whole),
+    )
+
+
+def _means(increments: Increments) -> Alignment:
+    return align(increments.angle.mean(axis=-2), increments.velocity.mean(axis=-2))
+
+
+def stretches(increments: Increments, seconds: float) -> Increments:
+    """Cut a record into as many stretches of a length as it has, side by side."""
+    interval, angle, velocity = increments
+    rows = round(seconds / interval)
+    count = len(angle) // rows
+    return Increments(
+        interval, *(part[: count * rows].reshape(count, rows, 3) for part in (angle, velocity))
+    )
+
+
+def two_velocities(increments: Increments, latitude: float) -> FloatArray:
+    """Headings (...) at the end, from the velocities at half time and at the end alone.
+
+    The plane of the two tells the heading. PSINS has this in `aligni0`, besides the same with
+    positions.
+    """
+    interval, angle, velocity = increments
+    turn, carried = carried_velocity(CONING_ALGORITHMS["two-step-4"], angle, velocity)
+    count = carried.shape[-2]
+    times = 2 * interval * np.array([count // 2, count])
+    cone = cone_velocity(np.array(latitude), times)
+    seen = carried[..., [count // 2 - 1, count - 1], :]
+    given, wanted = (rows / np.linalg.norm(rows, axis=-1, keepdims=True) for rows in (seen, cone))
+    start = wahba_rotation(given, wanted, np.ones(2))
+    end = multiply(multiply(earth_turn(np.array(latitude), float(times[-1])), start), turn)
+    return to_euler_angles(end).heading
+
+
+def unrest(increments: Increments) -> FloatArray:
+    """Standard deviation of the level rates' means over a second, in each ten seconds, rad/s."""
+    seconds = stretches(increments, 1.0).angle.sum(axis=-2)[:, [0, 2]]
+    rows = round(UNREST)
+    count = len(seconds) // rows
+    parts = seconds[: count * rows].reshape(count, rows, 2)
+    return np.sqrt(parts.var(axis=1, ddof=1).mean(axis=-1))
+
+
+def spread(headings: FloatArray) -> Spread:
+    """Spread of headings (n,)."""
+    middle = headings[0]
+    values = middle + wrap_angle(headings - middle)
+    freedom = len(values) - 1
+    deviation = float(values.std(ddof=1))
+    low, high = deviation * np.sqrt(freedom / chi2.ppf([0.975, 0.025], freedom))
+    return Spread(float(values.mean()), deviation, float(np.ptp(values)), float(low), float(high))
+
+
+def chance_of_ratio(first: float, second: float, freedom: int) -> float:
+    """Chance that one true deviation gives two samples whose deviations differ by such a factor.
+
+    Parameters
+    ----------
+    first, second : float
+        Deviations of two samples of normal values, in one unit.
+    freedom : int
+        Values of each sample, less one.
+    """
+    ratio = max(first / second, second / first) ** 2
+    return float(2 * f.sf(ratio, freedom, freedom))
