@@ -2,10 +2,10 @@
 
 Four kinds of noise stand in the velocity that is left when gravity's is taken out. A base that
 sways near its place has the derivative of a displacement that forgets. The accelerometers' rounding
-forgets itself. Their noise, and pulses that they lose when shaken, make a velocity that walks. And
-axes whose angle walks, as white gyro noise lets them, have a velocity whose second derivative is
-white. The sizes come from the likelihood of the velocity without its parabola (restricted maximum
-likelihood, REML), because the parabola is what the heading is found from.
+forgets itself. Their noise makes a velocity that walks, and so do the small jumps that are seen
+where a base is shaken. And axes whose angle walks, as white gyro noise lets them, have a velocity
+whose second derivative is white. The sizes come from the likelihood of the velocity without its
+parabola (restricted maximum likelihood, REML), because from the parabola the heading is found.
 """
 
 from __future__ import annotations

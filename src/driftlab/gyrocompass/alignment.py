@@ -117,8 +117,8 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
 
     The body must not turn meanwhile. A body that leans about East by a small angle more at the end
     than at the start turns the heading by this angle over T U cos(latitude), where T is the time of
-    the means: an arc minute in five minutes by about a degree. The latitude that comes out gives alarm,
-    if it is known. `driftlab.gyrocompass.inertial_alignment` aligns a body that sways.
+    the means: an arc minute in five minutes by about a degree. The latitude that comes out gives
+    alarm, if it is known. `driftlab.gyrocompass.inertial_alignment` aligns a body that sways.
 
     Examples
     --------

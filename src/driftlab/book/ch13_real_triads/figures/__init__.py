@@ -22,8 +22,8 @@ def _parked_car_caption(data: experiments.ParkedCar) -> str:
     longer = experiments.spread(data.longer[2])
     return (
         "A ring-laser unit on a car that stands, with engine and people on board. "
-        f"{data.restarts.shape[1]} times {RESTART:g} s of it: headings from means of the gyros "
-        f"have a standard deviation of {np.degrees(means.deviation):.1f} degrees; with gravity "
+        f"{data.restarts.shape[1]} times {RESTART:g} s of one record, not switched off "
+        f"between: headings from means of the gyros have a standard deviation of {np.degrees(means.deviation):.1f} degrees; with gravity "
         f"seen in inertial space {np.degrees(carried.deviation):.3f}, a range of "
         f"{np.degrees(carried.reach):.2f}, and no stretch is lost. "
         f"{data.longer.shape[1]} times {LONGER:g} s: {np.degrees(longer.deviation):.3f}. "
