@@ -23,9 +23,10 @@ def _parked_car_caption(data: experiments.ParkedCar) -> str:
     return (
         "A ring-laser unit on a car that stands, with engine and people on board. "
         f"{data.restarts.shape[1]} times {RESTART:g} s of one record, not switched off "
-        f"between: headings from means of the gyros have a standard deviation of {np.degrees(means.deviation):.1f} degrees; with gravity "
-        f"seen in inertial space {np.degrees(carried.deviation):.3f}, a range of "
-        f"{np.degrees(carried.reach):.2f}, and no stretch is lost. "
+        "between: headings from means of the gyros have a standard deviation of "
+        f"{np.degrees(means.deviation):.1f} degrees; with gravity seen in inertial space "
+        f"{np.degrees(carried.deviation):.3f}, a range of {np.degrees(carried.reach):.2f}, and "
+        "no stretch is lost. "
         f"{data.longer.shape[1]} times {LONGER:g} s: {np.degrees(longer.deviation):.3f}. "
         "Two velocities in place of all give "
         f"{np.degrees(experiments.spread(data.restarts[1]).deviation):.2f} for {RESTART:g} s. "
