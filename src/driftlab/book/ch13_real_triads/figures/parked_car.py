@@ -100,4 +100,4 @@ def _draw_deviations(panel: Axes, data: ParkedCar) -> None:
             **_STYLES[row], marker=_MARKERS[row], markersize=5, elinewidth=1.0, capsize=2,
             label=name,
         )  # fmt: skip
-    panel.legend(loc="lower left", fontsize=8)
+    panel.legend(loc="center right", bbox_to_anchor=(1.0, 0.46), fontsize=8)
