@@ -12,7 +12,8 @@ import pytest
 
 from driftlab.book import figures
 from driftlab.book.__main__ import write_figures
-from driftlab.book.machinery.publish import PublishedFigure, gallery
+from driftlab.book.machinery.publish import PublishedFigure, gallery, read_columns
+from driftlab.recordings.publishers import RecordingUnavailable
 from published import NAMES, published
 
 PUBLISHED = Path(__file__).parents[2] / "figures"
@@ -36,7 +37,19 @@ def test_published_numbers_are_what_is_computed(figure: PublishedFigure) -> None
     if figure.definition.columns is None:
         assert not path.exists()
         return
+    if missing := figures.not_at_hand(figure.definition):
+        pytest.skip(missing)
     assert_same_table(read(path), figure.definition.columns(figure.data))
+
+
+@pytest.mark.parametrize(
+    "name", [name for name, each in figures.figure_definitions().items() if each.restore]
+)
+def test_a_figure_that_is_restored_writes_its_table_again(name: str) -> None:
+    """Without the recording, or the minutes, that it takes to compute it."""
+    definition = figures.figure_definitions(name[:2])[name]
+    restored = definition.restore(read_columns(PUBLISHED / f"{name}.csv"))
+    assert_same_table(read(PUBLISHED / f"{name}.csv"), definition.columns(restored))
 
 
 def assert_same_table(published: dict[str, np.ndarray], computed: dict[str, Any]) -> None:
@@ -61,7 +74,8 @@ def test_picture_repeats_byte_by_byte_and_has_a_caption(
     assert written == {path.name for path in PUBLISHED.glob(f"{name}.*")}
     picture = (tmp_path / f"{name}.svg").read_bytes()
     assert picture.startswith(b"<?xml")
-    page = PublishedFigure(figure.definition, figure.data)._repr_html_()
+    note = figures.not_at_hand(figure.definition)
+    page = PublishedFigure(figure.definition, figure.data, note)._repr_html_()
     (shown,) = re.findall(r'src="data:image/svg\+xml;base64,([^"]*)"', page)
     repeats = base64.b64decode(shown) == picture
     assert repeats, "another drawing of the same data is another picture"
@@ -71,7 +85,8 @@ def test_picture_repeats_byte_by_byte_and_has_a_caption(
 
 @published(*NAMES)
 def test_the_gallery_has_the_caption_that_is_computed(figure: PublishedFigure) -> None:
-    assert published_captions()[figure.definition.name] == figure.caption
+    caption = figure.definition.caption(figure.data)
+    assert published_captions()[figure.definition.name] == caption
 
 
 def test_the_folder_holds_the_catalogue_and_nothing_else() -> None:
@@ -108,6 +123,25 @@ def test_a_rebuild_writes_every_entry_the_gallery_and_larins_numbers(tmp_path: P
             for title, column in table.items()
         }
         assert_same_table(read(PUBLISHED / name), computed)
+
+
+def test_without_its_recording_a_figure_is_restored_and_its_files_are_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def nowhere(name: str, download: bool = True) -> Path:
+        raise RecordingUnavailable(name)
+
+    monkeypatch.setattr(figures, "published_file", nowhere)
+    name = "13-hand-turns"
+    definition = figures.figure_definitions("13")[name]
+    shown, caption = figures.figure(name), published_captions()[name]
+    assert shown.caption == f"{caption} {figures.not_at_hand(definition)}"
+    assert "github.com/mad-lab-fau/imucal was not at hand" in shown.caption
+    write_figures(tmp_path, {name: definition})
+    for path in PUBLISHED.glob(f"{name}.*"):
+        assert (tmp_path / path.name).read_bytes() == path.read_bytes()
+    assert (tmp_path / "README.md").read_text(encoding="utf-8") == gallery({name: caption})
+    assert f"not at hand: {name}.\n" in capsys.readouterr().out
 
 
 def test_unknown_figure() -> None:

@@ -3,35 +3,53 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Mapping
+import shutil
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from tqdm import tqdm
 
 from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, experiment_numbers
 from .errata import errata
-from .figures import figure_definitions
+from .figures import figure_definitions, measured, not_at_hand, published_paths
 from .machinery.publish import FigureDefinition, PublishedFigure, gallery, write_columns
 
 
 def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | None = None) -> None:
-    """Write all figures, their numbers and the gallery; print Larin's numbers."""
+    """Write all figures, their numbers and the gallery; print Larin's numbers.
+
+    A figure whose recording is not at hand keeps its published files.
+    """
     folder.mkdir(parents=True, exist_ok=True)
-    captions = {}
+    captions, kept = {}, []
     chosen = figure_definitions() if definitions is None else definitions
     for name, definition in tqdm(chosen.items(), unit="figure"):
-        shown = PublishedFigure(definition, definition.compute())
-        shown.write(folder)
-        captions[name] = shown.caption
+        missing = not_at_hand(definition)
+        data = measured(name) if missing else definition.compute()
+        captions[name] = definition.caption(data)
+        if missing:
+            kept.append(name)
+            _copy(published_paths(name), folder)
+        else:
+            PublishedFigure(definition, data).write(folder)
     table = experiment_numbers()
     write_columns(folder / "04-larin-numbers.csv", {"name": NAMES, **table})
     (folder / "README.md").write_text(gallery(captions), encoding="utf-8", newline="\n")
+    if kept:
+        print(f"\nKept as published, because their recordings are not at hand: {', '.join(kept)}.")
     print(f"\nLarin's numbers, written to {folder / '04-larin-numbers.csv'}:\n")
     print(f"{'':10}{'the copy':>14}{'reconstructed':>18}{'exact method':>18}")
     rows = (NAMES, IN_THE_COPY, table["reconstructed"], table["exact"])
     for name, copy, reconstructed, exact in zip(*rows, strict=True):
         print(f"{name:10}{copy:>14}{reconstructed:>18.6e}{exact:>18.6e}")
     print("\nReconstructed with a minus sign before sigma4* (chapter 4).")
+
+
+def _copy(paths: Iterable[Path], folder: Path) -> None:
+    """Copy files into a folder, unless it is their own."""
+    for path in paths:
+        if path.parent.resolve() != folder.resolve():
+            shutil.copyfile(path, folder / path.name)
 
 
 def write_errata(file: Path) -> None:

@@ -1,13 +1,21 @@
-"""The published figures of the book: ``figure("03-drift-map")`` shows one on a page."""
+"""The published figures of the book: ``figure("03-drift-map")`` shows one on a page.
+
+Some are computed from recordings that others have published, and the project holds none of those.
+Nothing here fetches one: if it is at hand, from `driftlab.recordings.publishers.published` or in a
+folder of the reader's, the figure is computed, else it comes from the numbers in the book's folder.
+"""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
+
+from driftlab.recordings.publishers import PUBLISHED, RecordingUnavailable, published_file
 
 from .chapters import chapters_with, part_of
 from .machinery.publish import FigureDefinition, PublishedFigure, read_columns
 
-_PUBLISHED = Path(__file__).parents[3] / "figures"
+_FOLDER = Path(__file__).parents[3] / "figures"
 
 
 def figure_definitions(chapter: str | None = None) -> dict[str, FigureDefinition]:
@@ -19,8 +27,8 @@ def figure_definitions(chapter: str | None = None) -> dict[str, FigureDefinition
 def figure(name: str, data: object = None) -> PublishedFigure:
     """Return a published figure by name, to be the last line of a notebook cell.
 
-    It is computed, but for a study of some minutes: that is read from its published CSV, if the
-    book's folder is there.
+    It is computed, but for a study of some minutes and for one whose recording is not at hand:
+    those are read from their published CSV, if the book's folder is there. Nothing is downloaded.
 
     Parameters
     ----------
@@ -33,14 +41,63 @@ def figure(name: str, data: object = None) -> PublishedFigure:
     ------
     ValueError
         If there is none of that name.
+    RecordingUnavailable
+        If a recording is not at hand, and the book's folder is not there either.
     """
+    definition = _definition(name)
+    if data is None:
+        return PublishedFigure(definition, measured(name), not_at_hand(definition))
+    return PublishedFigure(definition, data)
+
+
+def measured(name: str) -> Any:
+    """Return the numbers behind a published figure, which `figure` draws, by its name.
+
+    Parameters
+    ----------
+    name : str
+        As in `figure`.
+
+    Returns
+    -------
+    object
+        What the chapter's experiment returns, computed or read from the published CSV.
+
+    Raises
+    ------
+    ValueError, RecordingUnavailable
+        As in `figure`.
+    """
+    definition, table = _definition(name), _FOLDER / f"{name}.csv"
+    needed = not definition.recordings or bool(not_at_hand(definition))
+    if definition.restore is not None and needed and table.exists():
+        return definition.restore(read_columns(table))
+    return definition.compute()
+
+
+def not_at_hand(definition: FigureDefinition) -> str:
+    """Return a sentence on the recordings of a figure that are missing; empty if none is."""
+    for recording in definition.recordings:
+        one = PUBLISHED[recording]
+        try:
+            for path in one.files:
+                published_file(Path(path).name, download=False)
+        except RecordingUnavailable:
+            return (
+                f"The recording {recording} from github.com/{one.repository} was not at hand: "
+                "this is from the numbers that were computed when it was."
+            )
+    return ""
+
+
+def published_paths(name: str) -> list[Path]:
+    """Return the files of a figure in the book's folder, picture and numbers."""
+    return sorted(_FOLDER.glob(f"{name}.*"))
+
+
+def _definition(name: str) -> FigureDefinition:
     chapter = str(name)[:2]
     known = figure_definitions(chapter if chapter in chapters_with("figures") else None)
     if name not in known:
         raise ValueError(f"name: expected one of {', '.join(known)}, got {name!r}.")
-    definition, table = known[name], _PUBLISHED / f"{name}.csv"
-    if data is not None:
-        return PublishedFigure(definition, data)
-    if definition.restore is not None and table.exists():
-        return PublishedFigure(definition, definition.restore(read_columns(table)))
-    return PublishedFigure(definition, definition.compute())
+    return known[name]

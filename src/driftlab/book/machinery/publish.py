@@ -39,7 +39,10 @@ class FigureDefinition:
     caption : callable
         Data to the sentence under the figure, so that its numbers are computed.
     restore : callable, optional
-        Columns of the published CSV to the data, for what takes minutes to compute.
+        Columns of the published CSV to the data, for what takes minutes to compute or needs a
+        recording that may not be at hand.
+    recordings : tuple of str, optional
+        Names in `driftlab.recordings.publishers.PUBLISHED` that it is computed from.
     """
 
     name: str
@@ -48,6 +51,7 @@ class FigureDefinition:
     columns: Callable[[Any], dict[str, Any]] | None
     caption: Callable[[Any], str]
     restore: Callable[[Mapping[str, list[str]]], Any] | None = None
+    recordings: tuple[str, ...] = ()
 
 
 class PublishedFigure:
@@ -59,12 +63,13 @@ class PublishedFigure:
     data : object
         What ``definition.compute`` returned.
     caption : str
+        What ``definition.caption`` says of the data, and the note if there is one.
     """
 
-    def __init__(self, definition: FigureDefinition, data: Any) -> None:
+    def __init__(self, definition: FigureDefinition, data: Any, note: str = "") -> None:
         self.definition = definition
         self.data = data
-        self.caption = definition.caption(data)
+        self.caption = " ".join(filter(None, [definition.caption(data), note]))
         self._figure = definition.draw(data)
 
     def svg(self) -> bytes:

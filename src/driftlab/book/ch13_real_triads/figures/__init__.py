@@ -7,8 +7,7 @@ from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.recordings.publishers import PUBLISHED
 
 from .. import experiments
-from ..experiments.parked_car import LONGER, RESTART
-from . import parked_car
+from . import hand_turns
 
 
 def _credit(name: str) -> str:
@@ -17,31 +16,25 @@ def _credit(name: str) -> str:
     return f"Recording: {one.source} ({one.licence})."
 
 
-def _parked_car_caption(data: experiments.ParkedCar) -> str:
-    means, _, carried = (experiments.spread(row) for row in data.restarts)
-    longer = experiments.spread(data.longer[2])
-    return (
-        "A ring-laser unit on a car that stands, with engine and people on board. "
-        f"{data.restarts.shape[1]} times {RESTART:g} s of one record, not switched off "
-        "between: headings from means of the gyros have a standard deviation of "
-        f"{np.degrees(means.deviation):.1f} degrees; with gravity seen in inertial space "
-        f"{np.degrees(carried.deviation):.3f}, a range of {np.degrees(carried.reach):.2f}, and "
-        "no stretch is lost. "
-        f"{data.longer.shape[1]} times {LONGER:g} s: {np.degrees(longer.deviation):.3f}. "
-        "Two velocities in place of all give "
-        f"{np.degrees(experiments.spread(data.restarts[1]).deviation):.2f} for {RESTART:g} s. "
-        f"Bars on the right are intervals of 95 %. {_credit('laser-gyro')}"
-    )
-
-
-FIGURES: tuple[FigureDefinition, ...] = (
+FIGURES = (
     FigureDefinition(
-        "13-parked-car",
-        experiments.parked_car,
-        parked_car.draw,
+        "13-hand-turns",
+        experiments.hand_turns,
+        hand_turns.draw,
         to_columns,
-        _parked_car_caption,
-        from_columns(experiments.ParkedCar),
-        ("laser-gyro",),
+        lambda data: (
+            "A unit on a table, turned once about each axis by hand. Added up, the angles of the "
+            f"two gyros across the axis reach {np.degrees(np.abs(data.added[:, -1])).max():.1f} "
+            "degrees (open marks). As a rotation they go round a circle and come back to "
+            f"{np.degrees(np.abs(data.path[:, -1])).max():.1f} degrees of where they began "
+            "(filled): what stands across the axis adds up to nothing. What is left along the "
+            f"axis is Larin's estimate, {', '.join(f'{x:.5f}' for x in data.estimate)}; "
+            "Ferraris's diagonal from the same turns differs by at most "
+            f"{np.abs(data.estimate - data.ferraris).max():.0e}. On the right, by how much each source "
+            "may move an estimate; the heading at the end no sensor saw, and it is taken to be as "
+            f"good as the tilt. {_credit('ferraris-session')}"
+        ),
+        from_columns(experiments.HandTurns),
+        ("ferraris-session",),
     ),
 )

@@ -1,0 +1,175 @@
+"""Larin's estimate from a sensor that a hand has turned once about each of its axes."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.linalg import inv, norm
+
+from driftlab.attitude.integration import integrate
+from driftlab.checks import FloatArray
+from driftlab.core.quaternion import rotate, to_rotation_vector
+from driftlab.drift.recorded_turns import recorded_turn_estimate
+from driftlab.drift.turn_calibration import earth_offset
+from driftlab.recordings.publishers import ferraris_sections, published
+from driftlab.recordings.recording import Recording
+
+TURNS = ("x_rot", "y_rot", "z_rot")
+SIDES = ("x_p", "x_a", "y_p", "y_a", "z_p", "z_a")
+SOURCES = ("hand", "axis", "gyro bias", "gyro noise", "Earth")
+"""Where the error of an estimate may come from: the columns of `HandTurns.sources`."""
+POINTS = 81
+"""Of a path, both ends included."""
+_BESIDE = 0.5
+"""Seconds of rest just before and after a turn that tell the hand's tilt."""
+
+
+class Rests(NamedTuple):
+    """What the six rests of the session say of the sensors.
+
+    Attributes
+    ----------
+    gyro_bias, bias_scatter : ndarray, shape (3,)
+        Mean over all rests, and standard deviation of the means of the six, rad/s.
+    gyro_noise : ndarray, shape (3,)
+        Standard deviation of a sample, rad/s.
+    force : ndarray, shape (6, 3)
+        Mean of the accelerometers in each rest, m/s^2.
+    gyro : ndarray, shape (6, 3)
+        Mean of the gyros, rad/s.
+    """
+
+    gyro_bias: FloatArray
+    bias_scatter: FloatArray
+    gyro_noise: FloatArray
+    force: FloatArray
+    gyro: FloatArray
+
+    @property
+    def force_bias(self) -> FloatArray:
+        """Gravity in six opposite directions adds up to nothing; what is left is the bias."""
+        return self.force.mean(axis=0)
+
+
+class HandTurns(NamedTuple):
+    """Three turns by hand: the first index is the turn, about the axis x, y or z.
+
+    Attributes
+    ----------
+    estimate, deviation : ndarray, shape (3,)
+        n^T Sigma n by Larin's (3.3), gyro bias taken off, and its standard deviation.
+    with_bias : ndarray, shape (3,)
+        The same with the bias left in.
+    sources : ndarray, shape (3, 5)
+        Deviations by source, in the order of `SOURCES`; of the Earth the most that it can do.
+    ferraris : ndarray, shape (3,)
+        Ferraris's diagonal minus one, from the same turns.
+    integral : ndarray, shape (3, 3)
+        Sums of the gyros' angles, rad.
+    error : ndarray, shape (3, 3)
+        Rotation vector of the attitude that is integrated from the gyros after the turn, rad.
+    tilt : ndarray, shape (3,)
+        Angle between gravity before and after the turn, as the accelerometers see it, rad.
+    duration : ndarray, shape (3,)
+        s.
+    path, added : ndarray, shape (3, 81, 2)
+        Tilt of the axis during the turn about the two other axes, in cyclic order, rad: of the
+        integrated attitude, and if the gyros' angles are only added up.
+    """
+
+    estimate: FloatArray
+    deviation: FloatArray
+    with_bias: FloatArray
+    sources: FloatArray
+    ferraris: FloatArray
+    integral: FloatArray
+    error: FloatArray
+    tilt: FloatArray
+    duration: FloatArray
+    path: FloatArray
+    added: FloatArray
+
+
+def hand_turns() -> HandTurns:
+    """Turn estimates of the Ferraris session.
+
+    Raises
+    ------
+    RecordingUnavailable
+        If it is not at hand.
+    """
+    log, rows = published("ferraris-session", download=False), ferraris_sections(download=False)
+    rests = _rests([log.part(*rows[side]) for side in SIDES])
+    turns = [_turn(log, axis, *rows[name], rests) for axis, name in enumerate(TURNS)]
+    arrays = {field: np.array([turn[field] for turn in turns]) for field in turns[0]}
+    gravity, duration = arrays.pop("gravity"), arrays["duration"]
+    # The triad, a column a turn, shows what a turn about gravity would read instead of one about n.
+    triad = arrays["integral"].T / np.copysign(2 * np.pi, np.diag(arrays["integral"]))
+    axis = np.einsum("ki,ij,kj->k", gravity, triad, gravity) - np.diag(triad)
+    # Gravity does not see the heading; a hand that is as careless there as with the two tilts.
+    hand = np.full(3, np.sqrt((arrays["tilt"] ** 2).mean() / 2) / (2 * np.pi))
+    walk = rests.gyro_noise * np.sqrt(log.interval * duration) / (2 * np.pi)
+    # An axis along the Earth's own, wherever that was: no turn can show more.
+    earth = earth_offset(np.pi / 4, 2 * np.pi / duration, (0.0, 1.0, 1.0))
+    bias = rests.bias_scatter * duration / (2 * np.pi)
+    sources = np.stack([hand, np.abs(axis), bias, walk, earth], axis=1)
+    return HandTurns(
+        **arrays,
+        deviation=norm(sources, axis=1),
+        sources=sources,
+        ferraris=_ferraris_diagonal(log, rows, rests),
+    )
+
+
+def _rests(parts: list[Recording]) -> Rests:
+    means = np.array([part.gyro.mean(axis=0) for part in parts])
+    return Rests(
+        np.concatenate([part.gyro for part in parts]).mean(axis=0),
+        means.std(axis=0, ddof=1),
+        np.sqrt(np.mean([part.gyro.var(axis=0, ddof=1) for part in parts], axis=0)),
+        np.array([part.accelerometer.mean(axis=0) for part in parts]),
+        means,
+    )
+
+
+def _turn(log: Recording, axis: int, begin: int, end: int, rests: Rests) -> dict[str, FloatArray]:
+    """What one turn about a body axis gives, under the names of `HandTurns`."""
+    n, across = np.eye(3)[axis], [(axis + 1) % 3, (axis + 2) % 3]
+    raw = log.part(begin, end).angles()
+    angles = raw - rests.gyro_bias * log.interval
+    attitude = integrate(angles, "functional-iteration")
+    tilts = np.cross(n, rotate(attitude, n))[:, across]
+    beside = round(_BESIDE / log.interval)
+    before, after = (
+        part.accelerometer.mean(axis=0) - rests.force_bias
+        for part in (log.part(begin - beside, begin), log.part(end, end + beside))
+    )
+    shown = np.linspace(0, len(angles) - 1, POINTS).round().astype(int)
+    return {
+        "estimate": recorded_turn_estimate(angles, n),
+        "with_bias": recorded_turn_estimate(raw, n),
+        "integral": angles.sum(axis=0),
+        "error": to_rotation_vector(attitude[-1]),
+        "tilt": np.arctan2(norm(np.cross(before, after)), before @ after),
+        "duration": np.array(len(angles) * log.interval),
+        "path": tilts[shown],
+        "added": np.cumsum(angles, axis=0)[shown][:, across],
+        "gravity": before / norm(before),
+    }
+
+
+def _ferraris_diagonal(
+    log: Recording, rows: dict[str, tuple[int, int]], rests: Rests
+) -> FloatArray:
+    """Diagonal minus one of Ferraris's gyro matrix, as imucal 2.6.0 computes it: its K times R.
+
+    The accelerometers, calibrated by the six rests, take gravity's effect off the gyros.
+    """
+    up, down = slice(0, None, 2), slice(1, None, 2)
+    force_triad = (rests.force[up] - rests.force[down]).T / (2 * log.gravity)
+    by_force = (rests.gyro[up] - rests.gyro[down]).T / (2 * log.gravity)
+    columns = []
+    for turn in (log.part(*rows[name]) for name in TURNS):
+        force = (turn.accelerometer - rests.force_bias) @ inv(force_triad).T
+        rate = turn.gyro - rests.gyro_bias - force @ by_force.T
+        columns.append(rate.sum(axis=0) * log.interval / (-2 * np.pi))
+    return np.diag(columns) - 1

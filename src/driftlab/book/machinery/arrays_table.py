@@ -1,0 +1,76 @@
+"""Arrays of different shapes as one table, and back: what a figure restores itself from.
+
+A row is one number: the name of its array, its index there, and its value. So whatever an
+experiment returns as a tuple of arrays can be published as CSV and read again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeVar
+
+import numpy as np
+
+from driftlab.checks import FloatArray
+
+Arrays = TypeVar("Arrays", bound=tuple[Any, ...])
+
+
+def to_columns(data: Any) -> dict[str, Any]:
+    """Columns ``array``, ``index``, ``value`` of a named tuple of numbers and arrays.
+
+    Parameters
+    ----------
+    data : named tuple
+        Its fields are numbers or arrays of numbers, none of them empty.
+
+    Examples
+    --------
+    >>> from typing import NamedTuple
+    >>> class Found(NamedTuple):
+    ...     mean: float
+    ...     parts: FloatArray
+    >>> table = to_columns(Found(2.0, np.array([[1.0, 3.0]])))
+    >>> table["array"], table["index"]
+    (['mean', 'parts', 'parts'], ['', '0 0', '0 1'])
+    """
+    names, indices, values = [], [], []
+    for name, field in data._asdict().items():
+        for index, value in np.ndenumerate(np.asarray(field, float)):
+            names.append(name)
+            indices.append(" ".join(map(str, index)))
+            values.append(float(value))
+    return {"array": names, "index": indices, "value": values}
+
+
+def from_columns(kind: Callable[..., Arrays]) -> Callable[[Mapping[str, Sequence[str]]], Arrays]:
+    """Return the function that reads the columns of `to_columns` back.
+
+    Parameters
+    ----------
+    kind : type of named tuple
+        Each of its fields becomes an array, a single number one without axes.
+
+    Examples
+    --------
+    >>> from typing import NamedTuple
+    >>> class Found(NamedTuple):
+    ...     parts: FloatArray
+    >>> columns = {"array": ["parts"] * 2, "index": ["0 0", "0 1"], "value": ["1", "3"]}
+    >>> from_columns(Found)(columns).parts
+    array([[1., 3.]])
+    """
+
+    def restore(table: Mapping[str, Sequence[str]]) -> Arrays:
+        cells: dict[str, dict[tuple[int, ...], float]] = {}
+        for name, index, value in zip(table["array"], table["index"], table["value"], strict=True):
+            cells.setdefault(name, {})[tuple(map(int, index.split()))] = float(value)
+        return kind(**{name: _array(entries) for name, entries in cells.items()})
+
+    return restore
+
+
+def _array(entries: Mapping[tuple[int, ...], float]) -> FloatArray:
+    """An array from its numbers in order; the last index tells its shape."""
+    shape = tuple(k + 1 for k in next(reversed(entries)))
+    return np.array(list(entries.values())).reshape(shape)
