@@ -7,6 +7,7 @@ folder of the reader's, the figure is computed, else it comes from the numbers i
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -72,7 +73,13 @@ def measured(name: str) -> Any:
     needed = not definition.recordings or bool(not_at_hand(definition))
     if definition.restore is not None and needed and table.exists():
         return definition.restore(read_columns(table))
-    return definition.compute()
+    return _from_recordings(name) if definition.recordings else definition.compute()
+
+
+@cache
+def _from_recordings(name: str) -> Any:
+    """What is computed from recordings, once: they do not change."""
+    return _definition(name).compute()
 
 
 def not_at_hand(definition: FigureDefinition) -> str:

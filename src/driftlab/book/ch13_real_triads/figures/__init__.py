@@ -7,7 +7,7 @@ from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.recordings.publishers import PUBLISHED
 
 from .. import experiments
-from . import hand_turns
+from . import five_units, hand_turns, two_calibrations
 
 
 def _credit(name: str) -> str:
@@ -30,11 +30,51 @@ FIGURES = (
             "(filled): what stands across the axis adds up to nothing. What is left along the "
             f"axis is Larin's estimate, {', '.join(f'{x:.5f}' for x in data.estimate)}; "
             "Ferraris's diagonal from the same turns differs by at most "
-            f"{np.abs(data.estimate - data.ferraris).max():.0e}. On the right, by how much each source "
-            "may move an estimate; the heading at the end no sensor saw, and it is taken to be as "
-            f"good as the tilt. {_credit('ferraris-session')}"
+            f"{np.abs(data.estimate - data.ferraris).max():.0e}. On the right, by how much each "
+            "source may move an estimate; the heading at the end no sensor saw, and it is taken to "
+            f"be as good as the tilt. {_credit('ferraris-session')}"
         ),
         from_columns(experiments.HandTurns),
         ("ferraris-session",),
+    ),
+    FigureDefinition(
+        "13-two-calibrations",
+        experiments.two_calibrations,
+        two_calibrations.draw,
+        to_columns,
+        lambda data: (
+            "One record of one unit, calibrated and published twice. Drawn are the sensitive axes "
+            f"as published, errors {two_calibrations.MAGNIFIED} times too large. The gyro matrices "
+            f"differ by up to {np.abs(np.diff(data.published_gyro, axis=0)).max():.4f}. A rotation "
+            f"of the body axes by {np.degrees(np.linalg.norm(data.rotation)):.2f} degrees carries "
+            "all of the first into the second, within "
+            f"{np.abs(data.carried[0] - data.published_gyro[1]).max():.0e}: the two triads stand "
+            "to each other the same way in both. On the right, what is left after each of "
+            f"{len(data.after)} moves, fitted anew by IMU-TK's method; the gyro matrix comes "
+            f"within {np.abs(data.gyro - data.published_gyro).max():.0e} of the published one, its "
+            f"own deviation being up to {data.deviation.max():.0e}. {_credit('xsens-mti')}"
+        ),
+        from_columns(experiments.TwoCalibrations),
+        ("xsens-mti",),
+    ),
+    FigureDefinition(
+        "13-five-units",
+        experiments.five_units,
+        five_units.draw,
+        to_columns,
+        lambda data: (
+            "Does a published table follow from its data? By the authors' own rule for a rest it "
+            f"does, for all five gyro triads within {data.difference[0].max():.0e}. With unit "
+            f"{experiments.ODD + 1} the rule also finds a rest of "
+            f"{data.pause[1] - data.pause[0]:.0f} samples in a hand that still settles; without it "
+            f"what is left falls from {np.degrees(data.residual[0, experiments.ODD]):.2f} to "
+            f"{np.degrees(data.residual[2, experiments.ODD]):.2f} degrees, and the matrix moves by "
+            f"{data.difference[2, experiments.ODD]:.4f}, which is "
+            f"{data.difference[2, experiments.ODD] / data.deviation[0, experiments.ODD].max():.1f} "
+            "times the largest deviation of the fit with it. "
+            f"{_credit(experiments.UNITS[0])}"
+        ),
+        from_columns(experiments.FiveUnits),
+        experiments.UNITS,
     ),
 )

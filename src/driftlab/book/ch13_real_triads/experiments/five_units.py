@@ -1,0 +1,246 @@
+"""Does a published table follow from its data? Five units, and several ways to try."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import maximum_filter1d
+from scipy.optimize import least_squares
+
+from driftlab.calibration.poses import calibrate_by_poses
+from driftlab.checks import FloatArray
+from driftlab.recordings.publishers import published
+from driftlab.recordings.recording import Recording
+from driftlab.recordings.rests import rests
+
+from .publishers_numbers import UNITS, imu_calib_triads
+from .tilt_fit import Triad, calibrated, fit_accelerometers, fit_gyros
+
+QUIET = 0.13
+"""Rate below which the authors' code takes a unit to be at rest, rad/s."""
+SETTLED = 60
+"""Samples that it leaves out after a move and before the next."""
+_WIDENED = 5
+"""Samples by which it lengthens each move at both ends."""
+
+
+class Way(NamedTuple):
+    """One way to cut and fit a record.
+
+    Attributes
+    ----------
+    name : str
+    quiet : float
+        rad/s.
+    settled : int
+        Samples.
+    shortest : int
+        Least number of samples in a rest; a shorter one belongs to the move about it.
+    spline : bool
+        Whether angles are integrals of a spline, or the interval times a sample.
+    bias_sought : bool
+        Whether the gyro bias is fitted, or the mean of the rests.
+    """
+
+    name: str
+    quiet: float = QUIET
+    settled: int = SETTLED
+    shortest: int = 0
+    spline: bool = True
+    bias_sought: bool = True
+
+
+WAYS = (
+    Way("as the authors' code has it", spline=False),
+    Way("integrals of a spline"),
+    Way("rests of 0.5 s at least", shortest=50),
+    Way("and settled for 1 s", shortest=50, settled=100),
+    Way("and quiet below 0.2 rad/s", shortest=50, settled=100, quiet=0.2),
+    Way("and the gyro bias of the rests", shortest=50, settled=100, bias_sought=False),
+)
+"""Ways of the authors' method: the first is their own, the third drops rests that are none."""
+WAY_NAMES = (*(way.name for way in WAYS), "rests and weights of this book")
+"""All ways, `calibrate_by_poses` the last."""
+ODD = 1
+"""Index of the unit for which ways matter."""
+
+
+class UnitFit(NamedTuple):
+    """One unit in one way: its two matrices, deviations of the gyros', and angles left, rad."""
+
+    accelerometer: FloatArray
+    gyro: FloatArray
+    deviation: FloatArray
+    angles: FloatArray
+
+
+class FiveUnits(NamedTuple):
+    """First index the way, if there is one; then the unit.
+
+    Attributes
+    ----------
+    published_gyro, published_accelerometer : ndarray, shape (5, 3, 3)
+        K and L of measured = (I + K) true + bias, from the authors' table.
+    gyro, deviation : ndarray, shape (way, 5, 3, 3)
+        K in the same axes, and standard deviations by the scatter of the residuals.
+    accelerometer : ndarray, shape (way, 5, 3, 3)
+        L, by all three components of what a sample at rest has too much.
+    before_the_fix : ndarray, shape (5, 3, 3)
+        L in the authors' way with the code of the year of the table, which lost the third.
+    residual : ndarray, shape (way, 5)
+        Root mean square of the angles left, rad.
+    moves : ndarray, shape (way, 5)
+        How many moves were found.
+    published_residual, with_own_bias : ndarray, shape (5,)
+        The same with the published matrices, in the authors' way: with the published gyro bias,
+        and with the bias that suits the matrices best, because theirs is rounded.
+    shortest : ndarray, shape (5,)
+        Samples in the shortest rest that the authors' way finds.
+    angles : ndarray, shape (m,)
+        Of the odd unit: the angle left after each move in the authors' way, rad.
+    pause : ndarray, shape (2,)
+        Rows of its shortest rest.
+    rate : ndarray, shape (n,)
+        Size of its rate about that rest, rad/s, from the row `rate_begin` on.
+    rate_begin : ndarray, shape ()
+    """
+
+    published_gyro: FloatArray
+    published_accelerometer: FloatArray
+    gyro: FloatArray
+    deviation: FloatArray
+    accelerometer: FloatArray
+    before_the_fix: FloatArray
+    residual: FloatArray
+    moves: FloatArray
+    published_residual: FloatArray
+    with_own_bias: FloatArray
+    shortest: FloatArray
+    angles: FloatArray
+    pause: FloatArray
+    rate: FloatArray
+    rate_begin: FloatArray
+
+    @property
+    def difference(self) -> FloatArray:
+        """Largest difference (way, 5) of an entry of K from the table."""
+        return np.abs(self.gyro - self.published_gyro).max(axis=(-2, -1))
+
+    @property
+    def in_deviations(self) -> FloatArray:
+        """Largest difference (way, 5) in units of the entry's own deviation."""
+        return (np.abs(self.gyro - self.published_gyro) / self.deviation).max(axis=(-2, -1))
+
+
+def five_units() -> FiveUnits:
+    """Fit all five units in all ways.
+
+    Raises
+    ------
+    RecordingUnavailable
+        If one of the records is not at hand.
+    """
+    logs = [published(name, download=False) for name in UNITS]
+    tables = [imu_calib_triads(unit) for unit in range(len(UNITS))]
+    fits = [[fit_unit(log, way) for log in logs] for way in WAYS]
+    fits.append([weighted_fit(log) for log in logs])
+    own = [_with_table(log, table) for log, table in zip(logs, tables, strict=True)]
+    cuts = [authors_rests(log, WAYS[0]) for log in logs]
+    pause = min(cuts[ODD], key=lambda rows: rows[1] - rows[0])
+    around = slice(pause[0] - 330, pause[1] + 300)
+    return FiveUnits(
+        np.array([table[1].error for table in tables]),
+        np.array([table[0].error for table in tables]),
+        np.array([[fit.gyro for fit in row] for row in fits]),
+        np.array([[fit.deviation for fit in row] for row in fits]),
+        np.array([[fit.accelerometer for fit in row] for row in fits]),
+        np.array([_before_the_fix(log, rows) for log, rows in zip(logs, cuts, strict=True)]),
+        np.array([[_rms(fit.angles) for fit in row] for row in fits]),
+        np.array([[len(fit.angles) for fit in row] for row in fits], float),
+        *np.array(own).T,
+        np.array([min(end - begin for begin, end in rows) for rows in cuts], float),
+        fits[0][ODD].angles,
+        np.array(pause, float),
+        np.linalg.norm(logs[ODD].gyro[around], axis=1),
+        np.array(float(around.start)),
+    )
+
+
+def fit_unit(log: Recording, way: Way) -> UnitFit:
+    """Fit a unit by the authors' method, each move with the same weight, in one way."""
+    cuts = authors_rests(log, way)
+    rows = _still_rows(cuts, len(log))
+    accelerometers = fit_accelerometers(log.accelerometer[rows], log.gravity)
+    bias = None if way.bias_sought else log.gyro[rows].mean(axis=0)
+    fit = fit_gyros(log, cuts, accelerometers, fixed_bias=bias, spline=way.spline)
+    return UnitFit(accelerometers.error, fit.gyros.error, fit.deviation, fit.residuals)
+
+
+def weighted_fit(log: Recording) -> UnitFit:
+    """Fit a unit by rests and weights of this book, in the authors' body axes."""
+    fit = calibrate_by_poses(log, rests(log), body_axes="lower triangle accelerometers")
+    found = fit.imu_errors
+    return UnitFit(
+        found.accelerometer_error, found.gyro_error, fit.deviations.gyro_error, fit.turn_residuals
+    )
+
+
+def _before_the_fix(log: Recording, cuts: list[tuple[int, int]]) -> FloatArray:
+    """Error matrix of the accelerometers by two components of what each sample has too much.
+
+    An index of the authors' code stepped by two where there are three numbers, so that the third
+    was overwritten; it was mended ten months after the table.
+    """
+    force = log.accelerometer[_still_rows(cuts, len(log))]
+
+    def triad(unknowns: FloatArray) -> Triad:
+        error = np.zeros((3, 3))
+        error[np.triu_indices(3)] = unknowns[:6]
+        return Triad(error, unknowns[6:])
+
+    def surplus(unknowns: FloatArray) -> FloatArray:
+        true = calibrated(force, triad(unknowns))
+        size = np.linalg.norm(true, axis=1, keepdims=True)
+        return (true[:, :2] * (log.gravity / size - 1)).ravel()
+
+    return triad(least_squares(surplus, np.zeros(9), method="lm").x).error
+
+
+def _still_rows(cuts: list[tuple[int, int]], count: int) -> NDArray[np.intp]:
+    """Rows of the rests before the moves were widened: all of them count for the accelerometers."""
+    return np.concatenate(
+        [np.arange(max(begin - _WIDENED, 0), min(end + _WIDENED, count)) for begin, end in cuts]
+    )
+
+
+def authors_rests(log: Recording, way: Way) -> list[tuple[int, int]]:
+    """Rests by the rule of the authors' code.
+
+    A row is still if the rate stays below the bound for the time of settling before it and after;
+    moves are then widened by a few samples, so that rests lose as many.
+    """
+    moving = np.linalg.norm(log.gyro, axis=1) >= way.quiet
+    still = ~maximum_filter1d(moving, 2 * way.settled + 1)
+    edges = np.flatnonzero(np.diff(still, prepend=False, append=False))
+    found = [(b + _WIDENED, e - _WIDENED) for b, e in edges.reshape(-1, 2).tolist()]
+    first, last = (0, found[0][1]), (found[-1][0], len(log) - 1)
+    return [
+        (begin, end)
+        for begin, end in [first, *found[1:-1], last]
+        if end - begin > max(way.shortest, 0)
+    ]
+
+
+def _with_table(log: Recording, table: tuple) -> tuple[float, float]:
+    """Residuals that the published matrices leave, with the published bias and with the best."""
+    cuts = authors_rests(log, WAYS[0])
+    accelerometers, gyros = table
+    as_published, refitted = (
+        fit_gyros(log, cuts, accelerometers, fixed_error=gyros.error, fixed_bias=b, spline=False)
+        for b in (gyros.bias, None)
+    )
+    return _rms(as_published.residuals), _rms(refitted.residuals)
+
+
+def _rms(angles: FloatArray) -> float:
+    return float(np.sqrt((angles**2).mean()))

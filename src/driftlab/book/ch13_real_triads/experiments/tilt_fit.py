@@ -1,0 +1,182 @@
+"""The fit that both publishers make: gravity, carried by the gyros over each move, must fit.
+
+At rest the accelerometers must measure gravity in any pose. Then the gyros are asked to carry its
+direction from each rest to the next; the angle that is left is the residual of the move. IMU-TK
+(Tedaldi, Pretto, Menegatti 2014) and imu-calib (Mikov, Reginya, Moschevikin 2020) minimise the sum
+of these squares, each move with the same weight. `calibrate_by_poses` weighs them by their noise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.linalg import inv, norm
+
+from driftlab.checks import FloatArray
+from driftlab.core.quaternion import cumulative_product, from_rotation_vector, to_matrix
+from driftlab.core.vectors import cross_matrix, transform
+from driftlab.recordings.recording import Recording
+
+_UPPER = np.triu_indices(3)
+_SETTLED = 1e-10
+"""Change of a matrix entry with which the fit of the gyros ends; their triads are near one."""
+_MOST_STEPS = 20
+
+
+class Triad(NamedTuple):
+    """Sensors that measure (I + error) true + bias.
+
+    Attributes
+    ----------
+    error : ndarray, shape (3, 3)
+    bias : ndarray, shape (3,)
+    """
+
+    error: FloatArray
+    bias: FloatArray
+
+
+class TiltFit(NamedTuple):
+    """Gyros as the moves show them.
+
+    Attributes
+    ----------
+    gyros : Triad
+    deviation : ndarray, shape (3, 3)
+        Of the entries of the matrix, by the scatter of the residuals.
+    residuals : ndarray, shape (m,)
+        Angle left after each move, rad.
+    """
+
+    gyros: Triad
+    deviation: FloatArray
+    residuals: FloatArray
+
+
+def fit_accelerometers(force: FloatArray, gravity: float) -> Triad:
+    """Accelerometers that measure gravity at rest: of axes so that nothing is below the diagonal.
+
+    Parameters
+    ----------
+    force : ndarray, shape (n, 3)
+        Samples or means at rest, m/s^2.
+    gravity : float
+        m/s^2.
+    """
+
+    # The unknowns are C = (I + L)^-1, upper triangular as well, and the bias.
+    matrix, bias = np.eye(3), np.zeros(3)
+    for _ in range(_MOST_STEPS):
+        unbiased = force - bias
+        true = unbiased @ matrix.T
+        size = norm(true, axis=1)
+        up = true / size[:, np.newaxis]
+        slope = np.concatenate([up[:, _UPPER[0]] * unbiased[:, _UPPER[1]], -up @ matrix], axis=1)
+        # The normal equations are good enough here: nine unknowns of like size.
+        step = np.linalg.solve(slope.T @ slope, slope.T @ (gravity - size))
+        matrix[_UPPER] += step[:6]
+        bias = bias + step[6:]
+        if np.abs(step).max() < _SETTLED:
+            break
+    return Triad(inv(matrix) - np.eye(3), bias)
+
+
+def calibrated(rows: FloatArray, triad: Triad) -> FloatArray:
+    """True values of what a triad has measured, (n, 3)."""
+    return (rows - triad.bias) @ inv(np.eye(3) + triad.error).T
+
+
+def fit_gyros(
+    log: Recording,
+    rests: Sequence[tuple[int, int]],
+    accelerometers: Triad,
+    *,
+    fixed_bias: FloatArray | None = None,
+    fixed_error: FloatArray | None = None,
+    leading: int | None = None,
+    spline: bool = True,
+) -> TiltFit:
+    """Gyros that carry gravity from rest to rest, by least squares of the angles left.
+
+    Parameters
+    ----------
+    log : Recording
+        Rates.
+    rests : sequence of (int, int)
+        Rows of each rest; a move is what lies between two.
+    accelerometers : Triad
+        With which the axes of the body are chosen.
+    fixed_bias, fixed_error : ndarray, optional
+        Gyro bias in rad/s, or matrix, that is known instead of being sought.
+    leading : int, optional
+        How many rows at the begin of a rest tell gravity there; all if not given.
+    spline : bool
+        Whether the angle between two samples is the integral of a spline, or the interval times
+        the first of them.
+    """
+    force = calibrated(log.accelerometer, accelerometers)
+    down = np.array([force[begin:end][:leading].mean(axis=0) for begin, end in rests])
+    down /= norm(down, axis=1, keepdims=True)
+    moves = _padded(log.angles() if spline else log.gyro * log.interval, rests, log.interval)
+    bias = np.zeros(3) if fixed_bias is None else fixed_bias
+    # The unknowns are C = (I + K)^-1 and c = C b, in which calibrated angles are linear.
+    matrix = np.eye(3) if fixed_error is None else inv(np.eye(3) + fixed_error)
+    shift = matrix @ bias
+    for _ in range(_MOST_STEPS):
+        left, slope = _residuals(moves, down, matrix, shift)
+        if fixed_bias is not None:
+            slope = slope[:, :9] + np.einsum("nk,l->nkl", slope[:, 9:], bias).reshape(-1, 9)
+        if fixed_error is not None:
+            slope = slope[:, 9:]
+        step = np.linalg.lstsq(slope, -left.ravel(), rcond=None)[0]
+        if np.abs(step).max(initial=0.0) < _SETTLED:
+            break
+        if fixed_error is None:
+            matrix = matrix + step[:9].reshape(3, 3)
+        shift = matrix @ bias if fixed_bias is not None else shift + step[-3:]
+    triad = inv(matrix)
+    return TiltFit(
+        Triad(triad - np.eye(3), triad @ shift),
+        _deviation(triad, left, slope) if fixed_error is None else np.zeros((3, 3)),
+        norm(left, axis=1),
+    )
+
+
+def _padded(angles: FloatArray, rests: Sequence[tuple[int, int]], interval: float) -> FloatArray:
+    """Angles and interval (m, n, 4) of the moves between rests, and zeros after each one's end."""
+    moves = [angles[a[1] : b[0]] for a, b in pairwise(rests)]
+    padded = np.zeros((len(moves), max(map(len, moves)), 4))
+    for row, move in zip(padded, moves, strict=True):
+        row[: len(move), :3] = move
+        row[: len(move), 3] = interval
+    return padded
+
+
+def _residuals(
+    moves: FloatArray, down: FloatArray, matrix: FloatArray, shift: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Tilts left (m, 3), and their slopes (3m, 12) over the matrix and the shift."""
+    turned = to_matrix(
+        cumulative_product(from_rotation_vector(moves @ np.column_stack([matrix, -shift]).T))
+    )
+    before, carried = down[:-1], transform(turned[:, -1], down[1:])
+    # A small turn in step k turns all that follows, about its axis as seen at the start.
+    seen = np.zeros_like(turned)
+    seen[:, 0], seen[:, 1:] = np.eye(3), turned[:, :-1]
+    count = len(moves)
+    sums = (seen.reshape(count, -1, 9).swapaxes(1, 2) @ moves).reshape(count, 3, 3, 4)
+    turns = np.concatenate([sums[..., :3].reshape(count, 3, 9), -sums[..., 3]], axis=2)
+    slopes = -cross_matrix(before) @ cross_matrix(carried) @ turns
+    return np.cross(before, carried), slopes.reshape(-1, 12)
+
+
+def _deviation(triad: FloatArray, left: FloatArray, slope: FloatArray) -> FloatArray:
+    """Deviations (3, 3) of I + K = C^-1, two independent components of tilt a move."""
+    unknowns = slope.shape[1]
+    variance = (left**2).sum() / (2 * len(left) - unknowns)
+    covariance = variance * np.linalg.inv(slope.T @ slope)[:9, :9]
+    of_triad = np.kron(triad, triad.T)
+    return np.sqrt(np.diag(of_triad @ covariance @ of_triad.T)).reshape(3, 3)

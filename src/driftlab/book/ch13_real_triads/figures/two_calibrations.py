@@ -1,0 +1,75 @@
+"""Two published calibrations of one record: two triads, drawn in both choices of body axes."""
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from scipy.constants import degree
+
+from driftlab.book.machinery.picture import (
+    BLUE,
+    GREY,
+    VERMILION,
+    in_style,
+    plain_axes,
+    project,
+)
+from driftlab.checks import FloatArray
+
+from ..experiments import TRIANGLES, TwoCalibrations
+
+MAGNIFIED = 8
+"""By which factor errors are drawn."""
+
+
+@in_style
+def draw(data: TwoCalibrations) -> Figure:
+    """A triad of accelerometers and one of gyros for each choice; then the residuals."""
+    figure = Figure(figsize=(11.0, 4.6))
+    *sheets, moves = figure.subplots(1, 3, gridspec_kw={"width_ratios": [1, 1, 1.15]})
+    figure.subplots_adjust(0.005, 0.13, 0.985, 0.9, wspace=0.12)
+    for sheet, name, gyro, accelerometer in zip(
+        sheets, TRIANGLES, data.published_gyro, data.published_accelerometer, strict=True
+    ):
+        plain_axes(sheet)
+        sheet.set(xlim=(-0.32, 1.08), ylim=(-0.45, 1.2))
+        sheet.set_title(name, loc="left")
+        _draw_triad(sheet, np.zeros((3, 3)), GREY, "-", 1.0)
+        _draw_triad(sheet, accelerometer, BLUE, "-", 2.0)
+        _draw_triad(sheet, gyro, VERMILION, "--", 2.0)
+        for axis, tip in zip("xyz", project(1.2 * np.eye(3)), strict=True):
+            sheet.text(*tip, axis, color=GREY, ha="center", va="center")
+    turn = np.linalg.norm(data.rotation) / degree
+    for height, words, color in (
+        (0.15, "body axes", GREY), (0.08, "accelerometers", BLUE), (0.01, "gyros", VERMILION)
+    ):  # fmt: skip
+        sheets[0].text(0.02, height, words, color=color, fontsize=10, transform=sheets[0].transAxes)
+    sheets[1].text(
+        -0.3, -0.36, f"the same two triads:\nthe body axes are turned by {turn:.2f}°",
+        fontsize=10, va="center",
+    )  # fmt: skip
+    _draw_moves(moves, data)
+    return figure
+
+
+def _draw_triad(sheet: Axes, error: FloatArray, color: str, line: str, width: float) -> None:
+    for tip in project(np.eye(3) + MAGNIFIED * error):
+        sheet.plot([0, tip[0]], [0, tip[1]], color=color, linestyle=line, linewidth=width)
+        sheet.plot(*tip, color=color, marker="o", markersize=4)
+
+
+def _draw_moves(panel: Axes, data: TwoCalibrations) -> None:
+    panel.set(title="gravity carried over a move", yscale="log", xlabel="move")
+    panel.set(ylabel="angle left, deg", ylim=(0.1, 12))
+    number = np.arange(1, len(data.before) + 1)
+    for angles, color, marker, words in (
+        (data.before, GREY, "s", "before"), (data.after, VERMILION, "o", "calibrated")
+    ):  # fmt: skip
+        rms = np.sqrt((angles**2).mean()) / degree
+        panel.plot(number, angles / degree, color=color, marker=marker, markersize=4,
+                   linestyle="none")  # fmt: skip
+        panel.axhline(rms, color=color, linewidth=1.2)
+        panel.annotate(
+            f"{words}, rms {rms:.2g}°", (number[-1], rms), (0, 4), textcoords="offset points",
+            color=color, ha="right", fontsize=10,
+            bbox={"color": "white", "pad": 0.5, "alpha": 0.9},
+        )  # fmt: skip
