@@ -53,12 +53,12 @@ class Way(NamedTuple):
 WAYS = (
     Way("as the authors' code has it", spline=False),
     Way("integrals of a spline"),
-    Way("rests of 0.5 s at least", shortest=50),
-    Way("and settled for 1 s", shortest=50, settled=100),
+    Way("without rests under 0.1 s", shortest=10),
+    Way("nor under 0.5 s; 1 s to settle", shortest=50, settled=100),
     Way("and quiet below 0.2 rad/s", shortest=50, settled=100, quiet=0.2),
     Way("and the gyro bias of the rests", shortest=50, settled=100, bias_sought=False),
 )
-"""Ways of the authors' method: the first is their own, the third drops rests that are none."""
+"""Ways of the authors' method: the first is their own, the third drops one rest of one unit."""
 WAY_NAMES = (*(way.name for way in WAYS), "rests and weights of this book")
 """All ways, `calibrate_by_poses` the last."""
 ODD = 1
@@ -227,7 +227,7 @@ def authors_rests(log: Recording, way: Way) -> list[tuple[int, int]]:
     return [
         (begin, end)
         for begin, end in [first, *found[1:-1], last]
-        if end - begin > max(way.shortest, 0)
+        if end - begin >= max(way.shortest, 1)
     ]
 
 
