@@ -1,7 +1,8 @@
 """The equation ledger: what became of every equation, table, figure and claim of the four papers.
 
-The entries stand in the ``ledger.toml`` of the chapter that treats them. A chapter shows its own,
-chapter 12 shows all, and `errata` writes the corrected ones to ERRATA.md.
+And of the numbers that others have published with the recordings of chapter 13. The entries stand
+in the ``ledger.toml`` of the chapter that treats them. A chapter shows its own, chapter 12 shows
+all, and `errata` writes the corrected ones to ERRATA.md.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from .chapters import CHAPTERS, chapters_with
 
 
 class Paper(NamedTuple):
-    """One of the four papers, and what of it lay before this book.
+    """One of the four papers, or a work with a recording, and what of it lay before this book.
 
     Attributes
     ----------
@@ -68,6 +69,30 @@ PAPERS = {
 }
 """The four papers by the name that an entry gives, in the order of the book."""
 
+PUBLISHERS = {
+    "imucal": Paper(
+        "A. Küderle, N. Roth, R. Richer, B. M. Eskofier",
+        "*imucal*, a program, 2022",
+        "The program, version 2.6.0, run on its own example session, and its repository.",
+    ),
+    "imu-tk": Paper(
+        "D. Tedaldi, A. Pretto, E. Menegatti",
+        "IMU-TK, a program, and its paper, 2014",
+        "The program's source, its record of an Xsens MTi, and two outputs on that record, with "
+        "two choices of body axes, which others who ran it have made public.",
+    ),
+    "imu-calib": Paper(
+        "A. Mikov, S. Reginya, A. Moschevikin",
+        "imu-calib, a program, and its paper, 2020",
+        "The repository: source with its history, five records, and a table of five units as a "
+        "picture. The paper itself was not read.",
+    ),
+}
+"""Who published recordings with results of their own, in the order of chapter 13."""
+
+WORKS = PAPERS | PUBLISHERS
+"""Everything that an entry may be about."""
+
 STATUSES = {
     "reproduced": "derived or computed anew, and equal to the copy",
     "corrected": "what the copy has is wrong, and the right form is proved",
@@ -105,7 +130,7 @@ class LedgerEntry:
     Attributes
     ----------
     paper : str
-        One of `PAPERS`.
+        One of `WORKS`.
     label : str
         The number in the paper, or a short name of a claim.
     kind : str
@@ -173,7 +198,7 @@ class Table:
 def ledger_entries() -> tuple[LedgerEntry, ...]:
     """Return all entries: paper by paper, and for each in the order of the chapters."""
     entries = [entry for chapter in chapters_with("ledger") for entry in _chapter_entries(chapter)]
-    return tuple(sorted(entries, key=lambda entry: list(PAPERS).index(entry.paper)))
+    return tuple(sorted(entries, key=lambda entry: list(WORKS).index(entry.paper)))
 
 
 def _chapter_entries(chapter: str) -> list[LedgerEntry]:
@@ -196,7 +221,7 @@ def chapter_table(chapter: str) -> Table:
     Parameters
     ----------
     chapter : str
-        Its number, "01" to "10".
+        Its number, "01" to "10", or "13".
 
     Raises
     ------
@@ -229,7 +254,7 @@ def paper_table(paper: str) -> Table:
     Parameters
     ----------
     paper : str
-        One of `PAPERS`.
+        One of `WORKS`.
 
     Raises
     ------
@@ -256,7 +281,7 @@ def paper_table(paper: str) -> Table:
 def summary_table() -> Table:
     """Return how many entries of each paper have which status."""
     rows = []
-    for name, paper in PAPERS.items():
+    for name, paper in WORKS.items():
         statuses = [entry.status for entry in _entries_of(name)]
         counts = [statuses.count(status) for status in STATUSES]
         rows.append((str(paper), *map(str, counts), str(sum(counts))))
@@ -264,8 +289,8 @@ def summary_table() -> Table:
 
 
 def _entries_of(paper: str) -> list[LedgerEntry]:
-    if paper not in PAPERS:
-        raise ValueError(f"paper: expected one of {', '.join(PAPERS)}, got {paper!r}.")
+    if paper not in WORKS:
+        raise ValueError(f"paper: expected one of {', '.join(WORKS)}, got {paper!r}.")
     return [entry for entry in ledger_entries() if entry.paper == paper]
 
 

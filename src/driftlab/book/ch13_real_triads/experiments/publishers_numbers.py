@@ -105,7 +105,7 @@ def imu_calib_triads(unit: int) -> tuple[Triad, Triad]:
     Notes
     -----
     Their gyros measure (I + [epsilon x]) (M true + b), their accelerometers M true + b, with M
-    triangular. Which m is which entry their code tells, and each other order fits worse.
+    triangular. Which m is which entry their code tells, and with it the fit gives the table back.
     """
     accelerometers, gyros = ({name: row[unit] for name, row in table.items()} for table in _TABLES)
     seen = np.eye(3) + cross_matrix(_column(gyros, "epsilon", degree))
@@ -116,6 +116,11 @@ def imu_calib_triads(unit: int) -> tuple[Triad, Triad]:
             seen @ _column(gyros, "b", degree),
         ),
     )
+
+
+def published_gyro_bias(unit: int) -> FloatArray:
+    """Gyro bias (3,) of a unit as the table has it, before the turn by epsilon, rad/s."""
+    return _column({name: row[unit] for name, row in _FIVE_GYROS.items()}, "b", degree)
 
 
 _TABLES = (_FIVE_ACCELEROMETERS, _FIVE_GYROS)
