@@ -72,5 +72,5 @@ def from_columns(kind: Callable[..., Arrays]) -> Callable[[Mapping[str, Sequence
 
 def _array(entries: Mapping[tuple[int, ...], float]) -> FloatArray:
     """An array from its numbers in order; the last index tells its shape."""
-    shape = tuple(k + 1 for k in next(reversed(entries)))
+    shape = tuple(k + 1 for k in max(entries))
     return np.array(list(entries.values())).reshape(shape)

@@ -13,6 +13,7 @@ from driftlab.recordings.publishers import published
 from driftlab.recordings.recording import Recording
 from driftlab.recordings.rests import rests
 
+from .force_and_gravity import force_and_gravity
 from .publishers_numbers import UNITS, imu_calib_triads
 from .tilt_fit import Triad, calibrated, fit_accelerometers, fit_gyros
 
@@ -144,7 +145,7 @@ def five_units() -> FiveUnits:
     tables = [imu_calib_triads(unit) for unit in range(len(UNITS))]
     fits = [[fit_unit(log, way) for log in logs] for way in WAYS]
     fits.append([weighted_fit(log) for log in logs])
-    own = [_with_table(log, table) for log, table in zip(logs, tables, strict=True)]
+    own = np.array([_with_table(log, table) for log, table in zip(logs, tables, strict=True)])
     cuts = [authors_rests(log, WAYS[0]) for log in logs]
     pause = min(cuts[ODD], key=lambda rows: rows[1] - rows[0])
     around = slice(pause[0] - 330, pause[1] + 300)
@@ -157,7 +158,8 @@ def five_units() -> FiveUnits:
         np.array([_before_the_fix(log, rows) for log, rows in zip(logs, cuts, strict=True)]),
         np.array([[_rms(fit.angles) for fit in row] for row in fits]),
         np.array([[len(fit.angles) for fit in row] for row in fits], float),
-        *np.array(own).T,
+        own[:, 0],
+        own[:, 1],
         np.array([min(end - begin for begin, end in rows) for rows in cuts], float),
         fits[0][ODD].angles,
         np.array(pause, float),
@@ -170,7 +172,8 @@ def fit_unit(log: Recording, way: Way) -> UnitFit:
     """Fit a unit by the authors' method, each move with the same weight, in one way."""
     cuts = authors_rests(log, way)
     rows = _still_rows(cuts, len(log))
-    accelerometers = fit_accelerometers(log.accelerometer[rows], log.gravity)
+    force, gravity = force_and_gravity(log)
+    accelerometers = fit_accelerometers(force[rows], gravity)
     bias = None if way.bias_sought else log.gyro[rows].mean(axis=0)
     fit = fit_gyros(log, cuts, accelerometers, fixed_bias=bias, spline=way.spline)
     return UnitFit(accelerometers.error, fit.gyros.error, fit.deviation, fit.residuals)
@@ -191,7 +194,8 @@ def _before_the_fix(log: Recording, cuts: list[tuple[int, int]]) -> FloatArray:
     An index of the authors' code stepped by two where there are three numbers, so that the third
     was overwritten; it was mended ten months after the table.
     """
-    force = log.accelerometer[_still_rows(cuts, len(log))]
+    force, gravity = force_and_gravity(log)
+    force = force[_still_rows(cuts, len(log))]
 
     def triad(unknowns: FloatArray) -> Triad:
         error = np.zeros((3, 3))
@@ -201,7 +205,7 @@ def _before_the_fix(log: Recording, cuts: list[tuple[int, int]]) -> FloatArray:
     def surplus(unknowns: FloatArray) -> FloatArray:
         true = calibrated(force, triad(unknowns))
         size = np.linalg.norm(true, axis=1, keepdims=True)
-        return (true[:, :2] * (log.gravity / size - 1)).ravel()
+        return (true[:, :2] * (gravity / size - 1)).ravel()
 
     return triad(least_squares(surplus, np.zeros(9), method="lm").x).error
 
@@ -231,7 +235,7 @@ def authors_rests(log: Recording, way: Way) -> list[tuple[int, int]]:
     ]
 
 
-def _with_table(log: Recording, table: tuple) -> tuple[float, float]:
+def _with_table(log: Recording, table: tuple[Triad, Triad]) -> tuple[float, float]:
     """Residuals that the published matrices leave, with the published bias and with the best."""
     cuts = authors_rests(log, WAYS[0])
     accelerometers, gyros = table

@@ -13,6 +13,8 @@ from driftlab.drift.turn_calibration import earth_offset
 from driftlab.recordings.publishers import ferraris_sections, published
 from driftlab.recordings.recording import Recording
 
+from .force_and_gravity import force_and_gravity
+
 TURNS = ("x_rot", "y_rot", "z_rot")
 SIDES = ("x_p", "x_a", "y_p", "y_a", "z_p", "z_a")
 SOURCES = ("hand", "axis", "gyro bias", "gyro noise", "Earth")
@@ -98,7 +100,7 @@ def hand_turns() -> HandTurns:
         If it is not at hand.
     """
     log, rows = published("ferraris-session", download=False), ferraris_sections(download=False)
-    rests = _rests([log.part(*rows[side]) for side in SIDES])
+    rests = _rests(log, [slice(*rows[side]) for side in SIDES])
     turns = [_turn(log, axis, *rows[name], rests) for axis, name in enumerate(TURNS)]
     arrays = {field: np.array([turn[field] for turn in turns]) for field in turns[0]}
     gravity, duration = arrays.pop("gravity"), arrays["duration"]
@@ -120,13 +122,14 @@ def hand_turns() -> HandTurns:
     )
 
 
-def _rests(parts: list[Recording]) -> Rests:
-    means = np.array([part.gyro.mean(axis=0) for part in parts])
+def _rests(log: Recording, parts: list[slice]) -> Rests:
+    force, _ = force_and_gravity(log)
+    means = np.array([log.gyro[rows].mean(axis=0) for rows in parts])
     return Rests(
-        np.concatenate([part.gyro for part in parts]).mean(axis=0),
+        np.concatenate([log.gyro[rows] for rows in parts]).mean(axis=0),
         means.std(axis=0, ddof=1),
-        np.sqrt(np.mean([part.gyro.var(axis=0, ddof=1) for part in parts], axis=0)),
-        np.array([part.accelerometer.mean(axis=0) for part in parts]),
+        np.sqrt(np.mean([log.gyro[rows].var(axis=0, ddof=1) for rows in parts], axis=0)),
+        np.array([force[rows].mean(axis=0) for rows in parts]),
         means,
     )
 
@@ -138,11 +141,9 @@ def _turn(log: Recording, axis: int, begin: int, end: int, rests: Rests) -> dict
     angles = raw - rests.gyro_bias * log.interval
     attitude = integrate(angles, "functional-iteration")
     tilts = np.cross(n, rotate(attitude, n))[:, across]
-    beside = round(_BESIDE / log.interval)
-    before, after = (
-        part.accelerometer.mean(axis=0) - rests.force_bias
-        for part in (log.part(begin - beside, begin), log.part(end, end + beside))
-    )
+    force, beside = force_and_gravity(log)[0], round(_BESIDE / log.interval)
+    before = force[begin - beside : begin].mean(axis=0) - rests.force_bias
+    after = force[end : end + beside].mean(axis=0) - rests.force_bias
     shown = np.linspace(0, len(angles) - 1, POINTS).round().astype(int)
     return {
         "estimate": recorded_turn_estimate(angles, n),
@@ -164,12 +165,14 @@ def _ferraris_diagonal(
 
     The accelerometers, calibrated by the six rests, take gravity's effect off the gyros.
     """
+    all_force, gravity = force_and_gravity(log)
     up, down = slice(0, None, 2), slice(1, None, 2)
-    force_triad = (rests.force[up] - rests.force[down]).T / (2 * log.gravity)
-    by_force = (rests.gyro[up] - rests.gyro[down]).T / (2 * log.gravity)
+    force_triad = (rests.force[up] - rests.force[down]).T / (2 * gravity)
+    by_force = (rests.gyro[up] - rests.gyro[down]).T / (2 * gravity)
     columns = []
-    for turn in (log.part(*rows[name]) for name in TURNS):
-        force = (turn.accelerometer - rests.force_bias) @ inv(force_triad).T
-        rate = turn.gyro - rests.gyro_bias - force @ by_force.T
+    for turn in (slice(*rows[name]) for name in TURNS):
+        force = (all_force[turn] - rests.force_bias) @ inv(force_triad).T
+        rate = log.gyro[turn] - rests.gyro_bias - force @ by_force.T
         columns.append(rate.sum(axis=0) * log.interval / (-2 * np.pi))
-    return np.diag(columns) - 1
+    diagonal: FloatArray = np.diag(columns) - 1
+    return diagonal

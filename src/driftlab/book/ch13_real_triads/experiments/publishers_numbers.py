@@ -1,6 +1,7 @@
 """What the publishers of the recordings found in them, as they have it: the numbers to meet."""
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.constants import degree
 
 from driftlab.checks import FloatArray
@@ -17,7 +18,7 @@ TRIANGLES = ("upper triangle", "lower triangle")
 """Two calibrations of one record by IMU-TK, with its axes and with others; both are public."""
 
 # IMU-TK: true = T K (counts - b), K diagonal. Two triangles of the accelerometers' T.
-_ACCELEROMETERS_T = (
+_ACCELEROMETERS_T: tuple[list[list[float]], ...] = (
     [[1, -0.0033593, -0.00890639], [0, 1, -0.0213341], [0, 0, 1]],
     [[1, 0, 0], [-0.00354989, 1, 0], [-0.00890444, -0.0213032, 1]],
 )
@@ -26,7 +27,7 @@ _ACCELEROMETERS_K = (
     (0.00241267, 0.00242659, 0.00241232),
 )
 _ACCELEROMETERS_B = (33124.2, 33275.2, 32364.4)
-_GYROS_T = (
+_GYROS_T: tuple[list[list[float]], ...] = (
     [[1, 0.00593634, 0.00111101], [0.00808812, 1, -0.0535569], [0.0253067, -0.0025513, 1]],
     [[1, 0.00927517, 0.00990014], [0.00507442, 1, -0.0322229], [0.0162201, -0.0239393, 1]],
 )
@@ -87,7 +88,7 @@ def imu_tk_triads(triangle: int) -> tuple[Triad, Triad]:
 
 
 def _of_counts(
-    misaligned: list[list[float]], scale: tuple[float, ...], zero: tuple[float, ...], nominal: float
+    misaligned: ArrayLike, scale: tuple[float, ...], zero: tuple[float, ...], nominal: float
 ) -> Triad:
     """From IMU-TK's T, K, b of counts to a triad of nominal units."""
     triad = nominal * np.linalg.inv(np.array(misaligned) @ np.diag(scale))

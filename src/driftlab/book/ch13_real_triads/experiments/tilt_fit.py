@@ -20,6 +20,8 @@ from driftlab.core.quaternion import cumulative_product, from_rotation_vector, t
 from driftlab.core.vectors import cross_matrix, transform
 from driftlab.recordings.recording import Recording
 
+from .force_and_gravity import force_and_gravity
+
 _UPPER = np.triu_indices(3)
 _SETTLED = 1e-10
 """Change of a matrix entry with which the fit of the gyros ends; their triads are near one."""
@@ -117,13 +119,13 @@ def fit_gyros(
         Whether the angle between two samples is the integral of a spline, or the interval times
         the first of them.
     """
-    force = calibrated(log.accelerometer, accelerometers)
+    force = calibrated(force_and_gravity(log)[0], accelerometers)
     down = np.array([force[begin:end][:leading].mean(axis=0) for begin, end in rests])
     down /= norm(down, axis=1, keepdims=True)
     moves = _padded(log.angles() if spline else log.gyro * log.interval, rests, log.interval)
     bias = np.zeros(3) if fixed_bias is None else fixed_bias
     # The unknowns are C = (I + K)^-1 and c = C b, in which calibrated angles are linear.
-    matrix = np.eye(3) if fixed_error is None else inv(np.eye(3) + fixed_error)
+    matrix = np.eye(3) if fixed_error is None else np.asarray(inv(np.eye(3) + fixed_error), float)
     shift = matrix @ bias
     for _ in range(_MOST_STEPS):
         left, slope = _residuals(moves, down, matrix, shift)
@@ -137,7 +139,7 @@ def fit_gyros(
         if fixed_error is None:
             matrix = matrix + step[:9].reshape(3, 3)
         shift = matrix @ bias if fixed_bias is not None else shift + step[-3:]
-    triad = inv(matrix)
+    triad = np.asarray(inv(matrix), float)
     return TiltFit(
         Triad(triad - np.eye(3), triad @ shift),
         _deviation(triad, left, slope) if fixed_error is None else np.zeros((3, 3)),

@@ -14,6 +14,7 @@ from driftlab.recordings.publishers import published
 from driftlab.recordings.recording import Recording
 from driftlab.recordings.rests import rests
 
+from .force_and_gravity import force_and_gravity
 from .publishers_numbers import TRIANGLES, imu_tk_triads
 from .tilt_fit import calibrated, fit_accelerometers, fit_gyros
 
@@ -82,15 +83,16 @@ def two_calibrations() -> TwoCalibrations:
     carried = change_body_frame(np.array([gyros[0], accelerometers[0]]), turn)
 
     cuts = imu_tk_rests(log)
-    still = np.concatenate([log.accelerometer[begin : begin + _LEADING] for begin, _ in cuts])
-    ours = fit_accelerometers(still, log.gravity)
+    force, gravity = force_and_gravity(log)
+    still = np.concatenate([force[begin : begin + _LEADING] for begin, _ in cuts])
+    ours = fit_accelerometers(still, gravity)
     bias = log.gyro[:_STILL].mean(axis=0)
     how = {"fixed_bias": bias, "leading": _LEADING}
     fit = fit_gyros(log, cuts, ours, **how)
     nominal = fit_gyros(log, cuts, ours, **how, fixed_error=np.zeros((3, 3)))
     ours_turn = _to_lower_triangle(fit.gyros.error, ours.error)
     weighted = calibrate_by_poses(log, rests(log), body_axes="lower triangle accelerometers")
-    surplus = np.linalg.norm(calibrated(still, ours), axis=1) - log.gravity
+    surplus = np.linalg.norm(calibrated(still, ours), axis=1) - gravity
     return TwoCalibrations(
         gyros,
         accelerometers,
@@ -126,7 +128,8 @@ def imu_tk_rests(log: Recording) -> list[tuple[int, int]]:
     list of (int, int)
         Rows.
     """
-    force = log.accelerometer - log.accelerometer[:_STILL].mean(axis=0)
+    force = force_and_gravity(log)[0]
+    force = force - force[:_STILL].mean(axis=0)
     mean, square = (uniform_filter1d(rows, _WINDOW, axis=0) for rows in (force, force**2))
     variance = np.linalg.norm(square - mean**2, axis=1) * _WINDOW / (_WINDOW - 1)
     quiet = variance < _MULTIPLE * np.linalg.norm(force[:_STILL].var(axis=0, ddof=1))
