@@ -2,12 +2,14 @@
 
 from .five_units import ODD, QUIET, WAY_NAMES, WAYS, FiveUnits, five_units
 from .hand_turns import SOURCES, TURNS, HandTurns, hand_turns
+from .parked_car import METHODS, ParkedCar, Spread, chance_of_ratio, parked_car, spread
 from .publishers_numbers import BIAS_STEP, IMU_TK_COSTS, TRIANGLES, UNITS
 from .two_calibrations import TwoCalibrations, two_calibrations
 
 __all__ = [
     "BIAS_STEP",
     "IMU_TK_COSTS",
+    "METHODS",
     "ODD",
     "QUIET",
     "SOURCES",
@@ -18,8 +20,13 @@ __all__ = [
     "WAY_NAMES",
     "FiveUnits",
     "HandTurns",
+    "ParkedCar",
+    "Spread",
     "TwoCalibrations",
+    "chance_of_ratio",
     "five_units",
     "hand_turns",
+    "parked_car",
+    "spread",
     "two_calibrations",
 ]
