@@ -1,4 +1,5 @@
 from . import (
+    catalogue as catalogue,
     channels as channels,
     csv_reader as csv_reader,
     guards as guards,
@@ -7,10 +8,16 @@ from . import (
     publishers as publishers,
     recording as recording,
     rests as rests,
+    slips as slips,
+    text_form as text_form,
     text_table as text_table,
     time_stamps as time_stamps,
     turns_of_gravity as turns_of_gravity,
     units as units,
+)
+from .catalogue import (
+    PUBLISHED as PUBLISHED,
+    PublishedSet as PublishedSet,
 )
 from .channels import (
     clipped_rows as clipped_rows,
@@ -32,8 +39,6 @@ from .psins_reader import (
     read_psins as read_psins,
 )
 from .publishers import (
-    PUBLISHED as PUBLISHED,
-    PublishedSet as PublishedSet,
     RecordingUnavailable as RecordingUnavailable,
     ferraris_sections as ferraris_sections,
     published as published,
@@ -41,6 +46,18 @@ from .publishers import (
 )
 from .recording import Recording as Recording
 from .rests import Rests as Rests
+from .slips import (
+    force_slips as force_slips,
+    gyro_slips as gyro_slips,
+)
+from .text_form import (
+    COMMENTS as COMMENTS,
+    NUMBER as NUMBER,
+    decoded as decoded,
+    header as header,
+    number_delimiter as number_delimiter,
+    split_cells as split_cells,
+)
 from .text_table import (
     TextTable as TextTable,
     read_table as read_table,

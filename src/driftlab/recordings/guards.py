@@ -4,11 +4,12 @@ A wrong unit gives no error anywhere, only a wrong answer. What physics can say 
 here before it is used: gravity has its size; it turns in the body as the gyros tell; sensors have
 ends of their range, and noise.
 
-Some slips leave no trace. Of a unit that is never tilted the gyros' unit, signs and order cannot be
-told, unless they come out faster than gyros are. What turns about the vertical only is not tested.
-A log with all accelerometers negated (some phones give gravity instead of specific force), or with
-both triads in other but right-handed axes, is as good as any. A factor below 1.4, a bias, and a
-constant delay between the triads are errors of an instrument, not slips of a reader.
+Some slips leave no trace. Of a unit that lies still, or is tilted less than five times, the gyros'
+unit, signs and order cannot be told, unless they come out faster than gyros are: degrees of a gyro
+at rest pass for radians. What turns about the vertical only, or slower than seven degrees a second,
+is not tested. A log with all accelerometers negated (some phones give gravity instead of specific
+force), or with both triads in other but right-handed axes, is as good as any. A factor below 1.4, a
+bias, and a constant delay between the triads are errors of an instrument, not slips of a reader.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from scipy.constants import g as STANDARD_GRAVITY
 
 from .channels import CLIPPED_RATIO, clipped_rows, dead_channels, longest_run, twin_channels
 from .recording import Recording
+from .slips import force_slips, gyro_slips
 from .turns_of_gravity import gravity_turns
 
 RULES = {
@@ -43,7 +45,7 @@ _FORCE_FACTOR = 1.8
 _TURNING_FACTOR = 2**0.5
 """Half way to the least slip of the interval known here: every other sample lost."""
 _MAJORITY = 0.5
-"""Share of gravity's turns that a slip must explain to be named; good logs have 0.87 and more."""
+"""Share of gravity's turns that a slip must explain to be named; good logs have 0.9 and more."""
 _MOST_RATE = 1.05 * np.radians(2000)
 """End of the range of most gyros, and the errors of scale of a bad one, rad/s."""
 _LONGEST_GAP = 1.5
@@ -165,7 +167,7 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
                 "force",
                 f"accelerometer: expected a median size near {'gravity, ' * rates}"
                 f"{expected:.3g} {unit}, got {size:.3g}, a factor of {size / expected:.3g}"
-                f"{_guess(size / expected, _force_slips(recording))}",
+                f"{force_slips(size / expected, recording)}",
                 size / expected,
                 _FORCE_FACTOR,
             )
@@ -211,7 +213,7 @@ def _turning_doubts(recording: Recording) -> Iterator[Doubt]:
         yield Doubt(
             "turning",
             f"gyro: expected gravity to turn as far as the gyros say, got {too_large:.3g} times as "
-            f"much from them ({evidence}){_guess(too_large, _gyro_slips(recording))}",
+            f"much from them ({evidence}){gyro_slips(too_large, recording)}",
             too_large,
             _TURNING_FACTOR,
         )
@@ -278,53 +280,3 @@ def _channel_doubts(recording: Recording) -> Iterator[Doubt]:
             1.0,
             1 - 1e-9,
         )
-
-
-def _force_slips(recording: Recording) -> dict[str, float]:
-    """Factor by which the specific force comes out wrong, for each slip."""
-    g, step = STANDARD_GRAVITY, recording.interval
-    if recording.kind == "rates":
-        return {
-            "g taken for m/s^2": 1 / g,
-            "m/s^2 taken for g": g,
-            "mg taken for m/s^2": 1000 / g,
-            "feet taken for metres": 1 / 0.3048,
-            "increments of velocity for specific force": step,
-            "increments in g*s for specific force": step / g,
-        }
-    return {
-        "specific force taken for increments": 1 / step,
-        "specific force in g taken for increments": 1 / (g * step),
-        "g*s taken for m/s": 1 / g,
-        "m/s taken for g*s": g,
-        "half as long an interval": 2.0,
-        "twice as long an interval": 0.5,
-    }
-
-
-def _gyro_slips(recording: Recording) -> dict[str, float]:
-    """Factor by which the gyros come out wrong, for each slip."""
-    degree, step = np.degrees(1.0), recording.interval
-    slips = {
-        "degrees taken for radians": degree,
-        "radians taken for degrees": 1 / degree,
-        "mrad taken for rad": 1000.0,
-        "an hour taken for a second": 3600.0,
-        "half as long an interval": 2.0,
-        "twice as long an interval": 0.5,
-    }
-    if recording.kind == "rates":
-        return slips | {
-            "increments taken for rates": step,
-            "increments in degrees taken for rates in radians": degree * step,
-        }
-    return slips | {
-        "rates taken for increments": 1 / step,
-        "rates in degrees taken for increments in radians": degree / step,
-    }
-
-
-def _guess(factor: float, slips: dict[str, float]) -> str:
-    """The slips that would give about this factor, as the end of a sentence."""
-    close = [slip for slip, one in slips.items() if abs(np.log(factor / one)) < np.log(1.25)]
-    return f": {', or '.join(close)}?" if close else "."

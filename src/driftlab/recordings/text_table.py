@@ -6,7 +6,6 @@ others, are the lines looked at one by one, for a sentence that says which and w
 
 from __future__ import annotations
 
-import codecs
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,11 +15,7 @@ import numpy as np
 
 from driftlab.checks import FloatArray
 
-from .units import is_unit
-
-_NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?|[-+]?(nan|inf(inity)?)", re.I)
-_TWO_NUMBERS = re.compile(rf"({_NUMBER.pattern})(\s+({_NUMBER.pattern}))+", re.I)
-_COMMENT = ("%", "#", "//")
+from .text_form import COMMENTS, NUMBER, decoded, header, number_delimiter, split_cells
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,7 +194,7 @@ class TextTable:
         >>> TextTable(Path("log.csv"), (), (), [], 1, ",", 2).cells("1, 2")
         ['1', '2']
         """
-        return _cells(line, self.delimiter)
+        return split_cells(line, self.delimiter)
 
     def _refuse(self, columns: Sequence[int], fault: str) -> None:
         """Say what is wrong with the first line that something is wrong with."""
@@ -214,7 +209,7 @@ class TextTable:
                     f"{line!r:.60}."
                 )
             for column in columns:
-                if not _NUMBER.fullmatch(cells[column]) or "n" in cells[column].lower():
+                if not NUMBER.fullmatch(cells[column]) or "n" in cells[column].lower():
                     name = self.names[column] if any(self.names) else ""
                     got = repr(cells[column]) if cells[column] else "an empty cell"
                     raise ValueError(
@@ -256,85 +251,28 @@ def read_table(path: str | Path) -> TextTable:
     (('t', 'wx'), ('ms', 'deg/s'), ['0;0.5', '10;0.75'])
     """
     path = Path(path)
-    lines = [line.strip(" ") for line in _decoded(path.read_bytes()).split("\n")]
+    lines = [line.strip(" ") for line in decoded(path.read_bytes()).split("\n")]
     while lines and not lines[-1].strip(",;\t "):
         lines.pop()
     start, delimiter = next(
         (
             (i, found or None)
             for i, line in enumerate(lines)
-            if not line.startswith(_COMMENT) and (found := _delimiter(line)) is not None
+            if not line.startswith(COMMENTS) and (found := number_delimiter(line)) is not None
         ),
         (-1, None),
     )
     if start < 0:
         raise ValueError(f"{path.name}: expected lines of numbers, got none in {len(lines)} lines.")
-    names, units = _header(lines[:start], delimiter, len(_cells(lines[start], delimiter)))
+    names, units = header(lines[:start], delimiter, len(split_cells(lines[start], delimiter)))
     body = "\n".join(lines[start:])
     if '"' in body:
-        body = re.sub(r'"([^"\n]*)"', lambda cell: _unquoted(cell[1], delimiter), body)
+        # In quotes a comma is decimal even where commas part the cells.
+        body = re.sub(r'"([^"\n]*)"', lambda cell: cell[1].replace(",", "."), body)
     if delimiter != "," and "," in body:
         body = body.replace(",", ".")
-    body = re.sub(r"(^//|[%#]).*", "", body, flags=re.M) if re.search("[%#]|//", body) else body
+    if any(mark in body for mark in COMMENTS):
+        body = re.sub(r"(^//|[%#]).*", "", body, flags=re.M)
     lines = body.split("\n")
     width = len(lines[0].split(delimiter))
     return TextTable(path, names, units, lines, start + 1, delimiter, width)
-
-
-def _decoded(content: bytes) -> str:
-    """Text of a file, with one kind of line end."""
-    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        text = content.decode("utf-16")
-    else:
-        try:
-            text = content.decode("utf-8-sig")
-        except UnicodeDecodeError:  # such as the degree sign of an old program
-            text = content.decode("latin-1")
-    return text.replace("\r\n", "\n").replace("\r", "\n")
-
-
-def _delimiter(line: str) -> str | None:
-    """What stands between the numbers of a line: "" are blanks; None if it has no numbers."""
-    for delimiter in (";", "\t", ",", ""):
-        cells = _cells(line, delimiter or None)
-        if any(_TWO_NUMBERS.fullmatch(cell) for cell in cells):
-            continue  # blanks part the cells, and the commas are decimal
-        numbers = sum(bool(_NUMBER.fullmatch(cell)) for cell in cells)
-        # Among numbers there may be a date, a label, or nothing.
-        if numbers >= 2 and 2 * numbers > len(cells):
-            return delimiter
-    return None
-
-
-def _cells(line: str, delimiter: str | None) -> list[str]:
-    if '"' in line and delimiter == ",":  # a comma in quotes is part of its cell
-        return [cell.strip(' "') for cell in re.split(r',(?=(?:[^"]*"[^"]*")*[^"]*$)', line)]
-    return [cell.strip(' "') for cell in line.split(delimiter)]
-
-
-def _unquoted(cell: str, delimiter: str | None) -> str:
-    """A cell without its quotes, and with a decimal point."""
-    return cell.replace(",", ".") if delimiter == "," else cell
-
-
-def _header(
-    lines: list[str], delimiter: str | None, width: int
-) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Names and units of columns, from the last one or two lines before the numbers."""
-    units = ("",) * width
-    for line in reversed([line for line in lines if line]):
-        stripped = re.sub(r"^(%|#|//)+\s*", "", line)
-        cells = tuple(_cells(stripped, delimiter))
-        cells += ("",) * (width - len(cells) if width - len(cells) == 1 else 0)
-        if len(cells) != width:
-            break
-        if not any(units) and all(not cell or is_unit(cell.strip("()[]")) for cell in cells):
-            units = tuple(cell.strip("()[]") for cell in cells)
-            continue
-        named = [re.fullmatch(r"(.*?)\s*[(\[]([^()\[\]]*)[)\]]", cell) for cell in cells]
-        names = tuple(
-            m[1] if m and is_unit(m[2]) else cell for m, cell in zip(named, cells, strict=True)
-        )
-        found = tuple(m[2] if m and is_unit(m[2]) else "" for m in named)
-        return names, units if any(units) else found
-    return ("",) * width if any(units) else (), units
