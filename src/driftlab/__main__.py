@@ -17,16 +17,7 @@ GROUND_FLOOR = (
     *("triad", "body_frames", "imu", "increments", "sampled_rates", "strapdown", "monte_carlo"),
 )
 SUBJECTS = (
-    *(
-        "motion",
-        "drift",
-        "attitude",
-        "recordings",
-        "calibration",
-        "gyrocompass",
-        "symbolic",
-        "book",
-    ),
+    *("motion", "drift", "attitude", "recordings", "calibration", "gyrocompass", "symbolic", "book"),
 )
 
 
