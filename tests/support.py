@@ -98,9 +98,10 @@ def chi_bounds(count: int) -> np.ndarray:
 
 
 def helper_modules() -> list[ModuleType]:
-    """All modules of the helper: all but the book, SymPy, checks, cores, private ones."""
+    """All modules of the helper: all but book, commands, SymPy, checks, cores, private ones."""
     names = (module.name for module in walk_packages(driftlab.__path__, "driftlab."))
-    apart = ("driftlab.book", "driftlab.checks", "driftlab.core", "driftlab.symbolic", "driftlab._")
+    parts = ("book", "checks", "commands", "core", "symbolic", "_")
+    apart = tuple(f"driftlab.{part}" for part in parts)
     return [import_module(name) for name in names if not name.startswith(apart)]
 
 

@@ -1,15 +1,19 @@
-"""``python -m driftlab``: what there is, module by module.
+"""``python -m driftlab``: what there is, first the commands for your own log, then every module.
 
-``python -m driftlab WORD`` lists the modules that speak of a word: IMU, boresight, sculling.
+``python -m driftlab WORD`` lists the modules that speak of a word: IMU, boresight, sculling. The
+name of a command starts the command; ``python -m driftlab find allan`` looks for the word.
 """
 
 from __future__ import annotations
 
 import ast
+import os
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+
+from driftlab.commands import COMMANDS
 
 PACKAGE = Path(__file__).parent
 GROUND_FLOOR = (
@@ -17,7 +21,16 @@ GROUND_FLOOR = (
     *("triad", "body_frames", "imu", "increments", "sampled_rates", "strapdown", "monte_carlo"),
 )
 SUBJECTS = (
-    *("motion", "drift", "attitude", "recordings", "calibration", "gyrocompass", "symbolic", "book"),
+    *(
+        "motion",
+        "drift",
+        "attitude",
+        "recordings",
+        "calibration",
+        "gyrocompass",
+        "symbolic",
+        "book",
+    ),
 )
 
 
@@ -84,9 +97,32 @@ def _module(path: Path, name: str, word: str, indent: str = "") -> Iterator[str]
         yield f"{indent}    {', '.join(names)}"
 
 
-if __name__ == "__main__":
-    words = " ".join(sys.argv[1:])
+def commands() -> Iterator[str]:
+    """Lines that say which commands there are."""
+    yield "Your own log: python -m driftlab COMMAND log.csv ...; COMMAND --help shows an example."
+    width = max(map(len, COMMANDS))
+    yield from (f"    {name:{width}}  {purpose}" for name, purpose in COMMANDS.items())
+    yield f"    {'find':{width}}  modules that speak of a word; so does any word but these\n"
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Start a command, or list what there is."""
+    if arguments and (arguments[0] in COMMANDS or arguments[0].startswith("-")):
+        from driftlab.commands.line import main as start
+
+        return start(arguments)
+    sought = arguments[1:] if arguments[:1] == ["find"] else arguments
+    words = " ".join(sought)
     lines = list(overview(words))
     if len(lines) == 1:
         lines.append(f"Nothing here speaks of {words!r}. The words of the book are in chapter 12.")
-    print("\n".join(lines))
+    try:
+        print("\n".join(lines if arguments else [*commands(), *lines]), flush=True)
+    except BrokenPipeError:  # "| head" has read enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

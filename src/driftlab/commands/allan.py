@@ -1,0 +1,207 @@
+"""``python -m driftlab allan``: the noise of a unit that lies still."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.constants import arcsecond, degree, g, hour, micro, milli
+
+from driftlab.allan import TERMS, AllanDeviation, NoiseFit, allan_deviation, fit_noise_terms
+from driftlab.checks import FloatArray
+from driftlab.recordings.recording import Recording
+
+from .findings import Curve, Findings, Plot, Table
+from .numbers import Unit, with_deviation, written
+from .progress import Steps
+from .record import AXES, forces, moments, rates, record_plots
+
+STEPS = 7
+EXAMPLE = """\
+python -m driftlab example log.csv
+python -m driftlab allan log.csv --columns gx,gy,gz,ax,ay,az --units deg/s,g --time t,s \
+--end 60 --csv deviation.csv"""
+NAMES = dict(
+    zip(
+        TERMS,
+        (
+            "quantisation Q",
+            "random walk N",
+            "bias instability B",
+            "rate random walk K",
+            "rate ramp R",
+        ),
+        strict=True,
+    )
+)
+_ROOT = hour**0.5
+_WEIGHT = milli * g
+GYRO_UNITS = (
+    Unit("arcsec", arcsecond),
+    Unit("deg/√h", degree / _ROOT),
+    Unit("deg/h", degree / hour),
+    Unit("deg/h/√h", degree / hour / _ROOT),
+    Unit("deg/h/h", degree / hour / hour),
+)
+FORCE_UNITS = (
+    Unit("mm/s", milli),
+    Unit("m/s/√h", 1 / _ROOT),
+    Unit("micro-g", micro * g),
+    Unit("mg/√h", _WEIGHT / _ROOT),
+    Unit("mg/h", _WEIGHT / hour),
+)
+FEWEST = 1000
+"""Rows that an Allan plot needs to show more than the first of its lines."""
+
+
+@dataclass(frozen=True)
+class Triad:
+    """A triad's three deviations and fits, and the units that it is shown in."""
+
+    name: str
+    shown: Unit
+    units: tuple[Unit, ...]
+    allan: tuple[AllanDeviation, ...]
+    fits: tuple[NoiseFit, ...]
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """It has only the options that all commands have."""
+
+
+def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Findings:
+    """Allan deviation of each sensor, and the terms that fit it."""
+    if len(recording) < FEWEST:
+        raise ValueError(f"log: expected at least {FEWEST} rows, got {len(recording)}.")
+    triads = [triad("gyro", rates(recording), recording.interval, GYRO_UNITS, step)]
+    if recording.accelerometer is not None:
+        rows = forces(recording)
+        triads.append(triad("accelerometer", rows, recording.interval, FORCE_UNITS, step))
+    step("plots")
+    return Findings(
+        "Noise at rest: Allan deviation",
+        tuple(table for one in triads for table in (_terms_table(one), _deviation_table(one))),
+        (_best(triads[0]),),
+        tuple(_doubts(recording)),
+        (*record_plots(recording), *map(_plot, triads)),
+        {one.name: _values(one) for one in triads},
+        _columns(triads),
+    )
+
+
+def triad(
+    name: str, rows: FloatArray, interval: float, units: tuple[Unit, ...], step: Steps
+) -> Triad:
+    """Deviations and fits of three columns (n, 3)."""
+    found = []
+    for axis, samples in zip(AXES, rows.T, strict=True):
+        step(f"{name} {axis}")
+        found.append(allan_deviation(samples, interval))
+    fits = tuple(fit_noise_terms(one) for one in found)
+    return Triad(name, units[2], units, tuple(found), fits)
+
+
+def _terms_table(one: Triad) -> Table:
+    rows = []
+    for place, term in enumerate(TERMS):
+        unit, cells = one.units[place], []
+        for fit in one.fits:
+            value, deviation = getattr(fit.terms, term), fit.deviations.get(term)
+            if deviation is not None:
+                shown, spread, _ = with_deviation(value, deviation, unit)
+                cells.append(f"{shown} ± {spread}")
+            else:
+                bound = fit.upper_bounds.get(term, np.inf) / unit.size
+                cells.append(f"< {written(bound, digits=2)}" if np.isfinite(bound) else "-")
+        rows.append((NAMES[term], *cells, unit.name))
+    note = "A term that the record does not show has the bound that it is below with 95 %."
+    return Table(f"Noise of the {one.name}s", ("", *AXES, "unit"), tuple(rows), note)
+
+
+def _deviation_table(one: Triad) -> Table:
+    times = one.allan[0].averaging_times
+    chosen = np.unique(np.linspace(0, len(times) - 1, 10).round().astype(int))
+    rows = []
+    for place in chosen:
+        cells = []
+        for each in one.allan:
+            spread = (each.upper[place] - each.lower[place]) / 2 / one.shown.size
+            cells.append(written(each.deviation[place] / one.shown.size, spread))
+        rows.append((written(float(times[place]), digits=4), *cells))
+    head = ("time, s", *(f"{axis}, {one.shown.name}" for axis in AXES))
+    return Table(f"Allan deviation of the {one.name}s", head, tuple(rows))
+
+
+def _best(one: Triad) -> str:
+    """The averaging time that helps most, axis by axis."""
+    parts = []
+    for axis, each in zip(AXES, one.allan, strict=True):
+        least = int(np.argmin(each.deviation))
+        parts.append(
+            f"{axis} {written(each.deviation[least] / one.shown.size, digits=2)} {one.shown.name} "
+            f"at {written(float(each.averaging_times[least]), digits=2)} s"
+        )
+    return (
+        f"Lowest points of the gyros: {'; '.join(parts)}. Averaging for longer helps no further, "
+        "unless the lowest point is the last one, and then the record is too short to say."
+    )
+
+
+def _doubts(recording: Recording) -> list[str]:
+    """Whether the unit lay still: means over a second that stand far from the others."""
+    size = max(1, round(1 / recording.interval))
+    whole = len(recording) // size * size
+    means = np.median(rates(recording)[:whole].reshape(-1, size, 3), axis=1)
+    away = np.abs(means - np.median(means, axis=0))
+    usual = np.median(away, axis=0)
+    far = (away > 15 * usual) & (usual > 0)
+    if not far.any():
+        return []
+    first = moments(recording)[int(np.argmax(far.any(axis=1))) * size]
+    return [
+        f"the unit seems to have been moved at {first:.6g} s: choose a stretch at rest by --begin "
+        "and --end, as an Allan deviation takes every turn for noise."
+    ]
+
+
+def _plot(one: Triad) -> Plot:
+    curves = [
+        Curve(
+            axis,
+            each.averaging_times,
+            each.deviation / one.shown.size,
+            each.lower / one.shown.size,
+            each.upper / one.shown.size,
+        )
+        for axis, each in zip(AXES, one.allan, strict=True)
+    ]
+    title = f"Allan deviation of the {one.name}s, with bands of 68 %"
+    return Plot(title, "averaging time, s", one.shown.name, tuple(curves), logarithmic=True)
+
+
+def _values(one: Triad) -> dict[str, Any]:
+    return {
+        axis: {
+            "averaging_times": each.averaging_times,
+            "deviation": each.deviation,
+            "lower": each.lower,
+            "upper": each.upper,
+            "terms": {term: getattr(fit.terms, term) for term in TERMS},
+            "deviations": fit.deviations,
+            "upper_bounds": fit.upper_bounds,
+        }
+        for axis, each, fit in zip(AXES, one.allan, one.fits, strict=True)
+    }
+
+
+def _columns(triads: list[Triad]) -> dict[str, Any]:
+    columns: dict[str, Any] = {"averaging_time_s": triads[0].allan[0].averaging_times}
+    si = {"gyro": "rad_per_s", "accelerometer": "m_per_s2"}
+    for one in triads:
+        for axis, each in zip(AXES, one.allan, strict=True):
+            columns[f"{one.name}_{axis}_{si[one.name]}"] = each.deviation
+            columns[f"{one.name}_{axis}_lower"] = each.lower
+            columns[f"{one.name}_{axis}_upper"] = each.upper
+    return columns

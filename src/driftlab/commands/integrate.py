@@ -1,0 +1,209 @@
+"""``python -m driftlab integrate``: attitude over time from the gyros alone."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.attitude.integration import integrate
+from driftlab.axes import convert_attitude
+from driftlab.checks import FloatArray
+from driftlab.conventions import mirror_heading
+from driftlab.core.quaternion import conjugate, multiply
+from driftlab.earth import EARTH_RATE
+from driftlab.frames import from_euler_angles, to_euler_angles
+from driftlab.quaternion import rotation_angle, to_rotation_vector
+from driftlab.recordings.recording import Recording
+
+from .findings import Findings, Plot, Table, lines
+from .numbers import DEGREES, RATES, with_deviation, written
+from .progress import Steps
+from .record import AXES, rates, record_plots
+
+STEPS = 2
+EXAMPLE = """\
+python -m driftlab example log.csv
+python -m driftlab integrate log.csv --gyro gx,gy,gz --units deg/s --time t,s --axes FRD \
+--still 60 --closed --csv attitude.csv"""
+ANGLES = ("heading", "pitch", "roll")
+
+
+@dataclass(frozen=True)
+class Flight:
+    """Attitude (n + 1, 4) at times (n + 1,), the start included; what was taken off, left over."""
+
+    times: FloatArray
+    attitude: FloatArray
+    bias: FloatArray
+    left_over: int
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Add what this command alone wants to know."""
+    parser.add_argument(
+        "--algorithm",
+        default="two-step-4",
+        choices=sorted(ALGORITHMS),
+        help="attitude algorithm of chapter 06 (default: two-step-4)",
+    )
+    parser.add_argument(
+        "--start",
+        type=start_angles,
+        default=(0.0, 0.0, 0.0),
+        metavar="HEADING,PITCH,ROLL",
+        help="attitude at the beginning, degrees; heading from North to East (default: 0,0,0)",
+    )
+    parser.add_argument(
+        "--still",
+        type=float,
+        metavar="SECONDS",
+        help="the unit lies still for so long at first: the mean rate of that time is a bias, "
+        "which is taken off, and with it the Earth's rate",
+    )
+    parser.add_argument(
+        "--closed",
+        action="store_true",
+        help="the log ends in the attitude in which it began: tell the closing error",
+    )
+
+
+def start_angles(text: str) -> tuple[float, ...]:
+    """Three angles, degrees to radians."""
+    angles = tuple(float(part) for part in text.split(","))
+    if len(angles) != 3 or not np.isfinite(angles).all():
+        raise argparse.ArgumentTypeError(f"expected three angles, got {text!r}")
+    return tuple(np.radians(angles))
+
+
+def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Findings:
+    """Integrate a record, and see whether it closes."""
+    step("integrate")
+    flight = flown(recording, options.algorithm, options.start, options.still)
+    euler = euler_angles(flight.attitude)
+    tables, sentences = [_end_table(flight, euler)], _in_words(flight, recording)
+    values: dict[str, Any] = {}
+    if options.closed:
+        table, values, words = _closing(flight)
+        tables.append(table)
+        sentences += words
+    step("plots")
+    unwrapped = np.degrees(np.unwrap(euler, axis=0))
+    plot = Plot("Attitude", "time, s", "deg", lines(flight.times, unwrapped, ANGLES))
+    return Findings(
+        "Attitude by integration",
+        tuple(tables),
+        tuple(sentences),
+        (),
+        (*record_plots(recording), plot),
+        {
+            "algorithm": options.algorithm,
+            "end_attitude": flight.attitude[-1],
+            "gyro_bias": flight.bias,
+            "duration": flight.times[-1],
+            **values,
+        },
+        {
+            "time_s": flight.times,
+            **dict(zip(("qx", "qy", "qz", "qw"), flight.attitude.T, strict=True)),
+            **{f"{name}_deg": np.degrees(x) for name, x in zip(ANGLES, euler.T, strict=True)},
+        },
+    )
+
+
+def flown(
+    recording: Recording,
+    algorithm: str,
+    start: tuple[float, ...] = (0.0, 0.0, 0.0),
+    still: float | None = None,
+) -> Flight:
+    """Attitude, body FRD to local NED, from heading (to the East), pitch and roll at the start.
+
+    Where the axes of the log are not known they are taken for FRD: first, second and third.
+    """
+    known = recording.in_axes("FRD") if recording.axes else recording
+    bias = np.zeros(3)
+    if still is not None:
+        bias = rates(known.between(0.0, still)).mean(axis=0)
+    angles = known.angles() - bias * known.interval
+    samples = getattr(ALGORITHMS[algorithm], "samples", 1)
+    whole = len(angles) - len(angles) % samples
+    first = attitude_of_angles(start)
+    steps = integrate(angles[:whole], algorithm, start=first)
+    attitude = np.concatenate([[first], steps])
+    times = known.interval * samples * np.arange(len(attitude), dtype=float)
+    return Flight(times, attitude, bias, len(angles) - whole)
+
+
+def attitude_of_angles(angles: tuple[float, ...]) -> FloatArray:
+    """Attitude (4,) of FRD in NED, from heading to the East, pitch and roll, rad."""
+    heading, pitch, roll = angles
+    book = from_euler_angles(mirror_heading(heading), pitch, roll)
+    return convert_attitude(book, ("NUE", "NED"), ("FUR", "FRD"))
+
+
+def euler_angles(attitude: FloatArray) -> FloatArray:
+    """Heading to the East, pitch, roll (n, 3) of FRD in NED, rad."""
+    book = to_euler_angles(convert_attitude(attitude, ("NED", "NUE"), ("FRD", "FUR")))
+    return np.stack([mirror_heading(book.heading), book.pitch, book.roll], axis=-1) + 0.0
+
+
+def _end_table(flight: Flight, euler: FloatArray) -> Table:
+    names = ("heading, from North to East", "pitch", "roll")
+    rows = [
+        (name, written(np.degrees(begin), digits=6), written(np.degrees(end), digits=6), "deg")
+        for name, begin, end in zip(names, euler[0], euler[-1], strict=True)
+    ]
+    return Table("Attitude", ("", "at the beginning", "at the end", "unit"), tuple(rows))
+
+
+def _in_words(flight: Flight, recording: Recording) -> list[str]:
+    words = [
+        "Gyros feel turns against the stars: the attitude is one against inertial space, from "
+        "local axes as they stood at the beginning. In this time the Earth turned by "
+        f"{written(np.degrees(EARTH_RATE * flight.times[-1]), digits=3)} degrees."
+    ]
+    if flight.bias.any():
+        shown = ", ".join(written(x) for x in np.degrees(flight.bias))
+        words.append(
+            f"Taken off as a bias, with the Earth's rate in it: {shown} deg/s. That is right for "
+            "the attitude in which the unit lay."
+        )
+    if not recording.axes:
+        words.append(
+            "The body axes were not told (--axes): heading, pitch and roll turn about the third, "
+            "second and first axis of the log."
+        )
+    if flight.left_over:
+        words.append(
+            f"Increments at the end that did not fill a step of the algorithm: {flight.left_over}."
+        )
+    return words
+
+
+def _closing(flight: Flight) -> tuple[Table, dict[str, Any], list[str]]:
+    """How far the end is from the beginning, as a rotation in body axes."""
+    error = multiply(conjugate(flight.attitude[0]), flight.attitude[-1])
+    vector, size = to_rotation_vector(error), float(rotation_angle(error))
+    duration = flight.times[-1]
+    mean = RATES[1]
+    rows = [
+        (
+            name,
+            *with_deviation(float(x), None, DEGREES)[::2],
+            written(float(x / duration / mean.size), digits=4),
+            mean.name,
+        )
+        for name, x in zip((*AXES, "size"), (*vector, size), strict=True)
+    ]
+    table = Table("Closing error", ("", "angle", "unit", "over time", "unit"), tuple(rows))
+    earth = np.degrees(EARTH_RATE * duration)
+    words = (
+        f"The attitude at the end differs from that at the beginning by "
+        f"{written(np.degrees(size), digits=4)} degrees, in body axes at the beginning. The Earth's"
+        f" own part is at most {written(earth, digits=3)} degrees."
+    )
+    return table, {"closing_error": vector, "closing_angle": size}, [words]

@@ -1,0 +1,203 @@
+"""Options that all commands share: which columns, which units, which place; and the files to write.
+
+This is where degrees become radians.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from driftlab.recordings.csv_reader import read_csv
+from driftlab.recordings.imu_tk_reader import read_imu_tk
+from driftlab.recordings.psins_reader import read_psins
+from driftlab.recordings.recording import Recording
+
+
+def add_log_options(parser: argparse.ArgumentParser) -> None:
+    """What the log is."""
+    parser.add_argument(
+        "log", type=Path, nargs="+", help="the log; for imu-tk the accelerometers', then the gyros'"
+    )
+    group = parser.add_argument_group("what the log holds")
+    group.add_argument("--format", choices=sorted(READERS), default="csv", help="(default: csv)")
+    group.add_argument(
+        "--columns",
+        type=words,
+        metavar="A,B,C[,D,E,F]",
+        help="three gyros, and three accelerometers if there are any: names in the log's head, or "
+        "numbers from 1; a minus before one changes its sign (then write --columns=-a,b,c)",
+    )
+    group.add_argument("--gyro", type=words, metavar="A,B,C", help="the gyros alone")
+    group.add_argument("--accelerometer", type=words, metavar="D,E,F", help="the accelerometers")
+    group.add_argument(
+        "--units",
+        type=words,
+        metavar="U[,V]",
+        help="of gyros and accelerometers: deg/s,g or rad/s,m/s^2 for rates; rad,m/s or "
+        "arcsec,mm/s for increments; with the size of a count before it: '1/131 deg/s'; not needed "
+        "if the log's head tells them",
+    )
+    group.add_argument(
+        "--zeros",
+        type=numbers,
+        default=(0.0, 0.0),
+        metavar="N,M",
+        help="counts that stand for zero, of gyros and accelerometers",
+    )
+    group.add_argument(
+        "--time",
+        type=words,
+        metavar="COLUMN[,UNIT]",
+        help="time stamps, with their unit (s, ms, us, ns, iso) if the head does not tell it",
+    )
+    group.add_argument("--rate", type=float, metavar="HZ", help="samples a second, without stamps")
+    group.add_argument("--axes", default="", help="body axes, FRD say: forward, right, down")
+    group.add_argument("--latitude", type=float, metavar="DEG", help="of the place, North positive")
+    group.add_argument("--gravity", type=float, metavar="M/S2", help="of the place")
+    group.add_argument("--begin", type=float, metavar="S", help="leave out what is before")
+    group.add_argument("--end", type=float, metavar="S", help="leave out what is after")
+    group.add_argument(
+        "--allow",
+        type=words,
+        default=(),
+        metavar="DOUBT,...",
+        help="go on in spite of these doubts about the log; a refusal names its own",
+    )
+
+
+def add_output_options(parser: argparse.ArgumentParser) -> None:
+    """Where the findings go besides the terminal."""
+    group = parser.add_argument_group("files to write")
+    group.add_argument("--report", type=Path, metavar="OUT.html", help="a page to print and keep")
+    group.add_argument("--csv", type=Path, metavar="OUT.csv", help="columns for a spreadsheet")
+    group.add_argument(
+        "--json", type=Path, metavar="OUT.json", help="the numbers for another program, SI units"
+    )
+    group.add_argument("--title", default="", help="title of the report: the unit's number, say")
+    group.add_argument("--date", default="", help="a date for the report, as you write it")
+    group.add_argument("--force", action="store_true", help="overwrite files that are there")
+
+
+def output_files(options: argparse.Namespace) -> dict[str, Path | None]:
+    """The files to write, by option."""
+    return {f"--{name}": getattr(options, name) for name in ("report", "csv", "json")}
+
+
+def words(text: str) -> tuple[str, ...]:
+    """Words between commas; one with a comma inside stands in quotation marks, as in a CSV."""
+    (row,) = csv.reader([text], skipinitialspace=True)
+    return tuple(word.strip() for word in row)
+
+
+def numbers(text: str) -> tuple[float, ...]:
+    """Numbers between commas."""
+    return tuple(float(word) for word in words(text))
+
+
+def recording_of(options: argparse.Namespace) -> Recording:
+    """Read the log as the options say it is.
+
+    Raises
+    ------
+    ValueError
+        If an option is missing, or the log is not what they say.
+    """
+    _check(options)
+    place = {
+        "axes": options.axes,
+        "latitude": None if options.latitude is None else float(np.radians(options.latitude)),
+        "gravity": options.gravity,
+    }
+    recording = READERS[options.format](options, place)
+    if options.begin is None and options.end is None:
+        return recording
+    begin = 0.0 if options.begin is None else options.begin
+    return recording.between(begin, recording.duration if options.end is None else options.end)
+
+
+def _check(options: argparse.Namespace) -> None:
+    wanted = 2 if options.format == "imu-tk" else 1
+    if len(options.log) != wanted:
+        kind = "two files, accelerometers and gyros," if wanted == 2 else "one file"
+        raise ValueError(f"log: expected {kind} for {options.format}, got {len(options.log)}.")
+    for name in KNOWN_BY_FILE[options.format]:
+        if getattr(options, name) is not None:
+            raise ValueError(f"--{name}: expected none with --format {options.format}, got one.")
+    if options.latitude is not None and not abs(options.latitude) <= 90:
+        raise ValueError(f"--latitude: expected degrees, at most 90, got {options.latitude:g}.")
+
+
+def _read_csv(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
+    gyro, accelerometer = _triads(options)
+    if (options.time is None) == (options.rate is None):
+        raise ValueError(
+            "--time: expected the column of the time stamps, or --rate in Hz, and not both."
+        )
+    time = None
+    if options.time is not None:
+        if len(options.time) > 2:
+            raise ValueError(f"--time: expected COLUMN or COLUMN,UNIT, got {options.time}.")
+        time = options.time[0] if len(options.time) == 1 else tuple(options.time)
+    return read_csv(
+        options.log[0],
+        gyro=gyro,
+        accelerometer=accelerometer,
+        units=options.units,
+        zeros=options.zeros,
+        time=time,
+        rate=options.rate,
+        allow=options.allow,
+        **place,
+    )
+
+
+def _triads(options: argparse.Namespace) -> tuple[tuple[str, ...], tuple[str, ...] | None]:
+    """Columns of the gyros, and of the accelerometers if there are any."""
+    columns, gyro, accelerometer = options.columns, options.gyro, options.accelerometer
+    if columns is not None:
+        if gyro is not None or accelerometer is not None:
+            raise ValueError("--columns: expected it alone, got --gyro or --accelerometer as well.")
+        if len(columns) not in (3, 6):
+            raise ValueError(
+                f"--columns: expected three gyros, or these and three accelerometers, got "
+                f"{len(columns)} columns: {', '.join(columns)}."
+            )
+        gyro, accelerometer = columns[:3], columns[3:] or None
+    if gyro is None:
+        raise ValueError(
+            "--columns: expected the columns of the log, three gyros and then three "
+            "accelerometers, by name or number, got none."
+        )
+    for option, triad in (("--gyro", gyro), ("--accelerometer", accelerometer)):
+        if triad is not None and len(triad) != 3:
+            raise ValueError(f"{option}: expected three columns, got {', '.join(triad)}.")
+    return gyro, accelerometer
+
+
+def _read_imu_tk(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
+    units = ("rad/s", "m/s^2") if options.units is None else options.units
+    accelerometer, gyro = options.log
+    return read_imu_tk(
+        accelerometer, gyro, units=units, zeros=options.zeros, allow=options.allow, **place
+    )
+
+
+def _read_psins(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
+    """The file knows its place and axes; what is told besides goes before."""
+    recording = read_psins(options.log[0], allow=options.allow)
+    return replace(recording, **{name: told for name, told in place.items() if told})
+
+
+READERS = {"csv": _read_csv, "imu-tk": _read_imu_tk, "psins": _read_psins}
+KNOWN_BY_FILE = {
+    "csv": (),
+    "imu-tk": ("columns", "gyro", "accelerometer", "time", "rate"),
+    "psins": ("columns", "gyro", "accelerometer", "time", "rate", "units"),
+}
+"""Options that a format leaves nothing to say for."""

@@ -1,0 +1,86 @@
+"""Plots of a report as SVG whose bytes repeat; the only module of the commands that draws.
+
+Titles stand on the page. The pictures are small, so that two go beside each other on paper.
+"""
+
+from __future__ import annotations
+
+import io
+from importlib.util import find_spec
+from typing import Any
+
+from .findings import Plot
+
+SERIES = (("#0072B2", "-"), ("#D55E00", "--"), ("#009E73", "-."), ("#000000", ":"))
+"""Okabe and Ito's colours, each with a dash pattern of its own."""
+
+STYLE: dict[str, Any] = {
+    "font.family": "DejaVu Sans",
+    "font.size": 8,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.formatter.useoffset": False,
+    "grid.color": "#d9d9d9",
+    "grid.linewidth": 0.6,
+    "legend.fontsize": 7.5,
+    "legend.frameon": False,
+    "lines.linewidth": 0.9,
+    "lines.markersize": 4,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "driftlab",
+}
+SIZE = (4.4, 2.0)
+
+
+class NoMatplotlib(RuntimeError):
+    """Plots were asked for where Matplotlib is not installed."""
+
+
+def checked_matplotlib() -> None:
+    """Refuse to begin where nothing can be drawn.
+
+    Raises
+    ------
+    NoMatplotlib
+    """
+    if find_spec("matplotlib") is None:
+        raise NoMatplotlib(
+            "--report: expected Matplotlib to draw the plots, got none; install it by "
+            "'pip install matplotlib', or leave --report out."
+        )
+
+
+def svg(plot: Plot) -> str:
+    """One plot as the text of an SVG."""
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    with matplotlib.rc_context({**matplotlib.rcParamsDefault, "backend": "svg", **STYLE}):
+        figure = Figure(figsize=SIZE, layout="constrained")
+        axes = figure.add_subplot()
+        for begin, end in plot.shaded:
+            axes.axvspan(begin, end, color="#0072B2", alpha=0.12, linewidth=0)
+        for curve, (colour, dashes) in zip(plot.curves, SERIES * 3, strict=False):
+            style = {"marker": curve.marker, "linestyle": ""} if curve.marker else {}
+            axes.plot(
+                curve.x,
+                curve.y,
+                label=curve.name,
+                color=colour,
+                **{"linestyle": "--" if curve.dashed else dashes, **style},  # type: ignore[arg-type]
+            )
+            if curve.low is not None and curve.high is not None:
+                axes.fill_between(curve.x, curve.low, curve.high, color=colour, alpha=0.15, lw=0)
+        if plot.logarithmic:
+            axes.set_xscale("log")
+            axes.set_yscale("log")
+        axes.set_xlabel(plot.across)
+        axes.set_ylabel(plot.up)
+        axes.margins(x=0.01)
+        if len(plot.curves) > 1:
+            axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4, borderaxespad=0.1)
+        buffer = io.StringIO()
+        figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
+    return buffer.getvalue()

@@ -1,0 +1,87 @@
+"""One HTML page with all that was found, to print and to keep: nothing in it is loaded from afar.
+
+The page forbids itself every request and every script. The same input gives the same bytes.
+"""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Sequence
+from html import escape
+from importlib.resources import files
+
+from .findings import Findings, Plot, Table
+from .origin import Origin
+from .plots import svg
+from .terminal import numeric_columns
+
+POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
+
+
+def page(findings: Findings, origin: Origin, title: str = "") -> str:
+    """The page, under a title of one's own if there is one."""
+    style = files(__package__).joinpath("report.css").read_text(encoding="utf-8")
+    head = title or findings.title
+    known = [
+        ("Date", origin.date),
+        *(pair for name, digest in origin.files for pair in (("Log", name), ("SHA-256", digest))),
+        ("Taken for", origin.log),
+        ("Versions", origin.versions),
+    ]
+    body = [
+        f"<h1>{escape(head)}</h1>",
+        *([f"<p class='kind'>{escape(findings.title)}</p>"] if title else []),
+        "<dl>",
+        *(f"<dt>{key}</dt><dd>{escape(text)}</dd>" for key, text in known if text),
+        "</dl>",
+        *(f"<p class='warning'><b>Warning:</b> {escape(text)}</p>" for text in findings.warnings),
+        *(f"<p>{escape(text)}</p>" for text in findings.sentences),
+        *map(_table, findings.tables),
+        "<div class='plots'>",
+        *map(_figure, findings.plots),
+        "</div>",
+        "<h2>The call</h2>",
+        f"<pre>{escape(origin.call)}</pre>",
+    ]
+    return "\n".join(
+        [
+            "<!DOCTYPE html>",
+            '<html lang="en"><head><meta charset="utf-8">',
+            f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">',
+            '<meta name="viewport" content="width=device-width, initial-scale=1">',
+            f"<title>{escape(head)}</title>",
+            f"<style>\n{style}</style></head><body>",
+            *body,
+            "</body></html>\n",
+        ]
+    )
+
+
+def _table(table: Table) -> str:
+    right = numeric_columns(table)
+    head = _row("th scope='col'", table.head, right)
+    rows = "".join(_row("td", row, right) for row in table.rows)
+    note = f"<p class='note'>{escape(table.note)}</p>" if table.note else ""
+    return (
+        f"<section><h2>{escape(table.title)}</h2><div class='wide'><table>"
+        f"<thead>{head}</thead><tbody>{rows}</tbody></table></div>{note}</section>"
+    )
+
+
+def _row(tag: str, cells: Sequence[str], right: Sequence[bool]) -> str:
+    row = []
+    for cell, aligned in zip(cells, right, strict=True):
+        kind = " class='number'" if aligned else ""
+        row.append(f"<{tag}{kind}>{escape(cell)}</{tag[:2]}>")
+    return f"<tr>{''.join(row)}</tr>"
+
+
+def _figure(plot: Plot) -> str:
+    picture = base64.b64encode(svg(plot).encode()).decode()
+    names = ", ".join(curve.name for curve in plot.curves)
+    alternative = f"{plot.title}: {plot.up} against {plot.across}. {names}"
+    return (
+        f"<figure><figcaption>{escape(plot.title)}</figcaption><img alt='{escape(alternative)}' "
+        f"src='data:image/svg+xml;base64,{picture}'>"
+        "</figure>"
+    )
