@@ -203,10 +203,8 @@ def _row(
 
 
 def _in_words(spread: Spread) -> str:
-    shown = written(
-        float(np.degrees(compass(spread.whole.heading))),
-        float(np.degrees(spread.deviation.heading)),
-    )
+    heading = float(compass(spread.whole.heading))
+    shown, _, _ = with_deviation(heading, float(spread.deviation.heading), DEGREES)
     return (
         f"The bow points to {shown} degrees of a compass card, which counts from North through "
         "East."

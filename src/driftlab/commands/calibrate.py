@@ -8,28 +8,31 @@ from typing import Any
 import numpy as np
 from scipy.constants import arcminute, g, milli
 
-from driftlab.calibration import POSE_AXES, Consistency, PoseCalibration, calibrate_by_poses
+from driftlab.calibration import POSE_AXES, PoseCalibration, calibrate_by_poses
 from driftlab.checks import FloatArray
 from driftlab.earth import gravity as normal_gravity
 from driftlab.recordings.recording import Recording
 from driftlab.recordings.rests import Rests, rests
 
-from .findings import Curve, Findings, Plot, Table
+from .calibration_tables import (
+    KINDS,
+    consistency_table,
+    excess_text,
+    rests_table,
+    sensitivity_table,
+    triad_table,
+)
+from .findings import Curve, Findings, Plot
 from .matrix_forms import FORMS, form_tables, form_values
-from .numbers import FORCES, RATES, SCALES, SMALL_ANGLES, Unit, fitting, written
+from .numbers import FORCES, RATES, written
 from .progress import Steps
-from .record import AXES, forces, record_plots
+from .record import forces, record_plots
 
 STEPS = 3
 EXAMPLE = """\
 python -m driftlab example log.csv
 python -m driftlab calibrate log.csv --columns gx,gy,gz,ax,ay,az --units deg/s,g --time t,s \
 --axes FRD --latitude 59.9 --json errors.json"""
-KINDS = {
-    "rests": "force at rest",
-    "moves": "gravity after a move",
-    "rates": "gyros at rest",
-}
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -49,6 +52,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         default=[],
         metavar="I,J",
         help="rests, by number, with the same attitude; may be given several times",
+    )
+    group.add_argument(
+        "--sensitivity",
+        action="store_true",
+        help="the gyros may feel force: fit nine numbers more, as many small ones need",
     )
     group.add_argument("--window", type=float, default=1.0, metavar="S", help="that a rest must be "
                        "quiet in (default: 1)")  # fmt: skip
@@ -86,16 +94,19 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
         gravity=pull,
         body_axes=options.body_axes.replace("-", " "),
         closed=options.closed,
+        sensitivity=options.sensitivity,
     )
     step("plots")
     errors, spread = fit.imu_errors, fit.deviations
+    turns = _turns(found, fit, options.closed)
     tables = [
-        _triad_table("gyro", errors.gyro_bias, errors.gyro_error, spread.gyro_bias,
+        triad_table("gyro", errors.gyro_bias, errors.gyro_error, spread.gyro_bias,
                      spread.gyro_error, RATES),
-        _triad_table("accelerometer", errors.accelerometer_bias, errors.accelerometer_error,
+        triad_table("accelerometer", errors.accelerometer_bias, errors.accelerometer_error,
                      spread.accelerometer_bias, spread.accelerometer_error, FORCES),
-        _consistency_table(fit),
-        _rests_table(found, fit),
+        consistency_table(fit),
+        rests_table(found, fit, turns),
+        *([sensitivity_table(fit)] if options.sensitivity else []),
         *form_tables(errors, options.form),
     ]  # fmt: skip
     shaded = tuple((b * found.interval, e * found.interval) for b, e in found.rows)
@@ -106,7 +117,7 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
         tuple(_doubts(fit)),
         (*record_plots(recording, shaded), *_residual_plots(fit)),
         _values(fit, found),
-        _columns(found, fit),
+        _columns(found, fit, turns),
     )
 
 
@@ -122,121 +133,38 @@ def gravity_of(recording: Recording) -> float:
     return float(normal_gravity(recording.latitude))
 
 
-def _triad_table(
-    name: str,
-    bias: FloatArray,
-    error: FloatArray,
-    bias_spread: FloatArray,
-    error_spread: FloatArray,
-    units: tuple[Unit, ...],
-) -> Table:
-    """Bias, scale, and what each sensor feels of the other axes; columns are sensors."""
-    across = error - np.diag(np.diag(error))
-    unit, scale = fitting(bias, units), fitting(np.diag(error), SCALES)
-    angle = fitting(across, SMALL_ANGLES)
-    rows = [
-        _row("bias", bias, bias_spread, unit),
-        _row("scale error", np.diag(error), np.diag(error_spread), scale),
-    ]
-    for place, axis in enumerate(AXES):
-        cells = _row(f"feels of {axis}", error[:, place], error_spread[:, place], angle)
-        rows.append(tuple("" if i == place + 1 else cell for i, cell in enumerate(cells)))
-    return Table(f"{name.capitalize()}s", ("", *AXES, "unit"), tuple(rows), NOTE)
-
-
-NOTE = (
-    "measured = (I + K) true + bias: columns are sensors, 'feels of x' is their entry of K for x."
-)
-
-
-def _row(name: str, values: FloatArray, spreads: FloatArray, unit: Unit) -> tuple[str, ...]:
-    cells = []
-    for value, spread in zip(values / unit.size, spreads / unit.size, strict=True):
-        if spread > 0:
-            cells.append(f"{written(value, spread)} ± {written(spread, spread)}")
-        else:  # the choice of axes has made it zero
-            cells.append("0 by axes" if abs(value) < 1e-9 else written(value))
-    return (name, *cells, unit.name)
-
-
-def _consistency_table(fit: PoseCalibration) -> Table:
-    rows = []
-    for kind, name in KINDS.items():
-        test = fit.consistency[kind]
-        rows.append(
-            (
-                name,
-                *(written(x, digits=3) for x in (test.chi_square, test.freedom)),
-                f"{written(test.lower, digits=3)} to {written(test.upper, digits=3)}",
-                _verdict(test),
-            )
-        )
-    note = "The sum of the squared residuals over those of the noise, and where 95 of 100 lie."
-    head = ("", "chi-square", "freedom", "expected", "")
-    return Table("Does noise explain what is left?", head, tuple(rows), note)
-
-
-def _verdict(test: Consistency) -> str:
-    if not np.isfinite(test.chi_square) or test.freedom <= 0:
-        return "nothing is left to test"
-    if test.holds:
-        return "yes"
-    return "no, there is more" if test.chi_square > test.upper else "no, there is less"
-
-
-def _rests_table(found: Rests, fit: PoseCalibration) -> Table:
-    rows = []
-    for place, ((begin, end), loudest) in enumerate(zip(found.rows, found.loudest, strict=True)):
-        turn = (
-            written(fit.turn_residuals[place] / arcminute, digits=3)
-            if place < len(found) - 1
-            else ""
-        )
-        rows.append(
-            (
-                str(place + 1),
-                f"{begin * found.interval:.2f}",
-                f"{end * found.interval:.2f}",
-                written(float(loudest), digits=2),
-                written(fit.force_residuals[place] / (milli * g), digits=3),
-                turn,
-            )
-        )
-    head = ("rest", "from, s", "to, s", "scatter", "force left, mg", "turn left, arcmin")
-    note = (
-        "Scatter: the most in a window, in units of the quietest. Force left: size of the corrected"
-        " force less gravity. Turn left: gravity carried to the next rest, against that found."
-    )
-    return Table("Rests", head, tuple(rows), note)
+def _turns(found: Rests, fit: PoseCalibration, closed: list[tuple[int, int]]) -> FloatArray:
+    """Angle left after each rest's move, NaN after the last and where a closed path counts."""
+    turns = np.full(len(found), np.nan)
+    moves = [place for place in range(len(found) - 1) if (place, place + 1) not in closed]
+    turns[moves] = fit.turn_residuals[: len(moves)]
+    return turns
 
 
 def _in_words(fit: PoseCalibration, found: Rests) -> list[str]:
-    held = [KINDS[kind] for kind in KINDS if fit.consistency[kind].holds]
-    failed = [
-        f"{KINDS[kind]} ({_excess(kind, fit.consistency[kind].excess)})"
-        for kind in KINDS
-        if fit.consistency[kind].chi_square > fit.consistency[kind].upper
-    ]
+    more = {kind: test for kind, test in fit.consistency.items() if test.excess}
     words = [found.why]
-    if held:
-        words.append(f"Noise explains what is left of: {', '.join(held)}.")
-    if failed:
-        words.append(
-            f"There is more than noise in: {', '.join(failed)}. The deviations above have it in "
-            "them, as if it were noise."
+    if more:
+        shown = ", ".join(
+            f"{KINDS[kind]} ({excess_text(kind, more[kind].excess)})" for kind in more
         )
+        words.append(
+            f"There is more than noise in: {shown}. The deviations above have it in them, as if it "
+            "were noise."
+        )
+    else:
+        words.append("Noise explains what is left.")
     words.append(
         f"Gravity was taken for {fit.gravity:.6g} m/s^2. In the longest move the Earth turned by "
-        f"{written(fit.earth_turn / arcminute, digits=2)} arcmin, which the fit leaves out."
+        f"{written(fit.earth_turn / arcminute, digits=2)} arcmin, which the fit leaves out"
+        f"{'; what is left of the moves is no more.' if _by_earth(fit) else '.'}"
     )
     return words
 
 
-def _excess(kind: str, excess: float) -> str:
-    """The deviation that is missing, in the unit of its kind."""
-    units = {"rests": FORCES, "moves": SMALL_ANGLES, "rates": RATES}[kind]
-    unit = fitting(excess, units)
-    return f"{written(excess / unit.size, digits=2)} {unit.name}"
+def _by_earth(fit: PoseCalibration) -> bool:
+    """Whether the moves have too much left, but no more than the Earth may have turned."""
+    return 0 < fit.consistency["moves"].excess < fit.earth_turn
 
 
 def _doubts(fit: PoseCalibration) -> list[str]:
@@ -279,6 +207,8 @@ def _values(fit: PoseCalibration, found: Rests) -> dict[str, Any]:
         "names": fit.names,
         "covariance": fit.covariance,
         "gravity": fit.gravity,
+        "sensitivity": fit.sensitivity,
+        "sensitivity_deviations": fit.sensitivity_deviations,
         "consistency": {
             kind: {**test._asdict(), "holds": test.holds} for kind, test in fit.consistency.items()
         },
@@ -289,14 +219,12 @@ def _values(fit: PoseCalibration, found: Rests) -> dict[str, Any]:
     }
 
 
-def _columns(found: Rests, fit: PoseCalibration) -> dict[str, Any]:
-    """The rests one by one; no move follows the last."""
-    moves = np.full(len(found), np.nan)
-    moves[:-1] = fit.turn_residuals[: len(found) - 1]
+def _columns(found: Rests, fit: PoseCalibration, turns: FloatArray) -> dict[str, Any]:
+    """The rests one by one."""
     return {
         "rest": np.arange(1, len(found) + 1),
-        "begin_s": np.array([b for b, _ in found.rows]) * found.interval,
-        "end_s": np.array([e for _, e in found.rows]) * found.interval,
+        "begin_s": found.begin * found.interval,
+        "end_s": found.end * found.interval,
         "force_residual_m_per_s2": fit.force_residuals,
-        "turn_residual_rad": moves,
+        "turn_residual_rad": turns,
     }

@@ -45,6 +45,8 @@ ERRORS = ImuErrors(
 """The accelerometers' matrix is a triangle, so these are the body axes of a calibration as well."""
 NOISE = (2.0 * degree / hour, 0.1 * milli * g)
 """Standard deviation of a sample, white: gyros, rad/s, and accelerometers, m/s^2."""
+OPTIONS = "--columns gx,gy,gz,ax,ay,az --units deg/s,g --time t,s"
+"""What must be said of it to any command."""
 HEAD = ("t", "gx", "gy", "gz", "ax", "ay", "az")
 
 

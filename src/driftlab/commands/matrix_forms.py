@@ -59,7 +59,7 @@ def form_tables(errors: ImuErrors, forms: Sequence[str]) -> list[Table]:
         rows = []
         for name, array in matrices(errors, form).items():
             for number, line in enumerate(np.atleast_2d(array)):
-                cells = (f"{x:.7f}" for x in np.broadcast_to(line, 3))
+                cells = (f"{x + 0.0:.7f}" for x in np.round(np.broadcast_to(line, 3), 7))
                 rows.append((name if number == 0 else "", *cells))
         tables.append(Table(f"As {form} has it", ("", "1", "2", "3"), tuple(rows), "SI units."))
     return tables

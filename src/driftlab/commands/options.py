@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import csv
+import shlex
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from driftlab.recordings.csv_reader import read_csv
+from driftlab.recordings.guards import RULES, doubts
 from driftlab.recordings.imu_tk_reader import read_imu_tk
 from driftlab.recordings.psins_reader import read_psins
 from driftlab.recordings.recording import Recording
@@ -115,10 +117,25 @@ def recording_of(options: argparse.Namespace) -> Recording:
         "gravity": options.gravity,
     }
     recording = READERS[options.format](options, place)
+    _refuse_doubts(recording, options.allow)
     if options.begin is None and options.end is None:
         return recording
     begin = 0.0 if options.begin is None else options.begin
     return recording.between(begin, recording.duration if options.end is None else options.end)
+
+
+def _refuse_doubts(recording: Recording, allow: tuple[str, ...]) -> None:
+    """Stop at what speaks against a log, unless it is allowed; then it is told as a warning."""
+    if unknown := [rule for rule in allow if rule not in RULES]:
+        raise ValueError(f"--allow: expected some of {', '.join(RULES)}, got {unknown[0]}.")
+    found = [doubt for doubt in doubts(recording) if doubt.rule not in allow]
+    if found:
+        rules = ",".join(dict.fromkeys([*allow, *(doubt.rule for doubt in found)]))
+        quoted = shlex.quote(rules)
+        raise ValueError(
+            f"{recording.name}: {' '.join(map(str, found))} If the log is right all the same, say "
+            f"--allow {quoted}."
+        )
 
 
 def _check(options: argparse.Namespace) -> None:
@@ -152,7 +169,7 @@ def _read_csv(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
         zeros=options.zeros,
         time=time,
         rate=options.rate,
-        allow=options.allow,
+        allow=tuple(RULES),
         **place,
     )
 
@@ -184,13 +201,13 @@ def _read_imu_tk(options: argparse.Namespace, place: dict[str, Any]) -> Recordin
     units = ("rad/s", "m/s^2") if options.units is None else options.units
     accelerometer, gyro = options.log
     return read_imu_tk(
-        accelerometer, gyro, units=units, zeros=options.zeros, allow=options.allow, **place
+        accelerometer, gyro, units=units, zeros=options.zeros, allow=tuple(RULES), **place
     )
 
 
 def _read_psins(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
     """The file knows its place and axes; what is told besides goes before."""
-    recording = read_psins(options.log[0], allow=options.allow)
+    recording = read_psins(options.log[0], allow=tuple(RULES))
     return replace(recording, **{name: told for name, told in place.items() if told})
 
 

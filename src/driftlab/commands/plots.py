@@ -14,7 +14,7 @@ from .findings import Plot
 SERIES = (("#0072B2", "-"), ("#D55E00", "--"), ("#009E73", "-."), ("#000000", ":"))
 """Okabe and Ito's colours, each with a dash pattern of its own."""
 
-STYLE: dict[str, Any] = {
+STYLE: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 8,
     "axes.spines.top": False,
@@ -57,19 +57,22 @@ def svg(plot: Plot) -> str:
     import matplotlib
     from matplotlib.figure import Figure
 
-    with matplotlib.rc_context({**matplotlib.rcParamsDefault, "backend": "svg", **STYLE}):
+    style = matplotlib.rcParamsDefault.copy()
+    style.update(STYLE)
+    with matplotlib.rc_context(style):
         figure = Figure(figsize=SIZE, layout="constrained")
         axes = figure.add_subplot()
         for begin, end in plot.shaded:
             axes.axvspan(begin, end, color="#0072B2", alpha=0.12, linewidth=0)
-        for curve, (colour, dashes) in zip(plot.curves, SERIES * 3, strict=False):
-            style = {"marker": curve.marker, "linestyle": ""} if curve.marker else {}
+        for curve, (colour, pattern) in zip(plot.curves, SERIES * 3, strict=False):
+            pattern = "" if curve.marker else "--" if curve.dashed else pattern
             axes.plot(
                 curve.x,
                 curve.y,
                 label=curve.name,
                 color=colour,
-                **{"linestyle": "--" if curve.dashed else dashes, **style},  # type: ignore[arg-type]
+                marker=curve.marker,
+                linestyle=pattern,
             )
             if curve.low is not None and curve.high is not None:
                 axes.fill_between(curve.x, curve.low, curve.high, color=colour, alpha=0.15, lw=0)

@@ -1,0 +1,113 @@
+"""`align`: the package's numbers, the truth of the made-up log, and warnings where they belong."""
+
+import json
+
+import numpy as np
+import pytest
+
+from driftlab.axes import convert_vectors
+from driftlab.commands import example
+from driftlab.commands.align import aligned, earth_unseen, find
+from driftlab.commands.example import OPTIONS
+from driftlab.earth import EARTH_RATE, gravity
+from driftlab.frames import from_euler_angles
+from driftlab.gyrocompass import align
+from driftlab.motion import static_imu
+from driftlab.recordings.recording import Recording
+from support import recording_or_skip
+
+HOUR = np.radians(1 / 3600)
+
+
+def still(bias=0.0, noise=0.1 * HOUR, latitude=0.7, seconds=600, axes="FRD"):
+    """A unit at rest with the bow 50 degrees East of North, and an error of its right gyro."""
+    attitude = from_euler_angles(np.radians(-50.0), 0.02, 0.01)
+    rate, force = static_imu(attitude, latitude, gravity(latitude))
+    rng = np.random.default_rng(3)
+    rows = rate + [0.0, 0.0, bias] + noise * rng.standard_normal((seconds, 3))
+    forces = force + 1e-4 * rng.standard_normal((seconds, 3))
+    rows, forces = (convert_vectors(each, "FUR", axes) for each in (rows, forces))
+    return Recording(rows, forces, 1.0, "rates", axes=axes, latitude=latitude)
+
+
+def found(recording):
+    return find(recording, None, lambda name: None)
+
+
+def test_numbers_for_other_programs_are_the_package_s(run, example_log, tmp_path):
+    words = f"align {example_log} {OPTIONS} --axes FRD --latitude 59.9 --end 60 --json found.json"
+    code, out, _ = run(words)
+    values = json.loads((tmp_path / "found.json").read_text())["values"]
+    record = example.example().between(0.0, 60.0).in_axes("FUR")
+    direct = align(record.gyro.mean(axis=0), record.accelerometer.mean(axis=0))
+    for name in direct._fields:  # the log has eight digits
+        assert values[name]["value"] == pytest.approx(getattr(direct, name), rel=1e-5)
+    assert code == 0
+    # The errors of the unit itself: 4 mg tilt it, and 0.4 % of the Earth's rate turn it.
+    compass = np.degrees(values["compass_heading"]["value"])
+    assert abs(compass - 40.0) < 4 * np.degrees(values["heading"]["deviation"]) + 0.5
+    assert f"{compass:.2f} degrees of a compass card" in out
+    assert "from North to East" in out
+
+
+def test_deviations_are_those_of_many_records():
+    """The deviation of a mean from its stretches, against headings of records drawn anew."""
+    rng = np.random.default_rng(5)
+    true = still(noise=0.0)
+    headings, stated = [], []
+    for _ in range(60):
+        noisy = true.gyro + 5 * HOUR * rng.standard_normal(true.gyro.shape)
+        spread = aligned(Recording(noisy, true.accelerometer, 1.0, "rates", axes="FRD"))
+        headings.append(spread.whole.heading)
+        stated.append(spread.deviation.heading)
+    # Of 60 records the deviation is known to 1 in sqrt(118), the mean of the stated ones better.
+    assert np.std(headings, ddof=1) / np.mean(stated) == pytest.approx(1.0, abs=4 / np.sqrt(118))
+
+
+@pytest.mark.parametrize("axes", ["FRD", "RFU", "FLU"])
+def test_axes_do_not_matter_when_they_are_told(axes):
+    values = found(still(axes=axes)).values
+    assert np.degrees(values["compass_heading"]["value"]) == pytest.approx(50.0, abs=0.2)
+    assert values["in_inertial_space"]["compass_heading"] == pytest.approx(np.radians(50), abs=0.01)
+
+
+def test_without_axes_there_is_no_heading(refused, example_log):
+    assert refused(f"align {example_log} {OPTIONS}").startswith("--axes: expected the body axes")
+    words = OPTIONS.replace(",ax,ay,az", "").replace(",g", "")
+    assert "three accelerometers" in refused(f"align {example_log} {words} --axes FRD")
+
+
+def test_an_error_that_the_latitude_shows_is_warned_of():
+    latitude = 0.7
+    wrong = found(still(bias=3 * HOUR))
+    assert any("latitude found" in warning for warning in wrong.warnings)
+    assert found(still()).warnings == ()
+    assert latitude == still().latitude
+
+
+def test_a_unit_that_cannot_see_the_earth_gets_no_heading():
+    """A cheap gyro's bias is hundreds of degrees an hour."""
+    blind = found(still(bias=500 * HOUR))
+    assert "heading" not in blind.values
+    assert not blind.values["earth_seen"]
+    assert blind.sentences[0].startswith("No heading: ")
+    assert f"{EARTH_RATE / HOUR:.2f}" in blind.sentences[0]
+    assert blind.values["pitch"]["value"] == pytest.approx(0.02, abs=1e-4)
+    assert "known to" in earth_unseen(aligned(still(noise=200 * HOUR)))
+
+
+def test_force_of_another_size_is_warned_of():
+    record = still()
+    half = Recording(record.gyro, record.accelerometer / 2, 1.0, "rates", axes="FRD", latitude=0.7)
+    assert any("gravity is 9.80" in warning for warning in found(half).warnings)
+
+
+def test_a_car_that_is_not_still_is_told_by_its_own_record():
+    """The publisher's heading is -90.6 degrees, 'coarse'; means are degrees off, gravity is not."""
+    record = recording_or_skip("laser-gyro").between(0.0, 300.0)
+    findings = found(record)
+    values = findings.values
+    by_gravity = np.degrees(values["in_inertial_space"]["heading"])
+    assert by_gravity == pytest.approx(-90.6, abs=0.3)
+    assert abs(np.degrees(values["heading"]["value"]) + 90.6) > 2
+    assert any("latitude found" in warning for warning in findings.warnings)

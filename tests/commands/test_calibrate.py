@@ -1,0 +1,119 @@
+"""`calibrate`: the errors that were put into the made-up log, and those that others published."""
+
+import json
+
+import numpy as np
+import pytest
+from driftlab.recordings.rests import rests
+
+from driftlab.calibration import calibrate_by_poses
+from driftlab.commands import example
+from driftlab.commands.example import OPTIONS
+from driftlab.commands.matrix_forms import FORMS, matrices
+from driftlab.recordings import published_file
+from support import recording_or_skip
+
+PLACE = "--axes FRD --latitude 59.9"
+
+
+@pytest.fixture(scope="module")
+def calibrated(example_log, tmp_path_factory):
+    """What the command prints of the made-up log, and what it writes."""
+    import contextlib
+    import io
+
+    from driftlab.commands.line import main
+
+    folder = tmp_path_factory.mktemp("calibrated")
+    words = ["calibrate", str(example_log), *OPTIONS.split(), *PLACE.split()]
+    words += ["--form", "imu-tk", "--json", str(folder / "a.json"), "--csv", str(folder / "a.csv")]
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        assert main(words) == 0
+    values = json.loads((folder / "a.json").read_text())["values"]
+    return printed.getvalue(), values, (folder / "a.csv").read_text()
+
+
+def test_errors_that_were_put_in_are_found(calibrated):
+    """Each within 4.5 of its own deviations: 21 numbers go beyond that once in 7000 logs."""
+    _, values, _ = calibrated
+    for name, true in example.ERRORS._asdict().items():
+        found, spread = (np.array(values[kind][name]) for kind in ("imu_errors", "deviations"))
+        free = spread > 1e-6 * spread.max()
+        assert (abs(found - true)[free] < 4.5 * spread[free]).all()
+        assert np.allclose(found[~free], true[~free], atol=1e-12)
+    matrix, spread = (np.array(values[kind]["gyro_error"]) for kind in ("imu_errors", "deviations"))
+    assert (abs(matrix) > 3 * spread).all()  # and none of them is lost in its deviation
+
+
+def test_numbers_are_the_package_s(calibrated):
+    _, values, table = calibrated
+    record = example.example()
+    direct = calibrate_by_poses(record, rests(record))
+    for name, array in direct.imu_errors._asdict().items():
+        spread = getattr(direct.deviations, name)
+        found = np.array(values["imu_errors"][name])
+        assert (abs(found - array) <= 1e-2 * spread + 1e-12).all()  # the log has eight digits
+    assert len(table.splitlines()) == len(rests(record)) + 1
+    assert values["gravity"] == pytest.approx(record.gravity, rel=1e-12)
+
+
+def test_the_table_has_the_numbers_and_the_test_in_words(calibrated):
+    printed, values, _ = calibrated
+    scale = 100 * values["imu_errors"]["gyro_error"][0][0]
+    assert f"{scale:.3f}" in printed
+    assert "0 by axes" in printed
+    assert "Does noise explain what is left?" in printed
+    # The Earth turns under moves that so good a gyro feels.
+    assert "what is left of the moves is no more" in printed
+    assert "As imu-tk has it" in printed
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_forms_of_other_programs_are_written(form, calibrated):
+    _, values, _ = calibrated
+    shown = values["forms"][form]
+    assert shown
+    arrays = matrices(example.ERRORS, form)
+    for name, array in shown.items():
+        assert np.allclose(array, arrays[name], atol=2e-3), name
+
+
+def test_what_the_forms_and_options_do_not_know_is_refused(refused, run, example_log):
+    words = f"calibrate {example_log} {OPTIONS}"
+    assert refused(words).startswith("--latitude: expected the latitude of the place")
+    assert "three accelerometers" in refused(
+        f"calibrate {example_log} --gyro gx,gy,gz --units deg/s --time t,s {PLACE}"
+    )
+    assert "closed: expected pairs of rests" in refused(f"{words} {PLACE} --closed 1,99")
+    code, _, err = run(f"{words} {PLACE} --form nasa")
+    assert (code, "invalid choice: 'nasa'" in err) == (2, True)
+
+
+def test_units_that_cannot_be_are_refused_until_they_are_allowed(refused, example_log):
+    wrong = OPTIONS.replace("deg/s,g", "deg/s,m/s^2")
+    sentence = refused(f"calibrate {example_log} {wrong} {PLACE}")
+    assert "g taken for m/s^2?" in sentence
+    assert "--allow force" in sentence
+
+
+def test_a_published_unit_is_calibrated_from_its_publisher_s_files(run, tmp_path):
+    """IMU-TK's own record and its published gyro matrix, within our three deviations of it."""
+    recording_or_skip("xsens-mti")
+    files = [published_file(f"xsens_{name}.mat", download=False) for name in ("acc", "gyro")]
+    words = (
+        "--format imu-tk --units '1/4778 rad/s,1/415 m/s^2' --zeros 32768,32768 --gravity 9.81744 "
+        "--body-axes lower-triangle-accelerometers --json a.json --end 250"
+    )
+    code, _, err = run(f"calibrate {files[0]} {files[1]} {words}")
+    assert (code, err) == (0, "")
+    values = json.loads((tmp_path / "a.json").read_text())["values"]
+    found = np.array(values["forms"]["imu-tk"]["gyro_T"])
+    published = [
+        [1, 0.00593634, 0.00111101],
+        [0.00808812, 1, -0.0535569],
+        [0.0253067, -0.0025513, 1],
+    ]
+    spread = 4 * np.array(values["deviations"]["gyro_error"]) + 5e-4
+    assert (abs(found - published) < spread).all()
+    assert abs(found - published).max() < 6e-3  # by half of the record

@@ -1,0 +1,79 @@
+"""The page stands alone, repeats byte for byte, and takes nothing of a log for code."""
+
+import importlib.util
+import re
+import shlex
+
+import numpy as np
+
+from driftlab.commands import plots, progress
+from driftlab.commands.example import OPTIONS
+from driftlab.commands.findings import Curve, Findings, Plot, Table, outline
+from driftlab.commands.origin import Origin
+from driftlab.commands.report import page
+
+EVIL = "<script>alert('x')</script>\" onload=\"y"
+
+
+def test_the_page_of_a_log_repeats_and_asks_for_nothing(run, example_log, tmp_path):
+    words = f"align {example_log} {OPTIONS} --axes FRD --latitude 59.9 --end 20 --report page.html"
+    assert run(words)[0] == 0
+    first = (tmp_path / "page.html").read_bytes()
+    assert run(f"{words} --force")[0] == 0
+    again = (tmp_path / "page.html").read_bytes()
+    assert first == again.replace(b" --force", b"")
+    text = first.decode()
+    assert text.startswith("<!DOCTYPE html>")
+    assert "default-src 'none'" in text
+    outside = re.findall(r"(?:src|href|url)\s*[=(]\s*['\"]?(?!data:image/svg)([^'\">)]*)", text)
+    assert outside == []
+    assert "<script" not in text
+    assert "2026" not in re.sub(r"base64,[^']*|SHA-256</dt><dd>\w+", "", text)
+
+
+def test_what_a_log_calls_itself_is_only_text(run, example_log, tmp_path):
+    log = tmp_path / "<img src=x onerror=alert(1)>.csv"
+    log.write_text(example_log.read_text().replace("gx", "<b>gx</b>", 1))
+    columns = shlex.split(OPTIONS.replace("gx", "<b>gx</b>"))
+    more = ["--end", "20", "--report", "page.html", "--title", EVIL, "--date", EVIL]
+    assert run("integrate", log, *columns, *more)[0] == 0
+    text = (tmp_path / "page.html").read_text(encoding="utf-8")
+    body = text.partition("</head>")[2]
+    tags = {tag.lower() for tag in re.findall(r"<\s*/?\s*([^\s>]+)", body)}
+    known = "h1 p dl dt dd h2 section div table thead tbody tr th td figure figcaption img pre"
+    assert tags <= {*known.split(), "body", "/body", "/html"}
+    assert all("src='data:" in image for image in re.findall(r"<img[^>]*>", body))
+    assert "onerror=alert(1)&gt;" in text
+
+
+def test_tables_and_plots_escape_their_words():
+    plot = Plot(EVIL, "x", "y", (Curve(EVIL, np.arange(3.0), np.arange(3.0)),))
+    made = Findings(EVIL, (Table(EVIL, (EVIL,), ((EVIL,),), EVIL),), (EVIL,), (EVIL,), (plot,))
+    text = page(made, Origin(((EVIL, EVIL),), EVIL, EVIL, EVIL, EVIL))
+    assert "<script" not in text
+    assert '" onload' not in text
+
+
+def test_without_matplotlib_a_sentence_says_what_to_do(refused, example_log, tmp_path, monkeypatch):
+    monkeypatch.setattr(plots, "find_spec", lambda name: None)
+    words = f"integrate {example_log} {OPTIONS} --report page.html"
+    assert "install it by 'pip install matplotlib'" in refused(words)
+    assert not (tmp_path / "page.html").exists()
+    assert importlib.util.find_spec("matplotlib") is not None
+
+
+def test_a_bar_needs_a_terminal(capsys):
+    with progress.steps(2) as step:
+        step("one")
+        step("two")
+    assert capsys.readouterr().err == ""
+
+
+def test_a_long_line_keeps_its_peaks():
+    y = np.sin(np.arange(20_000.0))
+    y[12_345] = 9.0
+    x, seen = outline(np.arange(20_000.0), y)
+    assert len(seen) == len(x) == 1000
+    assert seen.max() == 9.0
+    assert seen.min() == y.min()
+    assert (np.diff(x) >= 0).all()
