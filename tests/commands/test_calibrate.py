@@ -61,7 +61,7 @@ def test_numbers_are_the_package_s(calibrated):
 def test_the_table_has_the_numbers_and_the_test_in_words(calibrated):
     printed, values, _ = calibrated
     scale = 100 * values["imu_errors"]["gyro_error"][0][0]
-    assert f"{scale:.3f}" in printed
+    assert f"{scale:.4f} ± " in printed
     assert "0 by axes" in printed
     assert "Does noise explain what is left?" in printed
     # The Earth turns under moves that so good a gyro feels.
@@ -90,11 +90,14 @@ def test_what_the_forms_and_options_do_not_know_is_refused(refused, run, example
     assert (code, "invalid choice: 'nasa'" in err) == (2, True)
 
 
-def test_units_that_cannot_be_are_refused_until_they_are_allowed(refused, example_log):
+def test_units_that_cannot_be_are_refused_until_they_are_allowed(refused, run, example_log):
     wrong = OPTIONS.replace("deg/s,g", "deg/s,m/s^2")
     sentence = refused(f"calibrate {example_log} {wrong} {PLACE}")
     assert "g taken for m/s^2?" in sentence
     assert "--allow force" in sentence
+    _, out, err = run(f"integrate {example_log} {wrong} --allow force")
+    assert err == ""
+    assert "Warning: accelerometer: expected a median size near gravity" in out
 
 
 def test_a_published_unit_is_calibrated_from_its_publisher_s_files(run, tmp_path):

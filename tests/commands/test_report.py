@@ -25,8 +25,8 @@ def test_the_page_of_a_log_repeats_and_asks_for_nothing(run, example_log, tmp_pa
     text = first.decode()
     assert text.startswith("<!DOCTYPE html>")
     assert "default-src 'none'" in text
-    outside = re.findall(r"(?:src|href|url)\s*[=(]\s*['\"]?(?!data:image/svg)([^'\">)]*)", text)
-    assert outside == []
+    named = re.findall(r"(?:src|href|url)\s*[=(]\s*['\"]?([^'\">)]{9})", text)
+    assert set(named) == {"data:imag"}
     assert "<script" not in text
     assert "2026" not in re.sub(r"base64,[^']*|SHA-256</dt><dd>\w+", "", text)
 
@@ -41,7 +41,7 @@ def test_what_a_log_calls_itself_is_only_text(run, example_log, tmp_path):
     body = text.partition("</head>")[2]
     tags = {tag.lower() for tag in re.findall(r"<\s*/?\s*([^\s>]+)", body)}
     known = "h1 p dl dt dd h2 section div table thead tbody tr th td figure figcaption img pre"
-    assert tags <= {*known.split(), "body", "/body", "/html"}
+    assert tags <= {*known.split(), "body", "html"}
     assert all("src='data:" in image for image in re.findall(r"<img[^>]*>", body))
     assert "onerror=alert(1)&gt;" in text
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -11,35 +11,26 @@ from driftlab.checks import FloatArray
 from driftlab.conventions import mirror_heading
 from driftlab.core.vectors import wrap_angle
 from driftlab.earth import EARTH_RATE, gravity
-from driftlab.gyrocompass.alignment import Alignment, align
+from driftlab.gyrocompass.alignment import Alignment
 from driftlab.gyrocompass.inertial_alignment import InertialAlignment, align_in_inertial_frame
 from driftlab.recordings.recording import Recording
 
+from .example import OPTIONS
 from .findings import Curve, Findings, Plot, Table
 from .numbers import DEGREES, RATES, Unit, with_deviation, written
 from .progress import Steps
-from .record import forces, moments, rates, record_plots
+from .record import moments, record_plots
+from .stretches import STRETCHES, Spread, aligned
 
 STEPS = 2
-EXAMPLE = """\
-python -m driftlab example log.csv
-python -m driftlab align log.csv --columns gx,gy,gz,ax,ay,az --units deg/s,g --time t,s \
---axes FRD --latitude 59.9 --end 60"""
-STRETCHES = 10
-"""The record is aligned in as many parts too; their scatter is the deviation of the whole."""
+EXAMPLE = (
+    "python -m driftlab example log.csv\n"
+    f"python -m driftlab align log.csv {OPTIONS}"
+    " --axes FRD --latitude 59.9 --end 60"
+)
 DEG_PER_HOUR = RATES[1]
 LATITUDE_SLACK = np.radians(0.1)
 """What a latitude found may differ without a word: deflections, places told roughly."""
-
-
-class Spread(NamedTuple):
-    """An alignment of the whole, those of its stretches, and what follows from their scatter."""
-
-    rate: FloatArray
-    force: FloatArray
-    whole: Alignment
-    parts: Alignment
-    deviation: Alignment
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -52,24 +43,22 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
         raise ValueError("--axes: expected the body axes, FRD say, because a heading needs them.")
     step("align")
     spread = aligned(recording)
-    warnings = [*_doubts(recording, spread)]
-    unseen = earth_unseen(spread)
-    swaying, why_not = (None, "") if unseen else _in_inertial_space(recording)
-    rows = [] if unseen else _heading_rows(spread.whole.heading, spread.deviation.heading)
-    rows += _level_rows(recording, spread, seen=not unseen)
+    swaying, why_not = (None, "") if spread.biased else _in_inertial_space(recording)
+    rows = [] if spread.blind else _heading_rows(spread.whole.heading, spread.deviation.heading)
+    rows += _level_rows(recording, spread)
     tables = [Table("From the means of the record", HEAD, tuple(rows), NOTE)]
-    sentences = [unseen or _in_words(spread), why_not]
+    sentences = [spread.blind or _in_words(spread), why_not]
     if swaying is not None:
-        tables.append(_inertial_table(recording, swaying))
+        tables.append(_inertial_table(swaying))
         sentences.append(_compared(spread, swaying))
     step("plots")
     return Findings(
         "Alignment at rest",
         tuple(tables),
         tuple(filter(None, sentences)),
-        tuple(warnings),
-        _plots(recording, spread, heading=not unseen),
-        _values(spread, swaying, seen=not unseen),
+        tuple(_doubts(recording, spread)),
+        _plots(recording, spread),
+        _values(spread, swaying),
         _columns(recording, spread),
     )
 
@@ -79,49 +68,6 @@ NOTE = (
     f"Deviations are those of a mean, from {STRETCHES} stretches of the record aligned alone; what "
     "stays the same in all of them, as a bias of a gyro, is not in them."
 )
-
-
-def aligned(recording: Recording) -> Spread:
-    """Alignment of the whole, and deviations from its stretches."""
-    if len(recording) < STRETCHES:
-        raise ValueError(f"log: expected at least {STRETCHES} rows, got {len(recording)}.")
-    known = recording.in_axes("FUR")
-    rate, force = rates(known), forces(known)
-    means = [
-        np.stack([part.mean(axis=0) for part in np.array_split(rows, STRETCHES)])
-        for rows in (rate, force)
-    ]
-    whole, parts = align(rate.mean(axis=0), force.mean(axis=0)), align(*means)
-    scatter = [part - each for each, part in zip(whole, parts, strict=True)]
-    angles = [wrap_angle(each) for each in scatter[:4]]
-    deviation = [
-        np.sqrt((each**2).sum() / (STRETCHES - 1) / STRETCHES) for each in (*angles, scatter[4])
-    ]
-    return Spread(means[0], means[1], whole, parts, Alignment(*deviation))
-
-
-def earth_unseen(spread: Spread) -> str:
-    """Why there is no heading: a sentence if the gyros do not see the Earth turn, else empty.
-
-    A rate of the wrong size has an error at least as large as the difference. Half the Earth's rate
-    may turn the heading by half a radian and more.
-    """
-    found = float(np.linalg.norm(spread.rate.mean(axis=0)))
-    noise = float(spread.rate.std(axis=0, ddof=1).max() / np.sqrt(STRETCHES))
-    words = [written(rate / DEG_PER_HOUR.size, digits=4) for rate in (found, EARTH_RATE, noise)]
-    if abs(found - EARTH_RATE) > max(EARTH_RATE / 2, 3 * noise):
-        return (
-            f"No heading: at rest the gyros show {words[0]} deg/h, and the Earth turns by "
-            f"{words[1]} deg/h. Their biases hide it; a compass needs gyros whose biases are a "
-            "small part of the Earth's rate. Pitch and roll come from the accelerometers."
-        )
-    if noise > EARTH_RATE / 5:
-        return (
-            f"No heading: the mean rate is only known to {words[2]} deg/h, and the Earth turns by "
-            f"{words[1]} deg/h. A longer rest, or a stiller one, may help. Pitch and roll come "
-            "from the accelerometers."
-        )
-    return ""
 
 
 def compass(heading: Any) -> FloatArray:
@@ -150,7 +96,7 @@ def _in_inertial_space(recording: Recording) -> tuple[InertialAlignment | None, 
         return None, f"Gravity in inertial space gives no heading: {error}"
 
 
-def _inertial_table(recording: Recording, found: InertialAlignment) -> Table:
+def _inertial_table(found: InertialAlignment) -> Table:
     rows = _heading_rows(found.heading, float(found.deviation))
     rows += [
         _row("pitch, bow up", found.pitch),
@@ -165,6 +111,9 @@ def _inertial_table(recording: Recording, found: InertialAlignment) -> Table:
 
 def _compared(spread: Spread, found: InertialAlignment) -> str:
     """Whether both ways give one heading."""
+    if spread.blind:
+        shown, _, _ = with_deviation(float(compass(found.heading)), float(found.deviation), DEGREES)
+        return f"By gravity in inertial space the bow points to {shown} degrees of a compass card."
     apart = abs(float(wrap_angle(found.heading - spread.whole.heading)))
     noise = float(np.hypot(found.deviation, spread.deviation.heading))
     shown = written(np.degrees(apart), digits=2)
@@ -176,13 +125,13 @@ def _compared(spread: Spread, found: InertialAlignment) -> str:
     )
 
 
-def _level_rows(recording: Recording, spread: Spread, seen: bool) -> list[tuple[str, ...]]:
+def _level_rows(recording: Recording, spread: Spread) -> list[tuple[str, ...]]:
     whole, deviation = spread.whole, spread.deviation
     rows: list[tuple[str, ...]] = [
         _row("pitch, bow up", whole.pitch, deviation.pitch),
         _row("roll, right side down", whole.roll, deviation.roll),
     ]
-    if seen:
+    if not spread.blind:
         rows.append(_row("latitude found", whole.latitude, deviation.latitude))
         if recording.latitude is not None:
             rows.append(_row("latitude told", recording.latitude))
@@ -215,7 +164,7 @@ def _doubts(recording: Recording, spread: Spread) -> list[str]:
     """What the record says against itself."""
     doubts = []
     place = recording.latitude
-    if place is not None and not earth_unseen(spread):
+    if place is not None and not spread.blind:
         off = float(spread.whole.latitude - place)
         if abs(off) > max(3 * spread.deviation.latitude, LATITUDE_SLACK):
             doubts.append(
@@ -237,8 +186,8 @@ def _doubts(recording: Recording, spread: Spread) -> list[str]:
     return doubts
 
 
-def _plots(recording: Recording, spread: Spread, heading: bool) -> tuple[Plot, ...]:
-    if not heading:
+def _plots(recording: Recording, spread: Spread) -> tuple[Plot, ...]:
+    if spread.blind:
         return record_plots(recording)
     times = _middles(recording)
     off = np.degrees(wrap_angle(spread.whole.heading - spread.parts.heading))
@@ -254,12 +203,12 @@ def _middles(recording: Recording) -> FloatArray:
     return np.array([part.mean() for part in np.array_split(moments(recording), STRETCHES)])
 
 
-def _values(spread: Spread, swaying: InertialAlignment | None, seen: bool) -> dict[str, Any]:
+def _values(spread: Spread, swaying: InertialAlignment | None) -> dict[str, Any]:
     values: dict[str, Any] = {
         name: {"value": getattr(spread.whole, name), "deviation": getattr(spread.deviation, name)}
-        for name in (Alignment._fields if seen else ("pitch", "roll"))
+        for name in (("pitch", "roll") if spread.blind else Alignment._fields)
     }
-    if seen:
+    if not spread.blind:
         values["compass_heading"] = {
             "value": compass(spread.whole.heading),
             "deviation": spread.deviation.heading,
@@ -272,16 +221,15 @@ def _values(spread: Spread, swaying: InertialAlignment | None, seen: bool) -> di
             "pitch": swaying.pitch,
             "roll": swaying.roll,
         }
-    return {**values, "mean_rate_fur": spread.rate.mean(axis=0), "earth_seen": seen}
+    return {**values, "mean_rate_fur": spread.rate.mean(axis=0), "earth_seen": not spread.biased}
 
 
 def _columns(recording: Recording, spread: Spread) -> dict[str, Any]:
     """The stretches one by one."""
-    return {
-        "time_s": _middles(recording),
-        "compass_heading_deg": np.degrees(compass(spread.parts.heading)),
-        "pitch_deg": np.degrees(spread.parts.pitch),
-        "roll_deg": np.degrees(spread.parts.roll),
-        "latitude_deg": np.degrees(spread.parts.latitude),
-        "level_rate_deg_per_h": spread.parts.level_rate / DEG_PER_HOUR.size,
-    }
+    parts, columns = spread.parts, {"time_s": _middles(recording)}
+    if not spread.blind:
+        columns["compass_heading_deg"] = np.degrees(compass(parts.heading))
+        columns["latitude_deg"] = np.degrees(parts.latitude)
+        columns["level_rate_deg_per_h"] = parts.level_rate / DEG_PER_HOUR.size
+    angles = {"pitch_deg": np.degrees(parts.pitch), "roll_deg": np.degrees(parts.roll)}
+    return {**columns, **angles}

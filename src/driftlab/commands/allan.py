@@ -13,16 +13,18 @@ from driftlab.allan import TERMS, AllanDeviation, NoiseFit, allan_deviation, fit
 from driftlab.checks import FloatArray
 from driftlab.recordings.recording import Recording
 
+from .example import OPTIONS
 from .findings import Curve, Findings, Plot, Table
 from .numbers import Unit, with_deviation, written
 from .progress import Steps
 from .record import AXES, forces, moments, rates, record_plots
 
 STEPS = 7
-EXAMPLE = """\
-python -m driftlab example log.csv
-python -m driftlab allan log.csv --columns gx,gy,gz,ax,ay,az --units deg/s,g --time t,s \
---end 60 --csv deviation.csv"""
+EXAMPLE = (
+    "python -m driftlab example log.csv\n"
+    f"python -m driftlab allan log.csv {OPTIONS}"
+    " --end 60 --csv deviation.csv"
+)
 NAMES = dict(
     zip(
         TERMS,

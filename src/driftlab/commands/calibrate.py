@@ -22,6 +22,7 @@ from .calibration_tables import (
     sensitivity_table,
     triad_table,
 )
+from .example import OPTIONS
 from .findings import Curve, Findings, Plot
 from .matrix_forms import FORMS, form_tables, form_values
 from .numbers import FORCES, RATES, written
@@ -29,10 +30,11 @@ from .progress import Steps
 from .record import forces, record_plots
 
 STEPS = 3
-EXAMPLE = """\
-python -m driftlab example log.csv
-python -m driftlab calibrate log.csv --columns gx,gy,gz,ax,ay,az --units deg/s,g --time t,s \
---axes FRD --latitude 59.9 --json errors.json"""
+EXAMPLE = (
+    "python -m driftlab example log.csv\n"
+    f"python -m driftlab calibrate log.csv {OPTIONS}"
+    " --axes FRD --latitude 59.9 --json errors.json"
+)
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

@@ -25,10 +25,11 @@ from .progress import Steps
 from .record import AXES, rates, record_plots
 
 STEPS = 2
-EXAMPLE = """\
-python -m driftlab example log.csv
-python -m driftlab integrate log.csv --gyro gx,gy,gz --units deg/s --time t,s --axes FRD \
---still 60 --closed --csv attitude.csv"""
+EXAMPLE = (
+    "python -m driftlab example log.csv\n"
+    "python -m driftlab integrate log.csv --gyro gx,gy,gz --units deg/s --time t,s"
+    " --axes FRD --still 60 --closed --csv attitude.csv"
+)
 ANGLES = ("heading", "pitch", "roll")
 
 

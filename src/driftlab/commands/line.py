@@ -6,13 +6,20 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
 from . import COMMANDS
 from .findings import Findings
-from .options import add_log_options, add_output_options, output_files, recording_of
+from .options import (
+    add_log_options,
+    add_output_options,
+    allowed_doubts,
+    output_files,
+    recording_of,
+)
 from .origin import Origin, origin
 from .outputs import as_csv, as_json, checked_outputs, write
 from .plots import NoMatplotlib, checked_matplotlib
@@ -100,7 +107,9 @@ def _found(options: argparse.Namespace, given: list[str]) -> Findings:
     with steps(2 + module.STEPS) as step:
         step("read")
         recording = recording_of(options)
+        warnings = allowed_doubts(recording, options.allow)
         found = module.find(recording, options, step)
+        found = replace(found, warnings=(*warnings, *found.warnings))
         step("write")
         _write(found, origin(options.log, recording, given, options.date), options)
     return found

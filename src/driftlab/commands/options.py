@@ -117,25 +117,30 @@ def recording_of(options: argparse.Namespace) -> Recording:
         "gravity": options.gravity,
     }
     recording = READERS[options.format](options, place)
-    _refuse_doubts(recording, options.allow)
     if options.begin is None and options.end is None:
         return recording
     begin = 0.0 if options.begin is None else options.begin
     return recording.between(begin, recording.duration if options.end is None else options.end)
 
 
-def _refuse_doubts(recording: Recording, allow: tuple[str, ...]) -> None:
-    """Stop at what speaks against a log, unless it is allowed; then it is told as a warning."""
+def allowed_doubts(recording: Recording, allow: tuple[str, ...]) -> tuple[str, ...]:
+    """What speaks against a log and is let through, for a warning.
+
+    Raises
+    ------
+    ValueError
+        If something is not let through.
+    """
     if unknown := [rule for rule in allow if rule not in RULES]:
         raise ValueError(f"--allow: expected some of {', '.join(RULES)}, got {unknown[0]}.")
-    found = [doubt for doubt in doubts(recording) if doubt.rule not in allow]
-    if found:
-        rules = ",".join(dict.fromkeys([*allow, *(doubt.rule for doubt in found)]))
-        quoted = shlex.quote(rules)
+    found = doubts(recording)
+    if refused := [doubt for doubt in found if doubt.rule not in allow]:
+        rules = shlex.quote(",".join(dict.fromkeys([*allow, *(doubt.rule for doubt in refused)])))
         raise ValueError(
-            f"{recording.name}: {' '.join(map(str, found))} If the log is right all the same, say "
-            f"--allow {quoted}."
+            f"{recording.name}: {' '.join(map(str, refused))} If the log is right all the same, "
+            f"say --allow {rules}."
         )
+    return tuple(map(str, found))
 
 
 def _check(options: argparse.Namespace) -> None:
