@@ -106,7 +106,7 @@ def test_a_published_unit_is_calibrated_from_its_publisher_s_files(run, tmp_path
     files = [published_file(f"xsens_{name}.mat", download=False) for name in ("acc", "gyro")]
     words = (
         "--format imu-tk --units '1/4778 rad/s,1/415 m/s^2' --zeros 32768,32768 --gravity 9.81744 "
-        "--body-axes lower-triangle-accelerometers --json a.json --end 250"
+        "--body-axes lower-triangle-accelerometers --json a.json --end 160"
     )
     code, _, err = run(f"calibrate {files[0]} {files[1]} {words}")
     assert (code, err) == (0, "")
@@ -119,4 +119,4 @@ def test_a_published_unit_is_calibrated_from_its_publisher_s_files(run, tmp_path
     ]
     spread = 4 * np.array(values["deviations"]["gyro_error"]) + 5e-4
     assert (abs(found - published) < spread).all()
-    assert abs(found - published).max() < 6e-3  # by half of the record
+    assert abs(found - published).max() < 8e-3  # by a third of the record

@@ -32,7 +32,7 @@ def test_help_names_every_command(run):
     assert "find WORD" in out
 
 
-@pytest.mark.parametrize("words", [["find", "allan"], ["FIND", "x"], ["sculling"]])
+@pytest.mark.parametrize("words", [["find", "allan"], ["FIND", "x"]])
 def test_the_name_of_a_command_starts_it_and_other_words_are_looked_for(words, capsys):
     assert door(words) == 0
     out = capsys.readouterr().out

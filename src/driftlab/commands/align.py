@@ -58,8 +58,8 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
         tuple(filter(None, sentences)),
         tuple(_doubts(recording, spread)),
         _plots(recording, spread),
-        _values(spread, swaying),
-        _columns(recording, spread),
+        values=_values(spread, swaying),
+        columns=_columns(recording, spread),
     )
 
 

@@ -107,10 +107,9 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
         triad_table("accelerometer", errors.accelerometer_bias, errors.accelerometer_error,
                      spread.accelerometer_bias, spread.accelerometer_error, FORCES),
         consistency_table(fit),
-        rests_table(found, fit, turns),
         *([sensitivity_table(fit)] if options.sensitivity else []),
-        *form_tables(errors, options.form),
     ]  # fmt: skip
+    details = [rests_table(found, fit, turns), *form_tables(errors, options.form)]
     shaded = tuple((b * found.interval, e * found.interval) for b, e in found.rows)
     return Findings(
         "Calibration by poses",
@@ -118,8 +117,9 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
         tuple(_in_words(fit, found)),
         tuple(_doubts(fit)),
         (*record_plots(recording, shaded), *_residual_plots(fit)),
-        _values(fit, found),
-        _columns(found, fit, turns),
+        tuple(details),
+        values=_values(fit, found),
+        columns=_columns(found, fit, turns),
     )
 
 

@@ -110,10 +110,10 @@ def rests_table(found: Rests, fit: PoseCalibration, turns: FloatArray) -> Table:
                 written(turns[place] / arcminute, digits=3),
             )
         )
-    head = ("rest", "from, s", "to, s", "scatter", "force left, mg", "turn left, arcmin")
+    head = ("rest", "from, s", "to, s", "scatter", "force, mg", "turn, arcmin")
     note = (
-        "Scatter: the most in a window, in units of the quietest. Force left: size of the corrected"
-        " force less gravity. Turn left: gravity carried to the next rest, against that found."
+        "Scatter: the most in a window, in units of the quietest. Force: size of the corrected"
+        " force less gravity. Turn: gravity carried to the next rest, against that found."
     )
     return Table("Rests", head, tuple(rows), note)
 

@@ -26,13 +26,17 @@ class Table:
 
 @dataclass(frozen=True)
 class Curve:
-    """A line of a plot, or its points if it has a `marker`; `low` and `high` bound a band."""
+    """A line of a plot, or its points if it has a `marker`.
+
+    `low` and `high` bound a band; `fitted` makes `y` points, and is the line.
+    """
 
     name: str
     x: FloatArray
     y: FloatArray
     low: FloatArray | None = None
     high: FloatArray | None = None
+    fitted: FloatArray | None = None
     marker: str = ""
     dashed: bool = False
 
@@ -63,6 +67,8 @@ class Findings:
         What speaks against them.
     plots : tuple of Plot
         For the report.
+    details : tuple of Table
+        Longer ones, which on a page come after the plots.
     values : Mapping
         The numbers for other programs, SI units and radians; arrays and numbers, in Mappings.
     columns : Mapping
@@ -74,6 +80,7 @@ class Findings:
     sentences: tuple[str, ...] = ()
     warnings: tuple[str, ...] = ()
     plots: tuple[Plot, ...] = ()
+    details: tuple[Table, ...] = ()
     values: Mapping[str, Any] = field(default_factory=dict)
     columns: Mapping[str, Any] = field(default_factory=dict)
 

@@ -98,16 +98,15 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
         "Attitude by integration",
         tuple(tables),
         tuple(sentences),
-        (),
-        (*record_plots(recording), plot),
-        {
+        plots=(*record_plots(recording), plot),
+        values={
             "algorithm": options.algorithm,
             "end_attitude": flight.attitude[-1],
             "gyro_bias": flight.bias,
             "duration": flight.times[-1],
             **values,
         },
-        {
+        columns={
             "time_s": flight.times,
             **dict(zip(("qx", "qy", "qz", "qw"), flight.attitude.T, strict=True)),
             **{f"{name}_deg": np.degrees(x) for name, x in zip(ANGLES, euler.T, strict=True)},

@@ -11,9 +11,8 @@ from typing import Any
 
 from .findings import Plot
 
-SERIES = (("#0072B2", "-"), ("#D55E00", "--"), ("#009E73", "-."), ("#000000", ":"))
-"""Okabe and Ito's colours, each with a dash pattern of its own."""
-
+SERIES = (("#0072B2", "-", "o"), ("#D55E00", "--", "s"), ("#009E73", "-.", "^"))
+"""Okabe and Ito's colours, each with a dash pattern and a marker of its own."""
 STYLE: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 8,
@@ -27,7 +26,7 @@ STYLE: dict[Any, Any] = {
     "legend.fontsize": 7.5,
     "legend.frameon": False,
     "lines.linewidth": 0.9,
-    "lines.markersize": 4,
+    "lines.markersize": 3,
     "svg.fonttype": "path",
     "svg.hashsalt": "driftlab",
 }
@@ -64,15 +63,19 @@ def svg(plot: Plot) -> str:
         axes = figure.add_subplot()
         for begin, end in plot.shaded:
             axes.axvspan(begin, end, color="#0072B2", alpha=0.12, linewidth=0)
-        for curve, (colour, pattern) in zip(plot.curves, SERIES * 3, strict=False):
-            pattern = "" if curve.marker else "--" if curve.dashed else pattern
+        for number, (curve, (colour, pattern)) in enumerate(
+            zip(plot.curves, SERIES * 3, strict=False)
+        ):
+            marker = curve.marker or ("" if curve.fitted is None else MARKERS[number % 3])
+            if curve.fitted is not None:
+                axes.plot(curve.x, curve.fitted, color=colour, linestyle=pattern)
             axes.plot(
                 curve.x,
                 curve.y,
                 label=curve.name,
                 color=colour,
-                marker=curve.marker,
-                linestyle=pattern,
+                marker=marker,
+                linestyle="" if marker else "--" if curve.dashed else pattern,
             )
             if curve.low is not None and curve.high is not None:
                 axes.fill_between(curve.x, curve.low, curve.high, color=colour, alpha=0.15, lw=0)

@@ -40,6 +40,9 @@ def page(findings: Findings, origin: Origin, title: str = "") -> str:
         "<div class='plots'>",
         *map(_figure, findings.plots),
         "</div>",
+        "<div class='details'>",
+        *map(_table, findings.details),
+        "</div>",
         "<h2>The call</h2>",
         f"<pre>{escape(origin.call)}</pre>",
     ]

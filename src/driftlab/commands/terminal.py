@@ -15,7 +15,7 @@ NUMBER = re.compile(r"(< )?[-+]?\d")
 def text(findings: Findings) -> str:
     """All that is to be read of findings, in lines that fit a terminal."""
     parts = [findings.title + "\n" + "=" * len(findings.title)]
-    parts += ["\n".join(table_lines(table)) for table in findings.tables]
+    parts += ["\n".join(table_lines(table)) for table in (*findings.tables, *findings.details)]
     parts += [filled(sentence) for sentence in findings.sentences]
     parts += [filled(f"Warning: {warning}") for warning in findings.warnings]
     return "\n\n".join(parts) + "\n"
