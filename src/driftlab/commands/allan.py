@@ -199,7 +199,7 @@ def _plot(one: Triad) -> Plot:
         curves.append(
             Curve(axis, times, each.deviation / size, each.lower / size, each.upper / size, fitted)
         )
-    title = f"Allan deviation of the {one.name}s: points with bands of 68 %, and the fit"
+    title = f"Allan deviation of the {one.name}s, bands of 68 %, and the fit"
     return Plot(title, "averaging time, s", one.shown.name, tuple(curves), logarithmic=True)
 
 

@@ -63,10 +63,8 @@ def svg(plot: Plot) -> str:
         axes = figure.add_subplot()
         for begin, end in plot.shaded:
             axes.axvspan(begin, end, color="#0072B2", alpha=0.12, linewidth=0)
-        for number, (curve, (colour, pattern)) in enumerate(
-            zip(plot.curves, SERIES * 3, strict=False)
-        ):
-            marker = curve.marker or ("" if curve.fitted is None else MARKERS[number % 3])
+        for curve, (colour, pattern, sign) in zip(plot.curves, SERIES, strict=False):
+            marker = curve.marker or ("" if curve.fitted is None else sign)
             if curve.fitted is not None:
                 axes.plot(curve.x, curve.fitted, color=colour, linestyle=pattern)
             axes.plot(

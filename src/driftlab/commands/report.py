@@ -16,6 +16,8 @@ from .plots import svg
 from .terminal import numeric_columns
 
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
+LONG = 20
+"""Rows of a table that may go on in another column or on another sheet."""
 
 
 def page(findings: Findings, origin: Origin, title: str = "") -> str:
@@ -65,8 +67,9 @@ def _table(table: Table) -> str:
     head = _row("th scope='col'", table.head, right)
     rows = "".join(_row("td", row, right) for row in table.rows)
     note = f"<p class='note'>{escape(table.note)}</p>" if table.note else ""
+    kind = " class='long'" if len(table.rows) > LONG else ""
     return (
-        f"<section><h2>{escape(table.title)}</h2><div class='wide'><table>"
+        f"<section{kind}><h2>{escape(table.title)}</h2><div class='wide'><table>"
         f"<thead>{head}</thead><tbody>{rows}</tbody></table></div>{note}</section>"
     )
 
