@@ -179,7 +179,8 @@ def _in_words(flight: Flight, recording: Recording) -> list[str]:
         )
     if flight.left_over:
         words.append(
-            f"Increments at the end that did not fill a step of the algorithm: {flight.left_over}."
+            "Left out at the end, as they fill no step of the algorithm: "
+            f"{flight.left_over} increments."
         )
     return words
 
