@@ -81,3 +81,9 @@ def test_angles_that_are_none_are_refused(run, example_log):
     code, _, err = run(f"integrate {example_log} {GYROS} --start 1,2")
     assert code == 2
     assert "expected three angles" in err
+
+
+@pytest.mark.parametrize("still", [0.0, -3.0, 1e9, np.nan])
+def test_a_rest_is_a_part_of_the_log(still):
+    with pytest.raises(ValueError, match=r"^--still: expected a part of the log's 1 s, got "):
+        flown(Recording(np.ones((10, 3)), None, 0.1, "rates"), "two-step-4", still=still)

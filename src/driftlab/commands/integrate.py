@@ -127,6 +127,10 @@ def flown(
     known = recording.in_axes("FRD") if recording.axes else recording
     bias = np.zeros(3)
     if still is not None:
+        if not 0 < still < known.duration:
+            raise ValueError(
+                f"--still: expected a part of the log's {known.duration:g} s, got {still:g}."
+            )
         bias = rates(known.between(0.0, still)).mean(axis=0)
     angles = known.angles() - bias * known.interval
     samples = getattr(ALGORITHMS[algorithm], "samples", 1)
@@ -179,8 +183,8 @@ def _in_words(flight: Flight, recording: Recording) -> list[str]:
         )
     if flight.left_over:
         words.append(
-            "Left out at the end, as they fill no step of the algorithm: "
-            f"{flight.left_over} increments."
+            "Increments left out at the end, too few for a step of the algorithm: "
+            f"{flight.left_over}."
         )
     return words
 
