@@ -11,6 +11,7 @@ import pytest
 from numpy.typing import ArrayLike
 
 from driftlab import (
+    allan,
     axes,
     body_frames,
     conventions,
@@ -281,6 +282,7 @@ APART = {
     simulation.simulate_compass,
     vehicle.vehicle_trajectory,
     # Their last axis is a row, and shorter or gone in the answer.
+    allan.allan_deviation,
     noise.moving_average,
     trials.range_over_deviation,
 }

@@ -19,8 +19,9 @@ Conventions, fixed here once for the whole package:
 * Bad input raises `ValueError` with one sentence: which argument, what was expected, what came.
 
 Ground floor: `checks`, `vectors`, `quaternion`, `earth`, `axes`, `conventions`, `frames`, `triad`,
-`body_frames`, `imu`, `increments`, `strapdown`, `monte_carlo`. On it stand the subjects: `motion`,
-`drift`, `attitude`, `calibration`, `gyrocompass`. All of these need NumPy and SciPy only.
+`body_frames`, `imu`, `increments`, `strapdown`, `monte_carlo`, `noise_terms`, `allan`. On it stand
+the subjects: `motion`, `drift`, `attitude`, `calibration`, `gyrocompass`. All of these need NumPy
+and SciPy only.
 `symbolic` (SymPy) and `book` (Matplotlib, ipywidgets) come with ``pip install driftlab[book]``.
 ``python -m driftlab`` lists what there is; nothing is loaded before it is asked for.
 """

@@ -1,4 +1,5 @@
 from . import (
+    allan as allan,
     attitude as attitude,
     axes as axes,
     body_frames as body_frames,
@@ -14,6 +15,7 @@ from . import (
     increments as increments,
     monte_carlo as monte_carlo,
     motion as motion,
+    noise_terms as noise_terms,
     quaternion as quaternion,
     recordings as recordings,
     sampled_rates as sampled_rates,
@@ -22,6 +24,7 @@ from . import (
     triad as triad,
     vectors as vectors,
 )
+from .allan import allan_deviation as allan_deviation, fit_noise_terms as fit_noise_terms
 from .attitude.integration import integrate as integrate
 from .axes import convert_attitude as convert_attitude, convert_vectors as convert_vectors
 from .calibration.filter import calibrate as calibrate

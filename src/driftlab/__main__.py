@@ -19,6 +19,7 @@ PACKAGE = Path(__file__).parent
 GROUND_FLOOR = (
     *("checks", "vectors", "quaternion", "earth", "axes", "conventions", "frames"),
     *("triad", "body_frames", "imu", "increments", "sampled_rates", "strapdown", "monte_carlo"),
+    *("noise_terms", "allan"),
 )
 SUBJECTS = (
     *(

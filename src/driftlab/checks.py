@@ -245,6 +245,41 @@ def positive_number(value: ArrayLike, name: str) -> float:
     return number
 
 
+def positive_array(value: ArrayLike, name: str) -> FloatArray:
+    """Return a value as a float64 array of numbers above zero, or refuse it in one sentence.
+
+    Parameters
+    ----------
+    value : array_like, shape (...)
+        The numbers.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        `value` as float64.
+
+    Raises
+    ------
+    ValueError
+        If a number is zero or less, or as for `finite_array`.
+
+    Examples
+    --------
+    >>> positive_array([1, 2], "averaging_times")
+    array([1., 2.])
+    >>> positive_array([1, -2], "averaging_times")
+    Traceback (most recent call last):
+        ...
+    ValueError: averaging_times: expected numbers above 0, got -2.
+    """
+    array = finite_array(value, name)
+    if array.min() <= 0:
+        raise ValueError(f"{name}: expected numbers above 0, got {array.min():g}.")
+    return array
+
+
 def checked_instance(value: object, kind: type[Kind], name: str) -> Kind:
     """Return an object if it is of a kind.
 

@@ -1,0 +1,314 @@
+"""Allan deviation of a sensor at rest, and the noise terms that can be read from it.
+
+The Allan deviation says by how much the means of two neighbouring stretches differ, over the
+length of the stretches. Five kinds of noise make five straight lines on a double logarithmic plot;
+they are the terms of IEEE Std 952.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.stats import chi2
+
+from .checks import (
+    FloatArray,
+    checked_instance,
+    finite_array,
+    finite_number,
+    positive_array,
+    positive_number,
+)
+from .core import allan as core
+from .noise_terms import TERMS, NoiseTerms
+
+__all__ = [
+    "TERMS",
+    "AllanDeviation",
+    "NoiseFit",
+    "NoiseTerms",
+    "allan_deviation",
+    "fit_noise_terms",
+]
+
+_GRID = 30
+"""Averaging times, if none are given."""
+_LONGEST = 4
+"""The longest of them is this part of the record."""
+_BOUND = 0.95
+"""Probability that stands behind an upper bound."""
+
+
+@dataclass(frozen=True)
+class AllanDeviation:
+    """Allan deviation of a record, or of several of equal length, with confidence intervals.
+
+    Attributes
+    ----------
+    averaging_times : ndarray, shape (k,)
+        s.
+    deviation : ndarray, shape (..., k)
+        In the unit of the samples.
+    lower, upper : ndarray, shape (..., k)
+        Ends of the confidence interval.
+    degrees_of_freedom : ndarray, shape (..., k)
+        Equivalent ones, of the variance.
+    interval : float
+        Of the samples, s.
+    count : int
+        Number of samples.
+    """
+
+    averaging_times: FloatArray
+    deviation: FloatArray
+    lower: FloatArray
+    upper: FloatArray
+    degrees_of_freedom: FloatArray
+    interval: float
+    count: int
+
+    def row(self, *index: int) -> AllanDeviation:
+        """Return that of one of several sensors.
+
+        Parameters
+        ----------
+        *index : int
+            Places along the leading axes of the samples.
+
+        Returns
+        -------
+        AllanDeviation
+            With arrays (k,) if there is an index for each leading axis.
+
+        Examples
+        --------
+        >>> three = allan_deviation(np.random.default_rng(1).normal(size=(3, 1000)), 0.1)
+        >>> three.deviation.shape == (3, *three.row(0).deviation.shape)
+        True
+        """
+        return replace(
+            self,
+            deviation=self.deviation[index],
+            lower=self.lower[index],
+            upper=self.upper[index],
+            degrees_of_freedom=self.degrees_of_freedom[index],
+        )
+
+
+def allan_deviation(
+    samples: ArrayLike,
+    interval: float,
+    averaging_times: ArrayLike | None = None,
+    *,
+    confidence: float = 0.683,
+) -> AllanDeviation:
+    """Overlapping Allan deviation of equally spaced rates, with its confidence.
+
+    Parameters
+    ----------
+    samples : array_like, shape (..., n)
+        Rates, at least 3, along the last axis: rad/s, or any unit. Increments of angle are rates
+        times the interval.
+    interval : float
+        Between samples, s.
+    averaging_times : array_like, shape (k,), optional
+        s, taken to the nearest whole number of samples, from one to half of them. If not given,
+        some thirty in equal ratios, up to a quarter of the record.
+    confidence : float
+        Probability of each interval, between 0 and 1.
+
+    Returns
+    -------
+    AllanDeviation
+        With the averaging times that were taken.
+
+    Raises
+    ------
+    ValueError
+        If there are fewer than three samples, or an averaging time is out of range.
+
+    Notes
+    -----
+    The intervals are those of chi-square with equivalent degrees of freedom, as in W. Riley's
+    Handbook of Frequency Stability Analysis, NIST SP 1065 (2008), section 5.3. How many there are
+    depends on the noise. Here the five terms are fitted first; then the variance of each point
+    follows from the integral of the squared spectrum behind the Allan filter (P. Lesage, C. Audoin,
+    IEEE Transactions on Instrumentation and Measurement 22, 1973). For pure terms this agrees with
+    Table 5 of the handbook within some percent, or has fewer. No time has
+    less than one. The intervals hold for noise of these five kinds, and point by point: neighbours
+    are made of the same samples and go astray together.
+
+    Examples
+    --------
+    White noise falls with the square root of the averaging time:
+
+    >>> rates = np.random.default_rng(1).normal(size=100_000)
+    >>> found = allan_deviation(rates, 0.01, [0.01, 1.0, 100.0])
+    >>> found.deviation.round(3)
+    array([1.   , 0.097, 0.009])
+    >>> bool((found.lower < [1.0, 0.1, 0.01]).all() and (found.upper > 0.01).all())
+    True
+    """
+    rates = np.atleast_1d(finite_array(samples, "samples"))
+    step, length = positive_number(interval, "interval"), rates.shape[-1]
+    if length < 3:
+        raise ValueError(f"samples: expected shape (..., n), n at least 3, got {rates.shape}.")
+    if not 0 < finite_number(confidence, "confidence") < 1:
+        raise ValueError(f"confidence: expected a number between 0 and 1, got {confidence!r}.")
+    grid = np.round(np.geomspace(1, max(1, length // _LONGEST), _GRID)).astype(int)
+    counts = grid = np.unique(grid)
+    if averaging_times is not None:
+        counts = _whole_counts(averaging_times, step, length)
+        grid = np.union1d(grid, counts)  # the noise is known by all of them
+    all_variances = core.variances(rates, grid)
+    freedom = np.empty_like(all_variances)
+    for index in np.ndindex(rates.shape[:-1]):
+        freedom[index] = _degrees_of_freedom(all_variances[index], grid, length, step)
+    chosen = np.searchsorted(grid, counts)
+    variances, freedom = all_variances[..., chosen], freedom[..., chosen]
+    tails = chi2.ppf([[(1 + confidence) / 2], [(1 - confidence) / 2]], freedom.reshape(1, -1))
+    low, high = np.sqrt(variances * freedom / tails.reshape(2, *freedom.shape))
+    return AllanDeviation(step * counts, np.sqrt(variances), low, high, freedom, step, length)
+
+
+def _degrees_of_freedom(
+    variances: FloatArray, counts: core.Counts, length: int, interval: float
+) -> FloatArray:
+    """Degrees of freedom (k,) of variances (k,), by the terms that fit them."""
+    # Those of a random walk, which has the fewest.
+    least = np.maximum((length - 2 * counts) / counts, 1.0)
+    seen = variances > 0
+    if not seen.any():
+        return least
+    points = core.Points(variances[seen], least[seen], counts[seen], length, interval)
+    squares, _ = core.fit(points, list(range(5)))
+    if not squares[:4].any():
+        return least
+    expected = core.term_variances(interval * counts) @ squares
+    spread = np.diagonal(core.covariance(squares, counts, length, interval))
+    return np.maximum(2 * expected**2 / spread, 1.0)
+
+
+@dataclass(frozen=True)
+class NoiseFit:
+    """Noise terms that fit an Allan deviation.
+
+    Attributes
+    ----------
+    terms : NoiseTerms
+        What the record shows; zero for a term that it does not show.
+    deviations : dict of str to float
+        Standard deviations of the terms that it shows.
+    upper_bounds : dict of str to float
+        For each term that was sought and is not seen: with 95 % probability it is smaller.
+        Infinite if the record is too short to say anything.
+    covariance : ndarray, shape (5, 5)
+        Of the squared coefficients, in the order of `TERMS`; zero for terms that are not seen.
+    misfit : float
+        Root mean square of the points' distances from the fit, in standard deviations of each: 1
+        or less for noise of these kinds. If it is much more, none of the other numbers holds.
+    """
+
+    terms: NoiseTerms
+    deviations: dict[str, float]
+    upper_bounds: dict[str, float]
+    covariance: FloatArray
+    misfit: float
+
+
+def fit_noise_terms(allan: AllanDeviation, terms: Iterable[str] = TERMS) -> NoiseFit:
+    """Find the noise terms behind an Allan deviation, and what it cannot tell.
+
+    Parameters
+    ----------
+    allan : AllanDeviation
+        Of one sensor, with at least as many averaging times as terms.
+    terms : iterable of str
+        Those that are sought, from `TERMS`; the others are taken to be zero.
+
+    Returns
+    -------
+    NoiseFit
+        With a standard deviation for each term that is seen, and an upper bound for each other.
+
+    Raises
+    ------
+    ValueError
+        If there are several sensors, too few averaging times, or unknown terms.
+
+    Notes
+    -----
+    Least squares without negative terms, each point with the weight of its own degrees of freedom.
+    But the points of an Allan plot share their samples, and thirty of them are worth far fewer
+    independent ones: the deviations of the terms come from the covariance of all points under the
+    fitted noise. A term is seen if its square is above twice its standard deviation; the
+    weakest is dropped first, and the rest fitted again. An upper bound counts the other unseen
+    terms as zero. All of this is good for noise of these five kinds. What is none, an engine's
+    shaking or the temperature of a day, is put on the nearest line all the same: look at the plot.
+
+    Examples
+    --------
+    >>> noise = NoiseTerms(quantisation=1e-6, angle_random_walk=1e-6)
+    >>> rates = noise.samples(20_000, 0.1, np.random.default_rng(1))
+    >>> found = fit_noise_terms(allan_deviation(rates, 0.1))
+    >>> print(f"{found.terms.angle_random_walk:.2e}", f"{found.terms.quantisation:.2e}")
+    9.79e-07 9.99e-07
+    >>> list(found.upper_bounds)
+    ['bias_instability', 'rate_random_walk', 'rate_ramp']
+    """
+    found, sought = checked_instance(allan, AllanDeviation, "allan"), list(dict.fromkeys(terms))
+    if found.deviation.ndim != 1:
+        raise ValueError(
+            "allan: expected that of one sensor, deviation of shape (k,), "
+            f"got shape {found.deviation.shape}; take allan.row(0), say."
+        )
+    for name in sought:
+        if name not in TERMS:
+            raise ValueError(f"terms: expected names from {', '.join(TERMS)}, got {name!r}.")
+    seen = found.deviation > 0
+    if not sought or seen.sum() < len(sought):
+        raise ValueError(
+            "allan: expected at least as many averaging times with a deviation above zero as "
+            f"terms, {max(len(sought), 1)}, got {seen.sum()}."
+        )
+    times, freedom = found.averaging_times[seen], found.degrees_of_freedom[seen]
+    counts = np.round(times / found.interval).astype(int)
+    variance = found.deviation[seen] ** 2
+    points = core.Points(variance, freedom, counts, found.count, found.interval)
+    kept = sorted(map(TERMS.index, sought))
+    while True:
+        squares, covariance = core.fit(points, kept)
+        spread = np.sqrt(np.diagonal(covariance))
+        strength = [squares[i] / spread[i] for i in kept]
+        if len(kept) == 1 or min(strength) >= 2:
+            break
+        kept.pop(int(np.argmin(strength)))
+    roots = np.sqrt(squares)
+    expected = core.term_variances(times) @ squares
+    unseen = [name for name in sought if TERMS.index(name) not in kept]
+    return NoiseFit(
+        NoiseTerms(*map(float, roots)),
+        {TERMS[i]: float(spread[i] / (2 * roots[i])) for i in kept},
+        {
+            name: float(np.sqrt(core.upper_bound(points, squares, TERMS.index(name), _BOUND)))
+            for name in unseen
+        },
+        covariance,
+        float(np.sqrt(np.mean((variance / expected - 1) ** 2 * freedom / 2))),
+    )
+
+
+def _whole_counts(averaging_times: ArrayLike, interval: float, length: int) -> core.Counts:
+    """Numbers of samples (k,) in averaging times (k,)."""
+    times = np.atleast_1d(positive_array(averaging_times, "averaging_times"))
+    counts = np.round(times / interval).astype(int)
+    if times.ndim > 1 or counts.min() < 1 or counts.max() > length // 2:
+        raise ValueError(
+            f"averaging_times: expected shape (k,), from {interval:g} s to half of the record, "
+            f"{length // 2 * interval:g} s, got shape {times.shape} from {times.min():g} s "
+            f"to {times.max():g} s."
+        )
+    return counts

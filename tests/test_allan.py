@@ -1,0 +1,281 @@
+"""The Allan deviation against published digits, a peer and closed forms; what fits say of terms."""
+
+import allantools
+import numpy as np
+import pytest
+from scipy.stats import binom
+
+from driftlab.allan import TERMS, NoiseTerms, allan_deviation, fit_noise_terms
+from driftlab.core.allan import covariance, term_variances
+from support import chi_bounds
+
+PURE = {name: NoiseTerms(**{name: 1.0}) for name in TERMS}
+MILLION = 1e-6
+"""Probability with which each bound below would be passed by chance; the seeds are fixed."""
+
+
+def handbook_rates() -> np.ndarray:
+    """The 1000 frequencies of NIST SP 1065, section 12.4, by their generator."""
+    numbers = [1234567890]
+    for _ in range(999):
+        numbers.append(16807 * numbers[-1] % 2147483647)
+    return np.array(numbers) / 2147483647
+
+
+# The estimate
+
+
+@pytest.mark.parametrize(
+    ("rates", "times", "published"),
+    [
+        (
+            [892, 809, 823, 798, 671, 644, 883, 903, 677],
+            [1, 2],
+            ["91.22945", "85.95287"],
+        ),
+        (handbook_rates(), [1, 10, 100], ["2.922319e-01", "9.159953e-02", "3.241343e-02"]),
+    ],
+    ids=["NBS14", "1000 points"],
+)
+def test_the_handbook_s_numbers_come_out_to_every_digit(rates, times, published):
+    found = allan_deviation(rates, 1.0, times).deviation
+    forms = [".5f" if "e" not in digits else ".6e" for digits in published]
+    assert [f"{x:{form}}" for x, form in zip(found, forms, strict=True)] == published
+
+
+@pytest.mark.parametrize("name", TERMS)
+def test_allantools_finds_the_same(name):
+    rates = PURE[name].samples(3001, 0.25, np.random.default_rng(1))
+    found = allan_deviation(rates, 0.25)
+    taus, theirs, *_ = allantools.oadev(
+        rates, rate=4.0, data_type="freq", taus=found.averaging_times
+    )
+    np.testing.assert_allclose(found.averaging_times, taus, rtol=1e-12)
+    np.testing.assert_allclose(found.deviation, theirs, rtol=1e-11)
+
+
+def test_rows_are_sensors_of_their_own():
+    rates = np.random.default_rng(2).normal(size=(2, 3, 500))
+    found = allan_deviation(rates, 0.1)
+    assert found.deviation.shape[:2] == found.upper.shape[:2] == (2, 3)
+    for index in np.ndindex(2, 3):
+        alone, row = allan_deviation(rates[index], 0.1), found.row(*index)
+        np.testing.assert_allclose(row.deviation, alone.deviation, rtol=1e-12)
+        np.testing.assert_allclose(row.degrees_of_freedom, alone.degrees_of_freedom, rtol=1e-9)
+
+
+def test_a_long_record_far_from_zero_keeps_its_digits():
+    """Half a million samples whose mean is a million times their noise."""
+    rates = np.random.default_rng(3).normal(size=500_000)
+    near = allan_deviation(rates, 0.01, [0.01, 1.0, 1000.0]).deviation
+    far = allan_deviation(rates + 1e6, 0.01, [0.01, 1.0, 1000.0]).deviation
+    # 1e6 is stored to 1e-10; errors of one size in each sample fall as white noise does.
+    np.testing.assert_allclose(far, near, rtol=1e-9)
+
+
+def test_default_times_are_few_and_go_to_a_quarter_of_the_record():
+    found = allan_deviation(np.random.default_rng(0).normal(size=100_000), 0.01)
+    assert found.averaging_times[0] == 0.01
+    assert found.averaging_times[-1] == 250.0
+    assert len(found.averaging_times) <= 30
+    ratios = np.diff(np.log(found.averaging_times[8:]))
+    np.testing.assert_allclose(ratios, ratios.mean(), rtol=0.1)
+
+
+# Closed forms, and the confidence
+
+
+@pytest.mark.parametrize("name", TERMS)
+def test_pure_terms_have_their_lines(name):
+    """Means over runs; the bound is that of their degrees of freedom."""
+    runs, times = 20, np.array([1.0, 2.0, 5.0, 20.0, 100.0])
+    rates = PURE[name].samples(2000, 1.0, np.random.default_rng(4), runs)
+    found = allan_deviation(rates, 1.0, times)
+    ratios = np.mean(found.deviation**2, axis=0) / PURE[name].deviation(times) ** 2
+    freedom = covariance_freedom(name, times.astype(int), 2000)
+    assert (np.abs(ratios - 1) <= 4.9 * np.sqrt(2 / (runs * freedom)) + 1e-9).all()
+    np.testing.assert_allclose(PURE[name].lines(times)[name], PURE[name].deviation(times))
+
+
+def covariance_freedom(name: str, counts: np.ndarray, length: int) -> np.ndarray:
+    squares = np.array([float(term == name) for term in TERMS])
+    variances = term_variances(1.0 * counts) @ squares
+    with np.errstate(divide="ignore"):  # a ramp has no noise
+        return 2 * variances**2 / np.diagonal(covariance(squares, counts, length, 1.0))
+
+
+def test_lines_are_those_of_the_standard():
+    times = np.array([0.5, 30.0])
+    found = NoiseTerms(2.0, 3.0, 5.0, 7.0, 11.0)
+    expected = [
+        np.sqrt(3) * 2 / times,
+        3 / np.sqrt(times),
+        np.sqrt(2 * np.log(2) / np.pi) * 5 * np.ones(2),
+        7 * np.sqrt(times / 3),
+        11 * times / np.sqrt(2),
+    ]
+    for line, right in zip(found.lines(times).values(), expected, strict=True):
+        np.testing.assert_allclose(line, right, rtol=1e-14)
+    np.testing.assert_allclose(found.deviation(times), np.linalg.norm(expected, axis=0))
+
+
+def handbook_freedom(name: str, m: np.ndarray, points: int) -> np.ndarray:
+    """NIST SP 1065, Table 5, for N = `points` phases."""
+    n = points
+    if name == "quantisation":
+        return (n + 1) * (n - 2 * m) / (2 * (n - m))
+    if name == "angle_random_walk":
+        return (1.5 * (n - 1) / m - 2 * (n - 2) / n) * 4 * m**2 / (4 * m**2 + 5)
+    if name == "bias_instability":
+        return 5 * n**2 / (4 * m * (n + 3 * m))
+    return (n - 2) / m * ((n - 1) ** 2 - 3 * m * (n - 1) + 4 * m**2) / (n - 3) ** 2
+
+
+@pytest.mark.parametrize("name", TERMS[:4])
+def test_degrees_of_freedom_are_the_handbook_s_or_somewhat_fewer(name):
+    m = np.array([2, 5, 20, 100, 500, 2000])
+    ratio = covariance_freedom(name, m, 20_000) / handbook_freedom(name, m, 20_001)
+    # The handbook's are approximations of their own, good to some percent.
+    assert (ratio < 1.06).all()
+    assert (ratio > 0.75).all()
+    assert (ratio[2:5] > 0.85).all()
+
+
+@pytest.mark.parametrize("name", ["quantisation", "angle_random_walk", "rate_random_walk"])
+def test_intervals_hold_the_truth_as_often_as_they_say(name):
+    runs, confidence, times = 100, 0.683, np.array([1.0, 4.0, 20.0, 100.0])
+    rates = PURE[name].samples(1000, 1.0, np.random.default_rng(5), runs)
+    found = allan_deviation(rates, 1.0, times, confidence=confidence)
+    truth = PURE[name].deviation(times)
+    held = ((found.lower < truth) & (truth < found.upper)).sum(axis=0)
+    low, high = binom.ppf([MILLION / 2, 1 - MILLION / 2], runs, confidence)
+    assert (low <= held).all()
+    # Where the record is ten times the averaging time there are fewer degrees than the handbook's.
+    assert (held <= [high, high, high, runs]).all()
+
+
+# Fits
+
+
+MIXED = NoiseTerms(3.0, 1.0, 0.0, 0.05, 0.0)
+
+
+def test_a_fit_finds_the_terms_within_its_deviations_and_bounds_the_others():
+    runs, rng = 20, np.random.default_rng(6)
+    found = allan_deviation(MIXED.samples(5000, 1.0, rng, runs), 1.0)
+    fits = [fit_noise_terms(found.row(run)) for run in range(runs)]
+    for name in ("quantisation", "angle_random_walk", "rate_random_walk"):
+        seen = [fit for fit in fits if name in fit.deviations]
+        assert len(seen) >= 0.9 * runs
+        errors = [
+            (getattr(fit.terms, name) - getattr(MIXED, name)) / fit.deviations[name] for fit in seen
+        ]
+        assert np.mean(np.square(errors)) < chi_bounds(len(errors))[1]
+        assert abs(np.mean(errors)) < 4.9 / np.sqrt(len(errors))
+    for name in ("bias_instability", "rate_ramp"):
+        # Seen by mistake once in some twenty runs.
+        assert sum(name in fit.deviations for fit in fits) <= binom.ppf(1 - MILLION, runs, 0.05)
+        assert all(fit.upper_bounds[name] > 0 for fit in fits if name in fit.upper_bounds)
+    assert np.mean([fit.misfit for fit in fits]) < 1.1
+
+
+@pytest.mark.parametrize("name", TERMS)
+def test_a_pure_term_is_found_alone(name):
+    rng = np.random.default_rng(7)
+    fit = fit_noise_terms(allan_deviation(PURE[name].samples(4000, 1.0, rng), 1.0))
+    assert list(fit.deviations) == [name]
+    assert list(fit.upper_bounds) == [term for term in TERMS if term != name]
+    assert getattr(fit.terms, name) == pytest.approx(1.0, abs=4.9 * fit.deviations[name] + 1e-6)
+    place = TERMS.index(name)
+    assert np.flatnonzero(np.diagonal(fit.covariance)).tolist() in ([place], [])
+
+
+def test_what_a_record_is_too_short_to_see_stays_below_its_bound():
+    """A random walk far below the white noise: 95 % of the bounds are above it, or more."""
+    runs, weak = 20, NoiseTerms(angle_random_walk=1.0, rate_random_walk=1e-3)
+    found = allan_deviation(weak.samples(1000, 1.0, np.random.default_rng(8), runs), 1.0)
+    fits = [fit_noise_terms(found.row(run)) for run in range(runs)]
+    bounds = [fit.upper_bounds.get("rate_random_walk", np.inf) for fit in fits]
+    assert sum(bound > 1e-3 for bound in bounds) >= binom.ppf(MILLION, runs, 0.95)
+    # And they are of use: the line is not above the white noise at a tenth of the record.
+    assert np.median(bounds) * np.sqrt(100 / 3) < 1 / np.sqrt(100) * 2
+
+
+def test_noise_of_another_kind_shows_as_misfit():
+    rates = np.random.default_rng(9).normal(size=20_000) + 5 * np.sin(np.arange(20_000) / 30)
+    assert fit_noise_terms(allan_deviation(rates, 1.0)).misfit > 5
+
+
+def test_terms_that_are_not_sought_are_zero():
+    found = allan_deviation(MIXED.samples(2000, 1.0, np.random.default_rng(10)), 1.0)
+    fit = fit_noise_terms(found, ["angle_random_walk"])
+    assert fit.terms == NoiseTerms(angle_random_walk=fit.terms.angle_random_walk)
+    assert fit.upper_bounds == {}
+
+
+def test_units_are_whatever_the_samples_have():
+    rates = MIXED.samples(2000, 1.0, np.random.default_rng(11))
+    once, small = (fit_noise_terms(allan_deviation(s * rates, 1.0)) for s in (1.0, 1e-9))
+    for name in once.deviations:
+        assert getattr(small.terms, name) == pytest.approx(1e-9 * getattr(once.terms, name))
+    for name, bound in once.upper_bounds.items():
+        assert small.upper_bounds[name] == pytest.approx(1e-9 * bound, rel=1e-2)
+
+
+# Edges and refusals
+
+
+def test_a_silent_sensor_has_no_deviation():
+    found = allan_deviation(np.full(50, 0.3), 0.1)
+    assert not found.deviation.any()
+    assert not found.upper.any()
+    with pytest.raises(ValueError, match=r"^allan: expected at least .* above zero .*5, got 0\.$"):
+        fit_noise_terms(found)
+
+
+def test_three_samples_are_enough():
+    found = allan_deviation([1.0, 2.0, 4.0], 0.5)
+    assert found.deviation == pytest.approx(np.sqrt(2.5 / 2))
+    assert found.lower < found.deviation < found.upper
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (([1.0, 2.0], 0.1), r"samples: expected shape \(\.\.\., n\), n at least 3, got \(2,\)"),
+        (([1.0, np.nan, 2.0], 0.1), r"samples: expected finite numbers, got 1 NaN"),
+        (([1.0, 2.0, 3.0], 0.0), r"interval: expected .* got 0"),
+        (([1.0, 2.0, 3.0], 0.1, [0.2]), r"averaging_times: .* from 0\.1 s to half .* 0\.1 s"),
+        (([1.0, 2.0, 3.0], 0.1, [-0.1]), r"averaging_times: expected numbers above 0, got -0\.1"),
+        (([1.0, 2.0, 3.0], 0.1, [0.01]), r"averaging_times: expected shape \(k,\), from 0\.1 s"),
+    ],
+)
+def test_bad_records_are_refused_by_name(arguments, words):
+    with pytest.raises(ValueError, match=f"^{words}"):
+        allan_deviation(*arguments)
+
+
+@pytest.mark.parametrize("confidence", [0.0, 1.0, 95.0])
+def test_a_confidence_is_a_probability(confidence):
+    with pytest.raises(ValueError, match=r"^confidence: expected a number between 0 and 1, got"):
+        allan_deviation([1.0, 2.0, 3.0], 0.1, confidence=confidence)
+
+
+def test_fits_refuse_what_they_cannot_do():
+    good = allan_deviation(np.random.default_rng(0).normal(size=(2, 100)), 1.0)
+    with pytest.raises(ValueError, match=r"^allan: expected that of one sensor.*allan\.row\(0\)"):
+        fit_noise_terms(good)
+    with pytest.raises(ValueError, match=r"^terms: expected names from quantisation.*got 'white'"):
+        fit_noise_terms(good.row(0), ["white"])
+    with pytest.raises(ValueError, match=r"^allan: expected at least as many .* 5, got 2\.$"):
+        fit_noise_terms(allan_deviation(np.arange(10.0) ** 2, 1.0, [1.0, 2.0]))
+    with pytest.raises(ValueError, match=r"^allan: expected an AllanDeviation, got"):
+        fit_noise_terms(good.deviation)
+
+
+@pytest.mark.parametrize("name", TERMS)
+def test_noise_is_not_negative(name):
+    with pytest.raises(
+        ValueError, match=rf"^{name}: expected a number of at least 0, got -1\.0\.$"
+    ):
+        NoiseTerms(**{name: -1.0})
