@@ -63,6 +63,7 @@ from driftlab.gyrocompass import (
     trials,
 )
 from driftlab.motion import profiles, turntable, vehicle
+from driftlab.noise_terms import NoiseTerms
 from support import helper_modules
 
 Q, P = np.array([0.1, -0.3, 0.2, 0.9]), np.array([0.4, 0.5, -0.6, 0.2])
@@ -189,6 +190,8 @@ CASES = {
     frames.to_euler_angles: {"attitude": Q},
     frames.navigation_frame_rate: {"latitude": LATITUDE, "velocity": LEVEL},
     heading_error.coriolis_correction: {"latitude": LATITUDE, "velocity": LEVEL},
+    noise.GyroNoise().allan_deviation: {"averaging_times": TIME},
+    NoiseTerms(1e-6, 1e-5).deviation: {"averaging_times": TIME},
     fixed(noise.swing_deviation, angle_random_walk=1e-6, gravity=9.8): {"time": TIME},
     heading_error.heading_error_of_attitude: {
         "attitude_error": RATE,
@@ -319,6 +322,7 @@ WITHOUT_AXES = (
     "gravity",
     "times",
     "duration",
+    "averaging_times",
     "dial",
     "north_error",
     "latitude_error",

@@ -19,7 +19,7 @@ from driftlab.checks import FloatArray
 Counts = NDArray[np.int_]
 
 _FREQUENCIES = 2000
-"""Places of the integrals over frequency, in equal ratios. Twice as many change them by a tenth at most."""
+"""Places of the integrals over frequency, in equal ratios; more change them by a tenth at most."""
 _ROUNDS = 30
 """Rounds of reweighting at most; some ten settle it to a thousandth."""
 

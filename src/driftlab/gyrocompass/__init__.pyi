@@ -5,6 +5,7 @@ from . import (
     inertial_alignment as inertial_alignment,
     levelling as levelling,
     noise as noise,
+    noise_fit as noise_fit,
     simulation as simulation,
     trials as trials,
 )
@@ -44,6 +45,7 @@ from .noise import (
     settled_deviation as settled_deviation,
     swing_deviation as swing_deviation,
 )
+from .noise_fit import fit_gyro_noise as fit_gyro_noise
 from .simulation import (
     HeadingErrors as HeadingErrors,
     simulate_compass as simulate_compass,
