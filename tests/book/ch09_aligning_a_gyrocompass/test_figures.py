@@ -172,3 +172,30 @@ def test_averaging_falls_with_the_square_root_down_to_the_slow_part(
     expected = floor * np.sqrt(2 * (x + np.expm1(-x))) / x
     np.testing.assert_allclose(slow[:, 2:], np.tile(expected[2:], (2, 1)), rtol=1e-3)
     assert (slow > 0.9 * floor)[:, :-1].all()
+
+
+@published("09-averaging-window")
+def test_a_rounded_angle_meets_the_paper_s_numbers_as_well(figure: PublishedFigure) -> None:
+    """And predicts another fall of the heading's spread: with the window, and without a floor."""
+    data = figure.data
+    low, high = np.sqrt(chi_bounds(data.runs - 1))
+    ratio = data.rival_simulated / data.rival_formula
+    assert (low < ratio).all()
+    assert (ratio < high).all()
+    in_range = []
+    for window in range(1, 100):
+        means = [alignments.rival_noise(t).deviation_of_mean(window) for t in alignments.WHITE]
+        if [round(mean / HOURLY, 2) for mean in means] == [0.01, 0.02]:
+            in_range.append(window)
+    assert in_range == list(range(23, 43))
+    assert alignments.RIVAL_WINDOW in in_range
+    # White alone, or rounding alone, asks for other windows at the two ends.
+    before, after = np.array(alignments.WHITE), np.array([0.01, 0.02])
+    assert (before / after).round().tolist() == [6, 25]
+    assert ((before / after) ** 2).round().tolist() == [36, 625]
+    slopes = np.diff(np.log(data.rival_formula[1])) / np.diff(np.log(data.windows))
+    assert slopes[0] < -0.95
+    assert slopes[-1] == pytest.approx(-0.5, abs=0.005)
+    slopes = np.diff(np.log(data.formula[1])) / np.diff(np.log(data.windows))
+    assert slopes[0] == pytest.approx(-0.5, abs=0.001)
+    assert slopes[-1] > -0.25

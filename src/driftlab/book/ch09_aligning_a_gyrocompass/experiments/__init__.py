@@ -2,11 +2,13 @@
 
 from .averaging import (
     MOVING_AVERAGE,
+    RIVAL_WINDOW,
     SLOW,
     WHITE,
     AveragingWindow,
     gyro_noise,
     heading_spread_by_window,
+    rival_noise,
 )
 from .budget import (
     ACCELEROMETER_BIAS,
@@ -42,6 +44,7 @@ __all__ = [
     "MAGNIFIED",
     "MOVING_AVERAGE",
     "PITCH",
+    "RIVAL_WINDOW",
     "ROLL",
     "SLOW",
     "TERMS",
@@ -59,5 +62,6 @@ __all__ = [
     "heading_spread_by_window",
     "level_box",
     "over_the_top",
+    "rival_noise",
     "turn_over",
 ]

@@ -42,12 +42,17 @@ def _vertical_caption(data: experiments.OverTheVertical) -> str:
 
 
 def _averaging_caption(data: experiments.AveragingWindow) -> str:
-    gap = float(np.abs(data.simulated / data.formula - 1).max())
+    pairs = ((data.simulated, data.formula), (data.rival_simulated, data.rival_formula))
+    gap = max(float(np.abs(simulated / formula - 1).max()) for simulated, formula in pairs)
+    long = data.windows == 6000
+    apart = float((data.formula[1] / data.rival_formula[1])[long][0])
     return (
-        f"Spread of the heading of {data.runs} alignments over the length of the "
-        "averaging window, for the ends of the paper's range of gyro noise. White noise falls with "
-        f"the square root; a slow part of {experiments.SLOW:g} degrees per hour sets a "
-        f"floor. Simulation and closed formula differ by up to {gap:.0%}."
+        f"Spread of the heading of {data.runs} alignments over the length of the averaging window, "
+        "for the ends of the paper's range of gyro noise. Two readings of the paper's averages. "
+        f"Left: white noise and a slow part of {experiments.SLOW:g} degrees per hour, which sets a "
+        "floor. Right: white noise as in the quiet gyro, and a rounded angle, which falls with the "
+        f"window itself. After ten minutes the noisy gyro would differ by a factor of {apart:.0f}. "
+        f"Simulation and closed formula differ by up to {gap:.0%}."
     )
 
 
