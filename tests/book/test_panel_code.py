@@ -25,6 +25,7 @@ from panel_numbers.ch05 import cayley_map
 from panel_numbers.ch06 import algorithm_laboratory
 from panel_numbers.ch07 import split_triad
 from panel_numbers.ch08 import calibration, observability
+from panel_numbers.ch13 import allan
 from panel_numbers.values import ABSENT, Values, axis_of, listed
 
 
@@ -92,6 +93,11 @@ def estimate(values: Values) -> float:
     return float(number) * sizes[unit]
 
 
+def lowest_point(values: Values) -> list[float]:
+    height, time = re.findall(r"([\d.]+) (?:°/h|s)", allan(values)[0][1])
+    return [float(height), float(time)]
+
+
 CASES = (
     ("ErrorMotionExplorer", error_at_the_end, {"rel": 1e-9, "abs": 1e-12}),
     ("RootsExplorer", first_order_roots, {"rel": 1e-12}),
@@ -100,6 +106,7 @@ CASES = (
     ("CayleyMapExplorer", cayley, {"abs": 1e-3, "rel": 1e-3}),
     ("AlgorithmLaboratoryExplorer", worst_errors, {"rel": 0.01}),
     ("CalibrationRunExplorer", estimate, {"abs": 1e-9}),
+    ("AllanExplorer", lowest_point, {"rel": 0.01}),
 )
 PRINTED = (
     (AlignmentBudgetExplorer, "heading: exact"),
@@ -127,7 +134,8 @@ def test_code_gives_the_numbers_of_its_panel(name, expected, tolerance) -> None:
             steps = round((control.high - control.low) / control.step)
             place = control.low + control.step * rng.randint(1, steps - 1)
             listed_place = control.options and rng.choice(control.options)
-            panel.set(**{control.name: listed_place or type(control.start)(round(place, 9))})
+            free_place = type(control.start)(round(place, 9))
+            panel.set(**{control.name: listed_place if control.options else free_place})
         found, _ = outcome_of(panel.call(panel.values))
         for number in np.ravel(expected(panel.values)):
             assert any(other == pytest.approx(number, **tolerance) for other in found)

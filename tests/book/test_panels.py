@@ -16,10 +16,19 @@ from panel_numbers import results_of
 
 UNITS = {
     *("°", "′", "″", "mrad", "°/s", "°/h", "10⁻³ °/√h", "10⁻³", "ppm"),
+    *("°/√h", "°/h/√h", "°/h²"),
     *("m/s", "mm/s", "mg", "µg/√Hz", "Hz", "s", "min"),
 }
 PURE_NUMBERS = {
-    *("size μ", "RK45 tolerance", "turns k", "steps in a turn", "tuning k₂R", "damping ratio"),
+    *(
+        "size μ",
+        "RK45 tolerance",
+        "turns k",
+        "steps in a turn",
+        "tuning k₂R",
+        "damping ratio",
+        "run",
+    ),
 }
 
 

@@ -33,6 +33,7 @@ from .ch10_gyrocompass_at_work.scenes import (
 )
 from .ch11_one_triad.panels import CapstoneExplorer as CapstoneExplorer
 from .ch11_one_triad.scenes import TurningShip as TurningShip
+from .ch13_real_triads.panels import AllanExplorer as AllanExplorer
 from .exercises import (
     all_exercises as all_exercises,
     by_kind as by_kind,

@@ -64,7 +64,7 @@ def covariance(squares: FloatArray, counts: Counts, length: int, interval: float
     S^2 H_i H_j over frequency, divided by T. That is a little more than the truth where T is not
     much longer than what the filters remember. A ramp adds its product with the mean of the noise.
     """
-    f, width, response = _filters(tuple(counts), length, interval)
+    f, width, response, averaging = _filters(tuple(counts), length, interval)
     q, n, b, k, ramp = squares
     folded = 8 * q * np.sin(np.pi * f * interval) ** 2 / interval
     density = folded + 2 * n + b / (np.pi * f) + k / (2 * (np.pi * f) ** 2)
@@ -74,20 +74,21 @@ def covariance(squares: FloatArray, counts: Counts, length: int, interval: float
     found = (power * width) @ power.T / both
     if ramp:
         offset = np.sqrt(ramp / 2) * interval * counts
-        mean = response * np.sinc(f * averaged[:, None])
+        mean = response * averaging
         found += 4 * np.outer(offset, offset) * ((mean * density * width) @ mean.T)
     return found
 
 
 @lru_cache(maxsize=4)
 def _filters(counts: tuple[int, ...], length: int, interval: float) -> tuple[FloatArray, ...]:
-    """Frequencies (n,), their shares of the axis (n,), and what the Allan filters let through."""
+    """Frequencies (n,), their shares of the axis (n,), the Allan filters and the means' (k, n)."""
     # Below a tenth of 1/T nothing is left: all filters go to zero with the frequency.
     edges = np.geomspace(0.1 / (length * interval), 0.5 / interval, _FREQUENCIES + 1)
     f = np.sqrt(edges[1:] * edges[:-1])
     number = np.array(counts)[:, None]
     swing = np.sin(np.pi * f * interval * number) ** 2
-    return f, np.diff(edges), np.sqrt(2) * swing / (number * np.sin(np.pi * f * interval))
+    response = np.sqrt(2) * swing / (number * np.sin(np.pi * f * interval))
+    return f, np.diff(edges), response, np.sinc(f * interval * (length + 1 - 2 * number))
 
 
 def fit(points: Points, terms: list[int]) -> tuple[FloatArray, FloatArray]:

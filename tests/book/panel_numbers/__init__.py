@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from driftlab.book.machinery.panel import Explorer
 
-from . import ch01, ch02, ch03, ch04, ch05, ch06, ch07, ch08, ch09, ch10, ch11
+from . import ch01, ch02, ch03, ch04, ch05, ch06, ch07, ch08, ch09, ch10, ch11, ch13
 from .values import Rows, Values
 
 NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
@@ -74,4 +74,5 @@ BY_PANEL: dict[str, Callable[[Values], Rows]] = {
     "AlignmentBudgetExplorer": ch09.alignment_budget,
     "GyrocompassExplorer": ch10.gyrocompass,
     "CapstoneExplorer": ch11.capstone,
+    "AllanExplorer": ch13.allan,
 }

@@ -1,14 +1,16 @@
 """The published figures of chapter 13, with their captions."""
 
 import numpy as np
+from scipy.constants import arcsecond, degree, hour
 
 from driftlab.book.machinery.arrays_table import from_columns, to_columns
 from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.recordings.publishers import PUBLISHED
 
 from .. import experiments
+from ..experiments import allan_lines as lines
 from ..experiments.parked_car import LONGER, RESTART
-from . import five_units, hand_turns, parked_car, two_calibrations
+from . import allan_plots, five_units, hand_turns, parked_car, two_calibrations
 
 
 def _credit(name: str) -> str:
@@ -31,6 +33,22 @@ def _parked_car_caption(data: experiments.ParkedCar) -> str:
         "Two velocities in place of all give "
         f"{np.degrees(experiments.spread(data.restarts[1]).deviation):.2f} for {RESTART:g} s. "
         f"Bars on the right are intervals of 95 %. {_credit('laser-gyro')}"
+    )
+
+
+def _allan_caption(data: lines.AllanLines) -> str:
+    walks = [np.degrees(part.terms[1]) * np.sqrt(hour) for part in (data.cheap, data.dear)]
+    bound = data.cheap.bounds[2] / (degree / hour)
+    return (
+        "Allan deviation of two gyros at rest, with 68 % intervals and the noise terms that fit. "
+        f"The cheap one walks by {walks[0]:.1f} degrees in the root of an hour; nine seconds "
+        f"only say that its bias instability is below {bound:.0f} degrees per hour (dashes: upper "
+        f"bounds). The dear one walks by {walks[1]:.3f}. Its line of slope −1 stands for an angle "
+        f"that is off by {data.dear.terms[0] / arcsecond:.1f} arc seconds and does not add up: "
+        f"not its pulses of {lines.PULSE / arcsecond:.1f}, but the car, which rocks by "
+        f"{data.rocking / arcsecond:.1f}. Without that line the best fit misses a point by a "
+        f"factor of {data.missed[0]:.1f}, with it by {data.missed[1]:.1f}. "
+        f"{_credit('mpu9150-1')} {_credit('laser-gyro')}"
     )
 
 
@@ -103,5 +121,14 @@ FIGURES = (
         _parked_car_caption,
         from_columns(experiments.ParkedCar),
         ("laser-gyro",),
+    ),
+    FigureDefinition(
+        "13-allan-plots",
+        lines.allan_lines,
+        allan_plots.draw,
+        allan_plots.columns,
+        _allan_caption,
+        allan_plots.restore,
+        ("mpu9150-1", "laser-gyro"),
     ),
 )

@@ -1,0 +1,114 @@
+"""Allan plots of a cheap and a dear gyro at rest: what five lines say, and what they cannot."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.constants import arcsecond
+from scipy.signal import welch
+
+from driftlab.allan import TERMS, AllanDeviation, NoiseFit, allan_deviation, fit_noise_terms
+from driftlab.checks import FloatArray
+from driftlab.gyrocompass.noise_fit import fit_gyro_noise
+from driftlab.recordings.publishers import published
+
+CHEAP, STILL = "mpu9150-1", (149.75, 158.5)
+"""A recording of a cheap gyro, and its longest still stretch, s."""
+DEAR, QUIET = "laser-gyro", (1050.0, 1490.0)
+"""A recording of a laser gyro on a parked car, and its quiet stretch, s."""
+CHEAP_FROM, DEAR_FROM = 0.1, 1.0
+"""Shortest averaging times in the fits, s. Below, the cheap gyro's spectrum has a hump near 10 Hz,
+in all five units and of unknown origin, and under the dear one the car is seen to rock."""
+PULSE = 0.1 * arcsecond
+"""Angle that one pulse of the laser gyro stands for."""
+ROCKING = (0.5, 5.0)
+"""Frequencies between which a car moves on its springs, Hz."""
+
+
+class Lines(NamedTuple):
+    """The Allan deviation of one gyro, and the terms that fit it.
+
+    Attributes
+    ----------
+    times, deviation, lower, upper : ndarray, shape (k,)
+        s and rad/s.
+    terms : ndarray, shape (5,)
+        Coefficients in the order of `TERMS`, SI units; zero if not seen.
+    uncertainty : ndarray, shape (5,)
+        Their standard deviations; NaN if not seen.
+    bounds : ndarray, shape (5,)
+        95 % upper bounds of those that are not seen; NaN for the others.
+    """
+
+    times: FloatArray
+    deviation: FloatArray
+    lower: FloatArray
+    upper: FloatArray
+    terms: FloatArray
+    uncertainty: FloatArray
+    bounds: FloatArray
+
+
+class AllanLines(NamedTuple):
+    """Two gyros at rest.
+
+    Attributes
+    ----------
+    cheap, dear : Lines
+        The z gyro of an MPU-9150, and a laser gyro about Up.
+    missed : ndarray, shape (2,)
+        Largest ratio of the laser gyro's points, from `DEAR_FROM` on, to the best `GyroNoise`
+        without and with a rounded angle, or the other way round.
+    rocking : float
+        Standard deviation of its angle in the frequencies of a car on its springs, rad.
+    """
+
+    cheap: Lines
+    dear: Lines
+    missed: FloatArray
+    rocking: float
+
+
+def allan_lines() -> AllanLines:
+    """Fit the noise terms of both gyros.
+
+    Raises
+    ------
+    RecordingUnavailable
+        If a recording is neither here nor to be had.
+    """
+    still = published(CHEAP).between(*STILL)
+    cheap = still.gyro[:, 2], still.interval
+    quiet = published(DEAR).between(*QUIET)
+    angle, interval = quiet.in_axes("RFU").gyro[:, 2], quiet.interval
+    dear = angle / interval, interval
+    later = _from(dear, DEAR_FROM)
+    fits = [fit_gyro_noise(later, quantised=quantised) for quantised in (False, True)]
+    ratios = [fit.allan_deviation(later.averaging_times) / later.deviation for fit in fits]
+    frequency, density = welch(np.cumsum(angle - angle.mean()), 1 / interval, nperseg=8192)
+    band = (ROCKING[0] <= frequency) & (frequency < ROCKING[1])
+    return AllanLines(
+        _lines(allan_deviation(*cheap), fit_noise_terms(_from(cheap, CHEAP_FROM))),
+        _lines(allan_deviation(*dear), fit_noise_terms(later)),
+        np.exp(np.abs(np.log(ratios)).max(axis=-1)),
+        float(np.sqrt(density[band].sum() * frequency[1])),
+    )
+
+
+def _from(record: tuple[FloatArray, float], shortest: float) -> AllanDeviation:
+    """Allan deviation of rates for twenty averaging times, up to a quarter of the record."""
+    rates, interval = record
+    return allan_deviation(rates, interval, np.geomspace(shortest, len(rates) * interval / 4, 20))
+
+
+def _lines(allan: AllanDeviation, fit: NoiseFit) -> Lines:
+    return Lines(
+        allan.averaging_times,
+        allan.deviation,
+        allan.lower,
+        allan.upper,
+        np.array([getattr(fit.terms, name) for name in TERMS]),
+        np.array([fit.deviations.get(name, np.nan) for name in TERMS]),
+        np.array([fit.upper_bounds.get(name, np.nan) for name in TERMS]),
+    )

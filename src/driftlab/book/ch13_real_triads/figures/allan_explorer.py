@@ -1,0 +1,75 @@
+"""Which line is which: a simulated record, its Allan deviation, and the lines of five terms."""
+
+import numpy as np
+from scipy.constants import degree, hour
+
+from driftlab.book.machinery.picture import BLACK, SERIES, Picture
+from driftlab.checks import FloatArray
+from driftlab.noise_terms import TERMS
+
+from ..experiments.simulated_allan import TIMES, SimulatedAllan
+
+UNIT = degree / hour
+WORDS = (
+    "quantisation",
+    "angle random walk",
+    "bias instability",
+    "rate random walk",
+    "rate ramp",
+)
+
+
+class AllanPicture(Picture[SimulatedAllan]):
+    """Points with their intervals, five lines with their names, and their sum."""
+
+    size = (9.0, 4.4)
+
+    def build(self) -> None:
+        panel = self.figure.subplots()
+        self.figure.subplots_adjust(0.085, 0.115, 0.985, 0.94)
+        panel.set(xscale="log", yscale="log", xlim=(TIMES[0], TIMES[-1]), ylim=(1e-4, 1e5))
+        panel.set(xlabel="averaging time, s", ylabel="Allan deviation, °/h")
+        panel.set_title("simulated record, its 68 % intervals, and the lines of its noise")
+        self.lines = [
+            self.line(panel, color=SERIES[i]["color"], linewidth=1.3) for i in range(len(TERMS))
+        ]
+        self.total = self.line(panel, color=BLACK, linewidth=0.8, linestyle=":")
+        self.bars = self.line(panel, color=BLACK, linewidth=1.1)
+        self.points = self.line(panel, color=BLACK, marker="o", markersize=4, linestyle="none")
+        self.names = [
+            self.words(
+                panel,
+                fontsize=8,
+                color=SERIES[i]["color"],
+                va="bottom",
+                clip_on=True,
+                ha="right" if i > 2 else "left",
+            )
+            for i in range(len(TERMS))
+        ]
+
+    def update(self, data: SimulatedAllan) -> None:
+        lines = data.noise.lines(TIMES)
+        for name, words, line, text in zip(TERMS, WORDS, self.lines, self.names, strict=True):
+            values = lines[name] / UNIT
+            shown = values.any()
+            line.set_data(TIMES, values if shown else np.full_like(TIMES, np.nan))
+            text.set_text(words if shown else "")
+            if shown:
+                text.set_position(_free_place(values, name))
+        found = data.allan
+        times = found.averaging_times
+        ends = np.stack([found.lower, found.upper, np.full_like(times, np.nan)], axis=-1) / UNIT
+        self.bars.set_data(np.repeat(times, 3), ends.ravel())
+        self.points.set_data(times, found.deviation / UNIT)
+        self.total.set_data(TIMES, data.noise.deviation(TIMES) / UNIT)
+
+
+def _free_place(values: FloatArray, name: str) -> tuple[float, float]:
+    """Where a line's name stands: at its left end in the picture, or its right one if it rises."""
+    inside = np.flatnonzero((values > 1e-4) & (values < 2e4))
+    if not len(inside):
+        return TIMES[0], 1e-6
+    rises = name in TERMS[3:]
+    place = inside[-2] if rises else inside[min(1, len(inside) - 1)]
+    return TIMES[place], (1.6 if rises else 1.1) * values[place]

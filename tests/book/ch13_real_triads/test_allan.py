@@ -1,0 +1,48 @@
+"""Allan plots of two real gyros: the published numbers, and where each comes from."""
+
+import numpy as np
+import pytest
+from scipy.constants import arcsecond
+
+from driftlab.book.ch13_real_triads.experiments import allan_lines as lines
+from driftlab.book.ch13_real_triads.figures.allan_plots import columns
+from driftlab.book.machinery.publish import PublishedFigure
+from published import published
+from support import recording_or_skip
+
+
+@published("13-allan-plots")
+def test_allan_plots_are_those_of_the_recordings(figure: PublishedFigure) -> None:
+    """The picture is restored from its CSV; with the recordings it comes out the same."""
+    for name in (lines.CHEAP, lines.DEAR):
+        recording_or_skip(name)
+    found, shown = columns(lines.allan_lines()), columns(figure.data)
+    assert found["curve"] == shown["curve"]
+    # Fits that are searched for end within a thousandth of each other.
+    np.testing.assert_allclose(found["y"], shown["y"], rtol=2e-3)
+
+
+@published("13-allan-plots")
+def test_the_slope_of_the_laser_gyro_is_the_car_and_not_its_pulses(
+    figure: PublishedFigure,
+) -> None:
+    data = figure.data
+    angle = data.dear.terms[0]
+    assert angle > 100 * lines.PULSE / np.sqrt(12)
+    assert angle == pytest.approx(data.rocking, rel=0.1)
+    assert data.missed[0] > 3
+    assert data.missed[1] < 1.5
+    # At the shortest time the gyro itself is quieter than the car: its own angle is no worse.
+    own = data.dear.deviation[0] * data.dear.times[0] / np.sqrt(3)
+    assert own < 0.2 * arcsecond
+
+
+@published("13-allan-plots")
+def test_a_short_record_bounds_what_it_cannot_see(figure: PublishedFigure) -> None:
+    cheap, dear = figure.data.cheap, figure.data.dear
+    for part in (cheap, dear):
+        assert (np.isnan(part.bounds) == (part.terms > 0)).all()
+        assert (np.isnan(part.uncertainty) == (part.terms == 0)).all()
+        assert part.terms[1] > 2 * part.uncertainty[1]
+        assert not part.terms[2:].any()
+    assert cheap.terms[1] > 20 * dear.terms[1]
