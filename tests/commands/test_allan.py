@@ -4,9 +4,9 @@ import json
 
 import numpy as np
 import pytest
-from driftlab.allan import allan_deviation
 from scipy.constants import degree, hour
 
+from driftlab.allan import allan_deviation
 from driftlab.commands import example
 from driftlab.commands.allan import find, moved
 from driftlab.commands.example import OPTIONS

@@ -4,13 +4,13 @@ import json
 
 import numpy as np
 import pytest
-from driftlab.recordings.rests import rests
 
 from driftlab.calibration import calibrate_by_poses
 from driftlab.commands import example
 from driftlab.commands.example import OPTIONS
 from driftlab.commands.matrix_forms import FORMS, matrices
 from driftlab.recordings import published_file
+from driftlab.recordings.rests import rests
 from support import recording_or_skip
 
 PLACE = "--axes FRD --latitude 59.9"
