@@ -112,9 +112,8 @@ def fit_poses(
                 "a move that is cut, another unit, or noise stated much too small?"
             )
         unknowns[free], iterations = found.x, iterations + found.nfev
-        if turn == 1:  # weighted for what the first one found
+        if turn:  # the first one is weighted for errors that were not known yet
             tests = weights.tests(found.x)
-        if turn:
             before = excess
             excess = weights.missing(found.x, [test.chi_square > test.upper for test in tests])
             if np.allclose(excess, before, rtol=1e-3, atol=0):
@@ -193,11 +192,18 @@ class _Weights:
         return [float((1 - leverage[kind]).sum()) for kind in self.kinds]
 
     def tests(self, free: FloatArray) -> list[Consistency]:
-        rows = self.residuals(free)
+        """Of each kind by the noise alone, while the other kinds keep their excess.
+
+        Otherwise what one kind lacks would be asked of the others, which see the same unknowns.
+        """
+        residuals = self.model.residuals(self._whole(free))
         tests = []
-        for kind, freedom in zip(self.kinds, self.freedoms(free), strict=True):
+        for index, freedom in enumerate(self.freedoms(free)):
+            excess = self.excess.copy()
+            excess[index] = 0.0
+            rows = _divided(self._root(excess), residuals)[self.kinds[index]]
             bounds = chi2.ppf([0.025, 0.975], freedom) if freedom > 0.5 else (np.nan, np.nan)
-            squares = float((rows[kind] ** 2).sum())
+            squares = float((rows**2).sum())
             tests.append(Consistency(squares, freedom, float(bounds[0]), float(bounds[1]), 0.0))
         return tests
 
@@ -207,6 +213,7 @@ class _Weights:
         residuals = self.model.residuals(self._whole(free))
         for index, kind in enumerate(self.kinds):
             if not wanted[index]:
+                found[index] = 0.0
                 continue
 
             def surplus(size: float, index: int = index, kind: slice = kind) -> float:

@@ -18,7 +18,8 @@ class Consistency(NamedTuple):
     Attributes
     ----------
     chi_square : float
-        Sum of the squared residuals, each weighted by the noise.
+        Sum of the squared residuals, each weighted by the noise, and by the excess of the other
+        kinds.
     freedom : float
         Number of residuals, less the share of the unknowns that they determine.
     lower, upper : float
