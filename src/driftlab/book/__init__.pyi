@@ -41,7 +41,10 @@ from .exercises import (
     hint as hint,
     verdict as verdict,
 )
-from .figures import figure as figure
+from .figures import (
+    figure as figure,
+    measured as measured,
+)
 from .ledger import (
     SEVERITIES as SEVERITIES,
     STATUSES as STATUSES,

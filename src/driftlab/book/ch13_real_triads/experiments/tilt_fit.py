@@ -14,9 +14,10 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.linalg import inv, norm
+from scipy.spatial.transform import Rotation
 
 from driftlab.checks import FloatArray
-from driftlab.core.quaternion import cumulative_product, from_rotation_vector, to_matrix
+from driftlab.core.quaternion import cumulative_product, from_rotation_vector
 from driftlab.core.vectors import cross_matrix, transform
 from driftlab.recordings.recording import Recording
 
@@ -161,9 +162,9 @@ def _residuals(
     moves: FloatArray, down: FloatArray, matrix: FloatArray, shift: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Tilts left (m, 3), and their slopes (3m, 12) over the matrix and the shift."""
-    turned = to_matrix(
-        cumulative_product(from_rotation_vector(moves @ np.column_stack([matrix, -shift]).T))
-    )
+    steps = from_rotation_vector(moves @ np.column_stack([matrix, -shift]).T)
+    attitudes = Rotation.from_quat(cumulative_product(steps).reshape(-1, 4))
+    turned = attitudes.as_matrix().reshape(*moves.shape[:2], 3, 3)
     before, carried = down[:-1], transform(turned[:, -1], down[1:])
     # A small turn in step k turns all that follows, about its axis as seen at the start.
     seen = np.zeros_like(turned)

@@ -59,7 +59,8 @@ def _draw_triad(sheet: Axes, error: FloatArray, color: str, line: str, width: fl
 
 def _draw_moves(panel: Axes, data: TwoCalibrations) -> None:
     panel.set(title="gravity carried over a move", yscale="log", xlabel="move")
-    panel.set(ylabel="angle left, deg", ylim=(0.1, 12))
+    panel.set(ylabel="angle left, deg", ylim=(0.1, 12), xlim=(0, 54))
+    panel.set_xticks(range(0, 40, 10))
     number = np.arange(1, len(data.before) + 1)
     for angles, color, marker, words in (
         (data.before, GREY, "s", "before"), (data.after, VERMILION, "o", "calibrated")
@@ -67,9 +68,5 @@ def _draw_moves(panel: Axes, data: TwoCalibrations) -> None:
         rms = np.sqrt((angles**2).mean()) / degree
         panel.plot(number, angles / degree, color=color, marker=marker, markersize=4,
                    linestyle="none")  # fmt: skip
-        panel.axhline(rms, color=color, linewidth=1.2)
-        panel.annotate(
-            f"{words}, rms {rms:.2g}°", (number[-1], rms), (0, 4), textcoords="offset points",
-            color=color, ha="right", fontsize=10,
-            bbox={"color": "white", "pad": 0.5, "alpha": 0.9},
-        )  # fmt: skip
+        panel.plot([0, number[-1] + 1], [rms, rms], color=color, linewidth=1.2)
+        panel.text(number[-1] + 2, rms, f"{words},\nrms {rms:.2g}°", color=color, va="center")
