@@ -1,10 +1,13 @@
 """The published figures of chapter 13, with their captions."""
 
+from decimal import ROUND_UP, Decimal
+
 import numpy as np
 from scipy.constants import arcsecond, degree, hour
 
 from driftlab.book.machinery.arrays_table import from_columns, to_columns
 from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.checks import FloatArray
 from driftlab.recordings.publishers import PUBLISHED
 
 from .. import experiments
@@ -17,6 +20,12 @@ def _credit(name: str) -> str:
     """Who made a recording, where it is from and under which licence, for the end of a caption."""
     one = PUBLISHED[name]
     return f"Recording: {one.source} ({one.licence})."
+
+
+def _up(differences: FloatArray) -> str:
+    """The largest of some differences to two digits, rounded up, so that none is larger."""
+    largest = Decimal(float(np.abs(differences).max()))
+    return f"{largest.quantize(Decimal(1).scaleb(largest.adjusted() - 1), ROUND_UP):.1e}"
 
 
 def _parked_car_caption(data: experiments.ParkedCar) -> str:
@@ -87,8 +96,8 @@ FIGURES = (
             f"{np.abs(data.carried[0] - data.published_gyro[1]).max():.0e}: the two triads stand "
             "to each other the same way in both. On the right, what is left after each of "
             f"{len(data.after)} moves, fitted anew by IMU-TK's method; the gyro matrix comes "
-            f"within {np.abs(data.gyro - data.published_gyro).max():.0e} of the published one, its "
-            f"own deviation being up to {data.deviation.max():.0e}. {_credit('xsens-mti')}"
+            f"within {_up(data.gyro - data.published_gyro)} of the published one, its own "
+            f"deviation being up to {data.deviation.max():.0e}. {_credit('xsens-mti')}"
         ),
         from_columns(experiments.TwoCalibrations),
         ("xsens-mti",),
@@ -100,7 +109,8 @@ FIGURES = (
         to_columns,
         lambda data: (
             "Does a published table follow from its data? By the authors' own rule for a rest it "
-            f"does, for all five gyro triads within {data.difference[0].max():.0e}. With unit "
+            f"does: no entry of five gyro matrices is off by more than {_up(data.difference[0])}. "
+            "With unit "
             f"{experiments.ODD + 1} the rule also finds a rest of "
             f"{data.pause[1] - data.pause[0]:.0f} samples in a hand that still settles; without it "
             f"what is left falls from {np.degrees(data.residual[0, experiments.ODD]):.2f} to "

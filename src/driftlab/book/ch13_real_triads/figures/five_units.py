@@ -29,7 +29,7 @@ def draw(data: FiveUnits) -> Figure:
     row = 2
     difference.annotate(
         _UNITS[ODD], (data.difference[row, ODD], row), (8, 1), textcoords="offset points",
-        fontsize=10, color=VERMILION,
+        fontsize=10,
     )  # fmt: skip
     difference.set(xscale="log", xlim=(1e-4, 1e-2))
     residual.set(xlim=(0, 0.34))
@@ -51,7 +51,7 @@ def _draw_pause(panel: Axes, data: FiveUnits) -> None:
     panel.axvspan(begin, end, color=VERMILION, alpha=0.7, linewidth=0)
     panel.annotate(
         f"a rest of {data.pause[1] - data.pause[0]:.0f} samples", ((begin + end) / 2, 0.012),
-        (begin + 0.55, 0.009), fontsize=10, color=VERMILION, va="center",
+        (begin + 0.55, 0.009), fontsize=10, va="center",
         arrowprops={"arrowstyle": "->", "color": VERMILION},
     )  # fmt: skip
 

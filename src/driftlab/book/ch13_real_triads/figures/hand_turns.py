@@ -40,7 +40,7 @@ def _draw_paths(panel: Axes, data: HandTurns) -> None:
         panel.plot(*path[-1], color=color, marker=marker, markersize=6)
         panel.annotate(
             f"turn about {name},\nadded up", added[-1], offset, textcoords="offset points",
-            color=color, fontsize=9, ha=side,
+            fontsize=9, ha=side,
         )  # fmt: skip
     panel.annotate(
         "as rotations:\nback to the start", (0.55, -0.45), (1.1, -1.6), fontsize=9,

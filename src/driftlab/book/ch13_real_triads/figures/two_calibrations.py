@@ -1,5 +1,7 @@
 """Two published calibrations of one record: two triads, drawn in both choices of body axes."""
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -33,16 +35,13 @@ def draw(data: TwoCalibrations) -> Figure:
         plain_axes(sheet)
         sheet.set(xlim=(-0.32, 1.08), ylim=(-0.45, 1.2))
         sheet.set_title(name, loc="left")
-        _draw_triad(sheet, np.zeros((3, 3)), GREY, "-", 1.0)
-        _draw_triad(sheet, accelerometer, BLUE, "-", 2.0)
-        _draw_triad(sheet, gyro, VERMILION, "--", 2.0)
+        _draw_triad(sheet, np.zeros((3, 3)), "body axes", color=GREY, linewidth=1.0)
+        _draw_triad(sheet, accelerometer, "accelerometers", color=BLUE)
+        _draw_triad(sheet, gyro, "gyros", color=VERMILION, linestyle="--")
         for axis, tip in zip("xyz", project(1.2 * np.eye(3)), strict=True):
             sheet.text(*tip, axis, color=GREY, ha="center", va="center")
     turn = np.linalg.norm(data.rotation) / degree
-    for height, words, color in (
-        (0.15, "body axes", GREY), (0.08, "accelerometers", BLUE), (0.01, "gyros", VERMILION)
-    ):  # fmt: skip
-        sheets[0].text(0.02, height, words, color=color, fontsize=10, transform=sheets[0].transAxes)
+    sheets[0].legend(loc="lower left", fontsize=9)
     sheets[1].text(
         -0.3, -0.36, f"the same two triads:\nthe body axes are turned by {turn:.2f}°",
         fontsize=10, va="center",
@@ -51,10 +50,11 @@ def draw(data: TwoCalibrations) -> Figure:
     return figure
 
 
-def _draw_triad(sheet: Axes, error: FloatArray, color: str, line: str, width: float) -> None:
-    for tip in project(np.eye(3) + MAGNIFIED * error):
-        sheet.plot([0, tip[0]], [0, tip[1]], color=color, linestyle=line, linewidth=width)
-        sheet.plot(*tip, color=color, marker="o", markersize=4)
+def _draw_triad(sheet: Axes, error: FloatArray, words: str, **style: Any) -> None:
+    for index, tip in enumerate(project(np.eye(3) + MAGNIFIED * error)):
+        label = None if index else words
+        sheet.plot([0, tip[0]], [0, tip[1]], marker="o", markevery=[1], markersize=4,
+                   label=label, **{"linewidth": 2.0, **style})  # fmt: skip
 
 
 def _draw_moves(panel: Axes, data: TwoCalibrations) -> None:
@@ -69,4 +69,4 @@ def _draw_moves(panel: Axes, data: TwoCalibrations) -> None:
         panel.plot(number, angles / degree, color=color, marker=marker, markersize=4,
                    linestyle="none")  # fmt: skip
         panel.plot([0, number[-1] + 1], [rms, rms], color=color, linewidth=1.2)
-        panel.text(number[-1] + 2, rms, f"{words},\nrms {rms:.2g}°", color=color, va="center")
+        panel.text(number[-1] + 2, rms, f"{words},\nrms {rms:.2g}°", va="center")
