@@ -2,6 +2,7 @@ from . import (
     characteristic_equation as characteristic_equation,
     closed_motion as closed_motion,
     error_kinematics as error_kinematics,
+    hand_turns as hand_turns,
     recorded_turns as recorded_turns,
     step_formulas as step_formulas,
     systematic_drift as systematic_drift,
@@ -25,6 +26,11 @@ from .error_kinematics import (
     error_rate_matrix as error_rate_matrix,
     error_transition_matrix as error_transition_matrix,
     rate_matrix as rate_matrix,
+)
+from .hand_turns import (
+    HandTurn as HandTurn,
+    HandTurnFit as HandTurnFit,
+    fit_hand_turns as fit_hand_turns,
 )
 from .recorded_turns import (
     recorded_turn_estimate as recorded_turn_estimate,

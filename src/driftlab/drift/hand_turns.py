@@ -1,0 +1,281 @@
+"""Whole turns by hand between rests: found in a record, and made into Larin's numbers.
+
+A hand turns unevenly, which does no harm, and stops a little beside where it began, which does:
+that is an error of the angle, and it looks like an error of the triad. Neighbouring turns share a
+stop, so their errors are not independent, and the fit weighs them by that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.special import stdtrit
+
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    finite_arrays,
+    nonzero_vectors,
+    positive_number,
+)
+
+from .recorded_turns import recorded_turn_estimate
+
+_TOLERANCE = 0.05
+"""By which part of a turn a move may miss whole turns about an axis, along it and across."""
+_STEADY = 0.05
+"""A rest at whose rate, as a part of the fastest in the record, the unit turns steadily."""
+
+
+@dataclass(frozen=True)
+class HandTurn:
+    """Whole turns about one axis, from the middle of a rest to the middle of the next.
+
+    Attributes
+    ----------
+    axis : int
+        Which of the axes.
+    turns : int
+        How many; the sign is the sense, positive counter-clockwise about the axis.
+    begin, end : int
+        The first row of the increments, and the first that is left out.
+    seconds : float
+        From the one to the other, s.
+    estimate : float
+        Larin's n^T Sigma n with the offset of Earth and bias in it, without unit.
+    rest_rate : float
+        Mean rate along the axis in the two rests, rad/s: Earth and bias, if the axis has turned
+        about itself.
+    """
+
+    axis: int
+    turns: int
+    begin: int
+    end: int
+    seconds: float
+    estimate: float
+    rest_rate: float
+
+
+def hand_turns(
+    increments: ArrayLike, interval: float, rests: ArrayLike, axes: ArrayLike = ()
+) -> list[HandTurn]:
+    """Find the whole turns about given axes among the moves between rests.
+
+    Parameters
+    ----------
+    increments : array_like, shape (n, 3)
+        Integrals of the rates that the gyros measure, rad.
+    interval : float
+        Time of a row, s.
+    rests : array_like of int, shape (m, 2)
+        Of each rest the first row, and the first that is left out; in order, each with four rows
+        or more. A hand that turns steadily for a while looks like a rest, but for its rate; such
+        ones are passed over.
+    axes : array_like, shape (j, 3)
+        Body axes that turns are looked for about; only their directions count. The three of the
+        sensor if nothing is said.
+
+    Returns
+    -------
+    list of HandTurn
+        In order. Moves that are no whole turns about an axis, within 5 % of their angle along it
+        and across it, are left out: somebody has put the sensor on another side.
+
+    Raises
+    ------
+    ValueError
+        If rests overlap, are too short, or lie outside the record.
+
+    Examples
+    --------
+    A turn each way about the third axis, by a gyro that says one per cent too much:
+
+    >>> turn = np.tile([0.0, 0.0, 1.01 * np.pi / 50], (100, 1))
+    >>> rest = np.zeros((20, 3))
+    >>> rows = np.concatenate([rest, turn, rest, -turn, rest])
+    >>> found = hand_turns(rows, 0.1, [[0, 20], [120, 140], [240, 260]])
+    >>> [(each.axis, each.turns, round(each.estimate, 6)) for each in found]
+    [(2, 1, 0.01), (2, -1, 0.01)]
+    """
+    rows = finite_array(increments, "increments", 3)
+    seconds = positive_number(interval, "interval")
+    directions, _ = nonzero_vectors(np.eye(3) if np.size(axes) == 0 else axes, "axes")
+    stops = _without_steady_turns(rows, _checked_rests(rests, len(rows)))
+    found = []
+    for first, second in pairwise(stops):
+        begin, end = int(first.sum()) // 2, int(second.sum()) // 2
+        angle = rows[begin:end].sum(axis=0) / (2 * np.pi)
+        axis = int(np.argmax(np.abs(directions @ angle)))
+        n = directions[axis]
+        along = float(angle @ n)
+        turns = round(along)
+        limit = min(_TOLERANCE * abs(turns), 0.5)
+        if not turns or abs(along - turns) > limit or np.linalg.norm(angle - along * n) > limit:
+            continue
+        still = np.concatenate([rows[_middle(*rest)] for rest in (first, second)]).mean(axis=0)
+        rest_angle = float(still @ n)
+        # A bias across the axis does harm by its square, alike in both senses; rests show it.
+        turned = rows[begin:end] - (still - rest_angle * n)
+        found.append(
+            HandTurn(
+                axis=axis,
+                turns=turns,
+                begin=begin,
+                end=end,
+                seconds=(end - begin) * seconds,
+                estimate=float(recorded_turn_estimate(turned, n, abs(turns))),
+                rest_rate=rest_angle / seconds,
+            )
+        )
+    return found
+
+
+def _middle(begin: int, end: int) -> slice:
+    """The middle half of a rest: at its ends the hand may still be at work."""
+    quarter = (end - begin) // 4
+    return slice(begin + quarter, end - quarter)
+
+
+def _without_steady_turns(rows: FloatArray, stops: np.ndarray) -> np.ndarray:
+    """The rests whose rate is nearly that of most."""
+    means = np.array([rows[_middle(*rest)].mean(axis=0) for rest in stops]).reshape(-1, 3)
+    off = np.abs(means - np.median(means, axis=0)).max(axis=1)
+    kept: np.ndarray = stops[off < _STEADY * np.abs(rows).max()]
+    return kept
+
+
+def _checked_rests(rests: ArrayLike, count: int) -> np.ndarray:
+    stops = np.asarray(rests)
+    if stops.ndim != 2 or stops.shape[1] != 2 or stops.dtype.kind not in "iu":
+        raise ValueError(f"rests: expected whole numbers of shape (m, 2), got {rests!r}.")
+    edges = stops.ravel()
+    if len(edges) and (edges[0] < 0 or edges[-1] > count or (np.diff(edges) < 0).any()):
+        raise ValueError(f"rests: expected rows from 0 to {count} in order, got {rests!r}.")
+    if (np.diff(stops) < 4).any():
+        raise ValueError(f"rests: expected four rows or more in each, got {rests!r}.")
+    return stops
+
+
+@dataclass(frozen=True, eq=False)
+class HandTurnFit:
+    """Larin's numbers from turns by hand, without the Earth and the bias.
+
+    Attributes
+    ----------
+    axes : tuple of int
+        Which axes were turned about.
+    sigma : ndarray, shape (j,)
+        Of each of these n^T Sigma n: of a sensor's own axis its scale-factor error, without unit.
+    offset : ndarray, shape (j,)
+        Earth and bias along each axis, rad/s, as the two senses tell them.
+    sigma_deviation, offset_deviation : ndarray, shape (j,)
+        Standard deviations, from the scatter of the turns; nan if there is no turn too many.
+    stop_deviation : float
+        Standard deviation of the angle at which a rest begins, rad, if all of the scatter is due
+        to the stops.
+    degrees_of_freedom : int
+        Turns less unknowns, two to an axis.
+    """
+
+    axes: tuple[int, ...]
+    sigma: FloatArray
+    offset: FloatArray
+    sigma_deviation: FloatArray
+    offset_deviation: FloatArray
+    stop_deviation: float
+    degrees_of_freedom: int
+
+    def half_width(self, confidence: float = 0.95) -> FloatArray:
+        """Half of the interval in which each sigma lies with some confidence, by Student's t.
+
+        Parameters
+        ----------
+        confidence : float
+            Between 0 and 1.
+
+        Returns
+        -------
+        ndarray, shape (j,)
+            Without unit.
+
+        Examples
+        --------
+        >>> FIT = HandTurnFit((2,), np.zeros(1), np.zeros(1), np.ones(1), np.ones(1), 0.1, 6)
+        >>> FIT.half_width().round(2)
+        array([2.45])
+        """
+        return self.sigma_deviation * stdtrit(self.degrees_of_freedom, (1 + confidence) / 2)
+
+
+def fit_hand_turns(turns: Sequence[HandTurn]) -> HandTurnFit:
+    """Take the Earth and the bias out of turns by hand, by means of the two senses.
+
+    The estimate of a turn is n^T Sigma n + o T / (2 pi k) plus the error of its angle over 2 pi k,
+    with the offset o, the time T and the number k of turns, negative in the other sense. The angle
+    of a turn errs by the difference of two stops, whose errors are taken for independent and
+    alike; a stop between two turns is shared by them. This is generalised least squares.
+
+    Parameters
+    ----------
+    turns : sequence of HandTurn
+        In both senses about each axis.
+
+    Returns
+    -------
+    HandTurnFit
+
+    Raises
+    ------
+    ValueError
+        If an axis was turned about in one sense only, or there are no turns.
+
+    Examples
+    --------
+    Both senses, and a bias that would show as one per cent:
+
+    >>> there = HandTurn(2, 1, 0, 100, 10.0, 0.02, 0.0)
+    >>> back = HandTurn(2, -1, 100, 200, 10.0, 0.00, 0.0)
+    >>> fit = fit_hand_turns([there, back])
+    >>> print(fit.sigma.round(6), np.degrees(fit.offset).round(3))
+    [0.01] [0.36]
+    """
+    if not turns:
+        raise ValueError("turns: expected whole turns, got none.")
+    axes = tuple(sorted({turn.axis for turn in turns}))
+    for axis in axes:
+        senses = {np.sign(turn.turns) for turn in turns if turn.axis == axis}
+        if len(senses) < 2:
+            raise ValueError(f"turns: expected both senses about axis {axis}, got one only.")
+    angle = 2 * np.pi * np.array([turn.turns for turn in turns], dtype=float)
+    seconds, estimates = finite_arrays(
+        seconds=([turn.seconds for turn in turns],), estimates=([t.estimate for t in turns],)
+    )
+    place = np.array([axes.index(turn.axis) for turn in turns])
+    on_axis = place[:, np.newaxis] == np.arange(len(axes))
+    design = np.hstack([on_axis, on_axis * (seconds / angle)[:, np.newaxis]])
+    rows = sorted({row for turn in turns for row in (turn.begin, turn.end)})
+    stops = np.zeros((len(turns), len(rows)))
+    for i, turn in enumerate(turns):
+        stops[i, rows.index(turn.end)] = 1 / angle[i]
+        stops[i, rows.index(turn.begin)] = -1 / angle[i]
+    root = np.linalg.cholesky(stops @ stops.T)
+    weighed, right = np.linalg.solve(root, design), np.linalg.solve(root, estimates)
+    found = np.linalg.lstsq(weighed, right, rcond=None)[0]
+    spare = len(turns) - 2 * len(axes)
+    scatter = float(np.linalg.norm(right - weighed @ found)) / np.sqrt(spare) if spare else np.nan
+    deviations = scatter * np.sqrt(np.diag(np.linalg.inv(weighed.T @ weighed)))
+    count = len(axes)
+    return HandTurnFit(
+        axes=axes,
+        sigma=found[:count],
+        offset=found[count:],
+        sigma_deviation=deviations[:count],
+        offset_deviation=deviations[count:],
+        stop_deviation=float(scatter),
+        degrees_of_freedom=spare,
+    )
