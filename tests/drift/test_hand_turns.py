@@ -94,7 +94,7 @@ def test_deviations_are_those_of_many_repetitions(senses):
     assert np.abs(ratio - 1).max() < bound
     scatter = np.mean([fit.stop_deviation**2 for fit in fits]) / STOP**2
     assert abs(scatter - 1) < 5 * np.sqrt(2 / (spare * count))
-    inside = [abs(fit.sigma[0] - 0.01) < fit.half_width()[0] for fit in fits]
+    inside = [abs(fit.sigma[0] - 0.01) < fit.half_widths()[0][0] for fit in fits]
     assert abs(np.mean(inside) - 0.95) < 5 * np.sqrt(0.95 * 0.05 / count)
 
 

@@ -190,26 +190,28 @@ class HandTurnFit:
     stop_deviation: float
     degrees_of_freedom: int
 
-    def half_width(self, confidence: float = 0.95) -> FloatArray:
-        """Half of the interval in which each sigma lies with some confidence, by Student's t.
+    def half_widths(self, confidence: float = 0.95) -> tuple[FloatArray, FloatArray]:
+        """Halves of the intervals in which the numbers lie with some confidence, by Student's t.
 
         Parameters
         ----------
         confidence : float
-            Between 0 and 1.
+            Between 0 and 1, of each number for itself.
 
         Returns
         -------
-        ndarray, shape (j,)
-            Without unit.
+        sigma, offset : ndarray, shape (j,)
+            Without unit, and rad/s.
 
         Examples
         --------
-        >>> FIT = HandTurnFit((2,), np.zeros(1), np.zeros(1), np.ones(1), np.ones(1), 0.1, 6)
-        >>> FIT.half_width().round(2)
+        >>> ONE, ZERO = np.ones(1), np.zeros(1)
+        >>> fit = HandTurnFit((2,), ZERO, ZERO, ONE, ONE, stop_deviation=0.1, degrees_of_freedom=6)
+        >>> fit.half_widths()[0].round(2)
         array([2.45])
         """
-        return self.sigma_deviation * stdtrit(self.degrees_of_freedom, (1 + confidence) / 2)
+        factor = stdtrit(self.degrees_of_freedom, (1 + confidence) / 2)
+        return factor * self.sigma_deviation, factor * self.offset_deviation
 
 
 def fit_hand_turns(turns: Sequence[HandTurn]) -> HandTurnFit:

@@ -1,0 +1,67 @@
+"""Whether the recordings of chapter 13 are on this computer, and one sentence if they are not.
+
+The figures of the chapter stand in for what is missing, so nothing here is an error.
+"""
+
+from __future__ import annotations
+
+from driftlab.recordings.publishers import (
+    PUBLISHED,
+    RecordingUnavailable,
+    published,
+    published_file,
+)
+from driftlab.recordings.recording import Recording
+
+from ..ledger import Table
+
+
+def at_hand(name: str) -> Recording | None:
+    """Return a published recording if it is on this computer; else print why not.
+
+    Parameters
+    ----------
+    name : str
+        One of `driftlab.recordings.publishers.PUBLISHED`.
+    """
+    try:
+        return published(name, download=False)
+    except RecordingUnavailable as reason:
+        print(reason)
+        return None
+
+
+def fetch_recordings() -> Table:
+    """Fetch all recordings that are not here yet, and list them with authors and licences.
+
+    After the first that cannot be fetched no other is asked for: the network is away.
+    """
+    rows, why = [("recording", "what it is", "by", "licence", "length", "at hand")], ""
+    for name, one in PUBLISHED.items():
+        length = "–"
+        try:
+            length = f"{published(name, download=not why).duration:.0f} s"
+        except RecordingUnavailable as reason:
+            why = why or str(reason)
+        here = "no" if length == "–" else "yes"
+        rows.append((name, one.title, one.source, one.licence, length, here))
+    if why:
+        print(f"Not all recordings are here; the book's own figures stand in for them. {why}")
+    return Table(rows)
+
+
+def first_lines(file: str, count: int = 3) -> str:
+    """Return the first lines of a published file; without it, why not.
+
+    Parameters
+    ----------
+    file : str
+        Its own name.
+    count : int
+        How many lines.
+    """
+    try:
+        with published_file(file, download=False).open(encoding="utf-8") as text:
+            return "".join(line for line, _ in zip(text, range(count), strict=False)).rstrip()
+    except RecordingUnavailable as reason:
+        return str(reason)

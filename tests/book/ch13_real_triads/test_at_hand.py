@@ -1,0 +1,47 @@
+"""Without recordings the chapter says so once, and goes on."""
+
+import pytest
+from driftlab.recordings.publishers import PUBLISHED, RecordingUnavailable
+
+from driftlab.book.ch13_real_triads import at_hand
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """Nothing is at hand; which recordings were asked for, and whether they might be fetched."""
+    calls = []
+
+    def nothing(name, download=True):
+        calls.append((name, download))
+        raise RecordingUnavailable(f"{name} is not at hand.")
+
+    for function in ("published", "published_file"):
+        monkeypatch.setattr(at_hand, function, nothing)
+    return calls
+
+
+def test_recording_that_is_missing_is_one_sentence(asked, capsys):
+    assert at_hand.at_hand("laser-gyro") is None
+    assert capsys.readouterr().out == "laser-gyro is not at hand.\n"
+    assert at_hand.first_lines("imu0.log") == "imu0.log is not at hand."
+    assert asked == [("laser-gyro", False), ("imu0.log", False)]
+
+
+def test_network_is_tried_once_only(asked, capsys):
+    table = at_hand.fetch_recordings()
+    said = capsys.readouterr().out
+    assert said.endswith(f"{next(iter(PUBLISHED))} is not at hand.\n")
+    assert said.count("\n") == 1
+    assert [download for _, download in asked] == [True] + [False] * (len(PUBLISHED) - 1)
+    assert {row[-1] for row in table.rows[1:]} == {"no"}
+
+
+def test_what_is_at_hand_is_listed_with_its_licence(monkeypatch, capsys):
+    class Log:
+        duration = 12.0
+
+    monkeypatch.setattr(at_hand, "published", lambda name, download: Log())
+    table = at_hand.fetch_recordings()
+    assert capsys.readouterr().out == ""
+    assert [row[0] for row in table.rows[1:]] == list(PUBLISHED)
+    assert all(row[-2:] == ("12 s", "yes") and row[3] for row in table.rows[1:])
