@@ -29,7 +29,7 @@ def all_exercises(chapter: str | None = None) -> dict[str, Exercise]:
     Parameters
     ----------
     chapter : str, optional
-        Its number, "01" to "11". Only that chapter's module is imported then.
+        Its number, "01" to "13". Only that chapter's module is imported then.
     """
     chapters = chapters_with("exercises") if chapter is None else [chapter]
     return {n: each for c in chapters for n, each in part_of(c, "exercises").EXERCISES.items()}
@@ -37,7 +37,7 @@ def all_exercises(chapter: str | None = None) -> dict[str, Exercise]:
 
 @cache
 def hints_of(chapter: str) -> dict[str, Help]:
-    """Return the help with each exercise of a chapter, "01" to "11", by the exercise's number."""
+    """Return the help with each exercise of a chapter, "01" to "13", by the exercise's number."""
     text = (files(__package__) / CHAPTERS[chapter] / "hints.toml").read_text("utf-8")
     return {number: Help(**each) for number, each in tomllib.loads(text).items()}
 

@@ -25,7 +25,7 @@ def puzzle_of(chapter: str) -> Puzzle:
     Parameters
     ----------
     chapter : str
-        Its number, "00" to "12".
+        Its number, "00" to "13".
 
     Raises
     ------
@@ -47,7 +47,7 @@ def guess(chapter: str) -> GuessControl:
     Parameters
     ----------
     chapter : str
-        Its number, "00" to "12".
+        Its number, "00" to "13".
 
     Raises
     ------

@@ -22,8 +22,8 @@ def asked(monkeypatch):
 
 def test_recording_that_is_missing_is_one_sentence(asked, capsys):
     assert at_hand.at_hand("laser-gyro") is None
-    assert capsys.readouterr().out == "laser-gyro is not at hand.\n"
-    assert at_hand.first_lines("imu0.log") == "imu0.log is not at hand."
+    assert capsys.readouterr().out.startswith("laser-gyro is not at hand; ")
+    assert at_hand.first_lines("imu0.log").startswith("imu0.log is not at hand; ")
     assert asked == [("laser-gyro", False), ("imu0.log", False)]
 
 

@@ -262,6 +262,7 @@ def test_sentences_under_the_answers_are_true(truths):
     assert 50 < plumb_line() < 55
     assert truths["11"][0] > 200
     assert truths["12"] == [pytest.approx(60.0)]
+    assert 50 * 0.1 < truths["13"][0] < 60 * 0.1  # a tenth of a degree made degrees
 
 
 def plumb_line() -> float:

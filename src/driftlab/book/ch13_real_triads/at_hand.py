@@ -15,9 +15,11 @@ from driftlab.recordings.recording import Recording
 
 from ..ledger import Table
 
+_MISSING = "{} is not at hand; 'The recordings', at the beginning, says how to get it."
+
 
 def at_hand(name: str) -> Recording | None:
-    """Return a published recording if it is on this computer; else print why not.
+    """Return a published recording if it is on this computer; else say that it is not.
 
     Parameters
     ----------
@@ -26,8 +28,8 @@ def at_hand(name: str) -> Recording | None:
     """
     try:
         return published(name, download=False)
-    except RecordingUnavailable as reason:
-        print(reason)
+    except RecordingUnavailable:
+        print(_MISSING.format(name))
         return None
 
 
@@ -51,7 +53,7 @@ def fetch_recordings() -> Table:
 
 
 def first_lines(file: str, count: int = 3) -> str:
-    """Return the first lines of a published file; without it, why not.
+    """Return the first lines of a published file, or a sentence that it is not here.
 
     Parameters
     ----------
@@ -63,5 +65,5 @@ def first_lines(file: str, count: int = 3) -> str:
     try:
         with published_file(file, download=False).open(encoding="utf-8") as text:
             return "".join(line for line, _ in zip(text, range(count), strict=False)).rstrip()
-    except RecordingUnavailable as reason:
-        return str(reason)
+    except RecordingUnavailable:
+        return _MISSING.format(file)

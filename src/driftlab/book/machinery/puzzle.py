@@ -147,7 +147,7 @@ class Puzzle:
     Attributes
     ----------
     chapter : str
-        Its number, "00" to "12".
+        Its number, "00" to "13".
     edition : int
         Counts up when the puzzle asks something else: an older guess is no guess at it.
     questions : tuple of Number or Choice

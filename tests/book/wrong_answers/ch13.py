@@ -1,0 +1,44 @@
+"""Wrong answers to the exercises of chapter 13."""
+
+import numpy as np
+
+T = np.array([[1, 0.006, 0.001], [0.008, 1, -0.054], [0.025, -0.003, 1]])
+SCALES = np.diag([0.000209, 0.000210, 0.000209])
+
+WRONG = {
+    "13.1": [
+        ([-10.05, -3.49], "do not add up"),
+        ([-370.05, -3.49], "a whole turn of it is true"),
+        ([10.07, 0.095], "negative sense"),
+        ([0, 0], "About x more is left"),
+    ],
+    "13.2": [
+        ([0.000347, 0.302], "The mean of both"),
+        ([0.5778, 0.302], "part of the turn"),
+        ([0.01167, 0.302], "One turn alone"),
+        ([0.001605, -0.302], "look at its sign"),
+        ([0.01008, 0.302], "over 2π"),
+    ],
+    "13.4": [
+        (T @ SCALES * 4778 - np.eye(3), "Ours goes the other way"),
+        (np.eye(3) - T @ SCALES * 4778, "invert the matrix"),
+        (np.linalg.inv(SCALES @ T) / 4778 - np.eye(3), "the other way round"),
+        (np.linalg.inv(T @ SCALES).T / 4778 - np.eye(3), "changed places"),
+        (np.linalg.inv(T @ SCALES) / 4778, "unit matrix is still in it"),
+        (np.linalg.inv(T) - np.eye(3), "scales have errors too"),
+    ],
+    "13.5": [
+        (2.303, "lean alone"),
+        (0.2112, "noise alone"),
+        (1.9786, "only its level part"),
+        (3.626, "sine of the latitude"),
+        (3.116, "squares add up"),
+        (8690, "asked in h"),
+    ],
+    "13.6": [
+        ("abcd", r"\(b\)"),
+        ("acde", r"\(e\)"),
+        ("acdf", r"\(f\)"),
+        ("ac", "something else is too"),
+    ],
+}
