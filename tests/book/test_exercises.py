@@ -163,6 +163,7 @@ SETTINGS = {
     "9.4": (book.AlignmentBudgetExplorer, "No errors, level, to the North", {"acc_right": 1.5}),
     "10.5": (book.GyrocompassExplorer, "Small drifts, a turn", {"tuning": 0.95}),
     "11.4": (book.CapstoneExplorer, "Bent and turned", {}),
+    "13.3": (book.AllanExplorer, "Puzzle: two that fall", {}),
 }
 """The panel of an exercise, its preset, and what the reader sets besides."""
 FOUND = {
@@ -170,6 +171,7 @@ FOUND = {
     "4.2": {"steps": round(float(EXERCISES["4.2"].right()))},
     "9.4": {"pitch": round(float(EXERCISES["9.4"].right()))},
     "11.4": {"turn_right": round(float(EXERCISES["11.4"].right()))},
+    "13.3": {"quantisation": 100.0},
 }
 """What more a reader sets who has found the answer."""
 

@@ -19,6 +19,12 @@ WRONG = {
         ([0.001605, -0.302], "look at its sign"),
         ([0.01008, 0.302], "over 2π"),
     ],
+    "13.3": [
+        (169.7, "root of three"),
+        (19.2, "square of the quantisation"),
+        (2550, "later crossing"),
+        (50, "factor of two"),
+    ],
     "13.4": [
         (T @ SCALES * 4778 - np.eye(3), "Ours goes the other way"),
         (np.eye(3) - T @ SCALES * 4778, "invert the matrix"),

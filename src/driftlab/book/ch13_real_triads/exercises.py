@@ -1,12 +1,14 @@
 """Exercises of chapter 13: real triads. None of them needs a recording."""
 
 import numpy as np
-from scipy.constants import degree, hour
+from scipy.constants import arcsecond, degree, hour
 
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.reading import slider
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
+from driftlab.noise_terms import NoiseTerms
 
 ADDED_UP = (-370.05, 0.10, -3.49)
 """Of 13.1: what three gyros add up to in one turn by hand, degrees."""
@@ -18,6 +20,9 @@ MISALIGNMENT = np.array([[1, 0.006, 0.001], [0.008, 1, -0.054], [0.025, -0.003, 
 SCALES = np.array([0.000209, 0.000210, 0.000209])
 COUNTS = 4778
 """Of 13.4: T and the diagonal of K, and the counts of one rad/s; like those of the Xsens unit."""
+
+CROSSING, NOISE = 2.0, NoiseTerms(500 * arcsecond, 2 * degree / np.sqrt(hour))
+"""Of 13.3: where the lines are to cross, s, and the noise with which the panel opens."""
 
 LEAN, WALK, WANTED = 0.05 * degree, 0.01 * degree / np.sqrt(hour), 0.1 * degree
 """Of 13.5: lean of the car, angle random walk of the gyro that points East, heading wanted."""
@@ -38,6 +43,17 @@ def _two_senses(with_times: bool = True) -> FloatArray:
         first = second = (first + second) / 2
     offset = (there + back) / (first + second)
     return np.array([(there - offset * first) / 360 - 1, offset])
+
+
+def _quantisation(height: float = np.sqrt(3)) -> float:
+    """Quantisation in arc seconds whose line, `height` Q / time, crosses the other where wanted."""
+    return float(NOISE.angle_random_walk * np.sqrt(CROSSING) / height / arcsecond)
+
+
+def _from_first(power: float) -> float:
+    """The same by a law that the time of the crossing goes with that power of Q."""
+    first = 3 * (NOISE.quantisation / NOISE.angle_random_walk) ** 2
+    return float(NOISE.quantisation * (CROSSING / first) ** (1 / power) / arcsecond)
 
 
 def _true_to_measured(matrix: FloatArray) -> FloatArray:
@@ -108,6 +124,25 @@ EXERCISES: dict[str, Exercise] = {
             ),
         },
         remark="Both are found from two turns. A third would say how far to trust them.",
+    ),
+    "13.3": Value(
+        kind="slide",
+        right=_quantisation,
+        unit="arc seconds",
+        absolute=30.0,
+        from_panel=slider(
+            "quantisation",
+            "Begin with the preset `Puzzle: two that fall` and move the slider `quantisation` "
+            "alone.",
+            **{"walk": 2.0, "flicker": 0, "rate_walk": 0, "ramp": 0, "length": 10.0},
+        ),
+        mistakes={
+            "The line of the quantisation has the height of its coefficient at the root of three "
+            "seconds, not at one.": lambda: _quantisation(height=1.0),
+            "The crossing goes with the square of the quantisation.": lambda: _from_first(1.0),
+            "That is the way to a later crossing.": lambda: _from_first(-2.0),
+        },
+        remark="Shorter than the crossing the angle is what is noisy, longer it is the rate.",
     ),
     "13.4": Value(
         kind="compute",
