@@ -21,8 +21,8 @@ WRONG = {
     ],
     "13.3": [
         (169.7, "root of three"),
-        (19.2, "square of the quantisation"),
-        (2550, "later crossing"),
+        (32, "square of the quantisation"),
+        (918.6, "later crossing"),
         (50, "factor of two"),
     ],
     "13.4": [

@@ -21,7 +21,7 @@ SCALES = np.array([0.000209, 0.000210, 0.000209])
 COUNTS = 4778
 """Of 13.4: T and the diagonal of K, and the counts of one rad/s; like those of the Xsens unit."""
 
-CROSSING, NOISE = 2.0, NoiseTerms(500 * arcsecond, 2 * degree / np.sqrt(hour))
+CROSSING, NOISE = 8.0, NoiseTerms(300 * arcsecond, 1 * degree / np.sqrt(hour))
 """Of 13.3: where the lines are to cross, s, and the noise with which the panel opens."""
 
 LEAN, WALK, WANTED = 0.05 * degree, 0.01 * degree / np.sqrt(hour), 0.1 * degree
@@ -134,7 +134,7 @@ EXERCISES: dict[str, Exercise] = {
             "quantisation",
             "Begin with the preset `Puzzle: two that fall` and move the slider `quantisation` "
             "alone.",
-            **{"walk": 2.0, "flicker": 0, "rate_walk": 0, "ramp": 0, "length": 10.0},
+            **{"walk": 1.0, "flicker": 0, "rate_walk": 0, "ramp": 0, "length": 10.0},
         ),
         mistakes={
             "The line of the quantisation has the height of its coefficient at the root of three "
