@@ -58,8 +58,9 @@ def turns_picture(
         As `driftlab.drift.hand_turns.hand_turns` found them.
     """
     step = max(1, len(increments) // _MOST_POINTS)
+    seconds = interval * np.arange(len(increments), dtype=np.float64)[::step]
     log = Log(
-        interval * np.arange(len(increments))[::step],
+        seconds,
         increments[::step] / interval,
         interval * np.asarray(rests, dtype=float),
         turns,

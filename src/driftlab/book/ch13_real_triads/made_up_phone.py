@@ -52,7 +52,7 @@ def made_up_phone(seed: int = 6) -> tuple[FloatArray, FloatArray]:
         lasts = TURN * rng.uniform(0.9, 1.2, 4)
         plan += [(angle, axis, t) for angle, t in zip(senses + np.diff(at), lasts, strict=True)]
     total = REST + sum(seconds + REST for *_, seconds in plan)
-    times = INTERVAL * np.arange(round(total / INTERVAL))
+    times = INTERVAL * np.arange(round(total / INTERVAL), dtype=np.float64)
     rates, attitude = np.zeros((len(times), 3)), np.tile([0.0, 0.0, 0.0, 1.0], (len(times), 1))
     begin = REST
     for angle, axis, seconds in plan:
@@ -64,8 +64,9 @@ def made_up_phone(seed: int = 6) -> tuple[FloatArray, FloatArray]:
         attitude = multiply(attitude, from_rotation_vector(turned[:, np.newaxis] * about))
         begin += seconds + REST
     rates += rotate(conjugate(attitude), earth_rate(LATITUDE))
-    said = rates @ (np.eye(3) + TRIAD_ERROR).T + BIAS
-    return times, said + rng.normal(0.0, NOISE, said.shape)
+    noise = rng.normal(0.0, NOISE, rates.shape)
+    said: FloatArray = rates @ (np.eye(3) + TRIAD_ERROR).T + BIAS + noise
+    return times, said
 
 
 def made_up_log(seed: int = 6, folder: Path | None = None) -> Path:
