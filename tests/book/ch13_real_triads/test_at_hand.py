@@ -1,9 +1,9 @@
 """Without recordings the chapter says so once, and goes on."""
 
 import pytest
-from driftlab.recordings.publishers import PUBLISHED, RecordingUnavailable
 
 from driftlab.book.ch13_real_triads import at_hand
+from driftlab.recordings.publishers import PUBLISHED, RecordingUnavailable
 
 
 @pytest.fixture
