@@ -15,7 +15,7 @@ from driftlab.recordings.publishers import (
     XSENS_GYRO_SCALE,
     ferraris_sections,
 )
-from driftlab.recordings.rests import rests
+from driftlab.recordings.rest_detection import rests
 from driftlab.vectors import cross_matrix
 from support import largest, recording_or_skip
 

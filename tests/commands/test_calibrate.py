@@ -10,7 +10,7 @@ from driftlab.commands import example
 from driftlab.commands.example import OPTIONS
 from driftlab.commands.matrix_forms import FORMS, matrices
 from driftlab.recordings import published_file
-from driftlab.recordings.rests import rests
+from driftlab.recordings.rest_detection import rests
 from support import recording_or_skip
 
 PLACE = "--axes FRD --latitude 59.9"

@@ -48,13 +48,13 @@ from .figures import (
 from .ledger import (
     SEVERITIES as SEVERITIES,
     STATUSES as STATUSES,
-    Table as Table,
     chapter_table as chapter_table,
     ledger_entries as ledger_entries,
     paper_table as paper_table,
     summary_table as summary_table,
 )
 from .machinery.submissions import class_summary as class_summary
+from .machinery.table import Table as Table
 from .puzzles import (
     guess as guess,
     guesses as guesses,

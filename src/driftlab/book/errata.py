@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from .ledger import PAPERS, SEVERITIES, LedgerEntry, Table, ledger_entries
+from .ledger import PAPERS, SEVERITIES, LedgerEntry, ledger_entries
+from .machinery.table import Table
 
 
 def errata() -> str:

@@ -7,15 +7,14 @@ all, and `errata` writes the corrected ones to ERRATA.md.
 
 from __future__ import annotations
 
-import re
 import tomllib
-from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
 from .chapters import CHAPTERS, chapters_with
+from .machinery.table import Table
 
 
 class Paper(NamedTuple):
@@ -176,24 +175,6 @@ class LedgerEntry:
     tests: tuple[str, ...] = ()
 
 
-class Table:
-    """Rows of Markdown, to be the last line of a notebook cell.
-
-    Attributes
-    ----------
-    rows : list of tuple of str
-        The first one is the header.
-    """
-
-    def __init__(self, rows: Iterable[tuple[str, ...]]) -> None:
-        self.rows = list(rows)
-
-    def _repr_markdown_(self) -> str:
-        header, *rows = self.rows
-        lines = [header, ("---",) * len(header), *rows]
-        return "\n".join(f"| {' | '.join(map(_without_bars, line))} |" for line in lines)
-
-
 @cache
 def ledger_entries() -> tuple[LedgerEntry, ...]:
     """Return all entries: paper by paper, and for each in the order of the chapters."""
@@ -309,12 +290,3 @@ def _names(entry: LedgerEntry) -> str:
         return ""
     count = f"{len(entry.tests)} test{'s' * (len(entry.tests) != 1)}"
     return f"<details><summary>{count}</summary>{'<br>'.join(names)}</details>"
-
-
-def _without_bars(cell: str) -> str:
-    """A bar would end the cell of a table, in a formula as well."""
-
-    def without(formula: re.Match[str]) -> str:
-        return formula[0].replace(r"\|", r"\Vert ").replace("|", r"\vert ")
-
-    return re.sub(r"\$[^$]*\$", without, cell)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from .ledger import Table
+from .machinery.table import Table
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,10 +10,8 @@ from . import (
     matrix_conventions as matrix_conventions,
     nominal_readings as nominal_readings,
     observability as observability,
-    pose_fit as pose_fit,
     pose_results as pose_results,
     poses as poses,
-    rest_noise as rest_noise,
     simulation as simulation,
     static_navigation as static_navigation,
 )

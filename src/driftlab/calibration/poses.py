@@ -26,12 +26,12 @@ from driftlab.core import poses as core
 from driftlab.earth import gravity as normal_gravity
 from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.rests import Rests
+from driftlab.recordings.rest_detection import Rests
 
+from ._pose_fit import fit_poses
+from ._rest_noise import noise_of_rests
 from .error_model import FULL
-from .pose_fit import fit_poses
 from .pose_results import PoseCalibration
-from .rest_noise import noise_of_rests
 
 POSE_AXES = (*BODY_FRAMES, "lower triangle accelerometers")
 """Choices of body axes: those of `driftlab.body_frames`, and one more.

@@ -12,7 +12,7 @@ from driftlab.calibration import POSE_AXES, PoseCalibration, calibrate_by_poses
 from driftlab.checks import FloatArray
 from driftlab.earth import gravity as normal_gravity
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.rests import Rests, rests
+from driftlab.recordings.rest_detection import Rests, rests
 
 from .calibration_tables import (
     KINDS,

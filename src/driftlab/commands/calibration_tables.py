@@ -7,7 +7,7 @@ from scipy.constants import arcminute, degree, g, milli
 
 from driftlab.calibration import Consistency, PoseCalibration
 from driftlab.checks import FloatArray
-from driftlab.recordings.rests import Rests
+from driftlab.recordings.rest_detection import Rests
 
 from .findings import Table
 from .numbers import FORCES, RATES, SCALES, SMALL_ANGLES, Unit, fitting, written

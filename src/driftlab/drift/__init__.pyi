@@ -2,11 +2,11 @@ from . import (
     characteristic_equation as characteristic_equation,
     closed_motion as closed_motion,
     error_kinematics as error_kinematics,
-    hand_turns as hand_turns,
     recorded_turns as recorded_turns,
     step_formulas as step_formulas,
     systematic_drift as systematic_drift,
     turn_calibration as turn_calibration,
+    turns_by_hand as turns_by_hand,
     weighing_designs as weighing_designs,
 )
 from .characteristic_equation import (
@@ -26,11 +26,6 @@ from .error_kinematics import (
     error_rate_matrix as error_rate_matrix,
     error_transition_matrix as error_transition_matrix,
     rate_matrix as rate_matrix,
-)
-from .hand_turns import (
-    HandTurn as HandTurn,
-    HandTurnFit as HandTurnFit,
-    fit_hand_turns as fit_hand_turns,
 )
 from .recorded_turns import (
     recorded_turn_estimate as recorded_turn_estimate,
@@ -52,6 +47,12 @@ from .turn_calibration import (
     earth_offset as earth_offset,
     exact_turn_estimate as exact_turn_estimate,
     turn_estimate as turn_estimate,
+)
+from .turns_by_hand import (
+    HandTurn as HandTurn,
+    HandTurnFit as HandTurnFit,
+    fit_hand_turns as fit_hand_turns,
+    hand_turns as hand_turns,
 )
 from .weighing_designs import (
     PAIR_AXES as PAIR_AXES,

@@ -7,11 +7,7 @@ from . import (
     psins_reader as psins_reader,
     publishers as publishers,
     recording as recording,
-    rests as rests,
-    slips as slips,
-    text_form as text_form,
-    text_table as text_table,
-    time_stamps as time_stamps,
+    rest_detection as rest_detection,
     turns_of_gravity as turns_of_gravity,
     units as units,
 )
@@ -45,24 +41,10 @@ from .publishers import (
     published_file as published_file,
 )
 from .recording import Recording as Recording
-from .rests import Rests as Rests
-from .slips import (
-    force_slips as force_slips,
-    gyro_slips as gyro_slips,
+from .rest_detection import (
+    Rests as Rests,
+    rests as rests,
 )
-from .text_form import (
-    COMMENTS as COMMENTS,
-    NUMBER as NUMBER,
-    decoded as decoded,
-    header as header,
-    number_delimiter as number_delimiter,
-    split_cells as split_cells,
-)
-from .text_table import (
-    TextTable as TextTable,
-    read_table as read_table,
-)
-from .time_stamps import spacing_of_stamps as spacing_of_stamps
 from .turns_of_gravity import (
     GravityTurns as GravityTurns,
     gravity_turns as gravity_turns,

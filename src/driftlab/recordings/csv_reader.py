@@ -13,10 +13,10 @@ import numpy as np
 
 from driftlab.checks import FloatArray, finite_array, positive_number
 
+from ._text_table import TextTable, read_table
+from ._time_stamps import spacing_of_stamps
 from .guards import without_doubts
 from .recording import Recording
-from .text_table import TextTable, read_table
-from .time_stamps import spacing_of_stamps
 from .units import Unit, accelerometer_unit, gyro_unit, time_unit
 
 Columns = Sequence[str | int]

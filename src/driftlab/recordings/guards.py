@@ -20,9 +20,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.constants import g as STANDARD_GRAVITY
 
+from ._slips import force_slips, gyro_slips
 from .channels import CLIPPED_RATIO, clipped_rows, dead_channels, longest_run, twin_channels
 from .recording import Recording
-from .slips import force_slips, gyro_slips
 from .turns_of_gravity import gravity_turns
 
 RULES = {

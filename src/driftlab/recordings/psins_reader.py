@@ -11,9 +11,9 @@ import numpy as np
 from driftlab import earth
 from driftlab.checks import FloatArray
 
+from ._text_table import TextTable, read_table
 from .guards import without_doubts
 from .recording import Recording
-from .text_table import TextTable, read_table
 
 
 @dataclass(frozen=True, eq=False)

@@ -98,7 +98,7 @@ def published_file(name: str, download: bool = True) -> Path:
     try:
         return Path(pooch.retrieve(address, f"sha256:{sha256}", name, cache, downloader=road))
     except OSError as fault:  # no network, no room on the disk
-        raise RecordingUnavailable(f"{advice} ({type(fault).__name__}).") from fault
+        raise RecordingUnavailable(f"{advice} ({type(fault).__name__}).") from None
     except ValueError as fault:
         raise RecordingUnavailable(
             f"{advice}; what came from there had another sha256 than {sha256[:12]}... and was not "

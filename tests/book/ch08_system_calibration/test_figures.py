@@ -110,7 +110,7 @@ def test_a_study_is_computed_only_where_its_table_is_not_at_hand(
     quick = replace(known, compute=lambda: part)
     monkeypatch.setattr(figures, "figure_definitions", lambda _: {name: quick})
     assert len(figures.figure(name).data.squares[CASES[0]]) == UNITS
-    monkeypatch.setattr(figures, "_PUBLISHED", tmp_path)
+    monkeypatch.setattr(figures, "_FOLDER", tmp_path)
     assert figures.figure(name).data is part
 
 

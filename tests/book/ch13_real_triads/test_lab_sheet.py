@@ -5,10 +5,10 @@ import pytest
 
 from driftlab.book.ch13_real_triads import made_up_phone as phone
 from driftlab.book.ch13_real_triads.lab_sheet import result_table, turns_picture, turns_table
-from driftlab.drift.hand_turns import fit_hand_turns, hand_turns
+from driftlab.drift.turns_by_hand import fit_hand_turns, hand_turns
 from driftlab.recordings.csv_reader import read_csv
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.rests import rests
+from driftlab.recordings.rest_detection import rests
 
 SENSES = [(2, 1), (2, 1), (2, -1), (2, -1), (1, 1), (1, 1), (1, -1), (1, -1)]
 SENSES += [(0, 1), (0, 1), (0, -1), (0, -1)]

@@ -13,7 +13,7 @@ from driftlab.recordings.publishers import (
 )
 from driftlab.recordings.recording import Recording
 
-from ..ledger import Table
+from ..machinery.table import Table
 
 _MISSING = "{} is not at hand; 'The recordings', at the beginning, says how to get it."
 

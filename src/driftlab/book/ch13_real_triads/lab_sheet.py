@@ -10,11 +10,11 @@ from matplotlib.figure import Figure
 from scipy.constants import degree
 
 from driftlab.checks import FloatArray
-from driftlab.drift.hand_turns import HandTurn, HandTurnFit
+from driftlab.drift.turns_by_hand import HandTurn, HandTurnFit
 
-from ..ledger import Table
 from ..machinery.picture import GREY, SERIES, in_style, legend_above
 from ..machinery.publish import FigureDefinition, PublishedFigure
+from ..machinery.table import Table
 
 AXES = "xyz"
 _MOST_POINTS = 3000
@@ -55,7 +55,7 @@ def turns_picture(
     rests : array_like of int, shape (m, 2)
         Rows.
     turns : sequence of HandTurn
-        As `driftlab.drift.hand_turns.hand_turns` found them.
+        As `driftlab.drift.turns_by_hand.hand_turns` found them.
     """
     step = max(1, len(increments) // _MOST_POINTS)
     seconds = interval * np.arange(len(increments), dtype=np.float64)[::step]

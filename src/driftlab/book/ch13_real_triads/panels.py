@@ -45,11 +45,11 @@ class AllanExplorer(Explorer):
     picture_class = AllanPicture
     controls = (
         Control("quantisation", "quantisation, ″", 0, stops=DECADES, group="noise"),
-        Control("walk", "angle random walk, °/√h", 0.3, stops=DECADES, group="noise"),
+        Control("walk", "angle walk, °/√h", 0.3, stops=DECADES, group="noise"),
         Control("flicker", "bias instability, °/h", 10.0, stops=DECADES, group="noise"),
-        Control("rate_walk", "rate random walk, °/h/√h", 30.0, stops=DECADES, group="noise"),
+        Control("rate_walk", "rate walk, °/h/√h", 30.0, stops=DECADES, group="noise"),
         Control("ramp", "rate ramp, °/h²", 0, stops=DECADES, group="noise"),
-        Control("length", "length of the record, min", 600.0, stops=LENGTHS, group="record"),
+        Control("length", "record, min", 600.0, stops=LENGTHS, group="record"),
         Control("run", "run", 13, 1, 20, 1, group="record"),
     )
     presets: ClassVar = {

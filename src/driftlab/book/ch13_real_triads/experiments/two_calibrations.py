@@ -12,7 +12,7 @@ from driftlab.calibration.poses import calibrate_by_poses
 from driftlab.checks import FloatArray
 from driftlab.recordings.publishers import published
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.rests import rests
+from driftlab.recordings.rest_detection import rests
 
 from .force_and_gravity import force_and_gravity
 from .publishers_numbers import TRIANGLES, imu_tk_triads

@@ -109,8 +109,8 @@ def _panel(panel: Axes, lines: Lines, begin: float) -> None:
             color = SERIES[i]["color"]
             style = {"linestyle": "-", "linewidth": 1.6} if seen else {"linestyle": (0, (2, 3))}
             panel.plot(wide, line, color=color, **style)
-            labels.append((line[1], LABELS[name] if seen else f"at most: {LABELS[name]}", color))
+            labels.append((line[1], LABELS[name] if seen else f"at most: {LABELS[name]}"))
     place = 0.0
-    for height, words, color in sorted(labels):
+    for height, words in sorted(labels):
         place = max(place * ROOM, height)
-        panel.text(1.25 * wide[1], place, words, color=color, fontsize=8, va="center")
+        panel.text(1.25 * wide[1], place, words, fontsize=8, va="center")

@@ -15,7 +15,7 @@ import numpy as np
 
 from driftlab.checks import FloatArray
 
-from .text_form import COMMENTS, NUMBER, decoded, header, number_delimiter, split_cells
+from ._text_form import COMMENTS, NUMBER, decoded, header, number_delimiter, split_cells
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from driftlab.drift.hand_turns import HandTurn, fit_hand_turns, hand_turns
+from driftlab.drift.turns_by_hand import HandTurn, fit_hand_turns, hand_turns
 
 REST = np.zeros((40, 3))
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from driftlab.recordings.recording import Recording
-from driftlab.recordings.rests import rests
+from driftlab.recordings.rest_detection import rests
 from support import recording_or_skip
 
 NOISE, FORCE_NOISE = 1e-3, 2e-2

@@ -1,0 +1,33 @@
+"""A table on a notebook page."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+
+class Table:
+    """Rows of Markdown, to be the last line of a notebook cell.
+
+    Attributes
+    ----------
+    rows : list of tuple of str
+        The first one is the header.
+    """
+
+    def __init__(self, rows: Iterable[tuple[str, ...]]) -> None:
+        self.rows = list(rows)
+
+    def _repr_markdown_(self) -> str:
+        header, *rows = self.rows
+        lines = [header, ("---",) * len(header), *rows]
+        return "\n".join(f"| {' | '.join(map(_without_bars, line))} |" for line in lines)
+
+
+def _without_bars(cell: str) -> str:
+    """A bar would end the cell of a table, in a formula as well."""
+
+    def without(formula: re.Match[str]) -> str:
+        return formula[0].replace(r"\|", r"\Vert ").replace("|", r"\vert ")
+
+    return re.sub(r"\$[^$]*\$", without, cell)
