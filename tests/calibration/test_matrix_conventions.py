@@ -8,6 +8,7 @@ from scipy.constants import degree
 from scipy.spatial.transform import Rotation
 
 from driftlab.body_frames import body_frame_rotation
+from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
 from driftlab.calibration.biases_behind_matrix import PsinsMatrices, RosMatrices
 from driftlab.calibration.body_axes import imu_errors_in_accelerometer_axes
 from driftlab.calibration.matrix_conventions import ImucalMatrices, ImuTkMatrices, KalibrMatrices
@@ -110,26 +111,8 @@ def test_kalibrs_formula_makes_the_measurement():
         assert largest(np.triu(matrix, 1)) < 1e-15
 
 
-# IMU-TK on its own recording, as its users published it: its program, and one with zeros above.
-ACC_B, GYRO_B = (33124.2, 33275.2, 32364.4), (32777.1, 32459.8, 32511.8)
-BELOW = ImuTkMatrices(
-    [[1, -0.0033593, -0.00890639], [0, 1, -0.0213341], [0, 0, 1]],
-    np.diag([0.00241278, 0.00242712, 0.00241168]),
-    ACC_B,
-    [[1, 0.00593634, 0.00111101], [0.00808812, 1, -0.0535569], [0.0253067, -0.0025513, 1]],
-    np.diag([0.000209295, 0.000209899, 0.000209483]),
-    GYRO_B,
-    XSENS,
-).imu_errors
-ABOVE = ImuTkMatrices(
-    [[1, 0, 0], [-0.00354989, 1, 0], [-0.00890444, -0.0213032, 1]],
-    np.diag([0.00241267, 0.00242659, 0.00241232]),
-    ACC_B,
-    [[1, 0.00927517, 0.00990014], [0.00507442, 1, -0.0322229], [0.0162201, -0.0239393, 1]],
-    np.diag([0.000209338, 0.000209834, 0.000209664]),
-    GYRO_B,
-    XSENS,
-).imu_errors
+# IMU-TK on its own recording: zeros below the diagonal, as its program has it, and above.
+BELOW, ABOVE = (published.imu_errors for published in IMU_TK)
 
 
 def test_two_published_results_are_one_unit_in_two_body_axes():
@@ -167,10 +150,10 @@ def test_factory_sheet_is_imu_tks_result_within_its_rounding():
     accelerometers = np.array([[1, 0, -0.01], [0.01, 1, 0.01], [0.02, 0.01, 1]])
     gyros = np.array([[1, -0.01, -0.02], [0, 1, 0.04], [-0.01, 0.01, 1]])
     gains = np.diag([4778, 4758, 4766]), np.diag([415, 413, 415])
-    offset = (33123, 33276, 32360)
-    sheet = XSENS.imu_errors(gains[0] @ gyros, GYRO_B, gains[1] @ accelerometers, offset)
+    offset, gyro_b = (33123, 33276, 32360), IMU_TK[0].gyro_b
+    sheet = XSENS.imu_errors(gains[0] @ gyros, gyro_b, gains[1] @ accelerometers, offset)
     inverse = XSENS.imu_errors(
-        gains[0] @ np.linalg.inv(gyros), GYRO_B, gains[1] @ np.linalg.inv(accelerometers), offset
+        gains[0] @ np.linalg.inv(gyros), gyro_b, gains[1] @ np.linalg.inv(accelerometers), offset
     )
     for zeros, published in (("below", BELOW), ("above", ABOVE)):
         turned, _ = imu_errors_in_accelerometer_axes(sheet, zeros)

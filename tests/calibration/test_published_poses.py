@@ -7,46 +7,29 @@ import pytest
 
 from driftlab.attitude import integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
+from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
 from driftlab.calibration.poses import calibrate_by_poses
 from driftlab.drift import turn_estimate
 from driftlab.imu import PriorDeviations
 from driftlab.recordings.publishers import (
-    XSENS_ACCELEROMETER_SCALE,
-    XSENS_GYRO_SCALE,
     ferraris_sections,
 )
 from driftlab.recordings.rest_detection import rests
 from driftlab.vectors import cross_matrix
 from support import largest, recording_or_skip
 
-# IMU-TK's result on its own record, as its users publish it, with zeros below the diagonal and with
-# zeros above: x' = T K (x - b), counts.
-IMU_TK = {
-    "lower triangle accelerometers": (
-        ([[1, -0.0033593, -0.00890639], [0, 1, -0.0213341], [0, 0, 1]],
-         [0.00241278, 0.00242712, 0.00241168]),
-        ([[1, 0.00593634, 0.00111101], [0.00808812, 1, -0.0535569], [0.0253067, -0.0025513, 1]],
-         [0.000209295, 0.000209899, 0.000209483]),
-    ),
-    "accelerometers": (
-        ([[1, 0, 0], [-0.00354989, 1, 0], [-0.00890444, -0.0213032, 1]],
-         [0.00241267, 0.00242659, 0.00241232]),
-        ([[1, 0.00927517, 0.00990014], [0.00507442, 1, -0.0322229], [0.0162201, -0.0239393, 1]],
-         [0.000209338, 0.000209834, 0.000209664]),
-    ),
-}  # fmt: skip
+# IMU-TK's result on its own record, with zeros below the diagonal and with zeros above.
+XSENS = dict(zip(("lower triangle accelerometers", "accelerometers"), IMU_TK, strict=True))
 
 
 def published_xsens(body_axes):
-    """Error matrices of accelerometers and gyros: true = T K (x - b), x = measured / scale."""
-    for (t, k), scale in zip(
-        IMU_TK[body_axes], (XSENS_ACCELEROMETER_SCALE, XSENS_GYRO_SCALE), strict=True
-    ):
-        yield np.linalg.inv(np.array(t) * k / scale) - np.eye(3)
+    """Error matrices of accelerometers and gyros."""
+    errors = XSENS[body_axes].imu_errors
+    return errors.accelerometer_error, errors.gyro_error
 
 
 def test_the_two_published_results_are_one_unit():
-    upper, lower = (list(published_xsens(axes)) for axes in IMU_TK)
+    upper, lower = map(published_xsens, XSENS)
     turn = body_frame_rotation(upper[0], frame="upper triangle")
     for one, other in zip(upper, lower, strict=True):
         assert largest(change_body_frame(one, turn) - other) < 1e-5
@@ -66,7 +49,7 @@ def test_xsens_is_as_published():
     unit = calibrate_by_poses(recording, found, gyro_bias=bias)
     ours = unit.imu_errors.accelerometer_error, unit.imu_errors.gyro_error
     turn = body_frame_rotation(ours[0], frame="lower triangle")
-    lower, upper = IMU_TK
+    lower, upper = XSENS
     for one, here, there in zip(ours, published_xsens(upper), published_xsens(lower), strict=True):
         assert largest(one - here) < 5e-4
         assert largest(change_body_frame(one, turn) - there) < 5e-4

@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 
+from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
 from driftlab.calibration import calibrate_by_poses
 from driftlab.commands import example
 from driftlab.commands.example import OPTIONS
@@ -112,11 +113,7 @@ def test_a_published_unit_is_calibrated_from_its_publisher_s_files(run, tmp_path
     assert (code, err) == (0, "")
     values = json.loads((tmp_path / "a.json").read_text())["values"]
     found = np.array(values["forms"]["imu-tk"]["gyro_T"])
-    published = [
-        [1, 0.00593634, 0.00111101],
-        [0.00808812, 1, -0.0535569],
-        [0.0253067, -0.0025513, 1],
-    ]
+    published = np.array(IMU_TK[0].gyro_T)
     spread = 4 * np.array(values["deviations"]["gyro_error"]) + 5e-4
     assert (abs(found - published) < spread).all()
     assert abs(found - published).max() < 8e-3  # by a third of the record

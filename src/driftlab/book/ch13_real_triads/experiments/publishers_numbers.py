@@ -1,9 +1,10 @@
 """What the publishers of the recordings found in them, as they have it: the numbers to meet."""
 
 import numpy as np
-from numpy.typing import ArrayLike
 from scipy.constants import degree
 
+from driftlab.calibration.matrix_conventions import ImuTkMatrices
+from driftlab.calibration.nominal_readings import NominalReadings
 from driftlab.checks import FloatArray
 from driftlab.core.vectors import cross_matrix
 from driftlab.recordings.publishers import (
@@ -17,23 +18,31 @@ from .tilt_fit import Triad
 TRIANGLES = ("upper triangle", "lower triangle")
 """Two calibrations of one record by IMU-TK, with its axes and with others; both are public."""
 
-# IMU-TK: true = T K (counts - b), K diagonal. Two triangles of the accelerometers' T.
-_ACCELEROMETERS_T: tuple[list[list[float]], ...] = (
-    [[1, -0.0033593, -0.00890639], [0, 1, -0.0213341], [0, 0, 1]],
-    [[1, 0, 0], [-0.00354989, 1, 0], [-0.00890444, -0.0213032, 1]],
+_COUNTS = NominalReadings(
+    XSENS_GYRO_SCALE, XSENS_ZERO_COUNT, XSENS_ACCELEROMETER_SCALE, XSENS_ZERO_COUNT
 )
-_ACCELEROMETERS_K = (
-    (0.00241278, 0.00242712, 0.00241168),
-    (0.00241267, 0.00242659, 0.00241232),
+_ACCELEROMETERS_B, _GYROS_B = (33124.2, 33275.2, 32364.4), (32777.1, 32459.8, 32511.8)
+IMU_TK = (
+    ImuTkMatrices(
+        [[1.0, -0.0033593, -0.00890639], [0.0, 1.0, -0.0213341], [0.0, 0.0, 1.0]],
+        np.diag([0.00241278, 0.00242712, 0.00241168]),
+        _ACCELEROMETERS_B,
+        [[1, 0.00593634, 0.00111101], [0.00808812, 1, -0.0535569], [0.0253067, -0.0025513, 1]],
+        np.diag([0.000209295, 0.000209899, 0.000209483]),
+        _GYROS_B,
+        _COUNTS,
+    ),
+    ImuTkMatrices(
+        [[1.0, 0.0, 0.0], [-0.00354989, 1.0, 0.0], [-0.00890444, -0.0213032, 1.0]],
+        np.diag([0.00241267, 0.00242659, 0.00241232]),
+        _ACCELEROMETERS_B,
+        [[1, 0.00927517, 0.00990014], [0.00507442, 1, -0.0322229], [0.0162201, -0.0239393, 1]],
+        np.diag([0.000209338, 0.000209834, 0.000209664]),
+        _GYROS_B,
+        _COUNTS,
+    ),
 )
-_ACCELEROMETERS_B = (33124.2, 33275.2, 32364.4)
-_GYROS_T: tuple[list[list[float]], ...] = (
-    [[1, 0.00593634, 0.00111101], [0.00808812, 1, -0.0535569], [0.0253067, -0.0025513, 1]],
-    [[1, 0.00927517, 0.00990014], [0.00507442, 1, -0.0322229], [0.0162201, -0.0239393, 1]],
-)
-_GYROS_K = ((0.000209295, 0.000209899, 0.000209483), (0.000209338, 0.000209834, 0.000209664))
-_GYROS_B = (32777.1, 32459.8, 32511.8)
-
+"""The two, of raw counts; the accelerometers' T says which triangle."""
 IMU_TK_COSTS = (0.120131, 0.00150696)
 """Half the sum of squares that IMU-TK ends with: of forces, (m/s^2)^2, and of tilts, rad^2."""
 
@@ -78,21 +87,11 @@ def imu_tk_triads(triangle: int) -> tuple[Triad, Triad]:
     triangle : int
         Index in `TRIANGLES`.
     """
+    errors = IMU_TK[triangle].imu_errors
     return (
-        _of_counts(
-            _ACCELEROMETERS_T[triangle], _ACCELEROMETERS_K[triangle], _ACCELEROMETERS_B,
-            XSENS_ACCELEROMETER_SCALE,
-        ),
-        _of_counts(_GYROS_T[triangle], _GYROS_K[triangle], _GYROS_B, XSENS_GYRO_SCALE),
-    )  # fmt: skip
-
-
-def _of_counts(
-    misaligned: ArrayLike, scale: tuple[float, ...], zero: tuple[float, ...], nominal: float
-) -> Triad:
-    """From IMU-TK's T, K, b of counts to a triad of nominal units."""
-    triad = nominal * np.linalg.inv(np.array(misaligned) @ np.diag(scale))
-    return Triad(triad - np.eye(3), nominal * (np.array(zero) - XSENS_ZERO_COUNT))
+        Triad(errors.accelerometer_error, errors.accelerometer_bias),
+        Triad(errors.gyro_error, errors.gyro_bias),
+    )
 
 
 def imu_calib_triads(unit: int) -> tuple[Triad, Triad]:
