@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given, strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
-from driftlab.recordings import read_csv, read_table
+from driftlab.recordings import read_csv
+from driftlab.recordings._text_table import read_table
 
 GYRO, FORCE = ("gyr_x", "gyr_y", "gyr_z"), ("acc_x", "acc_y", "acc_z")
 UNITS = ("rad/s", "m/s^2")

@@ -220,6 +220,11 @@ def _stamp_column(
     column, unit = time if isinstance(time, tuple) else (time, "")
     index, _ = table.column(column)
     unit = unit or (table.units[index] if table.units else "")
+    if not unit:
+        raise ValueError(
+            f"time: expected the unit of column {column!r} beside it, as ({column!r}, 'ms'), "
+            "because the header does not tell it."
+        )
     return index, None if unit == "iso" else time_unit(unit)
 
 
