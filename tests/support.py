@@ -100,9 +100,11 @@ def chi_bounds(count: int) -> np.ndarray:
 def helper_modules() -> list[ModuleType]:
     """All modules of the helper: all but book, commands, SymPy, checks, cores, private ones."""
     names = (module.name for module in walk_packages(driftlab.__path__, "driftlab."))
-    parts = ("book", "checks", "commands", "core", "symbolic", "_")
+    parts = ("book", "checks", "commands", "core", "symbolic")
     apart = tuple(f"driftlab.{part}" for part in parts)
-    return [import_module(name) for name in names if not name.startswith(apart)]
+    return [
+        import_module(name) for name in names if not name.startswith(apart) and "._" not in name
+    ]
 
 
 def replaced(arguments: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:

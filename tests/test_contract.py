@@ -47,11 +47,11 @@ from driftlab.drift import (
     characteristic_equation,
     closed_motion,
     error_kinematics,
-    hand_turns,
     recorded_turns,
     step_formulas,
     systematic_drift,
     turn_calibration,
+    turns_by_hand,
     weighing_designs,
 )
 from driftlab.gyrocompass import (
@@ -257,7 +257,7 @@ CASES = {
 }
 # Tested where they belong.
 APART = {
-    hand_turns.hand_turns,  # one record, whose rests are its own
+    turns_by_hand.hand_turns,  # one record, whose rests are its own
     weighing_designs.fit_turns,  # its two arguments share an axis instead of broadcasting
     # Their increments must close, bent a little they do not.
     closed_motion.drift_per_motion,
