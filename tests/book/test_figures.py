@@ -59,8 +59,14 @@ def assert_same_table(published: dict[str, np.ndarray], computed: dict[str, Any]
         if isinstance(column[0], str):
             assert list(published[name]) == list(column)
         else:
-            # Twelve digits are written; other processors may round the last few differently.
-            np.testing.assert_allclose(published[name].astype(float), column, 1e-8, 1e-12, name)
+            # Twelve digits are written; other processors may round the last few differently, and
+            # what is small beside its neighbours, as an entry of a matrix, earlier.
+            there, here = published[name].astype(float), np.asarray(column, float)
+            curves = np.asarray(computed.get("curve", np.zeros(len(here))))
+            for curve in np.unique(curves):
+                rows = curves == curve
+                least = max(1e-12, 1e-8 * np.abs(here[rows]).max())
+                np.testing.assert_allclose(there[rows], here[rows], 1e-8, least, err_msg=name)
 
 
 @published(*NAMES)

@@ -97,6 +97,8 @@ def fit_gyro_noise(allan: AllanDeviation, *, quantised: bool = True) -> GyroNois
             misfits,
             np.log([np.clip(time, 1.001 * ends[0], 0.999 * ends[1]), *np.maximum(sizes, small)]),
             bounds=([np.log(ends[0]), *-free], [np.log(ends[1]), *free]),
+            jac="3-point",
+            **dict.fromkeys(("ftol", "xtol", "gtol"), 1e-14),
         )
         if best is None or result.cost < best.cost:
             best = result

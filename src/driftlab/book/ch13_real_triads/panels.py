@@ -24,10 +24,10 @@ UNITS = (
 )  # fmt: skip
 """Of the sliders, in SI units."""
 UNIT_WORDS = ("″", " °/√h", " °/h", " °/h/√h", " °/h²")
-DECADES = (0, *(round(k * 10.0**power, 4) for power in range(-4, 3) for k in (1, 3)), 1000.0)
+DECADES = (0.0, *(round(k * 10.0**power, 4) for power in range(-4, 3) for k in (1, 3)), 1000.0)
 """Places of the sliders."""
 LENGTHS = (1.0, 10.0, 60.0, 600.0, 6000.0)
-NONE = {"quantisation": 0, "walk": 0, "flicker": 0, "rate_walk": 0, "ramp": 0}
+NONE = {"quantisation": 0.0, "walk": 0.0, "flicker": 0.0, "rate_walk": 0.0, "ramp": 0.0}
 NAMES = tuple(NONE)
 
 
@@ -44,11 +44,11 @@ class AllanExplorer(Explorer):
     title = "Which line is which?"
     picture_class = AllanPicture
     controls = (
-        Control("quantisation", "quantisation, ″", 0, stops=DECADES, group="noise"),
+        Control("quantisation", "quantisation, ″", 0.0, stops=DECADES, group="noise"),
         Control("walk", "angle walk, °/√h", 0.3, stops=DECADES, group="noise"),
         Control("flicker", "bias instability, °/h", 10.0, stops=DECADES, group="noise"),
         Control("rate_walk", "rate walk, °/h/√h", 30.0, stops=DECADES, group="noise"),
-        Control("ramp", "rate ramp, °/h²", 0, stops=DECADES, group="noise"),
+        Control("ramp", "rate ramp, °/h²", 0.0, stops=DECADES, group="noise"),
         Control("length", "record, min", 600.0, stops=LENGTHS, group="record"),
         Control("run", "run", 13, 1, 20, 1, group="record"),
     )

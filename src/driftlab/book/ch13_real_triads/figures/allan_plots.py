@@ -34,7 +34,7 @@ def columns(data: AllanLines) -> dict[str, Any]:
             curves[f"{gyro}: {name}, rad/s over s"] = (lines.times, getattr(lines, name))
         for name in ("terms", "uncertainty", "bounds"):
             curves[f"{gyro}: {name} over term"] = (np.arange(5.0), getattr(lines, name))
-    curves["dear: missed without and with slope -1"] = (np.arange(2.0), data.missed)
+    curves["dear: missed without and with slope -1"] = (np.arange(2.0), data.missed.round(5))
     curves["dear: rocking, rad"] = (np.zeros(1), np.array([data.rocking]))
     return long_table(curves)
 
