@@ -28,13 +28,22 @@ def test_the_slope_of_the_laser_gyro_is_the_car_and_not_its_pulses(
 ) -> None:
     data = figure.data
     angle = data.dear.terms[0]
-    assert angle > 100 * lines.PULSE / np.sqrt(12)
+    assert angle > 100 * lines.ROUNDING
     assert angle == pytest.approx(data.rocking, rel=0.1)
     assert data.missed[0] > 3
     assert data.missed[1] < 1.5
     # At the shortest time the gyro itself is quieter than the car: its own angle is no worse.
     own = data.dear.deviation[0] * data.dear.times[0] / np.sqrt(3)
     assert own < 0.2 * arcsecond
+
+
+@published("13-allan-plots")
+def test_the_walk_of_the_fit_is_the_cars(figure: PublishedFigure) -> None:
+    """As the forward gyro's it would make headings far worse than those of the same car."""
+    by_fit, allowed = np.degrees(figure.data.forward) * 60  # per root of an hour
+    assert by_fit > 50 * allowed
+    assert by_fit == pytest.approx(0.0528, abs=0.0036)  # its standard deviation
+    assert allowed < 0.001
 
 
 @published("13-allan-plots")

@@ -12,6 +12,7 @@ from driftlab.book.ch10_gyrocompass_at_work.experiments import PAPER_DEVIATION, 
 from driftlab.book.ch13_real_triads.experiments.parked_car import (
     HEADER,
     ParkedCar,
+    chance_of_paired_ratio,
     chance_of_ratio,
     parked_car,
     spread,
@@ -45,7 +46,8 @@ def test_restarts_in_inertial_space_repeat_and_means_do_not():
     assert np.degrees(spread(car().longer[2]).high) < 0.03
     # The gap of "five times as much" in the notes of `align_in_inertial_frame`.
     assert 3 < two.deviation / carried.deviation < 7
-    assert chance_of_ratio(two.deviation, carried.deviation, 25) < 1e-6
+    # The two methods have the same stretches, so the test is of pairs.
+    assert chance_of_paired_ratio(*car().restarts[1:]) < 1e-6
 
 
 def test_means_are_wrong_by_degrees_while_the_car_is_shaken_and_fair_while_it_is_quiet():
@@ -102,6 +104,14 @@ def test_the_whole_study_is_the_published_one():
     recording_or_skip("laser-gyro")
     for found, kept in zip(parked_car(), car(), strict=True):
         assert np.allclose(found, kept, rtol=1e-8, atol=1e-10)
+
+
+def test_what_pairs_have_in_common_does_not_count_in_their_ratio():
+    """With one deviation the chance is even between 0 and 1, however much the pairs share."""
+    count, rng = 500, np.random.default_rng(1)
+    pairs = 3 * rng.standard_normal((count, 1, 26)) + rng.standard_normal((count, 2, 26))
+    chances = np.array([chance_of_paired_ratio(*np.radians(pair)) for pair in pairs])
+    assert abs(np.mean(chances < 0.05) - 0.05) < 4 * np.sqrt(0.05 * 0.95 / count)
 
 
 def test_a_spread_across_half_a_turn_is_not_torn():

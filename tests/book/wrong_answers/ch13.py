@@ -7,9 +7,9 @@ SCALES = np.diag([0.000209, 0.000210, 0.000209])
 
 WRONG = {
     "13.1": [
-        ([-10.05, -3.49], "do not add up"),
-        ([-370.05, -3.49], "a whole turn of it is true"),
-        ([10.07, 0.095], "negative sense"),
+        ([-9.97, -3.49], "do not add up"),
+        ([-369.97, -3.49], "a whole turn of it is true"),
+        ([9.99, 0.094], "negative sense"),
         ([0, 0], "About x more is left"),
     ],
     "13.2": [

@@ -10,8 +10,14 @@ from scipy.signal import welch
 
 from driftlab.allan import TERMS, AllanDeviation, NoiseFit, allan_deviation, fit_noise_terms
 from driftlab.checks import FloatArray
+from driftlab.gyrocompass.inertial_alignment import (
+    align_in_inertial_frame,
+    inertial_alignment_deviation,
+)
 from driftlab.gyrocompass.noise_fit import fit_gyro_noise
 from driftlab.recordings.publishers import published
+
+from .parked_car import LONGER, spread, stretches
 
 CHEAP, STILL = "mpu9150-1", (149.75, 158.5)
 """A recording of a cheap gyro, and its longest still stretch, s."""
@@ -22,6 +28,8 @@ CHEAP_FROM, DEAR_FROM = 0.1, 1.0
 in all five units and of unknown origin, and under the dear one the car is seen to rock."""
 PULSE = 0.1 * arcsecond
 """Angle that one pulse of the laser gyro stands for."""
+ROUNDING = PULSE / np.sqrt(12)
+"""Standard deviation of an angle that is rounded to whole pulses."""
 ROCKING = (0.5, 5.0)
 """Frequencies between which a car moves on its springs, Hz."""
 
@@ -62,12 +70,16 @@ class AllanLines(NamedTuple):
         without and with a rounded angle, or the other way round.
     rocking : float
         Standard deviation of its angle in the frequencies of a car on its springs, rad.
+    forward : ndarray, shape (2,)
+        Angle random walk of the forward gyro of the same unit, rad/√s: as the same fit to the same
+        stretch has it, and the largest that its headings allow.
     """
 
     cheap: Lines
     dear: Lines
     missed: FloatArray
     rocking: float
+    forward: FloatArray
 
 
 def allan_lines() -> AllanLines:
@@ -81,7 +93,8 @@ def allan_lines() -> AllanLines:
     still = published(CHEAP).between(*STILL)
     cheap = still.gyro[:, 2], still.interval
     quiet = published(DEAR).between(*QUIET)
-    angle, interval = quiet.in_axes("RFU").gyro[:, 2], quiet.interval
+    forward, angle = quiet.in_axes("RFU").gyro[:, 1:].T
+    interval = quiet.interval
     dear = angle / interval, interval
     later = _from(dear, DEAR_FROM)
     fits = [fit_gyro_noise(later, quantised=quantised) for quantised in (False, True)]
@@ -93,7 +106,30 @@ def allan_lines() -> AllanLines:
         _lines(allan_deviation(*dear), fit_noise_terms(later)),
         np.exp(np.abs(np.log(ratios)).max(axis=-1)),
         float(np.sqrt(density[band].sum() * frequency[1])),
+        np.array(
+            [
+                fit_noise_terms(
+                    _from((forward / interval, interval), DEAR_FROM)
+                ).terms.angle_random_walk,
+                walk_by_headings(),
+            ]
+        ),
     )
+
+
+def walk_by_headings() -> float:
+    """Largest angle random walk of the forward gyro that the car's headings allow, rad/√s.
+
+    The car looks East, and a heading errs by the drift of the gyro that looks East. What else makes
+    the headings scatter makes the bound larger, not smaller. It is the upper end of the interval of
+    95 per cent for ten stretches of three minutes.
+    """
+    recording = published(DEAR).in_axes("FUR")
+    latitude = recording.latitude
+    if latitude is None:
+        raise ValueError("recording: expected one that knows its latitude.")
+    found = align_in_inertial_frame(stretches(recording.increments(), LONGER), latitude)
+    return spread(found.heading).high / float(inertial_alignment_deviation(latitude, LONGER, 1.0))
 
 
 def _from(record: tuple[FloatArray, float], shortest: float) -> AllanDeviation:

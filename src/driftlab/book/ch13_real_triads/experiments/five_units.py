@@ -64,6 +64,8 @@ WAY_NAMES = (*(way.name for way in WAYS), "rests and weights of this book")
 """All ways, `calibrate_by_poses` the last."""
 ODD = 1
 """Index of the unit for which ways matter."""
+PAUSE = [1, 2]
+"""Ways that differ by its shortest rest and by nothing else: with it and without."""
 
 
 class UnitFit(NamedTuple):
@@ -131,6 +133,17 @@ class FiveUnits(NamedTuple):
     def in_deviations(self) -> FloatArray:
         """Largest difference (way, 5) in units of the entry's own deviation."""
         return (np.abs(self.gyro - self.published_gyro) / self.deviation).max(axis=(-2, -1))
+
+    @property
+    def moved(self) -> FloatArray:
+        """By how much K (3, 3) of the odd unit moves when its shortest rest alone is dropped."""
+        with_it, without = self.gyro[PAUSE, ODD]
+        return np.abs(without - with_it)
+
+    @property
+    def moved_in_deviations(self) -> FloatArray:
+        """The largest of it in units of the entry's own deviation: (2,), with it and without."""
+        return (self.moved / self.deviation[PAUSE, ODD]).max(axis=(-2, -1))
 
 
 def five_units() -> FiveUnits:

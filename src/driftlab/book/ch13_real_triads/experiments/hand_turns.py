@@ -12,17 +12,20 @@ from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.turn_calibration import earth_offset
 from driftlab.recordings.publishers import ferraris_sections, published
 from driftlab.recordings.recording import Recording
+from driftlab.recordings.rest_detection import rests as rests_of
 
 from .force_and_gravity import force_and_gravity
 
 TURNS = ("x_rot", "y_rot", "z_rot")
 SIDES = ("x_p", "x_a", "y_p", "y_a", "z_p", "z_a")
-SOURCES = ("hand", "axis", "gyro bias", "gyro noise", "Earth")
+SOURCES = ("stop, assumed", "axis", "gyro bias", "gyro noise", "Earth")
 """Where the error of an estimate may come from: the columns of `HandTurns.sources`."""
 POINTS = 81
 """Of a path, both ends included."""
+STOP = float(np.radians(0.1))
+"""How exactly a hand comes back to the heading where it began, rad: assumed, no sensor sees it."""
 _BESIDE = 0.5
-"""Seconds of rest just before and after a turn that tell the hand's tilt."""
+"""Seconds of rest just before a turn that tell where gravity is."""
 
 
 class Rests(NamedTuple):
@@ -55,24 +58,27 @@ class Rests(NamedTuple):
 class HandTurns(NamedTuple):
     """Three turns by hand: the first index is the turn, about the axis x, y or z.
 
+    All of it is of turns from rest to rest, but for what says of the publishers' sections. These
+    end sooner, in one turn while the hand is still at work.
+
     Attributes
     ----------
     estimate, deviation : ndarray, shape (3,)
         n^T Sigma n by Larin's (3.3), gyro bias taken off, and its standard deviation.
+    by_sections : ndarray, shape (3,)
+        The same estimate from the publishers' sections.
     with_bias : ndarray, shape (3,)
-        The same with the bias left in.
+        As `estimate`, with the bias left in.
     sources : ndarray, shape (3, 5)
         Deviations by source, in the order of `SOURCES`; of the Earth the most that it can do.
     ferraris : ndarray, shape (3,)
-        Ferraris's diagonal minus one, from the same turns.
+        Ferraris's diagonal minus one, from the publishers' sections.
     integral : ndarray, shape (3, 3)
         Sums of the gyros' angles, rad.
     error : ndarray, shape (3, 3)
         Rotation vector of the attitude that is integrated from the gyros after the turn, rad.
-    tilt : ndarray, shape (3,)
-        Angle between gravity before and after the turn, as the accelerometers see it, rad.
     duration : ndarray, shape (3,)
-        s.
+        From rest to rest, s.
     path, added : ndarray, shape (3, 81, 2)
         Tilt of the axis during the turn about the two other axes, in cyclic order, rad: of the
         integrated attitude, and if the gyros' angles are only added up.
@@ -80,12 +86,12 @@ class HandTurns(NamedTuple):
 
     estimate: FloatArray
     deviation: FloatArray
+    by_sections: FloatArray
     with_bias: FloatArray
     sources: FloatArray
     ferraris: FloatArray
     integral: FloatArray
     error: FloatArray
-    tilt: FloatArray
     duration: FloatArray
     path: FloatArray
     added: FloatArray
@@ -101,19 +107,19 @@ def hand_turns() -> HandTurns:
     """
     log, rows = published("ferraris-session", download=False), ferraris_sections(download=False)
     rests = _rests(log, [slice(*rows[side]) for side in SIDES])
-    turns = [_turn(log, axis, *rows[name], rests) for axis, name in enumerate(TURNS)]
+    stops = rests_of(log).rows
+    turns = [_turn(log, axis, rows[name], stops, rests) for axis, name in enumerate(TURNS)]
     arrays = {field: np.array([turn[field] for turn in turns]) for field in turns[0]}
     gravity, duration = arrays.pop("gravity"), arrays["duration"]
     # The triad, a column a turn, shows what a turn about gravity would read instead of one about n.
     triad = arrays["integral"].T / np.copysign(2 * np.pi, np.diag(arrays["integral"]))
     axis = np.einsum("ki,ij,kj->k", gravity, triad, gravity) - np.diag(triad)
-    # Gravity does not see the heading; a hand that is as careless there as with the two tilts.
-    hand = np.full(3, np.sqrt((arrays["tilt"] ** 2).mean() / 2) / (2 * np.pi))
+    stop = np.full(3, STOP / (2 * np.pi))
     walk = rests.gyro_noise * np.sqrt(log.interval * duration) / (2 * np.pi)
     # An axis along the Earth's own, wherever that was: no turn can show more.
     earth = earth_offset(np.pi / 4, 2 * np.pi / duration, (0.0, 1.0, 1.0))
     bias = rests.bias_scatter * duration / (2 * np.pi)
-    sources = np.stack([hand, np.abs(axis), bias, walk, earth], axis=1)
+    sources = np.stack([stop, np.abs(axis), bias, walk, earth], axis=1)
     return HandTurns(
         **arrays,
         deviation=norm(sources, axis=1),
@@ -134,8 +140,17 @@ def _rests(log: Recording, parts: list[slice]) -> Rests:
     )
 
 
-def _turn(log: Recording, axis: int, begin: int, end: int, rests: Rests) -> dict[str, FloatArray]:
+def _turn(
+    log: Recording,
+    axis: int,
+    section: tuple[int, int],
+    stops: list[tuple[int, int]],
+    rests: Rests,
+) -> dict[str, FloatArray]:
     """What one turn about a body axis gives, under the names of `HandTurns`."""
+    begin = max(last for _, last in stops if last <= section[0])
+    end = min(first for first, _ in stops if first >= section[1])
+    cut = slice(section[0] - begin, section[1] - begin)
     n, across = np.eye(3)[axis], [(axis + 1) % 3, (axis + 2) % 3]
     raw = log.part(begin, end).angles()
     angles = raw - rests.gyro_bias * log.interval
@@ -143,14 +158,13 @@ def _turn(log: Recording, axis: int, begin: int, end: int, rests: Rests) -> dict
     tilts = np.cross(n, rotate(attitude, n))[:, across]
     force, beside = force_and_gravity(log)[0], round(_BESIDE / log.interval)
     before = force[begin - beside : begin].mean(axis=0) - rests.force_bias
-    after = force[end : end + beside].mean(axis=0) - rests.force_bias
     shown = np.linspace(0, len(angles) - 1, POINTS).round().astype(int)
     return {
         "estimate": recorded_turn_estimate(angles, n),
+        "by_sections": recorded_turn_estimate(angles[cut], n),
         "with_bias": recorded_turn_estimate(raw, n),
         "integral": angles.sum(axis=0),
         "error": to_rotation_vector(attitude[-1]),
-        "tilt": np.arctan2(norm(np.cross(before, after)), before @ after),
         "duration": np.array(len(angles) * log.interval),
         "path": tilts[shown],
         "added": np.cumsum(angles, axis=0)[shown][:, across],

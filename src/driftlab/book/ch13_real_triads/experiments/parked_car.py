@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
-from scipy.stats import chi2, f
+from scipy.stats import chi2, f, pearsonr
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.checks import FloatArray
@@ -168,6 +168,9 @@ def spread(headings: FloatArray) -> Spread:
 def chance_of_ratio(first: float, second: float, freedom: int) -> float:
     """Chance that one true deviation gives two samples whose deviations differ by such a factor.
 
+    For samples that have nothing to do with each other; for two methods on the same stretches there
+    is `chance_of_paired_ratio`.
+
     Parameters
     ----------
     first, second : float
@@ -177,3 +180,13 @@ def chance_of_ratio(first: float, second: float, freedom: int) -> float:
     """
     ratio = max(first / second, second / first) ** 2
     return float(2 * f.sf(ratio, freedom, freedom))
+
+
+def chance_of_paired_ratio(first: FloatArray, second: FloatArray) -> float:
+    """Chance that pairs with one true deviation show so different ones, by Pitman and Morgan.
+
+    The covariance of sums and differences is the difference of the variances, whatever the two have
+    in common. Pairs are normal, and as many as the headings (n,) of each.
+    """
+    pairs = wrap_angle(np.stack([first, second]) - first[0])
+    return float(pearsonr(pairs[0] + pairs[1], pairs[0] - pairs[1]).pvalue)

@@ -47,16 +47,20 @@ def _parked_car_caption(data: experiments.ParkedCar) -> str:
 
 def _allan_caption(data: lines.AllanLines) -> str:
     walks = [np.degrees(part.terms[1]) * np.sqrt(hour) for part in (data.cheap, data.dear)]
+    forward = np.degrees(data.forward) * np.sqrt(hour)
     bound = data.cheap.bounds[2] / (degree / hour)
     return (
         "Allan deviation of two gyros at rest, with 68 % intervals and the noise terms that fit. "
         f"The cheap one walks by {walks[0]:.1f} degrees in the root of an hour; nine seconds "
         f"only say that its bias instability is below {bound:.0f} degrees per hour (dashes: upper "
-        f"bounds). The dear one walks by {walks[1]:.3f}. Its line of slope −1 stands for an angle "
-        f"that is off by {data.dear.terms[0] / arcsecond:.1f} arc seconds and does not add up: "
-        f"not its pulses of {lines.PULSE / arcsecond:.1f}, but the car, which rocks by "
+        "bounds). The dear one's line of slope −1 stands for an angle that is off by "
+        f"{data.dear.terms[0] / arcsecond:.1f} arc seconds and does not add up: not the rounding "
+        f"of its pulses, {lines.ROUNDING / arcsecond:.3f}, but the car, which rocks by "
         f"{data.rocking / arcsecond:.1f}. Without that line the best fit misses a point by a "
-        f"factor of {data.missed[0]:.1f}, with it by {data.missed[1]:.1f}. "
+        f"factor of {data.missed[0]:.1f}, with it by {data.missed[1]:.1f}. The other line, "
+        f"a walk by {walks[1]:.3f}, bounds the gyro from above and is no finding about it: the "
+        f"same fit has {forward[0]:.3f} for the forward gyro beside it, to which the headings of "
+        f"the car allow no more than {forward[1]:.4f}; that line is the car, leaning slowly. "
         f"{_credit('mpu9150-1')} {_credit('laser-gyro')}"
     )
 
@@ -73,11 +77,14 @@ FIGURES = (
             "degrees (open marks). As a rotation they go round a circle and come back to "
             f"{np.degrees(np.abs(data.path[:, -1])).max():.1f} degrees of where they began "
             "(filled): what stands across the axis adds up to nothing. What is left along the "
-            f"axis is Larin's estimate, {', '.join(f'{x:.5f}' for x in data.estimate)}; "
-            "Ferraris's diagonal from the same turns differs by at most "
-            f"{np.abs(data.estimate - data.ferraris).max():.0e}. On the right, by how much each "
-            "source may move an estimate; the heading at the end no sensor saw, and it is taken to "
-            f"be as good as the tilt. {_credit('ferraris-session')}"
+            f"axis is Larin's estimate, {', '.join(f'{x:.5f}' for x in data.estimate)}, from rest "
+            "to rest. The publishers' sections are shorter and move it by up to "
+            f"{_up(data.estimate - data.by_sections)}; from these Ferraris's diagonal "
+            f"differs by at most {_up(data.by_sections - data.ferraris)}: the two "
+            "share their cut. On the right, by how much each source may move an estimate; the "
+            "heading at the end no sensor saw, and a standard deviation of "
+            f"{np.degrees(experiments.STOP):.1f} degrees is assumed for it. "
+            f"{_credit('ferraris-session')}"
         ),
         from_columns(experiments.HandTurns),
         ("ferraris-session",),
@@ -113,11 +120,11 @@ FIGURES = (
             "With unit "
             f"{experiments.ODD + 1} the rule also finds a rest of "
             f"{data.pause[1] - data.pause[0]:.0f} samples in a hand that still settles; without it "
-            f"what is left falls from {np.degrees(data.residual[0, experiments.ODD]):.2f} to "
+            f"what is left falls from {np.degrees(data.residual[1, experiments.ODD]):.2f} to "
             f"{np.degrees(data.residual[2, experiments.ODD]):.2f} degrees, and the matrix moves by "
-            f"{data.difference[2, experiments.ODD]:.4f}, which is "
-            f"{data.difference[2, experiments.ODD] / data.deviation[0, experiments.ODD].max():.1f} "
-            "times the largest deviation of the fit with it. "
+            f"{data.moved.max():.4f}: entry by entry up to {data.moved_in_deviations[0]:.1f} "
+            "standard deviations of the fit with that rest, and "
+            f"{data.moved_in_deviations[1]:.1f} of the fit without. "
             f"{_credit(experiments.UNITS[0])}"
         ),
         from_columns(experiments.FiveUnits),

@@ -12,7 +12,7 @@ from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style, long_
 from driftlab.checks import FloatArray
 from driftlab.noise_terms import TERMS, NoiseTerms
 
-from ..experiments.allan_lines import CHEAP_FROM, DEAR_FROM, PULSE, AllanLines, Lines
+from ..experiments.allan_lines import CHEAP_FROM, DEAR_FROM, PULSE, ROUNDING, AllanLines, Lines
 
 LABELS = {
     "quantisation": "slope −1",
@@ -36,6 +36,7 @@ def columns(data: AllanLines) -> dict[str, Any]:
             curves[f"{gyro}: {name} over term"] = (np.arange(5.0), getattr(lines, name))
     curves["dear: missed without and with slope -1"] = (np.arange(2.0), data.missed.round(5))
     curves["dear: rocking, rad"] = (np.zeros(1), np.array([data.rocking]))
+    curves["forward: walk by fit, at most by headings"] = (np.arange(2.0), data.forward)
     return long_table(curves)
 
 
@@ -57,6 +58,7 @@ def restore(table: Mapping[str, list[str]]) -> AllanLines:
         lines("dear"),
         y[curve == "dear: missed without and with slope -1"],
         float(y[curve == "dear: rocking, rad"][0]),
+        y[curve == "forward: walk by fit, at most by headings"],
     )
 
 
@@ -67,11 +69,11 @@ def draw(data: AllanLines) -> Figure:
     panels = figure.subplots(1, 2, sharey=True)
     figure.subplots_adjust(0.075, 0.115, 0.985, 0.93, wspace=0.05)
     _panel(panels[0], data.cheap, CHEAP_FROM)
-    _panel(panels[1], data.dear, DEAR_FROM)
+    _panel(panels[1], data.dear, DEAR_FROM, angle_random_walk="slope −½")
     panels[0].set(title="a cheap gyro: MPU-9150, 9 seconds at rest", ylabel="Allan deviation, °/h")
     panels[1].set(title="a dear one: laser gyro, 440 seconds on a parked car")
     times = np.array([0.01, 110.0])
-    pulse = NoiseTerms(quantisation=PULSE / np.sqrt(12)).deviation(times) / UNIT
+    pulse = NoiseTerms(quantisation=ROUNDING).deviation(times) / UNIT
     panels[1].plot(times, pulse, color=GREY, linestyle=":")
     panels[1].text(0.0125, 1.3, f"rounding of its pulses of {PULSE / arcsecond:.1f}″",
                    color=GREY, fontsize=8, rotation=-43, rotation_mode="anchor")  # fmt: skip
@@ -82,8 +84,9 @@ def draw(data: AllanLines) -> Figure:
     return figure
 
 
-def _panel(panel: Axes, lines: Lines, begin: float) -> None:
+def _panel(panel: Axes, lines: Lines, begin: float, **names: str) -> None:
     """Points with their intervals, lines that are seen, and bounds of those that are not."""
+    labelled = LABELS | names
     panel.set(xscale="log", yscale="log", xlim=(0.008, 20000), ylim=(0.004, 3000))
     panel.set(xlabel="averaging time, s")
     fitted = lines.times >= begin
@@ -109,7 +112,7 @@ def _panel(panel: Axes, lines: Lines, begin: float) -> None:
             color = SERIES[i]["color"]
             style = {"linestyle": "-", "linewidth": 1.6} if seen else {"linestyle": (0, (2, 3))}
             panel.plot(wide, line, color=color, **style)
-            labels.append((line[1], LABELS[name] if seen else f"at most: {LABELS[name]}"))
+            labels.append((line[1], labelled[name] if seen else f"at most: {labelled[name]}"))
     place = 0.0
     for height, words in sorted(labels):
         place = max(place * ROOM, height)

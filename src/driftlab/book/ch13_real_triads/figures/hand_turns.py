@@ -50,8 +50,9 @@ def _draw_paths(panel: Axes, data: HandTurns) -> None:
 
 
 def _draw_worth(panel: Axes, data: HandTurns) -> None:
-    rows = [*SOURCES, "in quadrature", "Larin − Ferraris"]
-    sizes = [*data.sources.T, data.deviation, np.abs(data.estimate - data.ferraris)]
+    rows = [*SOURCES, "in quadrature", "Larin, another cut", "Larin − Ferraris"]
+    differences = (data.estimate - data.by_sections, data.by_sections - data.ferraris)
+    sizes = [*data.sources.T, data.deviation, *map(np.abs, differences)]
     panel.set(title="errors by source", xscale="log", xlim=(2e-6, 1e-2))
     panel.set(xlabel="part of a turn", ylim=(len(rows) - 0.5, -0.5))
     panel.set_yticks(range(len(rows)), rows)
