@@ -9,10 +9,10 @@ from .values import ABSENT, Rows, Values, listed, three_digits
 
 TERMS = (
     ("quantisation", "″", np.pi / 648000),
-    ("angle random walk", " °/√h", np.pi / 180 / 60),
-    ("bias instability", " °/h", np.pi / 648000),
-    ("rate random walk", " °/h/√h", np.pi / 648000 / 60),
-    ("rate ramp", " °/h²", np.pi / 648000 / 3600),
+    ("angle random walk", "°/√h", np.pi / 180 / 60),
+    ("bias instability", "°/h", np.pi / 648000),
+    ("rate random walk", "°/h/√h", np.pi / 648000 / 60),
+    ("rate ramp", "°/h²", np.pi / 648000 / 3600),
 )
 
 
@@ -31,13 +31,13 @@ def allan(values: Values) -> Rows:
     rows = []
     for (name, unit, scale), part, curve, size in zip(TERMS, parts, curves, sizes, strict=True):
         share = np.where(freedom > 5, part / np.maximum(parts.sum(axis=0), 1e-300), 0)
-        read = ABSENT
+        read = "nowhere" if size else ABSENT
         if share.max() > 0.9:
             place = share.argmax()
-            read = three_digits(found.deviation[place] / np.sqrt(curve[place]) / scale) + unit
-        rows += [(f"{name}: put in", three_digits(size) + unit), (f"{name}: read", read)]
-    rows.append(("freedom, first and last point: put in", three_digits(freedom[0])))
-    rows.append(("freedom, first and last point: read", three_digits(freedom[-1])))
+            read = three_digits(found.deviation[place] / np.sqrt(curve[place]) / scale)
+        put_in = three_digits(size) if size else ABSENT
+        rows += [(f"{name}, {unit}: put in", put_in), (f"{name}, {unit}: read", read)]
     place = found.deviation.argmin()
     height = three_digits(found.deviation[place] * 648000 / np.pi)
-    return [("lowest point", f"{height} °/h at {three_digits(t[place])} s"), *rows]
+    lowest = f"{height} °/h at {three_digits(t[place])} s" if found.deviation.any() else ABSENT
+    return [("lowest point", lowest), *rows]

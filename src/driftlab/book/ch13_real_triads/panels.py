@@ -23,7 +23,7 @@ UNITS = (
     arcsecond, degree / ROOT_HOUR, degree / hour, degree / hour / ROOT_HOUR, degree / hour / hour,
 )  # fmt: skip
 """Of the sliders, in SI units."""
-UNIT_WORDS = ("″", " °/√h", " °/h", " °/h/√h", " °/h²")
+UNIT_WORDS = ("″", "°/√h", "°/h", "°/h/√h", "°/h²")
 DECADES = (0.0, *(round(k * 10.0**power, 4) for power in range(-4, 3) for k in (1, 3)), 1000.0)
 """Places of the sliders."""
 LENGTHS = (1.0, 10.0, 60.0, 600.0, 6000.0)
@@ -76,30 +76,17 @@ class AllanExplorer(Explorer):
 
     def numbers(self, data: SimulatedAllan) -> Results:
         found = data.allan
-        coefficients = _coefficients(data.noise)
         rows = []
         for i, (words, unit) in enumerate(zip(WORDS, UNIT_WORDS, strict=True)):
-            read = _reading(data, i)
-            rows.append(
-                (
-                    words,
-                    f"{number_text(coefficients[i])}{unit}",
-                    ABSENT if np.isnan(read) else f"{number_text(read / UNITS[i])}{unit}",
-                )
-            )
+            size, read = _coefficients(data.noise)[i], _reading(data, i) / UNITS[i]
+            put_in = number_text(size) if size else ABSENT
+            shown = "nowhere" if np.isnan(read) else number_text(read)
+            rows.append((f"{words}, {unit}", put_in, shown if size else ABSENT))
         lowest = int(np.argmin(found.deviation))
-        rows.append(
-            (
-                "freedom, first and last point",
-                number_text(found.degrees_of_freedom[0]),
-                number_text(found.degrees_of_freedom[-1]),
-            )
-        )
         height = number_text(found.deviation[lowest] / UNITS[2])
+        says = f"{height} °/h at {number_text(found.averaging_times[lowest])} s"
         return Results(
-            ("lowest point", f"{height} °/h at {number_text(found.averaging_times[lowest])} s"),
-            rows,
-            ("put in", "read"),
+            ("lowest point", says if found.deviation.any() else ABSENT), rows, ("put in", "read")
         )
 
     def call(self, values: Values) -> str:

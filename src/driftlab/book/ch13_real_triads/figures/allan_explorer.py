@@ -22,11 +22,11 @@ WORDS = (
 class AllanPicture(Picture[SimulatedAllan]):
     """Points with their intervals, five lines with their names, and their sum."""
 
-    size = (9.0, 4.4)
+    size = (10.5, 3.9)
 
     def build(self) -> None:
         panel = self.figure.subplots()
-        self.figure.subplots_adjust(0.085, 0.115, 0.985, 0.94)
+        self.figure.subplots_adjust(0.075, 0.13, 0.985, 0.93)
         panel.set(xscale="log", yscale="log", xlim=(TIMES[0], TIMES[-1]), ylim=(1e-4, 1e5))
         panel.set(xlabel="averaging time, s", ylabel="Allan deviation, °/h")
         panel.set_title("simulated record, its 68 % intervals, and the lines of its noise")
@@ -39,7 +39,7 @@ class AllanPicture(Picture[SimulatedAllan]):
         self.names = [
             self.words(
                 panel,
-                fontsize=8,
+                fontsize=9,
                 color=SERIES[i]["color"],
                 va="bottom",
                 clip_on=True,
@@ -48,7 +48,12 @@ class AllanPicture(Picture[SimulatedAllan]):
             for i in range(len(TERMS))
         ]
 
+        self.silence = self.words(panel, fontsize=10, ha="center", va="center")
+        self.silence.set_position((np.sqrt(TIMES[0] * TIMES[-1]), 3.0))
+
     def update(self, data: SimulatedAllan) -> None:
+        nothing = not data.allan.deviation.any()
+        self.silence.set_text("no noise: all means are the same" if nothing else "")
         lines = data.noise.lines(TIMES)
         for name, words, line, text in zip(TERMS, WORDS, self.lines, self.names, strict=True):
             values = lines[name] / UNIT
