@@ -52,5 +52,5 @@ def draw(data: AveragingWindow) -> Figure:
                 linestyle=(":", (0, (1, 4)))[i], linewidth=1.0, label="if all of it were white",
             )  # fmt: skip
     panels[0].set_ylabel(f"spread of the heading of {data.runs} alignments, degrees")
-    panels[1].legend(loc="upper right", bbox_to_anchor=(1.0, 0.86), fontsize=8)
+    panels[0].legend(loc="lower left", fontsize=8, labelspacing=0.25, handlelength=1.6)
     return figure

@@ -45,15 +45,13 @@ def _middles(seconds: float, count: int) -> FloatArray:
 
 def _draw_unrest(panel: Axes, data: ParkedCar) -> None:
     unit = degree / hour
-    panel.set(title="unrest of the car, °/h", yscale="log", xlim=(0, 31), ylim=(0.4, 500))
+    panel.set(title="unrest of the car, °/h", yscale="log", xlim=(0, 31), ylim=(0.4, 9000))
     panel.step(_middles(UNREST, len(data.unrest)), data.unrest / unit, where="mid",
                color=GREY, linewidth=1.0)  # fmt: skip
     level = float(EARTH_RATE * np.cos(data.latitude) / unit)
-    panel.axhline(level, color=BLACK, linewidth=1.2)
-    panel.text(
-        30.7, level * 1.25, f"the Earth, across the level: {level:.1f}", ha="right", fontsize=8,
-        bbox={"color": "white", "alpha": 0.8, "pad": 0.5},
-    )  # fmt: skip
+    panel.axhline(level, color=BLACK, linewidth=1.2,
+                  label=f"level part of the Earth's rate: {level:.1f}")  # fmt: skip
+    panel.legend(loc="upper right", fontsize=8)
     panel.tick_params(labelbottom=False)
 
 
