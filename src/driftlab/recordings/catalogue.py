@@ -72,7 +72,7 @@ PUBLISHED = {
     for one in (
         PublishedSet(
             name="xsens-mti",
-            title="Xsens MTi in 38 poses held by hand",
+            title="Xsens MTi in 38 poses, moved by hand",
             description="Raw counts at 100 Hz for 512 s: the unit lies still for 45 s, and is then "
             "moved from pose to pose. Gravity as the program's example has it.",
             authors="A. Pretto, D. Tedaldi",

@@ -1,9 +1,16 @@
 """Without recordings the chapter says so once, and goes on."""
 
+from pathlib import Path
+
+import nbformat
+import numpy as np
 import pytest
 
 from driftlab.book.ch13_real_triads import at_hand
 from driftlab.recordings.publishers import PUBLISHED, RecordingUnavailable
+from support import recording_or_skip
+
+NOTEBOOK = Path(__file__).parents[3] / "notebooks" / "13_real_triads.ipynb"
 
 
 @pytest.fixture
@@ -23,13 +30,14 @@ def asked(monkeypatch):
 def test_recording_that_is_missing_is_one_sentence(asked, capsys):
     assert at_hand.at_hand("laser-gyro") is None
     assert capsys.readouterr().out.startswith("laser-gyro is not at hand; ")
-    assert at_hand.first_lines("imu0.log").startswith("imu0.log is not at hand; ")
+    assert at_hand.first_lines("imu0.log") is None
     assert asked == [("laser-gyro", False), ("imu0.log", False)]
 
 
 def test_network_is_tried_once_only(asked, capsys):
     table = at_hand.fetch_recordings()
     said = capsys.readouterr().out
+    assert said.startswith(f"{len(PUBLISHED)} of {len(PUBLISHED)} recordings are not here")
     assert said.endswith(f"{next(iter(PUBLISHED))} is not at hand.\n")
     assert said.count("\n") == 1
     assert [download for _, download in asked] == [True] + [False] * (len(PUBLISHED) - 1)
@@ -45,3 +53,12 @@ def test_what_is_at_hand_is_listed_with_its_licence(monkeypatch, capsys):
     assert capsys.readouterr().out == ""
     assert [row[0] for row in table.rows[1:]] == list(PUBLISHED)
     assert all(row[-2:] == ("12 s", "yes") and row[3] for row in table.rows[1:])
+
+
+def test_kept_words_are_what_the_cells_say(capsys):
+    recording_or_skip("mpu9150-1")
+    cells = {cell.id: cell.source for cell in nbformat.read(NOTEBOOK, as_version=4).cells}
+    names = {"np": np}
+    for number, what in ((2, "lines"), (4, "doubts"), (6, "rests")):
+        exec(cells[f"13-a-log-comes-in-{number}"], names)
+        assert at_hand.kept_words(what).endswith(f"\n\n{capsys.readouterr().out.strip()}"), what

@@ -7,9 +7,9 @@ SCALES = np.diag([0.000209, 0.000210, 0.000209])
 
 WRONG = {
     "13.1": [
-        ([-9.97, -3.49], "do not add up"),
-        ([-369.97, -3.49], "a whole turn of it is true"),
-        ([9.99, 0.094], "negative sense"),
+        ([-7.20, 6.40], "do not add up"),
+        ([-367.20, 6.40], "a whole turn of it is true"),
+        ([7.255, -0.126], "negative sense"),
         ([0, 0], "About x more is left"),
     ],
     "13.2": [

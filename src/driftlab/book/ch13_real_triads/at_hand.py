@@ -1,9 +1,13 @@
 """Whether the recordings of chapter 13 are on this computer, and one sentence if they are not.
 
-The figures of the chapter stand in for what is missing, so nothing here is an error.
+The figures of the chapter and a few kept words stand in for what is missing, so nothing here is an
+error.
 """
 
 from __future__ import annotations
+
+import tomllib
+from importlib.resources import files
 
 from driftlab.recordings.publishers import (
     PUBLISHED,
@@ -16,6 +20,7 @@ from driftlab.recordings.recording import Recording
 from ..machinery.table import Table
 
 _MISSING = "{} is not at hand; 'The recordings', at the beginning, says how to get it."
+_KEPT = tomllib.loads(files(__package__).joinpath("kept_words.toml").read_text("utf-8"))
 
 
 def at_hand(name: str) -> Recording | None:
@@ -47,13 +52,28 @@ def fetch_recordings() -> Table:
             why = why or str(reason)
         here = "no" if length == "–" else "yes"
         rows.append((name, one.title, one.source, one.licence, length, here))
-    if why:
-        print(f"Not all recordings are here; the book's own figures stand in for them. {why}")
+    missing = sum(row[-1] == "no" for row in rows)
+    if missing:
+        print(
+            f"{missing} of {len(PUBLISHED)} recordings are not here; the book's own figures stand "
+            f"in for them. {why}"
+        )
     return Table(rows)
 
 
-def first_lines(file: str, count: int = 3) -> str:
-    """Return the first lines of a published file, or a sentence that it is not here.
+def kept_words(cell: str) -> str:
+    """Return what a cell shows of `mpu9150-1`, kept for a reader without the recording.
+
+    Parameters
+    ----------
+    cell : {"lines", "doubts", "rests"}
+        Which.
+    """
+    return f"With the recording this cell says:\n\n{_KEPT[cell].strip()}"
+
+
+def first_lines(file: str, count: int = 3) -> str | None:
+    """Return the first lines of a published file, or None if it is not here.
 
     Parameters
     ----------
@@ -66,4 +86,4 @@ def first_lines(file: str, count: int = 3) -> str:
         with published_file(file, download=False).open(encoding="utf-8") as text:
             return "".join(line for line, _ in zip(text, range(count), strict=False)).rstrip()
     except RecordingUnavailable:
-        return _MISSING.format(file)
+        return None

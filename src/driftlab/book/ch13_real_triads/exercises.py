@@ -10,7 +10,7 @@ from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
 from driftlab.noise_terms import NoiseTerms
 
-ADDED_UP = (-369.97, 0.16, -3.49)
+ADDED_UP = (-367.20, 0.15, 6.40)
 """Of 13.1: what three gyros add up to in one turn by hand, degrees."""
 
 THERE, BACK = (364.20, 12.0), (-356.05, 15.0)
@@ -101,7 +101,7 @@ EXERCISES: dict[str, Exercise] = {
             "About z that is nearly so. About x more is left than nothing: the gyro has said more "
             "than a whole turn.": lambda: np.zeros(2),
         },
-        remark="The recording from which the three angles are taken has the same, to a tenth.",
+        remark="Compare the three turns of the chapter, and how steady a hand must be for this.",
     ),
     "13.2": Value(
         kind="compute",
