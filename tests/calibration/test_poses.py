@@ -15,6 +15,7 @@ from driftlab.calibration.poses import POSE_AXES, calibrate_by_poses
 from driftlab.core.poses import UNKNOWNS, PoseModel, Poses
 from driftlab.core.quaternion import conjugate
 from driftlab.drift import turn_estimate
+from driftlab.earth import EARTH_RATE
 from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise, PriorDeviations
 from driftlab.increments import Increments, measure
 from driftlab.quaternion import rotate
@@ -148,17 +149,28 @@ def test_derivatives_are_those_of_the_residuals():
 RUNS = 30
 
 
+def with_earth(true, rng):
+    """The same on an Earth that turns about an axis of any direction."""
+    rate = rng.standard_normal(3)
+    rate *= EARTH_RATE / np.linalg.norm(rate)
+    attitude = integrate(true.angle, "memory-4")
+    return true._replace(angle=true.angle + rotate(conjugate(attitude), rate) / RATE)
+
+
 @cache
-def trials():
-    """Errors in their deviations (RUNS, 21), and chi-square by freedom of each kind, summed."""
+def trials(noise):
+    """Errors in their deviations (RUNS, 21), chi-square and freedom of the kinds, errors of the bias.
+
+    The Earth turns. Its rate is as large as the noise of a rest's mean, or thirty times larger.
+    """
     true, rows = by_hand()
     errors = unit(4)
     truth = in_axes(errors, "accelerometers")
     rng = np.random.default_rng(8)
-    scaled, squares, freedoms = [], np.zeros(3), np.zeros(3)
+    scaled, squares, freedoms, bare = [], np.zeros(3), np.zeros(3), []
     for _ in range(RUNS):
-        record = log(measure(true, errors, NOISE, rng))
-        found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE)
+        record = log(measure(with_earth(true, rng), errors, noise, rng))
+        found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=noise)
         wrong = (FULL.state(found.imu_errors) - FULL.state(truth))[6:]
         free = found.covariance.diagonal() > 0
         root = np.linalg.cholesky(found.covariance[np.ix_(free, free)])
@@ -166,17 +178,30 @@ def trials():
         tests = list(found.consistency.values())
         squares += [test.chi_square for test in tests]
         freedoms += [test.freedom for test in tests]
-    return np.array(scaled), squares, freedoms
+        bare.append(found.imu_errors.gyro_bias - truth.gyro_bias)
+    return np.array(scaled), squares, freedoms, np.array(bare)
 
 
-def test_errors_are_as_large_as_the_covariance_says():
-    scaled, _, _ = trials()
+GOOD_GYROS = ImuNoise(angle_random_walk=3e-6, velocity_random_walk=1e-4)
+noises = pytest.mark.parametrize("noise", [NOISE, GOOD_GYROS], ids=["cheap", "good"])
+
+
+@noises
+def test_errors_are_as_large_as_the_covariance_says(noise):
+    scaled, *_ = trials(noise)
     assert scaled.shape == (RUNS, 21)
     assert_normal(scaled, 1.0)
 
 
-def test_residuals_are_as_large_as_noise_makes_them():
-    _, squares, freedoms = trials()
+def test_good_gyros_have_a_bias_without_the_earth():
+    """The mean of 15 rests in any pose has a part of the Earth's rate in it, U/sqrt(45)."""
+    *_, bare = trials(GOOD_GYROS)
+    assert np.sqrt(np.mean(bare**2)) < EARTH_RATE / np.sqrt(45) / 5
+
+
+@noises
+def test_residuals_are_as_large_as_noise_makes_them(noise):
+    _, squares, freedoms, _ = trials(noise)
     for total, freedom in zip(squares, freedoms, strict=True):
         low, high = chi_bounds(round(freedom))
         assert low < total / freedom < high
@@ -263,7 +288,8 @@ def test_closed_paths_over_several_moves_add_what_gravity_does_not_show():
         calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE, closed=closed)
         for closed in ((), [(0, 4)])
     )
-    assert (with_path.deviations.gyro_error <= without.deviations.gyro_error * (1 + 1e-6)).all()
+    # Two estimates, 1e-4 apart, and each has the deviations of its own place.
+    assert (with_path.deviations.gyro_error <= without.deviations.gyro_error * (1 + 1e-4)).all()
     assert len(with_path.turn_residuals) == len(without.turn_residuals) + 1
     wrong = (with_path.imu_errors.gyro_error - truth) / with_path.deviations.gyro_error
     assert largest(wrong) < 4.9

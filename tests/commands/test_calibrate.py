@@ -62,11 +62,14 @@ def test_numbers_are_the_package_s(calibrated):
 def test_the_table_has_the_numbers_and_the_test_in_words(calibrated):
     printed, values, _ = calibrated
     scale = 100 * values["imu_errors"]["gyro_error"][0][0]
-    assert f"{scale:.4f} ± " in printed
+    spread = 100 * values["deviations"]["gyro_error"][0][0]
+    digits = 1 - int(np.floor(np.log10(spread)))  # two of the deviation's
+    assert f"{scale:.{digits}f} ± {spread:.{digits}f}" in printed
     assert "0 by axes" in printed
     assert "Does noise explain what is left?" in printed
-    # The Earth turns under moves that so good a gyro feels.
-    assert "what is left of the moves is no more" in printed
+    # The Earth turns under moves that so good a gyro feels, and is no excess.
+    assert values["consistency"]["moves"]["excess"] == 0.0
+    assert "one of unknown direction" in " ".join(printed.split())
     assert "As imu-tk has it" in printed
 
 

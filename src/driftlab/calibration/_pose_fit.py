@@ -159,8 +159,8 @@ class _Weights:
         self.sizes = None if sizes is None else sizes[free]
         self.kinds = (model.rests, model.moves, model.rates)
         model.face(unknowns)
-        none = Variances(*(np.zeros_like(part) for part in variances))
-        ones = Variances(*(np.ones_like(part) for part in variances))
+        none = Variances(*(0 * part for part in variances))
+        ones = Variances(*(0 * part + 1 for part in variances))
         self._noise = model.covariance(unknowns, variances)
         self._units = [
             model.covariance(unknowns, none._replace(force=ones.force)),

@@ -6,6 +6,7 @@ import numpy as np
 
 from driftlab.checks import FloatArray, checked_instance
 from driftlab.core.poses import Poses, Variances
+from driftlab.earth import EARTH_RATE
 from driftlab.imu import ImuNoise
 from driftlab.recordings.recording import Recording
 
@@ -37,7 +38,8 @@ def noise_of_rests(
     Returns
     -------
     variances : driftlab.core.poses.Variances
-        Of means that are as good as those over half a second let expect.
+        Of means that are as good as those over half a second let expect; and of the Earth's rate,
+        about whose direction nothing is known.
     colour : (float, float)
         Of gyros and accelerometers: variance of these means, as a multiple of that of white noise.
 
@@ -64,6 +66,7 @@ def noise_of_rests(
             np.maximum(force / lengths, (_LEAST * poses.gravity) ** 2),
             np.maximum(rate / lengths, _LEAST**2),
             np.maximum(per_increment * np.diff(poses.edges), _LEAST**2),
+            EARTH_RATE**2 / 3,  # of known size, in any direction
         ),
         (rate_colour, force_colour),
     )

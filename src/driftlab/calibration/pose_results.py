@@ -133,12 +133,12 @@ class PoseCalibration:
 
     @property
     def earth_turn(self) -> float:
-        """The most that the Earth turned over a move, which the fit leaves out.
+        """The most that the Earth turned over a move, which is in `turn_residuals`.
 
         Returns
         -------
         float
-            rad; to be held against `turn_residuals`.
+            rad. The weights of the fit count it, as one rate of unknown direction.
         """
         return EARTH_RATE * self.longest_move
 
@@ -162,7 +162,7 @@ class PoseCalibration:
         return "\n".join(
             [
                 *sentences,
-                f"The Earth is left out: it turns by at most {np.degrees(self.earth_turn):.2g} "
-                "degrees over a move.",
+                f"The Earth turns by at most {np.degrees(self.earth_turn):.2g} degrees over a "
+                "move; it is in the residuals, and noise as counted here has it in it.",
             ]
         )

@@ -158,15 +158,10 @@ def _in_words(fit: PoseCalibration, found: Rests) -> list[str]:
         words.append("Noise explains what is left.")
     words.append(
         f"Gravity was taken for {fit.gravity:.6g} m/s^2. In the longest move the Earth turned by "
-        f"{written(fit.earth_turn / arcminute, digits=2)} arcmin, which the fit leaves out"
-        f"{'; what is left of the moves is no more.' if _by_earth(fit) else '.'}"
+        f"{written(fit.earth_turn / arcminute, digits=2)} arcmin: the weights count its rate as "
+        "one of unknown direction."
     )
     return words
-
-
-def _by_earth(fit: PoseCalibration) -> bool:
-    """Whether the moves have too much left, but no more than the Earth may have turned."""
-    return 0 < fit.consistency["moves"].excess < fit.earth_turn
 
 
 def _doubts(fit: PoseCalibration) -> list[str]:

@@ -57,11 +57,15 @@ class Poses(NamedTuple):
 
 
 class Variances(NamedTuple):
-    """Of the noise of each component: means of force and rate (n, 3), turns over moves (n - 1,)."""
+    """Of the noise of each component: means of force and rate (n, 3), turns over moves (n - 1,).
+
+    And of each component of the Earth's rate, which is one vector through all rests and moves.
+    """
 
     force: FloatArray
     rate: FloatArray
     move: FloatArray
+    earth: float
 
 
 def matrices(
@@ -147,7 +151,8 @@ class PoseModel:
     def covariance(self, unknowns: FloatArray, variances: Variances) -> FloatArray:
         """Covariance (m, m) of the residuals that comes from the noise.
 
-        A rest's mean counts in its own residual and in those of the moves before and after it.
+        A rest's mean counts in its own residual and in those of the moves before and after it; the
+        Earth's rate in all gyros, turned into the body as the moves before have left it.
         """
         self._evaluate(unknowns)
         poses, count = self.poses, len(self.poses.force)
@@ -171,6 +176,11 @@ class PoseModel:
         noise += np.einsum("amx,m,bmx->ab", by_turn, variances.move, by_turn)
         at = np.arange(self.rates.start, self.rates.stop)
         noise[at, at] += variances.rate.ravel()
+        into_body = np.swapaxes(self._to_first, -1, -2)
+        seconds = poses.interval * np.diff(poses.edges)
+        by_earth = -np.einsum("amx,m,mxy->ay", by_turn, seconds, into_body[:-1])
+        by_earth[self.rates] = -(self._measured @ into_body).reshape(-1, 3)
+        noise += variances.earth * by_earth @ by_earth.T
         return noise
 
     def _evaluate(self, unknowns: FloatArray) -> None:
@@ -193,7 +203,8 @@ class PoseModel:
         i = poses.open
         first = np.concatenate([np.arange(count - 1), poses.closed[:, 0]])
         last = np.concatenate([np.arange(1, count), poses.closed[:, 1]])
-        gyro_inverse = np.asarray(np.linalg.inv(np.eye(3) + gyro_error), np.float64)
+        self._measured = np.eye(3) + gyro_error
+        gyro_inverse = np.asarray(np.linalg.inv(self._measured), np.float64)
         dt = poses.interval
         rest = poses.angle - dt * gyro_bias
         if poses.velocity is not None:
@@ -209,6 +220,8 @@ class PoseModel:
         by_turn = np.zeros((len(first), 3, UNKNOWNS))
         for part, values in zip((GYRO, GYRO_BIAS, SENSITIVITY), by_source, strict=False):
             by_turn[..., part] = values.reshape(len(first), 3, -1)
+        chain = cumulative_product(attitude[: count - 1])
+        self._to_first = to_matrix(np.concatenate([[[0.0, 0.0, 0.0, 1.0]], chain]))
         self._back = back = to_matrix(conjugate(attitude[i]))
         self._seen = seen = np.einsum("mij,mj->mi", back, unit[i])
         planes = self._planes
