@@ -229,7 +229,7 @@ def test_a_silent_sensor_has_no_deviation():
     found = allan_deviation(np.full(50, 0.3), 0.1)
     assert not found.deviation.any()
     assert not found.upper.any()
-    with pytest.raises(ValueError, match=r"^allan: expected at least .* above zero .*5, got 0\.$"):
+    with pytest.raises(ValueError, match=r"^allan: expected at least .* above zero .*, got 0\.$"):
         fit_noise_terms(found)
 
 
@@ -255,6 +255,24 @@ def test_bad_records_are_refused_by_name(arguments, words):
         allan_deviation(*arguments)
 
 
+@pytest.mark.parametrize("size", [1e-150, 1e-61, 1e61, 1e150, 1e200])
+def test_samples_of_a_size_that_cannot_be_are_refused(size):
+    rates = np.random.default_rng(0).normal(size=(2, 100)) * [[1.0], [size]]
+    with pytest.raises(ValueError, match=r"^samples: expected deviations between 1e-60 and 1e60"):
+        allan_deviation(rates, 0.1)
+
+
+def test_one_averaging_time_six_times_is_one():
+    rates = MIXED.samples(500, 0.1, np.random.default_rng(12))
+    found = allan_deviation(rates, 0.1, [0.1] * 6)
+    assert found.deviation.shape == (6,)
+    with pytest.raises(ValueError, match=r"^allan: .* terms, 5 different ones, got 1\.$"):
+        fit_noise_terms(found)
+    once, twice = (allan_deviation(rates, 0.1, times) for times in ([0.1, 1.0], [0.1, 1.0, 0.1]))
+    sought = ["quantisation", "angle_random_walk"]
+    assert fit_noise_terms(once, sought).terms == fit_noise_terms(twice, sought).terms
+
+
 @pytest.mark.parametrize("confidence", [0.0, 1.0, 95.0])
 def test_a_confidence_is_a_probability(confidence):
     with pytest.raises(ValueError, match=r"^confidence: expected a number between 0 and 1, got"):
@@ -267,7 +285,9 @@ def test_fits_refuse_what_they_cannot_do():
         fit_noise_terms(good)
     with pytest.raises(ValueError, match=r"^terms: expected names from quantisation.*got 'white'"):
         fit_noise_terms(good.row(0), ["white"])
-    with pytest.raises(ValueError, match=r"^allan: expected at least as many .* 5, got 2\.$"):
+    with pytest.raises(
+        ValueError, match=r"^allan: expected at least as many .* 5 different ones, got 2\.$"
+    ):
         fit_noise_terms(allan_deviation(np.arange(10.0) ** 2, 1.0, [1.0, 2.0]))
     with pytest.raises(ValueError, match=r"^allan: expected an AllanDeviation, got"):
         fit_noise_terms(good.deviation)

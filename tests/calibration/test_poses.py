@@ -159,7 +159,7 @@ def with_earth(true, rng):
 
 @cache
 def trials(noise):
-    """Errors in their deviations (RUNS, 21), chi-square and freedom of the kinds, errors of the bias.
+    """Errors in their deviations (RUNS, 21), chi-square and freedom of kinds, and bare bias errors.
 
     The Earth turns. Its rate is as large as the noise of a rest's mean, or thirty times larger.
     """

@@ -174,6 +174,16 @@ def test_allan_deviation_is_half_the_square_of_neighbouring_means_differing(nois
     assert found**2 == pytest.approx(expected, rel=1e-5)
 
 
+@pytest.mark.parametrize("count", [1, 2, 5, 30])
+def test_samples_of_the_slow_part_have_a_little_more_in_short_times(count):
+    noise = GyroNoise(0.0, 1.0, 1e4, 0.1)
+    stretches = [noise.deviation_of_mean(number) ** 2 for number in (count, 2 * count)]
+    sampled = np.sqrt(2 * (stretches[0] - stretches[1]))
+    expected = np.sqrt(1 + 1 / (2 * count**2)) * noise.allan_deviation(0.1 * count)
+    # First order in tau/T, and the digits lost in the difference of nearly equal squares.
+    assert sampled == pytest.approx(expected, rel=count * 1e-5 + 1e-9)
+
+
 def test_allan_deviation_does_not_jump_where_the_series_begins():
     noise = GyroNoise(0.0, 1.0, 1000.0)
     places = np.array([0.999999, 1.000001])

@@ -118,6 +118,38 @@ def fit(points: Points, terms: list[int]) -> tuple[FloatArray, FloatArray]:
     return squares, uncertainty
 
 
+def fit_seen(points: Points, terms: list[int]) -> tuple[list[int], FloatArray, FloatArray]:
+    """The terms above twice their deviation, at least one, their squares and their covariance.
+
+    The weakest is dropped first, and the rest fitted again.
+    """
+    kept = list(terms)
+    while True:
+        squares, uncertainty = fit(points, kept)
+        strength = [squares[i] / np.sqrt(uncertainty[i, i]) for i in kept]
+        if len(kept) == 1 or min(strength) >= 2:
+            return kept, squares, uncertainty
+        kept.pop(int(np.argmin(strength)))
+
+
+def degrees_of_freedom(
+    found: FloatArray, counts: Counts, length: int, interval: float
+) -> FloatArray:
+    """Equivalent degrees of freedom (k,) of Allan variances (k,), by the terms that fit them."""
+    # Those of a random walk, which has the fewest.
+    least = np.maximum((length - 2 * counts) / counts, 1.0)
+    seen = found > 0
+    if not seen.any():
+        return least
+    points = Points(found[seen], least[seen], counts[seen], length, interval)
+    squares, _ = fit(points, list(range(5)))
+    if not squares[:4].any():
+        return least
+    expected = term_variances(interval * counts) @ squares
+    spread = np.diagonal(covariance(squares, counts, length, interval))
+    return np.maximum(2 * expected**2 / spread, 1.0)
+
+
 def upper_bound(points: Points, squares: FloatArray, term: int, probability: float) -> float:
     """Square of a term that these variances would hardly fall short of by chance.
 

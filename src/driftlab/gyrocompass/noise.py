@@ -165,8 +165,9 @@ class GyroNoise:
                   \frac{T}{2\tau}\left(3 - 4e^{-\tau/T} + e^{-2\tau/T}\right)\right] +
                   \frac{3 Q^2}{\tau^2}
 
-        The slow part is averaged as if it were known at all times. Its sampled values are averaged
-        like this to the second order of h/T.
+        The slow part is averaged as if it were known at all times. That of its sampled values is
+        larger by the factor sqrt(1 + h^2/(2 tau^2)), if h and tau are short beside T: by 22 % at
+        one sample, 1 % at five.
 
         Examples
         --------

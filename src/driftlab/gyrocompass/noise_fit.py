@@ -82,9 +82,10 @@ def fit_gyro_noise(allan: AllanDeviation, *, quantised: bool = True) -> GyroNois
         return float(misfit), np.sqrt(squares / norms)
 
     def misfits(logarithms: FloatArray) -> FloatArray:
-        time, *sizes = np.exp(logarithms)
-        variance = curves(float(time)) @ np.square(sizes)
-        return weight * np.log(variance / found**2) / 2
+        with np.errstate(over="ignore", invalid="ignore"):  # the search takes back such steps
+            time, *sizes = np.exp(logarithms)
+            variance = curves(float(time)) @ np.square(sizes)
+            return weight * np.log(variance / found**2) / 2
 
     ends = times[0] / 2, 5 * times[-1]  # of what can be told apart from white noise or a ramp
     trials = [(*start(time), time) for time in np.geomspace(*ends, _CORRELATION_TIMES)]
