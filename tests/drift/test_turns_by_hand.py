@@ -1,5 +1,7 @@
 """Turns by hand: found among other moves, and made into numbers whose deviations are honest."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -118,3 +120,14 @@ def test_one_sense_is_refused_and_nothing_too():
         fit_hand_turns(chain(np.zeros(3), np.array([1, 1])))
     with pytest.raises(ValueError, match=r"^turns: expected whole turns, got none"):
         fit_hand_turns([])
+
+
+def test_turns_that_say_the_same_twice_are_refused_and_those_that_are_none():
+    pair = chain(np.zeros(3), np.array([1, -1]))
+    ring = [*pair, replace(pair[0], turns=2, end=2)]
+    for turns in ([pair[0], *pair], ring):
+        with pytest.raises(ValueError, match=r"^turns: expected turns of which none follows"):
+            fit_hand_turns(turns)
+    for change in ({"turns": 0}, {"seconds": 0.0}, {"seconds": np.nan}, {"end": 0}):
+        with pytest.raises(ValueError, match=r"^turns: expected whole turns that take some time"):
+            fit_hand_turns([*pair, replace(pair[0], **change)])

@@ -334,6 +334,8 @@ def test_of_an_odd_number_the_first_is_left_out():
         (lambda r: r._replace(velocity=r.velocity / 9.8), r"velocity: .* or in g\?"),
         (lambda r: r._replace(velocity=0 * r.velocity), r"velocity: expected integrals"),
         (lambda r: r._replace(angle=57.3 * r.angle), r"angle: .* 35.7 times as fast as the Earth"),
+        (lambda r: r._replace(angle=0 * r.angle), r"angle: .* moves \S+ times as fast as"),
+        (lambda r: r._replace(angle=0.1 * r.angle), r"angle: .* 0\.0623 times as fast as"),
         (lambda r: r._replace(angle=r.angle[:, :2]), r"angle: expected shape"),
         (lambda r: r._replace(interval=0.0), r"interval: expected a positive"),
     ],
@@ -342,6 +344,35 @@ def test_refusals(change, words):
     rows = still(np.array([0.0, 0.0, 0.0, 1.0]), LATITUDE, interval=0.2, count=300)
     with pytest.raises(ValueError, match=words):
         align_in_inertial_frame(change(rows), LATITUDE)
+
+
+def test_gyros_that_sleep_are_refused_and_noise_that_hides_the_earth_is_not():
+    rng = np.random.default_rng(11)
+    rows = noisy(40, rng)
+    asleep = rows.angle.copy()
+    asleep[17] = 0.0
+    with pytest.raises(ValueError, match="gravity moves"):
+        align_in_inertial_frame(rows._replace(angle=asleep), LATITUDE)
+    # A drift against the Earth's rate about North leaves a twentieth of it, which is refused as
+    # well, unless there is noise that could have done it: here one radian of the heading.
+    level = EARTH_RATE * np.cos(LATITUDE)
+    drifting = rows._replace(angle=rows.angle - 0.25 * 0.95 * level * np.array([1.0, 0.0, 0.0]))
+    with pytest.raises(ValueError, match="gravity moves"):
+        align_in_inertial_frame(drifting, LATITUDE)
+    shaken = 1 / inertial_alignment_deviation(LATITUDE, 200.0, 0.0, np.sqrt(0.25))
+    velocity = rows.velocity + shaken * np.diff(rng.standard_normal((40, 801, 3)), axis=-2)
+    found = align_in_inertial_frame(drifting._replace(velocity=velocity), LATITUDE)
+    assert found.deviation.min() > 0.2
+
+
+def test_mistakes_that_pass_are_those_of_the_notes():
+    rows = still(from_euler_angles(0.4, 0.0, 0.0), LATITUDE, interval=0.1, count=3000)
+    turned = align_in_inertial_frame(rows._replace(angle=-rows.angle), LATITUDE)
+    south = align_in_inertial_frame(rows, -LATITUDE)
+    turn = EARTH_RATE * 300.0
+    # First order in the Earth's turn; a wrong sign of the vertical rate alone leaves twice of it.
+    assert np.cos(turned.heading - 0.4 - np.pi) > np.cos(2 * turn)
+    assert abs(abs(south.heading - 0.4) - turn * np.sin(LATITUDE)) < turn**2
 
 
 def test_poles_and_bad_numbers_are_refused():

@@ -159,13 +159,12 @@ class _Weights:
         self.sizes = None if sizes is None else sizes[free]
         self.kinds = (model.rests, model.moves, model.rates)
         model.face(unknowns)
-        none = Variances(*(0 * part for part in variances))
-        ones = Variances(*(0 * part + 1 for part in variances))
+        none = Variances(0 * variances.force, 0 * variances.rate, 0 * variances.move, 0.0)
         self._noise = model.covariance(unknowns, variances)
         self._units = [
-            model.covariance(unknowns, none._replace(force=ones.force)),
-            model.covariance(unknowns, none._replace(move=ones.move)),
-            model.covariance(unknowns, none._replace(rate=ones.rate)),
+            model.covariance(unknowns, none._replace(force=none.force + 1)),
+            model.covariance(unknowns, none._replace(move=none.move + 1)),
+            model.covariance(unknowns, none._replace(rate=none.rate + 1)),
         ]
         self._factor = self._root(excess)
 

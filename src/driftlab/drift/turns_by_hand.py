@@ -234,7 +234,8 @@ def fit_hand_turns(turns: Sequence[HandTurn]) -> HandTurnFit:
     Raises
     ------
     ValueError
-        If an axis was turned about in one sense only, or there are no turns.
+        If an axis was turned about in one sense only, there are no turns, a turn has no angle or
+        takes no time, or one of them follows from others, as the same one twice.
 
     Examples
     --------
@@ -248,6 +249,9 @@ def fit_hand_turns(turns: Sequence[HandTurn]) -> HandTurnFit:
     """
     if not turns:
         raise ValueError("turns: expected whole turns, got none.")
+    for turn in turns:
+        if not (turn.turns and turn.seconds > 0 and turn.begin < turn.end):
+            raise ValueError(f"turns: expected whole turns that take some time, got {turn}.")
     axes = tuple(sorted({turn.axis for turn in turns}))
     for axis in axes:
         senses = {np.sign(turn.turns) for turn in turns if turn.axis == axis}
@@ -263,8 +267,14 @@ def fit_hand_turns(turns: Sequence[HandTurn]) -> HandTurnFit:
     rows = sorted({row for turn in turns for row in (turn.begin, turn.end)})
     stops = np.zeros((len(turns), len(rows)))
     for i, turn in enumerate(turns):
-        stops[i, rows.index(turn.end)] = 1 / angle[i]
-        stops[i, rows.index(turn.begin)] = -1 / angle[i]
+        stops[i, rows.index(turn.end)] = 1
+        stops[i, rows.index(turn.begin)] = -1
+    if np.linalg.matrix_rank(stops) < len(turns):
+        raise ValueError(
+            "turns: expected turns of which none follows from the others, got one twice, or a ring "
+            "of turns between the same stops."
+        )
+    stops /= angle[:, np.newaxis]
     root = np.linalg.cholesky(stops @ stops.T)
     weighed, right = np.linalg.solve(root, design), np.linalg.solve(root, estimates)
     found = np.linalg.lstsq(weighed, right, rcond=None)[0]
