@@ -47,6 +47,7 @@ from driftlab.drift import (
     characteristic_equation,
     closed_motion,
     error_kinematics,
+    missed_stops,
     recorded_turns,
     step_formulas,
     systematic_drift,
@@ -258,6 +259,7 @@ CASES = {
 # Tested where they belong.
 APART = {
     turns_by_hand.hand_turns,  # one record, whose rests are its own
+    missed_stops.near_turns,
     weighing_designs.fit_turns,  # its two arguments share an axis instead of broadcasting
     # Their increments must close, bent a little they do not.
     closed_motion.drift_per_motion,

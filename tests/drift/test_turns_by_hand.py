@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from driftlab.drift.missed_stops import near_turns
 from driftlab.drift.turns_by_hand import HandTurn, fit_hand_turns, hand_turns
 
 REST = np.zeros((40, 3))
@@ -36,6 +37,29 @@ def test_finds_turns_and_leaves_out_other_moves():
     assert [(each.begin, each.end) for each in found] == [(20, 160), (300, 440)]
     assert np.allclose([each.estimate for each in found], 0.01, rtol=0, atol=1e-12)
     assert np.allclose([each.seconds for each in found], 14.0)
+
+
+def test_tells_the_moves_that_nearly_were_turns():
+    there_and_back = np.concatenate([turned(0, 0, 1.0), turned(0, 0, -1.0)])
+    moves = turned(0, 330 / 360, 0), turned(0, 0, 1.01), turned(0.5, 0, 0), there_and_back
+    rows, rests = record(*moves, turned(0.2, 0, 1.0), turned(0, 0.25, 0))
+    bias = np.array([1e-4, -2e-4, 3e-4])  # up to four degrees in a move, which is no reach
+    found = near_turns(rows + bias, 0.1, rests)
+    assert [(each.axis, each.begin, each.end) for each in found] == [
+        (1, 20, 160),
+        (2, 440, 680),
+        (2, 680, 820),
+    ]
+    whole = [each.begin for each in hand_turns(rows, 0.1, rests)]
+    assert whole == [160]
+    reached = np.degrees([each.reach for each in found])
+    assert np.allclose(reached, [330, 360, 360], rtol=0, atol=1e-9)
+    ended, across = np.degrees(
+        [(each.angle, each.across) for each in near_turns(rows, 0.1, rests)]
+    ).T
+    assert np.allclose(ended, [330, 0, 360], rtol=0, atol=1e-9)
+    assert np.allclose(across, [0, 0, 72], rtol=0, atol=1e-9)
+    assert np.allclose([each.seconds for each in found], [14.0, 24.0, 14.0])
 
 
 def test_turn_about_a_pair_axis_is_found_if_it_is_looked_for():

@@ -2,6 +2,7 @@ from . import (
     characteristic_equation as characteristic_equation,
     closed_motion as closed_motion,
     error_kinematics as error_kinematics,
+    missed_stops as missed_stops,
     recorded_turns as recorded_turns,
     step_formulas as step_formulas,
     systematic_drift as systematic_drift,
@@ -26,6 +27,10 @@ from .error_kinematics import (
     error_rate_matrix as error_rate_matrix,
     error_transition_matrix as error_transition_matrix,
     rate_matrix as rate_matrix,
+)
+from .missed_stops import (
+    NearTurn as NearTurn,
+    near_turns as near_turns,
 )
 from .recorded_turns import (
     recorded_turn_estimate as recorded_turn_estimate,

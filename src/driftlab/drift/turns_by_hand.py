@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,12 +22,8 @@ from driftlab.checks import (
     positive_number,
 )
 
+from ._moves import moves, whole_turns
 from .recorded_turns import recorded_turn_estimate
-
-_TOLERANCE = 0.05
-"""By which part of a turn a move may miss whole turns about an axis, along it and across."""
-_STEADY = 0.05
-"""A rest at whose rate, as a part of the fastest in the record, the unit turns steadily."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +79,8 @@ def hand_turns(
     -------
     list of HandTurn
         In order. Moves that are no whole turns about an axis, within 5 % of their angle along it
-        and across it, are left out: somebody has put the sensor on another side.
+        and across it, are left out: somebody has put the sensor on another side, or has missed the
+        stop, which `missed_stops.near_turns` tells.
 
     Raises
     ------
@@ -105,19 +101,12 @@ def hand_turns(
     rows = finite_array(increments, "increments", 3)
     seconds = positive_number(interval, "interval")
     directions, _ = nonzero_vectors(np.eye(3) if np.size(axes) == 0 else axes, "axes")
-    stops = _without_steady_turns(rows, _checked_rests(rests, len(rows)))
     found = []
-    for first, second in pairwise(stops):
-        begin, end = int(first.sum()) // 2, int(second.sum()) // 2
-        angle = rows[begin:end].sum(axis=0) / (2 * np.pi)
-        axis = int(np.argmax(np.abs(directions @ angle)))
-        n = directions[axis]
-        along = float(angle @ n)
-        turns = round(along)
-        limit = min(_TOLERANCE * abs(turns), 0.5)
-        if not turns or abs(along - turns) > limit or np.linalg.norm(angle - along * n) > limit:
+    for begin, end, angle, still in moves(rows, rests):
+        axis, turns = whole_turns(angle, directions)
+        if not turns:
             continue
-        still = np.concatenate([rows[_middle(*rest)] for rest in (first, second)]).mean(axis=0)
+        n = directions[axis]
         rest_angle = float(still @ n)
         # A bias across the axis does harm by its square, alike in both senses; rests show it.
         turned = rows[begin:end] - (still - rest_angle * n)
@@ -133,32 +122,6 @@ def hand_turns(
             )
         )
     return found
-
-
-def _middle(begin: int, end: int) -> slice:
-    """The middle half of a rest: at its ends the hand may still be at work."""
-    quarter = (end - begin) // 4
-    return slice(begin + quarter, end - quarter)
-
-
-def _without_steady_turns(rows: FloatArray, stops: np.ndarray) -> np.ndarray:
-    """The rests whose rate is nearly that of most."""
-    means = np.array([rows[_middle(*rest)].mean(axis=0) for rest in stops]).reshape(-1, 3)
-    off = np.abs(means - np.median(means, axis=0)).max(axis=1)
-    kept: np.ndarray = stops[off < _STEADY * np.abs(rows).max()]
-    return kept
-
-
-def _checked_rests(rests: ArrayLike, count: int) -> np.ndarray:
-    stops = np.asarray(rests)
-    if stops.ndim != 2 or stops.shape[1] != 2 or stops.dtype.kind not in "iu":
-        raise ValueError(f"rests: expected whole numbers of shape (m, 2), got {rests!r}.")
-    edges = stops.ravel()
-    if len(edges) and (edges[0] < 0 or edges[-1] > count or (np.diff(edges) < 0).any()):
-        raise ValueError(f"rests: expected rows from 0 to {count} in order, got {rests!r}.")
-    if (np.diff(stops) < 4).any():
-        raise ValueError(f"rests: expected four rows or more in each, got {rests!r}.")
-    return stops
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,13 +10,16 @@ from matplotlib.figure import Figure
 from scipy.constants import degree
 
 from driftlab.checks import FloatArray
+from driftlab.drift.missed_stops import NearTurn
 from driftlab.drift.turns_by_hand import HandTurn, HandTurnFit
 
 from ..machinery.picture import GREY, SERIES, in_style, legend_above
 from ..machinery.publish import FigureDefinition, PublishedFigure
 from ..machinery.table import Table
+from .offset_two_ways import RestRates
 
 AXES = "xyz"
+DASH = "–"
 _MOST_POINTS = 3000
 """Of a line in the picture; more cannot be seen."""
 
@@ -33,18 +36,26 @@ class Log(NamedTuple):
     rests : ndarray, shape (m, 2)
         Begin and end of each rest, s.
     turns : sequence of HandTurn
+    near : sequence of NearTurn
     """
 
     seconds: FloatArray
     rates: FloatArray
     rests: FloatArray
     turns: Sequence[HandTurn]
+    near: Sequence[NearTurn]
 
 
 def turns_picture(
-    increments: FloatArray, interval: float, rests: FloatArray, turns: Sequence[HandTurn]
+    increments: FloatArray,
+    interval: float,
+    rests: FloatArray,
+    turns: Sequence[HandTurn],
+    near: Sequence[NearTurn] = (),
 ) -> PublishedFigure:
     """Draw the rates of a log over time, with its rests as bands and its turns by number.
+
+    Moves that nearly were turns have a question mark.
 
     Parameters
     ----------
@@ -56,6 +67,8 @@ def turns_picture(
         Rows.
     turns : sequence of HandTurn
         As `driftlab.drift.turns_by_hand.hand_turns` found them.
+    near : sequence of NearTurn
+        As `driftlab.drift.missed_stops.near_turns` found them.
     """
     step = max(1, len(increments) // _MOST_POINTS)
     seconds = interval * np.arange(len(increments), dtype=np.float64)[::step]
@@ -64,16 +77,19 @@ def turns_picture(
         increments[::step] / interval,
         interval * np.asarray(rests, dtype=float),
         turns,
+        near,
     )
     return PublishedFigure(FigureDefinition("lab-turns", lambda: log, _draw, None, _caption), log)
 
 
 def _caption(log: Log) -> str:
     names = ", ".join(f"{'+' if t.turns > 0 else '−'}{AXES[t.axis]}" for t in log.turns)
+    missed = "one move" if len(log.near) == 1 else f"{len(log.near)} moves"
     return (
         f"What the three gyros said in {log.seconds[-1]:.0f} seconds. The bands are the "
         f"{len(log.rests)} stretches that count as rests. Between them are {len(log.turns)} "
         f"whole turns: {names or 'none'}."
+        + (f" At a question mark is what nearly was one: {missed}." if log.near else "")
     )
 
 
@@ -87,21 +103,26 @@ def _draw(log: Log) -> Figure:
     for name, style, rates in zip(AXES, SERIES, log.rates.T / degree, strict=False):
         panel.plot(log.seconds, rates, **style, linewidth=1.2, label=f"about {name}")
     highest = 1.18 * np.abs(log.rates).max() / degree
-    interval = [t.seconds / (t.end - t.begin) for t in log.turns]
-    for number, (turn, second) in enumerate(zip(log.turns, interval, strict=True), 1):
-        middle = second * (turn.begin + turn.end) / 2
-        panel.text(middle, 0.97 * highest, str(number), ha="center", va="top", fontsize=9)
+    marks = [*map(str, range(1, len(log.turns) + 1)), *("?" for _ in log.near)]
+    moves: list[HandTurn | NearTurn] = [*log.turns, *log.near]
+    for move, mark in zip(moves, marks, strict=True):
+        middle = move.seconds / (move.end - move.begin) * (move.begin + move.end) / 2
+        panel.text(middle, 0.97 * highest, mark, ha="center", va="top", fontsize=9)
     panel.set(xlabel="time, s", ylabel="rate, deg/s", ylim=(-highest, highest))
     panel.set_xlim(log.seconds[0], log.seconds[-1])
     legend_above(panel, ncols=3)
     return figure
 
 
-def turns_table(turns: Sequence[HandTurn]) -> Table:
-    """A row for each turn: axis, sense, time, and what the gyro along the axis says too much."""
+def turns_table(turns: Sequence[HandTurn], near: Sequence[NearTurn] = ()) -> Table:
+    """A row for each turn: axis, sense, time, and what the gyro along the axis says too much.
+
+    Moves that nearly were turns have a row too, with what they missed by.
+    """
     head = ("turn", "about", "sense", "time", "Larin's estimate", "the same in degrees a turn")
     rows = [
         (
+            turn.begin,
             str(number),
             AXES[turn.axis],
             "counter-clockwise" if turn.turns > 0 else "clockwise",
@@ -111,26 +132,62 @@ def turns_table(turns: Sequence[HandTurn]) -> Table:
         )
         for number, turn in enumerate(turns, 1)
     ]
-    return Table([head, *rows])
+    rows += [
+        (move.begin, "?", AXES[move.axis], _missed(move), f"{move.seconds:.1f} s", DASH, DASH)
+        for move in near
+    ]
+    return Table([head, *(row[1:] for row in sorted(rows))])
 
 
-def result_table(fit: HandTurnFit, turns: Sequence[HandTurn]) -> Table:
+def _missed(move: NearTurn) -> str:
+    angle, across, reach = (f"{x / degree:.0f}°" for x in (move.angle, move.across, move.reach))
+    way = f"reached {reach}, " if move.reach - abs(move.angle) > np.pi / 2 else ""
+    return f"left out: {way}ended at {angle}, {across} across"
+
+
+def stop_sentence(fit: HandTurnFit) -> str:
+    """How well the hand stops, or that no turn is left to tell it by."""
+    if fit.degrees_of_freedom == 0:
+        return "no turn more than unknowns: how well you stop cannot be told"
+    return (
+        f"you stop to ± {fit.stop_deviation / degree:.2f}° (one standard deviation)\n"
+        f"turns more than unknowns: {fit.degrees_of_freedom}"
+    )
+
+
+def result_table(fit: HandTurnFit, turns: Sequence[HandTurn], at_rest: RestRates) -> Table:
     """What is handed in: Larin's numbers with their intervals, and the offset in two ways."""
     head = ("axis", "turns", "Larin's number", "95 %", "offset by senses", "offset by rests")
     sigma_widths, offset_widths = fit.half_widths()
-    rows = []
-    for place, axis in enumerate(fit.axes):
-        own = [turn for turn in turns if turn.axis == axis]
-        at_rest = np.mean([turn.rest_rate for turn in own]) / degree
-        offset, half = fit.offset[place] / degree, offset_widths[place] / degree
-        rows.append(
-            (
-                AXES[axis],
-                str(sum(abs(turn.turns) for turn in own)),
-                f"{fit.sigma[place]:+.5f}",
-                f"± {sigma_widths[place]:.5f}",
-                f"{offset:+.3f} ± {half:.3f} °/s",
-                f"{at_rest:+.3f} °/s",
-            )
+    rows = [
+        (
+            AXES[axis],
+            str(sum(abs(turn.turns) for turn in turns if turn.axis == axis)),
+            f"{fit.sigma[place]:+.5f}",
+            _half_width(sigma_widths[place], 5),
+            _rate(fit.offset[place], offset_widths[place]),
+            _rate(at_rest.offset[place], at_rest.half_widths()[place]),
         )
+        for place, axis in enumerate(fit.axes)
+    ]
     return Table([head, *rows])
+
+
+def rests_table(at_rest: RestRates) -> Table:
+    """What each gyro says in the rests of each axis, in the mean: one row to an axis."""
+    head = ("rests while turned about", "how many", *(f"gyro {axis} says" for axis in AXES))
+    rows = [
+        (AXES[axis], str(len(rates)), *(f"{each:+.3f} °/s" for each in rates.mean(axis=0) / degree))
+        for axis, rates in zip(at_rest.axes, at_rest.rates, strict=True)
+    ]
+    return Table([head, *rows])
+
+
+def _rate(value: float, half_width: float) -> str:
+    told = f" {_half_width(half_width / degree, 3)}" if np.isfinite(half_width) else ""
+    return f"{value / degree:+.3f}{told} °/s"
+
+
+def _half_width(half: float, digits: int) -> str:
+    """With its sign, or a dash if no turn is left to tell it by."""
+    return f"± {half:.{digits}f}" if np.isfinite(half) else DASH
