@@ -26,10 +26,11 @@ class NearTurn(NamedTuple):
     axis : int
         The one that it went farthest about.
     angle : float
-        About the axis when it had ended, rad.
+        About the axis when it had ended, rad, as the gyros say it: with their bias, by which a turn
+        can be left out too.
     reach : float
-        Between the two farthest angles about the axis on the way, rad: a turn there and back
-        without a rest has none left, but reached a turn.
+        Between the two farthest angles about the axis on the way, rad, without bias: a turn there
+        and back without a rest has none left, but reached a turn.
     across : float
         Angle across the axis when it had ended, rad.
     begin, end : int

@@ -87,10 +87,10 @@ def test_a_missed_stop_has_a_row_and_a_question_mark():
     stops = np.array([[0, 20], [100, 120], [200, 220]])
     turns, near = hand_turns(rows, 0.1, stops), near_turns(rows, 0.1, stops)
     _, missed, turn = turns_table(turns, near).rows
-    assert missed == ("?", "y", "left out: ended at 330°, 0° across", "10.0 s", DASH, DASH)
+    assert missed == ("?", "y", "left out: the gyros say 330°, 0° across", "10.0 s", DASH, DASH)
     assert turn[:2] == ("1", "z")
     picture = turns_picture(rows, 0.1, stops, turns, near)
-    assert picture.caption.endswith("nearly was one: one move.")
+    assert picture.caption.endswith("The question mark is at a move that nearly was a turn.")
     assert picture.svg().startswith(b"<?xml")
 
 

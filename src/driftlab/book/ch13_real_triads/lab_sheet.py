@@ -84,12 +84,17 @@ def turns_picture(
 
 def _caption(log: Log) -> str:
     names = ", ".join(f"{'+' if t.turns > 0 else '−'}{AXES[t.axis]}" for t in log.turns)
-    missed = "one move" if len(log.near) == 1 else f"{len(log.near)} moves"
+    missed = {
+        0: "",
+        1: " The question mark is at a move that nearly was a turn.",
+    }.get(
+        len(log.near), f" The {len(log.near)} question marks are at moves that nearly were turns."
+    )
     return (
         f"What the three gyros said in {log.seconds[-1]:.0f} seconds. The bands are the "
         f"{len(log.rests)} stretches that count as rests. Between them are {len(log.turns)} "
         f"whole turns: {names or 'none'}."
-        + (f" At a question mark is what nearly was one: {missed}." if log.near else "")
+        f"{missed}"
     )
 
 
@@ -142,7 +147,7 @@ def turns_table(turns: Sequence[HandTurn], near: Sequence[NearTurn] = ()) -> Tab
 def _missed(move: NearTurn) -> str:
     angle, across, reach = (f"{x / degree:.0f}°" for x in (move.angle, move.across, move.reach))
     way = f"reached {reach}, " if move.reach - abs(move.angle) > np.pi / 2 else ""
-    return f"left out: {way}ended at {angle}, {across} across"
+    return f"left out: {way}the gyros say {angle}, {across} across"
 
 
 def stop_sentence(fit: HandTurnFit) -> str:
