@@ -58,6 +58,7 @@ from driftlab.drift import (
 from driftlab.gyrocompass import (
     alignment,
     heading_error,
+    horizon_noise,
     inertial_alignment,
     levelling,
     noise,
@@ -194,7 +195,7 @@ CASES = {
     heading_error.coriolis_correction: {"latitude": LATITUDE, "velocity": LEVEL},
     noise.GyroNoise().allan_deviation: {"averaging_times": TIME},
     NoiseTerms(1e-6, 1e-5).deviation: {"averaging_times": TIME},
-    fixed(noise.swing_deviation, angle_random_walk=1e-6, gravity=9.8): {"time": TIME},
+    fixed(horizon_noise.swing_deviation, angle_random_walk=1e-6, gravity=9.8): {"time": TIME},
     heading_error.heading_error_of_attitude: {
         "attitude_error": RATE,
         "heading": TIME,

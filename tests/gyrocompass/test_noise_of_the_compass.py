@@ -7,8 +7,8 @@ from scipy.linalg import solve_continuous_lyapunov
 
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.gains import damped_gains, schuler_gains
+from driftlab.gyrocompass.horizon_noise import settled_deviation, swing_deviation
 from driftlab.gyrocompass.levelling import LevelFrame, propagate_level_frame
-from driftlab.gyrocompass.noise import settled_deviation, swing_deviation
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import static_imu
 from support import EPS

@@ -2,6 +2,7 @@ from . import (
     alignment as alignment,
     gains as gains,
     heading_error as heading_error,
+    horizon_noise as horizon_noise,
     inertial_alignment as inertial_alignment,
     levelling as levelling,
     noise as noise,
@@ -28,6 +29,10 @@ from .heading_error import (
     operating_heading_error as operating_heading_error,
     speed_error as speed_error,
 )
+from .horizon_noise import (
+    settled_deviation as settled_deviation,
+    swing_deviation as swing_deviation,
+)
 from .inertial_alignment import (
     InertialAlignment as InertialAlignment,
     align_in_inertial_frame as align_in_inertial_frame,
@@ -42,8 +47,6 @@ from .levelling import (
 from .noise import (
     GyroNoise as GyroNoise,
     moving_average as moving_average,
-    settled_deviation as settled_deviation,
-    swing_deviation as swing_deviation,
 )
 from .noise_fit import fit_gyro_noise as fit_gyro_noise
 from .simulation import (

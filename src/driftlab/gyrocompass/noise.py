@@ -1,4 +1,4 @@
-"""Noise of a gyro at rest, and how far a moving average and a horizon reduce it.
+"""Noise of a gyro at rest, and how far a moving average reduces it.
 
 Three parts: white noise, which averages away with the square root of the window; a slow part, a
 Gauss-Markov process, which does so only in windows much longer than its correlation time; and the
@@ -20,10 +20,8 @@ from driftlab.checks import (
     finite_array,
     finite_number,
     positive_array,
-    positive_number,
     whole_number,
 )
-from driftlab.earth import EARTH_RADIUS
 
 _SHORT = 1e-3
 """Averaging times, in correlation times, below which a series is better than the closed form."""
@@ -225,94 +223,3 @@ def moving_average(values: ArrayLike, window: int) -> FloatArray:
     sums = np.concatenate([np.zeros_like(sums[..., :1]), sums], axis=-1)
     means: FloatArray = (sums[..., length:] - sums[..., :-length]) / length
     return means
-
-
-def settled_deviation(
-    angle_random_walk: float, natural_frequency: float, damping: float = float(np.sqrt(0.5))
-) -> float:
-    """Standard deviation of the rate of a damped horizon under white gyro noise, once settled.
-
-    The rate is `LevelFrame.rate`, the integral part. The noise passes a second-order low-pass
-    filter.
-
-    Parameters
-    ----------
-    angle_random_walk : float
-        N, rad/sqrt(s).
-    natural_frequency : float
-        wn of `damped_gains`, rad/s.
-    damping : float
-        zeta of `damped_gains`, without unit.
-
-    Returns
-    -------
-    float
-        N sqrt(wn/(4 zeta)), rad/s.
-
-    Examples
-    --------
-    >>> f"{settled_deviation(1e-6, 0.01):.2e}"
-    '5.95e-08'
-    """
-    frequency = positive_number(natural_frequency, "natural_frequency")
-    ratio = positive_number(damping, "damping")
-    walk = _checked_walk(angle_random_walk)
-    return float(walk * np.sqrt(frequency / (4 * ratio)))
-
-
-def swing_deviation(
-    angle_random_walk: float, time: ArrayLike, gravity: float, radius: float = EARTH_RADIUS
-) -> FloatArray:
-    r"""Standard deviation of the rate of a Schuler-tuned horizon under white gyro noise.
-
-    The rate is `LevelFrame.rate`, from a horizon without error. Nothing damps the oscillation, so
-    it grows with the square root of the time.
-
-    Parameters
-    ----------
-    angle_random_walk : float
-        N, rad/sqrt(s).
-    time : array_like, shape (...)
-        Since the start, s.
-    gravity : float
-        g, m/s^2.
-    radius : float
-        R of the Earth, m.
-
-    Returns
-    -------
-    ndarray, shape (...)
-        rad/s.
-
-    Raises
-    ------
-    ValueError
-        If a time is negative.
-
-    Notes
-    -----
-    With the Schuler frequency ws:
-
-    .. math:: N \omega_s \sqrt{\frac{t}{2} - \frac{\sin 2 \omega_s t}{4 \omega_s}},
-              \qquad \omega_s^2 = \frac{g}{R}
-
-    Examples
-    --------
-    >>> one, four = swing_deviation(1e-6, [36000.0, 144000.0], 9.8)
-    >>> round(float(four / one), 1)
-    2.0
-    """
-    t, walk = finite_array(time, "time"), _checked_walk(angle_random_walk)
-    if t.min() < 0:
-        raise ValueError(f"time: expected times from 0 on, got {t.min():g} s.")
-    schuler = np.sqrt(positive_number(gravity, "gravity") / positive_number(radius, "radius"))
-    swing = t / 2 - np.sin(2 * schuler * t) / (4 * schuler)
-    deviation: FloatArray = walk * schuler * np.sqrt(np.maximum(swing, 0.0))
-    return deviation
-
-
-def _checked_walk(angle_random_walk: float) -> float:
-    walk = finite_number(angle_random_walk, "angle_random_walk")
-    if walk < 0:
-        raise ValueError(f"angle_random_walk: expected a number of at least 0, got {walk!r}.")
-    return walk

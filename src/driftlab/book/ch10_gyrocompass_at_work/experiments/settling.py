@@ -9,8 +9,8 @@ from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.gains import damped_gains, schuler_gains
+from driftlab.gyrocompass.horizon_noise import settled_deviation, swing_deviation
 from driftlab.gyrocompass.levelling import LevelFrame, propagate_level_frame
-from driftlab.gyrocompass.noise import settled_deviation, swing_deviation
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import from_rotation_vector, to_rotation_vector

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy.constants import arcsecond
-from scipy.signal import welch
+from scipy.signal import coherence, welch
 
 from driftlab.allan import TERMS, AllanDeviation, NoiseFit, allan_deviation, fit_noise_terms
 from driftlab.checks import FloatArray
@@ -31,7 +31,7 @@ PULSE = 0.1 * arcsecond
 ROUNDING = PULSE / np.sqrt(12)
 """Standard deviation of an angle that is rounded to whole pulses."""
 ROCKING = (0.5, 5.0)
-"""Frequencies between which a car moves on its springs, Hz."""
+"""Frequencies between which a car rocks, Hz."""
 
 
 class Lines(NamedTuple):
@@ -69,7 +69,10 @@ class AllanLines(NamedTuple):
         Largest ratio of the laser gyro's points, from `DEAR_FROM` on, to the best `GyroNoise`
         without and with a rounded angle, or the other way round.
     rocking : float
-        Standard deviation of its angle in the frequencies of a car on its springs, rad.
+        Standard deviation of its angle in the frequencies in which a car rocks, rad.
+    shared : float
+        Largest coherence (squared) of it, in these frequencies, with the forward gyro beside it:
+        what two sensors see at once is not the noise of one.
     forward : ndarray, shape (2,)
         Angle random walk of the forward gyro of the same unit, rad/√s: as the same fit to the same
         stretch has it, and the largest that its headings allow.
@@ -79,6 +82,7 @@ class AllanLines(NamedTuple):
     dear: Lines
     missed: FloatArray
     rocking: float
+    shared: float
     forward: FloatArray
 
 
@@ -101,11 +105,13 @@ def allan_lines() -> AllanLines:
     ratios = [fit.allan_deviation(later.averaging_times) / later.deviation for fit in fits]
     frequency, density = welch(np.cumsum(angle - angle.mean()), 1 / interval, nperseg=8192)
     band = (ROCKING[0] <= frequency) & (frequency < ROCKING[1])
+    _, shared = coherence(angle, forward, 1 / interval, nperseg=8192)
     return AllanLines(
         _lines(allan_deviation(*cheap), fit_noise_terms(_from(cheap, CHEAP_FROM))),
         _lines(allan_deviation(*dear), fit_noise_terms(later)),
         np.exp(np.abs(np.log(ratios)).max(axis=-1)),
         float(np.sqrt(density[band].sum() * frequency[1])),
+        float(shared[band].max()),
         np.array(
             [
                 fit_noise_terms(

@@ -36,6 +36,7 @@ def columns(data: AllanLines) -> dict[str, Any]:
             curves[f"{gyro}: {name} over term"] = (np.arange(5.0), getattr(lines, name))
     curves["dear: missed without and with slope -1"] = (np.arange(2.0), data.missed.round(5))
     curves["dear: rocking, rad"] = (np.zeros(1), np.array([data.rocking]))
+    curves["dear: coherence with the forward gyro"] = (np.zeros(1), np.array([data.shared]))
     curves["forward: walk by fit, at most by headings"] = (np.arange(2.0), data.forward)
     return long_table(curves)
 
@@ -58,6 +59,7 @@ def restore(table: Mapping[str, list[str]]) -> AllanLines:
         lines("dear"),
         y[curve == "dear: missed without and with slope -1"],
         float(y[curve == "dear: rocking, rad"][0]),
+        float(y[curve == "dear: coherence with the forward gyro"][0]),
         y[curve == "forward: walk by fit, at most by headings"],
     )
 
