@@ -1,6 +1,7 @@
 """`align`: the package's numbers, the truth of the made-up log, and warnings where they belong."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,7 +10,9 @@ from driftlab.axes import convert_vectors
 from driftlab.commands import example
 from driftlab.commands.align import find
 from driftlab.commands.example import OPTIONS
+from driftlab.commands.stillness import moved_at
 from driftlab.commands.stretches import aligned
+from driftlab.commands.trust import WITHIN, trust
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass import align
@@ -78,12 +81,71 @@ def test_without_axes_there_is_no_heading(refused, example_log):
     assert "three accelerometers" in refused(f"align {example_log} {words} --axes FRD")
 
 
-def test_an_error_that_the_latitude_shows_is_warned_of():
-    latitude = 0.7
-    wrong = found(still(bias=3 * HOUR))
-    assert any("latitude found" in warning for warning in wrong.warnings)
-    assert found(still()).warnings == ()
-    assert latitude == still().latitude
+def test_an_error_that_the_earth_s_rate_shows_is_in_the_deviation_and_warned_of():
+    wrong, right = found(still(bias=3 * HOUR)), found(still())
+    assert any("rates differ from the Earth's" in warning for warning in wrong.warnings)
+    assert right.warnings == ()
+    assert wrong.values["heading"]["deviation"] == wrong.values["heading_bias_deviation"]
+    assert right.values["heading_bias_deviation"] < 0.02 * wrong.values["heading_bias_deviation"]
+
+
+def test_errors_of_the_heading_are_as_large_as_the_earth_s_rate_shows_them():
+    """Biases in all directions: of Student's t with two degrees of freedom 0.577, 0.816, 0.950."""
+    rng = np.random.default_rng(11)
+    true, errors = still(noise=0.0, seconds=20), []
+    heading = aligned(true).whole.heading
+    for _ in range(200):
+        record = replace(true, gyro=true.gyro + 0.5 * HOUR * rng.standard_normal(3))
+        spread = aligned(record)
+        error = abs(float(spread.whole.heading - heading))
+        errors.append(error / trust(record, spread, None).of_means)
+    for deviations, share in ((1.0, 0.577), (2.0, 0.816), (WITHIN, 0.95)):
+        spread = np.sqrt(share * (1 - share) / 200)
+        assert np.mean(np.array(errors) < deviations) == pytest.approx(share, abs=3.5 * spread)
+
+
+def test_without_the_latitude_the_whole_rate_must_do():
+    record = replace(still(bias=1 * HOUR), latitude=None)
+    findings = found(record)
+    assert findings.values["heading_bias_deviation"] > 0
+    assert any(words.startswith("The one rate that can be") for words in findings.sentences)
+
+
+def test_a_unit_that_was_moved_is_told_so_first():
+    record = example.example()
+    findings = found(record)
+    assert findings.sentences[0].startswith("No heading: the unit was moved at 60 s.")
+    assert "heading" not in findings.values
+    assert moved_at(record.between(0.0, 60.0)) is None
+    assert moved_at(record.between(0.0, 0.1)) is None  # too few rows to say
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"axes": "FLU"}, "upside down"),
+        ({"axes": "DRB"}, "lies steeply"),
+        ({"latitude": -0.7}, "is minus the one told"),
+    ],
+)
+def test_axes_and_signs_that_can_hardly_be_are_warned_of(change, words):
+    assert any(words in warning for warning in found(replace(still(), **change)).warnings)
+
+
+@pytest.mark.parametrize(
+    ("factor", "words"),
+    [
+        (57.3, "degrees taken for radians?"),
+        (1 / 57.3, "radians taken for degrees?"),
+        (3600.0, "deg/h taken for deg/s?"),
+        (0.0, "No heading"),
+        (0.1, "taken the bias off already"),
+    ],
+)
+def test_a_rate_of_another_size_has_its_reason(factor, words):
+    record = still(noise=0.01 * HOUR)
+    blind = aligned(replace(record, gyro=record.gyro * factor)).blind
+    assert words in blind
 
 
 def test_a_unit_that_cannot_see_the_earth_gets_no_heading():

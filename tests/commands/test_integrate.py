@@ -77,6 +77,10 @@ def test_what_a_rest_shows_is_taken_off():
     assert Rotation.from_quat(flight.attitude[-1]).magnitude() < 1e-4
 
 
+def test_a_rest_in_which_the_unit_was_moved_is_none(refused, example_log):
+    assert refused(f"integrate {example_log} {GYROS} --still 70").endswith("moved at 60 s.")
+
+
 def test_angles_that_are_none_are_refused(run, example_log):
     code, _, err = run(f"integrate {example_log} {GYROS} --start 1,2")
     assert code == 2

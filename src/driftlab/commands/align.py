@@ -10,17 +10,18 @@ import numpy as np
 from driftlab.checks import FloatArray
 from driftlab.conventions import mirror_heading
 from driftlab.core.vectors import wrap_angle
-from driftlab.earth import EARTH_RATE, gravity
+from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.alignment import Alignment
 from driftlab.gyrocompass.inertial_alignment import InertialAlignment, align_in_inertial_frame
 from driftlab.recordings.recording import Recording
 
 from .example import OPTIONS
 from .findings import Curve, Findings, Plot, Table
-from .numbers import DEGREES, RATES, Unit, with_deviation, written
+from .numbers import DEG_PER_HOUR, DEGREES, Unit, with_deviation, written
 from .progress import Steps
 from .record import moments, record_plots
 from .stretches import STRETCHES, Spread, aligned
+from .trust import SLACK, Trust, doubts, drift_in_words, trust
 
 STEPS = 2
 EXAMPLE = (
@@ -28,9 +29,6 @@ EXAMPLE = (
     f"python -m driftlab align log.csv {OPTIONS}"
     " --axes FRD --latitude 59.9 --end 60"
 )
-DEG_PER_HOUR = RATES[1]
-LATITUDE_SLACK = np.radians(0.1)
-"""What a latitude found may differ without a word: deflections, places told roughly."""
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -44,21 +42,24 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
     step("align")
     spread = aligned(recording)
     swaying, why_not = (None, "") if spread.biased else _in_inertial_space(recording)
-    rows = [] if spread.blind else _heading_rows(spread.whole.heading, spread.deviation.heading)
+    known = trust(recording, spread, swaying)
+    rows = [] if spread.blind else _heading_rows(spread.whole.heading, known.of_means)
     rows += _level_rows(recording, spread)
     tables = [Table("From the means of the record", HEAD, tuple(rows), NOTE)]
-    sentences = [spread.blind or _in_words(spread), why_not]
+    sentences = [spread.blind or _in_words(spread, known), why_not]
     if swaying is not None:
-        tables.append(_inertial_table(swaying))
-        sentences.append(_compared(spread, swaying))
+        tables.append(_inertial_table(swaying, known))
+        sentences += _compared(spread, swaying, known)
+    if known.drift is not None:
+        sentences.append(drift_in_words(known))
     step("plots")
     return Findings(
         "Alignment at rest",
         tuple(tables),
         tuple(filter(None, sentences)),
-        tuple(_doubts(recording, spread)),
+        tuple(doubts(recording, spread, known)),
         _plots(recording, spread),
-        values=_values(spread, swaying),
+        values=_values(spread, swaying, known),
         columns=_columns(recording, spread),
     )
 
@@ -66,7 +67,8 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
 HEAD = ("", "value", "deviation", "unit")
 NOTE = (
     f"Deviations are those of a mean, from {STRETCHES} stretches of the record aligned alone; what "
-    "stays the same in all of them, as a bias of a gyro, is not in them."
+    "stays the same in all of them, as a bias of an accelerometer, is not in them. That of the "
+    "heading is the larger of this one and what the Earth's rate shows of a drift of the gyros."
 )
 
 
@@ -96,33 +98,56 @@ def _in_inertial_space(recording: Recording) -> tuple[InertialAlignment | None, 
         return None, f"Gravity in inertial space gives no heading: {error}"
 
 
-def _inertial_table(found: InertialAlignment) -> Table:
-    rows = _heading_rows(found.heading, float(found.deviation))
+def _inertial_table(found: InertialAlignment, known: Trust) -> Table:
+    rows = _heading_rows(found.heading, known.in_inertial_space)
     rows += [
-        _row("pitch, bow up", found.pitch),
-        _row("roll, right side down", found.roll),
+        _row("pitch, bow up", found.pitch, known.tilt),
+        _row("roll, right side down", found.roll, known.tilt),
         _row("level rate found", found.level_rate, None, DEG_PER_HOUR),
     ]
     note = (
-        "The base may sway; the angles are those at the end. Constant biases do what they do above."
+        "The base may sway; the angles are those at the end, with half of the record's drift in "
+        "pitch and roll. A bias turns the heading as it does that of the means."
     )
     return Table("From gravity in inertial space", HEAD, tuple(rows), note)
 
 
-def _compared(spread: Spread, found: InertialAlignment) -> str:
-    """Whether both ways give one heading."""
+def _compared(spread: Spread, found: InertialAlignment, known: Trust) -> list[str]:
+    """Whether both ways give one heading, and one level."""
     if spread.blind:
-        shown, _, _ = with_deviation(float(compass(found.heading)), float(found.deviation), DEGREES)
-        return f"By gravity in inertial space the bow points to {shown} degrees of a compass card."
+        shown, _, _ = with_deviation(
+            float(compass(found.heading)), known.in_inertial_space, DEGREES
+        )
+        return [
+            f"By gravity in inertial space the bow points to {shown} degrees of a compass card."
+        ]
     apart = abs(float(wrap_angle(found.heading - spread.whole.heading)))
     noise = float(np.hypot(found.deviation, spread.deviation.heading))
     shown = written(np.degrees(apart), digits=2)
     if apart <= 3 * noise:
-        return f"The two headings differ by {shown} degrees, which noise explains."
-    return (
-        f"The two headings differ by {shown} degrees, more than noise explains: the base has moved."
-        " Means take its turning for the Earth's; trust the heading in inertial space."
+        words = [
+            f"The two headings differ by {shown} degrees, which noise explains; a bias, common to "
+            "both, does not show in that."
+        ]
+    elif apart <= known.turn:
+        words = [
+            f"The two headings differ by {shown} degrees, more than noise explains, but no more "
+            "than a drift of the gyros may."
+        ]
+    else:
+        words = [
+            f"The two headings differ by {shown} degrees, more than noise explains: the base has "
+            "moved. Means take its turning for the Earth's; trust the heading in inertial space."
+        ]
+    tilt = max(
+        abs(float(found.pitch - spread.whole.pitch)), abs(float(found.roll - spread.whole.roll))
     )
+    if tilt > SLACK:
+        words.append(
+            f"Their levels differ by {written(np.degrees(tilt), digits=2)} degrees: the base has "
+            "leaned, or the gyros' drift has summed up. Of a base at rest believe the means."
+        )
+    return words
 
 
 def _level_rows(recording: Recording, spread: Spread) -> list[tuple[str, ...]]:
@@ -151,39 +176,13 @@ def _row(
     return (name, *with_deviation(float(value), deviation, unit))
 
 
-def _in_words(spread: Spread) -> str:
+def _in_words(spread: Spread, known: Trust) -> str:
     heading = float(compass(spread.whole.heading))
-    shown, _, _ = with_deviation(heading, float(spread.deviation.heading), DEGREES)
+    shown, _, _ = with_deviation(heading, known.of_means, DEGREES)
     return (
         f"The bow points to {shown} degrees of a compass card, which counts from North through "
         "East."
     )
-
-
-def _doubts(recording: Recording, spread: Spread) -> list[str]:
-    """What the record says against itself."""
-    doubts = []
-    place = recording.latitude
-    if place is not None and not spread.blind:
-        off = float(spread.whole.latitude - place)
-        if abs(off) > max(3 * spread.deviation.latitude, LATITUDE_SLACK):
-            doubts.append(
-                f"the latitude found is {written(np.degrees(off), digits=2)} degrees off the one "
-                "told. Gyros without errors on a base at rest find it. An error of the same size "
-                "across the meridian turns the heading by "
-                f"{written(np.degrees(abs(off) / np.cos(place)), digits=2)} degrees, and nothing "
-                "shows it: do not trust the heading to less."
-            )
-    pull = recording.gravity
-    if pull is None and place is not None:
-        pull = float(gravity(place))
-    size = float(np.linalg.norm(spread.force.mean(axis=0)))
-    if pull is not None and abs(size / pull - 1) > 0.02:
-        doubts.append(
-            f"the accelerometers show {written(size, digits=4)} m/s^2 at rest, and gravity is "
-            f"{written(pull, digits=4)} m/s^2."
-        )
-    return doubts
 
 
 def _plots(recording: Recording, spread: Spread) -> tuple[Plot, ...]:
@@ -203,23 +202,30 @@ def _middles(recording: Recording) -> FloatArray:
     return np.array([part.mean() for part in np.array_split(moments(recording), STRETCHES)])
 
 
-def _values(spread: Spread, swaying: InertialAlignment | None) -> dict[str, Any]:
+def _values(spread: Spread, swaying: InertialAlignment | None, known: Trust) -> dict[str, Any]:
     values: dict[str, Any] = {
         name: {"value": getattr(spread.whole, name), "deviation": getattr(spread.deviation, name)}
         for name in (("pitch", "roll") if spread.blind else Alignment._fields)
     }
     if not spread.blind:
+        values["heading"]["deviation"] = known.of_means
+        values["heading_noise_deviation"] = spread.deviation.heading
         values["compass_heading"] = {
             "value": compass(spread.whole.heading),
-            "deviation": spread.deviation.heading,
+            "deviation": known.of_means,
         }
+    if known.drift is not None:
+        values["heading_bias_deviation"] = known.turn
+        values["gyro_drift_deviation"] = known.drift
     if swaying is not None:
         values["in_inertial_space"] = {
             "heading": swaying.heading,
             "compass_heading": compass(swaying.heading),
-            "deviation": swaying.deviation,
+            "deviation": known.in_inertial_space,
+            "noise_deviation": swaying.deviation,
             "pitch": swaying.pitch,
             "roll": swaying.roll,
+            "tilt_deviation": known.tilt,
         }
     return {**values, "mean_rate_fur": spread.rate.mean(axis=0), "earth_seen": not spread.biased}
 

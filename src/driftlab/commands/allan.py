@@ -17,7 +17,8 @@ from .example import OPTIONS
 from .findings import Curve, Findings, Plot, Table
 from .numbers import Unit, with_deviation, written
 from .progress import Steps
-from .record import AXES, forces, moments, rates, record_plots
+from .record import AXES, forces, rates, record_plots
+from .stillness import moved_at
 
 STEPS = 7
 EXAMPLE = (
@@ -175,18 +176,12 @@ def _missed(one: Triad) -> str:
 
 
 def moved(recording: Recording) -> list[str]:
-    """A warning if the unit was moved: seconds whose medians stand far from the others."""
-    size = max(1, round(1 / recording.interval))
-    whole = len(recording) // size * size
-    medians = np.median(rates(recording)[:whole].reshape(-1, size, 3), axis=1)
-    away = np.abs(medians - np.median(medians, axis=0))
-    usual = np.median(away, axis=0)
-    far = (away > 15 * usual) & (usual > 0)
-    if not far.any():
+    """A warning if the unit was moved."""
+    moment = moved_at(recording)
+    if moment is None:
         return []
-    first = moments(recording)[int(np.argmax(far.any(axis=1))) * size]
     return [
-        f"the unit seems to have been moved at {first:.6g} s: choose a stretch at rest by --begin "
+        f"the unit seems to have been moved at {moment:.6g} s: choose a stretch at rest by --begin "
         "and --end, as an Allan deviation takes every turn for noise."
     ]
 

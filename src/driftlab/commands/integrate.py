@@ -23,6 +23,7 @@ from .findings import Findings, Plot, Table, lines
 from .numbers import DEGREES, RATES, with_deviation, written
 from .progress import Steps
 from .record import AXES, rates, record_plots
+from .stillness import moved_at
 
 STEPS = 2
 EXAMPLE = (
@@ -131,7 +132,13 @@ def flown(
             raise ValueError(
                 f"--still: expected a part of the log's {known.duration:g} s, got {still:g}."
             )
-        bias = rates(known.between(0.0, still)).mean(axis=0)
+        rest = known.between(0.0, still)
+        if (moment := moved_at(rest)) is not None:
+            raise ValueError(
+                f"--still: expected a time in which the unit lies still, got {still:g} s, and it "
+                f"was moved at {moment:.6g} s."
+            )
+        bias = rates(rest).mean(axis=0)
     angles = known.angles() - bias * known.interval
     samples = getattr(ALGORITHMS[algorithm], "samples", 1)
     whole = len(angles) - len(angles) % samples

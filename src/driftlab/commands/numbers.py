@@ -17,7 +17,8 @@ class Unit(NamedTuple):
 
 
 DEGREES = Unit("deg", degree)
-RATES = (Unit("deg/s", degree), Unit("deg/h", degree / hour))
+DEG_PER_HOUR = Unit("deg/h", degree / hour)
+RATES = (Unit("deg/s", degree), DEG_PER_HOUR)
 FORCES = (Unit("mg", milli * g), Unit("micro-g", micro * g))
 SCALES = (Unit("%", 0.01), Unit("ppm", micro))
 SMALL_ANGLES = (Unit("arcmin", arcminute), Unit("arcsec", arcsecond))

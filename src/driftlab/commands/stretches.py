@@ -8,13 +8,13 @@ import numpy as np
 
 from driftlab.checks import FloatArray
 from driftlab.core.vectors import wrap_angle
-from driftlab.earth import EARTH_RATE
 from driftlab.frames import pitch_and_roll
 from driftlab.gyrocompass.alignment import Alignment, align
 from driftlab.recordings.recording import Recording
 
-from .numbers import RATES, written
+from .blindness import blindness
 from .record import forces, rates
+from .stillness import moved_at
 
 STRETCHES = 10
 """The record is aligned in as many parts too."""
@@ -33,7 +33,7 @@ class Spread(NamedTuple):
     blind : str
         Why the means give no heading, in a sentence; empty if they do.
     biased : bool
-        Whether that is the gyros' own fault, which no other method mends.
+        Whether no other method mends that: it is the gyros' own fault, or the unit was moved.
     """
 
     rate: FloatArray
@@ -60,7 +60,7 @@ def aligned(recording: Recording) -> Spread:
         np.stack([part.mean(axis=0) for part in np.array_split(rows, STRETCHES)])
         for rows in (rates(known), forces(known))
     )
-    blind, biased = blindness(rate)
+    blind, biased = _moved(recording) or blindness(rate)
     method = _levelled if blind else align
     whole = method(rates(known).mean(axis=0), forces(known).mean(axis=0))
     parts = method(rate, force)
@@ -70,29 +70,15 @@ def aligned(recording: Recording) -> Spread:
     return Spread(rate, force, whole, parts, Alignment(*deviation), blind, biased)
 
 
-def blindness(rate: FloatArray) -> tuple[str, bool]:
-    """Why means (10, 3) of gyros do not see the Earth turn, and whether biases are the reason.
-
-    A rate of the wrong size has an error at least as large as the difference: half the Earth's rate
-    may turn the heading by half a radian and more. Empty and False if they see it.
-    """
-    found = float(np.linalg.norm(rate.mean(axis=0)))
-    noise = float(rate.std(axis=0, ddof=1).max() / np.sqrt(STRETCHES))
-    sizes = (found, EARTH_RATE, noise)
-    shown, earth, spread = (written(size / RATES[1].size, digits=4) for size in sizes)
-    if abs(found - EARTH_RATE) > max(EARTH_RATE / 2, 3 * noise):
-        return (
-            f"No heading: at rest the gyros show {shown} deg/h, and the Earth turns by {earth} "
-            "deg/h. Their biases hide it; a compass needs gyros whose biases are a small part of "
-            "the Earth's rate. Pitch and roll come from the accelerometers."
-        ), True
-    if noise > EARTH_RATE / 5:
-        return (
-            f"No heading from the means: they are known to {spread} deg/h only, and the Earth "
-            f"turns by {earth} deg/h. The base was not still, or the record is too short for such "
-            "gyros. Pitch and roll come from the accelerometers."
-        ), False
-    return "", False
+def _moved(recording: Recording) -> tuple[str, bool] | None:
+    """A reason that goes before all others: the unit did not stay where it was."""
+    moment = moved_at(recording)
+    if moment is None:
+        return None
+    return (
+        f"No heading: the unit was moved at {moment:.6g} s. Choose a stretch at rest by --begin "
+        "and --end; pitch and roll, too, are means over all that it did."
+    ), True
 
 
 def _levelled(rate: FloatArray, force: FloatArray) -> Alignment:
