@@ -11,10 +11,13 @@ import os
 import re
 import sys
 from collections.abc import Iterator, Sequence
+from difflib import get_close_matches
 from pathlib import Path
 
 from driftlab.commands import COMMANDS
 
+NOTHING, STOPPED = 2, 130
+"""Exit codes: nothing was found, as of a command mistyped; Ctrl-C."""
 PACKAGE = Path(__file__).parent
 GROUND_FLOOR = (
     *("checks", "vectors", "quaternion", "earth", "axes", "conventions", "frames"),
@@ -115,15 +118,24 @@ def main(arguments: Sequence[str]) -> int:
     sought = arguments[1:] if arguments[:1] == ["find"] else arguments
     words = " ".join(sought)
     lines = list(overview(words))
-    if len(lines) == 1:
-        lines.append(f"Nothing here speaks of {words!r}. The words of the book are in chapter 12.")
+    unknown = len(lines) == 1
+    if unknown:
+        meant = get_close_matches(arguments[0].lower(), COMMANDS, 1)
+        lines.append(
+            f"Nothing here speaks of {words!r}. The words of the book are in chapter 12."
+            f"{f' Did you mean the command {meant[0]}?' if meant else ''}"
+        )
     try:
         print("\n".join(lines if arguments else [*commands(), *lines]), flush=True)
     except BrokenPipeError:  # "| head" has read enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
-    return 0
+    return NOTHING if unknown else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        sys.exit(main(sys.argv[1:]))
+    except KeyboardInterrupt:
+        print("driftlab: stopped.", file=sys.stderr)
+        sys.exit(STOPPED)

@@ -32,7 +32,7 @@ def test_the_log_itself_is_never_an_output(refused, example_log, tmp_path):
     assert "got the log" in refused(f"{words} --csv {example_log}")
     assert "got the file of --report" in refused(f"{words} --csv a --report ./a")
     assert "expected a file in a folder that is there" in refused(f"{words} --csv no/where.csv")
-    assert "expected a file in a folder that is there" in refused(f"{words} --csv {tmp_path}")
+    assert "expected a file, got the folder" in refused(f"{words} --csv {tmp_path}")
     assert example_log.read_bytes() == content
     assert list(tmp_path.iterdir()) == []
 

@@ -172,7 +172,7 @@ def test_jitter_is_kept_and_rounding_is_not(log):
         ),
         ([HEADER, ROWS[0], ROWS[1][:-6]], "line 3: expected 7 cells as in line 2, got 6"),
         ([HEADER], "log.csv: expected lines of numbers, got none in 1 lines."),
-        ([""], "log.csv: expected lines of numbers, got none"),
+        ([""], "log.csv: expected lines of numbers, got an empty file."),
     ],
     ids=[
         "short",

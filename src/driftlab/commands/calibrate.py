@@ -26,6 +26,7 @@ from .example import OPTIONS
 from .findings import Curve, Findings, Plot
 from .matrix_forms import FORMS, form_tables, form_values
 from .numbers import FORCES, RATES, written
+from .options import number
 from .progress import Steps
 from .record import forces, record_plots
 
@@ -60,11 +61,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="the gyros may feel force: fit nine numbers more, as many small ones need",
     )
-    group.add_argument("--window", type=float, default=1.0, metavar="S", help="that a rest must be "
-                       "quiet in (default: 1)")  # fmt: skip
-    group.add_argument("--multiple", type=float, default=20.0, help="how much more than in the "
+    group.add_argument("--window", type=number, default=1.0, metavar="S", help="that a rest must "
+                       "be quiet in (default: 1)")  # fmt: skip
+    group.add_argument("--multiple", type=number, default=20.0, help="how much more than in the "
                        "quietest window a rest may scatter (default: 20)")  # fmt: skip
-    group.add_argument("--shortest", type=float, default=1.0, metavar="S", help="shortest rest, "
+    group.add_argument("--shortest", type=number, default=1.0, metavar="S", help="shortest rest, "
                        "settling cut off (default: 1)")  # fmt: skip
     group.add_argument(
         "--form",

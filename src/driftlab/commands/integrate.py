@@ -21,6 +21,7 @@ from driftlab.recordings.recording import Recording
 
 from .findings import Findings, Plot, Table, lines
 from .numbers import DEGREES, RATES, with_deviation, written
+from .options import number
 from .progress import Steps
 from .record import AXES, rates, record_plots
 from .stillness import moved_at
@@ -61,7 +62,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--still",
-        type=float,
+        type=number,
         metavar="SECONDS",
         help="the unit lies still for so long at first: the mean rate of that time is a bias, "
         "which is taken off, and with it the Earth's rate",

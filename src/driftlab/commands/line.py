@@ -10,9 +10,13 @@ from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
+from typing import NoReturn
+
+import driftlab
 
 from . import COMMANDS
 from .findings import Findings
+from .log_files import readable_again
 from .options import (
     add_log_options,
     add_output_options,
@@ -47,18 +51,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:  # "| head" has read enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
-    except KeyboardInterrupt:
-        return 130
     except (ValueError, NoMatplotlib) as error:
         return _refuse(str(error))
     except OSError as error:
-        return _refuse(f"{error.filename}: {error.strerror}." if error.filename else str(error))
+        return _refuse(f"{error.filename or 'output'}: {error.strerror}.")
     return 0
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser that says what is wrong in one sentence, without the usage."""
+
+    def error(self, message: str) -> NoReturn:
+        """Refuse the words typed."""
+        raise ValueError(f"{message.removeprefix('argument ')}; {self.prog} --help explains.")
 
 
 def parser(chosen: str = "") -> argparse.ArgumentParser:
     """All commands by name, and the chosen one with its options and an example that runs."""
-    whole = argparse.ArgumentParser(
+    whole = Parser(
         prog="python -m driftlab",
         description="What a log of your own gyros and accelerometers says.",
         formatter_class=lambda prog: argparse.HelpFormatter(prog, max_help_position=14),
@@ -66,6 +76,7 @@ def parser(chosen: str = "") -> argparse.ArgumentParser:
         "'python -m driftlab find WORD' lists the modules that speak of a word.",
         allow_abbrev=False,
     )
+    whole.add_argument("--version", action="version", version=f"driftlab {driftlab.__version__}")
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
     for name, purpose in COMMANDS.items():
         one = commands.add_parser(
@@ -104,7 +115,7 @@ def _found(options: argparse.Namespace, given: list[str]) -> Findings:
     if options.report:
         checked_matplotlib()
     module = command(options.command)
-    with steps(2 + module.STEPS) as step:
+    with readable_again(options.log) as options.log, steps(2 + module.STEPS) as step:
         step("read")
         recording = recording_of(options)
         warnings = allowed_doubts(recording, options.allow)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import csv
+import re
 import shlex
 from dataclasses import replace
 from pathlib import Path
@@ -14,11 +15,15 @@ from typing import Any
 
 import numpy as np
 
+from driftlab.axes import axes_rotation
 from driftlab.recordings.csv_reader import read_csv
 from driftlab.recordings.guards import RULES, doubts
 from driftlab.recordings.imu_tk_reader import read_imu_tk
 from driftlab.recordings.psins_reader import read_psins
 from driftlab.recordings.recording import Recording
+
+LEAST_GRAVITY, MOST_GRAVITY = 9.7, 9.9
+"""What gravity may be on the Earth, m/s^2, with the poles and the highest mountains."""
 
 
 def add_log_options(parser: argparse.ArgumentParser) -> None:
@@ -58,12 +63,14 @@ def add_log_options(parser: argparse.ArgumentParser) -> None:
         metavar="COLUMN[,UNIT]",
         help="time stamps, with their unit (s, ms, us, ns, iso) if the head does not tell it",
     )
-    group.add_argument("--rate", type=float, metavar="HZ", help="samples a second, without stamps")
+    group.add_argument("--rate", type=number, metavar="HZ", help="samples a second, without stamps")
     group.add_argument("--axes", default="", help="body axes, FRD say: forward, right, down")
-    group.add_argument("--latitude", type=float, metavar="DEG", help="of the place, North positive")
-    group.add_argument("--gravity", type=float, metavar="M/S2", help="of the place")
-    group.add_argument("--begin", type=float, metavar="S", help="leave out what is before")
-    group.add_argument("--end", type=float, metavar="S", help="leave out what is after")
+    group.add_argument(
+        "--latitude", type=number, metavar="DEG", help="of the place, North positive"
+    )
+    group.add_argument("--gravity", type=number, metavar="M/S2", help="of the place")
+    group.add_argument("--begin", type=number, metavar="S", help="leave out what is before")
+    group.add_argument("--end", type=number, metavar="S", help="leave out what is after")
     group.add_argument(
         "--allow",
         type=words,
@@ -91,6 +98,16 @@ def output_files(options: argparse.Namespace) -> dict[str, Path | None]:
     return {f"--{name}": getattr(options, name) for name in ("report", "csv", "json")}
 
 
+def number(text: str) -> float:
+    """A number with a decimal point."""
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f"expected a number such as 33.9, with a point, got {text!r}"
+        ) from None
+
+
 def words(text: str) -> tuple[str, ...]:
     """Words between commas; one with a comma inside stands in quotation marks, as in a CSV."""
     (row,) = csv.reader([text], skipinitialspace=True)
@@ -99,7 +116,7 @@ def words(text: str) -> tuple[str, ...]:
 
 def numbers(text: str) -> tuple[float, ...]:
     """Numbers between commas."""
-    return tuple(float(word) for word in words(text))
+    return tuple(number(word) for word in words(text))
 
 
 def recording_of(options: argparse.Namespace) -> Recording:
@@ -140,7 +157,13 @@ def allowed_doubts(recording: Recording, allow: tuple[str, ...]) -> tuple[str, .
             f"{recording.name}: {' '.join(map(str, refused))} If the log is right all the same, "
             f"say --allow {rules}."
         )
-    return tuple(map(str, found))
+    warnings = [*map(str, found)]
+    if recording.gravity is not None and not LEAST_GRAVITY < recording.gravity < MOST_GRAVITY:
+        warnings.append(
+            f"--gravity: expected m/s^2 of a place on the Earth, {LEAST_GRAVITY} to "
+            f"{MOST_GRAVITY}, got {recording.gravity:g}."
+        )
+    return tuple(warnings)
 
 
 def _check(options: argparse.Namespace) -> None:
@@ -151,8 +174,25 @@ def _check(options: argparse.Namespace) -> None:
     for name in KNOWN_BY_FILE[options.format]:
         if getattr(options, name) is not None:
             raise ValueError(f"--{name}: expected none with --format {options.format}, got one.")
+    if len(options.zeros) != 2:
+        raise ValueError(
+            "--zeros: expected two numbers, of the gyros and of the accelerometers, as in "
+            f"32768,32768, got {len(options.zeros)}."
+        )
+    if options.axes:
+        _check_axes(options.axes)
     if options.latitude is not None and not abs(options.latitude) <= 90:
         raise ValueError(f"--latitude: expected degrees, at most 90, got {options.latitude:g}.")
+
+
+def _check_axes(axes: str) -> None:
+    try:
+        axes_rotation(axes, "FRD")
+    except ValueError:
+        raise ValueError(
+            "--axes: expected three letters of right-handed body axes, as FRD (forward, right, "
+            f"down), FLU, RFU or FUR, got {axes!r}."
+        ) from None
 
 
 def _read_csv(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
@@ -166,17 +206,21 @@ def _read_csv(options: argparse.Namespace, place: dict[str, Any]) -> Recording:
         if len(options.time) > 2:
             raise ValueError(f"--time: expected COLUMN or COLUMN,UNIT, got {options.time}.")
         time = options.time[0] if len(options.time) == 1 else tuple(options.time)
-    return read_csv(
-        options.log[0],
-        gyro=gyro,
-        accelerometer=accelerometer,
-        units=options.units,
-        zeros=options.zeros,
-        time=time,
-        rate=options.rate,
-        allow=tuple(RULES),
-        **place,
-    )
+    try:
+        return read_csv(
+            options.log[0],
+            gyro=gyro,
+            accelerometer=accelerometer,
+            units=options.units,
+            zeros=options.zeros,
+            time=time,
+            rate=options.rate,
+            name=options.log[0].name,
+            allow=tuple(RULES),
+            **place,
+        )
+    except ValueError as error:  # arguments have the names of options
+        raise ValueError(re.sub(r"^(columns|units|time|rate):", r"--\1:", str(error))) from None
 
 
 def _triads(options: argparse.Namespace) -> tuple[tuple[str, ...], tuple[str, ...] | None]:

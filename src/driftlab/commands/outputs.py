@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import csv
+import errno
 import io
 import json
 import math
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
@@ -26,14 +28,18 @@ def checked_outputs(logs: Sequence[Path], outputs: Mapping[str, Path | None], fo
         If a file is there and nobody said `force`, two outputs are one file, one of them is the
         log, or a folder is missing.
     """
-    taken = {log.resolve(): "the log" for log in logs}
+    taken: dict[Path, str] = {}
     for option, path in outputs.items():
         if path is None:
             continue
         whole = path.resolve()
+        if any(log.exists() and path.exists() and path.samefile(log) for log in logs):
+            raise ValueError(f"{option}: expected a file of its own, got the log, {path}.")
         if whole in taken:
             raise ValueError(f"{option}: expected a file of its own, got {taken[whole]}, {path}.")
-        if path.is_dir() or not whole.parent.is_dir():
+        if path.is_dir():
+            raise ValueError(f"{option}: expected a file, got the folder {path}.")
+        if not whole.parent.is_dir():
             raise ValueError(f"{option}: expected a file in a folder that is there, got {path}.")
         if path.exists() and not force:
             raise ValueError(f"{option}: {path} is there already; --force overwrites it.")
@@ -41,9 +47,30 @@ def checked_outputs(logs: Sequence[Path], outputs: Mapping[str, Path | None], fo
 
 
 def write(path: Path, text: str, force: bool) -> None:
-    """Write a text with the same bytes on every system."""
-    with path.open("w" if force else "x", encoding="utf-8", newline="\n") as file:
-        file.write(text)
+    """Write a text with the same bytes on every system: the whole of it, or none.
+
+    It is written beside its place and then moved there, so that a full disk spoils nothing.
+
+    Raises
+    ------
+    OSError
+        With the file's name.
+    """
+    whole = path.resolve()
+    exists, device = whole.exists(), whole.exists() and not whole.is_file()
+    beside = whole if device else whole.with_name(f"{whole.name}.{os.getpid()}.part")
+    try:
+        if exists and not force:
+            raise FileExistsError(errno.EEXIST, "is there already; --force overwrites it")
+        with beside.open("w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        if not device:
+            beside.replace(whole)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from None
+    finally:
+        if not device:
+            beside.unlink(missing_ok=True)
 
 
 def as_json(findings: Findings, origin: Origin) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import codecs
 import re
+from pathlib import Path
 
 from .units import is_unit
 
@@ -11,6 +12,8 @@ NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?|[-+]?(nan|inf(
 """A number as logs write it, or what some write where they have none."""
 COMMENTS = ("%", "#", "//")
 """What begins a comment."""
+MANY = 20
+"""Lines from which their lengths tell something."""
 _SEVERAL_NUMBERS = re.compile(rf"({NUMBER.pattern})(\s+({NUMBER.pattern}))+", re.I)
 
 
@@ -93,6 +96,25 @@ def split_cells(line: str, delimiter: str | None) -> list[str]:
     return [cell.strip(' "') for cell in line.split(delimiter)]
 
 
+def without_mark(line: str) -> str:
+    """Return a line, or the name of its first column, without the mark of a comment.
+
+    Parameters
+    ----------
+    line : str
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> without_mark("%time,x"), without_mark("// t")
+    ('time,x', 't')
+    """
+    return re.sub(r"^(%|#|//)+\s*", "", line)
+
+
 def header(
     lines: list[str], delimiter: str | None, width: int
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -119,7 +141,7 @@ def header(
     """
     units = ("",) * width
     for line in reversed([line for line in lines if line]):
-        cells = tuple(split_cells(re.sub(r"^(%|#|//)+\s*", "", line), delimiter))
+        cells = tuple(split_cells(without_mark(line), delimiter))
         cells += ("",) * (width - len(cells) == 1)  # a delimiter after the last number
         if len(cells) != width:
             break
@@ -131,3 +153,42 @@ def header(
         names = tuple(m[1] if m else cell for m, cell in zip(known, cells, strict=True))
         return names, units if any(units) else tuple(m[2] if m else "" for m in known)
     return ("",) * width if any(units) else (), units
+
+
+def refuse_cut(path: Path, lines: list[str], number: int, delimiter: str | None) -> None:
+    """Refuse a last line whose last cell may be a part of a number.
+
+    Many programs leave out the last end of line, so that alone is no sign.
+
+    Parameters
+    ----------
+    path : Path
+        Of the file, for the sentence.
+    lines : list of str
+        Those with numbers.
+    number : int
+        In the file of the last of them.
+    delimiter : str or None
+        Between cells; None are blanks.
+
+    Raises
+    ------
+    ValueError
+        If the last cell of the last line is shorter than that of any other of many lines.
+
+    Examples
+    --------
+    >>> refuse_cut(  # doctest: +NORMALIZE_WHITESPACE
+    ...     Path("log.csv"), ["1,0.25"] * 20 + ["1,0.2"], 21, ","
+    ... )
+    Traceback (most recent call last):
+    ValueError: log.csv, line 21: expected a last cell of 4 characters or more, as in all other
+    lines, or an end of line after it, got '1,0.2': is the file cut off?
+    """
+    *sizes, last = (len(line.rsplit(delimiter, 1)[-1]) for line in lines if line)
+    if len(sizes) >= MANY and last < min(sizes):
+        raise ValueError(
+            f"{path.name}, line {number}: expected a last cell of {min(sizes)} characters or "
+            f"more, as in all other lines, or an end of line after it, got {lines[-1]!r:.200}: is "
+            "the file cut off?"
+        )

@@ -9,13 +9,26 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 
 import numpy as np
 
 from driftlab.checks import FloatArray
 
-from ._text_form import COMMENTS, NUMBER, decoded, header, number_delimiter, split_cells
+from ._text_form import (
+    COMMENTS,
+    NUMBER,
+    decoded,
+    header,
+    number_delimiter,
+    refuse_cut,
+    split_cells,
+    without_mark,
+)
+
+FEW = 12
+"""Columns that a sentence can name all."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +84,7 @@ class TextTable:
         ((1, -1), (2, 1), (2, -1))
         """
         text = str(wanted).strip()
-        for name, sign in ((text, 1), (text[1:].strip(), -1)):
+        for name, sign in ((text, 1), (without_mark(text), 1), (text[1:].strip(), -1)):
             if sign < 0 and not text.startswith("-"):
                 break
             places = [i for i, one in enumerate(self.names) if one == name] or [
@@ -86,10 +99,9 @@ class TextTable:
                 return places[0], sign
             if re.fullmatch(r"\d+", name) and 1 <= int(name) <= self.width:
                 return int(name) - 1, sign
-        known = f"{', '.join(self.names)}, or " if any(self.names) else ""
         raise ValueError(
-            f"columns: expected {known}a number from 1 to {self.width} for {self.path.name}, "
-            f"got {wanted!r}."
+            f"columns: expected {self._known(text)}a number from 1 to {self.width} for "
+            f"{self.path.name}, got {wanted!r}."
         )
 
     def numbers(self, columns: Sequence[int]) -> FloatArray:
@@ -196,6 +208,15 @@ class TextTable:
         """
         return split_cells(line, self.delimiter)
 
+    def _known(self, wanted: str) -> str:
+        """The names of the columns, or of many the nearest, for a sentence."""
+        if not any(self.names):
+            return ""
+        if len(self.names) <= FEW:
+            return f"{', '.join(self.names)}, or "
+        nearest = get_close_matches(wanted, self.names, 3, 0.4) or self.names[:3]
+        return f"one of {len(self.names)} names ({', '.join(nearest)}, ...) or "
+
     def _refuse(self, columns: Sequence[int], fault: str) -> None:
         """Say what is wrong with the first line that something is wrong with."""
         for number, line in enumerate(self.lines, self.first_line):
@@ -236,7 +257,7 @@ def read_table(path: str | Path) -> TextTable:
     Raises
     ------
     ValueError
-        If no line has two numbers or more.
+        If no line has two numbers or more, or the file seems to end inside a number.
     OSError
         If the file cannot be read.
 
@@ -251,7 +272,10 @@ def read_table(path: str | Path) -> TextTable:
     (('t', 'wx'), ('ms', 'deg/s'), ['0;0.5', '10;0.75'])
     """
     path = Path(path)
-    lines = [line.strip(" ") for line in decoded(path.read_bytes()).split("\n")]
+    text = decoded(path.read_bytes())
+    if not text.strip():
+        raise ValueError(f"{path.name}: expected lines of numbers, got an empty file.")
+    lines = [line.strip(" ") for line in text.split("\n")]
     while lines and not lines[-1].strip(",;\t "):
         lines.pop()
     start, delimiter = next(
@@ -275,4 +299,6 @@ def read_table(path: str | Path) -> TextTable:
         body = re.sub(r"(^//|[%#]).*", "", body, flags=re.M)
     lines = body.split("\n")
     width = len(lines[0].split(delimiter))
+    if not text.endswith("\n"):
+        refuse_cut(path, lines, start + len(lines), delimiter)
     return TextTable(path, names, units, lines, start + 1, delimiter, width)

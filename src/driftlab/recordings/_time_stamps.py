@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from driftlab.checks import FloatArray, positive_number
+from driftlab.checks import FloatArray
 
 
 def spacing_of_stamps(
@@ -51,14 +51,15 @@ def spacing_of_stamps(
         slip = "the same stamp again" if steps[row - 1] == 0 else f"{-steps[row - 1]:.6g} s earlier"
         raise ValueError(
             f"{place(row)}: expected a time stamp after that of the line before, got {slip}; "
-            "if stamps are too coarse, say interval or rate in their stead."
+            "if stamps are too coarse, say the rate in their stead."
         )
     usual = float(np.median(steps))
     longest = int(np.argmax(steps))
-    if steps[longest] > positive_number(longest_gap, "longest_gap") * usual:
+    if steps[longest] > longest_gap * usual:
         raise ValueError(
             f"{place(longest + 1)}: expected no gap longer than {longest_gap:g} times the usual "
-            f"{usual:.6g} s (longest_gap), got {steps[longest]:.6g} s since the line before."
+            f"{usual:.6g} s (longest_gap), got {steps[longest]:.6g} s since the line before; "
+            'allow=("gap",) lets it through.'
         )
     # Of rounded stamps the steps have two sizes, one last digit apart, and the stamps lie within
     # that digit of a line.

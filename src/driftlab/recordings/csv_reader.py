@@ -63,7 +63,8 @@ def read_csv(
     interval, rate : float, optional
         Between samples, s, or how many there are in a second. Give one of time, interval, rate.
     longest_gap : float
-        Longest step of the time stamps that is let through, in usual steps.
+        Longest step of the time stamps that is let through, in usual steps; any if "gap" is
+        allowed.
     axes : str
         Body axes, as in `driftlab.axes`.
     latitude, gravity : float, optional
@@ -119,7 +120,8 @@ def read_csv(
             stamps = _seconds_of_dates(table, stamp)
         else:  # first the difference: of 1.7e18 ns, say, little is left in s
             stamps = size * (numbers[:, -1] - numbers[0, -1])
-        spacing, times = spacing_of_stamps(stamps, longest_gap, table.place)
+        most = np.inf if "gap" in allow else positive_number(longest_gap, "longest_gap")
+        spacing, times = spacing_of_stamps(stamps, most, table.place)
     recording = Recording(
         triads[0],
         triads[1] if len(triads) > 1 else None,
@@ -222,8 +224,8 @@ def _stamp_column(
     unit = unit or (table.units[index] if table.units else "")
     if not unit:
         raise ValueError(
-            f"time: expected the unit of column {column!r} beside it, as ({column!r}, 'ms'), "
-            "because the header does not tell it."
+            f"time: expected a unit beside column {column!r} (s, ms, us, ns, or iso for dates and "
+            "times), because the header does not tell it, got none."
         )
     return index, None if unit == "iso" else time_unit(unit)
 

@@ -196,7 +196,8 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
             yield Doubt(
                 "gap",
                 f"times: expected steps of about {np.median(steps):.4g} s, got one of "
-                f"{steps[row]:.4g} s after row {row + 1}: samples are missing.",
+                f"{steps[row]:.4g} s after row {row + 1}, at "
+                f"{recording.times[row] - recording.times[0]:.6g} s: samples are missing.",
                 longest,
                 _LONGEST_GAP,
             )
