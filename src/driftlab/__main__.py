@@ -11,7 +11,6 @@ import os
 import re
 import sys
 from collections.abc import Iterator, Sequence
-from difflib import get_close_matches
 from pathlib import Path
 
 from driftlab.commands import COMMANDS
@@ -120,6 +119,8 @@ def main(arguments: Sequence[str]) -> int:
     lines = list(overview(words))
     unknown = len(lines) == 1
     if unknown:
+        from difflib import get_close_matches
+
         meant = get_close_matches(arguments[0].lower(), COMMANDS, 1)
         lines.append(
             f"Nothing here speaks of {words!r}. The words of the book are in chapter 12."

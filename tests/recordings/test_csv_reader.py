@@ -276,6 +276,8 @@ def test_a_gap_that_is_asked_for_is_let_through(log):
     refused(
         log, "times: expected steps of about 0.01 s, got one of 0.03 s after row 3", lines, **told
     )
+    refused(log, 'allow=("gap",) lets it through', lines, **told | {"longest_gap": 2})
+    assert len(log(lines, **told | {"longest_gap": 2}, allow=["gap"]).angles()) == 6
     assert_allclose(log(lines, **told, allow=["gap"]).times, [0, 0.01, 0.02, 0.05, 0.06])
 
 
@@ -294,3 +296,21 @@ def test_whatever_stands_in_a_file_it_is_read_or_refused_in_a_sentence(tmp_path_
     else:
         assert np.isfinite(rows).all()
         assert rows.shape[1] == table.width
+
+
+def test_a_file_that_ends_inside_a_number_is_refused(log):
+    rows = [f"{i},0.125,0.{i:03d},0.375,0.5,0.5,9.8{i:02d}" for i in range(30)]
+    assert len(log([HEADER, *rows], allow=["dead"])) == 30  # many files lack the last end of line
+    rows[-1] = rows[-1][:-2]
+    refused(log, "log.csv, line 31: expected a last cell of 5 characters or more", [HEADER, *rows])
+    assert len(log([HEADER, *rows, ""], allow=["dead"])) == 30
+
+
+def test_of_many_columns_the_nearest_are_named(log):
+    names = [f"field.angular_velocity.{i}" for i in range(20)]
+    lines = [",".join(["%time", *names]), ",".join("1" * 21), ",".join("2" * 21)]
+    told = {"accelerometer": None, "units": "rad/s"}
+    wrong = ["angular_velocity.1", *names[1:3]]
+    refused(log, "expected one of 21 names (field.angular_velocity.1", lines, gyro=wrong, **told)
+    read = log(lines, gyro=names[:3], rate=None, time=("%time", "s"), **told)
+    assert read.interval == 1.0

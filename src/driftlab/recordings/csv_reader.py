@@ -20,6 +20,8 @@ from .recording import Recording
 from .units import Unit, accelerometer_unit, gyro_unit, time_unit
 
 Columns = Sequence[str | int]
+ANY_GAP = 1e12
+"""In usual steps."""
 
 
 def read_csv(
@@ -64,7 +66,7 @@ def read_csv(
         Between samples, s, or how many there are in a second. Give one of time, interval, rate.
     longest_gap : float
         Longest step of the time stamps that is let through, in usual steps; any if "gap" is
-        allowed.
+        allowed. Integrals of the rates bridge it by a spline.
     axes : str
         Body axes, as in `driftlab.axes`.
     latitude, gravity : float, optional
@@ -112,6 +114,7 @@ def read_csv(
     for i, (triad, scale) in enumerate(zip(places.values(), scales, strict=True)):
         signs = np.array([sign for _, sign in triad])
         triads.append(scale.size * signs * (numbers[:, 3 * i : 3 * i + 3] - offsets[i]))
+    longest = ANY_GAP if "gap" in allow else positive_number(longest_gap, "longest_gap")
     times = None
     if time is None:
         spacing = float(interval or 1 / (rate or 1))
@@ -120,8 +123,7 @@ def read_csv(
             stamps = _seconds_of_dates(table, stamp)
         else:  # first the difference: of 1.7e18 ns, say, little is left in s
             stamps = size * (numbers[:, -1] - numbers[0, -1])
-        most = np.inf if "gap" in allow else positive_number(longest_gap, "longest_gap")
-        spacing, times = spacing_of_stamps(stamps, most, table.place)
+        spacing, times = spacing_of_stamps(stamps, longest, table.place)
     recording = Recording(
         triads[0],
         triads[1] if len(triads) > 1 else None,
@@ -134,6 +136,7 @@ def read_csv(
         name or table.path.stem,
         source,
         licence,
+        longest,
     )
     return without_doubts(recording, allow)
 

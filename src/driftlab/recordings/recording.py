@@ -44,6 +44,8 @@ class Recording:
         Of the place, m/s^2.
     name, source, licence : str
         What it is called, who published it and where, under which licence.
+    longest_gap : float
+        Longest step of `times` that integrals may bridge, in usual steps; more than 1.
 
     Examples
     --------
@@ -65,6 +67,7 @@ class Recording:
     name: str = ""
     source: str = ""
     licence: str = ""
+    longest_gap: float = 1.5
 
     def __post_init__(self) -> None:
         if self.kind not in ("rates", "increments"):
@@ -252,7 +255,9 @@ class Recording:
     def _integrals(self, rows: FloatArray) -> FloatArray:
         if self.kind == "increments":
             return rows
-        return increments_from_rates(rows, self.interval, times=self.times, degree=3)
+        return increments_from_rates(
+            rows, self.interval, times=self.times, degree=3, longest_gap=self.longest_gap
+        )
 
 
 def _rows(value: object, name: str) -> FloatArray:
