@@ -8,10 +8,12 @@ import sys
 
 import pytest
 
+import driftlab
 from driftlab.__main__ import main as door
 from driftlab.commands import COMMANDS
 from driftlab.commands.example import OPTIONS
 from driftlab.commands.line import command
+from driftlab.commands.terminal import PLAIN
 
 PLACE = "--axes FRD --latitude 59.9"
 
@@ -22,6 +24,20 @@ def test_the_door_names_the_commands_first(capsys):
     assert "your own log" in lines[0].lower()
     assert [line.split()[0] for line in lines[1:6]] == list(COMMANDS)
     assert "driftlab.earth: " in "\n".join(lines)
+
+
+@pytest.mark.parametrize(("word", "meant"), [("calibrat", "calibrate"), ("allen", "allan")])
+def test_a_command_mistyped_is_not_done(word, meant, capsys):
+    assert door([word, "log.csv"]) == 2
+    assert f"Did you mean the command {meant}?" in capsys.readouterr().out
+
+
+def test_the_version_is_told(run):
+    assert run("--version")[:2] == (0, f"driftlab {driftlab.__version__}\n")
+
+
+def test_a_terminal_without_a_sign_shows_another():
+    assert "1 ± 0.1 deg/√h ж".encode("ascii", PLAIN) == b"1 +- 0.1 deg/sqrt h ?"
 
 
 def test_help_names_every_command(run):
@@ -91,7 +107,10 @@ def test_a_pipe_that_closes_early_is_no_error():
         ("--columns gx,gy,gq --units deg/s --time t,s", "'gq'"),
         ("--columns gx,gy,gz --units furlong --time t,s", "'furlong'"),
         (f"{OPTIONS} --latitude 95", "--latitude: expected degrees, at most 90, got 95."),
-        (f"{OPTIONS} --axes FRX", "'FRX'"),
+        (f"{OPTIONS} --axes FRX", "--axes: expected three letters of right-handed body axes"),
+        (f"{OPTIONS} --zeros 0", "--zeros: expected two numbers"),
+        (f"{OPTIONS} --latitude 33,9", "with a point, got '33,9'; python -m driftlab integrate"),
+        ("--columns gx,gy,gz --units deg/s --time t", "--time: expected a unit beside column 't'"),
         (f"{OPTIONS} --begin 70 --end 20", "begin, end: expected times of the record"),
         (f"{OPTIONS} --allow everything", "got everything."),
         (f"{OPTIONS} --format psins", "--columns: expected none with --format psins"),

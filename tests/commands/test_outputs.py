@@ -1,7 +1,10 @@
 """Files: none is overwritten unasked, and other programs can read them."""
 
 import csv
+import hashlib
 import json
+import os
+import threading
 
 import numpy as np
 import pytest
@@ -9,7 +12,7 @@ import pytest
 from driftlab.commands.example import OPTIONS
 from driftlab.commands.findings import Findings
 from driftlab.commands.origin import Origin
-from driftlab.commands.outputs import as_csv, as_json
+from driftlab.commands.outputs import as_csv, as_json, write
 
 ORIGIN = Origin((("log.csv", "0" * 64),), "python -m driftlab", "rows", "versions")
 
@@ -29,12 +32,42 @@ def test_nothing_is_overwritten_without_being_asked(option, run, refused, exampl
 def test_the_log_itself_is_never_an_output(refused, example_log, tmp_path):
     words = f"integrate {example_log} {OPTIONS} --force"
     content = example_log.read_bytes()
-    assert "got the log" in refused(f"{words} --csv {example_log}")
+    other = example_log.with_name("other")
+    other.hardlink_to(example_log)
+    for log in (example_log, other):
+        assert "got the log" in refused(f"{words} --csv {log}")
     assert "got the file of --report" in refused(f"{words} --csv a --report ./a")
     assert "expected a file in a folder that is there" in refused(f"{words} --csv no/where.csv")
     assert "expected a file, got the folder" in refused(f"{words} --csv {tmp_path}")
     assert example_log.read_bytes() == content
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_file_is_written_whole_or_not_at_all(tmp_path, monkeypatch):
+    there = tmp_path / "there"
+    there.write_text("precious")
+
+    def full(self, target):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("pathlib.Path.replace", full)
+    with pytest.raises(OSError, match=r"No space left on device: .*there"):
+        write(there, "new", force=True)
+    assert there.read_text() == "precious"
+    assert list(tmp_path.iterdir()) == [there]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no pipes of this kind on Windows")
+def test_of_a_pipe_the_bytes_that_were_read_are_hashed(run, example_log, tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    content = example_log.read_bytes()[:100_000].rpartition(b"\n")[0] + b"\n"
+    writer = threading.Thread(target=(tmp_path / "pipe").write_bytes, args=(content,))
+    writer.start()
+    code, _, err = run(f"integrate pipe {OPTIONS} --json found.json")
+    writer.join()
+    assert (code, err) == (0, "")
+    found = json.loads((tmp_path / "found.json").read_text())
+    assert found["origin"]["files"] == [["pipe", hashlib.sha256(content).hexdigest()]]
 
 
 def test_the_example_is_not_overwritten_either(refused, tmp_path):

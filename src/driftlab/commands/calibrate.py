@@ -115,7 +115,7 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
     return Findings(
         "Calibration by poses",
         tuple(tables),
-        tuple(_in_words(fit, found)),
+        tuple(_in_words(fit)),
         tuple(_doubts(fit)),
         (*record_plots(recording, shaded), *_residual_plots(fit)),
         tuple(details),
@@ -144,9 +144,9 @@ def _turns(found: Rests, fit: PoseCalibration, closed: list[tuple[int, int]]) ->
     return turns
 
 
-def _in_words(fit: PoseCalibration, found: Rests) -> list[str]:
+def _in_words(fit: PoseCalibration) -> list[str]:
     more = {kind: test for kind, test in fit.consistency.items() if test.excess}
-    words = [found.why]
+    words = []
     if more:
         shown = ", ".join(
             f"{KINDS[kind]} ({excess_text(kind, more[kind].excess)})" for kind in more
@@ -199,6 +199,8 @@ def _residual_plots(fit: PoseCalibration) -> tuple[Plot, ...]:
 
 def _values(fit: PoseCalibration, found: Rests) -> dict[str, Any]:
     return {
+        "model": "measured = (I + K) true + bias; K is gyro_error or accelerometer_error, its rows "
+        "are sensors, its columns what they feel of",
         "imu_errors": fit.imu_errors._asdict(),
         "deviations": fit.deviations._asdict(),
         "body_axes": fit.body_axes,

@@ -7,6 +7,7 @@ from scipy.constants import arcminute, degree, g, milli
 
 from driftlab.calibration import Consistency, PoseCalibration
 from driftlab.checks import FloatArray
+from driftlab.earth import EARTH_RATE
 from driftlab.recordings.rest_detection import Rests
 
 from .findings import Table
@@ -19,7 +20,8 @@ KINDS = {
     "rates": "gyros at rest",
 }
 NOTE = (
-    "measured = (I + K) true + bias: columns are sensors, 'feels of x' is their entry of K for x."
+    "measured = (I + K) true + bias: columns are sensors, 'feels of x' is their entry of K for x, "
+    "a cross-coupling (misalignment)."
 )
 
 
@@ -72,6 +74,7 @@ def sensitivity_table(fit: PoseCalibration) -> Table:
 
 def consistency_table(fit: PoseCalibration) -> Table:
     rows = []
+    earth = {"moves": fit.earth_turn, "rates": EARTH_RATE}
     for kind, name in KINDS.items():
         test = fit.consistency[kind]
         rows.append(
@@ -79,7 +82,7 @@ def consistency_table(fit: PoseCalibration) -> Table:
                 name,
                 *(written(x, digits=3) for x in (test.chi_square, test.freedom)),
                 f"{written(test.lower, digits=3)} to {written(test.upper, digits=3)}",
-                _verdict(test),
+                _verdict(test, earth.get(kind, 0.0)),
             )
         )
     note = "The sum of the squared residuals over those of the noise, and where 95 of 100 lie."
@@ -87,11 +90,11 @@ def consistency_table(fit: PoseCalibration) -> Table:
     return Table("Does noise explain what is left?", head, tuple(rows), note)
 
 
-def _verdict(test: Consistency) -> str:
+def _verdict(test: Consistency, earth: float) -> str:
     if np.isnan(test.upper):
         return "nothing is left to test"
     if test.excess:
-        return "no, there is more"
+        return "no, but no more than the Earth" if test.excess < earth else "no, there is more"
     if test.chi_square > test.upper:
         return "yes, once the others have theirs"
     return "yes" if test.holds else "no, there is less"
@@ -112,8 +115,8 @@ def rests_table(found: Rests, fit: PoseCalibration, turns: FloatArray) -> Table:
         )
     head = ("rest", "from, s", "to, s", "scatter", "force, mg", "turn, arcmin")
     note = (
-        "Scatter: the most in a window, in units of the quietest. Force: size of the corrected"
-        " force less gravity. Turn: gravity carried to the next rest, against that found."
+        f"{found.why} Scatter: the most in a window, in units of the quietest. Force: size of the "
+        "corrected force less gravity. Turn: gravity carried to the next rest, against that found."
     )
     return Table("Rests", head, tuple(rows), note)
 

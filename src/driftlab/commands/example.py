@@ -7,6 +7,8 @@ the log.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from scipy.constants import degree, g, hour, milli
 
@@ -20,8 +22,8 @@ from driftlab.recordings.recording import Recording
 
 from .findings import Findings, Table
 from .integrate import attitude_of_angles
-from .numbers import DEGREES, FORCES, RATES, SCALES
-from .record import forces, moments, rates
+from .numbers import DEGREES, FORCES, RATES, SCALES, SMALL_ANGLES, Unit
+from .record import AXES, forces, moments, rates
 
 EXAMPLE = "python -m driftlab example log.csv"
 RATE = 50.0
@@ -103,10 +105,18 @@ def as_log(record: Recording) -> str:
     return "\n".join(lines) + "\n"
 
 
+def _felt(triad: str, error: FloatArray) -> Iterator[tuple[str, FloatArray, Unit]]:
+    """What the other two sensors feel of each axis, as the table of a calibration has it."""
+    for place, axis in enumerate(AXES):
+        others = [i for i in range(3) if i != place]
+        names = " and ".join(AXES[i] for i in others)
+        yield f"{triad} {names} feel of {axis}", error[others, place], SMALL_ANGLES[0]
+
+
 def findings(record: Recording) -> Findings:
     """What was put into the log."""
     heading, pitch, roll = ANGLES
-    rows = []
+    rows: list[tuple[str, str, str]] = []
     for name, value, unit in (
         ("heading at first, from North to East", heading, DEGREES),
         ("pitch", pitch, DEGREES),
@@ -114,8 +124,10 @@ def findings(record: Recording) -> Findings:
         ("latitude", LATITUDE, DEGREES),
         ("gyro bias x, y, z", ERRORS.gyro_bias, RATES[1]),
         ("gyro scale x, y, z", np.diag(ERRORS.gyro_error), SCALES[0]),
+        *_felt("gyros", ERRORS.gyro_error),
         ("accelerometer bias x, y, z", ERRORS.accelerometer_bias, FORCES[0]),
         ("accelerometer scale x, y, z", np.diag(ERRORS.accelerometer_error), SCALES[0]),
+        *_felt("accelerometers", ERRORS.accelerometer_error),
     ):
         shown = ", ".join(f"{x:.4g}" for x in np.atleast_1d(value) / unit.size)
         rows.append((name, shown, unit.name))

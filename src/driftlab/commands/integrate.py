@@ -32,6 +32,7 @@ EXAMPLE = (
     "python -m driftlab integrate log.csv --gyro gx,gy,gz --units deg/s --time t,s"
     " --axes FRD --still 60 --closed --csv attitude.csv"
 )
+ROUNDING = 1e-12
 ANGLES = ("heading", "pitch", "roll")
 
 
@@ -103,6 +104,7 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
         plots=(*record_plots(recording), plot),
         values={
             "algorithm": options.algorithm,
+            "attitude_order": "x, y, z, w; body FRD to local NED at the beginning",
             "end_attitude": flight.attitude[-1],
             "gyro_bias": flight.bias,
             "duration": flight.times[-1],
@@ -158,9 +160,11 @@ def attitude_of_angles(angles: tuple[float, ...]) -> FloatArray:
 
 
 def euler_angles(attitude: FloatArray) -> FloatArray:
-    """Heading to the East, pitch, roll (n, 3) of FRD in NED, rad."""
+    """Heading to the East from 0 to 2 pi, pitch, roll (n, 3) of FRD in NED, rad."""
     book = to_euler_angles(convert_attitude(attitude, ("NED", "NUE"), ("FRD", "FUR")))
-    return np.stack([mirror_heading(book.heading), book.pitch, book.roll], axis=-1) + 0.0
+    heading = np.mod(mirror_heading(book.heading), 2 * np.pi)
+    heading = np.where(2 * np.pi - heading < ROUNDING, 0.0, heading)  # of a little below North
+    return np.stack([heading, book.pitch, book.roll], axis=-1) + 0.0
 
 
 def _end_table(flight: Flight, euler: FloatArray) -> Table:

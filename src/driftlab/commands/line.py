@@ -29,7 +29,7 @@ from .outputs import as_csv, as_json, checked_outputs, write
 from .plots import NoMatplotlib, checked_matplotlib
 from .progress import steps
 from .report import page
-from .terminal import text
+from .terminal import PLAIN, text
 
 WRONG = 2
 """Exit code for what the reader can mend; argparse has the same."""
@@ -43,7 +43,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = list(sys.argv[1:] if arguments is None else arguments)
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):  # a terminal that lacks a sign shows another
-            stream.reconfigure(errors="replace")
+            stream.reconfigure(errors=PLAIN)
     try:
         options = parser(given[0] if given else "").parse_args(given)
         found = _made_up(options) if options.command == "example" else _found(options, given)
@@ -118,7 +118,7 @@ def _found(options: argparse.Namespace, given: list[str]) -> Findings:
     with readable_again(options.log) as options.log, steps(2 + module.STEPS) as step:
         step("read")
         recording = recording_of(options)
-        warnings = allowed_doubts(recording, options.allow)
+        warnings = allowed_doubts(recording, options)
         found = module.find(recording, options, step)
         found = replace(found, warnings=(*warnings, *found.warnings))
         step("write")

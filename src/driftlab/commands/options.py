@@ -38,7 +38,8 @@ def add_log_options(parser: argparse.ArgumentParser) -> None:
         type=words,
         metavar="A,B,C[,D,E,F]",
         help="three gyros, and three accelerometers if there are any: names in the log's head, or "
-        "numbers from 1; a minus before one changes its sign (then write --columns=-a,b,c)",
+        "numbers from 1; a minus before one changes its sign (then write --columns=-a,b,c). If all "
+        "three accelerometers have the wrong sign, no check can know it",
     )
     group.add_argument("--gyro", type=words, metavar="A,B,C", help="the gyros alone")
     group.add_argument("--accelerometer", type=words, metavar="D,E,F", help="the accelerometers")
@@ -140,7 +141,7 @@ def recording_of(options: argparse.Namespace) -> Recording:
     return recording.between(begin, recording.duration if options.end is None else options.end)
 
 
-def allowed_doubts(recording: Recording, allow: tuple[str, ...]) -> tuple[str, ...]:
+def allowed_doubts(recording: Recording, options: argparse.Namespace) -> tuple[str, ...]:
     """What speaks against a log and is let through, for a warning.
 
     Raises
@@ -148,14 +149,17 @@ def allowed_doubts(recording: Recording, allow: tuple[str, ...]) -> tuple[str, .
     ValueError
         If something is not let through.
     """
+    allow = options.allow
     if unknown := [rule for rule in allow if rule not in RULES]:
         raise ValueError(f"--allow: expected some of {', '.join(RULES)}, got {unknown[0]}.")
     found = doubts(recording)
     if refused := [doubt for doubt in found if doubt.rule not in allow]:
         rules = shlex.quote(",".join(dict.fromkeys([*allow, *(doubt.rule for doubt in refused)])))
+        exchanged = options.format == "imu-tk" and "force" in {doubt.rule for doubt in refused}
+        order = " Or are the two files exchanged? The accelerometers' is first." * exchanged
         raise ValueError(
-            f"{recording.name}: {' '.join(map(str, refused))} If the log is right all the same, "
-            f"say --allow {rules}."
+            f"{recording.name}: {' '.join(map(str, refused))}{order} If the log is right all the "
+            f"same, say --allow {rules}."
         )
     warnings = [*map(str, found)]
     if recording.gravity is not None and not LEAST_GRAVITY < recording.gravity < MOST_GRAVITY:

@@ -6,6 +6,7 @@ The page forbids itself every request and every script. The same input gives the
 from __future__ import annotations
 
 import base64
+import re
 from collections.abc import Sequence
 from html import escape
 from importlib.resources import files
@@ -25,7 +26,7 @@ def page(findings: Findings, origin: Origin, title: str = "") -> str:
     style = files(__package__).joinpath("report.css").read_text(encoding="utf-8")
     head = title or findings.title
     known = [
-        ("Date", origin.date),
+        ("Date", origin.date or "not told"),
         *(pair for name, digest in origin.files for pair in (("Log", name), ("SHA-256", digest))),
         ("Taken for", origin.log),
         ("Versions", origin.versions),
@@ -46,7 +47,7 @@ def page(findings: Findings, origin: Origin, title: str = "") -> str:
         *map(_table, findings.details),
         "</div>",
         "<h2>The call</h2>",
-        f"<pre>{escape(origin.call)}</pre>",
+        f"<pre>{_call(origin.call)}</pre>",
     ]
     return "\n".join(
         [
@@ -60,6 +61,12 @@ def page(findings: Findings, origin: Origin, title: str = "") -> str:
             "</body></html>\n",
         ]
     )
+
+
+def _call(call: str) -> str:
+    """A command line that breaks before an option, and within one only if it is too long."""
+    parts = re.split(r" (?=--)", call)
+    return " ".join(f"<span>{escape(part)}</span>" for part in parts)
 
 
 def _table(table: Table) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import re
 import textwrap
 from collections.abc import Iterator
@@ -9,7 +10,21 @@ from collections.abc import Iterator
 from .findings import Findings, Table
 
 WIDTH = 88
+SIGNS = {"±": "+-", "√": "sqrt ", "²": "^2", "·": "*", "°": "deg"}
+"""What a terminal shows that lacks a sign; others become question marks."""
+PLAIN = "driftlab-plain"
+"""Name of that rule, as a handler of errors of encoding."""
 NUMBER = re.compile(r"(< )?[-+]?\d")
+
+
+def _plain(error: UnicodeError) -> tuple[str, int]:
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    lacking = error.object[error.start : error.end]
+    return "".join(SIGNS.get(sign, "?") for sign in lacking), error.end
+
+
+codecs.register_error(PLAIN, _plain)
 
 
 def text(findings: Findings) -> str:

@@ -15,7 +15,7 @@ from scipy.ndimage import uniform_filter1d
 
 from driftlab.checks import FloatArray, checked_instance, finite_number, positive_number
 
-from .recording import Recording
+from .recording import Kind, Recording
 
 _SILENT = 1e-9
 """Deviation, relative to the largest sample, below which a triad cannot tell rest from motion."""
@@ -44,6 +44,8 @@ class Rests:
         Rows of what was quiet, but not for long enough.
     alternatives : tuple of (float, int)
         Other multiples, and how many rests these would have found.
+    kind : {"rates", "increments"}
+        Of the recording.
 
     Examples
     --------
@@ -68,6 +70,7 @@ class Rests:
     loudest: FloatArray
     too_short: tuple[tuple[int, int], ...]
     alternatives: tuple[tuple[float, int], ...]
+    kind: Kind = "rates"
 
     def __len__(self) -> int:
         return len(self.begin)
@@ -101,9 +104,10 @@ class Rests:
         -------
         str
         """
-        noise = f"gyros {self.gyro_noise:.3g}"
+        turn, force = ("rad/s", "m/s^2") if self.kind == "rates" else ("rad", "m/s")
+        noise = f"gyros {self.gyro_noise:.3g} {turn}"
         if np.isfinite(self.accelerometer_noise):
-            noise += f", accelerometers {self.accelerometer_noise:.3g}"
+            noise += f", accelerometers {self.accelerometer_noise:.3g} {force}"
         others = ", ".join(f"{count} with {multiple:g}" for multiple, count in self.alternatives)
         one = len(self) == 1
         return (
@@ -239,6 +243,7 @@ def rests(
         np.array([_loudest(scatter, b, e, width) for b, e in kept]),
         tuple(rejected),
         tuple((m, len(found(m)[0])) for m in (times / 2, times * 2)),
+        recording.kind,
     )
 
 
