@@ -116,6 +116,7 @@ def test_a_unit_that_was_moved_is_told_so_first():
     findings = found(record)
     assert findings.sentences[0].startswith("No heading: the unit was moved at 60 s.")
     assert "heading" not in findings.values
+    assert findings.warnings == ()
     assert moved_at(record.between(0.0, 60.0)) is None
     assert moved_at(record.between(0.0, 0.1)) is None  # too few rows to say
 

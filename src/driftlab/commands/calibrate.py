@@ -152,7 +152,7 @@ def _in_words(fit: PoseCalibration) -> list[str]:
             f"{KINDS[kind]} ({excess_text(kind, more[kind].excess)})" for kind in more
         )
         words.append(
-            f"There is more than noise in: {shown}. The deviations above have it in them, as if it "
+            f"There is more than noise in: {shown}. The deviations have it in them, as if it "
             "were noise."
         )
     else:

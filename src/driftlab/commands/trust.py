@@ -14,6 +14,7 @@ from driftlab.gyrocompass.inertial_alignment import InertialAlignment
 from driftlab.recordings.recording import Recording
 
 from .numbers import DEG_PER_HOUR, written
+from .stillness import moved_at
 from .stretches import Spread
 
 SLACK = np.radians(0.1)
@@ -107,13 +108,16 @@ def drift_in_words(known: Trust) -> str:
 
 def doubts(recording: Recording, spread: Spread, known: Trust) -> list[str]:
     """What the record says against itself."""
+    if moved_at(recording) is not None:
+        return []  # means of several attitudes say nothing
     found = list(_doubts_of_axes(recording, spread))
     if known.rates == 2 and known.turn > max(3 * spread.deviation.heading, SLACK):
+        bound = np.degrees(WITHIN * known.turn)
+        least = f"to less than {written(bound, digits=2)} degrees" if bound < 90 else "at all"
         found.append(
             "the gyros' rates differ from the Earth's by more than noise explains. Do not trust "
-            f"the heading to less than {written(np.degrees(WITHIN * known.turn), digits=2)} "
-            f"degrees, {WITHIN} deviations: two rates tell little of the drift of a third, and "
-            "one error in twenty is larger still."
+            f"the heading {least}: two rates tell little of the drift of a third, and its error exceeds {WITHIN} "
+            "deviations once in twenty times."
         )
     pull = recording.gravity
     if pull is None and recording.latitude is not None:
