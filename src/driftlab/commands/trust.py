@@ -116,8 +116,8 @@ def doubts(recording: Recording, spread: Spread, known: Trust) -> list[str]:
         least = f"to less than {written(bound, digits=2)} degrees" if bound < 90 else "at all"
         found.append(
             "the gyros' rates differ from the Earth's by more than noise explains. Do not trust "
-            f"the heading {least}: two rates tell little of the drift of a third, and its error exceeds {WITHIN} "
-            "deviations once in twenty times."
+            f"the heading {least}: two rates tell little of the drift of a third, and its "
+            f"error exceeds {WITHIN} deviations once in twenty times."
         )
     pull = recording.gravity
     if pull is None and recording.latitude is not None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import codecs
 import re
+from collections.abc import Sequence
+from difflib import get_close_matches
 from pathlib import Path
 
 from .units import is_unit
@@ -12,8 +14,8 @@ NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?|[-+]?(nan|inf(
 """A number as logs write it, or what some write where they have none."""
 COMMENTS = ("%", "#", "//")
 """What begins a comment."""
-MANY = 20
-"""Lines from which their lengths tell something."""
+FEW, MANY = 12, 20
+"""Columns that a sentence can name all; lines from which their lengths tell something."""
 _SEVERAL_NUMBERS = re.compile(rf"({NUMBER.pattern})(\s+({NUMBER.pattern}))+", re.I)
 
 
@@ -94,6 +96,34 @@ def split_cells(line: str, delimiter: str | None) -> list[str]:
     if '"' in line and delimiter == ",":
         return [cell.strip(' "') for cell in re.split(r',(?=(?:[^"]*"[^"]*")*[^"]*$)', line)]
     return [cell.strip(' "') for cell in line.split(delimiter)]
+
+
+def names_like(wanted: str, names: Sequence[str]) -> str:
+    """Return names of columns for a sentence: all of few, of many the nearest.
+
+    Parameters
+    ----------
+    wanted : str
+        What was asked for and is not there.
+    names : sequence of str
+        Of all columns; empty if the file has no header.
+
+    Returns
+    -------
+    str
+        With an "or" at the end, unless it is empty.
+
+    Examples
+    --------
+    >>> names_like("wz", ("wx", "wy"))
+    'wx, wy, or '
+    """
+    if not any(names):
+        return ""
+    if len(names) <= FEW:
+        return f"{', '.join(names)}, or "
+    nearest = get_close_matches(wanted, names, 3, 0.4) or names[:3]
+    return f"one of {len(names)} names ({', '.join(nearest)}, ...) or "
 
 
 def without_mark(line: str) -> str:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
 
 import numpy as np
@@ -21,14 +20,12 @@ from ._text_form import (
     NUMBER,
     decoded,
     header,
+    names_like,
     number_delimiter,
     refuse_cut,
     split_cells,
     without_mark,
 )
-
-FEW = 12
-"""Columns that a sentence can name all."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +97,7 @@ class TextTable:
             if re.fullmatch(r"\d+", name) and 1 <= int(name) <= self.width:
                 return int(name) - 1, sign
         raise ValueError(
-            f"columns: expected {self._known(text)}a number from 1 to {self.width} for "
+            f"columns: expected {names_like(text, self.names)}a number from 1 to {self.width} for "
             f"{self.path.name}, got {wanted!r}."
         )
 
@@ -207,15 +204,6 @@ class TextTable:
         ['1', '2']
         """
         return split_cells(line, self.delimiter)
-
-    def _known(self, wanted: str) -> str:
-        """The names of the columns, or of many the nearest, for a sentence."""
-        if not any(self.names):
-            return ""
-        if len(self.names) <= FEW:
-            return f"{', '.join(self.names)}, or "
-        nearest = get_close_matches(wanted, self.names, 3, 0.4) or self.names[:3]
-        return f"one of {len(self.names)} names ({', '.join(nearest)}, ...) or "
 
     def _refuse(self, columns: Sequence[int], fault: str) -> None:
         """Say what is wrong with the first line that something is wrong with."""
