@@ -20,10 +20,11 @@ Conventions, fixed here once for the whole package:
 
 Ground floor: `checks`, `vectors`, `quaternion`, `earth`, `axes`, `conventions`, `frames`, `triad`,
 `body_frames`, `imu`, `increments`, `strapdown`, `monte_carlo`, `noise_terms`, `allan`. On it stand
-the subjects: `motion`, `drift`, `attitude`, `calibration`, `gyrocompass`. All of these need NumPy
-and SciPy only.
+the subjects: `motion`, `drift`, `attitude`, `recordings`, `calibration`, `gyrocompass`. All of
+these need NumPy and SciPy only, and so does `commands`, but for its bar and its plots.
 `symbolic` (SymPy) and `book` (Matplotlib, ipywidgets) come with ``pip install driftlab[book]``.
-``python -m driftlab`` lists what there is; nothing is loaded before it is asked for.
+``python -m driftlab`` lists what there is, the commands for one's own log first; nothing is loaded
+before it is asked for.
 """
 
 from driftlab._lazy import attach
