@@ -11,9 +11,9 @@ from tqdm import tqdm
 
 from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.kalman import velocity_update
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.simulation import TableTrial
+from driftlab.core import kalman
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
 from driftlab.monte_carlo import sweep
@@ -89,14 +89,16 @@ def calibration() -> None:
     way = linearize_along(NINETEEN_POSITIONS, np.radians(37.5), model)
     covariance = covariance_analysis(way, ImuNoise(), PriorDeviations())
     noise, seen = 1e-15 * np.eye(6), np.full(3, 1e-3)
+    observed, spread = np.eye(3, model.size, 3), 1e-4 * np.eye(3)
 
     def steps() -> None:
         p = covariance
         for matrix in way.transitions:
-            p = velocity_update(p, matrix[:6], noise, seen, 1e-4).covariance
+            p = kalman.predict(p, matrix[:6], noise)
+            p = kalman.correct(p, seen, observed, spread)[1]
 
     each = 1e6 * best(steps) / len(way.transitions)
-    print(f"velocity_update, {model.size} states:             {each:8.1f} µs")
+    print(f"predict and correct, {model.size} states:         {each:8.1f} µs")
     start = perf_counter()
     with ProcessPoolExecutor(2) as pool, tqdm(total=50, unit="run") as bar:
         sweep(TableTrial().run, 50, seed=1, batch=25, executor=pool, progress=bar.update)

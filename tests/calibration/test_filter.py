@@ -1,16 +1,13 @@
-"""The filter against other ways to the same answer: Joseph's form, information, least squares."""
+"""The filter against least squares with the nonlinear navigation, and what it finds and keeps."""
 
 import re
 
 import numpy as np
 import pytest
-from hypothesis import given, strategies as st
-from scipy.linalg import block_diag, solve
 
 from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.filter import calibrate
-from driftlab.calibration.kalman import velocity_update
 from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise, PriorDeviations, random_imu_errors
 from driftlab.increments import Increments, measure
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
@@ -22,162 +19,6 @@ from support import EPS, replaced
 LATITUDE = float(np.radians(37.5))
 SPREAD = PriorDeviations()
 every_frame = pytest.mark.parametrize("frame", ERROR_MODELS)
-
-
-# One step of the filter, on systems that have nothing to do with sensors
-
-
-def random_step(seed, size, *lead, spread=1.0):
-    """Covariance, transition, noise, velocity error; standard deviations over 2 `prior` decades"""
-    rng = np.random.default_rng(seed)
-    units = 10 ** rng.uniform(-spread, spread, size)
-    root, walk = rng.standard_normal((2, *lead, size, size))
-    root = (root + 2 * np.eye(size)) * units[:, np.newaxis]
-    walk = 0.1 * walk * units[:, np.newaxis]
-    turn = np.eye(size) + 0.3 * rng.standard_normal((*lead, size, size))
-    turn = units[:, np.newaxis] * turn / units
-    noise = walk @ np.swapaxes(walk, -1, -2)
-    return root @ np.swapaxes(root, -1, -2), turn, noise, rng.standard_normal((*lead, 3))
-
-
-def seen_of(size):
-    """H of Wu (52), whose only block is the velocity's."""
-    matrix = np.zeros((3, size))
-    matrix[:, 3:6] = np.eye(3)
-    return matrix
-
-
-systems = given(
-    seed=st.integers(0, 2**32 - 1), size=st.integers(6, 30), variance=st.floats(0.01, 100)
-)
-
-
-@systems
-def test_step_is_that_of_josephs_form(seed, size, variance):
-    covariance, turn, noise, velocity = random_step(seed, size)
-    step = velocity_update(covariance, turn, noise, velocity, variance)
-    predicted = turn @ covariance @ turn.T + noise
-    seen = seen_of(size)
-    innovation = seen @ predicted @ seen.T + variance * np.eye(3)
-    gain = solve(innovation, seen @ predicted, assume_a="pos").T
-    left = np.eye(size) - gain @ seen
-    joseph = left @ predicted @ left.T + variance * gain @ gain.T
-    # The short form takes away up to all of a predicted variance, in some tens of operations.
-    units = np.sqrt(np.diag(predicted))
-    bound = 1e4 * EPS * (1 + np.trace(innovation) / variance)
-    np.testing.assert_allclose(
-        step.covariance / np.outer(units, units),
-        joseph / np.outer(units, units),
-        rtol=0,
-        atol=bound,
-    )
-    expected = gain @ velocity
-    np.testing.assert_allclose(step.correction / units, expected / units, rtol=0, atol=bound)
-    nis = velocity @ solve(innovation, velocity, assume_a="pos")
-    np.testing.assert_allclose(step.nis, nis, rtol=bound)
-
-
-@systems
-def test_update_adds_the_information_of_the_velocity(seed, size, variance):
-    """P^-1 grows by H^T H / r, and the correction is P H^T z / r."""
-    covariance, turn, noise, velocity = random_step(seed, size, spread=0.0)
-    step = velocity_update(covariance, turn, noise, velocity, variance)
-    seen = seen_of(size)
-    before = np.linalg.inv(turn @ covariance @ turn.T + noise)
-    information = before + seen.T @ seen / variance
-    expected = np.linalg.inv(information)
-    bound = 1e3 * EPS * np.linalg.cond(before) * np.abs(expected).max()
-    np.testing.assert_allclose(step.covariance, expected, rtol=0, atol=bound)
-    gain = expected @ seen.T / variance
-    np.testing.assert_allclose(step.correction, gain @ velocity, rtol=0, atol=bound / variance * 10)
-
-
-@systems
-def test_covariance_is_symmetric_positive_and_not_larger_than_predicted(seed, size, variance):
-    covariance, turn, noise, velocity = random_step(seed, size)
-    after = velocity_update(covariance, turn, noise, velocity, variance).covariance
-    np.testing.assert_array_equal(after, after.T)
-    predicted = turn @ covariance @ turn.T + noise
-    units = np.sqrt(np.diag(predicted))
-    gone = (predicted - after) / np.outer(units, units)
-    assert np.linalg.eigvalsh(after / np.outer(units, units))[0] > 0
-    # Of the difference all but three eigenvalues vanish, and they sum up to at most `size`.
-    values = np.linalg.eigvalsh(gone)
-    np.testing.assert_allclose(values[:-3], 0, atol=64 * size * EPS)
-    assert values[-3] > 0
-
-
-@given(seed=st.integers(0, 2**32 - 1), moving=st.integers(6, 12))
-def test_states_without_rows_stay_as_they_are(seed, moving):
-    covariance, turn, noise, velocity = random_step(seed, 12)
-    turn[moving:], noise[moving:], noise[:, moving:] = np.eye(12)[moving:], 0, 0
-    whole = velocity_update(covariance, turn, noise, velocity, 0.7)
-    rows = velocity_update(covariance, turn[:moving], noise[:moving, :moving], velocity, 0.7)
-    for expected, found in zip(whole, rows, strict=True):
-        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-11 * np.abs(expected).max())
-
-
-@given(variance=st.floats(1e-3, 1e3), own=st.floats(1e-3, 1e3), walk=st.floats(0, 1e3))
-def test_alone_a_velocity_is_weighed_by_its_variances(variance, own, walk):
-    """With p = a^2 own + walk: p r/(p + r) is left, p/(p + r) of the error is taken out."""
-    covariance, turn, noise = (factor * np.eye(7) for factor in (own, 1.5, walk))
-    velocity = np.array([1.0, -2.0, 3.0])
-    step = velocity_update(covariance, turn, noise, velocity, variance)
-    p = 1.5**2 * own + walk
-    expected = np.full(7, p)
-    expected[3:6] = p * variance / (p + variance)
-    np.testing.assert_allclose(step.covariance, np.diag(expected), rtol=1e-9, atol=0)
-    np.testing.assert_allclose(step.correction[3:6], velocity * p / (p + variance), rtol=1e-12)
-    np.testing.assert_array_equal(step.correction[[0, 1, 2, 6]], 0)
-    np.testing.assert_allclose(step.nis, 14 / (p + variance), rtol=1e-12)
-
-
-def test_steps_along_leading_axes_are_steps_one_by_one():
-    arguments = random_step(4, 12, 5, 2)
-    copies = [argument.copy() for argument in arguments]
-    together = velocity_update(*arguments, 0.7)
-    for argument, copy in zip(arguments, copies, strict=True):
-        np.testing.assert_array_equal(argument, copy)
-    for index in np.ndindex(5, 2):
-        alone = velocity_update(*(argument[index] for argument in arguments), 0.7)
-        for one, many in zip(alone, together, strict=True):
-            assert many.shape == (5, 2, *one.shape)
-            # The same products, summed in another order.
-            np.testing.assert_allclose(many[index], one, rtol=0, atol=1e-12 * np.abs(one).max())
-
-
-@given(seed=st.integers(0, 2**32 - 1), size=st.integers(6, 12))
-def test_many_steps_are_one_least_squares_problem(seed, size):
-    """All states and all measurements at once: same state, same covariance, same misfit."""
-    steps, variance = 9, 0.5
-    rng = np.random.default_rng(seed)
-    covariance, *_ = random_step(rng, size, spread=0.0)
-    systems = [random_step(rng, size, spread=0.0) for _ in range(steps)]
-    # The filter, with the state fed back: what it is given is what the state does not explain.
-    state, now, misfit = np.zeros(size), covariance, 0.0
-    for _, turn, noise, measured in systems:
-        state = turn @ state
-        step = velocity_update(now, turn, noise, measured - state[3:6], variance)
-        state, now, misfit = state + step.correction, step.covariance, misfit + step.nis
-    # One row of unknowns: the state at first and every disturbance.
-    reach = np.eye(size, size * (steps + 1))
-    rows, data = [], []
-    for k, (_, turn, _, measured) in enumerate(systems):
-        reach = turn @ reach
-        reach[:, size * (k + 1) : size * (k + 2)] += np.eye(size)
-        rows.append(reach[3:6])
-        data.append(measured)
-    matrix, data = np.concatenate(rows), np.concatenate(data)
-    prior = block_diag(covariance, *(noise for _, _, noise, _ in systems))
-    weight = np.linalg.inv(matrix @ prior @ matrix.T + variance * np.eye(len(data)))
-    gain = prior @ matrix.T @ weight
-    expected = reach @ (prior - gain @ matrix @ prior) @ reach.T
-    # Nine transitions of norm 3 or so, and the short form in each.
-    size_of = np.abs(reach @ prior @ reach.T).max()
-    np.testing.assert_allclose(now, expected, rtol=0, atol=1e-9 * size_of)
-    scale = np.abs(reach @ gain).max() * np.abs(data).max()
-    np.testing.assert_allclose(state, reach @ gain @ data, rtol=0, atol=1e-9 * scale)
-    np.testing.assert_allclose(misfit, data @ weight @ data, rtol=1e-7)
 
 
 # A whole calibration against least squares with the navigation itself

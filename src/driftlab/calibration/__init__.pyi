@@ -49,8 +49,9 @@ from .filter import (
 )
 from .kalman import (
     Update as Update,
-    covariance_update as covariance_update,
-    velocity_update as velocity_update,
+    correct as correct,
+    nees as nees,
+    predict as predict,
 )
 from .linearization import (
     STEP as STEP,

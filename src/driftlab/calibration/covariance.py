@@ -8,10 +8,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from driftlab.checks import FloatArray, checked_instance, finite_number
+from driftlab.core import kalman
 from driftlab.imu import ImuNoise, PriorDeviations
 
 from .error_dynamics import process_noise
-from .kalman import covariance_update
 from .linearization import LinearizedErrors
 
 
@@ -126,7 +126,10 @@ def _covariances(
     yield covariance
     rows = linearized.transitions[:, :6]  # the sensor errors are constant
     added = process_noise(noise, rows[:, 3:, :3], linearized.durations)
+    observed = np.eye(3, linearized.model.size, 3)  # the velocity
     variances = noise.reference_velocity**2 * update / linearized.durations
-    for matrix, more, variance in zip(rows, added, variances, strict=True):
-        covariance, _, _ = covariance_update(covariance, matrix, more, variance)
+    spreads = variances[:, np.newaxis, np.newaxis] * np.eye(3)
+    for matrix, more, spread in zip(rows, added, spreads, strict=True):
+        covariance = kalman.predict(covariance, matrix, more)
+        covariance, _, _ = kalman.correct_covariance(covariance, observed, spread)
         yield covariance

@@ -20,7 +20,7 @@ from driftlab.checks import (
     unit_quaternions,
     whole_number,
 )
-from driftlab.core import quaternion
+from driftlab.core import kalman, quaternion
 from driftlab.core.attitude import step_quaternions
 from driftlab.core.strapdown import last_of, navigate
 from driftlab.earth import checked_latitude, earth_rate
@@ -30,7 +30,6 @@ from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 
 from .error_dynamics import free_transition, process_noise, transition_of_increments
 from .error_model import ErrorModel
-from .kalman import velocity_update
 from .linearization import checked_model
 
 
@@ -237,6 +236,8 @@ def calibrate(
         back = quaternion.multiply(believed, quaternion.conjugate(start_found))
         mean[..., :3] = quaternion.to_rotation_vector(back)
         believed = start_found
+    # Wu (51), (52): of all states the velocity error is seen, with noise.
+    observed, spread = np.eye(3, model.size, 3), noise.reference_velocity**2 * np.eye(3)
     now = home = at_rest(place, believed)
     nis_history, history = [], []
     for k in range(updates):
@@ -246,15 +247,11 @@ def calibrate(
         growth = transition_of_increments(model, free, attitudes, true)
         arrived = last_of(way)
         mean = (growth @ mean[..., np.newaxis])[..., 0]
-        step = velocity_update(
-            covariance,
-            growth[..., :6, :],
-            process_noise(noise, growth[..., 3:6, :3], np.asarray(duration)),
-            arrived.velocity - mean[..., 3:6] - reference[..., k, :],
-            noise.reference_velocity**2,
-        )
-        covariance = step.covariance
-        mean = mean + step.correction
+        added = process_noise(noise, growth[..., 3:6, :3], np.asarray(duration))
+        covariance = kalman.predict(covariance, growth[..., :6, :], added)
+        innovation = arrived.velocity - reference[..., k, :] - mean[..., 3:6]
+        correction, covariance, nis = kalman.correct(covariance, innovation, observed, spread)
+        mean = mean + correction
         found = state + mean
         found[..., :6] = 0.0
         back = quaternion.from_rotation_vector(mean[..., :3])
@@ -265,7 +262,7 @@ def calibrate(
         if about is None:  # fed back
             state, mean, arrived = found, np.zeros_like(mean), corrected
         now = home._replace(velocity=arrived.velocity, attitude=arrived.attitude)
-        nis_history.append(step.nis)
+        nis_history.append(nis)
         if k + 1 in kept:
             history.append((found, covariance, corrected.attitude, corrected.velocity))
     states, covariances, attitudes, velocities = (

@@ -1,34 +1,35 @@
-"""One step of a Kalman filter whose measurement is a velocity."""
+"""One step of a Kalman filter, predict and correct, and two tests of it: NIS and NEES."""
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray
-
-_UNIT = np.eye(3)  # made once, for the many steps of a filter
+from driftlab.checks import FloatArray, finite_array, finite_arrays
+from driftlab.core import kalman
 
 
 class Update(NamedTuple):
-    """Result of one step of the filter.
+    """What a measurement changes.
 
     Attributes
     ----------
     correction : ndarray, shape (..., size)
-        Estimate of the state.
+        To be added to the predicted state.
     covariance : ndarray, shape (..., size, size)
-        After the step.
+        Of the errors after the measurement. It does not depend on what was measured, and has no
+        leading axes that the innovation alone has.
     nis : ndarray, shape (...)
-        Squared innovation, normalised by its covariance (NIS).
+        Normalised innovation squared (NIS): the innovation in units of its own covariance. Of a
+        consistent filter the mean is the number of components measured.
 
     Examples
     --------
-    >>> step = velocity_update(np.eye(6), np.eye(6), np.zeros((6, 6)), np.array([1.0, 0, 0]), 1.0)
-    >>> step.correction
-    array([0. , 0. , 0. , 0.5, 0. , 0. ])
+    >>> update = correct(np.eye(2), [1.0], [[1.0, 0.0]], [[1.0]])
+    >>> update.correction, float(update.nis)
+    (array([0.5, 0. ]), 0.5)
     """
 
     correction: FloatArray
@@ -36,95 +37,165 @@ class Update(NamedTuple):
     nis: FloatArray
 
 
-def velocity_update(
-    covariance: FloatArray,
-    transition: FloatArray,
-    noise: FloatArray,
-    velocity_error: FloatArray,
-    velocity_variance: float,
-) -> Update:
-    """One prediction and update of an error-state filter whose state was reset to zero.
+def predict(covariance: ArrayLike, transition: ArrayLike, noise: ArrayLike) -> FloatArray:
+    r"""Covariance of the errors after a step, before anything is measured.
 
     Parameters
     ----------
-    covariance : ndarray, shape (..., size, size)
-        Before the step.
-    transition : ndarray, shape (..., k, size)
-        Rows of the transition matrix over the step for the first k states; the others stay as
-        they are. At least the six of attitude and velocity.
-    noise : ndarray, shape (..., k, k)
-        Covariance of the process noise of the step in those states.
-    velocity_error : ndarray, shape (..., 3)
-        Computed minus measured velocity, m/s: states 3, 4, 5 plus noise. Wu (51), (52).
-    velocity_variance : float
-        Variance of that noise in each component, (m/s)^2.
+    covariance : array_like, shape (..., size, size)
+        :math:`P` before the step, symmetric.
+    transition : array_like, shape (..., k, size)
+        :math:`\Phi`, or only its first k rows: the states after them stay as they are.
+    noise : array_like, shape (..., k, k)
+        :math:`Q`: what the step adds to the covariance of those k states.
+
+    Returns
+    -------
+    ndarray, shape (..., size, size)
+        :math:`\Phi P \Phi^T + Q`.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or a number is not finite.
+
+    Examples
+    --------
+    A place and a speed, each known to 1; after two seconds the place is known to 4 + 1, in squares:
+
+    >>> predict(np.eye(2), [[1.0, 2.0], [0.0, 1.0]], np.zeros((2, 2)))
+    array([[5., 2.],
+           [2., 1.]])
+
+    The speed stays as it is, so the row of the place says the same:
+
+    >>> predict(np.eye(2), [[1.0, 2.0]], [[0.0]])
+    array([[5., 2.],
+           [2., 1.]])
+    """
+    size = _size(covariance)
+    moving = _rows(transition, "transition", size)
+    if moving > size:
+        raise ValueError(f"transition: expected at most {size} rows, got {moving}.")
+    arrays = finite_arrays(
+        covariance=(covariance, size, size),
+        transition=(transition, moving, size),
+        noise=(noise, moving, moving),
+    )
+    return kalman.predict(*arrays)
+
+
+def correct(
+    covariance: ArrayLike, innovation: ArrayLike, observation: ArrayLike, noise: ArrayLike
+) -> Update:
+    r"""Believe a measurement as far as it deserves.
+
+    Parameters
+    ----------
+    covariance : array_like, shape (..., size, size)
+        :math:`P` as predicted, symmetric.
+    innovation : array_like, shape (..., m)
+        :math:`z`: what is measured minus what was predicted of it.
+    observation : array_like, shape (..., m, size)
+        :math:`H`: what is measured of each state.
+    noise : array_like, shape (..., m, m)
+        :math:`R`: covariance of the noise of the measurement.
 
     Returns
     -------
     Update
-        Estimate of the state, covariance after the step, and normalised innovation.
+        Correction, covariance and NIS.
 
-    Examples
-    --------
-    Prior and measurement of a velocity are equally good, so half of the innovation is believed:
-
-    >>> step = velocity_update(np.eye(6), np.eye(6), np.zeros((6, 6)), np.array([1.0, 0, 0]), 1.0)
-    >>> float(step.correction[3]), float(step.covariance[3, 3]), float(step.nis)
-    (0.5, 0.5, 0.5)
-    """
-    after, gain, weights = covariance_update(covariance, transition, noise, velocity_variance)
-    column = velocity_error[..., np.newaxis]
-    correction = (gain @ column)[..., 0]
-    nis = (velocity_error[..., np.newaxis, :] @ weights @ column)[..., 0, 0]
-    return Update(correction, after, nis)
-
-
-def covariance_update(
-    covariance: FloatArray, transition: FloatArray, noise: FloatArray, velocity_variance: float
-) -> tuple[FloatArray, NDArray[Any], NDArray[Any]]:
-    """Covariance and gain of `velocity_update`, which do not depend on the measurement.
-
-    Parameters
-    ----------
-    covariance : ndarray, shape (..., size, size)
-        Before the step.
-    transition : ndarray, shape (..., k, size)
-        Rows of the transition matrix over the step for the first k states; the others stay as
-        they are. At least the six of attitude and velocity.
-    noise : ndarray, shape (..., k, k)
-        Covariance of the process noise of the step in those states.
-    velocity_variance : float
-        Variance of the measured velocity in each component, (m/s)^2.
-
-    Returns
-    -------
-    covariance : ndarray, shape (..., size, size)
-        After the step.
-    gain : ndarray, shape (..., size, 3)
-        Kalman gain.
-    weights : ndarray, shape (..., 3, 3)
-        Inverse of the innovation's covariance, (s/m)^2.
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, a number is not finite, or the innovation can have no spread.
 
     Notes
     -----
-    The short form P - K H P needs half the work of Joseph's form. Rounding makes it asymmetric and
-    then, in filters with badly scaled states, indefinite, so it is made symmetric at each step.
+    With :math:`S = H P H^T + R` and the gain :math:`G = P H^T S^{-1}` the correction is
+    :math:`G z`, the covariance :math:`P - G H P`, the NIS :math:`z^T S^{-1} z`.
+
+    Joseph's form :math:`(I - GH) P (I - GH)^T + G R G^T` is right to first order in an error of
+    the gain, and is the one to take with a gain that is not this one. With this gain both are the
+    same matrix; the short form needs a fraction of the work, and is made symmetric at each step.
 
     Examples
     --------
-    >>> _, gain, weights = covariance_update(np.eye(6), np.eye(6), np.zeros((6, 6)), 3.0)
-    >>> float(gain[3, 0]), float(weights[0, 0])
-    (0.25, 0.25)
+    The place alone is measured. The speed goes with it, for the two are correlated:
+
+    >>> update = correct([[5.0, 2.0], [2.0, 1.0]], [3.0], [[1.0, 0.0]], [[1.0]])
+    >>> update.correction
+    array([2.5, 1. ])
+    >>> update.covariance.round(3)
+    array([[0.833, 0.333],
+           [0.333, 0.333]])
     """
-    moving = transition.shape[-2]
-    rows = transition @ covariance
-    lead = np.broadcast_shapes(rows.shape[:-2], noise.shape[:-2])
-    predicted = np.broadcast_to(covariance, (*lead, *covariance.shape[-2:])).copy()
-    predicted[..., :moving, :moving] = rows @ transition.mT + noise
-    predicted[..., :moving, moving:] = rows[..., moving:]
-    predicted[..., moving:, :moving] = rows[..., moving:].mT
-    seen = predicted[..., 3:6]
-    weights = np.linalg.inv(seen[..., 3:6, :] + velocity_variance * _UNIT)
-    gain = seen @ weights
-    predicted -= gain @ seen.mT
-    return 0.5 * (predicted + predicted.mT), gain, weights
+    size = _size(covariance)
+    measured = _rows(observation, "observation", size)
+    arrays = finite_arrays(
+        covariance=(covariance, size, size),
+        innovation=(innovation, measured),
+        observation=(observation, measured, size),
+        noise=(noise, measured, measured),
+    )
+    try:
+        return Update(*kalman.correct(*arrays))
+    except np.linalg.LinAlgError:
+        raise ValueError(
+            "noise: expected an innovation with a spread in every direction, got H P H^T + R "
+            "without an inverse."
+        ) from None
+
+
+def nees(errors: ArrayLike, covariance: ArrayLike) -> FloatArray:
+    """Normalised estimation error squared (NEES): the errors in units of their covariance.
+
+    Parameters
+    ----------
+    errors : array_like, shape (..., size)
+        Of the estimated states.
+    covariance : array_like, shape (..., size, size)
+        As the filter states it. States that are known everywhere, with a variance of zero, do not
+        count.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        Of a consistent filter the mean over many runs is the number of states that count.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or a number is not finite.
+
+    Examples
+    --------
+    Two errors of two and one deviations; the third state was known from the beginning:
+
+    >>> float(nees([2.0, 3.0, 0.0], np.diag([1.0, 9.0, 0.0])))
+    5.0
+    """
+    size = _size(covariance)
+    error, stated = finite_arrays(errors=(errors, size), covariance=(covariance, size, size))
+    variances = np.einsum("...ii->...i", stated)
+    counted = np.flatnonzero(variances.reshape(-1, size).any(axis=0))
+    error = error[..., counted]
+    block = stated[..., counted[:, np.newaxis], counted]
+    return np.vecdot(error, np.linalg.solve(block, error[..., np.newaxis])[..., 0])
+
+
+def _size(covariance: ArrayLike) -> int:
+    """Number of states, refusing what is not square."""
+    shape = finite_array(covariance, "covariance").shape
+    if len(shape) < 2 or shape[-1] != shape[-2]:
+        raise ValueError(f"covariance: expected shape (..., size, size), got shape {shape}.")
+    return shape[-1]
+
+
+def _rows(matrix: ArrayLike, name: str, size: int) -> int:
+    """Number of rows, refusing what has none or is not made for so many states."""
+    shape = finite_array(matrix, name).shape
+    if len(shape) < 2 or shape[-1] != size:
+        raise ValueError(f"{name}: expected shape (..., rows, {size}), got shape {shape}.")
+    return shape[-2]

@@ -38,6 +38,7 @@ from driftlab.motion.turntable import table_trajectory
 from .body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
 from .error_model import error_model_for
 from .filter import Calibration, calibrate
+from .kalman import nees
 from .linearization import linearize_along
 from .observability import warn_if_unobservable
 
@@ -84,13 +85,7 @@ class Trial(NamedTuple):
         >>> trial.run(np.random.default_rng(2), runs=5).nees[:, -1].round(0)
         array([18., 29., 22., 32., 35.])
         """
-        covariance = self.calibration.covariance
-        variances = np.einsum("...ii->...i", covariance)
-        open_states = np.flatnonzero(variances.reshape(-1, variances.shape[-1]).any(axis=0))
-        errors = self.errors[..., open_states]
-        block = covariance[..., open_states[:, np.newaxis], open_states]
-        scaled = np.linalg.solve(block, errors[..., np.newaxis])
-        return np.einsum("...i,...i->...", errors, scaled[..., 0])
+        return nees(self.errors, self.calibration.covariance)
 
 
 @dataclass(frozen=True)

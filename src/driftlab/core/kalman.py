@@ -1,0 +1,51 @@
+"""One step of a Kalman filter: the arithmetic of `driftlab.calibration.kalman`, without checks."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from driftlab.checks import FloatArray
+
+
+def predict(covariance: FloatArray, transition: FloatArray, noise: FloatArray) -> FloatArray:
+    """Covariance after a step, of which `transition` may have the first k rows only.
+
+    In a batch of 200 filters with 27 states six rows take a tenth of the time of all; one filter
+    alone does not notice.
+    """
+    moving = transition.shape[-2]
+    rows = transition @ covariance
+    block = rows @ transition.mT + noise
+    predicted = np.empty((*block.shape[:-2], *covariance.shape[-2:]))
+    predicted[...] = covariance
+    predicted[..., :moving, :moving] = block
+    predicted[..., :moving, moving:] = rows[..., moving:]
+    predicted[..., moving:, :moving] = rows[..., moving:].mT
+    return predicted
+
+
+def correct(
+    covariance: FloatArray, innovation: FloatArray, observation: FloatArray, noise: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Correction, covariance and normalised innovation squared."""
+    after, gain, weights = correct_covariance(covariance, observation, noise)
+    column = innovation[..., np.newaxis]
+    weighted = (weights @ column)[..., 0]
+    return (gain @ column)[..., 0], after, np.vecdot(innovation, weighted)
+
+
+def correct_covariance(
+    covariance: FloatArray, observation: FloatArray, noise: FloatArray
+) -> tuple[FloatArray, NDArray[Any], NDArray[Any]]:
+    """Covariance after a measurement, gain, and inverse covariance of the innovation.
+
+    They do not depend on what was measured. `covariance` must be symmetric; what comes out is.
+    """
+    seen = observation @ covariance
+    weights = np.linalg.inv(seen @ observation.mT + noise)
+    gain = seen.mT @ weights
+    after = covariance - gain @ seen
+    return 0.5 * (after + after.mT), gain, weights
