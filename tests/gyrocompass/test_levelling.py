@@ -156,6 +156,7 @@ def test_the_heading_is_wrapped():
         np.ones(1),
         from_euler_angles([3.0], 0.0, 0.0),
         np.array([[-1.0, 0.5]]),
+        np.array([[3.0, -2.0]]),  # is not read
         level_start(),
     )
     assert run.heading == pytest.approx(3.0 + np.arctan2(0.5, -1.0) - 2 * np.pi)
@@ -205,16 +206,23 @@ def test_accelerated_alignment_ends_where_the_trigonometric_one_does():
     goal = align(rate + drift, force + offset)
     # Set out 0.5 and 0.4 degrees out of level and without knowing where North is.
     bent = multiply(from_rotation_vector(np.radians([0.5, 40.0, 0.4])), goal.attitude)
+    gains = damped_gains(0.02, GRAVITY)
+    azimuth_rate = EARTH_RATE * np.sin(goal.latitude)
     found = propagate_level_frame(
         LevelFrame(bent, np.zeros(2)),
         at_rest(attitude, 3600, 0.1, drift, offset),
-        damped_gains(0.02, GRAVITY),
-        EARTH_RATE * np.sin(goal.latitude),
+        gains,
+        azimuth_rate,
         every=600,
     )
     # The biased vertical rate is not U sin of the aligned latitude exactly, so the horizon turns
-    # slowly in azimuth, and lags a little.
-    assert found.heading[-1] == pytest.approx(goal.heading, abs=1e-9)
+    # slowly in azimuth. The force that must turn the integrals lags them behind it by k1/k2.
+    vertical = rotate(goal.attitude, rate + drift)[1]
+    lag = gains.proportional / gains.integral * (vertical - azimuth_rate)
+    assert 1e-6 < abs(lag) < 1e-5
+    assert found.heading[-1] - goal.heading == pytest.approx(lag, rel=1e-3)
+    whole = np.arctan2(*found.horizon_rate[-1, ::-1]) + found.yaw_pitch_roll.heading[-1]
+    assert whole == pytest.approx(goal.heading, abs=1e-9)
     assert found.yaw_pitch_roll.pitch[-1] == pytest.approx(goal.pitch, abs=1e-7)
     assert found.yaw_pitch_roll.roll[-1] == pytest.approx(goal.roll, abs=1e-7)
     formula = alignment_errors(

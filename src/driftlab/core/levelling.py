@@ -48,7 +48,7 @@ def integrated_runs(
 def _integrate(
     first: Any, steps: Any, interval: float, k1: float, k2: float, every: int
 ) -> list[Any]:
-    """Rows of attitude, level rates, and their integrals, after each `every` steps.
+    """Rows of attitude, integral and proportional parts of the rates, after each `every` steps.
 
     All operations are plain arithmetic, so the same lines serve floats and arrays. In a step the
     horizon goes halfway, looks at the force there, and goes all the way with what it has seen: a
@@ -92,6 +92,6 @@ def _integrate(
         length = 1.5 - 0.5 * (x * x + y * y + z * z + w * w)
         x, y, z, w = length * x, length * y, length * z, length * w
         if number % every == 0:
-            # The integrals are those of the end of the step; r1, r3 belong to its middle.
-            rows.append((x, y, z, w, i1 + k1 * w3, i3 - k1 * w1, i1, i3))
+            # The integrals are those of the end of the step; the force is a mean over the step.
+            rows.append((x, y, z, w, i1, i3, k1 * w3, -k1 * w1))
     return rows

@@ -165,8 +165,14 @@ def operating_heading_error(
     heading: ArrayLike,
     pitch: ArrayLike,
     radius: float = EARTH_RADIUS,
+    *,
+    proportional_rate: ArrayLike = (0.0, 0.0),
 ) -> OperatingHeadingError:
     """First-order heading error of the compass at work, term by term; (operating heading).
+
+    The paper's formula is that of a compass angle from the whole level rates of the horizon. From
+    their integral parts, as `LevellingHistory.heading` reads it, it is that of the whole rates less
+    their proportional parts.
 
     Parameters
     ----------
@@ -186,6 +192,9 @@ def operating_heading_error(
         rad; the pitch at most 89.9 degrees.
     radius : float
         Of the Earth, m.
+    proportional_rate : array_like, shape (..., 2)
+        k1 W3 and -k1 W1, rad/s, if the heading is read from the integral parts. Zeros without
+        damping, or if it is read from the whole rates.
 
     Returns
     -------
@@ -207,7 +216,7 @@ def operating_heading_error(
     >>> round(60 * float(np.degrees(found.heading)), 2)
     4.57
     """
-    place, speed, tilts, tilt_rates, biases, yaw, heading, pitch = finite_arrays(
+    place, speed, tilts, tilt_rates, biases, yaw, heading, pitch, unread = finite_arrays(
         latitude=(latitude,),
         velocity=(velocity, 2),
         tilt=(tilt, 2),
@@ -216,6 +225,7 @@ def operating_heading_error(
         yaw_error=(yaw_error,),
         heading=(heading,),
         pitch=(pitch,),
+        proportional_rate=(proportional_rate, 2),
     )
     refuse_vertical(pitch)
     north, up, east = np.moveaxis(navigation_frame_rate(place, speed, radius), -1, 0)
@@ -223,8 +233,8 @@ def operating_heading_error(
     (alpha, chi), (alpha_rate, chi_rate) = np.moveaxis(tilts, -1, 0), np.moveaxis(tilt_rates, -1, 0)
     # Errors of the two level rates of the modelled horizon: its gyros are biased, and its axes turn
     # and are turned. The paper's denominator is R^2 times `squared`, and its v1 is -R times `east`.
-    east_error = chi_rate - alpha * up + biases[..., 1]
-    north_error = alpha_rate + chi * up + biases[..., 0]
+    east_error = chi_rate - alpha * up + biases[..., 1] - unread[..., 1]
+    north_error = alpha_rate + chi * up + biases[..., 0] - unread[..., 0]
     terms = np.broadcast_arrays(
         north * east_error / squared,
         -east * north_error / squared,

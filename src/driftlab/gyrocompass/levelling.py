@@ -8,8 +8,9 @@ accordingly:
     w_eta1 = k1 W3 + k2 ∫W3 dt,  w_eta3 = -k1 W1 - k2 ∫W1 dt,  w_eta2 given.
 
 The heading is the yaw of the body in the horizon plus the angle from the level part of w_eta to the
-horizon's first axis. The paper describes these equations and does not give them; they are
-reconstructed. Axes and angles are those of `driftlab.frames`.
+horizon's first axis. It is read from the integrals alone: the proportional part has the noise and
+the pulses of the accelerometers in it. The paper describes these equations and does not give them;
+they are reconstructed. Axes and angles are those of `driftlab.frames`.
 """
 
 from __future__ import annotations
@@ -69,15 +70,17 @@ class LevellingHistory(NamedTuple):
     attitude : ndarray, shape (..., k, 4)
         Body to horizon.
     rate : ndarray, shape (..., k, 2)
-        Level rates w_eta1 and w_eta3 of the horizon, rad/s: the integral parts at these times plus
-        the means of the proportional parts over the last interval.
+        Integral parts of the level rates w_eta1 and w_eta3, rad/s, as in `LevelFrame`.
+    proportional_rate : ndarray, shape (..., k, 2)
+        Their proportional parts k1 W3 and -k1 W1, rad/s: means over the last interval.
     last : LevelFrame
         State at the last of the times.
 
     Examples
     --------
     >>> level, rate = np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[5e-5, 5e-5]])
-    >>> found = LevellingHistory(np.ones(1), level, rate, LevelFrame(level[0], rate[0]))
+    >>> end = LevelFrame(level[0], rate[0])
+    >>> found = LevellingHistory(np.ones(1), level, rate, np.zeros((1, 2)), end)
     >>> np.degrees(found.compass_angle)
     array([45.])
     """
@@ -85,7 +88,29 @@ class LevellingHistory(NamedTuple):
     times: FloatArray
     attitude: FloatArray
     rate: FloatArray
+    proportional_rate: FloatArray
     last: LevelFrame
+
+    @property
+    def horizon_rate(self) -> FloatArray:
+        """Whole level rates w_eta1 and w_eta3 with which the horizon turns.
+
+        With a proportional gain they are too noisy for a compass: one velocity pulse of a real
+        accelerometer can be more than the Earth's rate.
+
+        Returns
+        -------
+        ndarray, shape (..., k, 2)
+            `rate` plus `proportional_rate`, rad/s.
+
+        Examples
+        --------
+        >>> level, rate = np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[5e-5, 0.0]])
+        >>> pulse, end = np.array([[0.0, 3e-4]]), LevelFrame(level[0], rate[0])
+        >>> LevellingHistory(np.ones(1), level, rate, pulse, end).horizon_rate
+        array([[5.e-05, 3.e-04]])
+        """
+        return self.rate + self.proportional_rate
 
     @property
     def yaw_pitch_roll(self) -> EulerAngles:
@@ -99,8 +124,8 @@ class LevellingHistory(NamedTuple):
         Examples
         --------
         >>> yawed = np.array([[0.0, np.sin(0.1), 0.0, np.cos(0.1)]])
-        >>> rate = np.zeros((1, 2))
-        >>> found = LevellingHistory(np.ones(1), yawed, rate, LevelFrame(yawed[0], rate[0]))
+        >>> none = np.zeros((1, 2))
+        >>> found = LevellingHistory(np.ones(1), yawed, none, none, LevelFrame(yawed[0], none[0]))
         >>> found.yaw_pitch_roll.heading.round(6)
         array([0.2])
         """
@@ -110,6 +135,8 @@ class LevellingHistory(NamedTuple):
     def compass_angle(self) -> FloatArray:
         """Compass angle Psi_K: from the compass's North to the horizon's first axis.
 
+        It is read from `rate`, the integral parts.
+
         Returns
         -------
         ndarray, shape (..., k)
@@ -118,7 +145,8 @@ class LevellingHistory(NamedTuple):
         Examples
         --------
         >>> level, rate = np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[5e-5, 5e-5]])
-        >>> found = LevellingHistory(np.ones(1), level, rate, LevelFrame(level[0], rate[0]))
+        >>> end = LevelFrame(level[0], rate[0])
+        >>> found = LevellingHistory(np.ones(1), level, rate, np.zeros((1, 2)), end)
         >>> found.compass_angle.round(4)
         array([0.7854])
         """
@@ -136,7 +164,8 @@ class LevellingHistory(NamedTuple):
         Examples
         --------
         >>> yawed, north = np.array([[0.0, np.sin(0.1), 0.0, np.cos(0.1)]]), np.array([[1.0, 0.0]])
-        >>> found = LevellingHistory(np.ones(1), yawed, north, LevelFrame(yawed[0], north[0]))
+        >>> end = LevelFrame(yawed[0], north[0])
+        >>> found = LevellingHistory(np.ones(1), yawed, north, np.zeros((1, 2)), end)
         >>> found.heading.round(6)
         array([0.2])
         """
@@ -266,9 +295,9 @@ def propagate_level_frame(
             "increments: expected increments that a horizon can follow, "
             f"got up to {np.abs(angle).max():.3g} rad and {np.abs(velocity).max():.3g} m/s."
         )
-    last = LevelFrame(found[..., -1, :4], found[..., -1, 6:])
+    last = LevelFrame(found[..., -1, :4], found[..., -1, 4:6])
     times: FloatArray = seconds * every * np.arange(1.0, count // every + 1)
-    return LevellingHistory(times, found[..., :4], found[..., 4:6], last)
+    return LevellingHistory(times, found[..., :4], found[..., 4:6], found[..., 6:], last)
 
 
 def _one_each(azimuth_rate: ArrayLike, count: int) -> FloatArray:

@@ -55,7 +55,7 @@ class HeadingErrors(NamedTuple):
     speed_error : ndarray, shape (n,)
         The true speed error, rad.
     formula : OperatingHeadingError
-        The paper's formula for the heading error; each term (..., n).
+        The paper's formula for the heading error, less the proportional part; each term (..., n).
     tilt : ndarray, shape (..., n, 2)
         Of the horizon about North and about East, rad.
     yaw_error, compass_error : ndarray, shape (..., n)
@@ -194,11 +194,19 @@ def simulate_compass(
         azimuth_rate,
     )
     if log:
-        # Its rates belong to the ends of the intervals, where the integrals should have all of
-        # the force, and a half of what is hidden in an interval comes after its middle.
-        missing = 0.5 * interval * gains.integral * hidden
-        found = found._replace(rate=found.rate + np.stack([missing[:, 1], -missing[:, 0]], -1))
+        # The instrument integrates all of W, and its damping sees W - a: the same sum.
+        integral = gains.integral * interval * np.cumsum(hidden, axis=0)
+        found = found._replace(
+            rate=found.rate + _turning(integral),
+            proportional_rate=found.proportional_rate
+            + _turning(gains.proportional * (hidden - wanted)),
+        )
     return _errors_of(found, trajectory, biases, told)
+
+
+def _turning(force: FloatArray) -> FloatArray:
+    """Rates about North and East, (n, 2), by which a level force (n, 2) turns the horizon."""
+    return np.stack([force[:, 1], -force[:, 0]], axis=-1)
 
 
 def _checked_log_error(log_error: ArrayLike, log: bool, trajectory: Trajectory) -> FloatArray:
@@ -238,6 +246,9 @@ def _errors_of(
     removed = speed_error(trajectory.latitude[1:], told[1:])
     compass_error = wrap_angle(found.compass_angle - removed)
     yaw_error = wrap_angle(found.yaw_pitch_roll.heading - heading)
+    # Of means over intervals those at their ends, like the central differences of the tilt.
+    unread = found.proportional_rate.copy()
+    unread[..., :-1, :] = 0.5 * (unread[..., :-1, :] + unread[..., 1:, :])
     formula = operating_heading_error(
         trajectory.latitude[1:],
         trajectory.velocity[1:],
@@ -247,6 +258,7 @@ def _errors_of(
         yaw_error,
         heading,
         pitch,
+        proportional_rate=unread,
     )
     return HeadingErrors(
         trajectory.times[1:],
