@@ -37,11 +37,14 @@ from driftlab.attitude import (
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.calibration import (
     body_axes,
+    error_budget,
     error_dynamics,
     filter,
     kalman,
     nominal_readings,
     simulation as calibration_simulation,
+    static_error_curves,
+    static_error_growth,
     static_navigation,
 )
 from driftlab.drift import (
@@ -292,6 +295,13 @@ APART = {
     body_axes.attitude_of_axes,
     body_axes.attitude_error,
     static_navigation.navigate_static,
+    static_error_growth.checked_moments,
+    static_error_curves.static_causes,
+    static_error_curves.static_errors,
+    static_error_curves.schuler_position,
+    error_budget.mission_errors,
+    error_budget.mission_causes,
+    error_budget.calibration_budget,
     nominal_readings.checked_zeros,
     levelling.propagate_level_frame,
     inertial_alignment.align_in_inertial_frame,

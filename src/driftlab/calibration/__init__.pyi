@@ -2,6 +2,7 @@ from . import (
     biases_behind_matrix as biases_behind_matrix,
     body_axes as body_axes,
     covariance as covariance,
+    error_budget as error_budget,
     error_dynamics as error_dynamics,
     error_model as error_model,
     filter as filter,
@@ -12,7 +13,10 @@ from . import (
     observability as observability,
     pose_results as pose_results,
     poses as poses,
+    schuler_pair as schuler_pair,
     simulation as simulation,
+    static_error_curves as static_error_curves,
+    static_error_growth as static_error_growth,
     static_navigation as static_navigation,
 )
 from .biases_behind_matrix import (
@@ -28,6 +32,12 @@ from .body_axes import (
 from .covariance import (
     covariance_analysis as covariance_analysis,
     deviation_history as deviation_history,
+)
+from .error_budget import (
+    MissionErrors as MissionErrors,
+    calibration_budget as calibration_budget,
+    mission_causes as mission_causes,
+    mission_errors as mission_errors,
 )
 from .error_dynamics import (
     free_transition as free_transition,
@@ -83,10 +93,27 @@ from .poses import (
     POSE_AXES as POSE_AXES,
     calibrate_by_poses as calibrate_by_poses,
 )
+from .schuler_pair import (
+    StaticErrorRates as StaticErrorRates,
+    static_error_rates as static_error_rates,
+)
 from .simulation import (
     TableTrial as TableTrial,
     Trial as Trial,
     estimation_errors as estimation_errors,
+)
+from .static_error_curves import (
+    schuler_position as schuler_position,
+    static_causes as static_causes,
+    static_errors as static_errors,
+)
+from .static_error_growth import (
+    STATIC_CAUSES as STATIC_CAUSES,
+    STATIC_MODES as STATIC_MODES,
+    StaticErrorModes as StaticErrorModes,
+    checked_moments as checked_moments,
+    static_error_matrix as static_error_matrix,
+    static_error_modes as static_error_modes,
 )
 from .static_navigation import (
     StaticNavigationErrors as StaticNavigationErrors,

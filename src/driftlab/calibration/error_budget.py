@@ -1,0 +1,246 @@
+"""From residual to mission: what a calibration leaves over, as errors of position and heading.
+
+An error budget in the usual sense: standard deviations of independent causes, each carried through
+the linear error equations at rest, and their root sum of squares. What a calibration leaves is not
+independent, so its whole covariance is carried as well.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.checks import (
+    FloatArray,
+    checked_instance,
+    finite_array,
+    finite_number,
+    unit_quaternions,
+)
+from driftlab.core.quaternion import to_matrix
+from driftlab.earth import EARTH_RATE, checked_latitude, earth_rate, gravity
+
+from .error_model import ErrorModel
+from .static_error_growth import STATIC_CAUSES, checked_moments, static_error_modes
+
+
+class MissionErrors(NamedTuple):
+    """Standard deviations of the errors that causes make along a time at rest.
+
+    Attributes
+    ----------
+    times : ndarray, shape (k,)
+        Since the start, s.
+    position : ndarray, shape (..., k, 2)
+        East and North, m.
+    heading : ndarray, shape (..., k)
+        rad.
+
+    Examples
+    --------
+    >>> errors = MissionErrors(np.array([3600.0]), np.array([[300.0, 400.0]]), np.array([1e-4]))
+    >>> float(errors.distance[0])
+    500.0
+    """
+
+    times: FloatArray
+    position: FloatArray
+    heading: FloatArray
+
+    @property
+    def distance(self) -> FloatArray:
+        """Root mean square of the distance from the true place.
+
+        Returns
+        -------
+        ndarray, shape (..., k)
+            m. If East and North are alike and normal, half of all missions end within 0.83 of it:
+            the circular error probable, CEP.
+
+        Examples
+        --------
+        >>> MissionErrors(np.array([60.0]), np.array([[5.0, 12.0]]), np.array([0.0])).distance
+        array([13.])
+        """
+        return np.linalg.norm(self.position, axis=-1)
+
+    @property
+    def radial_error_rate(self) -> FloatArray:
+        """Slope of the line through the start that fits `distance` best, by least squares.
+
+        Returns
+        -------
+        ndarray, shape (...)
+            m/s; `scipy.constants.knot` is a nautical mile an hour. It depends on the times.
+
+        Examples
+        --------
+        >>> line = np.array([[3.0, 0.0], [6.0, 0.0]])
+        >>> errors = MissionErrors(np.array([1.0, 2.0]), line, np.zeros(2))
+        >>> float(errors.radial_error_rate)
+        3.0
+        """
+        return np.asarray((self.distance * self.times).sum(axis=-1) / (self.times**2).sum())
+
+
+def mission_errors(times: ArrayLike, latitude: float, covariance: ArrayLike) -> MissionErrors:
+    """Carry the covariance of causes to errors of position and heading.
+
+    Parameters
+    ----------
+    times : array_like, shape (k,)
+        Since the start, s.
+    latitude : float
+        rad; not a pole.
+    covariance : array_like, shape (..., 12, 12)
+        Of the causes, in the order of `STATIC_CAUSES`.
+
+    Returns
+    -------
+    MissionErrors
+        Exact for the linear equations, whatever the distribution.
+
+    Examples
+    --------
+    Gyros of 0.01 deg/h about all three axes, after an hour, in nautical miles:
+
+    >>> deviations = np.zeros(12)
+    >>> deviations[7:10] = np.radians(0.01) / 3600
+    >>> errors = mission_errors([3600.0], np.radians(45.0), np.diag(deviations**2))
+    >>> round(float(errors.distance[0]) / 1852, 2)
+    1.03
+    """
+    given = finite_array(covariance, "covariance", len(STATIC_CAUSES), len(STATIC_CAUSES))
+    moments = checked_moments(times)
+    wanted = static_error_modes(latitude).at(moments).sum(axis=0)[:, [2, 5, 6]]
+    variances = np.einsum("kij,...jl,kil->...ki", wanted, given, wanted)
+    deviations = np.sqrt(np.maximum(variances, 0.0))
+    return MissionErrors(moments, deviations[..., 1:], deviations[..., 0])
+
+
+def mission_causes(
+    model: ErrorModel, attitude: ArrayLike, latitude: float, turn: float = 0.0
+) -> FloatArray:
+    """Matrix from what a calibration leaves over to the causes of errors at rest.
+
+    The unit stands level or not, aligns itself by gravity and the Earth's rate, turns about the
+    vertical, and then rests again. Biases then point elsewhere than in the alignment, and what
+    cancelled no longer does; and the turn is multiplied by scale and installation errors.
+
+    Parameters
+    ----------
+    model : ErrorModel
+        Of the calibration.
+    attitude : array_like, shape (4,)
+        Of the body in the alignment, body to East, North, Up.
+    latitude : float
+        rad; not a pole.
+    turn : float
+        Of the vehicle about Up after its alignment, rad; it is taken to be quick.
+
+    Returns
+    -------
+    ndarray, shape (12, size)
+        To first order; rows in the order of `STATIC_CAUSES`. Noise is not in it, nor what the model
+        leaves out. The attitude and velocity that the calibration ended with do not matter.
+
+    Examples
+    --------
+    A bias of an East gyro becomes an error of the heading first; the two then cancel, until the
+    vehicle turns. Both about East in the end, in units of the bias:
+
+    >>> from driftlab.calibration import ERROR_MODELS
+    >>> model, east = ERROR_MODELS["averaged"], STATIC_CAUSES.index("gyro bias East")
+    >>> for turn in (0.0, np.pi):
+    ...     causes = mission_causes(model, [0, 0, 0, 1], 0.0, turn)[:, 6]
+    ...     heading = EARTH_RATE * causes[STATIC_CAUSES.index("attitude Up")]
+    ...     print(round(float(causes[east]), 3), round(float(heading), 3))
+    1.0 -1.0
+    -1.0 -1.0
+    """
+    checked_instance(model, ErrorModel, "model")
+    place = float(checked_latitude(finite_number(latitude, "latitude")))
+    angle = finite_number(turn, "turn")
+    body = to_matrix(unit_quaternions(attitude, "attitude"))
+    states = model.imu_errors(np.eye(model.size))
+    rate, pull = earth_rate(place), float(gravity(place))
+    up = np.array([0.0, 0.0, 1.0])
+
+    def sensed(axes: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Sensor biases (size, 3) in local axes while the body has these axes."""
+        gyro = states.gyro_bias + states.gyro_error @ (axes.T @ rate)
+        accelerometer = states.accelerometer_bias + states.accelerometer_error @ (
+            axes.T @ up * pull
+        )
+        return gyro @ axes.T, accelerometer @ axes.T
+
+    drift, push = sensed(body)
+    tilt = np.stack([-push[:, 1], push[:, 0]], axis=-1) / pull
+    azimuth = np.tan(place) * tilt[:, 1] - drift[:, 0] / (EARTH_RATE * np.cos(place))
+    # The turn: -C K w, integrated while C turns about Up.
+    bent = states.gyro_error @ (body.T @ up) @ body.T
+    sine, cosine = np.sin(angle), np.cos(angle)
+    swept = np.array([[sine, cosine - 1, 0], [1 - cosine, sine, 0], [0, 0, angle]])
+    phi = np.column_stack([tilt, azimuth]) - bent @ swept.T
+    about = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
+    drift, push = sensed(about @ body)
+    return np.column_stack([phi, np.zeros((model.size, 4)), drift, push[:, :2]]).T
+
+
+def calibration_budget(
+    times: ArrayLike,
+    latitude: float,
+    model: ErrorModel,
+    covariance: ArrayLike,
+    attitude: ArrayLike,
+    turn: float = 0.0,
+) -> dict[str, MissionErrors]:
+    """Error budget of a calibration: position and heading by kind of sensor error.
+
+    Parameters
+    ----------
+    times : array_like, shape (k,)
+        Since the end of the turn, s.
+    latitude : float
+        Of the mission, rad; not a pole.
+    model : ErrorModel
+        Of the calibration.
+    covariance : array_like, shape (size, size)
+        Of its errors, as ``calibration.covariance[-1]`` or `covariance_analysis` give it.
+    attitude, turn : array_like, shape (4,), and float
+        See `mission_causes`.
+
+    Returns
+    -------
+    dict of str to MissionErrors
+        By kind, as if all others were known, and under "all" the whole with its correlations: no
+        root sum of squares of the kinds, though usually near it.
+
+    Examples
+    --------
+    What is known before any calibration, in km after four hours:
+
+    >>> from driftlab.calibration import ERROR_MODELS
+    >>> from driftlab.imu import PriorDeviations
+    >>> level, model = [0.0, 0.0, 0.0, 1.0], ERROR_MODELS["averaged"]
+    >>> before = model.covariance(PriorDeviations(), level)
+    >>> budget = calibration_budget([4 * 3600.0], 0.7, model, before, level, turn=np.pi)
+    >>> for kind in ("gyro bias", "gyro scale", "accelerometer bias", "all"):
+    ...     print(kind, round(float(budget[kind].distance[0]) / 1e3))
+    gyro bias 287
+    gyro scale 2
+    accelerometer bias 3
+    all 287
+    """
+    given = finite_array(covariance, "covariance", model.size, model.size)
+    to_causes = mission_causes(model, attitude, latitude, turn)
+    kinds = [name.rsplit(" ", 1)[0] for name in model.names]
+    parts = {}
+    for kind in [*dict.fromkeys(kinds[6:]), "all"]:
+        chosen = np.array([kind in (each, "all") for each in kinds])
+        columns = to_causes[:, chosen]
+        part = columns @ given[np.ix_(chosen, chosen)] @ columns.T
+        parts[kind] = mission_errors(times, latitude, part)
+    return parts
