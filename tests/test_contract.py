@@ -197,6 +197,7 @@ CASES = {
     earth.earth_rate: {"latitude": LATITUDE},
     earth.checked_latitude: {"latitude": LATITUDE},
     earth.curvature_radii: {"latitude": LATITUDE},
+    earth.gravity_north: {"latitude": LATITUDE, "altitude": TIME},
     earth.gravity: {"latitude": LATITUDE, "altitude": TIME},
     earth.position_vector: {"latitude": LATITUDE, "altitude": TIME},
     frames.from_euler_angles: {"heading": TIME, "pitch": PITCH, "roll": TIME},

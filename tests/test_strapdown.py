@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.attitude.sculling import step_velocities
 from driftlab.core import strapdown as core
-from driftlab.earth import EARTH_RATE, curvature_radii, earth_rate, gravity
+from driftlab.earth import EARTH_RATE, curvature_radii, earth_rate, gravity, gravity_north
 from driftlab.increments import Increments
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 from driftlab.motion.turntable import static_trajectory, table_trajectory
@@ -38,6 +38,7 @@ def derivative(latitude, altitude, velocity, attitude, rate, force):
     along, across, transport = radii_and_transport(latitude, altitude, velocity)
     earth = earth_rate(latitude)
     acceleration = rotate(attitude, force) - np.cross(2 * earth + transport, velocity)
+    acceleration[1] += gravity_north(latitude, altitude)
     acceleration[2] -= gravity(latitude, altitude)
     turning = multiply(attitude, pure(rate)) - multiply(pure(earth + transport), attitude)
     place = [velocity[1] / along, velocity[0] / (across * np.cos(latitude)), velocity[2]]
@@ -259,7 +260,8 @@ def test_altitude_runs_away_as_the_hyperbolic_cosine():
     record = static_trajectory(UNTURNED, latitude, 0.5, 3600)
     start = at_rest(latitude, UNTURNED, altitude=1.0)
     found = navigate(start, record.increments, every=120)
-    growth = np.sqrt(2 * float(gravity(latitude)) / 6378137.0)
+    growth = np.sqrt(float(gravity(latitude, -0.5) - gravity(latitude, 0.5)))
+    assert growth == pytest.approx(np.sqrt(2 * float(gravity(latitude)) / 6378137.0), rel=1e-3)
     expected = np.cosh(growth * 60 * np.arange(1, 31))
     # The Coriolis force of the rise takes 4 earth_rate^2 cos^2 of it: 1e-6 of the rate squared.
     np.testing.assert_allclose(found.altitude, expected, rtol=2e-5)

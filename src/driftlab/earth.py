@@ -35,6 +35,7 @@ __all__ = [
     "geodetic",
     "gravitation",
     "gravity",
+    "gravity_north",
     "position_vector",
 ]
 
@@ -137,27 +138,59 @@ def curvature_radii(latitude: ArrayLike) -> tuple[FloatArray, FloatArray]:
 
 
 def gravity(latitude: ArrayLike, altitude: ArrayLike = 0.0) -> FloatArray:
-    """Normal gravity: Somigliana's formula, linear in the altitude.
+    """Normal gravity, downwards: Somigliana's formula, of second order in the altitude.
 
     Parameters
     ----------
     latitude : array_like, shape (...)
         rad.
     altitude : array_like, shape (...)
-        m.
+        Above the ellipsoid, m; from -5 km to 20 km.
 
     Returns
     -------
     ndarray, shape (...)
         m/s^2.
 
+    Notes
+    -----
+    NIMA TR8350.2 (4-3). Up to 20 km it is within 0.3 micro-g of the gradient of the ellipsoid's own
+    potential. True gravity differs from normal gravity by tens of micro-g from place to place.
+
     Examples
     --------
     >>> gravity(np.radians([0.0, 45.0, 90.0])).round(4)
     array([9.7803, 9.8062, 9.8322])
+    >>> print(f"{gravity(np.radians(45.0), 10e3):.4f}")
+    9.7754
     """
     latitude, altitude = finite_arrays(latitude=(latitude,), altitude=(altitude,))
     return core.gravity(np.sin(latitude) ** 2, altitude)
+
+
+def gravity_north(latitude: ArrayLike, altitude: ArrayLike) -> FloatArray:
+    """North component of normal gravity: above the ellipsoid the plumb line bends to the equator.
+
+    Parameters
+    ----------
+    latitude : array_like, shape (...)
+        rad.
+    altitude : array_like, shape (...)
+        Above the ellipsoid, m; from -5 km to 20 km.
+
+    Returns
+    -------
+    ndarray, shape (...)
+        m/s^2, within 0.3 micro-g; negative in the North.
+
+    Examples
+    --------
+    >>> micro_g = 9.80665e-6
+    >>> (gravity_north(np.radians([-45.0, 0.0, 45.0]), 10e3) / micro_g).round(1) + 0.0
+    array([ 8.3,  0. , -8.3])
+    """
+    latitude, altitude = finite_arrays(latitude=(latitude,), altitude=(altitude,))
+    return core.gravity_north(latitude, altitude)
 
 
 def position_vector(latitude: ArrayLike, altitude: ArrayLike) -> FloatArray:
@@ -209,8 +242,8 @@ def geodetic(position: ArrayLike) -> tuple[FloatArray, FloatArray, FloatArray]:
 def gravitation(position: ArrayLike) -> FloatArray:
     """Gravitation at Earth-centred positions.
 
-    It is normal gravity without the centrifugal part, and does not depend on the longitude, so
-    inertial axes will do as well as axes that turn with the Earth.
+    It is normal gravity, `gravity` and `gravity_north`, without the centrifugal part, and does not
+    depend on the longitude, so inertial axes will do as well as axes that turn with the Earth.
 
     Parameters
     ----------

@@ -118,6 +118,11 @@ def navigate(
     ValueError
         If shapes do not fit, n is odd or not a multiple of `every`, or the start is at a pole.
 
+    Notes
+    -----
+    Gravity is that of the ellipsoid, with what changes along the height: within 0.3 micro-g of its
+    potential from -5 km to 20 km. The true Earth's differs from it by tens of micro-g.
+
     Examples
     --------
     A unit that stands still for a minute, given what ideal sensors measure, stays where it is:

@@ -21,7 +21,7 @@ from driftlab.checks import (
 )
 from driftlab.core.quaternion import conjugate, from_rotation_vector, multiply, rotate
 from driftlab.core.vectors import left_jacobian
-from driftlab.earth import checked_latitude, earth_rate, gravity
+from driftlab.earth import checked_latitude, earth_rate, gravity, gravity_north
 from driftlab.increments import Increments
 
 from .scheme import Scheme
@@ -136,8 +136,8 @@ def table_trajectory(
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     row = segments(scheme, whole_number(multiple_of, "multiple_of") * interval)
     earth = earth_rate(place)
-    up = np.array([0.0, 0.0, float(gravity(place, finite_number(altitude, "altitude")))])
-    parts = [_sense(segment, earth, up, interval) for segment in row]
+    force = _force(place, finite_number(altitude, "altitude"))
+    parts = [_sense(segment, earth, force, interval) for segment in row]
     angles, velocities, attitudes = (np.concatenate(part) for part in zip(*parts, strict=True))
     first = row[0].attitude[np.newaxis]
     return _at_one_place(
@@ -202,13 +202,18 @@ def static_trajectory(
     up_axis = np.array([0.0, 0.0, 1.0])
     standing = Segment(up_axis, 0.0, whole_number(count, "count") * seconds, stood)
     place = float(checked_latitude(finite_number(latitude, "latitude")))
-    up = np.array([0.0, 0.0, float(gravity(place, finite_number(altitude, "altitude")))])
-    turned, pushed, attitudes = _sense(standing, earth_rate(place), up, interval)
+    force = _force(place, finite_number(altitude, "altitude"))
+    turned, pushed, attitudes = _sense(standing, earth_rate(place), force, interval)
     return _at_one_place(
         Increments(seconds, turned, pushed),
         np.concatenate([standing.attitude[np.newaxis], attitudes]),
         place,
     )
+
+
+def _force(latitude: float, altitude: float) -> FloatArray:
+    """Specific force (3,) of what stands still, East, North, Up: gravity's opposite."""
+    return -np.array([0.0, gravity_north(latitude, altitude), -gravity(latitude, altitude)])
 
 
 def _at_one_place(increments: Increments, attitude: FloatArray, latitude: float) -> Trajectory:
