@@ -36,6 +36,23 @@ def test_in_place_curves_are_one_if_both_start_from_one_attitude(figure: Publish
         assert np.abs(curves[averaged, table] - curves[usual, table]).max() > 50 * apart
 
 
+@published("08-in-place")
+def test_analytic_curves_lie_on_the_simulated_ones(figure: PublishedFigure) -> None:
+    data = figure.data
+    assert list(data.curves) == list(data.runs)
+    for key, run in data.runs.items():
+        for quantity in ("attitude", "velocity", "position"):
+            simulated, analytic = getattr(run, quantity), getattr(data.curves[key], quantity)
+            # Second order: tilts of up to 1e-3, and a latitude that moves by 1e-3.
+            assert np.abs(simulated - analytic).max() < 2e-3 * np.abs(simulated).max()
+    # Without its swing a curve begins elsewhere, by as much as the swing, and drifts along.
+    first = next(iter(data.curves.values()))
+    swing = np.abs(data.slow[:, 5:] - first.position).max(axis=0)
+    assert (swing < np.abs(first.position).max(axis=0)).all()
+    worst = max(data.gap(key).max() for key in data.runs)
+    assert f"within {worst:.0f} m of the simulated one" in figure.caption
+
+
 def test_in_place_claim_verdict_counts() -> None:
     counted = verdict(np.array([0.5, 0.9, 0.99, 1.2]))
     assert (counted.better, counted.units) == (3, 4)

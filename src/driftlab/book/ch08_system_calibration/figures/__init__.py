@@ -128,12 +128,7 @@ FIGURES = (
         experiments.errors_at_rest,
         in_place.draw,
         in_place.columns,
-        lambda _: (
-            "The paper's Figs. 3 to 5, simulated from its description: the typical unit of "
-            "this chapter, calibrated with either choice of body axes, navigates at rest. If both "
-            "computers start from one attitude, each in its own axes, the curves are one. If both "
-            "start from the table's axes, each has its own distance to them as initial error."
-        ),
+        in_place.caption,
     ),
     FigureDefinition(
         "08-in-place-claim",
