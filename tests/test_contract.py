@@ -61,6 +61,7 @@ from driftlab.drift import (
 )
 from driftlab.gyrocompass import (
     alignment,
+    contradictions,
     heading_error,
     horizon_noise,
     inertial_alignment,
@@ -221,6 +222,10 @@ CASES = {
         "tilt": 1e-2 * LEVEL,
     },
     vehicle.static_imu: {"attitude": Q, "latitude": LATITUDE, "gravity": TIME},
+    contradictions.rate_contradiction: {
+        "level_rate": 1e-5 * TIME,
+        "up_rate": 1e-5 * PITCH,
+    },
     alignment.align: {"angular_rate": RATE, "specific_force": np.array([0.3, 0.5, -0.6])},
     alignment.alignment_errors: {
         "heading": TIME,
@@ -348,13 +353,15 @@ WITHOUT_AXES = (
     "duration",
     "averaging_times",
     "dial",
+    "level_rate",
+    "up_rate",
     "north_error",
     "latitude_error",
     "longitude_error",
 )
 # To have no history is not bad, gravity is known where none is given, and some errors need no
 # attitude.
-ALLOWED = [("history", "none"), ("gravity", "none"), ("true_attitude", "none")]
+ALLOWED = [("history", "none"), ("gravity", "none"), ("true_attitude", "none"), ("up_rate", "none")]
 
 every_function = pytest.mark.parametrize(
     ("function", "good"), CASES.items(), ids=[function.__name__ for function in CASES]

@@ -11,7 +11,7 @@ from driftlab.commands import example
 from driftlab.commands.align import find
 from driftlab.commands.example import OPTIONS
 from driftlab.commands.stillness import moved_at
-from driftlab.commands.stretches import aligned
+from driftlab.commands.stretches import FOUND, aligned
 from driftlab.commands.trust import WITHIN, trust
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.frames import from_euler_angles
@@ -43,8 +43,9 @@ def test_numbers_for_other_programs_are_the_package_s(run, example_log, tmp_path
     code, out, _ = run(words)
     values = json.loads((tmp_path / "found.json").read_text())["values"]
     record = example.example().between(0.0, 60.0).in_axes("FUR")
-    direct = align(record.gyro.mean(axis=0), record.accelerometer.mean(axis=0))
-    for name in direct._fields:  # the log has eight digits
+    means = record.gyro.mean(axis=0), record.accelerometer.mean(axis=0)
+    direct = align(*means, heading_tolerance=np.inf)
+    for name in FOUND:  # the log has eight digits
         assert values[name]["value"] == pytest.approx(getattr(direct, name), rel=1e-5)
     assert code == 0
     # The errors of the unit itself: 4 mg tilt it, and 0.4 % of the Earth's rate turn it.

@@ -11,7 +11,6 @@ from driftlab.checks import FloatArray
 from driftlab.conventions import mirror_heading
 from driftlab.core.vectors import wrap_angle
 from driftlab.earth import EARTH_RATE
-from driftlab.gyrocompass.alignment import Alignment
 from driftlab.gyrocompass.inertial_alignment import InertialAlignment, align_in_inertial_frame
 from driftlab.recordings.recording import Recording
 
@@ -20,7 +19,7 @@ from .findings import Curve, Findings, Plot, Table
 from .numbers import DEG_PER_HOUR, DEGREES, Unit, with_deviation, written
 from .progress import Steps
 from .record import moments, record_plots
-from .stretches import STRETCHES, Spread, aligned
+from .stretches import FOUND, STRETCHES, Spread, aligned
 from .trust import SLACK, Trust, doubts, drift_in_words, trust
 
 STEPS = 2
@@ -205,7 +204,7 @@ def _middles(recording: Recording) -> FloatArray:
 def _values(spread: Spread, swaying: InertialAlignment | None, known: Trust) -> dict[str, Any]:
     values: dict[str, Any] = {
         name: {"value": getattr(spread.whole, name), "deviation": getattr(spread.deviation, name)}
-        for name in (("pitch", "roll") if spread.blind else Alignment._fields)
+        for name in (("pitch", "roll") if spread.blind else FOUND)
     }
     if not spread.blind:
         values["heading"]["deviation"] = known.of_means

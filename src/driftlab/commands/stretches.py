@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -9,7 +10,8 @@ import numpy as np
 from driftlab.checks import FloatArray
 from driftlab.core.vectors import wrap_angle
 from driftlab.frames import pitch_and_roll
-from driftlab.gyrocompass.alignment import Alignment, align
+from driftlab.gyrocompass.alignment import align
+from driftlab.gyrocompass.alignment_results import Alignment
 from driftlab.recordings.recording import Recording
 
 from .blindness import blindness
@@ -18,6 +20,8 @@ from .stillness import moved_at
 
 STRETCHES = 10
 """The record is aligned in as many parts too."""
+FOUND = Alignment._fields[:5]
+"""What an alignment finds: four angles and the level rate."""
 
 
 class Spread(NamedTuple):
@@ -61,10 +65,11 @@ def aligned(recording: Recording) -> Spread:
         for rows in (rates(known), forces(known))
     )
     blind, biased = _moved(recording) or blindness(rate)
-    method = _levelled if blind else align
+    # `driftlab.commands.trust` says in its own words how far the rates are to be believed.
+    method = _levelled if blind else partial(align, rate_unit=1.0, heading_tolerance=np.inf)
     whole = method(rates(known).mean(axis=0), forces(known).mean(axis=0))
     parts = method(rate, force)
-    scatter = [part - each for each, part in zip(whole, parts, strict=True)]
+    scatter = [getattr(parts, name) - getattr(whole, name) for name in FOUND]
     scatter[:4] = [wrap_angle(each) for each in scatter[:4]]
     deviation = [np.sqrt((each**2).sum() / (STRETCHES - 1) / STRETCHES) for each in scatter]
     return Spread(rate, force, whole, parts, Alignment(*deviation), blind, biased)

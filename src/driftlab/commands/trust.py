@@ -7,9 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.checks import FloatArray
-from driftlab.earth import EARTH_RATE, gravity
-from driftlab.gyrocompass.alignment import Alignment
+from driftlab.earth import gravity
+from driftlab.gyrocompass.contradictions import rate_contradiction
 from driftlab.gyrocompass.inertial_alignment import InertialAlignment
 from driftlab.recordings.recording import Recording
 
@@ -21,6 +20,8 @@ SLACK = np.radians(0.1)
 """What an angle may differ without a word: deflections, places told roughly."""
 UPSIDE_DOWN, STEEP = np.radians([90.0, 60.0])
 """Roll and pitch beyond which the axes told are doubted: few units are mounted so."""
+MOST, NOTHING_KNOWN = np.radians(60.0), np.pi / np.sqrt(3)
+"""A drift that may turn a heading farther leaves the deviation of one of which nothing is known."""
 WITHIN = 4.3
 """Of a deviation that stands on two numbers, for 95 errors in 100: Student's distribution."""
 
@@ -54,40 +55,22 @@ class Trust(NamedTuple):
 def trust(recording: Recording, spread: Spread, swaying: InertialAlignment | None) -> Trust:
     """What noise and drift leave of the headings."""
     if not spread.blind:
-        unseen, level = unseen_drift(spread.whole, recording.latitude), spread.whole.level_rate
+        level = spread.whole.level_rate
+        seen = rate_contradiction(level, level * np.tan(spread.whole.latitude), recording.latitude)
     elif swaying is not None and recording.latitude is not None:
-        level = swaying.level_rate
-        unseen = np.array([level - EARTH_RATE * np.cos(recording.latitude)])
+        seen = rate_contradiction(swaying.level_rate, latitude=recording.latitude)
     else:
         return Trust(None, 0.0, 0.0, np.nan, np.nan, 0)
-    drift = drift_deviation(unseen)
-    turn = min(drift / float(level), np.pi / np.sqrt(3))
+    drift = float(seen.spurious_rate)
+    turn = NOTHING_KNOWN if seen.heading_doubt > MOST else float(seen.heading_doubt)
     return Trust(
         drift,
         turn,
         drift * recording.duration / 2,
         max(turn, float(spread.deviation.heading)),
         max(turn, np.nan if swaying is None else float(swaying.deviation)),
-        len(unseen),
+        1 if spread.blind or recording.latitude is None else 2,
     )
-
-
-def unseen_drift(found: Alignment, latitude: float | None) -> FloatArray:
-    """What the found rates differ from the Earth's by, rad/s: level and upwards, or the whole.
-
-    A drift across the meridian turns the heading, and leaves no such mark. Its size can only be
-    taken from that of the others.
-    """
-    up = found.level_rate * np.tan(found.latitude)
-    if latitude is None:
-        return np.array([np.hypot(found.level_rate, up) - EARTH_RATE])
-    expected = EARTH_RATE * np.array([np.cos(latitude), np.sin(latitude)])
-    return np.array([found.level_rate, up]) - expected
-
-
-def drift_deviation(unseen: FloatArray) -> float:
-    """Standard deviation of a gyro's drift from what two or one of three directions show, rad/s."""
-    return float(np.sqrt((unseen**2).mean()))
 
 
 def drift_in_words(known: Trust) -> str:

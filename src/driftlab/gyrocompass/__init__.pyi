@@ -1,5 +1,7 @@
 from . import (
     alignment as alignment,
+    alignment_results as alignment_results,
+    contradictions as contradictions,
     gains as gains,
     heading_error as heading_error,
     horizon_noise as horizon_noise,
@@ -11,11 +13,19 @@ from . import (
     trials as trials,
 )
 from .alignment import (
-    Alignment as Alignment,
-    AlignmentErrors as AlignmentErrors,
     align as align,
     alignment_attitude_error as alignment_attitude_error,
     alignment_errors as alignment_errors,
+)
+from .alignment_results import (
+    Alignment as Alignment,
+    AlignmentErrors as AlignmentErrors,
+)
+from .contradictions import (
+    InconsistentAlignmentWarning as InconsistentAlignmentWarning,
+    RateContradiction as RateContradiction,
+    rate_contradiction as rate_contradiction,
+    warn_of_contradiction as warn_of_contradiction,
 )
 from .gains import (
     Gains as Gains,

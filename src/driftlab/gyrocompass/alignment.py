@@ -7,89 +7,32 @@ have no numbers. They are called by their subject here: (alignment heading), (al
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_arrays, nonzero_vectors
+from driftlab.checks import FloatArray, finite_arrays, nonzero_vectors, positive_number
 from driftlab.core.vectors import norms
 from driftlab.earth import EARTH_RATE, checked_gravity, checked_latitude, gravity as normal_gravity
-from driftlab.frames import from_euler_angles, pitch_and_roll, refuse_vertical
+from driftlab.frames import pitch_and_roll, refuse_vertical
+
+from .alignment_results import Alignment, AlignmentErrors
+from .contradictions import rate_contradiction, warn_of_contradiction
 
 _LEAST_COLATITUDE = np.radians(0.1)
+_HEADING_TOLERANCE = float(np.radians(0.5))
+_LIKE_THE_EARTH = 2.0
+"""Rates of a size within this factor of the Earth's are taken for rad/s. In deg/s they would be 57
+times as large; means over samples of a tenth of a second, not divided by it, a tenth."""
 
 
-class Alignment(NamedTuple):
-    """Heading, pitch, roll and latitude of a body at rest, from its own sensors; each (...).
-
-    Attributes
-    ----------
-    heading, pitch, roll, latitude : ndarray, shape (...)
-        rad.
-    level_rate : ndarray, shape (...)
-        Horizontal component of the angular rate, in the unit of that rate. Without errors it is
-        U cos(latitude), where U is the Earth's rate.
-
-    Examples
-    --------
-    >>> found = align([1.0, 1.0, 0.0], [0.0, 9.8, 0.0])  # the Earth turns about North and Up
-    >>> float(np.degrees(found.latitude).round(6)), float(found.level_rate)
-    (45.0, 1.0)
-    """
-
-    heading: FloatArray
-    pitch: FloatArray
-    roll: FloatArray
-    latitude: FloatArray
-    level_rate: FloatArray
-
-    @property
-    def attitude(self) -> FloatArray:
-        """Attitude quaternion, well defined in every attitude, the vertical included.
-
-        Returns
-        -------
-        ndarray, shape (..., 4)
-            Body (forward, up, right) to North, Up, East.
-
-        Examples
-        --------
-        >>> align([1.0, 1.0, 0.0], [0.0, 9.8, 0.0]).attitude  # level, and headed North
-        array([0., 0., 0., 1.])
-        """
-        return from_euler_angles(self.heading, self.pitch, self.roll)
-
-
-class AlignmentErrors(NamedTuple):
-    """First-order errors of an alignment, computed minus true.
-
-    Attributes
-    ----------
-    heading, pitch, roll, latitude : ndarray, shape (...)
-        rad.
-    heading_terms : ndarray, shape (..., 4)
-        Terms of `heading` in the paper's order, rad: east gyro; east accelerometer by tan(pitch);
-        north accelerometer by tan(pitch); east accelerometer by tan(latitude).
-
-    Examples
-    --------
-    A bias of 1e-4 g of the east accelerometer at 60 degrees:
-
-    >>> bias = [0.0, 0.0, 9.8e-4]
-    >>> found = alignment_errors(0.0, 0.0, np.radians(60.0), np.zeros(3), bias, gravity=9.8)
-    >>> f"{found.heading:.2e} {found.roll:.2e}"  # rad
-    '-1.73e-04 -1.00e-04'
-    """
-
-    heading: FloatArray
-    pitch: FloatArray
-    roll: FloatArray
-    latitude: FloatArray
-    heading_terms: FloatArray
-
-
-def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
+def align(
+    angular_rate: ArrayLike,
+    specific_force: ArrayLike,
+    *,
+    latitude: ArrayLike | None = None,
+    rate_unit: float | None = None,
+    heading_tolerance: float = _HEADING_TOLERANCE,
+) -> Alignment:
     """Heading, pitch, roll and latitude of a body at rest, from its own sensors alone.
 
     Parameters
@@ -97,17 +40,31 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
     angular_rate, specific_force : array_like, shape (..., 3)
         Means over the time of alignment, in body axes forward, up, right. The angles depend on the
         directions only, so the units are free.
+    latitude : array_like, shape (...), optional
+        Known latitude, rad. The angles do not depend on it; it is held against the one found.
+    rate_unit : float, optional
+        Size of the unit of `angular_rate`, rad/s, so that its size is held against the Earth's. If
+        not given, a size between half and twice the Earth's in rad/s is taken for rad/s, and of any
+        other the size is not looked at.
+    heading_tolerance : float
+        Contradictions that can turn the heading by more are warned of, rad; infinity for none.
 
     Returns
     -------
     Alignment
-        Angles (...) in rad, and the level rate (...) in the unit of `angular_rate`.
+        Angles (...) in rad, the level rate (...) in the unit of `angular_rate`, and how far the
+        rates contradict what is known.
 
     Raises
     ------
     ValueError
         If either vector is zero, or if they are parallel within 0.1 degrees, as at a pole, where
         the Earth's rate has no horizontal component.
+
+    Warns
+    -----
+    InconsistentAlignmentWarning
+        If the rate is not the Earth's, by so much that the heading suffers.
 
     Notes
     -----
@@ -117,8 +74,12 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
 
     The body must not turn meanwhile. A body that leans about East by a small angle more at the end
     than at the start turns the heading by this angle over T U cos(latitude), where T is the time of
-    the means: an arc minute in five minutes by about a degree. The latitude that comes out gives
-    alarm, if it is known. `driftlab.gyrocompass.inertial_alignment` aligns a body that sways.
+    the means: an arc minute in five minutes by about a degree. `rate_contradiction` says what shows
+    of that; a lean about East alone shows little. `driftlab.gyrocompass.inertial_alignment` aligns
+    a body that sways.
+
+    White noise of the gyros that makes a deviation d of the heading makes this warning, if the
+    latitude and the unit are known, with the chance exp(-(heading_tolerance/d)^2).
 
     Examples
     --------
@@ -127,10 +88,23 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
     >>> found = align([0.0, 1.0, 1.0], [0.0, 9.8, 0.0])
     >>> [float(np.degrees(angle).round(6)) for angle in (found.heading, found.latitude)]
     [90.0, 45.0]
+
+    The same a degree farther South than is known, and what this may do to the heading:
+
+    >>> lost = align(
+    ...     [0.0, 1.0, 1.0], [0.0, 9.8, 0.0], latitude=np.radians(46.0), heading_tolerance=np.inf
+    ... )
+    >>> float(np.degrees(lost.heading_doubt).round(2))
+    1.44
     """
-    rate, force = finite_arrays(angular_rate=(angular_rate, 3), specific_force=(specific_force, 3))
+    place = {} if latitude is None else {"latitude": (latitude,)}
+    rate, force, *_ = finite_arrays(
+        angular_rate=(angular_rate, 3), specific_force=(specific_force, 3), **place
+    )
     turn, size = nonzero_vectors(rate, "angular_rate")
     up, _ = nonzero_vectors(force, "specific_force")
+    tolerance = _checked_tolerance(heading_tolerance)
+    unit = None if rate_unit is None else positive_number(rate_unit, "rate_unit")
     across = norms(np.cross(turn, up))
     if across.min() < np.sin(_LEAST_COLATITUDE):
         raise ValueError(
@@ -138,13 +112,34 @@ def align(angular_rate: ArrayLike, specific_force: ArrayLike) -> Alignment:
             " because nothing points North at a pole, got an angle of "
             f"{np.degrees(np.arcsin(across.min())):.3g} degrees."
         )
-    latitude = np.arctan2(np.einsum("...i,...i->...", turn, up), across)
+    upward = np.einsum("...i,...i->...", turn, up)
     pitch, roll = pitch_and_roll(up)
     along = turn[..., 1] * np.cos(roll) - turn[..., 2] * np.sin(roll)
     forward = turn[..., 0] * np.cos(pitch) - along * np.sin(pitch)
     right = turn[..., 1] * np.sin(roll) + turn[..., 2] * np.cos(roll)
-    found = np.broadcast_arrays(np.arctan2(right, forward), pitch, roll, latitude, size * across)
-    return Alignment(*(np.array(angle)[()] for angle in found))
+    ratio = size / EARTH_RATE * (unit or 1.0)
+    told = unit is not None or bool(np.all(np.abs(np.log(ratio)) < np.log(_LIKE_THE_EARTH)))
+    scale = EARTH_RATE * (ratio if told else 1.0)
+    seen = rate_contradiction(scale * across, scale * upward, latitude, size_known=told)
+    taken = " (taken for rad/s)" if told and unit is None else ""
+    warn_of_contradiction(seen, tolerance, "angular_rate" + taken)
+    found = np.broadcast_arrays(
+        np.arctan2(right, forward),
+        pitch,
+        roll,
+        np.arctan2(upward, across),
+        size * across,
+        seen.rate_excess,
+        seen.latitude_excess,
+        seen.heading_doubt,
+    )
+    return Alignment(*(np.array(each)[()] for each in found))
+
+
+def _checked_tolerance(value: float) -> float:
+    if not value > 0:
+        raise ValueError(f"heading_tolerance: expected a positive number, got {value!r}.")
+    return float(value)
 
 
 def alignment_errors(

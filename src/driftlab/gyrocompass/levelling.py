@@ -34,7 +34,7 @@ from driftlab.core.vectors import wrap_angle
 from driftlab.frames import EulerAngles, to_euler_angles
 from driftlab.increments import Increments, checked_increments
 
-from .alignment import Alignment
+from .alignment_results import Alignment
 from .gains import Gains
 
 _MOST_TURN = 0.1  # rad in one interval, for which the series of a turn is exact to 1e-11
@@ -191,8 +191,8 @@ def initial_level_frame(alignment: Alignment) -> LevelFrame:
     Examples
     --------
     >>> from driftlab.gyrocompass.alignment import align
-    >>> initial_level_frame(align([5e-5, 5e-5, 0.0], [0.0, 9.8, 0.0])).rate
-    array([5.e-05, 0.e+00])
+    >>> initial_level_frame(align([5.156e-5, 5.156e-5, 0.0], [0.0, 9.8, 0.0])).rate
+    array([5.156e-05, 0.000e+00])
     """
     north = np.asarray(alignment.level_rate)
     return LevelFrame(alignment.attitude, np.stack([north, np.zeros_like(north)], axis=-1))

@@ -161,7 +161,8 @@ def simulate_compass(
     latitude = float(trajectory.latitude[0])
     pull = float(gravity(latitude))
     rate, up = static_imu(trajectory.attitude[0], latitude)
-    aligned = align(rate + biases[..., 0, :], up + accelerometer_bias)
+    # Whoever puts errors in need not be warned of them.
+    aligned = align(rate + biases[..., 0, :], up + accelerometer_bias, heading_tolerance=np.inf)
     start = initial_level_frame(aligned)
     leaning = np.array([0.0, 0.0, -finite_number(tilt, "tilt")])
     bent = multiply(from_rotation_vector(leaning), start.attitude)

@@ -79,7 +79,9 @@ def table_heading_error(
     leaning = np.insert(tilts, 1, 0.0, axis=-1)
     attitude = multiply(from_rotation_vector(leaning), from_euler_angles(shown + north, up, over))
     rate, force = static_imu(attitude, place)
-    return wrap_angle(align(rate + gyro_biases, force + accelerometer_biases).heading - shown)
+    # Whoever puts errors in need not be warned of them.
+    found = align(rate + gyro_biases, force + accelerometer_biases, heading_tolerance=np.inf)
+    return wrap_angle(found.heading - shown)
 
 
 def range_over_deviation(values: ArrayLike) -> FloatArray:

@@ -106,5 +106,5 @@ def _simulated(
         sums = np.cumsum(noise.samples(windows[-1], rng, runs, 3), axis=-1)
         for j, window in enumerate(windows):
             means = sums[..., window - 1] / window
-            found[i, j] = np.std(align(rate + means, force).heading)
+            found[i, j] = np.std(align(rate + means, force, heading_tolerance=np.inf).heading)
     return found

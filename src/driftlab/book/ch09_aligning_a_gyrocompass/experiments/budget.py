@@ -92,10 +92,11 @@ def alignment_budget(
     vertical = abs(finite_number(pitch, "pitch")) > np.radians(89.9)
     attitude = from_euler_angles(every, pitch, roll)
     rate, force = static_imu(attitude, place)
-    true, found = align(rate, force), align(rate + gyro_biases, force + accelerometer_biases)
+    true = align(rate, force)
+    found = align(rate + gyro_biases, force + accelerometer_biases, heading_tolerance=np.inf)
     local = rotate(attitude, gyro_biases), rotate(attitude, accelerometer_biases)
     formula = alignment_errors(every, 0.0 if vertical else pitch, place, *local)
-    gaps = [wrap_angle(a - b) for a, b in zip(found, true, strict=True)]
+    gaps = [wrap_angle(a - b) for a, b in zip(found[:4], true[:4], strict=True)]
     if vertical:
         nothing = np.full_like(every, np.nan)
         formula = formula._replace(

@@ -61,7 +61,8 @@ def level_box(heading: float, gyro_bias: ArrayLike) -> LevelBox:
     attitude = from_euler_angles(true, 0.0, 0.0)
     rate, force = static_imu(attitude, latitude)
     once, magnified = (
-        wrap_angle(align(rate + factor * bias, force).heading - true) for factor in (1, MAGNIFIED)
+        wrap_angle(align(rate + factor * bias, force, heading_tolerance=np.inf).heading - true)
+        for factor in (1, MAGNIFIED)
     )
     return LevelBox(
         latitude,

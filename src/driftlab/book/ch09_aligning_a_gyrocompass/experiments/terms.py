@@ -58,7 +58,9 @@ def alignment_terms() -> AlignmentTerms:
         rate, force = static_imu(attitude, at["latitude"])
         to_body = conjugate(attitude)
         found = align(
-            rate + rotate(to_body, GYRO_BIAS), force + rotate(to_body, ACCELEROMETER_BIAS)
+            rate + rotate(to_body, GYRO_BIAS),
+            force + rotate(to_body, ACCELEROMETER_BIAS),
+            heading_tolerance=np.inf,
         )
         gap = found.heading - at["heading"]
         formula = alignment_errors(

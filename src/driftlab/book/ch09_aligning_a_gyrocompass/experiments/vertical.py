@@ -111,7 +111,7 @@ def errors_over_the_vertical(
     # Half a turn and minus half a turn are the same; rounding would choose between them by chance.
     roll = np.where(np.isclose(true.roll, -np.pi), np.pi, true.roll)
     rate, force = static_imu(attitude, SARATOV_LATITUDE)
-    found = align(rate + gyro_bias, force + accelerometer_bias)
+    found = align(rate + gyro_bias, force + accelerometer_bias, heading_tolerance=np.inf)
 
     def spread(gap: FloatArray) -> FloatArray:
         return np.asarray(np.sqrt(np.mean(wrap_angle(gap) ** 2, axis=0)))
@@ -141,5 +141,9 @@ def over_the_top(heading: float = HEADING, aside: float = 0.0) -> OverTheTop:
     """
     true = errors_over_the_vertical(heading, aside, np.radians(0.5), BOXES)
     rate, force = static_imu(true.attitude, SARATOV_LATITUDE)
-    found = align(rate + ERRORS_SHOWN * GYRO_BIAS, force + ERRORS_SHOWN * ACCELEROMETER_BIAS)
+    found = align(
+        rate + ERRORS_SHOWN * GYRO_BIAS,
+        force + ERRORS_SHOWN * ACCELEROMETER_BIAS,
+        heading_tolerance=np.inf,
+    )
     return OverTheTop(true, found.attitude, found.heading)

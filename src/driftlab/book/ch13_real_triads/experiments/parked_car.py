@@ -15,7 +15,8 @@ from driftlab.core.carried_gravity import (
 )
 from driftlab.core.quaternion import multiply
 from driftlab.frames import to_euler_angles
-from driftlab.gyrocompass.alignment import Alignment, align
+from driftlab.gyrocompass.alignment import align
+from driftlab.gyrocompass.alignment_results import Alignment
 from driftlab.gyrocompass.inertial_alignment import align_in_inertial_frame
 from driftlab.increments import Increments
 from driftlab.recordings.publishers import published
