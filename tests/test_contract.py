@@ -61,6 +61,7 @@ from driftlab.drift import (
 )
 from driftlab.gyrocompass import (
     alignment,
+    alignment_deviations,
     contradictions,
     heading_error,
     horizon_noise,
@@ -69,6 +70,7 @@ from driftlab.gyrocompass import (
     noise,
     simulation,
     trials,
+    two_position_alignment,
 )
 from driftlab.motion import profiles, turntable, vehicle
 from driftlab.noise_terms import NoiseTerms
@@ -222,6 +224,15 @@ CASES = {
         "tilt": 1e-2 * LEVEL,
     },
     vehicle.static_imu: {"attitude": Q, "latitude": LATITUDE, "gravity": TIME},
+    fixed(alignment_deviations.alignment_deviation, angle_random_walk=1e-6): {
+        "latitude": LATITUDE,
+        "duration": TIME,
+    },
+    fixed(alignment_deviations.two_position_deviation, angle_random_walk=1e-6): {
+        "latitude": LATITUDE,
+        "duration": TIME,
+        "turn_angle": TIME,
+    },
     contradictions.rate_contradiction: {
         "level_rate": 1e-5 * TIME,
         "up_rate": 1e-5 * PITCH,
@@ -311,6 +322,7 @@ APART = {
     nominal_readings.checked_zeros,
     levelling.propagate_level_frame,
     inertial_alignment.align_in_inertial_frame,
+    two_position_alignment.align_in_positions,  # its positions share an axis
     simulation.simulate_compass,
     vehicle.vehicle_trajectory,
     # Their last axis is a row, and shorter or gone in the answer.
@@ -354,6 +366,7 @@ WITHOUT_AXES = (
     "averaging_times",
     "dial",
     "level_rate",
+    "turn_angle",
     "up_rate",
     "north_error",
     "latitude_error",

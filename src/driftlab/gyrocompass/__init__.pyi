@@ -1,5 +1,6 @@
 from . import (
     alignment as alignment,
+    alignment_deviations as alignment_deviations,
     alignment_results as alignment_results,
     contradictions as contradictions,
     gains as gains,
@@ -11,11 +12,16 @@ from . import (
     noise_fit as noise_fit,
     simulation as simulation,
     trials as trials,
+    two_position_alignment as two_position_alignment,
 )
 from .alignment import (
     align as align,
     alignment_attitude_error as alignment_attitude_error,
     alignment_errors as alignment_errors,
+)
+from .alignment_deviations import (
+    alignment_deviation as alignment_deviation,
+    two_position_deviation as two_position_deviation,
 )
 from .alignment_results import (
     Alignment as Alignment,
@@ -68,4 +74,8 @@ from .trials import (
     normal_ranges as normal_ranges,
     range_over_deviation as range_over_deviation,
     table_heading_error as table_heading_error,
+)
+from .two_position_alignment import (
+    PositionsAlignment as PositionsAlignment,
+    align_in_positions as align_in_positions,
 )

@@ -1,0 +1,212 @@
+"""Alignment in several positions: exactness, deviations in closed form, refusals."""
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.spatial.transform import Rotation
+
+from driftlab.earth import EARTH_RATE
+from driftlab.frames import from_euler_angles
+from driftlab.gyrocompass.alignment import align
+from driftlab.gyrocompass.alignment_deviations import alignment_deviation, two_position_deviation
+from driftlab.gyrocompass.inertial_alignment import inertial_alignment_deviation
+from driftlab.gyrocompass.noise import GyroNoise
+from driftlab.gyrocompass.two_position_alignment import align_in_positions
+from driftlab.motion.vehicle import static_imu
+from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
+from driftlab.vectors import wrap_angle
+from support import random_quaternions
+
+LATITUDE = np.radians(51.5)
+LEVEL = EARTH_RATE * np.cos(LATITUDE)
+GYRO_BIAS, ACCELEROMETER_BIAS = np.array([3e-6, -2e-6, 5e-6]), np.array([0.03, -0.02, 0.01])
+HEADING = 0.7
+
+
+def about_up(*degrees):
+    """Turns about the upper axis of the body."""
+    angles = np.radians(degrees)
+    return from_rotation_vector(np.stack([0 * angles, angles, 0 * angles], axis=-1))
+
+
+def readings(attitude, turn, latitude=LATITUDE):
+    rate, force = static_imu(multiply(attitude, turn), latitude)
+    return rate + GYRO_BIAS, force + ACCELEROMETER_BIAS
+
+
+def level_errors(runs, turn, rng, *, rate=0.0, change=0.0, wrong=0.0, force_change=0.0):
+    """Heading errors of a level unit; noise of a mean, change of a bias, turn not as believed."""
+    attitude = from_euler_angles(HEADING, 0.0, 0.0)
+    angles = np.stack([np.zeros(runs), turn + wrong * rng.standard_normal(runs)], axis=-1)
+    true = from_rotation_vector(angles[..., np.newaxis] * np.array([0.0, 1.0, 0.0]))
+    rates, forces = readings(attitude, true)
+    rates = rates + rate * rng.standard_normal(rates.shape)
+    rates[:, 1] += change * rng.standard_normal((runs, 3))
+    forces[:, 1] += force_change * rng.standard_normal((runs, 3))
+    found = align_in_positions(rates, forces, about_up(0, np.degrees(turn)))
+    return wrap_angle(found.heading - HEADING)
+
+
+# Exactness
+
+
+@pytest.mark.parametrize("degrees", [180, -90, 20, 340])
+def test_biases_across_the_axis_leave_no_trace(degrees):
+    attitude, turn = from_euler_angles(HEADING, 0.05, -0.1), about_up(0, degrees)
+    # The axis of the turn is the body's, which leans, so the biases along it would count.
+    rate, force = static_imu(multiply(attitude, turn), LATITUDE)
+    across = np.array([1.0, 0.0, 1.0])
+    found = align_in_positions(rate + across * GYRO_BIAS, force + across * ACCELEROMETER_BIAS, turn)
+    # Rounding of the Earth's rate and of gravity, over sin(turn/2)^2.
+    assert rotation_angle(multiply(found.attitude, conjugate(attitude))) < 1e-12
+    assert np.allclose(found.gyro_bias, across * GYRO_BIAS, rtol=0, atol=1e-16)
+    assert np.allclose(found.accelerometer_bias, across * ACCELEROMETER_BIAS, rtol=0, atol=1e-11)
+    assert np.isclose(found.latitude, LATITUDE)
+    assert np.isclose(found.level_rate, LEVEL)
+
+
+def test_a_bias_along_the_axis_stays_and_is_said_to_be_nothing():
+    attitude, turn = from_euler_angles(HEADING, 0.0, 0.0), about_up(0, 180)
+    found = align_in_positions(*readings(attitude, turn), turn)
+    assert found.gyro_bias[1] == pytest.approx(0.0, abs=1e-18)
+    assert np.isclose(found.heading, HEADING)
+    up = np.tan(found.latitude) * found.level_rate
+    assert np.isclose(up - EARTH_RATE * np.sin(LATITUDE), GYRO_BIAS[1])
+
+
+def test_turns_about_two_axes_show_all_biases():
+    rng = np.random.default_rng(4)
+    attitude = from_euler_angles(rng.uniform(-3, 3, (5, 1)), 0.2, 0.4)
+    turn = np.stack([*about_up(0, 180), from_rotation_vector([np.pi / 2, 0.0, 0.0])])
+    found = align_in_positions(*readings(attitude, turn), turn)
+    assert np.allclose(found.gyro_bias, GYRO_BIAS, rtol=0, atol=1e-15)
+    assert np.allclose(found.accelerometer_bias, ACCELEROMETER_BIAS, rtol=0, atol=1e-11)
+    assert rotation_angle(multiply(found.attitude, conjugate(attitude[:, 0]))).max() < 1e-12
+
+
+def test_it_is_the_least_squares_solution():
+    rng = np.random.default_rng(8)
+    turn = random_quaternions(4, seed=3)
+    matrices = Rotation.from_quat(turn).as_matrix()
+    rates, forces = rng.standard_normal((2, 4, 3))
+    found = align_in_positions(rates, forces, turn)
+    design = np.concatenate([np.concatenate([m.T, np.eye(3)], axis=1) for m in matrices])
+    for rows, bias in ((rates, found.gyro_bias), (forces, found.accelerometer_bias)):
+        best = np.linalg.lstsq(design, rows.ravel(), rcond=None)[0]
+        assert np.allclose(bias, best[3:], rtol=0, atol=1e-12)
+    earth = np.linalg.lstsq(design, rates.ravel(), rcond=None)[0][:3]
+    up = np.linalg.lstsq(design, forces.ravel(), rcond=None)[0][:3]
+    assert np.isclose(found.heading, align(earth, up).heading)
+
+
+# Closed forms
+
+
+def test_what_a_change_of_bias_and_a_wrong_turn_do_in_symbols():
+    """The level part: the difference of the readings is (1 - R') E, with R' the turn back."""
+    angle, wrong, north, east, heading = sp.symbols("alpha delta b_N b_E Psi", real=True)
+    level = sp.Symbol("L", positive=True)
+
+    def back(by):
+        return sp.Matrix([[sp.cos(by), sp.sin(by)], [-sp.sin(by), sp.cos(by)]])
+
+    # Axes: forward and left, so a heading from North to West has North at (cos, -sin).
+    earth = level * sp.Matrix([sp.cos(heading), -sp.sin(heading)])
+    change = sp.Matrix([north, east])
+    found = (sp.eye(2) - back(angle)).inv() * (earth - back(angle + wrong) * earth - change)
+    turned = -sp.atan2(found[1], found[0])
+    nothing = {wrong: 0, north: 0, east: 0}
+    slopes = [turned.diff(x).subs(nothing) for x in (wrong, north, east)]
+    value = {angle: sp.Rational(7, 5), heading: sp.Rational(3, 10), level: 2}
+    assert float(slopes[0].subs(value)) == pytest.approx(0.5)
+    size = sp.sqrt(slopes[1] ** 2 + slopes[2] ** 2).subs(value)
+    assert float(size) == pytest.approx(1 / (2 * np.sin(0.7) * 2))
+
+
+@pytest.mark.parametrize("degrees", [180.0, 60.0])
+@pytest.mark.parametrize(
+    ("simulated", "formula"),
+    [
+        ({"rate": 1e-8}, {"angle_random_walk": 1e-8 * np.sqrt(150.0)}),
+        ({"change": 2e-8}, {"gyro_bias_change": 2e-8}),
+        ({"wrong": 1e-3}, {"turn_error": 1e-3}),
+        ({"force_change": 1e-3}, {"accelerometer_bias_change": 1e-3}),
+    ],
+    ids=["noise", "gyro", "turn", "accelerometer"],
+)
+def test_deviations_are_those_of_many_units(simulated, formula, degrees):
+    runs, turn = 4000, np.radians(degrees)
+    errors = level_errors(runs, turn, np.random.default_rng(2), **simulated)
+    foretold = two_position_deviation(
+        LATITUDE, 300.0, turn_angle=turn, **{"angle_random_walk": 0.0} | formula
+    )
+    # A deviation of 4000 runs is known to 1 in sqrt(8000); four of these.
+    assert abs(errors.std() / foretold - 1) < 4 / np.sqrt(2 * runs)
+
+
+def test_half_a_turn_costs_nothing_in_noise_and_one_position_keeps_its_bias():
+    one = alignment_deviation(LATITUDE, 300.0, 1e-7)
+    assert two_position_deviation(LATITUDE, 300.0, 1e-7) == pytest.approx(one)
+    assert two_position_deviation(LATITUDE, 300.0, 1e-7, np.pi / 3) == pytest.approx(2 * one)
+    # In inertial space the ends of the record count less: (700/429)^(1/2).
+    carried = inertial_alignment_deviation(LATITUDE, 300.0, 1e-7)
+    assert carried / one == pytest.approx(np.sqrt(700 / 429))
+    floor = alignment_deviation(LATITUDE, 1e12, 1e-7, gyro_bias=1e-8, accelerometer_bias=1e-3)
+    assert floor == pytest.approx(np.hypot(1e-8 / LEVEL, 1e-3 * np.tan(LATITUDE) / 9.81), rel=1e-3)
+
+
+def test_with_a_slow_drift_half_a_turn_leaves_the_allan_deviation():
+    noise, half, runs = GyroNoise(3e-7, 5e-8, correlation_time=400.0), 600, 1500
+    drifts = noise.samples(2 * half, np.random.default_rng(3), runs, 3)
+    means = drifts.reshape(runs, 3, 2, half).mean(axis=-1)
+    attitude, turn = from_euler_angles(HEADING, 0.0, 0.0), about_up(0, 180)
+    rates, forces = readings(attitude, turn)
+    found = align_in_positions(rates + np.swapaxes(means, -1, -2), forces, turn)
+    seconds = half * noise.interval
+    foretold = noise.allan_deviation(np.array(seconds)) / (np.sqrt(2) * LEVEL)
+    scatter = np.std(wrap_angle(found.heading - HEADING))
+    assert abs(scatter / foretold - 1) < 4 / np.sqrt(2 * runs)
+
+
+# Contract
+
+
+def test_leading_axes_broadcast_and_the_first_turn_need_not_be_none():
+    attitude = from_euler_angles(np.array([0.3, 1.0, -2.0]), 0.1, 0.0)
+    turn = about_up(30, 200, 280)
+    rate, force = readings(attitude[:, np.newaxis], turn)
+    found = align_in_positions(rate, force, turn)
+    assert found.gyro_bias.shape == (3, 3)
+    for i in range(3):
+        alone = align_in_positions(rate[i], force[i], turn)
+        assert np.isclose(alone.heading, found.heading[i])
+        assert np.ndim(alone.heading) == 0
+    assert np.allclose(found.gyro_bias[:, [0, 2]], GYRO_BIAS[[0, 2]], rtol=0, atol=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"turn": about_up(0)}, "turn: expected at least two positions, got 1"),
+        ({"turn": about_up(0, 4)}, "turn: expected a turn by more than 5 degrees .* got 4"),
+        ({"turn": about_up(0, 90, 180)}, r"angular_rate: expected shape \(\.\.\., 3, 3\)"),
+        ({"specific_force": np.ones((2, 2))}, r"specific_force: expected shape"),
+        ({"turn": np.zeros((2, 4))}, "turn: expected nonzero quaternions"),
+    ],
+)
+def test_refusals(change, words):
+    turn = about_up(0, 180)
+    rate, force = readings(from_euler_angles(HEADING, 0.0, 0.0), turn)
+    with pytest.raises(ValueError, match=words):
+        align_in_positions(**{"angular_rate": rate, "specific_force": force, "turn": turn} | change)
+
+
+def test_deviations_refuse_what_has_no_meaning():
+    with pytest.raises(ValueError, match=r"turn_angle: expected angles .* got 360 degrees"):
+        two_position_deviation(LATITUDE, 60.0, 1e-7, 2 * np.pi)
+    with pytest.raises(ValueError, match="gyro_bias: expected a number of at least 0, got -1"):
+        alignment_deviation(LATITUDE, 60.0, 1e-7, gyro_bias=-1.0)
+    with pytest.raises(ValueError, match="duration: expected positive times, got 0"):
+        alignment_deviation(LATITUDE, 0.0, 1e-7)
+    with pytest.raises(ValueError, match="latitude: expected at most"):
+        two_position_deviation(np.pi / 2, 60.0, 1e-7)
