@@ -11,6 +11,7 @@ from . import (
     matrix_conventions as matrix_conventions,
     nominal_readings as nominal_readings,
     observability as observability,
+    piecewise_observability as piecewise_observability,
     pose_results as pose_results,
     poses as poses,
     schuler_pair as schuler_pair,
@@ -40,6 +41,7 @@ from .error_budget import (
     mission_errors as mission_errors,
 )
 from .error_dynamics import (
+    free_rates as free_rates,
     free_transition as free_transition,
     process_noise as process_noise,
     transition as transition,
@@ -81,9 +83,17 @@ from .nominal_readings import (
 from .observability import (
     UnobservableSubspace as UnobservableSubspace,
     UnobservableWarning as UnobservableWarning,
+    gramian_ranks as gramian_ranks,
     observability_matrix as observability_matrix,
     unobservable_subspace as unobservable_subspace,
     warn_if_unobservable as warn_if_unobservable,
+)
+from .piecewise_observability import (
+    TURNS as TURNS,
+    StrippedObservability as StrippedObservability,
+    error_rates as error_rates,
+    observable_rows as observable_rows,
+    stripped_observability as stripped_observability,
 )
 from .pose_results import (
     Consistency as Consistency,

@@ -17,11 +17,44 @@ from .error_model import ErrorModel
 _UNIT = np.eye(6)  # made once, for the many steps of a filter
 
 
-def free_transition(latitude: float, duration: ArrayLike) -> FloatArray:
-    """Transition matrix of attitude and velocity errors without sensor errors and specific force.
+def free_rates(latitude: float) -> FloatArray:
+    """Rates of attitude and velocity errors without sensor errors and specific force.
 
+    Parameters
+    ----------
+    latitude : float
+        Of the table, rad; not a pole.
+
+    Returns
+    -------
+    ndarray, shape (6, 6)
+        1/s, and between attitude (rad) and velocity (m/s) accordingly; each East, North, Up.
+
+    Notes
+    -----
     The part of Wu (6) that acts on a table at rest whatever the sensors do: the local axes rotate
     with the Earth, a velocity error rotates them as well, and the Coriolis force acts.
+
+    Examples
+    --------
+    A northward velocity error rotates the computed axes about East, backwards:
+
+    >>> meridian, _ = curvature_radii(0.0)
+    >>> round(float(free_rates(0.0)[0, 4] * meridian), 12)
+    -1.0
+    """
+    earth = earth_rate(latitude)
+    meridian, across = curvature_radii(latitude)
+    rates = np.zeros((6, 6))
+    rates[:3, :3] = -cross_matrix(earth)
+    rates[0, 4] = -1 / meridian
+    rates[1:3, 3] = 1 / across, np.tan(latitude) / across
+    rates[3:, 3:] = -2 * cross_matrix(earth)
+    return rates
+
+
+def free_transition(latitude: float, duration: ArrayLike) -> FloatArray:
+    """Transition matrix of attitude and velocity errors without sensor errors and specific force.
 
     Parameters
     ----------
@@ -38,7 +71,7 @@ def free_transition(latitude: float, duration: ArrayLike) -> FloatArray:
 
     Notes
     -----
-    The matrix exponential of the rates in Wu (6), to the third order of the duration.
+    The matrix exponential of `free_rates`, to the third order of the duration.
 
     Examples
     --------
@@ -49,14 +82,7 @@ def free_transition(latitude: float, duration: ArrayLike) -> FloatArray:
     >>> round(float(free_transition(0.0, 60.0)[0, 4] * meridian), 3)
     -60.0
     """
-    earth = earth_rate(latitude)
-    meridian, across = curvature_radii(latitude)
-    rates = np.zeros((6, 6))
-    rates[:3, :3] = -cross_matrix(earth)
-    rates[0, 4] = -1 / meridian
-    rates[1:3, 3] = 1 / across, np.tan(latitude) / across
-    rates[3:, 3:] = -2 * cross_matrix(earth)
-    change = np.asarray(duration)[..., np.newaxis, np.newaxis] * rates
+    change = np.asarray(duration)[..., np.newaxis, np.newaxis] * free_rates(latitude)
     square = change @ change
     return np.eye(6) + change + square / 2 + square @ change / 6
 

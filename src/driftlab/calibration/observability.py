@@ -7,17 +7,21 @@ of the state that has no effect on the velocity is a null direction of the obser
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray, checked_instance
 from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.imu import ImuErrors, PriorDeviations
+from driftlab.motion.scheme import Scheme
+from driftlab.motion.turntable import Segment, segments
 
 from .error_model import AXES, ERROR_MODELS, FULL, ErrorModel
-from .linearization import LinearizedErrors
+from .linearization import LinearizedErrors, linearize_along
 
 
 class UnobservableWarning(UserWarning):
@@ -64,6 +68,56 @@ def observability_matrix(linearized: LinearizedErrors) -> FloatArray:
         since = matrix @ since
         rows.append(np.sqrt(duration) * since[3:6])
     return np.concatenate(rows)
+
+
+def gramian_ranks(
+    scheme: Scheme, latitude: float, model: ErrorModel = FULL, *, pauses_only: bool = False
+) -> NDArray[np.int_]:
+    """Rank of the observability Gramian after each position of a scheme.
+
+    Parameters
+    ----------
+    scheme : Scheme
+        Pauses and rotations.
+    latitude : float
+        Of the table, rad; not a pole.
+    model : ErrorModel
+        The states.
+    pauses_only : bool
+        The velocity is looked at in the pauses alone.
+
+    Returns
+    -------
+    ndarray of int, shape (p,)
+        Singular values of the observability matrix above 1e-10 of the largest, as in
+        `unobservable_subspace`.
+
+    Examples
+    --------
+    >>> scheme = Scheme("+90Y +90Z", ("Up", "East", "North"))
+    >>> [gramian_ranks(scheme, 0.7, pauses_only=pauses).tolist() for pauses in (False, True)]
+    [[9, 22, 24], [9, 18, 24]]
+    """
+    way = linearize_along(scheme, latitude, model)
+    seen = observability_matrix(way) * _typical(model, way.start)
+    ranks, stack = [], np.zeros((0, model.size))
+    for segment, steps in _segments_and_steps(scheme, way):
+        if not (segment.rate and pauses_only):
+            stack = np.concatenate([stack, seen[3 * steps.start : 3 * steps.stop]])
+        if not segment.rate:
+            ranks.append(np.linalg.matrix_rank(stack, rtol=1e-10))
+    return np.array(ranks)
+
+
+def _segments_and_steps(scheme: Scheme, way: LinearizedErrors) -> Iterator[tuple[Segment, slice]]:
+    """Each pause and turn of a scheme, and which steps of its linearisation it is made of."""
+    ends = np.cumsum(way.durations)
+    time, first = 0.0, 0
+    for segment in segments(scheme, 1e-3):
+        time += segment.duration
+        last = int(np.searchsorted(ends, time + 0.5e-3 * way.durations.min()))
+        yield segment, slice(first, last)
+        first = last
 
 
 class UnobservableSubspace(NamedTuple):
