@@ -1,24 +1,10 @@
 from . import (
     characteristic_equation as characteristic_equation,
-    closed_motion as closed_motion,
     error_kinematics as error_kinematics,
-    missed_stops as missed_stops,
-    recorded_turns as recorded_turns,
     step_formulas as step_formulas,
     systematic_drift as systematic_drift,
     turn_calibration as turn_calibration,
-    turns_by_hand as turns_by_hand,
     weighing_designs as weighing_designs,
-)
-from .characteristic_equation import (
-    asymptotic_roots as asymptotic_roots,
-    characteristic_polynomial as characteristic_polynomial,
-    exact_roots as exact_roots,
-    split_error_rate_matrix as split_error_rate_matrix,
-)
-from .closed_motion import (
-    drift_per_motion as drift_per_motion,
-    exact_drift_per_motion as exact_drift_per_motion,
 )
 from .error_kinematics import (
     attitude_quaternion as attitude_quaternion,
@@ -28,18 +14,11 @@ from .error_kinematics import (
     error_transition_matrix as error_transition_matrix,
     rate_matrix as rate_matrix,
 )
-from .missed_stops import (
-    NearTurn as NearTurn,
-    near_turns as near_turns,
-)
-from .recorded_turns import (
-    recorded_turn_estimate as recorded_turn_estimate,
-)
-from .step_formulas import (
-    STEP_FORMULAS as STEP_FORMULAS,
-    StepFormula as StepFormula,
-    integrate_steps as integrate_steps,
-    step_formula as step_formula,
+from .characteristic_equation import (
+    asymptotic_roots as asymptotic_roots,
+    characteristic_polynomial as characteristic_polynomial,
+    exact_roots as exact_roots,
+    split_error_rate_matrix as split_error_rate_matrix,
 )
 from .systematic_drift import (
     drift_coefficient as drift_coefficient,
@@ -53,16 +32,16 @@ from .turn_calibration import (
     exact_turn_estimate as exact_turn_estimate,
     turn_estimate as turn_estimate,
 )
-from .turns_by_hand import (
-    HandTurn as HandTurn,
-    HandTurnFit as HandTurnFit,
-    fit_hand_turns as fit_hand_turns,
-    hand_turns as hand_turns,
-)
 from .weighing_designs import (
     PAIR_AXES as PAIR_AXES,
-    YATES_AXES as YATES_AXES,
     TurnFit as TurnFit,
+    YATES_AXES as YATES_AXES,
     fit_turns as fit_turns,
     weighing as weighing,
+)
+from .step_formulas import (
+    STEP_FORMULAS as STEP_FORMULAS,
+    StepFormula as StepFormula,
+    integrate_steps as integrate_steps,
+    step_formula as step_formula,
 )

@@ -1,0 +1,219 @@
+"""What a rotation scheme is to be good at, and what the table can do."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from driftlab.checks import (
+    FloatArray,
+    checked_generator,
+    checked_instance,
+    finite_array,
+    finite_number,
+    positive_number,
+    whole_number,
+)
+from driftlab.earth import checked_latitude
+from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.motion.scheme import Scheme
+
+from ._table_moves import IntArray, Row, TableMoves
+from .error_model import ERROR_MODELS, ErrorModel
+from .linearization import checked_model
+
+CRITERIA = ("worst", "mean", "volume")
+"""What a design can make small: see `DesignTask`."""
+
+
+@dataclass(frozen=True)
+class DesignTask:
+    """What a rotation scheme is to be good at, and what the table can do.
+
+    Attributes
+    ----------
+    criterion : str
+        "worst": the largest deviation of a sensor error at the end, over its requirement. "mean":
+        the root of the mean square of these ratios; schemes that make it least are A-optimal.
+        "volume": the geometric mean of the half axes of the error ellipsoid, each sensor error
+        counted in its requirement; schemes that make it least are D-optimal.
+    requirement : tuple of float, optional
+        Deviation of each sensor error that counts as one; those before the calibration, in the
+        table's axes, if not given.
+    positions : int
+        Number of pauses, at least 2.
+    duration : float
+        Of the whole scheme, s. The pauses are equal and share what the turns leave.
+    angles : tuple of int
+        Angles of the turns, degrees: of 90, 180, 270, 360.
+    two_axes : bool
+        Whether the table has two axes: the outer one is level and stays where it is, East or
+        North; the inner one is an axis of the body, across the outer one. Otherwise it has three
+        that move together, and turns about any axis of the body.
+    latitude : float
+        Of the table, rad; not a pole.
+    model : ErrorModel
+        The states.
+    noise, prior : ImuNoise, PriorDeviations
+        Noise of the sensors and of the reference velocity, and deviations before.
+    rate : float
+        Of the turns, rad/s.
+
+    Examples
+    --------
+    The nineteen positions leave one sensor error known to a twenty-eighth of what it was:
+
+    >>> from driftlab.motion.scheme import NINETEEN_POSITIONS
+    >>> round(1 / DesignTask().value(NINETEEN_POSITIONS))
+    28
+    """
+
+    criterion: str = "worst"
+    requirement: tuple[float, ...] | None = None
+    positions: int = 19
+    duration: float = 2442.0
+    angles: tuple[int, ...] = (90, 180)
+    two_axes: bool = True
+    latitude: float = float(np.radians(37.5))
+    model: ErrorModel = ERROR_MODELS["averaged"]
+    noise: ImuNoise = field(default_factory=ImuNoise)
+    prior: PriorDeviations = field(default_factory=PriorDeviations)
+    rate: float = float(np.radians(10.0))
+
+    def __post_init__(self) -> None:
+        if self.criterion not in CRITERIA:
+            raise ValueError(
+                f"criterion: expected one of {', '.join(CRITERIA)}, got {self.criterion!r}."
+            )
+        checked_model(self.model)
+        checked_instance(self.noise, ImuNoise, "noise")
+        checked_instance(self.prior, PriorDeviations, "prior")
+        if not self.noise.reference_velocity > 0:
+            raise ValueError(
+                "noise: expected a deviation of the reference velocity above 0, got 0.0 m/s."
+            )
+        checked_latitude(finite_number(self.latitude, "latitude"))
+        turns = whole_number(self.positions, "positions", 2) - 1
+        angles = self.angles if isinstance(self.angles, tuple | list) else ()
+        if not angles or not set(angles) <= {90, 180, 270, 360}:
+            raise ValueError(f"angles: expected some of 90, 180, 270, 360, got {self.angles!r}.")
+        object.__setattr__(self, "angles", tuple(dict.fromkeys(angles)))
+        turning = turns * np.radians(max(angles)) / positive_number(self.rate, "rate")
+        if positive_number(self.duration, "duration") < turning + self.positions:
+            raise ValueError(
+                f"duration: expected more than {turning + self.positions:g} s, the largest turns "
+                f"and pauses of a second, got {self.duration!r}."
+            )
+        if self.requirement is not None:
+            sizes = finite_array(self.requirement, "requirement", self.model.size - 6)
+            if sizes.ndim != 1 or not (sizes > 0).all():
+                raise ValueError("requirement: expected positive deviations, got others.")
+            object.__setattr__(self, "requirement", tuple(sizes.tolist()))
+
+    def values(self, covariance: FloatArray) -> FloatArray:
+        """Criterion of covariances at the end of a scheme.
+
+        Parameters
+        ----------
+        covariance : ndarray, shape (..., size, size)
+            As from `covariance_analysis`.
+
+        Returns
+        -------
+        ndarray, shape (...)
+            Without unit; less is better.
+
+        Examples
+        --------
+        If all is known twice as well as it has to be, each criterion is one half:
+
+        >>> for criterion in CRITERIA:
+        ...     task = DesignTask(criterion, requirement=(2.0,) * 21)
+        ...     print(round(float(task.values(np.eye(27))), 6))
+        0.5
+        0.5
+        0.5
+        """
+        scaled = covariance[..., 6:, 6:] / np.outer(self._sizes, self._sizes)
+        if self.criterion == "volume":
+            logarithm = np.linalg.slogdet(scaled)[1]
+            return np.asarray(np.exp(logarithm / (2 * scaled.shape[-1])))
+        squares = np.einsum("...ii->...i", scaled)
+        summed = squares.max(-1) if self.criterion == "worst" else squares.mean(-1)
+        return np.asarray(np.sqrt(summed))
+
+    def value(self, scheme: Scheme) -> float:
+        """Criterion of one scheme, its pauses set to fill the duration.
+
+        Parameters
+        ----------
+        scheme : Scheme
+            Of any number of turns by the angles of the task; its `dwell` and `rate` do not count.
+
+        Returns
+        -------
+        float
+            Without unit; less is better.
+
+        Raises
+        ------
+        ValueError
+            If the scheme has other turns, or takes too long.
+
+        Examples
+        --------
+        >>> from driftlab.motion.scheme import EIGHTEEN_ROTATIONS
+        >>> task = DesignTask("mean")
+        >>> round(task.value(EIGHTEEN_ROTATIONS), 4)
+        0.0244
+        """
+        return float(self._values_of([self._moves.row(scheme)])[0])
+
+    def random_schemes(self, rng: np.random.Generator, count: int) -> list[Scheme]:
+        """Draw random schemes that the table can do.
+
+        Parameters
+        ----------
+        rng : numpy.random.Generator
+            Source of the random draws.
+        count : int
+            How many.
+
+        Returns
+        -------
+        list of Scheme
+            Each as long as the task says.
+
+        Examples
+        --------
+        >>> one = DesignTask(positions=4).random_schemes(np.random.default_rng(1), 5)[0]
+        >>> one.positions
+        4
+        """
+        starts, rows = self._drawn(rng, count)
+        return [self._moves.scheme(start, row) for start, row in zip(starts, rows, strict=True)]
+
+    def _drawn(self, rng: np.random.Generator, count: int) -> tuple[IntArray, IntArray]:
+        checked_generator(rng)
+        whole_number(count, "count")
+        return self._moves.drawn(rng, count, self.positions - 1, self.two_axes)
+
+    @cached_property
+    def _sizes(self) -> FloatArray:
+        if self.requirement is not None:
+            return np.array(self.requirement)
+        level = self.model.covariance(self.prior, [0.0, 0.0, 0.0, 1.0])
+        return np.sqrt(np.diag(level))[6:]
+
+    @cached_property
+    def _moves(self) -> TableMoves:
+        return TableMoves(
+            self.duration, self.rate, self.angles, self.latitude, self.model, self.noise, self.prior
+        )
+
+    def _values_of(self, rows: Sequence[Row]) -> FloatArray:
+        starts, turns = (np.array(part) for part in zip(*rows, strict=True))
+        return self.values(self._moves.covariances(starts, turns))
