@@ -1,13 +1,32 @@
 from . import (
+    biases_behind_matrix as biases_behind_matrix,
     body_axes as body_axes,
+    calibration_history as calibration_history,
+    consistency as consistency,
+    covariance as covariance,
+    design_task as design_task,
+    error_budget as error_budget,
     error_dynamics as error_dynamics,
     error_model as error_model,
     filter as filter,
     kalman as kalman,
     linearization as linearization,
+    matrix_conventions as matrix_conventions,
+    nominal_readings as nominal_readings,
     observability as observability,
+    piecewise_observability as piecewise_observability,
+    pose_results as pose_results,
+    poses as poses,
+    scheme_design as scheme_design,
+    schuler_pair as schuler_pair,
     simulation as simulation,
+    static_error_curves as static_error_curves,
+    static_error_growth as static_error_growth,
     static_navigation as static_navigation,
+)
+from .biases_behind_matrix import (
+    PsinsMatrices as PsinsMatrices,
+    RosMatrices as RosMatrices,
 )
 from .body_axes import (
     attitude_error as attitude_error,
@@ -15,13 +34,27 @@ from .body_axes import (
     imu_errors_in_accelerometer_axes as imu_errors_in_accelerometer_axes,
     imu_errors_in_frame as imu_errors_in_frame,
 )
-from .error_model import (
-    AXES as AXES,
-    ERROR_MODELS as ERROR_MODELS,
-    ErrorModel as ErrorModel,
-    FULL as FULL,
-    LOCAL_AXES as LOCAL_AXES,
-    error_model_for as error_model_for,
+from .calibration_history import (
+    Calibration as Calibration,
+)
+from .consistency import (
+    InconsistentWarning as InconsistentWarning,
+    InnovationTest as InnovationTest,
+    innovation_test as innovation_test,
+)
+from .covariance import (
+    covariance_analysis as covariance_analysis,
+    deviation_history as deviation_history,
+)
+from .design_task import (
+    CRITERIA as CRITERIA,
+    DesignTask as DesignTask,
+)
+from .error_budget import (
+    MissionErrors as MissionErrors,
+    calibration_budget as calibration_budget,
+    mission_causes as mission_causes,
+    mission_errors as mission_errors,
 )
 from .error_dynamics import (
     free_rates as free_rates,
@@ -30,21 +63,37 @@ from .error_dynamics import (
     transition as transition,
     transition_of_increments as transition_of_increments,
 )
+from .error_model import (
+    AXES as AXES,
+    ERROR_MODELS as ERROR_MODELS,
+    FULL as FULL,
+    LOCAL_AXES as LOCAL_AXES,
+    ErrorModel as ErrorModel,
+    error_model_for as error_model_for,
+)
+from .filter import (
+    calibrate as calibrate,
+)
 from .kalman import (
     Update as Update,
     correct as correct,
     nees as nees,
     predict as predict,
 )
-from .filter import (
-    Calibration as Calibration,
-    calibrate as calibrate,
-)
 from .linearization import (
-    LinearizedErrors as LinearizedErrors,
     STEP as STEP,
+    LinearizedErrors as LinearizedErrors,
     checked_model as checked_model,
     linearize_along as linearize_along,
+)
+from .matrix_conventions import (
+    ImucalMatrices as ImucalMatrices,
+    ImuTkMatrices as ImuTkMatrices,
+    KalibrMatrices as KalibrMatrices,
+)
+from .nominal_readings import (
+    SI_READINGS as SI_READINGS,
+    NominalReadings as NominalReadings,
 )
 from .observability import (
     UnobservableSubspace as UnobservableSubspace,
@@ -54,10 +103,47 @@ from .observability import (
     unobservable_subspace as unobservable_subspace,
     warn_if_unobservable as warn_if_unobservable,
 )
+from .piecewise_observability import (
+    TURNS as TURNS,
+    StrippedObservability as StrippedObservability,
+    error_rates as error_rates,
+    observable_rows as observable_rows,
+    stripped_observability as stripped_observability,
+)
+from .pose_results import (
+    Consistency as Consistency,
+    PoseCalibration as PoseCalibration,
+)
+from .poses import (
+    POSE_AXES as POSE_AXES,
+    calibrate_by_poses as calibrate_by_poses,
+)
+from .scheme_design import (
+    Climb as Climb,
+    SchemeDesign as SchemeDesign,
+    design_scheme as design_scheme,
+)
+from .schuler_pair import (
+    StaticErrorRates as StaticErrorRates,
+    static_error_rates as static_error_rates,
+)
 from .simulation import (
     TableTrial as TableTrial,
     Trial as Trial,
     estimation_errors as estimation_errors,
+)
+from .static_error_curves import (
+    schuler_position as schuler_position,
+    static_causes as static_causes,
+    static_errors as static_errors,
+)
+from .static_error_growth import (
+    STATIC_CAUSES as STATIC_CAUSES,
+    STATIC_MODES as STATIC_MODES,
+    StaticErrorModes as StaticErrorModes,
+    checked_moments as checked_moments,
+    static_error_matrix as static_error_matrix,
+    static_error_modes as static_error_modes,
 )
 from .static_navigation import (
     StaticNavigationErrors as StaticNavigationErrors,

@@ -7,127 +7,46 @@ attitude and velocity, and into the compensation of the increments that follow.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import (
-    FloatArray,
     checked_instance,
-    finite_array,
     finite_number,
     unit_quaternions,
     whole_number,
 )
 from driftlab.core import kalman, quaternion
-from driftlab.core.attitude import step_quaternions
 from driftlab.core.strapdown import last_of, navigate
-from driftlab.earth import checked_latitude, earth_rate
-from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
+from driftlab.earth import checked_latitude
+from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments, checked_increments, without_errors
 from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 
+from ._doubt import Door, warn_if_impossible, warn_if_inconsistent
+from ._earlier_pass import check_about, linearization_point
+from ._updates import updates
+from .calibration_history import Calibration as Calibration
+from .consistency import normalised_innovations
 from .error_dynamics import free_transition, process_noise, transition_of_increments
 from .error_model import ErrorModel
 from .linearization import checked_model
 
 
-class Calibration(NamedTuple):
-    """History of a calibration, at k of its updates.
-
-    Attributes
-    ----------
-    model : ErrorModel
-        The states.
-    times : ndarray, shape (k,)
-        Since the start, s.
-    state : ndarray, shape (..., k, size)
-        Estimated sensor errors, in the model's own body axes; attitude and velocity errors are zero
-        here, because they are fed back.
-    covariance : ndarray, shape (..., k, size, size)
-        Of the estimation errors, as the filter computes it.
-    attitude : ndarray, shape (..., k, 4)
-        Estimated attitude of the model's own axes, body to East, North, Up.
-    velocity : ndarray, shape (..., k, 3)
-        Estimated velocity, East, North, Up, m/s.
-    nis : ndarray, shape (..., updates)
-        Squared normalised innovations (NIS) of all updates. Their mean is near three if the
-        filter's assumptions are true; a mean much larger shows that they are not.
-
-    Examples
-    --------
-    >>> from driftlab.calibration import TableTrial
-    >>> from driftlab.motion.scheme import Scheme
-    >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
-    >>> found = trial.run(np.random.default_rng(1)).calibration
-    >>> found.state.shape, found.nis.shape, round(float(found.nis.mean()), 1)
-    ((4, 27), (64,), 2.6)
-    """
-
-    model: ErrorModel
-    times: FloatArray
-    state: FloatArray
-    covariance: FloatArray
-    attitude: FloatArray
-    velocity: FloatArray
-    nis: FloatArray
-
-    @property
-    def deviations(self) -> FloatArray:
-        """Standard deviations of the states, as the filter computes them.
-
-        Returns
-        -------
-        ndarray, shape (..., k, size)
-            In the units of the states.
-
-        Examples
-        --------
-        >>> from driftlab.calibration import ERROR_MODELS
-        >>> model = ERROR_MODELS["averaged"]
-        >>> at_start = model.covariance(PriorDeviations(scale=1e-4), [0, 0, 0, 1])
-        >>> none = np.zeros((1, 27))
-        >>> known = Calibration(model, none[0], none, at_start[np.newaxis], none, none, none[0])
-        >>> f"{known.deviations[-1, model.names.index('gyro scale x')]:.1e}"
-        '1.0e-04'
-        """
-        return np.sqrt(np.einsum("...ii->...i", self.covariance))
-
-    @property
-    def imu_errors(self) -> ImuErrors:
-        """Sensor errors found at the end, in the model's own body axes.
-
-        `driftlab.calibration.imu_errors_in_frame` brings known errors to the same axes.
-
-        Returns
-        -------
-        ImuErrors
-            Biases (..., 3) in rad/s and m/s^2, error matrices (..., 3, 3).
-
-        Examples
-        --------
-        >>> from driftlab.calibration import FULL
-        >>> from driftlab.imu import TYPICAL_ERRORS
-        >>> state, none = FULL.state(TYPICAL_ERRORS)[np.newaxis], np.zeros((1, 3))
-        >>> found = Calibration(FULL, none[0], state, none, none, none, none[0])
-        >>> bool(np.allclose(found.imu_errors.gyro_bias, TYPICAL_ERRORS.gyro_bias))
-        True
-        """
-        return self.model.imu_errors(self.state[..., -1, :])
-
-
 def calibrate(
     increments: Increments,
-    reference_velocity: ArrayLike,
+    reference_velocity: ArrayLike | None = None,
     *,
     latitude: float,
     start: ArrayLike,
     model: ErrorModel,
     prior: PriorDeviations,
     noise: ImuNoise,
+    reference_times: ArrayLike | None = None,
+    update_interval: float | None = None,
     keep: int = 10,
     about: Calibration | None = None,
+    check: bool = True,
 ) -> Calibration:
     """Estimate the sensor errors of a unit from its increments on a turntable.
 
@@ -135,9 +54,10 @@ def calibrate(
     ----------
     increments : Increments
         Measured, arrays of shape (..., n, 3); several units or runs along the leading axes.
-    reference_velocity : array_like, shape (..., updates, 3)
+    reference_velocity : array_like, shape (..., updates, 3), optional
         Measured velocity of the table's centre, m/s, at the end of each update interval. The number
-        of updates divides n into an even number of increments each.
+        of updates divides n into an even number of increments each, or `reference_times` says when.
+        Not given for a table that stands: zeros.
     latitude : float
         Of the table, rad.
     start : array_like, shape (..., 4)
@@ -148,12 +68,24 @@ def calibrate(
     prior : PriorDeviations
         Standard deviations of the errors before the calibration, as the filter assumes them.
     noise : ImuNoise
-        Noise of the sensors and of the reference velocity, as the filter assumes it.
+        Noise of the sensors and of the reference velocity, as the filter assumes it. A table that
+        stands moves by micrometres a second: with the usual 0.01 m/s the stated deviations come out
+        too large, see `innovation_test`.
+    reference_times : array_like, shape (updates,), optional
+        When the reference velocities were measured, s since the start; they may lie as they like.
+        The filter looks at the end of the nearest pair of increments, at most one increment away.
+        What the record goes on after the last of them has no reference, and is not used.
+    update_interval : float, optional
+        Of a table that stands without `reference_times`, s: usually 1. The last update takes what
+        is left over.
     keep : int
         The history keeps every `keep`-th update, and the last.
     about : Calibration, optional
         What an earlier pass over the same record found, with the same model. The error equations
         are then linearised about it, and not about the errors estimated so far.
+    check : bool
+        Whether to compare the record with gravity and the Earth's rate before, and to test the
+        innovations after.
 
     Returns
     -------
@@ -165,6 +97,12 @@ def calibrate(
     ValueError
         If shapes do not fit, the place is a pole, the reference velocity is said to be without
         noise, or `about` is of another model.
+
+    Warns
+    -----
+    InconsistentWarning
+        If gravity or the Earth's rate contradict what was told, the innovations are too large or
+        have a mean, or the errors found are too large for one pass. It names the likely slips.
 
     Notes
     -----
@@ -199,30 +137,27 @@ def calibrate(
     checked_instance(noise, ImuNoise, "noise")
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     measured = checked_increments(increments)
-    reference = finite_array(reference_velocity, "reference_velocity", 3)
     attitude = unit_quaternions(start, "start")
-    updates = reference.shape[-2] if reference.ndim > 1 else 0
-    count = measured.angle.shape[-2]
-    if updates == 0 or count % (2 * updates):
-        raise ValueError(
-            "reference_velocity: expected shape (..., updates, 3), with a number of updates that "
-            f"divides {count} increments into even parts, got shape {reference.shape}."
-        )
+    interval = checked_interval(measured.interval)
+    ends, reference = updates(
+        measured.angle.shape[-2], interval, reference_velocity, reference_times, update_interval
+    )
     if noise.reference_velocity <= 0:
         raise ValueError(
             "noise: expected a deviation of the reference velocity above 0, "
             f"got {noise.reference_velocity!r} m/s."
         )
-    kept = [*range(whole_number(keep, "keep"), updates, keep), updates]
-    each = count // updates
-    duration = each * checked_interval(measured.interval)
-    free = free_transition(place, duration)
+    kept = {*range(whole_number(keep, "keep"), len(ends), keep), len(ends)}
+    lengths = np.diff(ends, prepend=0)
+    free = {each: free_transition(place, each * interval) for each in set(lengths.tolist())}
     lead = np.broadcast_shapes(
         measured.angle.shape[:-2],
         measured.velocity.shape[:-2],
         reference.shape[:-2],
         attitude.shape[:-1],
     )
+    door = Door(measured, attitude, place, prior, noise, reference, ends, lead, about is None)
+    doubted = check and warn_if_impossible(door, model, calibrate)
     # The estimate: errors that are navigated with, and the mean of what is left of them.
     state = mean = np.zeros((*lead, model.size))
     believed = np.broadcast_to(attitude, (*lead, 4))
@@ -230,8 +165,9 @@ def calibrate(
     before = model.covariance(prior, attitude.reshape(-1, 4)[0])
     covariance = np.broadcast_to(before, (*lead, model.size, model.size))
     if about is not None:
-        _check_about(about, model, lead)
-        state, start_found = _linearization_point(measured, place, about)
+        checked_instance(about, Calibration, "about")
+        check_about(about, model, lead)
+        state, start_found = linearization_point(measured.part(0, ends[-1]), place, about)
         mean = -state
         back = quaternion.multiply(believed, quaternion.conjugate(start_found))
         mean[..., :3] = quaternion.to_rotation_vector(back)
@@ -239,15 +175,15 @@ def calibrate(
     # Wu (51), (52): of all states the velocity error is seen, with noise.
     observed, spread = np.eye(3, model.size, 3), noise.reference_velocity**2 * np.eye(3)
     now = home = at_rest(place, believed)
-    nis_history, history = [], []
-    for k in range(updates):
-        true = without_errors(measured.part(k * each, (k + 1) * each), model.imu_errors(state))
+    nis_history, seen, history = [], [], []
+    for k, (end, each) in enumerate(zip(ends.tolist(), lengths.tolist(), strict=True)):
+        true = without_errors(measured.part(end - each, end), model.imu_errors(state))
         way = navigate(now, true.angle, true.velocity, true.interval, ALGORITHM)
         attitudes = np.concatenate([now.attitude[..., np.newaxis, :], way.attitude], axis=-2)
-        growth = transition_of_increments(model, free, attitudes, true)
+        growth = transition_of_increments(model, free[each], attitudes, true)
         arrived = last_of(way)
         mean = (growth @ mean[..., np.newaxis])[..., 0]
-        added = process_noise(noise, growth[..., 3:6, :3], np.asarray(duration))
+        added = process_noise(noise, growth[..., 3:6, :3], np.asarray(each * interval))
         covariance = kalman.predict(covariance, growth[..., :6, :], added)
         innovation = arrived.velocity - reference[..., k, :] - mean[..., 3:6]
         correction, covariance, nis = kalman.correct(covariance, innovation, observed, spread)
@@ -263,35 +199,17 @@ def calibrate(
             state, mean, arrived = found, np.zeros_like(mean), corrected
         now = home._replace(velocity=arrived.velocity, attitude=arrived.attitude)
         nis_history.append(nis)
+        seen.append((innovation, covariance[..., 3:6, 3:6]))
         if k + 1 in kept:
             history.append((found, covariance, corrected.attitude, corrected.velocity))
     states, covariances, attitudes, velocities = (
         np.stack(row, axis=len(lead)) for row in zip(*history, strict=True)
     )
-    times, nis = duration * np.array(kept), np.stack(nis_history, axis=-1)
-    return Calibration(model, times, states, covariances, attitudes, velocities, nis)
-
-
-def _check_about(about: Calibration, model: ErrorModel, lead: tuple[int, ...]) -> None:
-    """Refuse an earlier pass that is of another model or of other runs."""
-    checked_instance(about, Calibration, "about")
-    if about.model is not model or about.state.shape[:-2] != lead:
-        raise ValueError(
-            f"about: expected runs {lead} with the model {model.frame!r}, "
-            f"got {about.state.shape[:-2]} with {about.model.frame!r}."
-        )
-
-
-def _linearization_point(
-    measured: Increments, latitude: float, about: Calibration
-) -> tuple[FloatArray, FloatArray]:
-    """State (..., size) that a pass found, and the attitude (..., 4) that it found for the start:
-    that at the end is known best, and the corrected gyros lead back from it."""
-    state = about.state[..., -1, :]
-    angle = without_errors(measured, about.imu_errors).angle
-    turned = quaternion.cumulative_product(step_quaternions(ALGORITHM, angle))[..., -1, :]
-    # In axes that do not turn with the Earth: those of the beginning.
-    at_end = quaternion.from_rotation_vector(about.times[-1] * earth_rate(latitude))
-    return state, quaternion.multiply(
-        quaternion.multiply(at_end, about.attitude[..., -1, :]), quaternion.conjugate(turned)
-    )
+    nis = np.stack(nis_history, axis=-1)
+    innovations, seen_after = (np.stack(row, axis=len(lead)) for row in zip(*seen, strict=True))
+    whitened = normalised_innovations(innovations, seen_after, noise.reference_velocity**2)
+    times = interval * ends[[k - 1 for k in sorted(kept)]]
+    result = Calibration(model, times, states, covariances, attitudes, velocities, nis, whitened)
+    if check and not doubted:
+        warn_if_inconsistent(result, door, calibrate)
+    return result

@@ -20,7 +20,12 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.constants import g as STANDARD_GRAVITY
 
-from ._slips import force_slips, gyro_slips
+from ._slips import (
+    force_factors as force_factors,
+    force_slips,
+    gyro_factors as gyro_factors,
+    gyro_slips,
+)
 from .channels import CLIPPED_RATIO, clipped_rows, dead_channels, longest_run, twin_channels
 from .recording import Recording
 from .turns_of_gravity import gravity_turns

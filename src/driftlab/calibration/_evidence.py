@@ -1,0 +1,137 @@
+"""What a record says of its start and its place, before any filter: gravity and the Earth's rate.
+
+Gravity, carried by the gyros into axes that do not turn, must stay on the cone on which the Earth
+carries Up; in pauses the gyros must show the Earth's rate.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.constants import degree, hour
+
+from driftlab.checks import FloatArray
+from driftlab.core import quaternion
+from driftlab.core.attitude import step_quaternions
+from driftlab.core.carried_gravity import carried_velocity, cone_velocity
+from driftlab.earth import EARTH_RATE, earth_rate, gravity
+from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.increments import Increments
+from driftlab.strapdown import ALGORITHM
+
+_STEP = 0.1
+"""Increments are added up to steps of about this, rad."""
+_WINDOWS = 100
+_REST = 2e-3
+"""A window in which the body turns no faster is a rest, rad/s."""
+_LEAST_ANGLE = 3e-4
+_LEAST_RATE = 0.1 * degree / hour
+"""Of gravity's direction, rad, and of rates at rest, rad/s, nobody should ask for more here."""
+_EAST_NORTH_UP = [2, 0, 1]
+"""Places of East, North, Up among North, Up, East."""
+
+
+class Expected(NamedTuple):
+    """How far a right record may be off: errors of the unit, noise, and what the table moves."""
+
+    prior: PriorDeviations
+    noise: ImuNoise
+    sway: float
+    """m/s"""
+
+
+class Evidence(NamedTuple):
+    """Means over k windows of a record, or of several along leading axes."""
+
+    window: float
+    """s"""
+    elapsed: FloatArray
+    """Ends (k + 1,) of the windows, s"""
+    force: FloatArray
+    """Mean specific force (..., k, 3), m/s^2, and"""
+    rate: FloatArray
+    """mean rate (..., k, 3), rad/s, both in the axes in which the body stood at the start"""
+    rest: NDArray[np.bool_]
+    """Whether (..., k) the body rests"""
+    way: FloatArray
+    """Angle (..., k) that the body has turned by so far, rad"""
+
+    def misfit(self, start: FloatArray, latitude: float, expected: Expected) -> FloatArray:
+        """Root mean square contradictions (...), in units of what is expected of right records."""
+        prior, noise, sway = expected
+        size = float(gravity(latitude))
+        cone = cone_velocity(np.asarray(latitude), self.elapsed)[:, _EAST_NORTH_UP]
+        up = np.diff(cone, axis=0) / self.window
+        off = quaternion.rotate(start, self.force) / size - up
+        middle = (self.elapsed[1:] + self.elapsed[:-1]) / 2
+        bent = prior.scale**2 + 2 * prior.installation**2
+        variance = (
+            _LEAST_ANGLE**2
+            + prior.attitude**2
+            + (prior.gyro_bias * middle) ** 2
+            + noise.angle_random_walk**2 * middle
+            + bent * (1 + self.way * (1 + self.way) / 2)
+            + (prior.accelerometer_bias / size) ** 2
+            + (noise.velocity_random_walk / size) ** 2 / self.window
+            + (2 * sway / (self.window * size)) ** 2
+        )
+        force = np.mean(np.sum(off**2, axis=-1) / variance, axis=-1)
+        wrong = quaternion.rotate(start, self.rate) - earth_rate(latitude)
+        least = (
+            _LEAST_RATE**2
+            + prior.gyro_bias**2
+            + noise.angle_random_walk**2 / self.window
+            + EARTH_RATE**2 * (prior.attitude**2 + bent)
+        )
+        squares = np.sum(np.sum(wrong**2, axis=-1) * self.rest, axis=-1)
+        rate = squares / (np.maximum(self.rest.sum(axis=-1), 1) * least)
+        return np.sqrt(np.maximum(force, rate))
+
+
+def evidence(increments: Increments) -> Evidence | None:
+    """Means over about a hundred windows; None if the body turns too far in one interval.
+
+    Several records (..., n, 3) may be those of one body in other axes.
+    """
+    interval, angle, velocity = thinned(increments)
+    count = angle.shape[-2]
+    if float(np.abs(angle).max()) > np.pi / 2 or count < 4:
+        return None
+    pairs = count // 2
+    each = max(pairs // _WINDOWS, 1)
+    places = np.arange(0, pairs + 1, each)
+    window, used = 2 * each * interval, 2 * int(places[-1])
+    angle, velocity = angle[..., :used, :], velocity[..., :used, :]
+    _, carried = carried_velocity(ALGORITHM, angle, velocity)
+    carried = carried[..., places[1:] - 1, :]
+    force = np.diff(carried, axis=-2, prepend=0.0) / window
+    lead = angle.shape[:-2]
+    rate = angle.reshape(*lead, -1, 2 * each, 3).sum(axis=-2) / window
+    attitude = quaternion.cumulative_product(step_quaternions(ALGORITHM, angle))
+    steps = np.linalg.norm(angle, axis=-1)
+    return Evidence(
+        window,
+        2 * interval * places,
+        force,
+        quaternion.rotate(attitude[..., places[1:] - 1, :], rate),
+        np.linalg.norm(rate, axis=-1) < _REST,
+        np.cumsum(steps, axis=-1)[..., 2 * places[1:] - 1],
+    )
+
+
+def thinned(increments: Increments) -> Increments:
+    """Sums of neighbouring increments, as many as a table turns by no more than six degrees."""
+    interval, angle, velocity = increments
+    largest = max(float(np.abs(angle).max()), 1e-12)
+    count = angle.shape[-2]
+    many = max(min(int(_STEP / largest), count // (4 * _WINDOWS)), 1)
+    rows = count // (2 * many) * 2 * many
+    return Increments(
+        many * interval,
+        *(
+            part[..., :rows, :].reshape(*part.shape[:-2], -1, many, 3).sum(axis=-2)
+            for part in (angle, velocity)
+        ),
+    )

@@ -1,0 +1,267 @@
+"""Which slip makes a record of a turntable contradict what was told? Each is undone and tried.
+
+A slip is named if the record fits without it. Every unit, order and sign is tried by gravity and
+the Earth's rate, which is cheap; those few that fit then go through the filter, and its
+innovations decide.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import permutations, product
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import minimize_scalar
+
+from driftlab.checks import FloatArray
+from driftlab.core import quaternion
+from driftlab.earth import gravity
+from driftlab.increments import Increments
+from driftlab.recordings.guards import doubts, force_factors, gyro_factors
+from driftlab.recordings.recording import Recording
+
+from ._evidence import Evidence, Expected, evidence, thinned
+
+FITS = 6.0
+"""Misfit that may still be a right record's."""
+_NEAR = 1.5
+"""Slips that leave not so many times the misfit of the best may be it as well."""
+_TRIED = 8
+"""Slips that go through the filter."""
+_SIZE = 0.1
+"""Specific force of this much more or less than gravity may still have the right unit."""
+_GRAVITY_A_METRE = 3.1e-7
+"""Share of gravity that a metre of height takes away."""
+_NEAREST_TO_POLE = float(np.radians(89.9))
+_RULES = ("force", "rate", "half turn", "turning", "axes")
+_FITTED = 3
+"""Rank of slips whose size is fitted to the record."""
+_UP = np.array([0.0, 0.0, 1.0])
+_FRAMES = {
+    "North, East, Down": np.array([1.0, 1.0, 0.0, 0.0]) / np.sqrt(2),
+    "North, Up, East": np.array([0.5, 0.5, 0.5, 0.5]),
+}
+"""Other local axes, as quaternions from them to East, North, Up."""
+
+
+class Told(NamedTuple):
+    """What a calibration is told: increments (n, 3), start (4,), latitude."""
+
+    increments: Increments
+    start: FloatArray
+    latitude: float
+    loose: bool = False
+    """Whether the start is a guess, within some degrees."""
+
+
+class Slip(NamedTuple):
+    """A slip, what would have been told without it, and how badly that fits."""
+
+    rank: int
+    """Of slips that fit as well, those of lower rank are likelier."""
+    name: str
+    told: Told
+    misfit: float
+
+
+Judge = Callable[[Told], FloatArray | None]
+"""Runs the filter; the start that it finds (4,), if its innovations are those of a right run."""
+
+
+def likely_slips(told: Told, expected: Expected, judge: Judge) -> list[str]:
+    """Slips without which the record fits, best first, or else what `doubts` has to say."""
+    fitting: list[Slip] = []
+    for slip in sorted(_undone(told, expected), key=lambda slip: slip.misfit)[:_TRIED]:
+        if slip.misfit > (_NEAR * fitting[0].misfit if fitting else FITS):
+            break
+        start = judge(slip.told)
+        if start is not None:
+            name = _turned(told.start, start) if slip.told.loose else slip.name
+            fitting.append(slip._replace(name=name))
+    fitting.sort(key=lambda slip: slip.rank)
+    # What was fitted to the record is no news beside a slip of the same kind.
+    known = {slip.name.partition(":")[0] for slip in fitting if slip.rank < _FITTED}
+    names = [
+        slip.name
+        for slip in fitting
+        if slip.rank < _FITTED or slip.name.partition(":")[0] not in known
+    ]
+    if names:
+        return list(dict.fromkeys(names))
+    interval, angle, velocity = told.increments
+    log = Recording(angle, velocity, interval, "increments")
+    return [doubt.sentence.rstrip(".?") for doubt in doubts(log) if doubt.rule in _RULES]
+
+
+def _turned(told: FloatArray, found: FloatArray) -> str:
+    """Words for a start that the filter moved."""
+    turn = np.degrees(
+        quaternion.to_rotation_vector(quaternion.multiply(told, quaternion.conjugate(found)))
+    )
+    if np.linalg.norm(turn[:2]) < 0.1 * abs(turn[2]):
+        return f"start: a heading wrong by {abs(turn[2]):.3g} degrees"
+    return f"start: an attitude wrong by {np.linalg.norm(turn):.3g} degrees"
+
+
+def _undone(told: Told, expected: Expected) -> Iterator[Slip]:
+    """Slips, and what would have been told without each."""
+
+    def tried(rank: int, name: str, other: Told, shown: Evidence) -> Slip:
+        return Slip(rank, name, other, float(shown.misfit(other.start, other.latitude, expected)))
+
+    for name, increments in _other_units(told):
+        if (seen := evidence(increments)) is not None:
+            yield tried(0, name, told._replace(increments=increments), seen)
+    shown = evidence(told.increments)
+    if shown is None:
+        return
+    for name, start in _other_starts(told.start):
+        yield tried(1, name, told._replace(start=start), shown)
+    for level in (told.start, _levelled(told.start, shown)):
+        start = _headed(level, shown, told.latitude, expected)
+        yield tried(_FITTED, "start: wrong", told._replace(start=start, loose=True), shown)
+    for rank, name, latitude in _other_latitudes(told, shown, expected):
+        if abs(latitude) > _NEAREST_TO_POLE:
+            continue
+        yield tried(rank, name, told._replace(latitude=latitude), shown)
+    names, increments = _other_axes(told.increments)
+    seen = evidence(increments)
+    if seen is None:
+        return
+    sizes = seen.misfit(told.start, told.latitude, expected)
+    for row, (name, size) in enumerate(zip(names, sizes, strict=True)):
+        rows = Increments(increments.interval, increments.angle[row], increments.velocity[row])
+        likely = "forward" in name or "alone" in name
+        yield Slip(1 if likely else 2, name, told._replace(increments=rows), float(size))
+
+
+def _other_units(told: Told) -> Iterator[tuple[str, Increments]]:
+    """Other units, another interval, and the triads exchanged."""
+    interval, angle, velocity = told.increments
+    size = float(gravity(told.latitude))
+    ratio = float(np.median(np.linalg.norm(velocity, axis=1))) / (interval * size)
+    forces = {
+        name: factor
+        for name, factor in ({"": 1.0} | force_factors("increments", interval)).items()
+        if abs(ratio / factor - 1) < _SIZE and "interval" not in name
+    }
+    gyros = {"": 1.0} | gyro_factors("increments", interval)
+    for (force, b), (gyro, a) in product(forces.items(), gyros.items()):
+        pairs = (("gyros", gyro), ("accelerometers", force))
+        words = [f"{triad}: {name}" for triad, name in pairs if name]
+        if words and "interval" not in gyro and max(a, 1 / a, b, 1 / b) > 1 + _SIZE:
+            yield " and ".join(words), Increments(interval, angle / a, velocity / b)
+    if abs(ratio - 1) > 1e-4:
+        name = _interval_slip(interval, ratio)
+        yield name, Increments(ratio * interval, angle, velocity)
+    yield "gyros and accelerometers exchanged", Increments(interval, velocity, angle)
+
+
+def _interval_slip(interval: float, ratio: float) -> str:
+    """Words for an interval that gravity contradicts."""
+    for power, name in ((-3, "milliseconds"), (-6, "microseconds")):
+        if abs(ratio / 10.0**power - 1) < _SIZE:
+            return f"interval: {name} taken for seconds"
+    words = f"interval: {ratio * interval:.4g} s instead of {interval:.4g} s, by gravity"
+    height = (1 - ratio) / _GRAVITY_A_METRE
+    if 0 < height < 9000:
+        return f"{words}, or a place {height:.0f} m high"
+    return f"{words}, or accelerometers with that error of scale"
+
+
+def _named_orders() -> Iterator[tuple[str, FloatArray]]:
+    """Signed permutations but the identity."""
+    for order in permutations(range(3)):
+        for signs in product((1.0, -1.0), repeat=3):
+            matrix = np.eye(3)[list(order)] * np.array(signs)[:, np.newaxis]
+            words = ", ".join(
+                f"{'-' * (sign < 0)}{'xyz'[axis]}" for sign, axis in zip(signs, order, strict=True)
+            )
+            if words == "x, y, z":
+                continue
+            hint = "" if np.linalg.det(matrix) > 0 else " (left-handed)"
+            if words == "x, -y, -z":
+                hint = " (forward, right, down taken for forward, left, up)"
+            yield f"{words} would be right{hint}", matrix
+
+
+_ORDERS = list(_named_orders())
+
+
+def _other_axes(increments: Increments) -> tuple[list[str], Increments]:
+    """Orders and signs of the columns, of both triads or of one: names, and increments (m, n, 3)"""
+    interval, angle, velocity = thinned(increments)
+    orders = np.array([matrix for _, matrix in _ORDERS]).mT
+    angles, velocities = angle @ orders, velocity @ orders
+    same = np.broadcast_to(angle, angles.shape), np.broadcast_to(velocity, velocities.shape)
+    names = [
+        f"{kind}: {name}"
+        for kind in ("axes of the log", "axes of the gyros alone",
+                     "axes of the accelerometers alone")
+        for name, _ in _ORDERS
+    ]  # fmt: skip
+    return names, Increments(
+        interval,
+        np.concatenate([angles, angles, same[0]]),
+        np.concatenate([velocities, same[1], velocities]),
+    )
+
+
+def _other_starts(start: FloatArray) -> Iterator[tuple[str, FloatArray]]:
+    """Other meanings of four numbers; those that come to the same together."""
+    rolled = np.roll(start, -1)
+    meanings = {
+        "scalar first": rolled,
+        "from East, North, Up to the body": quaternion.conjugate(start),
+        "scalar first, and from East, North, Up to the body": quaternion.conjugate(rolled),
+    } | {f"body to {name}": quaternion.multiply(turn, start) for name, turn in _FRAMES.items()}
+    known: list[tuple[list[str], FloatArray]] = []
+    for name, other in meanings.items():
+        if abs(float(start @ other)) > 1 - 1e-6:
+            continue
+        for names, one in known:
+            if abs(float(one @ other)) > 1 - 1e-6:
+                names.append(name)
+                break
+        else:
+            known.append(([name], other))
+    for names, other in known:
+        yield f"start: {', or '.join(names)}", other
+
+
+def _levelled(start: FloatArray, shown: Evidence) -> FloatArray:
+    """The start, turned so that the force of the first window points up."""
+    force = quaternion.rotate(start, shown.force[0])
+    axis = np.cross(force, _UP)
+    across = float(np.linalg.norm(axis))
+    angle = float(np.arctan2(across, force[2]))
+    return quaternion.multiply(
+        quaternion.from_rotation_vector(angle / max(across, 1e-12) * axis), start
+    )
+
+
+def _headed(start: FloatArray, shown: Evidence, latitude: float, expected: Expected) -> FloatArray:
+    """The start with the heading that fits best."""
+    turns = [
+        quaternion.multiply(quaternion.from_rotation_vector(np.radians(turn) * _UP), start)
+        for turn in range(-178, 181, 2)
+    ]
+    return min(turns, key=lambda turn: float(shown.misfit(turn, latitude, expected)))
+
+
+def _other_latitudes(
+    told: Told, shown: Evidence, expected: Expected
+) -> Iterator[tuple[int, str, float]]:
+    """Other latitudes, rad, with rank and name."""
+
+    def size(latitude: float) -> float:
+        return float(shown.misfit(told.start, latitude, expected))
+
+    degree = np.radians(1.0)
+    near = min(np.arange(-88, 89) * degree, key=size)
+    nearest = float(minimize_scalar(size, bounds=(near - degree, near + degree)).x)
+    yield 1, "latitude: the other sign", -told.latitude
+    yield 1, "latitude: degrees turned into radians twice", float(np.degrees(told.latitude))
+    yield 1, "latitude: degrees taken for radians", float(np.radians(told.latitude))
+    yield _FITTED, f"latitude: {np.degrees(nearest):.1f} degrees fits better", nearest
