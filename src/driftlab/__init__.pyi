@@ -11,6 +11,7 @@ from . import (
     earth as earth,
     frames as frames,
     gyrocompass as gyrocompass,
+    higher_order_errors as higher_order_errors,
     imu as imu,
     increments as increments,
     monte_carlo as monte_carlo,
@@ -41,6 +42,10 @@ from .drift.turn_calibration import (
 )
 from .drift.weighing_designs import fit_turns as fit_turns
 from .gyrocompass.alignment import align as align, alignment_errors as alignment_errors
+from .higher_order_errors import (
+    NO_HIGHER_ORDER_ERRORS as NO_HIGHER_ORDER_ERRORS,
+    HigherOrderErrors as HigherOrderErrors,
+)
 from .imu import (
     NO_ERRORS as NO_ERRORS,
     TYPICAL_ERRORS as TYPICAL_ERRORS,

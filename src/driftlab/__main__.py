@@ -20,7 +20,16 @@ NOTHING, STOPPED = 2, 130
 PACKAGE = Path(__file__).parent
 GROUND_FLOOR = (
     *("checks", "vectors", "quaternion", "earth", "axes", "conventions", "frames"),
-    *("triad", "body_frames", "imu", "increments", "sampled_rates", "strapdown", "monte_carlo"),
+    *(
+        "triad",
+        "body_frames",
+        "imu",
+        "higher_order_errors",
+        "increments",
+        "sampled_rates",
+        "strapdown",
+        "monte_carlo",
+    ),
     *("noise_terms", "allan"),
 )
 SUBJECTS = (

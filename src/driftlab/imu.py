@@ -108,6 +108,16 @@ class PriorDeviations:
         Diagonal entries of both error matrices, without unit.
     installation : float
         Off-diagonal entries of both error matrices, rad, independent of each other.
+    lever_arm : float
+        Each component of the accelerometers' lever arms, m; about the size of a unit. This and the
+        next three count only where `HigherOrderErrors` are among the unknowns.
+    time_skew : float
+        By how much the accelerometers are late, s: a tenth of a sample or so.
+    accelerometer_quadratic : float
+        s^2/m, each accelerometer: ten micro-g per g^2, as servo accelerometers have it.
+    gyro_g_sensitivity : float
+        (rad/s)/(m/s^2), each entry: a tenth of a degree an hour per g, much for an optical gyro and
+        little for one that holds a mass.
 
     Examples
     --------
@@ -120,6 +130,10 @@ class PriorDeviations:
     accelerometer_bias: float = 300 * micro * g
     scale: float = 100 * micro
     installation: float = 40 * arcsecond
+    lever_arm: float = 0.03
+    time_skew: float = 1e-3
+    accelerometer_quadratic: float = 10 * micro / g
+    gyro_g_sensitivity: float = 0.1 * degree / hour / g
 
     def __post_init__(self) -> None:
         _check_sizes(self)

@@ -17,6 +17,12 @@ from .checks import (
     finite_array,
     positive_number,
 )
+from .higher_order_errors import (
+    HigherOrderErrors,
+    checked_higher_order_errors,
+    felt_besides,
+    without_higher_order,
+)
 from .imu import ImuErrors, ImuNoise, checked_imu_errors
 
 
@@ -135,6 +141,8 @@ def measure(
     imu_errors: ImuErrors,
     noise: ImuNoise | None = None,
     rng: np.random.Generator | None = None,
+    *,
+    higher_order: HigherOrderErrors | None = None,
 ) -> Increments:
     """Increments as a unit with errors and noise reports them; Wu (1)-(5).
 
@@ -148,6 +156,8 @@ def measure(
         None for a unit without noise.
     rng : numpy.random.Generator, optional
         Source of the noise; needed for noise only.
+    higher_order : HigherOrderErrors, optional
+        Lever arms and what else bias and matrix do not describe; none if not given.
 
     Returns
     -------
@@ -168,6 +178,9 @@ def measure(
     """
     seconds, angle, velocity = checked_increments(increments)
     errors = checked_imu_errors(imu_errors)
+    if higher_order is not None:
+        more = felt_besides(seconds, angle, velocity, checked_higher_order_errors(higher_order))
+        angle, velocity = angle + more[0], velocity + more[1]
     found = []
     for true, bias, error, walk in (
         (angle, errors.gyro_bias, errors.gyro_error, "angle_random_walk"),
@@ -182,7 +195,12 @@ def measure(
     return Increments(seconds, found[0], found[1])
 
 
-def compensate(increments: Increments, imu_errors: ImuErrors) -> Increments:
+def compensate(
+    increments: Increments,
+    imu_errors: ImuErrors,
+    *,
+    higher_order: HigherOrderErrors | None = None,
+) -> Increments:
     """Take the known errors of a unit out of its increments: the inverse of `measure`.
 
     Parameters
@@ -191,6 +209,8 @@ def compensate(increments: Increments, imu_errors: ImuErrors) -> Increments:
         Measured, arrays of shape (..., n, 3).
     imu_errors : ImuErrors
         Errors of the unit; their leading axes broadcast against those of the increments.
+    higher_order : HigherOrderErrors, optional
+        What bias and matrix do not describe; none if not given. It is taken out to the third order.
 
     Returns
     -------
@@ -215,10 +235,17 @@ def compensate(increments: Increments, imu_errors: ImuErrors) -> Increments:
     for name in ("gyro_error", "accelerometer_error"):
         if (np.linalg.cond(np.eye(3) + getattr(errors, name)) > 1e12).any():
             raise ValueError(f"{name}: expected a triad I + K that spans space, got a flat one.")
-    return without_errors(checked_increments(increments), errors)
+    if higher_order is not None:
+        higher_order = checked_higher_order_errors(higher_order)
+    return without_errors(checked_increments(increments), errors, higher_order)
 
 
-def without_errors(increments: Increments, imu_errors: ImuErrors) -> Increments:
+def without_errors(
+    increments: Increments,
+    imu_errors: ImuErrors,
+    higher_order: HigherOrderErrors | None = None,
+    rate_change: FloatArray | None = None,
+) -> Increments:
     """Take known errors out of increments like `compensate`, without checking the arguments.
 
     Parameters
@@ -227,6 +254,11 @@ def without_errors(increments: Increments, imu_errors: ImuErrors) -> Increments:
         Measured, arrays of shape (..., n, 3).
     imu_errors : ImuErrors
         Errors of the unit; their leading axes broadcast against those of the increments.
+    higher_order : HigherOrderErrors, optional
+        What bias and matrix do not describe.
+    rate_change : ndarray, shape (..., n, 3), optional
+        `driftlab.higher_order_errors.rate_changes` of the record that the increments are part of;
+        of these increments alone if not given.
 
     Returns
     -------
@@ -241,11 +273,13 @@ def without_errors(increments: Increments, imu_errors: ImuErrors) -> Increments:
     array([[1.  , 1.  , 0.99]])
     """
     seconds, angle, velocity = increments
-    return Increments(
-        seconds,
-        _without(angle, seconds * imu_errors.gyro_bias, imu_errors.gyro_error),
-        _without(velocity, seconds * imu_errors.accelerometer_bias, imu_errors.accelerometer_error),
+    angle = _without(angle, seconds * imu_errors.gyro_bias, imu_errors.gyro_error)
+    velocity = _without(
+        velocity, seconds * imu_errors.accelerometer_bias, imu_errors.accelerometer_error
     )
+    if higher_order is not None:
+        angle, velocity = without_higher_order(seconds, angle, velocity, higher_order, rate_change)
+    return Increments(seconds, angle, velocity)
 
 
 def _without(measured: FloatArray, bias: FloatArray, error: FloatArray) -> FloatArray:

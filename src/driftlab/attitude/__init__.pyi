@@ -12,30 +12,30 @@ from .cayley import (
     shadow as shadow,
     skew_operator as skew_operator,
 )
-from .riccati import (
-    RiccatiSolution as RiccatiSolution,
-    SWITCH as SWITCH,
-    integrate_riccati as integrate_riccati,
-    riccati_rate as riccati_rate,
-)
 from .coning_algorithms import (
     ALGORITHMS as ALGORITHMS,
+    CONING_ALGORITHMS as CONING_ALGORITHMS,
     Algorithm as Algorithm,
     AttitudeAlgorithm as AttitudeAlgorithm,
-    CONING_ALGORITHMS as CONING_ALGORITHMS,
     LastStage as LastStage,
     Weights as Weights,
     attitude_algorithm as attitude_algorithm,
     coning_algorithm as coning_algorithm,
-)
-from .integration import (
-    integrate as integrate,
-    step_quaternions as step_quaternions,
-    step_vectors as step_vectors,
 )
 from .finite_precision import (
     UPDATES as UPDATES,
     Update as Update,
     integrate_in_word as integrate_in_word,
     step_in_word as step_in_word,
+)
+from .integration import (
+    integrate as integrate,
+    step_quaternions as step_quaternions,
+    step_vectors as step_vectors,
+)
+from .riccati import (
+    SWITCH as SWITCH,
+    RiccatiSolution as RiccatiSolution,
+    integrate_riccati as integrate_riccati,
+    riccati_rate as riccati_rate,
 )

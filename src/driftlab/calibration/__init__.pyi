@@ -20,9 +20,11 @@ from . import (
     scheme_design as scheme_design,
     schuler_pair as schuler_pair,
     simulation as simulation,
+    state_layout as state_layout,
     static_error_curves as static_error_curves,
     static_error_growth as static_error_growth,
     static_navigation as static_navigation,
+    trial as trial,
 )
 from .biases_behind_matrix import (
     PsinsMatrices as PsinsMatrices,
@@ -129,8 +131,9 @@ from .schuler_pair import (
 )
 from .simulation import (
     TableTrial as TableTrial,
-    Trial as Trial,
-    estimation_errors as estimation_errors,
+)
+from .state_layout import (
+    StateLayout as StateLayout,
 )
 from .static_error_curves import (
     schuler_position as schuler_position,
@@ -148,4 +151,8 @@ from .static_error_growth import (
 from .static_navigation import (
     StaticNavigationErrors as StaticNavigationErrors,
     navigate_static as navigate_static,
+)
+from .trial import (
+    Trial as Trial,
+    estimation_errors as estimation_errors,
 )

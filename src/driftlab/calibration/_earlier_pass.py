@@ -6,7 +6,7 @@ from driftlab.checks import FloatArray
 from driftlab.core import quaternion
 from driftlab.core.attitude import step_quaternions
 from driftlab.earth import earth_rate
-from driftlab.increments import Increments, without_errors
+from driftlab.increments import Increments
 from driftlab.strapdown import ALGORITHM
 
 from .calibration_history import Calibration
@@ -28,7 +28,7 @@ def linearization_point(
     """State (..., size) that a pass found, and the attitude (..., 4) that it found for the start:
     that at the end is known best, and the corrected gyros lead back from it."""
     state = about.state[..., -1, :]
-    angle = without_errors(measured, about.imu_errors).angle
+    angle = about.model.corrected(measured, state).angle
     turned = quaternion.cumulative_product(step_quaternions(ALGORITHM, angle))[..., -1, :]
     # In axes that do not turn with the Earth: those of the beginning.
     at_end = quaternion.from_rotation_vector(about.times[-1] * earth_rate(latitude))

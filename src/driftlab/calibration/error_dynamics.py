@@ -12,6 +12,7 @@ from driftlab.earth import curvature_radii, earth_rate
 from driftlab.imu import ImuNoise
 from driftlab.increments import Increments
 
+from . import _higher_order_states as higher
 from .error_model import ErrorModel
 
 _UNIT = np.eye(6)  # made once, for the many steps of a filter
@@ -95,6 +96,7 @@ def transition(
     angle: FloatArray,
     velocity: FloatArray,
     quadrature_weights: FloatArray,
+    rate_change: FloatArray | None = None,
 ) -> FloatArray:
     """Transition matrix of all errors over an interval; Wu (49), (50).
 
@@ -120,6 +122,9 @@ def transition(
     quadrature_weights : ndarray, shape (n, n)
         Fraction of the quadrature term of each node (column) that has accumulated by the time of
         each node (row): weights of the integral from the beginning of the interval to each node.
+    rate_change : ndarray, shape (..., n, 3), optional
+        Quadrature terms of the change of the angular rate in body axes, rad/s; zero if not given.
+        Only lever arms ask for it.
 
     Returns
     -------
@@ -139,7 +144,7 @@ def transition(
     4.9
     """
     gyro = slice(6, 9 + len(model.gyro_basis))
-    accelerometer = slice(gyro.stop, model.size)
+    accelerometer = slice(gyro.stop, model.triad_states)
     force = cross_matrix((attitude @ velocity[..., np.newaxis])[..., 0])
     # A tilt that arises at a node acts through the force that is still to come.
     still = (quadrature_weights.T @ force.reshape(*force.shape[:-2], 9)).reshape(force.shape)
@@ -160,6 +165,11 @@ def transition(
     moved[..., gyro] = -carried @ _effects(model.gyro_basis, times, angle)
     pushes = _effects(model.accelerometer_basis, times, velocity)
     moved[..., 3:, accelerometer] = carried[..., :3, :] @ pushes
+    if model.higher_order:
+        changes = np.zeros(3) if rate_change is None else rate_change
+        tilts, pushes = higher.effects(model.higher_order, times, angle, velocity, changes)
+        moved[..., model.triad_states :] = -carried @ tilts
+        moved[..., 3:, model.triad_states :] += carried[..., :3, :] @ pushes
     matrix = np.empty((*lead, model.size, model.size))
     matrix[..., 6:, :6] = 0.0
     matrix[..., 6:, 6:] = np.eye(model.size - 6)
@@ -172,6 +182,7 @@ def transition_of_increments(
     free: FloatArray,
     attitude: FloatArray,
     increments: Increments,
+    rate_change: FloatArray | None = None,
 ) -> FloatArray:
     """Transition matrix of all errors while a unit navigates for a short time.
 
@@ -186,6 +197,9 @@ def transition_of_increments(
     increments : Increments
         From which the attitudes were computed, with the known errors removed; arrays of shape
         (..., 2 n, 3).
+    rate_change : ndarray, shape (..., 2 n, 3), optional
+        `driftlab.higher_order_errors.rate_changes` of the record that the increments are part of;
+        zero if not given.
 
     Returns
     -------
@@ -216,7 +230,9 @@ def transition_of_increments(
     # In the middle of a pair, half of it has passed.
     weights = np.tri(count) - 0.5 * np.eye(count)
     times = np.full(count, 2 * increments.interval)
-    return transition(model, free, middle, times, angle, velocity, weights)
+    if rate_change is not None:
+        rate_change = rate_change[..., 0::2, :] + rate_change[..., 1::2, :]
+    return transition(model, free, middle, times, angle, velocity, weights, rate_change)
 
 
 def _effects(basis: FloatArray, times: FloatArray, values: FloatArray) -> FloatArray:

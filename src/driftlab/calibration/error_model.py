@@ -1,7 +1,8 @@
-"""States of a calibration filter: Wu (45)-(48), and three more that are unobservable.
+"""States of a calibration filter: Wu (45)-(48), three more that are unobservable, and others.
 
 Attitude error phi and velocity error dv (East, North, Up), biases and matrix of the gyros, then of
-the accelerometers: 30 states. A choice of body axes removes three numbers: 27 states.
+the accelerometers: 30 states. A choice of body axes removes three numbers: 27 states. By choice
+there are lever arms and others behind them (`ErrorModel.with_states`).
 
 Signs: the computed attitude is ``(I - [phi×]) C``, a velocity error is computed minus true, and a
 sensor error that remains after compensation is true minus assumed.
@@ -9,7 +10,8 @@ sensor error that remains after compensation is true minus assumed.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import replace
+from functools import cache
 from types import MappingProxyType
 
 import numpy as np
@@ -19,19 +21,25 @@ from driftlab.body_frames import BODY_FRAMES, misalignment_vector
 from driftlab.checks import FloatArray, unit_quaternions
 from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
-from driftlab.imu import ImuErrors, PriorDeviations
+from driftlab.imu import PriorDeviations
 
-AXES = "xyz"
+from . import _higher_order_states as higher
+from ._triad_bases import (
+    AXES as AXES,
+    DIAGONAL,
+    LOWER,
+    OFF_DIAGONAL,
+    UPPER,
+    named,
+    units,
+)
+from .state_layout import StateLayout
+
 LOCAL_AXES = ("East", "North", "Up")
-_DIAGONAL = [(i, i) for i in range(3)]
-_UPPER = [(0, 1), (0, 2), (1, 2)]
-_LOWER = [(1, 0), (2, 0), (2, 1)]
-_OFF_DIAGONAL = [(0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1)]
 
 
-@dataclass(frozen=True, eq=False)
-class ErrorModel:
-    """States of a calibration filter, and the sensor errors that they describe.
+class ErrorModel(StateLayout):
+    """Error model of a calibration filter: its states, body axes and prior.
 
     Attributes
     ----------
@@ -41,6 +49,8 @@ class ErrorModel:
         Basis matrices: K (gyros) and L (accelerometers) are their linear combinations.
     names : tuple of str
         Name of each state, in order.
+    higher_order : tuple of str
+        Groups of states behind those of the triads; see `with_states`.
 
     Examples
     --------
@@ -49,93 +59,33 @@ class ErrorModel:
     (27, 'gyro non-orthogonality xy')
     """
 
-    frame: str | None
-    gyro_basis: FloatArray
-    accelerometer_basis: FloatArray
-    names: tuple[str, ...]
-
-    @property
-    def size(self) -> int:
-        """Number of states.
-
-        Returns
-        -------
-        int
-            27, or 30 for the model of all states.
-
-        Examples
-        --------
-        >>> ERROR_MODELS["upper triangle"].size, FULL.size
-        (27, 30)
-        """
-        return len(self.names)
-
-    def imu_errors(self, state: FloatArray) -> ImuErrors:
-        """Sensor errors that a state vector describes.
+    def with_states(self, *groups: str) -> ErrorModel:
+        """Return this model with states that describe `HigherOrderErrors`.
 
         Parameters
         ----------
-        state : ndarray, shape (..., size)
-            Its attitude and velocity errors are ignored.
+        *groups : str
+            Some of "lever arms" (nine states), "time skew" (one), "accelerometer quadratic" (three)
+            and "gyro g-sensitivity" (nine).
 
         Returns
         -------
-        ImuErrors
-            Biases (..., 3) in rad/s and m/s^2 and error matrices (..., 3, 3), in the model's own
-            body axes.
+        ErrorModel
+            This very model if nothing is added; the same object for the same groups in any order.
+
+        Raises
+        ------
+        ValueError
+            If there is no such group.
 
         Examples
         --------
-        The off-diagonal states of averaged axes are symmetric in the gyros' matrix:
-
-        >>> model = ERROR_MODELS["averaged"]
-        >>> model.imu_errors(np.arange(27.0)).gyro_error
-        array([[ 9., 12., 13.],
-               [12., 10., 14.],
-               [13., 14., 11.]])
+        >>> larger = ERROR_MODELS["averaged"].with_states("time skew", "lever arms")
+        >>> larger.size, larger.names[27], larger.names[-1]
+        (37, 'accelerometer lever arm xx', 'accelerometer time skew')
         """
-        middle = 9 + len(self.gyro_basis)
-        return ImuErrors(
-            state[..., 6:9],
-            _combined(state[..., 9:middle], self.gyro_basis),
-            state[..., middle : middle + 3],
-            _combined(state[..., middle + 3 :], self.accelerometer_basis),
-        )
-
-    def state(self, imu_errors: ImuErrors) -> FloatArray:
-        """State vector of given sensor errors, with attitude and velocity errors zero.
-
-        Parameters
-        ----------
-        imu_errors : ImuErrors
-            Sensor errors (...) in the model's own body axes. Whatever part of a matrix is outside
-            the span of the model's basis is dropped.
-
-        Returns
-        -------
-        ndarray, shape (..., size)
-            In the order of `names`; SI units.
-
-        Examples
-        --------
-        >>> from driftlab.imu import TYPICAL_ERRORS
-        >>> state = FULL.state(TYPICAL_ERRORS)
-        >>> again = FULL.imu_errors(state)
-        >>> state.shape, bool(np.allclose(again.gyro_error, TYPICAL_ERRORS.gyro_error))
-        ((30,), True)
-        """
-        of_gyros, of_accelerometers = (
-            # The matrices of a basis have no entries in common.
-            np.tensordot(matrix, basis, ([-2, -1], [1, 2])) / (basis**2).sum(axis=(1, 2))
-            for matrix, basis in (
-                (imu_errors.gyro_error, self.gyro_basis),
-                (imu_errors.accelerometer_error, self.accelerometer_basis),
-            )
-        )
-        parts = [np.zeros(6), imu_errors.gyro_bias, of_gyros]
-        parts += [imu_errors.accelerometer_bias, of_accelerometers]
-        lead = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
-        return np.concatenate([np.broadcast_to(x, (*lead, x.shape[-1])) for x in parts], axis=-1)
+        chosen = higher.checked_groups((*self.higher_order, *groups))
+        return self if chosen == self.higher_order else _with_states(self, chosen)
 
     def reduction(self, attitude: ArrayLike) -> FloatArray:
         """Matrix from all 30 states, in any body axes, to the states of this model.
@@ -187,7 +137,8 @@ class ErrorModel:
         """Covariance of the states before a calibration.
 
         The 24 sensor errors are independent in the axes of the table, and the covariance in the
-        model's axes follows. So filters with different axes start from the same prior.
+        model's axes follows. So filters with different axes start from the same prior. Errors of
+        higher order are independent of them.
 
         Parameters
         ----------
@@ -214,25 +165,19 @@ class ErrorModel:
         sizes = [prior.attitude] * 3 + [0.0] * 3
         sizes += [prior.gyro_bias] * 3 + matrix + [prior.accelerometer_bias] * 3 + matrix
         half = self.reduction(attitude) * np.array(sizes)
-        return half @ half.T
+        covariance = half @ half.T
+        if self.higher_order:
+            last = np.arange(self.triad_states, self.size)
+            covariance[last, last] = higher.prior_deviations(prior, self.higher_order) ** 2
+        return covariance
 
 
-def _combined(coefficients: FloatArray, basis: FloatArray) -> FloatArray:
-    """Matrices (..., 3, 3) with m coefficients (..., m) in a basis (m, 3, 3)."""
-    matrices: FloatArray = coefficients @ basis.reshape(-1, 9)
-    return matrices.reshape(*coefficients.shape[:-1], 3, 3)
-
-
-def _units(places: list[tuple[int, int]]) -> FloatArray:
-    """Matrices (m, 3, 3) with a one at each of the places."""
-    basis = np.zeros((len(places), 3, 3))
-    for matrix, place in zip(basis, places, strict=True):
-        matrix[place] = 1.0
-    return basis
-
-
-def _named(kind: str, places: list[tuple[int, int]]) -> list[str]:
-    return [f"{kind} {AXES[i]}" if i == j else f"{kind} {AXES[i]}{AXES[j]}" for i, j in places]
+@cache
+def _with_states(model: ErrorModel, groups: tuple[str, ...]) -> ErrorModel:
+    """Model with other groups of higher order; one object for each choice."""
+    names = model.names[: model.triad_states]
+    names += tuple(name for group in groups for name in higher.GROUPS[group].names)
+    return replace(model, names=names, higher_order=groups)
 
 
 def _model(
@@ -245,7 +190,7 @@ def _model(
     names = [f"{kind} {axis}" for kind in ("attitude", "velocity") for axis in LOCAL_AXES]
     bases = []
     for sensor, places in (("gyro", gyro), ("accelerometer", accelerometer)):
-        basis = _units(_DIAGONAL + places)
+        basis = units(DIAGONAL + places)
         rest = "installation"
         if sensor == symmetric:
             basis[3:] += np.swapaxes(basis[3:], -1, -2)
@@ -253,20 +198,20 @@ def _model(
         basis.setflags(write=False)
         bases.append(basis)
         names += [f"{sensor} bias {axis}" for axis in AXES]
-        names += _named(f"{sensor} scale", _DIAGONAL) + _named(f"{sensor} {rest}", places)
+        names += named(f"{sensor} scale", DIAGONAL) + named(f"{sensor} {rest}", places)
     return ErrorModel(frame, bases[0], bases[1], tuple(names))
 
 
-FULL = _model(None, _OFF_DIAGONAL, _OFF_DIAGONAL)
+FULL = _model(None, OFF_DIAGONAL, OFF_DIAGONAL)
 """All 24 sensor errors, 30 states."""
 
 ERROR_MODELS = MappingProxyType({
-    "averaged": _model("averaged", _UPPER, _OFF_DIAGONAL, symmetric="gyro"),
-    "upper triangle": _model("upper triangle", _LOWER, _OFF_DIAGONAL),
-    "lower triangle": _model("lower triangle", _UPPER, _OFF_DIAGONAL),
-    "accelerometers": _model("accelerometers", _OFF_DIAGONAL, _LOWER),
+    "averaged": _model("averaged", UPPER, OFF_DIAGONAL, symmetric="gyro"),
+    "upper triangle": _model("upper triangle", LOWER, OFF_DIAGONAL),
+    "lower triangle": _model("lower triangle", UPPER, OFF_DIAGONAL),
+    "accelerometers": _model("accelerometers", OFF_DIAGONAL, LOWER),
     "averaged accelerometers": _model(
-        "averaged accelerometers", _OFF_DIAGONAL, _UPPER, symmetric="accelerometer"
+        "averaged accelerometers", OFF_DIAGONAL, UPPER, symmetric="accelerometer"
     ),
 })  # fmt: skip
 """The five choices of body axes, 27 states each."""

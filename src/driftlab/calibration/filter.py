@@ -19,8 +19,9 @@ from driftlab.checks import (
 from driftlab.core import kalman, quaternion
 from driftlab.core.strapdown import last_of, navigate
 from driftlab.earth import checked_latitude
+from driftlab.higher_order_errors import rate_changes
 from driftlab.imu import ImuNoise, PriorDeviations
-from driftlab.increments import Increments, checked_increments, without_errors
+from driftlab.increments import Increments, checked_increments
 from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 
 from ._doubt import Door, warn_if_impossible, warn_if_inconsistent
@@ -172,15 +173,17 @@ def calibrate(
         back = quaternion.multiply(believed, quaternion.conjugate(start_found))
         mean[..., :3] = quaternion.to_rotation_vector(back)
         believed = start_found
+    changes = rate_changes(measured.interval, measured.angle) if model.higher_order else None
     # Wu (51), (52): of all states the velocity error is seen, with noise.
     observed, spread = np.eye(3, model.size, 3), noise.reference_velocity**2 * np.eye(3)
     now = home = at_rest(place, believed)
     nis_history, seen, history = [], [], []
     for k, (end, each) in enumerate(zip(ends.tolist(), lengths.tolist(), strict=True)):
-        true = without_errors(measured.part(end - each, end), model.imu_errors(state))
+        change = None if changes is None else changes[..., end - each : end, :]
+        true = model.corrected(measured.part(end - each, end), state, change)
         way = navigate(now, true.angle, true.velocity, true.interval, ALGORITHM)
         attitudes = np.concatenate([now.attitude[..., np.newaxis, :], way.attitude], axis=-2)
-        growth = transition_of_increments(model, free[each], attitudes, true)
+        growth = transition_of_increments(model, free[each], attitudes, true, change)
         arrived = last_of(way)
         mean = (growth @ mean[..., np.newaxis])[..., 0]
         added = process_noise(noise, growth[..., 3:6, :3], np.asarray(each * interval))

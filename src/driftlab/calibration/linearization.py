@@ -10,8 +10,9 @@ from driftlab.checks import FloatArray, checked_instance, finite_number
 from driftlab.core.quaternion import from_rotation_vector, multiply, to_matrix
 from driftlab.earth import checked_latitude, earth_rate, gravity
 from driftlab.motion.scheme import Scheme
-from driftlab.motion.turntable import segments
+from driftlab.motion.turntable import Segment, segments
 
+from . import _higher_order_states as higher
 from .error_dynamics import free_transition, transition
 from .error_model import FULL, ErrorModel
 
@@ -150,6 +151,8 @@ def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -
     # The local axes of the step's beginning do not turn on with the Earth.
     since = from_rotation_vector((duration[:, np.newaxis] * place_of)[..., np.newaxis] * earth)
     share = times[..., np.newaxis]
+    # What is left of a rate that stands still against the local axes turns in body axes.
+    changing = np.cross(to_body @ earth, rate[:, np.newaxis, np.newaxis] * axis[:, np.newaxis])
     matrices = transition(
         model,
         free_transition(place, duration),
@@ -158,10 +161,27 @@ def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -
         share * spin,
         share * force,
         _QUADRATURE_WEIGHTS,
+        share * changing,
     )
-    return LinearizedErrors(
-        model, row[0].attitude, np.repeat(duration, alike), np.repeat(matrices, alike, axis=0)
-    )
+    matrices = np.repeat(matrices, alike, axis=0)
+    if model.higher_order:
+        first = np.cumsum(alike)[np.array(begun) == 0] - np.array(alike)[np.array(begun) == 0]
+        matrices[first] = matrices[first] @ _jumps(model, row)
+    return LinearizedErrors(model, row[0].attitude, np.repeat(duration, alike), matrices)
+
+
+def _jumps(model: ErrorModel, row: list[Segment]) -> FloatArray:
+    """Transitions (segments, size, size) by the jump of the rate with which each one begins."""
+    spin = np.array([segment.rate * segment.axis for segment in row])
+    change = np.diff(spin, axis=0, prepend=spin[:1])
+    attitude = to_matrix(np.array([segment.attitude for segment in row]))
+    none = np.zeros((len(row), 1, 3))
+    # A node whose time does not count; it is only divided by.
+    instant = np.full((len(row), 1), 1e-30)
+    _, pushes = higher.effects(model.higher_order, instant, none, none, change[:, np.newaxis])
+    jumps = np.broadcast_to(np.eye(model.size), (len(row), model.size, model.size)).copy()
+    jumps[:, 3:6, model.triad_states :] = attitude @ pushes
+    return jumps
 
 
 def _quadrature_weights() -> FloatArray:

@@ -191,15 +191,16 @@ def unobservable_subspace(linearized: LinearizedErrors) -> UnobservableSubspace:
         )
     descriptions = []
     scale = _typical(model, linearized.start)
-    for axis, state in zip(AXES, _common_misalignments(linearized.start), strict=True):
+    for axis, state in zip(AXES, _common_misalignments(model, linearized.start), strict=True):
         # Nothing of this state is left outside the null space.
         basis = unobservable / scale
         outside = state / scale - (basis @ (state / scale)) @ basis
         if np.linalg.norm(outside) < 1e-3 * np.linalg.norm(state / scale):
             descriptions.append(f"both triads turned together about {axis}, the attitude with them")
     # The other null directions are clearest in axes without a common rotation.
-    averaged = ERROR_MODELS["averaged"]
-    embedding = FULL.state(averaged.imu_errors(np.eye(averaged.size)))
+    averaged = ERROR_MODELS["averaged"].with_states(*model.higher_order)
+    states = np.eye(averaged.size)
+    embedding = model.state(averaged.imu_errors(states), averaged.higher_order_errors(states))
     embedding[:6, :6] = np.eye(6)
     _, rest = _null_space(seen @ embedding.T, averaged, linearized.start)
     return UnobservableSubspace(
@@ -235,11 +236,11 @@ def _among(model: ErrorModel, directions: FloatArray, start: FloatArray) -> list
     return [f"{len(directions)} among {', '.join(names)}"]
 
 
-def _common_misalignments(attitude: FloatArray) -> FloatArray:
-    """States (3, 30) of both triads rotated by 1 rad about x, y or z, with the attitude."""
+def _common_misalignments(model: ErrorModel, attitude: FloatArray) -> FloatArray:
+    """States (3, size) of both triads rotated by 1 rad about x, y or z, with the attitude."""
     turns = cross_matrix(np.eye(3))
     none = np.zeros((3, 3))
-    states = FULL.state(ImuErrors(none, turns, none, turns))
+    states = model.state(ImuErrors(none, turns, none, turns))
     states[:, :3] = to_matrix(attitude).T
     return states
 

@@ -9,13 +9,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from driftlab.checks import (
-    FloatArray,
     checked_generator,
     checked_instance,
     finite_number,
@@ -23,6 +20,11 @@ from driftlab.checks import (
 )
 from driftlab.core.quaternion import from_rotation_vector, multiply
 from driftlab.earth import checked_latitude
+from driftlab.higher_order_errors import (
+    NO_HIGHER_ORDER_ERRORS,
+    HigherOrderErrors,
+    checked_higher_order_errors,
+)
 from driftlab.imu import (
     ImuErrors,
     ImuNoise,
@@ -35,58 +37,12 @@ from driftlab.increments import measure
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 from driftlab.motion.turntable import table_trajectory
 
-from .body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
-from .calibration_history import Calibration
-from .error_model import error_model_for
+from ._higher_order_states import prior_deviations, unpacked
+from .error_model import ErrorModel, error_model_for
 from .filter import calibrate
-from .kalman import nees
 from .linearization import linearize_along
 from .observability import warn_if_unobservable
-
-
-class Trial(NamedTuple):
-    """A calibration and the true errors of the unit.
-
-    Attributes
-    ----------
-    calibration : Calibration
-        What the filter found.
-    imu_errors : ImuErrors
-        The true errors, in the table's axes; `imu_errors_in_frame` brings them to the filter's.
-    errors : ndarray, shape (..., k, size)
-        Errors of the estimated states, in the filter's axes, at the times of the calibration.
-
-    Examples
-    --------
-    >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
-    >>> found = trial.run(np.random.default_rng(1))
-    >>> within = np.abs(found.errors[-1]) < 3 * found.calibration.deviations[-1]
-    >>> f"{within.sum()} of {within.size} errors are within three standard deviations"
-    '27 of 27 errors are within three standard deviations'
-    """
-
-    calibration: Calibration
-    imu_errors: ImuErrors
-    errors: FloatArray
-
-    @property
-    def nees(self) -> FloatArray:
-        """Squared errors, normalised by the covariance that the filter computes (NEES).
-
-        States that were known from the beginning, with a spread of zero, do not count.
-
-        Returns
-        -------
-        ndarray, shape (..., k)
-            Without unit. Of a consistent filter the mean over many trials is the number of states.
-
-        Examples
-        --------
-        >>> trial = TableTrial(Scheme("+90X +90X +90Y +90Z"), update_interval=10.0)
-        >>> trial.run(np.random.default_rng(2), runs=5).nees[:, -1].round(0)
-        array([18., 29., 22., 32., 35.])
-        """
-        return nees(self.errors, self.calibration.covariance)
+from .trial import Trial as Trial, estimation_errors as estimation_errors
 
 
 @dataclass(frozen=True)
@@ -101,6 +57,8 @@ class TableTrial:
         Of the table, rad.
     frame : str
         Choice of body axes, one of `driftlab.body_frames.BODY_FRAMES`.
+    states : tuple of str
+        What the filter looks for besides: see `ErrorModel.with_states`.
     prior, noise : PriorDeviations, ImuNoise
         Distributions of the sensor errors, of the initial attitude and of the noise: those of the
         simulation, and those that the filter assumes.
@@ -133,6 +91,12 @@ class TableTrial:
     update_interval: float = 1.0
     keep: int = 20
     passes: int = 1
+    states: tuple[str, ...] = ()
+
+    @property
+    def model(self) -> ErrorModel:
+        """The states of the filter."""
+        return error_model_for(self.frame).with_states(*self.states)
 
     def __post_init__(self) -> None:
         checked_instance(self.scheme, Scheme, "scheme")
@@ -146,7 +110,7 @@ class TableTrial:
                 f"{assumed}: expected a deviation of the reference velocity above 0, got 0.0 m/s."
             )
         checked_latitude(finite_number(self.latitude, "latitude"))
-        error_model_for(self.frame)
+        _ = self.model  # refuses unknown names
         whole_number(self.keep, "keep")
         whole_number(self.passes, "passes")
         for name in ("sample_interval", "update_interval"):
@@ -160,7 +124,11 @@ class TableTrial:
             )
 
     def run(
-        self, rng: np.random.Generator, runs: int | None = None, imu_errors: ImuErrors | None = None
+        self,
+        rng: np.random.Generator,
+        runs: int | None = None,
+        imu_errors: ImuErrors | None = None,
+        higher_order: HigherOrderErrors | None = None,
     ) -> Trial:
         """Calibrate random units, or one given unit with new noise in each run.
 
@@ -173,6 +141,9 @@ class TableTrial:
             `imu_errors` has, or one without a leading axis.
         imu_errors : ImuErrors, optional
             True sensor errors (...) in the table's axes; drawn from `prior` if not given.
+        higher_order : HigherOrderErrors, optional
+            True errors beyond bias and matrix; if not given, those that `states` names are drawn
+            from `prior`, and the others are zero.
 
         Returns
         -------
@@ -200,7 +171,7 @@ class TableTrial:
         [-130, -103]
         """
         checked_generator(rng)
-        model = error_model_for(self.frame)
+        model = self.model
         warn_if_unobservable(linearize_along(self.scheme, self.latitude, model))
         lead = () if runs is None else (whole_number(runs, "runs"),)
         if imu_errors is None:
@@ -218,7 +189,8 @@ class TableTrial:
         true = table_trajectory(
             self.scheme, self.latitude, self.sample_interval, multiple_of=samples
         )
-        measured = measure(true.increments, imu_errors, self.noise, rng)
+        higher_order = self._higher_order(higher_order, rng, lead)
+        measured = measure(true.increments, imu_errors, self.noise, rng, higher_order=higher_order)
         updates = measured.angle.shape[-2] // samples
         reference = self.noise.reference_velocity * rng.standard_normal((*lead, updates, 3))
         # The table tells its attitude with an error.
@@ -239,45 +211,17 @@ class TableTrial:
         for _ in range(1, self.passes):
             calibration = one_pass(about=calibration)
         places = np.round(calibration.times / self.sample_interval).astype(int)
-        errors = estimation_errors(calibration, imu_errors, true.attitude[places])
-        return Trial(calibration, imu_errors, errors)
+        known = NO_HIGHER_ORDER_ERRORS if higher_order is None else higher_order
+        errors = estimation_errors(calibration, imu_errors, true.attitude[places], known)
+        return Trial(calibration, imu_errors, errors, known)
 
-
-def estimation_errors(
-    calibration: Calibration, imu_errors: ImuErrors, attitude: ArrayLike
-) -> FloatArray:
-    """Errors of the states that a calibration estimated.
-
-    Parameters
-    ----------
-    calibration : Calibration
-        What the filter found.
-    imu_errors : ImuErrors
-        The true errors (...), in the table's axes.
-    attitude : array_like, shape (k, 4)
-        True attitudes of the table's axes at the calibration's times, body to East, North, Up.
-
-    Returns
-    -------
-    ndarray, shape (..., k, size)
-        True minus estimated sensor errors, computed minus true attitude and velocity.
-
-    Examples
-    --------
-    A calibration that found nothing leaves all errors as they were:
-
-    >>> from driftlab.calibration import FULL
-    >>> from driftlab.imu import TYPICAL_ERRORS
-    >>> level, none = np.array([[0.0, 0.0, 0.0, 1.0]]), np.zeros((1, 30))
-    >>> nothing = Calibration(FULL, none[0], none, np.eye(30), level, none[:, :3], none[0])
-    >>> errors = estimation_errors(nothing, TYPICAL_ERRORS, level)
-    >>> bool(np.allclose(errors, FULL.state(TYPICAL_ERRORS)))
-    True
-    """
-    model = calibration.model
-    true, turn = imu_errors_in_frame(imu_errors, model.frame)
-    errors = model.state(true)[..., np.newaxis, :] - calibration.state
-    true_attitude = attitude_of_axes(attitude, turn[..., np.newaxis, :, :])
-    errors[..., :3] = attitude_error(calibration.attitude, true_attitude)
-    errors[..., 3:6] = calibration.velocity
-    return errors
+    def _higher_order(
+        self, given: HigherOrderErrors | None, rng: np.random.Generator, lead: tuple[int, ...]
+    ) -> HigherOrderErrors | None:
+        """Errors of higher order that are given, or those that the filter looks for, drawn."""
+        if given is not None:
+            return checked_higher_order_errors(given)
+        if not self.model.higher_order:
+            return None
+        sizes = prior_deviations(self.prior, self.model.higher_order)
+        return unpacked(sizes * rng.standard_normal((*lead, sizes.size)), self.model.higher_order)

@@ -6,6 +6,12 @@ from . import (
     turn_calibration as turn_calibration,
     weighing_designs as weighing_designs,
 )
+from .characteristic_equation import (
+    asymptotic_roots as asymptotic_roots,
+    characteristic_polynomial as characteristic_polynomial,
+    exact_roots as exact_roots,
+    split_error_rate_matrix as split_error_rate_matrix,
+)
 from .error_kinematics import (
     attitude_quaternion as attitude_quaternion,
     error_composition_matrix as error_composition_matrix,
@@ -14,11 +20,11 @@ from .error_kinematics import (
     error_transition_matrix as error_transition_matrix,
     rate_matrix as rate_matrix,
 )
-from .characteristic_equation import (
-    asymptotic_roots as asymptotic_roots,
-    characteristic_polynomial as characteristic_polynomial,
-    exact_roots as exact_roots,
-    split_error_rate_matrix as split_error_rate_matrix,
+from .step_formulas import (
+    STEP_FORMULAS as STEP_FORMULAS,
+    StepFormula as StepFormula,
+    integrate_steps as integrate_steps,
+    step_formula as step_formula,
 )
 from .systematic_drift import (
     drift_coefficient as drift_coefficient,
@@ -34,14 +40,8 @@ from .turn_calibration import (
 )
 from .weighing_designs import (
     PAIR_AXES as PAIR_AXES,
-    TurnFit as TurnFit,
     YATES_AXES as YATES_AXES,
+    TurnFit as TurnFit,
     fit_turns as fit_turns,
     weighing as weighing,
-)
-from .step_formulas import (
-    STEP_FORMULAS as STEP_FORMULAS,
-    StepFormula as StepFormula,
-    integrate_steps as integrate_steps,
-    step_formula as step_formula,
 )

@@ -30,13 +30,13 @@ from .levelling import (
     initial_level_frame as initial_level_frame,
     propagate_level_frame as propagate_level_frame,
 )
-from .simulation import (
-    HeadingErrors as HeadingErrors,
-    simulate_compass as simulate_compass,
-)
 from .noise import (
     GyroNoise as GyroNoise,
     moving_average as moving_average,
+)
+from .simulation import (
+    HeadingErrors as HeadingErrors,
+    simulate_compass as simulate_compass,
 )
 from .trials import (
     most_range_over_deviation as most_range_over_deviation,
