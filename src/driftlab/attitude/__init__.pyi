@@ -1,9 +1,14 @@
 from . import (
     cayley as cayley,
     coning_algorithms as coning_algorithms,
+    drift_on_cones as drift_on_cones,
     finite_precision as finite_precision,
+    functional_iteration as functional_iteration,
     integration as integration,
+    noise_amplification as noise_amplification,
     riccati as riccati,
+    sculling as sculling,
+    spherical_area as spherical_area,
 )
 from .cayley import (
     cayley_transform as cayley_transform,
@@ -22,20 +27,41 @@ from .coning_algorithms import (
     attitude_algorithm as attitude_algorithm,
     coning_algorithm as coning_algorithm,
 )
+from .drift_on_cones import (
+    coning_drift as coning_drift,
+    step_drift as step_drift,
+)
 from .finite_precision import (
     UPDATES as UPDATES,
     Update as Update,
     integrate_in_word as integrate_in_word,
     step_in_word as step_in_word,
 )
+from .functional_iteration import (
+    WIDEST as WIDEST,
+    FunctionalIteration as FunctionalIteration,
+)
 from .integration import (
     integrate as integrate,
     step_quaternions as step_quaternions,
     step_vectors as step_vectors,
+)
+from .noise_amplification import (
+    NoiseGrowth as NoiseGrowth,
+    correction_gains as correction_gains,
+    noise_growth as noise_growth,
+    step_noise_covariance as step_noise_covariance,
 )
 from .riccati import (
     SWITCH as SWITCH,
     RiccatiSolution as RiccatiSolution,
     integrate_riccati as integrate_riccati,
     riccati_rate as riccati_rate,
+)
+from .sculling import (
+    sculling_correction as sculling_correction,
+    step_velocities as step_velocities,
+)
+from .spherical_area import (
+    solid_angle as solid_angle,
 )

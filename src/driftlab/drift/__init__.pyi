@@ -1,9 +1,13 @@
 from . import (
     characteristic_equation as characteristic_equation,
+    closed_motion as closed_motion,
     error_kinematics as error_kinematics,
+    missed_stops as missed_stops,
+    recorded_turns as recorded_turns,
     step_formulas as step_formulas,
     systematic_drift as systematic_drift,
     turn_calibration as turn_calibration,
+    turns_by_hand as turns_by_hand,
     weighing_designs as weighing_designs,
 )
 from .characteristic_equation import (
@@ -12,6 +16,10 @@ from .characteristic_equation import (
     exact_roots as exact_roots,
     split_error_rate_matrix as split_error_rate_matrix,
 )
+from .closed_motion import (
+    drift_per_motion as drift_per_motion,
+    exact_drift_per_motion as exact_drift_per_motion,
+)
 from .error_kinematics import (
     attitude_quaternion as attitude_quaternion,
     error_composition_matrix as error_composition_matrix,
@@ -19,6 +27,13 @@ from .error_kinematics import (
     error_rate_matrix as error_rate_matrix,
     error_transition_matrix as error_transition_matrix,
     rate_matrix as rate_matrix,
+)
+from .missed_stops import (
+    NearTurn as NearTurn,
+    near_turns as near_turns,
+)
+from .recorded_turns import (
+    recorded_turn_estimate as recorded_turn_estimate,
 )
 from .step_formulas import (
     STEP_FORMULAS as STEP_FORMULAS,
@@ -37,6 +52,12 @@ from .turn_calibration import (
     earth_offset as earth_offset,
     exact_turn_estimate as exact_turn_estimate,
     turn_estimate as turn_estimate,
+)
+from .turns_by_hand import (
+    HandTurn as HandTurn,
+    HandTurnFit as HandTurnFit,
+    fit_hand_turns as fit_hand_turns,
+    hand_turns as hand_turns,
 )
 from .weighing_designs import (
     PAIR_AXES as PAIR_AXES,

@@ -1,16 +1,37 @@
 from . import (
     alignment as alignment,
+    alignment_deviations as alignment_deviations,
+    alignment_results as alignment_results,
+    contradictions as contradictions,
     gains as gains,
     heading_error as heading_error,
+    horizon_noise as horizon_noise,
+    inertial_alignment as inertial_alignment,
     levelling as levelling,
     noise as noise,
+    noise_fit as noise_fit,
     simulation as simulation,
     trials as trials,
+    two_position_alignment as two_position_alignment,
 )
 from .alignment import (
     align as align,
     alignment_attitude_error as alignment_attitude_error,
     alignment_errors as alignment_errors,
+)
+from .alignment_deviations import (
+    alignment_deviation as alignment_deviation,
+    two_position_deviation as two_position_deviation,
+)
+from .alignment_results import (
+    Alignment as Alignment,
+    AlignmentErrors as AlignmentErrors,
+)
+from .contradictions import (
+    InconsistentAlignmentWarning as InconsistentAlignmentWarning,
+    RateContradiction as RateContradiction,
+    rate_contradiction as rate_contradiction,
+    warn_of_contradiction as warn_of_contradiction,
 )
 from .gains import (
     Gains as Gains,
@@ -24,6 +45,15 @@ from .heading_error import (
     operating_heading_error as operating_heading_error,
     speed_error as speed_error,
 )
+from .horizon_noise import (
+    settled_deviation as settled_deviation,
+    swing_deviation as swing_deviation,
+)
+from .inertial_alignment import (
+    InertialAlignment as InertialAlignment,
+    align_in_inertial_frame as align_in_inertial_frame,
+    inertial_alignment_deviation as inertial_alignment_deviation,
+)
 from .levelling import (
     LevelFrame as LevelFrame,
     LevellingHistory as LevellingHistory,
@@ -34,6 +64,7 @@ from .noise import (
     GyroNoise as GyroNoise,
     moving_average as moving_average,
 )
+from .noise_fit import fit_gyro_noise as fit_gyro_noise
 from .simulation import (
     HeadingErrors as HeadingErrors,
     simulate_compass as simulate_compass,
@@ -43,4 +74,8 @@ from .trials import (
     normal_ranges as normal_ranges,
     range_over_deviation as range_over_deviation,
     table_heading_error as table_heading_error,
+)
+from .two_position_alignment import (
+    PositionsAlignment as PositionsAlignment,
+    align_in_positions as align_in_positions,
 )

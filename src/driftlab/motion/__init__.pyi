@@ -1,6 +1,7 @@
 from . import (
     profiles as profiles,
     scheme as scheme,
+    table_turn as table_turn,
     trajectory as trajectory,
     turntable as turntable,
     vehicle as vehicle,
@@ -17,6 +18,9 @@ from .scheme import (
     NINETEEN_POSITIONS as NINETEEN_POSITIONS,
     SCHEMES as SCHEMES,
     Scheme as Scheme,
+)
+from .table_turn import (
+    TableTurn as TableTurn,
 )
 from .trajectory import (
     Trajectory as Trajectory,
