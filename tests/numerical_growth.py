@@ -19,7 +19,8 @@ def numerical_growth(record, latitude, model):
     sizes[3:6] = 1e-2
     steps = np.concatenate([np.diag(sizes), -np.diag(sizes)])
     start = at_rest(latitude, multiply(from_rotation_vector(-steps[:, :3]), record.attitude[0]))
-    said = measure(record.increments, model.imu_errors(steps))
+    more = model.higher_order_errors(steps) if model.higher_order else None
+    said = measure(record.increments, model.imu_errors(steps), higher_order=more)
     found = last_of(navigate(start._replace(velocity=steps[:, 3:6]), said))
     ends = np.hstack([attitude_error(found.attitude, record.attitude[-1]), found.velocity])
     plus, minus = np.split(ends, 2)

@@ -71,7 +71,7 @@ class ErrorModel(StateLayout):
         Returns
         -------
         ErrorModel
-            This very model if nothing is added; the same object for the same groups in any order.
+            This very model if nothing is added; else one object for each choice of groups.
 
         Raises
         ------
