@@ -37,7 +37,7 @@ def nowhere(tmp_path, monkeypatch):
 
 def test_every_file_is_pinned():
     names = [name.rpartition("/")[2] for one in PUBLISHED.values() for name in one.files]
-    assert len(set(names)) == len(names) == 10
+    assert len(set(names)) == len(names) == 11
     for name, one in PUBLISHED.items():
         assert one.name == name
         assert all(len(sha256) == 64 for sha256 in one.files.values())
@@ -159,4 +159,6 @@ def test_the_laser_gyro_knows_its_place(tmp_path):
 
 @pytest.mark.parametrize("name", PUBLISHED)
 def test_nothing_speaks_against_a_published_recording(name):
-    assert doubts(recording_or_skip(name)) == ()
+    found = {doubt.rule for doubt in doubts(recording_or_skip(name))}
+    # Sensors without noise, simulated, repeat themselves at rest as no real one does.
+    assert found <= ({"stuck"} if name == "nineteen-positions" else set())

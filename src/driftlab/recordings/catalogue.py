@@ -132,6 +132,24 @@ PUBLISHED = {
             },
             publication="PSINS, Precise Strapdown Inertial Navigation System toolbox",
         ),
+        PublishedSet(
+            name="nineteen-positions",
+            title="Simulated unit on a turntable in nineteen positions, of the toolbox's own demo",
+            description="Made by the toolbox from ideal increments and known constants: seven "
+            "columns of 32-bit numbers, angles in rad, velocities in m/s, times in s, 100 Hz for "
+            "982 s. Latitude 34 degrees; axes right, forward, up; no noise.",
+            authors="Gongmin Yan",
+            licence="BSD-2-Clause",
+            licence_stated="BSD 2-clause license, Copyright (c) 2009-2015, Gongmin Yan "
+            "(README, section 2)",
+            repository="WangShanpeng/PSINS",
+            commit="c1706f136d1a8dc64245e851cc77c8cac00a94b6",
+            files={
+                "data/imusysclbt.bin": "7d7ad569bc46d7f3b58dfd57471e8919"
+                "2937ae604ab3e1d982d8332f8de38623"
+            },
+            publication="PSINS, demos/test_system_calibration_19pos.m, after Xie Bo (2011)",
+        ),
     )
 }
 """Every published recording that the book uses, under its name."""

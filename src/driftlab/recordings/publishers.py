@@ -14,6 +14,10 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+
+from driftlab.earth import gravity
+
 from .catalogue import PUBLISHED as PUBLISHED, PublishedSet as PublishedSet
 from .csv_reader import read_csv
 from .imu_tk_reader import read_imu_tk
@@ -141,6 +145,7 @@ def published(name: str, download: bool = True) -> Recording:
     mpu9150-4 - MIT
     mpu9150-5 - MIT
     laser-gyro - BSD-2-Clause
+    nineteen-positions - BSD-2-Clause
     """
     if name not in PUBLISHED:
         raise ValueError(f"name: expected one of {', '.join(PUBLISHED)}, got {name!r}.")
@@ -182,10 +187,25 @@ def _rolled_by_hand(path: Path) -> Recording:
     )
 
 
+def _nineteen_positions(path: Path) -> Recording:
+    rows = np.fromfile(path, dtype="<f4").reshape(-1, 7).astype(float)
+    place = np.radians(34.0)  # pos0 of the demo
+    return Recording(
+        rows[:, :3],
+        rows[:, 3:6],
+        0.01,
+        "increments",
+        axes="RFU",
+        latitude=float(place),
+        gravity=float(gravity(place)),
+    )
+
+
 _READERS: dict[str, Callable[..., Recording]] = {
     "xsens-mti": _xsens,
     "ferraris-session": _ferraris,
     "laser-gyro": read_psins,
+    "nineteen-positions": _nineteen_positions,
 }
 
 

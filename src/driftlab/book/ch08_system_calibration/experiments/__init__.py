@@ -47,6 +47,7 @@ from .in_place_claim import (
     error_ratios,
     error_ratios_at_rest,
 )
+from .left_out import LeftOut, left_out
 from .scheme_run import SchemeRun, scheme_run
 from .schemes import (
     SchemeDirections,
@@ -54,11 +55,22 @@ from .schemes import (
     table_observability,
     up_in_body_axes,
 )
+from .size_effect import (
+    ARM,
+    RATES,
+    SIZES as ARM_SIZES,
+    SizeEffect,
+    on_own_axes,
+    size_effect,
+    unit_with_arms,
+)
 from .starts import ALL_STARTS, STARTS
 from .verdicts import Verdict, verdict
 
 __all__ = [
     "ALL_STARTS",
+    "ARM",
+    "ARM_SIZES",
     "AT_REST_SIZES",
     "AVERAGED",
     "BATCH",
@@ -70,6 +82,7 @@ __all__ = [
     "QUANTITIES",
     "QUICK_TRIAL",
     "RANDOM",
+    "RATES",
     "REST_DURATION",
     "RUNS",
     "SIZES",
@@ -86,8 +99,10 @@ __all__ = [
     "FilterConsistency",
     "InPlaceClaim",
     "InPlaceErrors",
+    "LeftOut",
     "SchemeDirections",
     "SchemeRun",
+    "SizeEffect",
     "TableObservability",
     "TriedScheme",
     "Verdict",
@@ -101,11 +116,15 @@ __all__ = [
     "expected_covariance",
     "filter_consistency",
     "in_time",
+    "left_out",
     "normalised_errors",
+    "on_own_axes",
     "scheme_run",
+    "size_effect",
     "table_observability",
     "typical_trial",
     "unit_of",
+    "unit_with_arms",
     "up_in_body_axes",
     "verdict",
 ]

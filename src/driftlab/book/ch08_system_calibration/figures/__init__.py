@@ -4,6 +4,7 @@ import numpy as np
 from scipy.constants import hour
 
 from driftlab.body_frames import BODY_FRAMES
+from driftlab.book.machinery.arrays_table import from_columns, to_columns
 from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.motion.scheme import SCHEMES
 
@@ -16,6 +17,7 @@ from . import (
     in_place,
     in_place_claim,
     scheme_directions,
+    size_effect,
     table_observability,
 )
 
@@ -93,6 +95,27 @@ def _claim_caption(data: experiments.InPlaceClaim) -> str:
     )
 
 
+def _size_effect_caption(data: experiments.SizeEffect) -> str:
+    rate, arm = experiments.RATES.index(10.0), experiments.ARM_SIZES.index(experiments.ARM)
+    at = (slice(None), rate, arm)
+    squares, noticed, biases = (
+        " and ".join(f"{value:{form}}" for value in rows[at])
+        for rows, form in ((data.squares, ".0f"), (data.noticed, ".2f"), (data.worst, ".0f"))
+    )
+    return (
+        f"Each accelerometer lies {100 * experiments.ARM:.0f} cm out on its own axis. Left: one "
+        "typical unit on the nineteen positions; the filter of 27 states is wrong by up to "
+        f"{np.abs(data.ratios[0]).max():.0f} of its stated deviations, its mean squared innovation "
+        f"is {data.innovations[0]:.3f}; with the nine components of the arms as states the largest "
+        f"error is {np.abs(data.ratios[1]).max():.1f} deviations. Right: expected squares of the "
+        "21 sensor errors and of the innovations, over what they should be; the band ends where "
+        "the mean innovation of one calibration would be too large at 95 %. On the nineteen "
+        f"positions and on the eighteen rotations {100 * experiments.ARM:.0f} cm make an "
+        f"accelerometer bias wrong by {biases} stated deviations and the squares {squares} times "
+        f"too large, while the innovations are {noticed} times what they should be."
+    )
+
+
 FIGURES = (
     FigureDefinition(
         "08-scheme-directions",
@@ -142,6 +165,14 @@ FIGURES = (
         filter_consistency.draw,
         filter_consistency.columns,
         _consistency_caption,
+    ),
+    FigureDefinition(
+        "08-size-effect",
+        experiments.size_effect,
+        size_effect.draw,
+        to_columns,
+        _size_effect_caption,
+        from_columns(experiments.SizeEffect),
     ),
     FigureDefinition(
         "08-choice-of-axes",

@@ -1,0 +1,76 @@
+"""What the model of the calibration still leaves out, and how large it would be.
+
+Each size follows from a stated assumption; what it would bias is the state that takes it up.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.constants import arcsecond, degree, g, hour, micro
+
+from driftlab.calibration.covariance import covariance_analysis
+from driftlab.calibration.error_model import ERROR_MODELS
+from driftlab.calibration.linearization import linearize_along
+from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.motion.scheme import NINETEEN_POSITIONS
+
+
+class LeftOut(NamedTuple):
+    """One thing that is left out.
+
+    Attributes
+    ----------
+    name, assumed : str
+        What it is, and what is taken for granted of it.
+    state : str
+        Beginning of the name of the states that would take it up.
+    size : float
+        Of the bias that it makes there, in the states' units.
+    stated : float
+        Largest standard deviation that the filter of 27 states has for them, nineteen positions.
+    """
+
+    name: str
+    assumed: str
+    state: str
+    size: float
+    stated: float
+
+
+def left_out(latitude: float) -> list[LeftOut]:
+    """Return a list of what is left out, for a table at a latitude, rad."""
+    model, noise = ERROR_MODELS["averaged"], ImuNoise()
+    way = linearize_along(NINETEEN_POSITIONS, latitude, model)
+    stated = np.sqrt(np.diag(covariance_analysis(way, noise, PriorDeviations())))
+    # Noise of the reference that remembers for so long counts as so many times its variance.
+    remembered = np.exp(-1 / 5.0)
+    counted = np.sqrt((1 + remembered) / (1 - remembered)) - 1
+    pulse, pause = 1e-3 / np.sqrt(12), NINETEEN_POSITIONS.dwell
+    biases = [i for i, name in enumerate(model.names) if name.startswith("accelerometer bias")]
+    kinds = (
+        ("scale of an accelerometer that differs between + and -", "10 ppm of |f|",
+         "accelerometer bias", 10 * micro * g),
+        ("scale of a gyro that differs between + and -", "2 ppm of |w|", "gyro scale", 2 * micro),
+        ("temperature, accelerometers", "30 µg a kelvin, half a kelvin in the run",
+         "accelerometer bias", 15 * micro * g),
+        ("temperature, gyros", "0.01 deg/h a kelvin, half a kelvin in the run",
+         "gyro bias", 0.005 * degree / hour),
+        ("bias instability of the gyros", "0.003 deg/h, which no longer run averages",
+         "gyro bias", 0.003 * degree / hour),
+        ("gravity of the place", "10 mGal beside the ellipsoid's", "accelerometer scale",
+         1e-4 / g),
+        ("axes of the table not square", "5″; the filter is told no angle of the table",
+         "gyro non-orthogonality", 0.0 * arcsecond),
+        ("vibration that is not white", "remembered for five updates", "accelerometer bias",
+         counted * stated[biases].max()),
+        ("quantisation of the accelerometers", "pulses of 1 mm/s, over one pause",
+         "accelerometer bias", np.sqrt(2) * pulse / pause),
+    )  # fmt: skip
+    return [
+        LeftOut(name, assumed, state, float(size), _largest(state, model.names, stated))
+        for name, assumed, state, size in kinds
+    ]
+
+
+def _largest(state: str, names: tuple[str, ...], stated: np.ndarray) -> float:
+    return float(max(x for name, x in zip(names, stated, strict=True) if name.startswith(state)))

@@ -1,0 +1,111 @@
+"""What three centimetres of lever arm do to a filter that does not know of them."""
+
+from dataclasses import replace
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+
+from driftlab.calibration.simulation import TableTrial, Trial
+from driftlab.checks import FloatArray
+from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS, HigherOrderErrors
+from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise
+from driftlab.motion.scheme import SCHEMES
+
+from .calibration import SEED
+
+ARM = 0.03
+"""m: each accelerometer lies so far out on its own axis."""
+SIZES = (0.003, 0.01, 0.02, 0.03, 0.05, 0.1)
+"""Arms, m."""
+RATES = (5.0, 10.0, 20.0)
+"""Of the table, deg/s."""
+TABLE = TableTrial(sample_interval=0.1, keep=10**6)
+
+
+class SizeEffect(NamedTuple):
+    """Calibrations of units whose accelerometers are not at the point that the table turns about.
+
+    Attributes
+    ----------
+    ratios : ndarray, shape (2, 21)
+        Errors of the sensor states of the typical unit with `ARM`, on the nineteen positions, in
+        stated deviations: by the filter of 27 states, and by one that has the arms as states.
+    innovations : ndarray, shape (2,)
+        Mean squared normalised innovation in these two runs; 1 is what it should be.
+    squares : ndarray, shape (schemes, rates, sizes)
+        Expected squared errors of the 21 sensor states, normalised; 1 is what they should be.
+    noticed : ndarray, shape (schemes, rates, sizes)
+        Expected mean squared normalised innovation; 1 is what it should be.
+    worst : ndarray, shape (schemes, rates, sizes)
+        Largest error of an accelerometer bias that the arms make, in stated deviations.
+    bias : ndarray, shape (schemes, rates, sizes)
+        The same in m/s^2.
+    updates : ndarray, shape (schemes, rates)
+        How many innovations of three components a calibration has.
+    """
+
+    ratios: FloatArray
+    innovations: FloatArray
+    squares: FloatArray
+    noticed: FloatArray
+    worst: FloatArray
+    bias: FloatArray
+    updates: FloatArray
+
+
+def on_own_axes(arm: float | FloatArray) -> HigherOrderErrors:
+    """Return lever arms (..., 3, 3): each accelerometer so far out on its own axis, m."""
+    lengths = np.asarray(arm)[..., np.newaxis, np.newaxis]
+    return NO_HIGHER_ORDER_ERRORS._replace(lever_arms=lengths * np.eye(3))
+
+
+@cache
+def unit_with_arms(states: tuple[str, ...] = ()) -> Trial:
+    """Calibrate the typical unit with `ARM` on the nineteen positions."""
+    table = replace(TABLE, states=states)
+    rng = np.random.default_rng(SEED)
+    return table.run(rng, imu_errors=TYPICAL_ERRORS, higher_order=on_own_axes(ARM))
+
+
+def size_effect() -> SizeEffect:
+    """Run all of it: a minute."""
+    trials = [unit_with_arms(states) for states in ((), ("lever arms",))]
+    ratios = [(t.errors / t.calibration.deviations)[-1, 6:27] for t in trials]
+    found = [[_without_noise(scheme, rate) for rate in RATES] for scheme in SCHEMES]
+    squares, noticed, worst, bias, updates = (
+        np.array([[case[i] for case in row] for row in found]) for i in range(5)
+    )
+    innovations = np.array([t.calibration.nis.mean() / 3 for t in trials])
+    return SizeEffect(np.array(ratios), innovations, squares, noticed, worst, bias, updates)
+
+
+def _without_noise(
+    name: str, rate: float
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, int]:
+    """What the arms do by themselves: perfect sensors, and a filter that expects the usual noise.
+
+    Noise would add one to each expected square, and nothing else: the filter is nearly linear.
+    """
+    table = replace(
+        TABLE,
+        scheme=replace(SCHEMES[name], rate=float(np.radians(rate))),
+        noise=ImuNoise(0.0, 0.0, 0.0),
+        assumed_noise=TABLE.noise,
+    )
+    rng, arms = np.random.default_rng(SEED), on_own_axes(np.array(SIZES))
+    trial = table.run(rng, len(SIZES), imu_errors=NO_ERRORS, higher_order=arms)
+    errors, nis = trial.errors[:, -1, 6:], trial.calibration.nis
+    covariance = trial.calibration.covariance[:, -1, 6:, 6:]
+    scaled = np.linalg.solve(covariance, errors[..., np.newaxis])[..., 0]
+    names = trial.calibration.model.names[6:]
+    biases = [names.index(f"accelerometer bias {axis}") for axis in "xyz"]
+    size = np.abs(errors[:, biases])
+    deviations = np.sqrt(np.einsum("...ii->...i", covariance))[:, biases]
+    return (
+        1 + (errors * scaled).sum(axis=-1) / errors.shape[-1],
+        1 + nis.mean(axis=-1) / 3,
+        (size / deviations).max(axis=-1),
+        size.max(axis=-1),
+        nis.shape[-1],
+    )
