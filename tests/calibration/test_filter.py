@@ -457,7 +457,7 @@ def test_updates_that_do_not_halve_evenly_are_refused(shape):
         r"reference_times\.$",
     ):
         calibrate(**GOOD | {"reference_velocity": np.zeros(shape)})
-    calibrate(**GOOD | {"reference_velocity": np.zeros((12, 3))})
+    calibrate(**GOOD | {"reference_velocity": np.zeros((12, 3)), "check": False})
 
 
 NOT_FINITE = "finite numbers, got 1 NaN or infinite"

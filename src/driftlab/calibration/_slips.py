@@ -243,11 +243,11 @@ def _levelled(start: FloatArray, shown: Evidence) -> FloatArray:
 
 def _headed(start: FloatArray, shown: Evidence, latitude: float, expected: Expected) -> FloatArray:
     """The start with the heading that fits best."""
-    turns = [
-        quaternion.multiply(quaternion.from_rotation_vector(np.radians(turn) * _UP), start)
-        for turn in range(-178, 181, 2)
-    ]
-    return min(turns, key=lambda turn: float(shown.misfit(turn, latitude, expected)))
+    turns = quaternion.from_rotation_vector(
+        np.radians(np.arange(-178, 181, 2))[:, np.newaxis] * _UP
+    )
+    starts = quaternion.multiply(turns, start)
+    return starts[np.argmin(shown.misfit(starts[:, np.newaxis], latitude, expected))]
 
 
 def _other_latitudes(

@@ -177,13 +177,12 @@ def second_order(calibration: Calibration) -> float:
 
 
 def normalised_innovations(
-    innovation: FloatArray, after: FloatArray, variance: float
+    innovation: FloatArray, predicted: FloatArray, variance: float
 ) -> FloatArray:
     """Innovations (..., 3) with covariance I, so that the sum of their squares is the NIS.
 
-    `after` (..., 3, 3) is the covariance of the velocity after the update, and `variance` that of
-    the measurement: the innovation's inverse covariance is (variance - after) / variance^2.
+    `predicted` (..., 3, 3) is the covariance of the velocity before the update, and `variance` that
+    of the measurement.
     """
-    inverse = (variance * np.eye(3) - after) / variance**2
-    root = np.linalg.cholesky((inverse + inverse.mT) / 2)
-    return (root.mT @ innovation[..., np.newaxis])[..., 0]
+    root = np.linalg.cholesky(predicted + variance * np.eye(3))
+    return np.linalg.solve(root, innovation[..., np.newaxis])[..., 0]

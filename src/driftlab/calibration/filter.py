@@ -189,6 +189,7 @@ def calibrate(
         added = process_noise(noise, growth[..., 3:6, :3], np.asarray(each * interval))
         covariance = kalman.predict(covariance, growth[..., :6, :], added)
         innovation = arrived.velocity - reference[..., k, :] - mean[..., 3:6]
+        seen.append((innovation, covariance[..., 3:6, 3:6]))
         correction, covariance, nis = kalman.correct(covariance, innovation, observed, spread)
         mean = mean + correction
         found = state + mean
@@ -202,15 +203,14 @@ def calibrate(
             state, mean, arrived = found, np.zeros_like(mean), corrected
         now = home._replace(velocity=arrived.velocity, attitude=arrived.attitude)
         nis_history.append(nis)
-        seen.append((innovation, covariance[..., 3:6, 3:6]))
         if k + 1 in kept:
             history.append((found, covariance, corrected.attitude, corrected.velocity))
     states, covariances, attitudes, velocities = (
         np.stack(row, axis=len(lead)) for row in zip(*history, strict=True)
     )
     nis = np.stack(nis_history, axis=-1)
-    innovations, seen_after = (np.stack(row, axis=len(lead)) for row in zip(*seen, strict=True))
-    whitened = normalised_innovations(innovations, seen_after, noise.reference_velocity**2)
+    innovations, predicted = (np.stack(row, axis=len(lead)) for row in zip(*seen, strict=True))
+    whitened = normalised_innovations(innovations, predicted, noise.reference_velocity**2)
     times = interval * ends[[k - 1 for k in sorted(kept)]]
     result = Calibration(model, times, states, covariances, attitudes, velocities, nis, whitened)
     if check and not doubted:
