@@ -220,8 +220,8 @@ def test_gravity_above_the_ellipsoid_is_that_of_the_potential(altitude):
     north, up = vertical(LATITUDES)
     exact = exact_gravity(LATITUDES, altitude)
     height = abs(altitude) / SEMI_MAJOR_AXIS
-    # Left out are 4 (h/a)^3, a few f^2 of the first-order term 2 h/a, and as much as f of the second
-    # order 3 (h/a)^2. The constants are good to 2e-9, as above.
+    # Left out are 4 (h/a)^3, a few f^2 of the first-order term 2 h/a, and f of 3 (h/a)^2 or so.
+    # The constants are good to 2e-9, as above.
     left_out = 4 * height**3 + 8 * FLATTENING**2 * height + 3 * FLATTENING * height**2
     difference = np.abs((exact * up).sum(axis=-1) + gravity(LATITUDES, altitude)).max()
     assert difference <= 9.84 * left_out + 2e-9

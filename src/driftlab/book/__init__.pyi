@@ -18,6 +18,7 @@ from .ch07_installation_errors.panels import SplitExplorer as SplitExplorer
 from .ch07_installation_errors.scenes import TwoTables as TwoTables
 from .ch08_system_calibration.panels import (
     CalibrationRunExplorer as CalibrationRunExplorer,
+    MissionExplorer as MissionExplorer,
     ObservabilityExplorer as ObservabilityExplorer,
 )
 from .ch08_system_calibration.scenes import TurningTable as TurningTable

@@ -48,6 +48,7 @@ from .in_place_claim import (
     error_ratios_at_rest,
 )
 from .left_out import LeftOut, left_out
+from .mission import Mission, mission
 from .scheme_run import SchemeRun, scheme_run
 from .schemes import (
     SchemeDirections,
@@ -100,6 +101,7 @@ __all__ = [
     "InPlaceClaim",
     "InPlaceErrors",
     "LeftOut",
+    "Mission",
     "SchemeDirections",
     "SchemeRun",
     "SizeEffect",
@@ -117,6 +119,7 @@ __all__ = [
     "filter_consistency",
     "in_time",
     "left_out",
+    "mission",
     "normalised_errors",
     "on_own_axes",
     "scheme_run",

@@ -51,10 +51,13 @@ def errors_at_rest() -> InPlaceErrors:
     for frame, imu_errors in found.items():
         one = one_attitude(TYPICAL_ERRORS, found["averaged"], frame)
         for start, axes in zip(STARTS, (one, TABLE_ATTITUDE), strict=True):
-            setting = {"start": axes, "reference": axes, "latitude": TABLE_LATITUDE}
             unit = TYPICAL_ERRORS, imu_errors, TABLE_ATTITUDE
-            runs[frame, start] = navigate_static(*unit, duration=REST_DURATION, **setting)
-            causes[frame, start] = static_causes(*unit, **setting)
+            runs[frame, start] = navigate_static(
+                *unit, start=axes, reference=axes, latitude=TABLE_LATITUDE, duration=REST_DURATION
+            )
+            causes[frame, start] = static_causes(
+                *unit, start=axes, reference=axes, latitude=TABLE_LATITUDE
+            )
     times = next(iter(runs.values())).times
     curves = {key: static_errors(times, TABLE_LATITUDE, each) for key, each in causes.items()}
     modes = static_error_modes(TABLE_LATITUDE).at(times)

@@ -80,7 +80,7 @@ def draw(data: InPlaceErrors) -> Figure:
             panel.plot(run.times / hour, values, **style, label=label, linewidth=2.6)
         for key, curve in data.curves.items():
             values = getattr(curve, quantity)[:, axis] / unit
-            label = "analytic" if key == next(iter(data.curves)) else None
+            label = "analytic" if key == next(iter(data.curves)) else "_"
             panel.plot(curve.times / hour, values, color=BLACK, linewidth=0.7, label=label)
         hours = curve.times / hour
         panel.plot(hours, slow[title] / unit, color=GREY, dashes=(6, 3), linewidth=1.4, zorder=1,

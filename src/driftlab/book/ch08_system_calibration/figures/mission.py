@@ -1,0 +1,63 @@
+"""From residual to mission: position over time, and the way on the map."""
+
+from matplotlib.ticker import MaxNLocator
+from scipy.constants import hour, kilo
+
+from driftlab.book.machinery.picture import (
+    BLACK,
+    GREY,
+    SERIES,
+    Picture,
+    legend_above,
+)
+
+from ..experiments import Mission
+
+REACHES = tuple(k * 10.0**power for power in range(-2, 5) for k in (1, 2, 5))
+"""Of the axes, km."""
+HOURS = (0.5, 1, 2, 4, 6, 8, 12, 16, 24, 36, 48)
+
+
+class MissionPicture(Picture[Mission]):
+    """East and North over the hours, with and without Schuler's swing; and East against North."""
+
+    size = (10.5, 3.9)
+
+    def build(self) -> None:
+        over_time, chart = self.figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.5, 1.0]})
+        self.figure.subplots_adjust(0.08, 0.13, 0.985, 0.88, wspace=0.2)
+        self.over_time, self.chart = over_time, chart
+        over_time.set(xlabel="time, hours", ylabel="position error, km")
+        chart.set(title="the way on the map", xlabel="East, km", ylabel="North, km")
+        chart.set_aspect("equal", adjustable="box")
+        for axis in (chart.xaxis, chart.yaxis):
+            axis.set_major_locator(MaxNLocator(4))
+        over_time.axhline(0.0, color=BLACK, linewidth=0.8)
+        names = ("East", "North")
+        self.lines = [
+            self.line(over_time, **style, label=name)
+            for name, style in zip(names, SERIES, strict=False)
+        ]
+        self.slow = [
+            self.line(over_time, color=GREY, linewidth=1.2, dashes=(5, 3), label=label)
+            for label in ("without Schuler's swing", "_")
+        ]
+        self.way = self.line(chart, color=SERIES[0]["color"], linewidth=1.3)
+        self.end = self.line(chart, color=BLACK, marker="o", markersize=5)
+        legend_above(over_time, 3)
+
+    def update(self, data: Mission) -> None:
+        hours, position = data.times / hour, data.position / kilo
+        for line, values in zip(self.lines, position.T, strict=True):
+            line.set_data(hours, values)
+        for line, values in zip(self.slow, data.slow.T / kilo, strict=True):
+            line.set_data(hours, values)
+        self.way.set_data(*position.T)
+        self.end.set_data(position[-1:, 0], position[-1:, 1])
+        reach = max(float(abs(position).max()), float(abs(data.slow).max() / kilo))
+        step = next((step for step in REACHES if reach <= step), REACHES[-1])
+        last = next(step for step in HOURS if hours[-1] <= step)
+        self.set_limits(self.over_time, "x", 0.0, last)
+        self.set_limits(self.over_time, "y", -step, step)
+        for direction in "xy":
+            self.set_limits(self.chart, direction, -step, step)
