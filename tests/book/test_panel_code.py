@@ -24,7 +24,7 @@ from panel_numbers.ch04 import turn_calibration
 from panel_numbers.ch05 import cayley_map
 from panel_numbers.ch06 import algorithm_laboratory
 from panel_numbers.ch07 import split_triad
-from panel_numbers.ch08 import calibration, observability
+from panel_numbers.ch08 import calibration, mission, observability
 from panel_numbers.ch13 import allan
 from panel_numbers.values import ABSENT, Values, axis_of, listed
 
@@ -98,6 +98,11 @@ def lowest_point(values: Values) -> list[float]:
     return [float(height), float(time)]
 
 
+def place_at_the_end(values: Values) -> list[float]:
+    said = dict(mission(values))
+    return [float(said[f"{way} at the end, km: at the end, km"]) for way in ("East", "North")]
+
+
 CASES = (
     ("ErrorMotionExplorer", error_at_the_end, {"rel": 1e-9, "abs": 1e-12}),
     ("RootsExplorer", first_order_roots, {"rel": 1e-12}),
@@ -106,6 +111,7 @@ CASES = (
     ("CayleyMapExplorer", cayley, {"abs": 1e-3, "rel": 1e-3}),
     ("AlgorithmLaboratoryExplorer", worst_errors, {"rel": 0.01}),
     ("CalibrationRunExplorer", estimate, {"abs": 1e-9}),
+    ("MissionExplorer", place_at_the_end, {"rel": 1e-4, "abs": 6e-4}),
     ("AllanExplorer", lowest_point, {"rel": 0.01}),
 )
 PRINTED = (

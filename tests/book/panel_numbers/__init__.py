@@ -71,6 +71,7 @@ BY_PANEL: dict[str, Callable[[Values], Rows]] = {
     "SplitExplorer": ch07.split_triad,
     "ObservabilityExplorer": ch08.observability,
     "CalibrationRunExplorer": ch08.calibration,
+    "MissionExplorer": ch08.mission,
     "AlignmentBudgetExplorer": ch09.alignment_budget,
     "GyrocompassExplorer": ch10.gyrocompass,
     "CapstoneExplorer": ch11.capstone,

@@ -5,6 +5,7 @@ import sympy as sp
 from driftlab.motion.scheme import Scheme
 
 _Q, _T, _M, _N = sp.symbols("q T m N", positive=True)
+_EN, _EU, _L = sp.symbols("e_N e_U L", real=True)
 
 WRONG = {
     "8.1": [
@@ -52,5 +53,12 @@ WRONG = {
         (4.0, "were all"),
         (1.0, "told the truth"),
         (11.4, "three components"),
+    ],
+    "8.9": [
+        (-_EN * sp.cos(_L) - _EU * sp.sin(_L), "The sign"),
+        (_EN * sp.sin(_L) + _EU * sp.cos(_L), "exchanged"),
+        (_EN * sp.sin(_L) - _EU * sp.cos(_L), "comes back"),
+        ((_EN * sp.cos(_L) + _EU * sp.sin(_L)) * sp.cos(_L), "degree of longitude"),
+        (_EN / sp.cos(_L), "how it begins"),
     ],
 }

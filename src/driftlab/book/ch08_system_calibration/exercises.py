@@ -239,4 +239,29 @@ EXERCISES: dict[str, Exercise] = {
         },
         remark="This test needs no truth: it works on a real table as well.",
     ),
+    "8.9": Formula(
+        kind="compute",
+        arguments=("e_N", "e_U", "L"),
+        draw=lambda rng: (*rng.uniform(-1e-7, 1e-7, 2), rng.uniform(-1.4, 1.4)),
+        right=lambda e_N, e_U, L: e_N * np.cos(L) + e_U * np.sin(L),
+        mistakes={
+            "The sign: a gyro that shows too much turns the computed axes too far, against the "
+            "Earth, and the computer believes that it moves East.": (
+                lambda e_N, e_U, L: -(e_N * np.cos(L) + e_U * np.sin(L))
+            ),
+            "Sine and cosine are exchanged: at the equator the Earth's axis points North.": (
+                lambda e_N, e_U, L: e_N * np.sin(L) + e_U * np.cos(L)
+            ),
+            "This is the component across the Earth's axis in the meridian. It goes round in a "
+            "day, and comes back.": lambda e_N, e_U, L: e_N * np.sin(L) - e_U * np.cos(L),
+            "This is the speed to the East over the Earth's radius. A degree of longitude is "
+            "shorter than that.": (
+                lambda e_N, e_U, L: (e_N * np.cos(L) + e_U * np.sin(L)) * np.cos(L)
+            ),
+            "This is how it begins, for an hour or two. In the long run the vertical bias counts "
+            "as well.": lambda e_N, e_U, L: e_N / np.cos(L),
+        },
+        remark="It is the part along the Earth's axis, the only one that a day does not turn "
+        "round. With a ratio of minus the tangent of the latitude nothing runs away.",
+    ),
 }

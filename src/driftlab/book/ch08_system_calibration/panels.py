@@ -212,7 +212,7 @@ class MissionExplorer(Explorer):
             "latitude", "latitude, °", float(np.degrees(TABLE_LATITUDE)), -80.0, 80.0, 0.5,
             group="mission",
         ),
-        Control("hours", "hours", 4.0, 0.5, 48.0, 0.5, group="mission"),
+        Control("hours", "duration, h", 4.0, 0.5, 48.0, 0.5, group="mission"),
     )  # fmt: skip
     presets: ClassVar = {
         "0.01 °/h about East": {},
@@ -265,11 +265,9 @@ class MissionExplorer(Explorer):
         )
 
     def numbers(self, data: Mission) -> Results:
-        rows = [
-            (name, *(number_text(value / kilo) for value in sizes)) for name, sizes in data.sizes()
-        ]
-        east, north = (number_text(value) for value in data.position[-1] / kilo)
-        heading = number_text(float(data.heading[-1] / arcminute))
+        rows = [(name, *(f"{value / kilo:.3f}" for value in sizes)) for name, sizes in data.sizes()]
+        east, north = (f"{value:.3f}" for value in data.position[-1] / kilo)
+        heading = f"{data.heading[-1] / arcminute:.2f}"
         far = np.linalg.norm(data.position, axis=-1).max() > LINEAR
         rows += [
             ("East at the end, km", east, "", "", ""),

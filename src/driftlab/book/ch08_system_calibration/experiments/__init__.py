@@ -65,7 +65,7 @@ from .size_effect import (
     size_effect,
     unit_with_arms,
 )
-from .starts import ALL_STARTS, STARTS
+from .starts import ALL_STARTS, STARTS, self_aligned
 from .verdicts import Verdict, verdict
 
 __all__ = [
@@ -123,6 +123,7 @@ __all__ = [
     "normalised_errors",
     "on_own_axes",
     "scheme_run",
+    "self_aligned",
     "size_effect",
     "table_observability",
     "typical_trial",

@@ -1,5 +1,6 @@
 """From residual to mission: position over time, and the way on the map."""
 
+import numpy as np
 from matplotlib.ticker import MaxNLocator
 from scipy.constants import hour, kilo
 
@@ -58,6 +59,7 @@ class MissionPicture(Picture[Mission]):
         step = next((step for step in REACHES if reach <= step), REACHES[-1])
         last = next(step for step in HOURS if hours[-1] <= step)
         self.set_limits(self.over_time, "x", 0.0, last)
-        self.set_limits(self.over_time, "y", -step, step)
-        for direction in "xy":
-            self.set_limits(self.chart, direction, -step, step)
+        both = np.concatenate([position, data.slow / kilo])
+        self.set_reach(self.over_time, "y", both, (step,))
+        for direction, values in zip("xy", position.T, strict=True):
+            self.set_reach(self.chart, direction, values, (step,))
