@@ -199,3 +199,27 @@ def test_a_rounded_angle_meets_the_paper_s_numbers_as_well(figure: PublishedFigu
     slopes = np.diff(np.log(data.formula[1])) / np.diff(np.log(data.windows))
     assert slopes[0] == pytest.approx(-0.5, abs=0.001)
     assert slopes[-1] > -0.25
+
+
+@published("09-two-positions")
+def test_units_in_two_positions_spread_as_the_closed_forms_say(figure: PublishedFigure) -> None:
+    data = figure.data
+    # A deviation of n units is known to 1 in sqrt(2 n); of so many ratios none beyond four.
+    bound = 4 / np.sqrt(2 * alignments.UNITS)
+    for simulated, formula in (
+        (data.by_turn, data.by_turn_formula),
+        (data.by_time, data.by_time_formula),
+    ):
+        assert np.abs(simulated / formula - 1).max() < bound
+
+
+@published("09-two-positions")
+def test_two_positions_have_a_best_time_and_one_has_a_floor(figure: PublishedFigure) -> None:
+    one, two, carried = figure.data.by_time_formula
+    best = int(np.argmin(two))
+    assert 0 < best < len(two) - 1
+    assert (two < one).all()
+    assert (one < carried).all()
+    floor = alignments.SLOW * HOURLY / LEVEL_RATE
+    assert one[-1] > 0.9 * floor > 5 * two[best]
+    assert two[0] == pytest.approx(figure.data.bound[0], rel=0.01)

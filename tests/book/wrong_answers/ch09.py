@@ -67,4 +67,13 @@ WRONG = {
         (1971, "number of samples"),
         (3.29, "asked in s"),
     ],
+    "9.7": [
+        (1150, r"^not yet\. Too small\.$"),
+        (1400, r"^not yet\. Too large\.$"),
+        (610.6, "time of one position"),
+        (888.8, "after half a turn"),
+        (748.7, "half of its error"),
+        (1088, "change of the drifts counts"),
+        (0.339, "asked in s"),
+    ],
 }

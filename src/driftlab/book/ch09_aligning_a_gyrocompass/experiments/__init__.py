@@ -22,6 +22,7 @@ from .budget import (
 )
 from .level_box import FARTHEST, MAGNIFIED, LevelBox, level_box
 from .terms import FIXED, GRIDS, AlignmentTerms, alignment_terms
+from .two_positions import MINUTES, TURN_ERROR, UNITS, TwoPositions, two_positions
 from .vertical import (
     BOXES,
     ERRORS_SHOWN,
@@ -42,12 +43,15 @@ __all__ = [
     "GYRO_BIAS",
     "HEADING",
     "MAGNIFIED",
+    "MINUTES",
     "MOVING_AVERAGE",
     "PITCH",
     "RIVAL_WINDOW",
     "ROLL",
     "SLOW",
     "TERMS",
+    "TURN_ERROR",
+    "UNITS",
     "WHITE",
     "AlignmentBudget",
     "AlignmentTerms",
@@ -55,6 +59,7 @@ __all__ = [
     "LevelBox",
     "OverTheTop",
     "OverTheVertical",
+    "TwoPositions",
     "alignment_budget",
     "alignment_terms",
     "errors_over_the_vertical",
@@ -64,4 +69,5 @@ __all__ = [
     "over_the_top",
     "rival_noise",
     "turn_over",
+    "two_positions",
 ]

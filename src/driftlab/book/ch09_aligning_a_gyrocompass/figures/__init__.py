@@ -6,7 +6,13 @@ from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.checks import FloatArray
 
 from .. import experiments
-from . import alignment_budget, alignment_terms, averaging_window, over_the_vertical
+from . import (
+    alignment_budget,
+    alignment_terms,
+    averaging_window,
+    over_the_vertical,
+    two_positions,
+)
 
 
 def _largest(values: FloatArray) -> float:
@@ -56,6 +62,21 @@ def _averaging_caption(data: experiments.AveragingWindow) -> str:
     )
 
 
+def _positions_caption(data: experiments.TwoPositions) -> str:
+    one, two, carried = np.degrees(data.by_time_formula[:, -1])
+    pairs = ((data.by_turn, data.by_turn_formula), (data.by_time, data.by_time_formula))
+    gap = max(float(np.abs(simulated / formula - 1).max()) for simulated, formula in pairs)
+    return (
+        "Spread of the heading of units at rest whose gyros have white noise and a slow part, as "
+        "the quiet ones of the averaging figure. Left: a turn between two positions, over its "
+        f"angle, {experiments.MINUTES:g} minutes in all. Right: over the time. After "
+        f"{data.times[-1] / 60:g} minutes one position has {one:.3f} degrees left, gravity in "
+        f"inertial space {carried:.3f}, and two positions half a turn apart {two:.3f}. Marks are "
+        f"{experiments.UNITS} simulated units each, lines the closed "
+        f"forms; they differ by up to {gap:.0%}."
+    )
+
+
 FIGURES = (
     FigureDefinition(
         "09-alignment-budget",
@@ -88,5 +109,12 @@ FIGURES = (
         averaging_window.draw,
         averaging_window.columns,
         _averaging_caption,
+    ),
+    FigureDefinition(
+        "09-two-positions",
+        experiments.two_positions,
+        two_positions.draw,
+        two_positions.columns,
+        _positions_caption,
     ),
 )

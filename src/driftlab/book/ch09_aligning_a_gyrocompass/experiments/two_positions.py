@@ -1,0 +1,142 @@
+"""One position, two positions, gravity in inertial space: headings with a slow drift of gyros."""
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from driftlab.book.scenarios import SARATOV_LATITUDE
+from driftlab.checks import FloatArray
+from driftlab.earth import EARTH_RATE
+from driftlab.gyrocompass.alignment import align
+from driftlab.gyrocompass.alignment_deviations import two_position_deviation
+from driftlab.gyrocompass.inertial_alignment import align_in_inertial_frame
+from driftlab.gyrocompass.noise import GyroNoise
+from driftlab.gyrocompass.two_position_alignment import align_in_positions
+from driftlab.increments import Increments
+from driftlab.motion.vehicle import static_imu
+from driftlab.quaternion import from_rotation_vector
+
+from .averaging import WHITE, gyro_noise
+
+UNITS = 300
+MINUTES = 10.0
+"""Time of both positions together, on the left, min."""
+TURN_ERROR = np.radians(0.1)
+"""Deviation of what is known of the turn, on the left."""
+
+
+class TwoPositions(NamedTuple):
+    """Standard deviations of the heading, rad: simulated, and as the closed forms have them.
+
+    Attributes
+    ----------
+    turns : ndarray, shape (m,)
+        Turn between the two positions, rad.
+    by_turn, by_turn_formula : ndarray, shape (2, m)
+        With a turn that is known exactly, and with `TURN_ERROR`.
+    times : ndarray, shape (n,)
+        Of the whole alignment, s.
+    by_time : ndarray, shape (3, n)
+        Simulated: one position, two positions half a turn apart, gravity in inertial space.
+    by_time_formula : ndarray, shape (3, n)
+        The same in closed form.
+    bound : ndarray, shape (n,)
+        Of one position without a slow part: N / (U cos(latitude) sqrt(T)).
+    """
+
+    turns: FloatArray
+    by_turn: FloatArray
+    by_turn_formula: FloatArray
+    times: FloatArray
+    by_time: FloatArray
+    by_time_formula: FloatArray
+    bound: FloatArray
+
+
+def two_positions() -> TwoPositions:
+    """Headings of many units whose gyros have the quiet noise of the chapter, in three ways."""
+    rng = np.random.default_rng(97)
+    noise = second_by_second(gyro_noise(WHITE[0]))
+    turns = np.radians([10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 150.0, 180.0])
+    times = np.array([20.0, 40.0, 90.0, 180.0, 360.0, 800.0, 1800.0])
+    means = noise_means(noise, 2, round(30 * MINUTES), rng)
+    by_turn = [
+        [_scatter(means, turn, wrong * rng.standard_normal(UNITS)) for turn in turns]
+        for wrong in (0.0, TURN_ERROR)
+    ]
+    walk = noise.white * np.sqrt(noise.interval)
+    change = np.sqrt(2) * float(noise.allan_deviation(30 * MINUTES))
+    change = np.sqrt(change**2 - 4 * walk**2 / (60 * MINUTES))
+    by_turn_formula = [
+        two_position_deviation(
+            SARATOV_LATITUDE,
+            60 * MINUTES,
+            walk,
+            turns,
+            turn_error=wrong,
+            gyro_bias_change=change,
+        )
+        for wrong in (0.0, TURN_ERROR)
+    ]
+    level = EARTH_RATE * np.cos(SARATOV_LATITUDE)
+    white = walk / np.sqrt(times) / level
+    mean = [noise.deviation_of_mean(round(time)) / level for time in times]
+    allan = noise.allan_deviation(times / 2) / (np.sqrt(2) * level)
+    return TwoPositions(
+        turns,
+        np.array(by_turn),
+        np.array(by_turn_formula),
+        times,
+        np.array([_by_time(noise, round(time), rng) for time in times]).T,
+        np.stack([mean, allan, _through_the_bell(noise, times) / level]),
+        white,
+    )
+
+
+def second_by_second(noise: GyroNoise) -> GyroNoise:
+    """The same noise with one sample in each second, whose white part is its mean's."""
+    return replace(noise, white=noise.white * float(np.sqrt(noise.interval)), interval=1.0)
+
+
+def noise_means(noise: GyroNoise, parts: int, seconds: int, rng: np.random.Generator) -> FloatArray:
+    """Means (UNITS, parts, 3) of the gyros' noise over stretches that follow each other, rad/s."""
+    samples = noise.samples(parts * seconds, rng, UNITS, 3)
+    return np.swapaxes(samples.reshape(UNITS, 3, parts, -1).mean(axis=-1), -1, -2)
+
+
+def _scatter(means: FloatArray, turn: float, wrong: FloatArray | float = 0.0) -> float:
+    """Deviation of the heading of level units in two positions."""
+    rate, force = static_imu(_about_up([0.0, turn]), SARATOV_LATITUDE)
+    believed = _about_up(np.stack(np.broadcast_arrays(0.0, turn + wrong), axis=-1))
+    found = align_in_positions(rate + means, force, believed)
+    return float(np.std(found.heading))
+
+
+def _by_time(noise: GyroNoise, seconds: int, rng: np.random.Generator) -> list[float]:
+    """Deviations of the heading by the three ways, with the same noise."""
+    means = noise_means(noise, seconds, 1, rng)
+    rate, force = static_imu([0.0, 0.0, 0.0, 1.0], SARATOV_LATITUDE)
+    one = align(rate + means.mean(axis=-2), force, heading_tolerance=np.inf).heading
+    halves = means.reshape(UNITS, 2, seconds // 2, 3).mean(axis=-2)
+    pieces = 4 if seconds < 80 else 1  # there must be 72 increments
+    fine = np.repeat(rate + means, pieces, axis=-2) / pieces
+    increments = Increments(1 / pieces, fine, np.broadcast_to(force / pieces, fine.shape))
+    carried = align_in_inertial_frame(increments, SARATOV_LATITUDE).heading
+    return [float(np.std(one)), _scatter(halves, np.pi), float(np.std(carried))]
+
+
+def _through_the_bell(noise: GyroNoise, times: FloatArray) -> FloatArray:
+    """Deviation of the drift as `align_in_inertial_frame` weighs it, rad/s."""
+    part = (np.arange(400) + 0.5) / 400
+    bell = 140 * (part * (1 - part)) ** 3 / 400
+    apart = np.abs(part - part[:, np.newaxis])
+    lags = times[:, np.newaxis, np.newaxis] / noise.correlation_time * apart
+    slow = noise.slow**2 * np.einsum("i,kij,j->k", bell, np.exp(-lags), bell)
+    white = noise.white**2 * noise.interval * 400 * (bell @ bell) / times
+    return np.sqrt(white + slow)
+
+
+def _about_up(angle: object) -> FloatArray:
+    angles = np.asarray(angle, float)
+    return from_rotation_vector(angles[..., np.newaxis] * np.array([0.0, 1.0, 0.0]))
