@@ -8,6 +8,7 @@ from . import (
     horizon_noise as horizon_noise,
     inertial_alignment as inertial_alignment,
     levelling as levelling,
+    levelling_loop as levelling_loop,
     noise as noise,
     noise_fit as noise_fit,
     simulation as simulation,
@@ -59,6 +60,11 @@ from .levelling import (
     LevellingHistory as LevellingHistory,
     initial_level_frame as initial_level_frame,
     propagate_level_frame as propagate_level_frame,
+)
+from .levelling_loop import (
+    LevelLoop as LevelLoop,
+    LoopResponse as LoopResponse,
+    level_loop as level_loop,
 )
 from .noise import (
     GyroNoise as GyroNoise,

@@ -4,18 +4,23 @@ import numpy as np
 from scipy.constants import arcminute, degree, hour
 
 from driftlab.book.ch09_aligning_a_gyrocompass.experiments import WHITE
+from driftlab.book.machinery.arrays_table import from_columns, to_columns
 from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.book.machinery.scene.published import scene_figure
 from driftlab.book.scenarios import SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.simulation import HeadingErrors
+from driftlab.recordings.publishers import PUBLISHED
 
 from .. import experiments
 from ..scenes import ShipUnderWay
 from . import (
+    block_diagram,
+    frequency_response,
     horizons,
     operating_formula,
     operation,
+    pulses,
     restarts,
     settling,
     static_characteristic,
@@ -33,6 +38,39 @@ def _settling_caption(data: experiments.Settling) -> str:
         f"Right: {len(data.heading)} such runs with gyro noise, left to Schuler's tuning. The "
         "noise of the last moment becomes a swing, and new noise feeds it; the formula says one "
         "deviation."
+    )
+
+
+def _pulses_caption(data: experiments.CountedPulses) -> str:
+    whole, read = (np.degrees(each.std()) for each in (data.by_whole, data.by_integrals))
+    one = PUBLISHED["laser-gyro"]
+    return (
+        "A ring-laser unit on a parked car, its horizon damped as for levelling. One pulse of its "
+        f"accelerometers is {1000 * data.pulse:.1f} mm/s; through k1 that is, for one interval, "
+        f"{data.pulse_rate:.1f} times the Earth's rate. Read from the whole rate, the heading has "
+        f"a standard deviation of {whole:.0f} degrees; read from the integrals, of {read:.3f}. "
+        f"Recording: {one.source} ({one.licence})."
+    )
+
+
+def _block_caption(_: object) -> str:
+    return (
+        "The levelling loop about East. The force that is felt turns the horizon, by k1 at once "
+        "and by k2 in time; gravity feeds the tilt back. The ship's acceleration comes in twice, "
+        "as a force and as a turn of the true horizon; the drift of the gyro turns the horizon; a "
+        "log takes out of the damping what it explains. The heading is read behind the integral."
+    )
+
+
+def _response_caption(data: experiments.FrequencyResponse) -> str:
+    compared = experiments.gain_and_lead(data).values()
+    gap = max(float(np.nanmax(np.abs(each[:, 0]))) for each in compared)
+    return (
+        "Above left: the poles; on the turning Earth the undamped pair splits. Then gains over the "
+        "period, from two days on the left to some seconds. Schuler's tuning, and a damped horizon "
+        "with a log, do not feel accelerations at all and are missing in those plots. Circles: "
+        "the simulated compass, driven with waves; its gains are those of the lines within "
+        f"{gap:.1%}. Thin and grey: the same accelerometer error in the whole rate."
     )
 
 
@@ -54,8 +92,8 @@ def _ballistic_caption(data: experiments.Horizons) -> str:
         "One voyage, perfect sensors, five horizons. Schuler's tuning does not feel that the ship "
         f"gathers way; what tilts it by up to {tilts[0]:.1f} arc minutes is the Coriolis force, "
         f"and with a log to take that out {tilts[1]:.1g} are left. Other tunings tilt by up to "
-        f"{max(tilts[2:]):.0f}. The damped one answers at once, by {damped:.0f} degrees of "
-        "heading, beyond the axes."
+        f"{max(tilts[2:]):.0f}. The damped one leans while the ship gathers way, and what it "
+        f"does about it afterwards is a heading error of {damped:.1f} degrees."
     )
 
 
@@ -67,8 +105,8 @@ def _damping_caption(data: experiments.Horizons) -> str:
         "The same voyage with gyros that drift by a few hundredths of a degree per hour. Undamped, "
         f"the swing that the turn begins goes on: {rings:.2f} degrees of heading from top to "
         f"bottom in the last half period. Damped by the log's velocity, {stays:.2f} of it are "
-        f"left. Damped without a log, the heading runs off by {np.abs(alone).max():.0f} degrees, "
-        "beyond the axes, as soon as the ship gathers way. The log with errors tells "
+        f"left. Damped without a log, the heading runs off by {np.abs(alone).max():.1f} degrees, "
+        "beyond the axes, after the ship has gathered way. The log with errors tells "
         f"{experiments.LOG_SCALE:.0%} too much and does not see a current of "
         f"{experiments.CURRENT[0]:g} m/s to the North; it is off by up to "
         f"{np.abs(wrong - damped).max():.2f} degrees from the run with "
@@ -138,6 +176,23 @@ FIGURES = (
         settling.draw,
         settling.columns,
         _settling_caption,
+    ),
+    FigureDefinition(
+        "10-pulses",
+        experiments.counted_pulses,
+        pulses.draw,
+        to_columns,
+        _pulses_caption,
+        from_columns(experiments.CountedPulses),
+        ("laser-gyro",),
+    ),
+    FigureDefinition("10-block-diagram", lambda: None, block_diagram.draw, None, _block_caption),
+    FigureDefinition(
+        "10-frequency-response",
+        experiments.frequency_response,
+        frequency_response.draw,
+        frequency_response.columns,
+        _response_caption,
     ),
     FigureDefinition(
         "10-ballistic-error",

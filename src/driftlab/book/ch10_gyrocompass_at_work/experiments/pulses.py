@@ -1,0 +1,90 @@
+"""A damped compass with a real laser gyro unit, whose accelerometers count pulses."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from driftlab.checks import FloatArray
+from driftlab.earth import EARTH_RATE, gravity
+from driftlab.gyrocompass.alignment import align
+from driftlab.gyrocompass.gains import Gains, damped_gains
+from driftlab.gyrocompass.levelling import initial_level_frame, propagate_level_frame
+from driftlab.increments import Increments
+from driftlab.recordings.publishers import published
+from driftlab.vectors import wrap_angle
+
+from .settling import FREQUENCY
+
+QUIET = (1050.0, 1490.0)
+"""When nobody moves in the car, s from the beginning of the record."""
+BEFORE = 300.0
+"""For how long the horizon settles before it, s; the first minute of them finds North roughly."""
+SHOWN_EVERY = 2.0
+"""s."""
+
+
+class CountedPulses(NamedTuple):
+    """Headings of a car at rest, from one damped horizon and two readings of its rate.
+
+    Attributes
+    ----------
+    times : ndarray, shape (n,)
+        s since the beginning of the quiet stretch.
+    by_whole, by_integrals : ndarray, shape (n,)
+        Headings from the whole level rates and from their integral parts, rad.
+    pulse : ndarray, shape ()
+        Velocity of one pulse of the accelerometers, m/s.
+    pulse_rate : ndarray, shape ()
+        What one pulse in one interval is worth in the proportional part, over the Earth's rate.
+    """
+
+    times: FloatArray
+    by_whole: FloatArray
+    by_integrals: FloatArray
+    pulse: FloatArray
+    pulse_rate: FloatArray
+
+
+def counted_pulses() -> CountedPulses:
+    """Level a horizon by the accelerometers of a laser gyro unit and read North from it.
+
+    Raises
+    ------
+    RecordingUnavailable
+        If the recording is not at hand.
+    """
+    recording = published("laser-gyro", download=False).in_axes("FUR")
+    if recording.latitude is None:
+        raise ValueError("recording: expected one that knows its latitude.")
+    whole = recording.between(QUIET[0] - BEFORE, QUIET[1]).increments()
+    interval, angle, velocity = whole
+    gains = damped_gains(FREQUENCY, float(gravity(recording.latitude)))
+    first = slice(round(60 / interval))
+    roughly = align(angle[first].mean(axis=0) / interval, velocity[first].mean(axis=0) / interval)
+    run = propagate_level_frame(
+        initial_level_frame(roughly),
+        whole,
+        gains,
+        EARTH_RATE * np.sin(recording.latitude),
+        every=round(SHOWN_EVERY / interval),
+    )
+    late = run.times > BEFORE
+    north, east = np.moveaxis(run.horizon_rate, -1, 0)
+    by_whole = wrap_angle(run.yaw_pitch_roll.heading + np.arctan2(east, north))
+    pulse = _pulse(whole)
+    return CountedPulses(
+        run.times[late] - BEFORE,
+        by_whole[late],
+        run.heading[late],
+        pulse=np.array(pulse),
+        pulse_rate=np.array(_rate_of(pulse, gains, interval)),
+    )
+
+
+def _pulse(increments: Increments) -> float:
+    """Step between neighbouring velocity increments of the forward accelerometer, m/s."""
+    return float(np.median(np.diff(np.unique(increments.velocity[:, 0].round(9)))))
+
+
+def _rate_of(pulse: float, gains: Gains, interval: float) -> float:
+    return gains.proportional * pulse / interval / EARTH_RATE
