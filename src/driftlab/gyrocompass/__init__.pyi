@@ -14,6 +14,8 @@ from . import (
     simulation as simulation,
     trials as trials,
     two_position_alignment as two_position_alignment,
+    type_test as type_test,
+    type_test_limits as type_test_limits,
 )
 from .alignment import (
     align as align,
@@ -70,7 +72,9 @@ from .noise import (
     GyroNoise as GyroNoise,
     moving_average as moving_average,
 )
-from .noise_fit import fit_gyro_noise as fit_gyro_noise
+from .noise_fit import (
+    fit_gyro_noise as fit_gyro_noise,
+)
 from .simulation import (
     HeadingErrors as HeadingErrors,
     simulate_compass as simulate_compass,
@@ -84,4 +88,16 @@ from .trials import (
 from .two_position_alignment import (
     PositionsAlignment as PositionsAlignment,
     align_in_positions as align_in_positions,
+)
+from .type_test import (
+    COARSE as COARSE,
+    FINE as FINE,
+    Gyrocompass as Gyrocompass,
+    Steps as Steps,
+    marine_type_test as marine_type_test,
+)
+from .type_test_limits import (
+    LIMITS as LIMITS,
+    Limit as Limit,
+    TypeTest as TypeTest,
 )

@@ -1,0 +1,139 @@
+"""The tests of the marine standards in simulation, against closed forms."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.constants import degree, g, hour, knot, milli
+
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
+from driftlab.gyrocompass import COARSE, LIMITS, Gyrocompass, GyroNoise, marine_type_test
+from driftlab.gyrocompass._type_test_ways import quay
+from driftlab.gyrocompass.type_test import _heading_errors
+
+LATITUDE = np.radians(51.5)
+BIAS = 0.05 * degree / hour
+TO_THE_EAST = Gyrocompass(gyro_bias=(0.0, 0.0, BIAS))
+NONE = (0.0, 0.0, 0.0)
+
+
+def run(compass: Gyrocompass, latitude: float = LATITUDE, **kwargs: float) -> dict[str, float]:
+    return marine_type_test(compass, latitude, steps=COARSE, **kwargs).measured
+
+
+def test_limits_are_the_numbers_of_the_resolutions() -> None:
+    angles = {"settle point": 0.75, "scatter": 0.25, "repeatability": 0.25, "steady way": 0.25}
+    for name, size in {**angles, "sea": 1.0}.items():
+        assert np.degrees(LIMITS[name].at(np.radians(60.0))) == pytest.approx(2 * size)
+    for name, size in {"change of speed": 2.0, "turn": 3.0}.items():
+        assert np.degrees(LIMITS[name].at(np.radians(60.0))) == pytest.approx(size)
+    assert LIMITS["settling"].at(1.0) == 6 * hour
+    assert [name for name, limit in LIMITS.items() if not limit.read] == ["sea"]
+
+
+@pytest.mark.parametrize("latitude", [0.0, 45.0, 75.0, -60.0])
+def test_a_drift_takes_the_same_share_at_every_latitude(
+    latitude: float,
+) -> None:
+    found = marine_type_test(TO_THE_EAST, np.radians(latitude), steps=COARSE)
+    closed = BIAS / EARTH_RATE / np.radians(0.75)
+    assert found.shares["settle point"] == pytest.approx(closed, rel=4e-3)
+    assert found.passed["settle point"]
+
+
+def test_an_offset_takes_a_share_with_the_sine_of_the_latitude() -> None:
+    offset = Gyrocompass(accelerometer_bias=(0.0, 0.0, milli * g))
+    for latitude in np.radians([0.0, 30.0, 60.0]):
+        closed = milli * g / gravity(latitude) * np.tan(latitude)
+        found = marine_type_test(offset, latitude).measured["settle point"]
+        assert found == pytest.approx(closed, rel=5e-3, abs=1e-6)
+
+
+def test_a_turn_shows_a_drift_four_times() -> None:
+    """The error goes from one side to the other and swings as far beyond."""
+    error = BIAS / (EARTH_RATE * np.cos(LATITUDE))
+    alone = run(Gyrocompass())["turn"]
+    assert abs(run(TO_THE_EAST)["turn"] - 4 * error) < 1.5 * alone + 0.02 * error
+    # Half of the critical damping lets a swing go beyond by exp(-pi/sqrt(3)) of the way.
+    by_log = marine_type_test(replace(TO_THE_EAST, damping=0.5, log=True), LATITUDE)
+    closed = 2 * (1 + np.exp(-np.pi / np.sqrt(3)))
+    assert by_log.measured["turn"] / error == pytest.approx(closed, rel=0.05)
+
+
+def test_damping_needs_a_log() -> None:
+    damped = Gyrocompass(damping=0.5)
+    alone = marine_type_test(damped, LATITUDE)
+    assert not alone.passed["turn"]
+    assert not alone.passed["change of speed"]
+    assert all(alone.passed[name] for name in ("settling", "settle point", "scatter"))
+    by_log = marine_type_test(replace(damped, log=True), LATITUDE)
+    assert max(by_log.shares.values()) == by_log.shares["settling"]
+
+
+def test_the_error_of_a_log_is_the_residual_error_of_a_steady_way() -> None:
+    speed, scale = 70 * knot, 0.03
+    found = run(Gyrocompass(damping=0.5, log=True, log_scale=scale), speed=speed)["steady way"]
+    closed = scale * speed / (EARTH_RADIUS * EARTH_RATE * np.cos(LATITUDE))
+    assert found == pytest.approx(closed, rel=0.08)  # it goes three degrees to the North
+    slow = run(Gyrocompass(damping=0.5, log=True, log_scale=scale), speed=20 * knot)["steady way"]
+    assert slow == pytest.approx(found * 20 / 70, rel=0.08)
+
+
+def test_how_the_compass_is_mounted_does_not_matter() -> None:
+    turned = 0.6
+    mounted = Gyrocompass(gyro_bias=(-BIAS * np.sin(turned), 0.0, BIAS * np.cos(turned)))
+    found, expected = run(mounted), run(TO_THE_EAST)
+    assert found == pytest.approx(expected, rel=1e-6)
+
+
+def test_the_first_reading_has_the_noise_of_the_alignment() -> None:
+    noise, starts = GyroNoise(white=0.5 * degree / hour, slow=0.02 * degree / hour), 400
+    compass = Gyrocompass(gyro_noise=noise, alignment_time=300.0)
+    rng = np.random.default_rng(4)
+    first = _heading_errors(compass, quay(LATITUDE, 240.0, 60.0), rng, starts)[:, 0]
+    expected = noise.deviation_of_mean(3000) / (EARTH_RATE * np.cos(LATITUDE))
+    assert abs(first.std() / expected - 1) < 4 / np.sqrt(2 * starts)
+
+
+def test_starts_differ_by_noise_alone_and_come_again_with_the_seed() -> None:
+    quiet = run(TO_THE_EAST)
+    assert quiet["repeatability"] == 0.0
+    assert quiet["settling"] == 1.5 * hour + 60.0
+    noisy = replace(TO_THE_EAST, gyro_noise=GyroNoise())
+    assert run(noisy) == run(noisy)
+    assert run(noisy, seed=1)["repeatability"] not in (0.0, run(noisy)["repeatability"])
+
+
+def test_a_compass_that_never_settles_says_so() -> None:
+    wild = Gyrocompass(gyro_noise=GyroNoise(white=0.0, slow=5 * degree / hour))
+    found = marine_type_test(wild, LATITUDE, steps=COARSE)
+    assert found.measured["settling"] == np.inf
+    assert not found.passed["settling"]
+
+
+def test_coarse_steps_see_what_fine_ones_see() -> None:
+    compass = replace(TO_THE_EAST, damping=0.3, log=True)
+    fine = marine_type_test(compass, LATITUDE).shares
+    coarse = marine_type_test(compass, LATITUDE, steps=COARSE).shares
+    gaps = {name: abs(share - coarse[name]) for name, share in fine.items()}
+    assert gaps.pop("turn") < 0.07
+    assert max(gaps.values()) < 0.01
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"gyro_bias": (0.0, 1.0)}, r"gyro_bias: expected"),
+        ({"alignment_time": 0.0}, r"alignment_time: expected"),
+        ({"log_scale": 0.01}, r"log_scale: expected zero without a log"),
+        ({"gyro_noise": 0.1}, r"gyro_noise: expected"),
+    ],
+)
+def test_a_bad_compass_is_refused(change: dict, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        Gyrocompass(**change)
+
+
+def test_a_pole_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"latitude: expected at most 85 degrees .* 89 degrees"):
+        marine_type_test(Gyrocompass(), np.radians(89.0))
