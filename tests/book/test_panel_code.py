@@ -11,7 +11,12 @@ import pytest
 from scipy.constants import arcsecond, degree, g, hour, micro
 
 from driftlab import book
-from driftlab.book import AlignmentBudgetExplorer, CapstoneExplorer, GyrocompassExplorer
+from driftlab.book import (
+    AlignmentBudgetExplorer,
+    CapstoneExplorer,
+    GyrocompassExplorer,
+    TypeTestExplorer,
+)
 from driftlab.book.machinery.panel import Explorer
 from driftlab.book.panels import EXPLORERS
 from driftlab.drift.characteristic_equation import asymptotic_roots
@@ -117,6 +122,7 @@ CASES = (
 PRINTED = (
     (AlignmentBudgetExplorer, "heading: exact"),
     (GyrocompassExplorer, "heading: at the end"),
+    (TypeTestExplorer, "turn: measured"),
     (CapstoneExplorer, "heading error under way, as built"),
 )
 IN_WORDS = {"SplitExplorer", "ObservabilityExplorer"}

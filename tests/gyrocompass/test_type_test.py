@@ -35,7 +35,7 @@ def test_limits_are_the_numbers_of_the_resolutions() -> None:
 def test_a_drift_takes_the_same_share_at_every_latitude(
     latitude: float,
 ) -> None:
-    found = marine_type_test(TO_THE_EAST, np.radians(latitude), steps=COARSE)
+    found = marine_type_test(TO_THE_EAST, np.radians(latitude))
     closed = BIAS / EARTH_RATE / np.radians(0.75)
     assert found.shares["settle point"] == pytest.approx(closed, rel=4e-3)
     assert found.passed["settle point"]

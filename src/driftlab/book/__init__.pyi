@@ -27,7 +27,10 @@ from .ch09_aligning_a_gyrocompass.scenes import (
     BowOverTheTop as BowOverTheTop,
     BoxOnTheWayNorth as BoxOnTheWayNorth,
 )
-from .ch10_gyrocompass_at_work.panels import GyrocompassExplorer as GyrocompassExplorer
+from .ch10_gyrocompass_at_work.panels import (
+    GyrocompassExplorer as GyrocompassExplorer,
+    TypeTestExplorer as TypeTestExplorer,
+)
 from .ch10_gyrocompass_at_work.scenes import (
     SchulerPendulum as SchulerPendulum,
     ShipUnderWay as ShipUnderWay,

@@ -74,6 +74,7 @@ BY_PANEL: dict[str, Callable[[Values], Rows]] = {
     "MissionExplorer": ch08.mission,
     "AlignmentBudgetExplorer": ch09.alignment_budget,
     "GyrocompassExplorer": ch10.gyrocompass,
+    "TypeTestExplorer": ch10.type_test,
     "CapstoneExplorer": ch11.capstone,
     "AllanExplorer": ch13.allan,
 }

@@ -48,4 +48,11 @@ WRONG = {
         (5.6, "this is in %"),
         (0.0777, "n - 1 below"),
     ],
+    "10.8": [
+        ([0.197, 0.0673, 75.3], "the limit grows as well"),
+        ([0.197, 0.197, 86.4], "four times, not once"),
+        ([0.197, 0.197, 82.7], "not twice"),
+        ([0.197, 0.197, 67.6], "change of speed"),
+        ([11.28, 11.28, 75.3], "in radians"),
+    ],
 }

@@ -22,6 +22,7 @@ from driftlab.earth import EARTH_RATE, gravity
 from driftlab.gyrocompass.heading_error import coriolis_correction, speed_error
 from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
 from driftlab.gyrocompass.trials import normal_ranges, range_over_deviation
+from driftlab.gyrocompass.type_test_limits import LIMITS
 
 from .experiments import GYRO_BIAS, RESTARTS, TRIALS, TUNING_FACTORS
 
@@ -32,6 +33,8 @@ LOG_ERROR = 0.1
 GROWTH = 0.01 * degree / hour / hour
 OUTLIER_TRIALS = 120_000
 WITHIN = 5.56
+HIGH_LATITUDE = float(np.radians(70.0))
+TURNING_DRIFT = 0.05 * degree / hour
 
 
 @cache
@@ -141,6 +144,16 @@ def _how_often(width: float = 3.0, divided_by_n: bool = False) -> float:
 def _without_outliers() -> float:
     """The same for normal samples, as many and from the same seed as in the chapter."""
     return float(np.mean(normal_ranges(RESTARTS, TRIALS, np.random.default_rng(1)) >= WITHIN))
+
+
+def _drift_and_latitude(
+    aside: float = 1.0, secant: bool = True, shown: float = 4.0, of: str = "turn"
+) -> FloatArray:
+    """Largest level drifts at the equator and at 70 degrees, deg/h, and latitude of 10.8, deg."""
+    share = LIMITS["settle point"].size * EARTH_RATE / (degree / hour) * aside
+    level = shown * TURNING_DRIFT / (EARTH_RATE * LIMITS[of].size)
+    north = share if secant else share * np.cos(HIGH_LATITUDE)
+    return np.array([share, north, np.degrees(np.arccos(min(level, 1.0)))])
 
 
 EXERCISES: dict[str, Exercise] = {
@@ -286,5 +299,28 @@ EXERCISES: dict[str, Exercise] = {
             ),
         },
         remark="If one restart in ten goes astray, the paper's numbers are usual even as a range.",
+    ),
+    "10.8": Value(
+        kind="compute",
+        right=_drift_and_latitude,
+        unit="degrees an hour, twice, and degrees",
+        absolute=(0.002, 0.002, 0.3),
+        mistakes={
+            "At 70 degrees the limit grows as well: it has the same secant as the error.": (
+                lambda: _drift_and_latitude(secant=False)
+            ),
+            "In the turn the drift shows four times, not once.": (
+                lambda: _drift_and_latitude(shown=1.0)
+            ),
+            "The swing goes as far beyond as the new error is away from the old one: four times, "
+            "not twice.": lambda: _drift_and_latitude(shown=2.0),
+            "That is the latitude for 2 degrees, the limit of a change of speed.": (
+                lambda: _drift_and_latitude(of="change of speed")
+            ),
+            "The Earth turns by 15 degrees an hour; the limit is an angle, so put it in radians.": (
+                lambda: _drift_and_latitude(aside=180 / np.pi)
+            ),
+        },
+        remark="A secant in the limit forgives the latitude; without one, the pole is near.",
     ),
 }

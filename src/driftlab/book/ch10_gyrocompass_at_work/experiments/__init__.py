@@ -49,6 +49,16 @@ from .settling import (
     settling_and_swing,
 )
 from .ship import WAKE, WAKE_POINTS, ShipWithCompass, ship_with_compass
+from .type_tests import (
+    CHEAP_COMPASS,
+    COMPASSES,
+    LASTING_DRIFT,
+    PAPER_COMPASS,
+    PLACES,
+    WORSE,
+    TypeTests,
+    type_tests,
+)
 from .voyages import (
     CRAFT,
     CRAFT_COMPASS,
@@ -67,6 +77,8 @@ from .voyages import (
 
 __all__ = [
     "BEFORE",
+    "CHEAP_COMPASS",
+    "COMPASSES",
     "CRAFT",
     "CRAFT_COMPASS",
     "CURRENT",
@@ -78,13 +90,16 @@ __all__ = [
     "FREQUENCY",
     "GYRO_BIAS",
     "LASTING",
+    "LASTING_DRIFT",
     "LEVELLING",
     "LOG_SCALE",
     "LOOPS",
     "OFFSETS",
+    "PAPER_COMPASS",
     "PAPER_DEVIATION",
     "PAPER_LARGEST",
     "PAPER_SPREAD",
+    "PLACES",
     "QUIET",
     "RANDOM",
     "RANDOM_WALK",
@@ -100,6 +115,7 @@ __all__ = [
     "WAKE",
     "WAKE_POINTS",
     "WORKING",
+    "WORSE",
     "CountedPulses",
     "FrequencyResponse",
     "Horizons",
@@ -109,6 +125,7 @@ __all__ = [
     "Settling",
     "ShipWithCompass",
     "StaticCharacteristic",
+    "TypeTests",
     "ballistic_errors",
     "counted_pulses",
     "damped_loop",
@@ -127,4 +144,5 @@ __all__ = [
     "spread_readings",
     "static_characteristic",
     "table_and_unit",
+    "type_tests",
 ]

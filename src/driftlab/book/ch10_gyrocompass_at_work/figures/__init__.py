@@ -24,6 +24,7 @@ from . import (
     restarts,
     settling,
     static_characteristic,
+    type_tests,
 )
 
 
@@ -162,6 +163,23 @@ def _restarts_caption(data: experiments.Restarts) -> str:
     )
 
 
+def _type_tests_caption(data: experiments.TypeTests) -> str:
+    paper, by_log, alone, cheap = data.shares.values()
+    valid = data.latitudes <= type_tests.BEYOND
+    worst = max(paper, key=lambda test: paper[test][valid].max())
+    failed = sum(shares[valid].max() > 1 for shares in cheap.values())
+    return (
+        "What four compasses use up of the limits of IMO A.821(19), by simulation; the dotted line "
+        "is the latitude up to which they hold. The paper's compass, reconstructed, is nearest to "
+        f"a limit in the {worst} test, at {paper[worst][valid].max():.2f} of it, and fails it "
+        "nearer to the pole, because this limit has no secant of the latitude. Damped by a log it "
+        f"stays below {max(shares[valid].max() for shares in by_log.values()):.2f}. Damped without "
+        f"a log it turns with {alone['turn'][valid].max():.1f} times the limit. With gyros "
+        f"{experiments.WORSE:g} times worse it fails {failed} of the {len(cheap)} tests; what "
+        "never settles stands at the upper edge."
+    )
+
+
 FIGURES = (
     scene_figure(
         "10-ship-under-way",
@@ -235,5 +253,12 @@ FIGURES = (
         restarts.draw,
         restarts.columns,
         _restarts_caption,
+    ),
+    FigureDefinition(
+        "10-would-it-pass",
+        experiments.type_tests,
+        type_tests.draw,
+        type_tests.columns,
+        _type_tests_caption,
     ),
 )

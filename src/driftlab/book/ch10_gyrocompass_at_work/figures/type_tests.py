@@ -1,0 +1,93 @@
+"""Shares of the marine standards' limits that compasses use up: over the latitude, and as bars."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from driftlab.book.machinery.picture import (
+    BLACK,
+    BLUE,
+    SERIES,
+    VERMILION,
+    Picture,
+    in_style,
+    long_table,
+)
+from driftlab.gyrocompass.type_test_limits import LIMITS, TypeTest
+
+from ..experiments import TypeTests
+
+LOW, HIGH = 3e-3, 300.0
+BEYOND = 70.0
+"""Latitude, degrees, up to which A.821(19) sets its limits."""
+MARKERS = "os^vDPX*"
+
+
+def columns(data: TypeTests) -> dict[str, Any]:
+    """Columns of the figure's CSV."""
+    return long_table(
+        {
+            f"{compass}: {test}": (data.latitudes, shares.round(7))
+            for compass, tests in data.shares.items()
+            for test, shares in tests.items()
+        }
+    )
+
+
+@in_style
+def draw(data: TypeTests) -> Figure:
+    """One plot a compass; above one a test is failed."""
+    figure = Figure(figsize=(10.5, 6.6))
+    panels = figure.subplots(2, 2, sharex=True, sharey=True)
+    figure.subplots_adjust(0.07, 0.15, 0.985, 0.95, wspace=0.06, hspace=0.16)
+    for panel, (compass, tests) in zip(panels.flat, data.shares.items(), strict=True):
+        panel.set(title=compass, yscale="log", ylim=(LOW, HIGH), xlim=(-2, 82))
+        panel.axhspan(1, HIGH, color="#f6e3da", zorder=0)
+        panel.axhline(1, color=BLACK, linewidth=1.0)
+        panel.axvline(BEYOND, color=BLACK, linewidth=0.6, linestyle=":")
+        for (test, shares), style, marker in zip(tests.items(), SERIES, MARKERS, strict=True):
+            panel.plot(data.latitudes, np.clip(shares, LOW, HIGH), **style, marker=marker,
+                       markersize=4, label=test, clip_on=False)  # fmt: skip
+    for panel in panels[1]:
+        panel.set(xlabel="latitude, degrees")
+    for panel in panels[:, 0]:
+        panel.set(ylabel="share of the limit")
+        panel.yaxis.set_major_formatter("{x:g}")
+    handles, labels = panels[0, 0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="lower center", ncols=8)
+    return figure
+
+
+class BarsPicture(Picture[TypeTest]):
+    """A bar for each test, against its limit."""
+
+    size = (9.0, 3.6)
+
+    def build(self) -> None:
+        axes = self.figure.subplots()
+        self.figure.subplots_adjust(0.16, 0.14, 0.985, 0.92)
+        axes.set(xscale="log", xlim=(LOW, HIGH), xlabel="share of the limit")
+        axes.set(title="what the compass uses up of each limit")
+        axes.set_yticks(range(len(LIMITS)), LIMITS)
+        axes.set_ylim(len(LIMITS) - 0.4, -0.6)
+        axes.xaxis.set_major_formatter("{x:g}")
+        axes.axvspan(1, HIGH, color="#f6e3da", zorder=0)
+        axes.axvline(1, color=BLACK, linewidth=1.0)
+        self.bars = {test: self.line(axes, linewidth=11, solid_capstyle="butt") for test in LIMITS}
+        self.notes = {
+            test: self.words(axes, va="center", fontsize=9, clip_on=False) for test in LIMITS
+        }
+
+    def update(self, data: TypeTest) -> None:
+        passed = data.passed
+        for row, (test, share) in enumerate(data.shares.items()):
+            end = float(np.clip(share, LOW, HIGH))
+            self.bars[test].set_data([LOW, end], [row, row])
+            self.bars[test].set_color(BLUE if passed[test] else VERMILION)
+            # A long bar carries its word inside.
+            inside = end > HIGH / 6
+            self.notes[test].set_position((end * (0.93 if inside else 1.07), row))
+            self.notes[test].set(ha="right" if inside else "left")
+            self.notes[test].set_color("white" if inside else BLACK)
+            self.notes[test].set_text("kept" if passed[test] else "failed")
