@@ -11,11 +11,15 @@ from driftlab.body_frames import BODY_FRAMES
 from driftlab.book import figures
 from driftlab.book.ch08_system_calibration.experiments import (
     BATCH,
+    BEST,
     CASES,
     PARAMETERS,
+    RANDOM,
+    TASKS,
     Case,
     ChoiceOfAxes,
     calibration_history,
+    expected_covariance,
     normalised_errors,
     table_observability,
     typical_trial,
@@ -28,6 +32,7 @@ from driftlab.book.ch08_system_calibration.figures import (
 from driftlab.book.ledger import ledger_entries
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.calibration.covariance import covariance_analysis
+from driftlab.calibration.design_task import CRITERIA
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import unobservable_subspace
@@ -228,3 +233,39 @@ def test_observability_of_a_table_is_that_of_its_own_scheme_model_latitude_and_n
         table_observability(odd, latitude=0.6).descriptions
         == unobservable_subspace(linearize_along(scheme, 0.6)).descriptions
     )
+
+
+@published("08-designed-scheme")
+def test_published_designs_have_the_deviations_that_are_published(figure: PublishedFigure) -> None:
+    data = figure.data
+    known = data.of_kind("published") + data.of_kind("designed")
+    assert [each.name for each in known] == [*SCHEMES, *TASKS]
+    yardstick = np.sqrt(np.diag(expected_covariance(known[0].scheme)))[6:]
+    for each in [*known, *data.of_kind("random")[::50]]:
+        covariance = expected_covariance(each.scheme)
+        turning = sum(abs(angle) for _, angle in each.scheme.turns) / each.scheme.rate
+        expected = TASKS[BEST].duration
+        assert each.scheme.positions * each.scheme.dwell + turning == pytest.approx(expected)
+        found = np.sqrt(np.diag(covariance))[6:] / yardstick
+        np.testing.assert_allclose(each.ratios, found, rtol=0, atol=2e-4)
+        criteria = [replace(TASKS[BEST], criterion=name).values(covariance) for name in CRITERIA]
+        np.testing.assert_allclose(each.criteria, criteria, rtol=0, atol=2e-6)
+    assert len(data.of_kind("random")) == RANDOM
+    # Each design is the best of all for its own criterion and table, and none of them for all.
+    for name, place in (("worst, two axes", 0), ("mean, two axes", 1), ("volume, two axes", 2)):
+        rivals = [each for each in data.schemes if "three" not in each.name]
+        assert min(rivals, key=lambda each: each.criteria[place]).name == name
+
+
+@published("08-designed-scheme")
+def test_simulated_units_keep_what_the_design_promises(figure: PublishedFigure) -> None:
+    data = figure.data
+    assert list(data.errors) == [next(iter(SCHEMES)), BEST]
+    for nees in data.nees.values():
+        low, high = mean_square_bounds(27, nees.size, 0.999)
+        assert low < 27 * nees.mean() < high
+    ratio, spread = data.gained()
+    promised = data.named(BEST).ratios
+    # 21 ratios that are not independent; each within four standard errors.
+    assert (np.abs(ratio - promised) < 4 * spread).all()
+    assert (spread < 0.2 * promised).all()
