@@ -39,12 +39,13 @@ class Condensed(NamedTuple):
         size = covariance.shape[-1]
         left = np.linalg.solve(np.eye(size) + covariance @ self.information, covariance)
         rows = self.carried @ left
-        found = left.copy()
+        found = np.array(left, np.float64)
         found[..., :6, :] = rows
         found[..., :, :6] = np.swapaxes(rows, -1, -2)
         found[..., :6, :6] = rows @ np.swapaxes(self.carried, -1, -2) + self.added
         found += np.swapaxes(found, -1, -2)
-        return 0.5 * found
+        found *= 0.5
+        return found
 
     def then(self, later: Condensed) -> Condensed:
         """These steps and later ones as one."""

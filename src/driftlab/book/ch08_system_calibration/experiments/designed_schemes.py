@@ -117,17 +117,17 @@ def designed_schemes() -> DesignedSchemes:
         rows.append(("designed", name, design.scheme))
     random = task.random_schemes(rng, RANDOM)
     rows += [("random", f"random {i}", scheme) for i, scheme in enumerate(random, 1)]
-    tried, yardstick = [], None
+    yardstick = np.sqrt(np.diag(expected_covariance(rows[0][2])))[6:]
+    tried = []
     for kind, name, scheme in rows:
         covariance = expected_covariance(scheme)
-        deviations = np.sqrt(np.diag(covariance))[6:]
-        yardstick = deviations if yardstick is None else yardstick
-        criteria = [float(replace(task, criterion=each).values(covariance)) for each in CRITERIA]
-        tried.append(TriedScheme(kind, name, scheme, np.array(criteria), deviations / yardstick))
+        ratios = np.sqrt(np.diag(covariance))[6:] / yardstick
+        criteria = [float(replace(task, criterion=one).values(covariance)) for one in CRITERIA]
+        tried.append(TriedScheme(kind, name, scheme, np.array(criteria), ratios))
     errors, nees = {}, {}
-    for each in (tried[0], tried[len(SCHEMES)]):
-        errors[each.name], nees[each.name] = _calibrated(each.scheme)
-        errors[each.name] /= yardstick
+    for chosen in (tried[0], tried[len(SCHEMES)]):
+        errors[chosen.name], nees[chosen.name] = _calibrated(chosen.scheme)
+        errors[chosen.name] /= yardstick
     return DesignedSchemes(tried, errors, nees)
 
 

@@ -23,11 +23,11 @@ def columns(data: DesignedSchemes) -> dict[str, FloatArray | list[str]]:
 
     A unit has its errors in place of the deviations, and its NEES / 27 in place of the criteria.
     """
-    rows: list[tuple[str, str, Scheme, FloatArray, FloatArray]] = [tuple(x) for x in data.schemes]
+    rows = list(data.schemes)
     for name, errors in data.errors.items():
         scheme = data.named(name).scheme
         for error, nees in zip(errors, data.nees[name], strict=True):
-            rows.append((UNIT + name, "", scheme, np.full(3, nees), error))
+            rows.append(TriedScheme(UNIT + name, "", scheme, np.full(3, nees), error))
     kinds, names, schemes, criteria, ratios = zip(*rows, strict=True)
     first = np.array(criteria).round(6).T
     after = np.array(ratios).round(4).T
@@ -51,9 +51,7 @@ def restore(table: Mapping[str, Sequence[str]]) -> DesignedSchemes:
         TriedScheme(
             kind,
             table["name"][i],
-            Scheme(
-                table["rotations"][i], tuple(table["start"][i].split()), float(table["pause"][i])
-            ),
+            _scheme(*(table[name][i] for name in ("rotations", "start", "pause"))),
             criteria[i],
             ratios[i],
         )
@@ -63,6 +61,11 @@ def restore(table: Mapping[str, Sequence[str]]) -> DesignedSchemes:
     names = [kind.removeprefix(UNIT) for kind in dict.fromkeys(kinds) if kind.startswith(UNIT)]
     errors = {name: ratios[kinds == UNIT + name] for name in names}
     return DesignedSchemes(tried, errors, {n: criteria[kinds == UNIT + n, 0] for n in names})
+
+
+def _scheme(rotations: str, start: str, pause: str) -> Scheme:
+    x, y, z = start.split()
+    return Scheme(rotations, (x, y, z), float(pause))
 
 
 @in_style
@@ -107,7 +110,9 @@ def _draw_worst(panel: Axes, data: DesignedSchemes) -> None:
     drawn = np.array([each.criteria[0] for each in data.of_kind("random")])
     panel.set(title="what is left of the worst known error", xscale="log", xlim=(0.024, 1.1))
     panel.set(xlabel="deviation after, over that before", ylabel="random rows")
-    panel.hist(drawn, np.geomspace(0.024, 1.1, 25), color="#dcdcdc", edgecolor=GREY, linewidth=0.5)
+    panel.hist(
+        drawn, np.geomspace(0.024, 1.1, 25).tolist(), color="#dcdcdc", edgecolor=GREY, linewidth=0.5
+    )
     nineteen, eighteen = SCHEMES
     for name, color, style, label in (
         (nineteen, BLACK, "-", nineteen),
