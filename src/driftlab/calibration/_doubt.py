@@ -17,15 +17,10 @@ from driftlab.increments import Increments
 
 from ._earlier_pass import linearization_point
 from ._evidence import Expected, evidence, thinned
+from ._innovations import SECOND_ORDER, contradiction, second_order
 from ._slips import FITS, Judge, Told, likely_slips
 from .calibration_history import Calibration
-from .consistency import (
-    SECOND_ORDER,
-    InconsistentWarning,
-    contradiction,
-    innovation_test,
-    second_order,
-)
+from .consistency import InconsistentWarning, innovation_test
 from .error_model import ErrorModel
 
 _LOOSE = 5 * degree

@@ -6,6 +6,7 @@ them. Reference velocities of other moments are taken for those of the nearest p
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
@@ -77,5 +78,11 @@ def _nearest_pairs(count: int, interval: float, reference_times: ArrayLike) -> N
         raise ValueError(
             "reference_times: expected times that rise by more than a pair of increments, "
             f"{2 * interval:g} s, got a step of {np.diff(times).min():g} s."
+        )
+    if count - ends[-1] > np.diff(ends, prepend=0).max():
+        warnings.warn(
+            f"reference_times: the record goes on for {interval * (count - ends[-1]):g} s after "
+            "the last of them; that is not used.",
+            stacklevel=4,
         )
     return ends

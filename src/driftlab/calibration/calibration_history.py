@@ -69,6 +69,7 @@ class Calibration(NamedTuple):
         Examples
         --------
         >>> from driftlab.calibration import ERROR_MODELS
+        >>> from driftlab.imu import PriorDeviations
         >>> model = ERROR_MODELS["averaged"]
         >>> at_start = model.covariance(PriorDeviations(scale=1e-4), [0, 0, 0, 1])
         >>> none = np.zeros((1, 27))

@@ -26,9 +26,9 @@ from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 
 from ._doubt import Door, warn_if_impossible, warn_if_inconsistent
 from ._earlier_pass import check_about, linearization_point
+from ._innovations import normalised_innovations
 from ._updates import updates
 from .calibration_history import Calibration as Calibration
-from .consistency import normalised_innovations
 from .error_dynamics import free_transition, process_noise, transition_of_increments
 from .error_model import ErrorModel
 from .linearization import checked_model
@@ -75,7 +75,8 @@ def calibrate(
     reference_times : array_like, shape (updates,), optional
         When the reference velocities were measured, s since the start; they may lie as they like.
         The filter looks at the end of the nearest pair of increments, at most one increment away.
-        What the record goes on after the last of them has no reference, and is not used.
+        What comes after the last of them has no reference and is not used; a warning says so if it
+        is longer than the longest time between two.
     update_interval : float, optional
         Of a table that stands without `reference_times`, s: usually 1. The last update takes what
         is left over.
