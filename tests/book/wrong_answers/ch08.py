@@ -1,5 +1,6 @@
 """Wrong answers to the exercises of chapter 08."""
 
+import numpy as np
 import sympy as sp
 
 from driftlab.motion.scheme import Scheme
@@ -53,6 +54,12 @@ WRONG = {
         (4.0, "were all"),
         (1.0, "told the truth"),
         (11.4, "three components"),
+    ],
+    "8.8": [
+        (lambda r, Omega: r * Omega**2, "acceleration of one"),
+        (lambda r, Omega: r * Omega, "stops with the table"),
+        (lambda r, Omega: np.sqrt(2) * r * Omega, "one accelerometer alone"),
+        (lambda r, Omega: 0.0, "would leave nothing"),
     ],
     "8.9": [
         (-_EN * sp.cos(_L) - _EU * sp.sin(_L), "The sign"),

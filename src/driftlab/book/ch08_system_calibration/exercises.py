@@ -239,6 +239,29 @@ EXERCISES: dict[str, Exercise] = {
         },
         remark="This test needs no truth: it works on a real table as well.",
     ),
+    "8.8": Formula(
+        kind="compute",
+        arguments=("r", "Omega"),
+        draw=lambda rng: (float(rng.uniform(0.01, 0.1)), float(rng.uniform(0.05, 0.5))),
+        right=lambda r, Omega: 2 * r * Omega,
+        mistakes={
+            "This is the acceleration of one accelerometer, not a velocity.": (
+                lambda r, Omega: r * Omega**2
+            ),
+            "This is how fast the accelerometer itself moves. It stops with the table.": (
+                lambda r, Omega: r * Omega
+            ),
+            "This is one accelerometer alone; there are two, and their forces are at right "
+            "angles.": lambda r, Omega: np.sqrt(2) * r * Omega,
+            "The force turns with the body: it does not add up along one direction.": (
+                lambda r, Omega: np.sqrt(2) * r * Omega * np.pi / 2
+            ),
+            "Such an arm for all three accelerometers would leave nothing. Here each has its own.": (
+                lambda r, Omega: 0.0
+            ),
+        },
+        remark="With three centimetres and ten degrees a second it is a centimetre a second.",
+    ),
     "8.9": Formula(
         kind="compute",
         arguments=("e_N", "e_U", "L"),
