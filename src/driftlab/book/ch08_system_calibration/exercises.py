@@ -256,7 +256,7 @@ EXERCISES: dict[str, Exercise] = {
             "The force turns with the body: it does not add up along one direction.": (
                 lambda r, Omega: np.sqrt(2) * r * Omega * np.pi / 2
             ),
-            "Such an arm for all three accelerometers would leave nothing. Here each has its own.": (
+            "An arm common to all three would leave nothing. Here each has its own.": (
                 lambda r, Omega: 0.0
             ),
         },
