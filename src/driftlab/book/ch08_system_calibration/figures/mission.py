@@ -61,5 +61,5 @@ class MissionPicture(Picture[Mission]):
         self.set_limits(self.over_time, "x", 0.0, last)
         both = np.concatenate([position, data.slow / kilo])
         self.set_reach(self.over_time, "y", both, (step,))
-        for direction, values in zip("xy", position.T, strict=True):
-            self.set_reach(self.chart, direction, values, (step,))
+        for direction in "xy":
+            self.set_limits(self.chart, direction, -step, step)
