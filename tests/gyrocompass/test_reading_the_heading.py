@@ -15,8 +15,7 @@ from driftlab.gyrocompass.simulation import simulate_compass
 from driftlab.increments import Increments
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import rotate
-from driftlab.vectors import wrap_angle
-from support import largest, recording_or_skip
+from support import largest
 
 DRIFT = np.array([0.03, 0.05, -0.04]) * degree / hour
 
@@ -86,27 +85,3 @@ def test_pulses_of_an_accelerometer_do_not_reach_the_heading():
     # The velocity itself is off by at most 1.5 pulses or so; k2 times it is what the integral errs.
     assert largest(run.heading[late]) < 6 * pulse * gains.integral / level_rate
     assert np.degrees(np.std(run.heading[late])) < 0.1
-
-
-def test_a_laser_gyro_unit_finds_north_with_a_damped_horizon():
-    """The quiet stretch of a parked car's record, levelled from its beginning."""
-    recording = recording_or_skip("laser-gyro").in_axes("FUR")
-    interval, angle, velocity = recording.between(750.0, 1490.0).increments()
-    latitude = recording.latitude
-    first = round(60 / interval)
-    start = align(angle[:first].mean(axis=0) / interval, velocity[:first].mean(axis=0) / interval)
-    run = propagate_level_frame(
-        initial_level_frame(start),
-        Increments(interval, angle, velocity),
-        damped_gains(0.02, float(gravity(latitude))),
-        EARTH_RATE * np.sin(latitude),
-        every=100,
-    )
-    quiet = run.times > 300
-    heading = np.degrees(run.heading[quiet])
-    assert np.std(heading) < 0.1
-    # Like gravity in inertial space, within the hundredths that the header does not promise.
-    assert np.mean(heading) == pytest.approx(-90.6, abs=0.05)
-    east, north = run.horizon_rate[quiet, 1], run.horizon_rate[quiet, 0]
-    whole = wrap_angle(run.yaw_pitch_roll.heading[quiet] + np.arctan2(east, north))
-    assert np.degrees(np.std(whole)) > 60

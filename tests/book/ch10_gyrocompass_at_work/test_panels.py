@@ -12,7 +12,7 @@ def test_axes_that_must_reach_farther_are_drawn_anew_and_come_back() -> None:
     panel.set(damping=0.5)
     assert panel.view.background is not background
     far = panel.view.picture.panels[0].get_ylim()
-    assert far == (-25.0, 25.0)
+    assert far == (-2.0, 2.0)
     background = panel.view.background
     panel.set(damping=0.501)
     assert panel.view.background is background  # the same step: nothing to draw but lines
