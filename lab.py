@@ -13,6 +13,7 @@ usage: python3 lab.py [command]
               other arguments go to pytest, which then runs alone
   figures   rebuild every figure and table of the book
   bench     print how fast the package is, against its peers, which this command fetches
+  peers     ask programs of others, which this command fetches, whether they compute the same
   lock      renew environment.txt from pyproject.toml
 """
 
@@ -60,7 +61,10 @@ from bootstrap.steps import (
 )
 
 FIRST = "00_start_here.ipynb"
-QUICK = ["--hypothesis-profile=quick", "-m", "not browser and not kernel and not setup"]
+NO_PEERS = ["-m", "not peers"]
+QUICK = [
+    "--hypothesis-profile=quick", "-m", "not browser and not kernel and not setup and not peers"
+]  # fmt: skip
 
 # The token travels in the environment because other users can read command lines. It becomes
 # an argument inside the process because arguments, unlike JUPYTER_TOKEN, also win over a user's
@@ -174,7 +178,7 @@ def test(arguments: list[str]) -> int:
     # pytest comes last so that its summary closes the output.
     # The longest groups first, as tests/conftest.py orders them, not those of the most tests.
     workers = ["-n", "2", "--dist", "loadgroup", "--no-loadscope-reorder", "--durations=10"]
-    checks["pytest"] = ["-m", "pytest", *workers, *marks]
+    checks["pytest"] = ["-m", "pytest", *workers, *(marks or NO_PEERS)]
     codes = {name: run(*command) for name, command in checks.items()}
     failed = [name for name, code in codes.items() if code]
     minutes, seconds = divmod(round(time.monotonic() - begun), 60)
@@ -189,14 +193,27 @@ def figures(arguments: list[str]) -> int:
 
 
 def bench(arguments: list[str]) -> int:
-    """Print how fast the package is; the peers may not change what environment.txt pins."""
+    """Print how fast the package is."""
     expect_none(arguments)
     set_up()
-    peers = project()["project"].get("optional-dependencies", {}).get("bench", [])
-    fetch = ["pip", "install", "--quiet", "--no-input", "--retries=2", "--only-binary=:all:"]
-    if peers and run("-m", *fetch, *peers, *pins()):
-        say("Going on without the packages to compare with.")
+    fetch("bench")
     return run("tests/benchmarks/bench.py")
+
+
+def peers(arguments: list[str]) -> int:
+    """Ask the programs of others whether they compute the same; who is missing is skipped."""
+    expect_none(arguments)
+    set_up()
+    fetch("peers")
+    return run("-m", "pytest", "tests/peers")
+
+
+def fetch(extra: str) -> None:
+    """Bring the packages of an extra; they may not change what environment.txt pins."""
+    wanted = project()["project"].get("optional-dependencies", {}).get(extra, [])
+    pip = ["pip", "install", "--quiet", "--no-input", "--retries=2", "--only-binary=:all:"]
+    if wanted and run("-m", *pip, *wanted, *pins()):
+        say("Going on without the packages to compare with.")
 
 
 def lock(arguments: list[str]) -> int:
@@ -224,6 +241,7 @@ COMMANDS = {
     "test": test,
     "figures": figures,
     "bench": bench,
+    "peers": peers,
     "lock": lock,
 }
 

@@ -273,7 +273,7 @@ def test_unknown_command(tiny: Path) -> None:
     done = run(tiny, "opne", PYTHONSAFEPATH="1")
     assert done.code == 1
     assert done.complained == (
-        'There is no command "opne"; there are open, fresh, test, figures, bench, lock.'
+        'There is no command "opne"; there are open, fresh, test, figures, bench, peers, lock.'
     )
 
 
@@ -702,7 +702,7 @@ def test_test_quick_leaves_out_what_is_slow(checks: SimpleNamespace) -> None:
     assert checks.ran[-1][-3:] == [
         "--hypothesis-profile=quick",
         "-m",
-        "not browser and not kernel and not setup",
+        "not browser and not kernel and not setup and not peers",
     ]
     assert checks.ran[0] == ["-m", "ruff", "check"]
 
@@ -710,7 +710,11 @@ def test_test_quick_leaves_out_what_is_slow(checks: SimpleNamespace) -> None:
 def test_arguments_of_test_go_to_pytest_alone(checks: SimpleNamespace) -> None:
     assert checks.lab.main(["test", "tests/test_drift.py", "-x"]) == 0
     assert checks.lab.main(["test", "--quick", "-x"]) == 0
-    marks = ["--hypothesis-profile=quick", "-m", "not browser and not kernel and not setup"]
+    marks = [
+        "--hypothesis-profile=quick",
+        "-m",
+        "not browser and not kernel and not setup and not peers",
+    ]
     quick = ["-m", "pytest", *marks, "-x"]
     assert checks.ran == [["-m", "pytest", "tests/test_drift.py", "-x"], quick]
 
@@ -726,6 +730,22 @@ def test_the_benchmark_fetches_its_peers_and_goes_on_without(
     assert any(word.startswith("numpy==") for word in fetched)  # the pins stay
     assert measured == ["tests/benchmarks/bench.py"]
     assert capsys.readouterr().out == "Going on without the packages to compare with.\n"
+
+
+def test_peers_are_fetched_within_the_pins_and_asked(
+    checks: SimpleNamespace, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert checks.lab.main(["peers"]) == 0
+    fetched, asked = checks.ran
+    assert {"navtk", "python-ins"} <= {word.split()[0] for word in fetched}
+    assert any(word.startswith("numpy==") for word in fetched)  # the pins stay
+    assert asked == ["-m", "pytest", "tests/peers"]
+    assert capsys.readouterr().out == ""
+
+
+def test_test_leaves_out_the_peers(checks: SimpleNamespace) -> None:
+    checks.lab.main(["test"])
+    assert checks.ran[-1][-2:] == ["-m", "not peers"]
 
 
 def test_a_lock_that_fails_leaves_environment_txt(

