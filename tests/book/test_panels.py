@@ -17,7 +17,7 @@ from panel_numbers import results_of
 UNITS = {
     *("°", "′", "″", "mrad", "°/s", "°/h", "10⁻³ °/√h", "10⁻³", "ppm"),
     *("°/√h", "°/h/√h", "°/h²"),
-    *("m/s", "mm/s", "kn", "mg", "µg", "µg/√Hz", "Hz", "s", "min"),
+    *("m/s", "mm/s", "kn", "mg", "µg", "µg/√Hz", "Hz", "s", "min", "h"),
 }
 PURE_NUMBERS = {
     *(
