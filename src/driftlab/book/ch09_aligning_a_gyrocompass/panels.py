@@ -114,7 +114,8 @@ class AlignmentBudgetExplorer(Explorer):
             f"{gyro_bias_code(values)}{accelerometer_bias_code(values)}"
             f"attitude = from_euler_angles(*np.radians([{heading}, {pitch}, {roll}]))\n"
             f"rate, force = static_imu(attitude, np.radians({latitude}))\n"
-            "found = align(rate + gyro_bias, force + accelerometer_bias)\n"
+            "wrong = rate + gyro_bias, force + accelerometer_bias\n"
+            "found = align(*wrong, heading_tolerance=np.inf)  # no warning of what was put in\n"
             f"error = found.heading - np.radians({heading})\n"
             "print(np.degrees(np.arctan2(np.sin(error), np.cos(error))))"
         )
