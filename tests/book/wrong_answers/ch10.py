@@ -55,4 +55,11 @@ WRONG = {
         ([0.197, 0.197, 67.6], "change of speed"),
         ([11.28, 11.28, 75.3], "in radians"),
     ],
+    "10.9": [
+        ([0.366, 0.1981, 2.29e-4], "slower than an undamped one"),
+        ([0.344, 159.7, 2.743e-4], "times the frequency"),
+        ([0.344, 0.1233, 1.341e-4], "Only the level part"),
+        ([0.34409, 0.198112, 86.2837], "whole rate"),
+        ([0.34409, 0.0072467, 0.0049870], "tilt of the horizon"),
+    ],
 }

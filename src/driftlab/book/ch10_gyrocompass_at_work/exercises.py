@@ -24,6 +24,7 @@ from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
 from driftlab.gyrocompass.trials import normal_ranges, range_over_deviation
 from driftlab.gyrocompass.type_test_limits import LIMITS
 
+from .damping_exercise import DAMPING_CHOICE
 from .experiments import GYRO_BIAS, RESTARTS, TRIALS, TUNING_FACTORS
 
 GRAVITY = float(gravity(LATITUDE))
@@ -323,4 +324,5 @@ EXERCISES: dict[str, Exercise] = {
         },
         remark="A secant in the limit forgives the latitude; without one, the pole is near.",
     ),
+    "10.9": DAMPING_CHOICE,
 }
