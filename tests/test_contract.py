@@ -261,6 +261,7 @@ CASES = {
         "yaw_error": TIME,
         "heading": TIME,
         "pitch": PITCH,
+        "proportional_rate": LEVEL,
     },
     fixed(inertial_alignment.inertial_alignment_deviation, angle_random_walk=1e-6): {
         "latitude": LATITUDE,

@@ -8,9 +8,8 @@ accordingly:
     w_eta1 = k1 W3 + k2 ∫W3 dt,  w_eta3 = -k1 W1 - k2 ∫W1 dt,  w_eta2 given.
 
 The heading is the yaw of the body in the horizon plus the angle from the level part of w_eta to the
-horizon's first axis. It is read from the integrals alone: the proportional part has the noise and
-the pulses of the accelerometers in it. The paper describes these equations and does not give them;
-they are reconstructed. Axes and angles are those of `driftlab.frames`.
+horizon's first axis, of the integrals alone: the rest has the accelerometers' pulses in it. The
+paper describes these equations in words; they are reconstructed. Axes as in `driftlab.frames`.
 """
 
 from __future__ import annotations
@@ -95,8 +94,7 @@ class LevellingHistory(NamedTuple):
     def horizon_rate(self) -> FloatArray:
         """Whole level rates w_eta1 and w_eta3 with which the horizon turns.
 
-        With a proportional gain they are too noisy for a compass: one velocity pulse of a real
-        accelerometer can be more than the Earth's rate.
+        For a compass too noisy: one pulse of a real accelerometer can be more than the Earth's.
 
         Returns
         -------
@@ -105,9 +103,8 @@ class LevellingHistory(NamedTuple):
 
         Examples
         --------
-        >>> level, rate = np.array([[0.0, 0.0, 0.0, 1.0]]), np.array([[5e-5, 0.0]])
-        >>> pulse, end = np.array([[0.0, 3e-4]]), LevelFrame(level[0], rate[0])
-        >>> LevellingHistory(np.ones(1), level, rate, pulse, end).horizon_rate
+        >>> start, rate = LevelFrame(np.eye(4)[3], np.zeros(2)), np.array([[5e-5, 0.0]])
+        >>> LevellingHistory(np.ones(1), np.eye(4)[3:], rate, [[0.0, 3e-4]], start).horizon_rate
         array([[5.e-05, 3.e-04]])
         """
         return self.rate + self.proportional_rate
@@ -133,9 +130,7 @@ class LevellingHistory(NamedTuple):
 
     @property
     def compass_angle(self) -> FloatArray:
-        """Compass angle Psi_K: from the compass's North to the horizon's first axis.
-
-        It is read from `rate`, the integral parts.
+        """Compass angle Psi_K of `rate`: from the compass's North to the horizon's first axis.
 
         Returns
         -------
