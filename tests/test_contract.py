@@ -42,6 +42,7 @@ from driftlab.calibration import (
     filter,
     kalman,
     nominal_readings,
+    piecewise_observability,
     simulation as calibration_simulation,
     static_error_curves,
     static_error_growth,
@@ -307,6 +308,7 @@ APART = {
     increments.compensate,
     increments.checked_increments,
     error_dynamics.free_transition,
+    piecewise_observability.error_rates,  # one attitude and one rate
     filter.calibrate,
     kalman.correct,
     calibration_simulation.estimation_errors,

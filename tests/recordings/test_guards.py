@@ -20,6 +20,8 @@ from support import recording_or_skip
 
 DEGREE, G = np.pi / 180, 9.80665
 SIGNS = np.array([1, 1, -1])
+# The other one is simulated and has no noise: the guards take it for stuck, and rightly.
+MEASURED = [name for name in PUBLISHED if name != "nineteen-positions"]
 
 
 @cache
@@ -116,7 +118,7 @@ MOVING_SLIPS = {
 }
 
 
-@pytest.mark.parametrize("name", PUBLISHED)
+@pytest.mark.parametrize("name", MEASURED)
 @pytest.mark.parametrize("slip", [*SLIPS, *MOVING_SLIPS])
 def test_each_slip_is_named(slip, name):
     change, rule, words = (SLIPS | MOVING_SLIPS)[slip]
@@ -129,14 +131,14 @@ def test_each_slip_is_named(slip, name):
         assert all(doubt.rule in RULES for doubt in found)
 
 
-@pytest.mark.parametrize("name", PUBLISHED)
+@pytest.mark.parametrize("name", MEASURED)
 def test_half_a_record_is_as_good_as_the_whole(name):
     recording = part_of(name)
     for half in (recording.part(0, len(recording) // 2), recording.part(len(recording) // 2, None)):
         assert doubts(half) == ()
 
 
-@pytest.mark.parametrize("name", [name for name in PUBLISHED if name != "laser-gyro"])
+@pytest.mark.parametrize("name", [name for name in MEASURED if name != "laser-gyro"])
 def test_gravity_turns_as_the_gyros_of_published_records_say(name):
     """In the whole, and in all pieces of forty seconds that tell anything."""
     recording = recording_or_skip(name)

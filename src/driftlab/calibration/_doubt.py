@@ -88,7 +88,12 @@ def warn_if_inconsistent(
 
 
 def _warn(sentence: str, slips: list[str]) -> None:
-    advice = f": {'; or '.join(slips)}?" if slips else "; no slip is known that explains it."
+    advice = (
+        f": {'; or '.join(slips)}?"
+        if slips
+        else "; no slip is known that explains it. Perhaps the unit has errors that the model does "
+        "not have, lever arms say: ErrorModel.with_states adds some."
+    )
     warnings.warn(
         f"calibration: {sentence}{advice.replace('result?', 'result.')}",
         InconsistentWarning,

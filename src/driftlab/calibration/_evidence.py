@@ -59,7 +59,8 @@ class Evidence(NamedTuple):
     """Angle (..., k) that the body has turned by so far, rad"""
 
     def misfit(self, start: FloatArray, latitude: float, expected: Expected) -> FloatArray:
-        """Root mean square contradictions (...), in units of what is expected of right records."""
+        """Contradictions (...) of gravity and of the Earth's rate, the larger one, in units of what
+        is expected of right records."""
         prior, noise, sway = expected
         size = float(gravity(latitude))
         cone = cone_velocity(np.asarray(latitude), self.elapsed)[:, _EAST_NORTH_UP]
@@ -85,8 +86,13 @@ class Evidence(NamedTuple):
             + noise.angle_random_walk**2 / self.window
             + EARTH_RATE**2 * (prior.attitude**2 + bent)
         )
-        squares = np.sum(np.sum(wrong**2, axis=-1) * self.rest, axis=-1)
-        rate = squares / (np.maximum(self.rest.sum(axis=-1), 1) * least)
+        # The median: a window that ends as a turn begins may pass for a rest.
+        squares = np.sum(wrong**2, axis=-1)
+        rest = np.broadcast_to(self.rest, squares.shape)
+        ordered = np.sort(np.where(rest, squares, np.inf), axis=-1)
+        half = np.maximum(rest.sum(axis=-1, keepdims=True) - 1, 0) // 2
+        typical = np.take_along_axis(ordered, half, axis=-1)[..., 0]
+        rate = np.where(rest.any(axis=-1), typical, 0.0) / least
         return np.sqrt(np.maximum(force, rate))
 
 

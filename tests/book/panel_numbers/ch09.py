@@ -19,7 +19,8 @@ def alignment_budget(values: Values) -> Rows:
     offsets = listed(values, "acc_forward acc_up acc_right") * milli * g
     attitude = from_euler_angles(*angles)
     rate, force = static_imu(attitude, latitude)
-    true, found = align(rate, force), align(rate + drifts, force + offsets)
+    true = align(rate, force)
+    found = align(rate + drifts, force + offsets, heading_tolerance=np.inf)
     turned = rotation_angle(multiply(found.attitude, conjugate(true.attitude)))
     local = rotate(attitude, drifts), rotate(attitude, offsets)
     # A vertical body has no heading and no roll. Pitch and latitude err alike at any pitch.

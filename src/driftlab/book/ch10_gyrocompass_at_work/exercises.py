@@ -304,7 +304,6 @@ EXERCISES: dict[str, Exercise] = {
     "10.8": Value(
         kind="compute",
         right=_drift_and_latitude,
-        unit="degrees an hour, twice, and degrees",
         absolute=(0.002, 0.002, 0.3),
         mistakes={
             "At 70 degrees the limit grows as well: it has the same secant as the error.": (

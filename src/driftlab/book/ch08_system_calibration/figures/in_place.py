@@ -55,9 +55,9 @@ def caption(data: InPlaceErrors) -> str:
         "start from the table's axes, each has its own distance to them as initial error. "
         "Thin black: the analytic curves, from what each calibration left over; their position is "
         f"within {gaps[worst]:.0f} m of the simulated one, which goes {way / kilo:.1f} km away. "
-        "Grey: the first of them without its swing, which is the beginning of the terms of 24 "
-        f"hours. The swing's plane turns by {turned:.0f} degrees, Foucault's exchange between East "
-        "and North."
+        "Dashed and thin: the first of them without its swing, which is the beginning of the "
+        f"terms of 24 hours. The swing's plane turns by {turned:.0f} degrees, Foucault's exchange "
+        "between East and North."
     )
 
 

@@ -101,6 +101,7 @@ def _draw_splitting(panel: Axes) -> None:
     inset.set_xticks([])
     inset.set_yticks([heights[1], 1.0, heights[0]], [f"{heights[1]:.3f}", "1", f"{heights[0]:.3f}"])
     inset.tick_params(labelsize=7)
+    inset.grid(visible=False)
     inset.set_title("enlarged", fontsize=8)
 
 
