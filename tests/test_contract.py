@@ -238,7 +238,10 @@ CASES = {
         "level_rate": 1e-5 * TIME,
         "up_rate": 1e-5 * PITCH,
     },
-    alignment.align: {"angular_rate": RATE, "specific_force": np.array([0.3, 0.5, -0.6])},
+    fixed(alignment.align, rate_unit=None): {
+        "angular_rate": RATE,
+        "specific_force": np.array([0.3, 0.5, -0.6]),
+    },
     alignment.alignment_errors: {
         "heading": TIME,
         "pitch": PITCH,

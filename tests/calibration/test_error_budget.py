@@ -30,7 +30,7 @@ TIMES = np.arange(600.0, 4 * hour + 1, 600.0)
 def self_aligned(unit, standing):
     """Attitude that a unit finds from its own means, without noise."""
     still = measure(static_trajectory(standing, LATITUDE, 1.0, 2).increments, unit)
-    rate, force = (row.sum(axis=-2)[..., [1, 2, 0]] for row in (still.angle, still.velocity))
+    rate, force = (row.mean(axis=-2)[..., [1, 2, 0]] for row in (still.angle, still.velocity))
     found = align(rate, force)
     return from_euler_angles(found.heading, found.pitch, found.roll)[..., [2, 0, 1, 3]]
 

@@ -14,6 +14,7 @@ from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.contradictions import (
     InconsistentAlignmentWarning,
     rate_contradiction,
+    sign_slip,
     warn_of_contradiction,
 )
 from driftlab.gyrocompass.inertial_alignment import align_in_inertial_frame
@@ -121,7 +122,7 @@ def test_what_is_warned_of_is_named_with_its_size_and_what_to_do():
         found = align(1.02 * RATE, FORCE, latitude=LATITUDE + np.radians(1.0))
     turned = f"by {np.degrees(found.heading_doubt):.2g} degrees."
     words = str(caught[0].message)
-    assert words.startswith("angular_rate (taken for rad/s): expected the rate of the Earth")
+    assert words.startswith("angular_rate: expected the rate of the Earth")
     for part in ("+0.301 deg/h", "-1 degrees", turned, "align_in_inertial_frame("):
         assert part in words
     assert caught[0].filename == inspect.getsourcefile(biased)
@@ -135,29 +136,62 @@ def test_of_many_the_worst_is_told():
 
 
 @pytest.mark.parametrize("size", [1.0, np.radians(1 / 3600), np.radians(1), 100.0])
-def test_the_unit_is_free(size):
-    """In another unit the size is not looked at, unless the unit is told."""
-    found = align(1.2 * RATE / size, FORCE, latitude=LATITUDE, heading_tolerance=np.inf)
-    told = align(
-        1.2 * RATE / size, FORCE, latitude=LATITUDE, rate_unit=size, heading_tolerance=np.inf
-    )
+def test_the_unit_is_told_or_there_is_none(size):
+    """A direction has no size to look at."""
+    rate = 1.2 * RATE / size
+    found = align(rate, FORCE, latitude=LATITUDE, rate_unit=None)
+    told = quietly(rate, latitude=LATITUDE, rate_unit=size)
     assert told.rate_excess == pytest.approx(0.2 * EARTH_RATE)
-    assert np.isnan(found.rate_excess) == (size != 1.0)
+    assert np.isnan(found.rate_excess)
     assert found.level_rate == pytest.approx(1.2 * LEVEL / size)
-    if size != 1.0:
-        align(1.2 * RATE / size, FORCE, latitude=LATITUDE)  # the directions are right
 
 
-def test_a_cheap_gyro_is_warned_of_if_its_unit_is_told():
-    bias = np.radians(500 / 3600) * np.array([1.0, 0.0, 0.0])
-    with pytest.warns(InconsistentAlignmentWarning, match="turns the heading by 90 degrees"):
-        align(RATE + bias, FORCE, rate_unit=1.0)
+@pytest.mark.parametrize("place", [None, LATITUDE])
+@pytest.mark.parametrize("factor", [1e-200, 0.1, 0.5, 0.9, 1.1, 1.9, 2.1, 10.0, 57.3, 1e200])
+def test_the_more_is_wrong_the_more_is_said(factor, place):
+    """In the right direction, so the size alone tells of it: at 2 it was silent once."""
+    with pytest.warns(InconsistentAlignmentWarning) as caught:
+        found = align(factor * RATE, FORCE, latitude=place)
+    assert found.heading_doubt > np.radians(3)
+    assert ("tell rate_unit" in str(caught[0].message)) == (not 0.53 < factor < 1.9)
+
+
+def test_a_cheap_gyro_gives_no_heading_without_a_word():
+    bias = np.radians(100 / 3600) * np.array([0.0, 0.0, 1.0])
+    level = static_imu(from_euler_angles(0.0, 0.0, 0.0), np.radians(60.0))
+    with pytest.warns(InconsistentAlignmentWarning, match="these gyros do not see the Earth"):
+        found = align(level[0] + bias, level[1])
+    assert abs(found.heading) > np.radians(80)
+
+
+@pytest.mark.parametrize("signs", [(-1, 1, 1), (1, -1, 1), (1, 1, -1)])
+def test_a_wrong_sign_is_named_as_one(signs):
+    rate, force, place = signs
+    words = "is minus the one told: look at the sign of latitude; at those of the gyros"
+    with pytest.warns(InconsistentAlignmentWarning, match=words) as caught:
+        found = align(rate * RATE, force * FORCE, latitude=place * LATITUDE)
+    assert "calibrate" not in str(caught[0].message)
+    assert np.isclose(abs(wrap_angle(found.heading - 2.0)), np.pi) == (rate < 0)
+    assert (abs(found.roll) > np.pi / 2) == (force < 0)
+
+
+def test_small_differences_of_latitude_are_no_signs():
+    assert sign_slip(np.radians(-0.4), np.radians(0.9)) == ""
+    assert sign_slip(np.nan, 0.3) == ""
+
+
+def test_rate_and_force_exchanged_are_known_by_their_sizes():
+    with pytest.raises(ValueError, match=r"angular_rate, specific_force: .* of the two exchanged"):
+        align(FORCE, RATE)
+
+
+@pytest.mark.parametrize("value", [0.0, -1.0, np.nan, None, "0.5", np.ones(2), True])
+def test_a_tolerance_is_one_positive_number(value):
+    with pytest.raises(ValueError, match=r"heading_tolerance: expected a positive number, rad, or"):
+        align(RATE, FORCE, heading_tolerance=value)
 
 
 def test_refusals():
-    for value in (0.0, -1.0, np.nan):
-        with pytest.raises(ValueError, match="heading_tolerance: expected a positive number, got"):
-            align(RATE, FORCE, heading_tolerance=value)
     with pytest.raises(ValueError, match="rate_unit: expected"):
         align(RATE, FORCE, rate_unit=0.0)
     with pytest.raises(ValueError, match=r"latitude: expected at most 89\.9 degrees"):
@@ -167,7 +201,13 @@ def test_refusals():
 def test_nothing_known_says_nothing():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        warn_of_contradiction(rate_contradiction(1.0), 1e-9, "rate")
+        warn_of_contradiction(rate_contradiction(LEVEL), 1e-9, "rate")
+
+
+def test_a_level_rate_alone_is_named_itself():
+    with pytest.warns(InconsistentAlignmentWarning, match="in the level rate by 0.0936 deg/h"):
+        warn_of_contradiction(rate_contradiction(1.01 * LEVEL, latitude=LATITUDE), 1e-3, "rate")
+    assert rate_contradiction(1.1 * EARTH_RATE).heading_doubt == pytest.approx(np.arcsin(0.1))
 
 
 # The recording of a car that is not at rest

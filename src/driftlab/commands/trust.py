@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from driftlab.earth import gravity
-from driftlab.gyrocompass.contradictions import rate_contradiction
+from driftlab.gyrocompass.contradictions import NOTHING_KNOWN, rate_contradiction, sign_slip
 from driftlab.gyrocompass.inertial_alignment import InertialAlignment
 from driftlab.recordings.recording import Recording
 
@@ -20,7 +20,7 @@ SLACK = np.radians(0.1)
 """What an angle may differ without a word: deflections, places told roughly."""
 UPSIDE_DOWN, STEEP = np.radians([90.0, 60.0])
 """Roll and pitch beyond which the axes told are doubted: few units are mounted so."""
-MOST, NOTHING_KNOWN = np.radians(60.0), np.pi / np.sqrt(3)
+MOST = np.radians(60.0)
 """A drift that may turn a heading farther leaves the deviation of one of which nothing is known."""
 WITHIN = 4.3
 """Of a deviation that stands on two numbers, for 95 errors in 100: Student's distribution."""
@@ -126,9 +126,6 @@ def _doubts_of_axes(recording: Recording, spread: Spread) -> Iterator[str]:
         )
     if spread.blind or recording.latitude is None:
         return
-    found, told = float(spread.whole.latitude), recording.latitude
-    if 3 * abs(found + told) < abs(found - told):
-        yield (
-            f"the latitude found, {np.degrees(found):.3g} degrees, is minus the one told: look at "
-            "the sign of --latitude, and at those of the triads."
-        )
+    slip = sign_slip(float(spread.whole.latitude), recording.latitude, "--latitude")
+    if slip:
+        yield f"{slip}."

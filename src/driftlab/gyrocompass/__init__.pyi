@@ -34,6 +34,7 @@ from .contradictions import (
     InconsistentAlignmentWarning as InconsistentAlignmentWarning,
     RateContradiction as RateContradiction,
     rate_contradiction as rate_contradiction,
+    sign_slip as sign_slip,
     warn_of_contradiction as warn_of_contradiction,
 )
 from .gains import (

@@ -12,17 +12,20 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_arrays, nonzero_vectors, positive_number
 from driftlab.core.vectors import norms
-from driftlab.earth import EARTH_RATE, checked_gravity, checked_latitude, gravity as normal_gravity
+from driftlab.earth import (
+    EARTH_RATE,
+    EQUATOR_GRAVITY,
+    checked_gravity,
+    checked_latitude,
+    gravity as normal_gravity,
+)
 from driftlab.frames import pitch_and_roll, refuse_vertical
 
 from .alignment_results import Alignment, AlignmentErrors
-from .contradictions import rate_contradiction, warn_of_contradiction
+from .contradictions import checked_tolerance, rate_contradiction, warn_of_contradiction
 
 _LEAST_COLATITUDE = np.radians(0.1)
 _HEADING_TOLERANCE = float(np.radians(0.5))
-_LIKE_THE_EARTH = 2.0
-"""Rates of a size within this factor of the Earth's are taken for rad/s. In deg/s they would be 57
-times as large; means over samples of a tenth of a second, not divided by it, a tenth."""
 
 
 def align(
@@ -30,7 +33,7 @@ def align(
     specific_force: ArrayLike,
     *,
     latitude: ArrayLike | None = None,
-    rate_unit: float | None = None,
+    rate_unit: float | None = 1.0,
     heading_tolerance: float = _HEADING_TOLERANCE,
 ) -> Alignment:
     """Heading, pitch, roll and latitude of a body at rest, from its own sensors alone.
@@ -38,14 +41,13 @@ def align(
     Parameters
     ----------
     angular_rate, specific_force : array_like, shape (..., 3)
-        Means over the time of alignment, in body axes forward, up, right. The angles depend on the
-        directions only, so the units are free.
+        Means over the time of alignment, in body axes forward, up, right; rad/s, or what
+        `rate_unit` says. The angles depend on the directions only, so the unit of force is free.
     latitude : array_like, shape (...), optional
         Known latitude, rad. The angles do not depend on it; it is held against the one found.
-    rate_unit : float, optional
-        Size of the unit of `angular_rate`, rad/s, so that its size is held against the Earth's. If
-        not given, a size between half and twice the Earth's in rad/s is taken for rad/s, and of any
-        other the size is not looked at.
+    rate_unit : float or None
+        Size of the unit of `angular_rate`, rad/s: radians(1)/3600 for deg/h. The size of the rate
+        is held against the Earth's. None if it has no unit, and is a direction only.
     heading_tolerance : float
         Contradictions that can turn the heading by more are warned of, rad; infinity for none.
 
@@ -58,13 +60,14 @@ def align(
     Raises
     ------
     ValueError
-        If either vector is zero, or if they are parallel within 0.1 degrees, as at a pole, where
-        the Earth's rate has no horizontal component.
+        If either vector is zero, if rate and force are exchanged, or if they are parallel within
+        0.1 degrees, as at a pole, where the Earth's rate has no horizontal component.
 
     Warns
     -----
     InconsistentAlignmentWarning
-        If the rate is not the Earth's, by so much that the heading suffers.
+        If the rate is not the Earth's, by so much that the heading suffers; with the likely
+        reason, if it has another unit, or a wrong sign somewhere.
 
     Notes
     -----
@@ -79,21 +82,20 @@ def align(
     a body that sways.
 
     White noise of the gyros that makes a deviation d of the heading makes this warning, if the
-    latitude and the unit are known, with the chance exp(-(heading_tolerance/d)^2).
+    latitude is known, with the chance exp(-(heading_tolerance/d)^2).
 
     Examples
     --------
     At 45 degrees of latitude, with the bow to the West:
 
-    >>> found = align([0.0, 1.0, 1.0], [0.0, 9.8, 0.0])
+    >>> found = align([0.0, 5.156e-5, 5.156e-5], [0.0, 9.8, 0.0])
     >>> [float(np.degrees(angle).round(6)) for angle in (found.heading, found.latitude)]
     [90.0, 45.0]
 
-    The same a degree farther South than is known, and what this may do to the heading:
+    Of the direction alone, a degree farther South than is known, what this may do to the heading:
 
-    >>> lost = align(
-    ...     [0.0, 1.0, 1.0], [0.0, 9.8, 0.0], latitude=np.radians(46.0), heading_tolerance=np.inf
-    ... )
+    >>> told = {"latitude": np.radians(46.0), "heading_tolerance": np.inf}
+    >>> lost = align([0.0, 1.0, 1.0], [0.0, 9.8, 0.0], rate_unit=None, **told)
     >>> float(np.degrees(lost.heading_doubt).round(2))
     1.44
     """
@@ -102,8 +104,9 @@ def align(
         angular_rate=(angular_rate, 3), specific_force=(specific_force, 3), **place
     )
     turn, size = nonzero_vectors(rate, "angular_rate")
-    up, _ = nonzero_vectors(force, "specific_force")
-    tolerance = _checked_tolerance(heading_tolerance)
+    up, pull = nonzero_vectors(force, "specific_force")
+    _refuse_exchanged(size, pull)
+    tolerance = checked_tolerance(heading_tolerance)
     unit = None if rate_unit is None else positive_number(rate_unit, "rate_unit")
     across = norms(np.cross(turn, up))
     if across.min() < np.sin(_LEAST_COLATITUDE):
@@ -117,12 +120,10 @@ def align(
     along = turn[..., 1] * np.cos(roll) - turn[..., 2] * np.sin(roll)
     forward = turn[..., 0] * np.cos(pitch) - along * np.sin(pitch)
     right = turn[..., 1] * np.sin(roll) + turn[..., 2] * np.cos(roll)
-    ratio = size / EARTH_RATE * (unit or 1.0)
-    told = unit is not None or bool(np.all(np.abs(np.log(ratio)) < np.log(_LIKE_THE_EARTH)))
-    scale = EARTH_RATE * (ratio if told else 1.0)
+    scale = EARTH_RATE if unit is None else unit * size
+    told = unit is not None
     seen = rate_contradiction(scale * across, scale * upward, latitude, size_known=told)
-    taken = " (taken for rad/s)" if told and unit is None else ""
-    warn_of_contradiction(seen, tolerance, "angular_rate" + taken)
+    warn_of_contradiction(seen, tolerance, "angular_rate", latitude)
     found = np.broadcast_arrays(
         np.arctan2(right, forward),
         pitch,
@@ -136,10 +137,13 @@ def align(
     return Alignment(*(np.array(each)[()] for each in found))
 
 
-def _checked_tolerance(value: float) -> float:
-    if not value > 0:
-        raise ValueError(f"heading_tolerance: expected a positive number, got {value!r}.")
-    return float(value)
+def _refuse_exchanged(rate: FloatArray, force: FloatArray) -> None:
+    like_gravity = np.abs(np.log(rate / EQUATOR_GRAVITY)) < np.log(1.1)
+    if like_gravity.all() and (np.abs(np.log(force / EARTH_RATE)) < np.log(2)).all():
+        raise ValueError(
+            "angular_rate, specific_force: expected a rate and then a force, got sizes of "
+            f"{rate.flat[0]:.3g} and {force.flat[0]:.3g}, as of the two exchanged."
+        )
 
 
 def alignment_errors(

@@ -21,20 +21,22 @@ class Alignment(NamedTuple):
         Horizontal component of the angular rate, in the unit of that rate. Without errors it is
         U cos(latitude), where U is the Earth's rate.
     rate_excess : ndarray, shape (...)
-        Whole rate found less that of the Earth, rad/s; NaN if the unit of the rate is not known.
+        Whole rate found less that of the Earth, rad/s; NaN if the rate is a direction only.
     latitude_excess : ndarray, shape (...)
         Latitude found less that which is known, rad; NaN if none is.
     heading_doubt : ndarray, shape (...)
         By how much a rate of the size of this contradiction can turn the heading, rad, as
-        `rate_contradiction` has it; NaN if nothing is known.
+        `rate_contradiction` has it; NaN if nothing is known. It is a deviation that stands on two
+        numbers: the error of the heading exceeds 4.3 times it in 5 cases of 100.
 
     Examples
     --------
     >>> import numpy as np
     >>> from driftlab.gyrocompass import align
-    >>> found = align([1.0, 1.0, 0.0], [0.0, 9.8, 0.0])  # the Earth turns about North and Up
-    >>> float(np.degrees(found.latitude).round(6)), float(found.level_rate)
-    (45.0, 1.0)
+    >>> rate = [5.156e-5, 5.156e-5, 0.0]  # rad/s: the Earth turns about North and Up
+    >>> found = align(rate, [0.0, 9.8, 0.0])
+    >>> float(np.degrees(found.latitude).round(6)), f"{found.level_rate:.3e}"
+    (45.0, '5.156e-05')
     """
 
     heading: FloatArray
@@ -58,7 +60,7 @@ class Alignment(NamedTuple):
         Examples
         --------
         >>> from driftlab.gyrocompass import align
-        >>> align([1.0, 1.0, 0.0], [0.0, 9.8, 0.0]).attitude  # level, and headed North
+        >>> align([5.156e-5, 5.156e-5, 0.0], [0.0, 9.8, 0.0]).attitude  # level, headed North
         array([0., 0., 0., 1.])
         """
         return from_euler_angles(self.heading, self.pitch, self.roll)

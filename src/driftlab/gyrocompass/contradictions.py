@@ -18,6 +18,12 @@ from driftlab.checks import FloatArray, finite_arrays
 from driftlab.earth import EARTH_RATE, checked_latitude
 
 NOT_KNOWN = np.array(np.nan)
+NOTHING_KNOWN = np.pi / np.sqrt(3)
+"""Standard deviation of a heading of which nothing is known, rad: 104 degrees."""
+_DEG_PER_HOUR = np.radians(1) / 3600
+_LIKE_THE_EARTH = 1.9
+"""A rate of another size than the Earth's by more than this factor is hardly one in rad/s. In deg/s
+it would be 57 times as large; integrals over half a second are a half."""
 
 
 class InconsistentAlignmentWarning(UserWarning):
@@ -83,7 +89,8 @@ def rate_contradiction(
     up_rate : array_like, shape (...), optional
         Component about Up, rad/s. Where the gyros turn with a body that sways there is none.
     latitude : array_like, shape (...), optional
-        Known latitude, rad.
+        Known latitude, rad. Without it a level rate alone can only be too large, larger than the
+        whole rate of the Earth.
     size_known : bool
         Whether the rates are in rad/s. Otherwise only their ratio counts, the latitude found.
 
@@ -142,17 +149,83 @@ def rate_contradiction(
             seen.append(up - EARTH_RATE * np.sin(place))
     elif size_known and up is not None:
         seen = [excess]
+    elif size_known:
+        seen = [np.where(level > EARTH_RATE, level - EARTH_RATE, np.nan)]
     elif place is not None and up is not None:
         seen = [EARTH_RATE * np.sin(np.minimum(np.abs(turned), np.pi / 2))]
-    spurious = np.sqrt(np.mean(np.square(np.broadcast_arrays(*seen)), axis=0))
+    # Like the root of the mean of the squares, but these may be too large for a number.
+    spurious = np.hypot.reduce(np.broadcast_arrays(*seen), axis=0) / np.sqrt(len(seen))
     part = spurious / np.maximum(earth_level, np.finfo(float).tiny)
     error = np.arcsin(np.minimum(part, 1.0))
     every = np.broadcast_arrays(excess, turned, spurious, error, level)[:4]
     return RateContradiction(*(np.array(each)[()] for each in every))
 
 
+def checked_tolerance(value: object) -> float:
+    """Return the argument `heading_tolerance` as a float, refusing what is no positive number.
+
+    Parameters
+    ----------
+    value : object
+        How far a heading may be off without a word, rad; infinity for no warning.
+
+    Returns
+    -------
+    float
+
+    Examples
+    --------
+    >>> checked_tolerance(np.inf)
+    inf
+    """
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiu" or array.ndim or not array > 0:
+        shown = f"shape {array.shape}" if array.ndim else repr(value)
+        raise ValueError(
+            "heading_tolerance: expected a positive number, rad, or infinity for no warning, "
+            f"got {shown}."
+        )
+    return float(array)
+
+
+def sign_slip(found: float, told: float, named: str = "latitude") -> str:
+    """What a latitude found that is minus the one told may come from.
+
+    Parameters
+    ----------
+    found, told : float
+        Latitudes, rad.
+    named : str
+        What the one told is called.
+
+    Returns
+    -------
+    str
+        A sentence without its point; empty if they are not of opposite sign.
+
+    Examples
+    --------
+    >>> sign_slip(-0.7, 0.71)[:67]
+    'the latitude found, -40.1 degrees, is minus the one told: look at t'
+    >>> sign_slip(0.7, 0.71)
+    ''
+    """
+    if not 3 * abs(found + told) < abs(found - told):
+        return ""
+    return (
+        f"the latitude found, {np.degrees(found):.3g} degrees, is minus the one told: look at the "
+        f"sign of {named}; at those of the gyros, by which the heading would be off by half a "
+        "turn; and at those of the accelerometers, by which the body would be upside down, as at "
+        "rest they show +g upwards"
+    )
+
+
 def warn_of_contradiction(
-    seen: RateContradiction, tolerance: float, named: str, stacklevel: int = 3
+    seen: RateContradiction,
+    tolerance: float,
+    named: str,
+    latitude: ArrayLike | None = None,
+    stacklevel: int = 3,
 ) -> None:
     """Warn where a contradiction can turn a heading by more than it may, in one sentence.
 
@@ -163,14 +236,16 @@ def warn_of_contradiction(
     tolerance : float
         Of the heading, rad; infinity for no warning.
     named : str
-        What the rates are called, and in which unit they are taken.
+        What the rates are called.
+    latitude : array_like, shape (...), optional
+        Known latitude, rad.
     stacklevel : int
         As in `warnings.warn`: 2 for the caller of this function, 3 for his.
 
     Warns
     -----
     InconsistentAlignmentWarning
-        Of the worst of many.
+        Of the worst of many, and of the likely slip: another unit, a wrong sign.
 
     Examples
     --------
@@ -179,22 +254,41 @@ def warn_of_contradiction(
     wrong = np.atleast_1d(seen.heading_doubt > tolerance)
     if not wrong.any():
         return
-    worst = np.argmax(seen.heading_doubt)
+    worst = int(np.nanargmax(seen.heading_doubt))
+    place = np.nan if latitude is None else np.broadcast_to(latitude, wrong.shape).flat[worst]
+    excess, turned, doubt = (
+        float(np.atleast_1d(each).flat[worst])
+        for each in (seen.rate_excess, seen.latitude_excess, seen.heading_doubt)
+    )
     parts = []
-    for value, unit, words in (
-        (seen.rate_excess, np.radians(1) / 3600, "the whole rate by {:+.3g} deg/h"),
-        (seen.latitude_excess, np.radians(1), "the latitude found by {:+.3g} degrees"),
+    for size, words in (
+        (excess / _DEG_PER_HOUR, "the whole rate by {:+.3g} deg/h"),
+        (np.degrees(turned), "the latitude found by {:+.3g} degrees"),
     ):
-        size = float(np.atleast_1d(value).flat[worst]) / unit
         if np.isfinite(size):
             parts.append(words.format(size))
+    if not parts:
+        drift = float(np.atleast_1d(seen.spurious_rate).flat[worst]) / _DEG_PER_HOUR
+        parts.append(f"the level rate by {drift:.3g} deg/h")
     many = f", in {wrong.sum()} of {wrong.size} alignments, at worst" if wrong.size > 1 else ""
-    degrees = np.degrees(np.atleast_1d(seen.heading_doubt).flat[worst])
     warnings.warn(
         f"{named}: expected the rate of the Earth at rest, got another{many}: it differs in "
-        f"{' and in '.join(parts)}; a rate as large across the meridian, where nothing shows it, "
-        f"turns the heading by {degrees:.2g} degrees. If the body swayed or leaned, use "
-        "align_in_inertial_frame(increments, latitude); if not, calibrate the gyros.",
+        f"{' and in '.join(parts)}; {_likely_reason(1 + excess / EARTH_RATE, turned, place, doubt)}"
+        ".",
         InconsistentAlignmentWarning,
         stacklevel=stacklevel,
+    )
+
+
+def _likely_reason(ratio: float, turned: float, place: float, doubt: float) -> str:
+    if not np.isnan(ratio) and not 1 / _LIKE_THE_EARTH < ratio < _LIKE_THE_EARTH:
+        return (
+            f"it is {ratio:.3g} times that of the Earth. Is it in rad/s, and not integrals over an "
+            "interval? Otherwise tell rate_unit, the size of its unit in rad/s, or None for "
+            "directions alone; if it is, these gyros do not see the Earth, or the body turned"
+        )
+    return sign_slip(place + turned, place) or (
+        "a rate as large across the meridian, where nothing shows it, turns the heading by "
+        f"{np.degrees(doubt):.2g} degrees. If the body swayed or leaned, use "
+        "align_in_inertial_frame(increments, latitude); if not, calibrate the gyros"
     )

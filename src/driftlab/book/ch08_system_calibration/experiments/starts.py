@@ -46,6 +46,7 @@ def self_aligned(imu_errors: ImuErrors, found: ImuErrors) -> FloatArray:
     still = static_trajectory(TABLE_ATTITUDE, TABLE_LATITUDE, 1.0, 2).increments
     sensed = compensate(measure(still, imu_errors), found)
     # `align` counts axes forward, up, right: y, z and x here.
-    rate, force = (row.sum(axis=-2)[..., [1, 2, 0]] for row in (sensed.angle, sensed.velocity))
-    angles = align(rate, force)
+    rate, force = (row.mean(axis=-2)[..., [1, 2, 0]] for row in (sensed.angle, sensed.velocity))
+    # Whoever puts errors in need not be warned of them.
+    angles = align(rate, force, heading_tolerance=np.inf)
     return from_euler_angles(angles.heading, angles.pitch, angles.roll)[..., [2, 0, 1, 3]]

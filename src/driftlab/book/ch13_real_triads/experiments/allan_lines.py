@@ -135,7 +135,9 @@ def walk_by_headings() -> float:
     if latitude is None:
         raise ValueError("recording: expected one that knows its latitude.")
     found = align_in_inertial_frame(stretches(recording.increments(), LONGER), latitude)
-    return spread(found.heading).high / float(inertial_alignment_deviation(latitude, LONGER, 1.0))
+    small = 1e-9  # rad/√s, for which the deviation is far from that of no knowledge
+    bound = float(inertial_alignment_deviation(latitude, LONGER, small))
+    return spread(found.heading).high / bound * small
 
 
 def _from(record: tuple[FloatArray, float], shortest: float) -> AllanDeviation:
