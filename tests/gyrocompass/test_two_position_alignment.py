@@ -9,6 +9,7 @@ from driftlab.earth import EARTH_RATE
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.alignment_deviations import alignment_deviation, two_position_deviation
+from driftlab.gyrocompass.contradictions import InconsistentAlignmentWarning
 from driftlab.gyrocompass.inertial_alignment import inertial_alignment_deviation
 from driftlab.gyrocompass.noise import GyroNoise
 from driftlab.gyrocompass.two_position_alignment import align_in_positions
@@ -89,14 +90,18 @@ def test_it_is_the_least_squares_solution():
     turn = random_quaternions(4, seed=3)
     matrices = Rotation.from_quat(turn).as_matrix()
     rates, forces = rng.standard_normal((2, 4, 3))
-    found = align_in_positions(rates, forces, turn)
+    found = align_in_positions(rates, forces, turn, heading_tolerance=np.inf)
     design = np.concatenate([np.concatenate([m.T, np.eye(3)], axis=1) for m in matrices])
-    for rows, bias in ((rates, found.gyro_bias), (forces, found.accelerometer_bias)):
-        best = np.linalg.lstsq(design, rows.ravel(), rcond=None)[0]
+    for rows, bias, left in (
+        (rates, found.gyro_bias, found.rate_residual),
+        (forces, found.accelerometer_bias, found.force_residual),
+    ):
+        best, squares, *_ = np.linalg.lstsq(design, rows.ravel(), rcond=None)
         assert np.allclose(bias, best[3:], rtol=0, atol=1e-12)
+        assert np.isclose(left, np.sqrt(squares[0] / (12 - 6)))
     earth = np.linalg.lstsq(design, rates.ravel(), rcond=None)[0][:3]
     up = np.linalg.lstsq(design, forces.ravel(), rcond=None)[0][:3]
-    assert np.isclose(found.heading, align(earth, up).heading)
+    assert np.isclose(found.heading, align(earth, up, rate_unit=None).heading)
 
 
 # Closed forms
@@ -168,6 +173,78 @@ def test_with_a_slow_drift_half_a_turn_leaves_the_allan_deviation():
     assert abs(scatter / foretold - 1) < 4 / np.sqrt(2 * runs)
 
 
+# Turns that were not made as told
+
+
+def told_wrongly(made, told, **options):
+    attitude = from_euler_angles(HEADING, 0.0, 0.0)
+    rates, forces = static_imu(multiply(attitude, about_up(0, *made)), LATITUDE)
+    small = 1e-3 * GYRO_BIAS  # a laser gyro's
+    found = align_in_positions(rates + small, forces, about_up(0, *told), **options)
+    return np.degrees(wrap_angle(found.heading - HEADING)), found
+
+
+@pytest.mark.parametrize(
+    ("made", "told", "place", "words"),
+    [
+        ([90], [180], LATITUDE, "a level rate that is not the Earth's"),
+        ([180], [90], LATITUDE, "a level rate that is not the Earth's"),
+        ([90], [-90], None, "biases of the gyros 1.41 times the Earth's level rate"),
+        ([90, 170], [90, 180], None, "readings that do not fit each other"),
+        ([120, 240], [-120, 240], None, "readings that do not fit each other"),
+    ],
+)
+def test_a_turn_that_was_not_made_is_warned_of(made, told, place, words):
+    with pytest.warns(InconsistentAlignmentWarning, match=words):
+        off, _ = told_wrongly(made, told, latitude=place)
+    assert abs(off) > 1.5
+    told_wrongly(made, told, latitude=place, heading_tolerance=np.inf)
+    told_wrongly(made, made, latitude=place)
+
+
+def test_a_turn_of_170_degrees_told_as_180_stays_unseen_as_the_notes_say():
+    off, found = told_wrongly([170], [180], latitude=LATITUDE)
+    assert abs(off) == pytest.approx(5.0, abs=0.01)
+    assert found.level_rate / LEVEL == pytest.approx(np.sin(np.radians(85)), abs=1e-4)
+    assert found.heading_doubt < np.radians(0.5)
+
+
+@pytest.mark.parametrize(("made", "told"), [(90, 180), (180, 90), (120, 180)])
+def test_a_wrong_turn_scales_the_level_rate_and_halves_into_the_heading(made, told):
+    off, found = told_wrongly([made], [told], heading_tolerance=np.inf)
+    ratio = np.sin(np.radians(made / 2)) / np.sin(np.radians(told / 2))
+    assert found.level_rate / LEVEL == pytest.approx(ratio, abs=1e-3)
+    assert off == pytest.approx((made - told) / 2, abs=0.05)
+
+
+def test_a_bias_about_up_does_not_alarm_and_two_axes_hold_the_whole_rate():
+    attitude = from_euler_angles(HEADING, 0.0, 0.0)
+    much = np.array([0.0, 1e-5, 0.0])  # 2 deg/h
+    for turn, whole in (
+        (about_up(0, 180), False),
+        (np.stack([*about_up(0, 180), from_rotation_vector([np.pi / 2, 0.0, 0.0])]), True),
+    ):
+        rates, forces = static_imu(multiply(attitude, turn), LATITUDE)
+        found = align_in_positions(rates + much, forces, turn, latitude=LATITUDE)
+        assert np.isclose(found.gyro_bias[1], 1e-5) == whole
+        assert found.heading_doubt < 1e-9
+        told = align_in_positions(rates + much, forces, turn)
+        assert np.isfinite(told.heading_doubt) == whole
+    with pytest.warns(InconsistentAlignmentWarning, match="a level rate that is not the Earth's"):
+        align_in_positions(1.2 * rates, forces, turn)
+    directions = align_in_positions(1e3 * rates, forces, turn, rate_unit=None)
+    assert np.isclose(directions.heading, HEADING)
+
+
+def test_noise_of_a_residual_is_that_of_the_readings():
+    rng, turn = np.random.default_rng(6), about_up(0, 120, 240)
+    rates, forces = readings(from_euler_angles(HEADING, 0.0, 0.0), turn)
+    noisy = rates + 1e-8 * rng.standard_normal((4000, 3, 3))
+    found = align_in_positions(noisy, forces, turn)
+    # Four degrees of freedom each: 9 readings, 5 of the 6 unknowns.
+    assert np.mean(found.rate_residual**2) == pytest.approx(1e-16, rel=4 * np.sqrt(2 / 16000))
+
+
 # Contract
 
 
@@ -201,9 +278,19 @@ def test_refusals(change, words):
         align_in_positions(**{"angular_rate": rate, "specific_force": force, "turn": turn} | change)
 
 
+def test_where_nothing_is_known_the_deviation_is_that_of_any_heading():
+    """N in degrees per root hour instead of rad per root second made 272 degrees once."""
+    nothing = np.pi / np.sqrt(3)
+    assert alignment_deviation(LATITUDE, 300.0, 0.003) == nothing
+    assert two_position_deviation(LATITUDE, 300.0, 0.003) == nothing
+    assert inertial_alignment_deviation(LATITUDE, 300.0, 0.003) == nothing
+
+
 def test_deviations_refuse_what_has_no_meaning():
     with pytest.raises(ValueError, match=r"turn_angle: expected angles .* got 360 degrees"):
         two_position_deviation(LATITUDE, 60.0, 1e-7, 2 * np.pi)
+    with pytest.raises(ValueError, match=r"turn_angle: expected rad, .* got 180\."):
+        two_position_deviation(LATITUDE, 60.0, 1e-7, [np.pi, 180.0])
     with pytest.raises(ValueError, match="gyro_bias: expected a number of at least 0, got -1"):
         alignment_deviation(LATITUDE, 60.0, 1e-7, gyro_bias=-1.0)
     with pytest.raises(ValueError, match="duration: expected positive times, got 0"):

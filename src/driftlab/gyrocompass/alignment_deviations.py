@@ -1,4 +1,4 @@
-"""How well a heading at rest can be known: noise, biases, and a turn between two positions."""
+"""How well a heading at rest can be known: noise, biases, two-position alignment."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_arrays, finite_number
 from driftlab.earth import EARTH_RATE, checked_latitude, gravity
+
+from .contradictions import NOTHING_KNOWN
 
 _LEAST_TURN = np.radians(5.0)
 
@@ -35,7 +37,7 @@ def alignment_deviation(
     Returns
     -------
     ndarray, shape (...)
-        rad, for a level body.
+        rad, for a level body; at most pi/sqrt(3), 104 degrees, where nothing is known.
 
     Raises
     ------
@@ -64,7 +66,7 @@ def alignment_deviation(
     )
     level = EARTH_RATE * np.cos(place)
     by_gyro = np.hypot(walk / np.sqrt(time), drift) / level
-    return np.hypot(by_gyro, offset * np.tan(place) / gravity(place))
+    return np.minimum(np.hypot(by_gyro, offset * np.tan(place) / gravity(place)), NOTHING_KNOWN)
 
 
 def two_position_deviation(
@@ -88,7 +90,7 @@ def two_position_deviation(
     angle_random_walk : float
         N of each gyro, rad/√s.
     turn_angle : array_like, shape (...)
-        Angle about Up between the positions, rad.
+        Angle about Up between the positions, rad, within a whole turn to either side.
     turn_error : float
         Standard deviation of what is known of this angle, rad.
     gyro_bias_change, accelerometer_bias_change : float
@@ -98,12 +100,12 @@ def two_position_deviation(
     Returns
     -------
     ndarray, shape (...)
-        rad, for a level body in its first position.
+        rad, for a level body in its first position; at most pi/sqrt(3), as above.
 
     Raises
     ------
     ValueError
-        As in `alignment_deviation`, and for a turn by 5 degrees or less.
+        As in `alignment_deviation`, for a turn by 5 degrees or less, and by more than a whole one.
 
     Notes
     -----
@@ -125,6 +127,11 @@ def two_position_deviation(
     array([0.0792, 0.112 ])
     """
     place, time, angle = _checked(latitude, duration, turn_angle=(turn_angle,))
+    if np.abs(angle).max() > 2 * np.pi:
+        raise ValueError(
+            "turn_angle: expected rad, at most a whole turn to either side, got "
+            f"{angle.flat[np.argmax(np.abs(angle))]:.6g}."
+        )
     half = np.abs(np.sin(angle / 2))
     if half.min() < np.sin(_LEAST_TURN / 2):
         raise ValueError(
@@ -139,7 +146,8 @@ def two_position_deviation(
     )
     by_gyro = np.hypot(walk / np.sqrt(time), drift / 2) / (half * EARTH_RATE * np.cos(place))
     by_level = offset * np.tan(place) / (2 * half * gravity(place))
-    return np.sqrt(by_gyro**2 + (wrong / 2) ** 2 + by_level**2)
+    found = np.sqrt(by_gyro**2 + (wrong / 2) ** 2 + by_level**2)
+    return np.minimum(found, NOTHING_KNOWN)
 
 
 def _checked(

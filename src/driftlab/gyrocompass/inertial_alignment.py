@@ -29,6 +29,8 @@ from driftlab.earth import EARTH_RATE, checked_latitude, gravity as normal_gravi
 from driftlab.frames import to_euler_angles
 from driftlab.increments import Increments, checked_increments
 
+from .contradictions import NOTHING_KNOWN
+
 _ALGORITHM = CONING_ALGORITHMS["two-step-4"]
 _FEWEST = 2 * STEPS_A_WINDOW * (FEWEST_WINDOWS + 1)
 _DENSITIES: FloatArray = np.array([100800.0, 1120.0, 280 / 11, 700 / 429])
@@ -146,7 +148,8 @@ def align_in_inertial_frame(increments: Increments, latitude: ArrayLike) -> Iner
     >>> found = align_in_inertial_frame(ship, 0.9)
     >>> round(float(np.degrees(found.heading)), 3)
     45.0
-    >>> means = align(ship.angle.mean(axis=0), ship.velocity.mean(axis=0))
+    >>> no_warning = {"heading_tolerance": np.inf}
+    >>> means = align(ship.mean_rate.mean(axis=0), ship.velocity.mean(axis=0), **no_warning)
     >>> bool(abs(np.degrees(means.heading) - 45.0) > 10.0)
     True
     """
@@ -217,7 +220,7 @@ def inertial_alignment_deviation(
     Returns
     -------
     ndarray, shape (...)
-        rad.
+        rad; at most pi/sqrt(3), 104 degrees, where nothing is known.
 
     Raises
     ------
@@ -259,7 +262,7 @@ def inertial_alignment_deviation(
     pull = normal_gravity(place) if gravity is None else positive_number(gravity, "gravity")
     _, by_velocity, _, by_walk = _DENSITIES
     variance = by_walk * walk**2 / time + by_velocity * (sway / pull) ** 2 / time**5
-    return np.sqrt(variance) / (EARTH_RATE * np.cos(place))
+    return np.minimum(np.sqrt(variance) / (EARTH_RATE * np.cos(place)), NOTHING_KNOWN)
 
 
 def _level_rate(
