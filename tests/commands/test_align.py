@@ -76,6 +76,11 @@ def test_axes_do_not_matter_when_they_are_told(axes):
     assert values["in_inertial_space"]["compass_heading"] == pytest.approx(np.radians(50), abs=0.01)
 
 
+def test_a_beginning_before_the_record_is_refused(refused, example_log):
+    words = f"align {example_log} {OPTIONS} --axes FRD --begin -5"
+    assert refused(words).startswith("--begin: expected seconds from the first row on, got -5")
+
+
 def test_without_axes_there_is_no_heading(refused, example_log):
     assert refused(f"align {example_log} {OPTIONS}").startswith("--axes: expected the body axes")
     words = OPTIONS.replace(",ax,ay,az", "").replace("deg/s,g", "deg/s")

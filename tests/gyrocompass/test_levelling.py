@@ -137,12 +137,12 @@ def test_a_spinning_body_at_rest_stays_level():
 def test_a_horizon_that_turns_fast_is_turned_exactly():
     """Half a tenth of a radian in each interval, against SciPy's rotations."""
     found = propagate_level_frame(
-        LevelFrame(np.array([0.1, 0.2, 0.3, 0.9]), np.array([0.02, -0.03])),
+        LevelFrame(np.array([0.1, 0.2, 0.3, 0.9]), np.array([0.04, -0.03])),
         Increments(1.0, np.broadcast_to([0.3, -0.2, 0.1], (50, 3)), np.zeros((50, 3))),
         Gains(0.0, 0.0),
-        0.05,
+        0.007,
     )
-    horizon = Rotation.from_rotvec([0.02, 0.05, -0.03])
+    horizon = Rotation.from_rotvec([0.04, 0.007, -0.03])
     body = Rotation.from_rotvec([0.3, -0.2, 0.1])
     expected = Rotation.from_quat([0.1, 0.2, 0.3, 0.9])
     for attitude in found.attitude:
@@ -544,7 +544,19 @@ GOOD = {
             {"gains": Gains(0.0, 0.03), "increments.interval": 2.0},
             "^gains, increments.interval: expected",
         ),
-        ({"azimuth_rate": 11.8}, "^azimuth_rate: expected rad/s that turn the horizon by at most"),
+        ({"azimuth_rate": 0.9}, "^azimuth_rate: expected rad/s near U .* got 0.9. Is it a lat"),
+        ({"azimuth_rate": [0.0, 0.0, 7.5, 0.0]}, "^azimuth_rate: .* got 7.5"),
+        (
+            {"azimuth_rate": 7e-3, "increments.interval": 20.0},
+            "^azimuth_rate: expected rad/s that turn the horizon by at most",
+        ),
+        ({"start": None}, r"^start: expected a LevelFrame\(attitude, rate\), got None"),
+        (
+            {"start": align([5e-5, 5.3e-5, 0.0], [0.0, 9.8, 0.0])},
+            r"^start: .* got an alignment; say initial_level_frame\(alignment\)",
+        ),
+        ({"gains": None}, r"^gains: expected a Gains\(proportional, integral\), got None"),
+        ({"gains": damped_gains}, "^gains: expected a Gains.*, got function"),
         (
             {"start": LevelFrame(np.ones(4), np.array([15.0, 0.0]))},
             r"^start\.rate: expected rad/s that turn",

@@ -125,6 +125,11 @@ def test_a_current_is_in_the_speed_error_and_not_in_the_horizon(damping):
         ),
         ({"log_error": [0.1, 0.0]}, "^log_error: expected zeros without a log"),
         ({"tilt": np.inf}, "^tilt: expected finite"),
+        ({"tilt": 1.0}, r"^tilt: expected rad, at most 0\.1, got 1"),
+        ({"log": "True"}, "^log: expected True or False, got 'True'"),
+        ({"log": 5.0}, r"^log: expected True or False, got 5\.0"),
+        ({"log": np.zeros((121, 2))}, "^log: expected True or False, got ndarray"),
+        ({"gyro_bias_body": [0.05, 0.0, 0.0]}, "^gyro_bias_body: expected rad/s, .* got 0.05. Is"),
     ],
 )
 def test_a_voyage_refuses(arguments, words):

@@ -138,6 +138,8 @@ def recording_of(options: argparse.Namespace) -> Recording:
     if options.begin is None and options.end is None:
         return recording
     begin = 0.0 if options.begin is None else options.begin
+    if not begin >= 0:
+        raise ValueError(f"--begin: expected seconds from the first row on, got {begin:g}.")
     return recording.between(begin, recording.duration if options.end is None else options.end)
 
 

@@ -21,9 +21,8 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import (
     FloatArray,
-    finite_array,
+    checked_instance,
     finite_arrays,
-    finite_number,
     unit_quaternions,
     whole_number,
 )
@@ -33,6 +32,7 @@ from driftlab.core.vectors import wrap_angle
 from driftlab.frames import EulerAngles, to_euler_angles
 from driftlab.increments import Increments, checked_increments
 
+from ._levelling_arguments import azimuth_rates, loop_gains, refuse_alignment
 from .alignment_results import Alignment
 from .gains import Gains
 
@@ -213,7 +213,8 @@ def propagate_level_frame(
         Gains of the horizon.
     azimuth_rate : array_like, shape (..., n) or ()
         w_eta2, rad/s, one for all intervals or one for each. Without a log it is U sin(latitude),
-        with the latitude from the alignment. Its error acts like a drift about Up.
+        with the latitude from the alignment. Its error acts like a drift about Up. Refused beyond
+        100 times the Earth's rate, which only another unit, or a latitude, can be.
     every : int
         Number of increments between two results; a divisor of n.
 
@@ -225,8 +226,8 @@ def propagate_level_frame(
     Raises
     ------
     ValueError
-        If shapes do not fit, if n is not a multiple of `every`, or if the gains are too large for
-        the interval: the horizon must follow slowly in it.
+        If kinds or shapes do not fit, if n is not a multiple of `every`, or if the gains are too
+        large for the interval: the horizon must follow slowly in it.
 
     Examples
     --------
@@ -242,27 +243,18 @@ def propagate_level_frame(
     True
     """
     seconds, angle, velocity = checked_increments(increments)
-    k1, k2 = (
-        finite_number(value, f"gains.{name}")
-        for name, value in zip(Gains._fields, gains, strict=True)
-    )
-    # W is close to g times the tilt, so these are the loop's gains in one interval.
-    loop = 9.8 * np.array([k1 * seconds, k2 * seconds**2])
-    if not (loop.min() >= 0 and loop.max() <= 1):
-        raise ValueError(
-            "gains, increments.interval: expected a horizon that follows slowly in one interval, "
-            f"with gains k1 g h and k2 g h^2 from 0 to 1, got {loop[0]:.3g} and {loop[1]:.3g}."
-        )
+    k1, k2 = loop_gains(gains, seconds)
     count = angle.shape[-2]
     if count % whole_number(every, "every"):
         raise ValueError(
             f"every: expected a divisor of the number of increments, {count}, got {every!r}."
         )
-    beginning, level = start
+    refuse_alignment(start)
+    beginning, level = checked_instance(start, LevelFrame, "start")
     parts: dict[str, Any] = {
         "start.attitude": (unit_quaternions(beginning, "start.attitude"), 4),
         "start.rate": (level, 2),
-        "azimuth_rate": (_one_each(azimuth_rate, count), count),
+        "azimuth_rate": (azimuth_rates(azimuth_rate, count), count),
         "increments.angle": (angle, count, 3),
         "increments.velocity": (velocity, count, 3),
     }
@@ -293,8 +285,3 @@ def propagate_level_frame(
     last = LevelFrame(found[..., -1, :4], found[..., -1, 4:6])
     times: FloatArray = seconds * every * np.arange(1.0, count // every + 1)
     return LevellingHistory(times, found[..., :4], found[..., 4:6], found[..., 6:], last)
-
-
-def _one_each(azimuth_rate: ArrayLike, count: int) -> FloatArray:
-    rate = finite_array(azimuth_rate, "azimuth_rate")
-    return np.broadcast_to(rate, count) if rate.ndim == 0 else rate

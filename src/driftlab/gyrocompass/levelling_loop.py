@@ -6,7 +6,9 @@ of the gyro and the log's velocity v_log:
 
     chi' = -k1 (g chi + a + n - v_log') - k2 ∫(g chi + a + n) dt + ∫a dt/R - d.
 
-Chapter 10 derives it.
+Chapter 10 derives it. The tuning k2 = 1/R is that of M. Schuler (Physikalische Zeitschrift 24,
+1923); the loop and its oscillation without damping are in K. R. Britting, Inertial Navigation
+Systems Analysis (1971).
 """
 
 from __future__ import annotations

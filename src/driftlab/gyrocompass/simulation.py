@@ -42,6 +42,9 @@ from .heading_error import (
 )
 from .levelling import LevelFrame, LevellingHistory, initial_level_frame, propagate_level_frame
 
+_MOST_TILT = 0.1  # rad: what an alignment leaves is small
+_MOST_BIAS = 10 * EARTH_RATE  # no compass sees the Earth beside it
+
 
 class HeadingErrors(NamedTuple):
     """Errors of a compass under way, computed minus true, at n times.
@@ -98,7 +101,8 @@ def simulate_compass(
     trajectory : Trajectory
         Of a vehicle: true motion, and the increments of ideal sensors.
     gyro_bias_body : array_like, shape (..., n, 3) or (3,)
-        In body axes, for each interval or for all, rad/s. A bias may drift.
+        In body axes, for each interval or for all, rad/s. A bias may drift. In the mean at most
+        ten times the Earth's rate, 150 deg/h.
     accelerometer_bias_body : array_like, shape (3,)
         In body axes, m/s^2.
     tuning_factor : float
@@ -106,7 +110,7 @@ def simulate_compass(
     damping : float
         Damping ratio of the horizon.
     tilt : float
-        Error of the aligned horizon about East, rad.
+        Error of the aligned horizon about East, rad, at most 0.1.
     log : bool
         Whether a log tells the velocity, and the latitude is known. The computation then subtracts
         `coriolis_correction` from the specific force and rotates in azimuth with the meridian. It
@@ -124,7 +128,8 @@ def simulate_compass(
     ------
     ValueError
         If the shapes of the biases or of the log's error do not fit the trajectory, if there is an
-        error and no log, if the axes are not North, Up, East, and as in `propagate_level_frame`.
+        error and no log, if bias or tilt are too large, if the axes are not North, Up, East, and as
+        in `propagate_level_frame`.
 
     Examples
     --------
@@ -154,17 +159,29 @@ def simulate_compass(
             f"got {gyro_bias.shape} and {accelerometer_bias.shape}."
         )
     biases = np.broadcast_to(gyro_bias, (*gyro_bias.shape[:-2], *angle.shape))
+    largest = float(np.abs(biases.mean(axis=-2)).max())
+    if largest > _MOST_BIAS:
+        raise ValueError(
+            "gyro_bias_body: expected rad/s, in the mean at most ten times the Earth's rate, "
+            f"{_MOST_BIAS:.3g}, got {largest:.3g}. Is it in deg/h?"
+        )
     stiffness = positive_number(tuning_factor, "tuning_factor")
     ratio = finite_number(damping, "damping")
     if ratio < 0:
         raise ValueError(f"damping: expected a number of at least 0, got {ratio!r}.")
+    lean = finite_number(tilt, "tilt")
+    if abs(lean) > _MOST_TILT:
+        raise ValueError(f"tilt: expected rad, at most {_MOST_TILT:g}, got {lean:g}.")
+    if not isinstance(log, bool | np.bool):
+        shown = repr(log) if isinstance(log, str | int | float) else type(log).__name__
+        raise ValueError(f"log: expected True or False, got {shown}.")
     latitude = float(trajectory.latitude[0])
     pull = float(gravity(latitude))
     rate, up = static_imu(trajectory.attitude[0], latitude)
     # Whoever puts errors in need not be warned of them.
     aligned = align(rate + biases[..., 0, :], up + accelerometer_bias, heading_tolerance=np.inf)
     start = initial_level_frame(aligned)
-    leaning = np.array([0.0, 0.0, -finite_number(tilt, "tilt")])
+    leaning = np.array([0.0, 0.0, -lean])
     bent = multiply(from_rotation_vector(leaning), start.attitude)
     swing = float(np.sqrt(pull / EARTH_RADIUS * stiffness))
     gains = Gains(2 * ratio * swing / pull, stiffness / EARTH_RADIUS)
