@@ -66,7 +66,7 @@ def aligned(recording: Recording) -> Spread:
     )
     blind, biased = _moved(recording) or blindness(rate)
     # `driftlab.commands.trust` says in its own words how far the rates are to be believed.
-    method = _levelled if blind else partial(align, rate_unit=1.0, heading_tolerance=np.inf)
+    method = _levelled if blind else partial(align, heading_tolerance=np.inf)
     whole = method(rates(known).mean(axis=0), forces(known).mean(axis=0))
     parts = method(rate, force)
     scatter = [getattr(parts, name) - getattr(whole, name) for name in FOUND]
