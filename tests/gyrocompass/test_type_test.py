@@ -7,9 +7,17 @@ import pytest
 from scipy.constants import degree, g, hour, knot, milli
 
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
-from driftlab.gyrocompass import COARSE, LIMITS, Gyrocompass, GyroNoise, marine_type_test
-from driftlab.gyrocompass._type_test_ways import quay
-from driftlab.gyrocompass.type_test import _heading_errors
+from driftlab.gyrocompass import (
+    COARSE,
+    LIMITS,
+    Gyrocompass,
+    GyroNoise,
+    Steps,
+    TypeTest,
+    marine_type_test,
+)
+from driftlab.gyrocompass._type_test_ways import BRAKING, REST, quay, turning
+from driftlab.gyrocompass.type_test import _heading_errors, _turned
 
 LATITUDE = np.radians(51.5)
 BIAS = 0.05 * degree / hour
@@ -45,7 +53,7 @@ def test_an_offset_takes_a_share_with_the_sine_of_the_latitude() -> None:
     offset = Gyrocompass(accelerometer_bias=(0.0, 0.0, milli * g))
     for latitude in np.radians([0.0, 30.0, 60.0]):
         closed = milli * g / gravity(latitude) * np.tan(latitude)
-        found = marine_type_test(offset, latitude).measured["settle point"]
+        found = marine_type_test(offset, latitude, steps=Steps(turn=3.0)).measured["settle point"]
         assert found == pytest.approx(closed, rel=5e-3, abs=1e-6)
 
 
@@ -58,6 +66,34 @@ def test_a_turn_shows_a_drift_four_times() -> None:
     by_log = marine_type_test(replace(TO_THE_EAST, damping=0.5, log=True), LATITUDE)
     closed = 2 * (1 + np.exp(-np.pi / np.sqrt(3)))
     assert by_log.measured["turn"] / error == pytest.approx(closed, rel=0.05)
+
+
+@pytest.mark.parametrize("latitude", [0.0, 30.0, 60.0])
+@pytest.mark.parametrize("mounted", [(1.0, 0.0, 0.0), (0.0, 0.0, 1.0)])
+def test_in_a_turn_an_accelerometer_bias_does_most_along_the_bow(
+    latitude: float, mounted: tuple[float, float, float]
+) -> None:
+    """However the compass comes: the horizon swings about its new level by twice the bias."""
+    place, tilt = np.radians(latitude), 0.5 * milli
+    compass = Gyrocompass(accelerometer_bias=tuple(tilt * gravity(place) * np.array(mounted)))
+    found = run(compass, place)["turn"] - run(Gyrocompass(), place)["turn"]
+    swing = np.sqrt(gravity(place) / EARTH_RADIUS)
+    closed = 2 * tilt * swing / (EARTH_RATE * np.cos(place))
+    assert found == pytest.approx(closed, rel=0.06)  # what the turn itself does has a sign
+
+
+def test_a_turn_counts_in_the_worst_mounting() -> None:
+    mixed = Gyrocompass((0.6 * BIAS, 0.0, BIAS), accelerometer_bias=(0.0, 0.0, 0.3 * milli * g))
+    found = run(mixed)["turn"]
+    way = turning(LATITUDE, 70 * knot, 3.0)
+    # Past braking as in the test; the draws of a compass without noise do not matter.
+    before = int((2 * REST + 70 * knot / BRAKING) // 3.0) - 1
+    others = []
+    for aside in np.radians(np.arange(7.0, 367.0, 20.0)):
+        errors = _heading_errors(_turned(mixed, aside), way, np.random.default_rng(0))
+        others.append(np.abs(errors[before:] - errors[before]).max())
+    assert max(others) < 1.01 * found
+    assert min(others) < 0.8 * found
 
 
 def test_damping_needs_a_log() -> None:
@@ -111,6 +147,12 @@ def test_a_compass_that_never_settles_says_so() -> None:
     assert not found.passed["settling"]
 
 
+def test_a_compass_that_aligns_longer_than_it_may_has_not_settled() -> None:
+    found = marine_type_test(Gyrocompass(alignment_time=7 * hour), LATITUDE, steps=COARSE)
+    assert not found.passed.pop("settling")
+    assert all(found.passed[name] for name in ("settle point", "scatter", "repeatability"))
+
+
 def test_coarse_steps_see_what_fine_ones_see() -> None:
     compass = replace(TO_THE_EAST, damping=0.3, log=True)
     fine = marine_type_test(compass, LATITUDE).shares
@@ -128,6 +170,11 @@ def test_coarse_steps_see_what_fine_ones_see() -> None:
         ({"alignment_time": 0.0}, r"alignment_time: expected"),
         ({"log_scale": 0.01}, r"log_scale: expected zero without a log"),
         ({"gyro_noise": 0.1}, r"gyro_noise: expected"),
+        ({"gyro_bias": np.zeros((2, 3))}, r"gyro_bias: expected shape \(3,\), got \(2, 3\)"),
+        ({"damping": -1.0}, r"damping: expected a number of at least 0, got -1\.0"),
+        ({"damping": "much"}, r"damping: expected real numbers"),
+        ({"damping": np.nan}, r"damping: expected finite"),
+        ({"log": "no"}, r"log: expected True or False, got 'no'"),
     ],
 )
 def test_a_bad_compass_is_refused(change: dict, words: str) -> None:
@@ -138,3 +185,27 @@ def test_a_bad_compass_is_refused(change: dict, words: str) -> None:
 def test_a_pole_is_refused() -> None:
     with pytest.raises(ValueError, match=r"latitude: expected at most 85 degrees .* 89 degrees"):
         marine_type_test(Gyrocompass(), np.radians(89.0))
+
+
+@pytest.mark.parametrize(
+    ("steps", "words"),
+    [
+        ("COARSE", r"steps: expected a Steps"),
+        (None, r"steps: expected a Steps"),
+        (Steps(turn=0.0), r"steps\.turn: expected a positive number"),
+        (Steps(sea=np.nan), r"steps\.sea: expected finite"),
+        (Steps(speed=120.0), r"steps\.speed: expected at most 18 s, as in COARSE, got 120"),
+        (Steps(rolling=1.0), r"steps\.rolling: expected at least a minute, got 1\.0"),
+    ],
+)
+def test_bad_steps_are_refused(steps: object, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        marine_type_test(Gyrocompass(), LATITUDE, steps=steps)
+
+
+def test_a_limit_is_asked_for_by_its_name_and_in_radians() -> None:
+    with pytest.raises(ValueError, match=r"measured: expected some of settling, .* got 'trun'"):
+        _ = TypeTest(1.0, {"trun": 1.0}).shares
+    for name in ("settle point", "turn"):
+        with pytest.raises(ValueError, match=r"latitude: expected at most 89.9 degrees .* 60 rad"):
+            LIMITS[name].at(60.0)

@@ -15,6 +15,7 @@ from . import (
     trials as trials,
     two_position_alignment as two_position_alignment,
     type_test as type_test,
+    type_test_compass as type_test_compass,
     type_test_limits as type_test_limits,
 )
 from .alignment import (
@@ -91,11 +92,13 @@ from .two_position_alignment import (
     align_in_positions as align_in_positions,
 )
 from .type_test import (
+    marine_type_test as marine_type_test,
+)
+from .type_test_compass import (
     COARSE as COARSE,
     FINE as FINE,
     Gyrocompass as Gyrocompass,
     Steps as Steps,
-    marine_type_test as marine_type_test,
 )
 from .type_test_limits import (
     LIMITS as LIMITS,

@@ -1,9 +1,10 @@
 """What the marine standards want of a gyrocompass, and how far a compass uses each limit up.
 
-The limits are those of the International Maritime Organization: Resolution A.821(19), 1995, for
-high-speed craft, and A.424(XI), 1979, for other ships. Most grow with the latitude as its secant,
-as the error of a gyro does; two do not. Only the numbers are taken. `Limit.source` says where each
-stands, and `Limit.read` whether that place was read or is known at second hand.
+The limits are those of the International Maritime Organization, the IMO: Resolution A.821(19),
+1995, for high-speed craft, and A.424(XI), 1979, for other ships. Most grow with the latitude as its
+secant, as the error of a gyro does; two do not. Only the numbers are taken. `Limit.source` says
+where each stands, and `Limit.read` whether that place was read or is known at second hand. How to
+test is said by ISO 8728, which was not to be had.
 """
 
 from __future__ import annotations
@@ -12,6 +13,9 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy.constants import degree, hour
+
+from driftlab.checks import finite_number
+from driftlab.earth import checked_latitude
 
 
 class Limit(NamedTuple):
@@ -46,19 +50,25 @@ class Limit(NamedTuple):
         Parameters
         ----------
         latitude : float
-            rad.
+            rad; not a pole.
 
         Returns
         -------
         float
             rad, or s.
 
+        Raises
+        ------
+        ValueError
+            If the latitude is a pole or beyond, as one in degrees is.
+
         Examples
         --------
         >>> LIMITS["turn"].at(1.0) == LIMITS["turn"].at(0.0)
         True
         """
-        return self.size / float(np.cos(latitude)) if self.secant else self.size
+        place = float(checked_latitude(finite_number(latitude, "latitude")))
+        return self.size / float(np.cos(place)) if self.secant else self.size
 
 
 LIMITS: dict[str, Limit] = {
@@ -104,11 +114,20 @@ class TypeTest(NamedTuple):
         dict of float
             By test, without unit; more than 1 fails.
 
+        Raises
+        ------
+        ValueError
+            If a test is none of `LIMITS`.
+
         Examples
         --------
         >>> TypeTest(0.0, {"turn": np.radians(6.0)}).shares
         {'turn': 2.0}
         """
+        if unknown := self.measured.keys() - LIMITS.keys():
+            raise ValueError(
+                f"measured: expected some of {', '.join(LIMITS)}, got {unknown.pop()!r}."
+            )
         return {n: float(x / LIMITS[n].at(self.latitude)) for n, x in self.measured.items()}
 
     @property

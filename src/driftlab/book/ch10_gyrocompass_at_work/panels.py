@@ -19,7 +19,8 @@ from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, SPEED, ship_
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.noise import GyroNoise
 from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
-from driftlab.gyrocompass.type_test import COARSE, Gyrocompass, marine_type_test
+from driftlab.gyrocompass.type_test import marine_type_test
+from driftlab.gyrocompass.type_test_compass import COARSE, Gyrocompass
 from driftlab.gyrocompass.type_test_limits import LIMITS, TypeTest
 
 from .experiments import GYRO_BIAS, TUNING_FACTORS

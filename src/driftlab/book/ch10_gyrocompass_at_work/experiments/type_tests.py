@@ -14,7 +14,8 @@ from driftlab.book.ch09_aligning_a_gyrocompass.experiments import (
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
-from driftlab.gyrocompass.type_test import COARSE, FINE, Gyrocompass, marine_type_test
+from driftlab.gyrocompass.type_test import marine_type_test
+from driftlab.gyrocompass.type_test_compass import COARSE, FINE, Gyrocompass
 from driftlab.gyrocompass.type_test_limits import LIMITS
 
 from .dial import PAPER_LARGEST

@@ -1,0 +1,134 @@
+"""What a type test wants to know of a compass, and how finely it is simulated."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from scipy.constants import minute
+
+from driftlab.checks import checked_instance, finite_array, finite_number, positive_number
+
+from .noise import GyroNoise
+
+_NO_NOISE = GyroNoise(white=0.0, slow=0.0)
+
+
+class Steps(NamedTuple):
+    """How finely the tests are simulated.
+
+    Attributes
+    ----------
+    quay, speed, turn, sea : float
+        Interval of the simulation of each, s.
+    rolling : float
+        Duration of the test at sea, s.
+
+    Examples
+    --------
+    >>> FINE.turn, COARSE.turn
+    (0.5, 3.0)
+    """
+
+    quay: float = 60.0
+    speed: float = 6.0
+    turn: float = 0.5
+    sea: float = 0.5
+    rolling: float = 25 * minute
+
+
+FINE = Steps()
+COARSE = Steps(quay=200.0, speed=18.0, turn=3.0, sea=1.0)
+"""Several times faster; a horizon damped by a log then turns with up to 0.3 degrees too much."""
+
+
+@dataclass(frozen=True)
+class Gyrocompass:
+    """What a type test wants to know of a compass.
+
+    Attributes
+    ----------
+    gyro_bias : tuple of float
+        That last from start to start, in body axes forward, up, right, rad/s.
+    gyro_noise : GyroNoise
+        Of each gyro; its slow part is new at each start.
+    accelerometer_bias : tuple of float
+        In body axes, m/s^2.
+    damping : float
+        Damping ratio of the horizon at work, at least 0.
+    log : bool
+        Whether a log tells the velocity. Without one the speed error is taken out by the true way,
+        as by a table, and the damping feels the accelerations.
+    log_scale : float
+        Relative error of what the log tells.
+    alignment_time : float
+        s.
+
+    Examples
+    --------
+    >>> Gyrocompass(damping=0.5, log=True).alignment_time
+    60.0
+    """
+
+    gyro_bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    gyro_noise: GyroNoise = _NO_NOISE
+    accelerometer_bias: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    damping: float = 0.0
+    log: bool = False
+    log_scale: float = 0.0
+    alignment_time: float = 60.0
+
+    def __post_init__(self) -> None:
+        for name in ("gyro_bias", "accelerometer_bias"):
+            bias = finite_array(getattr(self, name), name, 3)
+            if bias.ndim > 1:
+                raise ValueError(f"{name}: expected shape (3,), got {bias.shape}.")
+            object.__setattr__(self, name, tuple(bias.tolist()))
+        checked_instance(self.gyro_noise, GyroNoise, "gyro_noise")
+        if (damping := finite_number(self.damping, "damping")) < 0:
+            raise ValueError(f"damping: expected a number of at least 0, got {damping!r}.")
+        if not isinstance(self.log, bool | np.bool_):
+            raise ValueError(f"log: expected True or False, got {self.log!r}.")
+        positive_number(self.alignment_time, "alignment_time")
+        if finite_number(self.log_scale, "log_scale") and not self.log:
+            raise ValueError("log_scale: expected zero without a log, got an error of one.")
+
+
+def checked_steps(steps: Steps) -> Steps:
+    """Return steps that are fine enough for each test.
+
+    Parameters
+    ----------
+    steps : Steps
+        How finely the tests are simulated.
+
+    Returns
+    -------
+    Steps
+        `steps` itself.
+
+    Raises
+    ------
+    ValueError
+        If an interval is not positive, or longer than that of `COARSE`; or less than a minute at
+        sea is to be simulated.
+
+    Examples
+    --------
+    >>> checked_steps(Steps(turn=10.0))
+    Traceback (most recent call last):
+        ...
+    ValueError: steps.turn: expected at most 3 s, as in COARSE, got 10.0.
+    """
+    checked_instance(steps, Steps, "steps")
+    for name, most in COARSE._asdict().items():
+        size = positive_number(getattr(steps, name), f"steps.{name}")
+        if name == "rolling":
+            if size < minute:
+                raise ValueError(f"steps.rolling: expected at least a minute, got {size!r}.")
+        elif size > most:
+            raise ValueError(
+                f"steps.{name}: expected at most {most:g} s, as in COARSE, got {size!r}."
+            )
+    return steps
