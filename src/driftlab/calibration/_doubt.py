@@ -4,29 +4,28 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.constants import degree
 
 from driftlab.checks import FloatArray
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
 
-from ._earlier_pass import linearization_point
-from ._evidence import Expected, evidence, thinned
-from ._innovations import SECOND_ORDER, contradiction, second_order
-from ._slips import FITS, Judge, Told, likely_slips
+from ._evidence import Expected, evidence
+from ._innovations import BEYOND, SECOND_ORDER, beyond_prior, contradiction, second_order
+from ._judge import Judge, Told
+from ._slips import FITS, likely_slips
+from ._told_noise import LARGER, told_noise
 from .calibration_history import Calibration
 from .consistency import InconsistentWarning, innovation_test
 from .error_model import ErrorModel
 
-_LOOSE = 5 * degree
-"""How far the start may be off where a slip is looked for in it, rad."""
-_COARSE = 10.0
-"""Interval of the updates in which slips are tried, s."""
+_ONCE_MORE = (
+    "errors too large for first order, and deviations stated too small: go over the record again, "
+    "about this result"
+)
 
 
 class Door(NamedTuple):
@@ -47,8 +46,8 @@ class Door(NamedTuple):
 
 def warn_if_impossible(
     door: Door, model: ErrorModel, calibrate: Callable[..., Calibration]
-) -> bool:
-    """Warn before the filter if gravity or the Earth's rate contradict a record; tell whether."""
+) -> InconsistentWarning | None:
+    """Warn before the filter if gravity or the Earth's rate contradict a record."""
     expected = _expected(door)
     for run in range(int(np.prod(door.lead))):
         told = _told(run, door)
@@ -57,48 +56,72 @@ def warn_if_impossible(
         if shown is not None:
             size = float(shown.misfit(told.start, told.latitude, expected))
         if size > FITS:
-            _warn(
+            slips = likely_slips(told, expected, _judge(run, door, door.noise, model, calibrate))
+            noise = []
+            if not slips:
+                noise = told_noise(told.increments, shown, door.noise)[0]
+            sentence = (
                 "expected gravity and the Earth's rate to be where start, latitude and increments "
-                f"have them within {FITS:g} deviations, got {size:.3g}",
-                likely_slips(told, expected, _judge(run, door, model, calibrate)),
+                f"have them within {FITS:g} deviations, got {size:.3g}"
             )
-            return True
-    return False
+            return _warn(sentence + _advice(slips, noise))
+    return None
 
 
 def warn_if_inconsistent(
     found: Calibration, door: Door, calibrate: Callable[..., Calibration]
 ) -> None:
-    """Warn if innovations contradict the filter's assumptions, or errors are too large for it."""
+    """Warn if innovations or errors found contradict what the filter was told, if the noise is
+    another one, or if the errors are too large for one pass."""
     doubt = contradiction(innovation_test(found))
-    slips: list[str] = []
+    beyond = beyond_prior(found, door.prior, door.start)
+    told = _told(0 if doubt is None else doubt[0], door)
+    noise, right = told_noise(told.increments, evidence(told.increments), door.noise)
+    said = []
     if doubt is not None:
-        run = doubt[0]
-        judge = _judge(run, door, found.model, calibrate)
-        slips = likely_slips(_told(run, door), _expected(door), judge)
-    bend = second_order(found)
-    if not slips and door.first and bend > SECOND_ORDER:
-        doubt = 0, f"expected bends with squares below {SECOND_ORDER:g} deviations, got {bend:.3g}"
-        slips = [
-            "errors too large for first order, and deviations stated too small: go over the "
-            "record again, about this result"
-        ]
-    if doubt is not None:
-        _warn(doubt[1], slips)
+        said.append(doubt[1])
+    if beyond:
+        said.append(
+            f"expected errors within {BEYOND:g} deviations of the prior, got {'; '.join(beyond)}"
+        )
+    if said:
+        judge = _judge(0 if doubt is None else doubt[0], door, right, found.model, calibrate)
+        # With the noise that it has, the record may be right.
+        slips = [] if noise and judge.accepts(told) is not None else None
+        if slips is None:
+            slips = likely_slips(told, _expected(door), judge)
+        if slips or noise:
+            _warn(said[0] + _advice(slips, noise))
+            return
+        said[0] += _advice([]) if doubt is not None else ""
+    elif noise:
+        said.append(
+            f"expected noise within a factor of {LARGER:g} of what was told, got "
+            + "; ".join(noise)
+        )
+    largest = second_order(found)
+    if door.first and largest > SECOND_ORDER:
+        said.append(
+            "expected scale and installation errors whose squares are below "
+            f"{SECOND_ORDER:g} stated deviations, got {largest:.3g}: {_ONCE_MORE}"
+        )
+    if said:
+        _warn(". Besides, ".join(part.rstrip(".") for part in said) + ".")
 
 
-def _warn(sentence: str, slips: list[str]) -> None:
-    advice = (
-        f": {'; or '.join(slips)}?"
-        if slips
-        else "; no slip is known that explains it. Perhaps the unit has errors that the model does "
-        "not have, lever arms say: ErrorModel.with_states adds some."
-    )
-    warnings.warn(
-        f"calibration: {sentence}{advice.replace('result?', 'result.')}",
-        InconsistentWarning,
-        stacklevel=4,
-    )
+def _warn(sentence: str) -> InconsistentWarning:
+    warning = InconsistentWarning(f"calibration: {sentence}")
+    warnings.warn(warning, stacklevel=4)
+    return warning
+
+
+def _advice(slips: list[str], certain: list[str] | None = None) -> str:
+    """The end of a sentence: what is certain, and slips of which one may be; or that none is."""
+    parts = ["; or ".join(slip.rstrip("?") for slip in slips)] if slips else []
+    parts = [*(part.rstrip("?") for part in certain or []), *parts]
+    if parts:
+        return f": {'; and '.join(parts)}?"
+    return "; no slip is known that explains it."
 
 
 def _told(run: int, door: Door) -> Told:
@@ -121,38 +144,13 @@ def _expected(door: Door) -> Expected:
     return Expected(door.prior, door.noise, float(np.abs(door.reference).max()))
 
 
-def _judge(run: int, door: Door, model: ErrorModel, calibrate: Callable[..., Calibration]) -> Judge:
-    """The filter, in coarse steps, and the test of its innovations."""
+def _judge(
+    run: int,
+    door: Door,
+    noise: ImuNoise,
+    model: ErrorModel,
+    calibrate: Callable[..., Calibration],
+) -> Judge:
+    """The filter over one run."""
     reference = _own(door.reference, 2, run, door)
-
-    def judge(other: Told) -> FloatArray | None:
-        rows = thinned(other.increments)
-        # The same moments, whatever the interval is now.
-        times = door.ends * other.increments.interval
-        skip = max(round(_COARSE / (times[-1] / len(times))), 1)
-        pair = 2 * rows.interval
-        places = np.round(times[skip - 1 :: skip] / pair)
-        kept = np.flatnonzero(np.diff(places, prepend=0.0) > 0)
-        kept = kept[places[kept] <= len(rows.angle) // 2]
-        prior = replace(door.prior, attitude=max(door.prior.attitude, _LOOSE * other.loose))
-        try:
-            again = calibrate(
-                rows,
-                reference[skip - 1 :: skip][kept],
-                reference_times=places[kept] * pair,
-                latitude=other.latitude,
-                start=other.start,
-                model=model,
-                prior=prior,
-                noise=door.noise,
-                keep=len(times),
-                check=False,
-            )
-        except (ValueError, np.linalg.LinAlgError):
-            return None
-        if contradiction(innovation_test(again)) is not None:
-            return None
-        used = rows.part(0, 2 * int(places[kept][-1]))
-        return linearization_point(used, other.latitude, again)[1]
-
-    return judge
+    return Judge(_told(run, door), reference, door.ends, door.prior, noise, model, calibrate)

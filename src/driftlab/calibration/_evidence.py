@@ -25,7 +25,11 @@ _STEP = 0.1
 """Increments are added up to steps of about this, rad."""
 _WINDOWS = 100
 _REST = 2e-3
-"""A window in which the body turns no faster is a rest, rad/s."""
+"""A window in which the body turns no faster is a rest, rad/s, on average and in each increment"""
+_NOISE = 6.0
+"""unless the noise is larger: so many times what a quarter of the increments stay below."""
+_TRUSTED = 0.75
+"""Share of the rests that count, those that fit best: one may yet end as a turn begins."""
 _LEAST_ANGLE = 3e-4
 _LEAST_RATE = 0.1 * degree / hour
 """Of gravity's direction, rad, and of rates at rest, rad/s, nobody should ask for more here."""
@@ -86,13 +90,12 @@ class Evidence(NamedTuple):
             + noise.angle_random_walk**2 / self.window
             + EARTH_RATE**2 * (prior.attitude**2 + bent)
         )
-        # The median: a window that ends as a turn begins may pass for a rest.
         squares = np.sum(wrong**2, axis=-1)
-        rest = np.broadcast_to(self.rest, squares.shape)
-        ordered = np.sort(np.where(rest, squares, np.inf), axis=-1)
-        half = np.maximum(rest.sum(axis=-1, keepdims=True) - 1, 0) // 2
-        typical = np.take_along_axis(ordered, half, axis=-1)[..., 0]
-        rate = np.where(rest.any(axis=-1), typical, 0.0) / least
+        rests = np.broadcast_to(self.rest, squares.shape)
+        ordered = np.cumsum(np.sort(np.where(rests, squares, np.inf), axis=-1), axis=-1)
+        count = np.ceil(_TRUSTED * rests.sum(axis=-1, keepdims=True)).astype(int)
+        summed = np.take_along_axis(ordered, np.maximum(count - 1, 0), axis=-1)[..., 0]
+        rate = np.where(rests.any(axis=-1), summed / np.maximum(count[..., 0], 1), 0.0) / least
         return np.sqrt(np.maximum(force, rate))
 
 
@@ -122,17 +125,31 @@ def evidence(increments: Increments) -> Evidence | None:
         2 * interval * places,
         force,
         quaternion.rotate(attitude[..., places[1:] - 1, :], rate),
-        np.linalg.norm(rate, axis=-1) < _REST,
+        _rests(increments, round(window / increments.interval), len(places) - 1),
         np.cumsum(steps, axis=-1)[..., 2 * places[1:] - 1],
     )
 
 
-def thinned(increments: Increments) -> Increments:
-    """Sums of neighbouring increments, as many as a table turns by no more than six degrees."""
+def _rests(increments: Increments, each: int, count: int) -> NDArray[np.bool_]:
+    """Whether (..., count) the body rests in windows of so many increments."""
+    rows = increments.angle[..., : each * count, :]
+    means = rows.reshape(*rows.shape[:-2], count, each, 3).mean(axis=-2)
+    sizes = np.sqrt(np.vecdot(rows, rows)).reshape(*rows.shape[:-2], count, each)
+    noise = _NOISE * np.quantile(sizes, 0.25, axis=(-2, -1))[..., np.newaxis]
+    rest = _REST * increments.interval
+    found: NDArray[np.bool_] = sizes.max(axis=-1) < np.maximum(rest, noise)
+    return found & (np.linalg.norm(means, axis=-1) < rest)
+
+
+def thinned(
+    increments: Increments, angle_step: float = _STEP, longest: float = np.inf
+) -> Increments:
+    """Sums of neighbouring increments, in which a table turns no farther; at least 400."""
     interval, angle, velocity = increments
     largest = max(float(np.abs(angle).max()), 1e-12)
     count = angle.shape[-2]
-    many = max(min(int(_STEP / largest), count // (4 * _WINDOWS)), 1)
+    most = min(angle_step / largest, longest / interval * (1 + 1e-9), count // (4 * _WINDOWS))
+    many = max(int(most), 1)
     rows = count // (2 * many) * 2 * many
     return Increments(
         many * interval,

@@ -1,13 +1,14 @@
 """Which slip makes a record of a turntable contradict what was told? Each is undone and tried.
 
 A slip is named if the record fits without it. Every unit, order and sign is tried by gravity and
-the Earth's rate, which is cheap; those few that fit then go through the filter, and its
-innovations decide.
+the Earth's rate, which is cheap; those few that fit then go through the filter, and the judge
+decides by its innovations and by what it finds.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from dataclasses import replace
 from itertools import permutations, product
 from typing import NamedTuple
 
@@ -22,37 +23,37 @@ from driftlab.recordings.guards import doubts, force_factors, gyro_factors
 from driftlab.recordings.recording import Recording
 
 from ._evidence import Evidence, Expected, evidence, thinned
+from ._innovations import BEYOND
+from ._judge import Judge, Told
 
 FITS = 6.0
 """Misfit that may still be a right record's."""
 _NEAR = 1.5
 """Slips that leave not so many times the misfit of the best may be it as well."""
+_RIGHT = 1.0
+"""Misfit of a right record, or less: of slips that leave no more, the innovations have to tell."""
 _TRIED = 8
-"""Slips that go through the filter."""
+"""Slips that go through the filter,"""
+_TRIED_WITH_MORE = 3
+"""and through a filter with more states."""
+_MORE = "lever arms", "time skew"
+"""States of errors that turns show, and that a model may lack."""
+_LACKING = "errors that the model does not have, such as lever arms or a time skew"
 _SIZE = 0.1
 """Specific force of this much more or less than gravity may still have the right unit."""
 _GRAVITY_A_METRE = 3.1e-7
 """Share of gravity that a metre of height takes away."""
 _NEAREST_TO_POLE = float(np.radians(89.9))
 _RULES = ("force", "rate", "half turn", "turning", "axes")
+_LIKELY = 1
 _FITTED = 3
-"""Rank of slips whose size is fitted to the record."""
+"""Rank of slips that often happen, and of those whose size is fitted to the record."""
 _UP = np.array([0.0, 0.0, 1.0])
 _FRAMES = {
     "North, East, Down": np.array([1.0, 1.0, 0.0, 0.0]) / np.sqrt(2),
     "North, Up, East": np.array([0.5, 0.5, 0.5, 0.5]),
 }
 """Other local axes, as quaternions from them to East, North, Up."""
-
-
-class Told(NamedTuple):
-    """What a calibration is told: increments (n, 3), start (4,), latitude."""
-
-    increments: Increments
-    start: FloatArray
-    latitude: float
-    loose: bool = False
-    """Whether the start is a guess, within some degrees."""
 
 
 class Slip(NamedTuple):
@@ -65,79 +66,112 @@ class Slip(NamedTuple):
     misfit: float
 
 
-Judge = Callable[[Told], FloatArray | None]
-"""Runs the filter; the start that it finds (4,), if its innovations are those of a right run."""
-
-
 def likely_slips(told: Told, expected: Expected, judge: Judge) -> list[str]:
     """Slips without which the record fits, best first, or else what `doubts` has to say."""
-    fitting: list[Slip] = []
-    for slip in sorted(_undone(told, expected), key=lambda slip: slip.misfit)[:_TRIED]:
-        if slip.misfit > (_NEAR * fitting[0].misfit if fitting else FITS):
-            break
-        start = judge(slip.told)
-        if start is not None:
-            name = _turned(told.start, start) if slip.told.loose else slip.name
-            fitting.append(slip._replace(name=name))
-    fitting.sort(key=lambda slip: slip.rank)
-    # What was fitted to the record is no news beside a slip of the same kind.
-    known = {slip.name.partition(":")[0] for slip in fitting if slip.rank < _FITTED}
-    names = [
-        slip.name
-        for slip in fitting
-        if slip.rank < _FITTED or slip.name.partition(":")[0] not in known
-    ]
+    units = list(_other_units(told, expected))
+    names = _named(units, judge)
     if names:
-        return list(dict.fromkeys(names))
+        return names
+    tried = [*units, *_others(told, expected, judge)]
+    names = _named(tried, judge)
+    larger = judge.model.with_states(*_MORE)
+    if larger is not judge.model:
+        # What is found is as right as the model that has these states.
+        lacking = f"{_LACKING}: model.with_states{_MORE} has states for them"
+        with_more = replace(judge, model=larger)
+        if not names and judge.accepts(told, larger) is not None:
+            return [lacking]
+        if not names:
+            names = _named(tried, with_more, _TRIED_WITH_MORE)
+            names = [f"{name}, and {lacking}" for name in names]
+    if names:
+        return names
     interval, angle, velocity = told.increments
     log = Recording(angle, velocity, interval, "increments")
     return [doubt.sentence.rstrip(".?") for doubt in doubts(log) if doubt.rule in _RULES]
 
 
-def _turned(told: FloatArray, found: FloatArray) -> str:
-    """Words for a start that the filter moved."""
-    turn = np.degrees(
-        quaternion.to_rotation_vector(quaternion.multiply(told, quaternion.conjugate(found)))
-    )
+def _named(slips: list[Slip], judge: Judge, most: int = _TRIED) -> list[str]:
+    """Names of those slips that the judge accepts, likely ones first."""
+    fitting: list[Slip] = []
+    for slip in sorted(slips, key=lambda slip: slip.misfit)[:most]:
+        if slip.misfit > (max(_NEAR * fitting[0].misfit, _RIGHT) if fitting else FITS):
+            break
+        if slip.told.loose and any(other.told.loose for other in fitting):
+            continue  # two guesses of one start
+        start = judge.accepts(slip.told)
+        if start is None:
+            continue
+        if slip.told.loose:
+            turn = _turn(judge.told.start, start)
+            if np.linalg.norm(turn) < BEYOND * judge.prior.attitude:
+                continue
+            slip = slip._replace(name=_turned(np.degrees(turn)))
+        fitting.append(slip)
+    fitting.sort(key=lambda slip: slip.rank)
+    # What was fitted to the record is no news beside a likely slip.
+    if fitting and fitting[0].rank <= _LIKELY:
+        fitting = [slip for slip in fitting if slip.rank < _FITTED]
+    return list(dict.fromkeys(slip.name for slip in fitting))
+
+
+def _turn(told: FloatArray, found: FloatArray) -> FloatArray:
+    """Rotation vector (3,) between two starts."""
+    back = quaternion.multiply(told, quaternion.conjugate(found))
+    return quaternion.to_rotation_vector(back)
+
+
+def _turned(turn: FloatArray) -> str:
+    """Words for a start that the filter moved by a rotation vector in degrees."""
     if np.linalg.norm(turn[:2]) < 0.1 * abs(turn[2]):
         return f"start: a heading wrong by {abs(turn[2]):.3g} degrees"
     return f"start: an attitude wrong by {np.linalg.norm(turn):.3g} degrees"
 
 
-def _undone(told: Told, expected: Expected) -> Iterator[Slip]:
-    """Slips, and what would have been told without each."""
-
-    def tried(rank: int, name: str, other: Told, shown: Evidence) -> Slip:
-        return Slip(rank, name, other, float(shown.misfit(other.start, other.latitude, expected)))
-
-    for name, increments in _other_units(told):
-        if (seen := evidence(increments)) is not None:
-            yield tried(0, name, told._replace(increments=increments), seen)
+def _others(told: Told, expected: Expected, judge: Judge) -> Iterator[Slip]:
+    """Slips of start, place and axes, and what would have been told without each."""
     shown = evidence(told.increments)
     if shown is None:
         return
+
+    def tried(rank: int, name: str, other: Told) -> Slip:
+        return Slip(rank, name, other, float(shown.misfit(other.start, other.latitude, expected)))
+
     for name, start in _other_starts(told.start):
-        yield tried(1, name, told._replace(start=start), shown)
+        yield tried(_LIKELY, name, told._replace(start=start))
     for level in (told.start, _levelled(told.start, shown)):
         start = _headed(level, shown, told.latitude, expected)
-        yield tried(_FITTED, "start: wrong", told._replace(start=start, loose=True), shown)
-    for rank, name, latitude in _other_latitudes(told, shown, expected):
-        if abs(latitude) > _NEAREST_TO_POLE:
-            continue
-        yield tried(rank, name, told._replace(latitude=latitude), shown)
+        yield tried(_FITTED, "start: wrong", told._replace(start=start, loose=True))
+    for rank, name, latitude in _other_latitudes(told, shown, expected, judge):
+        if abs(latitude) < _NEAREST_TO_POLE:
+            yield tried(rank, name, told._replace(latitude=latitude))
     names, increments = _other_axes(told.increments)
     seen = evidence(increments)
     if seen is None:
         return
     sizes = seen.misfit(told.start, told.latitude, expected)
     for row, (name, size) in enumerate(zip(names, sizes, strict=True)):
-        rows = Increments(increments.interval, increments.angle[row], increments.velocity[row])
+        if size > FITS:
+            continue
+        matrices = _SETS[row]
+        angle, velocity = (
+            rows @ matrix.T for rows, matrix in zip(told.increments[1:], matrices, strict=True)
+        )
+        rows = Increments(told.increments.interval, angle, velocity)
         likely = "forward" in name or "alone" in name
-        yield Slip(1 if likely else 2, name, told._replace(increments=rows), float(size))
+        yield Slip(_LIKELY if likely else 2, name, told._replace(increments=rows), float(size))
 
 
-def _other_units(told: Told) -> Iterator[tuple[str, Increments]]:
+def _other_units(told: Told, expected: Expected) -> Iterator[Slip]:
     """Other units, another interval, and the triads exchanged."""
+    for name, increments in _rescaled(told, expected):
+        if (seen := evidence(increments)) is not None:
+            size = float(seen.misfit(told.start, told.latitude, expected))
+            yield Slip(0, name, told._replace(increments=increments), size)
+
+
+def _rescaled(told: Told, expected: Expected) -> Iterator[tuple[str, Increments]]:
+    """What the increments may have been meant to be."""
     interval, angle, velocity = told.increments
     size = float(gravity(told.latitude))
     ratio = float(np.median(np.linalg.norm(velocity, axis=1))) / (interval * size)
@@ -152,10 +186,12 @@ def _other_units(told: Told) -> Iterator[tuple[str, Increments]]:
         words = [f"{triad}: {name}" for triad, name in pairs if name]
         if words and "interval" not in gyro and max(a, 1 / a, b, 1 / b) > 1 + _SIZE:
             yield " and ".join(words), Increments(interval, angle / a, velocity / b)
-    if abs(ratio - 1) > 1e-4:
+    # Biases push up in one position and down in another.
+    if abs(ratio - 1) > max(BEYOND * expected.prior.scale, 1e-4):
         name = _interval_slip(interval, ratio)
         yield name, Increments(ratio * interval, angle, velocity)
-    yield "gyros and accelerometers exchanged", Increments(interval, velocity, angle)
+    if ratio < _SIZE or ratio > 1 / _SIZE:
+        yield "gyros and accelerometers exchanged", Increments(interval, velocity, angle)
 
 
 def _interval_slip(interval: float, ratio: float) -> str:
@@ -187,25 +223,21 @@ def _named_orders() -> Iterator[tuple[str, FloatArray]]:
 
 
 _ORDERS = list(_named_orders())
+_SETS = [
+    *((matrix, matrix) for _, matrix in _ORDERS),
+    *((matrix, np.eye(3)) for _, matrix in _ORDERS),
+    *((np.eye(3), matrix) for _, matrix in _ORDERS),
+]
+"""Matrices for gyros and accelerometers: of both triads, or of one."""
 
 
 def _other_axes(increments: Increments) -> tuple[list[str], Increments]:
-    """Orders and signs of the columns, of both triads or of one: names, and increments (m, n, 3)"""
+    """Orders and signs of the columns: names, and increments (m, n, 3)."""
     interval, angle, velocity = thinned(increments)
-    orders = np.array([matrix for _, matrix in _ORDERS]).mT
-    angles, velocities = angle @ orders, velocity @ orders
-    same = np.broadcast_to(angle, angles.shape), np.broadcast_to(velocity, velocities.shape)
-    names = [
-        f"{kind}: {name}"
-        for kind in ("axes of the log", "axes of the gyros alone",
-                     "axes of the accelerometers alone")
-        for name, _ in _ORDERS
-    ]  # fmt: skip
-    return names, Increments(
-        interval,
-        np.concatenate([angles, angles, same[0]]),
-        np.concatenate([velocities, same[1], velocities]),
-    )
+    kinds = "the log", "the gyros alone", "the accelerometers alone"
+    names = [f"axes of {kind}: {name}" for kind in kinds for name, _ in _ORDERS]
+    gyros, accelerometers = (np.array(each).mT for each in zip(*_SETS, strict=True))
+    return names, Increments(interval, angle @ gyros, velocity @ accelerometers)
 
 
 def _other_starts(start: FloatArray) -> Iterator[tuple[str, FloatArray]]:
@@ -251,7 +283,7 @@ def _headed(start: FloatArray, shown: Evidence, latitude: float, expected: Expec
 
 
 def _other_latitudes(
-    told: Told, shown: Evidence, expected: Expected
+    told: Told, shown: Evidence, expected: Expected, judge: Judge
 ) -> Iterator[tuple[int, str, float]]:
     """Other latitudes, rad, with rank and name."""
 
@@ -261,7 +293,10 @@ def _other_latitudes(
     degree = np.radians(1.0)
     near = min(np.arange(-88, 89) * degree, key=size)
     nearest = float(minimize_scalar(size, bounds=(near - degree, near + degree)).x)
-    yield 1, "latitude: the other sign", -told.latitude
-    yield 1, "latitude: degrees turned into radians twice", float(np.degrees(told.latitude))
-    yield 1, "latitude: degrees taken for radians", float(np.radians(told.latitude))
-    yield _FITTED, f"latitude: {np.degrees(nearest):.1f} degrees fits better", nearest
+    yield _LIKELY, "latitude: the other sign", -told.latitude
+    yield _LIKELY, "latitude: degrees turned into radians twice", float(np.degrees(told.latitude))
+    yield _LIKELY, "latitude: degrees taken for radians", float(np.radians(told.latitude))
+    if size(nearest) < FITS:
+        latitude, deviation = judge.latitude(told._replace(latitude=nearest))
+        if abs(latitude - told.latitude) > BEYOND * deviation:
+            yield _FITTED, f"latitude: {np.degrees(latitude):.2f} degrees fits better", latitude

@@ -95,7 +95,7 @@ def transition(
     times: FloatArray,
     angle: FloatArray,
     velocity: FloatArray,
-    quadrature_weights: FloatArray,
+    quadrature_weights: FloatArray | None,
     rate_change: FloatArray | None = None,
 ) -> FloatArray:
     """Transition matrix of all errors over an interval; Wu (49), (50).
@@ -119,9 +119,11 @@ def transition(
         Quadrature terms of the integral of the angular rate in body axes, rad.
     velocity : ndarray, shape (..., n, 3)
         Quadrature terms of the integral of the specific force in body axes, m/s.
-    quadrature_weights : ndarray, shape (n, n)
+    quadrature_weights : ndarray, shape (n, n), or None
         Fraction of the quadrature term of each node (column) that has accumulated by the time of
         each node (row): weights of the integral from the beginning of the interval to each node.
+        None for nodes in the middles of n parts, by when half of the own term has accumulated; it
+        takes no room, however many there are.
     rate_change : ndarray, shape (..., n, 3), optional
         Quadrature terms of the change of the angular rate in body axes, rad/s; zero if not given.
         Only lever arms ask for it.
@@ -147,7 +149,10 @@ def transition(
     accelerometer = slice(gyro.stop, model.triad_states)
     force = cross_matrix((attitude @ velocity[..., np.newaxis])[..., 0])
     # A tilt that arises at a node acts through the force that is still to come.
-    still = (quadrature_weights.T @ force.reshape(*force.shape[:-2], 9)).reshape(force.shape)
+    if quadrature_weights is None:
+        still = np.cumsum(force[..., ::-1, :, :], axis=-3)[..., ::-1, :, :] - 0.5 * force
+    else:
+        still = (quadrature_weights.T @ force.reshape(*force.shape[:-2], 9)).reshape(force.shape)
     # What turns in body axes at all nodes come to: a tilt, and below it a velocity.
     pushed = still @ attitude
     carried = np.concatenate([np.broadcast_to(attitude, pushed.shape), pushed], axis=-2)
@@ -227,12 +232,10 @@ def transition_of_increments(
     angle = increments.angle[..., 0::2, :] + increments.angle[..., 1::2, :]
     velocity = increments.velocity[..., 0::2, :] + increments.velocity[..., 1::2, :]
     count = angle.shape[-2]
-    # In the middle of a pair, half of it has passed.
-    weights = np.tri(count) - 0.5 * np.eye(count)
     times = np.full(count, 2 * increments.interval)
     if rate_change is not None:
         rate_change = rate_change[..., 0::2, :] + rate_change[..., 1::2, :]
-    return transition(model, free, middle, times, angle, velocity, weights, rate_change)
+    return transition(model, free, middle, times, angle, velocity, None, rate_change)
 
 
 def _effects(basis: FloatArray, times: FloatArray, values: FloatArray) -> FloatArray:

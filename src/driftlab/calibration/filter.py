@@ -149,9 +149,7 @@ def calibrate(
             "noise: expected a deviation of the reference velocity above 0, "
             f"got {noise.reference_velocity!r} m/s."
         )
-    kept = {*range(whole_number(keep, "keep"), len(ends), keep), len(ends)}
-    lengths = np.diff(ends, prepend=0)
-    free = {each: free_transition(place, each * interval) for each in set(lengths.tolist())}
+    whole_number(keep, "keep")
     lead = np.broadcast_shapes(
         measured.angle.shape[:-2],
         measured.velocity.shape[:-2],
@@ -159,7 +157,31 @@ def calibrate(
         attitude.shape[:-1],
     )
     door = Door(measured, attitude, place, prior, noise, reference, ends, lead, about is None)
-    doubted = check and warn_if_impossible(door, model, calibrate)
+    if about is not None:
+        checked_instance(about, Calibration, "about")
+        check_about(about, model, lead)
+    doubted = warn_if_impossible(door, model, calibrate) if check else None
+    try:
+        result = _filtered(door, model, keep, about)
+    except (ValueError, np.linalg.LinAlgError) as failure:
+        if doubted is None:
+            raise
+        raise ValueError(
+            "increments: expected a record that the filter can follow to its end, got one that "
+            f"contradicts what was told, so that it could not go on: {failure}"
+        ) from doubted
+    if check and doubted is None:
+        warn_if_inconsistent(result, door, calibrate)
+    return result
+
+
+def _filtered(door: Door, model: ErrorModel, keep: int, about: Calibration | None) -> Calibration:
+    """The filter itself."""
+    measured, attitude, place, prior, noise, reference, ends, lead, _ = door
+    interval = measured.interval
+    kept = {*range(keep, len(ends), keep), len(ends)}
+    lengths = np.diff(ends, prepend=0)
+    free = {each: free_transition(place, each * interval) for each in set(lengths.tolist())}
     # The estimate: errors that are navigated with, and the mean of what is left of them.
     state = mean = np.zeros((*lead, model.size))
     believed = np.broadcast_to(attitude, (*lead, 4))
@@ -167,8 +189,6 @@ def calibrate(
     before = model.covariance(prior, attitude.reshape(-1, 4)[0])
     covariance = np.broadcast_to(before, (*lead, model.size, model.size))
     if about is not None:
-        checked_instance(about, Calibration, "about")
-        check_about(about, model, lead)
         state, start_found = linearization_point(measured.part(0, ends[-1]), place, about)
         mean = -state
         back = quaternion.multiply(believed, quaternion.conjugate(start_found))
@@ -213,7 +233,4 @@ def calibrate(
     innovations, predicted = (np.stack(row, axis=len(lead)) for row in zip(*seen, strict=True))
     whitened = normalised_innovations(innovations, predicted, noise.reference_velocity**2)
     times = interval * ends[[k - 1 for k in sorted(kept)]]
-    result = Calibration(model, times, states, covariances, attitudes, velocities, nis, whitened)
-    if check and not doubted:
-        warn_if_inconsistent(result, door, calibrate)
-    return result
+    return Calibration(model, times, states, covariances, attitudes, velocities, nis, whitened)
