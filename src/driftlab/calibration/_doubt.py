@@ -87,8 +87,8 @@ def warn_if_inconsistent(
     if said:
         judge = _judge(0 if doubt is None else doubt[0], door, right, found.model, calibrate)
         # With the noise that it has, the record may be right.
-        slips = [] if noise and judge.accepts(told) is not None else None
-        if slips is None:
+        slips: list[str] = []
+        if not noise or judge.accepts(told) is None:
             slips = likely_slips(told, _expected(door), judge)
         if slips or noise:
             _warn(said[0] + _advice(slips, noise))

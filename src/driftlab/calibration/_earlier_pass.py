@@ -17,9 +17,15 @@ def check_about(about: Calibration, model: ErrorModel, lead: tuple[int, ...]) ->
     """Refuse an earlier pass that is of another model or of other runs."""
     if about.model is not model or about.state.shape[:-2] != lead:
         raise ValueError(
-            f"about: expected runs {lead} with the model {model.frame!r}, "
-            f"got {about.state.shape[:-2]} with {about.model.frame!r}."
+            f"about: expected runs {lead} with {_described(model)}, "
+            f"got {about.state.shape[:-2]} with {_described(about.model)}."
         )
+
+
+def _described(model: ErrorModel) -> str:
+    """Words for a model: axes, size and what was added."""
+    added = f", with {', '.join(model.higher_order)}" if model.higher_order else ""
+    return f"the model {model.frame!r} of {model.size} states{added}"
 
 
 def linearization_point(

@@ -25,6 +25,7 @@ from driftlab.recordings.recording import Recording
 from ._evidence import Evidence, Expected, evidence, thinned
 from ._innovations import BEYOND
 from ._judge import Judge, Told
+from ._other_starts import headed, levelled, other_starts
 
 FITS = 6.0
 """Misfit that may still be a right record's."""
@@ -48,12 +49,6 @@ _RULES = ("force", "rate", "half turn", "turning", "axes")
 _LIKELY = 1
 _FITTED = 3
 """Rank of slips that often happen, and of those whose size is fitted to the record."""
-_UP = np.array([0.0, 0.0, 1.0])
-_FRAMES = {
-    "North, East, Down": np.array([1.0, 1.0, 0.0, 0.0]) / np.sqrt(2),
-    "North, Up, East": np.array([0.5, 0.5, 0.5, 0.5]),
-}
-"""Other local axes, as quaternions from them to East, North, Up."""
 
 
 class Slip(NamedTuple):
@@ -137,10 +132,10 @@ def _others(told: Told, expected: Expected, judge: Judge) -> Iterator[Slip]:
     def tried(rank: int, name: str, other: Told) -> Slip:
         return Slip(rank, name, other, float(shown.misfit(other.start, other.latitude, expected)))
 
-    for name, start in _other_starts(told.start):
+    for name, start in other_starts(told.start):
         yield tried(_LIKELY, name, told._replace(start=start))
-    for level in (told.start, _levelled(told.start, shown)):
-        start = _headed(level, shown, told.latitude, expected)
+    for level in (told.start, levelled(told.start, shown)):
+        start = headed(level, shown, told.latitude, expected)
         yield tried(_FITTED, "start: wrong", told._replace(start=start, loose=True))
     for rank, name, latitude in _other_latitudes(told, shown, expected, judge):
         if abs(latitude) < _NEAREST_TO_POLE:
@@ -238,48 +233,6 @@ def _other_axes(increments: Increments) -> tuple[list[str], Increments]:
     names = [f"axes of {kind}: {name}" for kind in kinds for name, _ in _ORDERS]
     gyros, accelerometers = (np.array(each).mT for each in zip(*_SETS, strict=True))
     return names, Increments(interval, angle @ gyros, velocity @ accelerometers)
-
-
-def _other_starts(start: FloatArray) -> Iterator[tuple[str, FloatArray]]:
-    """Other meanings of four numbers; those that come to the same together."""
-    rolled = np.roll(start, -1)
-    meanings = {
-        "scalar first": rolled,
-        "from East, North, Up to the body": quaternion.conjugate(start),
-        "scalar first, and from East, North, Up to the body": quaternion.conjugate(rolled),
-    } | {f"body to {name}": quaternion.multiply(turn, start) for name, turn in _FRAMES.items()}
-    known: list[tuple[list[str], FloatArray]] = []
-    for name, other in meanings.items():
-        if abs(float(start @ other)) > 1 - 1e-6:
-            continue
-        for names, one in known:
-            if abs(float(one @ other)) > 1 - 1e-6:
-                names.append(name)
-                break
-        else:
-            known.append(([name], other))
-    for names, other in known:
-        yield f"start: {', or '.join(names)}", other
-
-
-def _levelled(start: FloatArray, shown: Evidence) -> FloatArray:
-    """The start, turned so that the force of the first window points up."""
-    force = quaternion.rotate(start, shown.force[0])
-    axis = np.cross(force, _UP)
-    across = float(np.linalg.norm(axis))
-    angle = float(np.arctan2(across, force[2]))
-    return quaternion.multiply(
-        quaternion.from_rotation_vector(angle / max(across, 1e-12) * axis), start
-    )
-
-
-def _headed(start: FloatArray, shown: Evidence, latitude: float, expected: Expected) -> FloatArray:
-    """The start with the heading that fits best."""
-    turns = quaternion.from_rotation_vector(
-        np.radians(np.arange(-178, 181, 2))[:, np.newaxis] * _UP
-    )
-    starts = quaternion.multiply(turns, start)
-    return starts[np.argmin(shown.misfit(starts[:, np.newaxis], latitude, expected))]
 
 
 def _other_latitudes(

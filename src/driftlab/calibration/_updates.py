@@ -16,6 +16,7 @@ from driftlab.checks import FloatArray, finite_array, positive_number
 
 USUAL_INTERVAL = 1.0
 """Of the updates at a table that stands, if nothing else is said, s."""
+_LEAST = 4
 
 
 def updates(
@@ -26,6 +27,8 @@ def updates(
     update_interval: float | None,
 ) -> tuple[NDArray[Any], FloatArray]:
     """Ends (k,) of the updates, as numbers of increments, and the velocities (..., k, 3) there."""
+    if count < _LEAST:
+        raise ValueError(f"increments: expected at least {_LEAST}, two pairs, got {count}.")
     if update_interval is not None and (
         reference_velocity is not None or reference_times is not None
     ):
@@ -47,8 +50,6 @@ def updates(
     if reference_velocity is None:
         seconds = USUAL_INTERVAL if update_interval is None else update_interval
         pairs = max(round(positive_number(seconds, "update_interval") / (2 * interval)), 1)
-        if count < 2:
-            raise ValueError("increments: expected at least one pair, got 1 increment.")
         inner = np.arange(2 * pairs, count - 1, 2 * pairs)
         # The last update takes what is left, but for one increment of an odd number.
         ends = np.append(inner[inner < count - count % 2], count - count % 2)

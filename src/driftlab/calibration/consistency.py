@@ -76,8 +76,10 @@ class InnovationTest(NamedTuple):
         -------
         ndarray of str, shape (...)
             "wrong" if squares or mean are too large; "too cautious" if the squares are too small:
-            the noise was told too large, so the deviations are as well, while nothing speaks
-            against the estimates; otherwise "consistent".
+            the noise was told too large, so the deviations are as well; otherwise "consistent". In
+            the last two cases nothing *of the innovations* speaks against the estimates. What the
+            model explains wrongly they do not see: an interval wrong by 20 ppm is consistent, and
+            gives errors of scale that are out by many stated deviations.
 
         Examples
         --------

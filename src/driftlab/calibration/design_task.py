@@ -27,6 +27,7 @@ from .linearization import checked_model
 
 CRITERIA = ("worst", "mean", "volume")
 """What a design can make small: see `DesignTask`."""
+_FASTEST = 2 * np.pi
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,7 @@ class DesignTask:
         counted in its requirement; schemes that make it least are D-optimal.
     requirement : tuple of float, optional
         Deviation of each sensor error that counts as one; those before the calibration, in the
-        table's axes, if not given.
+        table's axes, if not given. An error that is known before does not count.
     positions : int
         Number of pauses, at least 2.
     duration : float
@@ -96,12 +97,18 @@ class DesignTask:
                 "noise: expected a deviation of the reference velocity above 0, got 0.0 m/s."
             )
         checked_latitude(finite_number(self.latitude, "latitude"))
+        if not isinstance(self.two_axes, bool | np.bool_):
+            raise ValueError(f"two_axes: expected True or False, got {self.two_axes!r}.")
+        if positive_number(self.rate, "rate") > _FASTEST:
+            raise ValueError(
+                f"rate: expected at most {_FASTEST:.3g} rad/s, a turn a second, got {self.rate!r}."
+            )
         turns = whole_number(self.positions, "positions", 2) - 1
         angles = self.angles if isinstance(self.angles, tuple | list) else ()
         if not angles or not set(angles) <= {90, 180, 270, 360}:
             raise ValueError(f"angles: expected some of 90, 180, 270, 360, got {self.angles!r}.")
         object.__setattr__(self, "angles", tuple(dict.fromkeys(angles)))
-        turning = turns * np.radians(max(angles)) / positive_number(self.rate, "rate")
+        turning = turns * np.radians(max(angles)) / self.rate
         if positive_number(self.duration, "duration") < turning + self.positions:
             raise ValueError(
                 f"duration: expected more than {turning + self.positions:g} s, the largest turns "
@@ -112,6 +119,8 @@ class DesignTask:
             if sizes.ndim != 1 or not (sizes > 0).all():
                 raise ValueError("requirement: expected positive deviations, got others.")
             object.__setattr__(self, "requirement", tuple(sizes.tolist()))
+        if len(self._unknown) == 0:
+            raise ValueError("prior: expected some sensor error that is unknown, got none.")
 
     def values(self, covariance: FloatArray) -> FloatArray:
         """Criterion of covariances at the end of a scheme.
@@ -126,6 +135,11 @@ class DesignTask:
         ndarray, shape (...)
             Without unit; less is better.
 
+        Raises
+        ------
+        ValueError
+            If the covariance has another shape.
+
         Examples
         --------
         If all is known twice as well as it has to be, each criterion is one half:
@@ -137,7 +151,9 @@ class DesignTask:
         0.5
         0.5
         """
-        scaled = covariance[..., 6:, 6:] / np.outer(self._sizes, self._sizes)
+        given = finite_array(covariance, "covariance", self.model.size, self.model.size)
+        chosen, sizes = 6 + self._unknown, self._sizes[self._unknown]
+        scaled = given[..., chosen[:, np.newaxis], chosen] / np.outer(sizes, sizes)
         if self.criterion == "volume":
             logarithm = np.linalg.slogdet(scaled)[1]
             return np.asarray(np.exp(logarithm / (2 * scaled.shape[-1])))
@@ -203,10 +219,17 @@ class DesignTask:
 
     @cached_property
     def _sizes(self) -> FloatArray:
-        if self.requirement is not None:
-            return np.array(self.requirement)
+        return self._before if self.requirement is None else np.array(self.requirement)
+
+    @cached_property
+    def _before(self) -> FloatArray:
         level = self.model.covariance(self.prior, [0.0, 0.0, 0.0, 1.0])
         return np.sqrt(np.diag(level))[6:]
+
+    @cached_property
+    def _unknown(self) -> IntArray:
+        """Places of the sensor errors that count: what is known before needs no scheme."""
+        return np.flatnonzero(self._before)
 
     @cached_property
     def _moves(self) -> TableMoves:

@@ -22,6 +22,7 @@ from driftlab.checks import (
 from driftlab.core.quaternion import to_matrix
 from driftlab.earth import EARTH_RATE, checked_latitude, earth_rate, gravity
 
+from .calibration_history import Calibration
 from .error_model import ErrorModel
 from .static_error_growth import STATIC_CAUSES, checked_moments, static_error_modes
 
@@ -75,6 +76,11 @@ class MissionErrors(NamedTuple):
         ndarray, shape (...)
             m/s; `scipy.constants.knot` is a nautical mile an hour. It depends on the times.
 
+        Raises
+        ------
+        ValueError
+            If there is no time after the start.
+
         Examples
         --------
         >>> line = np.array([[3.0, 0.0], [6.0, 0.0]])
@@ -82,7 +88,10 @@ class MissionErrors(NamedTuple):
         >>> float(errors.radial_error_rate)
         3.0
         """
-        return np.asarray((self.distance * self.times).sum(axis=-1) / (self.times**2).sum())
+        squares = float((self.times**2).sum())
+        if squares == 0:
+            raise ValueError("times: expected some time after the start, got 0 s alone.")
+        return np.asarray((self.distance * self.times).sum(axis=-1) / squares)
 
 
 def mission_errors(times: ArrayLike, latitude: float, covariance: ArrayLike) -> MissionErrors:
@@ -114,6 +123,10 @@ def mission_errors(times: ArrayLike, latitude: float, covariance: ArrayLike) -> 
     """
     given = finite_array(covariance, "covariance", len(STATIC_CAUSES), len(STATIC_CAUSES))
     moments = checked_moments(times)
+    if moments.min() < 0:
+        raise ValueError(f"times: expected times since the start, got {moments.min():g} s.")
+    if np.einsum("...ii->...i", given).min() < 0:
+        raise ValueError("covariance: expected squares of deviations, got negative ones.")
     wanted = static_error_modes(latitude).at(moments).sum(axis=0)[:, [2, 5, 6]]
     variances = np.einsum("kij,...jl,kil->...ki", wanted, given, wanted)
     deviations = np.sqrt(np.maximum(variances, 0.0))
@@ -163,6 +176,8 @@ def mission_causes(
     checked_instance(model, ErrorModel, "model")
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     angle = finite_number(turn, "turn")
+    if abs(angle) > 2 * np.pi:
+        raise ValueError(f"turn: expected at most a whole turn, in rad, got {turn!r}.")
     body = to_matrix(unit_quaternions(attitude, "attitude"))
     states = model.imu_errors(np.eye(model.size))
     rate, pull = earth_rate(place), float(gravity(place))
@@ -234,7 +249,19 @@ def calibration_budget(
     accelerometer bias 3
     all 287
     """
-    given = finite_array(covariance, "covariance", model.size, model.size)
+    checked_instance(model, ErrorModel, "model")
+    if isinstance(covariance, Calibration):
+        raise ValueError(
+            "covariance: expected a matrix, got a Calibration: hand in calibration.covariance[-1]."
+        )
+    given = finite_array(covariance, "covariance")
+    if given.shape != (model.size, model.size):
+        raise ValueError(
+            f"covariance: expected shape ({model.size}, {model.size}), as "
+            f"calibration.covariance[-1] has it, got shape {given.shape}."
+        )
+    if np.diag(given).min() < 0:
+        raise ValueError("covariance: expected squares of deviations, got negative ones.")
     to_causes = mission_causes(model, attitude, latitude, turn)
     kinds = [name.rsplit(" ", 1)[0] for name in model.names]
     parts = {}

@@ -22,6 +22,8 @@ from driftlab.earth import checked_latitude
 from driftlab.higher_order_errors import rate_changes
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments, checked_increments
+from driftlab.motion.scheme import Scheme
+from driftlab.recordings.recording import Recording
 from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 
 from ._doubt import Door, warn_if_impossible, warn_if_inconsistent
@@ -97,14 +99,16 @@ def calibrate(
     Raises
     ------
     ValueError
-        If shapes do not fit, the place is a pole, the reference velocity is said to be without
-        noise, or `about` is of another model.
+        If shapes do not fit, the place is a pole, there are fewer than four increments, the
+        reference velocity is said to be without noise, `about` is of another model, or the record
+        contradicts what was told so much that the filter cannot go on.
 
     Warns
     -----
     InconsistentWarning
         If gravity or the Earth's rate contradict what was told, the innovations are too large or
-        have a mean, or the errors found are too large for one pass. It names the likely slips.
+        have a mean, the errors found are beyond what the prior allows or too large for one pass, or
+        the rests show other noise than told. It names the likely slips.
 
     Notes
     -----
@@ -138,6 +142,16 @@ def calibrate(
     checked_instance(prior, PriorDeviations, "prior")
     checked_instance(noise, ImuNoise, "noise")
     place = float(checked_latitude(finite_number(latitude, "latitude")))
+    if isinstance(increments, Recording):
+        raise ValueError(
+            "increments: expected Increments, got a Recording: hand in recording.increments()."
+        )
+    if isinstance(start, Scheme):
+        raise ValueError(
+            "start: expected a quaternion (..., 4), got a Scheme: hand in scheme.start_attitude."
+        )
+    if not isinstance(check, bool | np.bool_):
+        raise ValueError(f"check: expected True or False, got {check!r}.")
     measured = checked_increments(increments)
     attitude = unit_quaternions(start, "start")
     interval = checked_interval(measured.interval)
