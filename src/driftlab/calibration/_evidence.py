@@ -25,9 +25,13 @@ _STEP = 0.1
 """Increments are added up to steps of about this, rad."""
 _WINDOWS = 100
 _REST = 2e-3
-"""A window in which the body turns no faster is a rest, rad/s, on average and in each increment"""
-_NOISE = 6.0
-"""unless the noise is larger: so many times what a quarter of the increments stay below."""
+"""A window in which the body turns faster is no rest, rad/s; nor is one whose quarters differ"""
+_NOISE = 3.0
+"""by more than so many times what they differ by in the quietest tenth of such windows"""
+_STILL = 0.02 * EARTH_RATE
+"""and by more than this, rad/s."""
+_FEWEST = 0.1
+"""If fewer of the windows look like rests, none is taken for one: they may be ends of turns."""
 _TRUSTED = 0.75
 """Share of the rests that count, those that fit best: one may yet end as a turn begins."""
 _LEAST_ANGLE = 3e-4
@@ -131,14 +135,26 @@ def evidence(increments: Increments) -> Evidence | None:
 
 
 def _rests(increments: Increments, each: int, count: int) -> NDArray[np.bool_]:
-    """Whether (..., count) the body rests in windows of so many increments."""
+    """Whether (..., count) the body rests in windows of so many increments.
+
+    The quarters of a window have the same rate then, as far as noise lets them.
+    """
+    quarter = each // 4
+    if quarter == 0:
+        return np.zeros((*increments.angle.shape[:-2], count), dtype=bool)
     rows = increments.angle[..., : each * count, :]
-    means = rows.reshape(*rows.shape[:-2], count, each, 3).mean(axis=-2)
-    sizes = np.sqrt(np.vecdot(rows, rows)).reshape(*rows.shape[:-2], count, each)
-    noise = _NOISE * np.quantile(sizes, 0.25, axis=(-2, -1))[..., np.newaxis]
-    rest = _REST * increments.interval
-    found: NDArray[np.bool_] = sizes.max(axis=-1) < np.maximum(rest, noise)
-    return found & (np.linalg.norm(means, axis=-1) < rest)
+    windows = rows.reshape(*rows.shape[:-2], count, each, 3)[..., : 4 * quarter, :]
+    parts = windows.reshape(*rows.shape[:-2], count, 4, quarter, 3).mean(axis=-2)
+    parts = parts / increments.interval
+    mean = parts.mean(axis=-2)
+    slow = np.linalg.norm(mean, axis=-1) < _REST
+    off = np.linalg.norm(parts - mean[..., np.newaxis, :], axis=-1).max(axis=-1)
+    # Noise is alike in all rests, and a tenth of what is slow will be quiet.
+    ordered = np.sort(np.where(slow, off, np.inf), axis=-1)
+    tenth = slow.sum(axis=-1, keepdims=True) // 10
+    quiet = np.take_along_axis(ordered, tenth, axis=-1)
+    found = slow & (off <= np.maximum(_NOISE * quiet, _STILL))
+    return found & (found.mean(axis=-1, keepdims=True) >= _FEWEST)
 
 
 def thinned(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from scipy.special import chdtri
 
 from driftlab.checks import FloatArray
 from driftlab.imu import ImuNoise
@@ -59,13 +60,15 @@ def _random_walk(rows: FloatArray, shown: Evidence, interval: float) -> float | 
     rest, each = shown.rest, round(shown.window / interval)
     part = each // _BLOCKS if each >= _BLOCKS else 1
     blocks = each // part
-    freedom = 3 * int(rest.sum()) * (blocks - 1)
-    if freedom < _ENOUGH:
+    freedom = 3 * (blocks - 1)  # of one window
+    if freedom * int(rest.sum()) < _ENOUGH:
         return None
     windows = rows[: each * len(rest)].reshape(len(rest), each, 3)[rest, : blocks * part]
     sums = windows.reshape(-1, blocks, part, 3).sum(axis=2)
-    squares = np.sum((sums - sums.mean(axis=1, keepdims=True)) ** 2)
-    return float(np.sqrt(squares / freedom / (part * interval)))
+    squares = np.sum((sums - sums.mean(axis=1, keepdims=True)) ** 2, axis=(1, 2))
+    # The median, because one or another window may end as a turn begins.
+    typical = float(np.median(squares)) / float(chdtri(freedom, 0.5))
+    return float(np.sqrt(typical / (part * interval)))
 
 
 def _unit(ratio: float) -> str:
