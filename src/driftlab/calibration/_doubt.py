@@ -74,8 +74,10 @@ def warn_if_inconsistent(
     """Warn if innovations or errors found contradict what the filter was told, if the noise is
     another one, or if the errors are too large for one pass."""
     doubt = contradiction(innovation_test(found))
-    beyond = beyond_prior(found, door.prior, door.start)
-    told = _told(0 if doubt is None else doubt[0], door)
+    run, beyond = beyond_prior(found, door.prior, door.start)
+    if doubt is not None:
+        run = doubt[0]
+    told = _told(run, door)
     noise, right = told_noise(told.increments, evidence(told.increments), door.noise)
     said = []
     if doubt is not None:
@@ -85,10 +87,10 @@ def warn_if_inconsistent(
             f"expected errors within {BEYOND:g} deviations of the prior, got {'; '.join(beyond)}"
         )
     if said:
-        judge = _judge(0 if doubt is None else doubt[0], door, right, found.model, calibrate)
+        judge = _judge(run, door, right, found.model, calibrate)
         # With the noise that it has, the record may be right.
         slips: list[str] = []
-        if not noise or judge.accepts(told) is None:
+        if not noise or judge.steps is not None:
             slips = likely_slips(told, _expected(door), judge)
         if slips or noise:
             _warn(said[0] + _advice(slips, noise))

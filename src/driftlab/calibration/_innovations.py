@@ -61,9 +61,11 @@ def second_order(calibration: Calibration) -> float:
     return float(np.max(errors**2 / least))
 
 
-def beyond_prior(calibration: Calibration, prior: PriorDeviations, start: FloatArray) -> list[str]:
-    """Sentences on errors found that the prior does not allow, the largest of each kind, of the
-    worst run."""
+def beyond_prior(
+    calibration: Calibration, prior: PriorDeviations, start: FloatArray
+) -> tuple[int, list[str]]:
+    """The worst run (its number), and sentences on errors found in it that the prior does not
+    allow, the largest of each kind."""
     model = calibration.model
     known = np.sqrt(np.diag(model.covariance(prior, start.reshape(-1, 4)[0])))
     found = calibration.state[..., -1, :].reshape(-1, model.size)
@@ -83,7 +85,7 @@ def beyond_prior(calibration: Calibration, prior: PriorDeviations, start: FloatA
             f"{model.names[place]}: found {size * found[run, place]:.3g}{unit} where the prior "
             f"says {size * known[place]:.3g}",
         )
-    return list(worst.values())
+    return run, list(worst.values())
 
 
 def normalised_innovations(

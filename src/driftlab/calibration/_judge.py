@@ -28,17 +28,15 @@ from .error_model import ErrorModel
 
 LOOSE = 5 * degree
 """How far the start may be off where a slip is looked for in it, rad."""
-_STEP = 0.02
-"""Increments are added up to turns of about this, rad, and"""
-_LONGEST = 0.1
-"""to so long a time, s: of a 100 Hz log that stands within 10 micrometres a second the innovations
-then still are what they should be."""
+_TURN = 0.02
+"""Increments are added up to turns of about this, rad."""
 _COARSE = 10.0
 """Interval of the updates, s,"""
 _MOST = 250
 """and about their number at most."""
-_FLOOR = 3e-3
-"""Noise of the reference velocity that is enough for slips of some size, m/s."""
+_LADDER = (3e-3, 0.1), (3e-4, 0.1), (0.0, 0.02)
+"""Least noise of the reference velocity, m/s, and longest time, s, to which increments are added
+up: a turn that begins in the midst of 0.1 s makes errors of some 1e-5 m/s."""
 _SMALL = 2e-3
 """Latitudes this far apart make innovations that differ by a multiple of it, rad."""
 
@@ -81,7 +79,9 @@ class Judge:
 
     def accepts(self, other: Told, model: ErrorModel | None = None) -> FloatArray | None:
         """The start (4,) that is found, if nothing contradicts what is told now."""
-        rows, found = self._run(other, model or self.model, *self._steps)
+        if self.steps is None:
+            return None
+        rows, found = self._run(other, model or self.model, *self.steps)
         if found is None or not _right(found, self.prior, other):
             return None
         return linearization_point(rows, other.latitude, found)[1]
@@ -90,7 +90,9 @@ class Judge:
         """The latitude that fits best, near one, and its deviation, rad: the innovations are linear
         in a small error of it."""
         near = other._replace(latitude=other.latitude + _SMALL * (-1 if other.latitude > 0 else 1))
-        here, there = (self._run(each, self.model, *self._steps)[1] for each in (other, near))
+        if self.steps is None:
+            return other.latitude, np.inf
+        here, there = (self._run(each, self.model, *self.steps)[1] for each in (other, near))
         if here is None or there is None:
             return other.latitude, np.inf
         slope = (there.innovations - here.innovations) / (near.latitude - other.latitude)
@@ -101,29 +103,28 @@ class Judge:
         return other.latitude + float(np.clip(step, -0.1, 0.1)), 1 / np.sqrt(square)
 
     @cached_property
-    def _steps(self) -> tuple[float, float]:
-        """Noise of the reference velocity and interval of the updates, the coarsest with which what
-        was told is contradicted."""
-        own, usual = self.noise.reference_velocity, self._seconds / len(self.ends)
-        coarse = max(_COARSE, self._seconds / _MOST)
-        *steps, last = dict.fromkeys([(max(own, _FLOOR), coarse), (own, coarse), (own, usual)])
-        for each in steps:
+    def steps(self) -> tuple[float, float] | None:
+        """Noise of the reference velocity, m/s, and time to which increments are added up, s: the
+        coarsest with which what was told is contradicted."""
+        for least, longest in _LADDER:
+            each = max(self.noise.reference_velocity, least), longest
             found = self._run(self.told, self.model, *each)[1]
             if found is None or not _right(found, self.prior, self.told):
                 return each
-        return last
+        return None
 
     @property
     def _seconds(self) -> float:
         return float(self.ends[-1] * self.told.increments.interval)
 
     def _run(
-        self, other: Told, model: ErrorModel, deviation: float, update: float
+        self, other: Told, model: ErrorModel, deviation: float, longest: float
     ) -> tuple[Increments, Calibration | None]:
         """Increments and what the filter finds with them; a start that is a guess takes two
         passes."""
-        rows = thinned(other.increments, _STEP, _LONGEST)
+        rows = thinned(other.increments, _TURN, longest)
         # The same moments, whatever the interval is now.
+        update = max(_COARSE, self._seconds / _MOST)
         skip = max(round(update * len(self.ends) / self._seconds), 1)
         ends, pair = self.ends[skip - 1 :: skip] * other.increments.interval, 2 * rows.interval
         places = np.round(ends / pair).astype(int)
@@ -158,5 +159,5 @@ def _right(found: Calibration, prior: PriorDeviations, told: Told) -> bool:
     return (
         bool(np.isfinite(found.innovations).all())
         and contradiction(innovation_test(found)) is None
-        and not beyond_prior(found, prior, told.start)
+        and not beyond_prior(found, prior, told.start)[1]
     )

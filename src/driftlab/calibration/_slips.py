@@ -69,16 +69,14 @@ def likely_slips(told: Told, expected: Expected, judge: Judge) -> list[str]:
         return names
     tried = [*units, *_others(told, expected, judge)]
     names = _named(tried, judge)
-    larger = judge.model.with_states(*_MORE)
-    if larger is not judge.model:
-        # What is found is as right as the model that has these states.
+    with_more = replace(judge, model=judge.model.with_states(*_MORE))
+    if not names and with_more.model is not judge.model:
         lacking = f"{_LACKING}: model.with_states{_MORE} has states for them"
-        with_more = replace(judge, model=larger)
-        if not names and judge.accepts(told, larger) is not None:
+        if with_more.steps is None:
             return [lacking]
-        if not names:
-            names = _named(tried, with_more, _TRIED_WITH_MORE)
-            names = [f"{name}, and {lacking}" for name in names]
+        names = [f"{name}, and {lacking}" for name in _named(tried, with_more, _TRIED_WITH_MORE)]
+        if not names and judge.accepts(told, with_more.model) is not None:
+            names = [lacking]
     if names:
         return names
     interval, angle, velocity = told.increments

@@ -1,0 +1,129 @@
+"""`calibrate` at a table that stands within 10 micrometres a second, on a log of 100 Hz.
+
+The pauses are no multiple of any step in which slips are tried; the gyros are ten times better than
+usual, so that small slips show.
+"""
+
+import warnings
+
+import numpy as np
+import pytest
+
+from driftlab.calibration import ERROR_MODELS, InconsistentWarning, calibrate, innovation_test
+from driftlab.calibration._evidence import evidence
+from driftlab.calibration._judge import Judge, Told
+from driftlab.earth import EARTH_RATE
+from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS
+from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorDeviations
+from driftlab.increments import Increments, measure
+from driftlab.motion import Scheme, table_trajectory
+from driftlab.quaternion import from_rotation_vector, multiply
+
+LATITUDE = np.radians(60.0)
+NOISE = ImuNoise(angle_random_walk=np.radians(5e-4) / 60, reference_velocity=1e-5)
+TABLE = table_trajectory(
+    Scheme("+90X +90X +90Y +90Y +90Z +90X +90Z", ("North", "West", "Up"), dwell=37.37),
+    LATITUDE,
+    0.01,
+    multiple_of=2,
+)
+ARMS = NO_HIGHER_ORDER_ERRORS._replace(
+    lever_arms=np.array([[3, 1, 0], [0, 2, 1], [1, -1, 4]]) / 100, time_skew=np.array(2e-3)
+)
+MODEL = ERROR_MODELS["averaged"]
+LARGER = MODEL.with_states("lever arms", "time skew")
+PLAIN, ARMED = (
+    measure(TABLE.increments, TYPICAL_ERRORS, NOISE, np.random.default_rng(2), higher_order=besides)
+    for besides in (None, ARMS)
+)
+
+
+def arguments(increments=PLAIN, **changes):
+    return {
+        "increments": increments,
+        "latitude": LATITUDE,
+        "start": TABLE.attitude[0],
+        "model": MODEL,
+        "prior": PriorDeviations(),
+        "noise": NOISE,
+        "update_interval": 2.0,
+        "keep": 10**6,
+    } | changes
+
+
+def turned(degrees):
+    turn = from_rotation_vector([0.0, 0.0, np.radians(degrees)])
+    return {"start": multiply(turn, TABLE.attitude[0])}
+
+
+def walking(factor):
+    return {"noise": ImuNoise(factor * NOISE.angle_random_walk, reference_velocity=1e-5)}
+
+
+LACKING = "errors that the model does not have, such as lever arms"
+DOUBTS = {
+    "place": (arguments(latitude=np.radians(59.0)), r"latitude: (59\.9|60\.0)\d degrees"),
+    "sign of the place": (arguments(latitude=-LATITUDE), "latitude: the other sign"),
+    "heading": (arguments(**turned(2.0)), r"a heading wrong by (2|2\.0\d|1\.9\d) degrees\?$"),
+    "arms": (arguments(ARMED), f": {LACKING}"),
+    "arms and heading": (arguments(ARMED, **turned(2.0)), f"heading wrong by .*, and {LACKING}"),
+    "noise too small": (arguments(**walking(1 / 30)), r"gyros: noise (29|30|31) times what"),
+    "noise in degrees": (arguments(**walking(57.3)), "what was told: degrees for radians"),
+    "interval by 0.1 %": (
+        arguments(PLAIN._replace(interval=0.01001)),
+        r"accelerometer scale .: found -\d+ ppm where the prior says 100: interval: 0\.01 s",
+    ),
+    "degrees": (
+        arguments(PLAIN._replace(angle=np.degrees(PLAIN.angle))),
+        "gyros: degrees taken for radians",
+    ),
+}
+
+
+@pytest.mark.parametrize("slip", DOUBTS)
+def test_slip_is_named(slip):
+    told, words = DOUBTS[slip]
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("error", InconsistentWarning)
+        with pytest.raises(InconsistentWarning, match=words) as caught:
+            calibrate(**told)
+    assert "record again" not in str(caught.value)
+
+
+@pytest.mark.parametrize(("increments", "model"), [(PLAIN, MODEL), (ARMED, LARGER)])
+def test_right_run_is_not_doubted_nor_by_the_judge(increments, model):
+    """Also not in the coarse steps in which slips are tried."""
+    assert innovation_test(calibrate(**arguments(increments, model=model))).verdict == "consistent"
+    ends = np.arange(200, len(increments.angle), 200)
+    told = Told(increments, TABLE.attitude[0], LATITUDE)
+    judge = Judge(told, np.zeros((len(ends), 3)), ends, PriorDeviations(), NOISE, model, calibrate)
+    assert judge.steps is None
+
+
+def test_only_slips_beyond_the_prior_are_named():
+    """An interval wrong by 2e-4 is two deviations of a scale; a start wrong by as much is right."""
+    calibrate(**arguments(PLAIN._replace(interval=0.010002)))
+    calibrate(**arguments(**turned(1 / 60)))
+
+
+def test_windows_that_a_turn_begins_in_are_no_rests():
+    shown = evidence(PLAIN)
+    assert 0.5 < shown.rest.mean() < 0.9
+    rates = np.linalg.norm(shown.rate[shown.rest], axis=-1)
+    # Biases of TYPICAL_ERRORS come to 0.37 degrees an hour.
+    np.testing.assert_allclose(rates, EARTH_RATE, rtol=0.03)
+
+
+def test_one_update_for_the_whole_record_needs_little_room():
+    found = calibrate(**arguments(update_interval=1e5))
+    assert found.nis.shape == (1,)
+
+
+def test_filter_that_cannot_go_on_says_so_in_one_sentence():
+    fast = Increments(0.01, 100 * PLAIN.angle, 100 * PLAIN.velocity)
+    with (
+        pytest.warns(InconsistentWarning, match="gyros: rates taken for increments"),
+        pytest.raises(ValueError, match=r"^increments: .* could not go on: ") as no,
+    ):
+        calibrate(**arguments(fast))
+    assert isinstance(no.value.__cause__, InconsistentWarning)
