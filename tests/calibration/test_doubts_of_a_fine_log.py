@@ -18,6 +18,7 @@ from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorDeviations
 from driftlab.increments import Increments, measure
 from driftlab.motion import Scheme, table_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply
+from driftlab.recordings import Recording
 
 LATITUDE = np.radians(60.0)
 NOISE = ImuNoise(angle_random_walk=np.radians(5e-4) / 60, reference_velocity=1e-5)
@@ -127,3 +128,20 @@ def test_filter_that_cannot_go_on_says_so_in_one_sentence():
     ):
         calibrate(**arguments(fast))
     assert isinstance(no.value.__cause__, InconsistentWarning)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"increments": PLAIN.part(0, 3)}, "increments: expected at least 4, two pairs, got 3"),
+        (
+            {"increments": Recording(PLAIN.angle, PLAIN.velocity, 0.01, "increments")},
+            r"increments: .* hand in recording\.increments\(\)",
+        ),
+        ({"start": Scheme("+90Y")}, r"start: .* hand in scheme\.start_attitude"),
+        ({"check": "no"}, "check: expected True or False, got 'no'"),
+    ],
+)
+def test_what_is_not_meant_is_refused_with_what_is(changes, words):
+    with pytest.raises(ValueError, match=f"^{words}"):
+        calibrate(**arguments(**changes))

@@ -143,3 +143,14 @@ def test_bad_arguments_are_refused_by_name():
         mission_causes(MODEL, LEVEL, 0.1, [1.0])
     with pytest.raises(ValueError, match=r"^attitude: expected nonzero quaternions"):
         mission_causes(MODEL, np.zeros(4), 0.1)
+    none = np.zeros((MODEL.size, MODEL.size))
+    with pytest.raises(ValueError, match=r"^covariance: expected shape \(27, 27\), as calib"):
+        calibration_budget([1.0], 0.1, MODEL, none[np.newaxis], LEVEL)
+    with pytest.raises(ValueError, match=r"^covariance: expected squares of deviations"):
+        calibration_budget([1.0], 0.1, MODEL, none - np.eye(MODEL.size), LEVEL)
+    with pytest.raises(ValueError, match=r"^times: expected times since the start, got -5 s"):
+        calibration_budget([-5.0], 0.1, MODEL, none, LEVEL)
+    with pytest.raises(ValueError, match=r"^turn: expected at most a whole turn, in rad, got 180"):
+        calibration_budget([1.0], 0.1, MODEL, none, LEVEL, 180.0)
+    with pytest.raises(ValueError, match=r"^times: expected some time after the start"):
+        _ = mission_errors([0.0], 0.1, np.eye(12)).radial_error_rate

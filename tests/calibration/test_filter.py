@@ -316,7 +316,9 @@ def test_after_a_second_pass_the_choice_of_axes_does_not_matter(three_passes, fr
 
 def test_a_pass_about_another_model_or_other_runs_is_refused(brief):
     first = calibrated(brief, SMALL)
-    words = r"^about: expected runs \(\) with the model 'upper triangle', got \(\) with 'averaged'"
+    words = (
+        r"^about: expected runs \(\) with the model 'upper triangle' of 27 states, got \(\) with"
+    )
     with pytest.raises(ValueError, match=words):
         calibrated(brief, SMALL, frame="upper triangle", about=first)
     two = ImuErrors(*(np.stack([part, part]) for part in SMALL))

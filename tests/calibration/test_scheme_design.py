@@ -220,3 +220,25 @@ def test_other_kinds_are_refused():
         design_scheme(SMALL, 1)
     assert ERROR_MODELS["averaged"] is SMALL.model
     assert SMALL.prior == PriorDeviations()
+
+
+def test_states_that_are_known_before_leave_the_criterion():
+    for criterion in ("worst", "mean", "volume"):
+        task = DesignTask(criterion, prior=PriorDeviations(scale=0.0))
+        assert 0 < task.value(NINETEEN_POSITIONS) < 1
+    with pytest.raises(ValueError, match=r"^prior: expected some sensor error"):
+        DesignTask(prior=PriorDeviations(0, 0, 0, 0, 0))
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [({"rate": 10.0}, "^rate: expected at most"), ({"two_axes": "no"}, "^two_axes: expected True")],
+)
+def test_table_that_cannot_be_is_refused(changes, words):
+    with pytest.raises(ValueError, match=words):
+        DesignTask(**changes)
+
+
+def test_covariance_of_another_shape_is_refused():
+    with pytest.raises(ValueError, match=r"^covariance: expected shape \(\.\.\., 27, 27\)"):
+        DesignTask().values(np.eye(21))

@@ -108,7 +108,7 @@ def warn_if_inconsistent(
             f"{SECOND_ORDER:g} stated deviations, got {largest:.3g}: {_ONCE_MORE}"
         )
     if said:
-        _warn(". Besides, ".join(part.rstrip(".") for part in said) + ".")
+        _warn(". Besides, ".join(part.rstrip(".?") for part in said) + ".")
 
 
 def _warn(sentence: str) -> InconsistentWarning:
