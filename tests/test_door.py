@@ -95,6 +95,18 @@ def test_overview_names_every_module():
         ("northing error", "gyrocompass.heading_error"),
         ("rate table", "motion.table_turn"),
         ("sculling", "attitude.sculling"),
+        ("IMO", "gyrocompass.type_test"),
+        ("ISO 8728", "gyrocompass.type_test_limits"),
+        ("scheme design", "calibration.scheme_design"),
+        ("error budget", "calibration.error_budget"),
+        ("nautical mile", "calibration.error_budget"),
+        ("size effect", "higher_order_errors"),
+        ("lever arm", "higher_order_errors"),
+        ("time skew", "higher_order_errors"),
+        ("innovation", "calibration.kalman"),
+        ("Foucault", "calibration.schuler_pair"),
+        ("Bode", "gyrocompass.levelling_loop"),
+        ("frequency response", "gyrocompass.levelling_loop"),
     ],
 )
 def test_overview_leads_from_a_word_of_the_field_to_its_module(word, module):

@@ -114,7 +114,8 @@ def commands() -> Iterator[str]:
     yield "Your own log: python -m driftlab COMMAND log.csv ...; COMMAND --help shows an example."
     width = max(map(len, COMMANDS))
     yield from (f"    {name:{width}}  {purpose}" for name, purpose in COMMANDS.items())
-    yield f"    {'find':{width}}  modules that speak of a word; so does any word but these\n"
+    yield f"    {'find':{width}}  modules that speak of a word; so does any word but these"
+    yield "The log of a turntable goes to driftlab.calibration.calibrate: chapter 08.\n"
 
 
 def main(arguments: Sequence[str]) -> int:

@@ -3,7 +3,8 @@
 `ImuErrors` is linear in what one sensor feels at one moment. These four are what a calibration on a
 table meets next; each is linear in its own constants.
 
-- Size effect: accelerometer i sits at r_i from the point that the table turns about, and feels
+- Size effect: accelerometer i sits at the inner lever arm r_i from the point that the table turns
+  about, and feels
   ``(w' × r_i + w × (w × r_i))_i`` besides.
 - Time skew: the accelerometers' readings are late by tau against the gyros', and the body has
   turned meanwhile: ``tau w × f``. The specific force is taken to be fixed to the local axes.

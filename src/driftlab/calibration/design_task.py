@@ -1,4 +1,8 @@
-"""What a rotation scheme is to be good at, and what the table can do."""
+"""What a rotation scheme is to be good at, and what the table can do: the task of a scheme design.
+
+The criteria are those of optimal plans of experiments: V. V. Fedorov, *Theory of Optimal
+Experiments*, Academic Press, 1972.
+"""
 
 from __future__ import annotations
 

@@ -1,8 +1,9 @@
 """From residual to mission: what a calibration leaves over, as errors of position and heading.
 
-An error budget in the usual sense: standard deviations of independent causes, each carried through
-the linear error equations at rest, and their root sum of squares. What a calibration leaves is not
-independent, so its whole covariance is carried as well.
+An error budget in the usual sense, in metres, nautical miles an hour and arc seconds: standard
+deviations of independent causes, each carried through the linear error equations at rest, and their
+root sum of squares. What a calibration leaves is not independent, so its whole covariance is
+carried as well.
 """
 
 from __future__ import annotations
@@ -57,8 +58,13 @@ class MissionErrors(NamedTuple):
         Returns
         -------
         ndarray, shape (..., k)
-            m. If East and North are alike and normal, half of all missions end within 0.83 of it:
-            the circular error probable, CEP.
+            m. If East and North are independent, alike and normal, half of all missions end within
+            0.83 of it, the root of ln 2: the circular error probable, CEP. If the error lies on a
+            line, half end within 0.67; a budget is somewhere between.
+
+        References
+        ----------
+        F. van Diggelen, *GNSS accuracy: lies, damn lies, and statistics*, GPS World 18(1), 2007.
 
         Examples
         --------

@@ -1,4 +1,7 @@
-"""One step of a Kalman filter, predict and correct, and two tests of it: NIS and NEES."""
+"""One step of a Kalman filter, predict and correct, and two tests of it: NIS and NEES.
+
+NIS is the innovation, what was measured minus what was predicted, in units of its covariance.
+"""
 
 from __future__ import annotations
 
@@ -59,6 +62,11 @@ def predict(covariance: ArrayLike, transition: ArrayLike, noise: ArrayLike) -> F
     ValueError
         If shapes do not fit, or a number is not finite.
 
+    Notes
+    -----
+    The first half of a step of Kalman's filter (1960); `correct` is the other, and names the
+    source.
+
     Examples
     --------
     A place and a speed, each known to 1; after two seconds the place is known to 4 + 1, in squares:
@@ -116,6 +124,10 @@ def correct(
     With :math:`S = H P H^T + R` and the gain :math:`G = P H^T S^{-1}` the correction is
     :math:`G z`, the covariance :math:`P - G H P`, the NIS :math:`z^T S^{-1} z`.
 
+    R. E. Kalman, *A new approach to linear filtering and prediction problems*, Journal of Basic
+    Engineering 82, 1960; predict and correct are its two halves in the field's form, as in
+    R. G. Brown and P. Y. C. Hwang, *Introduction to Random Signals and Applied Kalman Filtering*.
+
     Joseph's form :math:`(I - GH) P (I - GH)^T + G R G^T` is right to first order in an error of
     the gain, and is the one to take with a gain that is not this one. With this gain both are the
     same matrix; the short form needs a fraction of the work, and is made symmetric at each step.
@@ -168,6 +180,11 @@ def nees(errors: ArrayLike, covariance: ArrayLike) -> FloatArray:
     ------
     ValueError
         If shapes do not fit, or a number is not finite.
+
+    References
+    ----------
+    Y. Bar-Shalom, X. R. Li, T. Kirubarajan, *Estimation with Applications to Tracking and
+    Navigation*, Wiley, 2001, section 5.4.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Design of rotation schemes: turns after which the sensor errors are known best."""
+"""Scheme design: turns of a table after which the sensor errors are known best."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The rates at which errors at rest oscillate: a day, and Schuler's, split by the turning Earth."""
+"""The rates at which errors at rest oscillate: a day, and Schuler's, split by the turning Earth.
+
+The split is that of Foucault's pendulum, as far as the ellipsoid does not make it.
+"""
 
 from __future__ import annotations
 

@@ -40,6 +40,11 @@ EXAMPLE = (
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add what this command alone wants to know."""
+    parser.description = (
+        f"{parser.description}\n"
+        "The log of a unit on a turntable goes to\n"
+        "driftlab.calibration.calibrate: chapter 08 of the book."
+    )
     group = parser.add_argument_group("rests and axes")
     group.add_argument(
         "--body-axes",

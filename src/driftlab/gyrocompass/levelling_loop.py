@@ -1,5 +1,9 @@
 """The levelling loop as a linear filter: its poles, and what disturbs it, frequency by frequency.
 
+Its frequency response to each disturbance is what a Bode diagram shows. The tuning is Schuler's,
+*Die Störung von Pendel- und Kreiselapparaten durch die Beschleunigung des Fahrzeuges*,
+Physikalische Zeitschrift 24, 1923; gains k1 and k2 as in Plotnikov et al.
+
 One channel, for the tilt chi about East, of a compass without velocity to the North; the other
 channel is its mirror image. With the acceleration a, the error n of the accelerometer, the drift d
 of the gyro and the log's velocity v_log:

@@ -45,6 +45,9 @@ def read_csv(
 ) -> Recording:
     """Read the log of an inertial unit from a text file with columns.
 
+    The record of a unit on a turntable goes on by `Recording.increments` to
+    `driftlab.calibration.calibrate`, as chapter 08 shows.
+
     Parameters
     ----------
     path : str or Path

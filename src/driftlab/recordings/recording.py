@@ -232,6 +232,8 @@ class Recording:
     def increments(self) -> Increments:
         """Increments of angle and velocity: those of the record, or integrals of its rates.
 
+        On a turntable they are what `driftlab.calibration.calibrate` takes: chapter 08.
+
         Returns
         -------
         Increments

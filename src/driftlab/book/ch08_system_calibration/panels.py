@@ -195,7 +195,16 @@ LINEAR = 400e3
 
 
 class MissionExplorer(Explorer):
-    """What is left over in the sensors, and where it leads."""
+    """What is left over in the sensors, and where it leads.
+
+    Twelve causes of error at rest, carried to position and heading along a mission.
+
+    Parameters
+    ----------
+    preset : str, optional
+        Name of the preset to open with. Single values are set afterwards, as in
+        ``explorer.set(latitude=60.0)``, by the names that ``explorer.values`` shows.
+    """
 
     title = "From residual to mission"
     picture_class = MissionPicture

@@ -133,7 +133,14 @@ def _row(name: str, error: FloatArray, unit: str, decimals: int) -> tuple[str, s
 
 
 class TypeTestExplorer(Explorer):
-    """A compass on the tests of the marine standards."""
+    """A compass on the tests of the marine standards: a bar for each, as share of its limit.
+
+    Parameters
+    ----------
+    preset : str, optional
+        Name of the preset to open with. Single values are set afterwards, as in
+        ``explorer.set(latitude=80.0)``, by the names that ``explorer.values`` shows.
+    """
 
     title = "Would it pass?"
     picture_class = BarsPicture

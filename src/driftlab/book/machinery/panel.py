@@ -78,6 +78,7 @@ class Explorer(widgets.VBox):
         raise NotImplementedError
 
     def __init__(self, preset: str | None = None) -> None:
+        """Open the panel with a preset; any other values come by the sliders or by `set`."""
         if preset is not None and preset not in self.presets:
             raise ValueError(f"preset: expected one of {', '.join(self.presets)}, got {preset!r}.")
         self._widgets = {control.name: control.widget() for control in self.controls}
