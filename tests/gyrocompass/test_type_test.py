@@ -16,8 +16,8 @@ from driftlab.gyrocompass import (
     TypeTest,
     marine_type_test,
 )
-from driftlab.gyrocompass._type_test_ways import BRAKING, REST, quay, turning
-from driftlab.gyrocompass.type_test import _heading_errors, _turned
+from driftlab.gyrocompass._type_test_ways import BRAKING, REST, quay, speeding_up, turning
+from driftlab.gyrocompass.type_test import _change_of_speed, _heading_errors, _turn, _turned
 
 LATITUDE = np.radians(51.5)
 BIAS = 0.05 * degree / hour
@@ -94,6 +94,21 @@ def test_a_turn_counts_in_the_worst_mounting() -> None:
         others.append(np.abs(errors[before:] - errors[before]).max())
     assert max(others) < 1.01 * found
     assert min(others) < 0.8 * found
+
+
+@pytest.mark.parametrize("latitude", [0.0, 70.0])
+def test_in_a_turn_a_drift_to_the_east_does_what_any_can(latitude: float) -> None:
+    """And on a steady way others do more, but far within the limit."""
+    place, rng = np.radians(latitude), np.random.default_rng(0)
+    off, steady = [], []
+    for aside in np.radians(np.arange(0.0, 360.0, 20.0)):
+        compass = _turned(TO_THE_EAST, aside)
+        off.append(_turn(compass, turning(place, 70 * knot, 3.0), 70 * knot, rng)["turn"])
+        way = speeding_up(place, 70 * knot, 18.0)
+        steady.append(_change_of_speed(compass, way, rng)["steady way"])
+    assert off[0] > 0.99 * max(off)
+    assert steady[0] < 0.6 * max(steady)
+    assert max(steady) < 0.4 * LIMITS["steady way"].at(place)
 
 
 def test_damping_needs_a_log() -> None:
