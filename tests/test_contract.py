@@ -45,7 +45,6 @@ from driftlab.calibration import (
     piecewise_observability,
     simulation as calibration_simulation,
     static_error_curves,
-    static_error_growth,
     static_navigation,
 )
 from driftlab.drift import (
@@ -318,7 +317,6 @@ APART = {
     body_axes.attitude_of_axes,
     body_axes.attitude_error,
     static_navigation.navigate_static,
-    static_error_growth.checked_moments,
     static_error_curves.static_causes,
     static_error_curves.static_errors,
     static_error_curves.schuler_position,

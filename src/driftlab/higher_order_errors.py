@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .checks import FloatArray, checked_instance, finite_arrays
-from .core.vectors import cross_matrix
+from .core.lever_arms import lever_matrices
 
 
 class HigherOrderErrors(NamedTuple):
@@ -139,39 +139,6 @@ def rate_changes(interval: float, angle: FloatArray) -> FloatArray:
     return np.diff(edges, axis=-2)
 
 
-def lever_matrices(
-    interval: float | FloatArray, angle: FloatArray, rate_change: FloatArray
-) -> FloatArray:
-    """Velocity that a point at arm r gains over an interval: these matrices times r.
-
-    Parameters
-    ----------
-    interval : float or ndarray, shape (..., n)
-        s.
-    angle : ndarray, shape (..., n, 3)
-        Angle increments, rad.
-    rate_change : ndarray, shape (..., n, 3)
-        Of `rate_changes`, rad/s.
-
-    Returns
-    -------
-    ndarray, shape (..., n, 3, 3)
-        1/s; the integral of ``[w' ×] + [w ×][w ×]``. The rate within an interval counts as
-        constant in the second part: an error of second order.
-
-    Examples
-    --------
-    A point 2 m out on the x axis, turned at 3 rad/s about z, is pulled inwards with 18 m/s^2:
-
-    >>> turning = lever_matrices(1.0, np.array([[0, 0, 3.0]]), np.zeros((1, 3)))
-    >>> turning[0] @ [2.0, 0.0, 0.0]
-    array([-18.,   0.,   0.])
-    """
-    turned = cross_matrix(angle)
-    seconds = np.asarray(interval)[..., np.newaxis, np.newaxis]
-    return cross_matrix(rate_change) + turned @ turned / seconds
-
-
 def felt_besides(
     interval: float,
     angle: FloatArray,
@@ -215,43 +182,3 @@ def felt_besides(
     more += skew[..., np.newaxis, np.newaxis] * np.cross(angle, velocity) / interval
     more += quadratic[..., np.newaxis, :] * velocity**2 / interval
     return velocity @ sensitivity.swapaxes(-1, -2), more
-
-
-def without_higher_order(
-    interval: float,
-    angle: FloatArray,
-    velocity: FloatArray,
-    higher_order: HigherOrderErrors,
-    rate_change: FloatArray | None = None,
-) -> tuple[FloatArray, FloatArray]:
-    """Take what is felt besides out of increments that have neither bias nor matrix any more.
-
-    Parameters
-    ----------
-    interval : float
-        s.
-    angle, velocity : ndarray, shape (..., n, 3)
-        True increments and what is felt besides, rad and m/s.
-    higher_order : HigherOrderErrors
-        Their leading axes broadcast against those of the increments.
-    rate_change : ndarray, shape (..., n, 3), optional
-        As for `felt_besides`.
-
-    Returns
-    -------
-    angle, velocity : ndarray, shape (..., n, 3)
-        True but for terms of third order in the errors.
-
-    Examples
-    --------
-    >>> bent = NO_HIGHER_ORDER_ERRORS._replace(accelerometer_quadratic=np.full(3, 1e-6))
-    >>> none, plain = np.zeros((1, 3)), np.array([[0, 0, 10.0]])
-    >>> more = felt_besides(1.0, none, plain, bent)[1]
-    >>> without_higher_order(1.0, none, plain + more, bent)[1].round(9)
-    array([[ 0.,  0., 10.]])
-    """
-    plain = angle, velocity
-    for _ in range(2):  # the first time from what is not yet true
-        more = felt_besides(interval, angle, velocity, higher_order, rate_change)
-        angle, velocity = plain[0] - more[0], plain[1] - more[1]
-    return angle, velocity

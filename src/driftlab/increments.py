@@ -21,7 +21,6 @@ from .higher_order_errors import (
     HigherOrderErrors,
     checked_higher_order_errors,
     felt_besides,
-    without_higher_order,
 )
 from .imu import ImuErrors, ImuNoise, checked_imu_errors
 
@@ -278,7 +277,10 @@ def without_errors(
         velocity, seconds * imu_errors.accelerometer_bias, imu_errors.accelerometer_error
     )
     if higher_order is not None:
-        angle, velocity = without_higher_order(seconds, angle, velocity, higher_order, rate_change)
+        plain = angle, velocity
+        for _ in range(2):  # the first time from what is not yet true; then third order is left
+            more = felt_besides(seconds, angle, velocity, higher_order, rate_change)
+            angle, velocity = plain[0] - more[0], plain[1] - more[1]
     return Increments(seconds, angle, velocity)
 
 

@@ -126,7 +126,7 @@ def test_short_pauses_show_as_much_as_many_measurements_in_them(
     """What counts is what a continuous measurement could show, not how few steps there are."""
     scheme = Scheme(rotations, dwell=dwell, rate=np.radians(rate))
     found = unobservable_subspace(linearize_along(scheme, 0.7, ERROR_MODELS["averaged"]))
-    monkeypatch.setattr(linearization, "STEP", 0.5)
+    monkeypatch.setattr(linearization, "_STEP", 0.5)
     monkeypatch.setattr(linearization, "_TURN", np.radians(5.0))
     fine = unobservable_subspace(linearize_along(scheme, 0.7, ERROR_MODELS["averaged"]))
     assert len(found.directions) == len(fine.directions)
@@ -279,15 +279,15 @@ def test_passage_takes_as_long_as_the_scheme(scheme):
     turned = sum(abs(angle) for _, angle in scheme.turns)
     expected = scheme.positions * scheme.dwell + turned / scheme.rate
     assert way.durations.sum() == pytest.approx(expected, rel=1e-12)
-    assert way.durations.max() <= linearization.STEP
+    assert way.durations.max() <= linearization._STEP
     assert way.transitions.shape == (len(way.durations), 27, 27)
     np.testing.assert_array_equal(way.start, scheme.start_attitude)
 
 
 def test_steps_are_no_shorter_than_need_be():
-    """A pause is cut into steps of `STEP`, a rotation into steps of 30 degrees; each into four."""
-    way = linearize_along(Scheme("+180X +90X", dwell=5 * linearization.STEP), LATITUDE)
-    pause = [linearization.STEP] * 5
+    """Ten seconds of a pause, 30 degrees of a rotation, at least four of each."""
+    way = linearize_along(Scheme("+180X +90X", dwell=5 * linearization._STEP), LATITUDE)
+    pause = [linearization._STEP] * 5
     expected = [*pause, *[3.0] * 6, *pause, *[2.25] * 4, *pause]
     np.testing.assert_allclose(way.durations, expected, rtol=1e-12)
 
@@ -318,8 +318,8 @@ def test_steps_may_be_shorter(monkeypatch):
     The measurements of a step count as one at its end: what drifts meanwhile looks better known.
     """
     found = []
-    for step in (linearization.STEP, 2.0):
-        monkeypatch.setattr(linearization, "STEP", step)
+    for step in (linearization._STEP, 2.0):
+        monkeypatch.setattr(linearization, "_STEP", step)
         way = linearize_along(NINETEEN_POSITIONS, LATITUDE, AVERAGED)
         covariance = covariance_analysis(way, ImuNoise(), PriorDeviations())
         found.append((len(way.durations), np.sqrt(np.diag(covariance))[6:]))

@@ -8,14 +8,14 @@ import pytest
 from scipy.linalg import expm, subspace_angles
 from scipy.spatial.transform import Rotation
 
+from driftlab.calibration._observable_rows import observable_rows
 from driftlab.calibration.error_dynamics import free_transition
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import gramian_ranks, unobservable_subspace
 from driftlab.calibration.piecewise_observability import (
-    TURNS,
+    TURN_TREATMENTS,
     error_rates,
-    observable_rows,
     stripped_observability as stripped,
 )
 from driftlab.earth import earth_rate, gravity
@@ -163,7 +163,7 @@ def test_stripped_matrix_has_the_null_directions_of_the_gramian(scheme, model, t
 
 
 @pytest.mark.parametrize("scheme", SCHEMES.values(), ids=list(SCHEMES))
-@pytest.mark.parametrize("turns", TURNS)
+@pytest.mark.parametrize("turns", TURN_TREATMENTS)
 def test_what_a_piece_does_not_show_stays(scheme, turns):
     """The condition under which the stripped matrix stands for the total one."""
     found = stripped_observability(scheme, LATITUDE, FULL, turns)

@@ -8,12 +8,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from driftlab.calibration._row_covariances import rows_of
 from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.design_task import CRITERIA, DesignTask
-from driftlab.calibration.error_model import ERROR_MODELS, FULL
+from driftlab.calibration.error_model import FULL
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.scheme_design import design_scheme
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.imu import ImuNoise
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, SCHEMES, Scheme
 from driftlab.motion.turntable import segments
 from driftlab.quaternion import rotate
@@ -23,9 +24,7 @@ DRAWN = SMALL.random_schemes(np.random.default_rng(3), 12)
 
 
 def in_time(scheme, task):
-    """The scheme with pauses that fill the task's duration."""
-    turning = sum(abs(angle) for _, angle in scheme.turns) / task.rate
-    return replace(scheme, dwell=(task.duration - turning) / scheme.positions, rate=task.rate)
+    return replace(scheme, rate=task.rate).lasting(task.duration)
 
 
 def analysed(scheme, task):
@@ -49,8 +48,8 @@ def analysed(scheme, task):
 def test_pieces_are_the_covariance_analysis(task):
     """Variances fall by seven decades, and each way loses digits in its own places."""
     for scheme in SCHEMES.values():
-        start, row = task._moves.row(scheme)
-        found = task._moves.covariances(np.array([start]), row[np.newaxis])[0]
+        rows = rows_of(task)
+        found = rows.after([rows.row(scheme)])[0]
         expected = analysed(scheme, task)
         sizes = np.sqrt(np.diag(expected))
         np.testing.assert_allclose(
@@ -94,12 +93,12 @@ def test_a_table_with_two_axes_turns_about_one_of_the_body_and_a_level_one(schem
         for inner in range(3)
         for outer in range(2)
     )
-    start, row = SMALL._moves.row(scheme)
-    assert SMALL._moves.on_two_axes(np.array([start]), row[np.newaxis]).tolist() == [True]
+    start, row = rows_of(SMALL).moves.row(scheme)
+    assert rows_of(SMALL).moves.on_two_axes(np.array([start]), row[np.newaxis]).tolist() == [True]
 
 
 def test_a_table_with_two_axes_cannot_do_everything():
-    moves = SMALL._moves
+    moves = rows_of(SMALL).moves
     for words in ("+90X +90Y +90Z +90X", "+90Z +90Y +90X"):
         start, row = moves.row(Scheme(words))
         assert moves.on_two_axes(np.array([start]), row[np.newaxis]).tolist() == [False]
@@ -136,7 +135,7 @@ def test_no_other_row_of_two_turns_is_better():
     """Few enough to try them all: the search finds the best of 24 starts and 36 rows."""
     task = DesignTask("mean", positions=3, angles=(90,), two_axes=False)
     words = [f"{sign}90{axis}" for axis in "XYZ" for sign in "+-"]
-    starts = [task._moves.scheme(i, np.array([0, 0])).start for i in range(24)]
+    starts = [rows_of(task).scheme(i, np.array([0, 0])).start for i in range(24)]
     best = min(
         task.value(Scheme(f"{first} {second}", start))
         for start in starts
@@ -218,8 +217,6 @@ def test_other_kinds_are_refused():
         design_scheme(NINETEEN_POSITIONS, np.random.default_rng(1))
     with pytest.raises((ValueError, TypeError), match=r"^rng: expected"):
         design_scheme(SMALL, 1)
-    assert ERROR_MODELS["averaged"] is SMALL.model
-    assert SMALL.prior == PriorDeviations()
 
 
 def test_states_that_are_known_before_leave_the_criterion():

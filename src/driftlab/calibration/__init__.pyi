@@ -20,7 +20,6 @@ from . import (
     scheme_design as scheme_design,
     schuler_pair as schuler_pair,
     simulation as simulation,
-    state_layout as state_layout,
     static_error_curves as static_error_curves,
     static_error_growth as static_error_growth,
     static_navigation as static_navigation,
@@ -83,7 +82,6 @@ from .kalman import (
     predict as predict,
 )
 from .linearization import (
-    STEP as STEP,
     LinearizedErrors as LinearizedErrors,
     checked_model as checked_model,
     linearize_along as linearize_along,
@@ -106,10 +104,9 @@ from .observability import (
     warn_if_unobservable as warn_if_unobservable,
 )
 from .piecewise_observability import (
-    TURNS as TURNS,
+    TURN_TREATMENTS as TURN_TREATMENTS,
     StrippedObservability as StrippedObservability,
     error_rates as error_rates,
-    observable_rows as observable_rows,
     stripped_observability as stripped_observability,
 )
 from .pose_results import (
@@ -132,9 +129,6 @@ from .schuler_pair import (
 from .simulation import (
     TableTrial as TableTrial,
 )
-from .state_layout import (
-    StateLayout as StateLayout,
-)
 from .static_error_curves import (
     schuler_position as schuler_position,
     static_causes as static_causes,
@@ -144,7 +138,6 @@ from .static_error_growth import (
     STATIC_CAUSES as STATIC_CAUSES,
     STATIC_MODES as STATIC_MODES,
     StaticErrorModes as StaticErrorModes,
-    checked_moments as checked_moments,
     static_error_matrix as static_error_matrix,
     static_error_modes as static_error_modes,
 )

@@ -8,16 +8,18 @@ from typing import NamedTuple
 import numpy as np
 
 from driftlab.checks import FloatArray
+from driftlab.core.lever_arms import lever_matrices
+from driftlab.core.vectors import cross_matrix
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
     HigherOrderErrors,
     checked_higher_order_errors,
-    lever_matrices,
 )
 from driftlab.imu import PriorDeviations
 
-_AXES = "xyz"
-_PAIRS = [f"{i}{j}" for i in _AXES for j in _AXES]
+from ._triad_bases import AXES
+
+_PAIRS = [f"{i}{j}" for i in AXES for j in AXES]
 
 
 class Group(NamedTuple):
@@ -36,7 +38,7 @@ GROUPS = MappingProxyType({
     "accelerometer quadratic": Group(
         "accelerometer_quadratic",
         "accelerometer_quadratic",
-        tuple(f"accelerometer quadratic {axis}" for axis in _AXES),
+        tuple(f"accelerometer quadratic {axis}" for axis in AXES),
     ),
     "gyro g-sensitivity": Group(
         "gyro_g_sensitivity",
@@ -93,7 +95,6 @@ def effects(
     The derivatives of `driftlab.higher_order_errors.felt_besides`.
     """
     lead = np.broadcast_shapes(times.shape, angle.shape[:-1], velocity.shape[:-1])
-    unit = np.eye(3)
     seconds = times[..., np.newaxis]
     of_gyros, of_accelerometers = [], []
     for name in chosen:
@@ -101,14 +102,14 @@ def effects(
         turned = pushed = np.zeros((*lead, 3, count))
         if name == "lever arms":
             arms = lever_matrices(times, angle, rate_change)
-            pushed = _on_the_diagonal(arms, unit)
+            pushed = _on_the_diagonal(arms)
         elif name == "time skew":
             pushed = (np.cross(angle, velocity) / seconds)[..., np.newaxis]
         elif name == "accelerometer quadratic":
-            pushed = (velocity**2 / seconds)[..., np.newaxis] * unit
+            pushed = (velocity**2 / seconds)[..., np.newaxis] * np.eye(3)
         else:
             rows = np.broadcast_to(velocity[..., np.newaxis, :], (*velocity.shape, 3))
-            turned = _on_the_diagonal(rows, unit)
+            turned = _on_the_diagonal(rows)
         of_gyros.append(np.broadcast_to(turned, (*lead, 3, count)))
         of_accelerometers.append(np.broadcast_to(pushed, (*lead, 3, count)))
     shape = (*lead[:-1], 3 * lead[-1], -1)
@@ -118,7 +119,16 @@ def effects(
     )
 
 
-def _on_the_diagonal(rows: FloatArray, unit: FloatArray) -> FloatArray:
+def of_a_jump(chosen: tuple[str, ...], change: FloatArray) -> FloatArray:
+    """Velocity (..., 3, m) in body axes that a jump (..., 3) of the rate makes of each state."""
+    count = sum(len(GROUPS[name].names) for name in chosen)
+    pushes = np.zeros((*change.shape[:-1], 3, count))
+    if "lever arms" in chosen:  # which stand first; the others do not feel it
+        pushes[..., :9] = _on_the_diagonal(cross_matrix(change))
+    return pushes
+
+
+def _on_the_diagonal(rows: FloatArray) -> FloatArray:
     """Matrices (..., 3, 9): row i of (..., 3, 3) acts on the i-th three of nine states."""
-    blocks = unit[:, :, np.newaxis] * rows[..., :, np.newaxis, :]
+    blocks = np.eye(3)[:, :, np.newaxis] * rows[..., :, np.newaxis, :]
     return blocks.reshape(*rows.shape[:-1], 9)

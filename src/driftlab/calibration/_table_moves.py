@@ -1,28 +1,17 @@
-"""Rows of turns by quarters on a table, as whole numbers, and the covariances after many of them.
-
-The table has 24 orientations, and a turn brings it from one to another. What a turn and the pause
-after it do to the covariance is worked out once for each orientation.
-"""
+"""Rows of turns by quarters on a table, as whole numbers: 24 orientations and the turns between."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property, reduce
+from functools import cached_property
 from itertools import permutations, product
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
-from driftlab.checks import FloatArray, checked_instance
-from driftlab.imu import ImuNoise, PriorDeviations
+from driftlab.checks import checked_instance
+from driftlab.core.quaternion import from_rotation_vector, to_matrix
 from driftlab.motion.scheme import DIRECTIONS, Scheme
-
-from ._condensed_steps import Condensed, condensed_steps
-from .error_model import ErrorModel
-from .linearization import linearize_along
-from .observability import _segments_and_steps
 
 IntArray = NDArray[np.int_]
 Row = tuple[int, IntArray]
@@ -41,30 +30,9 @@ _ALONG = np.abs(_MATRICES).argmax(axis=1)  # (24, 3): East, North or Up for each
 
 @dataclass(frozen=True)
 class TableMoves:
-    """What a table may do, and what it shows meanwhile.
+    """Turns of a table by some angles, in degrees and multiples of 90."""
 
-    Attributes
-    ----------
-    duration : float
-        Of each row of turns with its pauses, s.
-    rate : float
-        rad/s.
-    angles : tuple of int
-        Degrees, multiples of 90.
-    latitude : float
-        rad.
-    model : ErrorModel
-    noise : ImuNoise
-    prior : PriorDeviations
-    """
-
-    duration: float
-    rate: float
     angles: tuple[int, ...]
-    latitude: float
-    model: ErrorModel
-    noise: ImuNoise
-    prior: PriorDeviations
 
     @cached_property
     def words(self) -> list[str]:
@@ -85,8 +53,8 @@ class TableMoves:
     def next(self) -> IntArray:
         """Orientation (24, m) to which each turn leads from each orientation."""
         places = {matrix.tobytes(): i for i, matrix in enumerate(_MATRICES)}
-        turns = [Scheme(word).turns[0] for word in self.words]
-        matrices = [np.rint(Rotation.from_rotvec(a * u).as_matrix()) for u, a in turns]
+        vectors = np.array([angle * axis for axis, angle in Scheme(" ".join(self.words)).turns])
+        matrices = np.rint(to_matrix(from_rotation_vector(vectors)))
         return np.array([
             [places[(before @ turn).astype(int).tobytes()] for turn in matrices]
             for before in _MATRICES
@@ -95,7 +63,7 @@ class TableMoves:
     @cached_property
     def _seen(self) -> tuple[list[list[tuple[int, int]]], list[dict[tuple[int, int], int]]]:
         """What each turn is to the room, from each orientation; and the turn that is that."""
-        turns = [Scheme(word).turns[0] for word in self.words]
+        turns = Scheme(" ".join(self.words)).turns
         found = []
         for matrix in _MATRICES:
             rooms = [np.sign(angle) * matrix @ axis @ (1, 2, 3) for axis, angle in turns]
@@ -126,22 +94,11 @@ class TableMoves:
                 f"scheme: expected turns by {', '.join(map(str, self.angles))} degrees, "
                 f"got {scheme.rotations!r}."
             )
-        turns = np.array([self.words.index(word) for word in words], int)
-        if self._pause(scheme.positions, self.quarters[turns].sum()) <= 0:
-            raise ValueError(
-                f"scheme: expected turns and pauses in {self.duration:g} s, "
-                f"got {scheme.rotations!r}."
-            )
-        return STARTS.index(scheme.start), turns
+        return STARTS.index(scheme.start), np.array([self.words.index(word) for word in words], int)
 
     def scheme(self, start: int, row: IntArray) -> Scheme:
-        """The scheme of a start and turns."""
-        words = " ".join(self.words[i] for i in row)
-        return Scheme(words, STARTS[start], self._pause(row.size + 1, self.quarters[row].sum()),
-                      self.rate)  # fmt: skip
-
-    def _pause(self, positions: int, quarters: int) -> float:
-        return (self.duration - quarters * np.pi / 2 / self.rate) / positions
+        """The scheme of a start and turns, with the usual pauses and rate."""
+        return Scheme(" ".join(self.words[i] for i in row), STARTS[start])
 
     def orientations(self, starts: IntArray, rows: IntArray) -> IntArray:
         """Orientation (b, k + 1) at the start and after each turn of rows (b, k)."""
@@ -177,61 +134,3 @@ class TableMoves:
             rows[:, turn] = (rng.random(weight.shape) * weight).argmax(axis=1)
             orientation = self.next[orientation, rows[:, turn]]
         return starts, rows
-
-    def covariances(self, starts: IntArray, rows: IntArray) -> FloatArray:
-        """Covariances (b, size, size) at the end of rows (b, k), as `covariance_analysis` has."""
-        found = np.empty((len(rows), self.model.size, self.model.size))
-        orientation, quarters = self.orientations(starts, rows), self.quarters[rows].sum(axis=1)
-        for total in np.unique(quarters):
-            these = quarters == total
-            pause, pieces = self._pieces(rows.shape[1] + 1, int(total))
-            begin = starts[these]
-            covariance = _chosen(pause, begin).after(self._before[begin])
-            for place, turn in zip(orientation[these].T, rows[these].T, strict=False):
-                covariance = _chosen(pieces, (place, turn)).after(covariance)
-            found[these] = covariance
-        return found
-
-    @cached_property
-    def _before(self) -> FloatArray:
-        attitudes = [Scheme("", names).start_attitude for names in STARTS]
-        return np.array([self.model.covariance(self.prior, attitude) for attitude in attitudes])
-
-    @cached_property
-    def _kept(self) -> dict[float, tuple[Condensed, Condensed]]:
-        return {}
-
-    def _pieces(self, positions: int, quarters: int) -> tuple[Condensed, Condensed]:
-        """Pauses (24, ...), and turns with a pause (24, m, ...), in rows that turn so far."""
-        dwell = self._pause(positions, quarters)
-        if dwell not in self._kept:
-            ways = [
-                linearize_along(Scheme("", s, dwell), self.latitude, self.model) for s in STARTS
-            ]
-            step = np.stack([way.transitions[0] for way in ways])
-            times = np.full(len(STARTS), ways[0].durations[0])
-            pause = condensed_steps(step, times, self.noise).times(len(ways[0].durations))
-            self._kept[dwell] = pause, self._turns.then(_chosen(pause, self.next))
-        return self._kept[dwell]
-
-    @cached_property
-    def _turns(self) -> Condensed:
-        """All turns (24, m, ...) without pauses."""
-        # Every turn there and back, from each orientation; the ways there count.
-        back = str.maketrans("+-", "-+")
-        words = " ".join(f"{word} {word.translate(back)}" for word in self.words)
-        schemes = [Scheme(words, names, 1.0, self.rate) for names in STARTS]
-        ways = [linearize_along(scheme, self.latitude, self.model) for scheme in schemes]
-        row = [steps for part, steps in _segments_and_steps(schemes[0], ways[0]) if part.rate][::2]
-        turns = []
-        for steps in row:
-            matrices = np.stack([way.transitions[steps] for way in ways])
-            lengths = np.tile(ways[0].durations[steps], (len(STARTS), 1))
-            each = condensed_steps(matrices, lengths, self.noise)
-            parts = (_chosen(each, np.s_[:, i]) for i in range(lengths.shape[1]))
-            turns.append(reduce(Condensed.then, parts))
-        return Condensed(*(np.stack(arrays, axis=1) for arrays in zip(*turns, strict=True)))
-
-
-def _chosen(steps: Condensed, index: Any) -> Condensed:
-    return Condensed(*(array[index] for array in steps))

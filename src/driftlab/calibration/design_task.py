@@ -6,7 +6,6 @@ Experiments*, Academic Press, 1972.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -25,7 +24,7 @@ from driftlab.earth import checked_latitude
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import Scheme
 
-from ._table_moves import IntArray, Row, TableMoves
+from ._row_covariances import rows_of
 from .error_model import ERROR_MODELS, ErrorModel
 from .linearization import checked_model
 
@@ -190,7 +189,8 @@ class DesignTask:
         >>> round(task.value(EIGHTEEN_ROTATIONS), 4)
         0.0244
         """
-        return float(self._values_of([self._moves.row(scheme)])[0])
+        rows = rows_of(self)
+        return float(self.values(rows.after([rows.row(scheme)]))[0])
 
     def random_schemes(self, rng: np.random.Generator, count: int) -> list[Scheme]:
         """Draw random schemes that the table can do.
@@ -213,13 +213,14 @@ class DesignTask:
         >>> one.positions
         4
         """
-        starts, rows = self._drawn(rng, count)
-        return [self._moves.scheme(start, row) for start, row in zip(starts, rows, strict=True)]
-
-    def _drawn(self, rng: np.random.Generator, count: int) -> tuple[IntArray, IntArray]:
-        checked_generator(rng)
-        whole_number(count, "count")
-        return self._moves.drawn(rng, count, self.positions - 1, self.two_axes)
+        rows = rows_of(self)
+        drawn = rows.moves.drawn(
+            checked_generator(rng),
+            whole_number(count, "count"),
+            self.positions - 1,
+            self.two_axes,
+        )
+        return [rows.scheme(start, row) for start, row in zip(*drawn, strict=True)]
 
     @cached_property
     def _sizes(self) -> FloatArray:
@@ -234,13 +235,3 @@ class DesignTask:
     def _unknown(self) -> IntArray:
         """Places of the sensor errors that count: what is known before needs no scheme."""
         return np.flatnonzero(self._before)
-
-    @cached_property
-    def _moves(self) -> TableMoves:
-        return TableMoves(
-            self.duration, self.rate, self.angles, self.latitude, self.model, self.noise, self.prior
-        )
-
-    def _values_of(self, rows: Sequence[Row]) -> FloatArray:
-        starts, turns = (np.array(part) for part in zip(*rows, strict=True))
-        return self.values(self._moves.covariances(starts, turns))

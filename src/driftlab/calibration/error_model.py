@@ -24,6 +24,7 @@ from driftlab.core.vectors import cross_matrix
 from driftlab.imu import PriorDeviations
 
 from . import _higher_order_states as higher
+from ._state_layout import StateLayout
 from ._triad_bases import (
     AXES as AXES,
     DIAGONAL,
@@ -33,7 +34,6 @@ from ._triad_bases import (
     named,
     units,
 )
-from .state_layout import StateLayout
 
 LOCAL_AXES = ("East", "North", "Up")
 

@@ -16,8 +16,7 @@ from . import _higher_order_states as higher
 from .error_dynamics import free_transition, transition
 from .error_model import FULL, ErrorModel
 
-STEP = 10.0
-"""Longest step of a pause, s; rotations are divided into shorter steps."""
+_STEP = 10.0  # s: longest step of a pause; rotations are divided into shorter ones
 _MOST_STEPS = 20_000
 _LEAST = 4  # steps of a pause or a rotation: fewer velocities would not show all that grows in it
 _TURN = np.radians(30.0)  # rad: most that a step turns
@@ -37,18 +36,24 @@ class LinearizedErrors(NamedTuple):
         Length of each step, s.
     transitions : ndarray, shape (s, size, size)
         Transition matrix of the errors over each step.
+    segments : list of tuple
+        Pauses and rotations of the table, each a `driftlab.motion.Segment`, and with it the steps
+        that it is made of, as a slice.
 
     Examples
     --------
     >>> linearized = linearize_along(Scheme("+90Z", dwell=60.0), 0.7)
     >>> float(linearized.durations.sum()), linearized.transitions.shape
     (129.0, (16, 30, 30))
+    >>> [linearized.durations[steps].sum().round(9) for _, steps in linearized.segments]
+    [np.float64(60.0), np.float64(9.0), np.float64(60.0)]
     """
 
     model: ErrorModel
     start: FloatArray
     durations: FloatArray
     transitions: FloatArray
+    segments: list[tuple[Segment, slice]]
 
 
 def checked_model(model: ErrorModel) -> ErrorModel:
@@ -93,7 +98,7 @@ def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -
     Returns
     -------
     LinearizedErrors
-        Steps of at most `STEP` seconds and 30 degrees, at least four a pause or rotation.
+        Steps of at most 10 s and 30 degrees, at least four a pause or rotation.
 
     Raises
     ------
@@ -119,14 +124,16 @@ def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -
     checked_instance(scheme, Scheme, "scheme")
     row = segments(scheme, 1e-3)
     time = sum(segment.duration for segment in row)
-    if time > STEP * _MOST_STEPS:
+    if time > _STEP * _MOST_STEPS:
         raise ValueError(
-            f"scheme: expected at most {STEP * _MOST_STEPS:g} s in all, got {time:.3g} s."
+            f"scheme: expected at most {_STEP * _MOST_STEPS:g} s in all, got {time:.3g} s."
         )
-    distinct, lengths, begun, alike = [], [], [], []
+    distinct, lengths, begun, alike, parts, total = [], [], [], [], [], 0
     for segment in row:
         turn = abs(segment.rate) * segment.duration
-        count = max(_LEAST, int(np.ceil(max(segment.duration / STEP, turn / _TURN) - 1e-9)))
+        count = max(_LEAST, int(np.ceil(max(segment.duration / _STEP, turn / _TURN) - 1e-9)))
+        parts.append(slice(total, total + count))
+        total += count
         # The steps of a pause are all alike: one stands for them.
         kinds = count if segment.rate else 1
         distinct += [segment] * kinds
@@ -151,8 +158,11 @@ def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -
     # The local axes of the step's beginning do not turn on with the Earth.
     since = from_rotation_vector((duration[:, np.newaxis] * place_of)[..., np.newaxis] * earth)
     share = times[..., np.newaxis]
-    # What is left of a rate that stands still against the local axes turns in body axes.
-    changing = np.cross(to_body @ earth, rate[:, np.newaxis, np.newaxis] * axis[:, np.newaxis])
+    changes = None
+    if model.higher_order:
+        # What is left of a rate that stands still against the local axes turns in body axes.
+        table = rate[:, np.newaxis, np.newaxis] * axis[:, np.newaxis]
+        changes = share * np.cross(to_body @ earth, table)
     matrices = transition(
         model,
         free_transition(place, duration),
@@ -161,13 +171,19 @@ def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -
         share * spin,
         share * force,
         _QUADRATURE_WEIGHTS,
-        share * changing,
+        changes,
     )
     matrices = np.repeat(matrices, alike, axis=0)
     if model.higher_order:
-        first = np.cumsum(alike)[np.array(begun) == 0] - np.array(alike)[np.array(begun) == 0]
+        first = [steps.start for steps in parts]
         matrices[first] = matrices[first] @ _jumps(model, row)
-    return LinearizedErrors(model, row[0].attitude, np.repeat(duration, alike), matrices)
+    return LinearizedErrors(
+        model,
+        row[0].attitude,
+        np.repeat(duration, alike),
+        matrices,
+        list(zip(row, parts, strict=True)),
+    )
 
 
 def _jumps(model: ErrorModel, row: list[Segment]) -> FloatArray:
@@ -175,12 +191,8 @@ def _jumps(model: ErrorModel, row: list[Segment]) -> FloatArray:
     spin = np.array([segment.rate * segment.axis for segment in row])
     change = np.diff(spin, axis=0, prepend=spin[:1])
     attitude = to_matrix(np.array([segment.attitude for segment in row]))
-    none = np.zeros((len(row), 1, 3))
-    # A node whose time does not count; it is only divided by.
-    instant = np.full((len(row), 1), 1e-30)
-    _, pushes = higher.effects(model.higher_order, instant, none, none, change[:, np.newaxis])
     jumps = np.broadcast_to(np.eye(model.size), (len(row), model.size, model.size)).copy()
-    jumps[:, 3:6, model.triad_states :] = attitude @ pushes
+    jumps[:, 3:6, model.triad_states :] = attitude @ higher.of_a_jump(model.higher_order, change)
     return jumps
 
 

@@ -7,7 +7,6 @@ of the state that has no effect on the velocity is a null direction of the obser
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -18,7 +17,6 @@ from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.imu import ImuErrors, PriorDeviations
 from driftlab.motion.scheme import Scheme
-from driftlab.motion.turntable import Segment, segments
 
 from .error_model import AXES, ERROR_MODELS, FULL, ErrorModel
 from .linearization import LinearizedErrors, linearize_along
@@ -101,23 +99,12 @@ def gramian_ranks(
     way = linearize_along(scheme, latitude, model)
     seen = observability_matrix(way) * _typical(model, way.start)
     ranks, stack = [], np.zeros((0, model.size))
-    for segment, steps in _segments_and_steps(scheme, way):
+    for segment, steps in way.segments:
         if not (segment.rate and pauses_only):
             stack = np.concatenate([stack, seen[3 * steps.start : 3 * steps.stop]])
         if not segment.rate:
             ranks.append(np.linalg.matrix_rank(stack, rtol=1e-10))
     return np.array(ranks)
-
-
-def _segments_and_steps(scheme: Scheme, way: LinearizedErrors) -> Iterator[tuple[Segment, slice]]:
-    """Each pause and turn of a scheme, and which steps of its linearisation it is made of."""
-    ends = np.cumsum(way.durations)
-    time, first = 0.0, 0
-    for segment in segments(scheme, 1e-3):
-        time += segment.duration
-        last = int(np.searchsorted(ends, time + 0.5e-3 * way.durations.min()))
-        yield segment, slice(first, last)
-        first = last
 
 
 class UnobservableSubspace(NamedTuple):

@@ -18,17 +18,17 @@ from driftlab.earth import checked_latitude, earth_rate, gravity
 from driftlab.motion.scheme import Scheme
 from driftlab.motion.turntable import Segment
 
+from ._observable_rows import ZERO, observable_rows
 from .error_dynamics import free_rates, transition
 from .error_model import FULL, ErrorModel
 from .linearization import checked_model, linearize_along
-from .observability import _segments_and_steps, _typical
+from .observability import _typical
 
 IntArray = NDArray[np.int_]
 
-TURNS = ("carried", "ignored", "in pieces")
+TURN_TREATMENTS = ("carried", "ignored", "in pieces")
 """What `stripped_observability` can do with the turns between the pauses."""
 
-_ZERO = 1e-9  # of the largest singular value
 _PIECE = np.radians(15.0)  # rad: most that a piece of a turn turns
 
 
@@ -100,49 +100,6 @@ def error_rates(
     return rates
 
 
-def observable_rows(rates: FloatArray, seen: FloatArray) -> FloatArray:
-    """Orthonormal basis of all that H, H F, H F^2, ... can show of a constant system.
-
-    Parameters
-    ----------
-    rates : ndarray, shape (n, n)
-        The matrix F; its states in comparable sizes.
-    seen : ndarray, shape (m, n)
-        The matrix H.
-
-    Returns
-    -------
-    ndarray, shape (r, n)
-        Rows across each other, of unit length; r is the rank of the local observability matrix.
-
-    Notes
-    -----
-    Instead of powers, which run away in size, each round multiplies only the directions that are
-    new by F, and keeps what sticks out of those found before. The first round that finds nothing
-    is the last: no higher power adds anything. What sticks out counts as nothing below 1e-9 of the
-    largest rate at which the round's directions change.
-
-    Examples
-    --------
-    A mass that nothing pushes: its position shows its velocity, but not the other way round.
-
-    >>> moves = np.array([[0.0, 1.0], [0.0, 0.0]])
-    >>> [len(observable_rows(moves, np.eye(2)[[i]])) for i in range(2)]
-    [2, 1]
-    """
-    found = np.zeros((0, rates.shape[1]))
-    new = seen
-    while len(new):
-        size = np.linalg.norm(new, 2)
-        for _ in range(2):  # once more for the digits that the first subtraction loses
-            new = new - (new @ found.T) @ found
-        _, values, rows = np.linalg.svd(new, full_matrices=False)
-        fresh = rows[values > _ZERO * size]
-        found = np.concatenate([found, fresh])
-        new = fresh @ rates
-    return found
-
-
 class StrippedObservability(NamedTuple):
     """What the pieces of a scheme show together, position by position.
 
@@ -192,10 +149,10 @@ def stripped_observability(
     model : ErrorModel
         The states.
     turns : str
-        One of `TURNS`. "carried": the transition matrix of a turn carries the errors over, and
-        nobody looks at the velocity meanwhile. "ignored": the errors are after a turn what they
-        were before, as in papers on alignment in several positions. "in pieces": each turn is cut
-        into pieces of 15 degrees, and in each of them F in body axes is held.
+        One of `TURN_TREATMENTS`. "carried": the transition matrix of a turn carries the errors
+        over, and nobody looks at the velocity meanwhile. "ignored": the errors are after a turn
+        what they were before, as in papers on alignment in several positions. "in pieces": each
+        turn is cut into pieces of 15 degrees, and in each of them F in body axes is held.
 
     Returns
     -------
@@ -227,22 +184,22 @@ def stripped_observability(
     Of 30 states three cannot be seen. If the turns are ignored, they seem to be:
 
     >>> from driftlab.motion.scheme import NINETEEN_POSITIONS
-    >>> for turns in TURNS:
+    >>> for turns in TURN_TREATMENTS:
     ...     ranks = stripped_observability(NINETEEN_POSITIONS, 0.7, turns=turns).ranks
     ...     print(f"{turns:10} {ranks[1]} after two positions, {ranks[-1]} in the end")
     carried    18 after two positions, 27 in the end
     ignored    15 after two positions, 30 in the end
     in pieces  24 after two positions, 27 in the end
     """
-    if turns not in TURNS:
-        raise ValueError(f"turns: expected one of {', '.join(TURNS)}, got {turns!r}.")
+    if turns not in TURN_TREATMENTS:
+        raise ValueError(f"turns: expected one of {', '.join(TURN_TREATMENTS)}, got {turns!r}.")
     way = linearize_along(scheme, latitude, model)
     size = _typical(model, way.start)
     since, moves = np.eye(model.size), 0.0
     stack, vectors = np.zeros((0, model.size)), np.eye(model.size)
     ranks: list[int] = []
     known_after = np.zeros(model.size, int)
-    for segment, steps in _segments_and_steps(scheme, way):
+    for segment, steps in way.segments:
         if segment.rate and turns != "in pieces":
             for matrix in way.transitions[steps] if turns == "carried" else ():
                 since = matrix * size / size[:, np.newaxis] @ since
@@ -258,7 +215,7 @@ def stripped_observability(
             seen = np.linalg.svd(rows @ since, full_matrices=False)[2] if ranks else rows
             stack = np.concatenate([stack, seen])
         _, values, vectors = np.linalg.svd(stack)
-        rank = int((values > _ZERO * values[0]).sum())
+        rank = int((values > ZERO * values[0]).sum())
         stack = values[:rank, np.newaxis] * vectors[:rank]
         if not segment.rate:
             ranks.append(rank)

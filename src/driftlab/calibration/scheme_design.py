@@ -8,9 +8,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from driftlab.checks import FloatArray, checked_instance, whole_number
+from driftlab.checks import FloatArray, checked_generator, checked_instance, whole_number
 from driftlab.motion.scheme import Scheme
 
+from ._row_covariances import RowCovariances, rows_of
 from ._table_moves import IntArray, Row, TableMoves
 from .design_task import DesignTask
 
@@ -128,45 +129,45 @@ def design_scheme(
     """
     checked_instance(task, DesignTask, "task")
     count = whole_number(climbs, "climbs")
-    moves = task._moves
-    turns = task.positions - 1
-    starts, rows = task._drawn(rng, whole_number(draws, "draws"))
-    drawn = task.values(moves.covariances(starts, rows))
+    trials, turns = rows_of(task), task.positions - 1
+    number, moves = whole_number(draws, "draws"), trials.moves
+    starts, rows = moves.drawn(checked_generator(rng), number, turns, task.two_axes)
+    drawn = task.values(trials.covariances(starts, rows))
     best = _in_order(drawn)[:count]
     begun = [((int(starts[i]), rows[i]), float(drawn[i])) for i in best]
     tried = len(drawn)
     if begin is not None:
-        row = moves.row(begin)
+        row = trials.row(begin)
         if len(row[1]) != turns or (task.two_axes and not _able(moves, [row])[0]):
             raise ValueError(
                 f"begin: expected {task.positions} positions that the table can do, "
                 f"got {begin.rotations!r} from {', '.join(begin.start)}."
             )
-        begun.append((row, float(task._values_of([row])[0])))
+        begun.append((row, float(task.values(trials.after([row]))[0])))
         tried += 1
     found = []
     for row, before in begun:
-        end, after, more = _climb(task, row, before, rng)
-        found.append(Climb(moves.scheme(*row), moves.scheme(*end), before, after))
+        end, after, more = _climb(task, trials, row, before, rng)
+        found.append(Climb(trials.scheme(*row), trials.scheme(*end), before, after))
         tried += more
     found = [found[i] for i in _in_order([climb.after for climb in found])]
     return SchemeDesign(found[0].end, found[0].after, found, drawn, tried)
 
 
 def _climb(
-    task: DesignTask, row: Row, value: float, rng: np.random.Generator
+    task: DesignTask, trials: RowCovariances, row: Row, value: float, rng: np.random.Generator
 ) -> tuple[Row, float, int]:
     """Improve a row until no neighbour is better; also, how many were tried."""
     tried, better = 0, True
     while better:
         better = False
-        near = _neighbours(task._moves, *row)
+        near = _neighbours(trials.moves, *row)
         if task.two_axes:
-            near = [near[i] for i in np.flatnonzero(_able(task._moves, near))]
+            near = [near[i] for i in np.flatnonzero(_able(trials.moves, near))]
         order = rng.permutation(len(near))
         for first in range(0, len(near), _BLOCK):
             block = [near[i] for i in order[first : first + _BLOCK]]
-            values = task._values_of(block)
+            values = task.values(trials.after(block))
             tried += len(block)
             i = _in_order(values)[0]
             if values[i] < value * (1 - _GAIN):

@@ -12,9 +12,10 @@ from driftlab.imu import ImuErrors
 from driftlab.increments import compensate, measure
 from driftlab.motion.turntable import static_trajectory
 
+from ._moments import checked_moments
 from .body_axes import attitude_error
 from .schuler_pair import static_error_rates
-from .static_error_growth import STATIC_CAUSES, checked_moments, static_error_modes
+from .static_error_growth import STATIC_CAUSES, static_error_modes
 from .static_navigation import StaticNavigationErrors
 
 

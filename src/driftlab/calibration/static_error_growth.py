@@ -16,10 +16,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, finite_number
-from driftlab.core.vectors import cross_matrix
-from driftlab.earth import EARTH_RATE, checked_latitude, curvature_radii, earth_rate, gravity
+from driftlab.checks import FloatArray, finite_number
+from driftlab.earth import EARTH_RATE, checked_latitude, curvature_radii, gravity
 
+from ._moments import checked_moments
+from .error_dynamics import free_rates
 from .schuler_pair import StaticErrorRates, static_error_rates
 
 STATIC_CAUSES = (
@@ -127,18 +128,14 @@ def static_error_matrix(latitude: float) -> FloatArray:
     >>> round(float(matrix[3, STATIC_CAUSES.index("attitude North")]), 3)
     -9.806
     """
-    place = checked_latitude(finite_number(latitude, "latitude"))
-    meridian, across = curvature_radii(place)
-    sine, cosine = np.sin(place), np.cos(place)
+    place = float(checked_latitude(finite_number(latitude, "latitude")))
+    meridian, _ = curvature_radii(place)
     matrix = np.zeros((7, 12))
     phi, velocity, position = slice(0, 3), slice(3, 5), slice(5, 7)
-    turning = cross_matrix(earth_rate(place))
-    matrix[phi, phi] = -turning
-    matrix[0, 4], matrix[1, 3], matrix[2, 3] = -1 / meridian, 1 / across, np.tan(place) / across
-    matrix[phi, 6] = np.array([0, -sine, cosine]) * EARTH_RATE / meridian
+    matrix[:5, :5] = free_rates(place)[:5, :5]  # without the velocity Up
+    matrix[phi, 6] = np.array([0, -np.sin(place), np.cos(place)]) * EARTH_RATE / meridian
     matrix[phi, 7:10] = -np.eye(3)
     matrix[velocity, phi] = float(gravity(place)) * np.array([[0, -1, 0], [1, 0, 0]])
-    matrix[velocity, velocity] = -2 * turning[:2, :2]
     matrix[velocity, 10:12] = np.eye(2)
     matrix[position, velocity] = np.eye(2)
     return matrix
@@ -197,26 +194,3 @@ def static_error_modes(latitude: float) -> StaticErrorModes:
     growing, *moving = (rates.schuler * (scaled @ part)[:7] * back for part in parts)
     sine = [part / rate for part, rate in zip(moving, rates, strict=True)]
     return StaticErrorModes(rates, still, growing, np.stack(swinging), np.stack(sine))
-
-
-def checked_moments(times: ArrayLike) -> FloatArray:
-    """Return times as one row, refusing anything else.
-
-    Parameters
-    ----------
-    times : array_like, shape (k,)
-        s.
-
-    Returns
-    -------
-    ndarray, shape (k,)
-
-    Examples
-    --------
-    >>> checked_moments([60, 120])
-    array([ 60., 120.])
-    """
-    moments = finite_array(times, "times")
-    if moments.ndim != 1:
-        raise ValueError(f"times: expected shape (k,), got shape {moments.shape}.")
-    return moments

@@ -9,12 +9,13 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from scipy.constants import degree, minute
+from scipy.constants import degree, g, minute
 
+from driftlab.earth import EARTH_RADIUS
 from driftlab.motion.trajectory import Trajectory
 from driftlab.motion.vehicle import vehicle_trajectory
 
-REST, SWING = 1 * minute, 84.4 * minute
+REST, SWING = 1 * minute, 2 * np.pi * float(np.sqrt(EARTH_RADIUS / g))
 """Before each manoeuvre, and Schuler's period, s."""
 BRAKING = 2.0
 """How hard a craft changes its speed, m/s^2."""

@@ -21,7 +21,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.signal import freqs
 
 from driftlab.checks import finite_array, finite_number, positive_number
 from driftlab.earth import EARTH_RADIUS
@@ -215,7 +214,9 @@ class LevelLoop(NamedTuple):
     def _response(self, frequency: ArrayLike, tilt: list[float], rate: list[float]) -> LoopResponse:
         swings = np.atleast_1d(finite_array(frequency, "frequency"))
         below = [1.0, self.gains.proportional * self.gravity, self.gains.integral * self.gravity]
-        return LoopResponse(*(freqs(above, below, swings)[1] for above in (tilt, rate)))
+        s = 1j * swings
+        divisor = np.polyval(below, s)
+        return LoopResponse(*(np.polyval(above, s) / divisor for above in (tilt, rate)))
 
 
 def level_loop(

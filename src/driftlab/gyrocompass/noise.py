@@ -7,7 +7,7 @@ rounding of the angle, which averages away with the window itself.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -67,6 +67,28 @@ class GyroNoise:
             if finite_number(value, field.name) < 0 or not (least or value > 0):
                 kind = "number of at least 0" if least else "positive time"
                 raise ValueError(f"{field.name}: expected a {kind}, got {value!r}.")
+
+    def sampled_every(self, interval: float) -> GyroNoise:
+        """Return the same noise with samples farther apart, each a mean over its interval.
+
+        Parameters
+        ----------
+        interval : float
+            Between the new samples, s; short beside the correlation time.
+
+        Returns
+        -------
+        GyroNoise
+            Its white part is smaller by the root of the number of samples in a mean.
+
+        Examples
+        --------
+        >>> second = GyroNoise(white=1e-6, interval=0.01).sampled_every(1.0)
+        >>> f"{second.white:.1e}", second.slow == GyroNoise().slow
+        ('1.0e-07', True)
+        """
+        white = self.white * float(np.sqrt(self.interval / interval))
+        return replace(self, white=white, interval=interval)
 
     def samples(self, count: int, rng: np.random.Generator, *shape: int) -> FloatArray:
         """Draw the noise of gyros that are switched on anew.

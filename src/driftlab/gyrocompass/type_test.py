@@ -152,9 +152,7 @@ def _heading_errors(
     slow = replace(noise, white=0.0, quantisation=0.0, interval=interval)
     drift = slow.samples(before - 1 + len(angle), rng, *starts, 3)
     at_start = drift[..., :before].mean(axis=-1)
-    fast = replace(
-        noise, slow=0.0, interval=interval, white=noise.white * np.sqrt(noise.interval / interval)
-    ).samples(len(angle), rng, *starts, 3)
+    fast = replace(noise, slow=0.0).sampled_every(interval).samples(len(angle), rng, *starts, 3)
     averaged = max(round(compass.alignment_time / noise.interval), 1)
     fast[..., 0] = replace(noise, slow=0.0).deviation_of_mean(averaged) * rng.standard_normal(
         at_start.shape

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from driftlab.checks import (
-    FloatArray,
-    positive_number,
-)
+from driftlab.checks import FloatArray, finite_number, positive_number
 
 DIRECTIONS = MappingProxyType({
     "East": (1, 0, 0), "West": (-1, 0, 0),
@@ -111,6 +108,37 @@ class Scheme:
         19
         """
         return len(self.turns) + 1
+
+    def lasting(self, duration: float) -> Scheme:
+        """Return the same rotations with pauses such that all of it takes a given time.
+
+        Parameters
+        ----------
+        duration : float
+            Of all pauses and rotations, s.
+
+        Returns
+        -------
+        Scheme
+            Its pauses are equal.
+
+        Raises
+        ------
+        ValueError
+            If the rotations alone take as long.
+
+        Examples
+        --------
+        >>> Scheme("+90Z -90Z", rate=np.radians(9.0)).lasting(50.0).dwell
+        10.0
+        """
+        turning = sum(abs(angle) for _, angle in self.turns) / self.rate
+        if not finite_number(duration, "duration") > turning:
+            raise ValueError(
+                f"duration: expected more than {turning:g} s, which the rotations take, "
+                f"got {duration!r}."
+            )
+        return replace(self, dwell=(duration - turning) / self.positions)
 
     @property
     def start_attitude(self) -> FloatArray:

@@ -5,14 +5,14 @@ import pytest
 
 from driftlab.book.ch10_gyrocompass_at_work import experiments as at_work
 from driftlab.book.machinery.publish import PublishedFigure
-from driftlab.earth import EARTH_RADIUS
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE
 from driftlab.gyrocompass.gains import Gains, damped_gains, schuler_gains
 from driftlab.gyrocompass.horizon_noise import settled_deviation
 from driftlab.gyrocompass.levelling_loop import level_loop
 from published import published
 from saratov import GRAVITY, LATITUDE, SCHULER
 
-VERTICAL_RATE = 7.292115e-5 * np.sin(LATITUDE)
+VERTICAL_RATE = EARTH_RATE * np.sin(LATITUDE)
 
 
 @published("10-frequency-response")

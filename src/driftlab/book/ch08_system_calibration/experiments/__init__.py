@@ -35,7 +35,6 @@ from .designed_schemes import (
     TriedScheme,
     designed_schemes,
     expected_covariance,
-    in_time,
 )
 from .in_place_claim import (
     AT_REST_SIZES,
@@ -117,7 +116,6 @@ __all__ = [
     "errors_at_rest",
     "expected_covariance",
     "filter_consistency",
-    "in_time",
     "left_out",
     "mission",
     "normalised_errors",

@@ -95,12 +95,6 @@ class DesignedSchemes(NamedTuple):
         return [each for each in self.schemes if each.kind == kind]
 
 
-def in_time(scheme: Scheme, duration: float) -> Scheme:
-    """Return a scheme whose pauses are such that it takes this long, s."""
-    turning = sum(abs(angle) for _, angle in scheme.turns) / scheme.rate
-    return replace(scheme, dwell=(duration - turning) / scheme.positions)
-
-
 def expected_covariance(scheme: Scheme, latitude: float = TABLE_LATITUDE) -> FloatArray:
     """Covariance (27, 27) after a scheme, for the typical noise and prior."""
     way = linearize_along(scheme, latitude, ERROR_MODELS["averaged"])
@@ -111,7 +105,7 @@ def designed_schemes() -> DesignedSchemes:
     """Search for schemes, draw random ones, and calibrate units on the best."""
     rng = np.random.default_rng(SEED)
     task = TASKS[BEST]
-    rows = [("published", name, in_time(each, task.duration)) for name, each in SCHEMES.items()]
+    rows = [("published", name, each.lasting(task.duration)) for name, each in SCHEMES.items()]
     for name, each in TASKS.items():
         design = design_scheme(each, rng, draws=100, climbs=1, begin=NINETEEN_POSITIONS)
         rows.append(("designed", name, design.scheme))

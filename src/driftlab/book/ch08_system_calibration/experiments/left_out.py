@@ -6,13 +6,12 @@ Each size follows from a stated assumption; what it would bias is the state that
 from typing import NamedTuple
 
 import numpy as np
-from scipy.constants import arcsecond, degree, g, hour, micro
+from scipy.constants import degree, g, hour, micro
 
-from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.linearization import linearize_along
-from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS
+
+from .designed_schemes import expected_covariance
 
 
 class LeftOut(NamedTuple):
@@ -39,9 +38,8 @@ class LeftOut(NamedTuple):
 
 def left_out(latitude: float) -> list[LeftOut]:
     """Return a list of what is left out, for a table at a latitude, rad."""
-    model, noise = ERROR_MODELS["averaged"], ImuNoise()
-    way = linearize_along(NINETEEN_POSITIONS, latitude, model)
-    stated = np.sqrt(np.diag(covariance_analysis(way, noise, PriorDeviations())))
+    model = ERROR_MODELS["averaged"]
+    stated = np.sqrt(np.diag(expected_covariance(NINETEEN_POSITIONS, latitude)))
     # Noise of the reference that remembers for so long counts as so many times its variance.
     remembered = np.exp(-1 / 5.0)
     counted = np.sqrt((1 + remembered) / (1 - remembered)) - 1
@@ -59,8 +57,8 @@ def left_out(latitude: float) -> list[LeftOut]:
          "gyro bias", 0.003 * degree / hour),
         ("gravity of the place", "10 mGal beside the ellipsoid's", "accelerometer scale",
          1e-4 / g),
-        ("axes of the table not square", "5″; the filter is told no angle of the table",
-         "gyro non-orthogonality", 0.0 * arcsecond),
+        ("axes of the table not square", "any; the filter is told no angle of the table",
+         "gyro non-orthogonality", 0.0),
         ("vibration that is not white", "remembered for five updates", "accelerometer bias",
          counted * stated[biases].max()),
         ("quantisation of the accelerometers", "pulses of 1 mm/s, over one pause",

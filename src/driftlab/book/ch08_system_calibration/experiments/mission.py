@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from driftlab.calibration.error_budget import MissionErrors
 from driftlab.calibration.static_error_growth import STATIC_CAUSES, static_error_modes
 from driftlab.checks import FloatArray
 
@@ -40,8 +41,8 @@ class Mission(NamedTuple):
     @property
     def rate(self) -> float:
         """Slope of the line through the start that fits the distance best, m/s."""
-        distance = np.linalg.norm(self.position, axis=-1)
-        return float((distance * self.times).sum() / (self.times**2).sum())
+        errors = MissionErrors(self.times, self.position, self.heading)
+        return float(errors.radial_error_rate)
 
     def sizes(self) -> list[tuple[str, FloatArray]]:
         """Parts of the causes that a reader can set, under their names."""

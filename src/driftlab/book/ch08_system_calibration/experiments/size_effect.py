@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from driftlab.calibration.kalman import nees
 from driftlab.calibration.simulation import TableTrial, Trial
 from driftlab.checks import FloatArray
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS, HigherOrderErrors
@@ -97,13 +98,12 @@ def _without_noise(
     trial = table.run(rng, len(SIZES), imu_errors=NO_ERRORS, higher_order=arms)
     errors, nis = trial.errors[:, -1, 6:], trial.calibration.nis
     covariance = trial.calibration.covariance[:, -1, 6:, 6:]
-    scaled = np.linalg.solve(covariance, errors[..., np.newaxis])[..., 0]
     names = trial.calibration.model.names[6:]
     biases = [names.index(f"accelerometer bias {axis}") for axis in "xyz"]
     size = np.abs(errors[:, biases])
     deviations = np.sqrt(np.einsum("...ii->...i", covariance))[:, biases]
     return (
-        1 + (errors * scaled).sum(axis=-1) / errors.shape[-1],
+        1 + nees(errors, covariance) / errors.shape[-1],
         1 + nis.mean(axis=-1) / 3,
         (size / deviations).max(axis=-1),
         size.max(axis=-1),

@@ -1,6 +1,5 @@
 """One position, two positions, gravity in inertial space: headings with a slow drift of gyros."""
 
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -57,7 +56,7 @@ class TwoPositions(NamedTuple):
 def two_positions() -> TwoPositions:
     """Headings of many units whose gyros have the quiet noise of the chapter, in three ways."""
     rng = np.random.default_rng(97)
-    noise = second_by_second(gyro_noise(WHITE[0]))
+    noise = gyro_noise(WHITE[0]).sampled_every(1.0)
     turns = np.radians([10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 150.0, 180.0])
     times = np.array([20.0, 40.0, 90.0, 180.0, 360.0, 800.0, 1800.0])
     means = noise_means(noise, 2, round(30 * MINUTES), rng)
@@ -92,11 +91,6 @@ def two_positions() -> TwoPositions:
         np.stack([mean, allan, _through_the_bell(noise, times) / level]),
         white,
     )
-
-
-def second_by_second(noise: GyroNoise) -> GyroNoise:
-    """The same noise with one sample in each second, whose white part is its mean's."""
-    return replace(noise, white=noise.white * float(np.sqrt(noise.interval)), interval=1.0)
 
 
 def noise_means(noise: GyroNoise, parts: int, seconds: int, rng: np.random.Generator) -> FloatArray:
