@@ -61,10 +61,8 @@ from bootstrap.steps import (
 )
 
 FIRST = "00_start_here.ipynb"
-NO_PEERS = ["-m", "not peers"]
-QUICK = [
-    "--hypothesis-profile=quick", "-m", "not browser and not kernel and not setup and not peers"
-]  # fmt: skip
+NO_PEERS = "--ignore=tests/peers"
+QUICK = ["--hypothesis-profile=quick", NO_PEERS, "-m", "not browser and not kernel and not setup"]
 
 # The token travels in the environment because other users can read command lines. It becomes
 # an argument inside the process because arguments, unlike JUPYTER_TOKEN, also win over a user's
@@ -178,7 +176,7 @@ def test(arguments: list[str]) -> int:
     # pytest comes last so that its summary closes the output.
     # The longest groups first, as tests/conftest.py orders them, not those of the most tests.
     workers = ["-n", "2", "--dist", "loadgroup", "--no-loadscope-reorder", "--durations=10"]
-    checks["pytest"] = ["-m", "pytest", *workers, *(marks or NO_PEERS)]
+    checks["pytest"] = ["-m", "pytest", *workers, *(marks or [NO_PEERS])]
     codes = {name: run(*command) for name, command in checks.items()}
     failed = [name for name, code in codes.items() if code]
     minutes, seconds = divmod(round(time.monotonic() - begun), 60)
@@ -204,6 +202,7 @@ def peers(arguments: list[str]) -> int:
     """Ask the programs of others whether they compute the same; who is missing is skipped."""
     expect_none(arguments)
     set_up()
+    fetch("bench")
     fetch("peers")
     return run("-m", "pytest", "tests/peers")
 

@@ -6,13 +6,19 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
+from driftlab.calibration import _higher_order_states as higher
 from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.error_dynamics import free_transition, transition_of_increments
 from driftlab.calibration.error_model import ERROR_MODELS, FULL
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.observability import unobservable_subspace
 from driftlab.calibration.simulation import TableTrial
-from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS, HigherOrderErrors, rate_changes
+from driftlab.higher_order_errors import (
+    NO_HIGHER_ORDER_ERRORS,
+    HigherOrderErrors,
+    felt_besides,
+    rate_changes,
+)
 from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise, PriorDeviations
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, Scheme
 from driftlab.motion.turntable import table_trajectory
@@ -58,6 +64,17 @@ def test_prior_deviations_are_those_that_are_told():
     sizes = [2.0] * 9 + [3.0] + [prior.accelerometer_quadratic] * 3 + [5.0] * 9
     np.testing.assert_allclose(covariance[NEW, NEW], np.diag(sizes) ** 2)
     assert not covariance[:27, NEW].any()
+
+
+def test_effects_of_states_are_what_their_errors_feel():
+    rng = np.random.default_rng(8)
+    angle, velocity, change, state = (rng.standard_normal(size) for size in [(5, 3)] * 3 + [22])
+    effects = higher.effects(GROUPS, np.full(5, 0.1), angle, velocity, change)
+    felt = felt_besides(0.1, angle, velocity, higher.unpacked(state, GROUPS), change)
+    for rows, expected in zip(effects, felt, strict=True):
+        np.testing.assert_allclose((rows @ state).reshape(5, 3), expected, rtol=0, atol=1e-12)
+    jump = higher.effects(GROUPS, np.ones(5), 0 * angle, 0 * velocity, change)[1]
+    np.testing.assert_array_equal(higher.of_a_jump(GROUPS, change).reshape(15, 22), jump)
 
 
 def test_growth_is_that_of_the_nonlinear_navigation():
@@ -131,7 +148,8 @@ def test_states_that_are_known_to_be_zero_change_nothing():
 @pytest.fixture(scope="module")
 def twenty():
     """Twenty typical units with all errors of higher order, and a filter that looks for them."""
-    return replace(QUICK, states=GROUPS).run(np.random.default_rng(3), 20)
+    hurried = replace(QUICK.scheme, dwell=12.0)
+    return replace(QUICK, scheme=hurried, states=GROUPS).run(np.random.default_rng(3), 20)
 
 
 def test_errors_are_as_large_as_the_filter_says(twenty):
@@ -139,7 +157,7 @@ def test_errors_are_as_large_as_the_filter_says(twenty):
     low, high = chi2.ppf([5e-4, 1 - 5e-4], 49 * 20)
     assert low < twenty.nees[:, -1].sum() < high
     low, high = chi2.ppf([5e-4, 1 - 5e-4], 3 * twenty.calibration.nis.size)
-    assert low < 3 * twenty.calibration.nis.sum() / 3 < high
+    assert low < twenty.calibration.nis.sum() < high
 
 
 def test_a_filter_of_27_states_is_wrong_by_many_deviations_and_its_innovations_say_little():
@@ -148,6 +166,7 @@ def test_a_filter_of_27_states_is_wrong_by_many_deviations_and_its_innovations_s
         QUICK,
         noise=ImuNoise(0.0, 0.0, 0.0),
         assumed_noise=ImuNoise(),
+        prior=PriorDeviations(attitude=1e-9),
     )
     biases = [AVERAGED.names.index(f"accelerometer bias {axis}") for axis in "xyz"]
     wrong, right = (
@@ -156,13 +175,20 @@ def test_a_filter_of_27_states_is_wrong_by_many_deviations_and_its_innovations_s
         )
         for states in ((), ("lever arms",))
     )
-    ratio = [(t.errors / t.calibration.deviations)[-1, biases] for t in (wrong, right)]
-    assert ratio[0].min() > 4
-    assert np.abs(ratio[1]).max() < 0.5
-    assert wrong.calibration.nis.mean() / 3 < 0.06  # beside one, from the noise
-    found = right.calibration.model.higher_order_errors(right.calibration.state[-1])
-    deviations = right.calibration.deviations[-1, 27:].reshape(3, 3)
-    assert (np.abs(found.lever_arms - ARMS.lever_arms) < deviations).all()
+    ratio = wrong.errors[-1, biases] / wrong.calibration.deviations[-1, biases]
+    assert ratio.min() > 3  # as noise alone would make one of three in a hundred and twenty runs
+    # Noise would make the mean one, and scatter it by so much: three of chi-square an update.
+    nis = wrong.calibration.nis
+    assert nis.mean() / 3 < 2 * np.sqrt(2 / (3 * nis.size))
+    # What is left is the pull of the prior P0 towards zero: the error P P0^-1 x of the truth x.
+    # The filter is linear but for a fiftieth of a deviation.
+    model, covariance = right.calibration.model, right.calibration.covariance[-1]
+    before = model.covariance(quiet.prior, quiet.scheme.start_attitude)
+    truth = model.state(NO_ERRORS, ARMS)
+    pulled = covariance @ np.linalg.lstsq(before, truth, rcond=1e-12)[0]
+    gap = (np.abs(right.errors[-1]) - np.abs(pulled)) / right.calibration.deviations[-1]
+    assert np.abs(gap[6:]).max() < 0.02
+    assert np.abs(right.errors[-1] / right.calibration.deviations[-1])[6:].max() < 1
 
 
 @pytest.mark.parametrize("scheme", [NINETEEN_POSITIONS, EIGHTEEN_ROTATIONS])
@@ -194,7 +220,8 @@ def test_a_second_pass_finds_what_the_first_found():
         for passes in (1, 2)
     )
     gap = (once.state - twice.state)[:, -1] / once.deviations[:, -1].clip(1e-30)
-    assert np.abs(gap[:, 6:]).max() < 0.2
+    # Of second order in what the first pass corrected; ten other seeds gave up to 0.03.
+    assert np.abs(gap[:, 6:]).max() < 0.06
 
 
 @pytest.mark.parametrize("name", ["arms", "", None, 3])

@@ -69,6 +69,8 @@ def passes():
 
 def test_constants_are_found_without_being_told_arms_and_skew(passes):
     names = MODEL.with_states(*GROUPS).names
+    # What both passes leave, rounded up. The record has no noise and the filter expects some: by
+    # that alone each error should be well below the deviation that the filter states.
     bounds = {
         "gyro bias": 1e-4 * degree / hour,
         "gyro scale": 0.1 * micro,

@@ -14,7 +14,7 @@ from driftlab.calibration.design_task import CRITERIA, DesignTask
 from driftlab.calibration.error_model import FULL
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.scheme_design import design_scheme
-from driftlab.imu import ImuNoise
+from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, SCHEMES, Scheme
 from driftlab.motion.turntable import segments
 from driftlab.quaternion import rotate

@@ -10,13 +10,6 @@ import pytest
 FETCH = '"python3 lab.py peers" fetches it'
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark what stands in this folder."""
-    for item in items:
-        if "peers" in item.path.parts:
-            item.add_marker(pytest.mark.peers)
-
-
 @pytest.fixture(scope="session")
 def pyins() -> ModuleType:
     """pyins, the package python-ins: strapdown navigation by N. Mayorov."""

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from driftlab.checks import (
     FloatArray,
@@ -232,6 +233,6 @@ class DesignTask:
         return np.sqrt(np.diag(level))[6:]
 
     @cached_property
-    def _unknown(self) -> IntArray:
+    def _unknown(self) -> NDArray[np.int_]:
         """Places of the sensor errors that count: what is known before needs no scheme."""
         return np.flatnonzero(self._before)

@@ -1,0 +1,61 @@
+"""The levelling loop as a linear filter: its poles and responses, against closed forms."""
+
+import numpy as np
+import pytest
+
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
+from driftlab.gyrocompass.gains import Gains, damped_gains, schuler_gains
+from driftlab.gyrocompass.horizon_noise import settled_deviation
+from driftlab.gyrocompass.levelling_loop import level_loop
+
+LATITUDE = float(np.radians(51.5))
+GRAVITY = float(gravity(LATITUDE))
+VERTICAL_RATE = EARTH_RATE * np.sin(LATITUDE)
+
+
+def test_poles_of_a_damped_loop_solve_its_equation() -> None:
+    for ratio in (0.1, 0.5, 1.5):
+        gains = damped_gains(0.02, GRAVITY, ratio)
+        poles = level_loop(gains, GRAVITY).poles(1e-3)
+        product, total = np.prod(poles), np.sum(poles)
+        assert product == pytest.approx(0.02**2, rel=1e-12)
+        assert total == pytest.approx(-2 * ratio * 0.02 + 1e-3j, rel=1e-12)
+    plus, minus = level_loop(schuler_gains(), GRAVITY).poles(VERTICAL_RATE)
+    assert plus.imag + minus.imag == pytest.approx(VERTICAL_RATE, rel=1e-9)
+    assert abs(plus.real) < 1e-18
+
+
+def test_responses_to_noise_add_up_to_the_closed_form() -> None:
+    """The area below |response|^2 is the variance that `settled_deviation` says."""
+    loop = level_loop(damped_gains(0.02, GRAVITY), GRAVITY)
+    frequency = np.geomspace(1e-6, 10.0, 4001)
+    power = np.abs(loop.gyro_bias(frequency).rate) ** 2
+    area = np.trapezoid(power * frequency, np.log(frequency)) / np.pi
+    assert np.sqrt(area) == pytest.approx(settled_deviation(1.0, 0.02), rel=1e-3)
+
+
+def test_only_an_untuned_loop_with_a_log_feels_the_acceleration() -> None:
+    frequency = [1e-5, 1e-3, 1.0]
+    tuned = Gains(2e-4, 1 / EARTH_RADIUS)
+    with_log = level_loop(tuned, GRAVITY, log=True)
+    assert not with_log.acceleration(frequency).rate.any()
+    assert not level_loop(tuned, GRAVITY).log_error(frequency).rate.any()
+    stiff = Gains(2e-4, 2 / EARTH_RADIUS)
+    # What is wanted in place of k2 = 1/R is felt as if it were an error of the accelerometer.
+    felt = level_loop(stiff, GRAVITY, log=True).acceleration(frequency).tilt
+    wrong = level_loop(Gains(0.0, stiff.integral), GRAVITY).accelerometer_bias(frequency).tilt
+    assert np.all(np.abs(felt) < np.abs(wrong))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"gains": Gains(-1.0, 1e-7)}, r"^gains\.proportional: expected at least 0"),
+        ({"gains": Gains(0.0, 0.0)}, r"^gains\.integral: expected a positive"),
+        ({"gravity": 0.0}, "^gravity: expected a positive"),
+        ({"radius": -1.0}, "^radius: expected a positive"),
+    ],
+)
+def test_impossible_loops_are_refused(arguments: dict[str, object], words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        level_loop(**{"gains": schuler_gains(), "gravity": GRAVITY, **arguments})  # type: ignore[arg-type]
