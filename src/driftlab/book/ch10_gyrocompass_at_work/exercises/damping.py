@@ -3,13 +3,14 @@
 import numpy as np
 
 from driftlab.book.machinery.answers import Value
+from driftlab.book.machinery.exercise import Exercise
 from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE, SCHULER_PERIOD
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.gyrocompass.gains import damped_gains
 from driftlab.gyrocompass.levelling_loop import level_loop
 
-from .experiments import SWELL
+from ..experiments import SWELL
 
 LEFT = 0.1
 """Of a swing, after one of its periods."""
@@ -32,26 +33,27 @@ def _answer(
     return np.array([ratio, *np.degrees(push * passed / (1.0 if part == "tilt" else north))])
 
 
-DAMPING_CHOICE = Value(
-    kind="compute",
-    right=_answer,
-    absolute=(0.004, 0.003, 6e-6),
-    mistakes={
-        "A damped swing is slower than an undamped one, by √(1 − ξ²); count in its own period.": (
-            lambda: _answer(slower=False)
-        ),
-        "The velocity has this amplitude; the acceleration has it times the frequency.": (
-            lambda: _answer(accelerated=True)
-        ),
-        "That is the tilt of the horizon; the heading is read from the integral of the force.": (
-            lambda: _answer(part="tilt")
-        ),
-        "That is what the whole rate shows; the heading is read from its integral part.": (
-            lambda: _answer(part="whole")
-        ),
-        "Only the level part of the Earth's rate tells where North is.": (
-            lambda: _answer(level=False)
-        ),
-    },
-    remark="At its own frequency any damping leaves as much; above it, damping lets more through.",
-)
+EXERCISES: dict[str, Exercise] = {
+    "10.9": Value(
+        kind="compute",
+        right=_answer,
+        absolute=(0.004, 0.003, 6e-6),
+        mistakes={
+            "A damped swing is slower than an undamped one, by √(1 − ξ²); count in its own "
+            "period.": lambda: _answer(slower=False),
+            "The velocity has this amplitude; the acceleration has it times the frequency.": (
+                lambda: _answer(accelerated=True)
+            ),
+            "That is the tilt of the horizon; the heading is read from the integral of the "
+            "force.": lambda: _answer(part="tilt"),
+            "That is what the whole rate shows; the heading is read from its integral part.": (
+                lambda: _answer(part="whole")
+            ),
+            "Only the level part of the Earth's rate tells where North is.": (
+                lambda: _answer(level=False)
+            ),
+        },
+        remark="At its own frequency any damping leaves as much; above it, damping lets more "
+        "through.",
+    )
+}
