@@ -11,7 +11,13 @@ import numpy as np
 import pytest
 from scipy.constants import arcsecond, g
 
-from driftlab.calibration import ERROR_MODELS, InconsistentWarning, calibrate, innovation_test
+from driftlab.calibration import (
+    ERROR_MODELS,
+    Calibration,
+    InconsistentWarning,
+    calibrate,
+    innovation_test,
+)
 from driftlab.calibration._evidence import Expected, evidence
 from driftlab.calibration._slips import FITS
 from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise, PriorDeviations, random_imu_errors
@@ -312,3 +318,10 @@ def test_times_that_cannot_be_are_refused(changes, words):
 def test_innovations_are_the_roots_of_their_squares():
     found = calibrate(**told())
     np.testing.assert_allclose(np.sum(found.innovations**2, axis=-1), found.nis, rtol=1e-6)
+
+
+def test_a_calibration_without_innovations_cannot_be_tested():
+    none = np.zeros((1, 27))
+    empty = Calibration(ERROR_MODELS["averaged"], none[0], none, none, none, none, none[0])
+    with pytest.raises(ValueError, match=r"^calibration: expected the innovations"):
+        innovation_test(empty)

@@ -14,7 +14,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from scipy.stats import chi2, norm
+from scipy.special import chdtri, ndtri
 
 from driftlab.checks import FloatArray, checked_instance
 
@@ -43,7 +43,8 @@ class InnovationTest(NamedTuple):
     squares : ndarray, shape (...)
         Mean squared innovation (NIS), divided by three: one if all is as the filter was told.
     lower, upper : float
-        Bounds that `squares` keeps in all but one of 10 000 right runs.
+        Bounds that `squares` keeps in all but one of 10 000 right runs. `calibrate` warns from a
+        quarter above the upper one on, because no noise is known better.
     mean : ndarray, shape (...)
         Squared mean of the innovations, times their number, divided by three: one, too.
     mean_upper : float
@@ -105,6 +106,11 @@ def innovation_test(calibration: Calibration) -> InnovationTest:
     InnovationTest
         Of each run.
 
+    Raises
+    ------
+    ValueError
+        If the calibration has no innovations.
+
     Notes
     -----
     Bar-Shalom, Li and Kirubarajan (2001), section 5.4. The innovations of a filter whose model is
@@ -126,8 +132,10 @@ def innovation_test(calibration: Calibration) -> InnovationTest:
     checked_instance(calibration, Calibration, "calibration")
     rows = calibration.innovations
     count = rows.shape[-2]
+    if count == 0:
+        raise ValueError("calibration: expected the innovations of some updates, got none.")
     tails = (1 - CONFIDENCE) / 2, (1 + CONFIDENCE) / 2
-    lower, upper = (float(bound) for bound in chi2.ppf(tails, 3 * count) / (3 * count))
+    upper, lower = (float(bound) for bound in chdtri(3 * count, tails) / (3 * count))
     squares = np.sum(rows**2, axis=(-2, -1))
     together = np.sum(rows[..., 1:, :] * rows[..., :-1, :], axis=(-2, -1))
     return InnovationTest(
@@ -135,7 +143,7 @@ def innovation_test(calibration: Calibration) -> InnovationTest:
         lower,
         upper,
         np.sum(rows.sum(axis=-2) ** 2, axis=-1) / (3 * count),
-        float(chi2.ppf(CONFIDENCE, 3)) / 3,
+        float(chdtri(3, 1 - CONFIDENCE)) / 3,
         np.divide(together, squares, out=np.zeros_like(squares), where=squares > 0),
-        float(norm.ppf(tails[1])) / np.sqrt(3 * count),
+        float(ndtri(tails[1])) / np.sqrt(3 * count),
     )
