@@ -159,6 +159,9 @@ def test_tables_have_a_row_for_each_entry():
 
 def test_table_is_markdown_with_as_many_cells_in_every_row():
     lines = ledger.Table([("a", "b"), ("$|x| + 1$", "c")])._repr_markdown_().splitlines()
+    assert ledger.Table([("2 |x| $|y|$ |",)])._repr_markdown_().splitlines()[0] == (
+        r"| 2 \|x\| $\vert y\vert $ \| |"
+    )
     assert ledger.Table([(r"$\|x\|$",)])._repr_markdown_().splitlines()[0] == r"| $\Vert x\Vert $ |"
     assert lines == ["| a | b |", "| --- | --- |", r"| $\vert x\vert  + 1$ | c |"]
 

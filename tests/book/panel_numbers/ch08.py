@@ -3,7 +3,7 @@
 import re
 
 import numpy as np
-from scipy.constants import arcminute, arcsecond, degree, g, hour, knot, micro, milli
+from scipy.constants import arcminute, arcsecond, degree, g, hour, knot, micro, milli, nautical_mile
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
@@ -117,22 +117,18 @@ def mission(values: Values) -> Rows:
     line, *sizes = (fitted.reshape(8, 2, 12)[i] for i in range(1, 8))
     daily, swing = (np.sqrt(sum((part**2).sum(axis=0) for part in rows)) for rows in
                     (sizes[:2], sizes[2:]))  # fmt: skip
-    rows = [("radial error rate, nautical miles an hour", three_digits(rate / knot))]
+    rows = [("radial error rate, nmi an hour", three_digits(rate / knot))]
     columns = (np.linalg.norm(each[-1, 5:7], axis=0), np.linalg.norm(line, axis=0), daily, swing)
-    names = "at the end, km", "line, in a day", "24 hours", "Schuler"
-    for i in (7, 8, 9, 10, 11, 0, 1, 2):
-        cause = "azimuth" if i == 2 else STATIC_CAUSES[i].replace("attitude", "tilt")
+    names = "at the end", "line, nmi a day", "24 hours, nmi", "Schuler, nmi"
+    ends = whole[-1, [5, 6, 2]] / [nautical_mile, nautical_mile, arcminute]
+    for what, end in zip(("East, nmi", "North, nmi", "heading, ′"), ends, strict=True):
+        rows.append((f"{what}: {names[0]}", re.sub(r"^-(0\.0+)$", r"\1", f"{end:.2f}")))
+        rows += [(f"{what}: {other}", "") for other in names[1:]]
+    chosen = (7, 8, 9, 10, 11, 0, 1, 2)
+    for i in sorted(chosen, key=lambda i: not causes[i]):  # those of zero are blank, at the end
+        cause = STATIC_CAUSES[i].replace("accelerometer", "acc.")
+        cause = "azimuth" if i == 2 else cause.replace("attitude", "tilt")
         for name, column in zip(names, columns, strict=True):
-            rows.append((f"{cause}: {name}", f"{column[i] / 1e3:.3f}"))
-    ends = whole[-1, [5, 6, 2]] / [1e3, 1e3, arcminute]
-    last = [
-        (f"{what} at the end, {unit}", re.sub(r"^-(0\.0+)$", r"\1", f"{end:.{places}f}"))
-        for what, unit, end, places in zip(
-            ("East", "North", "heading"), ("km", "km", "′"), ends, (3, 3, 2), strict=True
-        )
-    ]
-    far = "no" if distance.max() > 400e3 else "yes"
-    for name, text in (*last, ("near enough for linear equations", far)):
-        rows.append((f"{name}: {names[0]}", text))
-        rows += [(f"{name}: {other}", "") for other in names[1:]]
+            size = f"{column[i] / nautical_mile:.2f}"
+            rows.append((f"{cause}: {name}", size) if causes[i] else (f": {name}", ""))
     return rows

@@ -4,7 +4,7 @@ from itertools import groupby
 from typing import ClassVar
 
 import numpy as np
-from scipy.constants import arcminute, arcsecond, degree, g, hour, kilo, knot, micro
+from scipy.constants import arcminute, arcsecond, degree, g, hour, knot, micro, nautical_mile
 
 from driftlab.body_frames import BODY_FRAMES, GYRO_FRAMES
 from driftlab.book.machinery.control import Control
@@ -189,9 +189,9 @@ class CalibrationRunExplorer(Explorer):
 GYRO_STOPS = (0.0, 0.001, 0.002, 0.005, 0.008, 0.01, 0.02, 0.05, 0.1, 0.5, 1.0, 5.0, 10.0)
 ACCELEROMETER_STOPS = (0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 500.0, 1000.0, 5000.0)
 TILT_STOPS = (0.0, 0.1, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 60.0, 200.0, 1000.0)
+CAUSES = 8
+"""How many causes of error the mission's panel has sliders for."""
 AZIMUTH_STOPS = (0.0, 0.1, 0.5, 1.0, 2.0, 5.0, 10.0, 60.0)
-LINEAR = 400e3
-"""Distance up to which linear equations may do, m: a sixteenth of the Earth's radius."""
 
 
 class MissionExplorer(Explorer):
@@ -212,11 +212,11 @@ class MissionExplorer(Explorer):
         Control("gyro_east", "East, °/h", 0.01, stops=GYRO_STOPS, group="gyro bias"),
         Control("gyro_north", "North, °/h", 0.0, stops=GYRO_STOPS, group="gyro bias"),
         Control("gyro_up", "Up, °/h", 0.0, stops=GYRO_STOPS, group="gyro bias"),
-        Control("push_east", "acc. East, µg", 0.0, stops=ACCELEROMETER_STOPS, group="level"),
-        Control("push_north", "acc. North, µg", 0.0, stops=ACCELEROMETER_STOPS, group="level"),
-        Control("tilt_east", "tilt about East, ″", 0.0, stops=TILT_STOPS, group="level"),
-        Control("tilt_north", "tilt about North, ″", 0.0, stops=TILT_STOPS, group="level"),
-        Control("azimuth", "azimuth, ′", 0.0, stops=AZIMUTH_STOPS, group="mission"),
+        Control("push_east", "East, µg", 0.0, stops=ACCELEROMETER_STOPS, group="accelerometer bias"),
+        Control("push_north", "North, µg", 0.0, stops=ACCELEROMETER_STOPS, group="accelerometer bias"),
+        Control("tilt_east", "tilt about East, ″", 0.0, stops=TILT_STOPS, group="at the start"),
+        Control("tilt_north", "tilt about North, ″", 0.0, stops=TILT_STOPS, group="at the start"),
+        Control("azimuth", "azimuth, ′", 0.0, stops=AZIMUTH_STOPS, group="at the start"),
         Control(
             "latitude", "latitude, °", float(np.degrees(TABLE_LATITUDE)), -80.0, 80.0, 0.5,
             group="mission",
@@ -252,7 +252,7 @@ class MissionExplorer(Explorer):
         "Navigation grade": "Which row is the largest after four hours? Set it to zero.",
         "The chapter's residual": "Gyros of 0.008 °/h: is the mile an hour kept?",
         "Tactical grade": "After an hour: which sensor should be bought better?",
-        "MEMS": "Half an hour. When is it farther off than a kilometre?",
+        "MEMS": "Half an hour. When is it farther off than a mile?",
         "Foucault": "The plane of the swing turns. Half a turn: after how many hours at 30°?",
         "A day and a night": "The error comes back. When, and what does the slow curve do?",
         "Without end": "One curve goes on and on. Which of the three gyro biases does not do this?",
@@ -274,20 +274,21 @@ class MissionExplorer(Explorer):
         )
 
     def numbers(self, data: Mission) -> Results:
-        rows = [(name, *(f"{value / kilo:.3f}" for value in sizes)) for name, sizes in data.sizes()]
-        east, north = (f"{value:.3f}" for value in data.position[-1] / kilo)
-        heading = f"{data.heading[-1] / arcminute:.2f}"
-        far = np.linalg.norm(data.position, axis=-1).max() > LINEAR
-        rows += [
-            ("East at the end, km", east, "", "", ""),
-            ("North at the end, km", north, "", "", ""),
-            ("heading at the end, ′", heading, "", "", ""),
-            ("near enough for linear equations", "no" if far else "yes", "", "", ""),
-        ]
+        east, north = data.position[-1] / nautical_mile
+        ends = (
+            ("East, nmi", east),
+            ("North, nmi", north),
+            ("heading, ′", data.heading[-1] / arcminute),
+        )
+        rows = [(name, f"{value:.2f}", "", "", "") for name, value in ends]
+        for name, sizes in data.sizes():
+            rows.append((name, *(f"{size / nautical_mile:.2f}" for size in sizes)))
+        # As many rows whatever the values, so that nothing below them moves.
+        rows += [("", "", "", "", "")] * (len(ends) + CAUSES - len(rows))
         return Results(
-            ("radial error rate, nautical miles an hour", number_text(data.rate / knot)),
+            ("radial error rate, nmi an hour", number_text(data.rate / knot)),
             rows,
-            ("at the end, km", "line, in a day", "24 hours", "Schuler"),
+            ("at the end", "line, nmi a day", "24 hours, nmi", "Schuler, nmi"),
         )
 
     def call(self, values: Values) -> str:
@@ -297,8 +298,8 @@ class MissionExplorer(Explorer):
             "from driftlab.calibration import static_errors  # causes as in STATIC_CAUSES\n"
             f"causes = [{causes}]\n"
             f"times, latitude = [{values['hours'] * hour}], np.radians({values['latitude']})\n"
-            "east, north = static_errors(times, latitude, causes).position[0] / 1e3\n"
-            "print(east, north)  # km"
+            "east, north = static_errors(times, latitude, causes).position[0] / 1852\n"
+            "print(east, north)  # nautical miles"
         )
 
 

@@ -148,7 +148,7 @@ class TypeTestExplorer(Explorer):
         Control("drift", "lasting drift, °/h", 0.05,
                 stops=(0.0, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0),
                 group="level gyros"),
-        Control("slow", "new at each start, °/h", 0.01,
+        Control("slow", "at each start, °/h", 0.01,
                 stops=(0.0, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0), group="level gyros"),
         Control("walk", "random walk, °/√h", 0.0003,
                 stops=(0.0, 0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3), group="level gyros"),
@@ -206,8 +206,9 @@ class TypeTestExplorer(Explorer):
             rows.append((test, shown, most, ABSENT if np.isinf(share) else f"{share:.3f}"))
         kept = sum(data.passed.values())
         return Results(
-            ("limits kept", f"{kept} of {len(rows)}"), rows, ("measured", "limit", "share")
-        )
+            ("limits kept", f"{kept} of {len(rows)}"), rows, ("measured", "limit", "share"),
+            "The gyros' noise is drawn once; another draw gives other numbers."
+        )  # fmt: skip
 
     def call(self, values: Values) -> str:
         return (

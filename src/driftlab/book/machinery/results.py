@@ -22,11 +22,14 @@ class Results(NamedTuple):
         Name of a row, then its value in each column. There are as many rows, whatever the values.
     columns : sequence of str
         Heads of the columns of values; none for a single column.
+    note : str
+        A sentence below the table: how its numbers are to be read.
     """
 
     headline: tuple[str, str]
     rows: Sequence[tuple[str, ...]]
     columns: Sequence[str] = ()
+    note: str = ""
 
     def headline_html(self) -> str:
         """The number that matters, large, with its name."""
@@ -45,12 +48,13 @@ class Results(NamedTuple):
             + "</tr>"
             for name, *values in self.rows
         )
-        return f"<table>{head}<tbody>{body}</tbody></table>"
+        note = f"<p>{html.escape(self.note)}</p>" if self.note else ""
+        return f"<table>{head}<tbody>{body}</tbody></table>{note}"
 
     def blank(self) -> Results:
         """The same table without a value."""
         rows = [(name, *(ABSENT for _ in values)) for name, *values in self.rows]
-        return Results((self.headline[0], ABSENT), rows, self.columns)
+        return Results((self.headline[0], ABSENT), rows, self.columns, self.note)
 
 
 def _value(text: str) -> str:

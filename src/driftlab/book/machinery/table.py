@@ -25,9 +25,11 @@ class Table:
 
 
 def _without_bars(cell: str) -> str:
-    """A bar would end the cell of a table, in a formula as well."""
-
-    def without(formula: re.Match[str]) -> str:
-        return formula[0].replace(r"\|", r"\Vert ").replace("|", r"\vert ")
-
-    return re.sub(r"\$[^$]*\$", without, cell)
+    r"""A bar would end the cell of a table, in a formula as well; there ``\|`` is a double bar."""
+    words_and_formulas = re.split(r"(\$[^$]*\$)", cell)
+    for i, part in enumerate(words_and_formulas):
+        if i % 2:
+            words_and_formulas[i] = part.replace(r"\|", r"\Vert ").replace("|", r"\vert ")
+        else:
+            words_and_formulas[i] = re.sub(r"(?<!\\)\|", r"\|", part)
+    return "".join(words_and_formulas)

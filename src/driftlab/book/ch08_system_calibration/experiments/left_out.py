@@ -11,6 +11,7 @@ from scipy.constants import degree, g, hour, micro
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.motion.scheme import NINETEEN_POSITIONS
 
+from .calibration import unit_of
 from .designed_schemes import expected_covariance
 
 
@@ -35,6 +36,12 @@ class LeftOut(NamedTuple):
     size: float
     stated: float
 
+    @property
+    def by(self) -> str:
+        """Size to two digits, in the unit in which the states are usually given; or "nothing"."""
+        unit_size, unit = unit_of(self.state)
+        return f"{float(f'{self.size / unit_size:.2g}'):g} {unit}" if self.size else "nothing"
+
 
 def left_out(latitude: float) -> list[LeftOut]:
     """Return a list of what is left out, for a table at a latitude, rad."""
@@ -46,9 +53,10 @@ def left_out(latitude: float) -> list[LeftOut]:
     pulse, pause = 1e-3 / np.sqrt(12), NINETEEN_POSITIONS.dwell
     biases = [i for i, name in enumerate(model.names) if name.startswith("accelerometer bias")]
     kinds = (
-        ("scale of an accelerometer that differs between + and -", "10 ppm of |f|",
+        ("scale of an accelerometer that differs between + and -", "10 ppm of $|f|$",
          "accelerometer bias", 10 * micro * g),
-        ("scale of a gyro that differs between + and -", "2 ppm of |w|", "gyro scale", 2 * micro),
+        ("scale of a gyro that differs between + and -", r"2 ppm of $|\omega|$",
+         "gyro scale", 2 * micro),
         ("temperature, accelerometers", "30 µg a kelvin, half a kelvin in the run",
          "accelerometer bias", 15 * micro * g),
         ("temperature, gyros", "0.01 deg/h a kelvin, half a kelvin in the run",

@@ -45,11 +45,12 @@ class Mission(NamedTuple):
         return float(errors.radial_error_rate)
 
     def sizes(self) -> list[tuple[str, FloatArray]]:
-        """Parts of the causes that a reader can set, under their names."""
+        """Parts of the causes that a reader can set, under short names; without those of zero."""
         chosen = [7, 8, 9, 10, 11, 0, 1, 2]
-        names = [name.replace("attitude", "tilt") for name in STATIC_CAUSES]
+        short = {"accelerometer": "acc.", "attitude": "tilt"}
+        names = [" ".join(short.get(word, word) for word in name.split()) for name in STATIC_CAUSES]
         names[2] = "azimuth"
-        return [(names[i], self.parts[i]) for i in chosen]
+        return [(names[i], self.parts[i]) for i in chosen if self.parts[i].any()]
 
 
 def mission(causes: Sequence[float], latitude: float, duration: float) -> Mission:

@@ -2,7 +2,7 @@
 
 import numpy as np
 from matplotlib.ticker import MaxNLocator
-from scipy.constants import hour, kilo
+from scipy.constants import hour, nautical_mile
 
 from driftlab.book.machinery.picture import (
     BLACK,
@@ -15,8 +15,10 @@ from driftlab.book.machinery.picture import (
 from ..experiments import Mission
 
 REACHES = tuple(k * 10.0**power for power in range(-2, 5) for k in (1, 2, 5))
-"""Of the axes, km."""
-HOURS = (0.5, 1, 2, 4, 6, 8, 12, 16, 24, 36, 48)
+"""Of the axes, nautical miles."""
+HOURS = (0.5, 1, 2, 4, 6, 8, 12, 14, 16, 24, 36, 48)
+LINEAR = 400e3
+"""Distance up to which linear equations may do, m: a sixteenth of the Earth's radius."""
 
 
 class MissionPicture(Picture[Mission]):
@@ -28,8 +30,8 @@ class MissionPicture(Picture[Mission]):
         over_time, chart = self.figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.5, 1.0]})
         self.figure.subplots_adjust(0.08, 0.13, 0.985, 0.88, wspace=0.2)
         self.over_time, self.chart = over_time, chart
-        over_time.set(xlabel="time, hours", ylabel="position error, km")
-        chart.set(title="the way on the map", xlabel="East, km", ylabel="North, km")
+        over_time.set(xlabel="time, hours", ylabel="position error, nmi")
+        chart.set(title="the way on the map", xlabel="East, nmi", ylabel="North, nmi")
         chart.set_aspect("equal", adjustable="box")
         for axis in (chart.xaxis, chart.yaxis):
             axis.set_major_locator(MaxNLocator(4))
@@ -40,26 +42,38 @@ class MissionPicture(Picture[Mission]):
             for name, style in zip(names, SERIES, strict=False)
         ]
         self.slow = [
-            self.line(over_time, color=GREY, linewidth=1.2, dashes=(5, 3), label=label)
+            self.line(over_time, color=GREY, linewidth=1.4, linestyle=":", label=label)
             for label in ("without Schuler's swing", "_")
         ]
         self.way = self.line(chart, color=SERIES[0]["color"], linewidth=1.3)
-        self.end = self.line(chart, color=BLACK, marker="o", markersize=5)
+        chart.plot(0.0, 0.0, color=BLACK, marker="s", markersize=8, markerfacecolor="none",
+                   linestyle="none", label="start")  # fmt: skip
+        self.end = self.line(
+            chart, color=BLACK, marker="o", markersize=5, linestyle="none", label="end"
+        )
+        chart.legend(loc="upper right", fontsize=8)
+        self.too_far = self.words(
+            over_time, transform=over_time.transAxes, ha="left", va="top", fontsize=9
+        )
+        self.too_far.set_position((0.02, 0.97))
         legend_above(over_time, 3)
 
     def update(self, data: Mission) -> None:
-        hours, position = data.times / hour, data.position / kilo
+        hours, position = data.times / hour, data.position / nautical_mile
         for line, values in zip(self.lines, position.T, strict=True):
             line.set_data(hours, values)
-        for line, values in zip(self.slow, data.slow.T / kilo, strict=True):
+        for line, values in zip(self.slow, data.slow.T / nautical_mile, strict=True):
             line.set_data(hours, values)
         self.way.set_data(*position.T)
         self.end.set_data(position[-1:, 0], position[-1:, 1])
-        reach = max(float(abs(position).max()), float(abs(data.slow).max() / kilo))
+        far = np.linalg.norm(data.position, axis=-1).max() > LINEAR
+        beyond = f"beyond {LINEAR / nautical_mile:.0f} nmi the linear equations no longer hold"
+        self.too_far.set_text(beyond if far else "")
+        reach = max(float(abs(position).max()), float(abs(data.slow).max() / nautical_mile))
         step = next((step for step in REACHES if reach <= step), REACHES[-1])
         last = next(step for step in HOURS if hours[-1] <= step)
         self.set_limits(self.over_time, "x", 0.0, last)
-        both = np.concatenate([position, data.slow / kilo])
+        both = np.concatenate([position, data.slow / nautical_mile])
         self.set_reach(self.over_time, "y", both, (step,))
         for direction in "xy":
             self.set_limits(self.chart, direction, -step, step)
