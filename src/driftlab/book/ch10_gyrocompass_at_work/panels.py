@@ -206,9 +206,11 @@ class TypeTestExplorer(Explorer):
             rows.append((test, shown, most, ABSENT if np.isinf(share) else f"{share:.3f}"))
         kept = sum(data.passed.values())
         return Results(
-            ("limits kept", f"{kept} of {len(rows)}"), rows, ("measured", "limit", "share"),
-            "The gyros' noise is drawn once; another draw gives other numbers."
-        )  # fmt: skip
+            ("limits kept", f"{kept} of {len(rows)}"),
+            rows,
+            ("measured", "limit", "share"),
+            "The gyros' noise is drawn once; another draw gives other numbers.",
+        )
 
     def call(self, values: Values) -> str:
         return (

@@ -81,7 +81,9 @@ def draw(data: DesignedSchemes) -> Figure:
     errors.set(xlim=(-0.7, len(NAMES) - 0.3), ylim=(0.4, 60))
     errors.axhline(1.0, color=BLACK, linewidth=0.8)
     errors.bar(places, high - low, 0.8, low, color="#dcdcdc", label="random rows, 90 %")
-    errors.plot(places, middle, color=GREY, marker="_", linestyle="none", label="their median")
+    errors.plot(
+        places, middle, color=GREY, marker="_", linestyle="none", label="random rows, median"
+    )
     _, eighteen = SCHEMES
     for name, color, marker, beside, label in (
         (eighteen, VERMILION, "s", -0.25, eighteen),
@@ -100,15 +102,22 @@ def draw(data: DesignedSchemes) -> Figure:
     errors.set_yticks([0.5, 1, 2, 5, 10, 20, 50], ["0.5", "1", "2", "5", "10", "20", "50"])
     errors.minorticks_off()
     errors.set_xticks(places, [_short(name) for name in NAMES], rotation=55, ha="right", fontsize=7)
-    errors.legend(loc="upper left", ncols=3, fontsize=8, framealpha=1.0)
+    handles, _ = errors.get_legend_handles_labels()  # lines first, then bars
+    errors.legend(
+        handles=[handles[4], *handles[:4], *handles[5:]],
+        loc="upper left",
+        ncols=3,
+        fontsize=8,
+        framealpha=1.0,
+    )
     _draw_worst(worst, data)
     return figure
 
 
 def _draw_worst(panel: Axes, data: DesignedSchemes) -> None:
-    """How many random rows leave how much of the worst known error, and where the others are."""
+    """How many random rows leave how much of the least known error, and where the others are."""
     drawn = np.array([each.criteria[0] for each in data.of_kind("random")])
-    panel.set(title="what is left of the worst known error", xscale="log", xlim=(0.024, 1.1))
+    panel.set(title="the least known of the 21 errors", xscale="log", xlim=(0.024, 1.1))
     panel.set(xlabel="deviation after, over that before", ylabel="random rows")
     panel.hist(
         drawn, np.geomspace(0.024, 1.1, 25).tolist(), color="#dcdcdc", edgecolor=GREY, linewidth=0.5

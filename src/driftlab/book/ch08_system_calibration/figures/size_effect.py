@@ -47,18 +47,21 @@ def _draw_errors(panel: Axes, data: SizeEffect) -> None:
 
 
 def _draw_tests(panel: Axes, data: SizeEffect) -> None:
-    panel.set(title=f"what should be one, table at {RATES[SHOWN]:.0f} deg/s", xscale="log",
+    panel.set(title=f"what should be one, table at {RATES[SHOWN]:.0f}°/s", xscale="log",
               yscale="log", xlabel="lever arm, cm", ylim=(0.85, 500))  # fmt: skip
     _, high = mean_square_bounds(3, int(data.updates[0, SHOWN]))
-    panel.axhspan(0.85, high / 3, facecolor="#e4eef5", edgecolor="none")
+    panel.axhspan(0.85, high / 3, facecolor="#b9d6ea", edgecolor="none")
+    panel.axhline(high / 3, color=BLACK, linewidth=1, linestyle=":",
+                  label="95 % of clean innovations below")  # fmt: skip
     centimetres = 100 * np.array(ARM_SIZES)
     for i, (scheme, marker) in enumerate(zip(SCHEMES, "os", strict=True)):
-        for rows, style, words in (
-            (data.squares, SERIES[0], "errors"),
-            (data.noticed, SERIES[1], "innovations"),
+        for rows, style, face, words in (
+            (data.squares, SERIES[0], SERIES[0]["color"], "errors"),
+            (data.noticed, SERIES[1], "white", "innovations"),
         ):
             panel.plot(centimetres, rows[i, SHOWN], color=style["color"], marker=marker,
-                       linestyle=("-", "--")[i], label=f"{words}, {scheme}")  # fmt: skip
+                       markerfacecolor=face, linestyle=("-", "--")[i],
+                       label=f"{words}, {scheme}")  # fmt: skip
     panel.set_xticks(centimetres, [f"{x:g}" for x in centimetres])
     panel.set_yticks([1, 10, 100], ["1", "10", "100"])
     panel.minorticks_off()
