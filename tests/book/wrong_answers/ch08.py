@@ -6,7 +6,7 @@ import sympy as sp
 from driftlab.motion.scheme import Scheme
 
 _Q, _T, _M, _N = sp.symbols("q T m N", positive=True)
-_EN, _EU, _L = sp.symbols("e_N e_U L", real=True)
+_EN, _EU, _ELL = sp.symbols("e_N e_U ell", real=True)
 
 WRONG = {
     "8.1": [
@@ -56,16 +56,18 @@ WRONG = {
         (11.4, "three components"),
     ],
     "8.8": [
-        (lambda r, Omega: r * Omega**2, "acceleration of one"),
-        (lambda r, Omega: r * Omega, "stops with the table"),
-        (lambda r, Omega: np.sqrt(2) * r * Omega, "one accelerometer alone"),
-        (lambda r, Omega: 0.0, "would leave nothing"),
+        (lambda r, omega: r * omega**2, "acceleration of one"),
+        (lambda r, omega: r * omega, "stops with the table"),
+        (lambda r, omega: np.sqrt(2) * r * omega, "one accelerometer alone"),
+        (lambda r, omega: 0.0, "would leave nothing"),
     ],
     "8.9": [
-        (-_EN * sp.cos(_L) - _EU * sp.sin(_L), "The sign"),
-        (_EN * sp.sin(_L) + _EU * sp.cos(_L), "exchanged"),
-        (_EN * sp.sin(_L) - _EU * sp.cos(_L), "comes back"),
-        ((_EN * sp.cos(_L) + _EU * sp.sin(_L)) * sp.cos(_L), "degree of longitude"),
-        (_EN / sp.cos(_L), "how it begins"),
+        (-_EN * sp.cos(_ELL) - _EU * sp.sin(_ELL), "The sign"),
+        (_EN * sp.sin(_ELL) + _EU * sp.cos(_ELL), "exchanged"),
+        (_EN * sp.sin(_ELL) - _EU * sp.cos(_ELL), "comes back"),
+        ((_EN * sp.cos(_ELL) + _EU * sp.sin(_ELL)) * sp.cos(_ELL), "degree of longitude"),
+        (_EN / sp.cos(_ELL), "how it begins"),
+        (_EN + _EU * sp.tan(_ELL), "already"),
+        (_EN * sp.cos(_ELL) - _EU * sp.sin(_ELL), "sign of the vertical bias"),
     ],
 }

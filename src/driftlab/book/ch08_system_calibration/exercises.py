@@ -241,48 +241,54 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "8.8": Formula(
         kind="compute",
-        arguments=("r", "Omega"),
+        arguments=("r", "omega"),
         draw=lambda rng: (float(rng.uniform(0.01, 0.1)), float(rng.uniform(0.05, 0.5))),
-        right=lambda r, Omega: 2 * r * Omega,
+        right=lambda r, omega: 2 * r * omega,
         mistakes={
             "This is the acceleration of one accelerometer, not a velocity.": (
-                lambda r, Omega: r * Omega**2
+                lambda r, omega: r * omega**2
             ),
             "This is how fast the accelerometer itself moves. It stops with the table.": (
-                lambda r, Omega: r * Omega
+                lambda r, omega: r * omega
             ),
             "This is one accelerometer alone; there are two, and their forces are at right "
-            "angles.": lambda r, Omega: np.sqrt(2) * r * Omega,
+            "angles.": lambda r, omega: np.sqrt(2) * r * omega,
             "The force turns with the body: it does not add up along one direction.": (
-                lambda r, Omega: np.sqrt(2) * r * Omega * np.pi / 2
+                lambda r, omega: np.sqrt(2) * r * omega * np.pi / 2
             ),
             "An arm common to all three would leave nothing. Here each has its own.": (
-                lambda r, Omega: 0.0
+                lambda r, omega: 0.0
             ),
         },
         remark="With three centimetres and ten degrees a second it is a centimetre a second.",
     ),
     "8.9": Formula(
         kind="compute",
-        arguments=("e_N", "e_U", "L"),
+        arguments=("e_N", "e_U", "ell"),
         draw=lambda rng: (*rng.uniform(-1e-7, 1e-7, 2), rng.uniform(-1.4, 1.4)),
-        right=lambda e_N, e_U, L: e_N * np.cos(L) + e_U * np.sin(L),
+        right=lambda e_N, e_U, ell: e_N * np.cos(ell) + e_U * np.sin(ell),
         mistakes={
-            "The sign: a gyro that shows too much turns the computed axes too far, against the "
+            "The sign: a gyro that shows too much turns the computed axes too far, ahead of the "
             "Earth, and the computer believes that it moves East.": (
-                lambda e_N, e_U, L: -(e_N * np.cos(L) + e_U * np.sin(L))
+                lambda e_N, e_U, ell: -(e_N * np.cos(ell) + e_U * np.sin(ell))
             ),
             "Sine and cosine are exchanged: at the equator the Earth's axis points North.": (
-                lambda e_N, e_U, L: e_N * np.sin(L) + e_U * np.cos(L)
+                lambda e_N, e_U, ell: e_N * np.sin(ell) + e_U * np.cos(ell)
             ),
             "This is the component across the Earth's axis in the meridian. It goes round in a "
-            "day, and comes back.": lambda e_N, e_U, L: e_N * np.sin(L) - e_U * np.cos(L),
+            "day, and comes back.": lambda e_N, e_U, ell: e_N * np.sin(ell) - e_U * np.cos(ell),
             "This is the speed to the East over the Earth's radius. A degree of longitude is "
             "shorter than that.": (
-                lambda e_N, e_U, L: (e_N * np.cos(L) + e_U * np.sin(L)) * np.cos(L)
+                lambda e_N, e_U, ell: (e_N * np.cos(ell) + e_U * np.sin(ell)) * np.cos(ell)
             ),
             "This is how it begins, for an hour or two. In the long run the vertical bias counts "
-            "as well.": lambda e_N, e_U, L: e_N / np.cos(L),
+            "as well.": lambda e_N, e_U, ell: e_N / np.cos(ell),
+            "You have divided by the cosine of the latitude. A rate about the Earth's axis is a "
+            "rate of the longitude already.": lambda e_N, e_U, ell: e_N + e_U * np.tan(ell),
+            "The sign of the vertical bias: North of the equator the Earth's axis points up, so "
+            "both biases turn the same way about it.": (
+                lambda e_N, e_U, ell: e_N * np.cos(ell) - e_U * np.sin(ell)
+            ),
         },
         remark="It is the part along the Earth's axis, the only one that a day does not turn "
         "round. With a ratio of minus the tangent of the latitude nothing runs away.",
