@@ -112,10 +112,11 @@ def rate_contradiction(
     least spurious rate is that across the line of the known latitude, U sin(difference of the
     latitudes).
 
-    From two directions little is known of the third. If a spurious rate has no favourite direction,
-    the heading's error over `heading_doubt` is, where both are small, Student's t with two degrees
-    of freedom: the error is larger than 4.3 times in 5 cases of 100. A car that rolls as people get
-    in and out has a favourite direction.
+    From two directions little is known of the third. If a spurious rate is isotropic in space, the
+    heading's error over `heading_doubt` is, where both are small, Student's t with two degrees of
+    freedom: the error is larger than 4.3 times in 5 cases of 100. A body that leans is not such a
+    case: its rate has no part about Up, and for leans about level lines evenly spread the error is
+    larger than 4.3 times in 20 cases of 100.
 
     Examples
     --------

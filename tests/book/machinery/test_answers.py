@@ -238,3 +238,8 @@ def test_expected_answers_are_words():
     assert VECTOR.expected() == "1, -2, 0.5"
     assert STATEMENT.expected() == "b, d"
     assert EARTH.expected() == "a formula in U, phi; see the solutions"
+
+
+def test_a_unit_that_is_not_known_is_refused_at_once() -> None:
+    with pytest.raises(ValueError, match="unit: expected one of slips.UNITS, got 'furlongs'"):
+        Value(kind="compute", right=lambda: 1.0, unit="furlongs")

@@ -54,6 +54,7 @@ WRONG = {
         ([0.197, 0.197, 82.7], "not twice"),
         ([0.197, 0.197, 67.6], "change of speed"),
         ([11.28, 11.28, 75.3], "in radians"),
+        ([0.1, 0.1, 50], r"^not yet"),
     ],
     "10.9": [
         ([0.366, 0.1981, 2.29e-4], "slower than an undamped one"),

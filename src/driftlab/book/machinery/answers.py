@@ -12,7 +12,7 @@ import numpy as np
 from .exercise import Exercise, Objection, rows
 from .reading import Numbers, UnreadableError, fit, numbers, panel_values, read
 from .sizes import how_far_off
-from .slips import find_slip, matches
+from .slips import UNITS, find_slip, matches
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,6 +50,10 @@ class Value(Exercise):
     quaternion: bool = False
     any_order: bool = False
     from_panel: Callable[[Mapping[str, Any]], Any] | None = None
+
+    def __post_init__(self) -> None:
+        if not any(self.unit in kind for kind in UNITS.values()):
+            raise ValueError(f"unit: expected one of slips.UNITS, got {self.unit!r}")
 
     @cached_property
     def _right(self) -> Numbers:

@@ -82,6 +82,9 @@ EXERCISES: dict[str, Exercise] = {
             "The turn is not known exactly, and half of its error goes into the heading.": (
                 lambda: _waiting(click=0.0)
             ),
+            "Of the turn's error half goes into the heading, not all of it.": (
+                lambda: _waiting(click=CLICK)
+            ),
             "A change of the drift is shared by both positions: half of it counts.": (
                 lambda: _waiting(change=CHANGE)
             ),
