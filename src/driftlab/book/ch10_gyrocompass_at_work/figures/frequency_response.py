@@ -3,8 +3,9 @@
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.legend_handler import HandlerTuple
 from matplotlib.ticker import NullLocator
-from scipy.constants import arcminute, degree, hour
+from scipy.constants import arcminute, degree, hour, minute
 
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style
 from driftlab.book.scenarios import SARATOV_LATITUDE, SCHULER_PERIOD
@@ -13,7 +14,11 @@ from driftlab.earth import EARTH_RATE
 
 from ..experiments import DAY, LOOPS, SWELL, FrequencyResponse
 
-MARKS = {"a day": DAY, "84 min": SCHULER_PERIOD, "swell": SWELL}
+MARKS = {
+    f"a day,\n{DAY / hour:.0f} h": DAY,
+    f"Schuler,\n{SCHULER_PERIOD / minute:.0f} min": SCHULER_PERIOD,
+    f"swell,\n{SWELL:g} s": SWELL,
+}
 _HEADING = 1 / (EARTH_RATE * np.cos(SARATOV_LATITUDE) * degree)
 """Degrees of heading for a rate of one rad/s."""
 PANELS: dict[str, tuple[str, str, float, float, tuple[float, float]]] = {
@@ -57,12 +62,15 @@ def draw(data: FrequencyResponse) -> Figure:
     _draw_poles(poles)
     for panel, (title, what) in zip(gains, PANELS.items(), strict=True):
         _draw_gains(panel, data, *what)
-        panel.set(title=title)
+        panel.set_title(title, fontsize=10)
     lines = [poles.plot([], [], **style)[0] for style in STYLES.values()]
-    lines.append(poles.plot([], [], color=GREY, linewidth=0.9)[0])
+    whole = [style for name, style in STYLES.items() if "log" not in name]
+    thin = {"color": GREY, "linewidth": 0.9}
+    lines.append(tuple(poles.plot([], [], **style | thin)[0] for style in whole))
     lines.append(poles.plot([], [], "o", color=BLACK, markersize=5, fillstyle="none")[0])
-    names = [*STYLES, "the same loop, whole rate", "simulated compass"]
-    figure.legend(lines, names, loc="lower center", ncols=3)
+    names = [*STYLES, "the same loops, whole rate", "simulated compass"]
+    several = {tuple: HandlerTuple(ndivide=None, pad=0.4)}
+    figure.legend(lines, names, handler_map=several, handlelength=4, loc="lower center", ncols=3)
     return figure
 
 

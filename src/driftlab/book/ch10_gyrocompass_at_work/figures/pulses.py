@@ -23,7 +23,7 @@ def draw(data: CountedPulses) -> Figure:
     both.plot(minutes, read, **SERIES[0], label="from the integrals")
     both.legend(loc="upper right")
     middle = read.mean()
-    near.set(title="from the integrals", ylim=(middle - 0.3, middle + 0.3))
+    near.set(title="from the integrals, degrees", ylim=(middle - 0.3, middle + 0.3))
     near.plot(minutes, read, **SERIES[0])
     for panel in (both, near):
         panel.set(xlabel="time, minutes", xlim=(0, minutes[-1]))

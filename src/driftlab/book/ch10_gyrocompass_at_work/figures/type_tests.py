@@ -46,6 +46,8 @@ def draw(data: TypeTests) -> Figure:
         panel.axhspan(1, HIGH, color="#f6e3da", zorder=0)
         panel.axhline(1, color=BLACK, linewidth=1.0)
         panel.axvline(BEYOND, color=BLACK, linewidth=0.6, linestyle=":")
+        words = f"limits up to {BEYOND:g}°"
+        panel.text(BEYOND - 1, 1.6 * LOW, words, ha="right", fontsize=9)
         for (test, shares), style, marker in zip(tests.items(), SERIES, MARKERS, strict=True):
             panel.plot(data.latitudes, np.clip(shares, LOW, HIGH), **style, marker=marker,
                        markersize=4, label=test, clip_on=False)  # fmt: skip
