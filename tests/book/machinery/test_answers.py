@@ -241,5 +241,5 @@ def test_expected_answers_are_words():
 
 
 def test_a_unit_that_is_not_known_is_refused_at_once() -> None:
-    with pytest.raises(ValueError, match="unit: expected one of slips.UNITS, got 'furlongs'"):
+    with pytest.raises(ValueError, match=r"unit: expected one of slips\.UNITS, got 'furlongs'"):
         Value(kind="compute", right=lambda: 1.0, unit="furlongs")

@@ -71,7 +71,7 @@ def _response_caption(data: experiments.FrequencyResponse) -> str:
         "period, from two days on the left to some seconds. Schuler's tuning, and a damped horizon "
         "with a log, do not feel accelerations at all and are missing in those plots. Circles: "
         "the simulated compass, driven with waves; its gains are those of the lines within "
-        f"{gap:.1%}. Thin and grey: the same error of the accelerometers in the whole rate."
+        f"{gap:.1%}. Thin: the same error of the accelerometers in the whole rate."
     )
 
 

@@ -92,13 +92,13 @@ def _draw_loop(axes: Axes) -> None:
 def _draw_disturbances(axes: Axes) -> None:
     (x0, y), turn, way = SUMS["felt"], SUMS["turn"][0], BOXES["way"][1]
     _wire(axes, VERMILION, (0.25, y), (x0 - _RADIUS, y))
-    axes.text(0.22, y + 0.1, "acceleration $\\dot v$\nNorth ($a$)", fontsize=11, color=BLACK)
+    axes.text(0.22, y + 0.1, "acceleration\n$\\dot v$ North ($a$)", fontsize=11, color=BLACK)
     axes.plot(1.4, y, "o", color=VERMILION, markersize=4)
     _wire(axes, VERMILION, (1.4, y), (1.4, way), (3.05, way))
     _wire(axes, VERMILION, (3.95, way), (turn, way), (turn, y + _RADIUS))
     axes.text(4.15, way + 0.1, "the way turns the true horizon", fontsize=11)
     _wire(axes, VERMILION, (0.95, 1.2), (x0 - 0.11, y - 0.11))
-    axes.text(0.22, 0.88, "error of the\naccelerometer ($n$)", fontsize=11, color=BLACK, va="center")
+    axes.text(0.22, 0.88, "error of the\naccelerometer ($n$)", fontsize=11, va="center")
     _wire(axes, VERMILION, (turn, 1.2), (turn, y - _RADIUS))
     axes.text(turn, 1.0, r"drift $\Delta\omega_3$ ($d$)", fontsize=11, ha="center", va="center")
     _sign(axes, turn + 0.17, y - 0.3, "−")
@@ -109,7 +109,7 @@ def _draw_log(axes: Axes) -> None:
     _wire(axes, GREEN, (1.6, y1), (2.45, y1))
     _wire(axes, GREEN, (3.05, y1), (x1 - _RADIUS, y1))
     axes.text(1.58, y1 + 0.1, r"log, $v_{\log}$", fontsize=11)
-    axes.text(1.58, y1 - 0.25, r"error $e$", fontsize=11)
+    axes.text(1.58, y1 - 0.25, r"(error $e$)", fontsize=11)
     axes.text(3.12, y1 + 0.1, r"$\dot v_{\log}$", fontsize=11)
     _sign(axes, x1 - 0.27, y1 - 0.17, "−")
 
