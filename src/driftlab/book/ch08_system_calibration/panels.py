@@ -280,7 +280,7 @@ class MissionExplorer(Explorer):
             ("North, nmi", north),
             ("heading, ′", data.heading[-1] / arcminute),
         )
-        rows = [(name, f"{value:.2f}", "", "", "") for name, value in ends]
+        rows: list[tuple[str, ...]] = [(name, f"{value:.2f}", "", "", "") for name, value in ends]
         for name, sizes in data.sizes():
             rows.append((name, *(f"{size / nautical_mile:.2f}" for size in sizes)))
         # As many rows whatever the values, so that nothing below them moves.
