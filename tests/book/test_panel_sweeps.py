@@ -269,8 +269,9 @@ def test_random_combinations_see_what_a_sweep_does_not(broken: type[Explorer]) -
 
 class WrongSign(DriftExplorer):
     def numbers(self, data):
-        headline, rows, columns = super().numbers(data)
-        return Results((headline[0], headline[1].lstrip("-")), rows, columns)
+        found = super().numbers(data)
+        name, text = found.headline
+        return found._replace(headline=(name, text.lstrip("-")))
 
 
 def test_a_wrong_number_is_seen() -> None:

@@ -54,7 +54,7 @@ def errors(pyins: ModuleType, trajectory: Any, imu: Any, interval: float) -> dic
 
 def test_an_hour_at_rest(pyins: ModuleType) -> None:
     times = 0.1 * np.arange(36001)
-    place, turned = np.tile([55.0, 37.0, 150.0], (36001, 1)), np.tile([-5.0, 10, 110], (36001, 1))
+    place, turned = np.tile([55.0, 37.0, 0.0], (36001, 1)), np.tile([-5.0, 10, 110], (36001, 1))
     trajectory, imu = pyins.sim.generate_imu(times, place, turned, sensor_type="increment")
     found = errors(pyins, trajectory, imu, 0.1)
     for name, allowed in STATIONARY.items():
@@ -64,7 +64,7 @@ def test_an_hour_at_rest(pyins: ModuleType) -> None:
 def test_ten_minutes_of_a_velocity_that_swings(pyins: ModuleType) -> None:
     """To a hundredth of what pyins asks of itself in an hour."""
     trajectory, imu = pyins.sim.generate_sine_velocity_motion(
-        1e-2, 600.01, [55, 37, 1500], [5, -3, 0.2], velocity_change_amplitude=1,
+        1e-2, 600.01, [55, 37, 0], [5, -3, 0], velocity_change_amplitude=[1, 1, 0],
         sensor_type="increment",
     )  # fmt: skip
     found = errors(pyins, trajectory, imu, 1e-2)
@@ -80,12 +80,13 @@ def test_the_same_earth(pyins: ModuleType) -> None:
     np.testing.assert_allclose(
         earth.earth_rate(latitude), pyins.earth.rate_n(degrees) @ NED.T, atol=1e-18
     )
-    # Ours has more of the height than their linear term.
+    # Their linear term in the height leaves out the flattening and the Earth's turn, ours does not:
+    # 2 h/a (f + m) of gravity, 2.2e-7 at 100 m. So the flights above are level, at the surface.
     np.testing.assert_allclose(
         earth.gravity(latitude), pyins.earth.gravity(degrees, 0.0), rtol=1e-14
     )
     np.testing.assert_allclose(
-        earth.gravity(latitude, 100.0), pyins.earth.gravity(degrees, 100.0), rtol=1e-8
+        earth.gravity(latitude, 100.0), pyins.earth.gravity(degrees, 100.0), rtol=3e-7
     )
 
 
