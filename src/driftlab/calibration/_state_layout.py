@@ -22,16 +22,7 @@ from ._triad_bases import combined
 class StateLayout:
     """States of a calibration filter, and the sensor errors that they describe.
 
-    Attributes
-    ----------
-    frame : str or None
-        The choice of body axes, one of `driftlab.body_frames.BODY_FRAMES`; None for all 30 states.
-    gyro_basis, accelerometer_basis : ndarray, shape (m, 3, 3)
-        Basis matrices: K (gyros) and L (accelerometers) are their linear combinations.
-    names : tuple of str
-        Name of each state, in order.
-    higher_order : tuple of str
-        Groups of states behind those of the triads; see `ErrorModel.with_states`.
+    Its attributes are those of `ErrorModel`, which says what they are.
 
     Examples
     --------
