@@ -28,6 +28,7 @@ from . import (
 from .allan import allan_deviation as allan_deviation, fit_noise_terms as fit_noise_terms
 from .attitude.integration import integrate as integrate
 from .axes import convert_attitude as convert_attitude, convert_vectors as convert_vectors
+from .book.figures import figure as figure
 from .calibration.filter import calibrate as calibrate
 from .calibration.simulation import TableTrial as TableTrial
 from .drift.recorded_turns import recorded_turn_estimate as recorded_turn_estimate

@@ -64,7 +64,7 @@ def test_every_line_style_stands_out_from_a_dark_page_too():
 
 @published(*NAMES)
 def test_lines_and_texts_stand_out_from_the_page(figure: PublishedFigure) -> None:
-    drawn = figure._figure
+    drawn = figure.on_screen
     if isinstance(drawn, str):
         return  # a scene: its colours are those of scene.css, below
     for text in drawn.findobj(Text):
@@ -83,7 +83,7 @@ def test_lines_and_texts_stand_out_from_the_page(figure: PublishedFigure) -> Non
 @published(*NAMES)
 def test_caption_is_sentences_and_names_no_colour(figure: PublishedFigure) -> None:
     assert re.match(r"[A-Z0-9“(].*[.”)]$", figure.caption, re.DOTALL), figure.caption
-    drawn = figure._figure
+    drawn = figure.on_screen
     if isinstance(drawn, str):
         texts = re.findall(r"<text[^>]*>([^<]+)", drawn)
     else:

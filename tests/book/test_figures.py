@@ -1,9 +1,9 @@
 """All figures: they repeat, and the published files and captions are theirs."""
 
 import base64
-import csv
 import html
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -12,17 +12,13 @@ import pytest
 
 from driftlab.book import figures
 from driftlab.book.__main__ import write_figures
-from driftlab.book.machinery.publish import PublishedFigure, gallery, read_columns
+from driftlab.book.machinery.curve_rows import numbers
+from driftlab.book.machinery.figure_table import as_words, read_table
+from driftlab.book.machinery.publish import PublishedFigure, gallery
 from driftlab.recordings.publishers import RecordingUnavailable
 from published import NAMES, published
 
 PUBLISHED = Path(__file__).parents[2] / "figures"
-
-
-def read(path: Path) -> dict[str, np.ndarray]:
-    with path.open(encoding="utf-8", newline="") as file:
-        rows = list(csv.reader(file))
-    return dict(zip(rows[0], np.array(rows[1:]).T, strict=True))
 
 
 def published_captions() -> dict[str, str]:
@@ -39,7 +35,7 @@ def test_published_numbers_are_what_is_computed(figure: PublishedFigure) -> None
         return
     if missing := figures.not_at_hand(figure.definition):
         pytest.skip(missing)
-    assert_same_table(read(path), figure.definition.columns(figure.data))
+    assert_same_table(path, figure.table())
 
 
 @pytest.mark.parametrize(
@@ -48,24 +44,25 @@ def test_published_numbers_are_what_is_computed(figure: PublishedFigure) -> None
 def test_a_figure_that_is_restored_writes_its_table_again(name: str) -> None:
     """Without the recording, or the minutes, that it takes to compute it."""
     definition = figures.figure_definitions(name[:2])[name]
-    restored = definition.restore(read_columns(PUBLISHED / f"{name}.csv"))
-    assert_same_table(read(PUBLISHED / f"{name}.csv"), definition.columns(restored))
+    restored = definition.restore(read_table(PUBLISHED / f"{name}.csv")[1])
+    assert_same_table(PUBLISHED / f"{name}.csv", definition.columns(restored))
 
 
-def assert_same_table(published: dict[str, np.ndarray], computed: dict[str, Any]) -> None:
-    """Fail unless two tables have the same columns, words and numbers."""
+def assert_same_table(path: Path, columns: Mapping[str, Any]) -> None:
+    """Fail unless a published CSV has the same columns, words and numbers as those computed."""
+    published, computed = read_table(path)[1], as_words(columns)
     assert list(published) == list(computed)
     for name, column in computed.items():
-        if isinstance(column[0], str):
-            assert list(published[name]) == list(column)
+        here, there = numbers(column), numbers(published[name])
+        if here is None or there is None:
+            assert published[name] == column
         else:
             # Twelve digits are written; other processors may round the last few differently, and
             # what is small beside its neighbours, as an entry of a matrix, earlier.
-            there, here = published[name].astype(float), np.asarray(column, float)
-            curves = np.asarray(computed.get("curve", np.zeros(len(here))))
+            curves = np.asarray(computed.get("curve", ["" for _ in column]))
             for curve in np.unique(curves):
                 rows = curves == curve
-                least = max(1e-12, 1e-8 * np.abs(here[rows]).max())
+                least = max(1e-12, 1e-8 * np.nanmax(np.abs(here[rows]), initial=0.0))
                 np.testing.assert_allclose(there[rows], here[rows], 1e-8, least, err_msg=name)
 
 
@@ -123,12 +120,12 @@ def test_a_rebuild_writes_every_entry_the_gallery_and_larins_numbers(tmp_path: P
     captions = {name: each.caption(each.compute()) for name, each in definitions.items()}
     assert (tmp_path / "README.md").read_text(encoding="utf-8") == gallery(captions)
     for name in ("05-cayley-map.csv", "04-larin-numbers.csv"):
-        table = read(tmp_path / name)
+        written = read_table(tmp_path / name)[1]
+        values = {title: numbers(column) for title, column in written.items()}
         computed = {
-            title: column if title in ("name", "curve") else column.astype(float)
-            for title, column in table.items()
+            title: written[title] if each is None else each for title, each in values.items()
         }
-        assert_same_table(read(PUBLISHED / name), computed)
+        assert_same_table(PUBLISHED / name, computed)
 
 
 def test_without_its_recording_a_figure_is_restored_and_its_files_are_kept(

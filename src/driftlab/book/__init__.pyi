@@ -47,6 +47,7 @@ from .exercises import (
 )
 from .figures import (
     figure as figure,
+    figure_parameters as figure_parameters,
     measured as measured,
 )
 from .ledger import (

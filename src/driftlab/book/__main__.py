@@ -12,7 +12,8 @@ from tqdm import tqdm
 from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, experiment_numbers
 from .errata import errata
 from .figures import figure_definitions, measured, not_at_hand, published_paths
-from .machinery.publish import FigureDefinition, PublishedFigure, gallery, write_columns
+from .machinery.figure_table import as_words, write_table
+from .machinery.publish import FigureDefinition, PublishedFigure, gallery
 
 
 def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | None = None) -> None:
@@ -31,9 +32,10 @@ def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | No
             kept.append(name)
             _copy(published_paths(name), folder)
         else:
-            PublishedFigure(definition, data).write(folder)
+            PublishedFigure(definition, data, definition.parameters).write(folder)
     table = experiment_numbers()
-    write_columns(folder / "04-larin-numbers.csv", {"name": NAMES, **table})
+    numbers = as_words({"name": NAMES, **table})
+    write_table(folder / "04-larin-numbers.csv", numbers, ["Larin's numbers, see chapter 04"])
     (folder / "README.md").write_text(gallery(captions), encoding="utf-8", newline="\n")
     if kept:
         print(f"\nKept as published, because their recordings are not at hand: {', '.join(kept)}.")

@@ -14,7 +14,8 @@ from typing import Any
 from driftlab.recordings.publishers import PUBLISHED, RecordingUnavailable, published_file
 
 from .chapters import chapters_with, part_of
-from .machinery.publish import FigureDefinition, PublishedFigure, read_columns
+from .machinery.figure_table import read_table
+from .machinery.publish import FigureDefinition, PublishedFigure
 
 _FOLDER = Path(__file__).parents[3] / "figures"
 
@@ -25,11 +26,12 @@ def figure_definitions(chapter: str | None = None) -> dict[str, FigureDefinition
     return {each.name: each for c in chapters for each in part_of(c, "figures").FIGURES}
 
 
-def figure(name: str, data: object = None) -> PublishedFigure:
+def figure(name: str, data: object = None, **parameters: Any) -> PublishedFigure:
     """Return a published figure by name, to be the last line of a notebook cell.
 
     It is computed, but for a study of some minutes and for one whose recording is not at hand:
     those are read from their published CSV, if the book's folder is there. Nothing is downloaded.
+    With parameters of your own it is always computed.
 
     Parameters
     ----------
@@ -37,18 +39,65 @@ def figure(name: str, data: object = None) -> PublishedFigure:
         Name of its file in the folder ``figures``: "03-drift-map".
     data : object, optional
         Numbers of the chapter's experiment, to draw these instead of computing them again.
+    **parameters
+        What to compute it with, in SI units and radians; what is not named is as published.
+        `figure_parameters` lists them.
+
+    Returns
+    -------
+    PublishedFigure
+        A page shows it; ``save("map.pdf", width=3.5)`` puts it into a paper's column, ``table()``
+        has its numbers, ``call`` the line that makes it again.
+
+    Raises
+    ------
+    ValueError
+        If there is none of that name, or it has no such parameter.
+    RecordingUnavailable
+        If a recording is not at hand, and the book's folder is not there either.
+
+    Examples
+    --------
+    >>> import driftlab
+    >>> mine = driftlab.figure("03-drift-map", triad_error=[[0, 2e-3, 0], [0, 0, 0], [0, 0, 0]])
+    >>> mine.call
+    "driftlab.figure('03-drift-map', triad_error=[[0, 0.002, 0], [0, 0, 0], [0, 0, 0]])"
+    """
+    definition = _definition(name)
+    known = definition.parameters
+    if unknown := [each for each in parameters if each not in known]:
+        takes = f"expected {', '.join(known)}" if known else "it takes no parameters"
+        raise ValueError(f"{name}: {takes}, got {unknown[0]!r}.")
+    if data is not None:
+        if parameters:
+            raise ValueError(f"{name}: expected data or parameters, got both.")
+        return PublishedFigure(definition, data)
+    if parameters:
+        parameters = {**known, **parameters}
+        return PublishedFigure(definition, definition.compute(**parameters), parameters)
+    return PublishedFigure(definition, measured(name), known, not_at_hand(definition))
+
+
+def figure_parameters(name: str) -> dict[str, Any]:
+    """Return the parameters of a published figure with their published values.
+
+    Parameters
+    ----------
+    name : str
+        As in `figure`.
 
     Raises
     ------
     ValueError
         If there is none of that name.
-    RecordingUnavailable
-        If a recording is not at hand, and the book's folder is not there either.
+
+    Examples
+    --------
+    >>> from driftlab.book import figure_parameters
+    >>> list(figure_parameters("03-drift-map"))
+    ['triad_error']
     """
-    definition = _definition(name)
-    if data is None:
-        return PublishedFigure(definition, measured(name), not_at_hand(definition))
-    return PublishedFigure(definition, data)
+    return _definition(name).parameters
 
 
 def measured(name: str) -> Any:
@@ -72,7 +121,7 @@ def measured(name: str) -> Any:
     definition, table = _definition(name), _FOLDER / f"{name}.csv"
     needed = not definition.recordings or bool(not_at_hand(definition))
     if definition.restore is not None and needed and table.exists():
-        return definition.restore(read_columns(table))
+        return definition.restore(read_table(table)[1])
     return _from_recordings(name) if definition.recordings else definition.compute()
 
 

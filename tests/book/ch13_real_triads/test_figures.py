@@ -21,7 +21,7 @@ from driftlab.book.ch13_real_triads.experiments import (
 )
 from driftlab.book.ch13_real_triads.experiments.five_units import authors_rests
 from driftlab.book.ch13_real_triads.experiments.publishers_numbers import published_gyro_bias
-from driftlab.book.machinery.publish import read_columns
+from driftlab.book.machinery.figure_table import read_table
 from driftlab.earth import EARTH_RATE
 from support import ROOT, recording_or_skip
 
@@ -37,7 +37,7 @@ IMUCAL = np.diag([1.0279243264288036, 0.9824277738468916, 0.9983104874451514]) @
 def of(name):
     """The data behind a figure, from its published table, whether the recording is here or not."""
     definition = figures.figure_definitions("13")[name]
-    return definition.restore(read_columns(ROOT / "figures" / f"{name}.csv"))
+    return definition.restore(read_table(ROOT / "figures" / f"{name}.csv")[1])
 
 
 @pytest.fixture(scope="module")

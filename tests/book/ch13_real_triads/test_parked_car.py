@@ -18,7 +18,7 @@ from driftlab.book.ch13_real_triads.experiments.parked_car import (
     spread,
 )
 from driftlab.book.machinery.arrays_table import from_columns
-from driftlab.book.machinery.publish import read_columns
+from driftlab.book.machinery.figure_table import read_table
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.trials import normal_ranges, range_over_deviation
 from support import recording_or_skip
@@ -29,7 +29,7 @@ TABLE = Path(__file__).parents[3] / "figures" / "13-parked-car.csv"
 @cache
 def car() -> ParkedCar:
     """The study as it is published, which needs no recording."""
-    return from_columns(ParkedCar)(read_columns(TABLE))
+    return from_columns(ParkedCar)(read_table(TABLE)[1])
 
 
 def test_every_stretch_of_five_minutes_gives_the_heading_of_the_header():

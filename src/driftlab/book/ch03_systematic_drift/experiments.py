@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.book.scenarios import LARIN_TRIAD, SKEW, SYMMETRIC
+from driftlab.book.scenarios import LARIN_TRIAD, OBLIQUE_AXIS, SKEW, SYMMETRIC
 from driftlab.checks import FloatArray, finite_array, nonzero_vectors, whole_number
 from driftlab.drift.closed_motion import drift_per_motion
 from driftlab.drift.error_kinematics import error_quaternion
@@ -79,7 +79,9 @@ class DriftHistory(NamedTuple):
 
 
 def drift_history(
-    triad_error: ArrayLike, direction: ArrayLike, samples_per_turn: int = 60
+    triad_error: ArrayLike = LARGEST_ENTRY * SYMMETRIC,
+    direction: ArrayLike = OBLIQUE_AXIS,
+    samples_per_turn: int = 60,
 ) -> DriftHistory:
     """Error of a bent triad over `TURNS` turns at a constant rate, exact; Larin (2.3).
 
@@ -188,7 +190,7 @@ class DriftMap(NamedTuple):
     axes: FloatArray
 
 
-def drift_map(triad_error: ArrayLike) -> DriftMap:
+def drift_map(triad_error: ArrayLike = LARIN_TRIAD) -> DriftMap:
     """Drift coefficient for every axis of rotation, and its extremes; Larin (2.2), before (2.6).
 
     Parameters
@@ -251,7 +253,7 @@ class MotionHistory(NamedTuple):
     first_order: float
 
 
-def motion_histories(triad_error: ArrayLike) -> dict[str, MotionHistory]:
+def motion_histories(triad_error: ArrayLike = LARIN_TRIAD) -> dict[str, MotionHistory]:
     """Exact error of a triad over each of the `closed_motions`, with the drift of first order.
 
     Parameters

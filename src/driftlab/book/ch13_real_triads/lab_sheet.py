@@ -15,6 +15,7 @@ from driftlab.drift.turns_by_hand import HandTurn, HandTurnFit
 
 from ..machinery.picture import GREY, SERIES, in_style, legend_above
 from ..machinery.publish import FigureDefinition, PublishedFigure
+from ..machinery.sheet import Sheet
 from ..machinery.table import Table
 from .offset_two_ways import RestRates
 
@@ -99,7 +100,7 @@ def _caption(log: Log) -> str:
 
 
 @in_style
-def _draw(log: Log) -> Figure:
+def _draw(log: Log, sheet: Sheet) -> Figure:
     figure = Figure(figsize=(10.0, 3.6))
     panel = figure.subplots()
     figure.subplots_adjust(0.07, 0.15, 0.99, 0.88)

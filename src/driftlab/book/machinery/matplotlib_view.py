@@ -16,7 +16,8 @@ import matplotlib
 from PIL import Image
 
 from .page import Page
-from .picture import STYLE, Picture
+from .picture import Picture
+from .sheet import STYLE
 
 LEAST_RATIO, MOST_RATIO = 1.25, 2.0
 """Pixels of the picture for one of the page: more are sharper, and take longer to compress."""

@@ -2,13 +2,13 @@
 
 A slider panel and the published figure of it are the same picture. `Picture.draw(data)` makes the
 figure for a page; an explorer keeps one `Picture` and calls `update` at each move of a slider. A
-figure that no panel moves is one function, in the same style by `in_style`.
+figure that no panel moves is one function, in the same style by `in_style`. Both take the sheet
+that they are drawn on, a screen if nothing else is said; see `sheet`.
 """
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
-from importlib.resources import as_file, files
-from typing import Any, ClassVar, Generic, TypeVar
+from typing import Any, ClassVar, Generic, Protocol, TypeVar
 
 import matplotlib
 import numpy as np
@@ -22,8 +22,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray
 
-with as_file(files(__package__) / "driftlab.mplstyle") as _path:
-    STYLE = matplotlib.rc_params_from_file(_path, use_default_template=True)
+from .sheet import SCREEN, Sheet
 
 # Okabe and Ito's colours, orange and sky darkened until their contrast to white is above 3 to 1;
 # each line also has a dash pattern or a marker of its own.
@@ -43,7 +42,11 @@ SERIES: tuple[dict[str, Any], ...] = (
 REACHES = tuple(k * 10.0**power for power in range(-6, 4) for k in (1, 2, 5))
 """How far axes may reach, if nothing else is said."""
 
+GUIDE = "_guide"
+"""Label of what is drawn to guide the eye: it is not in the legend, and not in the CSV."""
+
 Data = TypeVar("Data")
+Seen = TypeVar("Seen", contravariant=True)
 
 
 class Picture(Generic[Data]):
@@ -52,6 +55,9 @@ class Picture(Generic[Data]):
     Attributes
     ----------
     figure : matplotlib.figure.Figure
+        An empty one of `size`, which `build` may replace by one of ``self.sheet.mosaic``.
+    sheet : Sheet
+        What it is drawn on.
     moving : list of Artist
         The artists that `update` changes. Everything else is drawn once and kept.
     rescaled : bool
@@ -59,14 +65,16 @@ class Picture(Generic[Data]):
     """
 
     size: ClassVar[tuple[float, float]] = (9.0, 3.8)
+    figure: Figure
 
-    def __init__(self) -> None:
+    def __init__(self, sheet: Sheet = SCREEN) -> None:
         self.moving: list[Artist] = []
         self.rescaled = False
-        with matplotlib.rc_context(STYLE):
+        self.sheet = sheet
+        with matplotlib.rc_context(sheet.style):
             self.figure = Figure(figsize=self.size)
-            FigureCanvasAgg(self.figure)
             self.build()
+            FigureCanvasAgg(self.figure)
 
     def build(self) -> None:
         """Make axes and artists."""
@@ -77,9 +85,9 @@ class Picture(Generic[Data]):
         raise NotImplementedError
 
     @classmethod
-    def draw(cls, data: Data) -> Figure:
+    def draw(cls, data: Data, sheet: Sheet = SCREEN) -> Figure:
         """Return a figure of `data`, for a page or a file."""
-        picture = cls()
+        picture = cls(sheet)
         picture.update(data)
         return picture.figure
 
@@ -120,13 +128,19 @@ class Picture(Generic[Data]):
         return line
 
 
-def in_style(draw: Callable[[Data], Figure]) -> Callable[[Data], Figure]:
-    """Let a drawing function run in the book's style: Matplotlib reads it when artists are made."""
+class _Drawing(Protocol[Seen]):
+    """What draws data on a sheet, on a screen if none is named."""
+
+    def __call__(self, data: Seen, sheet: Sheet = SCREEN) -> Figure: ...
+
+
+def in_style(draw: Callable[[Data, Sheet], Figure]) -> _Drawing[Data]:
+    """Let a function draw in its sheet's style, which Matplotlib reads when artists are made."""
 
     @wraps(draw)
-    def styled(data: Data) -> Figure:
-        with matplotlib.rc_context(STYLE):
-            figure = draw(data)
+    def styled(data: Data, sheet: Sheet = SCREEN) -> Figure:
+        with matplotlib.rc_context(sheet.style):
+            figure = draw(data, sheet)
         FigureCanvasAgg(figure)
         return figure
 

@@ -1,25 +1,34 @@
-"""Publish figures: on a notebook page, or as SVG and CSV files whose content repeats."""
+"""Publish figures: on a notebook page, in a paper, or as SVG and CSV whose content repeats."""
 
 from __future__ import annotations
 
 import base64
-import csv
 import html
 import io
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, is_dataclass
+from functools import cached_property
+from inspect import signature
 from pathlib import Path
 from typing import Any
 
 import matplotlib
+import numpy as np
 from matplotlib.figure import Figure
 
-from .picture import STYLE
+import driftlab
+
+from .curve_rows import Words
+from .figure_table import as_words, header, write_table
+from .sheet import SCREEN, Sheet
 
 GALLERY_NOTE = (
-    "Rebuilt from seeds by `python3 lab.py figures`; do not edit. The numbers behind a figure are "
-    "in the CSV of the same name."
+    "Rebuilt from seeds by `python3 lab.py figures`; do not edit. The numbers behind a figure, "
+    "every curve of it in the units of its axes, are in the CSV of the same name, below lines that "
+    "say which columns are which curve. `driftlab.figure(name)` makes it anew, with your "
+    "parameters if you hand some in, and its `save` puts it on the column or the page of a paper."
 )
+FORMATS = ("pdf", "svg", "png", "csv")
 
 
 @dataclass(frozen=True)
@@ -31,13 +40,16 @@ class FigureDefinition:
     name : str
         File name without ending; begins with the chapter's number.
     compute : callable
-        Takes nothing, returns the picture's data.
+        Takes the figure's parameters, all by name and with their published values as defaults, in
+        SI units and radians; returns the picture's data.
     draw : callable
-        Data to a Matplotlib figure, or to the text of an SVG, as a scene draws itself.
+        Data and the sheet to draw them on, to a Matplotlib figure; what plays by itself, as a
+        scene does, returns the text of an SVG for a screen.
     columns : callable or None
-        Data to CSV columns of equal length; None for a drawing that shows no numbers.
+        Data to CSV columns by name, every curve that is drawn in the units of its axes; they may
+        be of different lengths. None for a drawing that shows no numbers.
     caption : callable
-        Data to the sentence under the figure, so that its numbers are computed.
+        Data to the sentence under the figure, true for any parameters, its numbers computed.
     restore : callable, optional
         Columns of the published CSV to the data, for what takes minutes to compute or needs a
         recording that may not be at hand.
@@ -46,12 +58,17 @@ class FigureDefinition:
     """
 
     name: str
-    compute: Callable[[], Any]
-    draw: Callable[[Any], Figure | str]
+    compute: Callable[..., Any]
+    draw: Callable[..., Figure | str]
     columns: Callable[[Any], dict[str, Any]] | None
     caption: Callable[[Any], str]
     restore: Callable[[Mapping[str, list[str]]], Any] | None = None
     recordings: tuple[str, ...] = ()
+
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """Its parameters with their published values, by name."""
+        return {name: each.default for name, each in signature(self.compute).parameters.items()}
 
 
 class PublishedFigure:
@@ -62,31 +79,133 @@ class PublishedFigure:
     definition : FigureDefinition
     data : object
         What ``definition.compute`` returned.
+    parameters : dict or None
+        What it was computed with, by name; None if the data were handed in.
     caption : str
         What ``definition.caption`` says of the data, and the note if there is one.
     """
 
-    def __init__(self, definition: FigureDefinition, data: Any, note: str = "") -> None:
+    def __init__(
+        self,
+        definition: FigureDefinition,
+        data: Any,
+        parameters: Mapping[str, Any] | None = None,
+        note: str = "",
+    ) -> None:
         self.definition = definition
         self.data = data
+        self.parameters = None if parameters is None else dict(parameters)
         self.caption = " ".join(filter(None, [definition.caption(data), note]))
-        self._figure = definition.draw(data)
+
+    @cached_property
+    def on_screen(self) -> Figure | str:
+        """The picture as pages show it: a Matplotlib figure, or an SVG that plays by itself."""
+        return self.definition.draw(self.data)
+
+    @property
+    def call(self) -> str:
+        """The call that makes this figure again; what differs from the published one is in it."""
+        name = self.definition.name
+        if self.parameters is None:
+            return f"driftlab.figure({name!r}, data)"
+        published = self.definition.parameters
+        own = [
+            f", {title}={written(value)}"
+            for title, value in self.parameters.items()
+            if written(value) != written(published[title])
+        ]
+        return f"driftlab.figure({name!r}{''.join(own)})"
+
+    def table(self) -> dict[str, Any]:
+        """Return the numbers behind the picture: the columns of its CSV, by name.
+
+        Raises
+        ------
+        ValueError
+            If it is a drawing that shows no numbers.
+        """
+        if self.definition.columns is None:
+            raise ValueError(f"{self.definition.name} is a drawing: it shows no numbers.")
+        return self.definition.columns(self.data)
 
     def svg(self) -> bytes:
         """The picture as SVG whose bytes repeat: no date, identifiers from a fixed salt."""
-        if isinstance(self._figure, str):
-            return self._figure.encode()
-        buffer = io.BytesIO()
-        with matplotlib.rc_context(STYLE):
-            self._figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
-        return buffer.getvalue()
+        if isinstance(self.on_screen, str):
+            return self.on_screen.encode()
+        return _saved(self.on_screen, "svg", SCREEN)
+
+    def save(self, path: str | Path, width: float | None = None) -> Path:
+        """Save the figure for a paper, or its numbers.
+
+        Parameters
+        ----------
+        path : str or Path
+            Its ending says the format: .pdf with embedded fonts, .svg, .png with 600 dots an inch,
+            or .csv for the numbers.
+        width : float, optional
+            Inches: 3.5 for a column, 7.2 for a page. As on a screen if not given.
+
+        Returns
+        -------
+        Path
+            Where it was written.
+
+        Raises
+        ------
+        ValueError
+            If the ending or the width is none of these, or a drawing is to become a CSV.
+
+        Examples
+        --------
+        >>> import driftlab, tempfile
+        >>> column = driftlab.figure("03-drift-map")  # triad_error=M draws yours
+        >>> column.save(tempfile.mkdtemp() + "/map.pdf", width=3.5).name
+        'map.pdf'
+        """
+        path = Path(path)
+        ending = path.suffix[1:].lower()
+        if ending not in FORMATS:
+            known = ", ".join(f".{each}" for each in FORMATS)
+            raise ValueError(f"path: expected an ending of {known}, got {str(path)!r}.")
+        sheet = Sheet(width)
+        if ending == "csv":
+            self._write_table(path)
+        elif ending == "svg" and not sheet.on_paper:
+            path.write_bytes(self.svg())
+        else:
+            figure = self.definition.draw(self.data, sheet)
+            assert isinstance(figure, Figure)
+            path.write_bytes(_saved(figure, ending, sheet, self.definition.name, self.caption))
+        return path
 
     def write(self, folder: Path) -> None:
         """Write the picture as SVG and, if it shows any, its numbers as CSV."""
         (folder / f"{self.definition.name}.svg").write_bytes(self.svg())
         if self.definition.columns:
-            columns = self.definition.columns(self.data)
-            write_columns(folder / f"{self.definition.name}.csv", columns)
+            self._write_table(folder / f"{self.definition.name}.csv")
+
+    def comments(self, table: Words) -> list[str]:
+        """Return the lines above the numbers: what they are, of what parameters, and what is drawn.
+
+        Raises
+        ------
+        MissingCurves
+            If a curve of the picture is not in the table.
+        """
+        lines = [
+            f"{self.definition.name}: {self.caption}",
+            f"made by: driftlab {driftlab.__version__}, {self.call}; text and numbers CC BY 4.0",
+        ]
+        if self.parameters:
+            lines.append("parameters, in SI units and radians:")
+            lines += [f"  {name} = {written(value)}" for name, value in self.parameters.items()]
+        if isinstance(self.on_screen, Figure):
+            lines += header(self.on_screen, table)
+        return lines
+
+    def _write_table(self, path: Path) -> None:
+        table = as_words(self.table())
+        write_table(path, table, self.comments(table))
 
     def _repr_html_(self) -> str:
         picture = base64.b64encode(self.svg()).decode()
@@ -98,27 +217,38 @@ class PublishedFigure:
         )
 
 
+def _saved(figure: Figure, ending: str, sheet: Sheet, title: str = "", subject: str = "") -> bytes:
+    """Return a figure as a file of which the bytes repeat."""
+    known: dict[str, dict[str, Any]] = {
+        "svg": {"Date": None, "Creator": None},
+        "pdf": {"CreationDate": None, "Title": title, "Subject": subject},
+        "png": {"Title": title, "Description": subject},
+    }
+    buffer = io.BytesIO()
+    with matplotlib.rc_context(sheet.style):
+        figure.savefig(buffer, format=ending, metadata=known[ending])
+    return buffer.getvalue()
+
+
+def written(value: Any) -> str:
+    """Return a parameter as Python writes it, on one line; arrays as lists."""
+    if isinstance(value, np.ndarray | np.generic):
+        return repr(value.tolist())
+    if isinstance(value, tuple) and hasattr(value, "_fields"):
+        inner = ", ".join(f"{name}={written(getattr(value, name))}" for name in value._fields)
+        return f"{type(value).__name__}({inner})"
+    if isinstance(value, list | tuple):
+        inner = ", ".join(map(written, value))
+        return f"[{inner}]" if isinstance(value, list) else f"({inner}{',' * (len(value) == 1)})"
+    if is_dataclass(value) and not isinstance(value, type):
+        inner = ", ".join(f"{n}={written(getattr(value, n))}" for n in value.__dataclass_fields__)
+        return f"{type(value).__name__}({inner})"
+    return " ".join(repr(value).split())
+
+
 def gallery(captions: Mapping[str, str]) -> str:
     """Return the Markdown page that shows all figures, from their captions by name."""
     lines = ["# The figures of the book", "", GALLERY_NOTE, ""]
     for name, caption in captions.items():
         lines += [f"![{caption}]({name}.svg)", "", f"**{name}.** {caption}", ""]
     return "\n".join(lines)
-
-
-def read_columns(path: Path) -> dict[str, list[str]]:
-    """Return the columns of a CSV that `write_columns` wrote, as words."""
-    with path.open(encoding="utf-8", newline="") as file:
-        header, *rows = csv.reader(file)
-    return {
-        title: list(column) for title, column in zip(header, zip(*rows, strict=True), strict=True)
-    }
-
-
-def write_columns(path: Path, columns: dict[str, Any]) -> None:
-    """Write columns of equal length as CSV, numbers to twelve digits."""
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns)
-        for row in zip(*columns.values(), strict=True):
-            writer.writerow([x if isinstance(x, str) else f"{x:.12g}" for x in row])

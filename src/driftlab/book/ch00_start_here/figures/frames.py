@@ -12,13 +12,14 @@ from driftlab.book.machinery.picture import (
     plain_axes,
     project,
 )
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import Arrows, Frame
 
 
 @in_style
-def draw(frames: list[Frame]) -> Figure:
+def draw(frames: list[Frame], sheet: Sheet) -> Figure:
     """One panel a frame: its axes, a second frame dashed if there is one, and the arcs."""
     figure = Figure(figsize=(10.0, 2.7))
     panels = figure.subplots(1, 3)

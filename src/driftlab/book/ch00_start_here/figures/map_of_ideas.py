@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import FancyArrowPatch, FancyBboxPatch
 
 from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, ORANGE, VERMILION, in_style
+from driftlab.book.machinery.sheet import Sheet
 
 
 class Idea(NamedTuple):
@@ -44,7 +45,7 @@ WIDTH, HEIGHT = 1.56, 0.78
 
 
 @in_style
-def draw(_: object) -> Figure:
+def draw(_: object, sheet: Sheet) -> Figure:
     """Boxes and arrows; red is what goes wrong, green what helps."""
     figure = Figure(figsize=(9.6, 4.9))
     axes = figure.add_axes((0, 0, 1, 1))

@@ -5,7 +5,6 @@ import numpy as np
 from driftlab.book.ch00_start_here.puzzle import LEANING
 from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.book.machinery.scene.published import scene_figure
-from driftlab.book.scenarios import LARIN_TRIAD, OBLIQUE_AXIS, SYMMETRIC
 
 from .. import experiments
 from ..block import magnification
@@ -66,7 +65,7 @@ FIGURES = (
     ),
     FigureDefinition(
         "03-drift-history",
-        lambda: experiments.drift_history(experiments.LARGEST_ENTRY * SYMMETRIC, OBLIQUE_AXIS),
+        experiments.drift_history,
         drift_history.DriftHistoryPicture.draw,
         drift_history.columns,
         _history_caption,
@@ -83,18 +82,19 @@ FIGURES = (
     ),
     FigureDefinition(
         "03-drift-map",
-        lambda: experiments.drift_map(LARIN_TRIAD),
+        experiments.drift_map,
         drift_map.draw,
         drift_map.columns,
         lambda data: (
-            "Drift coefficient of the triad of Larin's experiment for every axis of rotation. "
-            f"The extremes {1e3 * data.principal[0]:.3f} and {1e3 * data.principal[2]:.3f} "
-            "(times 1e-3) lie, to first order, on the eigenvectors of the symmetric part (stars)."
+            "Drift coefficient of a bent triad for every axis of rotation; published for that of "
+            f"Larin's experiment. The extremes {1e3 * data.principal[0]:.3f} and "
+            f"{1e3 * data.principal[2]:.3f} (times 1e-3) lie, to first order, on the eigenvectors "
+            "of the symmetric part (stars)."
         ),
     ),
     FigureDefinition(
         "03-closed-motions",
-        lambda: experiments.motion_histories(LARIN_TRIAD),
+        experiments.motion_histories,
         closed_motions.draw,
         closed_motions.columns,
         _motions_caption,

@@ -13,6 +13,7 @@ from driftlab.book.machinery.picture import (
     plain_axes,
     project,
 )
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import REPEATS, MotionHistory
@@ -32,7 +33,7 @@ def columns(data: dict[str, MotionHistory]) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: dict[str, MotionHistory]) -> Figure:
+def draw(data: dict[str, MotionHistory], sheet: Sheet) -> Figure:
     """Way of the third axis in each motion, and the error with its first order."""
     figure = Figure(figsize=(10.0, 4.4))
     grid = figure.add_gridspec(2, 3, width_ratios=[1, 1, 3])
@@ -44,17 +45,17 @@ def draw(data: dict[str, MotionHistory]) -> Figure:
     outline = np.linspace(0, 2 * np.pi, 100)
     for place, style, (name, history) in zip(np.ndindex(2, 2), SERIES, data.items(), strict=False):
         track = history.track[history.motions <= 1][::3]
-        sheet = figure.add_subplot(grid[place])
-        plain_axes(sheet, reach=1.15)
-        sheet.set_title(name)
-        sheet.plot(np.cos(outline), np.sin(outline), color=GREY, linewidth=0.8)
+        drawing = figure.add_subplot(grid[place])
+        plain_axes(drawing, reach=1.15)
+        drawing.set_title(name)
+        drawing.plot(np.cos(outline), np.sin(outline), color=GREY, linewidth=0.8)
         for number, tip in enumerate(project(np.eye(3), *VIEW)):
-            sheet.plot([0, tip[0]], [0, tip[1]], color=BLACK, linewidth=0.8)
+            drawing.plot([0, tip[0]], [0, tip[1]], color=BLACK, linewidth=0.8)
             x, y = 0.55 * tip + BESIDE[number]
-            sheet.text(x, y, f"{number + 1}", fontsize=9, **CENTRED)
-        sheet.plot(*project(track, *VIEW).T, color=style["color"], linewidth=2)
-        sheet.plot(*project(track[0], *VIEW), color=BLACK, marker="o", markersize=4)
-        sheet.text(0, 1.1, "start", fontsize=9, **CENTRED)
+            drawing.text(x, y, f"{number + 1}", fontsize=9, **CENTRED)
+        drawing.plot(*project(track, *VIEW).T, color=style["color"], linewidth=2)
+        drawing.plot(*project(track[0], *VIEW), color=BLACK, marker="o", markersize=4)
+        drawing.text(0, 1.1, "start", fontsize=9, **CENTRED)
         errors.plot(history.motions, 60 * np.degrees(history.angle), **style, label=name)
         errors.plot(ends, 60 * np.degrees(history.first_order) * ends, color=GREY, linewidth=0.9)
         back = np.flatnonzero(history.motions % 1 == 0)

@@ -4,26 +4,29 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLUE, SERIES, VERMILION, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import DriftBySymmetry
 
 
 def columns(data: DriftBySymmetry) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV."""
+    """Columns of the figure's CSV, those of the right panel over the mixing angle."""
     return {
         "size": data.sizes,
         "symmetric_rad_per_turn": data.symmetric,
         "skew_rad_per_turn": data.skew,
+        "mixing_deg": np.degrees(data.mixing),
+        "mixed_per_size": data.mixed / data.mixed_size,
+        "four_pi_cosine": 4 * np.pi * np.cos(data.mixing),
     }
 
 
 @in_style
-def draw(data: DriftBySymmetry) -> Figure:
+def draw(data: DriftBySymmetry, sheet: Sheet) -> Figure:
     """Slope one against slope two, and the cosine of the mixture."""
-    figure = Figure(figsize=(9.0, 3.8))
-    sizes, mixture = figure.subplots(1, 2)
-    figure.subplots_adjust(0.085, 0.14, 0.985, 0.9, wspace=0.27)
+    figure, panels = sheet.mosaic("ab", (9.0, 3.8), (0.085, 0.14, 0.985, 0.9), spaces=(0.27, 0.2))
+    sizes, mixture = panels["a"], panels["b"]
     sizes.set(title="drift against size", xscale="log", yscale="log", xlim=(1e-6, 1e-1))
     sizes.set(xlabel="size of the deformation", ylabel="drift per turn, rad", ylim=(1e-12, 10))
     sizes.plot(data.sizes, data.symmetric, **SERIES[0], label="symmetric: grows as size")

@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLACK, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 
 from ..experiment_numbers import NAMES, SUM_FACTORS, TRIADS
 from ..experiments import FACTORS, FreeNumbers
@@ -26,7 +27,7 @@ def columns(data: FreeNumbers) -> dict[str, Any]:
 
 
 @in_style
-def draw(data: FreeNumbers) -> Figure:
+def draw(data: FreeNumbers, sheet: Sheet) -> Figure:
     """A panel a reading; what comes out everywhere or nowhere is said below it."""
     figure = Figure(figsize=(11.0, 4.9))
     panels = figure.subplots(1, len(TRIADS), sharey=True)

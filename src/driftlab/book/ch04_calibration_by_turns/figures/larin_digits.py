@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLUE, GREY, in_style
+from driftlab.book.machinery.sheet import Sheet
 
 from ..experiment_numbers import NAMES, STEPS
 from ..experiments import LarinDigits
@@ -22,7 +23,7 @@ def columns(data: LarinDigits) -> dict[str, Any]:
 
 
 @in_style
-def draw(data: LarinDigits) -> Figure:
+def draw(data: LarinDigits, sheet: Sheet) -> Figure:
     """A row a candidate, a column a number, a panel a number of steps."""
     figure = Figure(figsize=(10.0, 7.4))
     panels = figure.subplots(1, len(STEPS), sharey=True)

@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 from scipy.constants import arcsecond, degree
 
 from driftlab.book.machinery.picture import GREY, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 
 from ..experiments import WAYS, RealTable, RealTableErrors
 
@@ -30,7 +31,7 @@ def columns(data: RealTableErrors) -> dict[str, Any]:
 
 
 @in_style
-def draw(data: RealTableErrors) -> Figure:
+def draw(data: RealTableErrors, sheet: Sheet) -> Figure:
     """A line a way over the rate; beside it a row a source, a mark a way."""
     figure = Figure(figsize=(11.0, 4.6))
     over_rate, sources = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1, 1.05]})

@@ -3,6 +3,7 @@
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import GREY, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import FORMULAS, TurnBias, expected_noise
@@ -16,7 +17,7 @@ def columns(data: TurnBias) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: TurnBias) -> Figure:
+def draw(data: TurnBias, sheet: Sheet) -> Figure:
     """Error over the steps a turn, and noise over the number of turns."""
     figure = Figure(figsize=(10.0, 4.0))
     steps, turns = figure.subplots(1, 2)

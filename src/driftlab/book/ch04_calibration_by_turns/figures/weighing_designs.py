@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLACK, BLUE, ORANGE, in_style
+from driftlab.book.machinery.sheet import Sheet
 
 from ..experiments import METHODS, NOISE, OFFSET, WeighingDesigns
 
@@ -20,7 +21,7 @@ def columns(data: WeighingDesigns) -> dict[str, Any]:
 
 
 @in_style
-def draw(data: WeighingDesigns) -> Figure:
+def draw(data: WeighingDesigns, sheet: Sheet) -> Figure:
     """Two marks a method, with the closed form beside them."""
     figure = Figure(figsize=(9.0, 3.6))
     axes = figure.subplots()

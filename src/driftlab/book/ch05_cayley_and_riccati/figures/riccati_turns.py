@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style, long_table
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import MISSES, STEPS, TURNS, RiccatiTurns
@@ -23,7 +24,7 @@ def columns(data: RiccatiTurns) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: RiccatiTurns) -> Figure:
+def draw(data: RiccatiTurns, sheet: Sheet) -> Figure:
     """Length of k, error of the attitude, and work against the miss."""
     figure = Figure(figsize=(10.5, 4.0))
     length, error, work = figure.subplots(1, 3)

@@ -5,6 +5,7 @@ from matplotlib.figure import Figure
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.book.machinery.picture import in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import ORDER_MOTIONS, ORDER_SAMPLE_RATES, AlgorithmOrders
@@ -23,7 +24,7 @@ def columns(data: AlgorithmOrders) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: AlgorithmOrders) -> Figure:
+def draw(data: AlgorithmOrders, sheet: Sheet) -> Figure:
     """Draw one panel a motion."""
     figure = Figure(figsize=(10.0, 7.2))
     panels = figure.subplots(2, 2, sharex=True, sharey=True).ravel()

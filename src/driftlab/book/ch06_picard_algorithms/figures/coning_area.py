@@ -16,6 +16,7 @@ from driftlab.book.machinery.picture import (
     plain_axes,
     project,
 )
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import DRAWN_HALF_ANGLE, ConingArea
@@ -27,7 +28,7 @@ def columns(data: ConingArea) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: ConingArea) -> Figure:
+def draw(data: ConingArea, sheet: Sheet) -> Figure:
     """Draw the cone, the circle with the polygon, and one pair of samples."""
     figure = Figure(figsize=(10.5, 4.0))
     cone, round_, pair = figure.subplots(1, 3, gridspec_kw={"width_ratios": [0.8, 1, 1]})

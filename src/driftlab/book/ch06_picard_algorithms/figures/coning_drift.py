@@ -7,6 +7,7 @@ from scipy.constants import degree, hour
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.machinery.picture import in_style, long_table
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import BRACKET, BRACKET_SAMPLE_RATE, ConingDrift
@@ -35,7 +36,7 @@ def columns(data: ConingDrift) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: ConingDrift) -> Figure:
+def draw(data: ConingDrift, sheet: Sheet) -> Figure:
     """Draw the drift over coning frequency and over sample rate."""
     figure = Figure(figsize=(10.5, 4.6))
     by_frequency, by_rate = figure.subplots(1, 2, sharey=True)

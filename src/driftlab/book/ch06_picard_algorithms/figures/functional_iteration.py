@@ -5,6 +5,7 @@ from matplotlib.figure import Figure
 from scipy.constants import arcsecond, degree, hour
 
 from driftlab.book.machinery.picture import GREY, SERIES, in_style, long_table
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import WIDE_BRACKET, WINDOW_ALGORITHMS, WindowErrors
@@ -35,7 +36,7 @@ def columns(data: WindowErrors) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: WindowErrors) -> Figure:
+def draw(data: WindowErrors, sheet: Sheet) -> Figure:
     """Draw drift over samples a round, and error over noise."""
     figure = Figure(figsize=(10.5, 4.8))
     drift, noise = figure.subplots(1, 2)

@@ -5,6 +5,7 @@ from matplotlib.figure import Figure
 from scipy.constants import arcsecond
 
 from driftlab.book.machinery.picture import GREY, SERIES, in_style, long_table
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import COMPARED_STAGES, RANDOM_KINDS, LastStageErrors
@@ -46,7 +47,7 @@ def columns(data: LastStageErrors) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: LastStageErrors) -> Figure:
+def draw(data: LastStageErrors, sheet: Sheet) -> Figure:
     """Draw drift over half angle, error over step angle, and the cost."""
     figure = Figure(figsize=(10.5, 7.2))
     (cones, fixed), (ratios, cost) = figure.subplots(2, 2)

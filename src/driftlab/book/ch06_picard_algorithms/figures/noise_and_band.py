@@ -10,6 +10,7 @@ from scipy.special import factorial, factorial2
 
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.machinery.picture import BLACK, GREY, ORANGE, in_style, long_table
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import (
@@ -52,7 +53,7 @@ def columns(data: NoiseAndBand) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: NoiseAndBand) -> Figure:
+def draw(data: NoiseAndBand, sheet: Sheet) -> Figure:
     """Draw what is missed of the coning, and the drift on the bracket with its floors."""
     figure = Figure(figsize=(10.5, 4.8))
     band, floors = figure.subplots(1, 2)

@@ -8,6 +8,7 @@ from scipy.constants import arcsecond
 
 from driftlab.attitude.finite_precision import UPDATES
 from driftlab.book.machinery.picture import GREY, SERIES, in_style, long_table
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import (
@@ -62,7 +63,7 @@ def restore(table: Mapping[str, Sequence[str]]) -> ShortWord:
 
 
 @in_style
-def draw(data: ShortWord) -> Figure:
+def draw(data: ShortWord, sheet: Sheet) -> Figure:
     """Draw the error of attitude over the angle of a step."""
     figure = Figure(figsize=(10.5, 6.6))
     panels = figure.subplots(2, 4, sharex=True, sharey=True)

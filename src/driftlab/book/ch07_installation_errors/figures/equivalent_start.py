@@ -5,6 +5,7 @@ from matplotlib.figure import Figure
 from scipy.constants import arcsecond, minute
 
 from driftlab.book.machinery.picture import GREY, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import EquivalentStart
@@ -24,7 +25,7 @@ def columns(data: EquivalentStart) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: EquivalentStart) -> Figure:
+def draw(data: EquivalentStart, sheet: Sheet) -> Figure:
     """Draw attitude and velocity error over time, and what the first order leaves out."""
     figure = Figure(figsize=(10.5, 4.0))
     tilt, speed, left = panels = figure.subplots(1, 3)

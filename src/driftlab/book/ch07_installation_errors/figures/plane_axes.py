@@ -15,6 +15,7 @@ from driftlab.book.machinery.picture import (
     in_style,
     plain_axes,
 )
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import PlaneAxes
@@ -31,7 +32,7 @@ def columns(data: PlaneAxes) -> dict[str, list[float] | list[str]]:
 
 
 @in_style
-def draw(data: PlaneAxes) -> Figure:
+def draw(data: PlaneAxes, sheet: Sheet) -> Figure:
     """Draw instruments and given axes; then the same gyros with both choices of body axes."""
     figure = Figure(figsize=(10.5, 2.9))
     panels = figure.subplots(1, 3)

@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, GREY, in_style, plain_axes
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import PlaneSplit
@@ -24,7 +25,7 @@ def columns(data: PlaneSplit) -> dict[str, FloatArray | list[str]]:
 
 
 @in_style
-def draw(data: PlaneSplit) -> Figure:
+def draw(data: PlaneSplit, sheet: Sheet) -> Figure:
     """Draw the two gyros with both errors, with the one and with the other."""
     figure = Figure(figsize=(10.5, 2.9))
     panels = figure.subplots(1, 3)

@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import CalibrationErrors, unit_of
@@ -21,7 +22,7 @@ def columns(data: CalibrationErrors) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: CalibrationErrors) -> Figure:
+def draw(data: CalibrationErrors, sheet: Sheet) -> Figure:
     """Draw seven rows of three small panels."""
     figure = Figure(figsize=(10.5, 10.5))
     panels = figure.subplots(7, 3, sharex=True)

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from driftlab.body_frames import BODY_FRAMES
 from driftlab.book.machinery.picture import BLACK, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 from driftlab.motion.scheme import SCHEMES
 
@@ -47,7 +48,7 @@ def _case(title: str) -> Case:
 
 
 @in_style
-def draw(data: ChoiceOfAxes) -> Figure:
+def draw(data: ChoiceOfAxes, sheet: Sheet) -> Figure:
     """Draw two panels of means, one for each scheme, and one of units."""
     figure = Figure(figsize=(10.5, 4.6))
     *schemes, units = figure.subplots(1, 3)

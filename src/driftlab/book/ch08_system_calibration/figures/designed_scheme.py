@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, GREY, VERMILION, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.calibration.design_task import CRITERIA
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.checks import FloatArray
@@ -69,7 +70,7 @@ def _scheme(rotations: str, start: str, pause: str) -> Scheme:
 
 
 @in_style
-def draw(data: DesignedSchemes) -> Figure:
+def draw(data: DesignedSchemes, sheet: Sheet) -> Figure:
     """Draw deviations of all sensor errors, and the criterion of all rows."""
     figure = Figure(figsize=(10.5, 4.9))
     errors, worst = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.0, 0.5]})

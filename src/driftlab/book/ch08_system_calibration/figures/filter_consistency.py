@@ -3,6 +3,7 @@
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLACK, SERIES, in_style, long_table
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import FilterConsistency
@@ -19,7 +20,7 @@ def columns(data: FilterConsistency) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: FilterConsistency) -> Figure:
+def draw(data: FilterConsistency, sheet: Sheet) -> Figure:
     """Draw errors of the states, and innovations."""
     figure = Figure(figsize=(9.0, 3.9))
     states, innovations = figure.subplots(1, 2)

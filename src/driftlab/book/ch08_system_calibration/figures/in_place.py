@@ -5,6 +5,7 @@ from matplotlib.figure import Figure
 from scipy.constants import arcsecond, degree, hour, kilo
 
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.schuler_pair import static_error_rates
 from driftlab.checks import FloatArray
@@ -62,7 +63,7 @@ def caption(data: InPlaceErrors) -> str:
 
 
 @in_style
-def draw(data: InPlaceErrors) -> Figure:
+def draw(data: InPlaceErrors, sheet: Sheet) -> Figure:
     """Draw seven panels: three of attitude, two of velocity, two of position."""
     slow = dict(zip((title for title, *_ in PANELS), data.slow.T, strict=True))
     figure = Figure(figsize=(10.5, 5.4))

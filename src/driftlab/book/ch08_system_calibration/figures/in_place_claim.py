@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 from driftlab.motion.scheme import SCHEMES
 
@@ -49,7 +50,7 @@ def _comparison(title: str) -> Comparison:
 
 
 @in_style
-def draw(data: InPlaceClaim) -> Figure:
+def draw(data: InPlaceClaim, sheet: Sheet) -> Figure:
     """Draw a column for each start: distributions of the ratio in one case, counts in all."""
     figure = Figure(figsize=(10.5, 9.0))
     rows = figure.subplots(3, len(ALL_STARTS), gridspec_kw={"height_ratios": [1, 1, 1.75]})

@@ -3,6 +3,7 @@
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import SERIES, in_style, long_table
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import SchemeDirections
@@ -18,7 +19,7 @@ def columns(data: SchemeDirections) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: SchemeDirections) -> Figure:
+def draw(data: SchemeDirections, sheet: Sheet) -> Figure:
     """Draw one row a scheme, one line a body axis."""
     figure = Figure(figsize=(10.5, 4.4))
     panels = figure.subplots(len(data.names), 1, sharex=True, sharey=True)

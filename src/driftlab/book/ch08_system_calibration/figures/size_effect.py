@@ -5,6 +5,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.monte_carlo import mean_square_bounds
 from driftlab.motion.scheme import SCHEMES
 
@@ -18,7 +19,7 @@ SHOWN = RATES.index(10.0)
 
 
 @in_style
-def draw(data: SizeEffect) -> Figure:
+def draw(data: SizeEffect, sheet: Sheet) -> Figure:
     """Draw the errors of one unit, and how both tests grow with the arm."""
     figure = Figure(figsize=(10.5, 4.3))
     errors, tests = figure.subplots(1, 2)

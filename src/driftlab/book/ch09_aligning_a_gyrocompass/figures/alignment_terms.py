@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLACK, SERIES, in_style, long_table
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import FIXED, GRIDS, AlignmentTerms
@@ -29,7 +30,7 @@ def columns(data: AlignmentTerms) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: AlignmentTerms) -> Figure:
+def draw(data: AlignmentTerms, sheet: Sheet) -> Figure:
     """Three panels, with one ordinate."""
     figure = Figure(figsize=(10.5, 4.3))
     panels = figure.subplots(1, 3, sharey=True)

@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import GREY, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import MOVING_AVERAGE, RIVAL_WINDOW, SLOW, WHITE, AveragingWindow
@@ -24,7 +25,7 @@ def columns(data: AveragingWindow) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: AveragingWindow) -> Figure:
+def draw(data: AveragingWindow, sheet: Sheet) -> Figure:
     """Two families of curves on logarithmic axes, one for each kind of noise."""
     figure = Figure(figsize=(10.0, 4.0))
     panels = figure.subplots(1, 2, sharey=True)

@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import OverTheVertical
@@ -24,7 +25,7 @@ def columns(data: OverTheVertical) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: OverTheVertical) -> Figure:
+def draw(data: OverTheVertical, sheet: Sheet) -> Figure:
     """The angles on the left, their errors on the right."""
     figure = Figure(figsize=(10.5, 3.6))
     left, right = figure.subplots(1, 2)

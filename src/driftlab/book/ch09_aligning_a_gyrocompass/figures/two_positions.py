@@ -5,6 +5,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import GREY, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import MINUTES, TURN_ERROR, TwoPositions
@@ -31,7 +32,7 @@ def columns(data: TwoPositions) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: TwoPositions) -> Figure:
+def draw(data: TwoPositions, sheet: Sheet) -> Figure:
     """Deviations as markers for the simulation and lines for the formulas."""
     figure = Figure(figsize=(10.0, 4.0))
     left, right = figure.subplots(1, 2)

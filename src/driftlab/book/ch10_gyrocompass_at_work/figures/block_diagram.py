@@ -5,6 +5,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, FancyBboxPatch, Polygon
 
 from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, VERMILION, in_style
+from driftlab.book.machinery.sheet import Sheet
 
 SIZE = (10.5, 5.0)
 BOXES: dict[str, tuple[float, float, float, str]] = {
@@ -40,7 +41,7 @@ def _sign(axes: Axes, x: float, y: float, sign: str) -> None:
 
 
 @in_style
-def draw(_: object) -> Figure:
+def draw(_: object, sheet: Sheet) -> Figure:
     """Black is the loop, red what disturbs it, green the log, blue what is read."""
     figure = Figure(figsize=SIZE)
     axes = figure.add_axes((0, 0, 1, 1))

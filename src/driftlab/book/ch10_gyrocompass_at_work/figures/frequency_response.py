@@ -8,6 +8,7 @@ from matplotlib.ticker import NullLocator
 from scipy.constants import arcminute, degree, hour, minute
 
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.book.scenarios import SARATOV_LATITUDE, SCHULER_PERIOD
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
@@ -53,7 +54,7 @@ def columns(data: FrequencyResponse) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: FrequencyResponse) -> Figure:
+def draw(data: FrequencyResponse, sheet: Sheet) -> Figure:
     """The poles; then gains over the period, slow on the left."""
     figure = Figure(figsize=(10.5, 6.6))
     axes = figure.subplots(2, 3)

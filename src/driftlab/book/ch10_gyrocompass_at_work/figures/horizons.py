@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 from scipy.constants import arcminute, minute
 
 from driftlab.book.machinery.picture import SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.book.scenarios import DURATION
 from driftlab.checks import FloatArray
 
@@ -28,7 +29,7 @@ def drawn_within(tilt_reach: float, heading_reach: float) -> Callable[[Horizons]
     """Return what draws tilt about East and heading error within arc minutes and degrees."""
 
     @in_style
-    def draw(data: Horizons) -> Figure:
+    def draw(data: Horizons, sheet: Sheet) -> Figure:
         figure = Figure(figsize=(10.5, 3.9))
         tilt, heading = figure.subplots(1, 2)
         figure.subplots_adjust(0.06, 0.23, 0.985, 0.91, wspace=0.16)

@@ -5,6 +5,7 @@ from matplotlib.figure import Figure
 from scipy.constants import minute
 
 from driftlab.book.machinery.picture import BLACK, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.book.scenarios import DURATION
 from driftlab.checks import FloatArray
 
@@ -29,7 +30,7 @@ def columns(data: OperatingFormula) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: OperatingFormula) -> Figure:
+def draw(data: OperatingFormula, sheet: Sheet) -> Figure:
     """The terms and their sum; and what is missing without each."""
     figure = Figure(figsize=(10.5, 4.3))
     terms, gaps = figure.subplots(1, 2)

@@ -5,12 +5,13 @@ from matplotlib.figure import Figure
 from scipy.constants import minute
 
 from driftlab.book.machinery.picture import SERIES, VERMILION, in_style
+from driftlab.book.machinery.sheet import Sheet
 
 from ..experiments import CountedPulses
 
 
 @in_style
-def draw(data: CountedPulses) -> Figure:
+def draw(data: CountedPulses, sheet: Sheet) -> Figure:
     """Both readings; and the one from the integrals, three hundred times larger."""
     figure = Figure(figsize=(10.5, 3.6))
     both, near = figure.subplots(1, 2)

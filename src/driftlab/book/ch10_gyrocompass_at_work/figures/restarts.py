@@ -12,6 +12,7 @@ from driftlab.book.ch09_aligning_a_gyrocompass.experiments import (
     gyro_noise,
 )
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style, long_table
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.gyrocompass.trials import most_range_over_deviation
 
 from ..experiments import (
@@ -43,7 +44,7 @@ def columns(data: Restarts) -> dict[str, Any]:
 
 
 @in_style
-def draw(data: Restarts) -> Figure:
+def draw(data: Restarts, sheet: Sheet) -> Figure:
     """Restarts, noise before and after averaging, and the ratio of spread to deviation."""
     figure = Figure(figsize=(10.5, 3.8))
     first, second, third = figure.subplots(1, 3)

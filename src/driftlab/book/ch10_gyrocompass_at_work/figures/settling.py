@@ -5,6 +5,7 @@ from matplotlib.figure import Figure
 from scipy.constants import minute
 
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import SETTLING, WORKING, Settling
@@ -21,7 +22,7 @@ def columns(data: Settling) -> dict[str, FloatArray]:
 
 
 @in_style
-def draw(data: Settling) -> Figure:
+def draw(data: Settling, sheet: Sheet) -> Figure:
     """The horizon settles; and what noise does to the heading afterwards."""
     figure = Figure(figsize=(10.5, 3.8))
     left, right = figure.subplots(1, 2)

@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from driftlab.book.machinery.picture import BLACK, SERIES, in_style, long_table
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import PAPER_LARGEST, SHOWN, STOPS, StaticCharacteristic
@@ -47,7 +48,7 @@ def columns(data: StaticCharacteristic) -> dict[str, Any]:
 
 
 @in_style
-def draw(data: StaticCharacteristic) -> Figure:
+def draw(data: StaticCharacteristic, sheet: Sheet) -> Figure:
     """One unit on the table, and which drift or offset makes the paper's largest error."""
     figure = Figure(figsize=(10.5, 7.2))
     (heading, others), (drift, offset) = figure.subplots(2, 2)

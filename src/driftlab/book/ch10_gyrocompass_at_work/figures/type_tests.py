@@ -14,6 +14,7 @@ from driftlab.book.machinery.picture import (
     in_style,
     long_table,
 )
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.gyrocompass.type_test_limits import LIMITS, TypeTest
 
 from ..experiments import TypeTests
@@ -36,7 +37,7 @@ def columns(data: TypeTests) -> dict[str, Any]:
 
 
 @in_style
-def draw(data: TypeTests) -> Figure:
+def draw(data: TypeTests, sheet: Sheet) -> Figure:
     """One plot a compass; above one a test is failed."""
     figure = Figure(figsize=(10.5, 6.6))
     panels = figure.subplots(2, 2, sharex=True, sharey=True)

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from scipy.constants import arcsecond, degree, hour
 
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style, long_table
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 from driftlab.noise_terms import TERMS, NoiseTerms
 
@@ -65,7 +66,7 @@ def restore(table: Mapping[str, list[str]]) -> AllanLines:
 
 
 @in_style
-def draw(data: AllanLines) -> Figure:
+def draw(data: AllanLines, sheet: Sheet) -> Figure:
     """Two panels with the same axes for times and deviations."""
     figure = Figure(figsize=(10.5, 4.6))
     panels = figure.subplots(1, 2, sharey=True)

@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 from scipy.constants import degree
 
 from driftlab.book.machinery.picture import BLACK, BLUE, GREY, VERMILION, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import ODD, QUIET, WAY_NAMES, FiveUnits
@@ -15,7 +16,7 @@ _INTERVAL = 0.01  # s, of the records
 
 
 @in_style
-def draw(data: FiveUnits) -> Figure:
+def draw(data: FiveUnits, sheet: Sheet) -> Figure:
     """The rate about the pause; below it a row a way: distance from the table, and residual."""
     figure = Figure(figsize=(10.5, 7.2))
     grid = figure.add_gridspec(2, 2, height_ratios=[1, 1.35])

@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 from scipy.constants import degree
 
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style, legend_above
+from driftlab.book.machinery.sheet import Sheet
 
 from ..experiments import SOURCES, HandTurns
 
@@ -16,7 +17,7 @@ _WORDS = (((9, -3), "left"), ((-4, 12), "left"), ((0, 8), "right"))
 
 
 @in_style
-def draw(data: HandTurns) -> Figure:
+def draw(data: HandTurns, sheet: Sheet) -> Figure:
     """Paths of the axis on the left; on the right a row a source, a mark a turn."""
     figure = Figure(figsize=(10.5, 4.9))
     paths, worth = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.15, 1]})

@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 from scipy.constants import degree, hour, minute
 
 from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE
 
@@ -25,7 +26,7 @@ _STYLES = (SERIES[1], SERIES[2], SERIES[0])
 
 
 @in_style
-def draw(data: ParkedCar) -> Figure:
+def draw(data: ParkedCar, sheet: Sheet) -> Figure:
     """On the left the unrest and all headings; then those near the truth; and their deviations."""
     figure = Figure(figsize=(10.5, 5.2))
     grid = figure.add_gridspec(2, 3, height_ratios=[1, 1.5], width_ratios=[1.15, 1.15, 1])

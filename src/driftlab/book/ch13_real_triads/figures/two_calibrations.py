@@ -15,6 +15,7 @@ from driftlab.book.machinery.picture import (
     plain_axes,
     project,
 )
+from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import TRIANGLES, TwoCalibrations
@@ -24,22 +25,22 @@ MAGNIFIED = 8
 
 
 @in_style
-def draw(data: TwoCalibrations) -> Figure:
+def draw(data: TwoCalibrations, sheet: Sheet) -> Figure:
     """A triad of accelerometers and one of gyros for each choice; then the residuals."""
     figure = Figure(figsize=(11.0, 4.6))
     *sheets, moves = figure.subplots(1, 3, gridspec_kw={"width_ratios": [1, 1, 1.15]})
     figure.subplots_adjust(0.005, 0.13, 0.985, 0.9, wspace=0.12)
-    for sheet, name, gyro, accelerometer in zip(
+    for drawing, name, gyro, accelerometer in zip(
         sheets, TRIANGLES, data.published_gyro, data.published_accelerometer, strict=True
     ):
-        plain_axes(sheet)
-        sheet.set(xlim=(-0.32, 1.08), ylim=(-0.45, 1.2))
-        sheet.set_title(name, loc="left")
-        _draw_triad(sheet, np.zeros((3, 3)), "body axes", color=GREY, linewidth=1.0)
-        _draw_triad(sheet, accelerometer, "accelerometers", color=BLUE)
-        _draw_triad(sheet, gyro, "gyros", color=VERMILION, linestyle="--")
+        plain_axes(drawing)
+        drawing.set(xlim=(-0.32, 1.08), ylim=(-0.45, 1.2))
+        drawing.set_title(name, loc="left")
+        _draw_triad(drawing, np.zeros((3, 3)), "body axes", color=GREY, linewidth=1.0)
+        _draw_triad(drawing, accelerometer, "accelerometers", color=BLUE)
+        _draw_triad(drawing, gyro, "gyros", color=VERMILION, linestyle="--")
         for axis, tip in zip("xyz", project(1.2 * np.eye(3)), strict=True):
-            sheet.text(*tip, axis, color=GREY, ha="center", va="center")
+            drawing.text(*tip, axis, color=GREY, ha="center", va="center")
     turn = np.linalg.norm(data.rotation) / degree
     sheets[0].legend(loc="lower left", fontsize=9)
     sheets[1].text(
@@ -50,10 +51,10 @@ def draw(data: TwoCalibrations) -> Figure:
     return figure
 
 
-def _draw_triad(sheet: Axes, error: FloatArray, words: str, **style: Any) -> None:
+def _draw_triad(drawing: Axes, error: FloatArray, words: str, **style: Any) -> None:
     for index, tip in enumerate(project(np.eye(3) + MAGNIFIED * error)):
         label = None if index else words
-        sheet.plot([0, tip[0]], [0, tip[1]], marker="o", markevery=[1], markersize=4,
+        drawing.plot([0, tip[0]], [0, tip[1]], marker="o", markevery=[1], markersize=4,
                    label=label, **{"linewidth": 2.0, **style})  # fmt: skip
 
 

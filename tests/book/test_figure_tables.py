@@ -1,0 +1,171 @@
+"""Each figure can be drawn from its CSV alone, and the CSV says of what parameters it is."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from driftlab.book import figures
+from driftlab.book.machinery.curve_rows import Rows, same_contours
+from driftlab.book.machinery.drawn import Curve, Field, curves, fields, panels
+from driftlab.book.machinery.figure_table import (
+    MissingCurves,
+    as_words,
+    header,
+    read_curves,
+    read_table,
+    write_table,
+)
+from driftlab.book.machinery.picture import GUIDE
+from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.sheet import COLUMN
+from figure_variations import VARIATIONS
+from published import NAMES, published
+
+PUBLISHED = Path(__file__).parents[2] / "figures"
+WITH_NUMBERS = [name for name in NAMES if figures.figure_definitions(name[:2])[name].columns]
+
+
+@published(*WITH_NUMBERS)
+def test_a_figure_can_be_drawn_from_its_csv_alone(figure: PublishedFigure) -> None:
+    """Every curve, point and bar that is drawn, and the contours."""
+    if not isinstance(figure.on_screen, Figure):
+        return  # a scene: it plays, and its readouts are the table
+    path = PUBLISHED / f"{figure.definition.name}.csv"
+    again = as_drawn(read_curves(path))
+    for (number, name), of_one_name in as_drawn(curves(figure.on_screen)).items():
+        axes = panels(figure.on_screen)[number - 1]
+        found = again[number, name]
+        for curve in of_one_name:
+            assert any(same_to_the_eye(curve, other, axes) for other in found), (number, name)
+    comments, table = read_table(path)
+    drawn = [line for line in comments if line.startswith("  contours: ")]
+    assert len(drawn) >= bool(fields(figure.on_screen))
+    for field in fields(figure.on_screen):
+        columns = [re.findall(r" = ([^,]+)", line) for line in drawn]
+        assert any(same_contours(table, tuple(names), field) for names in columns)
+
+
+def as_drawn(shown: list[Curve]) -> dict[tuple[int, str], list[Curve]]:
+    """Curves by panel and name: several may have one name, or none."""
+    found: dict[tuple[int, str], list[Curve]] = {}
+    for curve in shown:
+        found.setdefault((curve.panel, " ".join(curve.name.split())), []).append(curve)
+    return found
+
+
+def same_to_the_eye(curve: Curve, other: Curve, axes: object) -> bool:
+    """Whether two curves differ by less than a thousandth of their panel, on its own scale."""
+    for direction, one, two in (("x", curve.x, other.x), ("y", curve.y, other.y)):
+        if one.shape != two.shape:
+            return False
+        if one.size:
+            zeros = np.zeros(one.size)
+            places = (
+                np.column_stack([values, zeros] if direction == "x" else [zeros, values])
+                for values in (np.nan_to_num(one, nan=-1.0), np.nan_to_num(two, nan=-1.0))
+            )
+            size = axes.bbox.width if direction == "x" else axes.bbox.height
+            index = "xy".index(direction)
+            one, two = (axes.transData.transform(each)[:, index] for each in places)
+            if not np.allclose(one, two, atol=size / 1000):
+                return False
+    return True
+
+
+@published(*WITH_NUMBERS)
+def test_the_csv_names_its_parameters_its_call_and_the_version(figure: PublishedFigure) -> None:
+    comments, _ = read_table(PUBLISHED / f"{figure.definition.name}.csv")
+    if missing := figures.not_at_hand(figure.definition):
+        pytest.skip(missing)
+    computed = figure.comments(as_words(figure.table()))
+    version = r"driftlab \d+\.\d+\.\d+"
+    assert re.search(version, comments[1])
+    assert f"driftlab.figure('{figure.definition.name}')" in comments[1]
+    plain = [[re.sub(version, "driftlab", line) for line in each] for each in (comments, computed)]
+    assert plain[0] == plain[1]
+
+
+def test_every_figure_takes_parameters_or_is_a_drawing() -> None:
+    for name in NAMES:
+        definition = figures.figure_definitions(name[:2])[name]
+        if definition.columns and not definition.recordings:
+            assert definition.parameters, name
+        assert bool(definition.parameters) == (name in VARIATIONS), name
+
+
+@pytest.mark.parametrize("name", VARIATIONS)
+def test_a_figure_is_drawn_with_other_parameters(name: str, tmp_path: Path) -> None:
+    """On a screen, in a column, and as numbers, and what is drawn is in them."""
+    figure = figures.figure(name, **VARIATIONS[name])
+    assert all(f"{parameter}=" in figure.call for parameter in VARIATIONS[name])
+    assert figure.svg().startswith(b"<?xml")
+    figure.save(tmp_path / "column.pdf", width=COLUMN)
+    if figure.definition.columns:
+        path = figure.save(tmp_path / "numbers.csv")
+        assert read_table(path)[1] != read_table(PUBLISHED / f"{name}.csv")[1]
+
+
+def a_figure() -> Figure:
+    figure = Figure()
+    left, right = figure.subplots(1, 2)
+    left.plot([0, 1, 2], [1, 3, 9], label="cubes of three")
+    left.plot([0, 2], [5, 5], label=GUIDE)
+    left.axhline(0.3)
+    left.set(title="powers", xlabel="exponent", ylabel="power, m")
+    right.bar([0, 1], [4.0, 5.0])
+    right.set_xticks([0, 1], ["one", "other"])
+    return figure
+
+
+def test_the_header_says_which_columns_are_which_curve(tmp_path: Path) -> None:
+    table = as_words({"exponent": [0, 1, 2], "power_m": [1, 3, 9], "bars": [4.0, 5.0]})
+    assert table["bars"] == ["4", "5", ""]
+    lines = header(a_figure(), table)
+    assert lines == [
+        'panel 1, "powers": x is "exponent", y is "power, m"',
+        '  "cubes of three": x = exponent, y = power_m',
+        "panel 2: ",
+        '  "": y = bars',
+    ]
+    write_table(tmp_path / "powers.csv", table, lines)
+    powers, bars = read_curves(tmp_path / "powers.csv")
+    np.testing.assert_array_equal(powers.y, [1, 3, 9])
+    np.testing.assert_array_equal(bars.y, [4, 5])
+    assert read_table(tmp_path / "powers.csv") == ([line.rstrip() for line in lines], table)
+
+
+def test_a_curve_that_is_not_in_the_table_is_refused_by_name() -> None:
+    table = as_words({"exponent": [0, 1, 2], "power_m": [1, 3, 8], "bars": [4.0, 5.0]})
+    with pytest.raises(MissingCurves, match="panel 1, cubes of three of 3 points"):
+        header(a_figure(), table)
+    with pytest.raises(MissingCurves, match="panel 2, a curve without a name of 2 points"):
+        header(a_figure(), as_words({"exponent": [0, 1, 2], "power_m": [1, 3, 9]}))
+
+
+def test_contours_are_compared_with_the_table() -> None:
+    figure = Figure()
+    x, y = np.arange(4.0), np.arange(3.0)
+    z = np.add.outer(y**2, x)
+    figure.subplots().contourf(x, y, z)
+    (field,) = fields(figure)
+    assert isinstance(field, Field)
+    across, up = np.meshgrid(x, y)
+    table = as_words({"x": across.ravel(), "y": up.ravel(), "z": z.ravel()})
+    assert header(figure, table)[-1] == "  contours: x = x, y = y, value = z"
+    table["z"][5] = "7"
+    with pytest.raises(MissingCurves, match="panel 1, contours"):
+        header(figure, table)
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        Rows("time, s", "error = truth, m", {"run": "3", "kind": "one, two"}, 6, 2),
+        Rows("", "-bias", {}),
+    ],
+)
+def test_rows_are_read_as_they_are_written(rows: Rows) -> None:
+    assert Rows.read(str(rows)) == rows

@@ -1,0 +1,147 @@
+"""In a column and on a page no words of a figure collide, none are cut off or too small to read."""
+
+from collections.abc import Iterator
+from itertools import combinations
+from pathlib import Path
+
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.legend import Legend
+from matplotlib.text import Text
+from matplotlib.transforms import Bbox
+
+from driftlab.book import figures
+from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.sheet import COLUMN, PAGE, Sheet
+from published import NAMES, published
+
+LEAST_TYPE = 5.5
+"""Points; journals ask for five to six at least."""
+TOUCHING = 1.5
+"""Dots of a hundredth of an inch by which boxes around words may overlap: they have room inside."""
+
+
+def drawn_words(figure: Figure, monkeypatch: pytest.MonkeyPatch) -> list[tuple[Text, Bbox]]:
+    """Every text that is drawn, with the box around it, in dots."""
+    found = []
+    draw = Text.draw
+
+    def recorded(text: Text, renderer: object) -> None:
+        draw(text, renderer)
+        if text.get_visible() and text.get_text().strip():
+            found.append((text, text.get_window_extent(renderer)))
+
+    figure.dpi = 100
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()  # finds the layout
+    with monkeypatch.context() as patch:
+        patch.setattr(Text, "draw", recorded)
+        canvas.draw()
+    return found
+
+
+def collisions(figure: Figure, words: list[tuple[Text, Bbox]]) -> Iterator[str]:
+    """Sentences on words that overlap, leave the figure, or are too small."""
+    sheet = figure.bbox.padded(TOUCHING)
+    for text, box in words:
+        if not (sheet.containsx(box.x0) and sheet.containsx(box.x1)) or not (
+            sheet.containsy(box.y0) and sheet.containsy(box.y1)
+        ):
+            yield f"{text.get_text()!r} leaves the figure"
+        if text.get_fontsize() < LEAST_TYPE:
+            yield f"{text.get_text()!r} is of {text.get_fontsize():.1f} points"
+    for (one, a), (two, b) in combinations(words, 2):
+        slanted = one.get_rotation() % 90 and one.get_rotation() == two.get_rotation()
+        if not slanted and overlap(a, b):
+            yield f"{one.get_text()!r} and {two.get_text()!r} overlap"
+    for legend in figure.findobj(Legend):
+        inside = {id(text) for text in legend.findobj(Text)}
+        for text, box in words:
+            if id(text) not in inside and overlap(box, legend.get_window_extent()):
+                yield f"{text.get_text()!r} and a legend overlap"
+
+
+def overlap(a: Bbox, b: Bbox) -> bool:
+    """Whether two boxes have more than a little in common."""
+    both = Bbox.intersection(a, b)
+    return both is not None and min(both.width, both.height) > TOUCHING
+
+
+@published(*NAMES)
+@pytest.mark.parametrize("width", [COLUMN, PAGE])
+def test_no_words_collide(
+    figure: PublishedFigure, width: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawn = figure.definition.draw(figure.data, Sheet(width))
+    assert isinstance(drawn, Figure)
+    assert drawn.get_figwidth() == width
+    found = list(collisions(drawn, drawn_words(drawn, monkeypatch)))
+    assert not found, "; ".join(found)
+    for panel in drawn.axes:
+        box = panel.get_position()
+        smallest = 0.1 if panel.get_label() == "<colorbar>" else 0.55
+        assert box.width * width > smallest, "a panel without room"
+        assert box.height * drawn.get_figheight() > 0.5, "a panel without room"
+
+
+def test_the_test_sees_words_that_collide(monkeypatch: pytest.MonkeyPatch) -> None:
+    figure = Figure(figsize=(3.5, 2))
+    for words in ("here", "there"):
+        figure.text(0.5, 0.5, words, fontsize=8)
+    figure.text(0.9, 0.2, "out of the figure", fontsize=5)
+    found = list(collisions(figure, drawn_words(figure, monkeypatch)))
+    assert found == [
+        "'out of the figure' leaves the figure",
+        "'out of the figure' is of 5.0 points",
+        "'here' and 'there' overlap",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("ending", "begins"), [("pdf", b"%PDF"), ("svg", b"<?xml"), ("png", b"\x89PNG")]
+)
+def test_a_figure_is_saved_for_a_column(tmp_path: Path, ending: str, begins: bytes) -> None:
+    figure = figures.figure("05-cayley-map")
+    for name in ("one", "two"):
+        path = figure.save(tmp_path / f"{name}.{ending}", width=COLUMN)
+        assert path.read_bytes().startswith(begins)
+    assert (tmp_path / f"one.{ending}").read_bytes() == (tmp_path / f"two.{ending}").read_bytes()
+
+
+def test_fonts_are_embedded_as_journals_want_them(tmp_path: Path) -> None:
+    pdf = figures.figure("05-cayley-map").save(tmp_path / "map.pdf", width=PAGE).read_bytes()
+    assert b"/FontFile2" in pdf  # TrueType, embedded
+    assert b"/Type3" not in pdf
+
+
+def test_the_numbers_are_saved_too(tmp_path: Path) -> None:
+    figure = figures.figure("03-drift-map", triad_error=[[0, 0, 0], [1e-3, 0, 0], [0, 0, 0]])
+    words = figure.save(tmp_path / "map.csv").read_text(encoding="utf-8")
+    assert "figure('03-drift-map', triad_error=[[0, 0, 0], [0.001, 0, 0], [0, 0, 0]])" in words
+
+
+@pytest.mark.parametrize(
+    ("path", "width", "sentence"),
+    [
+        ("map.jpeg", None, r"path: expected an ending of \.pdf, \.svg, \.png, \.csv, got 'map"),
+        ("map.pdf", 2.0, r"width: expected inches between 3 and 12, such as 3\.5 .* got 2\."),
+        ("map.pdf", 89.0, r"width: expected inches"),
+        ("map.pdf", "column", r"width: "),
+    ],
+)
+def test_refusals_of_save(path: str, width: object, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        figures.figure("00-frames").save(path, width)
+
+
+def test_a_drawing_has_no_numbers(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="00-frames is a drawing: it shows no numbers"):
+        figures.figure("00-frames").save(tmp_path / "frames.csv")
+
+
+def test_refusals_of_parameters() -> None:
+    with pytest.raises(ValueError, match="03-drift-map: expected triad_error, got 'matrix'"):
+        figures.figure("03-drift-map", matrix=0)
+    with pytest.raises(ValueError, match="03-drift-map: expected data or parameters, got both"):
+        figures.figure("03-drift-map", 1, triad_error=0)
