@@ -10,6 +10,5 @@ import numpy as np
 LEANING = [[0, 1e-3, 0], [0, 0, 5e-4], [0, 0, 0]]
 
 VARIATIONS: dict[str, dict[str, Any]] = {
-    "03-drift-by-symmetry": {"mixed_size": 2e-3},
     "03-drift-map": {"triad_error": np.array(LEANING)},
 }

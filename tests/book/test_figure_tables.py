@@ -8,8 +8,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from driftlab.book import figures
-from driftlab.book.machinery.curve_rows import Rows, same_contours
-from driftlab.book.machinery.drawn import Curve, Field, curves, fields, panels
+from driftlab.book.machinery.curve_rows import Rows, numbers
+from driftlab.book.machinery.drawn import Curve, curves, fields, panels
 from driftlab.book.machinery.figure_table import (
     MissingCurves,
     as_words,
@@ -18,7 +18,7 @@ from driftlab.book.machinery.figure_table import (
     read_table,
     write_table,
 )
-from driftlab.book.machinery.picture import GUIDE
+from driftlab.book.machinery.picture import GUIDE, filled_contours
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.book.machinery.sheet import COLUMN
 from figure_variations import VARIATIONS
@@ -42,10 +42,13 @@ def test_a_figure_can_be_drawn_from_its_csv_alone(figure: PublishedFigure) -> No
             assert any(same_to_the_eye(curve, other, axes) for other in found), (number, name)
     comments, table = read_table(path)
     drawn = [line for line in comments if line.startswith("  contours: ")]
-    assert len(drawn) >= bool(fields(figure.on_screen))
-    for field in fields(figure.on_screen):
-        columns = [re.findall(r" = ([^,]+)", line) for line in drawn]
-        assert any(same_contours(table, tuple(names), field) for names in columns)
+    shown = fields(figure.on_screen)
+    assert len(drawn) == len(shown)
+    for line, field in zip(drawn, shown, strict=True):
+        for name, values in zip(re.findall(r" = ([^,]+)", line), field[1:], strict=True):
+            column = numbers(table[name])
+            least = 1e-9 * np.abs(values).max()
+            np.testing.assert_allclose(column[np.isfinite(column)], values, 1e-9, least)
 
 
 def as_drawn(shown: list[Curve]) -> dict[tuple[int, str], list[Curve]]:
@@ -149,9 +152,7 @@ def test_contours_are_compared_with_the_table() -> None:
     figure = Figure()
     x, y = np.arange(4.0), np.arange(3.0)
     z = np.add.outer(y**2, x)
-    figure.subplots().contourf(x, y, z)
-    (field,) = fields(figure)
-    assert isinstance(field, Field)
+    filled_contours(figure.subplots(), x, y, z)
     across, up = np.meshgrid(x, y)
     table = as_words({"x": across.ravel(), "y": up.ravel(), "z": z.ravel()})
     assert header(figure, table)[-1] == "  contours: x = x, y = y, value = z"

@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
@@ -152,11 +151,13 @@ class Finder:
         return None
 
     def field(self, field: Field) -> tuple[str, str, str] | None:
-        """Return the columns whose contours are those drawn: abscissa, ordinate, value."""
-        for names in combinations(self._numbers, 3):
-            if same_contours(self._table, names, field):
-                return names
-        return None
+        """Return the columns of a field: abscissa, ordinate, value."""
+        names = [
+            next((n for n, column in self._numbers.items() if _same(column, values)), None)
+            for values in (field.x, field.y, field.z)
+        ]
+        x, y, z = names
+        return (x, y, z) if x and y and z else None
 
     def _only(
         self, values: FloatArray, near: _Near, direction: str, distribution: bool = False
@@ -191,23 +192,11 @@ def _groups(
                 yield dict(zip(names, words, strict=True)), np.all(rows == words, axis=-1)
 
 
-def same_contours(table: Words, names: tuple[str, str, str], field: Field) -> bool:
-    """Whether three columns, drawn anew, make the contours of a field."""
-    x, y, z = (_column(table, name) for name in names)
-    across, up = np.unique(x), np.unique(y)
-    if len(across) * len(up) != len(z):
-        return False
-    grid = np.full((len(up), len(across)), np.nan)
-    grid[np.searchsorted(up, y), np.searchsorted(across, x)] = z
-    axes = Figure().subplots()
-    draw = axes.contourf if field.contours.filled else axes.contour
-    again = draw(across, up, grid, levels=field.contours.levels)
-    ours, theirs = again.get_paths(), field.contours.get_paths()
-    return len(ours) == len(theirs) and all(
-        np.shape(a.vertices) == np.shape(b.vertices)
-        and np.allclose(a.vertices, b.vertices, atol=1e-3 * np.ptp(across))
-        for a, b in zip(ours, theirs, strict=True)
-    )
+def _same(column: FloatArray, values: FloatArray) -> bool:
+    """Whether a column has just these values, to the digits of a CSV."""
+    there = column[np.isfinite(column)]
+    least = 1e-9 * float(np.abs(values).max())
+    return len(there) == len(values) and np.allclose(there, values, rtol=1e-9, atol=least)
 
 
 def _thinned(

@@ -50,11 +50,14 @@ class Field(NamedTuple):
     Attributes
     ----------
     panel : int
-    contours : ContourSet
+    x, y, z : ndarray, shape (n,)
+        A value at each place, row after row of the grid.
     """
 
     panel: int
-    contours: ContourSet
+    x: FloatArray
+    y: FloatArray
+    z: FloatArray
 
 
 def panels(figure: Figure) -> list[Axes]:
@@ -65,13 +68,15 @@ def panels(figure: Figure) -> list[Axes]:
 
 
 def fields(figure: Figure) -> list[Field]:
-    """Return what a figure shows as contours."""
-    return [
-        Field(number, each)
-        for number, axes in enumerate(panels(figure), 1)
-        for each in axes.collections
-        if isinstance(each, ContourSet) and each.get_label() != GUIDE
-    ]
+    """Return what a figure shows as contours, filled by `picture.filled_contours`."""
+    found = []
+    for number, axes in enumerate(panels(figure), 1):
+        for each in axes.collections:
+            if isinstance(each, ContourSet) and each.get_label() != GUIDE:
+                x, y, z = each.driftlab_values  # type: ignore[attr-defined]
+                places = (values.ravel() for values in (*np.meshgrid(x, y), z))
+                found.append(Field(number, *places))
+    return found
 
 
 def curves(figure: Figure) -> list[Curve]:

@@ -15,6 +15,7 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.contour import QuadContourSet
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
@@ -155,6 +156,18 @@ def long_table(curves: Mapping[str, tuple[ArrayLike, ArrayLike]]) -> dict[str, A
         "x": np.concatenate([x for x, _ in pairs.values()]),
         "y": np.concatenate([y for _, y in pairs.values()]),
     }
+
+
+def filled_contours(
+    axes: Axes, x: FloatArray, y: FloatArray, z: FloatArray, **style: Any
+) -> QuadContourSet:
+    """Fill the plane by values (m, n) over x (n,) and y (m,), as ``axes.contourf``, and keep them.
+
+    Matplotlib forgets the values; the figure's CSV is compared with them.
+    """
+    contours = axes.contourf(x, y, z, **style)
+    contours.driftlab_values = x, y, z  # type: ignore[attr-defined]
+    return contours
 
 
 def project(points: FloatArray, azimuth: float = -60.0, elevation: float = 24.0) -> FloatArray:

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import BLACK, GUIDE, in_style
+from driftlab.book.machinery.picture import BLACK, GUIDE, filled_contours, in_style
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -43,7 +43,7 @@ def draw(data: DriftMap, sheet: Sheet) -> Figure:
     axes.grid(False)
     grid = np.degrees(data.azimuth), np.degrees(data.elevation), 1e3 * data.coefficient
     reach = np.abs(grid[2]).max()
-    colours = axes.contourf(*grid, levels=24, cmap="PuOr", vmin=-reach, vmax=reach)
+    colours = filled_contours(axes, *grid, levels=24, cmap="PuOr", vmin=-reach, vmax=reach)
     lines = axes.contour(*grid, levels=8, colors=BLACK, linewidths=0.7)
     lines.set_label(GUIDE)
     if not sheet.narrow:
