@@ -152,9 +152,10 @@ def _counts_words(axis: Axis) -> bool:
         return True
     if not isinstance(locator, FixedLocator):
         return False
-    places, words = locator(), getattr(formatter, "seq", [])
+    places = locator()
     if len(places) == 0:
         return True
+    words = formatter.format_ticks(places)
     in_rows = np.array_equal(places, np.arange(len(places)))
     return bool(in_rows and any(not _is_number(str(word)) for word in words))
 
