@@ -152,8 +152,8 @@ def _counts_words(axis: Axis) -> bool:
         return True
     if not isinstance(locator, FixedLocator):
         return False
-    places = locator()
-    if len(places) == 0:
+    places = list(locator())
+    if not places:
         return True
     words = formatter.format_ticks(places)
     in_rows = np.array_equal(places, np.arange(len(places)))
