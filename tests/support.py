@@ -1,5 +1,6 @@
 """What several tests share: random inputs, strategies, and the order at which an error shrinks."""
 
+import re
 from collections.abc import Callable
 from decimal import Decimal
 from functools import cache
@@ -90,6 +91,12 @@ def written(value: float, like: str, rounding: str) -> str:
 def largest(values) -> float:
     """The largest size of any of the values."""
     return float(np.abs(values).max())
+
+
+def printed_numbers(text: str) -> list[float]:
+    """All numbers in what an example prints, nan and inf too; none of words such as two-step-4."""
+    number = r"(?<![\w.-])-?(?:\d+\.?\d*(?:e[+-]?\d+)?|nan|inf)\b"
+    return [float(found) for found in re.findall(number, text, re.IGNORECASE)]
 
 
 def chi_bounds(count: int) -> np.ndarray:

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from support import printed_numbers
+
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 EXAMPLES = re.findall(r"^```python\n(.*?)^```$", README, flags=re.DOTALL | re.MULTILINE)
-# Not those in words, such as two-step-4; nan and inf count, so that they are seen.
-NUMBER = re.compile(r"(?<![\w.-])-?(?:\d+\.?\d*(?:e[+-]?\d+)?|nan|inf)\b", re.IGNORECASE)
 
 
 def test_every_example_is_found():
@@ -22,7 +22,6 @@ def test_example_runs_alone_and_prints_finite_numbers(example, capsys):
     """In a namespace of its own, so that nothing comes from an example above; warnings fail."""
     exec(compile(example, "README.md", "exec"), {"__name__": "__main__"})
     printed = capsys.readouterr().out
-    assert bool(printed) == ("print(" in example)
-    numbers = [float(text) for text in NUMBER.findall(printed)]
-    assert bool(numbers) == bool(printed)
+    numbers = printed_numbers(printed)
+    assert numbers
     assert np.isfinite(numbers).all(), printed

@@ -1,7 +1,8 @@
-"""``python -m driftlab``: what there is, first the commands for your own log, then every module.
+"""``python -m driftlab``: what there is: commands for your own log, tasks, then every module.
 
-``python -m driftlab WORD`` lists the modules that speak of a word: IMU, boresight, sculling. The
-name of a command starts the command; ``python -m driftlab find allan`` looks for the word.
+``python -m driftlab WORD`` lists the tasks and the modules that speak of a word: IMU, boresight,
+sculling. The name of a command starts the command; ``python -m driftlab find allan`` looks for the
+word.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import ast
 import os
 import re
 import sys
+import tomllib
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -18,6 +20,12 @@ from driftlab.commands import COMMANDS
 NOTHING, STOPPED = 2, 130
 """Exit codes: nothing was found, as of a command mistyped; Ctrl-C."""
 PACKAGE = Path(__file__).parent
+RECIPES = "notebooks/i_want_to.ipynb"
+END = (
+    "\nThat was much. python -m driftlab find covariance shows what speaks of a word, tasks first;",
+    f"tasks with their code, ten lines each at most, are in {RECIPES} of the book.",
+)
+"""What stays on the screen when the list has run past."""
 GROUND_FLOOR = (
     *("checks", "vectors", "quaternion", "earth", "axes", "conventions", "frames"),
     *(
@@ -101,12 +109,38 @@ def _module(path: Path, name: str, word: str, indent: str = "") -> Iterator[str]
     documented = (ast.Module, ast.ClassDef, ast.FunctionDef)
     nodes = [node for node in ast.walk(tree) if isinstance(node, documented)]
     texts = [name, *names, *(ast.get_docstring(node) or "" for node in nodes)]
-    sought = r"\b" + r"\s+".join(map(re.escape, word.split()))
-    if not re.search(sought, " ".join(texts), re.IGNORECASE):
+    if not _speak_of(word, texts):
         return
     yield f"\n{indent}driftlab.{name}: {first_line(tree)}"
     if names:
         yield f"{indent}    {', '.join(names)}"
+
+
+def _speak_of(word: str, texts: Sequence[str]) -> bool:
+    sought = r"\b" + r"\s+".join(map(re.escape, word.split()))
+    return re.search(sought, " ".join(texts), re.IGNORECASE) is not None
+
+
+def tasks(word: str = "") -> Iterator[str]:
+    """Lines that say what readers want to do, and which functions do it.
+
+    Parameters
+    ----------
+    word : str
+        As for `overview`; a task has other words for it too.
+    """
+    subject = ""
+    for task in tomllib.loads((PACKAGE / "tasks.toml").read_text(encoding="utf-8"))["task"]:
+        functions = [f"driftlab.{name}" for name in task["functions"]]
+        if not _speak_of(word, [task["subject"], task["title"], *task["words"], *functions]):
+            continue
+        if not subject:
+            yield f"Each in ten lines of code at most: {RECIPES}"
+        if subject != task["subject"]:
+            subject = task["subject"]
+            yield f"\n{subject}"
+        yield f"    {task['title']}"
+        yield f"        {', '.join(functions)}"
 
 
 def commands() -> Iterator[str]:
@@ -114,7 +148,7 @@ def commands() -> Iterator[str]:
     yield "Your own log: python -m driftlab COMMAND log.csv ...; COMMAND --help shows an example."
     width = max(map(len, COMMANDS))
     yield from (f"    {name:{width}}  {purpose}" for name, purpose in COMMANDS.items())
-    yield f"    {'find':{width}}  modules that speak of a word; so does any word but these"
+    yield f"    {'find':{width}}  tasks and modules that speak of a word; or leave find out"
     yield "The log of a turntable goes to driftlab.calibration.calibrate: chapter 08.\n"
 
 
@@ -126,8 +160,9 @@ def main(arguments: Sequence[str]) -> int:
         return start(arguments)
     sought = arguments[1:] if arguments[:1] == ["find"] else arguments
     words = " ".join(sought)
-    lines = list(overview(words))
-    unknown = len(lines) == 1
+    wanted, (title, *modules) = list(tasks(words)), overview(words)
+    unknown = not wanted and not modules
+    lines = [title, *(["", *wanted] if wanted else []), *modules]
     if unknown:
         from difflib import get_close_matches
 
@@ -137,7 +172,7 @@ def main(arguments: Sequence[str]) -> int:
             f"{f' Did you mean the command {meant[0]}?' if meant else ''}"
         )
     try:
-        print("\n".join(lines if arguments else [*commands(), *lines]), flush=True)
+        print("\n".join(lines if arguments else [*commands(), *lines, *END]), flush=True)
     except BrokenPipeError:  # "| head" has read enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
