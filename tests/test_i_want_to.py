@@ -116,6 +116,7 @@ def test_functions_of_a_task_are_where_it_says(task, recipe):
         ("gyrocompassing", "gyrocompass.align"),
         ("covariance analysis", "calibration.covariance_analysis"),
         ("coning", "attitude.coning_drift"),
+        ("log turntable", "calibration.calibrate"),
         ("observab", "calibration.unobservable_subspace"),
         ("kalibr", "calibration.KalibrMatrices"),
         ("ENU", "axes.convert_attitude"),

@@ -1,6 +1,7 @@
 """Every example of the README runs when it is pasted alone."""
 
 import re
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,14 @@ from support import printed_numbers
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
 EXAMPLES = re.findall(r"^```python\n(.*?)^```$", README, flags=re.DOTALL | re.MULTILINE)
+
+
+def test_functions_of_the_table_are_where_it_says():
+    rows = [line for line in README.splitlines() if line.startswith("| ")]
+    names = re.findall(r"`(driftlab\.[\w.]+)\.(\w+)`", "\n".join(rows))
+    assert names
+    for module, function in names:
+        assert callable(getattr(import_module(module), function))
 
 
 def test_every_example_is_found():

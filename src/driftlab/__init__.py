@@ -1,5 +1,14 @@
 """Drift Lab: how a slightly bent gyro triad becomes a wrong attitude, and what to do about it.
 
+Where to begin:
+
+* The notebook ``notebooks/i_want_to.ipynb`` has tasks of every day, from the drift of a triad to
+  the heading from a log, each in ten lines that run alone.
+* ``python -m driftlab find covariance`` shows which tasks and which modules speak of a word;
+  ``python -m driftlab`` shows all, the commands for one's own log first.
+* ``import driftlab as dl`` loads nothing before it is asked for: ``dl.align``, or
+  ``dl.calibration.covariance_analysis``. ``help(dl.align)`` says shapes, units and the equation.
+
 Conventions, fixed here once for the whole package:
 
 * A quaternion is Hamilton's, **scalar last** ``[x, y, z, w]``, and maps body components to
@@ -23,8 +32,6 @@ Ground floor: `checks`, `vectors`, `quaternion`, `earth`, `axes`, `conventions`,
 the subjects: `motion`, `drift`, `attitude`, `recordings`, `calibration`, `gyrocompass`. All of
 these need NumPy and SciPy only, and so does `commands`, but for its bar and its plots.
 `symbolic` (SymPy) and `book` (Matplotlib, ipywidgets) come with ``pip install driftlab[book]``.
-``python -m driftlab`` lists what there is, the commands for one's own log first; nothing is loaded
-before it is asked for.
 """
 
 from driftlab._lazy import attach

@@ -127,12 +127,14 @@ def tasks(word: str = "") -> Iterator[str]:
     Parameters
     ----------
     word : str
-        As for `overview`; a task has other words for it too.
+        As for `overview`, but several words may stand in any order. A task has words besides
+        those of its title.
     """
     subject = ""
     for task in tomllib.loads((PACKAGE / "tasks.toml").read_text(encoding="utf-8"))["task"]:
         functions = [f"driftlab.{name}" for name in task["functions"]]
-        if not _speak_of(word, [task["subject"], task["title"], *task["words"], *functions]):
+        texts = [task["subject"], task["title"], *task["words"], *functions]
+        if not all(_speak_of(one, texts) for one in word.split()):
             continue
         if not subject:
             yield f"Each in ten lines of code at most: {RECIPES}"
