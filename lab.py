@@ -15,6 +15,7 @@ usage: python3 lab.py [command]
   bench     print how fast the package is, against its peers, which this command fetches
   peers     ask programs of others, which this command fetches, whether they compute the same
   lock      renew environment.txt from pyproject.toml
+  release   write what release.toml says of this version where it is needed
 """
 
 import argparse
@@ -47,6 +48,7 @@ from bootstrap.environment import (
     set_up,
     write,
 )
+from bootstrap.release import version, written
 from bootstrap.steps import (
     HOME,
     JUPYTER,
@@ -229,6 +231,15 @@ def lock(arguments: list[str]) -> int:
     return 0
 
 
+def release(arguments: list[str]) -> int:
+    """Write addresses, date and digest of this version into the files that need them."""
+    expect_none(arguments)
+    for path, text in written().items():
+        write(path, text)
+    say(f"Written for version {version()}; RELEASING.md says what comes next.")
+    return 0
+
+
 def expect_none(arguments: list[str]) -> None:
     if arguments:
         raise Trouble(f"This command takes no arguments; there came: {' '.join(arguments)}.")
@@ -242,6 +253,7 @@ COMMANDS = {
     "bench": bench,
     "peers": peers,
     "lock": lock,
+    "release": release,
 }
 
 

@@ -36,6 +36,6 @@ these need NumPy and SciPy only, and so does `commands`, but for its bar and its
 
 from driftlab._lazy import attach
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __getattr__, __dir__, __all__ = attach(__name__, __file__)

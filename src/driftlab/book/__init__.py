@@ -4,6 +4,9 @@ A chapter's folder is called like its notebook and holds, where there are some, 
 (named for what they compute), figures, slider panels, exercises and ledger of equations.
 """
 
+from driftlab._extra import require_extra
 from driftlab._lazy import attach
+
+require_extra(__name__, "anywidget", "ipywidgets", "matplotlib", "sympy", "tqdm")
 
 __getattr__, __dir__, __all__ = attach(__name__, __file__)

@@ -15,6 +15,10 @@ from .figures import figure_definitions, measured, not_at_hand, published_paths
 from .machinery.figure_table import as_words, write_table
 from .machinery.publish import FigureDefinition, PublishedFigure, gallery
 
+PROJECT = Path(__file__).parents[3]
+AT_HOME = (PROJECT / "lab.py").is_file()
+"""Is this the project's folder? An installed package has no place of its own to write to."""
+
 
 def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | None = None) -> None:
     """Write all figures, their numbers and the gallery; print Larin's numbers.
@@ -65,11 +69,17 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m driftlab.book", description=__doc__)
     commands = parser.add_subparsers(required=True)
     for name, write, default in (
-        ("figures", write_figures, Path("figures")),
-        ("errata", write_errata, Path("ERRATA.md")),
+        ("figures", write_figures, "figures"),
+        ("errata", write_errata, "ERRATA.md"),
     ):
         command = commands.add_parser(name, help=write.__doc__)
-        command.add_argument("--output", type=Path, default=default)
+        command.add_argument(
+            *("--output", "-o"),
+            type=Path,
+            default=PROJECT / default if AT_HOME else None,
+            required=not AT_HOME,
+            help="where to write it; the project's own place if it is run there",
+        )
         command.set_defaults(write=write)
     options = parser.parse_args()
     options.write(options.output)

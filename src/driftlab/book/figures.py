@@ -7,6 +7,7 @@ folder of the reader's, the figure is computed, else it comes from the numbers i
 
 from __future__ import annotations
 
+import warnings
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -120,8 +121,15 @@ def measured(name: str) -> Any:
     """
     definition, table = _definition(name), _FOLDER / f"{name}.csv"
     needed = not definition.recordings or bool(not_at_hand(definition))
-    if definition.restore is not None and needed and table.exists():
-        return definition.restore(read_table(table)[1])
+    if definition.restore is not None and needed:
+        if table.exists():
+            return definition.restore(read_table(table)[1])
+        if not definition.recordings:
+            warnings.warn(
+                f"{name} is computed anew, which takes minutes: its published numbers are in the "
+                "folder figures of the project, which an installed package does not have.",
+                stacklevel=3,
+            )
     return _from_recordings(name) if definition.recordings else definition.compute()
 
 

@@ -1,5 +1,9 @@
 """The book's objects in SymPy: rotations and rates, and the steps of attitude algorithms."""
 
+from driftlab._extra import require_extra
+
+require_extra(__name__, "sympy")
+
 from driftlab.symbolic.identity import Identity, identity
 from driftlab.symbolic.objects import (
     IDENTITY,

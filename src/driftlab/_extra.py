@@ -1,0 +1,27 @@
+"""One sentence for who installed the library alone and asks for a part that needs more."""
+
+from importlib.util import find_spec
+
+
+def require_extra(part: str, *packages: str) -> None:
+    """Refuse to go on where packages of the extra "book" are missing.
+
+    Parameters
+    ----------
+    part : str
+        What needs them: "driftlab.symbolic".
+    *packages : str
+        Names under which they are imported.
+
+    Raises
+    ------
+    ModuleNotFoundError
+        If one of them is not installed.
+    """
+    missing = [package for package in packages if find_spec(package) is None]
+    if missing:
+        raise ModuleNotFoundError(
+            f"{part} needs {', '.join(missing)}, not installed here: "
+            "pip install driftlab[book] brings all that the book needs.",
+            name=missing[0],
+        )
