@@ -107,7 +107,7 @@ def chi_bounds(count: int) -> np.ndarray:
 def helper_modules() -> list[ModuleType]:
     """All modules of the helper: all but book, commands, SymPy, checks, cores, private ones."""
     names = (module.name for module in walk_packages(driftlab.__path__, "driftlab."))
-    parts = ("book", "checks", "commands", "core", "symbolic")
+    parts = ("book", "checks", "commands", "conftest", "core", "symbolic")
     apart = tuple(f"driftlab.{part}" for part in parts)
     return [
         import_module(name) for name in names if not name.startswith(apart) and "._" not in name

@@ -272,9 +272,8 @@ def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:
 def test_unknown_command(tiny: Path) -> None:
     done = run(tiny, "opne", PYTHONSAFEPATH="1")
     assert done.code == 1
-    assert done.complained == (
-        'There is no command "opne"; there are open, fresh, test, figures, bench, peers, lock.'
-    )
+    commands = ", ".join(load(ROOT).lab.COMMANDS)
+    assert done.complained == f'There is no command "opne"; there are {commands}.'
 
 
 @pytest.mark.parametrize(

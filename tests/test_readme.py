@@ -1,4 +1,4 @@
-"""Every example of the README runs when it is pasted alone."""
+"""Every example of the README and of the index's page runs when it is pasted alone."""
 
 import re
 from importlib import import_module
@@ -9,7 +9,8 @@ import pytest
 
 from support import printed_numbers
 
-README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+ROOT = Path(__file__).parents[1]
+README = "".join((ROOT / name).read_text(encoding="utf-8") for name in ("README.md", "PYPI.md"))
 EXAMPLES = re.findall(r"^```python\n(.*?)^```$", README, flags=re.DOTALL | re.MULTILINE)
 
 

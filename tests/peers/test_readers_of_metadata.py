@@ -1,0 +1,54 @@
+"""Programs that read the citation, the licences and the package's page accept them.
+
+Each is fetched into an environment of its own; what it needs could not stand beside the book's.
+"""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import driftlab
+from support import ROOT
+
+UV = [sys.executable, "-m", "uv", "tool", "run", "--quiet", "--from"]
+
+
+def ask(package: str, *command: object) -> str:
+    """What a command of a package prints; skipped where the package cannot be had."""
+    there = subprocess.run([*UV, package, "python", "-c", ""], capture_output=True, cwd=ROOT)
+    if there.returncode:
+        pytest.skip(f"{package} cannot be fetched.")
+    done = subprocess.run(
+        [*UV, package, *map(str, command)], capture_output=True, encoding="utf-8", cwd=ROOT
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_cffconvert_makes_a_bibtex_entry_with_author_title_and_year() -> None:
+    ask("cffconvert==2.0.0", "cffconvert", "--validate")
+    entry = ask("cffconvert==2.0.0", "cffconvert", "--format", "bibtex")
+    assert "author = {The Drift Lab authors}" in entry
+    assert "title = {Drift Lab: an interactive textbook" in entry
+    assert "year = {20" in entry
+    # BibTeX has no version in its standard fields, and cffconvert writes none; CITATION.bib does.
+    assert f"(version {driftlab.__version__})" in ask(
+        "cffconvert==2.0.0", "cffconvert", "-f", "apalike"
+    )
+
+
+def test_twine_accepts_wheel_and_source_distribution(tmp_path: Path) -> None:
+    for build in ("build_wheel", "build_sdist"):
+        code = f"import sys; from flit_core import buildapi; buildapi.{build}(sys.argv[1])"
+        subprocess.run([sys.executable, "-c", code, tmp_path], cwd=ROOT, check=True)
+    built = sorted(tmp_path.iterdir())
+    assert len(built) == 2
+    assert ask("twine", "twine", "check", "--strict", *built).count("PASSED") == 2
+
+
+def test_every_file_has_a_licence_for_reuse() -> None:
+    if not (ROOT / ".git").exists():
+        pytest.skip("without git, files of an environment are counted as the project's")
+    ask("reuse", "reuse", "lint")
