@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import tarfile
+import tomllib
 import zipfile
 from email.message import Message
 from email.parser import Parser
@@ -18,7 +19,6 @@ from packaging.requirements import Requirement
 
 import driftlab
 from support import ROOT
-from test_release import RELEASE
 
 pytestmark = [pytest.mark.setup, pytest.mark.xdist_group("distribution")]
 
@@ -144,7 +144,8 @@ def test_the_wheel_says_what_an_index_asks(built: Built) -> None:
     needs = [Requirement(need) for need in said.get_all("Requires-Dist")]
     assert [need.name for need in needs if not need.marker] == ["numpy", "scipy"]
     urls = dict(line.split(", ") for line in said.get_all("Project-URL", []))
-    assert urls == {name: url for name, url in RELEASE["urls"].items() if url}
+    known = tomllib.loads((ROOT / "release.toml").read_text("utf-8"))["urls"]
+    assert urls == {name: url for name, url in known.items() if url}
     assert said.get_payload().startswith("# Drift Lab")
     assert not re.search(r"!\[|\]\((?!https://)", said.get_payload())
 

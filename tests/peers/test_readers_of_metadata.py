@@ -48,6 +48,17 @@ def test_twine_accepts_wheel_and_source_distribution(tmp_path: Path) -> None:
     assert ask("twine", "twine", "check", "--strict", *built).count("PASSED") == 2
 
 
+def test_rattler_build_reads_the_conda_recipe() -> None:
+    code = (
+        "from rattler_build import Stage0Recipe, VariantConfig;"
+        "[one] = Stage0Recipe.from_file('conda/recipe.yaml').render(VariantConfig());"
+        "print(one.recipe.package.version, *one.recipe.requirements.run, sep='|')"
+    )
+    version, *needs = ask("py-rattler-build", "python", "-c", code).strip().split("|")
+    assert version == driftlab.__version__
+    assert [need.split()[0] for need in needs] == ["python", "numpy", "scipy"]
+
+
 def test_every_file_has_a_licence_for_reuse() -> None:
     if not (ROOT / ".git").exists():
         pytest.skip("without git, files of an environment are counted as the project's")
