@@ -236,7 +236,7 @@ def release(arguments: list[str]) -> int:
     expect_none(arguments)
     for path, text in written().items():
         write(path, text)
-    say(f"Written for version {version()}; RELEASING.md says what comes next.")
+    say(f"Written for version {version()}; release/README.md says what comes next.")
     return 0
 
 

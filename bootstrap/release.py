@@ -1,4 +1,4 @@
-"""Writes what must agree in many places about a version, from release.toml.
+"""Writes what must agree in many places about a version, from release/release.toml.
 
 The version itself is in ``src/driftlab/__init__.py``, dependencies and words in pyproject.toml.
 Words are written as JSON writes them, which is YAML, too.
@@ -15,9 +15,9 @@ from typing import Any
 from bootstrap.environment import PYPROJECT, project
 from bootstrap.steps import HOME, Trouble
 
-RELEASE = HOME / "release.toml"
+RELEASE = HOME / "release/release.toml"
 TITLE = "Drift Lab: an interactive textbook on gyro triads, drift and calibration"
-NOTE = '# Written by "python3 lab.py release" from release.toml; do not edit.'
+NOTE = '# Written by "python3 lab.py release" from release/release.toml; do not edit.'
 URLS = re.compile(r"(?<=^\[project\.urls\]).*?(?=^\[)", re.DOTALL | re.MULTILINE)
 
 
@@ -51,7 +51,7 @@ def written() -> dict[Path, str]:
     return {
         HOME / "CITATION.cff": "\n".join(citation(found)) + "\n",
         HOME / "CITATION.bib": "\n\n".join(bibliography(found)) + "\n",
-        HOME / "conda/recipe.yaml": "\n".join(recipe(found)) + "\n",
+        HOME / "release/recipe.yaml": "\n".join(recipe(found)) + "\n",
         PYPROJECT: URLS.sub(lambda _: addresses(found), PYPROJECT.read_text("utf-8")),
     }
 
@@ -63,7 +63,7 @@ def quoted(text: object) -> str:
 def addresses(found: dict[str, Any]) -> str:
     """Return what stands under [project.urls] in pyproject.toml."""
     lines = [f"{name} = {quoted(url)}\n" for name, url in found["urls"].items() if url]
-    return f'  # written by "python3 lab.py release" from release.toml\n{"".join(lines)}\n'
+    return f'  # written by "python3 lab.py release" from release/release.toml\n{"".join(lines)}\n'
 
 
 def citation(found: dict[str, Any]) -> Iterator[str]:

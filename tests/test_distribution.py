@@ -144,7 +144,7 @@ def test_the_wheel_says_what_an_index_asks(built: Built) -> None:
     needs = [Requirement(need) for need in said.get_all("Requires-Dist")]
     assert [need.name for need in needs if not need.marker] == ["numpy", "scipy"]
     urls = dict(line.split(", ") for line in said.get_all("Project-URL", []))
-    known = tomllib.loads((ROOT / "release.toml").read_text("utf-8"))["urls"]
+    known = tomllib.loads((ROOT / "release/release.toml").read_text("utf-8"))["urls"]
     assert urls == {name: url for name, url in known.items() if url}
     assert said.get_payload().startswith("# Drift Lab")
     assert not re.search(r"!\[|\]\((?!https://)", said.get_payload())

@@ -10,7 +10,9 @@ import pytest
 from support import printed_numbers
 
 ROOT = Path(__file__).parents[1]
-README = "".join((ROOT / name).read_text(encoding="utf-8") for name in ("README.md", "PYPI.md"))
+README = "".join(
+    (ROOT / name).read_text(encoding="utf-8") for name in ("README.md", "release/PYPI.md")
+)
 EXAMPLES = re.findall(r"^```python\n(.*?)^```$", README, flags=re.DOTALL | re.MULTILINE)
 
 

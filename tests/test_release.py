@@ -14,9 +14,9 @@ import driftlab
 from driftlab.book.references import all_references
 from support import ROOT
 
-RELEASE = tomllib.loads((ROOT / "release.toml").read_text("utf-8"))
+RELEASE = tomllib.loads((ROOT / "release/release.toml").read_text("utf-8"))
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
-WRITTEN = ("CITATION.cff", "CITATION.bib", "conda/recipe.yaml", "pyproject.toml")
+WRITTEN = ("CITATION.cff", "CITATION.bib", "release/recipe.yaml", "pyproject.toml")
 ADDRESS = "https://example.org/drift-lab"
 SHA256 = "0123456789abcdef" * 4
 FILLED = {
@@ -50,7 +50,7 @@ def copied(tmp_path: Path) -> Path:
     shutil.copytree(
         ROOT / "bootstrap", tmp_path / "bootstrap", ignore=shutil.ignore_patterns("__pycache__")
     )
-    for name in ("lab.py", "release.toml", "src/driftlab/__init__.py", *WRITTEN):
+    for name in ("lab.py", "release/release.toml", "src/driftlab/__init__.py", *WRITTEN):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(ROOT / name, tmp_path / name)
     return tmp_path
@@ -58,7 +58,7 @@ def copied(tmp_path: Path) -> Path:
 
 def release(folder: Path, changes: dict[str, str]) -> subprocess.CompletedProcess[str]:
     """Run "lab.py release" after changes in release.toml."""
-    file = folder / "release.toml"
+    file = folder / "release/release.toml"
     words = file.read_text("utf-8")
     for old, new in changes.items():
         assert words.count(old) == 1
@@ -84,7 +84,7 @@ def test_what_a_release_fills_in_arrives_everywhere(copied: Path) -> None:
     assert "repository-code" not in cited  # it is not known
     bibliography = entries((copied / "CITATION.bib").read_text("utf-8"))
     assert bibliography["driftlab"]["url"] == ADDRESS
-    recipe = yaml.safe_load((copied / "conda/recipe.yaml").read_text("utf-8"))
+    recipe = yaml.safe_load((copied / "release/recipe.yaml").read_text("utf-8"))
     assert recipe["source"] == {"url": f"{ADDRESS}.tar.gz", "sha256": SHA256}
     assert recipe["about"]["homepage"] == ADDRESS
     urls = {"Homepage": ADDRESS, "Issues": f"{ADDRESS}/issues"}
@@ -128,7 +128,7 @@ def test_one_name_for_the_authors() -> None:
     assert authors.lower() in text("LICENSE").lower()
     assert authors.lower() in text("LICENSES/BSD-3-Clause.txt").lower()
     assert authors in text("REUSE.toml")
-    assert f"  - name: {authors}" in text("paper/paper.md")
+    assert f"  - name: {authors}" in text("release/paper/paper.md")
 
 
 def test_citation_names_version_day_and_the_four_papers() -> None:
@@ -145,7 +145,7 @@ def test_citation_names_version_day_and_the_four_papers() -> None:
 
 
 def test_conda_asks_for_what_pip_asks_for() -> None:
-    recipe = yaml.safe_load(text("conda/recipe.yaml"))
+    recipe = yaml.safe_load(text("release/recipe.yaml"))
     assert recipe["context"]["version"] == driftlab.__version__
     python, *run = recipe["requirements"]["run"]
     assert python == f"python {PROJECT['requires-python']}"
@@ -169,8 +169,8 @@ def test_every_part_has_a_licence_in_full() -> None:
 
 
 def test_the_paper_cites_what_was_checked_and_all_that_it_lists() -> None:
-    body = text("paper/paper.md").split("---\n", 2)[2]
-    listed = entries(text("paper/paper.bib"))
+    body = text("release/paper/paper.md").split("---\n", 2)[2]
+    listed = entries(text("release/paper/paper.bib"))
     assert set(re.findall(r"@([\w-]+)", body)) == set(listed)
     papers = entries(text("CITATION.bib"))
     checked = {entry.key: entry for entry in all_references()}
@@ -186,7 +186,7 @@ def test_the_paper_cites_what_was_checked_and_all_that_it_lists() -> None:
 
 
 def test_the_paper_states_no_number_that_could_grow_old() -> None:
-    body = text("paper/paper.md").split("---\n", 2)[2]
+    body = text("release/paper/paper.md").split("---\n", 2)[2]
     assert re.findall(r"\d+", re.sub(r"\[@.*?\]", "", body)) == ["13"]  # a chapter's name
 
 

@@ -51,7 +51,7 @@ def test_twine_accepts_wheel_and_source_distribution(tmp_path: Path) -> None:
 def test_rattler_build_reads_the_conda_recipe() -> None:
     code = (
         "from rattler_build import Stage0Recipe, VariantConfig;"
-        "[one] = Stage0Recipe.from_file('conda/recipe.yaml').render(VariantConfig());"
+        "[one] = Stage0Recipe.from_file('release/recipe.yaml').render(VariantConfig());"
         "print(one.recipe.package.version, *one.recipe.requirements.run, sep='|')"
     )
     version, *needs = ask("py-rattler-build", "python", "-c", code).strip().split("|")
