@@ -29,7 +29,9 @@ from driftlab.attitude import (
     drift_on_cones,
     finite_precision,
     integration,
+    measured_drift,
     noise_amplification,
+    own_algorithms,
     riccati,
     sculling,
     spherical_area,
@@ -171,6 +173,16 @@ CASES = {
         "frequency": TIME,
         "sample_interval": TIME,
     },
+    fixed(measured_drift.measured_coning_drift, algorithm="memory-4", count=4): {
+        "half_angle": PITCH,
+        "frequency": TIME,
+        "sample_interval": TIME,
+    },
+    fixed(own_algorithms.own_steps, algorithm=lambda g: g[0::2] + g[1::2]): {
+        "increments": INCREMENTS
+    },
+        "increments": INCREMENTS
+    },
     fixed(noise_amplification.step_noise_covariance, algorithm="one-step-3"): {"turn": RATE},
     fixed(noise_amplification.noise_growth, algorithm="memory-4"): {"sample_angle": TIME},
     spherical_area.solid_angle: {"directions": INCREMENTS},
@@ -290,6 +302,7 @@ CASES = {
 }
 # Tested where they belong.
 APART = {
+    drift_on_cones.checked_cone,  # tested with those whose arguments it checks
     turns_by_hand.hand_turns,  # one record, whose rests are its own
     missed_stops.near_turns,
     weighing_designs.fit_turns,  # its two arguments share an axis instead of broadcasting

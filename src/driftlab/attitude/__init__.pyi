@@ -5,7 +5,9 @@ from . import (
     finite_precision as finite_precision,
     functional_iteration as functional_iteration,
     integration as integration,
+    measured_drift as measured_drift,
     noise_amplification as noise_amplification,
+    own_algorithms as own_algorithms,
     riccati as riccati,
     sculling as sculling,
     spherical_area as spherical_area,
@@ -21,13 +23,17 @@ from .coning_algorithms import (
     ALGORITHMS as ALGORITHMS,
     CONING_ALGORITHMS as CONING_ALGORITHMS,
     Algorithm as Algorithm,
+    Algorithms as Algorithms,
+    AnyAlgorithm as AnyAlgorithm,
     AttitudeAlgorithm as AttitudeAlgorithm,
     LastStage as LastStage,
     Weights as Weights,
     attitude_algorithm as attitude_algorithm,
     coning_algorithm as coning_algorithm,
+    named_algorithms as named_algorithms,
 )
 from .drift_on_cones import (
+    OWN_ROWS as OWN_ROWS,
     coning_drift as coning_drift,
     step_drift as step_drift,
 )
@@ -46,11 +52,19 @@ from .integration import (
     step_quaternions as step_quaternions,
     step_vectors as step_vectors,
 )
+from .measured_drift import (
+    MEASURED_STEPS as MEASURED_STEPS,
+    measured_coning_drift as measured_coning_drift,
+)
 from .noise_amplification import (
     NoiseGrowth as NoiseGrowth,
     correction_gains as correction_gains,
     noise_growth as noise_growth,
     step_noise_covariance as step_noise_covariance,
+)
+from .own_algorithms import (
+    OwnAlgorithm as OwnAlgorithm,
+    own_steps as own_steps,
 )
 from .riccati import (
     SWITCH as SWITCH,

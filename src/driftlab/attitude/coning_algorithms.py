@@ -14,12 +14,14 @@ weights for three samples are Miller's (1983).
 
 In the names, the last number is the global order, except that `picard-1` is the first iterate and
 that the two rotation-vector algorithms count their samples. `CONING_ALGORITHMS` are these seven;
-`ALGORITHMS` has `functional-iteration` besides, which works without cross products.
+`ALGORITHMS` has `functional-iteration` besides, which works without cross products. Wherever a name
+is taken, an `Algorithm` and one's own function are taken as well; what such a function is given and
+must return stands in `own_algorithms`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Literal, get_args
@@ -27,6 +29,7 @@ from typing import Literal, get_args
 from driftlab.checks import finite_array, whole_number
 
 from .functional_iteration import FunctionalIteration
+from .own_algorithms import OwnAlgorithm
 
 Weights = Mapping[tuple[int, int], float]
 """Weights of the cross products g_i × g_j, keyed by places i < j in a row of increments."""
@@ -158,43 +161,95 @@ CONING_ALGORITHMS: Mapping[str, Algorithm] = MappingProxyType(
 AttitudeAlgorithm = Algorithm | FunctionalIteration
 """An algorithm of either kind."""
 
+AnyAlgorithm = str | AttitudeAlgorithm | OwnAlgorithm
+"""What may stand for an algorithm: a key of `ALGORITHMS`, an algorithm, or one's own function."""
+
+Algorithms = Mapping[str, AnyAlgorithm] | Iterable[str | AttitudeAlgorithm]
+"""What may stand for several: algorithms by name, or keys of `ALGORITHMS` and algorithms."""
+
 ALGORITHMS: Mapping[str, AttitudeAlgorithm] = MappingProxyType(
     {**CONING_ALGORITHMS, "functional-iteration": FunctionalIteration("functional-iteration")}
 )
 """All algorithms by name: those with cross products, and functional iteration."""
 
 
-def attitude_algorithm(algorithm: str | AttitudeAlgorithm) -> AttitudeAlgorithm:
+def attitude_algorithm(algorithm: AnyAlgorithm) -> AttitudeAlgorithm | OwnAlgorithm:
     """Return an algorithm by its name, or an algorithm itself.
 
     Parameters
     ----------
-    algorithm : str or Algorithm or FunctionalIteration
-        A key of `ALGORITHMS`, or a custom algorithm.
+    algorithm : str or Algorithm or FunctionalIteration or callable
+        A key of `ALGORITHMS`, a custom algorithm, or a function as in `own_algorithms`.
 
     Returns
     -------
-    Algorithm or FunctionalIteration
+    Algorithm or FunctionalIteration or callable
         The one of that name, or `algorithm` unchanged.
 
     Raises
     ------
     ValueError
-        If the name is unknown.
+        If the name is unknown, or `algorithm` is none of these.
 
     Examples
     --------
     >>> attitude_algorithm("rotation-vector-3").samples
     3
     """
-    if isinstance(algorithm, Algorithm | FunctionalIteration):
+    if isinstance(algorithm, AttitudeAlgorithm):
+        return algorithm
+    # A class can be called too, but what it makes is no attitude.
+    if callable(algorithm) and not isinstance(algorithm, type):
         return algorithm
     if not isinstance(algorithm, str) or algorithm not in ALGORITHMS:
-        raise ValueError(f"algorithm: expected one of {', '.join(ALGORITHMS)}, got {algorithm!r}.")
+        raise ValueError(
+            f"algorithm: expected one of {', '.join(ALGORITHMS)}, an Algorithm or a function of "
+            f"increments, got {algorithm!r}."
+        )
     return ALGORITHMS[algorithm]
 
 
-def coning_algorithm(algorithm: str | Algorithm) -> Algorithm:
+def named_algorithms(algorithms: Algorithms) -> dict[str, AttitudeAlgorithm | OwnAlgorithm]:
+    """Return several algorithms by their names.
+
+    Parameters
+    ----------
+    algorithms : mapping or iterable
+        Algorithms by name, as one likes to call them; or keys of `ALGORITHMS` and algorithms that
+        have names.
+
+    Returns
+    -------
+    dict
+        In the same order.
+
+    Raises
+    ------
+    ValueError
+        If one is unknown, or a function has no name.
+
+    Examples
+    --------
+    >>> mine = {"mine": lambda g: g, "two-step-4": "two-step-4"}
+    >>> list(named_algorithms(mine)), list(named_algorithms(["picard-1", "memory-4"]))
+    (['mine', 'two-step-4'], ['picard-1', 'memory-4'])
+    """
+    if isinstance(algorithms, Mapping):
+        return {str(name): attitude_algorithm(one) for name, one in algorithms.items()}
+    if isinstance(algorithms, str) or not isinstance(algorithms, Iterable):
+        raise ValueError(
+            "algorithms: expected several names, or a mapping from names to algorithms, "
+            f"got {algorithms!r}."
+        )
+    found: dict[str, AttitudeAlgorithm | OwnAlgorithm] = {}
+    for one in map(attitude_algorithm, algorithms):
+        if not isinstance(one, AttitudeAlgorithm):
+            raise ValueError('algorithms: expected a name with a function, as {"mine": function}.')
+        found[one.name] = one
+    return found
+
+
+def coning_algorithm(algorithm: AnyAlgorithm) -> Algorithm:
     """Return an algorithm with cross products by its name, or such an algorithm itself.
 
     Parameters
@@ -210,7 +265,8 @@ def coning_algorithm(algorithm: str | Algorithm) -> Algorithm:
     Raises
     ------
     ValueError
-        If the name is unknown, or the algorithm has no cross products.
+        If the name is unknown, or the algorithm has no cross products, or is a function, in which
+        they cannot be read.
 
     Examples
     --------
@@ -220,6 +276,11 @@ def coning_algorithm(algorithm: str | Algorithm) -> Algorithm:
     ValueError: algorithm: expected one with cross products, got functional-iteration.
     """
     chosen = attitude_algorithm(algorithm)
-    if not isinstance(chosen, Algorithm):
+    if isinstance(chosen, FunctionalIteration):
         raise ValueError(f"algorithm: expected one with cross products, got {chosen.name}.")
+    if not isinstance(chosen, Algorithm):
+        raise ValueError(
+            "algorithm: expected one with cross products whose weights can be read, got a "
+            "function; write it as an Algorithm."
+        )
     return chosen

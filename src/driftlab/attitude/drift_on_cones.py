@@ -1,7 +1,8 @@
 """Drift of an attitude algorithm on a coning motion, exact for a cone of any width.
 
 Seen from axes that go round with the cone, all steps are the same rotation. So one step tells the
-drift of all: no motion is integrated, and no angle has to be small.
+drift of all: no motion is integrated, and no angle has to be small. `measured_drift` has what an
+algorithm makes of many steps, whether they are alike or not.
 """
 
 from __future__ import annotations
@@ -14,11 +15,17 @@ from driftlab.core.attitude import step_quaternions
 from driftlab.core.coning import cone_increments
 from driftlab.core.quaternion import cumulative_product, from_rotation_vector, multiply
 
-from .coning_algorithms import AttitudeAlgorithm, attitude_algorithm
+from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, attitude_algorithm
+from .own_algorithms import OwnAlgorithm, own_steps
+
+OWN_ROWS = 840
+"""Increments of a cone that one's own function is given: whole steps of one to eight samples."""
+_REPEATS = 1e-11
+"""By how much steps that are alike may differ, of length one: sums of `OWN_ROWS` are rounded."""
 
 
 def coning_drift(
-    algorithm: str | AttitudeAlgorithm,
+    algorithm: AnyAlgorithm,
     half_angle: ArrayLike,
     frequency: ArrayLike,
     sample_interval: ArrayLike,
@@ -27,8 +34,9 @@ def coning_drift(
 
     Parameters
     ----------
-    algorithm : str or Algorithm or FunctionalIteration
-        A key of `driftlab.attitude.ALGORITHMS`, or a custom algorithm.
+    algorithm : str or Algorithm or FunctionalIteration or callable
+        A key of `driftlab.attitude.ALGORITHMS`, a custom algorithm, or one's own function as in
+        `driftlab.attitude.own_algorithms`.
     half_angle : array_like, shape (...)
         Half the opening angle of the cone, rad, at most pi in absolute value.
     frequency : array_like, shape (...)
@@ -46,7 +54,8 @@ def coning_drift(
     ------
     ValueError
         If an interval is not positive, a half angle is larger than pi, or an increment is a whole
-        turn, where the vector k is infinite.
+        turn, where the vector k is infinite. If one's own function makes steps that never come
+        again, as one that smooths over a whole record does; `measured_coning_drift` has its drift.
 
     Notes
     -----
@@ -60,6 +69,10 @@ def coning_drift(
     it leans by some degrees and more. A drift of more than half a turn a step is told apart from
     one the other way by nothing, and comes out between -pi and pi a step.
 
+    One's own function is given `OWN_ROWS` increments. The last of its steps are turned back and
+    compared, and the smallest number of them that repeats stands for the step; what a memory makes
+    of the start is forgotten by then.
+
     Examples
     --------
     Degrees per hour on a cone of half a degree at 10 Hz, sampled at 100 Hz:
@@ -72,6 +85,40 @@ def coning_drift(
     rotation-vector-3: -0.20
     """
     chosen = attitude_algorithm(algorithm)
+    angle, x, interval = checked_cone(half_angle, frequency, sample_interval)
+    if isinstance(chosen, AttitudeAlgorithm):
+        return _drift_of_step(chosen, angle, x) / interval
+    shape = np.broadcast_shapes(angle.shape, x.shape)
+    cases = zip(*(np.broadcast_to(a, shape).ravel() for a in (angle, x)), strict=True)
+    drifts = np.reshape([_drift_of_own(chosen, *case) for case in cases], shape)
+    return (drifts / interval)[()]
+
+
+def checked_cone(
+    half_angle: ArrayLike, frequency: ArrayLike, sample_interval: ArrayLike
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Half angle of a cone, the angle it goes round by in a sample, and the sample's interval.
+
+    Parameters
+    ----------
+    half_angle, frequency, sample_interval : array_like, shape (...)
+        rad, Hz, s; as in `coning_drift`.
+
+    Returns
+    -------
+    half_angle, sample_angle, sample_interval : ndarray, shape (...)
+        rad, rad, s.
+
+    Raises
+    ------
+    ValueError
+        If an interval is not positive, or a half angle is larger than pi.
+
+    Examples
+    --------
+    >>> [float(value.round(3)) for value in checked_cone(0.1, 10.0, 0.01)]
+    [0.1, 0.628, 0.01]
+    """
     angle, rate, interval = finite_arrays(
         half_angle=(half_angle,), frequency=(frequency,), sample_interval=(sample_interval,)
     )
@@ -79,7 +126,11 @@ def coning_drift(
         raise ValueError(f"sample_interval: expected positive times, got {interval.min():g}.")
     if (np.abs(angle) > np.pi).any():
         raise ValueError(f"half_angle: expected at most pi rad, got {np.abs(angle).max():g}.")
-    x = 2 * np.pi * rate * interval
+    return angle, np.asarray(2 * np.pi * rate * interval), interval
+
+
+def _drift_of_step(chosen: AttitudeAlgorithm, angle: FloatArray, x: FloatArray) -> FloatArray:
+    """Drift of a sample (...), rad, from one step; `x` is how far the cone goes round in it."""
     places = np.arange(chosen.window) - chosen.memory + 0.5
     sample = x[..., np.newaxis]
     increments = cone_increments(angle[..., np.newaxis], sample, sample * places)
@@ -94,7 +145,36 @@ def coning_drift(
     # One step, or all of a window that is computed as a whole.
     count = chosen.window - chosen.memory
     turned_in_all = cumulative_product(steps)[..., -1, :]
-    return step_drift(turned_in_all, angle, count * x) / (count * interval)
+    return step_drift(turned_in_all, angle, count * x) / count
+
+
+def _drift_of_own(function: OwnAlgorithm, half_angle: FloatArray, x: FloatArray) -> float:
+    """Drift of a sample, rad, from the steps of one's own function that repeat."""
+    phases = x * (np.arange(OWN_ROWS) + 0.5)
+    steps = own_steps(function, cone_increments(half_angle, x, phases))
+    samples = OWN_ROWS // len(steps)
+    # Turned back about the cone's axis, to what they would be had they begun at phase zero.
+    cosine, sine = (f(x * samples * np.arange(len(steps))) for f in (np.cos, np.sin))
+    alike = steps.copy()
+    alike[:, 0] = cosine * steps[:, 0] + sine * steps[:, 1]
+    alike[:, 1] = cosine * steps[:, 1] - sine * steps[:, 0]
+    late = alike[len(alike) // 2 :]
+    apart = [np.abs(late[p:] - late[:-p]).max() for p in range(1, len(late) // 2 + 1)]
+    if min(apart) > _REPEATS:
+        raise ValueError(
+            "algorithm: expected steps that repeat as a cone goes round, got a function whose "
+            "steps do not; measured_coning_drift runs it as it is."
+        )
+    # The shortest period of those that differ by rounding only.
+    period = 1 + int(np.argmax(np.array(apart) <= 8 * min(apart)))
+    whole = period * samples
+    first = len(steps) - period
+    # Of all steps of a period, seen from the phase at which the first of them begins.
+    back = np.array([0.0, 0.0, -x * samples * first])
+    turn = from_rotation_vector(back)
+    turned = cumulative_product(steps[first:])[-1]
+    turned = multiply(multiply(turn, turned), turn * [-1, -1, -1, 1])
+    return float(step_drift(turned, half_angle, whole * x)) / whole
 
 
 def step_drift(step: FloatArray, half_angle: FloatArray, step_angle: FloatArray) -> FloatArray:

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from driftlab.checks import finite_array, finite_arrays, unit_quaternions
 
-from .coning_algorithms import AttitudeAlgorithm, attitude_algorithm
+from .coning_algorithms import Algorithm, AnyAlgorithm, attitude_algorithm
 from .integration import step_vectors
 
 Update = Literal["product", "small terms first", "complement", "compensated"]
@@ -77,7 +77,7 @@ def step_in_word(vectors: NDArray[Any], *, rotation_vector: bool = False) -> NDA
 
 def integrate_in_word(
     increments: ArrayLike,
-    algorithm: str | AttitudeAlgorithm = "two-step-4",
+    algorithm: AnyAlgorithm = "two-step-4",
     *,
     start: ArrayLike = (0.0, 0.0, 0.0, 1.0),
     word: DTypeLike = np.float32,
@@ -91,8 +91,9 @@ def integrate_in_word(
     ----------
     increments : array_like, shape (..., n, 3)
         Integrals of the body rate over equal intervals, rad.
-    algorithm : str or Algorithm or FunctionalIteration
-        As in `driftlab.attitude.integrate`.
+    algorithm : str or Algorithm or FunctionalIteration or callable
+        As in `driftlab.attitude.integrate`. One's own function computes in words of its own; only
+        its steps are rounded.
     start : array_like, shape (..., 4)
         Attitude before the first increment; brought to unit norm.
     word : dtype
@@ -147,8 +148,9 @@ def integrate_in_word(
         raise ValueError("word: expected float16 or float32 with fused multiply-add, got float64.")
     first = unit_quaternions(start, "start")
     finite_arrays(increments=(vectors, *vectors.shape[-2:]), start=(first, 4))
-    method = attitude_algorithm(algorithm).last_stage
-    steps = step_in_word(vectors, rotation_vector=method == "rotation vector")
+    chosen = attitude_algorithm(algorithm)
+    by_rotation_vector = isinstance(chosen, Algorithm) and chosen.last_stage == "rotation vector"
+    steps = step_in_word(vectors, rotation_vector=by_rotation_vector)
     leading = np.broadcast_shapes(steps.shape[:-2], first.shape[:-1])
     attitude = np.broadcast_to(first.astype(steps.dtype), (*leading, 4))
     x, y, z, scalar, complement = np.moveaxis(steps, -1, 0)

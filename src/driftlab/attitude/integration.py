@@ -1,4 +1,4 @@
-"""Attitude from the angle increments of gyros, by an algorithm of `coning_algorithms`."""
+"""Attitude from the angle increments of gyros, by a named algorithm or one's own."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ from driftlab.core import attitude as core
 from driftlab.core.attitude import rotation_quaternion, turns_too_far
 from driftlab.core.quaternion import cumulative_product, from_rotation_vector, multiply
 
-from .coning_algorithms import AttitudeAlgorithm, attitude_algorithm
+from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, attitude_algorithm
+from .own_algorithms import OwnAlgorithm, own_steps
 
 
 def integrate(
     increments: ArrayLike,
-    algorithm: str | AttitudeAlgorithm = "two-step-4",
+    algorithm: AnyAlgorithm = "two-step-4",
     *,
     start: ArrayLike = (0.0, 0.0, 0.0, 1.0),
     history: ArrayLike | None = None,
@@ -31,15 +32,16 @@ def integrate(
         They must be true integrals, as from an integrating gyro. Sampled rates times the interval
         are not: they lose the coning between two samples, see chapter 06. For these there is
         `driftlab.sampled_rates.increments_from_rates`.
-    algorithm : str or Algorithm or FunctionalIteration
-        A key of `ALGORITHMS`, or a custom algorithm.
+    algorithm : str or Algorithm or FunctionalIteration or callable
+        A key of `ALGORITHMS`, a custom algorithm, or one's own function as in `own_algorithms`.
     start : array_like, shape (..., 4)
         Attitude before the first increment; brought to unit norm.
     history : array_like, shape (..., m, 3), optional
         The increments before the first, rad, at least as many as the algorithm's memory; earlier
         ones are ignored, and so is any history if the algorithm has no memory. Without it an
         algorithm with memory starts by a formula of the same order that uses the increments that
-        follow.
+        follow. One's own function is handed history and increments together, and its steps of the
+        history, which must be whole, are left out.
 
     Returns
     -------
@@ -54,6 +56,7 @@ def integrate(
         start without a history, or (unless the rotation vector is used) turn by a whole turn in one
         step. All algorithms are meant for steps that turn by much less than 1 rad. Functional
         iteration refuses fewer increments than a window has, and such that it does not settle on.
+        Of one's own function all that `own_steps` refuses.
 
     Notes
     -----
@@ -75,7 +78,7 @@ def integrate(
 
 
 def step_quaternions(
-    increments: ArrayLike, algorithm: str | AttitudeAlgorithm, *, history: ArrayLike | None = None
+    increments: ArrayLike, algorithm: AnyAlgorithm, *, history: ArrayLike | None = None
 ) -> FloatArray:
     """Quaternion of the rotation over each single step.
 
@@ -83,8 +86,8 @@ def step_quaternions(
     ----------
     increments : array_like, shape (..., n, 3)
         Integrals of the body rate over equal intervals, rad.
-    algorithm : str or Algorithm or FunctionalIteration
-        A key of `ALGORITHMS`, or a custom algorithm.
+    algorithm : str or Algorithm or FunctionalIteration or callable
+        A key of `ALGORITHMS`, a custom algorithm, or one's own function as in `own_algorithms`.
     history : array_like, shape (..., m, 3), optional
         The increments before the first, rad; as in `integrate`.
 
@@ -103,32 +106,35 @@ def step_quaternions(
     >>> step_quaternions([[0.0, 0.0, 0.1], [0.0, 0.0, 0.1]], "two-step-4").round(4)
     array([[0.    , 0.    , 0.0998, 0.995 ]])
     """
-    vectors = step_vectors(increments, algorithm, history=history)
-    if attitude_algorithm(algorithm).last_stage == "rotation vector":
+    chosen = attitude_algorithm(algorithm)
+    if not isinstance(chosen, AttitudeAlgorithm):
+        return _own_steps(chosen, finite_array(increments, "increments", 3), history)
+    vectors = step_vectors(increments, chosen, history=history)
+    if chosen.last_stage == "rotation vector":
         return from_rotation_vector(vectors)
     return rotation_quaternion(vectors)
 
 
 def step_vectors(
     increments: ArrayLike,
-    algorithm: str | AttitudeAlgorithm,
+    algorithm: AnyAlgorithm,
     *,
     history: ArrayLike | None = None,
     word: DTypeLike = np.float64,
 ) -> NDArray[Any]:
-    """Cayley vector k of each step, or its rotation vector if the algorithm computes that.
+    """Cayley vector k of each step, or its rotation vector if a named algorithm computes that.
 
     Parameters
     ----------
     increments : array_like, shape (..., n, 3)
         Integrals of the body rate over equal intervals, rad.
-    algorithm : str or Algorithm or FunctionalIteration
-        A key of `ALGORITHMS`, or a custom algorithm.
+    algorithm : str or Algorithm or FunctionalIteration or callable
+        A key of `ALGORITHMS`, a custom algorithm, or one's own function as in `own_algorithms`.
     history : array_like, shape (..., m, 3), optional
         The increments before the first, rad; as in `integrate`.
     word : dtype
         Precision of the computation: float16, float32 or float64. The increments are rounded to it
-        first.
+        first. One's own function is given them in float64, and its steps are rounded.
 
     Returns
     -------
@@ -153,6 +159,9 @@ def step_vectors(
     rows = finite_array(increments, "increments")
     if rows.ndim < 2 or rows.shape[-1] != 3:
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
+    if not isinstance(chosen, AttitudeAlgorithm):
+        rounded = _in_word(rows, dtype).astype(np.float64)
+        return _cayley_vectors(_own_steps(chosen, rounded, history)).astype(dtype)
     largest = float(np.abs(rows).max())
     if largest >= 2 * np.pi and chosen.last_stage != "rotation vector":
         raise turns_too_far(largest)
@@ -178,14 +187,40 @@ def step_vectors(
             f"history: expected shape (..., m, 3) with m at least {chosen.memory} for "
             f"{chosen.name}, got shape {past.shape}."
         )
-    finite_arrays(increments=(rows, count, 3), history=(past, *past.shape[-2:]))
-    leading = np.broadcast_shapes(rows.shape[:-2], past.shape[:-2])
-    both = [
-        np.broadcast_to(part, (*leading, *part.shape[-2:]))
-        for part in (past[..., -chosen.memory :, :], rows)
-    ]
-    joined = _in_word(np.concatenate(both, axis=-2), dtype)
+    joined = _in_word(_joined(past[..., -chosen.memory :, :], rows), dtype)
     return core.step_vectors(chosen, joined, past=chosen.memory)
+
+
+def _joined(past: FloatArray, rows: FloatArray) -> FloatArray:
+    """History (..., m, 3) and increments (..., n, 3) in one array."""
+    finite_arrays(increments=(rows, *rows.shape[-2:]), history=(past, *past.shape[-2:]))
+    leading = np.broadcast_shapes(rows.shape[:-2], past.shape[:-2])
+    both = [np.broadcast_to(part, (*leading, *part.shape[-2:])) for part in (past, rows)]
+    return np.concatenate(both, axis=-2)
+
+
+def _own_steps(function: OwnAlgorithm, rows: FloatArray, history: ArrayLike | None) -> FloatArray:
+    """Steps (..., m, 4) by one's own function, without those of the history."""
+    if history is None:
+        return own_steps(function, rows)
+    past = finite_array(history, "history", 3)
+    if past.ndim < 2:
+        raise ValueError(f"history: expected shape (..., m, 3), got shape {past.shape}.")
+    joined = _joined(past, rows)
+    steps = own_steps(function, joined)
+    samples, earlier = joined.shape[-2] // steps.shape[-2], past.shape[-2]
+    if earlier % samples:
+        raise ValueError(
+            f"history: expected whole steps of {samples} increments for one's own function, "
+            f"got {earlier}."
+        )
+    return steps[..., earlier // samples :, :]
+
+
+def _cayley_vectors(steps: FloatArray) -> FloatArray:
+    """Cayley vectors -tan(phi/4) e (..., 3) of unit quaternions (..., 4)."""
+    shorter = np.where(steps[..., 3:] < 0, -steps, steps)
+    return -shorter[..., :3] / (1 + shorter[..., 3:])
 
 
 def _checked_word(word: DTypeLike) -> np.dtype[Any]:

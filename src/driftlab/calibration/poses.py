@@ -13,7 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.attitude.coning_algorithms import attitude_algorithm
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.body_frames import BODY_FRAMES, body_frame_rotation, change_body_frame
 from driftlab.checks import (
     FloatArray,
@@ -276,7 +276,7 @@ def _poses(
     moves = [slice(first, last) for first, last in zip(end[:-1], begin[1:], strict=True)]
     angle = recording.angles()
     velocity = recording.increments().velocity if sensitivity else None
-    way, algorithm = np.concatenate([angle[move] for move in moves]), attitude_algorithm("memory-4")
+    way, algorithm = np.concatenate([angle[move] for move in moves]), CONING_ALGORITHMS["memory-4"]
     if len(way) < algorithm.window:
         raise ValueError(f"rests: expected moves between them, got {len(way)} rows of moves.")
     at_once = [i for i, j in closed if j == i + 1]

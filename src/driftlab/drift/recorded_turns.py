@@ -5,7 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.attitude.coning_algorithms import AttitudeAlgorithm, attitude_algorithm
+from driftlab.attitude.coning_algorithms import (
+    AnyAlgorithm,
+    AttitudeAlgorithm,
+    attitude_algorithm,
+)
 from driftlab.attitude.integration import integrate
 from driftlab.checks import FloatArray, finite_array, finite_arrays, nonzero_vectors, whole_number
 from driftlab.core.quaternion import from_rotation_vector, multiply
@@ -20,7 +24,7 @@ def recorded_turn_estimate(
     increments: ArrayLike,
     axis: ArrayLike,
     turns: int = 1,
-    algorithm: str | AttitudeAlgorithm = "rotation-vector-2",
+    algorithm: AnyAlgorithm = "rotation-vector-2",
 ) -> FloatArray:
     """Estimate n^T Sigma n from the angle increments of a gyro triad that a table has turned.
 
@@ -39,11 +43,12 @@ def recorded_turn_estimate(
         or -n is read from the increments, and does not change the sign of the estimate.
     turns : int
         Number k of whole turns.
-    algorithm : str or Algorithm or FunctionalIteration
-        A key of `driftlab.attitude.coning_algorithms.ALGORITHMS`, or a custom algorithm. A turn is
-        nearly at a constant rate, for which a rotation vector is exact; algorithms with a tangent
-        err with the fourth power of the angle between rows, by 1.6 arc seconds at 36 rows a turn.
-        Rows at the end that do not make a whole step are taken one by one at constant rate.
+    algorithm : str or Algorithm or FunctionalIteration or callable
+        A key of `driftlab.attitude.coning_algorithms.ALGORITHMS`, a custom algorithm, or one's own
+        function as in `driftlab.attitude.own_algorithms`. A turn is nearly at a constant rate, for
+        which a rotation vector is exact; algorithms with a tangent err with the fourth power of the
+        angle between rows, by 1.6 arc seconds at 36 rows a turn. Rows at the end that do not make a
+        whole step are taken one by one at constant rate; one's own function must take all rows.
 
     Returns
     -------
@@ -79,12 +84,14 @@ def recorded_turn_estimate(
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
     finite_arrays(increments=(rows, *rows.shape[-2:]), axis=(n, 3))
     turned = _whole_turns(rows.sum(axis=-2) / (2 * np.pi), n, count)
-    length = rows.shape[-2]
-    if length < chosen.window:
-        raise ValueError(
-            f"increments: expected at least {chosen.window} rows for {chosen.name}, got {length}."
-        )
-    whole = length - length % chosen.samples
+    length = whole = rows.shape[-2]
+    if isinstance(chosen, AttitudeAlgorithm):
+        if length < chosen.window:
+            raise ValueError(
+                f"increments: expected at least {chosen.window} rows for {chosen.name}, "
+                f"got {length}."
+            )
+        whole -= length % chosen.samples
     attitude = integrate(rows[..., :whole, :], chosen)[..., -1, :]
     for row in range(whole, length):
         attitude = multiply(attitude, from_rotation_vector(rows[..., row, :]))

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import arcsecond
 
+from driftlab.attitude.coning_algorithms import AnyAlgorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.body_frames import misalignment_vector
 from driftlab.book.scenarios import (
@@ -219,7 +220,7 @@ def calibration_stages(
     latitude: float = SARATOV_LATITUDE,
     turn: float = QUARTER_TURN,
     half_angle: float = 0.0,
-    algorithm: str = "two-step-4",
+    algorithm: AnyAlgorithm = "two-step-4",
     interval: float = 16.0,
 ) -> Capstone:
     """Follow a triad from its bend to the heading, uncalibrated and after two calibrations.
@@ -234,8 +235,8 @@ def calibration_stages(
         Of the ship, rad, positive to the West.
     half_angle : float
         Of a coning of the mount about the right axis, rad.
-    algorithm : str
-        Attitude algorithm that makes a drift of the coning; one of `ALGORITHMS`.
+    algorithm : str or Algorithm or FunctionalIteration or callable
+        Attitude algorithm that makes a drift of the coning, as for `driftlab.attitude.integrate`.
     interval : float
         Step of the voyage, s.
     """

@@ -19,12 +19,10 @@ from .coning import (
     BRACKET,
     BRACKET_SAMPLE_RATE,
     DRAWN_HALF_ANGLE,
-    DRIFT_STEPS,
     ConingArea,
     ConingDrift,
     coning_area,
     drift_by_frequency_and_rate,
-    measured_drift,
 )
 from .four_samples import (
     COMPARED,
@@ -91,7 +89,6 @@ __all__ = [
     "COMPARED",
     "COMPARED_STAGES",
     "DRAWN_HALF_ANGLE",
-    "DRIFT_STEPS",
     "DURATION",
     "EARTH_RATE",
     "FLOOR_RATES",
@@ -142,7 +139,6 @@ __all__ = [
     "drift_orders",
     "fitted_orders",
     "last_stage_errors",
-    "measured_drift",
     "missed_part",
     "noise_and_band",
     "order_on_ship",

@@ -1,12 +1,19 @@
 """Errors of the attitude algorithms on motions whose attitude is known, and their orders."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, attitude_algorithm
+from driftlab.attitude.coning_algorithms import (
+    CONING_ALGORITHMS,
+    Algorithm,
+    Algorithms,
+    AnyAlgorithm,
+    named_algorithms,
+)
 from driftlab.attitude.finite_precision import integrate_in_word
+from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import step_quaternions
 from driftlab.checks import FloatArray
 from driftlab.motion.profiles import Coning, FixedAxis, Motion, Sway
@@ -67,7 +74,7 @@ class AlgorithmLaboratory(NamedTuple):
 
 
 class AlgorithmOrders(NamedTuple):
-    """Largest errors and orders of all algorithms on several motions.
+    """Largest errors and orders of algorithms on several motions.
 
     Attributes
     ----------
@@ -77,17 +84,20 @@ class AlgorithmOrders(NamedTuple):
         Largest error during the motion, rad.
     orders : list of list of float or None
         Fitted order by motion and algorithm; None where rounding hides it.
+    names : tuple of str
+        The algorithms.
     """
 
     rates: FloatArray
     worst: FloatArray
     orders: list[list[float | None]]
+    names: tuple[str, ...]
 
 
 def algorithm_errors(
     motion: Motion,
     rate: int,
-    names: Sequence[str],
+    algorithms: Algorithms,
     *,
     rates: Sequence[int] = SAMPLE_RATES,
     short_word: bool = False,
@@ -99,8 +109,8 @@ def algorithm_errors(
     motion : Motion
     rate : int
         Sample rate of the histories in Hz, one of `rates`.
-    names : sequence of str
-        Algorithms, of `driftlab.attitude.ALGORITHMS`.
+    algorithms : mapping or iterable
+        Algorithms by name, or names, as in `driftlab.attitude.named_algorithms`.
     rates : sequence of int
         Sample rates at which the largest error is computed, Hz.
     short_word : bool
@@ -117,51 +127,62 @@ def algorithm_errors(
     """
     if rate not in rates:
         raise ValueError(f"rate: expected one of {', '.join(map(str, rates))} Hz, got {rate!r}.")
-    samples = [attitude_algorithm(name).samples for name in names]
-    may_refuse = [name not in CONING_ALGORITHMS for name in names]
-    worst = np.empty((len(names), len(rates)))
+    chosen = named_algorithms(algorithms)
+    groups = _equally_long_steps(chosen)
+    worst = np.empty((len(chosen), len(rates)))
     histories: dict[int, FloatArray] = {}
     for j, sample_rate in enumerate(rates):
         count = round(DURATION * sample_rate)
         increments = motion.increments(1 / sample_rate, count)
         moments = np.arange(count + 1) / sample_rate
         exact = motion.attitude(moments)
-        # Algorithms whose steps are equally long go together: each call has its price.
-        for kind in sorted(set(zip(samples, may_refuse, strict=True))):
-            group = [i for i, of in enumerate(zip(samples, may_refuse, strict=True)) if of == kind]
-            chosen, step = [names[i] for i in group], kind[0]
+        for group in groups:
+            of_group = [list(chosen.values())[i] for i in group]
             try:
-                found = _attitudes(increments, chosen, exact[0], short_word=short_word)
+                found = _attitudes(increments, of_group, exact[0], short_word=short_word)
             except ValueError:
-                if not kind[1]:
+                if not isinstance(of_group[0], FunctionalIteration):
                     raise
                 errors = np.full((1, count), np.nan)
             else:
+                step = count // found.shape[-2]
                 errors = rotation_angle(multiply(conjugate(exact[step::step]), found))
             worst[group, j] = errors.max(axis=-1)
             if sample_rate == rate:
                 histories |= dict(zip(group, errors, strict=True))
-    times = [step * np.arange(1.0, len(histories[i]) + 1) / rate for i, step in enumerate(samples)]
+    ordered = [histories[i] for i in range(len(chosen))]
     rounding = 1e-5 if short_word else 1e-12
     return AlgorithmLaboratory(
-        tuple(names),
+        tuple(chosen),
         rate,
-        times,
-        [histories[i] for i in range(len(names))],
+        [DURATION / len(history) * np.arange(1.0, len(history) + 1) for history in ordered],
+        ordered,
         np.array(rates, dtype=np.float64),
         worst,
         rounding,
     )
 
 
+def _equally_long_steps(algorithms: Mapping[str, AnyAlgorithm]) -> list[list[int]]:
+    """Places of algorithms with cross products whose steps are equally long; others alone.
+
+    Together they take less time: each call has its price.
+    """
+    groups: dict[int, list[int]] = {}
+    for i, one in enumerate(algorithms.values()):
+        groups.setdefault(one.samples if isinstance(one, Algorithm) else -i, []).append(i)
+    return list(groups.values())
+
+
 def _attitudes(
-    increments: FloatArray, names: Sequence[str], start: FloatArray, *, short_word: bool
-) -> FloatArray:
+    increments: FloatArray, algorithms: Sequence[AnyAlgorithm], start: FloatArray, *,
+    short_word: bool,
+) -> FloatArray:  # fmt: skip
     """Attitudes (algorithm, n // samples, 4) of algorithms with equally many samples a step."""
     if short_word:
-        attitudes = [integrate_in_word(increments, name, start=start) for name in names]
+        attitudes = [integrate_in_word(increments, one, start=start) for one in algorithms]
         return np.array(attitudes, dtype=np.float64)
-    steps = [step_quaternions(increments, name) for name in names]
+    steps = [step_quaternions(increments, one) for one in algorithms]
     return multiply(start, cumulative_product(np.stack(steps)))
 
 
@@ -182,16 +203,26 @@ def fitted_orders(data: AlgorithmLaboratory) -> list[float | None]:
     return orders
 
 
-def algorithm_orders() -> AlgorithmOrders:
-    """Measure the orders of the algorithms with cross products on all of `ORDER_MOTIONS`."""
+def algorithm_orders(algorithms: Algorithms = tuple(CONING_ALGORITHMS)) -> AlgorithmOrders:
+    """Measure the orders of algorithms on all of `ORDER_MOTIONS`.
+
+    Parameters
+    ----------
+    algorithms : mapping or iterable
+        Algorithms by name, or names, as in `driftlab.attitude.named_algorithms`.
+
+    Returns
+    -------
+    AlgorithmOrders
+    """
+    chosen = named_algorithms(algorithms)
     trials = [
-        algorithm_errors(
-            motion, ORDER_SAMPLE_RATES[0], tuple(CONING_ALGORITHMS), rates=ORDER_SAMPLE_RATES
-        )
+        algorithm_errors(motion, ORDER_SAMPLE_RATES[0], chosen, rates=ORDER_SAMPLE_RATES)
         for motion in ORDER_MOTIONS.values()
     ]
     return AlgorithmOrders(
         trials[0].rates,
         np.array([trial.worst for trial in trials]),
         [fitted_orders(trial) for trial in trials],
+        tuple(chosen),
     )

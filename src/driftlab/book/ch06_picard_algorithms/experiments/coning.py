@@ -5,11 +5,10 @@ from typing import NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, attitude_algorithm
-from driftlab.attitude.integration import integrate
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithms, named_algorithms
+from driftlab.attitude.measured_drift import measured_coning_drift
 from driftlab.checks import FloatArray, whole_number
 from driftlab.motion.profiles import Coning
-from driftlab.quaternion import conjugate, multiply, to_rotation_vector
 
 DRAWN_HALF_ANGLE = float(np.radians(25.0))
 """Half angle of the cone of `coning_area`, rad: wide, so that it can be seen."""
@@ -21,8 +20,6 @@ DRIFT_FREQUENCIES: FloatArray = np.array([1.0, 2, 3, 5, 8, 12, 18, 25, 33])
 """Coning frequencies of `drift_by_frequency_and_rate`, Hz."""
 DRIFT_SAMPLE_RATES: FloatArray = np.array([15.0, 20, 30, 50, 100, 200, 400, 800])
 """Sample rates of `drift_by_frequency_and_rate`, Hz."""
-DRIFT_STEPS = 60
-"""Steps over which a drift is measured."""
 
 
 class ConingArea(NamedTuple):
@@ -56,7 +53,7 @@ class ConingArea(NamedTuple):
 
 
 class ConingDrift(NamedTuple):
-    """Sizes of the drift on a cone, by algorithm in the order of `CONING_ALGORITHMS`.
+    """Sizes of the drift on a cone, by algorithm.
 
     Attributes
     ----------
@@ -68,12 +65,15 @@ class ConingDrift(NamedTuple):
         Sample rates, Hz.
     by_rate : ndarray, shape (algorithm, n)
         Drift on `BRACKET` at these sample rates, rad/s.
+    names : tuple of str
+        The algorithms.
     """
 
     frequencies: FloatArray
     by_frequency: FloatArray
     rates: FloatArray
     by_rate: FloatArray
+    names: tuple[str, ...]
 
 
 def coning_area(samples: int = 8) -> ConingArea:
@@ -132,58 +132,32 @@ def _area(closed: FloatArray) -> float:
     return 0.5 * float(_cross(closed[:-1], closed[1:]).sum())
 
 
-def measured_drift(algorithm: str, half_angle: float, frequency: float, rate: float) -> float:
-    """Measure the drift of an algorithm on a cone over `DRIFT_STEPS` steps or windows.
-
-    Seen from the axis of the cone all steps are alike, so the error's component along that axis
-    grows by the same amount at each: a few steps tell the drift as well as many.
+def drift_by_frequency_and_rate(algorithms: Algorithms = tuple(CONING_ALGORITHMS)) -> ConingDrift:
+    """Measure the drift of algorithms over coning frequencies and over sample rates.
 
     Parameters
     ----------
-    algorithm : str
-        One of `driftlab.attitude.ALGORITHMS`.
-    half_angle : float
-        Of the cone, rad.
-    frequency, rate : float
-        Of coning, and of sampling, Hz.
+    algorithms : mapping or iterable
+        Algorithms by name, or names, as in `driftlab.attitude.named_algorithms`.
 
     Returns
     -------
-    float
-        Apparent less true rate along the axis of the cone, rad/s.
+    ConingDrift
     """
-    motion, chosen = Coning(half_angle, frequency), attitude_algorithm(algorithm)
-    count = DRIFT_STEPS * (chosen.window - chosen.memory)
-    increments = motion.increments(1 / rate, chosen.memory + count)
-    # A past of its own keeps the start formulas of algorithms with memory out of the measurement.
-    found = integrate(
-        increments[chosen.memory :],
-        algorithm,
-        start=motion.attitude(chosen.memory / rate),
-        history=increments[: chosen.memory] if chosen.memory else None,
-    )
-    # Apparent minus true attitude, in the reference frame, whose third axis is the cone's.
-    end = motion.attitude((chosen.memory + count) / rate)
-    error = multiply(found[-1], conjugate(end))
-    return float(to_rotation_vector(error)[2] * rate / count)
-
-
-def drift_by_frequency_and_rate() -> ConingDrift:
-    """Measure the drift of all algorithms over coning frequencies and over sample rates."""
+    chosen = named_algorithms(algorithms)
+    angle, frequency = BRACKET.half_angle, BRACKET.frequency
     by_frequency = [
-        [
-            abs(measured_drift(name, BRACKET.half_angle, float(frequency), BRACKET_SAMPLE_RATE))
-            for frequency in DRIFT_FREQUENCIES
-        ]
-        for name in CONING_ALGORITHMS
+        np.abs(measured_coning_drift(one, angle, DRIFT_FREQUENCIES, 1 / BRACKET_SAMPLE_RATE))
+        for one in chosen.values()
     ]
     by_rate = [
-        [
-            abs(measured_drift(name, BRACKET.half_angle, BRACKET.frequency, float(rate)))
-            for rate in DRIFT_SAMPLE_RATES
-        ]
-        for name in CONING_ALGORITHMS
+        np.abs(measured_coning_drift(one, angle, frequency, 1 / DRIFT_SAMPLE_RATES))
+        for one in chosen.values()
     ]
     return ConingDrift(
-        DRIFT_FREQUENCIES, np.array(by_frequency), DRIFT_SAMPLE_RATES, np.array(by_rate)
+        DRIFT_FREQUENCIES,
+        np.array(by_frequency),
+        DRIFT_SAMPLE_RATES,
+        np.array(by_rate),
+        tuple(chosen),
     )

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
-from driftlab.attitude.coning_algorithms import AttitudeAlgorithm, attitude_algorithm
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, AttitudeAlgorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import integrate
@@ -32,8 +32,7 @@ WIDE_BRACKET_RATE = 100.0
 WINDOWS = (4, 8, 12, 20)
 """Increments in a window."""
 WINDOW_ALGORITHMS: dict[str, AttitudeAlgorithm] = {
-    "two-step-4": attitude_algorithm("two-step-4"),
-    "rotation-vector-3": attitude_algorithm("rotation-vector-3"),
+    **{name: CONING_ALGORITHMS[name] for name in ("two-step-4", "rotation-vector-3")},
     **{f"window of {n}": FunctionalIteration(f"window of {n}", n) for n in WINDOWS},
 }
 """What is compared."""

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.constants import arcsecond, degree, hour
 
-from driftlab.attitude.coning_algorithms import Algorithm
+from driftlab.attitude.coning_algorithms import Algorithm, AnyAlgorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.integration import integrate
 from driftlab.checks import FloatArray
@@ -72,7 +72,7 @@ def missed_part(algorithm: Algorithm, samples_a_round: FloatArray) -> FloatArray
 
 
 def rounding_error(
-    algorithm: str | Algorithm,
+    algorithm: AnyAlgorithm,
     rate: float,
     *,
     carry: bool,
@@ -83,7 +83,8 @@ def rounding_error(
 
     Parameters
     ----------
-    algorithm : str or Algorithm
+    algorithm : str or Algorithm or FunctionalIteration or callable
+        As for `driftlab.attitude.integrate`.
     rate : float
         Sample rate, Hz.
     carry : bool

@@ -3,6 +3,7 @@
 import numpy as np
 from scipy.constants import arcsecond, degree, hour
 
+from driftlab.attitude.measured_drift import MEASURED_STEPS
 from driftlab.book.machinery.publish import FigureDefinition
 
 from .. import experiments
@@ -49,7 +50,7 @@ FIGURES = (
         coning_drift.columns,
         lambda _: (
             "Apparent drift of a body that does not turn on the whole: dots measured over "
-            f"{experiments.DRIFT_STEPS} steps, lines from a single step."
+            f"{MEASURED_STEPS} steps, lines from a single step."
         ),
     ),
     FigureDefinition(

@@ -3,7 +3,6 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.book.machinery.picture import in_style
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
@@ -16,7 +15,7 @@ def columns(data: AlgorithmOrders) -> dict[str, FloatArray]:
     """Columns of the figure's CSV: errors in rad, except those of pure rounding."""
     table = {"rate_hz": data.rates}
     for motion, errors in zip(("cone_1", "cone_60", "sway", "fixed_axis"), data.worst, strict=True):
-        for name, column in zip(CONING_ALGORITHMS, errors, strict=True):
+        for name, column in zip(data.names, errors, strict=True):
             # On a fixed axis a rotation vector is exact, and what is left differs by machine.
             if column.max() > 1e-13:
                 table[f"{motion}_{name}"] = column
@@ -35,7 +34,7 @@ def draw(data: AlgorithmOrders, sheet: Sheet) -> Figure:
         panel.minorticks_off()
         if not title.startswith("fixed axis"):  # there errors lie in the way
             draw_slopes(panel, ORDER_SAMPLE_RATES[0], 1e-11)
-        for name, errors in zip(CONING_ALGORITHMS, worst, strict=True):
+        for name, errors in zip(data.names, worst, strict=True):
             # No error at all has no place on a logarithmic axis.
             shown = np.where(errors > 0, errors, np.nan)
             panel.plot(data.rates, shown, **STYLES[name], label=name)

@@ -4,7 +4,6 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import degree, hour
 
-from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.book.machinery.picture import in_style, long_table
 from driftlab.book.machinery.sheet import Sheet
@@ -26,7 +25,7 @@ CURVES = {
 def columns(data: ConingDrift) -> dict[str, FloatArray]:
     """Columns of the figure's CSV."""
     curves = {}
-    for i, name in enumerate(CONING_ALGORITHMS):
+    for i, name in enumerate(data.names):
         curves[f"{name}, rad/s over coning frequency in Hz"] = (
             data.frequencies,
             data.by_frequency[i],
@@ -55,7 +54,7 @@ def draw(data: ConingDrift, sheet: Sheet) -> Figure:
     frequencies, rates = np.geomspace(0.8, 40, 200), np.geomspace(12, 1000, 200)
     handles = []
     for name, label in CURVES.items():
-        i = list(CONING_ALGORITHMS).index(name)
+        i = data.names.index(name)
         line = dict(STYLES[name])
         dots = {"color": line["color"], "linestyle": "none", "marker": line.pop("marker")}
         dots["markersize"] = line.pop("markersize")

@@ -1,0 +1,155 @@
+"""One's own attitude algorithm: a function of angle increments, wherever a named one may stand.
+
+The function is called with all increments of a record at once, an array of shape (n, 3), in rad and
+in the order in which they happen. After every k-th of them, k as it likes, it answers one of two
+things:
+
+* the attitude there, as n/k quaternions of shape (n/k, 4), scalar last, or as a stack of n/k
+  rotations of SciPy; body axes to those before the first increment, which itself is left out;
+* the rotation vector of the step that ends there, shape (n/k, 3), rad, in the body axes at the
+  start of the step: what a coning algorithm computes before anything is multiplied.
+
+The usual two-sample algorithm is one line of the second kind::
+
+    def mine(g):
+        return g[0::2] + g[1::2] + 2 / 3 * np.cross(g[0::2], g[1::2])
+
+Records of several runs are handed over one by one. What comes back is checked for its shape, its
+length and its numbers, and against the increments themselves: degrees, scalar first, and attitudes
+that map the other way turn otherwise than any algorithm would.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from driftlab.checks import FloatArray, finite_array
+from driftlab.core.quaternion import conjugate, from_rotation_vector, multiply, to_rotation_vector
+from driftlab.core.vectors import norms
+
+OwnAlgorithm = Callable[[FloatArray], Any]
+"""A function from increments (n, 3) to attitudes (n/k, 4), to SciPy rotations, or to the steps'
+rotation vectors (n/k, 3)."""
+
+
+def own_steps(algorithm: OwnAlgorithm, increments: ArrayLike) -> FloatArray:
+    """Quaternion of the rotation over each step, by one's own function, whose answer is checked.
+
+    Parameters
+    ----------
+    algorithm : callable
+        A function as the module describes it.
+    increments : array_like, shape (..., n, 3)
+        Integrals of the body rate over equal intervals, rad.
+
+    Returns
+    -------
+    ndarray, shape (..., m, 4)
+        Body axes at the end of each step to those at its beginning; m divides n.
+
+    Raises
+    ------
+    ValueError
+        If the function answers something else than attitudes or rotation vectors after every k-th
+        increment, numbers that are not finite, quaternions whose length is not one, or rotations
+        that are those of the increments but for a common slip.
+
+    Examples
+    --------
+    The sum of two increments, without a correction for coning:
+
+    >>> own_steps(lambda g: g[0::2] + g[1::2], np.full((4, 3), 0.01)).round(4)
+    array([[0.01  , 0.01  , 0.01  , 0.9999],
+           [0.01  , 0.01  , 0.01  , 0.9999]])
+    """
+    rows = finite_array(increments, "increments", 3)
+    if rows.ndim < 2:
+        raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
+    runs = [_steps_of_run(algorithm, run) for run in rows.reshape(-1, *rows.shape[-2:])]
+    return np.stack(runs).reshape(*rows.shape[:-2], -1, 4)
+
+
+def _steps_of_run(algorithm: OwnAlgorithm, rows: FloatArray) -> FloatArray:
+    """Steps (m, 4) from the increments (n, 3) of one run."""
+    name = getattr(algorithm, "__name__", type(algorithm).__name__)
+    # A copy, so that a function that writes into its argument spoils nothing.
+    answer = algorithm(rows.copy())
+    answer = answer.as_quat() if hasattr(answer, "as_quat") else answer
+    found = finite_array(answer, f"algorithm: what {name} returned")
+    count = len(rows)
+    if found.ndim != 2 or found.shape[1] not in (3, 4) or count % len(found):
+        before = " (leave out the attitude before the first)" if len(found) == count + 1 else ""
+        raise ValueError(
+            f"algorithm: expected {name} to return attitudes (n/k, 4) or rotation vectors (n/k, 3) "
+            f"after every k-th of n = {count} increments, got shape {found.shape}{before}."
+        )
+    sums = rows.reshape(len(found), -1, 3).sum(axis=1)
+    if found.shape[1] == 3:
+        _refuse_other_vectors(found, sums, name)
+        return from_rotation_vector(found)
+    lengths = norms(found)
+    off = int(np.argmax(np.abs(lengths - 1)))
+    if abs(lengths[off] - 1) > 1e-3:
+        raise ValueError(
+            f"algorithm: expected quaternions of length 1 from {name}, "
+            f"got one of {lengths[off]:.4g}."
+        )
+    found = found / lengths[:, np.newaxis]
+    steps = _between(found)
+    _refuse_other_attitudes(found, steps, sums, name)
+    return steps
+
+
+def _between(attitudes: FloatArray) -> FloatArray:
+    """Steps (m, 4) that lead from each attitude (m, 4) to the next, the shorter way round."""
+    steps = attitudes.copy()
+    steps[1:] = multiply(conjugate(attitudes[:-1]), attitudes[1:])
+    return np.where(steps[:, 3:] < 0, -steps, steps)
+
+
+def _refuse_other_vectors(vectors: FloatArray, sums: FloatArray, name: str) -> None:
+    """Refuse rotation vectors that are the sums of the increments but for a slip."""
+    size = np.median(norms(sums))
+    if np.median(norms(vectors - sums)) <= size / 2:
+        return
+    for slip, mended in (
+        ("degrees", np.radians(vectors)),
+        ("the opposite sign", -vectors),
+        ("Cayley vectors -tan(phi/4) e", -4 * vectors),
+    ):
+        if np.median(norms(mended - sums)) < size / 10:
+            raise ValueError(
+                f"algorithm: expected rotation vectors in rad from {name}, body axes at the end of "
+                f"a step to those at its start, got {slip}."
+            )
+
+
+def _refuse_other_attitudes(
+    attitudes: FloatArray, steps: FloatArray, sums: FloatArray, name: str
+) -> None:
+    """Refuse attitudes whose steps are the rotations by the increments' sums but for a slip."""
+
+    def apart(found: FloatArray, vectors: FloatArray) -> float:
+        differences = multiply(conjugate(from_rotation_vector(vectors)), found)
+        return float(np.median(norms(to_rotation_vector(differences))))
+
+    size = float(np.median(norms(sums)))
+    if apart(steps, sums) <= size / 2:
+        return
+    degrees = np.degrees(1.0)
+    for slip, found, factor in (
+        ("scalar first", _between(attitudes[:, [1, 2, 3, 0]]), 1.0),
+        ("reference to body", _between(conjugate(attitudes)), 1.0),
+        ("the rotation of each step by itself", attitudes, 1.0),
+        ("increments taken for degrees", steps, 1 / degrees),
+        ("increments turned into degrees", steps, degrees),
+    ):
+        if apart(found, factor * sums) < factor * size / 10:
+            raise ValueError(
+                f"algorithm: expected attitudes since the start from {name}, scalar last, body to "
+                f"reference, of increments in rad, got {slip}."
+            )

@@ -1,0 +1,203 @@
+"""One's own function in place of a named algorithm: the same everywhere, or a sentence."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from driftlab.attitude import (
+    ALGORITHMS,
+    CONING_ALGORITHMS,
+    FunctionalIteration,
+    coning_algorithm,
+    coning_drift,
+    integrate,
+    integrate_in_word,
+    measured_coning_drift,
+    named_algorithms,
+    noise_growth,
+    own_steps,
+    sculling_correction,
+    step_quaternions,
+    step_vectors,
+)
+from driftlab.book.ch06_picard_algorithms.experiments import (
+    algorithm_errors,
+    algorithm_orders,
+    drift_by_frequency_and_rate,
+)
+from driftlab.book.ch06_picard_algorithms.experiments.noise_and_band import rounding_error
+from driftlab.book.ch11_one_triad.experiments import calibration_stages
+from driftlab.drift import recorded_turn_estimate
+from driftlab.motion import Coning, Sway, TableTurn
+
+ROWS = Sway(0.5, 0.7).increments(0.01, 24)
+RUNS = np.stack([ROWS, 0.3 * ROWS[::-1]])
+TURN = TableTurn(0.2, latitude=1.0).increments([1, 1, 0], samples=360).angle
+
+
+def pair(g):
+    """The two-sample algorithm, as a reader would write it."""
+    return g[0::2] + g[1::2] + 2 / 3 * np.cross(g[0::2], g[1::2])
+
+
+def attitudes(g):
+    return integrate(g, "rotation-vector-2")
+
+
+def rotations(g):
+    return Rotation.from_quat(attitudes(g))
+
+
+def one_by_one(g):
+    """A list of lists, from a loop of one's own."""
+    now, found = Rotation.identity(), []
+    for first, second in g.reshape(-1, 2, 3):
+        now = now * Rotation.from_rotvec(first + second + 2 / 3 * np.cross(first, second))
+        found.append(now.as_quat().tolist())
+    return found
+
+
+WAYS = {
+    "integrate": lambda one: integrate(ROWS, one, start=[0.0, 0.6, 0.0, 0.8]),
+    "integrate, several runs": lambda one: integrate(RUNS, one),
+    "integrate, history": lambda one: integrate(ROWS[2:], one, history=ROWS[:2]),
+    "step_quaternions": lambda one: step_quaternions(ROWS, one),
+    "coning_drift": lambda one: coning_drift(one, [[0.01], [0.4]], [1.0, -5.0, 9.0], 0.01),
+    "measured_coning_drift": lambda one: measured_coning_drift(
+        one, 0.4, [1.0, -5.0], 0.01, count=840
+    ),
+    "recorded_turn_estimate": lambda one: recorded_turn_estimate(TURN, [1, 1, 0], algorithm=one),
+    "algorithm_errors": lambda one: algorithm_errors(
+        Coning(0.3, 1.0), 24, {"one": one}, rates=(12, 24)
+    ).worst,
+    "algorithm_orders": lambda one: algorithm_orders({"one": one}).worst,
+    "drift_by_frequency_and_rate": lambda one: drift_by_frequency_and_rate({"one": one}).by_rate,
+    "rounding_error": lambda one: rounding_error(one, 20.0, carry=True, seconds=6.0, runs=2),
+    "calibration_stages": lambda one: calibration_stages(half_angle=0.01, algorithm=one).aligned,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("own", [pair, attitudes, rotations, one_by_one])
+@pytest.mark.parametrize("way", WAYS)
+def test_own_function_does_what_the_named_algorithm_does(way, own):
+    found, named = (WAYS[way](one) for one in (own, "rotation-vector-2"))
+    # Some eps a step, and of the drifts some eps over an interval of 0.01 s.
+    np.testing.assert_allclose(found, named, rtol=1e-9, atol=1e-11)
+
+
+@pytest.mark.parametrize("word", [np.float32, np.float64])
+def test_in_a_short_word_the_steps_of_an_own_function_are_rounded(word):
+    found, named = (integrate_in_word(ROWS, one, word=word) for one in (pair, "two-step-4"))
+    assert found.dtype == word
+    # Rounding of each step; the two last stages differ by less in double precision.
+    bound = len(named) * np.finfo(word).eps if word == np.float32 else 1e-7
+    np.testing.assert_allclose(found, named, rtol=0, atol=bound)
+    cayley = -np.tan(np.linalg.norm(pair(ROWS), axis=1) / 4) / np.linalg.norm(pair(ROWS), axis=1)
+    np.testing.assert_allclose(
+        step_vectors(ROWS, pair), cayley[:, np.newaxis] * pair(ROWS), rtol=0, atol=1e-15
+    )
+
+
+@pytest.mark.parametrize("name", ALGORITHMS)
+@pytest.mark.parametrize("half_angle", [0.01, 0.5])
+def test_measured_drift_is_that_of_the_formula(name, half_angle):
+    def own(g):
+        return integrate(g, name)
+
+    expected = coning_drift(name, half_angle, [1.0, -4.0], 0.02)
+    # A step's own error does not grow: a part of the whole error of a step without correction.
+    wobble = abs(coning_drift("picard-1", half_angle, [1.0, -4.0], 0.02)) / 60
+    rounding = 1e-13 / 0.02
+    for drift in (
+        measured_coning_drift(name, half_angle, [1.0, -4.0], 0.02),
+        measured_coning_drift(own, half_angle, [1.0, -4.0], 0.02),
+    ):
+        assert (abs(drift - expected) <= 0.1 * wobble + rounding).all()
+    by_formula = coning_drift(own, half_angle, [1.0, -4.0], 0.02)
+    np.testing.assert_allclose(by_formula, expected, rtol=1e-8, atol=rounding)
+
+
+def test_measured_drift_is_followed_beyond_half_a_turn():
+    """With two samples a round `picard-1` misses all of the coning, many turns in so long."""
+    expected = coning_drift("picard-1", 1.0, 1.0, 0.4)
+    found = measured_coning_drift("picard-1", 1.0, 1.0, 0.4, count=600)
+    assert abs(expected) * 240 > 10 * np.pi
+    assert found == pytest.approx(expected, rel=1e-3)
+
+
+def test_steps_that_never_repeat_are_measured_only():
+    def smoothed(g):
+        return g + 1e-4 * np.linspace(0, 1, len(g))[:, np.newaxis] * [0, 0, 1]
+
+    with pytest.raises(ValueError, match=r"^algorithm: expected steps that repeat .* measured_con"):
+        coning_drift(smoothed, 0.1, 1.0, 0.01)
+    plain, found = (measured_coning_drift(one, 0.1, 1.0, 0.01) for one in ("picard-1", smoothed))
+    assert found - plain == pytest.approx(0.5e-4 / 0.01, rel=1e-2)
+
+
+WRONG = {
+    "degrees": (lambda g: np.degrees(pair(g)), "rotation vectors in rad .* got degrees"),
+    "opposite": (lambda g: -pair(g), "got the opposite sign"),
+    "Cayley": (lambda g: step_vectors(g, "two-step-4"), "got Cayley vectors"),
+    "scalar first": (lambda g: attitudes(g)[:, [3, 0, 1, 2]], "got scalar first"),
+    "inverse": (lambda g: rotations(g).inv(), "got reference to body"),
+    "steps": (lambda g: step_quaternions(g, "two-step-4"), "got the rotation of each step"),
+    "into degrees": (lambda g: integrate(np.degrees(g), "rotation-vector-2"), "into degrees"),
+    "from degrees": (lambda g: integrate(np.radians(g), "rotation-vector-2"), "taken for degrees"),
+    "with the start": (
+        lambda g: np.vstack([[0, 0, 0, 1], integrate(g, "picard-1")]),
+        r"got shape \(25, 4\) \(leave out the attitude before the first\)",
+    ),
+    "too few": (lambda g: pair(g)[1:], r"after every k-th of n = 24 increments, got shape \(11, 3"),
+    "one vector": (lambda g: g.sum(axis=0), r"got shape \(3,\)"),
+    "matrices": (lambda g: rotations(g).as_matrix(), r"got shape \(12, 3, 3\)"),
+    "NaN": (lambda g: pair(g) * np.nan, "what <lambda> returned: expected finite numbers, got 36"),
+    "nothing": (lambda g: None, "what <lambda> returned: expected real numbers"),
+    "too long": (lambda g: 1.1 * attitudes(g), "quaternions of length 1 from <lambda>, got one of"),
+}
+
+
+@pytest.mark.parametrize("slip", WRONG)
+def test_answer_of_a_wrong_function_is_refused_with_its_slip(slip):
+    function, words = WRONG[slip]
+    with pytest.raises(ValueError, match=f"^algorithm: .*{words}"):
+        integrate(0.1 * ROWS, function)
+
+
+def test_a_bad_algorithm_is_no_slip_and_its_argument_is_its_own():
+    rows = ROWS.copy()
+
+    def half(g):
+        g *= 0.5
+        return g
+
+    np.testing.assert_array_equal(own_steps(half, rows), step_quaternions(ROWS / 2, half_of))
+    np.testing.assert_array_equal(rows, ROWS)
+
+
+def half_of(g):
+    return g
+
+
+def test_what_is_no_algorithm_is_refused():
+    for wrong in (None, 3, "euler", FunctionalIteration):
+        with pytest.raises(ValueError, match=r"^algorithm: expected one of .* a function of"):
+            integrate(ROWS, wrong)
+    for function in (noise_growth, lambda one, _: coning_algorithm(one)):
+        with pytest.raises(ValueError, match="weights can be read, got a function; write it as"):
+            function(pair, 0.1)
+    with pytest.raises(ValueError, match="write it as an Algorithm"):
+        sculling_correction(ROWS, ROWS, pair)
+    with pytest.raises(ValueError, match=r"^history: expected whole steps of 2 .* got 1\."):
+        integrate(ROWS[1:], pair, history=ROWS[:1])
+    with pytest.raises(ValueError, match=r"^history: expected shape"):
+        integrate(ROWS, pair, history=ROWS[0])
+
+
+def test_several_algorithms_have_names():
+    assert list(named_algorithms(CONING_ALGORITHMS)) == list(CONING_ALGORITHMS)
+    with pytest.raises(ValueError, match=r"^algorithms: expected a name with a function"):
+        named_algorithms([pair])
+    for wrong in ("two-step-4", None):
+        with pytest.raises(ValueError, match=r"^algorithms: expected several names"):
+            named_algorithms(wrong)
