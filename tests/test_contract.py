@@ -181,8 +181,6 @@ CASES = {
     fixed(own_algorithms.own_steps, algorithm=lambda g: g[0::2] + g[1::2]): {
         "increments": INCREMENTS
     },
-        "increments": INCREMENTS
-    },
     fixed(noise_amplification.step_noise_covariance, algorithm="one-step-3"): {"turn": RATE},
     fixed(noise_amplification.noise_growth, algorithm="memory-4"): {"sample_angle": TIME},
     spherical_area.solid_angle: {"directions": INCREMENTS},

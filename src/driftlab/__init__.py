@@ -13,6 +13,8 @@ Conventions, fixed here once for the whole package:
 
 * A quaternion is Hamilton's, **scalar last** ``[x, y, z, w]``, and maps body components to
   reference components. It is the order of Larin (1987) and of `scipy.spatial.transform.Rotation`.
+  Wherever a quaternion is taken, a `Rotation`, one or a stack of any axes, is taken as well; what
+  comes back is an array, and ``Rotation.from_quat(result)`` makes a `Rotation` of it.
 * SI units and radians, always. Degrees per hour, arc seconds and ppm live on sliders, axis labels
   and in tables only.
 * Arrays broadcast over their leading axes; the last axis (or the last two) is the object itself.

@@ -152,7 +152,7 @@ def convert_attitude(
 
     Parameters
     ----------
-    attitude : array_like, shape (..., 4)
+    attitude : array_like or Rotation, shape (..., 4)
         Quaternions, scalar last, body to reference; they need not be of unit norm.
     reference : tuple of str, optional
         Reference axes as they are and as they shall be, as ``("NED", "NUE")``; left alone if not

@@ -22,7 +22,8 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     Parameters
     ----------
     value : array_like
-        Real numbers.
+        Real numbers. Where quaternions are expected, with a last axis of 4, also a `Rotation` of
+        SciPy, of one rotation or of a stack with any axes.
     name : str
         Name of the argument, for the sentence.
     *shape : int
@@ -49,6 +50,9 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     ValueError: rate: expected shape (..., 3), got shape (2,).
     """
     expected = f"shape (..., {', '.join(map(str, shape))})" if shape else "real numbers"
+    if shape[-1:] == (4,):  # by its method, lest SciPy be loaded for those who do without
+        as_quat = getattr(value, "as_quat", None)
+        value = as_quat() if as_quat is not None else value
     try:
         array = np.asarray(value)
     except ValueError:  # NumPy's error for lists of unequal length
@@ -114,7 +118,7 @@ def unit_quaternions(value: ArrayLike, name: str) -> FloatArray:
 
     Parameters
     ----------
-    value : array_like, shape (..., 4)
+    value : array_like or Rotation, shape (..., 4)
         Quaternions of any norm above zero.
     name : str
         Name of the argument, for the sentence.

@@ -42,7 +42,7 @@ def convert_attitude_error(
         rad, by the definition `source`.
     source, target : str
         Two of `ATTITUDE_ERRORS`.
-    true_attitude : array_like, shape (..., 4), optional
+    true_attitude : array_like or Rotation, shape (..., 4), optional
         Quaternions, body to reference; needed only between an error in body axes and one in
         reference axes. The computed attitude does as well, to first order.
 
@@ -156,7 +156,7 @@ def scalar_first(quaternion: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    quaternion : array_like, shape (..., 4)
+    quaternion : array_like or Rotation, shape (..., 4)
         Scalar last, as everywhere in this package.
 
     Returns
@@ -183,11 +183,18 @@ def scalar_last(quaternion: ArrayLike) -> FloatArray:
     -------
     ndarray, shape (..., 4)
 
+    Raises
+    ------
+    ValueError
+        If `quaternion` is a `Rotation`, which has no first component.
+
     Examples
     --------
     >>> scalar_last([0.9, 0.1, 0.2, 0.3])
     array([0.1, 0.2, 0.3, 0.9])
     """
+    if hasattr(quaternion, "as_quat"):
+        raise ValueError("quaternion: expected numbers, scalar first, got a Rotation.")
     return np.roll(finite_array(quaternion, "quaternion", 4), -1, axis=-1)
 
 

@@ -134,7 +134,7 @@ def to_euler_angles(attitude: ArrayLike) -> EulerAngles:
 
     Parameters
     ----------
-    attitude : array_like, shape (..., 4)
+    attitude : array_like or Rotation, shape (..., 4)
         Quaternions, body (forward, up, right) to North, Up, East; they need not be of unit norm.
 
     Returns

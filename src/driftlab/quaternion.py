@@ -20,7 +20,7 @@ def multiply(first: ArrayLike, second: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    first, second : array_like, shape (..., 4)
+    first, second : array_like or Rotation, shape (..., 4)
         Quaternions, scalar last; leading axes broadcast.
 
     Returns
@@ -40,7 +40,7 @@ def conjugate(quaternion: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    quaternion : array_like, shape (..., 4)
+    quaternion : array_like or Rotation, shape (..., 4)
 
     Returns
     -------
@@ -78,7 +78,7 @@ def rotate(quaternion: ArrayLike, vector: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    quaternion : array_like, shape (..., 4)
+    quaternion : array_like or Rotation, shape (..., 4)
         Of unit norm. The conjugate rotates the other way.
     vector : array_like, shape (..., 3)
 
@@ -101,7 +101,7 @@ def to_matrix(quaternion: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    quaternion : array_like, shape (..., 4)
+    quaternion : array_like or Rotation, shape (..., 4)
         Of unit norm.
 
     Returns
@@ -124,7 +124,7 @@ def left_matrix(quaternion: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    quaternion : array_like, shape (..., 4)
+    quaternion : array_like or Rotation, shape (..., 4)
 
     Returns
     -------
@@ -143,7 +143,7 @@ def right_matrix(quaternion: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    quaternion : array_like, shape (..., 4)
+    quaternion : array_like or Rotation, shape (..., 4)
 
     Returns
     -------
@@ -184,7 +184,7 @@ def to_rotation_vector(quaternion: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    quaternion : array_like, shape (..., 4)
+    quaternion : array_like or Rotation, shape (..., 4)
         Need not be of unit norm; a zero quaternion is refused.
 
     Returns
@@ -208,7 +208,7 @@ def rotation_angle(quaternion: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    quaternion : array_like, shape (..., 4)
+    quaternion : array_like or Rotation, shape (..., 4)
         Need not be of unit norm; a zero quaternion is refused.
 
     Returns
@@ -229,7 +229,7 @@ def cumulative_product(quaternions: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    quaternions : array_like, shape (..., n, 4)
+    quaternions : array_like or Rotation, shape (..., n, 4)
         Increments in the order in which they happen, each about body axes.
 
     Returns

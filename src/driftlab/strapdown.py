@@ -45,7 +45,7 @@ def at_rest(
     ----------
     latitude : array_like, shape (...)
         rad, at most 89.9 degrees from the equator.
-    attitude : array_like, shape (..., 4)
+    attitude : array_like or Rotation, shape (..., 4)
         Body to East, North, Up; brought to unit norm.
     longitude : array_like, shape (...)
         rad.

@@ -105,7 +105,7 @@ def cayley_vector(quaternion: ArrayLike, dimension: int = 4) -> FloatArray:
 
     Parameters
     ----------
-    quaternion : array_like, shape (..., 4)
+    quaternion : array_like or Rotation, shape (..., 4)
         Need not be of unit norm. For dimension 4 its sign matters: the quaternions q and -q have
         different vectors, each the `shadow` of the other.
     dimension : {4, 3}

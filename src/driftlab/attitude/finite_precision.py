@@ -94,7 +94,7 @@ def integrate_in_word(
     algorithm : str or Algorithm or FunctionalIteration or callable
         As in `driftlab.attitude.integrate`. One's own function computes in words of its own; only
         its steps are rounded.
-    start : array_like, shape (..., 4)
+    start : array_like or Rotation, shape (..., 4)
         Attitude before the first increment; brought to unit norm.
     word : dtype
         Precision of the computation: float16, float32 or float64.

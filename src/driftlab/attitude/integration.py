@@ -34,7 +34,7 @@ def integrate(
         `driftlab.sampled_rates.increments_from_rates`.
     algorithm : str or Algorithm or FunctionalIteration or callable
         A key of `ALGORITHMS`, a custom algorithm, or one's own function as in `own_algorithms`.
-    start : array_like, shape (..., 4)
+    start : array_like or Rotation, shape (..., 4)
         Attitude before the first increment; brought to unit norm.
     history : array_like, shape (..., m, 3), optional
         The increments before the first, rad, at least as many as the algorithm's memory; earlier

@@ -17,7 +17,7 @@ def attitude_of_axes(attitude: ArrayLike, rotation: FloatArray) -> FloatArray:
 
     Parameters
     ----------
-    attitude : array_like, shape (..., 4)
+    attitude : array_like or Rotation, shape (..., 4)
         Of the given body axes, body to reference; brought to unit norm.
     rotation : ndarray, shape (..., 3, 3)
         Rotation matrix from components in the given axes to components in the rotated ones.
@@ -43,7 +43,7 @@ def attitude_error(computed: ArrayLike, true: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    computed, true : array_like, shape (..., 4)
+    computed, true : array_like or Rotation, shape (..., 4)
         Unit quaternions, body to East, North, Up.
 
     Returns

@@ -153,7 +153,7 @@ def mission_causes(
     ----------
     model : ErrorModel
         Of the calibration.
-    attitude : array_like, shape (4,)
+    attitude : array_like or Rotation, shape (4,)
         Of the body in the alignment, body to East, North, Up.
     latitude : float
         rad; not a pole.
@@ -231,7 +231,7 @@ def calibration_budget(
         Of the calibration.
     covariance : array_like, shape (size, size)
         Of its errors, as ``calibration.covariance[-1]`` or `covariance_analysis` give it.
-    attitude, turn : array_like, shape (4,), and float
+    attitude, turn : array_like or Rotation, shape (4,), and float
         See `mission_causes`.
 
     Returns

@@ -92,7 +92,7 @@ class ErrorModel(StateLayout):
 
         Parameters
         ----------
-        attitude : array_like, shape (4,)
+        attitude : array_like or Rotation, shape (4,)
             Of the body at the time of the states, body to East, North, Up: a rotation of the body
             axes changes the attitude error as well.
 
@@ -144,7 +144,7 @@ class ErrorModel(StateLayout):
         ----------
         prior : PriorDeviations
             Standard deviations of the sensor errors and of the initial attitude.
-        attitude : array_like, shape (4,)
+        attitude : array_like or Rotation, shape (4,)
             At the start of the calibration, body to East, North, Up.
 
         Returns

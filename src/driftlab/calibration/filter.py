@@ -63,7 +63,7 @@ def calibrate(
         Not given for a table that stands: zeros.
     latitude : float
         Of the table, rad.
-    start : array_like, shape (..., 4)
+    start : array_like or Rotation, shape (..., 4)
         Attitude at the start as the table shows it, body to East, North, Up: nearly the same for
         all runs.
     model : ErrorModel

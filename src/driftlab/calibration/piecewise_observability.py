@@ -48,7 +48,7 @@ def error_rates(
         The states.
     latitude : float
         Of the table, rad; not a pole.
-    attitude : array_like, shape (4,)
+    attitude : array_like or Rotation, shape (4,)
         Body to East, North, Up.
     rate : array_like, shape (3,)
         Of the table against the Earth, body axes, rad/s.

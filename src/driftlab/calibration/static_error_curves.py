@@ -34,9 +34,9 @@ def static_causes(
     ----------
     imu_errors, estimated : ImuErrors
         The true errors (...), in the axes of `attitude`, and those that are compensated (...).
-    attitude : array_like, shape (4,)
+    attitude : array_like or Rotation, shape (4,)
         True attitude of the unit, body to East, North, Up.
-    start, reference : array_like, shape (..., 4)
+    start, reference : array_like or Rotation, shape (..., 4)
         Attitude with which the computation begins, and that from which errors count.
     latitude : float
         rad; not a pole.

@@ -70,11 +70,11 @@ def navigate_static(
         The true errors (...), in the axes of `attitude`.
     estimated : ImuErrors
         The errors that a calibration found (...), in the body axes of its own choice.
-    attitude : array_like, shape (4,)
+    attitude : array_like or Rotation, shape (4,)
         True attitude of the unit, body to East, North, Up.
-    start : array_like, shape (..., 4)
+    start : array_like or Rotation, shape (..., 4)
         Attitude with which the computation begins.
-    reference : array_like, shape (..., 4)
+    reference : array_like or Rotation, shape (..., 4)
         True attitude of the axes whose attitude is wanted: errors count from it.
     latitude : float
         rad; not a pole.

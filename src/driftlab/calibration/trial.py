@@ -82,7 +82,7 @@ def estimation_errors(
         What the filter found.
     imu_errors : ImuErrors
         The true errors (...), in the table's axes.
-    attitude : array_like, shape (k, 4)
+    attitude : array_like or Rotation, shape (k, 4)
         True attitudes of the table's axes at the calibration's times, body to East, North, Up.
     higher_order : HigherOrderErrors, optional
         The true errors beyond bias and matrix; zero if not given.

@@ -50,7 +50,7 @@ def error_composition_matrix(attitude: ArrayLike) -> FloatArray:
 
     Parameters
     ----------
-    attitude : array_like, shape (..., 4)
+    attitude : array_like or Rotation, shape (..., 4)
         True attitude, unit quaternion, body to reference.
 
     Returns

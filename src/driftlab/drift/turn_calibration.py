@@ -37,7 +37,7 @@ def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) 
 
     Parameters
     ----------
-    error_quaternion : array_like, shape (..., 4)
+    error_quaternion : array_like or Rotation, shape (..., 4)
         Error after the turns; its sign and its norm do not matter.
     axis : array_like, shape (..., 3)
         Body axis n of the turns; only its direction counts.

@@ -105,7 +105,7 @@ def align_in_positions(
     ----------
     angular_rate, specific_force : array_like, shape (..., n, 3)
         Means of each position, in body axes forward, up, right; the unit of force is free.
-    turn : array_like, shape (..., n, 4)
+    turn : array_like or Rotation, shape (..., n, 4)
         Quaternions from the body in each position to the body in the first, as a table tells them
         or as the gyros do (`driftlab.attitude.integrate`, less the Earth's turn and the bias).
         Scalar last: [1, 0, 0, 0], which is no turn if the scalar comes first, is half a turn about

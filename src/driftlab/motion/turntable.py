@@ -170,7 +170,7 @@ def static_trajectory(
 
     Parameters
     ----------
-    attitude : array_like, shape (4,)
+    attitude : array_like or Rotation, shape (4,)
         Body to East, North, Up; the quaternion need not be of unit norm.
     latitude : float
         rad; not a pole.

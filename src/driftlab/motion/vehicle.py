@@ -151,7 +151,7 @@ def static_imu(
 
     Parameters
     ----------
-    attitude : array_like, shape (..., 4)
+    attitude : array_like or Rotation, shape (..., 4)
         Body to North, Up, East; the quaternions need not be of unit norm.
     latitude : array_like, shape (...)
         rad.
