@@ -2,6 +2,7 @@ from . import (
     catalogue as catalogue,
     channels as channels,
     csv_reader as csv_reader,
+    dataframes as dataframes,
     guards as guards,
     imu_tk_reader as imu_tk_reader,
     psins_reader as psins_reader,
@@ -22,6 +23,7 @@ from .channels import (
     twin_channels as twin_channels,
 )
 from .csv_reader import read_csv as read_csv
+from .dataframes import from_dataframe as from_dataframe
 from .guards import (
     RULES as RULES,
     Doubt as Doubt,

@@ -15,21 +15,23 @@ import numpy as np
 
 from driftlab.checks import FloatArray
 
+from ._table_columns import TableColumns
 from ._text_form import (
     COMMENTS,
     NUMBER,
     decoded,
     header,
-    names_like,
     number_delimiter,
     refuse_cut,
     split_cells,
-    without_mark,
 )
+from ._time_stamps import seconds_since_first
+
+_DATE = re.compile(r"(\d{4}-\d\d-\d\d[T ]\d\d:\d\d:\d\d(?:\.\d+)?)(Z|[-+][\d:]+)?")
 
 
 @dataclass(frozen=True, eq=False)
-class TextTable:
+class TextTable(TableColumns):
     """The lines of a text file that hold numbers, and what its header calls the columns.
 
     Attributes
@@ -56,50 +58,10 @@ class TextTable:
     delimiter: str | None
     width: int
 
-    def column(self, wanted: str | int) -> tuple[int, int]:
-        """Return the place of a column, and its sign.
-
-        Parameters
-        ----------
-        wanted : str or int
-            Its name, or its number counted from 1; a minus before either changes the sign.
-
-        Returns
-        -------
-        index, sign : int
-            The place counted from 0; 1 or -1.
-
-        Raises
-        ------
-        ValueError
-            If there is no such column, or more than one.
-
-        Examples
-        --------
-        >>> table = TextTable(Path("log.csv"), ("t", "wx", "wy"), ("", "", ""), [], 2, ",", 3)
-        >>> table.column("-wx"), table.column(3), table.column("-3")
-        ((1, -1), (2, 1), (2, -1))
-        """
-        text = str(wanted).strip()
-        for name, sign in ((text, 1), (without_mark(text), 1), (text[1:].strip(), -1)):
-            if sign < 0 and not text.startswith("-"):
-                break
-            places = [i for i, one in enumerate(self.names) if one == name] or [
-                i for i, one in enumerate(self.names) if one.lower() == name.lower()
-            ]
-            if len(places) > 1:
-                raise ValueError(
-                    f"columns: expected one column {name!r} in {self.path.name}, got "
-                    f"{len(places)}: say it by number."
-                )
-            if places:
-                return places[0], sign
-            if re.fullmatch(r"\d+", name) and 1 <= int(name) <= self.width:
-                return int(name) - 1, sign
-        raise ValueError(
-            f"columns: expected {names_like(text, self.names)}a number from 1 to {self.width} for "
-            f"{self.path.name}, got {wanted!r}."
-        )
+    @property
+    def title(self) -> str:
+        """The file's name."""
+        return self.path.name
 
     def numbers(self, columns: Sequence[int]) -> FloatArray:
         """Return some columns, all of whose cells must be finite numbers.
@@ -164,6 +126,40 @@ class TextTable:
         ['12:00:00.1']
         """
         return [self.cells(line)[column] for line in self.lines if line]
+
+    def moments(self, column: int) -> FloatArray:
+        """Return a column of dates and times of one time zone as seconds since the first.
+
+        Parameters
+        ----------
+        column : int
+            Its place, counted from 0.
+
+        Returns
+        -------
+        ndarray, shape (n,)
+
+        Raises
+        ------
+        ValueError
+            If a cell is no date and time.
+
+        Examples
+        --------
+        >>> lines = ["2024-05-01T12:00:00Z,5", "2024-05-01T12:00:00.25Z,6"]
+        >>> TextTable(Path("log.csv"), (), (), lines, 1, ",", 2).moments(0)
+        array([0.  , 0.25])
+        """
+        dates = []
+        for row, text in enumerate(self.texts(column)):
+            match = _DATE.fullmatch(text)
+            if not match:
+                raise ValueError(
+                    f"{self.place(row)}: expected a date and time such as "
+                    f"2024-05-01T12:00:00.25, got {text!r:.60}."
+                )
+            dates.append(match[1])
+        return seconds_since_first(np.array(dates, "datetime64[ns]"))
 
     def place(self, row: int) -> str:
         """Return where a row stands, for a sentence.

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
 
@@ -70,3 +72,24 @@ def spacing_of_stamps(
         if np.abs(stamps - first - slope * rows).max() < usual * (np.ptp(sizes) + 1e-6):
             return float(f"{slope:.12g}"), None
     return float(f"{usual:.9g}"), stamps
+
+
+def seconds_since_first(moments: NDArray[Any]) -> FloatArray:
+    """Return dates and times as seconds since the first of them.
+
+    Parameters
+    ----------
+    moments : ndarray, shape (n,)
+        Of a dtype of NumPy for dates and times, or for spans of time.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+
+    Examples
+    --------
+    >>> seconds_since_first(np.array(["2024-05-01T12:00", "2024-05-01T12:01"], "datetime64[m]"))
+    array([ 0., 60.])
+    """
+    # First the difference: of the seconds since 1970 the fractions are lost.
+    return (moments - moments[0]).astype("timedelta64[ns]").astype(float) * 1e-9

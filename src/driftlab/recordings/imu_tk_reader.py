@@ -7,9 +7,9 @@ from pathlib import Path
 
 from driftlab.checks import finite_array
 
+from ._record_of_table import checked_kind
 from ._text_table import read_table
 from ._time_stamps import spacing_of_stamps
-from .csv_reader import checked_kind
 from .guards import without_doubts
 from .recording import Recording
 from .units import accelerometer_unit, gyro_unit

@@ -1,0 +1,89 @@
+"""A table of numbers, wherever it came from: columns by name or number, rows with a place."""
+
+from __future__ import annotations
+
+import re
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+
+from driftlab.checks import FloatArray
+
+from ._text_form import names_like, without_mark
+
+
+class TableColumns(ABC):
+    """A table whose columns may have names and units.
+
+    Attributes
+    ----------
+    names, units : tuple of str
+        Of the columns; empty if there are none, or "" for a column.
+    width : int
+        How many columns there are.
+    """
+
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    width: int
+
+    @property
+    @abstractmethod
+    def title(self) -> str:
+        """What the table is called in sentences."""
+
+    @abstractmethod
+    def numbers(self, columns: Sequence[int]) -> FloatArray:
+        """Columns (n, k), by their places counted from 0, all finite numbers, or a sentence."""
+
+    @abstractmethod
+    def moments(self, column: int) -> FloatArray:
+        """Dates and times of a column, (n,), s since the first, or a sentence."""
+
+    @abstractmethod
+    def place(self, row: int) -> str:
+        """Where a row stands, counted from 0, for a sentence."""
+
+    def column(self, wanted: str | int) -> tuple[int, int]:
+        """Return the place of a column, and its sign.
+
+        Parameters
+        ----------
+        wanted : str or int
+            Its name, or its number counted from 1; a minus before either changes the sign.
+
+        Returns
+        -------
+        index, sign : int
+            The place counted from 0; 1 or -1.
+
+        Raises
+        ------
+        ValueError
+            If there is no such column, or more than one.
+
+        Examples
+        --------
+        >>> table = TextTable(Path("log.csv"), ("t", "wx", "wy"), ("", "", ""), [], 2, ",", 3)
+        >>> table.column("-wx"), table.column(3), table.column("-3")
+        ((1, -1), (2, 1), (2, -1))
+        """
+        text = str(wanted).strip()
+        for name, sign in ((text, 1), (without_mark(text), 1), (text[1:].strip(), -1)):
+            if sign < 0 and not text.startswith("-"):
+                break
+            places = [i for i, one in enumerate(self.names) if one == name] or [
+                i for i, one in enumerate(self.names) if one.lower() == name.lower()
+            ]
+            if len(places) > 1:
+                raise ValueError(
+                    f"columns: expected one column {name!r} in {self.title}, got "
+                    f"{len(places)}: say it by number."
+                )
+            if places:
+                return places[0], sign
+            if re.fullmatch(r"\d+", name) and 1 <= int(name) <= self.width:
+                return int(name) - 1, sign
+        raise ValueError(
+            f"columns: expected {names_like(text, self.names)}a number from 1 to {self.width} for "
+            f"{self.title}, got {wanted!r}."
+        )
