@@ -436,13 +436,24 @@ def test_broadcasts_over_leading_axes_and_writes_into_no_argument(function, good
             np.testing.assert_allclose(one, many[index], rtol=1e-13, atol=1e-14)
 
 
+class Foreign:
+    """An array of another library, which NumPy can ask for one of its own."""
+
+    def __init__(self, value):
+        self.value = np.asarray(value, np.float32)
+
+    def __array__(self, dtype=None, copy=None):
+        return self.value if dtype is None else self.value.astype(dtype)
+
+
 @every_function
-@pytest.mark.parametrize("dtype", ["float32", "float16", "int64", "list"])
+@pytest.mark.parametrize("dtype", ["float32", "float16", "int64", "list", "protocol"])
 def test_any_real_dtype_is_calculated_in_double(function, good, dtype):
+    kinds = {"list": lambda value: value.tolist(), "protocol": Foreign}
     # Whole numbers, which every dtype holds exactly.
     whole = {name: np.ceil(value) for name, value in good.items()}
     given = {
-        name: value.tolist() if dtype == "list" else value.astype(dtype)
+        name: kinds[dtype](value) if dtype in kinds else value.astype(dtype)
         for name, value in whole.items()
     }
     for one, other in zip(results(function, given), results(function, whole), strict=True):

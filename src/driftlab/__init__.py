@@ -18,6 +18,9 @@ Conventions, fixed here once for the whole package:
 * SI units and radians, always. Degrees per hour, arc seconds and ppm live on sliders, axis labels
   and in tables only.
 * Arrays broadcast over their leading axes; the last axis (or the last two) is the object itself.
+  Whatever NumPy makes an array of goes in: lists, float32, read-only arrays, a DataFrame with its
+  columns as they stand, arrays of other libraries (those of a GPU must be fetched first). Arrays of
+  NumPy in float64 come out.
 * ``rate`` is the true angular rate in body axes, ``measured_rate`` what the gyros say.
   A *triad error* ``M`` holds all errors of a gyro triad but its bias: ``measured_rate = (I + M)
   rate``. A unit has two, ``gyro_error`` and ``accelerometer_error``; *misalignment* is the skew

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from driftlab.book.ch13_real_triads.experiments.publishers_numbers import IMU_TK
-from driftlab.calibration import calibrate_by_poses
+from driftlab.calibration import KeptCalibration, calibrate_by_poses, from_json
 from driftlab.commands import example
 from driftlab.commands.example import OPTIONS
 from driftlab.commands.matrix_forms import FORMS, matrices
@@ -45,6 +45,16 @@ def test_errors_that_were_put_in_are_found(calibrated):
         assert np.allclose(found[~free], true[~free], atol=1e-12)
     matrix, spread = (np.array(values[kind]["gyro_error"]) for kind in ("imu_errors", "deviations"))
     assert (abs(matrix) > 3 * spread).all()  # and none of them is lost in its deviation
+
+
+def test_the_package_reads_what_was_written(calibrated):
+    _, values, _ = calibrated
+    kept = from_json(json.dumps({"values": values}))
+    assert isinstance(kept, KeptCalibration)
+    for part in ("imu_errors", "deviations"):
+        for name, array in getattr(kept, part)._asdict().items():
+            assert array.tolist() == values[part][name]
+    assert (kept.body_axes, kept.higher_order) == (values["body_axes"], None)
 
 
 def test_numbers_are_the_package_s(calibrated):

@@ -9,6 +9,7 @@ from . import (
     error_dynamics as error_dynamics,
     error_model as error_model,
     filter as filter,
+    interchange as interchange,
     kalman as kalman,
     linearization as linearization,
     matrix_conventions as matrix_conventions,
@@ -74,6 +75,13 @@ from .error_model import (
 )
 from .filter import (
     calibrate as calibrate,
+)
+from .interchange import (
+    SCHEMA as SCHEMA,
+    KeptCalibration as KeptCalibration,
+    calibration_document as calibration_document,
+    from_json as from_json,
+    to_json as to_json,
 )
 from .kalman import (
     Update as Update,

@@ -8,7 +8,12 @@ from typing import Any
 import numpy as np
 from scipy.constants import arcminute, g, milli
 
-from driftlab.calibration import POSE_AXES, PoseCalibration, calibrate_by_poses
+from driftlab.calibration import (
+    POSE_AXES,
+    PoseCalibration,
+    calibrate_by_poses,
+    calibration_document,
+)
 from driftlab.checks import FloatArray
 from driftlab.earth import gravity as normal_gravity
 from driftlab.recordings.recording import Recording
@@ -124,7 +129,7 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
         tuple(_doubts(fit)),
         (*record_plots(recording, shaded), *_residual_plots(fit)),
         tuple(details),
-        values=_values(fit, found),
+        values=_values(fit, found, recording.axes),
         columns=_columns(found, fit, turns),
     )
 
@@ -202,10 +207,11 @@ def _residual_plots(fit: PoseCalibration) -> tuple[Plot, ...]:
     )
 
 
-def _values(fit: PoseCalibration, found: Rests) -> dict[str, Any]:
+def _values(fit: PoseCalibration, found: Rests, axes: str) -> dict[str, Any]:
     return {
         "model": "measured = (I + K) true + bias; K is gyro_error or accelerometer_error, its rows "
         "are sensors, its columns what they feel of",
+        "calibration": calibration_document(fit, axes=axes),
         "imu_errors": fit.imu_errors._asdict(),
         "deviations": fit.deviations._asdict(),
         "body_axes": fit.body_axes,

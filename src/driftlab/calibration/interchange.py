@@ -1,0 +1,368 @@
+"""Calibrations as JSON: a small text that says each quantity's unit and what its numbers mean.
+
+What is kept is what another program, or oneself in a year, needs to use a calibration: the errors
+of a unit, their standard deviations, the choice of axes and the sign convention, all in SI units
+and radians. Numbers come back to the last digit.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from driftlab.axes import axes_rotation
+from driftlab.checks import FloatArray, finite_array
+from driftlab.drift.weighing_designs import TurnFit
+from driftlab.higher_order_errors import (
+    NO_HIGHER_ORDER_ERRORS,
+    HigherOrderErrors,
+    checked_higher_order_errors,
+)
+from driftlab.imu import ImuErrors, ImuNoise, checked_imu_errors
+
+from .calibration_history import Calibration
+from .pose_results import PoseCalibration
+
+SCHEMA = "driftlab calibration 1"
+"""Form of the text; the number counts up when an older program would misread it."""
+_TURN_SCHEMA = "driftlab turn fit 1"
+_CONVENTION = (
+    "measured = (I + error)(true + felt besides) + bias; rows of an error matrix are sensors, "
+    "columns what they feel of"
+)
+_TURN_CONVENTION = "sigma is half of what axes 1 2, 1 3 and 2 3 miss of a right angle"
+_UNITS = {
+    "gyro_bias": "rad/s",
+    "gyro_error": "1",
+    "accelerometer_bias": "m/s^2",
+    "accelerometer_error": "1",
+    "lever_arms": "m",
+    "time_skew": "s",
+    "accelerometer_quadratic": "s^2/m",
+    "gyro_g_sensitivity": "(rad/s)/(m/s^2)",
+    "angle_random_walk": "rad/sqrt(s)",
+    "velocity_random_walk": "(m/s)/sqrt(s)",
+    "reference_velocity": "m/s",
+}
+_TURN_UNITS = {
+    "sigma": "1",
+    "scale": "1",
+    "gyro_bias": "rad/s",
+    "earth_rate": "rad/s",
+    "covariance": "variances of an estimate, SI",
+    "residuals": "1",
+}
+_NOISE = ("angle_random_walk", "velocity_random_walk", "reference_velocity")
+
+
+class KeptCalibration(NamedTuple):
+    """What a text of `to_json` says of an inertial unit.
+
+    Attributes
+    ----------
+    imu_errors : ImuErrors
+        Biases and error matrices, SI units.
+    deviations : ImuErrors or None
+        Their standard deviations, if they are known.
+    higher_order : HigherOrderErrors or None
+        Errors beyond bias and matrix, if there are any.
+    noise : ImuNoise or None
+        Of the sensors, if it was kept.
+    body_axes : str
+        How the body axes lie in the unit, "averaged" say; empty if nobody said.
+    axes : str
+        Where they point, as in `driftlab.axes`, "FRD" say; empty if nobody said.
+    name, date : str
+        What and when, as one likes to say it.
+
+    Examples
+    --------
+    >>> from driftlab.imu import TYPICAL_ERRORS
+    >>> from_json(to_json(TYPICAL_ERRORS, axes="FRD")).axes
+    'FRD'
+    """
+
+    imu_errors: ImuErrors
+    deviations: ImuErrors | None = None
+    higher_order: HigherOrderErrors | None = None
+    noise: ImuNoise | None = None
+    body_axes: str = ""
+    axes: str = ""
+    name: str = ""
+    date: str = ""
+
+
+def to_json(
+    found: ImuErrors | Calibration | PoseCalibration | KeptCalibration | TurnFit,
+    *,
+    axes: str = "",
+    noise: ImuNoise | None = None,
+    name: str = "",
+    date: str = "",
+) -> str:
+    """Write a calibration as JSON, each quantity with its unit.
+
+    Parameters
+    ----------
+    found : ImuErrors or Calibration or PoseCalibration or KeptCalibration or TurnFit
+        The errors of a unit, or what `calibrate`, `calibrate_by_poses` or `fit_turns` found; of a
+        calibration its end, with the standard deviations.
+    axes : str
+        Where the body axes point, as in `driftlab.axes`.
+    noise : ImuNoise, optional
+        Of the sensors, to be kept beside.
+    name, date : str
+        What and when; a clock is not asked.
+
+    Returns
+    -------
+    str
+        Text of a file, which `from_json` reads.
+
+    Raises
+    ------
+    ValueError
+        If `found` is something else, its numbers are not finite, or `axes` are none.
+
+    Examples
+    --------
+    >>> from driftlab.imu import TYPICAL_ERRORS
+    >>> text = to_json(TYPICAL_ERRORS, axes="FRD", name="unit 7", date="2024-05-01")
+    >>> print(text[:123])
+    {
+     "schema": "driftlab calibration 1",
+     "name": "unit 7",
+     "date": "2024-05-01",
+     "axes": "FRD",
+     "body_axes": "",
+     "conventio
+    """
+    document = calibration_document(found, axes=axes, noise=noise, name=name, date=date)
+    return json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def from_json(source: str | Path) -> KeptCalibration | TurnFit:
+    """Read a calibration that `to_json` wrote, or ``python -m driftlab calibrate --json``.
+
+    Parameters
+    ----------
+    source : str or Path
+        The text itself, or the path of a file that has it.
+
+    Returns
+    -------
+    KeptCalibration or TurnFit
+        The same numbers, to the last digit.
+
+    Raises
+    ------
+    ValueError
+        If it is no such text: of another schema, with another unit or convention, without a
+        quantity that must be there, or with numbers of a wrong shape.
+    OSError
+        If the file cannot be read.
+
+    Examples
+    --------
+    >>> from driftlab.imu import TYPICAL_ERRORS
+    >>> kept = from_json(to_json(TYPICAL_ERRORS))
+    >>> bool((kept.imu_errors.gyro_error == TYPICAL_ERRORS.gyro_error).all())
+    True
+    >>> from_json(to_json(TYPICAL_ERRORS).replace("rad/s", "deg/s"))
+    Traceback (most recent call last):
+        ...
+    ValueError: gyro_bias: expected the unit rad/s, got 'deg/s'.
+    """
+    document = _parsed(source)
+    schema = document.get("schema")
+    if schema == _TURN_SCHEMA:
+        _check_convention(document, _TURN_CONVENTION)
+        values, _ = _quantities(document, _TURN_UNITS, tuple(_TURN_UNITS))
+        return TurnFit(**values)
+    if schema != SCHEMA:
+        raise ValueError(f"schema: expected {SCHEMA!r} or {_TURN_SCHEMA!r}, got {schema!r}.")
+    _check_convention(document, _CONVENTION)
+    values, deviations = _quantities(document, _UNITS, ImuErrors._fields)
+    higher = {key: values[key] for key in HigherOrderErrors._fields if key in values}
+    noise = {key: float(values[key]) for key in _NOISE if key in values}
+    kept = KeptCalibration(
+        checked_imu_errors(ImuErrors(*(values[key] for key in ImuErrors._fields))),
+        ImuErrors(*(deviations[key] for key in ImuErrors._fields)) if deviations else None,
+        checked_higher_order_errors(NO_HIGHER_ORDER_ERRORS._replace(**higher)) if higher else None,
+        ImuNoise(**noise) if noise else None,
+        *(_word(document, key) for key in ("body_axes", "axes", "name", "date")),
+    )
+    _check_axes(kept.axes)
+    return kept
+
+
+def calibration_document(
+    found: ImuErrors | Calibration | PoseCalibration | KeptCalibration | TurnFit,
+    *,
+    axes: str = "",
+    noise: ImuNoise | None = None,
+    name: str = "",
+    date: str = "",
+) -> dict[str, Any]:
+    """Return what `to_json` writes, as a dictionary to put into a larger one.
+
+    Parameters
+    ----------
+    found, axes, noise, name, date : optional
+        As for `to_json`.
+
+    Returns
+    -------
+    dict
+        Of text, numbers and lists.
+
+    Examples
+    --------
+    >>> from driftlab.imu import NO_ERRORS
+    >>> calibration_document(NO_ERRORS)["quantities"]["gyro_bias"]
+    {'unit': 'rad/s', 'value': [0.0, 0.0, 0.0]}
+    """
+    _check_axes(axes)
+    head = {"name": name, "date": date, "axes": axes}
+    if isinstance(found, TurnFit):
+        values = {key: (unit, getattr(found, key), None) for key, unit in _TURN_UNITS.items()}
+        return _document(_TURN_SCHEMA, head, _TURN_CONVENTION, values)
+    kept = _kept(found)
+    head = {key: word or getattr(kept, key) for key, word in head.items()}
+    quantities: dict[str, Any] = {}
+    spread = None if kept.deviations is None else checked_imu_errors(kept.deviations)
+    for key, value in checked_imu_errors(kept.imu_errors)._asdict().items():
+        quantities[key] = (_UNITS[key], value, spread and getattr(spread, key))
+    if kept.higher_order is not None:
+        for key, value in checked_higher_order_errors(kept.higher_order)._asdict().items():
+            quantities[key] = (_UNITS[key], value, None)
+    noise = noise or kept.noise
+    for key in _NOISE if noise else ():
+        quantities[key] = (_UNITS[key], getattr(noise, key), None)
+    return _document(SCHEMA, head | {"body_axes": kept.body_axes}, _CONVENTION, quantities)
+
+
+def _kept(found: ImuErrors | Calibration | PoseCalibration | KeptCalibration) -> KeptCalibration:
+    """What is kept of a unit or of a calibration."""
+    if isinstance(found, KeptCalibration):
+        return found
+    if isinstance(found, ImuErrors):
+        return KeptCalibration(found)
+    if isinstance(found, PoseCalibration):
+        # There G acts beside (I + K), here within.
+        inverse = np.linalg.inv(np.eye(3) + found.imu_errors.gyro_error)
+        higher = NO_HIGHER_ORDER_ERRORS._replace(gyro_g_sensitivity=inverse @ found.sensitivity)
+        felt = higher if found.sensitivity.any() else None
+        return KeptCalibration(found.imu_errors, found.deviations, felt, body_axes=found.body_axes)
+    if isinstance(found, Calibration):
+        model, state = found.model, found.state[..., -1, :]
+        each = model.imu_errors(np.eye(model.size))
+        covariance = found.covariance[..., -1, :, :]
+        deviations = ImuErrors(
+            *(_deviations(covariance, np.asarray(one), value.shape) for one, value in
+              zip(each, found.imu_errors, strict=True))
+        )  # fmt: skip
+        felt = model.higher_order_errors(state) if model.higher_order else None
+        return KeptCalibration(found.imu_errors, deviations, felt, body_axes=model.frame or "")
+    raise ValueError(
+        "found: expected ImuErrors, a Calibration, a PoseCalibration or a TurnFit, "
+        f"got {type(found).__name__}."
+    )
+
+
+def _deviations(covariance: FloatArray, each: FloatArray, shape: tuple[int, ...]) -> FloatArray:
+    """Standard deviations of quantities that the states add up to; `each` are their shares."""
+    shares = each.reshape(len(each), -1)
+    variances = np.einsum("...ij,ia,ja->...a", covariance, shares, shares)
+    return np.sqrt(np.maximum(variances, 0.0)).reshape(shape)
+
+
+def _document(
+    schema: str, head: dict[str, str], convention: str, quantities: dict[str, Any]
+) -> dict[str, Any]:
+    from driftlab import __version__
+
+    written = {}
+    for key, (unit, value, deviation) in quantities.items():
+        written[key] = {"unit": unit, "value": _plain(value, key)}
+        if deviation is not None:
+            written[key]["deviation"] = _plain(deviation, key)
+    return {
+        "schema": schema,
+        **head,
+        "convention": convention,
+        "written_by": f"driftlab {__version__}",
+        "quantities": written,
+    }
+
+
+def _plain(value: Any, name: str) -> Any:
+    # A fit that had no unknown of a kind has no number of it.
+    array = np.asarray(value, float)
+    return (finite_array(array, name) if array.size else array).tolist()
+
+
+def _parsed(source: str | Path) -> dict[str, Any]:
+    """The dictionary in a text or a file, or in the values that a command wrote."""
+    text = source.read_text(encoding="utf-8") if isinstance(source, Path) else source
+    if not isinstance(text, str):
+        raise ValueError(f"source: expected a text or a Path, got {type(source).__name__}.")
+    try:
+        document = json.loads(text)
+    except json.JSONDecodeError as error:
+        hint = "" if text.lstrip().startswith("{") else "; a file is named by a Path"
+        raise ValueError(f"source: expected JSON, got {error}{hint}.") from None
+    values = document.get("values") if isinstance(document, dict) else None
+    if isinstance(values, dict) and "calibration" in values:
+        document = values["calibration"]
+    if not isinstance(document, dict):
+        raise ValueError(f"source: expected a calibration, got a {type(document).__name__}.")
+    return document
+
+
+def _quantities(
+    document: dict[str, Any], units: dict[str, str], needed: tuple[str, ...]
+) -> tuple[dict[str, FloatArray], dict[str, FloatArray]]:
+    """Values and standard deviations by name."""
+    quantities = document.get("quantities")
+    if not isinstance(quantities, dict):
+        raise ValueError(f"quantities: expected some by name, got {quantities!r:.60}.")
+    if missing := [key for key in needed if key not in quantities]:
+        raise ValueError(f"quantities: expected {', '.join(needed)}, got no {missing[0]}.")
+    values, deviations = {}, {}
+    for key, said in quantities.items():
+        if key not in units:
+            raise ValueError(f"quantities: expected some of {', '.join(units)}, got {key!r}.")
+        if not isinstance(said, dict) or "value" not in said:
+            raise ValueError(f"{key}: expected a unit and a value, got {said!r:.60}.")
+        if said.get("unit") != units[key]:
+            raise ValueError(f"{key}: expected the unit {units[key]}, got {said.get('unit')!r}.")
+        values[key] = _numbers(said["value"], key)
+        if "deviation" in said:
+            deviations[key] = _numbers(said["deviation"], f"{key}, deviation")
+    if deviations and (missing := [key for key in needed if key not in deviations]):
+        raise ValueError(f"{missing[0]}: expected a deviation, as others have one, got none.")
+    return values, deviations
+
+
+def _numbers(value: Any, name: str) -> FloatArray:
+    return finite_array(value, name) if value != [] else np.zeros(0)
+
+
+def _check_convention(document: dict[str, Any], expected: str) -> None:
+    if document.get("convention") != expected:
+        raise ValueError(f"convention: expected {expected!r}, got {document.get('convention')!r}.")
+
+
+def _check_axes(axes: str) -> None:
+    if axes:
+        axes_rotation(axes, "FRD")
+
+
+def _word(document: dict[str, Any], key: str) -> str:
+    if not isinstance(word := document.get(key, ""), str):
+        raise ValueError(f"{key}: expected text, got {word!r:.60}.")
+    return word
