@@ -7,7 +7,13 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, whole_number
 from driftlab.core.coning import cone_increments
-from driftlab.core.quaternion import conjugate, cumulative_product, from_rotation_vector, multiply
+from driftlab.core.quaternion import (
+    conjugate,
+    cumulative_product,
+    from_rotation_vector,
+    multiply,
+    to_rotation_vector,
+)
 
 from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, attitude_algorithm
 from .drift_on_cones import OWN_ROWS, checked_cone
@@ -59,8 +65,8 @@ def measured_coning_drift(
 
     Notes
     -----
-    The attitude's error is a rotation in the axes of the cone; its angle about the cone's axis is
-    followed step by step, and divided by the time at the end. Besides the drift it holds the
+    The attitude's error is a rotation in the axes of the cone; its part along the cone's axis at
+    the end is divided by the time, whole turns counted step by step. Besides the drift it holds the
     wobble of a single step, which does not grow: a part of 1/count. An algorithm with memory is
     given increments before the first, so that its start is not measured with it; one's own function
     is not.
@@ -94,10 +100,11 @@ def measured_coning_drift(
     found = multiply(true[..., :1, :], cumulative_product(steps))
     # In the reference axes, whose third is the cone's.
     error = multiply(found, conjugate(true[..., 1:, :]))
-    turned = np.unwrap(2 * np.arctan2(error[..., 2], error[..., 3]), axis=-1)
-    # The first step errs by less than half a turn; the quaternion's sign says nothing.
-    first = np.remainder(turned[..., 0] + np.pi, 2 * np.pi) - np.pi
-    return np.asarray((turned[..., -1] - turned[..., 0] + first) / (length * interval))[()]
+    # Less than half a turn; the turns before are counted step by step, the first errs by none.
+    along = to_rotation_vector(error[..., -1, :])[..., 2]
+    turns = np.unwrap(2 * np.arctan2(error[..., 2], error[..., 3]), axis=-1) / (2 * np.pi)
+    whole = np.round(turns[..., -1] - np.round(turns[..., 0]) - along / (2 * np.pi))
+    return np.asarray((along + 2 * np.pi * whole) / (length * interval))[()]
 
 
 def _attitude(half_angle: FloatArray, phase: FloatArray) -> FloatArray:

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from driftlab.axes import axes_rotation
-from driftlab.checks import FloatArray, finite_array
+from driftlab.checks import FloatArray
 from driftlab.drift.weighing_designs import TurnFit
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
@@ -23,6 +23,7 @@ from driftlab.higher_order_errors import (
 )
 from driftlab.imu import ImuErrors, ImuNoise, checked_imu_errors
 
+from ._quantities_as_json import check_convention, parsed, quantities_of, word_of, written
 from .calibration_history import Calibration
 from .pose_results import PoseCalibration
 
@@ -131,14 +132,12 @@ def to_json(
     --------
     >>> from driftlab.imu import TYPICAL_ERRORS
     >>> text = to_json(TYPICAL_ERRORS, axes="FRD", name="unit 7", date="2024-05-01")
-    >>> print(text[:123])
-    {
-     "schema": "driftlab calibration 1",
-     "name": "unit 7",
-     "date": "2024-05-01",
-     "axes": "FRD",
-     "body_axes": "",
-     "conventio
+    >>> for line in text.splitlines()[1:5]:
+    ...     print(line.strip())
+    "schema": "driftlab calibration 1",
+    "name": "unit 7",
+    "date": "2024-05-01",
+    "axes": "FRD",
     """
     document = calibration_document(found, axes=axes, noise=noise, name=name, date=date)
     return json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
@@ -176,16 +175,16 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
         ...
     ValueError: gyro_bias: expected the unit rad/s, got 'deg/s'.
     """
-    document = _parsed(source)
+    document = parsed(source)
     schema = document.get("schema")
     if schema == _TURN_SCHEMA:
-        _check_convention(document, _TURN_CONVENTION)
-        values, _ = _quantities(document, _TURN_UNITS, tuple(_TURN_UNITS))
+        check_convention(document, _TURN_CONVENTION)
+        values, _ = quantities_of(document, _TURN_UNITS, tuple(_TURN_UNITS))
         return TurnFit(**values)
     if schema != SCHEMA:
         raise ValueError(f"schema: expected {SCHEMA!r} or {_TURN_SCHEMA!r}, got {schema!r}.")
-    _check_convention(document, _CONVENTION)
-    values, deviations = _quantities(document, _UNITS, ImuErrors._fields)
+    check_convention(document, _CONVENTION)
+    values, deviations = quantities_of(document, _UNITS, ImuErrors._fields)
     higher = {key: values[key] for key in HigherOrderErrors._fields if key in values}
     noise = {key: float(values[key]) for key in _NOISE if key in values}
     kept = KeptCalibration(
@@ -193,7 +192,7 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
         ImuErrors(*(deviations[key] for key in ImuErrors._fields)) if deviations else None,
         checked_higher_order_errors(NO_HIGHER_ORDER_ERRORS._replace(**higher)) if higher else None,
         ImuNoise(**noise) if noise else None,
-        *(_word(document, key) for key in ("body_axes", "axes", "name", "date")),
+        *(word_of(document, key) for key in ("body_axes", "axes", "name", "date")),
     )
     _check_axes(kept.axes)
     return kept
@@ -229,7 +228,7 @@ def calibration_document(
     head = {"name": name, "date": date, "axes": axes}
     if isinstance(found, TurnFit):
         values = {key: (unit, getattr(found, key), None) for key, unit in _TURN_UNITS.items()}
-        return _document(_TURN_SCHEMA, head, _TURN_CONVENTION, values)
+        return written(_TURN_SCHEMA, head, _TURN_CONVENTION, values)
     kept = _kept(found)
     head = {key: word or getattr(kept, key) for key, word in head.items()}
     quantities: dict[str, Any] = {}
@@ -242,7 +241,7 @@ def calibration_document(
     noise = noise or kept.noise
     for key in _NOISE if noise else ():
         quantities[key] = (_UNITS[key], getattr(noise, key), None)
-    return _document(SCHEMA, head | {"body_axes": kept.body_axes}, _CONVENTION, quantities)
+    return written(SCHEMA, head | {"body_axes": kept.body_axes}, _CONVENTION, quantities)
 
 
 def _kept(found: ImuErrors | Calibration | PoseCalibration | KeptCalibration) -> KeptCalibration:
@@ -280,89 +279,6 @@ def _deviations(covariance: FloatArray, each: FloatArray, shape: tuple[int, ...]
     return np.sqrt(np.maximum(variances, 0.0)).reshape(shape)
 
 
-def _document(
-    schema: str, head: dict[str, str], convention: str, quantities: dict[str, Any]
-) -> dict[str, Any]:
-    from driftlab import __version__
-
-    written = {}
-    for key, (unit, value, deviation) in quantities.items():
-        written[key] = {"unit": unit, "value": _plain(value, key)}
-        if deviation is not None:
-            written[key]["deviation"] = _plain(deviation, key)
-    return {
-        "schema": schema,
-        **head,
-        "convention": convention,
-        "written_by": f"driftlab {__version__}",
-        "quantities": written,
-    }
-
-
-def _plain(value: Any, name: str) -> Any:
-    # A fit that had no unknown of a kind has no number of it.
-    array = np.asarray(value, float)
-    return (finite_array(array, name) if array.size else array).tolist()
-
-
-def _parsed(source: str | Path) -> dict[str, Any]:
-    """The dictionary in a text or a file, or in the values that a command wrote."""
-    text = source.read_text(encoding="utf-8") if isinstance(source, Path) else source
-    if not isinstance(text, str):
-        raise ValueError(f"source: expected a text or a Path, got {type(source).__name__}.")
-    try:
-        document = json.loads(text)
-    except json.JSONDecodeError as error:
-        hint = "" if text.lstrip().startswith("{") else "; a file is named by a Path"
-        raise ValueError(f"source: expected JSON, got {error}{hint}.") from None
-    values = document.get("values") if isinstance(document, dict) else None
-    if isinstance(values, dict) and "calibration" in values:
-        document = values["calibration"]
-    if not isinstance(document, dict):
-        raise ValueError(f"source: expected a calibration, got a {type(document).__name__}.")
-    return document
-
-
-def _quantities(
-    document: dict[str, Any], units: dict[str, str], needed: tuple[str, ...]
-) -> tuple[dict[str, FloatArray], dict[str, FloatArray]]:
-    """Values and standard deviations by name."""
-    quantities = document.get("quantities")
-    if not isinstance(quantities, dict):
-        raise ValueError(f"quantities: expected some by name, got {quantities!r:.60}.")
-    if missing := [key for key in needed if key not in quantities]:
-        raise ValueError(f"quantities: expected {', '.join(needed)}, got no {missing[0]}.")
-    values, deviations = {}, {}
-    for key, said in quantities.items():
-        if key not in units:
-            raise ValueError(f"quantities: expected some of {', '.join(units)}, got {key!r}.")
-        if not isinstance(said, dict) or "value" not in said:
-            raise ValueError(f"{key}: expected a unit and a value, got {said!r:.60}.")
-        if said.get("unit") != units[key]:
-            raise ValueError(f"{key}: expected the unit {units[key]}, got {said.get('unit')!r}.")
-        values[key] = _numbers(said["value"], key)
-        if "deviation" in said:
-            deviations[key] = _numbers(said["deviation"], f"{key}, deviation")
-    if deviations and (missing := [key for key in needed if key not in deviations]):
-        raise ValueError(f"{missing[0]}: expected a deviation, as others have one, got none.")
-    return values, deviations
-
-
-def _numbers(value: Any, name: str) -> FloatArray:
-    return finite_array(value, name) if value != [] else np.zeros(0)
-
-
-def _check_convention(document: dict[str, Any], expected: str) -> None:
-    if document.get("convention") != expected:
-        raise ValueError(f"convention: expected {expected!r}, got {document.get('convention')!r}.")
-
-
 def _check_axes(axes: str) -> None:
     if axes:
         axes_rotation(axes, "FRD")
-
-
-def _word(document: dict[str, Any], key: str) -> str:
-    if not isinstance(word := document.get(key, ""), str):
-        raise ValueError(f"{key}: expected text, got {word!r:.60}.")
-    return word
