@@ -63,6 +63,8 @@ class TableColumns(ABC):
 
         Examples
         --------
+        >>> from pathlib import Path
+        >>> from driftlab.recordings._text_table import TextTable
         >>> table = TextTable(Path("log.csv"), ("t", "wx", "wy"), ("", "", ""), [], 2, ",", 3)
         >>> table.column("-wx"), table.column(3), table.column("-3")
         ((1, -1), (2, 1), (2, -1))
