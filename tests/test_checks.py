@@ -127,7 +127,7 @@ def test_quaternions_of_any_size_become_unit_ones(size):
         (3, str, "scheme: expected a str, got 3."),
         ("x", int, "scheme: expected an int, got 'x'."),
         (None, list, "scheme: expected a list, got None."),
-        (np.zeros(3), dict, "scheme: expected a dict, got ndarray."),
+        (np.zeros(3), dict, "scheme: expected a dict, got an array of shape (3,)."),
     ],
 )
 def test_a_thing_of_another_kind_is_refused(value, kind, sentence):

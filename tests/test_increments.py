@@ -200,6 +200,6 @@ def test_what_is_no_row_of_increments_is_refused_by_name(bad, words):
 def test_a_bare_tuple_is_refused():
     """Two arrays without their interval would otherwise be taken for an interval and an array."""
     with pytest.raises(
-        ValueError, match=r"^increments: expected an Increments.*velocity.*, got tuple\.$"
+        ValueError, match=r"^increments: expected an Increments.*velocity.*, got a tuple\.$"
     ):
         checked_increments((GOOD.angle, GOOD.velocity))

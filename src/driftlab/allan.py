@@ -18,9 +18,10 @@ from .checks import (
     FloatArray,
     checked_instance,
     finite_array,
-    finite_number,
     positive_array,
     positive_number,
+    probability,
+    some_of,
 )
 from .core import allan as core
 from .noise_terms import TERMS, NoiseTerms
@@ -157,8 +158,7 @@ def allan_deviation(
     step, length = positive_number(interval, "interval"), rates.shape[-1]
     if length < 3:
         raise ValueError(f"samples: expected shape (..., n), n at least 3, got {rates.shape}.")
-    if not 0 < finite_number(confidence, "confidence") < 1:
-        raise ValueError(f"confidence: expected a number between 0 and 1, got {confidence!r}.")
+    probability(confidence, "confidence")
     grid = np.round(np.geomspace(1, max(1, length // _LONGEST), _GRID)).astype(int)
     counts = grid = np.unique(grid)
     if averaging_times is not None:
@@ -249,15 +249,15 @@ def fit_noise_terms(allan: AllanDeviation, terms: Iterable[str] = TERMS) -> Nois
     >>> list(found.upper_bounds)
     ['bias_instability', 'rate_random_walk', 'rate_ramp']
     """
-    found, sought = checked_instance(allan, AllanDeviation, "allan"), list(dict.fromkeys(terms))
+    found = checked_instance(
+        allan, AllanDeviation, "allan", "from allan_deviation(rates, interval)"
+    )
+    sought = list(dict.fromkeys(some_of(terms, TERMS, "terms")))
     if found.deviation.ndim != 1:
         raise ValueError(
             "allan: expected that of one sensor, deviation of shape (k,), "
             f"got shape {found.deviation.shape}; take allan.row(0), say."
         )
-    for name in sought:
-        if name not in TERMS:
-            raise ValueError(f"terms: expected names from {', '.join(TERMS)}, got {name!r}.")
     # One time that comes twice says no more than once.
     _, places = np.unique(found.averaging_times, return_index=True)
     places = places[found.deviation[places] > 0]

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
-from .checks import FloatArray, finite_array, unit_quaternions
+from .checks import FloatArray, finite_array, shown, unit_quaternions
 from .core.quaternion import conjugate, multiply
 
 _LOCAL = {"E": (1, 0, 0), "N": (0, 1, 0), "U": (0, 0, 1), "W": (-1, 0, 0), "S": (0, -1, 0)}
@@ -70,7 +70,8 @@ def axes_rotation(from_axes: str, to_axes: str) -> FloatArray:
     other, wanted = _directions(to_axes, "to_axes")
     if kind != other:
         raise ValueError(
-            f"to_axes: expected {_EXAMPLES[kind]}, as from_axes are {kind} axes, got {to_axes!r}."
+            f"to_axes: expected {_EXAMPLES[kind]}, as from_axes are {kind} axes, "
+            f"got {shown(to_axes)}."
         )
     return wanted @ given.T
 
@@ -199,30 +200,38 @@ def _quaternion(pair: tuple[str, str], name: str) -> FloatArray:
     try:
         old, new = pair
     except (TypeError, ValueError):
-        raise ValueError(f"{name}: expected a pair of axes, old and new, got {pair!r}.") from None
+        raise ValueError(
+            f"{name}: expected a pair of axes, old and new, got {shown(pair)}."
+        ) from None
     wanted = {"reference": "local", "body": "body"}[name]
     for axes in (old, new):
         kind, _ = _directions(axes, name)
         if kind != wanted:
-            raise ValueError(f"{name}: expected {_EXAMPLES[wanted]}, got {axes!r}.")
+            raise ValueError(f"{name}: expected {_EXAMPLES[wanted]}, got {shown(axes)}.")
     return Rotation.from_matrix(axes_rotation(old, new)).as_quat()
 
 
-@cache
 def _directions(axes: str, name: str) -> tuple[str, FloatArray]:
     """Kind of axes, and their directions as rows."""
+    if not isinstance(axes, str):
+        axes = shown(axes)  # no three letters, so refused
+    return _directions_of_letters(axes, name)
+
+
+@cache
+def _directions_of_letters(axes: str, name: str) -> tuple[str, FloatArray]:
     for kind, letters in _KINDS.items():
-        if isinstance(axes, str) and len(axes) == 3 and set(axes) <= letters.keys():
+        if len(axes) == 3 and set(axes) <= letters.keys():
             rows = np.array([letters[letter] for letter in axes], float)
             handedness = np.linalg.det(rows)
             if handedness < -0.5:
                 raise ValueError(
-                    f"{name}: expected right-handed axes, got {axes!r}, which are left-handed."
+                    f"{name}: expected right-handed axes, got {shown(axes)}, which are left-handed."
                 )
             if handedness > 0.5:
                 rows.setflags(write=False)
                 return kind, rows
     raise ValueError(
         f"{name}: expected three letters for three perpendicular directions, as 'NED', 'ENU', "
-        f"'FRD' or 'FLU', got {axes!r}."
+        f"'FRD' or 'FLU', got {shown(axes)}."
     )

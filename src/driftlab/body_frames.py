@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_array, finite_arrays
+from .checks import FloatArray, finite_array, finite_arrays, one_of
 
 GYRO_FRAMES = ("averaged", "upper triangle", "lower triangle")
 """Those of `BODY_FRAMES` that the gyros fix."""
@@ -169,8 +169,7 @@ def _matrix_for(
     gyro_error: ArrayLike, accelerometer_error: ArrayLike | None, frame: str
 ) -> FloatArray:
     """Return the matrix that fixes the frame."""
-    if frame not in BODY_FRAMES:
-        raise ValueError(f"frame: expected one of {', '.join(BODY_FRAMES)}, got {frame!r}.")
+    one_of(frame, BODY_FRAMES, "frame")
     gyro_error = finite_array(gyro_error, "gyro_error", 3, 3)
     if frame not in ACCELEROMETER_FRAMES:
         return gyro_error

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_array, finite_arrays, unit_quaternions
+from .checks import FloatArray, finite_array, finite_arrays, one_of, unit_quaternions
 from .core.quaternion import conjugate, rotate
 from .core.vectors import wrap_angle
 from .earth import checked_latitude
@@ -200,6 +200,5 @@ def scalar_last(quaternion: ArrayLike) -> FloatArray:
 
 def _definition(name: str, argument: str) -> tuple[int, str]:
     """Sign and axes of a definition."""
-    if name not in ATTITUDE_ERRORS:
-        raise ValueError(f"{argument}: expected one of {', '.join(ATTITUDE_ERRORS)}, got {name!r}.")
+    one_of(name, ATTITUDE_ERRORS, argument)
     return ATTITUDE_ERRORS[name]

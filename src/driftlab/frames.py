@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.core.quaternion import conjugate, rotate
 
-from .checks import FloatArray, finite_arrays, positive_number, unit_quaternions
+from .checks import FloatArray, finite_arrays, positive_number, turned_angle, unit_quaternions
 from .earth import EARTH_RADIUS, EARTH_RATE, checked_latitude
 
 FROM_EAST_NORTH_UP: FloatArray = np.array([-0.5, -0.5, -0.5, 0.5])
@@ -116,6 +116,8 @@ def from_euler_angles(heading: ArrayLike, pitch: ArrayLike, roll: ArrayLike) -> 
     array([ 0.,  0., -1.])
     """
     angles = finite_arrays(heading=(heading,), pitch=(pitch,), roll=(roll,))
+    for name, angle in zip(("heading", "pitch", "roll"), angles, strict=True):
+        turned_angle(angle, name)
     (c1, s1), (c2, s2), (c3, s3) = ((np.cos(a / 2), np.sin(a / 2)) for a in angles)
     # About Up by the heading, about the right axis by the pitch, about the forward one by the roll.
     return np.stack(

@@ -11,7 +11,19 @@ from typing import NamedTuple
 import numpy as np
 from scipy.constants import arcminute, arcsecond, degree, g, hour, micro
 
-from .checks import FloatArray, checked_generator, checked_instance, finite_arrays, finite_number
+from .checks import (
+    LARGEST_ACCELEROMETER_BIAS,
+    LARGEST_GYRO_BIAS,
+    LARGEST_SCALE,
+    FloatArray,
+    checked_generator,
+    checked_instance,
+    error_matrix,
+    finite_arrays,
+    nonnegative_number,
+    whole_number,
+    within,
+)
 
 
 class ImuErrors(NamedTuple):
@@ -141,9 +153,7 @@ class PriorDeviations:
 
 def _check_sizes(sizes: ImuNoise | PriorDeviations) -> None:
     for field in fields(sizes):
-        value = getattr(sizes, field.name)
-        if finite_number(value, field.name) < 0:
-            raise ValueError(f"{field.name}: expected a number of at least 0, got {value!r}.")
+        nonnegative_number(getattr(sizes, field.name), field.name)
 
 
 def random_imu_errors(prior: PriorDeviations, rng: np.random.Generator, *shape: int) -> ImuErrors:
@@ -173,6 +183,7 @@ def random_imu_errors(prior: PriorDeviations, rng: np.random.Generator, *shape: 
     """
     checked_instance(prior, PriorDeviations, "prior")
     checked_generator(rng)
+    shape = tuple(whole_number(length, "shape") for length in shape)
     sizes = np.where(np.eye(3, dtype=bool), prior.scale, prior.installation)
     return ImuErrors(
         prior.gyro_bias * rng.standard_normal((*shape, 3)),
@@ -195,6 +206,11 @@ def checked_imu_errors(imu_errors: ImuErrors) -> ImuErrors:
     ImuErrors
         Float64 arrays, their leading axes broadcast to each other.
 
+    Raises
+    ------
+    ValueError
+        If a field has another shape or is not finite.
+
     Examples
     --------
     >>> checked_imu_errors(NO_ERRORS._replace(gyro_bias=np.zeros((5, 3)))).gyro_error.shape
@@ -208,6 +224,45 @@ def checked_imu_errors(imu_errors: ImuErrors) -> ImuErrors:
         accelerometer_error=(imu_errors.accelerometer_error, 3, 3),
     )
     return broadcast_imu_errors(ImuErrors(*checked))
+
+
+def real_imu_errors(imu_errors: ImuErrors) -> ImuErrors:
+    """Return a unit as `checked_imu_errors` does, refusing also what no instrument is.
+
+    Parameters
+    ----------
+    imu_errors : ImuErrors
+        Its fields may be anything that NumPy makes an array of.
+
+    Returns
+    -------
+    ImuErrors
+        Float64 arrays, their leading axes broadcast to each other.
+
+    Raises
+    ------
+    ValueError
+        If a bias is larger than that of any sensor, an error matrix is the whole matrix I + K, or
+        its entries are no rad and parts of the scale; or as for `checked_imu_errors`.
+
+    Examples
+    --------
+    >>> real_imu_errors(NO_ERRORS._replace(gyro_bias=np.array([1.0, 2.0, 3.0])))
+    Traceback (most recent call last):
+    ValueError: gyro_bias: expected rad/s, at most 1 in size, got 3: is it in deg/h?
+    """
+    errors = checked_imu_errors(imu_errors)
+    within(errors.gyro_bias, "gyro_bias", LARGEST_GYRO_BIAS, "rad/s", "is it in deg/h?")
+    within(
+        errors.accelerometer_bias,
+        "accelerometer_bias",
+        LARGEST_ACCELEROMETER_BIAS,
+        "m/s^2",
+        "is it in mg?",
+    )
+    for name in ("gyro_error", "accelerometer_error"):
+        error_matrix(getattr(errors, name), name, LARGEST_SCALE)
+    return errors
 
 
 def broadcast_imu_errors(imu_errors: ImuErrors, *shape: int) -> ImuErrors:

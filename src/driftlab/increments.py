@@ -16,13 +16,14 @@ from .checks import (
     checked_instance,
     finite_array,
     positive_number,
+    row_number,
 )
 from .higher_order_errors import (
     HigherOrderErrors,
     checked_higher_order_errors,
     felt_besides,
 )
-from .imu import ImuErrors, ImuNoise, checked_imu_errors
+from .imu import ImuErrors, ImuNoise, real_imu_errors
 
 
 class Increments(NamedTuple):
@@ -84,7 +85,7 @@ class Increments(NamedTuple):
         >>> Increments(1.0, np.zeros((5, 3)), np.zeros((5, 3))).part(2, 4).angle.shape
         (2, 3)
         """
-        rows = np.s_[..., begin:end, :]
+        rows = np.s_[..., row_number(begin, "begin") : row_number(end, "end"), :]
         return Increments(self.interval, self.angle[rows], self.velocity[rows])
 
 
@@ -176,7 +177,11 @@ def measure(
            [0.   , 0.   , 0.001]])
     """
     seconds, angle, velocity = checked_increments(increments)
-    errors = checked_imu_errors(imu_errors)
+    errors = real_imu_errors(imu_errors)
+    if noise is not None:
+        checked_instance(noise, ImuNoise, "noise")
+    if rng is not None:
+        checked_generator(rng)
     if higher_order is not None:
         more = felt_besides(seconds, angle, velocity, checked_higher_order_errors(higher_order))
         angle, velocity = angle + more[0], velocity + more[1]
@@ -230,7 +235,7 @@ def compensate(
     >>> np.allclose(found.velocity, true.velocity, rtol=0, atol=1e-12)
     True
     """
-    errors = checked_imu_errors(imu_errors)
+    errors = real_imu_errors(imu_errors)
     for name in ("gyro_error", "accelerometer_error"):
         if (np.linalg.cond(np.eye(3) + getattr(errors, name)) > 1e12).any():
             raise ValueError(f"{name}: expected a triad I + K that spans space, got a flat one.")

@@ -9,7 +9,7 @@ from typing import TypeVar
 import numpy as np
 from scipy.stats import chi2
 
-from .checks import whole_number
+from .checks import checked_function, checked_instance, probability, whole_number
 
 Result = TypeVar("Result")
 Task = Callable[[np.random.Generator, int], Result]
@@ -62,9 +62,16 @@ def sweep(
     >>> np.round(means, 2)
     array([-0.03, -0.01, -0.06,  0.  ])
     """
+    checked_function(task, "task", "a generator and a number of runs")
+    if executor is not None:
+        checked_instance(executor, Executor, "executor")
+    if progress is not None:
+        checked_function(progress, "progress", "a number of runs")
     total, most = whole_number(runs, "runs"), whole_number(batch, "batch")
     sizes = [min(most, total - first) for first in range(0, total, most)]
-    children = np.random.SeedSequence(whole_number(seed, "seed", least=0)).spawn(len(sizes))
+    children = np.random.SeedSequence(whole_number(seed, "seed", least=0, most=None)).spawn(
+        len(sizes)
+    )
     generators = [np.random.default_rng(child) for child in children]
 
     def report(size: int) -> None:
@@ -121,9 +128,7 @@ def mean_square_bounds(freedom: int, runs: int, confidence: float = 0.95) -> tup
     >>> [round(bound, 3) for bound in mean_square_bounds(3, 100)]
     [2.539, 3.499]
     """
-    if not 0 < confidence < 1:
-        raise ValueError(f"confidence: expected a number between 0 and 1, got {confidence!r}.")
-    many = whole_number(runs, "runs")
-    tails = np.array([1 - confidence, 1 + confidence]) / 2
-    low, high = chi2.ppf(tails, whole_number(freedom, "freedom") * many) / many
+    inside, many = probability(confidence, "confidence"), whole_number(runs, "runs")
+    tails = np.array([1 - inside, 1 + inside]) / 2
+    low, high = chi2.ppf(tails, float(whole_number(freedom, "freedom")) * many) / many
     return float(low), float(high)

@@ -14,7 +14,7 @@ from scipy.special import zeta
 from .checks import (
     FloatArray,
     checked_generator,
-    finite_number,
+    nonnegative_number,
     positive_array,
     positive_number,
     whole_number,
@@ -62,9 +62,8 @@ class NoiseTerms:
     rate_ramp: float = 0.0
 
     def __post_init__(self) -> None:
-        for name, value in zip(TERMS, astuple(self), strict=True):
-            if finite_number(value, name) < 0:
-                raise ValueError(f"{name}: expected a number of at least 0, got {value!r}.")
+        for name in TERMS:
+            nonnegative_number(getattr(self, name), name)
 
     def lines(self, averaging_times: ArrayLike) -> dict[str, FloatArray]:
         """Allan deviation of each term alone.

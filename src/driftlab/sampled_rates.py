@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.interpolate import make_interp_spline
 
-from .checks import FloatArray, finite_array, positive_number, whole_number
+from .checks import FloatArray, finite_array, positive_number, shown, whole_number
 
 _NEARLY_WHOLE = 1e-3
 """Part that the last interval may lack, because time stamps are rounded."""
@@ -78,14 +78,14 @@ def increments_from_rates(
     """
     rows = finite_array(rates, "rates", 3)
     if whole_number(degree, "degree") not in (3, 5, 7):
-        raise ValueError(f"degree: expected 3, 5 or 7, got {degree!r}.")
+        raise ValueError(f"degree: expected 3, 5 or 7, got {shown(degree)}.")
     if rows.ndim < 2 or rows.shape[-2] <= degree:
         raise ValueError(
             f"rates: expected shape (..., m, 3) with m at least {degree + 1} for degree {degree}, "
             f"got shape {rows.shape}."
         )
     if not positive_number(longest_gap, "longest_gap") > 1:
-        raise ValueError(f"longest_gap: expected more than 1, got {longest_gap!r}.")
+        raise ValueError(f"longest_gap: expected more than 1, got {shown(longest_gap)}.")
     step, count = positive_number(interval, "interval"), rows.shape[-2]
     if times is None:
         moments, whole = step * np.arange(count), count - 1
@@ -107,7 +107,7 @@ def _sample_times(times: ArrayLike, count: int, longest_gap: float) -> FloatArra
     moments = finite_array(times, "times", count)
     steps = np.diff(moments)
     if moments.ndim != 1 or not (steps > 0).all():
-        raise ValueError(f"times: expected {count} increasing times (m,), got {times!r:.60}.")
+        raise ValueError(f"times: expected {count} increasing times (m,), got {shown(times)}.")
     longest = int(np.argmax(steps))
     if steps[longest] > longest_gap * np.median(steps):
         raise ValueError(

@@ -21,6 +21,8 @@ from .checks import (
     checked_instance,
     finite_arrays,
     finite_number,
+    shown,
+    truth_value,
     unit_quaternions,
     whole_number,
 )
@@ -142,9 +144,11 @@ def navigate(
     count = angle.shape[-2]
     if count % 2:
         raise ValueError(f"increments: expected an even number of rows, got {count}.")
+    truth_value(hold_altitude, "hold_altitude")
     if whole_number(every, "every", least=2) % 2 or count % every:
         raise ValueError(
-            f"every: expected an even divisor of the number of increments, {count}, got {every!r}."
+            f"every: expected an even divisor of the number of increments, {count}, "
+            f"got {shown(every)}."
         )
     return core.navigate(
         start, angle, velocity, seconds, ALGORITHM, every=every, hold_altitude=hold_altitude
@@ -172,7 +176,7 @@ def checked_interval(interval: float) -> float:
     if not 0 < seconds <= _LONGEST:
         raise ValueError(
             f"increments.interval: expected a positive time of at most {_LONGEST:g} s, "
-            f"got {interval!r}."
+            f"got {shown(interval)}."
         )
     return seconds
 

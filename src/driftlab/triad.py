@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_array, finite_arrays
+from .checks import FloatArray, error_matrix, finite_array, finite_arrays, linear_error_matrix
 from .core.vectors import symmetric_part, transform
 
 
@@ -109,7 +109,9 @@ def triad_matrix(triad_error: ArrayLike) -> FloatArray:
            [0.  , 1.  , 0.  ],
            [0.  , 0.  , 1.  ]])
     """
-    return checked_triad(finite_array(triad_error, "triad_error", 3, 3))
+    return checked_triad(
+        error_matrix(finite_array(triad_error, "triad_error", 3, 3), "triad_error")
+    )
 
 
 def checked_triad(triad_error: FloatArray) -> FloatArray:
@@ -164,7 +166,7 @@ def measured_rate(rate: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     array([0.02, 2.  , 0.  ])
     """
     rate, triad_error = finite_arrays(rate=(rate, 3), triad_error=(triad_error, 3, 3))
-    return transform(checked_triad(triad_error), rate)
+    return transform(checked_triad(error_matrix(triad_error, "triad_error")), rate)
 
 
 def non_orthogonality(triad_error: ArrayLike) -> FloatArray:
@@ -187,7 +189,8 @@ def non_orthogonality(triad_error: ArrayLike) -> FloatArray:
            [0.01, 0.  , 0.  ],
            [0.  , 0.  , 0.  ]])
     """
-    return symmetric_part(finite_array(triad_error, "triad_error", 3, 3))
+    error = linear_error_matrix(finite_array(triad_error, "triad_error", 3, 3), "triad_error")
+    return symmetric_part(error)
 
 
 def pairwise_non_orthogonality(axes: ArrayLike) -> FloatArray:

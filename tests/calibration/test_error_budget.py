@@ -138,7 +138,7 @@ def test_bad_arguments_are_refused_by_name():
     with pytest.raises(ValueError, match=r"^covariance: expected shape \(\.\.\., 12, 12\)"):
         mission_errors([1.0], 0.1, np.eye(7))
     with pytest.raises(ValueError, match=r"^model: expected an ErrorModel"):
-        mission_causes("averaged", LEVEL, 0.1)
+        mission_causes("average", LEVEL, 0.1)
     with pytest.raises(ValueError, match=r"^turn: expected one number"):
         mission_causes(MODEL, LEVEL, 0.1, [1.0])
     with pytest.raises(ValueError, match=r"^attitude: expected nonzero quaternions"):

@@ -130,7 +130,7 @@ def test_growth_leaves_out_no_more_than_is_said():
     latitude = np.radians(37.5)
 
     def left(size):
-        scheme = Scheme("+120X", dwell=64 * size, rate=np.radians(120) / (256 * size))
+        scheme = Scheme("+60X", dwell=64 * size, rate=np.radians(60) / (256 * size))
         record = table_trajectory(scheme, latitude, 0.5 * size, multiple_of=2)
         growth, duration = growth_along(record, latitude, FULL), 0.5 * size
         duration *= len(record.increments.angle)

@@ -498,7 +498,7 @@ def with_nan(name):
         ("increments.interval", 20.5, "a positive time of at most 20 s, got 20.5"),
         ("increments.interval", -0.25, "a positive number, got -0.25"),
         ("increments.interval", [0.25], r"one number, got shape \(1,\)"),
-        ("model", "averaged", r"an ErrorModel, got 'averaged'\.$"),
+        ("model", "average", r"an ErrorModel or the name of one \(averaged, .*, got 'average'\.$"),
         ("prior", 1e-4, r"a PriorDeviations, got 0\.0001\.$"),
         ("noise", None, r"an ImuNoise, got None\.$"),
         ("keep", 0, "a whole number of at least 1, got 0"),

@@ -284,7 +284,7 @@ SENTENCES = {
     ),
     "other word": (
         lambda: imu_errors_in_accelerometer_axes(NO_ERRORS, "left"),
-        "^zeros: expected 'above' or 'below', got 'left'",
+        "^zeros: expected one of above, below, got 'left'",
     ),
 }
 

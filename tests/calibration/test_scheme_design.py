@@ -183,7 +183,7 @@ def test_another_processor_finds_the_same_scheme():
         ({"angles": (45,)}, r"angles: expected some of 90, 180, 270, 360, got \(45,\)"),
         ({"angles": ()}, "angles: expected some of"),
         ({"latitude": np.pi / 2}, "latitude: expected"),
-        ({"model": "averaged"}, "model: expected an ErrorModel"),
+        ({"model": "average"}, "model: expected an ErrorModel"),
         ({"noise": ImuNoise(reference_velocity=0.0)}, "noise: expected a deviation of the ref"),
         ({"prior": 1.0}, "prior: expected"),
         ({"rate": 0.0}, "rate: expected"),
@@ -229,7 +229,10 @@ def test_states_that_are_known_before_leave_the_criterion():
 
 @pytest.mark.parametrize(
     ("changes", "words"),
-    [({"rate": 10.0}, "^rate: expected at most"), ({"two_axes": "no"}, "^two_axes: expected True")],
+    [
+        ({"rate": 10.0}, "^rate: expected rad/s, at most"),
+        ({"two_axes": "no"}, "^two_axes: expected True"),
+    ],
 )
 def test_table_that_cannot_be_is_refused(changes, words):
     with pytest.raises(ValueError, match=words):

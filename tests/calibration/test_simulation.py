@@ -495,14 +495,14 @@ def test_scheme_that_leaves_errors_unobservable_is_warned_of_by_name():
         ("frame", None, "one of averaged, .*, got None"),
         ("keep", 0, r"a whole number of at least 1, got 0\.$"),
         ("keep", 1.5, r"a whole number of at least 1, got 1\.5\.$"),
-        ("sample_interval", 0.0, r"a positive time, got 0\.0\.$"),
-        ("sample_interval", -0.05, r"a positive time, got -0\.05\.$"),
+        ("sample_interval", 0.0, r"a positive number, got 0\.0\.$"),
+        ("sample_interval", -0.05, r"a positive number, got -0\.05\.$"),
         ("sample_interval", np.inf, "finite numbers, got 1 NaN or infinite"),
-        ("update_interval", 0, r"a positive time, got 0\.$"),
+        ("update_interval", 0, r"a positive number, got 0\.$"),
         ("update_interval", "1", "real numbers, got dtype <U1"),
         ("update_interval", 0.05, r"an even number of samples, got 1 of 0\.05 s\.$"),
         ("update_interval", 0.15, r"an even number of samples, got 3 of 0\.05 s\.$"),
-        ("scheme", "+90X", r"a Scheme, got '\+90X'\.$"),
+        ("scheme", "+90X", r"a Scheme such as .* or the name of one .*, got '\+90X'\.$"),
         ("prior", None, r"a PriorDeviations, got None\.$"),
         ("noise", 3, r"an ImuNoise, got 3\.$"),
         ("assumed_noise", 3, r"an ImuNoise, got 3\.$"),
@@ -537,7 +537,8 @@ def test_runs_need_a_generator_and_a_unit():
     with pytest.raises(ValueError, match=r"^rng: expected a numpy Generator .*, got 2\.$"):
         BRIEF.run(2)
     with pytest.raises(
-        ValueError, match=r"^imu_errors: expected an ImuErrors\(.*\), got ndarray\.$"
+        ValueError,
+        match=r"^imu_errors: expected an ImuErrors\(.*\), got an array of shape \(3,\)\.$",
     ):
         BRIEF.run(np.random.default_rng(0), imu_errors=np.zeros(3))
 

@@ -141,7 +141,7 @@ def test_no_rotation_is_the_identity(name):
 
 
 def test_unknown_formula_is_refused_with_the_known_ones():
-    with pytest.raises(ValueError, match=r"^step_formula: expected one of exact, .*, got 'euler'"):
+    with pytest.raises(ValueError, match=r"^name: expected one of exact, .*, got 'euler'"):
         step_formula("euler")
 
 

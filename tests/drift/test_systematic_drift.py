@@ -244,6 +244,7 @@ def test_exact_drift_in_every_digit(n, triad_error):
 
 
 @pytest.mark.parametrize("size", [1e-300, 1e-15, 1e-12, 1e-6, 0.5, 1e6])
+@pytest.mark.filterwarnings("ignore::driftlab.checks.UnusualWarning")
 def test_exact_drift_of_any_size_keeps_its_digits(size):
     triad_error = size * np.array([[1, 2, 0], [0, 1, 3], [1, 0, 1]])
     expected = exact_coefficient([1, 1, 1], triad_error)

@@ -556,7 +556,7 @@ GOOD = {
             r"^start: .* got an alignment; say initial_level_frame\(alignment\)",
         ),
         ({"gains": None}, r"^gains: expected a Gains\(proportional, integral\), got None"),
-        ({"gains": damped_gains}, "^gains: expected a Gains.*, got function"),
+        ({"gains": damped_gains}, "^gains: expected a Gains.*, got the function damped_gains"),
         (
             {"start": LevelFrame(np.ones(4), np.array([15.0, 0.0]))},
             r"^start\.rate: expected rad/s that turn",

@@ -128,7 +128,7 @@ def test_a_current_is_in_the_speed_error_and_not_in_the_horizon(damping):
         ({"tilt": 1.0}, r"^tilt: expected rad, at most 0\.1, got 1"),
         ({"log": "True"}, "^log: expected True or False, got 'True'"),
         ({"log": 5.0}, r"^log: expected True or False, got 5\.0"),
-        ({"log": np.zeros((121, 2))}, "^log: expected True or False, got ndarray"),
+        ({"log": np.zeros((121, 2))}, "^log: expected True or False, got an array"),
         ({"gyro_bias_body": [0.05, 0.0, 0.0]}, "^gyro_bias_body: expected rad/s, .* got 0.05. Is"),
     ],
 )

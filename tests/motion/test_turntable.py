@@ -168,7 +168,7 @@ def test_whole_number_of_intervals_but_for_rounding_stays_what_it_is(dwell, inte
 
 
 def test_nothing_is_shorter_than_an_interval():
-    durations = [s.duration for s in segments(Scheme("+1X", dwell=1e-9, rate=1e3), 0.25)]
+    durations = [s.duration for s in segments(Scheme("+1X", dwell=1e-9, rate=6.0), 0.25)]
     assert durations == [0.25, 0.25, 0.25]
 
 
@@ -363,7 +363,7 @@ def test_intervals_that_are_not_positive_are_refused(interval):
         lambda: table_trajectory(MIXED, 0.9, interval),
     ):
         with pytest.raises(
-            ValueError, match=rf"^interval: expected a positive time, got {interval}\.$"
+            ValueError, match=rf"^interval: expected a positive number, got {interval}\.$"
         ):
             function()
 

@@ -213,7 +213,7 @@ def test_a_bad_line_is_refused_by_its_number(log, lines, words):
         ),
         ({"rate": None, "time": ("t", "iso")}, "line 2: expected a date and time such as"),
         ({"zeros": (1, 2, 3)}, "zeros: expected shape"),
-        ({"allow": ("hope",)}, "allow: expected names out of force, rate, half turn"),
+        ({"allow": ("hope",)}, "allow: expected some of force, rate, half turn"),
         ({"latitude": 59.9}, "latitude: expected rad"),
         (
             {"units": ("rad/s", "g")},

@@ -14,12 +14,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import (
-    FloatArray,
-    finite_array,
-    nonzero_vectors,
-    unit_quaternions,
-)
+from driftlab.checks import FloatArray, finite_array, nonzero_vectors, shown, unit_quaternions
 from driftlab.core.attitude import rotation_quaternion as core_rotation_quaternion
 from driftlab.core.quaternion import pure, right_matrix
 from driftlab.core.vectors import norms
@@ -227,5 +222,5 @@ def shadow(vector: ArrayLike) -> FloatArray:
 
 def _checked(dimension: int) -> int:
     if not isinstance(dimension, int) or dimension not in (3, 4):
-        raise ValueError(f"dimension: expected 3 or 4, got {dimension!r}.")
+        raise ValueError(f"dimension: expected 3 or 4, got {shown(dimension)}.")
     return dimension

@@ -15,7 +15,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from driftlab.checks import finite_array, finite_arrays, unit_quaternions
+from driftlab.checks import finite_array, finite_arrays, one_of, truth_value, unit_quaternions
 
 from .coning_algorithms import Algorithm, AnyAlgorithm, attitude_algorithm
 from .integration import step_vectors
@@ -141,8 +141,9 @@ def integrate_in_word(
     >>> bool(kept < plain / 10)
     True
     """
-    if update not in UPDATES:
-        raise ValueError(f"update: expected one of {', '.join(UPDATES)}, got {update!r}.")
+    one_of(update, UPDATES, "update")
+    truth_value(fused, "fused")
+    truth_value(normalise, "normalise")
     vectors = step_vectors(increments, algorithm, word=word)
     if fused and vectors.dtype == np.float64:
         raise ValueError("word: expected float16 or float32 with fused multiply-add, got float64.")

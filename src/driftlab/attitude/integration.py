@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from driftlab.checks import FloatArray, finite_array, finite_arrays, unit_quaternions
+from driftlab.checks import FloatArray, finite_array, finite_arrays, shown, unit_quaternions
 from driftlab.core import attitude as core
 from driftlab.core.attitude import rotation_quaternion, turns_too_far
 from driftlab.core.quaternion import cumulative_product, from_rotation_vector, multiply
@@ -229,7 +229,7 @@ def _checked_word(word: DTypeLike) -> np.dtype[Any]:
     except TypeError:
         dtype = np.dtype(object)
     if dtype not in (np.float16, np.float32, np.float64):
-        raise ValueError(f"word: expected float16, float32 or float64, got {word!r}.")
+        raise ValueError(f"word: expected float16, float32 or float64, got {shown(word)}.")
     return dtype
 
 

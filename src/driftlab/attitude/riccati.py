@@ -9,7 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
-from driftlab.checks import FloatArray, finite_array, finite_arrays, finite_number
+from driftlab.checks import (
+    FloatArray,
+    checked_function,
+    finite_array,
+    finite_arrays,
+    positive_number,
+    shown,
+    truth_value,
+)
 
 from .cayley import _checked, rotation_quaternion, shadow
 
@@ -138,14 +146,12 @@ def integrate_riccati(
     >>> found.attitude[4].round(6) + 0.0  # after one turn: a quaternion's period is two turns
     array([ 0.,  0.,  0., -1.])
     """
-    if not callable(rate):
-        raise ValueError(f"rate: expected a function of the time, got {type(rate).__name__}.")
-    if finite_number(tolerance, "tolerance") <= 0:
-        raise ValueError(f"tolerance: expected a positive number, got {tolerance!r}.")
+    checked_function(rate, "rate", "the time")
+    positive_number(tolerance, "tolerance")
     grid = finite_array(times, "times")
     if grid.ndim != 1 or len(grid) < 2 or not np.all(np.diff(grid) > 0):
-        raise ValueError(f"times: expected at least two increasing times (m,), got {times!r:.60}.")
-    limit = SWITCH if shadow_switch else _LIMIT
+        raise ValueError(f"times: expected at least two increasing times (m,), got {shown(times)}.")
+    limit = SWITCH if truth_value(shadow_switch, "shadow_switch") else _LIMIT
 
     def derivative(time: float, k: FloatArray) -> FloatArray:
         value = finite_array(rate(time), "rate", 3)

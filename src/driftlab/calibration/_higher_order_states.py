@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, shown
 from driftlab.core.lever_arms import lever_matrices
 from driftlab.core.vectors import cross_matrix
 from driftlab.higher_order_errors import (
@@ -53,7 +53,7 @@ def checked_groups(chosen: tuple[str, ...]) -> tuple[str, ...]:
     """Return chosen groups in the order of `GROUPS`, each once, refusing unknown ones."""
     for name in chosen:
         if not isinstance(name, str) or name not in GROUPS:
-            raise ValueError(f"states: expected some of {', '.join(GROUPS)}, got {name!r}.")
+            raise ValueError(f"states: expected some of {', '.join(GROUPS)}, got {shown(name)}.")
     return tuple(name for name in GROUPS if name in chosen)
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, shown
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import Scheme
 
@@ -58,7 +58,7 @@ class RowCovariances:
         if self._pause(scheme.positions, self.moves.quarters[turns].sum()) <= 0:
             raise ValueError(
                 f"scheme: expected turns and pauses in {self.duration:g} s, "
-                f"got {scheme.rotations!r}."
+                f"got {shown(scheme.rotations)}."
             )
         return start, turns
 

@@ -9,7 +9,7 @@ from itertools import permutations, product
 import numpy as np
 from numpy.typing import NDArray
 
-from driftlab.checks import checked_instance
+from driftlab.checks import checked_instance, shown
 from driftlab.core.quaternion import from_rotation_vector, to_matrix
 from driftlab.motion.scheme import DIRECTIONS, Scheme
 
@@ -92,7 +92,7 @@ class TableMoves:
         if not set(words) <= set(self.words):
             raise ValueError(
                 f"scheme: expected turns by {', '.join(map(str, self.angles))} degrees, "
-                f"got {scheme.rotations!r}."
+                f"got {shown(scheme.rotations)}."
             )
         return STARTS.index(scheme.start), np.array([self.words.index(word) for word in words], int)
 

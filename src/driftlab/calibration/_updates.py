@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from driftlab.checks import FloatArray, finite_array, positive_number
+from driftlab.checks import FloatArray, finite_array, positive_number, shown
 
 USUAL_INTERVAL = 1.0
 """Of the updates at a table that stands, if nothing else is said, s."""
@@ -34,7 +34,7 @@ def updates(
     ):
         raise ValueError(
             "update_interval: expected with a table that stands, without reference_velocity and "
-            f"reference_times, got {update_interval!r}."
+            f"reference_times, got {shown(update_interval)}."
         )
     if reference_times is not None:
         ends = _nearest_pairs(count, interval, reference_times)

@@ -7,9 +7,9 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from driftlab.body_frames import body_frame_rotation, change_body_frame
-from driftlab.checks import FloatArray, finite_arrays, unit_quaternions
+from driftlab.checks import FloatArray, finite_arrays, one_of, unit_quaternions
 from driftlab.core.quaternion import conjugate, multiply, to_rotation_vector
-from driftlab.imu import ImuErrors
+from driftlab.imu import ImuErrors, checked_imu_errors
 
 
 def attitude_of_axes(attitude: ArrayLike, rotation: FloatArray) -> FloatArray:
@@ -89,6 +89,7 @@ def imu_errors_in_frame(imu_errors: ImuErrors, frame: str | None) -> tuple[ImuEr
     >>> bool(np.allclose(turned.gyro_error, turned.gyro_error.T, atol=1e-15))
     True
     """
+    checked_imu_errors(imu_errors)
     if frame is None:
         return imu_errors, np.broadcast_to(np.eye(3), imu_errors.gyro_error.shape)
     turn = body_frame_rotation(imu_errors.gyro_error, imu_errors.accelerometer_error, frame)
@@ -128,10 +129,10 @@ def imu_errors_in_accelerometer_axes(
     >>> bool(np.allclose(np.tril(turned.accelerometer_error, -1), 0, rtol=0, atol=1e-15))
     True
     """
-    if zeros not in ("above", "below"):
-        raise ValueError(f"zeros: expected 'above' or 'below', got {zeros!r}.")
+    one_of(zeros, ("above", "below"), "zeros")
     if zeros == "above":
         return imu_errors_in_frame(imu_errors, "accelerometers")
+    checked_imu_errors(imu_errors)
     turn = body_frame_rotation(imu_errors.accelerometer_error, frame="lower triangle")
     return _turned(imu_errors, turn), turn
 

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from driftlab.checks import FloatArray, checked_instance, finite_number
+from driftlab.checks import FloatArray, checked_instance, finite_number, shown
 from driftlab.core import kalman
 from driftlab.imu import ImuNoise, PriorDeviations
 
 from .error_dynamics import process_noise
-from .linearization import LinearizedErrors
+from .linearization import LinearizedErrors, checked_linearized
 
 
 def covariance_analysis(
@@ -114,14 +114,14 @@ def _covariances(
     linearized: LinearizedErrors, noise: ImuNoise, prior: PriorDeviations, update: float
 ) -> Iterator[FloatArray]:
     """Covariance (size, size) before the first step and after each one."""
+    checked_linearized(linearized)
     checked_instance(noise, ImuNoise, "noise")
     if not (finite_number(update, "update") > 0 and noise.reference_velocity > 0):
         raise ValueError(
             "update, reference_velocity: expected a positive time and a positive velocity noise, "
-            f"got {update!r} s and {noise.reference_velocity!r} m/s."
+            f"got {shown(update)} s and {noise.reference_velocity!r} m/s."
         )
     checked_instance(prior, PriorDeviations, "prior")
-    checked_instance(linearized, LinearizedErrors, "linearized")
     covariance = linearized.model.covariance(prior, linearized.start)
     yield covariance
     rows = linearized.transitions[:, :6]  # the sensor errors are constant

@@ -13,12 +13,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from driftlab.checks import (
+    USUAL_TABLE,
     FloatArray,
     checked_generator,
     checked_instance,
     finite_array,
     finite_number,
+    one_of,
     positive_number,
+    shown,
+    table_rate,
+    truth_value,
     whole_number,
 )
 from driftlab.earth import checked_latitude
@@ -89,11 +94,8 @@ class DesignTask:
     rate: float = float(np.radians(10.0))
 
     def __post_init__(self) -> None:
-        if self.criterion not in CRITERIA:
-            raise ValueError(
-                f"criterion: expected one of {', '.join(CRITERIA)}, got {self.criterion!r}."
-            )
-        checked_model(self.model)
+        one_of(self.criterion, CRITERIA, "criterion")
+        object.__setattr__(self, "model", checked_model(self.model))
         checked_instance(self.noise, ImuNoise, "noise")
         checked_instance(self.prior, PriorDeviations, "prior")
         if not self.noise.reference_velocity > 0:
@@ -101,22 +103,20 @@ class DesignTask:
                 "noise: expected a deviation of the reference velocity above 0, got 0.0 m/s."
             )
         checked_latitude(finite_number(self.latitude, "latitude"))
-        if not isinstance(self.two_axes, bool | np.bool_):
-            raise ValueError(f"two_axes: expected True or False, got {self.two_axes!r}.")
-        if positive_number(self.rate, "rate") > _FASTEST:
-            raise ValueError(
-                f"rate: expected at most {_FASTEST:.3g} rad/s, a turn a second, got {self.rate!r}."
-            )
+        truth_value(self.two_axes, "two_axes")
+        table_rate(positive_number(self.rate, "rate"), "rate", USUAL_TABLE)
         turns = whole_number(self.positions, "positions", 2) - 1
         angles = self.angles if isinstance(self.angles, tuple | list) else ()
         if not angles or not set(angles) <= {90, 180, 270, 360}:
-            raise ValueError(f"angles: expected some of 90, 180, 270, 360, got {self.angles!r}.")
+            raise ValueError(
+                f"angles: expected some of 90, 180, 270, 360, got {shown(self.angles)}."
+            )
         object.__setattr__(self, "angles", tuple(dict.fromkeys(angles)))
         turning = turns * np.radians(max(angles)) / self.rate
         if positive_number(self.duration, "duration") < turning + self.positions:
             raise ValueError(
                 f"duration: expected more than {turning + self.positions:g} s, the largest turns "
-                f"and pauses of a second, got {self.duration!r}."
+                f"and pauses of a second, got {shown(self.duration)}."
             )
         if self.requirement is not None:
             sizes = finite_array(self.requirement, "requirement", self.model.size - 6)

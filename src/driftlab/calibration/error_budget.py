@@ -15,10 +15,10 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import (
     FloatArray,
-    checked_instance,
     finite_array,
     finite_number,
-    unit_quaternions,
+    one_quaternion,
+    shown,
 )
 from driftlab.core.quaternion import to_matrix
 from driftlab.earth import EARTH_RATE, checked_latitude, earth_rate, gravity
@@ -26,6 +26,7 @@ from driftlab.earth import EARTH_RATE, checked_latitude, earth_rate, gravity
 from ._moments import checked_moments
 from .calibration_history import Calibration
 from .error_model import ErrorModel
+from .linearization import checked_model
 from .static_error_growth import STATIC_CAUSES, static_error_modes
 
 
@@ -141,7 +142,7 @@ def mission_errors(times: ArrayLike, latitude: float, covariance: ArrayLike) -> 
 
 
 def mission_causes(
-    model: ErrorModel, attitude: ArrayLike, latitude: float, turn: float = 0.0
+    model: ErrorModel | str, attitude: ArrayLike, latitude: float, turn: float = 0.0
 ) -> FloatArray:
     """Matrix from what a calibration leaves over to the causes of errors at rest.
 
@@ -151,7 +152,7 @@ def mission_causes(
 
     Parameters
     ----------
-    model : ErrorModel
+    model : ErrorModel or str
         Of the calibration.
     attitude : array_like or Rotation, shape (4,)
         Of the body in the alignment, body to East, North, Up.
@@ -180,12 +181,12 @@ def mission_causes(
     1.0 -1.0
     -1.0 -1.0
     """
-    checked_instance(model, ErrorModel, "model")
+    model = checked_model(model)
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     angle = finite_number(turn, "turn")
     if abs(angle) > 2 * np.pi:
-        raise ValueError(f"turn: expected at most a whole turn, in rad, got {turn!r}.")
-    body = to_matrix(unit_quaternions(attitude, "attitude"))
+        raise ValueError(f"turn: expected at most a whole turn, in rad, got {shown(turn)}.")
+    body = to_matrix(one_quaternion(attitude, "attitude"))
     states = model.imu_errors(np.eye(model.size))
     rate, pull = earth_rate(place), float(gravity(place))
     up = np.array([0.0, 0.0, 1.0])
@@ -214,7 +215,7 @@ def mission_causes(
 def calibration_budget(
     times: ArrayLike,
     latitude: float,
-    model: ErrorModel,
+    model: ErrorModel | str,
     covariance: ArrayLike,
     attitude: ArrayLike,
     turn: float = 0.0,
@@ -227,7 +228,7 @@ def calibration_budget(
         Since the end of the turn, s.
     latitude : float
         Of the mission, rad; not a pole.
-    model : ErrorModel
+    model : ErrorModel or str
         Of the calibration.
     covariance : array_like, shape (size, size)
         Of its errors, as ``calibration.covariance[-1]`` or `covariance_analysis` give it.
@@ -256,7 +257,7 @@ def calibration_budget(
     accelerometer bias 3
     all 287
     """
-    checked_instance(model, ErrorModel, "model")
+    model = checked_model(model)
     if isinstance(covariance, Calibration):
         raise ValueError(
             "covariance: expected a matrix, got a Calibration: hand in calibration.covariance[-1]."

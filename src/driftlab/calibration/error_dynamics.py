@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, checked_instance, finite_array, finite_number
 from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.earth import curvature_radii, earth_rate
@@ -44,6 +44,7 @@ def free_rates(latitude: float) -> FloatArray:
     >>> round(float(free_rates(0.0)[0, 4] * meridian), 12)
     -1.0
     """
+    finite_number(latitude, "latitude")
     earth = earth_rate(latitude)
     meridian, across = curvature_radii(latitude)
     rates = np.zeros((6, 6))
@@ -83,7 +84,7 @@ def free_transition(latitude: float, duration: ArrayLike) -> FloatArray:
     >>> round(float(free_transition(0.0, 60.0)[0, 4] * meridian), 3)
     -60.0
     """
-    change = np.asarray(duration)[..., np.newaxis, np.newaxis] * free_rates(latitude)
+    change = finite_array(duration, "duration")[..., np.newaxis, np.newaxis] * free_rates(latitude)
     square = change @ change
     return np.eye(6) + change + square / 2 + square @ change / 6
 
@@ -145,6 +146,7 @@ def transition(
     >>> round(float(found[FULL.names.index("velocity East"), FULL.names.index("gyro bias y")]), 6)
     4.9
     """
+    checked_instance(model, ErrorModel, "model")
     gyro = slice(6, 9 + len(model.gyro_basis))
     accelerometer = slice(gyro.stop, model.triad_states)
     force = cross_matrix((attitude @ velocity[..., np.newaxis])[..., 0])
@@ -226,6 +228,8 @@ def transition_of_increments(
     >>> round(float(found[FULL.names.index("velocity East"), FULL.names.index("gyro bias y")]), 6)
     4.9
     """
+    checked_instance(model, ErrorModel, "model")
+    checked_instance(increments, Increments, "increments")
     matrices = to_matrix(attitude)
     # Local axes turn by an arc second or so in a second; here they count as fixed.
     middle = 0.5 * (matrices[..., :-1, :, :] + matrices[..., 1:, :, :])
@@ -284,6 +288,7 @@ def process_noise(noise: ImuNoise, force: FloatArray, duration: FloatArray) -> F
     >>> f"{np.sqrt(covariance[0, 0]):.1e}"  # rad
     '1.0e-05'
     """
+    checked_instance(noise, ImuNoise, "noise")
     lead = np.broadcast_shapes(force.shape[:-2], duration.shape)
     covariance = np.empty((*lead, 6, 6))
     seconds = duration[..., np.newaxis, np.newaxis]

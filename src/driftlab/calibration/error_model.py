@@ -17,8 +17,8 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.body_frames import BODY_FRAMES, misalignment_vector
-from driftlab.checks import FloatArray, unit_quaternions
+from driftlab.body_frames import misalignment_vector
+from driftlab.checks import FloatArray, checked_instance, one_of, one_quaternion
 from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.imu import PriorDeviations
@@ -114,7 +114,7 @@ class ErrorModel(StateLayout):
         >>> {model.names[i]: float(reduced[i]) for i in np.flatnonzero(reduced)}
         {'attitude Up': -1.0}
         """
-        body_to_local = to_matrix(unit_quaternions(attitude, "attitude"))
+        body_to_local = to_matrix(one_quaternion(attitude, "attitude"))
         states = np.eye(FULL.size)
         imu_errors = FULL.imu_errors(states)
         small = np.zeros((FULL.size, 3))
@@ -161,6 +161,7 @@ class ErrorModel(StateLayout):
         >>> f"{np.sqrt(covariance[12, 12]):.3e}"
         '7.071e-05'
         """
+        checked_instance(prior, PriorDeviations, "prior")
         matrix = [prior.scale] * 3 + [prior.installation] * 6
         sizes = [prior.attitude] * 3 + [0.0] * 3
         sizes += [prior.gyro_bias] * 3 + matrix + [prior.accelerometer_bias] * 3 + matrix
@@ -240,6 +241,5 @@ def error_model_for(name: str) -> ErrorModel:
     >>> error_model_for("lower triangle").names[12:15]
     ('gyro installation xy', 'gyro installation xz', 'gyro installation yz')
     """
-    if not isinstance(name, str) or name not in ERROR_MODELS:
-        raise ValueError(f"frame: expected one of {', '.join(BODY_FRAMES)}, got {name!r}.")
+    one_of(name, ERROR_MODELS, "name")
     return ERROR_MODELS[name]

@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike
 from driftlab.checks import (
     checked_instance,
     finite_number,
+    shown,
+    truth_value,
     unit_quaternions,
     whole_number,
 )
@@ -42,7 +44,7 @@ def calibrate(
     *,
     latitude: float,
     start: ArrayLike,
-    model: ErrorModel,
+    model: ErrorModel | str,
     prior: PriorDeviations,
     noise: ImuNoise,
     reference_times: ArrayLike | None = None,
@@ -66,7 +68,7 @@ def calibrate(
     start : array_like or Rotation, shape (..., 4)
         Attitude at the start as the table shows it, body to East, North, Up: nearly the same for
         all runs.
-    model : ErrorModel
+    model : ErrorModel or str
         The states, one of `driftlab.calibration.ERROR_MODELS`.
     prior : PriorDeviations
         Standard deviations of the errors before the calibration, as the filter assumes them.
@@ -138,7 +140,7 @@ def calibrate(
     >>> (found.deviations[-1, biases] / PriorDeviations().accelerometer_bias).round(2)
     array([0.76, 0.76, 0.32])
     """
-    checked_model(model)
+    model = checked_model(model)
     checked_instance(prior, PriorDeviations, "prior")
     checked_instance(noise, ImuNoise, "noise")
     place = float(checked_latitude(finite_number(latitude, "latitude")))
@@ -150,8 +152,7 @@ def calibrate(
         raise ValueError(
             "start: expected a quaternion (..., 4), got a Scheme: hand in scheme.start_attitude."
         )
-    if not isinstance(check, bool | np.bool_):
-        raise ValueError(f"check: expected True or False, got {check!r}.")
+    truth_value(check, "check")
     measured = checked_increments(increments)
     attitude = unit_quaternions(start, "start")
     interval = checked_interval(measured.interval)
@@ -161,7 +162,7 @@ def calibrate(
     if noise.reference_velocity <= 0:
         raise ValueError(
             "noise: expected a deviation of the reference velocity above 0, "
-            f"got {noise.reference_velocity!r} m/s."
+            f"got {shown(noise.reference_velocity)} m/s."
         )
     whole_number(keep, "keep")
     lead = np.broadcast_shapes(

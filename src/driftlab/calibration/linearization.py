@@ -6,15 +6,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.checks import FloatArray, checked_instance, finite_number
+from driftlab.checks import FloatArray, finite_number, named_or_own, shown
 from driftlab.core.quaternion import from_rotation_vector, multiply, to_matrix
 from driftlab.earth import checked_latitude, earth_rate, gravity
-from driftlab.motion.scheme import Scheme
+from driftlab.motion.scheme import Scheme, checked_scheme
 from driftlab.motion.turntable import Segment, segments
 
 from . import _higher_order_states as higher
 from .error_dynamics import free_transition, transition
-from .error_model import FULL, ErrorModel
+from .error_model import ERROR_MODELS, FULL, ErrorModel
 
 _STEP = 10.0  # s: longest step of a pause; rotations are divided into shorter ones
 _MOST_STEPS = 20_000
@@ -28,7 +28,7 @@ class LinearizedErrors(NamedTuple):
 
     Attributes
     ----------
-    model : ErrorModel
+    model : ErrorModel or str
         The states.
     start : ndarray, shape (4,)
         Attitude at the beginning, body to East, North, Up.
@@ -56,43 +56,80 @@ class LinearizedErrors(NamedTuple):
     segments: list[tuple[Segment, slice]]
 
 
-def checked_model(model: ErrorModel) -> ErrorModel:
-    """Return an error model unchanged, refusing anything else.
+def checked_model(model: ErrorModel | str) -> ErrorModel:
+    """Return an error model, or the one that a name in `ERROR_MODELS` stands for.
 
     Parameters
     ----------
-    model : ErrorModel
-        What is to be checked.
+    model : ErrorModel or str
+        An error model, or a key of `ERROR_MODELS`.
 
     Returns
     -------
     ErrorModel
+
+    Raises
+    ------
+    ValueError
+        If it is neither.
+
+    Examples
+    --------
+    >>> checked_model("averaged").size
+    27
+    >>> checked_model("27 states")
+    Traceback (most recent call last):
+    ValueError: model: expected an ErrorModel or the name of one (averaged, upper triangle,
+    lower triangle, accelerometers, averaged accelerometers), got '27 states'.
+    """
+    return named_or_own(model, ErrorModel, ERROR_MODELS, "model")
+
+
+def checked_linearized(linearized: LinearizedErrors) -> LinearizedErrors:
+    """Return linearized errors unchanged, refusing anything else, as a scheme.
+
+    Parameters
+    ----------
+    linearized : LinearizedErrors
+        What is to be checked.
+
+    Returns
+    -------
+    LinearizedErrors
         The same object.
 
     Raises
     ------
     ValueError
-        If it is not an `ErrorModel`.
+        If it is something else.
 
     Examples
     --------
-    >>> checked_model("averaged")
+    >>> checked_linearized("19 positions")
     Traceback (most recent call last):
-    ValueError: model: expected an ErrorModel, got 'averaged'.
+    ValueError: linearized: expected what linearize_along(scheme, latitude) returns, got
+    '19 positions'.
     """
-    return checked_instance(model, ErrorModel, "model")
+    if not isinstance(linearized, LinearizedErrors):
+        raise ValueError(
+            "linearized: expected what linearize_along(scheme, latitude) returns, "
+            f"got {shown(linearized)}."
+        )
+    return linearized
 
 
-def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -> LinearizedErrors:
+def linearize_along(
+    scheme: Scheme | str, latitude: float, model: ErrorModel | str = FULL
+) -> LinearizedErrors:
     """Transition matrices of the errors along a rotation scheme.
 
     Parameters
     ----------
-    scheme : Scheme
+    scheme : Scheme or str
         Pauses and rotations; at most 200 000 s in all.
     latitude : float
         Of the table, rad; not a pole.
-    model : ErrorModel
+    model : ErrorModel or str
         The states.
 
     Returns
@@ -120,8 +157,8 @@ def linearize_along(scheme: Scheme, latitude: float, model: ErrorModel = FULL) -
            5.  ])
     """
     place = float(checked_latitude(finite_number(latitude, "latitude")))
-    checked_model(model)
-    checked_instance(scheme, Scheme, "scheme")
+    model = checked_model(model)
+    scheme = checked_scheme(scheme)
     row = segments(scheme, 1e-3)
     time = sum(segment.duration for segment in row)
     if time > _STEP * _MOST_STEPS:

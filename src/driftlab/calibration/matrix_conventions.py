@@ -25,7 +25,7 @@ from driftlab.calibration.nominal_readings import (
     checked_inverse,
     checked_zeros,
 )
-from driftlab.checks import finite_array
+from driftlab.checks import checked_instance, finite_array
 from driftlab.imu import ImuErrors, checked_imu_errors
 
 _ROUNDING = 1e-12  # of an error matrix, which has no unit
@@ -78,7 +78,7 @@ class ImuTkMatrices:
         """The same unit as `ImuErrors`."""
         acc = finite_array(self.acc_T, "acc_T", 3, 3) @ finite_array(self.acc_K, "acc_K", 3, 3)
         gyro = finite_array(self.gyro_T, "gyro_T", 3, 3) @ finite_array(self.gyro_K, "gyro_K", 3, 3)
-        return self.readings.imu_errors(
+        return checked_instance(self.readings, NominalReadings, "readings").imu_errors(
             checked_inverse(gyro, "gyro_T"),
             finite_array(self.gyro_b, "gyro_b", 3),
             checked_inverse(acc, "acc_T"),
@@ -90,7 +90,9 @@ class ImuTkMatrices:
         cls, imu_errors: ImuErrors, readings: NominalReadings = SI_READINGS
     ) -> Self:
         """IMU-TK's matrices of a unit, in the body axes that it has."""
-        gyro, gyro_b, acc, acc_b = readings.triads(checked_imu_errors(imu_errors))
+        gyro, gyro_b, acc, acc_b = checked_instance(readings, NominalReadings, "readings").triads(
+            imu_errors
+        )
         gyro, acc = checked_inverse(gyro, "gyro_error"), checked_inverse(acc, "accelerometer_error")
         gyro_K, acc_K = gyro * np.eye(3), acc * np.eye(3)
         gyro_T, acc_T = gyro @ np.linalg.inv(gyro_K), acc @ np.linalg.inv(acc_K)
@@ -221,7 +223,7 @@ class ImucalMatrices:
     def imu_errors(self) -> ImuErrors:
         """The same unit as `ImuErrors`."""
         checked_zeros(K_ga=self.K_ga)
-        return self.readings.imu_errors(
+        return checked_instance(self.readings, NominalReadings, "readings").imu_errors(
             finite_array(self.K_g, "K_g", 3, 3) @ finite_array(self.R_g, "R_g", 3, 3) / degree,
             finite_array(self.b_g, "b_g", 3),
             finite_array(self.K_a, "K_a", 3, 3) @ finite_array(self.R_a, "R_a", 3, 3),
@@ -233,7 +235,9 @@ class ImucalMatrices:
         cls, imu_errors: ImuErrors, readings: NominalReadings = SI_READINGS
     ) -> Self:
         """Imucal's matrices of a unit, in the body axes that it has."""
-        gyro, b_g, acc, b_a = readings.triads(checked_imu_errors(imu_errors))
+        gyro, b_g, acc, b_a = checked_instance(readings, NominalReadings, "readings").triads(
+            imu_errors
+        )
         gyro = gyro * degree
         K_g, K_a = (np.linalg.norm(m, axis=-1)[..., np.newaxis] * np.eye(3) for m in (gyro, acc))
         R_g, R_a = np.linalg.inv(K_g) @ gyro, np.linalg.inv(K_a) @ acc

@@ -132,6 +132,7 @@ class NominalReadings:
                [0., 0., 2.]]), array([7., 7., 7.]))
         """
         gyro_scale, gyro_zero, scale, zero = self._checked()
+        imu_errors = checked_imu_errors(imu_errors)
         return (
             (np.eye(3) + imu_errors.gyro_error) / gyro_scale[:, np.newaxis],
             imu_errors.gyro_bias / gyro_scale + gyro_zero,

@@ -12,14 +12,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from driftlab.checks import FloatArray, checked_instance
+from driftlab.checks import FloatArray, truth_value
 from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.imu import ImuErrors, PriorDeviations
 from driftlab.motion.scheme import Scheme
 
 from .error_model import AXES, ERROR_MODELS, FULL, ErrorModel
-from .linearization import LinearizedErrors, linearize_along
+from .linearization import LinearizedErrors, checked_linearized, linearize_along
 
 
 class UnobservableWarning(UserWarning):
@@ -60,7 +60,7 @@ def observability_matrix(linearized: LinearizedErrors) -> FloatArray:
     >>> observability_matrix(linearize_along(Scheme("+90Z", dwell=20.0), 0.7)).shape
     (36, 30)
     """
-    checked_instance(linearized, LinearizedErrors, "linearized")
+    checked_linearized(linearized)
     since, rows = np.eye(linearized.model.size), []
     for duration, matrix in zip(linearized.durations, linearized.transitions, strict=True):
         since = matrix @ since
@@ -69,17 +69,21 @@ def observability_matrix(linearized: LinearizedErrors) -> FloatArray:
 
 
 def gramian_ranks(
-    scheme: Scheme, latitude: float, model: ErrorModel = FULL, *, pauses_only: bool = False
+    scheme: Scheme | str,
+    latitude: float,
+    model: ErrorModel | str = FULL,
+    *,
+    pauses_only: bool = False,
 ) -> NDArray[np.int_]:
     """Rank of the observability Gramian after each position of a scheme.
 
     Parameters
     ----------
-    scheme : Scheme
+    scheme : Scheme or str
         Pauses and rotations.
     latitude : float
         Of the table, rad; not a pole.
-    model : ErrorModel
+    model : ErrorModel or str
         The states.
     pauses_only : bool
         The velocity is looked at in the pauses alone.
@@ -96,7 +100,9 @@ def gramian_ranks(
     >>> [gramian_ranks(scheme, 0.7, pauses_only=pauses).tolist() for pauses in (False, True)]
     [[9, 22, 24], [9, 18, 24]]
     """
+    truth_value(pauses_only, "pauses_only")
     way = linearize_along(scheme, latitude, model)
+    model = way.model
     seen = observability_matrix(way) * _typical(model, way.start)
     ranks, stack = [], np.zeros((0, model.size))
     for segment, steps in way.segments:

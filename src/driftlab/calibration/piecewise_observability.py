@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from driftlab.checks import FloatArray, finite_number, unit_quaternions
+from driftlab.checks import FloatArray, finite_number, one_of, truth_value, unit_quaternions
 from driftlab.core.quaternion import from_rotation_vector, multiply, to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.earth import checked_latitude, earth_rate, gravity
@@ -44,7 +44,7 @@ def error_rates(
 
     Parameters
     ----------
-    model : ErrorModel
+    model : ErrorModel or str
         The states.
     latitude : float
         Of the table, rad; not a pole.
@@ -75,7 +75,8 @@ def error_rates(
     >>> bool(np.isclose(east, -gravity(0.7)))
     True
     """
-    checked_model(model)
+    model = checked_model(model)
+    truth_value(body_axes, "body_axes")
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     to_local = to_matrix(unit_quaternions(attitude, "attitude"))
     turn = np.asarray(rate, float)
@@ -105,7 +106,7 @@ class StrippedObservability(NamedTuple):
 
     Attributes
     ----------
-    model : ErrorModel
+    model : ErrorModel or str
         The states.
     ranks : ndarray of int, shape (p,)
         Of the stripped observability matrix up to each position and with it.
@@ -136,17 +137,17 @@ class StrippedObservability(NamedTuple):
 
 
 def stripped_observability(
-    scheme: Scheme, latitude: float, model: ErrorModel = FULL, turns: str = "carried"
+    scheme: Scheme | str, latitude: float, model: ErrorModel | str = FULL, turns: str = "carried"
 ) -> StrippedObservability:
     """Rank of the stripped observability matrix (SOM) after each position of a scheme.
 
     Parameters
     ----------
-    scheme : Scheme
+    scheme : Scheme or str
         Pauses and rotations.
     latitude : float
         Of the table, rad; not a pole.
-    model : ErrorModel
+    model : ErrorModel or str
         The states.
     turns : str
         One of `TURN_TREATMENTS`. "carried": the transition matrix of a turn carries the errors
@@ -191,9 +192,9 @@ def stripped_observability(
     ignored    15 after two positions, 30 in the end
     in pieces  24 after two positions, 27 in the end
     """
-    if turns not in TURN_TREATMENTS:
-        raise ValueError(f"turns: expected one of {', '.join(TURN_TREATMENTS)}, got {turns!r}.")
+    one_of(turns, TURN_TREATMENTS, "turns")
     way = linearize_along(scheme, latitude, model)
+    model = way.model
     size = _typical(model, way.start)
     since, moves = np.eye(model.size), 0.0
     stack, vectors = np.zeros((0, model.size)), np.eye(model.size)

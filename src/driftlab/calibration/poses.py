@@ -19,8 +19,10 @@ from driftlab.checks import (
     FloatArray,
     checked_instance,
     finite_arrays,
+    one_of,
     positive_number,
-    whole_number,
+    truth_value,
+    whole_pairs,
 )
 from driftlab.core import poses as core
 from driftlab.earth import gravity as normal_gravity
@@ -151,8 +153,8 @@ def calibrate_by_poses(
     (True, True)
     """
     checked_instance(recording, Recording, "recording")
-    if body_axes not in POSE_AXES:
-        raise ValueError(f"body_axes: expected one of {', '.join(POSE_AXES)}, got {body_axes!r}.")
+    one_of(body_axes, POSE_AXES, "body_axes")
+    truth_value(sensitivity, "sensitivity")
     rows = _checked_rows(recording, rests)
     pairs = _checked_pairs(closed, len(rows))
     assumed = _gravity(recording, gravity)
@@ -228,7 +230,8 @@ def _checked_rows(
 ) -> list[tuple[int, int]]:
     if recording.accelerometer is None:
         raise ValueError("recording: expected one with accelerometers, got one without.")
-    rows = rests.rows if isinstance(rests, Rests) else [(int(b), int(e)) for b, e in rests]
+    given = rests.rows if isinstance(rests, Rests) else rests
+    rows = [(int(begin), int(end)) for begin, end in whole_pairs(given, "rests")]
     if len(rows) < 2:
         raise ValueError(
             f"rests: expected at least two, with a move between them, got {len(rows)}."
@@ -246,9 +249,8 @@ def _checked_rows(
 
 def _checked_pairs(closed: Sequence[tuple[int, int]], count: int) -> list[tuple[int, int]]:
     pairs = []
-    for first, last in closed:
-        i, j = whole_number(first, "closed", least=0), whole_number(last, "closed", least=0)
-        if not i < j < count:
+    for i, j in whole_pairs(closed, "closed").tolist():
+        if not 0 <= i < j < count:
             raise ValueError(
                 f"closed: expected pairs of rests 0 to {count - 1}, the earlier one first, "
                 f"got ({i}, {j})."

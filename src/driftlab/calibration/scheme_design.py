@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from driftlab.checks import FloatArray, checked_generator, checked_instance, whole_number
+from driftlab.checks import FloatArray, checked_generator, checked_instance, shown, whole_number
 from driftlab.motion.scheme import Scheme
 
 from ._row_covariances import RowCovariances, rows_of
@@ -141,7 +141,7 @@ def design_scheme(
         if len(row[1]) != turns or (task.two_axes and not _able(moves, [row])[0]):
             raise ValueError(
                 f"begin: expected {task.positions} positions that the table can do, "
-                f"got {begin.rotations!r} from {', '.join(begin.start)}."
+                f"got {shown(begin.rotations)} from {', '.join(begin.start)}."
             )
         begun.append((row, float(task.values(trials.after([row]))[0])))
         tried += 1

@@ -16,6 +16,9 @@ from driftlab.checks import (
     checked_generator,
     checked_instance,
     finite_number,
+    one_of,
+    positive_number,
+    some_of,
     whole_number,
 )
 from driftlab.core.quaternion import from_rotation_vector, multiply
@@ -34,11 +37,11 @@ from driftlab.imu import (
     random_imu_errors,
 )
 from driftlab.increments import measure
-from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme, checked_scheme
 from driftlab.motion.turntable import table_trajectory
 
-from ._higher_order_states import prior_deviations, unpacked
-from .error_model import ErrorModel, error_model_for
+from ._higher_order_states import GROUPS, prior_deviations, unpacked
+from .error_model import ERROR_MODELS, ErrorModel, error_model_for
 from .filter import calibrate
 from .linearization import linearize_along
 from .observability import warn_if_unobservable
@@ -99,7 +102,7 @@ class TableTrial:
         return error_model_for(self.frame).with_states(*self.states)
 
     def __post_init__(self) -> None:
-        checked_instance(self.scheme, Scheme, "scheme")
+        object.__setattr__(self, "scheme", checked_scheme(self.scheme))
         checked_instance(self.prior, PriorDeviations, "prior")
         checked_instance(self.noise, ImuNoise, "noise")
         if self.assumed_noise is not None:
@@ -110,12 +113,12 @@ class TableTrial:
                 f"{assumed}: expected a deviation of the reference velocity above 0, got 0.0 m/s."
             )
         checked_latitude(finite_number(self.latitude, "latitude"))
-        _ = self.model  # refuses unknown names
+        one_of(self.frame, ERROR_MODELS, "frame")
+        object.__setattr__(self, "states", some_of(self.states, GROUPS, "states"))
         whole_number(self.keep, "keep")
         whole_number(self.passes, "passes")
         for name in ("sample_interval", "update_interval"):
-            if finite_number(getattr(self, name), name) <= 0:
-                raise ValueError(f"{name}: expected a positive time, got {getattr(self, name)!r}.")
+            positive_number(getattr(self, name), name)
         samples = self.update_interval / self.sample_interval
         if abs(samples / 2 - round(samples / 2)) > 1e-9 * samples:
             raise ValueError(

@@ -5,7 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, finite_number, unit_quaternions
+from driftlab.checks import (
+    FloatArray,
+    checked_instance,
+    finite_array,
+    finite_number,
+    unit_quaternions,
+)
 from driftlab.core.quaternion import rotate
 from driftlab.earth import EARTH_RATE, checked_latitude, earth_rate, gravity
 from driftlab.imu import ImuErrors
@@ -61,10 +67,12 @@ def static_causes(
     """
     axes = unit_quaternions(reference, "reference")
     still = static_trajectory(attitude, latitude, 1.0, 2)
+    checked_instance(estimated, ImuErrors, "estimated")
+    believed = unit_quaternions(start, "start")
     sensed = compensate(measure(still.increments, imu_errors), estimated)
     rate, force = (rotate(axes, row.mean(axis=-2)) for row in (sensed.angle, sensed.velocity))
     push = force - np.array([0.0, 0.0, float(gravity(latitude))])
-    tilt = attitude_error(start, axes)
+    tilt = attitude_error(believed, axes)
     lead = np.broadcast_shapes(tilt.shape, rate.shape)[:-1]
     parts = (tilt, np.zeros(4), rate - earth_rate(latitude), push[..., :2])
     return np.concatenate(

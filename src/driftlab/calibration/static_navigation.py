@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_number, unit_quaternions
+from driftlab.checks import FloatArray, checked_instance, finite_number, shown, unit_quaternions
 from driftlab.earth import curvature_radii
 from driftlab.imu import ImuErrors, ImuNoise
 from driftlab.increments import compensate, measure
@@ -122,12 +122,14 @@ def navigate_static(
     if not 0 < seconds <= output <= finite_number(duration, "duration"):
         raise ValueError(
             "interval, output_interval, duration: expected positive times, each at least as long "
-            f"as the one before, got {interval!r}, {output_interval!r}, {duration!r} s."
+            f"as the one before, got {shown(interval)}, {shown(output_interval)}, "
+            f"{shown(duration)} s."
         )
     # An even number of increments for each result.
     each = 2 * max(1, round(output / seconds / 2))
     count = each * max(1, round(duration / (each * seconds)))
     true = static_trajectory(attitude, latitude, seconds, count)
+    checked_instance(estimated, ImuErrors, "estimated")
     compensated = compensate(measure(true.increments, imu_errors, noise, rng), estimated)
     believed, axes = unit_quaternions(start, "start"), unit_quaternions(reference, "reference")
     lead = np.broadcast_shapes(compensated.angle.shape[:-2], believed.shape[:-1], axes.shape[:-1])

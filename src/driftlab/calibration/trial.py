@@ -7,8 +7,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray
-from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS, HigherOrderErrors
+from driftlab.checks import FloatArray, checked_instance
+from driftlab.higher_order_errors import (
+    NO_HIGHER_ORDER_ERRORS,
+    HigherOrderErrors,
+    checked_higher_order_errors,
+)
 from driftlab.imu import ImuErrors
 
 from .body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
@@ -104,7 +108,9 @@ def estimation_errors(
     >>> bool(np.allclose(errors, FULL.state(TYPICAL_ERRORS)))
     True
     """
-    model = calibration.model
+    model = checked_instance(calibration, Calibration, "calibration").model
+    if higher_order is not None:
+        checked_higher_order_errors(higher_order)
     true, turn = imu_errors_in_frame(imu_errors, model.frame)
     errors = model.state(true, higher_order)[..., np.newaxis, :] - calibration.state
     true_attitude = attitude_of_axes(attitude, turn[..., np.newaxis, :, :])

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, shown, whole_pairs
 
 _TOLERANCE = 0.05
 """By which part of a turn a move may miss whole turns about an axis, along it and across."""
@@ -71,12 +71,10 @@ def _without_steady_turns(rows: FloatArray, stops: np.ndarray) -> np.ndarray:
 
 
 def _checked_rests(rests: ArrayLike, count: int) -> np.ndarray:
-    stops = np.asarray(rests)
-    if stops.ndim != 2 or stops.shape[1] != 2 or stops.dtype.kind not in "iu":
-        raise ValueError(f"rests: expected whole numbers of shape (m, 2), got {rests!r}.")
+    stops = whole_pairs(rests, "rests")
     edges = stops.ravel()
     if len(edges) and (edges[0] < 0 or edges[-1] > count or (np.diff(edges) < 0).any()):
-        raise ValueError(f"rests: expected rows from 0 to {count} in order, got {rests!r}.")
+        raise ValueError(f"rests: expected rows from 0 to {count} in order, got {shown(rests)}.")
     if (np.diff(stops) < 4).any():
-        raise ValueError(f"rests: expected four rows or more in each, got {rests!r}.")
+        raise ValueError(f"rests: expected four rows or more in each, got {shown(rests)}.")
     return stops

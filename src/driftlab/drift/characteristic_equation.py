@@ -5,7 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import ComplexArray, FloatArray, finite_arrays, nonzero_vectors
+from driftlab.checks import (
+    ComplexArray,
+    FloatArray,
+    error_matrix,
+    finite_arrays,
+    nonzero_vectors,
+    shown,
+)
 from driftlab.core.quaternion import left_matrix, pure, right_matrix
 from driftlab.core.vectors import norms
 
@@ -125,9 +132,10 @@ def asymptotic_roots(rate: ArrayLike, triad_error: ArrayLike, *, order: int = 1)
     >>> print(f"{exact_roots([0, 0, 1], [0.01, 0, 1])[2].imag:.3e}")
     5.000e-05
     """
-    if order not in (1, 2):
-        raise ValueError(f"order: expected 1 or 2, got {order!r}.")
+    if not isinstance(order, int) or isinstance(order, bool) or order not in (1, 2):
+        raise ValueError(f"order: expected 1 or 2, got {shown(order)}.")
     rate, triad_error = finite_arrays(rate=(rate, 3), triad_error=(triad_error, 3, 3))
+    error_matrix(triad_error, "triad_error")
     direction, norm = nonzero_vectors(rate, "rate")
     coefficient, across = _along_and_across(direction, triad_error)
     if order == 2:

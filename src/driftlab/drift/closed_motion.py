@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, positive_number
+from driftlab.checks import FloatArray, error_matrix, finite_array, positive_number
 from driftlab.core.quaternion import (
     conjugate,
     cumulative_product,
@@ -141,7 +141,7 @@ def _closed(
     turns = finite_array(increments, "increments", 3)
     if turns.ndim < 2:
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {turns.shape}.")
-    triad_error = finite_array(triad_error, "triad_error", 3, 3)
+    triad_error = error_matrix(finite_array(triad_error, "triad_error", 3, 3), "triad_error")
     leading = turns.shape[:-2], triad_error.shape[:-2]
     try:
         np.broadcast_shapes(*leading)

@@ -14,7 +14,7 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array
+from driftlab.checks import FloatArray, finite_array, one_of
 from driftlab.core.quaternion import cumulative_product
 from driftlab.quaternion import from_rotation_vector
 
@@ -88,8 +88,7 @@ def step_formula(name: str) -> StepFormula:
     taylor-1 0.927295
     pade     0.998693
     """
-    if name not in STEP_FORMULAS:
-        raise ValueError(f"step_formula: expected one of {', '.join(STEP_FORMULAS)}, got {name!r}.")
+    one_of(name, STEP_FORMULAS, "name")
     return STEP_FORMULAS[name]
 
 

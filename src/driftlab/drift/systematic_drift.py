@@ -12,9 +12,12 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import (
     FloatArray,
+    error_matrix,
     finite_array,
     finite_arrays,
+    linear_error_matrix,
     nonzero_vectors,
+    truth_value,
 )
 from driftlab.core.vectors import norms, symmetric_part, transform
 from driftlab.triad import checked_triad
@@ -46,6 +49,7 @@ def drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArra
     direction, triad_error = finite_arrays(
         direction=(direction, 3), triad_error=(triad_error, 3, 3)
     )
+    linear_error_matrix(triad_error, "triad_error")
     return _along_and_across(nonzero_vectors(direction, "direction")[0], triad_error)[0]
 
 
@@ -75,6 +79,7 @@ def exact_drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> Flo
     direction, triad_error = finite_arrays(
         direction=(direction, 3), triad_error=(triad_error, 3, 3)
     )
+    error_matrix(triad_error, "triad_error")
     n, _ = nonzero_vectors(direction, "direction")
     rho, across = _along_and_across(n, triad_error)
     # |A n| - 1 = (|A n|^2 - 1)/(|A n| + 1), without the loss of digits of the subtraction.
@@ -149,7 +154,9 @@ def principal_drifts(
     >>> print(np.abs(axes[2]).round(4))
     [0.7071 0.7071 0.    ]
     """
+    truth_value(exact, "exact")
     triad_error = finite_array(triad_error, "triad_error", 3, 3)
+    (error_matrix if exact else linear_error_matrix)(triad_error, "triad_error")
     symmetric = symmetric_part(triad_error)
     if exact:
         # A^T A - I; its eigenvalues are the squares of the singular values of A, less one.

@@ -18,9 +18,11 @@ from numpy.typing import ArrayLike
 from driftlab.checks import (
     FloatArray,
     checked_generator,
-    finite_array,
+    error_matrix,
     finite_arrays,
+    nonnegative_number,
     nonzero_vectors,
+    one_of,
     whole_number,
 )
 from driftlab.core.quaternion import from_rotation_vector
@@ -28,7 +30,7 @@ from driftlab.core.vectors import transform
 from driftlab.earth import checked_latitude, earth_rate
 from driftlab.triad import checked_triad
 
-from .step_formulas import integrate_steps, step_formula
+from .step_formulas import STEP_FORMULAS, integrate_steps
 from .systematic_drift import exact_drift_coefficient
 
 
@@ -107,6 +109,7 @@ def exact_turn_estimate(axis: ArrayLike, triad_error: ArrayLike, turns: int = 1)
     """
     turns = whole_number(turns, "turns")
     axis, triad_error = finite_arrays(axis=(axis, 3), triad_error=(triad_error, 3, 3))
+    error_matrix(triad_error, "triad_error")
     n, _ = nonzero_vectors(axis, "axis")
     n_hat, _ = nonzero_vectors(transform(checked_triad(triad_error), n), "axis")
     half_drift = turns * np.pi * exact_drift_coefficient(n, triad_error)
@@ -196,11 +199,8 @@ class TurnExperiment:
     def __post_init__(self) -> None:
         whole_number(self.turns, "turns")
         whole_number(self.steps_per_turn, "steps_per_turn", least=3)
-        step_formula(self.step_formula)
-        if finite_array(self.angle_noise, "angle_noise").ndim or self.angle_noise < 0:
-            raise ValueError(
-                f"angle_noise: expected one number of at least 0, got {self.angle_noise!r}."
-            )
+        one_of(self.step_formula, STEP_FORMULAS, "step_formula")
+        nonnegative_number(self.angle_noise, "angle_noise")
 
     def error_quaternion(
         self,
@@ -235,10 +235,13 @@ class TurnExperiment:
         -0.0976
         """
         axis, triad_error = finite_arrays(axis=(axis, 3), triad_error=(triad_error, 3, 3))
+        error_matrix(triad_error, "triad_error")
         n, _ = nonzero_vectors(axis, "axis")
         increment = 2 * np.pi / self.steps_per_turn * transform(checked_triad(triad_error), n)
         count = self.turns * self.steps_per_turn
         increments = np.repeat(increment[..., np.newaxis, :], count, axis=-2)
+        if rng is not None:
+            checked_generator(rng)
         if self.angle_noise:
             scale = self.angle_noise / np.sqrt(self.steps_per_turn)
             increments = increments + checked_generator(rng).normal(0.0, scale, increments.shape)

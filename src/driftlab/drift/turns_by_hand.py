@@ -20,6 +20,8 @@ from driftlab.checks import (
     finite_arrays,
     nonzero_vectors,
     positive_number,
+    probability,
+    shown,
 )
 
 from ._moves import moves, whole_turns
@@ -173,7 +175,8 @@ class HandTurnFit:
         >>> fit.half_widths()[0].round(2)
         array([2.45])
         """
-        factor = stdtrit(self.degrees_of_freedom, (1 + confidence) / 2)
+        inside = probability(confidence, "confidence")
+        factor = stdtrit(self.degrees_of_freedom, (1 + inside) / 2)
         return factor * self.sigma_deviation, factor * self.offset_deviation
 
 
@@ -210,6 +213,8 @@ def fit_hand_turns(turns: Sequence[HandTurn]) -> HandTurnFit:
     >>> print(fit.sigma.round(6), np.degrees(fit.offset).round(3))
     [0.01] [0.36]
     """
+    if not isinstance(turns, Sequence) or not all(isinstance(turn, HandTurn) for turn in turns):
+        raise ValueError(f"turns: expected a list of HandTurn from hand_turns, got {shown(turns)}.")
     if not turns:
         raise ValueError("turns: expected whole turns, got none.")
     for turn in turns:

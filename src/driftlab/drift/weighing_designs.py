@@ -7,11 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import (
-    FloatArray,
-    finite_array,
-    nonzero_vectors,
-)
+from driftlab.checks import FloatArray, finite_array, nonzero_vectors, one_of, shown
 
 PAIR_AXES: FloatArray = np.array([[1.0, 1, 0], [1, 0, 1], [0, 1, 1]]) / np.sqrt(2)
 """Larin's (3.4): turning about row s gives sigma_s itself."""
@@ -164,12 +160,11 @@ def fit_turns(
         raise ValueError(f"axes: expected shape (m, 3), got shape {n.shape}.")
     values = finite_array(estimates, "estimates", len(n))
     squares = {"none": n[:, :0], "common": np.ones((len(n), 1)), "each": n**2}
-    if scale not in squares:
-        raise ValueError(f"scale: expected one of {', '.join(squares)}, got {scale!r}.")
+    one_of(scale, squares, "scale")
     times = _time_of_a_radian(table_rates, len(n))
     if isinstance(earth_rate, str):
         if earth_rate != "unknown":
-            raise ValueError(f"earth_rate: expected rates or 'unknown', got {earth_rate!r}.")
+            raise ValueError(f"earth_rate: expected rates or 'unknown', got {shown(earth_rate)}.")
         earth = times[:, np.newaxis]
     else:
         earth = times[:, np.newaxis][:, :0]

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_arrays
+from driftlab.checks import FloatArray, finite_arrays, shown, truth_value
 from driftlab.earth import EARTH_RATE, checked_latitude
 
 NOT_KNOWN = np.array(np.nan)
@@ -130,6 +130,7 @@ def rate_contradiction(
     >>> round(float(np.degrees(seen.heading_doubt)), 2)
     0.81
     """
+    truth_value(size_known, "size_known")
     given: dict[str, Any] = {"level_rate": level_rate, "up_rate": up_rate, "latitude": latitude}
     names = [name for name in given if name == "level_rate" or given[name] is not None]
     arrays = finite_arrays(**{name: (given[name],) for name in names})
@@ -179,12 +180,11 @@ def checked_tolerance(value: object) -> float:
     >>> checked_tolerance(np.inf)
     inf
     """
-    array = np.asarray(value)
-    if array.dtype.kind not in "fiu" or array.ndim or not array > 0:
-        shown = f"shape {array.shape}" if array.ndim else repr(value)
+    array = np.asarray(value) if np.isscalar(value) or isinstance(value, np.ndarray) else None
+    if array is None or array.dtype.kind not in "fiu" or array.ndim or not array > 0:
         raise ValueError(
             "heading_tolerance: expected a positive number, rad, or infinity for no warning, "
-            f"got {shown}."
+            f"got {shown(value)}."
         )
     return float(array)
 

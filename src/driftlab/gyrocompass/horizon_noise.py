@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, finite_number, positive_number
+from driftlab.checks import FloatArray, finite_array, finite_number, positive_number, shown
 from driftlab.earth import EARTH_RADIUS
 
 
@@ -96,5 +96,5 @@ def swing_deviation(
 def _checked_walk(angle_random_walk: float) -> float:
     walk = finite_number(angle_random_walk, "angle_random_walk")
     if walk < 0:
-        raise ValueError(f"angle_random_walk: expected a number of at least 0, got {walk!r}.")
+        raise ValueError(f"angle_random_walk: expected a number of at least 0, got {shown(walk)}.")
     return walk

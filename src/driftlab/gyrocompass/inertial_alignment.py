@@ -21,7 +21,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.checks import FloatArray, finite_array, finite_arrays, positive_number
+from driftlab.checks import (
+    FloatArray,
+    finite_arrays,
+    nonnegative_number,
+    positive_number,
+)
 from driftlab.core import carried_gravity as core
 from driftlab.core.quaternion import multiply, rotate
 from driftlab.core.velocity_noise import FEWEST_WINDOWS, STEPS_A_WINDOW, mean_deviation
@@ -249,16 +254,8 @@ def inertial_alignment_deviation(
     checked_latitude(place)
     if not time.min() > 0:
         raise ValueError(f"duration: expected positive times, got {time.min():g}.")
-    walk, sway = (
-        float(finite_array(value, name))
-        for value, name in (
-            (angle_random_walk, "angle_random_walk"),
-            (velocity_noise, "velocity_noise"),
-        )
-    )
-    for value, name in ((walk, "angle_random_walk"), (sway, "velocity_noise")):
-        if value < 0:
-            raise ValueError(f"{name}: expected a number of at least 0, got {value!r}.")
+    walk = nonnegative_number(angle_random_walk, "angle_random_walk")
+    sway = nonnegative_number(velocity_noise, "velocity_noise")
     pull = normal_gravity(place) if gravity is None else positive_number(gravity, "gravity")
     _, by_velocity, _, by_walk = _DENSITIES
     variance = by_walk * walk**2 / time + by_velocity * (sway / pull) ** 2 / time**5

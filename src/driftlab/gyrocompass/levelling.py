@@ -23,6 +23,7 @@ from driftlab.checks import (
     FloatArray,
     checked_instance,
     finite_arrays,
+    shown,
     unit_quaternions,
     whole_number,
 )
@@ -189,6 +190,7 @@ def initial_level_frame(alignment: Alignment) -> LevelFrame:
     >>> initial_level_frame(align([5.156e-5, 5.156e-5, 0.0], [0.0, 9.8, 0.0])).rate
     array([5.156e-05, 0.000e+00])
     """
+    checked_instance(alignment, Alignment, "alignment", "from align(angular_rate, specific_force)")
     north = np.asarray(alignment.level_rate)
     return LevelFrame(alignment.attitude, np.stack([north, np.zeros_like(north)], axis=-1))
 
@@ -247,7 +249,7 @@ def propagate_level_frame(
     count = angle.shape[-2]
     if count % whole_number(every, "every"):
         raise ValueError(
-            f"every: expected a divisor of the number of increments, {count}, got {every!r}."
+            f"every: expected a divisor of the number of increments, {count}, got {shown(every)}."
         )
     refuse_alignment(start)
     beginning, level = checked_instance(start, LevelFrame, "start")

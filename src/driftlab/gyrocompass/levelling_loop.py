@@ -22,7 +22,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from driftlab.checks import finite_array, finite_number, positive_number
+from driftlab.checks import (
+    checked_instance,
+    finite_array,
+    finite_number,
+    positive_number,
+    shown,
+    truth_value,
+)
 from driftlab.earth import EARTH_RADIUS
 
 from .gains import Gains
@@ -251,9 +258,10 @@ def level_loop(
     >>> level_loop(damped_gains(0.02, 9.8, 1.0), 9.8).poles().real.round(6)
     array([-0.02, -0.02])
     """
+    checked_instance(gains, Gains, "gains")
     proportional = finite_number(gains.proportional, "gains.proportional")
     if proportional < 0:
-        raise ValueError(f"gains.proportional: expected at least 0, got {proportional!r}.")
+        raise ValueError(f"gains.proportional: expected at least 0, got {shown(proportional)}.")
     checked = Gains(proportional, positive_number(gains.integral, "gains.integral"))
     pull, size = positive_number(gravity, "gravity"), positive_number(radius, "radius")
-    return LevelLoop(checked, pull, bool(log), size)
+    return LevelLoop(checked, pull, truth_value(log, "log"), size)

@@ -20,6 +20,8 @@ from driftlab.checks import (
     finite_array,
     finite_number,
     positive_array,
+    positive_number,
+    shown,
     whole_number,
 )
 
@@ -66,7 +68,7 @@ class GyroNoise:
             value, least = getattr(self, field.name), field.name in _SIZES
             if finite_number(value, field.name) < 0 or not (least or value > 0):
                 kind = "number of at least 0" if least else "positive time"
-                raise ValueError(f"{field.name}: expected a {kind}, got {value!r}.")
+                raise ValueError(f"{field.name}: expected a {kind}, got {shown(value)}.")
 
     def sampled_every(self, interval: float) -> GyroNoise:
         """Return the same noise with samples farther apart, each a mean over its interval.
@@ -87,8 +89,9 @@ class GyroNoise:
         >>> f"{second.white:.1e}", second.slow == GyroNoise().slow
         ('1.0e-07', True)
         """
-        white = self.white * float(np.sqrt(self.interval / interval))
-        return replace(self, white=white, interval=interval)
+        seconds = positive_number(interval, "interval")
+        white = self.white * float(np.sqrt(self.interval / seconds))
+        return replace(self, white=white, interval=seconds)
 
     def samples(self, count: int, rng: np.random.Generator, *shape: int) -> FloatArray:
         """Draw the noise of gyros that are switched on anew.
@@ -239,7 +242,7 @@ def moving_average(values: ArrayLike, window: int) -> FloatArray:
     length = whole_number(window, "window")
     if length > row.shape[-1]:
         raise ValueError(
-            f"window: expected at most the number of values, {row.shape[-1]}, got {window!r}."
+            f"window: expected at most the number of values, {row.shape[-1]}, got {shown(window)}."
         )
     sums = np.cumsum(row, axis=-1)
     sums = np.concatenate([np.zeros_like(sums[..., :1]), sums], axis=-1)

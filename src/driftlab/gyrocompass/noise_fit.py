@@ -6,7 +6,7 @@ import numpy as np
 from scipy.optimize import least_squares, nnls
 
 from driftlab.allan import AllanDeviation
-from driftlab.checks import FloatArray, checked_instance
+from driftlab.checks import FloatArray, checked_instance, truth_value
 
 from .noise import GyroNoise
 
@@ -51,7 +51,10 @@ def fit_gyro_noise(allan: AllanDeviation, *, quantised: bool = True) -> GyroNois
     >>> print(f"{found.white:.1e} {found.quantisation:.1e}")
     9.1e-07 1.0e-06
     """
-    points = checked_instance(allan, AllanDeviation, "allan")
+    truth_value(quantised, "quantised")
+    points = checked_instance(
+        allan, AllanDeviation, "allan", "from allan_deviation(rates, interval)"
+    )
     if points.deviation.ndim != 1:
         raise ValueError(
             "allan: expected that of one gyro, deviation of shape (k,), "

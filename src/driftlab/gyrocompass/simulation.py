@@ -16,7 +16,9 @@ from driftlab.checks import (
     checked_instance,
     finite_array,
     finite_number,
+    nonnegative_number,
     positive_number,
+    truth_value,
 )
 from driftlab.core.quaternion import (
     conjugate,
@@ -166,15 +168,11 @@ def simulate_compass(
             f"{_MOST_BIAS:.3g}, got {largest:.3g}. Is it in deg/h?"
         )
     stiffness = positive_number(tuning_factor, "tuning_factor")
-    ratio = finite_number(damping, "damping")
-    if ratio < 0:
-        raise ValueError(f"damping: expected a number of at least 0, got {ratio!r}.")
+    ratio = nonnegative_number(damping, "damping")
     lean = finite_number(tilt, "tilt")
     if abs(lean) > _MOST_TILT:
         raise ValueError(f"tilt: expected rad, at most {_MOST_TILT:g}, got {lean:g}.")
-    if not isinstance(log, bool | np.bool):
-        shown = repr(log) if isinstance(log, str | int | float) else type(log).__name__
-        raise ValueError(f"log: expected True or False, got {shown}.")
+    truth_value(log, "log")
     latitude = float(trajectory.latitude[0])
     pull = float(gravity(latitude))
     rate, up = static_imu(trajectory.attitude[0], latitude)

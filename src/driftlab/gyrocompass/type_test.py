@@ -105,7 +105,7 @@ def marine_type_test(
     fine = checked_steps(steps)
     count = whole_number(starts, "starts", least=2)
     mounted = _at_its_worst(compass, place)
-    rng = np.random.default_rng(whole_number(seed, "seed", least=0))
+    rng = np.random.default_rng(whole_number(seed, "seed", least=0, most=None))
     return TypeTest(
         place,
         _at_the_quay(mounted, quay(place, _AT_REST, fine.quay), count, rng)

@@ -5,10 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import NamedTuple
 
-import numpy as np
 from scipy.constants import minute
 
-from driftlab.checks import checked_instance, finite_array, finite_number, positive_number
+from driftlab.checks import (
+    checked_instance,
+    finite_array,
+    finite_number,
+    nonnegative_number,
+    positive_number,
+    shown,
+    truth_value,
+)
 
 from .noise import GyroNoise
 
@@ -86,10 +93,8 @@ class Gyrocompass:
                 raise ValueError(f"{name}: expected shape (3,), got {bias.shape}.")
             object.__setattr__(self, name, tuple(bias.tolist()))
         checked_instance(self.gyro_noise, GyroNoise, "gyro_noise")
-        if (damping := finite_number(self.damping, "damping")) < 0:
-            raise ValueError(f"damping: expected a number of at least 0, got {damping!r}.")
-        if not isinstance(self.log, bool | np.bool_):
-            raise ValueError(f"log: expected True or False, got {self.log!r}.")
+        nonnegative_number(self.damping, "damping")
+        truth_value(self.log, "log")
         positive_number(self.alignment_time, "alignment_time")
         if finite_number(self.log_scale, "log_scale") and not self.log:
             raise ValueError("log_scale: expected zero without a log, got an error of one.")
@@ -126,9 +131,9 @@ def checked_steps(steps: Steps) -> Steps:
         size = positive_number(getattr(steps, name), f"steps.{name}")
         if name == "rolling":
             if size < minute:
-                raise ValueError(f"steps.rolling: expected at least a minute, got {size!r}.")
+                raise ValueError(f"steps.rolling: expected at least a minute, got {shown(size)}.")
         elif size > most:
             raise ValueError(
-                f"steps.{name}: expected at most {most:g} s, as in COARSE, got {size!r}."
+                f"steps.{name}: expected at most {most:g} s, as in COARSE, got {shown(size)}."
             )
     return steps

@@ -17,6 +17,7 @@ from driftlab.checks import (
     finite_array,
     finite_number,
     nonzero_vectors,
+    shown,
     whole_number,
 )
 from driftlab.core.coning import cone_increments
@@ -100,7 +101,7 @@ class Motion(ABC):
         """
         step = finite_number(interval, "interval")
         if step <= 0:
-            raise ValueError(f"interval: expected a positive time, got {interval!r}.")
+            raise ValueError(f"interval: expected a positive time, got {shown(interval)}.")
         middle = step * (np.arange(whole_number(count, "count"), dtype=np.float64) + 0.5)
         return self._increments(middle, interval)
 
@@ -144,7 +145,7 @@ class Coning(Motion):
     def __post_init__(self) -> None:
         _check(self)
         if abs(self.half_angle) > np.pi:
-            raise ValueError(f"half_angle: expected at most pi rad, got {self.half_angle!r}.")
+            raise ValueError(f"half_angle: expected at most pi rad, got {shown(self.half_angle)}.")
 
     def _attitude(self, time: FloatArray) -> FloatArray:
         phase = self._around * time
@@ -194,7 +195,7 @@ class Sway(Motion):
     def __post_init__(self) -> None:
         _check(self)
         if abs(self.amplitude) > np.pi:
-            raise ValueError(f"amplitude: expected at most pi rad, got {self.amplitude!r}.")
+            raise ValueError(f"amplitude: expected at most pi rad, got {shown(self.amplitude)}.")
 
     def _attitude(self, time: FloatArray) -> FloatArray:
         # Heading about axis 3, then pitch about axis 2, then roll about axis 1.
@@ -219,7 +220,7 @@ class Sway(Motion):
     def _increments(self, middle: FloatArray, interval: float) -> FloatArray:
         if abs(self.frequency * interval) > 0.25:
             raise ValueError(
-                f"interval: expected at most a quarter of the period, got {interval!r} s "
+                f"interval: expected at most a quarter of the period, got {shown(interval)} s "
                 f"at {self.frequency!r} Hz."
             )
         # The rate has no elementary integral; sixteen points leave an error of a rounding.

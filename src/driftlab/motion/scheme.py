@@ -9,7 +9,16 @@ from types import MappingProxyType
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from driftlab.checks import FloatArray, finite_number, positive_number
+from driftlab.checks import (
+    USUAL_TABLE,
+    FloatArray,
+    checked_text,
+    finite_number,
+    named_or_own,
+    positive_number,
+    shown,
+    table_rate,
+)
 
 DIRECTIONS = MappingProxyType({
     "East": (1, 0, 0), "West": (-1, 0, 0),
@@ -35,7 +44,8 @@ class Scheme:
     dwell : float
         Length of each pause, s.
     rate : float
-        Rate of the rotations, rad/s.
+        Rate of the rotations, rad/s; at most a turn a second, faster than any table goes from
+        position to position.
 
     Examples
     --------
@@ -53,14 +63,14 @@ class Scheme:
         # Plain numbers and a tuple, so that a scheme can be the key of a cache.
         for name in ("dwell", "rate"):
             object.__setattr__(self, name, positive_number(getattr(self, name), name))
-        if not isinstance(self.rotations, str):
-            raise ValueError(f"rotations: expected text, got {self.rotations!r}.")
+        table_rate(self.rate, "rate", USUAL_TABLE)
+        checked_text(self.rotations, "rotations")
         words = self.start if isinstance(self.start, tuple | list) else ()
         axes = [DIRECTIONS.get(word) for word in words if isinstance(word, str)]
         if len(axes) != 3 or None in axes or np.linalg.det(np.array(axes, float)) != 1:
             raise ValueError(
                 f"start: expected three of {', '.join(DIRECTIONS)} for x, y, z, right-handed, "
-                f"got {self.start!r}."
+                f"got {shown(self.start)}."
             )
         object.__setattr__(self, "start", tuple(self.start))
         self.turns  # noqa: B018  (an invalid word is refused now, not later)
@@ -86,10 +96,12 @@ class Scheme:
             if not match or match[2].upper() not in _AXES or float(match[1]) == 0:
                 raise ValueError(
                     "rotations: expected words like +90Y or -180X: sign, degrees, "
-                    f"axis X, Y or Z, got {word!r}."
+                    f"axis X, Y or Z, got {shown(word)}."
                 )
             if abs(float(match[1])) > 3600:
-                raise ValueError(f"rotations: expected at most 3600 degrees a word, got {word!r}.")
+                raise ValueError(
+                    f"rotations: expected at most 3600 degrees a word, got {shown(word)}."
+                )
             turns.append((np.eye(3)[_AXES[match[2].upper()]], float(np.radians(float(match[1])))))
         return turns
 
@@ -136,7 +148,7 @@ class Scheme:
         if not finite_number(duration, "duration") > turning:
             raise ValueError(
                 f"duration: expected more than {turning:g} s, which the rotations take, "
-                f"got {duration!r}."
+                f"got {shown(duration)}."
             )
         return replace(self, dwell=(duration - turning) / self.positions)
 
@@ -176,3 +188,34 @@ The contents of the paper's own Table 1 are lost in the copy at hand.
 """
 
 SCHEMES = MappingProxyType({"19 positions": NINETEEN_POSITIONS, "18 rotations": EIGHTEEN_ROTATIONS})
+
+
+def checked_scheme(scheme: Scheme | str, name: str = "scheme") -> Scheme:
+    """Return a scheme, or the one that a name in `SCHEMES` stands for.
+
+    Parameters
+    ----------
+    scheme : Scheme or str
+        A scheme, or a key of `SCHEMES`.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    Scheme
+
+    Raises
+    ------
+    ValueError
+        If it is neither.
+
+    Examples
+    --------
+    >>> checked_scheme("19 positions") is NINETEEN_POSITIONS
+    True
+    >>> checked_scheme("+90X")
+    Traceback (most recent call last):
+    ValueError: scheme: expected a Scheme such as Scheme('+90X -90X') or the name of one
+    (19 positions, 18 rotations), got '+90X'.
+    """
+    return named_or_own(scheme, Scheme, SCHEMES, name, "such as Scheme('+90X -90X')")

@@ -12,7 +12,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, finite_number, nonzero_vectors, whole_number
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    finite_number,
+    nonnegative_number,
+    nonzero_vectors,
+    shown,
+    table_rate,
+    whole_number,
+)
 from driftlab.core.quaternion import rotate
 from driftlab.earth import checked_latitude, earth_rate, gravity
 from driftlab.increments import Increments
@@ -62,8 +71,7 @@ class TableTurn:
     rest: float = 0.0
 
     def __post_init__(self) -> None:
-        if finite_number(self.rate, "rate") == 0:
-            raise ValueError("rate: expected a rate that is not zero, got 0.")
+        table_rate(self.rate, "rate")
         whole_number(self.turns, "turns")
         if self.latitude is not None:
             checked_latitude(finite_number(self.latitude, "latitude"))
@@ -72,17 +80,14 @@ class TableTurn:
             raise ValueError(f"table_axis: expected shape (3,), got shape {direction.shape}.")
         if abs(finite_number(self.angle_error, "angle_error")) >= np.pi:
             raise ValueError(
-                f"angle_error: expected less than half a turn, got {self.angle_error!r} rad."
+                f"angle_error: expected less than half a turn, got {shown(self.angle_error)} rad."
             )
         for name in ("ramp", "rest"):
-            if finite_number(getattr(self, name), name) < 0:
-                raise ValueError(
-                    f"{name}: expected a number of at least 0, got {getattr(self, name)!r}."
-                )
+            nonnegative_number(getattr(self, name), name)
         if self.ramp > self._until_braking:
             raise ValueError(
                 f"ramp: expected at most {self._until_braking:.6g} s, in which the turns at the "
-                f"full rate are made, got {self.ramp!r}."
+                f"full rate are made, got {shown(self.ramp)}."
             )
 
     @property

@@ -14,8 +14,9 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import (
     FloatArray,
-    checked_instance,
     finite_number,
+    positive_number,
+    shown,
     unit_quaternions,
     whole_number,
 )
@@ -24,7 +25,7 @@ from driftlab.core.vectors import left_jacobian
 from driftlab.earth import checked_latitude, earth_rate, gravity, gravity_north
 from driftlab.increments import Increments
 
-from .scheme import Scheme
+from .scheme import Scheme, checked_scheme
 from .trajectory import Trajectory
 
 
@@ -55,14 +56,14 @@ class Segment(NamedTuple):
     attitude: FloatArray
 
 
-def segments(scheme: Scheme, interval: float) -> list[Segment]:
+def segments(scheme: Scheme | str, interval: float) -> list[Segment]:
     """Pauses and rotations of a scheme, each as long as a whole number of intervals.
 
     A rotation is slowed down, and a pause prolonged, until it ends with an interval.
 
     Parameters
     ----------
-    scheme : Scheme
+    scheme : Scheme or str
         The rotations.
     interval : float
         s.
@@ -79,15 +80,13 @@ def segments(scheme: Scheme, interval: float) -> list[Segment]:
     >>> [segment.duration for segment in segments(Scheme("+90Z", dwell=1.0), interval=2.0)]
     [2.0, 10.0, 2.0]
     """
-    seconds = finite_number(interval, "interval")
-    if seconds <= 0:
-        raise ValueError(f"interval: expected a positive time, got {interval!r}.")
+    seconds = positive_number(interval, "interval")
 
     def whole(duration: float) -> float:
         # A duration that is a whole number of intervals, but for rounding, is kept.
         return seconds * max(1, int(np.ceil(duration / seconds - 1e-6)))
 
-    checked_instance(scheme, Scheme, "scheme")
+    scheme = checked_scheme(scheme)
     attitude, row = scheme.start_attitude, []
     pause = whole(scheme.dwell)
     for axis, angle in scheme.turns:
@@ -100,13 +99,18 @@ def segments(scheme: Scheme, interval: float) -> list[Segment]:
 
 
 def table_trajectory(
-    scheme: Scheme, latitude: float, interval: float, *, multiple_of: int = 1, altitude: float = 0.0
+    scheme: Scheme | str,
+    latitude: float,
+    interval: float,
+    *,
+    multiple_of: int = 1,
+    altitude: float = 0.0,
 ) -> Trajectory:
     """Increments of ideal gyros and accelerometers on a turntable, in closed form.
 
     Parameters
     ----------
-    scheme : Scheme
+    scheme : Scheme or str
         Pauses and rotations of the table.
     latitude : float
         Latitude of the table, rad; not a pole.
@@ -134,7 +138,8 @@ def table_trajectory(
     0.000567
     """
     place = float(checked_latitude(finite_number(latitude, "latitude")))
-    row = segments(scheme, whole_number(multiple_of, "multiple_of") * interval)
+    seconds = positive_number(interval, "interval")
+    row = segments(scheme, whole_number(multiple_of, "multiple_of") * seconds)
     earth = earth_rate(place)
     force = _force(place, finite_number(altitude, "altitude"))
     parts = [_sense(segment, earth, force, interval) for segment in row]
@@ -197,7 +202,7 @@ def static_trajectory(
     if seconds <= 0 or stood.ndim != 1:
         raise ValueError(
             "interval, attitude: expected a positive time and one attitude (4,), "
-            f"got {interval!r} s and shape {stood.shape}."
+            f"got {shown(interval)} s and shape {stood.shape}."
         )
     up_axis = np.array([0.0, 0.0, 1.0])
     standing = Segment(up_axis, 0.0, whole_number(count, "count") * seconds, stood)

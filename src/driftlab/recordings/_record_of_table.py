@@ -105,7 +105,7 @@ def checked_kind(scales: Sequence[Unit]) -> None:
 def _places(table: TableColumns, wanted: Columns, triad: str) -> list[tuple[int, int]]:
     """Indices and signs of the three columns of a triad."""
     if isinstance(wanted, str) or len(wanted) != 3:
-        raise ValueError(f"{triad}: expected three columns, got {wanted!r}.")
+        raise ValueError(f"{triad}: expected three columns, got {shown(wanted)}.")
     return [table.column(one) for one in wanted]
 
 
@@ -119,7 +119,9 @@ def _scales(
     if units is not None:
         told = [units] if isinstance(units, str) else list(units)
     if len(told) != len(places):
-        raise ValueError(f"units: expected one for each of {', '.join(places)}, got {units!r}.")
+        raise ValueError(
+            f"units: expected one for each of {', '.join(places)}, got {shown(units)}."
+        )
     meanings = {"gyro": gyro_unit, "accelerometer": accelerometer_unit}
     scales = []
     for unit, (triad, columns) in zip(told, places.items(), strict=True):
@@ -136,7 +138,7 @@ def _scales(
             known = " or ".join(sorted(filter(None, written)))
             raise ValueError(
                 f"units: expected {known} for {triad}, as the header of {table.title} has it, "
-                f"got {unit!r}."
+                f"got {shown(unit)}."
             )
         scales.append(meaning(unit))
     checked_kind(scales)
@@ -152,7 +154,8 @@ def _stamp_column(
     """Index of the column of time stamps and size of its unit, None if they are no numbers."""
     if sum(value is not None for value in (time, interval, rate)) != 1:
         raise ValueError(
-            f"time, interval, rate: expected one of them, got {time!r}, {interval!r} and {rate!r}."
+            "time, interval, rate: expected one of them, "
+            f"got {shown(time)}, {shown(interval)} and {shown(rate)}."
         )
     if time is None:
         positive_number(interval or rate or 0, "rate" if interval is None else "interval")

@@ -6,7 +6,7 @@ import re
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, shown
 
 from ._text_form import names_like, without_mark
 
@@ -87,5 +87,5 @@ class TableColumns(ABC):
                 return int(name) - 1, sign
         raise ValueError(
             f"columns: expected {names_like(text, self.names)}a number from 1 to {self.width} for "
-            f"{self.title}, got {wanted!r}."
+            f"{self.title}, got {shown(wanted)}."
         )

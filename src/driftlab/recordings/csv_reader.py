@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from driftlab.checks import checked_path
+
 from ._record_of_table import Columns, Time, record_of_table
 from ._text_table import read_table
 from .recording import Recording
@@ -94,7 +96,7 @@ def read_csv(
     >>> recording.interval, recording.kind, recording.gyro[0].round(4)
     (0.01, 'rates', array([ 1.5708, -0.0175,  0.    ]))
     """
-    table = read_table(path)
+    table = read_table(checked_path(path, "path"))
     return record_of_table(
         table,
         gyro=gyro,

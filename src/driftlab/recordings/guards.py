@@ -20,6 +20,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.constants import g as STANDARD_GRAVITY
 
+from driftlab.checks import checked_instance, some_of
+
 from ._slips import (
     force_factors as force_factors,
     force_slips,
@@ -109,6 +111,7 @@ def doubts(recording: Recording) -> tuple[Doubt, ...]:
     force - accelerometer: expected a median size near gravity, 9.81 m/s^2, got 1,
     a factor of 0.102: g taken for m/s^2?
     """
+    checked_instance(recording, Recording, "recording")
     found = [*_size_doubts(recording), *_turning_doubts(recording), *_channel_doubts(recording)]
     order = list(RULES)
     return tuple(sorted(found, key=lambda doubt: order.index(doubt.rule)))
@@ -144,10 +147,7 @@ def without_doubts(recording: Recording, allow: Sequence[str] = ()) -> Recording
     >>> without_doubts(fast, allow=["rate"]) is fast
     True
     """
-    if isinstance(allow, str):
-        allow = (allow,)
-    if unknown := [rule for rule in allow if rule not in RULES]:
-        raise ValueError(f"allow: expected names out of {', '.join(RULES)}, got {unknown[0]!r}.")
+    allow = some_of(allow, RULES, "allow")
     found = [doubt for doubt in doubts(recording) if doubt.rule not in allow]
     if found:
         rules = ", ".join(f'"{rule}"' for rule in dict.fromkeys(doubt.rule for doubt in found))

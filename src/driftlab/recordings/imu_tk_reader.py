@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from driftlab.checks import finite_array
+from driftlab.checks import checked_path, finite_array, shown
 
 from ._record_of_table import checked_kind
 from ._text_table import read_table
@@ -75,8 +75,10 @@ def read_imu_tk(
     >>> recording.interval, recording.gyro[:, 2]
     (0.01, array([0.3, 0.2, 0.1]))
     """
-    if len(units) != 2:
-        raise ValueError(f"units: expected two, of gyros and accelerometers, got {units!r}.")
+    accelerometer_path = checked_path(accelerometer_path, "accelerometer_path")
+    gyro_path = checked_path(gyro_path, "gyro_path")
+    if not isinstance(units, tuple | list) or len(units) != 2:
+        raise ValueError(f"units: expected two, of gyros and accelerometers, got {shown(units)}.")
     scales = gyro_unit(units[0]), accelerometer_unit(units[1])
     checked_kind(scales)
     offsets = finite_array(zeros, "zeros", 2)

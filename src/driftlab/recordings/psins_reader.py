@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from driftlab import earth
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, checked_path
 
 from ._text_table import TextTable, read_table
 from .guards import without_doubts
@@ -149,7 +149,7 @@ def read_psins(
 
 
 def _rows(path: str | Path) -> tuple[TextTable, FloatArray]:
-    table = read_table(path)
+    table = read_table(checked_path(path, "path"))
     if table.width != 6:
         raise ValueError(f"{table.path.name}: expected six numbers in a line, got {table.width}.")
     rows = table.numbers(range(6))

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
+from driftlab.checks import one_of, shown, truth_value
 from driftlab.earth import gravity
 
 from .catalogue import PUBLISHED as PUBLISHED, PublishedSet as PublishedSet
@@ -67,9 +68,10 @@ def published_file(name: str, download: bool = True) -> Path:
     Traceback (most recent call last):
     ValueError: name: expected the name of a published file (..., imu4.log, ...), got 'imu9.log'.
     """
-    if name not in _HOMES:
+    truth_value(download, "download")
+    if not isinstance(name, str) or name not in _HOMES:
         raise ValueError(
-            f"name: expected the name of a published file ({', '.join(_HOMES)}), got {name!r}."
+            f"name: expected the name of a published file ({', '.join(_HOMES)}), got {shown(name)}."
         )
     one, path = _HOMES[name]
     sha256 = one.files[path]
@@ -147,8 +149,7 @@ def published(name: str, download: bool = True) -> Recording:
     laser-gyro - BSD-2-Clause
     nineteen-positions - BSD-2-Clause
     """
-    if name not in PUBLISHED:
-        raise ValueError(f"name: expected one of {', '.join(PUBLISHED)}, got {name!r}.")
+    one_of(name, PUBLISHED, "name")
     one = PUBLISHED[name]
     paths = [published_file(Path(path).name, download) for path in one.files]
     recording = _READERS.get(name, _rolled_by_hand)(*paths)

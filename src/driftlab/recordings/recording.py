@@ -12,7 +12,15 @@ from typing import Literal
 import numpy as np
 
 from driftlab.axes import axes_rotation, convert_vectors
-from driftlab.checks import FloatArray, finite_array, finite_number, positive_number
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    finite_number,
+    one_of,
+    positive_number,
+    row_number,
+    shown,
+)
 from driftlab.increments import Increments
 from driftlab.sampled_rates import increments_from_rates
 
@@ -70,8 +78,7 @@ class Recording:
     longest_gap: float = 1.5
 
     def __post_init__(self) -> None:
-        if self.kind not in ("rates", "increments"):
-            raise ValueError(f"kind: expected 'rates' or 'increments', got {self.kind!r}.")
+        one_of(self.kind, ("rates", "increments"), "kind")
         positive_number(self.interval, "interval")
         gyro = _rows(self.gyro, "gyro")
         object.__setattr__(self, "gyro", gyro)
@@ -96,7 +103,7 @@ class Recording:
             axes_rotation(self.axes, "FRD")
         if self.latitude is not None and abs(finite_number(self.latitude, "latitude")) > np.pi / 2:
             raise ValueError(
-                f"latitude: expected rad, at most a quarter turn, got {self.latitude!r}."
+                f"latitude: expected rad, at most a quarter turn, got {shown(self.latitude)}."
             )
         if self.gravity is not None:
             positive_number(self.gravity, "gravity")
@@ -135,7 +142,12 @@ class Recording:
         >>> len(Recording(np.zeros((30, 3)), None, 0.1, "increments").part(10, 15))
         5
         """
-        rows = slice(begin, end)
+        rows = slice(row_number(begin, "begin"), row_number(end, "end"))
+        if not len(self.gyro[rows]):
+            raise ValueError(
+                f"begin, end: expected some of the {len(self)} rows, "
+                f"got {shown(begin)} and {shown(end)}."
+            )
         return replace(
             self,
             gyro=self.gyro[rows],
@@ -175,7 +187,7 @@ class Recording:
         if start >= stop:
             raise ValueError(
                 f"begin, end: expected times of the record, which has {self.duration:g} s, "
-                f"with a sample between them, got {begin!r} and {end!r}."
+                f"with a sample between them, got {shown(begin)} and {end!r}."
             )
         return self.part(int(start), int(stop))
 

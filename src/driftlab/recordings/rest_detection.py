@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.ndimage import uniform_filter1d
 
-from driftlab.checks import FloatArray, checked_instance, finite_number, positive_number
+from driftlab.checks import FloatArray, checked_instance, finite_number, positive_number, shown
 
 from .recording import Kind, Recording
 
@@ -189,10 +189,12 @@ def rests(
     checked_instance(recording, Recording, "recording")
     seconds, times = positive_number(window, "window"), positive_number(multiple, "multiple")
     if times <= 1:
-        raise ValueError(f"multiple: expected more than 1, got {multiple!r}.")
+        raise ValueError(f"multiple: expected more than 1, got {shown(multiple)}.")
     cut = seconds if trim is None else finite_number(trim, "trim")
     if cut < 0.5 * seconds:  # less, and two rests might share rows
-        raise ValueError(f"trim: expected at least half a window, {seconds / 2:g}, got {trim!r}.")
+        raise ValueError(
+            f"trim: expected at least half a window, {seconds / 2:g}, got {shown(trim)}."
+        )
     least = positive_number(shortest, "shortest")
     width = max(3, round(seconds / recording.interval))
     if len(recording) < 2 * width:

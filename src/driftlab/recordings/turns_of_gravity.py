@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, checked_instance
 
 from .recording import Recording
 
@@ -109,6 +109,7 @@ def gravity_turns(recording: Recording) -> GravityTurns | None:
     >>> 55 < 1 / found.factor < 60, found.order[1]
     (True, array([0., 1., 0.]))
     """
+    checked_instance(recording, Recording, "recording")
     if recording.accelerometer is None:
         return None
     force = recording.accelerometer

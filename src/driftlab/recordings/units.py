@@ -13,6 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.constants import g as STANDARD_GRAVITY
 
+from driftlab.checks import checked_text, shown
+
 from .recording import Kind
 
 _ARCSEC = np.pi / 648000
@@ -107,7 +109,7 @@ def gyro_unit(text: str) -> Unit:
     >>> round(1 / gyro_unit("1/4778 rad/s").size)
     4778
     """
-    return _unit(text, GYRO_UNITS, "gyros")
+    return _unit(checked_text(text, "units"), GYRO_UNITS, "gyros")
 
 
 def accelerometer_unit(text: str) -> Unit:
@@ -133,7 +135,7 @@ def accelerometer_unit(text: str) -> Unit:
     >>> accelerometer_unit("m/s²"), accelerometer_unit("g s").kind
     (Unit(kind='rates', size=1.0), 'increments')
     """
-    return _unit(text, ACCELEROMETER_UNITS, "accelerometers")
+    return _unit(checked_text(text, "units"), ACCELEROMETER_UNITS, "accelerometers")
 
 
 def time_unit(text: str) -> float:
@@ -159,8 +161,10 @@ def time_unit(text: str) -> float:
     >>> time_unit("µs")
     1e-06
     """
-    if (size := TIME_UNITS.get(_spelled(text))) is None:
-        raise ValueError(f"units: expected one of {', '.join(TIME_UNITS)} for time, got {text!r}.")
+    if (size := TIME_UNITS.get(_spelled(checked_text(text, "units")))) is None:
+        raise ValueError(
+            f"units: expected one of {', '.join(TIME_UNITS)} for time, got {shown(text)}."
+        )
     return size
 
 
@@ -181,7 +185,8 @@ def is_unit(text: str) -> bool:
     >>> is_unit("rad/s"), is_unit("gyr_x")
     (True, False)
     """
-    return any(_spelled(text) in known for known in (GYRO_UNITS, ACCELEROMETER_UNITS, TIME_UNITS))
+    name = _spelled(checked_text(text, "text"))
+    return any(name in known for known in (GYRO_UNITS, ACCELEROMETER_UNITS, TIME_UNITS))
 
 
 def _unit(text: str, known: dict[str, tuple[Kind, float]], triad: str) -> Unit:
@@ -196,7 +201,7 @@ def _unit(text: str, known: dict[str, tuple[Kind, float]], triad: str) -> Unit:
     except (KeyError, ValueError, ZeroDivisionError):
         raise ValueError(
             f"units: expected one of {', '.join(known)} for {triad}, perhaps with the size of a "
-            f"count before it as in '1/131 deg/s', got {text!r}."
+            f"count before it as in '1/131 deg/s', got {shown(text)}."
         ) from None
     return Unit(kind, count * size)
 

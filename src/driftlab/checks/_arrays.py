@@ -1,19 +1,16 @@
-"""Checks of arguments: shape, finiteness, and the sentence that explains a refusal.
-
-Every function here takes the argument's name, which begins the sentence of the `ValueError`.
-"""
+"""Arrays of finite real numbers, of the shape that is wanted."""
 
 from __future__ import annotations
 
-import operator
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._words import shown
+
 FloatArray = NDArray[np.float64]
 ComplexArray = NDArray[np.complexfloating[Any, Any]]
-Kind = TypeVar("Kind")
 
 
 def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
@@ -147,6 +144,38 @@ def unit_quaternions(value: ArrayLike, name: str) -> FloatArray:
     return quaternions / np.linalg.norm(quaternions, axis=-1, keepdims=True)
 
 
+def one_quaternion(value: ArrayLike, name: str) -> FloatArray:
+    """Return a single quaternion scaled to unit norm.
+
+    Parameters
+    ----------
+    value : array_like, shape (4,)
+        A quaternion of any norm above zero.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    ndarray, shape (4,)
+        The same rotation, of unit norm.
+
+    Raises
+    ------
+    ValueError
+        If there are several, or as for `unit_quaternions`.
+
+    Examples
+    --------
+    >>> one_quaternion([[0, 0, 0, 1]], "attitude")
+    Traceback (most recent call last):
+    ValueError: attitude: expected one quaternion (4,), got shape (1, 4).
+    """
+    quaternion = unit_quaternions(value, name)
+    if quaternion.ndim != 1:
+        raise ValueError(f"{name}: expected one quaternion (4,), got shape {quaternion.shape}.")
+    return quaternion
+
+
 def finite_arrays(**arguments: tuple[ArrayLike, *tuple[int, ...]]) -> list[FloatArray]:
     """Check several arguments by `finite_array`, and that their leading axes broadcast.
 
@@ -184,71 +213,6 @@ def finite_arrays(**arguments: tuple[ArrayLike, *tuple[int, ...]]) -> list[Float
     return arrays
 
 
-def finite_number(value: ArrayLike, name: str) -> float:
-    """Return a value as a float, refusing everything but one finite real number.
-
-    Parameters
-    ----------
-    value : array_like, shape ()
-        The number.
-    name : str
-        Name of the argument, for the sentence.
-
-    Returns
-    -------
-    float
-        The number.
-
-    Raises
-    ------
-    ValueError
-        If `value` has axes, or as for `finite_array`.
-
-    Examples
-    --------
-    >>> finite_number(np.array(2), "interval")
-    2.0
-    """
-    number = finite_array(value, name)
-    if number.ndim:
-        raise ValueError(f"{name}: expected one number, got shape {number.shape}.")
-    return float(number)
-
-
-def positive_number(value: ArrayLike, name: str) -> float:
-    """Return a value as a float, refusing everything but one finite number above zero.
-
-    Parameters
-    ----------
-    value : array_like, shape ()
-        The number.
-    name : str
-        Name of the argument, for the sentence.
-
-    Returns
-    -------
-    float
-        The number.
-
-    Raises
-    ------
-    ValueError
-        If `value` is not above zero, or as for `finite_number`.
-
-    Examples
-    --------
-    >>> positive_number(-1, "interval")
-    Traceback (most recent call last):
-        ...
-    ValueError: interval: expected a positive number, got -1.
-    """
-    number = finite_number(value, name)
-    # Below the smallest normal number its reciprocal overflows.
-    if number < np.finfo(float).tiny:
-        raise ValueError(f"{name}: expected a positive number, got {value!r}.")
-    return number
-
-
 def positive_array(value: ArrayLike, name: str) -> FloatArray:
     """Return a value as a float64 array of numbers above zero, or refuse it in one sentence.
 
@@ -284,108 +248,37 @@ def positive_array(value: ArrayLike, name: str) -> FloatArray:
     return array
 
 
-def checked_instance(value: object, kind: type[Kind], name: str) -> Kind:
-    """Return an object if it is of a kind.
+def whole_pairs(value: ArrayLike, name: str) -> NDArray[np.int_]:
+    """Return pairs of whole numbers, as of rows where something begins and ends.
 
     Parameters
     ----------
-    value : object
-        Anything.
-    kind : type
-        The class it must be of.
+    value : array_like of int, shape (m, 2)
+        The pairs; none if it is empty.
     name : str
         Name of the argument, for the sentence.
 
     Returns
     -------
-    object
-        `value` itself.
+    ndarray of int, shape (m, 2)
 
     Raises
     ------
     ValueError
-        If it is of another class.
+        If it is anything else.
 
     Examples
     --------
-    >>> checked_instance(3, str, "scheme")
+    >>> whole_pairs([(0, 100), 200], "rests")
     Traceback (most recent call last):
-    ValueError: scheme: expected a str, got 3.
-    """
-    if not isinstance(value, kind):
-        article = "an" if kind.__name__[0] in "AEIOUaeiou" else "a"
-        fields = getattr(kind, "_fields", ())  # of a NamedTuple
-        wanted = f"({', '.join(fields)})" if fields else ""
-        short = value is None or isinstance(value, str | int | float)
-        shown = repr(value) if short else type(value).__name__
-        raise ValueError(f"{name}: expected {article} {kind.__name__}{wanted}, got {shown}.")
-    return value
-
-
-def checked_generator(rng: object) -> np.random.Generator:
-    """Return the argument `rng` if noise can be drawn from it.
-
-    Parameters
-    ----------
-    rng : object
-        Should be a `numpy.random.Generator`.
-
-    Returns
-    -------
-    numpy.random.Generator
-
-    Raises
-    ------
-    ValueError
-        If it is something else, as a seed or None.
-
-    Examples
-    --------
-    >>> checked_generator(1)
-    Traceback (most recent call last):
-    ValueError: rng: expected a numpy Generator to draw the noise, got 1.
-    """
-    if not isinstance(rng, np.random.Generator):
-        raise ValueError(f"rng: expected a numpy Generator to draw the noise, got {rng!r}.")
-    return rng
-
-
-def whole_number(value: int, name: str, least: int = 1) -> int:
-    """Return a value as an int, refusing everything but a whole number that is large enough.
-
-    Parameters
-    ----------
-    value : int
-        The number; a truth value is refused.
-    name : str
-        Name of the argument, for the sentence.
-    least : int
-        Smallest number allowed.
-
-    Returns
-    -------
-    int
-        The number.
-
-    Raises
-    ------
-    ValueError
-        If `value` is not a whole number, or is less than `least`.
-
-    Examples
-    --------
-    >>> whole_number(np.int64(3), "turns")
-    3
-    >>> whole_number(2.5, "turns")
-    Traceback (most recent call last):
-        ...
-    ValueError: turns: expected a whole number of at least 1, got 2.5.
+    ValueError: rests: expected whole numbers of shape (m, 2), got [(0, 100), 200].
     """
     try:
-        # NumPy 2.0 takes its own truth values for whole numbers, with a warning.
-        number = None if isinstance(value, bool | np.bool) else operator.index(value)
-    except TypeError:
-        number = None
-    if number is None or number < least:
-        raise ValueError(f"{name}: expected a whole number of at least {least}, got {value!r}.")
-    return number
+        pairs = np.asarray(value)
+    except ValueError:  # lists of unequal length
+        pairs = np.array(None)
+    if pairs.size == 0 and pairs.ndim:
+        return np.zeros((0, 2), int)
+    if pairs.ndim != 2 or pairs.shape[1] != 2 or pairs.dtype.kind not in "iu":
+        raise ValueError(f"{name}: expected whole numbers of shape (m, 2), got {shown(value)}.")
+    return pairs

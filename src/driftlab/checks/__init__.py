@@ -1,0 +1,51 @@
+"""Checks of arguments: shape, finiteness, kind, size, and the sentence that explains a refusal.
+
+Every function here takes the argument's name, which begins the sentence of the `ValueError`: which
+argument, what was expected, what came. Public functions check their arguments once, at the door;
+what stands behind it checks nothing.
+"""
+
+from ._arrays import (
+    ComplexArray as ComplexArray,
+    FloatArray as FloatArray,
+    finite_array as finite_array,
+    finite_arrays as finite_arrays,
+    nonzero_vectors as nonzero_vectors,
+    one_quaternion as one_quaternion,
+    positive_array as positive_array,
+    unit_quaternions as unit_quaternions,
+    whole_pairs as whole_pairs,
+)
+from ._magnitudes import (
+    LARGEST_ACCELEROMETER_BIAS as LARGEST_ACCELEROMETER_BIAS,
+    LARGEST_GYRO_BIAS as LARGEST_GYRO_BIAS,
+    LARGEST_SCALE as LARGEST_SCALE,
+    USUAL_TABLE as USUAL_TABLE,
+    UnusualWarning as UnusualWarning,
+    error_matrix as error_matrix,
+    linear_error_matrix as linear_error_matrix,
+    pull_of_gravity as pull_of_gravity,
+    table_rate as table_rate,
+    turned_angle as turned_angle,
+    within as within,
+)
+from ._numbers import (
+    finite_number as finite_number,
+    nonnegative_number as nonnegative_number,
+    positive_number as positive_number,
+    probability as probability,
+    row_number as row_number,
+    truth_value as truth_value,
+    whole_number as whole_number,
+)
+from ._objects import (
+    checked_function as checked_function,
+    checked_generator as checked_generator,
+    checked_instance as checked_instance,
+    checked_path as checked_path,
+    checked_text as checked_text,
+    named_or_own as named_or_own,
+    one_of as one_of,
+    some_of as some_of,
+)
+from ._words import shown as shown

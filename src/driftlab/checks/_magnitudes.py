@@ -1,0 +1,295 @@
+"""Sizes that no instrument has, and the slip of the unit behind most of them.
+
+A limit stands where a number in the usual other unit is refused and no real instrument is: degrees
+for radians, arc seconds or the whole matrix for an error matrix, g for m/s^2, degrees an hour for
+rad/s. What is only unusual is warned of and let through.
+"""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from ._arrays import FloatArray
+from ._numbers import finite_number
+from ._words import shown
+
+LARGEST_ERROR = 1.0
+"""Largest entry of an error matrix: with more, a gyro feels more across its axis than along it."""
+LARGEST_SCALE = 4.0
+"""Largest scale error of a unit whose readings were given another nominal scale than they have."""
+_NEAR_ONE = 0.2
+"""Within this of one all three diagonal entries are those of I + M: no triad reads double."""
+_WHOLE = (
+    "expected the matrix M of measured = (I + M) true, got a diagonal near one: "
+    "is it the whole matrix I + M?"
+)
+FASTEST_TABLE = 100.0
+"""rad/s: 5730 degrees a second, more than the fastest rate tables turn."""
+USUAL_TABLE = 2 * np.pi
+"""rad/s: a turn a second; more is the business of centrifuges and tables for wide-range gyros."""
+LARGEST_GYRO_BIAS = 1.0
+"""rad/s: 57 degrees a second, twice the worst that data sheets of consumer gyros allow."""
+LARGEST_ACCELEROMETER_BIAS = 10.0
+"""m/s^2: about gravity, ten times the worst that data sheets of consumer accelerometers allow."""
+GRAVITY_RANGE = (5.0, 20.0)
+"""m/s^2: from some 2500 km above the Earth to twice its pull; one g is no number of m/s^2."""
+TWO_TURNS = 4 * np.pi
+"""rad: where an angle of a body is more likely one in degrees."""
+
+
+class UnusualWarning(UserWarning):
+    """An argument is of a size that is possible but seldom meant, as degrees taken for radians.
+
+    The message says what it was taken for. If it was meant, silence it by
+    ``warnings.simplefilter("ignore", UnusualWarning)``.
+    """
+
+
+def error_matrix(matrix: FloatArray, name: str, scale: float = LARGEST_ERROR) -> FloatArray:
+    """Return an error matrix M of a triad, refusing the whole matrix I + M.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (..., 3, 3)
+        Finite numbers.
+    name : str
+        Name of the argument, for the sentence.
+    scale : float
+        Largest usual size of a diagonal entry.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        `matrix` itself.
+
+    Raises
+    ------
+    ValueError
+        If all three diagonal entries of a matrix are within a fifth of one.
+
+    Warns
+    -----
+    UnusualWarning
+        If an entry is larger than one, or than `scale` on the diagonal.
+
+    Examples
+    --------
+    >>> error_matrix(np.eye(3), "triad_error")  # doctest: +NORMALIZE_WHITESPACE
+    Traceback (most recent call last):
+    ValueError: triad_error: expected the matrix M of measured = (I + M) true, got a diagonal near
+    one: is it the whole matrix I + M? Subtract the identity.
+    """
+    if _is_whole(matrix):
+        raise ValueError(f"{name}: {_WHOLE} Subtract the identity.")
+    excess = np.abs(matrix) / (LARGEST_ERROR + (scale - LARGEST_ERROR) * np.eye(3))
+    if excess.max() > 1:
+        warnings.warn(
+            f"{name}: an entry is {matrix.flat[excess.argmax()]:g}, and they are rad or parts of "
+            "the scale. If mrad, ppm or arc seconds were meant, multiply by 1e-3, 1e-6 or "
+            "scipy.constants.arcsecond.",
+            UnusualWarning,
+            stacklevel=3,
+        )
+    return matrix
+
+
+def linear_error_matrix(matrix: FloatArray, name: str) -> FloatArray:
+    """Return an error matrix of which the result is linear, warning of the whole matrix I + M.
+
+    A linear result is right in any unit of the matrix, and for the identity as well.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (..., 3, 3)
+        Finite numbers.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    ndarray, shape (..., 3, 3)
+        `matrix` itself.
+
+    Warns
+    -----
+    UnusualWarning
+        If all three diagonal entries of a matrix are within a fifth of one.
+
+    Examples
+    --------
+    >>> float(linear_error_matrix(2 * np.eye(3), "triad_error")[0, 0])
+    2.0
+    """
+    if _is_whole(matrix):
+        warnings.warn(f"{name}: {_WHOLE} If so, subtract the identity.", UnusualWarning, 3)
+    return matrix
+
+
+def _is_whole(matrix: FloatArray) -> bool:
+    diagonal = np.einsum("...ii->...i", matrix)
+    return bool((np.abs(diagonal - 1) <= _NEAR_ONE).all(axis=-1).any())
+
+
+def table_rate(value: object, name: str, most: float = FASTEST_TABLE) -> float:
+    """Return the rate of a turntable, refusing what none has and warning of what few have.
+
+    Parameters
+    ----------
+    value : float
+        Rate, rad/s, of either sign.
+    name : str
+        Name of the argument, for the sentence.
+    most : float
+        Largest size allowed, rad/s.
+
+    Returns
+    -------
+    float
+        The rate.
+
+    Raises
+    ------
+    ValueError
+        If it is zero or too large, or as for `finite_number`.
+
+    Warns
+    -----
+    UnusualWarning
+        If it is more than a turn a second.
+
+    Examples
+    --------
+    >>> table_rate(360.0, "rate")
+    Traceback (most recent call last):
+    ValueError: rate: expected rad/s, at most 100, got 360.0: is it in degrees? np.radians(360.0).
+    """
+    number = finite_number(value, name)  # type: ignore[arg-type]  # it refuses the rest itself
+    if number == 0:
+        raise ValueError(f"{name}: expected a rate that is not zero, got 0.")
+    if abs(number) > most:
+        raise ValueError(
+            f"{name}: expected rad/s, at most {most:.4g}, got {shown(value)}: "
+            f"is it in degrees? np.radians({shown(value)})."
+        )
+    if abs(number) > USUAL_TABLE:
+        warnings.warn(
+            f"{name}: {number:g} rad/s is {np.degrees(number):.0f} degrees a second. If degrees "
+            f"were meant, np.radians({number:g}).",
+            UnusualWarning,
+            stacklevel=4,
+        )
+    return number
+
+
+def within(array: FloatArray, name: str, most: float, unit: str, slip: str) -> FloatArray:
+    """Return an array whose entries are at most so large, refusing others with the likely slip.
+
+    Parameters
+    ----------
+    array : ndarray
+        Finite numbers.
+    name : str
+        Name of the argument, for the sentence.
+    most : float
+        Largest size allowed.
+    unit : str
+        Of the numbers.
+    slip : str
+        The question at the end of the sentence.
+
+    Returns
+    -------
+    ndarray
+        `array` itself.
+
+    Raises
+    ------
+    ValueError
+        If an entry is larger.
+
+    Examples
+    --------
+    >>> within(np.array([90.0]), "pitch", np.pi, "rad", "is it in degrees?")
+    Traceback (most recent call last):
+    ValueError: pitch: expected rad, at most 3.142 in size, got 90: is it in degrees?
+    """
+    if np.abs(array).max() > most:
+        raise ValueError(
+            f"{name}: expected {unit}, at most {most:.4g} in size, "
+            f"got {array.flat[np.abs(array).argmax()]:g}: {slip}"
+        )
+    return array
+
+
+def pull_of_gravity(array: FloatArray, name: str = "gravity") -> FloatArray:
+    """Return gravity itself, refusing what is not positive, or not near that of the Earth.
+
+    Parameters
+    ----------
+    array : ndarray
+        Finite numbers, m/s^2.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    ndarray
+        `array` itself.
+
+    Raises
+    ------
+    ValueError
+        If a number is out of `GRAVITY_RANGE`.
+
+    Examples
+    --------
+    >>> pull_of_gravity(np.array([9.81, 1.0]))
+    Traceback (most recent call last):
+    ValueError: gravity: expected m/s^2 near the Earth, 5 to 20, got 1: is it in g?
+    """
+    least, most = GRAVITY_RANGE
+    if array.min() < least or array.max() > most:
+        worst = array.min() if array.min() < least else array.max()
+        likely = ": is it in g?" if 0.5 < worst < 2 else "."
+        raise ValueError(
+            f"{name}: expected m/s^2 near the Earth, {least:g} to {most:g}, got {worst:g}{likely}"
+        )
+    return array
+
+
+def turned_angle(array: FloatArray, name: str) -> FloatArray:
+    """Return the angles of a body, warning of those that look like degrees.
+
+    Parameters
+    ----------
+    array : ndarray
+        Finite numbers, rad.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    ndarray
+        `array` itself.
+
+    Warns
+    -----
+    UnusualWarning
+        If one is more than two turns.
+
+    Examples
+    --------
+    >>> turned_angle(np.array(0.5), "heading")
+    array(0.5)
+    """
+    if np.abs(array).max() > TWO_TURNS:
+        worst = array.flat[np.abs(array).argmax()]
+        warnings.warn(
+            f"{name}: {worst:g} rad is {abs(worst) / (2 * np.pi):.1f} turns. If degrees were "
+            f"meant, np.radians({name}).",
+            UnusualWarning,
+            stacklevel=4,
+        )
+    return array

@@ -1,0 +1,298 @@
+"""Objects of a kind, names of such objects, and what is drawn from or called."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Collection, Mapping
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+
+from ._words import shown, with_article
+
+Kind = TypeVar("Kind")
+
+
+def checked_instance(value: object, kind: type[Kind], name: str, hint: str = "") -> Kind:
+    """Return an object if it is of a kind.
+
+    Parameters
+    ----------
+    value : object
+        Anything.
+    kind : type
+        The class it must be of.
+    name : str
+        Name of the argument, for the sentence.
+    hint : str
+        How to get one, behind the kind: "from linearize_along(scheme, latitude)".
+
+    Returns
+    -------
+    object
+        `value` itself.
+
+    Raises
+    ------
+    ValueError
+        If it is of another class.
+
+    Examples
+    --------
+    >>> checked_instance(3, str, "scheme")
+    Traceback (most recent call last):
+    ValueError: scheme: expected a str, got 3.
+    """
+    if not isinstance(value, kind):
+        fields = getattr(kind, "_fields", ())  # of a NamedTuple
+        wanted = f"({', '.join(fields)})" if fields else ""
+        more = f" {hint}" if hint else ""
+        raise ValueError(
+            f"{name}: expected {with_article(kind.__name__)}{wanted}{more}, got {shown(value)}."
+        )
+    return value
+
+
+def one_of(value: object, names: Collection[str], name: str) -> str:
+    """Return a name if it is one of those that are known.
+
+    Parameters
+    ----------
+    value : object
+        Anything.
+    names : collection of str
+        The names: a tuple, or a table of what they stand for.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    str
+        `value` itself.
+
+    Raises
+    ------
+    ValueError
+        If it is no text, or another.
+
+    Examples
+    --------
+    >>> one_of("avaraged", ("averaged", "upper triangle"), "frame")
+    Traceback (most recent call last):
+    ValueError: frame: expected one of averaged, upper triangle, got 'avaraged'.
+    """
+    if not isinstance(value, str) or value not in names:
+        raise ValueError(f"{name}: expected one of {', '.join(names)}, got {shown(value)}.")
+    return value
+
+
+def some_of(value: object, names: Collection[str], name: str) -> tuple[str, ...]:
+    """Return several names if all are known; a single one need not be in a list.
+
+    Parameters
+    ----------
+    value : object
+        Anything.
+    names : collection of str
+        The names: a tuple, or a table of what they stand for.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    tuple of str
+        In the order given.
+
+    Raises
+    ------
+    ValueError
+        If there is something else among them.
+
+    Examples
+    --------
+    >>> some_of("gap", ("gap", "rate"), "allow")
+    ('gap',)
+    >>> some_of(["gap", 3], ("gap", "rate"), "allow")
+    Traceback (most recent call last):
+    ValueError: allow: expected some of gap, rate, got 3.
+    """
+    given = (value,) if isinstance(value, str) else value
+    if not isinstance(given, Collection) or isinstance(given, bytes | np.ndarray):
+        raise ValueError(f"{name}: expected some of {', '.join(names)}, got {shown(value)}.")
+    for each in given:
+        if not isinstance(each, str) or each not in names:
+            raise ValueError(f"{name}: expected some of {', '.join(names)}, got {shown(each)}.")
+    return tuple(given)
+
+
+def named_or_own(
+    value: object, kind: type[Kind], table: Mapping[str, Kind], name: str, hint: str = ""
+) -> Kind:
+    """Return an object, or the one that a name stands for.
+
+    The rule of the house: where there is a table of objects with names, an argument is one of
+    these names or an object of the reader's own.
+
+    Parameters
+    ----------
+    value : object
+        Anything.
+    kind : type
+        The class it must be of, if it is no name.
+    table : mapping of str to object
+        What the names stand for.
+    name : str
+        Name of the argument, for the sentence.
+    hint : str
+        How to make one of one's own, for the sentence.
+
+    Returns
+    -------
+    object
+        `value` itself, or what it names.
+
+    Raises
+    ------
+    ValueError
+        If it is neither a name in the table nor of the class.
+
+    Examples
+    --------
+    >>> named_or_own("two", int, {"one": 1, "two": 2}, "count")
+    2
+    >>> named_or_own("six", int, {"one": 1, "two": 2}, "count")
+    Traceback (most recent call last):
+    ValueError: count: expected an int or the name of one (one, two), got 'six'.
+    """
+    if isinstance(value, kind):
+        return value
+    if isinstance(value, str) and value in table:
+        return table[value]
+    more = f" {hint}" if hint else ""
+    raise ValueError(
+        f"{name}: expected {with_article(kind.__name__)}{more} or the name of one "
+        f"({', '.join(table)}), got {shown(value)}."
+    )
+
+
+def checked_generator(rng: object) -> np.random.Generator:
+    """Return the argument `rng` if noise can be drawn from it.
+
+    Parameters
+    ----------
+    rng : object
+        Should be a `numpy.random.Generator`.
+
+    Returns
+    -------
+    numpy.random.Generator
+
+    Raises
+    ------
+    ValueError
+        If it is something else, as a seed or None.
+
+    Examples
+    --------
+    >>> checked_generator(1)
+    Traceback (most recent call last):
+    ValueError: rng: expected a numpy Generator to draw the noise, got 1.
+    """
+    if not isinstance(rng, np.random.Generator):
+        raise ValueError(f"rng: expected a numpy Generator to draw the noise, got {shown(rng)}.")
+    return rng
+
+
+def checked_function(value: object, name: str, of: str) -> Callable[..., Any]:
+    """Return a function, refusing what cannot be called, and classes.
+
+    Parameters
+    ----------
+    value : object
+        Anything.
+    name : str
+        Name of the argument, for the sentence.
+    of : str
+        What it is called with, for the sentence.
+
+    Returns
+    -------
+    callable
+        `value` itself.
+
+    Raises
+    ------
+    ValueError
+        If it is no function.
+
+    Examples
+    --------
+    >>> checked_function(0.5, "rate", "the time")
+    Traceback (most recent call last):
+    ValueError: rate: expected a function of the time, got 0.5.
+    """
+    if not callable(value) or isinstance(value, type):
+        raise ValueError(f"{name}: expected a function of {of}, got {shown(value)}.")
+    return value
+
+
+def checked_path(value: object, name: str) -> Path:
+    """Return the path of a file, which need not be there.
+
+    Parameters
+    ----------
+    value : object
+        Anything.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    pathlib.Path
+
+    Raises
+    ------
+    ValueError
+        If it is neither text nor a path.
+
+    Examples
+    --------
+    >>> checked_path(["a.csv", "b.csv"], "path")
+    Traceback (most recent call last):
+    ValueError: path: expected the path of a file, got ['a.csv', 'b.csv'].
+    """
+    if isinstance(value, str | os.PathLike):
+        return Path(value)
+    raise ValueError(f"{name}: expected the path of a file, got {shown(value)}.")
+
+
+def checked_text(value: object, name: str) -> str:
+    """Return a text, refusing everything else.
+
+    Parameters
+    ----------
+    value : object
+        Anything.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    str
+        `value` itself.
+
+    Raises
+    ------
+    ValueError
+        If it is no text.
+
+    Examples
+    --------
+    >>> checked_text(None, "name")
+    Traceback (most recent call last):
+    ValueError: name: expected text, got None.
+    """
+    if not isinstance(value, str):
+        raise ValueError(f"{name}: expected text, got {shown(value)}.")
+    return value
