@@ -82,6 +82,7 @@ Q, P = np.array([0.1, -0.3, 0.2, 0.9]), np.array([0.4, 0.5, -0.6, 0.2])
 RATE, MEASURED = np.array([0.7, -1.1, 0.4]), np.array([0.72, -1.13, 0.37])
 BENT = np.array([[0.03, -0.08, 0.05], [0.09, -0.02, 0.07], [-0.06, 0.04, 0.01]])
 TIME = np.array(1.5)
+GRAVITY = np.array(9.8)
 LATITUDE = np.array(0.7)
 PITCH = np.array(-0.4)
 LEVEL = np.array([11.0, -7.0])
@@ -233,7 +234,7 @@ CASES = {
         "north_error": PITCH,
         "tilt": 1e-2 * LEVEL,
     },
-    vehicle.static_imu: {"attitude": Q, "latitude": LATITUDE, "gravity": TIME},
+    vehicle.static_imu: {"attitude": Q, "latitude": LATITUDE, "gravity": GRAVITY},
     fixed(alignment_deviations.alignment_deviation, angle_random_walk=1e-6): {
         "latitude": LATITUDE,
         "duration": TIME,
@@ -257,13 +258,13 @@ CASES = {
         "latitude": LATITUDE,
         "gyro_bias_nue": RATE,
         "accelerometer_bias_nue": MEASURED,
-        "gravity": TIME,
+        "gravity": GRAVITY,
     },
     alignment.alignment_attitude_error: {
         "latitude": LATITUDE,
         "gyro_bias_nue": RATE,
         "accelerometer_bias_nue": MEASURED,
-        "gravity": TIME,
+        "gravity": GRAVITY,
     },
     heading_error.operating_heading_error: {
         "latitude": LATITUDE,

@@ -211,6 +211,30 @@ def _quaternion(pair: tuple[str, str], name: str) -> FloatArray:
     return Rotation.from_matrix(axes_rotation(old, new)).as_quat()
 
 
+def checked_axes(axes: str, name: str) -> str:
+    """Return the name of axes unchanged, refusing what is none.
+
+    Parameters
+    ----------
+    axes : str
+        Three letters, as "NED" or "FRD".
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    str
+        The same letters.
+
+    Examples
+    --------
+    >>> checked_axes("FRD", "axes")
+    'FRD'
+    """
+    _directions(axes, name)
+    return axes
+
+
 def _directions(axes: str, name: str) -> tuple[str, FloatArray]:
     """Kind of axes, and their directions as rows."""
     if not isinstance(axes, str):

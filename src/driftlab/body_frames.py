@@ -171,8 +171,10 @@ def _matrix_for(
     """Return the matrix that fixes the frame."""
     one_of(frame, BODY_FRAMES, "frame")
     gyro_error = finite_array(gyro_error, "gyro_error", 3, 3)
+    if accelerometer_error is not None:
+        accelerometer_error = finite_array(accelerometer_error, "accelerometer_error", 3, 3)
     if frame not in ACCELEROMETER_FRAMES:
         return gyro_error
     if accelerometer_error is None:
         raise ValueError("accelerometer_error: expected the matrix that fixes the axes, got None.")
-    return finite_array(accelerometer_error, "accelerometer_error", 3, 3)
+    return accelerometer_error

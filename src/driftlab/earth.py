@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_array, finite_arrays
+from .checks import FloatArray, finite_array, finite_arrays, pull_of_gravity
 from .core import earth as core
 from .core.earth import (
     EARTH_RATE,
@@ -65,15 +65,16 @@ def checked_latitude(latitude: ArrayLike) -> FloatArray:
     values = finite_array(latitude, "latitude")
     worst = float(np.abs(values).max())
     if worst > _NEAREST_TO_POLE:
+        slip = "" if worst < 1.58 else f" Is it in degrees? np.radians({worst:.6g})."
         raise ValueError(
             "latitude: expected at most 89.9 degrees from the equator, because East and North are "
-            f"lost at a pole, got {worst:.6g} rad, that is {np.degrees(worst):.6g} degrees."
+            f"lost at a pole, got {worst:.6g} rad, that is {np.degrees(worst):.6g} degrees.{slip}"
         )
     return values
 
 
 def checked_gravity(gravity: FloatArray) -> FloatArray:
-    """Return gravity itself, refusing what is not positive.
+    """Return gravity itself, refusing what is not near that of the Earth.
 
     Parameters
     ----------
@@ -89,9 +90,7 @@ def checked_gravity(gravity: FloatArray) -> FloatArray:
     >>> checked_gravity(np.array([9.8, 9.83]))
     array([9.8 , 9.83])
     """
-    if gravity.min() < np.finfo(float).tiny:
-        raise ValueError(f"gravity: expected positive numbers, got {gravity.min():g}.")
-    return gravity
+    return pull_of_gravity(gravity)
 
 
 def earth_rate(latitude: ArrayLike) -> FloatArray:

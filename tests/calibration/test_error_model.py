@@ -121,7 +121,7 @@ def test_states_and_units_have_leading_axes(model):
 
 @pytest.mark.parametrize("name", ["", "Averaged", "all", None])
 def test_unknown_models_are_refused(name):
-    with pytest.raises(ValueError, match=rf"^frame: expected one of averaged, .* got {name!r}\.$"):
+    with pytest.raises(ValueError, match=rf"^name: expected one of averaged, .* got {name!r}\.$"):
         error_model_for(name)
 
 

@@ -26,7 +26,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Literal, get_args
 
-from driftlab.checks import finite_array, whole_number
+from driftlab.checks import finite_array, one_of, shown, whole_number
 
 from .functional_iteration import FunctionalIteration
 from .own_algorithms import OwnAlgorithm
@@ -90,16 +90,22 @@ class Algorithm:
         whole_number(self.memory, "memory", least=0)
         if self.memory and self.samples > 1:
             raise ValueError(f"memory: expected 0 with several samples a step, got {self.memory}.")
+        if not isinstance(self.starts, tuple | list):
+            raise ValueError(f"starts: expected a tuple of weights, got {shown(self.starts)}.")
         if len(self.starts) != self.memory:
             raise ValueError(
                 f"starts: expected one for each of {self.memory} increments of memory, "
                 f"got {len(self.starts)}."
             )
-        if self.last_stage not in get_args(LastStage):
-            raise ValueError(
-                f"last_stage: expected one of {', '.join(get_args(LastStage))}, "
-                f"got {self.last_stage!r}."
-            )
+        one_of(self.last_stage, get_args(LastStage), "last_stage")
+        for weights in (self.coning, *self.starts):
+            if not isinstance(weights, Mapping) or not all(
+                isinstance(pair, tuple) and len(pair) == 2 for pair in weights
+            ):
+                raise ValueError(
+                    "coning: expected weights of pairs of places such as {(0, 1): 2 / 3}, "
+                    f"got {shown(weights)}."
+                )
         for weights in (self.coning, *self.starts):
             if weights:
                 finite_array(list(weights.values()), "coning")
@@ -204,7 +210,7 @@ def attitude_algorithm(algorithm: AnyAlgorithm) -> AttitudeAlgorithm | OwnAlgori
     if not isinstance(algorithm, str) or algorithm not in ALGORITHMS:
         raise ValueError(
             f"algorithm: expected one of {', '.join(ALGORITHMS)}, an Algorithm or a function of "
-            f"increments, got {algorithm!r}."
+            f"increments, got {shown(algorithm)}."
         )
     return ALGORITHMS[algorithm]
 

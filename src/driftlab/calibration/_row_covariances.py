@@ -15,7 +15,7 @@ import numpy as np
 
 from driftlab.checks import FloatArray, shown
 from driftlab.imu import ImuNoise, PriorDeviations
-from driftlab.motion.scheme import Scheme
+from driftlab.motion.scheme import Scheme, checked_scheme
 
 from ._condensed_steps import Condensed, condensed_steps
 from ._table_moves import STARTS, IntArray, Row, TableMoves
@@ -54,6 +54,7 @@ class RowCovariances:
 
     def row(self, scheme: Scheme) -> Row:
         """Start and turns of a scheme, as numbers, if they leave time for pauses."""
+        scheme = checked_scheme(scheme)
         start, turns = self.moves.row(scheme)
         if self._pause(scheme.positions, self.moves.quarters[turns].sum()) <= 0:
             raise ValueError(

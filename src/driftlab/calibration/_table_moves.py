@@ -9,9 +9,9 @@ from itertools import permutations, product
 import numpy as np
 from numpy.typing import NDArray
 
-from driftlab.checks import checked_instance, shown
+from driftlab.checks import shown
 from driftlab.core.quaternion import from_rotation_vector, to_matrix
-from driftlab.motion.scheme import DIRECTIONS, Scheme
+from driftlab.motion.scheme import DIRECTIONS, Scheme, checked_scheme
 
 IntArray = NDArray[np.int_]
 Row = tuple[int, IntArray]
@@ -87,7 +87,7 @@ class TableMoves:
 
     def row(self, scheme: Scheme) -> Row:
         """Start and turns of a scheme, as numbers."""
-        checked_instance(scheme, Scheme, "scheme")
+        scheme = checked_scheme(scheme)
         words = [f"{np.degrees(angle):+.12g}{'XYZ'[np.argmax(u)]}" for u, angle in scheme.turns]
         if not set(words) <= set(self.words):
             raise ValueError(

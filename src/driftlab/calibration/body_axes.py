@@ -89,9 +89,9 @@ def imu_errors_in_frame(imu_errors: ImuErrors, frame: str | None) -> tuple[ImuEr
     >>> bool(np.allclose(turned.gyro_error, turned.gyro_error.T, atol=1e-15))
     True
     """
-    checked_imu_errors(imu_errors)
+    errors = checked_imu_errors(imu_errors)
     if frame is None:
-        return imu_errors, np.broadcast_to(np.eye(3), imu_errors.gyro_error.shape)
+        return imu_errors, np.broadcast_to(np.eye(3), errors.gyro_error.shape)
     turn = body_frame_rotation(imu_errors.gyro_error, imu_errors.accelerometer_error, frame)
     return _turned(imu_errors, turn), turn
 

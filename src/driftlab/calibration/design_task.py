@@ -107,7 +107,7 @@ class DesignTask:
         table_rate(positive_number(self.rate, "rate"), "rate", USUAL_TABLE)
         turns = whole_number(self.positions, "positions", 2) - 1
         angles = self.angles if isinstance(self.angles, tuple | list) else ()
-        if not angles or not set(angles) <= {90, 180, 270, 360}:
+        if not angles or not all(np.isscalar(a) and a in (90, 180, 270, 360) for a in angles):
             raise ValueError(
                 f"angles: expected some of 90, 180, 270, 360, got {shown(self.angles)}."
             )

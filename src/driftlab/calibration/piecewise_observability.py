@@ -11,7 +11,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from driftlab.checks import FloatArray, finite_number, one_of, truth_value, unit_quaternions
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    finite_number,
+    one_of,
+    truth_value,
+    unit_quaternions,
+)
 from driftlab.core.quaternion import from_rotation_vector, multiply, to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.earth import checked_latitude, earth_rate, gravity
@@ -79,8 +86,8 @@ def error_rates(
     truth_value(body_axes, "body_axes")
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     to_local = to_matrix(unit_quaternions(attitude, "attitude"))
-    turn = np.asarray(rate, float)
-    if turn.shape != (3,) or not np.isfinite(turn).all() or to_local.shape != (3, 3):
+    turn = finite_array(rate, "rate")
+    if turn.shape != (3,) or to_local.shape != (3, 3):
         raise ValueError(
             "attitude, rate: expected one attitude (4,) and one finite rate (3,), "
             f"got shapes {np.shape(attitude)} and {turn.shape}."

@@ -20,7 +20,7 @@ from driftlab.checks import (
     checked_instance,
     finite_arrays,
     one_of,
-    positive_number,
+    one_pull,
     truth_value,
     whole_pairs,
 )
@@ -215,7 +215,7 @@ def _imu_errors(numbers: FloatArray) -> ImuErrors:
 
 def _gravity(recording: Recording, given: float | None) -> float:
     if given is not None:
-        return positive_number(given, "gravity")
+        return one_pull(given)
     if recording.gravity is not None:
         return recording.gravity
     if recording.latitude is not None:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray, checked_generator, checked_instance, shown, whole_number
-from driftlab.motion.scheme import Scheme
+from driftlab.motion.scheme import Scheme, checked_scheme
 
 from ._row_covariances import RowCovariances, rows_of
 from ._table_moves import IntArray, Row, TableMoves
@@ -137,6 +137,7 @@ def design_scheme(
     begun = [((int(starts[i]), rows[i]), float(drawn[i])) for i in best]
     tried = len(drawn)
     if begin is not None:
+        begin = checked_scheme(begin, "begin")
         row = trials.row(begin)
         if len(row[1]) != turns or (task.two_axes and not _able(moves, [row])[0]):
             raise ValueError(

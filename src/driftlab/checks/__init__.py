@@ -24,6 +24,7 @@ from ._magnitudes import (
     UnusualWarning as UnusualWarning,
     error_matrix as error_matrix,
     linear_error_matrix as linear_error_matrix,
+    one_pull as one_pull,
     pull_of_gravity as pull_of_gravity,
     table_rate as table_rate,
     turned_angle as turned_angle,

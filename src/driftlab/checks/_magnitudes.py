@@ -13,7 +13,6 @@ import numpy as np
 
 from ._arrays import FloatArray
 from ._numbers import finite_number
-from ._words import shown
 
 LARGEST_ERROR = 1.0
 """Largest entry of an error matrix: with more, a gyro feels more across its axis than along it."""
@@ -163,15 +162,15 @@ def table_rate(value: object, name: str, most: float = FASTEST_TABLE) -> float:
     --------
     >>> table_rate(360.0, "rate")
     Traceback (most recent call last):
-    ValueError: rate: expected rad/s, at most 100, got 360.0: is it in degrees? np.radians(360.0).
+    ValueError: rate: expected rad/s, at most 100, got 360: is it in degrees? np.radians(360).
     """
     number = finite_number(value, name)  # type: ignore[arg-type]  # it refuses the rest itself
     if number == 0:
         raise ValueError(f"{name}: expected a rate that is not zero, got 0.")
     if abs(number) > most:
         raise ValueError(
-            f"{name}: expected rad/s, at most {most:.4g}, got {shown(value)}: "
-            f"is it in degrees? np.radians({shown(value)})."
+            f"{name}: expected rad/s, at most {most:.4g}, got {number:g}: "
+            f"is it in degrees? np.radians({number:g})."
         )
     if abs(number) > USUAL_TABLE:
         warnings.warn(
@@ -257,6 +256,36 @@ def pull_of_gravity(array: FloatArray, name: str = "gravity") -> FloatArray:
             f"{name}: expected m/s^2 near the Earth, {least:g} to {most:g}, got {worst:g}{likely}"
         )
     return array
+
+
+def one_pull(value: object, name: str = "gravity") -> float:
+    """Return gravity as a float, refusing everything but one number near that of the Earth.
+
+    Parameters
+    ----------
+    value : float
+        m/s^2.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    float
+        The number.
+
+    Raises
+    ------
+    ValueError
+        As for `pull_of_gravity` and `finite_number`.
+
+    Examples
+    --------
+    >>> one_pull(1.0)
+    Traceback (most recent call last):
+    ValueError: gravity: expected m/s^2 near the Earth, 5 to 20, got 1: is it in g?
+    """
+    number = finite_number(value, name)  # type: ignore[arg-type]  # it refuses the rest itself
+    return float(pull_of_gravity(np.array(number), name))
 
 
 def turned_angle(array: FloatArray, name: str) -> FloatArray:

@@ -12,6 +12,7 @@ from driftlab.checks import (
     finite_arrays,
     nonzero_vectors,
     shown,
+    truth_value,
 )
 from driftlab.core.quaternion import left_matrix, pure, right_matrix
 from driftlab.core.vectors import norms
@@ -57,7 +58,8 @@ def characteristic_polynomial(
     rate_squared, along, error_squared = (
         np.einsum("...i,...i->...", a, b) for a, b in ((rate, rate), (rate, error), (error, error))
     )
-    quadratic = 4 * rate_squared + 4 * along + (1 if in_the_copy else 2) * error_squared
+    factor = 1 if truth_value(in_the_copy, "in_the_copy") else 2
+    quadratic = 4 * rate_squared + 4 * along + factor * error_squared
     constant = (2 * along + error_squared) ** 2
     zero = np.zeros_like(quadratic)
     return np.stack([zero + 1, zero, quadratic, zero, constant], axis=-1)

@@ -102,7 +102,8 @@ def hand_turns(
     """
     rows = finite_array(increments, "increments", 3)
     seconds = positive_number(interval, "interval")
-    directions, _ = nonzero_vectors(np.eye(3) if np.size(axes) == 0 else axes, "axes")
+    given = None if isinstance(axes, tuple | list) and not axes else axes
+    directions, _ = nonzero_vectors(np.eye(3) if given is None else given, "axes")
     found = []
     for begin, end, angle, still in moves(rows, rests):
         axis, turns = whole_turns(angle, directions)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, nonzero_vectors, one_of, shown
+from driftlab.checks import FloatArray, finite_array, nonzero_vectors, one_of, shown, truth_value
 
 PAIR_AXES: FloatArray = np.array([[1.0, 1, 0], [1, 0, 1], [0, 1, 1]]) / np.sqrt(2)
 """Larin's (3.4): turning about row s gives sigma_s itself."""
@@ -161,6 +161,7 @@ def fit_turns(
     values = finite_array(estimates, "estimates", len(n))
     squares = {"none": n[:, :0], "common": np.ones((len(n), 1)), "each": n**2}
     one_of(scale, squares, "scale")
+    truth_value(gyro_bias, "gyro_bias")
     times = _time_of_a_radian(table_rates, len(n))
     if isinstance(earth_rate, str):
         if earth_rate != "unknown":

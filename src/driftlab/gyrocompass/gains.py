@@ -6,9 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from driftlab.checks import (
-    positive_number,
-)
+from driftlab.checks import one_pull, positive_number
 from driftlab.earth import EARTH_RADIUS
 
 
@@ -80,5 +78,5 @@ def damped_gains(
     '1.44e-03 1.02e-05'
     """
     frequency = positive_number(natural_frequency, "natural_frequency")
-    pull, ratio = positive_number(gravity, "gravity"), positive_number(damping, "damping")
+    pull, ratio = one_pull(gravity), positive_number(damping, "damping")
     return Gains(2 * ratio * frequency / pull, frequency * frequency / pull)

@@ -5,7 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, finite_number, positive_number, shown
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    finite_number,
+    one_pull,
+    positive_number,
+    shown,
+)
 from driftlab.earth import EARTH_RADIUS
 
 
@@ -87,7 +94,7 @@ def swing_deviation(
     t, walk = finite_array(time, "time"), _checked_walk(angle_random_walk)
     if t.min() < 0:
         raise ValueError(f"time: expected times from 0 on, got {t.min():g} s.")
-    schuler = np.sqrt(positive_number(gravity, "gravity") / positive_number(radius, "radius"))
+    schuler = np.sqrt(one_pull(gravity) / positive_number(radius, "radius"))
     swing = t / 2 - np.sin(2 * schuler * t) / (4 * schuler)
     deviation: FloatArray = walk * schuler * np.sqrt(np.maximum(swing, 0.0))
     return deviation

@@ -21,12 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.checks import (
-    FloatArray,
-    finite_arrays,
-    nonnegative_number,
-    positive_number,
-)
+from driftlab.checks import FloatArray, finite_arrays, nonnegative_number, one_pull
 from driftlab.core import carried_gravity as core
 from driftlab.core.quaternion import multiply, rotate
 from driftlab.core.velocity_noise import FEWEST_WINDOWS, STEPS_A_WINDOW, mean_deviation
@@ -256,7 +251,7 @@ def inertial_alignment_deviation(
         raise ValueError(f"duration: expected positive times, got {time.min():g}.")
     walk = nonnegative_number(angle_random_walk, "angle_random_walk")
     sway = nonnegative_number(velocity_noise, "velocity_noise")
-    pull = normal_gravity(place) if gravity is None else positive_number(gravity, "gravity")
+    pull = normal_gravity(place) if gravity is None else one_pull(gravity)
     _, by_velocity, _, by_walk = _DENSITIES
     variance = by_walk * walk**2 / time + by_velocity * (sway / pull) ** 2 / time**5
     return np.minimum(np.sqrt(variance) / (EARTH_RATE * np.cos(place)), NOTHING_KNOWN)

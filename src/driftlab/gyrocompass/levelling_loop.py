@@ -26,6 +26,7 @@ from driftlab.checks import (
     checked_instance,
     finite_array,
     finite_number,
+    one_pull,
     positive_number,
     shown,
     truth_value,
@@ -263,5 +264,5 @@ def level_loop(
     if proportional < 0:
         raise ValueError(f"gains.proportional: expected at least 0, got {shown(proportional)}.")
     checked = Gains(proportional, positive_number(gains.integral, "gains.integral"))
-    pull, size = positive_number(gravity, "gravity"), positive_number(radius, "radius")
+    pull, size = one_pull(gravity), positive_number(radius, "radius")
     return LevelLoop(checked, pull, truth_value(log, "log"), size)

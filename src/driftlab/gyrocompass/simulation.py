@@ -30,7 +30,7 @@ from driftlab.core.quaternion import (
 from driftlab.core.vectors import wrap_angle
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.frames import navigation_frame_rate, to_euler_angles
-from driftlab.increments import Increments
+from driftlab.increments import Increments, checked_increments
 from driftlab.motion.trajectory import Trajectory
 from driftlab.motion.vehicle import static_imu
 
@@ -151,7 +151,7 @@ def simulate_compass(
             "trajectory: expected local axes North, Up, East, as of vehicle_trajectory, "
             f"got {trajectory.local_axes}."
         )
-    interval, angle, velocity = trajectory.increments
+    interval, angle, velocity = checked_increments(trajectory.increments)
     gyro_bias = finite_array(gyro_bias_body, "gyro_bias_body", 3)
     accelerometer_bias = finite_array(accelerometer_bias_body, "accelerometer_bias_body", 3)
     if (gyro_bias.ndim > 1 and gyro_bias.shape[-2:] != angle.shape) or accelerometer_bias.ndim > 1:

@@ -17,6 +17,7 @@ from driftlab.checks import (
     finite_array,
     finite_number,
     nonzero_vectors,
+    positive_number,
     shown,
     whole_number,
 )
@@ -99,11 +100,9 @@ class Motion(ABC):
         array([[-0.1997, -0.0157],
                [ 0.1997, -0.0157]])
         """
-        step = finite_number(interval, "interval")
-        if step <= 0:
-            raise ValueError(f"interval: expected a positive time, got {shown(interval)}.")
+        step = positive_number(interval, "interval")
         middle = step * (np.arange(whole_number(count, "count"), dtype=np.float64) + 0.5)
-        return self._increments(middle, interval)
+        return self._increments(middle, step)
 
     @abstractmethod
     def _attitude(self, time: FloatArray) -> FloatArray: ...
@@ -145,7 +144,10 @@ class Coning(Motion):
     def __post_init__(self) -> None:
         _check(self)
         if abs(self.half_angle) > np.pi:
-            raise ValueError(f"half_angle: expected at most pi rad, got {shown(self.half_angle)}.")
+            raise ValueError(
+                f"half_angle: expected at most pi rad, got {shown(self.half_angle)}: "
+                "is it in degrees?"
+            )
 
     def _attitude(self, time: FloatArray) -> FloatArray:
         phase = self._around * time
@@ -195,7 +197,10 @@ class Sway(Motion):
     def __post_init__(self) -> None:
         _check(self)
         if abs(self.amplitude) > np.pi:
-            raise ValueError(f"amplitude: expected at most pi rad, got {shown(self.amplitude)}.")
+            raise ValueError(
+                f"amplitude: expected at most pi rad, got {shown(self.amplitude)}: "
+                "is it in degrees?"
+            )
 
     def _attitude(self, time: FloatArray) -> FloatArray:
         # Heading about axis 3, then pitch about axis 2, then roll about axis 1.

@@ -16,6 +16,7 @@ from driftlab.checks import (
     FloatArray,
     finite_arrays,
     finite_number,
+    one_pull,
     positive_number,
     unit_quaternions,
 )
@@ -113,7 +114,7 @@ def vehicle_trajectory(
         multiply(local_axes(place, longitude), conjugate(FROM_EAST_NORTH_UP)), attitude
     )
     angle = to_rotation_vector(multiply(conjugate(to_inertial[:-1]), to_inertial[1:]))
-    pull = float(normal_gravity(start)) if gravity is None else positive_number(gravity, "gravity")
+    pull = float(normal_gravity(start)) if gravity is None else one_pull(gravity)
     force = _specific_force(middle, mean, np.diff(speed, axis=0) / seconds, pull, radius)
     halfway = multiply(to_inertial[:-1], from_rotation_vector(0.5 * angle))
     # Local axes in the middle of the interval, at whose components the force is known.

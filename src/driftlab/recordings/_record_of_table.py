@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from driftlab.checks import finite_array, positive_number
+from driftlab.checks import checked_text, finite_array, positive_number, shown, some_of
 
 from ._table_columns import TableColumns
 from ._time_stamps import spacing_of_stamps
-from .guards import without_doubts
+from .guards import RULES, without_doubts
 from .recording import Recording
 from .units import Unit, accelerometer_unit, gyro_unit, time_unit
 
@@ -51,7 +51,11 @@ def record_of_table(
     for i, (triad, scale) in enumerate(zip(places.values(), scales, strict=True)):
         signs = np.array([sign for _, sign in triad])
         triads.append(scale.size * signs * (numbers[:, 3 * i : 3 * i + 3] - offsets[i]))
-    longest = ANY_GAP if "gap" in allow else positive_number(longest_gap, "longest_gap")
+    longest = (
+        ANY_GAP
+        if "gap" in some_of(allow, RULES, "allow")
+        else positive_number(longest_gap, "longest_gap")
+    )
     times = None
     if time is None:
         spacing = float(interval or 1 / (rate or 1))
@@ -104,7 +108,7 @@ def checked_kind(scales: Sequence[Unit]) -> None:
 
 def _places(table: TableColumns, wanted: Columns, triad: str) -> list[tuple[int, int]]:
     """Indices and signs of the three columns of a triad."""
-    if isinstance(wanted, str) or len(wanted) != 3:
+    if not isinstance(wanted, tuple | list) or len(wanted) != 3:
         raise ValueError(f"{triad}: expected three columns, got {shown(wanted)}.")
     return [table.column(one) for one in wanted]
 
@@ -117,7 +121,8 @@ def _scales(
     """Units of the triads, as told or as the header has them."""
     told: list[str | None] = [None] * len(places)
     if units is not None:
-        told = [units] if isinstance(units, str) else list(units)
+        several = units if isinstance(units, tuple | list) else [units]
+        told = [checked_text(unit, "units") for unit in several]
     if len(told) != len(places):
         raise ValueError(
             f"units: expected one for each of {', '.join(places)}, got {shown(units)}."
@@ -160,7 +165,11 @@ def _stamp_column(
     if time is None:
         positive_number(interval or rate or 0, "rate" if interval is None else "interval")
         return -1, None
-    column, unit = time if isinstance(time, tuple) else (time, "")
+    column, unit = time if type(time) is tuple and len(time) == 2 else (time, "")
+    if not isinstance(column, str | int) or not isinstance(unit, str):
+        raise ValueError(
+            f"time: expected the name or number of a column, or it and its unit, got {shown(time)}."
+        )
     index, _ = table.column(column)
     unit = unit or (table.units[index] if table.units else "")
     if not unit:

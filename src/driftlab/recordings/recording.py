@@ -11,12 +11,14 @@ from typing import Literal
 
 import numpy as np
 
-from driftlab.axes import axes_rotation, convert_vectors
+from driftlab.axes import axes_rotation, checked_axes, convert_vectors
 from driftlab.checks import (
     FloatArray,
+    checked_text,
     finite_array,
     finite_number,
     one_of,
+    one_pull,
     positive_number,
     row_number,
     shown,
@@ -79,6 +81,8 @@ class Recording:
 
     def __post_init__(self) -> None:
         one_of(self.kind, ("rates", "increments"), "kind")
+        for field in ("axes", "name", "source", "licence"):
+            checked_text(getattr(self, field), field)
         positive_number(self.interval, "interval")
         gyro = _rows(self.gyro, "gyro")
         object.__setattr__(self, "gyro", gyro)
@@ -100,13 +104,13 @@ class Recording:
                 )
             object.__setattr__(self, "times", times)
         if self.axes:
-            axes_rotation(self.axes, "FRD")
+            axes_rotation(checked_axes(self.axes, "axes"), "FRD")
         if self.latitude is not None and abs(finite_number(self.latitude, "latitude")) > np.pi / 2:
             raise ValueError(
                 f"latitude: expected rad, at most a quarter turn, got {shown(self.latitude)}."
             )
         if self.gravity is not None:
-            positive_number(self.gravity, "gravity")
+            one_pull(self.gravity)
 
     def __len__(self) -> int:
         return len(self.gyro)
@@ -217,7 +221,7 @@ class Recording:
         """
         if not self.axes:
             raise ValueError("axes: expected a record that knows its axes, got one that does not.")
-        force = self.accelerometer
+        force, axes = self.accelerometer, checked_axes(axes, "axes")
         return replace(
             self,
             gyro=convert_vectors(self.gyro, self.axes, axes),

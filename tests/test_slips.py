@@ -1,0 +1,399 @@
+"""Natural slips at every public door: each gets one sentence that names the argument.
+
+The valid calls are those of the docstrings' own examples: an example is run until it calls what it
+explains, and that call is made again with one argument put wrong. So a new public function is
+tested as soon as it has an example, which `test_docstrings` asks for.
+"""
+
+import datetime
+import doctest
+import inspect
+import io
+import re
+import shutil
+import sys
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import redirect_stdout
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+import driftlab as dl
+from driftlab.calibration import ERROR_MODELS, linearize_along
+from driftlab.checks import UnusualWarning
+from driftlab.gyrocompass import Gains
+from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise, PriorDeviations
+from driftlab.increments import Increments, measure
+from driftlab.motion import Coning, Scheme, TableTurn, table_trajectory
+from support import helper_modules
+
+# Loops call these with what has been checked; they are public for who builds a filter of his own.
+CORES = {
+    *("broadcast_imu_errors", "without_errors", "rate_changes", "felt_besides"),
+    *("pitch_and_roll", "refuse_vertical", "step_drift", "attitude_of_axes", "step_in_word"),
+    *("free_rates", "free_transition", "transition", "transition_of_increments", "process_noise"),
+    *("dead_channels", "longest_run", "clipped_rows", "twin_channels"),
+    *("warn_of_contradiction", "sign_slip"),  # which two modules share
+}
+# What functions return, and nobody makes by hand.
+RETURNED = {"HandTurn", "HandTurnFit", "Doubt"}
+# Arrays in the words of other programs, which are looked at when they are converted.
+CONVERTED = {"ImuTkMatrices", "KalibrMatrices", "ImucalMatrices", "PsinsMatrices", "RosMatrices"}
+# Words that are only shown, and what is looked at where it is used.
+LET_THROUGH = {
+    *("read_csv.name", "read_imu_tk.name", "read_psins.name"),  # the file's where nothing is said
+    *("integrate.history", "step_quaternions.history", "step_vectors.history"),  # not always used
+    "convert_attitude_error.true_attitude",
+    *("Algorithm.name", "Algorithm.order", "FunctionalIteration.name", "Recording.longest_gap"),
+    *("NominalReadings.gyro_scale", "NominalReadings.gyro_zero"),
+    *("NominalReadings.accelerometer_scale", "NominalReadings.accelerometer_zero"),
+}
+MAY_BE_EMPTY = ("rests", "axes")
+ALSO_CALLED = {"text": "units"}  # by the readers of files
+
+
+class Called(BaseException):
+    """An example has come to its point."""
+
+
+class Door(NamedTuple):
+    """A public function, method or class, and a call of it that is right."""
+
+    name: str
+    call: Callable[..., Any]
+    arguments: dict[str, Any]
+
+
+KEPT = TemporaryDirectory()
+
+
+def kept(value: Any) -> Any:
+    """The same, or the path of a copy of a file that ends with its example."""
+    if not isinstance(value, Path) or not value.is_file():
+        return value
+    return shutil.copy(value, KEPT.name)
+
+
+def first_call(example: doctest.DocTest, owner: Any, key: str) -> tuple[Any, dict[str, Any]] | None:
+    """Object and arguments of an example's first call of what it explains, which is not made."""
+    original = inspect.getattr_static(owner, key)
+    bare = getattr(original, "__func__", original)
+    signature, found = inspect.signature(bare), []
+
+    def stop(*args: Any, **kwargs: Any) -> Any:
+        if sys._getframe(1).f_code.co_filename != "<slips>":
+            return bare(*args, **kwargs)
+        bound = signature.bind(*args, **kwargs)
+        bound.apply_defaults()
+        several = inspect.Parameter.VAR_POSITIONAL
+        found.append(
+            {
+                n: kept(v)
+                for n, v in bound.arguments.items()
+                if signature.parameters[n].kind != several
+            }
+        )
+        raise Called
+
+    wrapped = type(original)(stop) if bare is not original else stop
+    setattr(owner, key, wrapped)
+    example.globs[key] = stop  # of a function; an example does not use this name for else
+    try:
+        with redirect_stdout(io.StringIO()), warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            for part in example.examples:
+                exec(compile(part.source, "<slips>", "single"), example.globs)
+    except (Called, Exception):
+        pass
+    finally:
+        setattr(owner, key, original)
+    if not found:
+        return None
+    arguments = found[0]
+    receiver = arguments.pop(next(iter(signature.parameters))) if inspect.isclass(owner) else None
+    return receiver, arguments
+
+
+def doors(module: Any) -> Iterator[Door]:
+    """What a module offers, with a call of each."""
+    examples = {test.name: test for test in doctest.DocTestFinder().find(module)}
+    for name, thing in list(vars(module).items()):
+        if (
+            name.startswith(("_", "checked_"))
+            or getattr(thing, "__module__", "") != module.__name__
+        ):
+            continue
+        example = examples.get(f"{module.__name__}.{name}")
+        if inspect.isfunction(thing):
+            if called := first_call(example, module, name):
+                yield Door(name, thing, called[1])
+        elif inspect.isclass(thing) and name not in RETURNED:
+            if hasattr(thing, "__dataclass_fields__") and (
+                called := first_call(example, thing, "__init__")
+            ):
+                yield Door(name, converted(thing) if name in CONVERTED else thing, called[1])
+            for key, member in list(vars(thing).items()):
+                bare = getattr(member, "__func__", member)
+                if key.startswith("_") or not inspect.isfunction(bare):
+                    continue
+                own = examples.get(f"{module.__name__}.{name}.{key}")
+                if own and (called := first_call(own, thing, key)):
+                    yield Door(f"{name}.{key}", getattr(called[0], key), called[1])
+
+
+def converted(kind: type) -> Callable[..., Any]:
+    def convert(**arguments: Any) -> Any:
+        return kind(**arguments).imu_errors
+
+    convert.__signature__ = inspect.signature(kind)  # type: ignore[attr-defined]
+    return convert
+
+
+class Anything:
+    """An object of no kind that is known here."""
+
+
+OBJECTS = {
+    "an object": Anything(),
+    "a dict": {"a": 1.0},
+    "a date": datetime.datetime(2026, 1, 1),
+    "a class": Scheme,
+    "a complex number": 1 + 2j,
+    "noise": ImuNoise(),
+    "errors": NO_ERRORS,
+}
+NOTHING = {"nothing": None}
+NUMBERS = {"text": "1.5", "NaN": np.nan, "a row": [1.0, 2.0], "a truth value": True}
+COUNTS = {"text": "3", "NaN": np.nan, "a half": 2.5, "a row": [1, 2]}
+FLAGS = {"text": "yes", "one": 1, "an array": np.eye(3)}
+NAMES = {"a number": 3, "an unknown name": "no such name", "a path": Path("a/b")}
+ARRAYS = {
+    "text": "no such name",
+    "texts": ["1", "2", "3"],
+    "ragged": [[1.0, 2.0], [3.0]],
+    "empty": np.zeros((0, 3)),
+    "NaN": np.full((3, 3), np.nan),
+    "truth values": np.eye(3) > 0,
+    "a function": np.sin,
+}
+THINGS = {"an unknown name": "no such name", "an array": np.eye(3), "a number": 1.0, "a list": [1]}
+FREE_TEXT = ("name", "source", "licence", "path", "accelerometer_path", "gyro_path", "text")
+
+
+def slips(name: str, kind: str) -> dict[str, Any]:
+    """Wrong values for an argument that is annotated so."""
+    parts = {part.strip() for part in kind.split("|")}
+    wrong = dict(OBJECTS) | ({} if "None" in parts or name == "axes" else NOTHING)
+    if "ImuNoise" in parts:
+        del wrong["noise"]
+    if "ImuErrors" in parts:
+        del wrong["errors"]
+    if "bool" in parts:
+        return wrong | FLAGS
+    if "int" in parts:
+        return wrong | COUNTS
+    if "float" in parts:
+        return wrong | NUMBERS
+    if "ArrayLike" in parts:
+        arrays = {
+            key: value
+            for key, value in ARRAYS.items()
+            if name not in MAY_BE_EMPTY or key != "empty"
+        }
+        return wrong | arrays
+    if "Path" in parts:
+        return wrong | {"a number": 3, "a list": ["a.csv"]}
+    if "str" in parts and len(parts - {"None"}) == 1:
+        more = dict(NAMES)
+        if name in FREE_TEXT:
+            del more["an unknown name"], more["a path"]
+        return wrong | more
+    if "np.random.Generator" in parts:
+        return wrong | THINGS
+    if any(word in kind for word in ("Callable", "Task", "Columns", "Sequence", "DTypeLike")):
+        return {key: wrong[key] for key in ("an object", "a date", "a complex number")}
+    return wrong | THINGS
+
+
+def complaint(door: Door, name: str, wrong: Any) -> str:
+    """What is wrong with the answer to a slip; nothing if it is one good sentence."""
+    names = "|".join(
+        [*door.arguments, ALSO_CALLED.get(name, name), "imu_errors", *NO_ERRORS._fields]
+    )
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            door.call(**(door.arguments | {name: wrong}))
+    except (ValueError, TypeError) as refusal:
+        text = str(refusal)
+        if not re.fullmatch(rf"({names})\b[\w., ]*: expected [^\n]*[.?)]", text):
+            return f"{type(refusal).__name__}: {text!r:.150}"
+        return ""
+    except Exception as other:
+        return f"{type(other).__name__}: {str(other)!r:.120}"
+    return "accepted"
+
+
+@pytest.mark.parametrize("module", helper_modules(), ids=lambda module: module.__name__[9:])
+def test_a_slip_gets_one_sentence_that_names_the_argument(module):
+    complaints = []
+    for door in doors(module):
+        if door.name in CORES:
+            continue
+        for name, parameter in inspect.signature(door.call).parameters.items():
+            full = f"{door.name}.{name}"
+            kind = str(parameter.annotation)
+            if (
+                full in LET_THROUGH
+                or "FloatArray" in kind
+                or parameter.kind is parameter.VAR_POSITIONAL
+            ):
+                continue
+            for what, wrong in slips(name, kind).items():
+                if text := complaint(door, name, wrong):
+                    complaints.append(f"{full} ({kind}) given {what}: {text}")
+    assert not complaints, "\n".join(complaints)
+
+
+def test_every_function_at_the_doors_has_a_call():
+    """Without one it would not be tested above."""
+    found, offered = set(), set()
+    for module in helper_modules():
+        found |= {door.name for door in doors(module)}
+        for name, thing in vars(module).items():
+            if inspect.isfunction(thing) and thing.__module__ == module.__name__:
+                offered.add(name)
+    uncalled = {name for name in offered - found if not name.startswith(("_", "checked_"))}
+    assert uncalled <= {"published"}  # which asks the network
+    assert {"Scheme", "ImuNoise", "TableTurn", "DesignTask", "Increments.part"} <= found
+
+
+def test_a_slip_that_is_let_through_is_seen():
+    door = Door("f", lambda rate: rate.shape, {"rate": np.zeros(3)})
+    assert complaint(door, "rate", None).startswith("AttributeError")
+    assert complaint(door, "rate", np.eye(3)) == "accepted"
+    silent = Door("f", lambda rate: [][1], {"rate": 1.0})
+    assert complaint(silent, "rate", 2.0).startswith("IndexError")
+    vague = Door("f", lambda rate: np.ones(3) + np.ones(int(rate)), {"rate": 3})
+    assert complaint(vague, "rate", 2.0).startswith("ValueError")
+
+
+LATITUDE = np.radians(59.9)
+SCHEME = Scheme("+90X -90X", dwell=10.0)
+TRUE = table_trajectory(SCHEME, LATITUDE, 0.5)
+LINEARIZED = linearize_along(SCHEME, LATITUDE)
+BENT = np.array([[0, 2e-3, 0], [0, 0, 0], [0, 0, 0]])
+CALIBRATE = {
+    "latitude": LATITUDE,
+    "start": SCHEME.start_attitude,
+    "model": ERROR_MODELS["averaged"],
+    "prior": PriorDeviations(),
+    "noise": ImuNoise(reference_velocity=1e-5),
+    "update_interval": 10.0,
+}
+
+
+def calibrate(**changes):
+    return dl.calibrate(TRUE.increments, **(CALIBRATE | changes))
+
+
+@pytest.mark.parametrize(
+    ("slip", "sentence"),
+    [
+        (lambda: calibrate(model="average"), "model: expected an ErrorModel or the name of one"),
+        (lambda: calibrate(model=None), "model: .* got None"),
+        (lambda: calibrate(prior=None), "prior: expected a PriorDeviations, got None"),
+        (lambda: calibrate(prior=PriorDeviations), "prior: .* got the class PriorDeviations"),
+        (lambda: calibrate(noise=0.01), r"noise: expected an ImuNoise, got 0\.01"),
+        (lambda: calibrate(latitude=59.9), r"latitude: .* in degrees\? np\.radians\(59\.9\)"),
+        (lambda: dl.TableTrial("+90X"), r"scheme: expected a Scheme such as .* got '\+90X'"),
+        (lambda: dl.TableTrial(states=["levers"]), "states: expected some of lever arms,"),
+        (lambda: linearize_along("+90X", 0.7), r"scheme: expected a Scheme .* got '\+90X'"),
+        (lambda: table_trajectory([SCHEME], 0.7, 0.5), "scheme: expected a Scheme .* got a list"),
+        (
+            lambda: dl.calibration.unobservable_subspace(SCHEME),
+            r"linearized: expected what linearize_along\(scheme, latitude\) returns, got a Scheme",
+        ),
+        (
+            lambda: dl.calibration.covariance_analysis(SCHEME, ImuNoise(), PriorDeviations()),
+            r"linearized: expected what linearize_along\(scheme, latitude\) returns, got a Scheme",
+        ),
+        (
+            lambda: dl.calibration.covariance_analysis(LINEARIZED, None, PriorDeviations()),
+            "noise: expected an ImuNoise, got None",
+        ),
+        (
+            lambda: dl.navigate(TRUE.increments._asdict(), TRUE.increments),
+            r"start: expected a Navigation\(.*\), got a dict",
+        ),
+        (lambda: measure(TRUE.increments.angle, NO_ERRORS), "increments: .* got an array of shape"),
+        (lambda: measure(TRUE.increments._asdict(), NO_ERRORS), "increments: .* got a dict"),
+        (lambda: measure(NO_ERRORS, TRUE.increments), "increments: .* got an ImuErrors"),
+        (
+            lambda: measure(TRUE.increments, NO_ERRORS, np.random.default_rng(1)),
+            "noise: expected an ImuNoise, got a Generator",
+        ),
+        (
+            lambda: measure(TRUE.increments, NO_ERRORS, ImuNoise(), 1),
+            "rng: expected a numpy Generator to draw the noise, got 1",
+        ),
+        (
+            lambda: measure(TRUE.increments, TYPICAL_ERRORS._replace(gyro_bias=[10, 20, 30])),
+            r"gyro_bias: expected rad/s, at most 1 in size, got 30: is it in deg/h\?",
+        ),
+        (
+            lambda: measure(TRUE.increments, NO_ERRORS._replace(gyro_error=np.eye(3) + BENT)),
+            r"gyro_error: .* is it the whole matrix I \+ M\? Subtract the identity",
+        ),
+        (lambda: dl.drift_per_turn(BENT, [1, 1, 0]), "triad_error: expected shape"),
+        (
+            lambda: dl.drift_per_turn([1, 1, 0], np.eye(3) + BENT),
+            r"triad_error: .* is it the whole matrix I \+ M\? Subtract the identity",
+        ),
+        (lambda: Scheme("+90X", rate=10), r"rate: expected rad/s, .* degrees\? np\.radians\(10\)"),
+        (lambda: TableTurn(rate=360), r"rate: expected rad/s, .* degrees\? np\.radians\(360\)"),
+        (lambda: Coning(10, 5.0), "half_angle: .* in degrees"),
+        (
+            lambda: dl.gyrocompass.level_loop(Gains(1e-3, 1e-6), gravity=1.0),
+            r"gravity: expected m/s\^2 near the Earth, 5 to 20, got 1: is it in g\?",
+        ),
+        (lambda: dl.gyrocompass.initial_level_frame(0.5), "alignment: .* from align"),
+        (lambda: dl.fit_noise_terms(np.ones(9)), "allan: .* from allan_deviation"),
+        (lambda: Increments(1.0, np.eye(3), np.eye(3)).part(0.5, 2), "begin: expected a whole"),
+    ],
+)
+def test_named_slip_is_told_what_would_be_right(slip, sentence):
+    with pytest.raises(ValueError, match=f"^{sentence}"):
+        slip()
+
+
+@pytest.mark.parametrize(
+    ("unusual", "words"),
+    [
+        (lambda: TableTurn(rate=10), r"^rate: 10 rad/s is 573 degrees a second"),
+        (lambda: dl.drift_per_turn([1, 1, 0], 1e3 * BENT), "^triad_error: an entry is 2, .* mrad"),
+        (lambda: dl.drift_coefficient([1, 1, 0], np.eye(3)), r"^triad_error: .* I \+ M\?"),
+        (lambda: dl.frames.from_euler_angles(90, 0, 0), r"^heading: 90 rad is 14\.3 turns"),
+        (
+            lambda: dl.increments_from_rates(np.tile([0, 0, 10.0], (9, 1)), interval=10),
+            "^rates, interval: they make 100 rad in one interval",
+        ),
+    ],
+)
+def test_what_is_only_unusual_is_warned_of(unusual, words):
+    with pytest.warns(UnusualWarning, match=words):
+        unusual()
+
+
+def test_a_name_stands_for_an_object_wherever_there_is_a_table_of_them():
+    by_name = linearize_along("19 positions", LATITUDE, "averaged")
+    own = linearize_along(dl.motion.NINETEEN_POSITIONS, LATITUDE, ERROR_MODELS["averaged"])
+    np.testing.assert_array_equal(by_name.transitions, own.transitions)
+    assert dl.TableTrial("19 positions") == dl.TableTrial(dl.motion.NINETEEN_POSITIONS)
+    task = dl.calibration.DesignTask(model="averaged")
+    assert task.model is ERROR_MODELS["averaged"]
+    assert dl.TableTrial(states="lever arms").states == ("lever arms",)
