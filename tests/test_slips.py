@@ -359,7 +359,7 @@ def calibrate(**changes):
         (lambda: Coning(10, 5.0), "half_angle: .* in degrees"),
         (
             lambda: dl.gyrocompass.level_loop(Gains(1e-3, 1e-6), gravity=1.0),
-            r"gravity: expected m/s\^2 near the Earth, 5 to 20, got 1: is it in g\?",
+            r"gravity: expected m/s\^2, 2 to 50, got 1: is it in g\?",
         ),
         (lambda: dl.gyrocompass.initial_level_frame(0.5), "alignment: .* from align"),
         (lambda: dl.fit_noise_terms(np.ones(9)), "allan: .* from allan_deviation"),
@@ -378,10 +378,6 @@ def test_named_slip_is_told_what_would_be_right(slip, sentence):
         (lambda: dl.drift_per_turn([1, 1, 0], 1e3 * BENT), "^triad_error: an entry is 2, .* mrad"),
         (lambda: dl.drift_coefficient([1, 1, 0], np.eye(3)), r"^triad_error: .* I \+ M\?"),
         (lambda: dl.frames.from_euler_angles(90, 0, 0), r"^heading: 90 rad is 14\.3 turns"),
-        (
-            lambda: dl.increments_from_rates(np.tile([0, 0, 10.0], (9, 1)), interval=10),
-            "^rates, interval: they make 100 rad in one interval",
-        ),
     ],
 )
 def test_what_is_only_unusual_is_warned_of(unusual, words):

@@ -74,7 +74,7 @@ def checked_latitude(latitude: ArrayLike) -> FloatArray:
 
 
 def checked_gravity(gravity: FloatArray) -> FloatArray:
-    """Return gravity itself, refusing what is not near that of the Earth.
+    """Return gravity itself, refusing what is no planet's, as a number of g.
 
     Parameters
     ----------

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import warnings
-
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.interpolate import make_interp_spline
 
-from .checks import FloatArray, UnusualWarning, finite_array, positive_number, shown, whole_number
+from .checks import FloatArray, finite_array, positive_number, shown, whole_number
 
 _NEARLY_WHOLE = 1e-3
 """Part that the last interval may lack, because time stamps are rounded."""
@@ -101,16 +99,7 @@ def increments_from_rates(
             f"interval: expected at most the time of all samples, {moments[-1]:g} s, got {step:g}."
         )
     spline = make_interp_spline(moments, rows, degree, axis=-2).antiderivative()
-    increments = np.diff(spline(step * np.arange(whole + 1)), axis=-2)
-    largest = np.abs(increments).max()
-    if largest > np.pi:
-        warnings.warn(
-            f"rates, interval: they make {largest:.3g} rad in one interval, more than half a turn. "
-            "Is the rate in degrees a second, or the interval in milliseconds?",
-            UnusualWarning,
-            stacklevel=2,
-        )
-    return increments
+    return np.diff(spline(step * np.arange(whole + 1)), axis=-2)
 
 
 def _sample_times(times: ArrayLike, count: int, longest_gap: float) -> FloatArray:

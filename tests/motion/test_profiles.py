@@ -237,7 +237,9 @@ def test_axes_that_have_no_direction_are_refused():
 @pytest.mark.parametrize(("motion_class", "name"), [(Coning, "half_angle"), (Sway, "amplitude")])
 @pytest.mark.parametrize("bad", [3.2, -3.2])
 def test_angles_beyond_half_a_turn_are_refused(motion_class, name, bad):
-    with pytest.raises(ValueError, match=rf"^{name}: expected at most pi rad, got {bad}\.$"):
+    with pytest.raises(
+        ValueError, match=rf"^{name}: expected at most pi rad, got {bad}: is it in degrees\?$"
+    ):
         motion_class(bad, 1.0)
 
 
@@ -245,7 +247,7 @@ def test_angles_beyond_half_a_turn_are_refused(motion_class, name, bad):
 @pytest.mark.parametrize("interval", [0, 0.0, -1e-3])
 def test_intervals_that_are_not_positive_are_refused(motion, interval):
     with pytest.raises(
-        ValueError, match=rf"^interval: expected a positive time, got {interval!r}\.$"
+        ValueError, match=rf"^interval: expected a positive number, got {interval!r}\.$"
     ):
         motion.increments(interval, 3)
 

@@ -32,8 +32,8 @@ LARGEST_GYRO_BIAS = 1.0
 """rad/s: 57 degrees a second, twice the worst that data sheets of consumer gyros allow."""
 LARGEST_ACCELEROMETER_BIAS = 10.0
 """m/s^2: about gravity, ten times the worst that data sheets of consumer accelerometers allow."""
-GRAVITY_RANGE = (5.0, 20.0)
-"""m/s^2: from some 2500 km above the Earth to twice its pull; one g is no number of m/s^2."""
+GRAVITY_RANGE = (2.0, 50.0)
+"""m/s^2: Mars and Jupiter are within, and one g, taken for a number of m/s^2, is not."""
 TWO_TURNS = 4 * np.pi
 """rad: where an angle of a body is more likely one in degrees."""
 
@@ -223,7 +223,7 @@ def within(array: FloatArray, name: str, most: float, unit: str, slip: str) -> F
 
 
 def pull_of_gravity(array: FloatArray, name: str = "gravity") -> FloatArray:
-    """Return gravity itself, refusing what is not positive, or not near that of the Earth.
+    """Return gravity itself, refusing what is no planet's, as a number of g.
 
     Parameters
     ----------
@@ -246,20 +246,18 @@ def pull_of_gravity(array: FloatArray, name: str = "gravity") -> FloatArray:
     --------
     >>> pull_of_gravity(np.array([9.81, 1.0]))
     Traceback (most recent call last):
-    ValueError: gravity: expected m/s^2 near the Earth, 5 to 20, got 1: is it in g?
+    ValueError: gravity: expected m/s^2, 2 to 50, got 1: is it in g?
     """
     least, most = GRAVITY_RANGE
     if array.min() < least or array.max() > most:
         worst = array.min() if array.min() < least else array.max()
         likely = ": is it in g?" if 0.5 < worst < 2 else "."
-        raise ValueError(
-            f"{name}: expected m/s^2 near the Earth, {least:g} to {most:g}, got {worst:g}{likely}"
-        )
+        raise ValueError(f"{name}: expected m/s^2, {least:g} to {most:g}, got {worst:g}{likely}")
     return array
 
 
 def one_pull(value: object, name: str = "gravity") -> float:
-    """Return gravity as a float, refusing everything but one number near that of the Earth.
+    """Return gravity as a float, refusing everything but one number that a planet has.
 
     Parameters
     ----------
@@ -282,7 +280,7 @@ def one_pull(value: object, name: str = "gravity") -> float:
     --------
     >>> one_pull(1.0)
     Traceback (most recent call last):
-    ValueError: gravity: expected m/s^2 near the Earth, 5 to 20, got 1: is it in g?
+    ValueError: gravity: expected m/s^2, 2 to 50, got 1: is it in g?
     """
     number = finite_number(value, name)  # type: ignore[arg-type]  # it refuses the rest itself
     return float(pull_of_gravity(np.array(number), name))
