@@ -1,6 +1,8 @@
 """The shared checks: what they let through unchanged, and the sentence with which they refuse."""
 
+import doctest
 import re
+from importlib import import_module
 
 import numpy as np
 import pytest
@@ -146,3 +148,13 @@ def test_a_thing_of_its_kind_is_returned():
 def test_noise_is_drawn_from_a_generator_only(seed):
     with pytest.raises(ValueError, match=r"^rng: expected a numpy Generator to draw the noise"):
         checked_generator(seed)
+
+
+@pytest.mark.parametrize(
+    "part", ["arrays", "error_matrices", "magnitudes", "numbers", "objects", "words"]
+)
+def test_examples_run(part):
+    options = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
+    tried = doctest.testmod(import_module(f"driftlab.checks._{part}"), optionflags=options)
+    assert tried.attempted > 0
+    assert tried.failed == 0

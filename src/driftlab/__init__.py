@@ -30,7 +30,11 @@ Conventions, fixed here once for the whole package:
 * Local axes are East, North, Up. In Part IV they are North, Up, East, as in its paper, with body
   axes forward, up, right and headings from North to West; see `frames`. `axes` converts from and
   to other axes, `conventions` other signs and orders.
-* Bad input raises `ValueError` with one sentence: which argument, what was expected, what came.
+* Bad input raises `ValueError` with one sentence: which argument, what was expected, what came. A
+  size that is possible but seldom meant, as degrees for radians, is a `checks.UnusualWarning`.
+* Where there is a table of objects with names, as `ERROR_MODELS` or `SCHEMES`, an argument is one
+  of the names or an object of one's own.
+* What is annotated ``FloatArray`` is an array that the package has made: it is not checked again.
 
 Ground floor: `checks`, `vectors`, `quaternion`, `earth`, `axes`, `conventions`, `frames`, `triad`,
 `body_frames`, `imu`, `increments`, `strapdown`, `monte_carlo`, `noise_terms`, `allan`. On it stand

@@ -253,13 +253,8 @@ def real_imu_errors(imu_errors: ImuErrors) -> ImuErrors:
     """
     errors = checked_imu_errors(imu_errors)
     within(errors.gyro_bias, "gyro_bias", LARGEST_GYRO_BIAS, "rad/s", "is it in deg/h?")
-    within(
-        errors.accelerometer_bias,
-        "accelerometer_bias",
-        LARGEST_ACCELEROMETER_BIAS,
-        "m/s^2",
-        "is it in mg?",
-    )
+    name, most = "accelerometer_bias", LARGEST_ACCELEROMETER_BIAS
+    within(errors.accelerometer_bias, name, most, "m/s^2", "is it in mg?")
     for name in ("gyro_error", "accelerometer_error"):
         error_matrix(getattr(errors, name), name, LARGEST_SCALE)
     return errors

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, checked_instance, finite_array, finite_number
+from driftlab.checks import FloatArray, checked_instance, finite_array
 from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.earth import curvature_radii, earth_rate
@@ -44,7 +44,6 @@ def free_rates(latitude: float) -> FloatArray:
     >>> round(float(free_rates(0.0)[0, 4] * meridian), 12)
     -1.0
     """
-    finite_number(latitude, "latitude")
     earth = earth_rate(latitude)
     meridian, across = curvature_radii(latitude)
     rates = np.zeros((6, 6))
@@ -229,7 +228,6 @@ def transition_of_increments(
     4.9
     """
     checked_instance(model, ErrorModel, "model")
-    checked_instance(increments, Increments, "increments")
     matrices = to_matrix(attitude)
     # Local axes turn by an arc second or so in a second; here they count as fixed.
     middle = 0.5 * (matrices[..., :-1, :, :] + matrices[..., 1:, :, :])

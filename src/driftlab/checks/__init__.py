@@ -16,14 +16,16 @@ from ._arrays import (
     unit_quaternions as unit_quaternions,
     whole_pairs as whole_pairs,
 )
+from ._error_matrices import (
+    LARGEST_SCALE as LARGEST_SCALE,
+    error_matrix as error_matrix,
+    linear_error_matrix as linear_error_matrix,
+)
 from ._magnitudes import (
     LARGEST_ACCELEROMETER_BIAS as LARGEST_ACCELEROMETER_BIAS,
     LARGEST_GYRO_BIAS as LARGEST_GYRO_BIAS,
-    LARGEST_SCALE as LARGEST_SCALE,
     USUAL_TABLE as USUAL_TABLE,
     UnusualWarning as UnusualWarning,
-    error_matrix as error_matrix,
-    linear_error_matrix as linear_error_matrix,
     one_pull as one_pull,
     pull_of_gravity as pull_of_gravity,
     table_rate as table_rate,

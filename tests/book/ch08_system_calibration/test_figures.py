@@ -227,7 +227,7 @@ def test_observability_of_a_table_is_that_of_its_own_scheme_model_latitude_and_n
                 data.descriptions.clear()  # nothing that is kept
     with pytest.raises(ValueError, match="latitude: expected one number, got shape"):
         table_observability(scheme, latitude=[0.6])
-    with pytest.raises(ValueError, match="model: expected an ErrorModel, got"):
+    with pytest.raises(ValueError, match="model: expected an ErrorModel or the name of one"):
         table_observability(scheme, ["x"])
     odd = Scheme("+90Z -90X", ("East", "North", "Up"), np.array(120.0), np.radians(10.0))
     assert (
