@@ -14,8 +14,9 @@ usage: python3 lab.py [command]
   figures   rebuild every figure and table of the book
   bench     print how fast the package is, against its peers, which this command fetches
   peers     ask programs of others, which this command fetches, whether they compute the same
-  lock      renew environment.txt from pyproject.toml
-  release   write what release.toml says of this version where it is needed
+  site      build the reference, the ledger and the gallery as web pages, in _site
+  lock      renew environment.txt, and the list of the site's packages, from pyproject.toml
+  release   write what release/release.toml says of this version where it is needed
 """
 
 import argparse
@@ -37,6 +38,7 @@ if sys.version_info < (3, 11):  # noqa: UP036
 
 sys.path.append(str(Path(__file__).resolve().parent))
 
+from bootstrap.beside import SITE_HEAD, SITE_LIST, beside, without
 from bootstrap.copies import BOOK, bring_clean, bring_copies
 from bootstrap.environment import (
     ENVIRONMENT,
@@ -217,6 +219,15 @@ def fetch(extra: str) -> None:
         say("Going on without the packages to compare with.")
 
 
+def site(arguments: list[str]) -> int:
+    """Build the site in an environment of its own; a warning is an error."""
+    expect_none(arguments)
+    set_up()
+    python = beside(SITE_LIST)
+    with running([str(python), "site/build.py"]) as process:
+        return abs(process.wait())
+
+
 def lock(arguments: list[str]) -> int:
     """Write environment.txt with the newest packages that pyproject.toml allows."""
     expect_none(arguments)
@@ -228,6 +239,15 @@ def lock(arguments: list[str]) -> int:
     write(ENVIRONMENT, lock_line() + new.read_text("utf-8"))
     new.unlink()
     say("environment.txt is renewed.")
+    if "site" not in project()["project"].get("optional-dependencies", {}):
+        return 0
+    more = ["--extra", "site", "--constraint", ENVIRONMENT.name]
+    new = SITE_LIST.with_suffix(".new")
+    if run("-m", "uv", *resolve, *more, "--output-file", str(new.relative_to(HOME))):
+        raise Trouble(f"{SITE_LIST.name} stays as it is; the messages above tell why.")
+    write(SITE_LIST, SITE_HEAD + without(ENVIRONMENT.read_text("utf-8"), new.read_text("utf-8")))
+    new.unlink()
+    say("The list of the site's packages is renewed.")
     return 0
 
 
@@ -252,6 +272,7 @@ COMMANDS = {
     "figures": figures,
     "bench": bench,
     "peers": peers,
+    "site": site,
     "lock": lock,
     "release": release,
 }

@@ -128,7 +128,7 @@ class NoiseTerms:
 
         Returns
         -------
-        ndarray, shape (*shape, count)
+        ndarray, shape (..., count)
             rad/s. The random walk begins at zero. The flicker noise is the first half of a record
             with a period of twice the length.
 

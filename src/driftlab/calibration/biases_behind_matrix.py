@@ -28,7 +28,7 @@ class PsinsMatrices:
     Attributes
     ----------
     Kg, Ka : array_like, shape (..., 3, 3)
-        Calibration matrices, after `sf` has made SI units of the pulses.
+        Calibration matrices, after ``sf`` has made SI units of the pulses.
     eb, db : array_like, shape (..., 3)
         Biases *behind* the matrix, rad/s and m/s^2; its files have degrees per hour and micro-g.
     Ka2, Kap, rx, ry, rz, tGA, gSens : array_like

@@ -45,9 +45,9 @@ class ImuTkMatrices:
 
     Notes
     -----
-    Kyle-ak/imu_tk at 7780270, ``include/imu_tk/calibration.h``: `unbiasNormalize`. The
+    Kyle-ak/imu_tk at 7780270, ``include/imu_tk/calibration.h``: ``unbiasNormalize``. The
     accelerometers fix its body axes, T being zero below the diagonal: z lies along the z
-    accelerometer, y in the plane of y and z (`MultiPosAccResidual`, ``src/calibration.cpp``).
+    accelerometer, y in the plane of y and z (``MultiPosAccResidual``, ``src/calibration.cpp``).
     Others changed that to zero above; see `imu_errors_in_accelerometer_axes`. The gyros' b is their
     mean over the first rest, so the Earth's rotation is in it.
 
@@ -122,9 +122,9 @@ class KalibrMatrices:
     Notes
     -----
     ethz-asl/kalibr at 1f60227, ``IccSensors.py`` of ``kalibr_imu_camera_calibration``:
-    `IccScaledMisalignedImu`. Asked for in its issues 189, 334, 436 and 603. The accelerometers fix
-    its body axes (our "accelerometers"): x lies along the x accelerometer, y in the plane of x and
-    y.
+    ``IccScaledMisalignedImu``. Asked for in its issues 189, 334, 436 and 603. The accelerometers
+    fix its body axes (our "accelerometers"): x lies along the x accelerometer, y in the plane of x
+    and y.
 
     Examples
     --------

@@ -10,7 +10,7 @@ velocities into those of the cone.
 The method is known as coarse alignment in the inertial frame. Wu, Wu, Hu and Hu (Aerospace Science
 and Technology 15, 2011) put it as Wahba's problem for velocity vectors; Silson (IEEE Transactions
 on Instrumentation and Measurement 60, 2011) fits velocity loci on a ship; Yan's PSINS has it as
-`aligni0`, with two vectors, and the Moscow toolkit pony as `pony_ins_alignment_rotating`.
+``aligni0``, with two vectors, and the Moscow toolkit pony as ``pony_ins_alignment_rotating``.
 """
 
 from __future__ import annotations
@@ -117,8 +117,8 @@ def align_in_inertial_frame(increments: Increments, latitude: ArrayLike) -> Iner
     counts little.
 
     Of the ways to solve for the attitude this one takes all velocities (Wahba's problem, by
-    Davenport's method). The cross products of two velocities, as of `aligni0`, take the middle and
-    the end, and what the base does just then goes into the heading undiminished. The headings of 26
+    Davenport's method). The cross products of two velocities, as of ``aligni0``, take the middle
+    and the end, and what the base does just then goes into the heading undiminished. The headings of 26
     stretches of 70 s of a parked car scatter five times as much by it, see chapter 13.
 
     Constant biases of the sensors do what they do in `align`: `alignment_attitude_error` holds here

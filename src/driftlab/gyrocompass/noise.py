@@ -107,7 +107,7 @@ class GyroNoise:
 
         Returns
         -------
-        ndarray, shape (*shape, count)
+        ndarray, shape (..., count)
             Rates, rad/s.
 
         Raises

@@ -42,7 +42,8 @@ def read_csv(
     Parameters
     ----------
     path : str or Path
-        As for `text_table.read_table`, which finds the delimiter and the decimal sign.
+        Numbers between commas, semicolons, tabs or blanks, with decimal points, or with decimal
+        commas if the delimiter is another; lines that begin with %, # or // are comments.
     gyro, accelerometer : sequence of str or int
         Three columns each, in the order of the axes: names from the header, without their units, or
         numbers counted from 1. A minus before either, as in "-gyr_y", changes the sign.

@@ -134,7 +134,7 @@ def stretches(increments: Increments, seconds: float) -> Increments:
 def two_velocities(increments: Increments, latitude: float) -> FloatArray:
     """Headings (...) at the end, from the velocities at half time and at the end alone.
 
-    The plane of the two tells the heading. PSINS has this in `aligni0`, besides the same with
+    The plane of the two tells the heading. PSINS has this in ``aligni0``, besides the same with
     positions.
     """
     interval, angle, velocity = increments

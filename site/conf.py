@@ -1,0 +1,46 @@
+"""Settings of Sphinx for the site; build.py writes the pages and starts it."""
+
+import driftlab
+
+project = "Drift Lab"
+author = project_copyright = "The Drift Lab authors"
+version = release = driftlab.__version__
+
+extensions = [
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "sphinx.ext.viewcode",
+    "numpydoc",
+    "myst_nb",
+    "sphinx_copybutton",
+    "extension",
+]
+nitpicky = True  # a link that leads nowhere is a warning, and a warning an error
+default_role = "py:obj"
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"  # docstrings say types, with shapes and units
+autodoc_preserve_defaults = True
+toc_object_entries_show_parents = "hide"
+numpydoc_show_class_members = False
+numpydoc_class_members_toctree = False
+
+myst_enable_extensions = ["amsmath", "dollarmath"]
+myst_heading_anchors = 3
+nb_execution_mode = "force"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 120
+nb_render_markdown_format = "myst"  # or tables and formulas of outputs stay raw
+# A widget's view would fetch its manager from elsewhere; the page shows its picture.
+nb_mime_priority_overrides = [("html", "application/vnd.jupyter.widget-view+json", None)]
+nb_ipywidgets_js: dict[str, dict[str, str]] = {}  # they would come from elsewhere
+
+html_theme = "furo"
+html_title = "Drift Lab"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_sourcelink = False
+mathjax_path = "mathjax/tex-chtml.js"
+copybutton_prompt_text = r">>> |\.\.\. "
+copybutton_prompt_is_regexp = True
