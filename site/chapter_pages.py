@@ -91,17 +91,17 @@ def with_links(text: str) -> str:
 
     def led(match: re.Match[str]) -> str:
         target = match[1]
-        name, _, fragment = target.partition("#")
+        path, _, fragment = target.partition("#")
+        name = Path(path).name
         chapter = re.match(r"(\d\d)_.*\.ipynb$", name)
         if chapter:
             return f"](#chapter-{chapter[1]})"
         if not name:
             # Jupyter's address of a heading has its commas and capitals, MyST's has not.
-            heading = re.sub(r"[^\w-]", "", unquote(fragment).lower())
-            return f"](#{heading})"
-        known = PUBLISHED.get(Path(name).name)
-        return (
-            f"]({known or '/chapters.md'})" if Path(name).suffix in (".ipynb", ".md") else match[0]
-        )
+            heading = unquote(fragment).lower().replace(" ", "-")
+            return f"](#{re.sub('[^a-z0-9_-]', '', heading)})"
+        if Path(name).suffix in (".ipynb", ".md"):
+            return f"]({PUBLISHED.get(name, '/chapters.md')})"
+        return match[0]
 
     return re.sub(r"\]\((?!https?:)([^)\s]+)\)", led, text)

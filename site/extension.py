@@ -8,12 +8,13 @@ from functools import cache
 from typing import Any
 
 from docutils import nodes
+from sphinx import addnodes
 from sphinx.application import Sphinx
 from sphinx.domains.python import PythonDomain
 from sphinx.environment import BuildEnvironment
 
 from api_pages import plain_bars
-from doors import FOLDER, aliases
+from doors import FOLDER, aliases, names
 from papers import in_the_papers
 
 
@@ -21,7 +22,9 @@ def setup(app: Sphinx) -> dict[str, bool]:
     """Join the build."""
     app.connect("autodoc-process-docstring", add_papers, priority=900)  # numpydoc rewrites first
     app.connect("autodoc-skip-member", skip_fields)
+    app.connect("doctree-read", add_homes)
     app.connect("env-updated", add_aliases)
+    app.connect("env-updated", drop_sourceless)
     app.connect("missing-reference", find_elsewhere)
     return {"parallel_read_safe": True}
 
@@ -40,6 +43,26 @@ def skip_fields(
 ) -> bool | None:
     """Leave out the fields of a NamedTuple, which the docstring of the class explains."""
     return True if type(found).__name__ == "_tuplegetter" else None
+
+
+def add_homes(app: Sphinx, doctree: nodes.document) -> None:
+    """Let the pages of sources, which know where things are defined, find their entries."""
+    homes = {name.documented: name.home for name in names()}
+    for signature in doctree.findall(addnodes.desc_signature):
+        if signature.get("module") and signature["ids"]:
+            first, *rest = signature["fullname"].split(".")
+            known = homes.get(f"{signature['module']}.{first}")
+            place = ".".join([known, *rest]) if known else ""
+            if place and place not in signature["ids"]:
+                signature["ids"].append(place)
+
+
+def drop_sourceless(app: Sphinx, env: BuildEnvironment) -> Iterable[str]:
+    """Forget modules without a source, of types by another name: their list would link to them."""
+    env._viewcode_modules = {  # type: ignore[attr-defined]
+        name: found for name, found in getattr(env, "_viewcode_modules", {}).items() if found
+    }
+    return ()
 
 
 def add_aliases(app: Sphinx, env: BuildEnvironment) -> Iterable[str]:

@@ -66,7 +66,7 @@ def short(paper: str) -> str:
     names = [name.split(" ")[-1] for name in WORKS[paper].authors.split(", ")]
     if paper == "wu":  # Chinese names have the family first
         names = [name.split(" ")[0] for name in WORKS[paper].authors.split(", ")]
-    return names[0] if len(names) == 1 else f"{names[0]} et al."
+    return " and ".join(names) if len(names) < 3 else f"{names[0]} et al."
 
 
 def as_rst(text: str) -> str:

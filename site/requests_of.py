@@ -39,6 +39,8 @@ def requests_of(folder: Path) -> list[str]:
         page.feed(path.read_text("utf-8"))
         found += [f"{path.relative_to(folder)}: {address}" for address in page.asked]
     for path in sorted(folder.rglob("*.css")):
-        addresses = re.findall(r"(?:url\(|@import)\s*['\"]?([^'\")\s]+)", path.read_text("utf-8"))
+        addresses = re.findall(
+            r"(?:url\(|@import\s+(?!url))\s*['\"]?([^'\")\s]+)", path.read_text("utf-8")
+        )
         found += [f"{path.relative_to(folder)}: {a}" for a in addresses if ELSEWHERE.match(a)]
     return found

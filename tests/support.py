@@ -1,5 +1,6 @@
 """What several tests share: random inputs, strategies, and the order at which an error shrinks."""
 
+import os
 import re
 from collections.abc import Callable
 from decimal import Decimal
@@ -139,6 +140,14 @@ def assert_normal(values, deviation):
     products = unit.T @ unit / len(unit)
     assert (np.abs(products[np.triu_indices(unit.shape[1], 1)]) < bound).all()
     assert (np.abs((unit[1:] * unit[:-1]).mean(axis=0)) < bound).all()
+
+
+def site_or_skip() -> Path:
+    """Folder of a built site, which DRIFTLAB_SITE names; else the test is skipped."""
+    folder = os.environ.get("DRIFTLAB_SITE")
+    if not folder:
+        pytest.skip("DRIFTLAB_SITE names no site that 'python3 lab.py site' built, as _site")
+    return (ROOT / folder).resolve()
 
 
 @cache

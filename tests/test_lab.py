@@ -86,7 +86,7 @@ class LabApp:
 """
 
 
-PARTS = ("environment", "steps", "copies")
+PARTS = ("environment", "steps", "copies", "beside")
 
 
 def load(folder: Path) -> SimpleNamespace:
@@ -772,6 +772,58 @@ def test_a_lock_writes_packages_below_what_they_were_found_for(
     written = (tiny / "environment.txt").read_text("utf-8")
     assert written.startswith(modules.environment.lock_line())
     assert not (tiny / "environment.new").exists()
+
+
+def test_a_lock_writes_what_the_site_needs_beside_that(
+    tiny: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    modules = load(tiny)
+    (tiny / "site").mkdir()
+    with (tiny / "pyproject.toml").open("a", encoding="utf-8") as file:
+        file.write('[project.optional-dependencies]\nsite = ["furo"]\n')
+    pins = {"environment.new": "numpy==2.0 \\\n    --hash=sha256:ab\n"}
+    pins["site/packages.new"] = (
+        f"furo==1 ; sys_platform \\\n    --hash=sha256:cd\n{pins['environment.new']}"
+    )
+
+    def resolve(*words: str) -> int:
+        (tiny / words[-1]).write_text(pins[Path(words[-1]).as_posix()], "utf-8")
+        return 0
+
+    monkeypatch.setattr(modules.lab, "run", resolve)
+    monkeypatch.setattr(modules.lab, "set_up", lambda: None)
+    assert modules.lab.main(["lock"]) == 0
+    first, *rest = (tiny / "site/packages.txt").read_text("utf-8").splitlines()
+    assert first.startswith("# ")
+    assert rest == ["furo==1 ; sys_platform \\", "    --hash=sha256:cd"]
+    assert not (tiny / "site/packages.new").exists()
+
+
+def test_the_site_is_built_in_an_environment_that_sees_the_other(
+    modules: SimpleNamespace, copied: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With no packages of its own; it is made once, and anew when its list changes."""
+    made = []
+
+    def make_venv(folder: Path) -> None:  # the pip that it sees is enough here
+        made.append(folder)
+        subprocess.run(
+            [sys.executable, "-m", "venv", "--clear", "--without-pip", folder], check=True
+        )
+
+    monkeypatch.setattr(modules.beside, "make_venv", make_venv)
+    (copied / "site").mkdir()
+    wanted = copied / "site/packages.txt"
+    wanted.write_text("", "utf-8")
+    python = modules.beside.beside(wanted)
+    show = [python, "-E", "-c", "import driftlab, sys; print(*driftlab.__path__, sys.prefix)"]
+    told = subprocess.run(show, capture_output=True, encoding="utf-8", check=True).stdout
+    assert told == f"{copied / 'src/driftlab'} {copied / '.venv-site'}\n"
+    assert modules.beside.beside(wanted) == python
+    assert len(made) == 1
+    wanted.write_text("# another\n", "utf-8")
+    assert modules.beside.beside(wanted) == python
+    assert len(made) == 2
 
 
 # ------------------------------------------------------------------ the whole book

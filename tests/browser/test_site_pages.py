@@ -1,0 +1,77 @@
+"""The site as built, in a browser: nothing from elsewhere, nothing too wide, search."""
+
+import pytest
+from chromium import chromium
+
+from support import site_or_skip
+
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("site")]
+WIDTHS = (390, 768, 1280)
+
+
+@pytest.fixture(scope="module")
+def site():
+    """Folder of a built site."""
+    return site_or_skip()
+
+
+@pytest.fixture(scope="module")
+def browser(site):
+    with chromium() as browser:
+        yield browser
+
+
+@pytest.fixture
+def page(browser):
+    """A page that keeps what it complains of, and what it asks of other places."""
+    page = browser.new_page()
+    page.complaints = []
+    page.on("pageerror", lambda error: page.complaints.append(str(error)))
+    page.on(
+        "console",
+        lambda said: page.complaints.append(said.text) if said.type == "error" else None,
+    )
+    page.on(
+        "request",
+        lambda asked: (
+            None
+            if asked.url.startswith(("file:", "data:", "blob:"))
+            else page.complaints.append(asked.url)
+        ),
+    )
+    yield page
+    page.close()
+
+
+def test_every_page_fits_the_screen_and_sets_its_formulas(site, page):
+    for path in sorted(site.rglob("*.html")):
+        if "_modules" in path.parts:
+            continue
+        page.goto(path.as_uri())
+        if page.locator(".math").count():
+            page.wait_for_function("document.querySelector('mjx-container') !== null")
+            page.evaluate("MathJax.startup.promise")
+        for width in WIDTHS:
+            page.set_viewport_size({"width": width, "height": 900})
+            beyond = page.evaluate("document.documentElement.scrollWidth - innerWidth")
+            assert beyond <= 0, f"{path.relative_to(site)} at {width}"
+        assert page.locator("[data-mjx-error]").count() == 0, path.relative_to(site)
+        assert page.complaints == [], path.relative_to(site)
+
+
+@pytest.mark.parametrize(
+    ("words", "found"),
+    [
+        ("drift_per_turn", "driftlab.drift.drift_per_turn"),
+        ("observability", "calibration.observability"),
+        ("sculling", "attitude.sculling"),
+    ],
+)
+def test_the_search_finds_what_a_reader_looks_for(site, page, words, found):
+    page.goto((site / "index.html").as_uri())
+    page.locator("input[name=q]").first.fill(words)
+    page.keyboard.press("Enter")
+    page.locator("ul.search li").first.wait_for()
+    page.wait_for_function("document.querySelector('p.search-summary')?.textContent.includes('.')")
+    first = page.locator("ul.search li").all_inner_texts()[:3]
+    assert any(found in text for text in first), first

@@ -1,0 +1,292 @@
+"""What the site is made of: every public name has an entry, and links have places to lead to."""
+
+import inspect
+import re
+import zlib
+from html.parser import HTMLParser
+from importlib import import_module
+from urllib.parse import unquote
+
+import pytest
+
+from api_pages import api_pages, module_page, plain_bars
+from chapter_pages import ROW, chapters_page, text_of, with_links
+from doors import DOORS, aliases, documented, home, modules, names, thing
+from driftlab.__main__ import SUBJECTS
+from driftlab.book.chapters import CHAPTERS
+from driftlab.book.ledger import WORKS, ledger_entries
+from papers import (
+    as_rst,
+    entry_label,
+    in_the_papers,
+    ledger_pages,
+    section_label,
+    short,
+)
+from requests_of import requests_of
+from support import ROOT, site_or_skip
+
+
+@pytest.fixture(scope="module")
+def api():
+    """Pages of the reference; the whole package is imported for them, so not before it is asked."""
+    return api_pages()
+
+
+@pytest.fixture(scope="module")
+def ledger():
+    """Pages of the ledger."""
+    return ledger_pages()
+
+
+def offered():
+    """Names at all doors, of what is no module."""
+    for door in DOORS:
+        for key in import_module(door).__all__:
+            if not inspect.ismodule(thing(f"{door}.{key}")):
+                yield f"{door}.{key}"
+
+
+def test_every_name_at_a_door_leads_to_an_entry():
+    entries, others = set(documented().values()), aliases()
+    assert [name for name in offered() if others.get(name, name) not in entries] == []
+
+
+def test_every_entry_stands_on_one_page_once(api):
+    text = "\n".join(api.values())
+    found = re.findall(r"^\.\. auto(?:function|class):: (\S+)$", text, re.M)
+    constants = re.findall(r"^\.\. py:data:: (\S+)\n   :module: (\S+)$", text, re.M)
+    found += [f"{module}.{key}" for key, module in constants]
+    assert sorted(found) == sorted(name.documented for name in names())
+
+
+def test_a_name_is_documented_where_readers_import_it():
+    assert documented()["driftlab.drift.systematic_drift.drift_per_turn"] == (
+        "driftlab.drift.drift_per_turn"
+    )
+    assert aliases()["driftlab.drift_per_turn"] == "driftlab.drift.drift_per_turn"
+    assert aliases()["driftlab.Scheme"] == "driftlab.motion.Scheme"
+    assert "driftlab.earth.EARTH_RATE" in documented().values()  # its home is a core
+
+
+def test_every_documented_name_means_its_thing():
+    for name in names():
+        assert home(name.documented) == name.home
+        # A constant handed on from a core is the same thing, too.
+        assert thing(name.documented) is thing(name.home)
+
+
+def test_pages_and_their_contents_lead_to_each_other(api):
+    listed = {
+        f"{page.rpartition('/')[0]}/{target}"
+        for page, text in api.items()
+        for target in re.findall(r"^   (?:\w+ <)?([\w./]+)>?$", text, re.M)
+    }
+    assert api.keys() - {"reference/index"} <= listed
+    for subject in ("", *(subject for subject in SUBJECTS if subject != "book")):
+        assert modules(subject)
+        assert all(module_page(module) in api for module in modules(subject))
+
+
+def test_a_constant_shows_its_value_and_its_words(api):
+    page = api["reference/modules/earth"]
+    assert ".. py:data:: EARTH_RATE\n   :module: driftlab.earth\n   :value: " in page
+    schemes = api["reference/modules/motion.scheme"]
+    (text,) = re.findall(r"NINETEEN_POSITIONS\n(?:   :.*\n)*\n((?:   .+\n)+)", schemes)
+    assert len(text.split()) > 3
+
+
+@pytest.mark.parametrize("command", ["calibrate", "allan", "align", "integrate", "example"])
+def test_commands_are_shown_with_what_their_help_says(command, api):
+    assert f"usage: python -m driftlab {command}" in api["reference/commands"]
+
+
+# ------------------------------------------------------------------ the ledger
+
+
+def test_every_function_of_the_ledger_has_an_entry():
+    for entry in ledger_entries():
+        for name in entry.functions:
+            assert home(name) in documented(), name
+
+
+def targets(text):
+    return re.findall(r"^\(([\w-]+)\)=$", text, re.M)
+
+
+def test_every_ledger_entry_is_a_place_of_its_own(ledger):
+    found = [target for page in ledger.values() for target in targets(page)]
+    assert sorted(found) == sorted(map(entry_label, ledger_entries()))
+    assert len(set(found)) == len(found)
+
+
+def test_chapters_and_their_sections_are_places():
+    found = targets(chapters_page(ROOT))
+    assert len(set(found)) == len(found)
+    assert set(found) == {f"chapter-{number}" for number in CHAPTERS} | set(
+        map(section_label, ledger_entries())
+    )
+
+
+def test_every_chapter_stands_in_the_overview_with_its_minutes():
+    rows = ROW.findall((ROOT / "README.md").read_text("utf-8"))
+    assert [row[0] for row in rows] == list(CHAPTERS)
+    text = chapters_page(ROOT)
+    for number, name, _, minutes, _ in rows:
+        assert re.search(rf"## {number} {re.escape(name)}\n\n.+\n\n{minutes} minutes", text)
+
+
+def test_links_between_ledger_reference_and_chapters_lead_somewhere(ledger):
+    places = set(targets(chapters_page(ROOT)))
+    for page, text in ledger.items():
+        functions = re.findall(r"\{py:obj\}`[^<`]+ <([\w.]+)>`", text)
+        assert set(functions) <= set(documented().values())
+        assert set(re.findall(r"\]\(#([\w-]+)\)", text)) <= places
+        assert functions or page == "ledger/index"
+
+
+def test_a_function_says_what_became_of_its_equations():
+    text = "\n".join(in_the_papers("driftlab.triad.triad_matrix"))
+    assert ".. rubric:: In the papers" in text
+    assert ":ref:`Larin, (2.4) <ledger-larin-2-4>`, *corrected*" in text
+    assert "<chapter-03-for-readers-of-the-paper" in text
+    assert in_the_papers("driftlab.vectors.unit") == []
+
+
+def test_works_have_short_names():
+    assert [short(paper) for paper in list(WORKS)[:4]] == [
+        "Larin",
+        "Perelyaev and Chelnokov",
+        "Wu et al.",
+        "Plotnikov et al.",
+    ]
+
+
+def test_formulas_and_code_of_the_ledger_become_those_of_docstrings():
+    assert as_rst("by $n^T$ and `f`.") == r"by \ :math:`n^T`\  and ``f``."
+
+
+# ------------------------------------------------------------------ texts
+
+
+def test_bars_stay_bars_but_where_they_are_code_or_formulas():
+    lines = ["|w| is `a|b` here", "", ">>> a | b", "|x|", "", ".. math:: |w|", "   |v|", "", "|u|"]
+    assert plain_bars(lines) == [
+        r"\|w\| is `a|b` here",
+        *["", ">>> a | b", "|x|", "", ".. math:: |w|", "   |v|", "", r"\|u\|"],
+    ]
+
+
+@pytest.mark.parametrize(
+    ("link", "led"),
+    [
+        ("03_systematic_drift.ipynb", "#chapter-03"),
+        ("../notebooks/03_systematic_drift.ipynb#Derive", "#chapter-03"),
+        ("#Where-axes,-signs%20and-names-differ", "#where-axes-signs-and-names-differ"),
+        ("conventions.ipynb", "/conventions.md"),
+        ("../ERRATA.md", "/errata.md"),
+        ("lab_sheet.ipynb", "/chapters.md"),
+        ("https://example.org/a.ipynb", "https://example.org/a.ipynb"),
+        ("picture.svg", "picture.svg"),
+    ],
+)
+def test_links_of_the_notebooks_lead_to_places_of_the_site(link, led):
+    assert with_links(f"See [it]({link}).") == f"See [it]({led})."
+
+
+def test_a_part_of_a_notebook_has_its_words_and_not_its_code():
+    text = text_of(ROOT, "12_ledger_and_glossary.ipynb", "## Glossary", "## What the book cites")
+    assert text.startswith("## Glossary\n")
+    assert "| аксел" in text
+    assert "references_table" not in text
+    assert "What the book cites" not in text
+
+
+def test_what_a_page_would_fetch_from_elsewhere_is_found(tmp_path):
+    (tmp_path / "quiet.html").write_text(
+        '<a href="https://example.org">a link</a><script src="own.js"></script>'
+        '<link rel="stylesheet" href="own.css"><img src="data:image/png;base64,">',
+        "utf-8",
+    )
+    assert requests_of(tmp_path) == []
+    (tmp_path / "loud.html").write_text(
+        '<img src="//a.example/x.png"><link rel="preload" href="https://b.example/f.woff2">',
+        "utf-8",
+    )
+    (tmp_path / "loud.css").write_text("@import url('https://c.example/f.css');", "utf-8")
+    assert requests_of(tmp_path) == [
+        "loud.html: //a.example/x.png",
+        "loud.html: https://b.example/f.woff2",
+        "loud.css: https://c.example/f.css",
+    ]
+
+
+# ------------------------------------------------------------------ the site as built
+
+
+@pytest.fixture(scope="module")
+def site():
+    """Folder of a built site."""
+    return site_or_skip()
+
+
+def inventory(site):
+    """Names, kinds and addresses in objects.inv, to which other projects link."""
+    head, _, packed = (site / "objects.inv").read_bytes().partition(b"zlib.\n")
+    assert head.startswith(b"# Sphinx inventory version 2")
+    lines = zlib.decompress(packed).decode("utf-8").splitlines()
+    rows = [re.fullmatch(r"(.+?) (\S+:\S+) (-?\d+) (\S*) (.*)", line).groups() for line in lines]
+    return {name: address for name, domain, _, address, _ in rows if domain.startswith("py:")}
+
+
+def test_the_inventory_has_every_name_at_every_door(site):
+    built = inventory(site)
+    assert set(offered()) - built.keys() == set()
+    assert set(documented()) - built.keys() == set()
+    for address in set(built.values()):
+        assert (site / address.partition("#")[0]).exists()
+
+
+def test_a_page_has_formulas_outputs_sources_and_the_papers(site):
+    page = (site / "reference/modules/drift.systematic_drift.html").read_text("utf-8")
+    entry = page[page.index('id="driftlab.drift.drift_coefficient"') :]
+    entry = entry[: entry.index("</dd></dl>")]
+    for part in ("array([0.02, 0.", "In the papers", "ledger/larin.html#ledger-larin-", "[source]"):
+        assert part in re.sub(r"<[^a][^>]*>", "", entry), part
+    assert "chapters.html#chapter-03-only-the-symmetric-part" in entry
+    assert 'class="math' in entry
+
+
+def test_pages_ask_nothing_of_other_places_and_tables_are_tables(site):
+    assert requests_of(site) == []
+    for path in site.rglob("*.html"):
+        if "_modules" not in path.parts:
+            assert "| --- |" not in path.read_text("utf-8"), path
+
+
+class Links(HTMLParser):
+    """Places of a page, and the addresses that it links to or shows."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.places, self.links = set(), set()
+        self.feed(path.read_text("utf-8"))
+
+    def handle_starttag(self, tag, attrs):
+        for key, value in attrs:
+            if key == "id":
+                self.places.add(value)
+            elif key in ("href", "src") and not re.match(r"[a-z]+:", value):
+                self.links.add(unquote(value))
+
+
+def test_every_link_on_the_site_leads_somewhere(site):
+    pages = {path.resolve(): Links(path) for path in site.rglob("*.html")}
+    dead = []
+    for path, page in pages.items():
+        for link in page.links:
+            file, _, place = link.partition("#")
+            target = (path.parent / file.partition("?")[0]).resolve() if file else path
+            there = target.exists() and (not place or place in pages[target].places)
+            dead += [] if there else [f"{path.relative_to(site)}: {link}"]
+    assert dead == []
