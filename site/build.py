@@ -25,6 +25,7 @@ ROOT = HERE.parent
 BUILD = ROOT / "build/site"
 SITE = ROOT / "_site"
 TASKS = "i_want_to.ipynb"
+GALLERY = "All figures of the book. The numbers behind a figure are in the CSV beside its caption."
 MATHJAX = ("tex-chtml.js", "input/tex/extensions", "output/chtml/fonts")
 """What the pages need of MathJax, of the 40 MB that it has."""
 
@@ -103,6 +104,7 @@ def _gallery() -> str:
         )
         return f"(figure-{match[2]})=\n{match[0]}{numbers}"
 
+    text = re.sub(r"\n\n.*\n\n", f"\n\n{GALLERY}\n\n", text, count=1)
     # The text for who cannot see the picture is its caption, which stands below it.
     text = re.sub(r"^!\[[^\n]*\]\((\S+)\.svg\)$", r"![\1](\1.svg)", text, flags=re.M)
     return re.sub(r"^(\*\*(\S+)\.\*\*.*)$", named, text, flags=re.M)

@@ -12,6 +12,7 @@ from itertools import groupby
 from pathlib import Path
 from urllib.parse import unquote
 
+from doors import aliases, documented
 from driftlab.book.ledger import LedgerEntry, ledger_entries
 from papers import entry_label, section_label, short, shown_label
 
@@ -29,21 +30,24 @@ def chapters_page(root: Path) -> str:
         "project's folder opens them. Here stands what each is about, how long it takes, and "
         "which statements of the papers it derives, computes or refutes.\n"
     )
-    return "\n".join([head, *(_chapter(row, _summary(root, row[0])) for row in rows)])
+    return "\n".join([head, *(_chapter(root, *row) for row in rows)])
 
 
-def _chapter(row: tuple[str, ...], summary: str) -> str:
-    """A chapter of the table in the README; the notebook's summary says more than the table."""
-    number, name, more, minutes, source = row
-    subject = summary or f"{more.lstrip(': ').capitalize()}."
+def _chapter(root: Path, number: str, name: str, more: str, minutes: str, source: str) -> str:
+    """A chapter of the table in the README; what the notebook says of itself tells more."""
+    (path,) = (root / "notebooks").glob(f"{number}_*.ipynb")
+    words = words_of(path)
+    summary = re.search(r"^\*([^*].*)\*$", words[0], re.M)
+    subject = summary[1] if summary else f"{more.lstrip(': ').capitalize()}."
     origin = f" From {source.strip()}." if source.strip() else ""
     entries = [entry for entry in ledger_entries() if entry.chapter == number]
-    sections = {section_label(entry): entry.section for entry in entries}
+    there = {entry.section: section_label(entry) for entry in entries}
+    sections = sorted(there.items(), key=lambda item: "\n".join(words).index(f"# {item[0]}\n"))
     lines = [f"(chapter-{number})=\n## {number} {name}\n", f"{subject}\n"]
     lines.append(f"{minutes} minutes with its exercises.{origin}\n")
-    for label, section in sections.items():
-        there = [entry for entry in entries if section_label(entry) == label]
-        lines += [f"({label})=\n### {section}\n", *_derived(there), ""]
+    for section, label in sections:
+        found = [entry for entry in entries if entry.section == section]
+        lines += [f"({label})=\n### {section}\n", *_derived(found), ""]
     return "\n".join(lines)
 
 
@@ -54,13 +58,6 @@ def _derived(entries: list[LedgerEntry]) -> list[str]:
         links = (f"[{shown_label(entry)}](#{entry_label(entry)})" for entry in group)
         lines.append(f"- {short(paper)}: {', '.join(links)}")
     return lines
-
-
-def _summary(root: Path, number: str) -> str:
-    """What the first cell of a chapter says below its title, if it says something."""
-    (path,) = (root / "notebooks").glob(f"{number}_*.ipynb")
-    found = re.search(r"^\*([^*].*)\*$", words_of(path)[0], re.M)
-    return found[1] if found else ""
 
 
 def words_of(notebook: Path) -> list[str]:
@@ -87,7 +84,7 @@ def text_of(root: Path, notebook: str, begin: str = "", end: str = "") -> str:
 
 
 def with_links(text: str) -> str:
-    """Return Markdown of a notebook with its links led to where things stand on the site."""
+    """Return Markdown of a notebook, its links and names led to where things stand on the site."""
 
     def led(match: re.Match[str]) -> str:
         target = match[1]
@@ -104,4 +101,9 @@ def with_links(text: str) -> str:
             return f"]({PUBLISHED.get(name, '/chapters.md')})"
         return match[0]
 
+    def named(match: re.Match[str]) -> str:
+        return f"{{py:obj}}`{match[1]}`" if match[1] in public else match[0]
+
+    public = {*documented().values(), *aliases()}
+    text = re.sub(r"(?<!`)`(driftlab\.[\w.]+)`(?!`)", named, text)
     return re.sub(r"\]\((?!https?:)([^)\s]+)\)", led, text)

@@ -1,6 +1,9 @@
 """Settings of Sphinx for the site; build.py writes the pages and starts it."""
 
+from numpydoc.xref import DEFAULT_LINKS
+
 import driftlab
+from doors import names
 
 project = "Drift Lab"
 author = project_copyright = "The Drift Lab authors"
@@ -23,6 +26,12 @@ autodoc_typehints = "none"  # docstrings say types, with shapes and units
 autodoc_preserve_defaults = True
 toc_object_entries_show_parents = "hide"
 numpydoc_show_class_members = False
+numpydoc_xref_param_type = True  # a type that is a class of the package is a link to it
+numpydoc_xref_ignore = "all"
+numpydoc_xref_aliases = {
+    name.documented.rpartition(".")[2]: name.documented for name in names() if name.kind == "class"
+}
+DEFAULT_LINKS.clear()  # they lead to the pages of Python and NumPy, which are elsewhere
 numpydoc_class_members_toctree = False
 
 myst_enable_extensions = ["amsmath", "dollarmath"]

@@ -158,6 +158,7 @@ def documented() -> dict[str, str]:
     return {name.home: name.documented for name in names()}
 
 
+@cache
 def aliases() -> dict[str, str]:
     """Return every other public name of what is documented, with the documented one."""
     of = documented()

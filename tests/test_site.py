@@ -194,6 +194,12 @@ def test_links_of_the_notebooks_lead_to_places_of_the_site(link, led):
     assert with_links(f"See [it]({link}).") == f"See [it]({led})."
 
 
+def test_names_in_the_notebooks_lead_to_the_reference():
+    assert with_links("`driftlab.align`, `driftlab.x`, ``driftlab.align``, `align`") == (
+        "{py:obj}`driftlab.align`, `driftlab.x`, ``driftlab.align``, `align`"
+    )
+
+
 def test_a_part_of_a_notebook_has_its_words_and_not_its_code():
     text = text_of(ROOT, "12_ledger_and_glossary.ipynb", "## Glossary", "## What the book cites")
     assert text.startswith("## Glossary\n")
