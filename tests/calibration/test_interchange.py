@@ -67,8 +67,10 @@ def test_what_is_kept_comes_back_to_the_last_digit(kept, tmp_path):
 
 
 def test_errors_alone_with_what_the_caller_says():
-    found = from_json(to_json(UNIT, axes="FUR", noise=ImuNoise(), name="unit", date="May"))
-    assert_same(found, KeptCalibration(UNIT, None, None, ImuNoise(), "", "FUR", "unit", "May"))
+    found = from_json(to_json(UNIT, axes="FUR", noise=ImuNoise(), name="unit", date="2024-05-01"))
+    assert_same(
+        found, KeptCalibration(UNIT, None, None, ImuNoise(), "", "FUR", "unit", "2024-05-01")
+    )
 
 
 @pytest.mark.parametrize("states", [(), ("lever arms", "time skew")])

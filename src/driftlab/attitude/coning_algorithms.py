@@ -241,18 +241,25 @@ def named_algorithms(algorithms: Algorithms) -> dict[str, AttitudeAlgorithm | Ow
     (['mine', 'two-step-4'], ['picard-1', 'memory-4'])
     """
     if isinstance(algorithms, Mapping):
-        return {str(name): attitude_algorithm(one) for name, one in algorithms.items()}
+        return {str(name): _of_several(one) for name, one in algorithms.items()}
     if isinstance(algorithms, str) or not isinstance(algorithms, Iterable):
         raise ValueError(
             "algorithms: expected several names, or a mapping from names to algorithms, "
-            f"got {algorithms!r}."
+            f"got {shown(algorithms)}."
         )
     found: dict[str, AttitudeAlgorithm | OwnAlgorithm] = {}
-    for one in map(attitude_algorithm, algorithms):
+    for one in map(_of_several, algorithms):
         if not isinstance(one, AttitudeAlgorithm):
             raise ValueError('algorithms: expected a name with a function, as {"mine": function}.')
         found[one.name] = one
     return found
+
+
+def _of_several(algorithm: AnyAlgorithm) -> AttitudeAlgorithm | OwnAlgorithm:
+    try:
+        return attitude_algorithm(algorithm)
+    except ValueError as error:
+        raise ValueError(str(error).replace("algorithm:", "algorithms:", 1)) from None
 
 
 def coning_algorithm(algorithm: AnyAlgorithm) -> Algorithm:

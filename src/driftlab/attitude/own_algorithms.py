@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array
+from driftlab.checks import FloatArray, checked_function, finite_array
 from driftlab.core.quaternion import conjugate, from_rotation_vector, multiply, to_rotation_vector
 from driftlab.core.vectors import norms
 
@@ -66,6 +66,7 @@ def own_steps(algorithm: OwnAlgorithm, increments: ArrayLike) -> FloatArray:
     array([[0.01  , 0.01  , 0.01  , 0.9999],
            [0.01  , 0.01  , 0.01  , 0.9999]])
     """
+    algorithm = checked_function(algorithm, "algorithm", "increments")
     rows = finite_array(increments, "increments", 3)
     if rows.ndim < 2:
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")

@@ -8,13 +8,14 @@ and radians. Numbers come back to the last digit.
 from __future__ import annotations
 
 import json
+from datetime import datetime
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from driftlab.axes import axes_rotation
-from driftlab.checks import FloatArray
+from driftlab.axes import checked_axes
+from driftlab.checks import FloatArray, checked_instance, checked_text
 from driftlab.drift.weighing_designs import TurnFit
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
@@ -115,8 +116,10 @@ def to_json(
         Where the body axes point, as in `driftlab.axes`.
     noise : ImuNoise, optional
         Of the sensors, to be kept beside.
-    name, date : str
-        What and when; a clock is not asked.
+    name : str
+        Which unit, or what else one would look for.
+    date : str
+        When, as 2024-05-01 or 2024-05-01T12:00; no clock is asked.
 
     Returns
     -------
@@ -126,7 +129,8 @@ def to_json(
     Raises
     ------
     ValueError
-        If `found` is something else, its numbers are not finite, or `axes` are none.
+        If `found` is something else, its numbers are not finite, `axes` are none or `date` is no
+        date.
 
     Examples
     --------
@@ -225,7 +229,12 @@ def calibration_document(
     {'unit': 'rad/s', 'value': [0.0, 0.0, 0.0]}
     """
     _check_axes(axes)
-    head = {"name": name, "date": date, "axes": axes}
+    if noise is not None:
+        checked_instance(noise, ImuNoise, "noise")
+    words = {"name": name, "date": date}
+    head = {key: checked_text(word, key) for key, word in words.items()} | {"axes": axes}
+    if date:
+        _check_date(date)
     if isinstance(found, TurnFit):
         values = {key: (unit, getattr(found, key), None) for key, unit in _TURN_UNITS.items()}
         return written(_TURN_SCHEMA, head, _TURN_CONVENTION, values)
@@ -280,5 +289,14 @@ def _deviations(covariance: FloatArray, each: FloatArray, shape: tuple[int, ...]
 
 
 def _check_axes(axes: str) -> None:
-    if axes:
-        axes_rotation(axes, "FRD")
+    if checked_text(axes, "axes"):
+        checked_axes(axes, "axes")
+
+
+def _check_date(date: str) -> None:
+    try:
+        datetime.fromisoformat(date)
+    except ValueError:
+        raise ValueError(
+            f"date: expected a date such as 2024-05-01 or 2024-05-01T12:00, got {date!r}."
+        ) from None

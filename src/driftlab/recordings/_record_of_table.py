@@ -170,7 +170,7 @@ def _stamp_column(
         raise ValueError(
             f"time: expected the name or number of a column, or it and its unit, got {shown(time)}."
         )
-    index, _ = table.column(column)
+    index, _ = table.column(column, "time")
     unit = unit or (table.units[index] if table.units else "")
     if not unit:
         raise ValueError(

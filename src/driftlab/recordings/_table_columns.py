@@ -43,13 +43,15 @@ class TableColumns(ABC):
     def place(self, row: int) -> str:
         """Where a row stands, counted from 0, for a sentence."""
 
-    def column(self, wanted: str | int) -> tuple[int, int]:
+    def column(self, wanted: str | int, argument: str = "columns") -> tuple[int, int]:
         """Return the place of a column, and its sign.
 
         Parameters
         ----------
         wanted : str or int
             Its name, or its number counted from 1; a minus before either changes the sign.
+        argument : str
+            Name of the argument that asks for it, for the sentence.
 
         Returns
         -------
@@ -78,7 +80,7 @@ class TableColumns(ABC):
             ]
             if len(places) > 1:
                 raise ValueError(
-                    f"columns: expected one column {name!r} in {self.title}, got "
+                    f"{argument}: expected one column {name!r} in {self.title}, got "
                     f"{len(places)}: say it by number."
                 )
             if places:
@@ -86,6 +88,6 @@ class TableColumns(ABC):
             if re.fullmatch(r"\d+", name) and 1 <= int(name) <= self.width:
                 return int(name) - 1, sign
         raise ValueError(
-            f"columns: expected {names_like(text, self.names)}a number from 1 to {self.width} for "
-            f"{self.title}, got {shown(wanted)}."
+            f"{argument}: expected {names_like(text, self.names)}a number from 1 to {self.width} "
+            f"for {self.title}, got {shown(wanted)}."
         )

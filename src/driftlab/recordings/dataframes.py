@@ -198,7 +198,7 @@ def _table_of(frame: Any, title: str) -> tuple[_FrameTable, int | None]:
         array = _values(column)
         if array.ndim != 1 or len(array) != len(values[0] if values else array):
             raise ValueError(
-                f"{title}: expected columns of equal length, got shape {array.shape} for {one!r}."
+                f"frame: expected columns of equal length, got shape {array.shape} for {one!r}."
             )
         name = " ".join(map(str, one)) if isinstance(one, tuple) else str(one)
         said = getattr(column, "attrs", {}).get("units", "")
