@@ -7,8 +7,27 @@ from typing import Any
 
 import numpy as np
 
+from driftlab.checks import FloatArray
+from driftlab.motion import Sway
+
+
+def plain(g: FloatArray) -> FloatArray:
+    """A reader's own algorithm: two increments and no correction."""
+    return g[0::2] + g[1::2]
+
+
 LEANING = [[0, 1e-3, 0], [0, 0, 5e-4], [0, 0, 0]]
 
 VARIATIONS: dict[str, dict[str, Any]] = {
     "03-drift-map": {"triad_error": np.array(LEANING)},
+    "06-algorithm-orders": {
+        "algorithms": {"mine": plain, "two-step-4": "two-step-4"},
+        "motions": {"roll of 5°": Sway(0.09, 0.5)},
+    },
+    "06-coning-area": {"samples": 12, "half_angle": 0.7},
+    "06-coning-drift": {"algorithms": {"mine": plain, "picard-1": "picard-1"}, "half_angle": 0.1},
+    "06-functional-iteration": {"windows": (6,), "runs": 2},
+    "06-last-stages": {"samples_a_round": 12, "motions": 10},
+    "06-noise-and-band": {"half_angle": 0.03, "seconds": 2.0, "runs": 2},
+    "06-short-word": {"motions": ("steady turn",), "steps": 20, "starts": 2},
 }

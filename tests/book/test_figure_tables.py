@@ -87,7 +87,10 @@ def test_the_csv_names_its_parameters_its_call_and_the_version(figure: Published
     version = r"driftlab \d+\.\d+\.\d+"
     assert re.search(version, comments[1])
     assert f"driftlab.figure('{figure.definition.name}')" in comments[1]
-    plain = [[re.sub(version, "driftlab", line) for line in each] for each in (comments, computed)]
+    plain = [
+        [re.sub(version, "driftlab", line).rstrip() for line in each]
+        for each in (comments, computed)
+    ]
     assert plain[0] == plain[1]
 
 

@@ -14,6 +14,7 @@ from driftlab.attitude.finite_precision import UPDATES, integrate_in_word, step_
 from driftlab.attitude.integration import integrate
 from driftlab.attitude.measured_drift import measured_coning_drift
 from driftlab.attitude.noise_amplification import noise_growth
+from driftlab.book import figures
 from driftlab.book.ch06_picard_algorithms.experiments import (
     ANGLE_RANDOM_WALK,
     ARITHMETICS,
@@ -47,6 +48,7 @@ from driftlab.book.ch06_picard_algorithms.experiments import (
     window_noise_growth,
 )
 from driftlab.book.ch06_picard_algorithms.experiments.random_motion import random_increments
+from driftlab.book.ch06_picard_algorithms.figures.coning_drift import alike
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.motion.profiles import Coning, Sway
 from driftlab.quaternion import conjugate, multiply, rotation_angle, to_rotation_vector
@@ -95,6 +97,54 @@ def test_algorithm_orders_are_those_of_the_derivation_except_where_symmetry_hide
             assert orders["axis"][name] is None
         else:
             assert orders["axis"][name] == pytest.approx(2 if name == "picard-1" else 4, abs=0.1)
+
+
+def test_a_curve_of_ones_own_stands_beside_those_of_the_book() -> None:
+    """By function, by `Algorithm`, and under another name: in the data, the picture, the table."""
+
+    def mine(g: np.ndarray) -> np.ndarray:
+        return g[0::2] + g[1::2] + 0.6 * np.cross(g[0::2], g[1::2])
+
+    weights = Algorithm("weights", 2, 0, {(0, 1): 0.6}, "rotation vector", 3)
+    chosen = {"mine": mine, "weights": weights, "another name": "memory-4"}
+    drifts = figures.figure("06-coning-drift", algorithms=chosen)
+    assert alike(drifts.data) == [["mine", "weights"], ["another name"]]
+    legend = drifts.on_screen.legends[0].get_texts()
+    assert [text.get_text() for text in legend] == [
+        "mine and weights, nearly equal",
+        "another name",
+    ]
+    table = drifts.table()
+    for way in ("frequency", "rate"):
+        found, formula = (table[f"{kind}_deg_per_h, mine, by {way}"] for kind in KINDS)
+        at, fine = table[f"{way}_hz"], table[f"formula_{way}_hz"]
+        between = np.exp(np.interp(np.log(at), np.log(fine), np.log(formula)))
+        np.testing.assert_allclose(found, between, rtol=0.02)
+    assert "algorithms={'mine': mine, 'weights': Algorithm(" in drifts.call
+    orders = figures.figure("06-algorithm-orders", algorithms=chosen).data
+    assert orders.names == tuple(chosen)
+    np.testing.assert_allclose(orders.worst[:, 0], orders.worst[:, 1], rtol=1e-6, atol=1e-13)
+
+
+def test_what_an_algorithm_refuses_is_not_drawn_and_what_is_wrong_is_said() -> None:
+    wide = {"algorithms": ["functional-iteration"], "half_angle": 0.5}
+    data = figures.figure("06-coning-drift", **wide).data
+    refused = np.isnan(data.formula_by_rate[0])
+    assert refused[0]
+    assert not refused[-1]
+    with pytest.raises(ValueError, match=r"^algorithm: expected one of picard-1"):
+        figures.figure("06-coning-drift", algorithms=["euler"])
+    with pytest.raises(ValueError, match=r"^half_angle: "):
+        figures.figure("06-coning-drift", half_angle=-1.0)
+    with pytest.raises(ValueError, match=r"what <lambda> returned"):
+        figures.figure("06-coning-drift", algorithms={"mine": lambda g: None})
+    with pytest.raises(ValueError, match=r"^motions: expected some of cone of 1°.* got 'walk'"):
+        short_word_errors(motions=["walk"])
+    with pytest.raises(ValueError, match=r"^half_angle: expected an angle from 0 to pi/2, got 2"):
+        coning_area(half_angle=2)
+
+
+KINDS = ("measured", "formula")
 
 
 @published("06-last-stages")

@@ -193,6 +193,26 @@ def legend_above(axes: Axes, ncols: int = 4, **style: Any) -> None:
     )
 
 
+def legend_below(
+    figure: Figure,
+    sheet: Sheet,
+    handles: Sequence[Artist],
+    *,
+    ncols: int = 4,
+    column: int = 2,
+    **on_screen: Any,
+) -> None:
+    """Put one legend for all panels below them; on paper, the layout finds room for it.
+
+    It has `column` columns in a narrow column; `on_screen` is style for the screen alone.
+    """
+    if sheet.on_paper:
+        columns = column if sheet.narrow else ncols
+        figure.legend(handles=handles, loc="outside lower center", ncols=columns, frameon=False)
+    else:
+        figure.legend(handles=handles, loc="lower center", ncols=ncols, **on_screen)
+
+
 def plain_axes(axes: Axes, reach: float = 1.25) -> None:
     """Turn axes into an empty square sheet for a projected drawing."""
     axes.set_aspect("equal")

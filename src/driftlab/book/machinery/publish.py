@@ -8,7 +8,7 @@ import io
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, is_dataclass
 from functools import cached_property
-from inspect import signature
+from inspect import isfunction, signature
 from pathlib import Path
 from typing import Any
 
@@ -231,12 +231,16 @@ def _saved(figure: Figure, ending: str, sheet: Sheet, title: str = "", subject: 
 
 
 def written(value: Any) -> str:
-    """Return a parameter as Python writes it, on one line; arrays as lists."""
+    """Return a parameter as Python writes it, on one line; arrays as lists, functions by name."""
     if isinstance(value, np.ndarray | np.generic):
         return repr(value.tolist())
     if isinstance(value, tuple) and hasattr(value, "_fields"):
         inner = ", ".join(f"{name}={written(getattr(value, name))}" for name in value._fields)
         return f"{type(value).__name__}({inner})"
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{key!r}: {written(one)}" for key, one in value.items()) + "}"
+    if isfunction(value):
+        return value.__name__  # the reader has it; where it is in memory says nothing
     if isinstance(value, list | tuple):
         inner = ", ".join(map(written, value))
         return f"[{inner}]" if isinstance(value, list) else f"({inner}{',' * (len(value) == 1)})"

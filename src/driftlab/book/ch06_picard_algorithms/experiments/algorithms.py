@@ -15,7 +15,7 @@ from driftlab.attitude.coning_algorithms import (
 from driftlab.attitude.finite_precision import integrate_in_word
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import step_quaternions
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, checked_instance
 from driftlab.motion.profiles import Coning, FixedAxis, Motion, Sway
 from driftlab.quaternion import conjugate, cumulative_product, multiply, rotation_angle
 
@@ -84,14 +84,15 @@ class AlgorithmOrders(NamedTuple):
         Largest error during the motion, rad.
     orders : list of list of float or None
         Fitted order by motion and algorithm; None where rounding hides it.
-    names : tuple of str
-        The algorithms.
+    names, motions : tuple of str
+        The algorithms, and the motions.
     """
 
     rates: FloatArray
     worst: FloatArray
     orders: list[list[float | None]]
     names: tuple[str, ...]
+    motions: tuple[str, ...]
 
 
 def algorithm_errors(
@@ -203,26 +204,38 @@ def fitted_orders(data: AlgorithmLaboratory) -> list[float | None]:
     return orders
 
 
-def algorithm_orders(algorithms: Algorithms = tuple(CONING_ALGORITHMS)) -> AlgorithmOrders:
-    """Measure the orders of algorithms on all of `ORDER_MOTIONS`.
+def algorithm_orders(
+    algorithms: Algorithms = tuple(CONING_ALGORITHMS),
+    motions: Mapping[str, Motion] = ORDER_MOTIONS,
+    sample_rates: Sequence[int] = ORDER_SAMPLE_RATES,
+) -> AlgorithmOrders:
+    """Measure the orders of algorithms on several motions of `DURATION` seconds.
 
     Parameters
     ----------
     algorithms : mapping or iterable
-        Algorithms by name, or names, as in `driftlab.attitude.named_algorithms`.
+        Algorithms by name, or names, as in `driftlab.attitude.named_algorithms`:
+        ``{"mine": my_function, "two-step-4": "two-step-4"}``.
+    motions : mapping
+        Motions by name.
+    sample_rates : sequence of int
+        Rising, Hz; the increments must make whole steps.
 
     Returns
     -------
     AlgorithmOrders
     """
     chosen = named_algorithms(algorithms)
+    for motion in motions.values():
+        checked_instance(motion, Motion, "motions")
     trials = [
-        algorithm_errors(motion, ORDER_SAMPLE_RATES[0], chosen, rates=ORDER_SAMPLE_RATES)
-        for motion in ORDER_MOTIONS.values()
+        algorithm_errors(motion, sample_rates[0], chosen, rates=sample_rates)
+        for motion in motions.values()
     ]
     return AlgorithmOrders(
         trials[0].rates,
         np.array([trial.worst for trial in trials]),
         [fitted_orders(trial) for trial in trials],
         tuple(chosen),
+        tuple(motions),
     )

@@ -1,17 +1,25 @@
 """Functional iteration beside the algorithms with cross products: where it gains, where not."""
 
+from collections.abc import Iterable, Sequence
+from math import lcm
 from typing import NamedTuple
 
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
-from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, AttitudeAlgorithm
+from driftlab.attitude.coning_algorithms import (
+    CONING_ALGORITHMS,
+    Algorithms,
+    AnyAlgorithm,
+    AttitudeAlgorithm,
+    named_algorithms,
+)
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import integrate
 from driftlab.attitude.noise_amplification import NoiseGrowth
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.core.functional_iteration import tables
 from driftlab.motion.profiles import Coning
 from driftlab.quaternion import (
@@ -31,8 +39,10 @@ WIDE_BRACKET_RATE = 100.0
 """Sample rate on it, Hz."""
 WINDOWS = (4, 8, 12, 20)
 """Increments in a window."""
+BESIDE_WINDOWS = ("two-step-4", "rotation-vector-3")
+"""Algorithms with cross products that stand beside them."""
 WINDOW_ALGORITHMS: dict[str, AttitudeAlgorithm] = {
-    **{name: CONING_ALGORITHMS[name] for name in ("two-step-4", "rotation-vector-3")},
+    **{name: CONING_ALGORITHMS[name] for name in BESIDE_WINDOWS},
     **{f"window of {n}": FunctionalIteration(f"window of {n}", n) for n in WINDOWS},
 }
 """What is compared."""
@@ -41,28 +51,40 @@ WINDOW_SAMPLES_A_ROUND: FloatArray = np.geomspace(2.5, 40.0, 37)
 ERROR_SIZES: FloatArray = np.geomspace(1e-8, 1e-3, 6)
 """Errors of an increment: standard deviations of white noise, rad."""
 NOISY_COUNT = 480
-"""Increments of a noisy run, a multiple of all windows."""
+"""Increments of a noisy run, about: they are a multiple of all windows."""
 NOISY_RUNS = 16
 
 
 class WindowErrors(NamedTuple):
-    """Errors by algorithm in the order of `WINDOW_ALGORITHMS`; NaN where one refuses.
+    """Errors by algorithm; NaN where one refuses.
 
     Attributes
     ----------
+    names : tuple of str
+        The algorithms: those with cross products, then a window of each width.
+    cone : Coning
+    rate : float
+        Sample rate of the noisy runs, Hz.
+    count, runs : int
+        Increments of a noisy run, and how many runs.
     samples : ndarray, shape (m,)
         Samples a round.
     drifts : ndarray, shape (algorithm, m)
-        Size of the drift on `WIDE_BRACKET`, rad/s.
+        Size of the drift on `cone`, rad/s.
     sizes : ndarray, shape (s,)
         Standard deviations of the noise of an increment, rad.
     noisy : ndarray, shape (algorithm, s)
-        Error of the attitude after `NOISY_COUNT` increments of `WIDE_BRACKET` with white noise;
-        root mean square of `NOISY_RUNS` runs, rad.
+        Error of the attitude after `count` increments of `cone` with white noise; root mean square
+        of the runs, rad.
     added_up : ndarray, shape (s,)
         What the white noise of three gyros adds up to on the average, rad.
     """
 
+    names: tuple[str, ...]
+    cone: Coning
+    rate: float
+    count: int
+    runs: int
     samples: FloatArray
     drifts: FloatArray
     sizes: FloatArray
@@ -70,29 +92,62 @@ class WindowErrors(NamedTuple):
     added_up: FloatArray
 
 
-def window_errors(seed: int = 6) -> WindowErrors:
+def window_errors(
+    algorithms: Algorithms = BESIDE_WINDOWS,
+    windows: Sequence[int] = WINDOWS,
+    half_angle: float = WIDE_BRACKET.half_angle,
+    frequency: float = WIDE_BRACKET.frequency,
+    sample_rate: float = WIDE_BRACKET_RATE,
+    runs: int = NOISY_RUNS,
+    seed: int = 6,
+) -> WindowErrors:
     """Try windows of several widths: with few samples and many, and with noise.
 
     Parameters
     ----------
+    algorithms : mapping or iterable
+        What stands beside functional iteration: algorithms by name, or names, as in
+        `driftlab.attitude.named_algorithms`.
+    windows : sequence of int
+        Increments in a window of functional iteration.
+    half_angle, frequency : float
+        Of the cone, rad and Hz.
+    sample_rate : float
+        Of the noisy runs, Hz.
+    runs : int
+        With noise.
     seed : int
         Of the noise, which is the same for all algorithms.
     """
+    chosen: dict[str, AnyAlgorithm] = {**named_algorithms(algorithms)}
+    chosen |= {f"window of {n}": FunctionalIteration(f"window of {n}", n) for n in windows}
+    cone = Coning(
+        positive_number(half_angle, "half_angle"), positive_number(frequency, "frequency")
+    )
+    rate, many = positive_number(sample_rate, "sample_rate"), whole_number(runs, "runs")
+    # Whole steps of all, and about as many whatever the windows are.
+    whole = lcm(12, *windows)
+    count = whole * max(round(NOISY_COUNT / whole), 1)
     drifts = [
-        [drift_or_refused(algorithm, samples) for samples in WINDOW_SAMPLES_A_ROUND]
-        for algorithm in WINDOW_ALGORITHMS.values()
+        [drift_or_refused(one, samples, cone) for samples in WINDOW_SAMPLES_A_ROUND]
+        for one in chosen.values()
     ]
     rng = np.random.default_rng(seed)
-    true = WIDE_BRACKET.increments(1 / WIDE_BRACKET_RATE, NOISY_COUNT)
-    noise = rng.standard_normal((NOISY_RUNS, *true.shape))
-    noisy = [_errors(true + size * noise) for size in ERROR_SIZES]
-    added_up = ERROR_SIZES * np.sqrt(3 * NOISY_COUNT)
+    true = cone.increments(1 / rate, count)
+    ends = cone.attitude([0.0, count / rate])
+    noise = rng.standard_normal((many, *true.shape))
+    noisy = [_errors(chosen.values(), true + size * noise, *ends) for size in ERROR_SIZES]
     return WindowErrors(
+        tuple(chosen),
+        cone,
+        rate,
+        count,
+        many,
         WINDOW_SAMPLES_A_ROUND,
         np.array(drifts),
         ERROR_SIZES,
         np.transpose(noisy),
-        added_up,
+        ERROR_SIZES * np.sqrt(3 * count),
     )
 
 
@@ -128,9 +183,8 @@ def window_noise_growth(window: int, sample_angle: float) -> NoiseGrowth:
     return NoiseGrowth(white, carried)
 
 
-def drift_or_refused(algorithm: str | AttitudeAlgorithm, samples: float) -> float:
-    """Size of the drift on `WIDE_BRACKET` at so many samples a round, rad/s; NaN if refused."""
-    cone = WIDE_BRACKET
+def drift_or_refused(algorithm: AnyAlgorithm, samples: float, cone: Coning = WIDE_BRACKET) -> float:
+    """Size of the drift on a cone at so many samples a round, rad/s; NaN if refused."""
     try:
         drift = coning_drift(
             algorithm, cone.half_angle, cone.frequency, 1 / cone.frequency / samples
@@ -140,11 +194,12 @@ def drift_or_refused(algorithm: str | AttitudeAlgorithm, samples: float) -> floa
     return abs(float(drift))
 
 
-def _errors(increments: FloatArray) -> list[float]:
+def _errors(
+    algorithms: Iterable[AnyAlgorithm], increments: FloatArray, start: FloatArray, end: FloatArray
+) -> list[float]:
     """Root mean squares, over runs, of each algorithm's error at the end, rad; NaN if refused."""
-    start, end = WIDE_BRACKET.attitude([0.0, increments.shape[-2] / WIDE_BRACKET_RATE])
     errors = []
-    for algorithm in WINDOW_ALGORITHMS.values():
+    for algorithm in algorithms:
         try:
             found = integrate(increments, algorithm, start=start)[..., -1, :]
         except ValueError:

@@ -11,7 +11,7 @@ import numpy as np
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import step_drift
 from driftlab.attitude.integration import integrate
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, whole_number
 from driftlab.core.coning import cone_increments
 from driftlab.quaternion import conjugate, cumulative_product, multiply, rotation_angle
 from driftlab.symbolic import operations, run_program, step_program
@@ -80,30 +80,38 @@ class LastStageErrors(NamedTuple):
     costs: tuple[int, ...]
 
 
-def last_stage_errors(seed: int = 6) -> LastStageErrors:
+def last_stage_errors(
+    samples_a_round: int = SAMPLES_A_ROUND, motions: int = RANDOM_MOTIONS, seed: int = 6
+) -> LastStageErrors:
     """Try the last stages on cones, about a fixed axis and on random motions; count operations.
 
     Parameters
     ----------
+    samples_a_round : int
+        Increments while the cone goes round once.
+    motions : int
+        Random motions of each kind.
     seed : int
         Of the random motions.
     """
+    samples = whole_number(samples_a_round, "samples_a_round", least=3)
+    count = whole_number(motions, "motions")
     rng = np.random.default_rng(seed)
     drifts, fixed_axis, stretched = [], [], []
     halves = STEP_ANGLES[:, np.newaxis, np.newaxis] / 2 * np.array([[0.0, 0, 1], [0, 0, 1]])
     for stage in COMPARED_STAGES:
-        drifts.append(stage_drift(stage, HALF_ANGLES, SAMPLES_A_ROUND))
+        drifts.append(stage_drift(stage, HALF_ANGLES, samples))
         step = run_program(step_program(PAIR, stage), halves)
         fixed_axis.append(2 * np.arctan2(step[:, 2], step[:, 3]) - STEP_ANGLES)
         stretched.append(np.linalg.norm(step, axis=-1) - 1)
     return LastStageErrors(
-        SAMPLES_A_ROUND,
+        samples,
         HALF_ANGLES,
         np.array(drifts),
         STEP_ANGLES,
         np.array(fixed_axis),
         np.array(stretched),
-        np.array([_random_errors(rng, turning) for turning in RANDOM_KINDS.values()]),
+        np.array([_random_errors(rng, turning, count) for turning in RANDOM_KINDS.values()]),
         tuple(sum(operations(step_program(PAIR, stage)).values()) for stage in COMPARED_STAGES),
     )
 
@@ -128,12 +136,12 @@ def stage_drift(stage: str, half_angles: FloatArray, samples_a_round: int) -> Fl
     return steps * step_drift(step, half_angles, np.asarray(PAIR.samples * sample))
 
 
-def _random_errors(rng: np.random.Generator, turning: float) -> FloatArray:
+def _random_errors(rng: np.random.Generator, turning: float, motions: int) -> FloatArray:
     """Errors (stage, motion) at the end of random motions, rad."""
     count = RANDOM_RATE * RANDOM_SECONDS
-    fine = random_increments(rng, RANDOM_MOTIONS, FINER * count, 1 / (FINER * RANDOM_RATE), turning)
+    fine = random_increments(rng, motions, FINER * count, 1 / (FINER * RANDOM_RATE), turning)
     true = integrate(fine, "rotation-vector-2")[:, -1]
-    pairs = fine.reshape(RANDOM_MOTIONS, -1, PAIR.samples, FINER, 3).sum(axis=-2)
+    pairs = fine.reshape(motions, -1, PAIR.samples, FINER, 3).sum(axis=-2)
     errors = []
     for stage in COMPARED_STAGES:
         steps = run_program(step_program(PAIR, stage), pairs)

@@ -4,11 +4,13 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy.constants import arcsecond, degree, hour
+from scipy.special import factorial, factorial2
 
 from driftlab.attitude.coning_algorithms import Algorithm, AnyAlgorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.attitude.integration import integrate
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, positive_number, whole_number
+from driftlab.motion.profiles import Coning
 from driftlab.quaternion import conjugate, multiply, to_rotation_vector
 
 from .coning import BRACKET
@@ -25,28 +27,64 @@ QUANTUM = 1.0 * arcsecond
 """Last digit of the gyros, rad."""
 ANGLE_RANDOM_WALK = 0.003 * degree / np.sqrt(hour)
 """White noise of good gyros, rad/√s."""
+FINE_RATES: FloatArray = np.geomspace(18, 450, 120)
+"""Sample rates of the curves, Hz."""
+SHOWN = ("picard-1", "two-step-4", "rotation-vector-3", "four, spread")
+"""Of `COMPARED`, the best of one, two, three and four samples."""
 RUNS = 12
 """Runs with other remainders at the start."""
 
 
 class NoiseAndBand(NamedTuple):
-    """Share of the coning that is missed, and errors after `FLOOR_SECONDS` on the bracket.
+    """Share of the coning that is missed, and errors after some time on a cone, with its floors.
 
     Attributes
     ----------
+    cone : Coning
+    quantum : float
+        Last digit of the gyros, rad.
+    angle_random_walk : float
+        Of the gyros, rad/√s.
+    seconds : float
+        After which errors are read, s.
+    samples : ndarray, shape (m,)
+        In one round of the cone.
     missed : dict of ndarray, shape (m,)
-        By algorithm: `missed_part` at `SAMPLES_A_ROUND`, without sign.
+        By algorithm: `missed_part` at so many samples, without sign.
+    first_terms : dict of ndarray, shape (m,)
+        By algorithm: the first term of the series of the same.
+    rates : ndarray, shape (n,)
+        Sample rates, Hz.
     drifted : dict of ndarray, shape (n,)
-        By algorithm: error from coning at `FLOOR_RATES`, rad.
+        By algorithm: error from coning at these rates, rad.
     cut_off, carried : ndarray, shape (n,)
         Error of `two-step-4` from rounding alone: the remainder is lost, or it is carried over to
-        the next increment. Root mean square of `RUNS` runs, about the axis of the cone, rad.
+        the next increment. Root mean square of all runs, about the axis of the cone, rad.
+    fine_rates : ndarray, shape (p,)
+        Sample rates of the curves, Hz.
+    fine_drifted : dict of ndarray, shape (p,)
+        As `drifted`.
+    expected : ndarray, shape (p,)
+        What `carried` is expected to be, rad.
+    white : float
+        Standard deviation of what white noise adds up to, rad.
     """
 
+    cone: Coning
+    quantum: float
+    angle_random_walk: float
+    seconds: float
+    samples: FloatArray
     missed: dict[str, FloatArray]
+    first_terms: dict[str, FloatArray]
+    rates: FloatArray
     drifted: dict[str, FloatArray]
     cut_off: FloatArray
     carried: FloatArray
+    fine_rates: FloatArray
+    fine_drifted: dict[str, FloatArray]
+    expected: FloatArray
+    white: float
 
 
 def missed_part(algorithm: Algorithm, samples_a_round: FloatArray) -> FloatArray:
@@ -76,10 +114,13 @@ def rounding_error(
     rate: float,
     *,
     carry: bool,
+    cone: Coning = BRACKET,
+    quantum: float = QUANTUM,
     seconds: float = FLOOR_SECONDS,
     runs: int = RUNS,
+    seed: int = 6,
 ) -> FloatArray:
-    """Errors about the axis of the bracket's cone that rounding by `QUANTUM` makes.
+    """Errors about the axis of a cone that rounding of the increments makes.
 
     Parameters
     ----------
@@ -89,26 +130,34 @@ def rounding_error(
         Sample rate, Hz.
     carry : bool
         As in `rounded`.
+    cone : Coning
+    quantum : float
+        Last digit, rad.
     seconds : float
         After which the error is read, s.
     runs : int
         Each begins with another remainder in the counter. Without a carry all are alike.
+    seed : int
+        Of these remainders.
 
     Returns
     -------
     ndarray, shape (runs,)
         rad.
     """
-    start = np.random.default_rng(6).uniform(0, QUANTUM, (runs, 3))
-    true, first = BRACKET.increments(1 / rate, int(rate * seconds)), BRACKET.attitude(0.0)
+    start = np.random.default_rng(seed).uniform(0, quantum, (runs, 3))
+    # An even number, for steps of two samples.
+    true, first = cone.increments(1 / rate, 2 * int(rate * seconds / 2)), cone.attitude(0.0)
     exact = integrate(true, algorithm, start=first)[-1]
-    counted = rounded(true, QUANTUM, start, carry=carry)
+    counted = rounded(true, quantum, start, carry=carry)
     found = integrate(counted, algorithm, start=first)[..., -1, :]
     return to_rotation_vector(multiply(found, conjugate(exact)))[..., 2]
 
 
-def carried_floor(rate: FloatArray, quantum: float) -> FloatArray:
-    """What rounding with a carry is expected to leave on the bracket after `FLOOR_SECONDS`, rad.
+def carried_floor(
+    rate: FloatArray, quantum: float, cone: Coning = BRACKET, seconds: float = FLOOR_SECONDS
+) -> FloatArray:
+    """What rounding with a carry is expected to leave on a cone after some time, rad.
 
     Rounding stands in the sums at the start and at the end. Between, each sum is off by a part of
     the last digit, with a standard deviation of its twelfth's root; it counts by how far the
@@ -122,32 +171,95 @@ def carried_floor(rate: FloatArray, quantum: float) -> FloatArray:
         Sample rate, Hz.
     quantum : float
         rad.
+    cone : Coning
+    seconds : float
+        s.
 
     Returns
     -------
     ndarray, shape (...)
     """
-    samples = rate / BRACKET.frequency
-    moved = 2 * np.sin(BRACKET.half_angle) * np.sin(np.pi / samples)
-    rounds = BRACKET.frequency * FLOOR_SECONDS
+    samples = rate / cone.frequency
+    moved = 2 * np.sin(cone.half_angle) * np.sin(np.pi / samples)
+    rounds = cone.frequency * seconds
     return quantum * np.sqrt((2 + 2 * samples * (rounds * moved) ** 2) / 12)
 
 
-def noise_and_band() -> NoiseAndBand:
-    """Compute the share of the coning that each algorithm misses, and the floors under it."""
-    half_angle, frequency = BRACKET.half_angle, BRACKET.frequency
-    shown = ("picard-1", "two-step-4", "rotation-vector-3", "four, spread")
-    missed = {name: np.abs(missed_part(COMPARED[name], SAMPLES_A_ROUND)) for name in shown}
-    drifted = {
-        name: FLOOR_SECONDS
-        * np.abs(coning_drift(COMPARED[name], half_angle, frequency, 1 / FLOOR_RATES))
-        for name in shown
-    }
-    cut_off, carried = (
-        [
-            float(np.sqrt(np.mean(rounding_error("two-step-4", rate, carry=carry, runs=runs) ** 2)))
-            for rate in FLOOR_RATES
-        ]
-        for carry, runs in ((False, 1), (True, RUNS))
+def noise_and_band(
+    half_angle: float = BRACKET.half_angle,
+    frequency: float = BRACKET.frequency,
+    quantum: float = QUANTUM,
+    angle_random_walk: float = ANGLE_RANDOM_WALK,
+    seconds: float = FLOOR_SECONDS,
+    runs: int = RUNS,
+    seed: int = 6,
+) -> NoiseAndBand:
+    """Compute the share of the coning that each algorithm misses, and the floors under it.
+
+    Parameters
+    ----------
+    half_angle, frequency : float
+        Of the cone, rad and Hz.
+    quantum : float
+        Last digit of the gyros, rad.
+    angle_random_walk : float
+        White noise of the gyros, rad/√s.
+    seconds : float
+        After which the errors are read, s.
+    runs : int
+        Runs with rounding, each with other remainders at the start.
+    seed : int
+        Of these remainders.
+    """
+    cone = Coning(
+        positive_number(half_angle, "half_angle"), positive_number(frequency, "frequency")
     )
-    return NoiseAndBand(missed, drifted, np.array(cut_off), np.array(carried))
+    digit, time = positive_number(quantum, "quantum"), positive_number(seconds, "seconds")
+    walk = positive_number(angle_random_walk, "angle_random_walk")
+    count = whole_number(runs, "runs")
+    shown = {name: COMPARED[name] for name in SHOWN}
+
+    def drifted(rates: FloatArray) -> dict[str, FloatArray]:
+        return {
+            name: time * np.abs(coning_drift(one, cone.half_angle, cone.frequency, 1 / rates))
+            for name, one in shown.items()
+        }
+
+    def floor(rate: float, carry: bool) -> float:
+        errors = rounding_error(
+            "two-step-4", rate, carry=carry, cone=cone, quantum=digit, seconds=time,
+            runs=count if carry else 1, seed=seed,
+        )  # fmt: skip
+        return float(np.sqrt(np.mean(errors**2)))
+
+    x = 2 * np.pi / SAMPLES_A_ROUND
+    return NoiseAndBand(
+        cone,
+        digit,
+        walk,
+        time,
+        SAMPLES_A_ROUND,
+        {name: np.abs(missed_part(one, SAMPLES_A_ROUND)) for name, one in shown.items()},
+        {name: first_term(one.samples, x) for name, one in shown.items()},
+        FLOOR_RATES,
+        drifted(FLOOR_RATES),
+        np.array([floor(rate, False) for rate in FLOOR_RATES]),
+        np.array([floor(rate, True) for rate in FLOOR_RATES]),
+        FINE_RATES,
+        drifted(FINE_RATES),
+        carried_floor(FINE_RATES, digit, cone, time),
+        walk * np.sqrt(time),
+    )
+
+
+def first_term(samples: int, x: FloatArray) -> FloatArray:
+    """First term of the part that is missed with so many samples a step, Ignagni's.
+
+    Parameters
+    ----------
+    samples : int
+    x : ndarray, shape (...)
+        Angle by which the cone goes round in a sample, rad.
+    """
+    m = samples
+    return np.asarray(factorial(m) / (2.0**m * factorial2(2 * m + 1)) * x ** (2 * m))

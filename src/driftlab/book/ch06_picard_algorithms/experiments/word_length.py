@@ -9,7 +9,7 @@ from scipy.constants import day
 
 from driftlab.attitude.finite_precision import UPDATES, Update, integrate_in_word
 from driftlab.attitude.integration import integrate
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, whole_number
 from driftlab.motion.profiles import Motion
 from driftlab.quaternion import conjugate, multiply, rotation_angle
 
@@ -66,18 +66,25 @@ class ShortWord(NamedTuple):
 
     Attributes
     ----------
+    motions : tuple of str
+        Of `WORD_MOTIONS`.
     angles : ndarray, shape (motion, m)
-        Angle of a step, rms over the run, rad; motions in the order of `WORD_MOTIONS`.
+        Angle of a step, rms over the run, rad.
     errors : ndarray, shape (arithmetic, motion, update, m)
-        Error of the attitude after `WORD_STEPS` steps, its length divided out, rms over the starts,
-        rad; in the orders of `ARITHMETICS`, `WORD_MOTIONS` and `UPDATES`.
+        Error of the attitude after all steps, its length divided out, rms over the starts, rad; in
+        the orders of `ARITHMETICS`, `motions` and `UPDATES`.
     stretched : ndarray, shape (motion, update, m)
         Relative error of the quaternion's length, rms over the starts, without mending.
+    steps, starts : int
+        Steps of a run, and attitudes at the start.
     """
 
+    motions: tuple[str, ...]
     angles: FloatArray
     errors: FloatArray
     stretched: FloatArray
+    steps: int = WORD_STEPS
+    starts: int = WORD_STARTS
 
 
 class Gain(NamedTuple):
@@ -104,13 +111,13 @@ def advice_gain(
     ----------
     data : ShortWord
     arithmetic, motion : str
-        Of `ARITHMETICS` and `WORD_MOTIONS`.
+        Of `ARITHMETICS` and of the study's motions.
     other : str
         Of `driftlab.attitude.UPDATES`.
     above : bool
         Whether at steps above `STORED_AS_ONE`, or at those below.
     """
-    i, j = list(ARITHMETICS).index(arithmetic), list(WORD_MOTIONS).index(motion)
+    i, j = list(ARITHMETICS).index(arithmetic), data.motions.index(motion)
     errors = data.errors[i, j]
     gains = errors[UPDATES.index(other)] / errors[UPDATES.index("complement")]
     chosen = gains[(data.angles[j] > STORED_AS_ONE) == above]
@@ -118,34 +125,49 @@ def advice_gain(
     return Gain(mean, float(chosen.min()), float(chosen.max()))
 
 
-def short_word_errors(seed: int = 2014, motions: Sequence[str] = tuple(WORD_MOTIONS)) -> ShortWord:
+def short_word_errors(
+    motions: Sequence[str] = tuple(WORD_MOTIONS),
+    steps: int = WORD_STEPS,
+    starts: int = WORD_STARTS,
+    seed: int = 2014,
+) -> ShortWord:
     """Integrate motions at many sample rates, in 32 bits and in 64.
 
     Parameters
     ----------
-    seed : int
-        Of the attitudes at the start, and of the random motions.
     motions : sequence of str
         Of `WORD_MOTIONS`; the first axis of the results goes through them.
+    steps : int
+        After which the attitude is compared.
+    starts : int
+        Attitudes at the start, over which the errors are averaged.
+    seed : int
+        Of the attitudes at the start, and of the random motions.
     """
+    for name in motions:
+        if name not in WORD_MOTIONS:
+            raise ValueError(f"motions: expected some of {', '.join(WORD_MOTIONS)}, got {name!r}.")
+    count, many = whole_number(steps, "steps"), whole_number(starts, "starts")
     # Four normal deviates have no preferred direction: uniform over all rotations.
-    starts = np.random.default_rng(seed).normal(size=(WORD_STARTS, 4))
-    starts /= np.linalg.norm(starts, axis=-1, keepdims=True)
+    begin = np.random.default_rng(seed).normal(size=(many, 4))
+    begin /= np.linalg.norm(begin, axis=-1, keepdims=True)
     # Attitudes that the word can hold, so that what is measured is the arithmetic alone.
-    starts = starts.astype(np.float32).astype(np.float64)
+    begin = begin.astype(np.float32).astype(np.float64)
     shape = (len(motions), len(UPDATES), len(STEP_ANGLES))
     angles = np.empty((len(motions), len(STEP_ANGLES)))
     errors, stretched = np.empty((len(ARITHMETICS), *shape)), np.empty(shape)
     for j, name in enumerate(motions):
         # The same holds for the increments.
-        runs = np.stack([_increments(name, float(angle), seed) for angle in STEP_ANGLES])
+        runs = np.stack(
+            [_increments(name, float(angle), count, many, seed) for angle in STEP_ANGLES]
+        )
         runs = runs.astype(np.float32).astype(np.float64)
-        steps = runs[..., 0::2, :] + runs[..., 1::2, :]
-        angles[j] = np.sqrt((steps**2).sum(axis=-1).mean(axis=(-1, -2)))
-        true = integrate(runs, start=starts)[..., -1, :]
+        turns = runs[..., 0::2, :] + runs[..., 1::2, :]
+        angles[j] = np.sqrt((turns**2).sum(axis=-1).mean(axis=(-1, -2)))
+        true = integrate(runs, start=begin)[..., -1, :]
         for i, arithmetic in enumerate(ARITHMETICS.values()):
             for u, update in enumerate(UPDATES):
-                end = integrate_in_word(runs, start=starts, update=update, **arithmetic._asdict())[
+                end = integrate_in_word(runs, start=begin, update=update, **arithmetic._asdict())[
                     ..., -1, :
                 ]
                 # Its angle does not depend on the length of the quaternion.
@@ -153,14 +175,14 @@ def short_word_errors(seed: int = 2014, motions: Sequence[str] = tuple(WORD_MOTI
                 errors[i, j, u] = np.sqrt(np.mean(wrong**2, axis=-1))
                 if not arithmetic.fused and not arithmetic.normalise:
                     length = np.linalg.norm(end.astype(np.float64), axis=-1)
-                    change = length / np.linalg.norm(starts, axis=-1) - 1
+                    change = length / np.linalg.norm(begin, axis=-1) - 1
                     stretched[j, u] = np.sqrt(np.mean(change**2, axis=-1))
-    return ShortWord(angles, errors, stretched)
+    return ShortWord(tuple(motions), angles, errors, stretched, count, many)
 
 
-def _increments(name: str, step_angle: float, seed: int) -> FloatArray:
-    """Two increments a step (1 or WORD_STARTS, 2 * WORD_STEPS, 3), at the rate that makes them."""
-    count, motion = 2 * WORD_STEPS, WORD_MOTIONS[name]
+def _increments(name: str, step_angle: float, steps: int, starts: int, seed: int) -> FloatArray:
+    """Two increments a step (1 or starts, 2 * steps, 3), at the rate that makes them."""
+    count, motion = 2 * steps, WORD_MOTIONS[name]
     if motion is not None:
         typical = motion.rate(np.linspace(0, 20, 20_001))
         rms = np.sqrt((typical**2).sum(axis=-1).mean())
@@ -170,4 +192,4 @@ def _increments(name: str, step_angle: float, seed: int) -> FloatArray:
     # Three components, each a sum of sines.
     rms = np.sqrt(3 * WAVES / 2) * WAVE_RATE
     interval = step_angle / 2 / rms
-    return random_increments(np.random.default_rng(seed), WORD_STARTS, count, interval)
+    return random_increments(np.random.default_rng(seed), starts, count, interval)

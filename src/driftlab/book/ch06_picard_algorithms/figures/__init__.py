@@ -37,10 +37,10 @@ FIGURES = (
         algorithm_orders.columns,
         lambda _: (
             "Largest error of each algorithm in "
-            f"{experiments.DURATION:g} s against the rate at which the gyros are read. "
-            "The small cone and the fixed axis hide the third-order errors that the ship shows; on "
-            "the wide cone they show as a wobble that does not grow. On a fixed axis the rotation "
-            "vectors have no error but rounding."
+            f"{experiments.DURATION:g} s against the rate at which the gyros are read; published "
+            "for four motions. The small cone and the fixed axis hide the third-order errors that "
+            "the ship shows; on the wide cone they show as a wobble that does not grow. On a fixed "
+            "axis the rotation vectors have no error but rounding."
         ),
     ),
     FigureDefinition(
@@ -49,8 +49,8 @@ FIGURES = (
         coning_drift.draw,
         coning_drift.columns,
         lambda _: (
-            "Apparent drift of a body that does not turn on the whole: dots measured over "
-            f"{MEASURED_STEPS} steps, lines from a single step."
+            "Apparent drift of a body that does not turn on the whole: marks measured over "
+            f"{MEASURED_STEPS} steps of each algorithm, lines from a single step."
         ),
     ),
     FigureDefinition(
@@ -59,9 +59,10 @@ FIGURES = (
         last_stages.draw,
         last_stages.columns,
         lambda data: (
-            "Seven ways from the corrected sum of two increments to a quaternion. Above: drift on "
-            f"a cone that is sampled {data.samples_a_round} times a round, and error of one step "
-            "about a fixed axis, where the rotation vector has none but rounding. Below: error at "
+            f"{len(data.drifts)} ways from the corrected sum of two increments to a quaternion. "
+            "Drift on "
+            f"a cone that is sampled {data.samples_a_round} times a round; error of one step "
+            "about a fixed axis, where the rotation vector has none but rounding; error at "
             "the end of random motions about three axes, over that of the rotation vector; and "
             "operations of a step, a sine counted as one."
         ),
@@ -71,16 +72,15 @@ FIGURES = (
         experiments.noise_and_band,
         noise_and_band.draw,
         noise_and_band.columns,
-        lambda _: (
-            "Left: the part of a narrow cone's coning that an algorithm misses. Thin lines are the "
-            "first terms of the series, too large where samples are few. Right: drift on the "
-            "bracket in "
-            f"{experiments.FLOOR_SECONDS:g} s, and "
-            "the floors under it: gyros that round to "
-            f"{experiments.QUANTUM / arcsecond:g} arc second, and white noise of "
-            f"{experiments.ANGLE_RANDOM_WALK * np.sqrt(hour) / degree:g}°/√h. A remainder that is "
-            "lost spoils what the corrections gain; one that is carried costs about as much as "
-            "the noise."
+        lambda data: (
+            "First the part of a narrow cone's coning that an algorithm misses. Thin lines are the "
+            "first terms of the series, too large where samples are few. Then the drift on a cone "
+            f"of {np.degrees(data.cone.half_angle):g}° at {data.cone.frequency:g} Hz in "
+            f"{data.seconds:g} s, and the floors under it: gyros that round to "
+            f"{data.quantum / arcsecond:g} arc second, and white noise of "
+            f"{data.angle_random_walk * np.sqrt(hour) / degree:g}°/√h. As published, for the "
+            "bracket, a remainder that is lost spoils what the corrections gain; one that is "
+            "carried costs about as much as the noise."
         ),
     ),
     FigureDefinition(
@@ -88,17 +88,17 @@ FIGURES = (
         experiments.window_errors,
         functional_iteration.draw,
         functional_iteration.columns,
-        lambda _: (
-            "Functional iteration with windows of several widths, beside two algorithms with cross "
-            f"products, on a cone of {np.degrees(experiments.WIDE_BRACKET.half_angle):g}° at "
-            f"{experiments.WIDE_BRACKET.frequency:g} Hz. Left: with many samples a round the "
-            "wider window errs less; below some five it does not. Where a window's points are "
-            "missing, its iterations do not settle and the package refuses; at the lower right the "
-            "widest is down to rounding, magnified. Right: error after "
-            f"{experiments.NOISY_COUNT / experiments.WIDE_BRACKET_RATE:g} s at "
-            f"{experiments.WIDE_BRACKET_RATE:g} Hz, root mean square of {experiments.NOISY_RUNS} "
-            "runs, if every increment has noise: it hides what the wider windows gain, and "
-            f"the widest, {experiments.WINDOWS[-1]} increments, magnifies it."
+        lambda data: (
+            "Functional iteration with windows of several widths, beside algorithms with cross "
+            f"products, on a cone of {np.degrees(data.cone.half_angle):g}° at "
+            f"{data.cone.frequency:g} Hz. First the drift, by samples a round: where a window's "
+            "points are missing, its iterations do not settle and the package refuses. Then the "
+            f"error after {data.count / data.rate:g} s at {data.rate:g} Hz, root mean square of "
+            f"{data.runs} runs, if every increment has noise. As published, for windows of "
+            f"{experiments.WINDOWS[0]} to {experiments.WINDOWS[-1]} increments on a cone of "
+            f"{np.degrees(experiments.WIDE_BRACKET.half_angle):g}°: with many samples a round the "
+            "wider window errs less, below some five it does not; the widest is down to rounding, "
+            "magnified; noise hides what the wider windows gain, and the widest magnifies it."
         ),
     ),
     FigureDefinition(
@@ -106,12 +106,12 @@ FIGURES = (
         experiments.short_word_errors,
         short_word.draw,
         short_word.columns,
-        lambda _: (
+        lambda data: (
             "Arithmetic in 32 bits: error of the attitude after "
-            f"{experiments.WORD_STEPS} steps, its length divided out, by the angle of a step. "
+            f"{data.steps} steps, its length divided out, by the angle of a step. "
             "Where each product is rounded, 1 - λ0 errs several times less than the two updates "
             "with λ0 as soon as λ0 differs from 1 in the word, right of the dotted line. A "
-            f"compensated sum errs least. Root mean square of {experiments.WORD_STARTS} attitudes."
+            f"compensated sum errs least. Root mean square of {data.starts} attitudes."
         ),
         short_word.restore,
     ),

@@ -1,11 +1,26 @@
 """Attitude algorithms on one motion: the error over time, and against the sample rate."""
 
+from collections.abc import Iterable, Sequence
+from itertools import cycle
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from scipy.constants import arcsecond
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS
-from driftlab.book.machinery.picture import BLACK, GREY, SERIES, Picture
+from driftlab.book.machinery.picture import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    GUIDE,
+    ORANGE,
+    PURPLE,
+    SERIES,
+    Picture,
+)
+from driftlab.book.machinery.sheet import SCREEN, Sheet
 
 from ..experiments import DURATION, SAMPLE_RATES, AlgorithmLaboratory
 
@@ -15,6 +30,14 @@ STYLES = {
     for name, style, marker in zip(ALGORITHMS, SERIES, MARKERS, strict=False)
 }
 """Line style of each algorithm, the same in every figure."""
+OWN_STYLES = tuple(
+    {"color": color, "linestyle": dashes, "marker": marker, "markersize": 6, "linewidth": 2.2}
+    for color, dashes, marker in zip(
+        (BLACK, ORANGE, PURPLE, GREEN, BLUE), ("-", "--", "-.", ":", (0, (6, 1))), "phd<8",
+        strict=True,
+    )
+)  # fmt: skip
+"""For algorithms of a reader's own, thicker than the others."""
 
 TICKS = {
     1e-9: "10⁻⁹″", 1e-6: "10⁻⁶″", 1e-3: "0.001″", 1.0: "1″", 60.0: "1′", 3600.0: "1°",
@@ -27,13 +50,27 @@ TOPS = (1.0, 100.0, 1e4, 1e6)
 ORDERS = (2, 3, 4)
 
 
-def draw_slopes(panel: Axes, rate: float, top: float) -> None:
+def styles(names: Iterable[str], sheet: Sheet = SCREEN) -> dict[str, dict[str, Any]]:
+    """Return a line style for each algorithm, of the book's own or not, by name."""
+    own = cycle(OWN_STYLES)
+    looks = {name: dict(STYLES[name] if name in STYLES else next(own)) for name in names}
+    if sheet.on_paper:
+        for look in looks.values():
+            del look["markersize"]
+    return looks
+
+
+def draw_slopes(
+    panel: Axes, rate: float, top: float, named: Sequence[int] = ORDERS, **words: Any
+) -> None:
     """Draw lines of order 2, 3 and 4 that begin at a sample rate in Hz and the error `top`."""
     rates = np.array([rate, 9.0 * rate])
     for order in ORDERS:
         errors = top * (rates / rates[0]) ** -float(order)
-        panel.plot(rates, errors, color=GREY, linewidth=0.8)
-        panel.text(1.05 * rates[1], errors[1], f"order {order}", color=GREY, va="center")
+        panel.plot(rates, errors, color=GREY, linewidth=0.8, label=GUIDE)
+        if order in named:
+            name = f"order {order}"
+            panel.text(1.05 * rates[1], errors[1], name, color=GREY, va="center", **words)
 
 
 class AlgorithmLaboratoryPicture(Picture[AlgorithmLaboratory]):

@@ -19,20 +19,24 @@ from driftlab.book.machinery.picture import (
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
-from ..experiments import DRAWN_HALF_ANGLE, ConingArea
+from ..experiments import ConingArea
 
 
 def columns(data: ConingArea) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV: the corners of the polygon."""
-    return {"x_rad": data.corners[:, 0], "y_rad": data.corners[:, 1]}
+    """Columns of the figure's CSV: corners of the polygon, points of the circle, and of the cone."""
+    table = {"x_rad": data.corners[:, 0], "y_rad": data.corners[:, 1]}
+    table |= {"circle_x_rad": data.circle[:, 0], "circle_y_rad": data.circle[:, 1]}
+    return table | {f"third_axis_{name}": data.cone[:, i] for i, name in enumerate("xyz")}
 
 
 @in_style
 def draw(data: ConingArea, sheet: Sheet) -> Figure:
     """Draw the cone, the circle with the polygon, and one pair of samples."""
-    figure = Figure(figsize=(10.5, 4.0))
-    cone, round_, pair = figure.subplots(1, 3, gridspec_kw={"width_ratios": [0.8, 1, 1]})
-    figure.subplots_adjust(0.01, 0.05, 0.985, 0.9, wspace=0.15)
+    figure, panels = sheet.mosaic(
+        "abc", (10.5, 4.0), (0.01, 0.05, 0.985, 0.9), spaces=(0.15, 0.2), column="a;b;c",
+        width_ratios=[0.8, 1, 1], column_heights=[0.8, 1, 1],
+    )  # fmt: skip
+    cone, round_, pair = panels.values()
     for panel, title in (
         (cone, "the third axis runs round"),
         (round_, "sum of the increments in a round"),
@@ -62,10 +66,10 @@ def _draw_round(panel: Axes, data: ConingArea) -> None:
     panel.add_patch(Polygon(data.circle, closed=True, color=ORANGE, alpha=0.6, linewidth=0))
     panel.add_patch(Polygon(data.corners, closed=True, color="white", linewidth=0))
     panel.plot(*data.circle.T, **SERIES[0], label="true")
-    panel.plot(*data.corners.T, color=VERMILION, marker="o", markersize=4, label="from samples")
+    panel.plot(*data.corners.T, color=VERMILION, marker="o", markersize=4,
+               label="from samples")  # fmt: skip
     panel.legend(loc="center")
-    radius = np.sin(DRAWN_HALF_ANGLE)
-    reach = 1.1 * radius
+    reach, radius = 1.1 * data.radius, data.radius
     panel.set(xlim=(-reach - radius, reach - radius), ylim=(-reach, reach))
 
 
@@ -89,4 +93,4 @@ def _draw_pair(panel: Axes, data: ConingArea) -> None:
         normal = np.array([b[1] - a[1], a[0] - b[0]]) / np.linalg.norm(b - a)
         outwards = normal * np.sign(normal @ (a - centre))
         place = (a + b) / 2 + 0.75 * margin * outwards
-        panel.annotate(text, tuple(place), ha="center", va="center", fontsize=12)
+        panel.annotate(text, tuple(place), ha="center", va="center", fontsize="x-large")

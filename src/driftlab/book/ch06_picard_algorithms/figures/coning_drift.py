@@ -4,78 +4,103 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import degree, hour
 
-from driftlab.attitude.drift_on_cones import coning_drift
-from driftlab.book.machinery.picture import in_style, long_table
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
+from driftlab.book.machinery.picture import in_style, legend_below
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
-from ..experiments import BRACKET, BRACKET_SAMPLE_RATE, ConingDrift
-from .algorithm_laboratory import STYLES
+from ..experiments import ConingDrift
+from .algorithm_laboratory import styles
 
 DEGREE_PER_HOUR = degree / hour
-CURVES = {
-    "picard-1": "picard-1",
-    "two-step-4": "one-step-3, two-step-3, two-step-4 and rotation-vector-2, nearly equal",
-    "memory-4": "memory-4",
-    "rotation-vector-3": "rotation-vector-3",
-}
-"""What is drawn, with its label: four algorithms differ in the fourth power of the half angle."""
+ALIKE = 0.02
+"""Algorithms whose drifts differ by less than this part of them are drawn as one."""
+DECADES = (-7, 5)
+"""Least reach of the axis of the drift: powers of ten, deg/h."""
 
 
 def columns(data: ConingDrift) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV."""
-    curves = {}
-    for i, name in enumerate(data.names):
-        curves[f"{name}, rad/s over coning frequency in Hz"] = (
-            data.frequencies,
-            data.by_frequency[i],
-        )
-        curves[f"{name}, rad/s over sample rate in Hz"] = (data.rates, data.by_rate[i])
-    return long_table(curves)
+    """Columns of the figure's CSV: sizes of the drift, of each algorithm in either way."""
+    table = {"frequency_hz": data.frequencies, "rate_hz": data.rates}
+    table |= {"formula_frequency_hz": data.fine_frequencies, "formula_rate_hz": data.fine_rates}
+    for what, by_frequency, by_rate in (
+        ("measured", data.by_frequency, data.by_rate),
+        ("formula", data.formula_by_frequency, data.formula_by_rate),
+    ):
+        for name, over_frequency, over_rate in zip(data.names, by_frequency, by_rate, strict=True):
+            table[f"{what}_deg_per_h, {name}, by frequency"] = over_frequency / DEGREE_PER_HOUR
+            table[f"{what}_deg_per_h, {name}, by rate"] = over_rate / DEGREE_PER_HOUR
+    return table
+
+
+def alike(data: ConingDrift) -> list[list[str]]:
+    """Names of algorithms whose drifts cannot be told apart, the one that is drawn first.
+
+    Those of fourth order with the same weights differ in the fourth power of the half angle.
+    """
+    drifts = np.concatenate([data.formula_by_frequency, data.formula_by_rate], axis=-1)
+    groups: list[list[int]] = []
+    for i, drift in enumerate(drifts):
+        near = (g for g in groups if np.allclose(drift, drifts[g[0]], ALIKE, 0, equal_nan=True))
+        if (group := next(near, None)) is None:
+            groups.append([i])
+        else:
+            group.append(i)
+    return [
+        sorted((data.names[i] for i in group), key=lambda name: -_order(name)) for group in groups
+    ]
+
+
+def _order(name: str) -> int:
+    return CONING_ALGORITHMS[name].order if name in CONING_ALGORITHMS else 0
+
+
+def _label(group: list[str], data: ConingDrift, narrow: bool) -> str:
+    *others, last = sorted(group, key=data.names.index)
+    if not others:
+        return last
+    words = f"{', '.join(others)} and {last}, nearly equal"
+    return words.replace(", two-step-4", ",\ntwo-step-4") if narrow else words
 
 
 @in_style
 def draw(data: ConingDrift, sheet: Sheet) -> Figure:
     """Draw the drift over coning frequency and over sample rate."""
-    figure = Figure(figsize=(10.5, 4.6))
-    by_frequency, by_rate = figure.subplots(1, 2, sharey=True)
-    figure.subplots_adjust(0.075, 0.2, 0.985, 0.92, wspace=0.06)
-    half_angle, frequency = BRACKET.half_angle, BRACKET.frequency
-    angle = f"half angle {np.degrees(half_angle):g}°"
-    by_frequency.set(title=f"sampled at {BRACKET_SAMPLE_RATE:g} Hz, {angle}")
+    figure, panels = sheet.mosaic(
+        "ab", (10.5, 4.6), (0.075, 0.2, 0.985, 0.92), spaces=(0.06, 0.2), column_height=5.2,
+        page_height=3.6, sharey=True,
+    )  # fmt: skip
+    by_frequency, by_rate = panels["a"], panels["b"]
+    angle = f"half angle {np.degrees(data.half_angle):g}°"
+    by_frequency.set(title=f"sampled at {data.sample_rate:g} Hz, {angle}")
     by_frequency.set(xlabel="coning frequency, Hz", ylabel="apparent drift, deg/h")
-    by_frequency.set(xscale="log", yscale="log", xlim=(0.8, 40), ylim=(1e-7, 1e5))
+    by_frequency.set(xscale="log", yscale="log", xlim=(0.8, 40))
     by_frequency.set_xticks([1, 2, 5, 10, 20, 40], ["1", "2", "5", "10", "20", "40"])
-    by_rate.set(title=f"coning at {frequency:g} Hz, {angle}", xlabel="sample rate, Hz")
+    by_rate.set(title=f"coning at {data.frequency:g} Hz, {angle}", xlabel="sample rate, Hz")
     by_rate.set(xscale="log", xlim=(12, 1000))
     by_rate.set_xticks([20, 50, 100, 200, 500], ["20", "50", "100", "200", "500"])
+    measured = np.concatenate([data.by_frequency, data.by_rate], axis=-1) / DEGREE_PER_HOUR
+    powers = np.log10(measured[measured > 0])
+    low, high = (min(DECADES[0], np.floor(powers.min())), max(DECADES[1], np.ceil(powers.max())))
+    by_frequency.set_ylim(10.0**low, 10.0**high)
     for panel in (by_frequency, by_rate):
         panel.minorticks_off()
-    frequencies, rates = np.geomspace(0.8, 40, 200), np.geomspace(12, 1000, 200)
-    handles = []
-    for name, label in CURVES.items():
-        i = data.names.index(name)
-        line = dict(STYLES[name])
+    looks, handles = styles(data.names, sheet), []
+    for group in alike(data):
+        i = data.names.index(group[0])
+        line = dict(looks[group[0]])
         dots = {"color": line["color"], "linestyle": "none", "marker": line.pop("marker")}
-        dots["markersize"] = line.pop("markersize")
-        for panel, x, formula, at, measured in (
-            (
-                by_frequency,
-                frequencies,
-                coning_drift(name, half_angle, frequencies, 1 / BRACKET_SAMPLE_RATE),
-                data.frequencies,
-                data.by_frequency[i],
-            ),
-            (
-                by_rate,
-                rates,
-                coning_drift(name, half_angle, frequency, 1 / rates),
-                data.rates,
-                data.by_rate[i],
-            ),
-        ):
-            panel.plot(x, np.abs(formula) / DEGREE_PER_HOUR, **line)
-            panel.plot(at, measured / DEGREE_PER_HOUR, **dots)
-        handles += by_frequency.plot([], [], **STYLES[name], label=label)
-    figure.legend(handles=handles, loc="lower center", ncols=len(CURVES), fontsize=8)
+        if not sheet.on_paper:
+            dots["markersize"] = line.pop("markersize")
+        for panel, fine, formula, at, found in (
+            (by_frequency, data.fine_frequencies, data.formula_by_frequency[i],
+             data.frequencies, data.by_frequency[i]),
+            (by_rate, data.fine_rates, data.formula_by_rate[i], data.rates, data.by_rate[i]),
+        ):  # fmt: skip
+            panel.plot(fine, formula / DEGREE_PER_HOUR, **line, label=f"{group[0]}, formula")
+            panel.plot(at, found / DEGREE_PER_HOUR, **dots, label=f"{group[0]}, measured")
+        words = _label(group, data, sheet.narrow)
+        handles += by_frequency.plot([], [], **looks[group[0]], label=words)
+    legend_below(figure, sheet, handles, ncols=min(len(handles), 4 if sheet.on_paper else 5),
+                 column=1, fontsize=8)  # fmt: skip
     return figure

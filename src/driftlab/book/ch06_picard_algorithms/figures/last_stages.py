@@ -1,10 +1,12 @@
 """Last stages of an algorithm side by side: on cones, about a fixed axis, and their cost."""
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from scipy.constants import arcsecond
 
-from driftlab.book.machinery.picture import GREY, SERIES, in_style, long_table
+from driftlab.book.machinery.picture import GREY, SERIES, in_style, legend_below
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -23,35 +25,59 @@ LABELS = {
 }
 
 
-def columns(data: LastStageErrors) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV."""
-    curves = {}
-    for i, stage in enumerate(COMPARED_STAGES):
-        curves[f"{stage}: drift a round in rad over half angle in rad"] = (
-            data.half_angles,
-            data.drifts[i],
-        )
-        name = f"{stage}: error about a fixed axis in rad over step in rad"
-        curves[name] = (data.step_angles, data.fixed_axis[i])
-        curves[f"{stage}: length less one over step in rad"] = (
-            data.step_angles,
-            data.stretched[i],
-        )
-    motions = np.arange(1.0, data.random.shape[-1] + 1)
-    for kind, errors in zip(RANDOM_KINDS, data.random, strict=True):
-        for stage, row in zip(COMPARED_STAGES, errors, strict=True):
-            curves[f"{stage}: {kind}, error in rad over number"] = (motions, row)
-    places = np.arange(1.0, len(COMPARED_STAGES) + 1)
-    curves["operations over place in the list"] = (places, np.array(data.costs, dtype=float))
-    return long_table(curves)
+QUANTILES = (0.1, 0.5, 0.9)
+"""Of the errors on random motions, over those of the rotation vector."""
+
+
+def columns(data: LastStageErrors) -> dict[str, FloatArray | list[str]]:
+    """Columns of the figure's CSV, those of the lower panels by stage."""
+    table: dict[str, FloatArray | list[str]] = {"half_angle_deg": np.degrees(data.half_angles)}
+    for stage, drift in zip(COMPARED_STAGES, data.drifts, strict=True):
+        table[f"drift_arcsec, {LABELS[stage]}"] = np.abs(drift) / arcsecond
+    table["step_rad"] = data.step_angles
+    for stage, error in zip(COMPARED_STAGES, data.fixed_axis, strict=True):
+        table[f"error_arcsec, {LABELS[stage]}"] = _beyond_rounding(error)
+    for stage, stretched in zip(COMPARED_STAGES, data.stretched, strict=True):
+        table[f"length_less_one, {LABELS[stage]}"] = stretched
+    table["stage"] = list(LABELS.values())
+    for kind, rows in _ratios(data).items():
+        for part, row in zip(QUANTILES, rows, strict=True):
+            table[f"ratio, {kind}, {100 * part:g} %"] = row
+    return table | {"operations": np.array(data.costs, dtype=float)}
+
+
+def _beyond_rounding(error: FloatArray) -> FloatArray:
+    """Size of an error in arc seconds; NaN where it is rounding."""
+    size = np.abs(error)
+    return np.where(size > 1e-12, size / arcsecond, np.nan)
+
+
+def _ratios(data: LastStageErrors) -> dict[str, FloatArray]:
+    """Quantiles (quantile, stage) of the errors on random motions over the last stage's."""
+    return {
+        kind: np.quantile(errors[:-1] / errors[-1], QUANTILES, axis=-1)
+        for kind, errors in zip(RANDOM_KINDS, data.random, strict=True)
+    }
 
 
 @in_style
 def draw(data: LastStageErrors, sheet: Sheet) -> Figure:
-    """Draw drift over half angle, error over step angle, and the cost."""
-    figure = Figure(figsize=(10.5, 7.2))
-    (cones, fixed), (ratios, cost) = figure.subplots(2, 2)
-    figure.subplots_adjust(0.15, 0.16, 0.985, 0.96, wspace=0.2, hspace=0.33)
+    """Draw drift over half angle, error over step angle, random motions, and the cost."""
+    figure, panels = sheet.mosaic(
+        "ab;cd", (10.5, 7.2), (0.15, 0.16, 0.985, 0.96), spaces=(0.2, 0.33), column_height=9.0,
+        page_height=5.6, column_heights=(1, 1, 1.2, 0.9),
+    )  # fmt: skip
+    _draw_curves(panels["a"], panels["b"], data)
+    kinds = _draw_ratios(panels["c"], data, sheet)
+    _draw_costs(panels["d"], data)
+    handles, _ = panels["a"].get_legend_handles_labels()
+    legend_below(
+        figure, sheet, [*handles, *kinds], ncols=5 if not sheet.on_paper else 4, fontsize=8
+    )
+    return figure
+
+
+def _draw_curves(cones: Axes, fixed: Axes, data: LastStageErrors) -> None:
     cones.set(title=f"cone, {data.samples_a_round} samples a round", xlabel="half angle, degrees")
     cones.set(xscale="log", yscale="log", ylabel="drift in one round, arc seconds")
     cones.set_xticks([1, 2, 5, 10, 20, 45, 90], ["1", "2", "5", "10", "20", "45", "90"])
@@ -63,32 +89,43 @@ def draw(data: LastStageErrors, sheet: Sheet) -> Figure:
         style = STYLES[stage] | {"marker": MARKERS[stage], "markersize": 4, "markevery": (i % 3, 3)}
         drift = np.abs(data.drifts[i]) / arcsecond
         cones.plot(np.degrees(data.half_angles), drift, **style, label=LABELS[stage])
-        error = np.abs(data.fixed_axis[i])
-        shown = np.where(error > 1e-12, error / arcsecond, np.nan)
-        fixed.plot(data.step_angles, shown, **style)
-    ratios.set(title=f"{data.random.shape[-1]} random motions of each kind", xscale="log")
-    ratios.set(xlabel="error over that of sine and cosine: median, 10 to 90 %", xlim=(0.3, 300))
-    ratios.set_xticks([0.3, 1, 3, 10, 30, 100, 300], ["0.3", "1", "3", "10", "30", "100", "300"])
-    ratios.minorticks_off()
-    ratios.axvline(1, color=GREY)
+        fixed.plot(
+            data.step_angles, _beyond_rounding(data.fixed_axis[i]), **style, label=LABELS[stage]
+        )
+
+
+def _draw_ratios(panel: Axes, data: LastStageErrors, sheet: Sheet) -> list[Line2D]:
+    """Draw them, and return what stands for the kinds of motion in the legend."""
+    panel.set(title=f"{data.random.shape[-1]} random motions of each kind", xscale="log")
+    words = "error over that of sine and cosine: median, 10 to 90 %"
+    panel.set_xlabel(words.replace(": ", ":\n") if sheet.narrow else words)
+    ratios = _ratios(data)
+    every = np.stack(list(ratios.values()))
+    panel.set_xlim(min(0.3, every.min() / 1.2), max(300.0, 1.2 * every.max()))
+    marks = ("0.3", "1", "3", "10", "30", "100", "300", "1000")
+    panel.set_xticks([float(mark) for mark in marks], marks)
+    panel.minorticks_off()
+    panel.axvline(1, color=GREY)
     others = COMPARED_STAGES[:-1]
-    for j, errors in enumerate(data.random):
-        low, middle, high = np.quantile(errors[:-1] / errors[-1], [0.1, 0.5, 0.9], axis=-1)
-        for i, stage in enumerate(others):
-            place = i + 0.25 * (j - 1)
-            colour = STYLES[stage]["color"]
-            ratios.plot([low[i], high[i]], [place, place], color=colour)
-            ratios.plot(middle[i], place, "oDs"[j], color=colour, markerfacecolor="white")
-    ratios.set_yticks(range(len(others)), [LABELS[stage] for stage in others], fontsize=8)
-    ratios.invert_yaxis()
-    for mark, kind in zip("oDs", RANDOM_KINDS, strict=True):
-        ratios.plot([], [], mark, color=GREY, markerfacecolor="white", label=kind)
-    ratios.legend(loc="upper right", fontsize=8)
-    cost.set(title="operations of a step", xlim=(0, 52))
+    colours = [STYLES[stage]["color"] for stage in others]
+    handles: list[Line2D] = []
+    for j, (mark, (kind, (low, middle, high))) in enumerate(
+        zip("oDs", ratios.items(), strict=True)
+    ):
+        places = np.arange(len(others)) + 0.25 * (j - 1)
+        panel.hlines(places, low, high, colors=colours, zorder=2, label=f"{kind}, 10 to 90 %")
+        panel.scatter(middle, places, (16 if sheet.on_paper else 36), marker=mark, zorder=2.5,
+                      facecolors="white", edgecolors=colours, label=f"{kind}, median")  # fmt: skip
+        handles += panel.plot([], [], mark, color=GREY, markerfacecolor="white", label=kind)
+    panel.set_yticks(range(len(others)), [LABELS[stage] for stage in others], fontsize="small")
+    panel.invert_yaxis()
+    return handles
+
+
+def _draw_costs(panel: Axes, data: LastStageErrors) -> None:
+    panel.set(title="operations of a step", xlim=(0, 1.13 * max(data.costs)))
     colours = [STYLES[stage]["color"] for stage in COMPARED_STAGES]
-    bars = cost.barh(range(len(COMPARED_STAGES)), data.costs, color=colours)
-    cost.bar_label(bars, padding=3)
-    cost.set_yticks([])
-    cost.invert_yaxis()
-    figure.legend(*cones.get_legend_handles_labels(), loc="lower center", ncols=4, fontsize=8)
-    return figure
+    bars = panel.barh(range(len(COMPARED_STAGES)), data.costs, color=colours)
+    panel.bar_label(bars, padding=3)
+    panel.set_yticks([])
+    panel.invert_yaxis()

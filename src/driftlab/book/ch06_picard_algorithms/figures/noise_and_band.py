@@ -5,25 +5,21 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from scipy.constants import degree, hour
-from scipy.special import factorial, factorial2
 
-from driftlab.attitude.drift_on_cones import coning_drift
-from driftlab.book.machinery.picture import BLACK, GREY, ORANGE, in_style, long_table
+from driftlab.book.machinery.picture import (
+    BLACK,
+    GREY,
+    GUIDE,
+    ORANGE,
+    in_style,
+    legend_below,
+)
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
-from ..experiments import (
-    ANGLE_RANDOM_WALK,
-    BRACKET,
-    COMPARED,
-    FLOOR_RATES,
-    FLOOR_SECONDS,
-    QUANTUM,
-    SAMPLES_A_ROUND,
-    NoiseAndBand,
-    carried_floor,
-)
+from ..experiments import NoiseAndBand
 from .algorithm_laboratory import STYLES
 
 DEGREE_PER_HOUR = degree / hour
@@ -41,31 +37,50 @@ LINES: dict[str, dict[str, Any]] = {
 """Colours as in the other figures; dashes that differ where the curves lie close together."""
 
 
+DECADES = (-5, 3.5)
+"""Least reach of the axis of the drift: powers of ten, deg/h."""
+
+
 def columns(data: NoiseAndBand) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV."""
-    curves = {}
-    for name in LABELS:
-        curves[f"{name}: part missed over samples a round"] = (SAMPLES_A_ROUND, data.missed[name])
-        curves[f"{name}: error in rad over sample rate in Hz"] = (FLOOR_RATES, data.drifted[name])
-    curves["rounding lost: error in rad over sample rate in Hz"] = (FLOOR_RATES, data.cut_off)
-    curves["rounding carried: error in rad over sample rate in Hz"] = (FLOOR_RATES, data.carried)
-    return long_table(curves)
+    """Columns of the figure's CSV, errors as the drift that would make them."""
+    table = {"samples_a_round": data.samples}
+    for name, label in LABELS.items():
+        table[f"part_missed, {label}"] = data.missed[name]
+        table[f"first_term, {label}"] = data.first_terms[name]
+    unit = DEGREE_PER_HOUR * data.seconds
+    table |= {
+        "rate_hz": data.rates,
+        "rounding_lost_deg_per_h": data.cut_off / unit,
+        "rounding_carried_deg_per_h": data.carried / unit,
+        "curve_rate_hz": data.fine_rates,
+        "rounding_carried_expected_deg_per_h": data.expected / unit,
+        "white_noise_deg_per_h": np.full(len(data.fine_rates), data.white / unit),
+    }
+    return table | {
+        f"drift_deg_per_h, {label}": data.fine_drifted[name] / unit
+        for name, label in LABELS.items()
+    }
 
 
 @in_style
 def draw(data: NoiseAndBand, sheet: Sheet) -> Figure:
-    """Draw what is missed of the coning, and the drift on the bracket with its floors."""
-    figure = Figure(figsize=(10.5, 4.8))
-    band, floors = figure.subplots(1, 2)
-    figure.subplots_adjust(0.075, 0.2, 0.985, 0.92, wspace=0.22)
+    """Draw what is missed of the coning, and the drift on the cone with its floors."""
+    figure, panels = sheet.mosaic(
+        "ab", (10.5, 4.8), (0.075, 0.2, 0.985, 0.92), spaces=(0.22, 0.2), column_height=6.2,
+        page_height=3.7,
+    )  # fmt: skip
+    band, floors = panels["a"], panels["b"]
     _draw_band(band, data)
-    _draw_floors(floors, data)
-    handles = [
-        *(band.plot([], [], **LINES[name])[0] for name in LABELS),
-        band.plot([], [], color=GREY, linewidth=0.7)[0],
-    ]
-    names = (*LABELS.values(), "first term of the series (left)")
-    figure.legend(handles, names, loc="lower center", ncols=len(names), fontsize=8)
+    marks = _draw_floors(floors, data)
+    handles = [band.plot([], [], **LINES[name], label=label)[0] for name, label in LABELS.items()]
+    where = "above" if sheet.narrow else "left"
+    words = f"first term of the series ({where})"
+    handles += band.plot([], [], color=GREY, linewidth=0.7, label=words)
+    if sheet.narrow:
+        handles += marks
+    else:
+        floors.legend(handles=marks, loc="lower left", fontsize="small")
+    legend_below(figure, sheet, handles, ncols=5, fontsize=8)
     return figure
 
 
@@ -74,33 +89,37 @@ def _draw_band(panel: Axes, data: NoiseAndBand) -> None:
     panel.set(ylabel="part of the coning that is missed", xlim=(1, 100), ylim=(1e-9, 30))
     panel.set_xticks([1, 2, 5, 10, 20, 50, 100], ["1", "2", "5", "10", "20", "50", "100"])
     panel.minorticks_off()
-    panel.axvspan(1, 2, color=GREY, alpha=0.2, linewidth=0)
-    panel.text(1.05, 3e-9, "aliased", color=BLACK, fontsize=8)
-    x = 2 * np.pi / SAMPLES_A_ROUND
-    for name in LABELS:
+    panel.axvspan(1, 2, color=GREY, alpha=0.2, linewidth=0, label=GUIDE)
+    panel.text(1.05, 3e-9, "aliased", color=BLACK, fontsize="small")
+    for name, label in LABELS.items():
         line = LINES[name]
-        panel.plot(SAMPLES_A_ROUND, data.missed[name], **line)
-        m = COMPARED[name].samples
-        first = factorial(m) / (2.0**m * factorial2(2 * m + 1)) * x ** (2 * m)
-        panel.plot(SAMPLES_A_ROUND, first, color=line["color"], linewidth=0.7)
+        panel.plot(data.samples, data.missed[name], **line, label=label)
+        panel.plot(data.samples, data.first_terms[name], color=line["color"], linewidth=0.7,
+                   label=f"{label}, first term")  # fmt: skip
 
 
-def _draw_floors(panel: Axes, data: NoiseAndBand) -> None:
-    half_angle, frequency = BRACKET.half_angle, BRACKET.frequency
-    panel.set(title=f"cone of {np.degrees(half_angle):g}° at {frequency:g} Hz, in a minute")
+def _draw_floors(panel: Axes, data: NoiseAndBand) -> list[Line2D]:
+    """Draw them, and return the rows of their legend."""
+    half_angle, frequency = np.degrees(data.cone.half_angle), data.cone.frequency
+    panel.set(title=f"cone of {half_angle:g}° at {frequency:g} Hz, in {data.seconds:g} s")
     panel.set(xlabel="sample rate, Hz", ylabel="apparent drift, deg/h", xscale="log", yscale="log")
-    panel.set(xlim=(18, 450), ylim=(1e-5, 3e3))
+    first, last = data.fine_rates[[0, -1]]
+    panel.set(xlim=(first, last))
     panel.set_xticks([20, 50, 100, 200, 400], ["20", "50", "100", "200", "400"])
     panel.minorticks_off()
-    rates = np.geomspace(18, 450, 120)
-    for name in LABELS:
-        drift = np.abs(coning_drift(COMPARED[name], half_angle, frequency, 1 / rates))
-        panel.plot(rates, drift / DEGREE_PER_HOUR, **LINES[name])
-    unit = DEGREE_PER_HOUR * FLOOR_SECONDS
-    panel.plot(FLOOR_RATES, data.cut_off / unit, "x", color=GREY, label="rounding, remainder lost")
-    panel.plot(FLOOR_RATES, data.carried / unit, "o", color=ORANGE, label="remainder carried")
-    expected = carried_floor(rates, QUANTUM) / unit
-    panel.plot(rates, expected, color=ORANGE, linewidth=0.8, label="the same, expected")
-    white = ANGLE_RANDOM_WALK * np.sqrt(FLOOR_SECONDS) / unit
-    panel.axhline(white, color=GREY, linestyle=":", linewidth=2, label="white noise, one sigma")
-    panel.legend(loc="lower left", fontsize=8)
+    rates, unit = data.fine_rates, DEGREE_PER_HOUR * data.seconds
+    for name, label in LABELS.items():
+        panel.plot(rates, data.fine_drifted[name] / unit, **LINES[name], label=label)
+    lost, carried = data.cut_off / unit, data.carried / unit
+    marks = [
+        *panel.plot(data.rates, lost, "x", color=GREY, label="rounding, remainder lost"),
+        *panel.plot(data.rates, carried, "o", color=ORANGE, label="remainder carried"),
+        *panel.plot(rates, data.expected / unit, color=ORANGE, linewidth=0.8,
+                    label="the same, expected"),
+        *panel.plot(rates, np.full(len(rates), data.white / unit), color=GREY, linestyle=":",
+                    linewidth=2, label="white noise, one sigma"),
+    ]  # fmt: skip
+    floors = np.log10([lost.max(), carried.min(), carried.max(), data.white / unit])
+    low, high = min(DECADES[0], floors.min() - 2), max(DECADES[1], floors.max() + 1)
+    panel.set_ylim(10.0**low, 10.0**high)
+    return marks

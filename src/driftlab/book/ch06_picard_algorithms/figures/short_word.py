@@ -7,16 +7,13 @@ from matplotlib.figure import Figure
 from scipy.constants import arcsecond
 
 from driftlab.attitude.finite_precision import UPDATES
-from driftlab.book.machinery.picture import GREY, SERIES, in_style, long_table
+from driftlab.book.machinery.picture import GREY, GUIDE, SERIES, in_style, legend_below
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import (
     ARITHMETICS,
-    STEP_ANGLES,
     STORED_AS_ONE,
-    WORD_MOTIONS,
-    WORD_STEPS,
     ShortWord,
 )
 
@@ -30,63 +27,103 @@ STYLES = tuple(
     {**style, "marker": marker, "markersize": 4}
     for style, marker in zip((SERIES[1], SERIES[3], SERIES[0], SERIES[2]), "sDov", strict=True)
 )
+KEYS = ("motion", "arithmetic", "update")
+"""Columns of words in the CSV."""
 DRAWN = {"rounded": "each product and sum rounded", "fused, normalised": "fused, and normalised"}
 """The two of `ARITHMETICS` that differ most, with their titles."""
+STORED = "$\\lambda_0$ stored as 1\nto the left"
 PAPERS_STEP = 2e-5
 """Angle of a step, in rad, whose vector part is 1e-5: the paper speaks of that and less."""
 
 
-def columns(data: ShortWord) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV."""
-    curves = {}
-    for j, motion in enumerate(WORD_MOTIONS):
-        for i, arithmetic in enumerate(ARITHMETICS):
-            for u, update in enumerate(UPDATES):
-                name = f"{motion}, {arithmetic}, {update}: rad over step in rad"
-                curves[name] = (data.angles[j], data.errors[i, j, u])
-        for u, update in enumerate(UPDATES):
-            name = f"{motion}, length by {update}, over step in rad"
-            curves[name] = (data.angles[j], data.stretched[j, u])
-    return long_table(curves)
+STEPS = (7e-7, 1.4e-2)
+ERRORS = (1e-3, 1e2)
+"""Least reach of the axes, rad and arc seconds."""
+
+
+def columns(data: ShortWord) -> dict[str, FloatArray | list[str]]:
+    """Columns of the figure's CSV, a row for each motion, arithmetic, update and angle of a step.
+
+    `length_error` is without fused products and without mending.
+    """
+    shape = (len(data.motions), len(ARITHMETICS), len(UPDATES), data.angles.shape[-1])
+    names = (data.motions, ARITHMETICS, UPDATES)
+    keys = np.indices(shape)[:3]
+    lengths = np.full(shape, np.nan)
+    lengths[:, list(ARITHMETICS).index("rounded")] = data.stretched
+    words = {
+        name: [of[i] for i in k.ravel()]
+        for name, of, k in zip(KEYS, map(list, names), keys, strict=True)
+    }
+    return {
+        **words,
+        "step_rad": np.broadcast_to(data.angles[:, np.newaxis, np.newaxis], shape).ravel(),
+        "error_arcsec": _shown(data.errors).swapaxes(0, 1).ravel(),
+        "length_error": lengths.ravel(),
+    }
 
 
 def restore(table: Mapping[str, Sequence[str]]) -> ShortWord:
-    """Return the study that a CSV holds."""
-    angles, values = (
-        np.array(table[column], float).reshape(len(WORD_MOTIONS), -1, len(STEP_ANGLES))
-        for column in ("x", "y")
+    """Return the study that the published CSV holds."""
+    motions = tuple(dict.fromkeys(table[KEYS[0]]))
+    angles, errors, lengths = (
+        np.array([float(word or "nan") for word in table[column]]).reshape(
+            len(motions), len(ARITHMETICS), len(UPDATES), -1
+        )
+        for column in ("step_rad", "error_arcsec", "length_error")
     )
-    # By motion: the errors by arithmetic and update, then the lengths by update.
-    lengths = len(UPDATES)
-    errors = values[:, :-lengths].reshape(len(WORD_MOTIONS), -1, lengths, len(STEP_ANGLES))
-    return ShortWord(angles[:, 0], errors.swapaxes(0, 1), values[:, -lengths:])
+    stretched = lengths[:, list(ARITHMETICS).index("rounded")]
+    return ShortWord(motions, angles[:, 0, 0], arcsecond * errors.swapaxes(0, 1), stretched)
 
 
 @in_style
 def draw(data: ShortWord, sheet: Sheet) -> Figure:
     """Draw the error of attitude over the angle of a step."""
-    figure = Figure(figsize=(10.5, 6.6))
-    panels = figure.subplots(2, 4, sharex=True, sharey=True)
-    figure.subplots_adjust(0.075, 0.14, 0.985, 0.95, wspace=0.06, hspace=0.16)
+    many, letters = len(data.motions), "abcdefghijklmnop"
+    rows = [letters[:many], letters[many : 2 * many]]
+    figure, mosaic = sheet.mosaic(
+        ";".join(rows), (1.1 + 2.35 * many, 6.6), (0.075, 0.14, 0.985, 0.95), spaces=(0.06, 0.16),
+        column=";".join(map("".join, zip(*rows, strict=True))), column_height=1.0 + 1.8 * many,
+        page_height=5.0, sharex=True, sharey=True,
+    )  # fmt: skip
     names = list(ARITHMETICS)
-    for number, (arithmetic, title) in enumerate(DRAWN.items()):
-        row = panels[number]
-        for j, (panel, motion) in enumerate(zip(row, WORD_MOTIONS, strict=True)):
-            panel.set(title="" if number else motion, xscale="log", yscale="log")
-            panel.set(xlim=(7e-7, 1.4e-2), ylim=(1e-3, 1e2))
-            panel.axvspan(7e-7, PAPERS_STEP, color=GREY, alpha=0.15)
+    drawn = _shown(data.errors[[names.index(arithmetic) for arithmetic in DRAWN]])
+    bottom, top = min(ERRORS[0], np.nanmin(drawn) / 2), max(ERRORS[1], 2 * np.nanmax(drawn))
+    bottom *= 0.3 if sheet.narrow else 1.0  # room for words
+    for row, errors, (short, title) in zip(rows, drawn, DRAWN.items(), strict=True):
+        first = row == rows[0]
+        for j, letter in enumerate(row):
+            panel, motion = mosaic[letter], data.motions[j]
+            panel.set(xscale="log", yscale="log", xlim=STEPS, ylim=(bottom, top))
+            panel.axvspan(STEPS[0], PAPERS_STEP, color=GREY, alpha=0.15, label=GUIDE)
             panel.axvline(STORED_AS_ONE, color=GREY, linestyle=":", linewidth=1.2)
-            for u, (style, label) in enumerate(zip(STYLES, LABELS, strict=True)):
-                error = data.errors[names.index(arithmetic), j, u]
-                # No error at all has no place on a logarithmic axis.
-                shown = np.where(error > 0, error / arcsecond, np.nan)
-                panel.plot(data.angles[j], shown, **style, label=label)
-        row[0].set(ylabel=f"{title}:\nerror after {WORD_STEPS} steps, arc seconds")
-    for panel in panels[1]:
-        panel.set(xlabel="angle of a step, rad")
-    first = panels[0, 0]
-    first.text(8e-7, 1.3e-3, "the paper's\nsteps", va="bottom", fontsize=8)
-    first.text(1.15 * STORED_AS_ONE, 1.3e-3, r"$\lambda_0$ stored as 1" "\nto the left", fontsize=8)
-    handles, labels = first.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncols=4)
+            for style, label, error in zip(STYLES, LABELS, errors[j], strict=True):
+                panel.plot(data.angles[j], error, **style, label=label)
+            if sheet.narrow:
+                panel.set_title(motion if j else f"{short}:\n{motion}")
+            elif first:
+                panel.set_title(motion)
+            if j == many - 1 if sheet.narrow else not first:
+                panel.set_xlabel("angle of a step, rad")
+            if sheet.narrow and first:
+                panel.set_ylabel("error, arc seconds")
+        if not sheet.narrow:
+            mosaic[row[0]].set_ylabel(_ordinate(title, data.steps, sheet))
+    first_panel = mosaic["a"]
+    stored = "left: $\\lambda_0$\nstored as 1" if sheet.on_paper else STORED
+    for x, words in ((8e-7, "the paper's\nsteps"), (1.15 * STORED_AS_ONE, stored)):
+        first_panel.text(x, 1.3 * bottom, words, va="bottom", fontsize="small")
+    handles, _ = first_panel.get_legend_handles_labels()
+    legend_below(figure, sheet, handles, ncols=4, column=1)
     return figure
+
+
+def _shown(errors: FloatArray) -> FloatArray:
+    """Errors in arc seconds, but none where there is none: it has no place on such an axis."""
+    return np.where(errors > 0, errors / arcsecond, np.nan)
+
+
+def _ordinate(title: str, steps: int, sheet: Sheet) -> str:
+    if sheet.on_paper:
+        return f"{title}:\nerror, arc seconds"
+    return f"{title}:\nerror after {steps} steps, arc seconds"
