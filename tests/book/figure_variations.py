@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from driftlab.checks import FloatArray
-from driftlab.motion import Sway
+from driftlab.motion import Scheme, Sway
 
 
 def plain(g: FloatArray) -> FloatArray:
@@ -30,4 +30,9 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "06-last-stages": {"samples_a_round": 12, "motions": 10},
     "06-noise-and-band": {"half_angle": 0.03, "seconds": 2.0, "runs": 2},
     "06-short-word": {"motions": ("steady turn",), "steps": 20, "starts": 2},
+    "07-equivalent-start": {"scheme": Scheme("+90X +90Y", dwell=2.0), "direction": (1, 1, 0)},
+    "07-plane-axes": {"gyros": (-0.4, 0.7), "accelerometers": (0.1, 0.5)},
+    "07-plane-split": {"gyros": (-0.4, 0.7)},
+    "07-split-triad": {"gyro_error": np.array(LEANING)},
+    "11-capstone": {"misalignment": (0.0, 1e-3, 0.0), "latitude": 1.0, "turn": -1.0},
 }

@@ -5,12 +5,14 @@ import pytest
 from hypothesis import given, strategies as st
 
 from driftlab.body_frames import misalignment_vector
+from driftlab.book import figures
 from driftlab.book.ch07_installation_errors.experiments import (
     SCHEME,
     error_matrix_parts,
     plane_body_axes,
     plane_split,
 )
+from driftlab.book.ch07_installation_errors.figures.split_triad import exaggeration
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.imu import TYPICAL_ERRORS
 from driftlab.vectors import cross_matrix
@@ -22,6 +24,26 @@ def test_split_triad_shows_the_whole_and_its_parts() -> None:
     np.testing.assert_allclose(data.parts[0], TYPICAL_ERRORS.gyro_error, rtol=0, atol=0)
     np.testing.assert_allclose(data.parts[1:].sum(axis=0), data.parts[0], rtol=0, atol=1e-18)
     np.testing.assert_allclose(data.parts[3], cross_matrix(data.vector), rtol=0, atol=1e-18)
+
+
+@given(st.floats(1e-6, 10.0))
+def test_leans_are_drawn_as_large_as_the_panel_lets_them(largest: float) -> None:
+    data = error_matrix_parts(largest * np.eye(3)[[1, 2, 0]])
+    factor = exaggeration(data)
+    assert factor <= 600
+    assert factor == 600 or 0.2 < factor * largest <= 0.6
+
+
+def test_what_the_figures_are_given_is_checked_at_the_door() -> None:
+    for name, parameters, sentence in (
+        ("07-split-triad", {"gyro_error": np.eye(2)}, r"^gyro_error: "),
+        ("07-plane-split", {"gyros": 0.1}, r"^gyros: "),
+        ("07-plane-axes", {"accelerometers": [0.1, np.nan]}, r"^accelerometers: "),
+        ("07-equivalent-start", {"scheme": "+90X"}, r"^scheme: "),
+        ("07-equivalent-start", {"direction": (0, 0, 0)}, r"^direction: "),
+    ):
+        with pytest.raises((ValueError, TypeError), match=sentence):
+            figures.figure(name, **parameters)
 
 
 @given(st.floats(-0.7, 0.7), st.floats(-0.7, 0.7))

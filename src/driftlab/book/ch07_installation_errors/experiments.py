@@ -9,7 +9,13 @@ from driftlab.attitude.integration import integrate
 from driftlab.body_frames import body_frame_rotation, misalignment_vector
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.body_axes import attitude_error
-from driftlab.checks import FloatArray, finite_array
+from driftlab.checks import (
+    FloatArray,
+    checked_instance,
+    finite_array,
+    finite_number,
+    nonzero_vectors,
+)
 from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuErrors
 from driftlab.increments import measure
 from driftlab.motion.scheme import Scheme
@@ -111,74 +117,102 @@ class EquivalentStart(NamedTuple):
     left: FloatArray
 
 
-def error_matrix_parts(matrix: ArrayLike) -> SplitTriad:
-    """Take an error matrix (3, 3) apart; Wu (7)-(15).
+def error_matrix_parts(gyro_error: ArrayLike = TYPICAL_ERRORS.gyro_error) -> SplitTriad:
+    """Take an error matrix apart; Wu (7)-(15).
+
+    Parameters
+    ----------
+    gyro_error : array_like, shape (3, 3)
+        K, dimensionless.
 
     Raises
     ------
     ValueError
-        If `matrix` is not a finite matrix (3, 3).
+        If `gyro_error` is not a finite matrix (3, 3).
     """
-    whole = finite_array(matrix, "matrix", 3, 3)
+    whole = finite_array(gyro_error, "gyro_error", 3, 3)
     return SplitTriad(np.stack([whole, *decompose(whole)]), misalignment_vector(whole))
 
 
-def plane_split(gyros: tuple[float, float] = (0.30, 0.10)) -> PlaneSplit:
+def plane_split(gyros: ArrayLike = (0.30, 0.10)) -> PlaneSplit:
     """Take the installation errors of two gyros in a plane apart; Wu Fig. 1, (43), (44).
 
     Parameters
     ----------
-    gyros : tuple of float
-        Angles by which the x and the y gyro lean, rad.
+    gyros : array_like, shape (2,)
+        Angles by which the x and the y gyro lean, positive from x to y, rad.
     """
-    x, y = gyros
+    x, y = whole = finite_array(gyros, "gyros", 2)
     parts = decompose(np.array([[0, x, 0], [-y, 0, 0], [0, 0, 0]]))
     # Row x leans to y by its entry, and row y to x by its own, which is the other way round.
     turned, closed = (
         np.array([matrix[0, 1], -matrix[1, 0]])
         for matrix in (parts.misalignment, parts.non_orthogonality)
     )
-    return PlaneSplit(np.array(gyros), turned, closed)
+    return PlaneSplit(whole, turned, closed)
 
 
 def plane_body_axes(
-    gyros: tuple[float, float] = (0.30, 0.10), accelerometers: tuple[float, float] = (0.20, -0.12)
+    gyros: ArrayLike = (0.30, 0.10), accelerometers: ArrayLike = (0.20, -0.12)
 ) -> PlaneAxes:
     """Compute both choices of body axes in a plane; Wu Fig. 2, (43), (44).
 
     Parameters
     ----------
-    gyros, accelerometers : tuple of float
-        Angles by which the x and the y instrument lean, rad.
+    gyros, accelerometers : array_like, shape (2,)
+        Angles by which the x and the y instrument lean, positive from x to y, rad.
     """
-    x, y = gyros
+    x, y = leaning = finite_array(gyros, "gyros", 2)
     triad = np.array([[np.cos(x), np.sin(x), 0], [-np.sin(y), np.cos(y), 0], [0, 0, 1]])
     usual, averaged = (
         np.arctan2(turn[0, 1], turn[0, 0])
         for frame in ("upper triangle", "averaged")
         for turn in [body_frame_rotation(triad - np.eye(3), None, frame)]
     )
-    return PlaneAxes(np.array(gyros), np.array(accelerometers), float(usual), float(averaged))
+    others = finite_array(accelerometers, "accelerometers", 2)
+    return PlaneAxes(leaning, others, float(usual), float(averaged))
 
 
-def equivalent_start() -> EquivalentStart:
-    """Run units with installation errors through `SCHEME`; Wu (16)-(36), not linearised."""
-    motion = table_trajectory(SCHEME, TABLE_LATITUDE, INTERVAL, multiple_of=2)
+def equivalent_start(
+    gyro_error: ArrayLike = TYPICAL_ERRORS.gyro_error,
+    scheme: Scheme = SCHEME,
+    latitude: float = TABLE_LATITUDE,
+    direction: ArrayLike = MISALIGNMENT_DIRECTION,
+) -> EquivalentStart:
+    """Run units with installation errors through a scheme; Wu (16)-(36), not linearised.
+
+    Parameters
+    ----------
+    gyro_error : array_like, shape (3, 3)
+        Of the unit whose errors are followed in time, dimensionless.
+    scheme : Scheme
+        Of the turntable.
+    latitude : float
+        Of the table, rad.
+    direction : array_like, shape (3,)
+        Axis of the misalignments of all sizes; only its direction counts.
+    """
+    whole = finite_array(gyro_error, "gyro_error", 3, 3)
+    about, _ = nonzero_vectors(direction, "direction")
+    place = finite_number(latitude, "latitude")
+    motion = table_trajectory(
+        checked_instance(scheme, Scheme, "scheme"), place, INTERVAL, multiple_of=2
+    )
     steps = len(motion.increments.angle) // 2
     times: FloatArray = 2 * INTERVAL * np.arange(1.0, steps + 1)
     right = motion.attitude[0]
     inertial = inertial_attitude(motion, right)
     tilts = [
         np.linalg.norm(attitude_error(computed_attitude(motion, part, right), inertial), axis=-1)
-        for part in decompose(TYPICAL_ERRORS.gyro_error)
+        for part in decompose(whole)
     ]
-    vector = misalignment_vector(TYPICAL_ERRORS.gyro_error)
+    vector = misalignment_vector(whole)
     tilts.append(np.linalg.norm(rotate(inertial, vector) - rotate(right, vector), axis=-1))
     turned = cross_matrix(vector)
     none = np.zeros((3, 3))
     with_axes = multiply(right, from_rotation_vector(-vector))
     speeds = [
-        np.linalg.norm(_navigated(motion, gyro, accelerometer, start).velocity, axis=-1)
+        np.linalg.norm(_navigated(motion, place, gyro, accelerometer, start).velocity, axis=-1)
         for gyro, accelerometer, start in (
             (turned, none, right),
             (none, turned, right),
@@ -186,7 +220,7 @@ def equivalent_start() -> EquivalentStart:
             (turned, turned, with_axes),
         )
     ]
-    left = np.array([_left(motion, size * MISALIGNMENT_DIRECTION) for size in MISALIGNMENT_SIZES]).T
+    left = np.array([_left(motion, place, size * about) for size in MISALIGNMENT_SIZES]).T
     return EquivalentStart(times, np.array(tilts), np.array(speeds), MISALIGNMENT_SIZES, left)
 
 
@@ -212,13 +246,14 @@ def computed_attitude(motion: Trajectory, gyro_error: FloatArray, start: FloatAr
 
 
 def _navigated(
-    motion: Trajectory, gyro_error: FloatArray, accelerometer_error: FloatArray, start: FloatArray
-) -> Navigation:
+    motion: Trajectory, latitude: float, gyro_error: FloatArray, accelerometer_error: FloatArray,
+    start: FloatArray,
+) -> Navigation:  # fmt: skip
     imu_errors = ImuErrors(np.zeros(3), gyro_error, np.zeros(3), accelerometer_error)
-    return navigate(at_rest(TABLE_LATITUDE, start), measure(motion.increments, imu_errors))
+    return navigate(at_rest(latitude, start), measure(motion.increments, imu_errors))
 
 
-def _left(motion: Trajectory, vector: FloatArray) -> tuple[float, float, float]:
+def _left(motion: Trajectory, latitude: float, vector: FloatArray) -> tuple[float, float, float]:
     """How far apart the two units of the chapter are at the end, in three comparisons."""
     start = motion.attitude[0]
     turn = from_rotation_vector(vector)
@@ -230,5 +265,5 @@ def _left(motion: Trajectory, vector: FloatArray) -> tuple[float, float, float]:
         found = computed_attitude(motion, matrix, start)[-1]
         gaps.append(float(rotation_angle(multiply(conjugate(expected), found))))
     skew = cross_matrix(vector)
-    moved = _navigated(motion, skew, skew, multiply(start, conjugate(turn)))
+    moved = _navigated(motion, latitude, skew, skew, multiply(start, conjugate(turn)))
     return gaps[0], gaps[1], float(np.linalg.norm(moved.velocity[-1]))

@@ -66,6 +66,8 @@ class Capstone(NamedTuple):
         Heading error after alignment at these headings, by stage, rad.
     under_way : HeadingErrors
         Of three runs, one a stage.
+    turn : float
+        Of the ship, rad.
     """
 
     known: FloatArray
@@ -73,6 +75,7 @@ class Capstone(NamedTuple):
     headings: FloatArray
     aligned: FloatArray
     under_way: HeadingErrors
+    turn: float
 
 
 def bent_triad(non_orthogonality: ArrayLike, misalignment: ArrayLike) -> FloatArray:
@@ -260,4 +263,5 @@ def calibration_stages(
         headings,
         aligned_heading_error(left, headings, latitude, shaken),
         simulate_compass(way, rates @ np.swapaxes(left, -1, -2) + shaken, log=True),
+        turn,
     )

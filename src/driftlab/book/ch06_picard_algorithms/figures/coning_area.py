@@ -23,7 +23,7 @@ from ..experiments import ConingArea
 
 
 def columns(data: ConingArea) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV: corners of the polygon, points of the circle, and of the cone."""
+    """Columns of the figure's CSV: corners of the polygon, circle and cone."""
     table = {"x_rad": data.corners[:, 0], "y_rad": data.corners[:, 1]}
     table |= {"circle_x_rad": data.circle[:, 0], "circle_y_rad": data.circle[:, 1]}
     return table | {f"third_axis_{name}": data.cone[:, i] for i, name in enumerate("xyz")}

@@ -4,7 +4,6 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.book.machinery.publish import FigureDefinition
-from driftlab.imu import TYPICAL_ERRORS
 
 from .. import experiments
 from . import equivalent_start, plane_axes, plane_split, split_triad
@@ -13,12 +12,13 @@ from . import equivalent_start, plane_axes, plane_split, split_triad
 def _equivalent_start_caption(data: experiments.EquivalentStart) -> str:
     largest = data.tilts.max(axis=1) / arcsecond
     return (
-        "A unit on a turntable. Left: scale errors and non-orthogonality drift, the latter to "
-        f"{largest[1]:.0f} arc seconds; misalignment comes back, as the total derivative says, "
-        f"within {np.abs(data.tilts[2] - data.tilts[3]).max() / arcsecond:.1g} arc seconds. "
-        "Middle: two triads turned together have no effect only if the start is turned as well. "
-        "Right: what remains is of second order for a skew matrix, and only rounding for a "
-        "true rotation."
+        "A unit on a turntable. First its attitude error: that of scale and of non-orthogonality "
+        f"reaches {largest[0]:.0f} and {largest[1]:.0f} arc seconds; misalignment comes back with "
+        "the unit, as the total derivative says, within "
+        f"{np.abs(data.tilts[2] - data.tilts[3]).max() / arcsecond:.1g} arc seconds. Then "
+        "the velocity: two triads turned together have no effect only if the start is turned as "
+        "well. Last what remains for misalignments of all sizes: of second order for a skew "
+        "matrix, and only rounding for a true rotation."
     )
 
 
@@ -31,20 +31,20 @@ FIGURES = (
         lambda data: (
             "Two gyros in a plane, and the two parts of their installation errors. Misalignment "
             f"turns both by the mean of their angles, {data.misalignment[0]:.2f} rad. "
-            "Non-orthogonality turns them towards each other by half of the difference, "
-            f"{data.non_orthogonality[0]:.2f} rad each."
+            "Non-orthogonality turns them, towards each other or apart, by half of the difference, "
+            f"{abs(data.non_orthogonality[0]):.2f} rad each."
         ),
     ),
     FigureDefinition(
         "07-split-triad",
-        lambda: experiments.error_matrix_parts(TYPICAL_ERRORS.gyro_error),
+        experiments.error_matrix_parts,
         split_triad.SplitTriadPicture.draw,
         split_triad.columns,
-        lambda _: (
-            "The gyro triad of a typical unit, and what each part of its error matrix alone would "
-            "do: change the lengths (too little here to be seen), close and open the angles, turn "
-            "all three axes together. Thin lines are the ideal axes. "
-            f"Errors are drawn {split_triad.EXAGGERATION:g} times too large."
+        lambda data: (
+            "The gyro triad of a unit, published for a typical one, and what each part of its "
+            "error matrix alone would do: change the lengths (too little there to be seen), close "
+            "and open the angles, turn all three axes together. Thin lines are the ideal axes. "
+            f"Errors are drawn {split_triad.exaggeration(data):g} times too large."
         ),
     ),
     FigureDefinition(

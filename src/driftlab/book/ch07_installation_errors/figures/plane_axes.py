@@ -34,18 +34,29 @@ def columns(data: PlaneAxes) -> dict[str, list[float] | list[str]]:
 @in_style
 def draw(data: PlaneAxes, sheet: Sheet) -> Figure:
     """Draw instruments and given axes; then the same gyros with both choices of body axes."""
-    figure = Figure(figsize=(10.5, 2.9))
-    panels = figure.subplots(1, 3)
-    figure.subplots_adjust(0.01, 0.02, 1.0, 0.9, wspace=0.02)
+    figure, mosaic = sheet.mosaic(
+        "abc",
+        (10.5, 2.9),
+        (0.01, 0.02, 1.0, 0.9),
+        spaces=(0.02, 0.2),
+        column_height=5.6,
+        page_height=1.9,
+    )
+    panels = list(mosaic.values())
     titles = ("four instruments, given axes", "usual: x along the x gyro", "averaged")
     for panel, title in zip(panels, titles, strict=True):
         plain_axes(panel, reach=1.3)
-        panel.set(xlim=(-0.62, 1.98), ylim=(-0.35, 1.45), title=title)
+        most, least = (
+            max(data.gyros[1], data.accelerometers[1]),
+            min(data.gyros[0], data.accelerometers[0], data.usual),
+        )
+        bottom = min(-0.35, lowest(least))
+        panel.set(xlim=(-0.62 - beside(most), 1.98), ylim=(bottom, 1.45), title=title)
     given, usual, averaged = panels
     for panel, angle in ((given, 0.0), (usual, data.usual), (averaged, data.averaged)):
-        beside = (0.09, 0.09 if panel is given else -0.09)
+        asides = (0.09, 0.09 if panel is given else -0.09)
         pair(panel, np.full(2, angle), ("$x$", "$y$"), 1.3, color=BLACK)
-        pair(panel, data.gyros, ("x gyro", "y gyro"), 1.0, beside, color=BLUE, linestyle="--")
+        pair(panel, data.gyros, ("x gyro", "y gyro"), 1.0, asides, color=BLUE, linestyle="--")
     pair(
         given,
         data.accelerometers,
@@ -61,6 +72,16 @@ def draw(data: PlaneAxes, sheet: Sheet) -> Figure:
         panel.plot(0.62 * np.cos(arc), 0.62 * np.sin(arc), color=GREEN)
         panel.text(0.68, 0.04, f"{angle:.2f} rad")
     return figure
+
+
+def beside(angle: float) -> float:
+    """How much farther to the left than usual a y instrument reaches that leans by an angle."""
+    return max(0.0, 1.3 * float(np.sin(angle)) - 0.39)
+
+
+def lowest(angle: float) -> float:
+    """How far down an x instrument reaches that leans by an angle."""
+    return min(-0.2, 1.3 * float(np.sin(angle)) - 0.1)
 
 
 def pair(

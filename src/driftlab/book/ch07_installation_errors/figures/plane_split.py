@@ -8,9 +8,7 @@ from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import PlaneSplit
-from .plane_axes import pair
-
-TITLES = ("two gyros", "misalignment: both turn alike", "non-orthogonality: they close up")
+from .plane_axes import beside, lowest, pair
 
 
 def columns(data: PlaneSplit) -> dict[str, FloatArray | list[str]]:
@@ -27,12 +25,23 @@ def columns(data: PlaneSplit) -> dict[str, FloatArray | list[str]]:
 @in_style
 def draw(data: PlaneSplit, sheet: Sheet) -> Figure:
     """Draw the two gyros with both errors, with the one and with the other."""
-    figure = Figure(figsize=(10.5, 2.9))
-    panels = figure.subplots(1, 3)
-    figure.subplots_adjust(0.01, 0.02, 1.0, 0.9, wspace=0.02)
-    for panel, title, angles in zip(panels, TITLES, data, strict=True):
+    figure, mosaic = sheet.mosaic(
+        "abc",
+        (10.5, 2.9),
+        (0.01, 0.02, 1.0, 0.9),
+        spaces=(0.02, 0.2),
+        column_height=5.6,
+        page_height=1.9,
+    )
+    closing = "close up" if data.non_orthogonality[0] >= 0 else "open"
+    titles = (
+        "two gyros", "misalignment: both turn alike", f"non-orthogonality: they {closing}"
+    )  # fmt: skip
+    panels = list(mosaic.values())
+    for panel, title, sign, angles in zip(panels, titles, ("", "= ", "+ "), data, strict=True):
         plain_axes(panel, reach=1.3)
-        panel.set(xlim=(-0.62, 1.98), ylim=(-0.2, 1.5), title=title)
+        panel.set_title(sign + title if sheet.narrow else title)
+        panel.set(xlim=(-0.62 - beside(data.whole[1]), 1.98), ylim=(lowest(data.whole[0]), 1.5))
         pair(panel, np.zeros(2), ("$x$", "$y$"), 1.3, color=GREY)
         pair(panel, angles, ("", ""), 1.1, color=BLUE, linestyle="--")
         for right, angle in zip((0.0, np.pi / 2), angles, strict=True):
@@ -43,6 +52,7 @@ def draw(data: PlaneSplit, sheet: Sheet) -> Figure:
             outside = "right" if right and angle > 0 else "left"
             words = f"{angle:+.2f} rad".replace("-", "−")
             panel.text(*tip, words, color=BLACK, ha=outside, va="center")
-    for panel, sign in zip(panels, ("=", "+"), strict=False):
-        panel.text(1.93, 0.6, sign, fontsize=16, ha="center")
+    if not sheet.narrow:
+        for panel, sign in zip(panels, ("=", "+"), strict=False):
+            panel.text(1.93, 0.6, sign, fontsize="xx-large", ha="center")
     return figure

@@ -21,10 +21,10 @@ def _capstone_caption(data: experiments.Capstone) -> str:
         "One bent triad through all four papers; f, u, r are its forward, upper and right axis. "
         "Panel 1: turns find what pairs of axes miss of a right angle, half of it here; the filter "
         "also finds how the triad is turned. Panels 2 to 4: what is left of it, in a turn, at rest "
-        "and under way. The drift in a turn falls from "
-        f"{turns[0]:.0f} to {turns[1]:.1f} and {turns[2]:.0f} arc seconds, the heading error of a "
-        f"ship that turns by 90 degrees from {headings[0]:.2f} to {headings[1]:.2f} and "
-        f"{headings[2]:.3f} degrees."
+        "and under way. The drift in a turn is up to "
+        f"{turns[0]:.0f}, {turns[1]:.1f} and {turns[2]:.0f} arc seconds at the three stages, the "
+        f"heading error of a ship that turns by {np.degrees(data.turn):.3g} degrees up to "
+        f"{headings[0]:.2f}, {headings[1]:.2f} and {headings[2]:.3f} degrees."
     )
 
 
