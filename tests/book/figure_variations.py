@@ -34,5 +34,10 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "07-plane-axes": {"gyros": (-0.4, 0.7), "accelerometers": (0.1, 0.5)},
     "07-plane-split": {"gyros": (-0.4, 0.7)},
     "07-split-triad": {"gyro_error": np.array(LEANING)},
+    "09-alignment-budget": {"pitch": 0.2, "gyro_bias": (0.0, 0.0, 1e-6)},
+    "09-alignment-terms": {"latitude": -0.7, "gyro_bias_nue": (0.0, 0.0, 1e-6)},
+    "09-averaging-window": {"white": (1e-7, 1e-5), "moving_average": 150, "runs": 4},
+    "09-over-the-vertical": {"aside": 0.05, "latitude": 1.0, "runs": 10},
+    "09-two-positions": {"white": 1e-6, "duration": 120.0, "units": 10},
     "11-capstone": {"misalignment": (0.0, 1e-3, 0.0), "latitude": 1.0, "turn": -1.0},
 }

@@ -143,6 +143,16 @@ def test_the_header_says_which_columns_are_which_curve(tmp_path: Path) -> None:
     assert read_table(tmp_path / "powers.csv") == ([line.rstrip() for line in lines], table)
 
 
+def test_a_curve_that_is_in_two_panels_is_said_of_both(tmp_path: Path) -> None:
+    figure = Figure()
+    for panel in figure.subplots(1, 2):
+        for _ in range(2):  # and twice in each
+            panel.plot([0, 1, 2], [1, 3, 9], label="cubes of three")
+    table = as_words({"exponent": [0, 1, 2], "power_m": [1, 3, 9]})
+    write_table(tmp_path / "powers.csv", table, header(figure, table))
+    assert [curve.panel for curve in read_curves(tmp_path / "powers.csv")] == [1, 2]
+
+
 def test_a_curve_that_is_not_in_the_table_is_refused_by_name() -> None:
     table = as_words({"exponent": [0, 1, 2], "power_m": [1, 3, 8], "bars": [4.0, 5.0]})
     with pytest.raises(MissingCurves, match="panel 1, cubes of three of 3 points"):

@@ -1,9 +1,13 @@
 """The figures of chapter 09: the errors of an alignment, over the vertical, and averages."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+from driftlab.book import figures
 from driftlab.book.ch09_aligning_a_gyrocompass import experiments as alignments
+from driftlab.book.machinery.figure_table import read_table
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.earth import gravity
 from published import published
@@ -56,6 +60,27 @@ def test_the_budget_over_all_headings_is_a_mean_and_one_wave(figure: PublishedFi
     np.testing.assert_allclose(waves @ fitted, data.first_order, rtol=0, atol=1e-16)
     assert (np.abs(fitted) > 1e-4).all()
     assert largest(data.exact - data.first_order) < 5e-3 * largest(data.exact)
+
+
+def test_a_body_that_heads_nowhere_has_no_bars_in_the_table(tmp_path: Path) -> None:
+    vertical = figures.figure("09-alignment-budget", pitch=np.pi / 2)
+    table = read_table(vertical.save(tmp_path / "budget.csv"))[1]
+    assert set(table["error_deg"]) == {""}
+    assert set(table["exact_deg"]) == {""}
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters", "sentence"),
+    [
+        ("09-alignment-terms", {"pitch": 2.0}, "^pitch: expected an angle within pi/2, got 2"),
+        ("09-averaging-window", {"white": (2e-6, 1e-6)}, "^white: expected a quiet gyro and a noi"),
+        ("09-over-the-vertical", {"step": 0.0}, "^step: "),
+        ("09-two-positions", {"units": 1}, "^units: "),
+    ],
+)
+def test_parameters_are_checked(name: str, parameters: dict, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        figures.figure(name, **parameters)
 
 
 @published("09-alignment-terms")

@@ -60,12 +60,14 @@ def header(figure: Figure, table: Words) -> list[str]:
     drawn, contours = curves(figure), fields(figure)
     for number, axes in enumerate(panels(figure), 1):
         lines.append(f"panel {number}{_title(axes)}: {_axis_words(axes)}")
+        of_panel = []
         for curve in (curve for curve in drawn if curve.panel == number):
             rows = finder.rows(curve, axes)
             if rows is None:
                 missing.append(f"panel {number}, {_described(curve)}")
             else:
-                lines.append(f'  "{_one_line(curve.name)}": {rows}')
+                of_panel.append(f'  "{_one_line(curve.name)}": {rows}')
+        lines += dict.fromkeys(of_panel)
         for field in (field for field in contours if field.panel == number):
             names = finder.field(field)
             if names is None:
@@ -74,7 +76,7 @@ def header(figure: Figure, table: Words) -> list[str]:
                 lines.append("  contours: x = {}, y = {}, value = {}".format(*names))
     if missing:
         raise MissingCurves(f"The table does not hold what is drawn: {'; '.join(missing)}.")
-    return list(dict.fromkeys(lines))
+    return lines
 
 
 def write_table(path: Path, table: Words, comments: list[str]) -> None:

@@ -1,6 +1,7 @@
 """Experiments of chapter 09: alignments with sensor errors, and with noise."""
 
 from .averaging import (
+    DEGREE_PER_HOUR,
     MOVING_AVERAGE,
     RIVAL_WINDOW,
     SLOW,
@@ -36,6 +37,7 @@ from .vertical import (
 __all__ = [
     "ACCELEROMETER_BIAS",
     "BOXES",
+    "DEGREE_PER_HOUR",
     "ERRORS_SHOWN",
     "FARTHEST",
     "FIXED",

@@ -3,20 +3,28 @@
 Beside white noise there is a slow part, or, as the rival has it, the rounding of an angle.
 """
 
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from scipy.constants import degree, hour
 
 from driftlab.book.scenarios import SARATOV_LATITUDE
-from driftlab.checks import FloatArray
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    finite_number,
+    positive_number,
+    whole_number,
+)
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.noise import GyroNoise
 from driftlab.motion.vehicle import static_imu
 
+DEGREE_PER_HOUR = degree / hour
 WHITE = (0.06, 0.5)
 """White noise of a sample, deg/h: the ends of the paper's range."""
 SLOW = 0.01
@@ -41,24 +49,38 @@ class AveragingWindow(NamedTuple):
 
     Attributes
     ----------
+    white : ndarray, shape (2,)
+        White noise of a sample, rad/s.
+    slow : float
+        Deviation of the slow part, rad/s.
     windows : ndarray, shape (n,)
         Lengths of the mean, samples.
     simulated, formula : ndarray, shape (2, n)
-        rad; a row for each entry of `WHITE`.
+        rad; a row for each white noise.
     white_alone : ndarray, shape (2, n)
         The formula without a slow part, rad.
     rival_simulated, rival_formula : ndarray, shape (2, n)
         With the noise of `rival_noise`, rad.
+    moving_average, rival_window : int
+        Windows that are marked, samples.
+    averaged, rival_averaged : ndarray, shape (2,)
+        What these two leave of the noise, rad/s.
     runs : int
         Number of simulated alignments.
     """
 
+    white: FloatArray
+    slow: float
     windows: FloatArray
     simulated: FloatArray
     formula: FloatArray
     white_alone: FloatArray
     rival_simulated: FloatArray
     rival_formula: FloatArray
+    moving_average: int
+    rival_window: int
+    averaged: FloatArray
+    rival_averaged: FloatArray
     runs: int
 
 
@@ -67,40 +89,80 @@ def gyro_noise(white: float, slow: float = SLOW) -> GyroNoise:
     return GyroNoise(white * degree / hour, slow * degree / hour)
 
 
-def rival_noise(total: float) -> GyroNoise:
-    """Return noise of some deviation in a sample, deg/h: the least white, the rest by rounding."""
-    white = gyro_noise(WHITE[0], 0.0)
-    rest = np.sqrt(total**2 - WHITE[0] ** 2) * degree / hour
+def rival_noise(total: float, quiet: float = WHITE[0]) -> GyroNoise:
+    """Return noise of some deviation in a sample, deg/h: a quiet part white, the rest rounding."""
+    white = gyro_noise(quiet, 0.0)
+    rest = np.sqrt(total**2 - quiet**2) * degree / hour
     return replace(white, quantisation=float(rest * white.interval / np.sqrt(2)))
 
 
-def heading_spread_by_window() -> AveragingWindow:
-    """Align many times with means of the gyros over windows of several lengths."""
-    runs = 200
-    windows = np.array([1, 3, 10, RIVAL_WINDOW, 100, 300, MOVING_AVERAGE, 2000, 6000, 20000])
-    level = EARTH_RATE * np.cos(SARATOV_LATITUDE)
+def heading_spread_by_window(
+    white: ArrayLike = tuple(value * DEGREE_PER_HOUR for value in WHITE),
+    slow: float = SLOW * DEGREE_PER_HOUR,
+    moving_average: int = MOVING_AVERAGE,
+    rival_window: int = RIVAL_WINDOW,
+    latitude: float = SARATOV_LATITUDE,
+    runs: int = 200,
+    seed: int = 12,
+) -> AveragingWindow:
+    """Align many times with means of the gyros over windows of several lengths.
 
-    def formula(noises: list[GyroNoise]) -> FloatArray:
-        return np.array([[n.deviation_of_mean(w) for w in windows] for n in noises]) / level
+    Parameters
+    ----------
+    white : array_like, shape (2,)
+        Deviation of a sample of a quiet and of a noisy gyro, rad/s. With the rival the quiet one's
+        is white noise in both, and the rest is rounding.
+    slow : float
+        Deviation of the slow part beside the white noise, rad/s.
+    moving_average, rival_window : int
+        Windows that are marked, samples.
+    latitude : float
+        rad.
+    runs : int
+        Alignments of each kind.
+    seed : int
+        Of the noise; the rival's is the next.
+    """
+    quiet, noisy = (float(value) for value in finite_array(white, "white", 2) / DEGREE_PER_HOUR)
+    if not 0 < quiet <= noisy:
+        raise ValueError(f"white: expected a quiet gyro and a noisier one, got {white!r}.")
+    part = positive_number(slow, "slow") / DEGREE_PER_HOUR
+    marked = (
+        whole_number(moving_average, "moving_average"),
+        whole_number(rival_window, "rival_window"),
+    )
+    count, place = whole_number(runs, "runs", least=2), finite_number(latitude, "latitude")
+    windows = np.array(sorted({1, 3, 10, 100, 300, 2000, 6000, 20000, *marked}))
+    level = EARTH_RATE * np.cos(place)
 
-    slow = [gyro_noise(white) for white in WHITE]
-    rival = [rival_noise(white) for white in WHITE]
+    def means(noises: list[GyroNoise], windows: Iterable[int]) -> FloatArray:
+        return np.array([[n.deviation_of_mean(int(w)) for w in windows] for n in noises])
+
+    kinds = [gyro_noise(value, part) for value in (quiet, noisy)]
+    rival = [rival_noise(value, quiet) for value in (quiet, noisy)]
+    alone = [gyro_noise(value, 0.0) for value in (quiet, noisy)]
     return AveragingWindow(
+        np.array([quiet, noisy]) * DEGREE_PER_HOUR,
+        part * DEGREE_PER_HOUR,
         windows.astype(float),
-        _simulated(slow, windows, runs, np.random.default_rng(12)),
-        formula(slow),
-        formula([gyro_noise(white, 0.0) for white in WHITE]),
-        _simulated(rival, windows, runs, np.random.default_rng(13)),
-        formula(rival),
-        runs,
+        _simulated(kinds, windows, count, place, np.random.default_rng(seed)),
+        means(kinds, windows) / level,
+        means(alone, windows) / level,
+        _simulated(rival, windows, count, place, np.random.default_rng(seed + 1)),
+        means(rival, windows) / level,
+        *marked,
+        means(kinds, marked[:1])[:, 0],
+        means(rival, marked[1:])[:, 0],
+        count,
     )
 
 
 def _simulated(
-    noises: list[GyroNoise], windows: NDArray[np.int_], runs: int, rng: np.random.Generator
-) -> FloatArray:
+    noises: list[GyroNoise], windows: NDArray[np.int_], runs: int, latitude: float,
+    rng: np.random.Generator,
+) -> FloatArray:  # fmt: skip
     """Deviations of the heading over many alignments, a row for each noise, rad."""
-    rate, force = static_imu([0.0, 0.0, 0.0, 1.0], SARATOV_LATITUDE)
+    rate, force = static_imu([0.0, 0.0, 0.0, 1.0], latitude)
     found = np.empty((len(noises), len(windows)))
     for i, noise in enumerate(noises):
         sums = np.cumsum(noise.samples(windows[-1], rng, runs, 3), axis=-1)

@@ -3,9 +3,10 @@
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from driftlab.book.scenarios import SARATOV_LATITUDE
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, finite_array, finite_number
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import align, alignment_errors
 from driftlab.motion.vehicle import static_imu
@@ -38,36 +39,63 @@ class AlignmentTerms(NamedTuple):
     exact : dict of ndarray, shape (n,)
     in_copy : dict of ndarray, shape (n,)
         First order, with the stray factor of the copy.
+    fixed : dict of float
+        Heading, pitch and latitude where they do not vary, rad.
     """
 
     terms: dict[str, FloatArray]
     exact: dict[str, FloatArray]
     in_copy: dict[str, FloatArray]
+    fixed: dict[str, float]
 
 
-def alignment_terms() -> AlignmentTerms:
+def alignment_terms(
+    heading: float = FIXED["heading"],
+    pitch: float = FIXED["pitch"],
+    latitude: float = FIXED["latitude"],
+    gyro_bias_nue: ArrayLike = GYRO_BIAS,
+    accelerometer_bias_nue: ArrayLike = ACCELEROMETER_BIAS,
+) -> AlignmentTerms:
     """Return the terms of (alignment heading), their sum as the copy has it, and the exact error.
 
-    Heading, pitch and latitude vary one at a time. The sensor errors are given in North, Up, East,
-    so that the terms do not mix.
+    Heading, pitch and latitude vary one at a time, over `GRIDS`. The sensor errors are given in
+    North, Up, East, so that the terms do not mix.
+
+    Parameters
+    ----------
+    heading, pitch, latitude : float
+        Where they do not vary, rad.
+    gyro_bias_nue : array_like, shape (3,)
+        rad/s.
+    accelerometer_bias_nue : array_like, shape (3,)
+        m/s^2.
     """
+    fixed = {
+        name: finite_number(value, name)
+        for name, value in (("heading", heading), ("pitch", pitch), ("latitude", latitude))
+    }
+    for name in ("pitch", "latitude"):
+        if abs(fixed[name]) >= np.pi / 2:
+            raise ValueError(f"{name}: expected an angle within pi/2, got {fixed[name]:g}.")
+    gyro, accelerometer = (
+        finite_array(gyro_bias_nue, "gyro_bias_nue", 3),
+        finite_array(accelerometer_bias_nue, "accelerometer_bias_nue", 3),
+    )
     terms, exact, in_copy = {}, {}, {}
     for name, grid in GRIDS.items():
-        at: dict[str, Any] = {**FIXED, name: grid}
+        at: dict[str, Any] = {**fixed, name: grid}
         attitude = from_euler_angles(at["heading"], at["pitch"], 0.0)
         rate, force = static_imu(attitude, at["latitude"])
         to_body = conjugate(attitude)
         found = align(
-            rate + rotate(to_body, GYRO_BIAS),
-            force + rotate(to_body, ACCELEROMETER_BIAS),
+            rate + rotate(to_body, gyro),
+            force + rotate(to_body, accelerometer),
             heading_tolerance=np.inf,
         )
         gap = found.heading - at["heading"]
-        formula = alignment_errors(
-            at["heading"], at["pitch"], at["latitude"], GYRO_BIAS, ACCELEROMETER_BIAS
-        )
+        formula = alignment_errors(at["heading"], at["pitch"], at["latitude"], gyro, accelerometer)
         terms[name] = np.degrees(formula.heading_terms)
         exact[name] = np.degrees(wrap_angle(gap))
         surplus = formula.heading_terms[:, 2] * (np.tan(at["latitude"]) - 1)
         in_copy[name] = np.degrees(formula.heading + surplus)
-    return AlignmentTerms(terms, exact, in_copy)
+    return AlignmentTerms(terms, exact, in_copy, fixed)

@@ -3,9 +3,10 @@
 from typing import NamedTuple
 
 import numpy as np
+from scipy.constants import minute
 
 from driftlab.book.scenarios import SARATOV_LATITUDE
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, finite_number, positive_number, whole_number
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.alignment import align
 from driftlab.gyrocompass.alignment_deviations import two_position_deviation
@@ -16,12 +17,12 @@ from driftlab.increments import Increments
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import from_rotation_vector
 
-from .averaging import WHITE, gyro_noise
+from .averaging import DEGREE_PER_HOUR, SLOW, WHITE, gyro_noise
 
 UNITS = 300
 MINUTES = 10.0
 """Time of both positions together, on the left, min."""
-TURN_ERROR = np.radians(0.1)
+TURN_ERROR = float(np.radians(0.1))
 """Deviation of what is known of the turn, on the left."""
 
 
@@ -33,7 +34,7 @@ class TwoPositions(NamedTuple):
     turns : ndarray, shape (m,)
         Turn between the two positions, rad.
     by_turn, by_turn_formula : ndarray, shape (2, m)
-        With a turn that is known exactly, and with `TURN_ERROR`.
+        With a turn that is known exactly, and with `turn_error`.
     times : ndarray, shape (n,)
         Of the whole alignment, s.
     by_time : ndarray, shape (3, n)
@@ -42,6 +43,12 @@ class TwoPositions(NamedTuple):
         The same in closed form.
     bound : ndarray, shape (n,)
         Of one position without a slow part: N / (U cos(latitude) sqrt(T)).
+    duration : float
+        Of both positions together where the turn varies, s.
+    turn_error : float
+        Deviation of what is known of the turn, rad.
+    units : int
+        Simulated at each place.
     """
 
     turns: FloatArray
@@ -51,35 +58,70 @@ class TwoPositions(NamedTuple):
     by_time: FloatArray
     by_time_formula: FloatArray
     bound: FloatArray
+    duration: float
+    turn_error: float
+    units: int
 
 
-def two_positions() -> TwoPositions:
-    """Headings of many units whose gyros have the quiet noise of the chapter, in three ways."""
-    rng = np.random.default_rng(97)
-    noise = gyro_noise(WHITE[0]).sampled_every(1.0)
+def two_positions(
+    white: float = WHITE[0] * DEGREE_PER_HOUR,
+    slow: float = SLOW * DEGREE_PER_HOUR,
+    duration: float = minute * MINUTES,
+    turn_error: float = TURN_ERROR,
+    latitude: float = SARATOV_LATITUDE,
+    units: int = UNITS,
+    seed: int = 97,
+) -> TwoPositions:
+    """Headings of many units whose gyros have the quiet noise of the chapter, in three ways.
+
+    Parameters
+    ----------
+    white : float
+        White noise of a sample, ten a second, rad/s.
+    slow : float
+        Deviation of the slow part of the noise, rad/s.
+    duration : float
+        Of both positions together where the turn varies, s.
+    turn_error : float
+        Standard deviation of what is known of the turn, rad.
+    latitude : float
+        rad.
+    units : int
+        Simulated at each place.
+    seed : int
+        Of the noise.
+    """
+    many, place = whole_number(units, "units", least=2), finite_number(latitude, "latitude")
+    wrong_turn = positive_number(turn_error, "turn_error")
+    half = whole_number(round(positive_number(duration, "duration") / 2), "duration")
+    rng = np.random.default_rng(seed)
+    noise = gyro_noise(
+        positive_number(white, "white") / DEGREE_PER_HOUR,
+        positive_number(slow, "slow") / DEGREE_PER_HOUR,
+    ).sampled_every(1.0)
     turns = np.radians([10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 150.0, 180.0])
     times = np.array([20.0, 40.0, 90.0, 180.0, 360.0, 800.0, 1800.0])
-    means = noise_means(noise, 2, round(30 * MINUTES), rng)
+    means = noise_means(noise, 2, half, rng, many)
     by_turn = [
-        [_scatter(means, turn, wrong * rng.standard_normal(UNITS)) for turn in turns]
-        for wrong in (0.0, TURN_ERROR)
+        [_scatter(means, turn, place, wrong * rng.standard_normal(many)) for turn in turns]
+        for wrong in (0.0, wrong_turn)
     ]
     walk = noise.white * np.sqrt(noise.interval)
-    change = np.sqrt(2) * float(noise.allan_deviation(30 * MINUTES))
-    change = np.sqrt(change**2 - 4 * walk**2 / (60 * MINUTES))
+    change = np.sqrt(2) * float(noise.allan_deviation(half))
+    change = np.sqrt(change**2 - 2 * walk**2 / half)
     by_turn_formula = [
         two_position_deviation(
-            SARATOV_LATITUDE,
-            60 * MINUTES,
+            place,
+            2.0 * half,
             walk,
             turns,
             turn_error=wrong,
             gyro_bias_change=change,
         )
-        for wrong in (0.0, TURN_ERROR)
+        for wrong in (0.0, wrong_turn)
     ]
-    level = EARTH_RATE * np.cos(SARATOV_LATITUDE)
-    white = walk / np.sqrt(times) / level
+    level = EARTH_RATE * np.cos(place)
+    alone = walk / np.sqrt(times) / level
     mean = [noise.deviation_of_mean(round(time)) / level for time in times]
     allan = noise.allan_deviation(times / 2) / (np.sqrt(2) * level)
     return TwoPositions(
@@ -87,37 +129,46 @@ def two_positions() -> TwoPositions:
         np.array(by_turn),
         np.array(by_turn_formula),
         times,
-        np.array([_by_time(noise, round(time), rng) for time in times]).T,
+        np.array([_by_time(noise, round(time), place, many, rng) for time in times]).T,
         np.stack([mean, allan, _through_the_bell(noise, times) / level]),
-        white,
+        alone,
+        2.0 * half,
+        wrong_turn,
+        many,
     )
 
 
-def noise_means(noise: GyroNoise, parts: int, seconds: int, rng: np.random.Generator) -> FloatArray:
-    """Means (UNITS, parts, 3) of the gyros' noise over stretches that follow each other, rad/s."""
-    samples = noise.samples(parts * seconds, rng, UNITS, 3)
-    return np.swapaxes(samples.reshape(UNITS, 3, parts, -1).mean(axis=-1), -1, -2)
+def noise_means(
+    noise: GyroNoise, parts: int, seconds: int, rng: np.random.Generator, units: int = UNITS
+) -> FloatArray:
+    """Means (units, parts, 3) of the gyros' noise over stretches that follow each other, rad/s."""
+    samples = noise.samples(parts * seconds, rng, units, 3)
+    return np.swapaxes(samples.reshape(units, 3, parts, -1).mean(axis=-1), -1, -2)
 
 
-def _scatter(means: FloatArray, turn: float, wrong: FloatArray | float = 0.0) -> float:
+def _scatter(
+    means: FloatArray, turn: float, latitude: float, wrong: FloatArray | float = 0.0
+) -> float:
     """Deviation of the heading of level units in two positions."""
-    rate, force = static_imu(_about_up([0.0, turn]), SARATOV_LATITUDE)
+    rate, force = static_imu(_about_up([0.0, turn]), latitude)
     believed = _about_up(np.stack(np.broadcast_arrays(0.0, turn + wrong), axis=-1))
     found = align_in_positions(rate + means, force, believed)
     return float(np.std(found.heading))
 
 
-def _by_time(noise: GyroNoise, seconds: int, rng: np.random.Generator) -> list[float]:
+def _by_time(
+    noise: GyroNoise, seconds: int, latitude: float, units: int, rng: np.random.Generator
+) -> list[float]:
     """Deviations of the heading by the three ways, with the same noise."""
-    means = noise_means(noise, seconds, 1, rng)
-    rate, force = static_imu([0.0, 0.0, 0.0, 1.0], SARATOV_LATITUDE)
+    means = noise_means(noise, seconds, 1, rng, units)
+    rate, force = static_imu([0.0, 0.0, 0.0, 1.0], latitude)
     one = align(rate + means.mean(axis=-2), force, heading_tolerance=np.inf).heading
-    halves = means.reshape(UNITS, 2, seconds // 2, 3).mean(axis=-2)
+    halves = means.reshape(units, 2, seconds // 2, 3).mean(axis=-2)
     pieces = 4 if seconds < 80 else 1  # there must be 72 increments
     fine = np.repeat(rate + means, pieces, axis=-2) / pieces
     increments = Increments(1 / pieces, fine, np.broadcast_to(force / pieces, fine.shape))
-    carried = align_in_inertial_frame(increments, SARATOV_LATITUDE).heading
-    return [float(np.std(one)), _scatter(halves, np.pi), float(np.std(carried))]
+    carried = align_in_inertial_frame(increments, latitude).heading
+    return [float(np.std(one)), _scatter(halves, np.pi, latitude), float(np.std(carried))]
 
 
 def _through_the_bell(noise: GyroNoise, times: FloatArray) -> FloatArray:

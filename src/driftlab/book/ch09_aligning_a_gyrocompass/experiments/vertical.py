@@ -6,7 +6,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.book.scenarios import SARATOV_LATITUDE
-from driftlab.checks import FloatArray, finite_array, finite_number
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    finite_number,
+    positive_number,
+    whole_number,
+)
 from driftlab.frames import from_euler_angles, to_euler_angles
 from driftlab.gyrocompass.alignment import align
 from driftlab.motion.vehicle import static_imu
@@ -88,7 +94,14 @@ def turn_over(angles: ArrayLike, heading: float = HEADING, aside: float = 0.0) -
 
 
 def errors_over_the_vertical(
-    heading: float = HEADING, aside: float = 0.0, step: float = np.radians(1.0), runs: int = 400
+    heading: float = HEADING,
+    aside: float = 0.0,
+    step: float = float(np.radians(1.0)),
+    runs: int = 400,
+    latitude: float = SARATOV_LATITUDE,
+    gyro_bias: float = float(np.abs(GYRO_BIAS).max()),
+    accelerometer_bias: float = float(np.abs(ACCELEROMETER_BIAS).max()),
+    seed: int = 9,
 ) -> OverTheVertical:
     """Align bodies with random sensor errors in all attitudes of a half turn of the bow.
 
@@ -100,18 +113,26 @@ def errors_over_the_vertical(
         Between two attitudes, rad.
     runs : int
         Bodies, each with errors of its own.
+    latitude : float
+        rad.
+    gyro_bias, accelerometer_bias : float
+        Standard deviations of the errors of each sensor, rad/s and m/s^2.
+    seed : int
+        Of the errors.
     """
-    rng = np.random.default_rng(9)
-    size = (runs, 1, 3)
-    gyro_bias = float(np.abs(GYRO_BIAS).max()) * rng.standard_normal(size)
-    accelerometer_bias = float(np.abs(ACCELEROMETER_BIAS).max()) * rng.standard_normal(size)
-    angles = np.arange(step / 2, np.pi, step)
+    rng = np.random.default_rng(seed)
+    size = (whole_number(runs, "runs"), 1, 3)
+    gyro = positive_number(gyro_bias, "gyro_bias") * rng.standard_normal(size)
+    accelerometer = positive_number(accelerometer_bias, "accelerometer_bias")
+    force_error = accelerometer * rng.standard_normal(size)
+    place, apart = finite_number(latitude, "latitude"), positive_number(step, "step")
+    angles = np.arange(apart / 2, np.pi, apart)
     attitude = turn_over(angles, heading, aside)
     true = to_euler_angles(attitude)
     # Half a turn and minus half a turn are the same; rounding would choose between them by chance.
     roll = np.where(np.isclose(true.roll, -np.pi), np.pi, true.roll)
-    rate, force = static_imu(attitude, SARATOV_LATITUDE)
-    found = align(rate + gyro_bias, force + accelerometer_bias, heading_tolerance=np.inf)
+    rate, force = static_imu(attitude, place)
+    found = align(rate + gyro, force + force_error, heading_tolerance=np.inf)
 
     def spread(gap: FloatArray) -> FloatArray:
         return np.asarray(np.sqrt(np.mean(wrap_angle(gap) ** 2, axis=0)))

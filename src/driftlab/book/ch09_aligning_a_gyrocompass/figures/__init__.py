@@ -38,12 +38,11 @@ def _terms_caption(data: experiments.AlignmentTerms) -> str:
 
 def _vertical_caption(data: experiments.OverTheVertical) -> str:
     return (
-        "A body turned about its right axis, bow over the vertical. Left: its angles; half a turn "
-        "of roll is 180 and −180 degrees at once. Right: errors of "
+        "A body turned about its right axis, bow over the vertical. First its angles; half a turn "
+        "of roll is 180 and −180 degrees at once. Then errors of "
         f"{data.runs} alignments with random sensor errors: heading and roll reach "
-        f"{_largest(data.heading_error):.0f} degrees half a degree from the vertical, while the "
-        f"attitude stays within {_largest(data.attitude_error):.2f} degrees in root mean square, "
-        "and heading plus roll with it."
+        f"{_largest(data.heading_error):.0f} degrees beside the vertical, while the "
+        f"attitude stays within {_largest(data.attitude_error):.2f} degrees in root mean square."
     )
 
 
@@ -54,9 +53,10 @@ def _averaging_caption(data: experiments.AveragingWindow) -> str:
     apart = float((data.formula[1] / data.rival_formula[1])[long][0])
     return (
         f"Spread of the heading of {data.runs} alignments over the length of the averaging window, "
-        "for the ends of the paper's range of gyro noise. Two readings of the paper's averages. "
-        f"Left: white noise and a slow part of {experiments.SLOW:g} degrees per hour, which sets a "
-        "floor. Right: white noise as in the quiet gyro, and a rounded angle, which falls with the "
+        "for a quiet and a noisy gyro, published for the ends of the paper's range. Two readings "
+        "of the paper's averages. First white noise and a slow part of "
+        f"{data.slow / experiments.DEGREE_PER_HOUR:.3g} degrees per hour, which sets a floor. Then "
+        "white noise as in the quiet gyro, and a rounded angle, which falls with the "
         f"window itself. After ten minutes the noisy gyro would differ by a factor of {apart:.0f}. "
         f"Simulation and closed formula differ by up to {gap:.0%}."
     )
@@ -67,12 +67,12 @@ def _positions_caption(data: experiments.TwoPositions) -> str:
     pairs = ((data.by_turn, data.by_turn_formula), (data.by_time, data.by_time_formula))
     gap = max(float(np.abs(simulated / formula - 1).max()) for simulated, formula in pairs)
     return (
-        "Spread of the heading of units at rest whose gyros have white noise and a slow part, as "
-        "the quiet ones of the averaging figure. Left: a turn between two positions, over its "
-        f"angle, {experiments.MINUTES:g} minutes in all. Right: over the time. After "
-        f"{data.times[-1] / 60:g} minutes one position has {one:.3f} degrees left, gravity in "
-        f"inertial space {carried:.3f}, and two positions half a turn apart {two:.3f}. Marks are "
-        f"{experiments.UNITS} simulated units each, lines the closed "
+        "Spread of the heading of units at rest whose gyros have white noise and a slow part, "
+        "published as in the quiet ones of the averaging figure. First a turn between two "
+        f"positions, over its angle, {data.duration / 60:g} minutes in all. Then over the time. "
+        f"After {data.times[-1] / 60:g} minutes one position has {one:.3f} degrees left, gravity "
+        f"in inertial space {carried:.3f}, and two positions half a turn apart {two:.3f}. Marks are "
+        f"{data.units} simulated units each, lines the closed "
         f"forms; they differ by up to {gap:.0%}."
     )
 

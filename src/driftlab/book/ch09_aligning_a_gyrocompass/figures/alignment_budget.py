@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
-from driftlab.book.machinery.picture import BLACK, SERIES, Picture, legend_above
+from driftlab.book.machinery.picture import BLACK, SERIES, Picture, legend_above, legend_below
 from driftlab.checks import FloatArray
 
 from ..experiments import TERMS, AlignmentBudget
@@ -13,12 +13,16 @@ STEPS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 180.0)
 """How far the axes may reach, degrees."""
 
 
-def columns(data: AlignmentBudget) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV: the right panel."""
+def columns(data: AlignmentBudget) -> dict[str, FloatArray | list[str]]:
+    """Columns of the figure's CSV: the bars, the curves over all headings, and the one heading."""
     return {
-        "heading_deg": np.degrees(data.headings).round(6),
-        "first_order_deg": np.degrees(data.first_order).round(9),
-        "exact_deg": np.degrees(data.exact).round(9),
+        "term": list(TERMS),
+        "error_deg": np.degrees(data.bars),
+        "heading_deg": np.degrees(data.headings),
+        "first_order_deg": np.degrees(data.first_order),
+        "exact_deg": np.degrees(data.exact),
+        "this_heading_deg": np.degrees([data.heading]),
+        "this_error_deg": np.degrees(data.bars[-1:]),
     }
 
 
@@ -28,16 +32,18 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
     size = (10.5, 3.7)
 
     def build(self) -> None:
-        left, right = self.figure.subplots(1, 2, width_ratios=(1, 1.15))
-        self.figure.subplots_adjust(0.155, 0.13, 0.985, 0.91, wspace=0.16)
-        self.left, self.right = left, right
-        rows = -np.arange(len(TERMS))
+        self.figure, panels = self.sheet.mosaic(
+            "ab", self.size, (0.155, 0.13, 0.985, 0.91), spaces=(0.16, 0.2),
+            width_ratios=(1, 1.15), column_height=4.8, page_height=2.9,
+        )  # fmt: skip
+        self.left, self.right = left, right = panels["a"], panels["b"]
+        rows = np.arange(len(TERMS))
         left.set_yticks(rows, TERMS)
         left.set(title="heading error by term, °")
-        left.set_ylim(-len(TERMS) + 0.4, 0.6)
+        left.set_ylim(len(TERMS) - 0.4, -0.6)
         left.xaxis.set_major_locator(MaxNLocator(5))
         left.axvline(0, color=BLACK, linewidth=0.8)
-        left.axhline(-3.5, color=BLACK, linewidth=0.8, linestyle=":")
+        left.axhline(3.5, color=BLACK, linewidth=0.8, linestyle=":")
         styles = [*(SERIES[0],) * 4, SERIES[1], SERIES[4]]
         self.bars = left.barh(rows, np.zeros(len(TERMS)), 0.6)
         for bar, style in zip(self.bars, styles, strict=True):
@@ -45,12 +51,18 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
             self.moving.append(bar)
         right.set(title="at all headings, °", xlim=(-180, 180))
         right.set_xticks([-180, -90, 0, 90, 180], ["South", "East", "North", "West", "South"])
-        self.first_order = self.line(right, **SERIES[1], label="first order")
-        self.exact = self.line(right, color=BLACK, linewidth=0.9, label="exact")
+        # They lie close together: one wide, the other narrow.
+        wide, narrow = (1.8, 0.5) if self.sheet.on_paper else (1.6, 0.9)
+        self.first_order = self.line(right, **SERIES[1], linewidth=wide, label="first order")
+        self.exact = self.line(right, color=BLACK, linewidth=narrow, label="exact")
         self.here = self.line(
             right, color=BLACK, marker="o", linestyle="none", label="this heading"
         )
-        legend_above(right, 3)
+        if self.sheet.on_paper:
+            handles = [self.first_order, self.exact, self.here]
+            legend_below(self.figure, self.sheet, handles, ncols=3, column=3)
+        else:
+            legend_above(right, 3)
         self.hatched, self.reasons = [], []
         for panel in (left, right):
             sheet = Rectangle((0, 0), 1, 1, transform=panel.transAxes, facecolor="#f4f4f4",
@@ -63,7 +75,7 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
                 transform=panel.transAxes,
                 ha="center",
                 va="center",
-                fontsize=12,
+                fontsize="x-large",
                 bbox={"facecolor": "white", "edgecolor": "none"},
             )
             reason.set_position((0.5, 0.5))
@@ -77,7 +89,7 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
             reason.set_text("no heading exists here" if nowhere else "")
             reason.set_visible(nowhere)
         for bar, value in zip(self.bars, np.degrees(data.bars), strict=True):
-            bar.set_width(np.nan_to_num(value))
+            bar.set_width(value)
         self.set_reach(self.left, "x", np.degrees(data.bars), STEPS)
         self.set_reach(self.right, "y", np.degrees([*data.exact, *data.first_order]), STEPS)
         degrees = np.degrees(data.headings)
