@@ -138,6 +138,10 @@ def test_what_an_algorithm_refuses_is_not_drawn_and_what_is_wrong_is_said() -> N
         figures.figure("06-coning-drift", half_angle=-1.0)
     with pytest.raises(ValueError, match=r"what <lambda> returned"):
         figures.figure("06-coning-drift", algorithms={"mine": lambda g: None})
+    with pytest.raises(ValueError, match=r"^motions: expected a Motion, as Coning .* got 3"):
+        figures.figure("06-algorithm-orders", motions={"walk": 3})
+    with pytest.raises(ValueError, match=r"^motions: expected a mapping from names to motions"):
+        figures.figure("06-algorithm-orders", motions=Sway(0.1, 0.5))
     with pytest.raises(ValueError, match=r"^motions: expected some of cone of 1°.* got 'walk'"):
         short_word_errors(motions=["walk"])
     with pytest.raises(ValueError, match=r"^half_angle: expected an angle from 0 to pi/2, got 2"):

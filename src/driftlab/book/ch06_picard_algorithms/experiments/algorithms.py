@@ -15,7 +15,7 @@ from driftlab.attitude.coning_algorithms import (
 from driftlab.attitude.finite_precision import integrate_in_word
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import step_quaternions
-from driftlab.checks import FloatArray, checked_instance
+from driftlab.checks import FloatArray
 from driftlab.motion.profiles import Coning, FixedAxis, Motion, Sway
 from driftlab.quaternion import conjugate, cumulative_product, multiply, rotation_angle
 
@@ -226,8 +226,11 @@ def algorithm_orders(
     AlgorithmOrders
     """
     chosen = named_algorithms(algorithms)
+    if not isinstance(motions, Mapping):
+        raise ValueError(f"motions: expected a mapping from names to motions, got {motions!r}.")
     for motion in motions.values():
-        checked_instance(motion, Motion, "motions")
+        if not isinstance(motion, Motion):
+            raise ValueError(f"motions: expected a Motion, as Coning or Sway, got {motion!r}.")
     trials = [
         algorithm_errors(motion, sample_rates[0], chosen, rates=sample_rates)
         for motion in motions.values()

@@ -65,7 +65,7 @@ class WindowErrors(NamedTuple):
     cone : Coning
     rate : float
         Sample rate of the noisy runs, Hz.
-    count, runs : int
+    noisy_count, runs : int
         Increments of a noisy run, and how many runs.
     samples : ndarray, shape (m,)
         Samples a round.
@@ -74,8 +74,8 @@ class WindowErrors(NamedTuple):
     sizes : ndarray, shape (s,)
         Standard deviations of the noise of an increment, rad.
     noisy : ndarray, shape (algorithm, s)
-        Error of the attitude after `count` increments of `cone` with white noise; root mean square
-        of the runs, rad.
+        Error of the attitude after `noisy_count` increments of `cone` with white noise; root mean
+        square of the runs, rad.
     added_up : ndarray, shape (s,)
         What the white noise of three gyros adds up to on the average, rad.
     """
@@ -83,7 +83,7 @@ class WindowErrors(NamedTuple):
     names: tuple[str, ...]
     cone: Coning
     rate: float
-    count: int
+    noisy_count: int
     runs: int
     samples: FloatArray
     drifts: FloatArray

@@ -52,9 +52,10 @@ def draw(data: AlgorithmOrders, sheet: Sheet) -> Figure:
             draw_slopes(panel, first, SLOPES_FROM, named, fontsize=size)
         for name, errors in zip(data.names, worst, strict=True):
             panel.plot(data.rates, _shown(errors), **looks[name], label=name)
-        if panel.get_subplotspec().is_last_row() or (sheet.narrow and panel is panels[-1]):
+        place, across = panels.index(panel), 1 if sheet.narrow else 2
+        if place >= len(panels) - across:
             panel.set_xlabel("sample rate, Hz")
-        if panel.get_subplotspec().is_first_col():
+        if place % across == 0:
             of_what = "" if sheet.on_paper else " of attitude"
             panel.set_ylabel(f"largest error{of_what}, rad")
     handles, _ = panels[0].get_legend_handles_labels()

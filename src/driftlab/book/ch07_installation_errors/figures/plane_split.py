@@ -48,10 +48,10 @@ def draw(data: PlaneSplit, sheet: Sheet) -> Figure:
             arc = right + np.linspace(0, angle, 30)
             panel.plot(0.8 * np.cos(arc), 0.8 * np.sin(arc), color=GREEN)
             # Beside the tip of the gyro.
-            tip = 1.2 * np.array([np.cos(right + angle), np.sin(right + angle)])
+            x, y = 1.2 * np.cos(right + angle), 1.2 * np.sin(right + angle)
             outside = "right" if right and angle > 0 else "left"
             words = f"{angle:+.2f} rad".replace("-", "−")
-            panel.text(*tip, words, color=BLACK, ha=outside, va="center")
+            panel.text(x, y, words, color=BLACK, ha=outside, va="center")
     if not sheet.narrow:
         for panel, sign in zip(panels, ("=", "+"), strict=False):
             panel.text(1.93, 0.6, sign, fontsize="xx-large", ha="center")

@@ -97,7 +97,7 @@ def rival_noise(total: float, quiet: float = WHITE[0]) -> GyroNoise:
 
 
 def heading_spread_by_window(
-    white: ArrayLike = tuple(value * DEGREE_PER_HOUR for value in WHITE),
+    white: ArrayLike = (WHITE[0] * DEGREE_PER_HOUR, WHITE[1] * DEGREE_PER_HOUR),
     slow: float = SLOW * DEGREE_PER_HOUR,
     moving_average: int = MOVING_AVERAGE,
     rival_window: int = RIVAL_WINDOW,

@@ -71,8 +71,8 @@ def _positions_caption(data: experiments.TwoPositions) -> str:
         "published as in the quiet ones of the averaging figure. First a turn between two "
         f"positions, over its angle, {data.duration / 60:g} minutes in all. Then over the time. "
         f"After {data.times[-1] / 60:g} minutes one position has {one:.3f} degrees left, gravity "
-        f"in inertial space {carried:.3f}, and two positions half a turn apart {two:.3f}. Marks are "
-        f"{data.units} simulated units each, lines the closed "
+        f"in inertial space {carried:.3f}, and two positions half a turn apart {two:.3f}. Marks "
+        f"are {data.units} simulated units each, lines the closed "
         f"forms; they differ by up to {gap:.0%}."
     )
 

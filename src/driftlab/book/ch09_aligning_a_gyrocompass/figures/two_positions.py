@@ -65,8 +65,13 @@ def draw(data: TwoPositions, sheet: Sheet) -> Figure:
         panel.set(ylim=(low, high), yticks=ticks if len(ticks) < 12 else ticks[::3])
         panel.yaxis.set_major_formatter("{x:g}")
         panel.yaxis.set_minor_formatter("")
-        place = "best" if sheet.on_paper else "upper right"
-        panel.legend(handles=marks, loc=place, fontsize="small", labelspacing=0.3)
+        below = sheet.narrow and panel is right  # where nothing lies in a low panel
+        panel.legend(
+            handles=marks,
+            loc="lower left" if below else "upper right",
+            fontsize="small",
+            labelspacing=0.3,
+        )
     return figure
 
 

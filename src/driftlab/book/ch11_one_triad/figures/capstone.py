@@ -1,5 +1,7 @@
 """One bent triad through all four papers: drift per turn, two calibrations, and the heading."""
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
@@ -21,8 +23,8 @@ from ..experiments import AXIS_NAMES, STAGES, Capstone
 PARTS = ("forward-\nup", "forward-\nright", "up-\nright", "about\nforward", "about\nup",
          "about\nright")  # fmt: skip
 """Names of the pairs of axes, and of the axes that the whole triad is turned about."""
-STEM = {"linewidth": 2.0}
-MARKS = tuple({"marker": marker, "markersize": 5.5} for marker in "os^")
+STEM: dict[str, Any] = {"linewidth": 2.0}
+MARKS: tuple[dict[str, Any], ...] = tuple({"marker": marker, "markersize": 5.5} for marker in "os^")
 SECONDS = (20.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
 MINUTES = (0.2, 0.5, 1.0, 2.0, 5.0, 15.0, 75.0, 400.0)
 DEGREES = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 25.0, 200.0)
