@@ -57,6 +57,8 @@ def styles(names: Iterable[str], sheet: Sheet = SCREEN) -> dict[str, dict[str, A
     if sheet.on_paper:
         for look in looks.values():
             del look["markersize"]
+            if "linewidth" in look:
+                look["linewidth"] = 1.6
     return looks
 
 

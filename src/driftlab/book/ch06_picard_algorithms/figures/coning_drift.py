@@ -17,6 +17,8 @@ ALIKE = 0.02
 """Algorithms whose drifts differ by less than this part of them are drawn as one."""
 DECADES = (-7, 5)
 """Least reach of the axis of the drift: powers of ten, deg/h."""
+ROUNDING = -9
+"""It reaches down no farther: there is nothing there but rounding."""
 
 
 def columns(data: ConingDrift) -> dict[str, FloatArray]:
@@ -28,9 +30,14 @@ def columns(data: ConingDrift) -> dict[str, FloatArray]:
         ("formula", data.formula_by_frequency, data.formula_by_rate),
     ):
         for name, over_frequency, over_rate in zip(data.names, by_frequency, by_rate, strict=True):
-            table[f"{what}_deg_per_h, {name}, by frequency"] = over_frequency / DEGREE_PER_HOUR
-            table[f"{what}_deg_per_h, {name}, by rate"] = over_rate / DEGREE_PER_HOUR
+            table[f"{what}_deg_per_h, {name}, by frequency"] = _shown(over_frequency)
+            table[f"{what}_deg_per_h, {name}, by rate"] = _shown(over_rate)
     return table
+
+
+def _shown(drift: FloatArray) -> FloatArray:
+    """Drift in deg/h, but none where there is none: it has no place on a logarithmic axis."""
+    return np.where(drift > 0, drift / DEGREE_PER_HOUR, np.nan)
 
 
 def alike(data: ConingDrift) -> list[list[str]]:
@@ -79,9 +86,9 @@ def draw(data: ConingDrift, sheet: Sheet) -> Figure:
     by_rate.set(title=f"coning at {data.frequency:g} Hz, {angle}", xlabel="sample rate, Hz")
     by_rate.set(xscale="log", xlim=(12, 1000))
     by_rate.set_xticks([20, 50, 100, 200, 500], ["20", "50", "100", "200", "500"])
-    measured = np.concatenate([data.by_frequency, data.by_rate], axis=-1) / DEGREE_PER_HOUR
-    powers = np.log10(measured[measured > 0])
-    low, high = (min(DECADES[0], np.floor(powers.min())), max(DECADES[1], np.ceil(powers.max())))
+    powers = np.log10(_shown(np.concatenate([data.by_frequency, data.by_rate], axis=-1)))
+    low = max(min(DECADES[0], np.floor(np.nanmin(powers))), ROUNDING)
+    high = max(DECADES[1], np.ceil(np.nanmax(powers)))
     by_frequency.set_ylim(10.0**low, 10.0**high)
     for panel in (by_frequency, by_rate):
         panel.minorticks_off()
@@ -97,8 +104,8 @@ def draw(data: ConingDrift, sheet: Sheet) -> Figure:
              data.frequencies, data.by_frequency[i]),
             (by_rate, data.fine_rates, data.formula_by_rate[i], data.rates, data.by_rate[i]),
         ):  # fmt: skip
-            panel.plot(fine, formula / DEGREE_PER_HOUR, **line, label=f"{group[0]}, formula")
-            panel.plot(at, found / DEGREE_PER_HOUR, **dots, label=f"{group[0]}, measured")
+            panel.plot(fine, _shown(formula), **line, label=f"{group[0]}, formula")
+            panel.plot(at, _shown(found), **dots, label=f"{group[0]}, measured")
         words = _label(group, data, sheet.narrow)
         handles += by_frequency.plot([], [], **looks[group[0]], label=words)
     legend_below(figure, sheet, handles, ncols=min(len(handles), 4 if sheet.on_paper else 5),
