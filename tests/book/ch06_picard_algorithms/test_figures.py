@@ -132,7 +132,7 @@ def test_what_an_algorithm_refuses_is_not_drawn_and_what_is_wrong_is_said() -> N
     refused = np.isnan(data.formula_by_rate[0])
     assert refused[0]
     assert not refused[-1]
-    with pytest.raises(ValueError, match=r"^algorithm: expected one of picard-1"):
+    with pytest.raises(ValueError, match=r"^algorithms: expected one of picard-1"):
         figures.figure("06-coning-drift", algorithms=["euler"])
     with pytest.raises(ValueError, match=r"^half_angle: "):
         figures.figure("06-coning-drift", half_angle=-1.0)
@@ -269,7 +269,7 @@ def test_laboratory_refuses_another_rate_and_shows_what_is_ticked() -> None:
     assert data.histories[0].max() == data.worst[0, SAMPLE_RATES.index(48)]
     with pytest.raises(ValueError, match=r"^rate: expected one of 12, 24, .* Hz, got 50"):
         algorithm_errors(motion, 50, ["two-step-4"])
-    with pytest.raises(ValueError, match=r"^algorithm: expected one of picard-1, .* got 'euler'"):
+    with pytest.raises(ValueError, match=r"^algorithms: expected one of picard-1, .* got 'euler'"):
         algorithm_errors(motion, 48, ["euler"])
 
 
