@@ -40,4 +40,7 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "09-over-the-vertical": {"aside": 0.05, "latitude": 1.0, "runs": 10},
     "09-two-positions": {"white": 1e-6, "duration": 120.0, "units": 10},
     "11-capstone": {"misalignment": (0.0, 1e-3, 0.0), "latitude": 1.0, "turn": -1.0},
+    "13-allan-plots": {"cheap_rest": (150.0, 157.0), "dear_rest": (0.0, 600.0), "dear_from": 0.5},
+    "13-hand-turns": {"stop_deviation": np.radians(0.5)},
+    "13-parked-car": {"lengths": (30.0, 120.0, 240.0)},
 }

@@ -105,6 +105,8 @@ def test_every_figure_takes_parameters_or_is_a_drawing() -> None:
 @pytest.mark.parametrize("name", VARIATIONS)
 def test_a_figure_is_drawn_with_other_parameters(name: str, tmp_path: Path) -> None:
     """On a screen, in a column, and as numbers, and what is drawn is in them."""
+    if missing := figures.not_at_hand(figures.figure_definitions(name[:2])[name]):
+        pytest.skip(missing)
     figure = figures.figure(name, **VARIATIONS[name])
     assert all(f"{parameter}=" in figure.call for parameter in VARIATIONS[name])
     assert figure.svg().startswith(b"<?xml")

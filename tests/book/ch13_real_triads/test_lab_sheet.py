@@ -21,6 +21,7 @@ from driftlab.book.ch13_real_triads.offset_two_ways import (
     rest_rates,
     verdicts,
 )
+from driftlab.book.machinery.figure_table import read_table
 from driftlab.drift.missed_stops import near_turns
 from driftlab.drift.turns_by_hand import HandTurn, fit_hand_turns, hand_turns
 from driftlab.recordings.csv_reader import read_csv
@@ -62,7 +63,7 @@ def test_twelve_turns_are_found_and_their_numbers_lie_in_the_intervals():
     assert abs(ratio - 1) < 5 * np.sqrt(2 / (6 * len(seeds)))
 
 
-def test_tables_and_picture_say_what_was_found():
+def test_tables_and_picture_say_what_was_found(tmp_path):
     _, rates = phone.made_up_phone()
     log = Recording(rates, None, phone.INTERVAL, "rates")
     increments, stops, turns = found_in(log)
@@ -71,6 +72,11 @@ def test_tables_and_picture_say_what_was_found():
     assert f"{len(stops)} stretches" in picture.caption
     assert "12 whole turns: +z, +z, −z, −z, +y" in picture.caption
     assert picture.svg().startswith(b"<?xml")
+    assert picture.save(tmp_path / "log.pdf", width=3.5).read_bytes().startswith(b"%PDF")
+    comments, table = read_table(picture.save(tmp_path / "log.csv"))
+    assert "turns_picture(" in comments[1]
+    assert sum(line.startswith('  "about') for line in comments) == 3
+    assert [word for word in table["turn"] if word] == [str(number) for number in range(1, 13)]
     rows = turns_table(turns).rows
     assert len(rows) == 13
     assert rows[3][1:3] == ("z", "clockwise")

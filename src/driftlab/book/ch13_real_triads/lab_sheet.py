@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -46,6 +46,11 @@ class Log(NamedTuple):
     turns: Sequence[HandTurn]
     near: Sequence[NearTurn]
 
+    @property
+    def moves(self) -> list[HandTurn | NearTurn]:
+        """The turns, and then what nearly was one."""
+        return [*self.turns, *self.near]
+
 
 def turns_picture(
     increments: FloatArray,
@@ -56,7 +61,8 @@ def turns_picture(
 ) -> PublishedFigure:
     """Draw the rates of a log over time, with its rests as bands and its turns by number.
 
-    Moves that nearly were turns have a question mark.
+    Moves that nearly were turns have a question mark. The picture's ``save("log.pdf", width=3.5)``
+    puts it into a report.
 
     Parameters
     ----------
@@ -80,7 +86,38 @@ def turns_picture(
         turns,
         near,
     )
-    return PublishedFigure(FigureDefinition("lab-turns", lambda: log, _draw, None, _caption), log)
+    return _LogFigure(FigureDefinition("lab-turns", lambda: log, _draw, _columns, _caption), log)
+
+
+class _LogFigure(PublishedFigure):
+    """The picture of the reader's own log, which `driftlab.figure` does not know."""
+
+    @property
+    def call(self) -> str:
+        return "turns_picture(increments, interval, rests, turns, near)"
+
+
+def _columns(log: Log) -> dict[str, Any]:
+    """Columns of the picture's CSV: the rates as drawn; begin and end of rests and of turns."""
+    spans = np.array([_span(move) for move in log.moves]).reshape(-1, 2)
+    rates = log.rates.T / degree
+    return {
+        "time_s": log.seconds,
+        **{f"rate_about_{axis}_deg_per_s": rate for axis, rate in zip(AXES, rates, strict=True)},
+        **{f"rest_{end}_s": log.rests[:, k] for k, end in enumerate(("begin", "end"))},
+        "turn": _marks(log),
+        **{f"turn_{end}_s": spans[:, k] for k, end in enumerate(("begin", "end"))},
+    }
+
+
+def _marks(log: Log) -> list[str]:
+    """What stands above each turn, and above each move that nearly was one."""
+    return [*map(str, range(1, len(log.turns) + 1)), *("?" for _ in log.near)]
+
+
+def _span(move: HandTurn | NearTurn) -> FloatArray:
+    """Begin and end (2,) of a move, s."""
+    return move.seconds / (move.end - move.begin) * np.array([move.begin, move.end])
 
 
 def _caption(log: Log) -> str:
@@ -101,22 +138,29 @@ def _caption(log: Log) -> str:
 
 @in_style
 def _draw(log: Log, sheet: Sheet) -> Figure:
-    figure = Figure(figsize=(10.0, 3.6))
-    panel = figure.subplots()
-    figure.subplots_adjust(0.07, 0.15, 0.99, 0.88)
+    figure, panels = sheet.mosaic("a", (10.0, 3.6), (0.07, 0.15, 0.99, 0.88), column_height=2.6)
+    panel = panels["a"]
     for begin, end in log.rests:
         panel.axvspan(begin, end, color=GREY, alpha=0.2, linewidth=0)
     for name, style, rates in zip(AXES, SERIES, log.rates.T / degree, strict=False):
-        panel.plot(log.seconds, rates, **style, linewidth=1.2, label=f"about {name}")
+        panel.plot(
+            log.seconds,
+            rates,
+            **style,
+            linewidth=0.8 if sheet.on_paper else 1.2,
+            label=f"about {name}",
+        )
     highest = 1.18 * np.abs(log.rates).max() / degree
-    marks = [*map(str, range(1, len(log.turns) + 1)), *("?" for _ in log.near)]
-    moves: list[HandTurn | NearTurn] = [*log.turns, *log.near]
-    for move, mark in zip(moves, marks, strict=True):
-        middle = move.seconds / (move.end - move.begin) * (move.begin + move.end) / 2
-        panel.text(middle, 0.97 * highest, mark, ha="center", va="top", fontsize=9)
+    for move, mark in zip(log.moves, _marks(log), strict=True):
+        panel.text(
+            _span(move).mean(), 0.97 * highest, mark, ha="center", va="top", fontsize="medium"
+        )
     panel.set(xlabel="time, s", ylabel="rate, deg/s", ylim=(-highest, highest))
     panel.set_xlim(log.seconds[0], log.seconds[-1])
-    legend_above(panel, ncols=3)
+    if sheet.on_paper:
+        figure.legend(*panel.get_legend_handles_labels(), loc="outside lower right", ncols=3)
+    else:
+        legend_above(panel, ncols=3)
     return figure
 
 

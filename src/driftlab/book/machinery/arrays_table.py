@@ -46,6 +46,8 @@ def to_columns(data: Any) -> dict[str, Any]:
 def from_columns(kind: Callable[..., Arrays]) -> Callable[[Mapping[str, Sequence[str]]], Arrays]:
     """Return the function that reads the columns of `to_columns` back.
 
+    Other columns may stand beside them, and be longer: rows that name no array are passed over.
+
     Parameters
     ----------
     kind : type of named tuple
@@ -64,6 +66,8 @@ def from_columns(kind: Callable[..., Arrays]) -> Callable[[Mapping[str, Sequence
     def restore(table: Mapping[str, Sequence[str]]) -> Arrays:
         cells: dict[str, dict[tuple[int, ...], float]] = {}
         for name, index, value in zip(table["array"], table["index"], table["value"], strict=True):
+            if not name:
+                continue
             cells.setdefault(name, {})[tuple(map(int, index.split()))] = float(value)
         return kind(**{name: _array(entries) for name, entries in cells.items()})
 

@@ -9,13 +9,14 @@ from scipy.constants import arcsecond
 from scipy.signal import coherence, welch
 
 from driftlab.allan import TERMS, AllanDeviation, NoiseFit, allan_deviation, fit_noise_terms
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, finite_array, positive_number
 from driftlab.gyrocompass.inertial_alignment import (
     align_in_inertial_frame,
     inertial_alignment_deviation,
 )
 from driftlab.gyrocompass.noise_fit import fit_gyro_noise
 from driftlab.recordings.publishers import published
+from driftlab.recordings.recording import Recording
 
 from .parked_car import LONGER, spread, stretches
 
@@ -47,6 +48,10 @@ class Lines(NamedTuple):
         Their standard deviations; NaN if not seen.
     bounds : ndarray, shape (5,)
         95 % upper bounds of those that are not seen; NaN for the others.
+    begin : float
+        Shortest averaging time of the fit, s.
+    length : float
+        Of the record at rest, s.
     """
 
     times: FloatArray
@@ -56,6 +61,8 @@ class Lines(NamedTuple):
     terms: FloatArray
     uncertainty: FloatArray
     bounds: FloatArray
+    begin: float
+    length: float
 
 
 class AllanLines(NamedTuple):
@@ -66,7 +73,7 @@ class AllanLines(NamedTuple):
     cheap, dear : Lines
         The z gyro of an MPU-9150, and a laser gyro about Up.
     missed : ndarray, shape (2,)
-        Largest ratio of the laser gyro's points, from `DEAR_FROM` on, to the best `GyroNoise`
+        Largest ratio of the laser gyro's points in the fit to the best `GyroNoise`
         without and with a rounded angle, or the other way round.
     rocking : float
         Standard deviation of its angle in the frequencies in which a car rocks, rad.
@@ -86,40 +93,53 @@ class AllanLines(NamedTuple):
     forward: FloatArray
 
 
-def allan_lines() -> AllanLines:
+def allan_lines(
+    cheap_rest: tuple[float, float] = STILL,
+    dear_rest: tuple[float, float] = QUIET,
+    cheap_from: float = CHEAP_FROM,
+    dear_from: float = DEAR_FROM,
+) -> AllanLines:
     """Fit the noise terms of both gyros.
+
+    Parameters
+    ----------
+    cheap_rest, dear_rest : (float, float)
+        Begin and end of the rest of each recording, s.
+    cheap_from, dear_from : float
+        Shortest averaging times in the fits, s.
+
+    Returns
+    -------
+    AllanLines
 
     Raises
     ------
+    ValueError
+        If a recording has no such time, or it is too short for such averaging times.
     RecordingUnavailable
-        If a recording is neither here nor to be had.
+        If a recording is not at hand.
     """
-    still = published(CHEAP).between(*STILL)
+    still = _rest(CHEAP, cheap_rest, "cheap_rest")
     cheap = still.gyro[:, 2], still.interval
-    quiet = published(DEAR).between(*QUIET)
+    quiet = _rest(DEAR, dear_rest, "dear_rest")
     forward, angle = quiet.in_axes("RFU").gyro[:, 1:].T
     interval = quiet.interval
     dear = angle / interval, interval
-    later = _from(dear, DEAR_FROM)
+    later = _from(dear, dear_from, "dear_from")
+    beside = _from((forward / interval, interval), dear_from, "dear_from")
     fits = [fit_gyro_noise(later, quantised=quantised) for quantised in (False, True)]
     ratios = [fit.allan_deviation(later.averaging_times) / later.deviation for fit in fits]
-    frequency, density = welch(np.cumsum(angle - angle.mean()), 1 / interval, nperseg=8192)
+    rows = min(8192, len(angle))
+    frequency, density = welch(np.cumsum(angle - angle.mean()), 1 / interval, nperseg=rows)
     band = (ROCKING[0] <= frequency) & (frequency < ROCKING[1])
-    _, shared = coherence(angle, forward, 1 / interval, nperseg=8192)
+    _, shared = coherence(angle, forward, 1 / interval, nperseg=rows)
     return AllanLines(
-        _lines(allan_deviation(*cheap), fit_noise_terms(_from(cheap, CHEAP_FROM))),
-        _lines(allan_deviation(*dear), fit_noise_terms(later)),
+        _lines(cheap, fit_noise_terms(_from(cheap, cheap_from, "cheap_from")), cheap_from),
+        _lines(dear, fit_noise_terms(later), dear_from),
         np.exp(np.abs(np.log(ratios)).max(axis=-1)),
         float(np.sqrt(density[band].sum() * frequency[1])),
         float(shared[band].max()),
-        np.array(
-            [
-                fit_noise_terms(
-                    _from((forward / interval, interval), DEAR_FROM)
-                ).terms.angle_random_walk,
-                walk_by_headings(),
-            ]
-        ),
+        np.array([fit_noise_terms(beside).terms.angle_random_walk, walk_by_headings()]),
     )
 
 
@@ -130,7 +150,7 @@ def walk_by_headings() -> float:
     the headings scatter makes the bound larger, not smaller. It is the upper end of the interval of
     95 per cent for ten stretches of three minutes.
     """
-    recording = published(DEAR).in_axes("FUR")
+    recording = published(DEAR, download=False).in_axes("FUR")
     latitude = recording.latitude
     if latitude is None:
         raise ValueError("recording: expected one that knows its latitude.")
@@ -140,13 +160,27 @@ def walk_by_headings() -> float:
     return spread(found.heading).high / bound * small
 
 
-def _from(record: tuple[FloatArray, float], shortest: float) -> AllanDeviation:
+def _rest(recording: str, times: tuple[float, float], name: str) -> Recording:
+    """A rest of a published recording, which is at hand."""
+    begin, end = finite_array(times, name, 2).tolist()
+    return published(recording, download=False).between(begin, end)
+
+
+def _from(record: tuple[FloatArray, float], shortest: float, name: str) -> AllanDeviation:
     """Allan deviation of rates for twenty averaging times, up to a quarter of the record."""
     rates, interval = record
-    return allan_deviation(rates, interval, np.geomspace(shortest, len(rates) * interval / 4, 20))
+    length = len(rates) * interval
+    if not interval <= positive_number(shortest, name) <= length / 10:
+        raise ValueError(
+            f"{name}: expected an averaging time from {interval:g} s to a tenth of the rest, "
+            f"{length / 10:g} s, got {shortest!r}."
+        )
+    return allan_deviation(rates, interval, np.geomspace(shortest, length / 4, 20))
 
 
-def _lines(allan: AllanDeviation, fit: NoiseFit) -> Lines:
+def _lines(record: tuple[FloatArray, float], fit: NoiseFit, begin: float) -> Lines:
+    rates, interval = record
+    allan = allan_deviation(rates, interval)
     return Lines(
         allan.averaging_times,
         allan.deviation,
@@ -155,4 +189,6 @@ def _lines(allan: AllanDeviation, fit: NoiseFit) -> Lines:
         np.array([getattr(fit.terms, name) for name in TERMS]),
         np.array([fit.deviations.get(name, np.nan) for name in TERMS]),
         np.array([fit.upper_bounds.get(name, np.nan) for name in TERMS]),
+        float(begin),
+        len(rates) * interval,
     )

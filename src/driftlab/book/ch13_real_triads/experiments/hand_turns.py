@@ -6,7 +6,7 @@ import numpy as np
 from numpy.linalg import inv, norm
 
 from driftlab.attitude.integration import integrate
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, positive_number
 from driftlab.core.quaternion import rotate, to_rotation_vector
 from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.turn_calibration import earth_offset
@@ -23,7 +23,7 @@ SOURCES = ("stop, assumed", "axis", "gyro bias", "gyro noise", "Earth")
 POINTS = 81
 """Of a path, both ends included."""
 STOP = float(np.radians(0.1))
-"""How exactly a hand comes back to the heading where it began, rad: assumed, no sensor sees it."""
+"""How exactly a hand comes back to the heading where it began, rad: assumed in the book."""
 _BESIDE = 0.5
 """Seconds of rest just before a turn that tell where gravity is."""
 
@@ -96,15 +96,33 @@ class HandTurns(NamedTuple):
     path: FloatArray
     added: FloatArray
 
+    @property
+    def stop_deviation(self) -> float:
+        """Standard deviation of the heading at the end that was assumed, rad."""
+        return float(2 * np.pi * self.sources[0, 0])
 
-def hand_turns() -> HandTurns:
+
+def hand_turns(stop_deviation: float = STOP) -> HandTurns:
     """Turn estimates of the Ferraris session.
+
+    Parameters
+    ----------
+    stop_deviation : float
+        Standard deviation of the heading to which the hand comes back, rad: assumed, no sensor
+        sees it.
+
+    Returns
+    -------
+    HandTurns
 
     Raises
     ------
+    ValueError
+        If the deviation is not a positive number.
     RecordingUnavailable
-        If it is not at hand.
+        If the recording is not at hand.
     """
+    stop_deviation = positive_number(stop_deviation, "stop_deviation")
     log, rows = published("ferraris-session", download=False), ferraris_sections(download=False)
     rests = _rests(log, [slice(*rows[side]) for side in SIDES])
     stops = rests_of(log).rows
@@ -114,7 +132,7 @@ def hand_turns() -> HandTurns:
     # The triad, a column a turn, shows what a turn about gravity would read instead of one about n.
     triad = arrays["integral"].T / np.copysign(2 * np.pi, np.diag(arrays["integral"]))
     axis = np.einsum("ki,ij,kj->k", gravity, triad, gravity) - np.diag(triad)
-    stop = np.full(3, STOP / (2 * np.pi))
+    stop = np.full(3, stop_deviation / (2 * np.pi))
     walk = rests.gyro_noise * np.sqrt(log.interval * duration) / (2 * np.pi)
     # An axis along the Earth's own, wherever that was: no turn can show more.
     earth = earth_offset(np.pi / 4, 2 * np.pi / duration, (0.0, 1.0, 1.0))

@@ -3,10 +3,11 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.stats import chi2, f, pearsonr
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, finite_array
 from driftlab.core.carried_gravity import (
     carried_velocity,
     cone_velocity,
@@ -32,6 +33,10 @@ is (-sin yaw, cos yaw, 0) in East, North, Up, so a negative yaw looks East.
 """
 RESTART, LONGER, STRETCH = 70.0, 180.0, 300.0
 """Seconds of a restart; the record has 26 times the first, ten times the second."""
+SHORTEST = 10.0
+"""Seconds of a restart that tell a heading at all."""
+LEAST = 3
+"""Stretches of a length that must fit into the record, to say how far headings spread."""
 UNREST = 10.0
 """Seconds over which the unrest of the car is taken."""
 
@@ -41,8 +46,11 @@ class ParkedCar(NamedTuple):
 
     Attributes
     ----------
+    lengths : ndarray, shape (3,)
+        Of the stretches, s: of the restarts, longer and longest. Published for 70, 180 and 300 s,
+        of which the record has 26, 10 and 6.
     restarts, longer, stretches : ndarray, shape (3, 26), (3, 10), (3, 6)
-        Of 70, 180 and 300 s, rad.
+        Headings, rad.
     restart_deviations, longer_deviations, stretch_deviations : ndarray, shape (26,), (10,), (6,)
         Standard deviations as all velocities state them, rad.
     found_latitude : ndarray, shape (26,)
@@ -55,6 +63,7 @@ class ParkedCar(NamedTuple):
         Standard deviation of the level rates' means over a second, in each ten seconds, rad/s.
     """
 
+    lengths: FloatArray
     restarts: FloatArray
     longer: FloatArray
     stretches: FloatArray
@@ -85,23 +94,46 @@ class Spread(NamedTuple):
     high: float
 
 
-def parked_car() -> ParkedCar:
-    """Cut the record into stretches and find the heading in each, by three methods."""
+def parked_car(lengths: ArrayLike = (RESTART, LONGER, STRETCH)) -> ParkedCar:
+    """Cut the record into stretches and find the heading in each, by three methods.
+
+    Parameters
+    ----------
+    lengths : array_like, shape (3,)
+        Of a restart, of longer stretches and of the longest, s.
+
+    Returns
+    -------
+    ParkedCar
+
+    Raises
+    ------
+    ValueError
+        If the lengths do not grow, or the record has not three stretches of each.
+    RecordingUnavailable
+        If the recording is not at hand.
+    """
+    lengths = finite_array(lengths, "lengths", 3)
     recording = published("laser-gyro", download=False).in_axes("FUR")
     if recording.latitude is None:
         raise ValueError("recording: expected one that knows its latitude.")
+    longest = recording.duration / LEAST
+    if not (SHORTEST <= lengths[0] < lengths[1] < lengths[2] <= longest):
+        raise ValueError(
+            f"lengths: expected three that grow, from {SHORTEST:g} to {longest:.0f} s, of which "
+            f"the record has at least {LEAST}, got {lengths.tolist()}."
+        )
     whole, latitude = recording.increments(), recording.latitude
-    restarts, longer, five_minutes = (
-        stretches(whole, seconds) for seconds in (RESTART, LONGER, STRETCH)
-    )
-    carried = [align_in_inertial_frame(p, latitude) for p in (restarts, longer, five_minutes)]
-    means = [_means(parts) for parts in (restarts, longer, five_minutes)]
-    two = [two_velocities(parts, latitude) for parts in (restarts, longer, five_minutes)]
+    cuts = [stretches(whole, seconds) for seconds in lengths.tolist()]
+    carried = [align_in_inertial_frame(parts, latitude) for parts in cuts]
+    means = [_means(parts) for parts in cuts]
+    two = [two_velocities(parts, latitude) for parts in cuts]
     headings = [
         np.stack([mean.heading, pair, found.heading])
         for mean, pair, found in zip(means, two, carried, strict=True)
     ]
     return ParkedCar(
+        lengths,
         headings[0],
         headings[1],
         headings[2],

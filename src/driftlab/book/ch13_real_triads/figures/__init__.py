@@ -5,14 +5,13 @@ from decimal import ROUND_UP, Decimal
 import numpy as np
 from scipy.constants import arcsecond, degree, hour
 
-from driftlab.book.machinery.arrays_table import from_columns, to_columns
+from driftlab.book.machinery.arrays_table import from_columns
 from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.checks import FloatArray
 from driftlab.recordings.publishers import PUBLISHED
 
 from .. import experiments
 from ..experiments import allan_lines as lines
-from ..experiments.parked_car import LONGER, RESTART
 from . import allan_plots, five_units, hand_turns, parked_car, two_calibrations
 
 
@@ -29,18 +28,18 @@ def _up(differences: FloatArray) -> str:
 
 
 def _parked_car_caption(data: experiments.ParkedCar) -> str:
-    means, _, carried = (experiments.spread(row) for row in data.restarts)
+    means, two, carried = (experiments.spread(row) for row in data.restarts)
     longer = experiments.spread(data.longer[2])
     return (
         "A ring-laser unit on a car that stands, with engine and people on board. "
-        f"{data.restarts.shape[1]} times {RESTART:g} s of one record, not switched off "
+        f"{data.restarts.shape[1]} times {data.lengths[0]:g} s of one record, not switched off "
         "between: headings from means of the gyros have a standard deviation of "
         f"{np.degrees(means.deviation):.1f} degrees; with gravity seen in inertial space "
         f"{np.degrees(carried.deviation):.3f}, a range of {np.degrees(carried.reach):.2f}, and "
         "no stretch is lost. "
-        f"{data.longer.shape[1]} times {LONGER:g} s: {np.degrees(longer.deviation):.3f}. "
+        f"{data.longer.shape[1]} times {data.lengths[1]:g} s: {np.degrees(longer.deviation):.3f}. "
         "Two velocities in place of all give "
-        f"{np.degrees(experiments.spread(data.restarts[1]).deviation):.2f} for {RESTART:g} s. "
+        f"{np.degrees(two.deviation):.2f} for {data.lengths[0]:g} s. "
         f"Bars on the right are intervals of 95 %. {_credit('laser-gyro')}"
     )
 
@@ -48,21 +47,33 @@ def _parked_car_caption(data: experiments.ParkedCar) -> str:
 def _allan_caption(data: lines.AllanLines) -> str:
     walks = [np.degrees(part.terms[1]) * np.sqrt(hour) for part in (data.cheap, data.dear)]
     forward = np.degrees(data.forward) * np.sqrt(hour)
-    bound = data.cheap.bounds[2] / (degree / hour)
-    return (
-        "Allan deviation of two gyros at rest, with 68 % intervals and the noise terms that fit. "
-        f"The cheap one walks by {walks[0]:.1f} degrees in the root of an hour; nine seconds "
-        f"only say that its bias instability is below {bound:.0f} degrees per hour (dashes: upper "
-        "bounds). The dear one's line of slope −1 stands for an angle that is off by "
-        f"{data.dear.terms[0] / arcsecond:.1f} arc seconds and does not add up: not the rounding "
-        f"of its pulses, {lines.ROUNDING / arcsecond:.3f}, but the car, which rocks by "
-        f"{data.rocking / arcsecond:.1f}. Without that line the best fit misses a point by a "
-        f"factor of {data.missed[0]:.1f}, with it by {data.missed[1]:.1f}. The other line, "
-        f"a walk by {walks[1]:.3f}, bounds the gyro from above and is no finding about it: the "
-        f"same fit has {forward[0]:.3f} for the forward gyro beside it, to which the headings of "
-        f"the car allow no more than {forward[1]:.4f}; that line is the car, leaning slowly. "
-        f"{_credit('mpu9150-1')} {_credit('laser-gyro')}"
-    )
+    says = [
+        "Allan deviation of two gyros at rest, with 68 % intervals and the noise terms that fit "
+        "(dashes: upper bounds of those that are not seen)."
+    ]
+    if walks[0] > 0:
+        says.append(f"The cheap one walks by {walks[0]:.1f} degrees in the root of an hour.")
+    if np.isfinite(bound := data.cheap.bounds[2] / (degree / hour)):
+        says.append(
+            f"A rest of {data.cheap.length:.0f} seconds only says that its bias instability is "
+            f"below {bound:.0f} degrees per hour."
+        )
+    if data.dear.terms[0] > 0:
+        says.append(
+            "The dear one's line of slope −1 stands for an angle that is off by "
+            f"{data.dear.terms[0] / arcsecond:.1f} arc seconds and does not add up. The rounding "
+            f"of its pulses is {lines.ROUNDING / arcsecond:.3f}; the car rocks by "
+            f"{data.rocking / arcsecond:.1f}. Without that line the best fit misses a point by a "
+            f"factor of {data.missed[0]:.1f}, with it by {data.missed[1]:.1f}."
+        )
+    if walks[1] > 0:
+        says.append(
+            f"Its line of slope −½, a walk by {walks[1]:.3f}, bounds the gyro from above and is no "
+            f"finding about it: the same fit has {forward[0]:.3f} for the forward gyro beside it, "
+            f"to which the headings of the car allow no more than {forward[1]:.4f}; a car that "
+            "leans slowly draws such a line."
+        )
+    return f"{' '.join(says)} {_credit('mpu9150-1')} {_credit('laser-gyro')}"
 
 
 FIGURES = (
@@ -70,7 +81,7 @@ FIGURES = (
         "13-hand-turns",
         experiments.hand_turns,
         hand_turns.draw,
-        to_columns,
+        hand_turns.columns,
         lambda data: (
             "A unit on a table, turned once about each axis by hand. Added up, the angles of the "
             f"two gyros across the axis reach {np.degrees(np.abs(data.added[:, -1])).max():.1f} "
@@ -83,7 +94,7 @@ FIGURES = (
             f"differs by at most {_up(data.by_sections - data.ferraris)}: the two "
             "share their cut. On the right, by how much each source may move an estimate; the "
             "heading at the end no sensor saw, and a standard deviation of "
-            f"{np.degrees(experiments.STOP):.1f} degrees is assumed for it. "
+            f"{np.degrees(data.stop_deviation):.1f} degrees is assumed for it. "
             f"{_credit('ferraris-session')}"
         ),
         from_columns(experiments.HandTurns),
@@ -93,7 +104,7 @@ FIGURES = (
         "13-two-calibrations",
         experiments.two_calibrations,
         two_calibrations.draw,
-        to_columns,
+        two_calibrations.columns,
         lambda data: (
             "One record of one unit, calibrated and published twice. Drawn are the sensitive axes "
             f"as published, errors {two_calibrations.MAGNIFIED} times too large. The gyro matrices "
@@ -113,7 +124,7 @@ FIGURES = (
         "13-five-units",
         experiments.five_units,
         five_units.draw,
-        to_columns,
+        five_units.columns,
         lambda data: (
             "Does a published table follow from its data? By the authors' own rule for a rest it "
             f"does: no entry of five gyro matrices is off by more than {_up(data.difference[0])}. "
@@ -134,7 +145,7 @@ FIGURES = (
         "13-parked-car",
         experiments.parked_car,
         parked_car.draw,
-        to_columns,
+        parked_car.columns,
         _parked_car_caption,
         from_columns(experiments.ParkedCar),
         ("laser-gyro",),
