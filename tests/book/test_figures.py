@@ -78,7 +78,7 @@ def test_picture_repeats_byte_by_byte_and_has_a_caption(
     picture = (tmp_path / f"{name}.svg").read_bytes()
     assert picture.startswith(b"<?xml")
     note = figures.not_at_hand(figure.definition)
-    page = PublishedFigure(figure.definition, figure.data, note)._repr_html_()
+    page = PublishedFigure(figure.definition, figure.data, None, note)._repr_html_()
     (shown,) = re.findall(r'src="data:image/svg\+xml;base64,([^"]*)"', page)
     repeats = base64.b64decode(shown) == picture
     assert repeats, "another drawing of the same data is another picture"
