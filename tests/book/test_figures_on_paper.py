@@ -11,11 +11,15 @@ from matplotlib.legend import Legend
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
-from driftlab.book import figures
+from driftlab.book import AllanExplorer, figures
+from driftlab.book.machinery.panel import Explorer
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.book.machinery.sheet import COLUMN, PAGE, Sheet
+from grouped import opened
 from published import NAMES, published
 
+ON_PAPER = (AllanExplorer,)
+"""Panels of which the picture is no published figure, and is laid out for paper."""
 LEAST_TYPE = 5.5
 """Points; journals ask for five to six at least."""
 LEAST_PANEL = 0.5
@@ -84,6 +88,21 @@ def test_no_words_collide(
         box = panel.get_position()
         assert box.width * width > LEAST_PANEL, panel.get_title("left")
         assert box.height * drawn.get_figheight() > LEAST_PANEL, panel.get_title("left")
+
+
+@pytest.mark.parametrize("panel_class", ON_PAPER)
+def test_no_words_of_a_panels_picture_collide(
+    panel_class: type[Explorer], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Pictures of panels that are no published figures, in a column, with every preset."""
+    panel = opened(panel_class)
+    for preset in panel.presets:
+        panel.preset.value = preset
+        data = panel.compute(panel.values)
+        drawn = panel.picture_class.draw(data, Sheet(COLUMN))
+        assert drawn.get_figwidth() == COLUMN
+        found = list(collisions(drawn, drawn_words(drawn, monkeypatch)))
+        assert not found, f"{preset}: {'; '.join(found)}"
 
 
 def test_the_test_sees_words_that_collide(monkeypatch: pytest.MonkeyPatch) -> None:

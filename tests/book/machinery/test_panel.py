@@ -3,6 +3,8 @@
 import base64
 import html
 import io
+import re
+from pathlib import Path
 from typing import ClassVar
 
 import ipywidgets as widgets
@@ -10,12 +12,14 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from driftlab.book import DriftExplorer, RootsExplorer, TurnCalibrationExplorer
+from driftlab.book import AllanExplorer, DriftExplorer, RootsExplorer, TurnCalibrationExplorer
 from driftlab.book.ch02_characteristic_equation.experiments import characteristic_roots
 from driftlab.book.ch02_characteristic_equation.figures.roots import RootsPicture
 from driftlab.book.machinery.control import Control
 from driftlab.book.machinery.panel import ERROR_CLASS, OWN_VALUES, Explorer
+from driftlab.book.machinery.picture import Picture
 from driftlab.book.machinery.results import Results
+from driftlab.book.machinery.sheet import COLUMN
 from grouped import opened
 from panel_numbers import results_of, shown_numbers
 
@@ -165,6 +169,86 @@ def test_any_widget_can_draw_for_an_explorer() -> None:
     assert panel.view.widget.value == "3"
     assert panel.view.widget in panel.children[1].children
     assert panel.page.alt == f"shining. {OWN_VALUES} brightness: 3"
+
+
+@pytest.mark.parametrize(
+    ("ending", "begins"), [("pdf", b"%PDF"), ("svg", b"<?xml"), ("png", b"\x89PNG")]
+)
+def test_what_a_panel_shows_is_saved(tmp_path: Path, ending: str, begins: bytes) -> None:
+    """Of the values that it shows, in the width that is asked for, and the panel stays as it is."""
+    panel = opened(AllanExplorer)
+    shown = panel.view.widget.value
+    opening = panel.save(tmp_path / f"opening.{ending}", width=COLUMN).read_bytes()
+    assert opening.startswith(begins)
+    assert opening == panel.save(str(tmp_path / f"again.{ending}"), width=COLUMN).read_bytes()
+    assert panel.view.widget.value == shown
+    panel.set(ramp=1000.0)
+    path = panel.save(tmp_path / f"moved.{ending}", width=COLUMN)
+    assert path.read_bytes() != opening
+    if ending == "png":
+        assert picture_width(path) == 600 * COLUMN
+        assert picture_width(panel.save(path)) == 100 * panel.picture_class.size[0]
+
+
+def picture_width(path: Path) -> int:
+    """Width of a picture in pixels."""
+    with Image.open(path) as picture:
+        return picture.width
+
+
+def test_a_panel_that_refuses_its_values_saves_the_picture_that_it_shows(tmp_path: Path) -> None:
+    panel = Fragile()
+    before = panel.save(tmp_path / "before.svg").read_bytes()
+    panel.set(x=1.5)
+    assert panel.save(tmp_path / "after.svg").read_bytes() == before
+
+
+def test_a_panel_says_how_its_picture_is_saved() -> None:
+    begin, save = re.findall("<code>(.*?)</code>", html.unescape(RootsExplorer().paper.value))
+    assert begin == "panel = RootsExplorer()"
+    assert save == 'panel.save("picture.pdf", width=3.5)'
+    assert 'panel.save("picture.svg")' in html.unescape(Shining().paper.value)
+
+
+def test_a_picture_that_plays_on_a_page_is_saved_as_it_is(tmp_path: Path) -> None:
+    panel = Shining()
+    assert panel.save(tmp_path / "lamp.plain").read_bytes() == b"1"
+    with pytest.raises(ValueError, match=r"path: expected an ending of \.plain, got .*pdf"):
+        panel.save(tmp_path / "lamp.pdf")
+    with pytest.raises(
+        ValueError, match=r"width: expected None for what plays on a page, got 3\.5"
+    ):
+        panel.save(tmp_path / "lamp.plain", width=3.5)
+
+
+class ScreenPicture(Picture):
+    """One that asks its sheet for nothing."""
+
+    def build(self):
+        self.figure.subplots()
+
+    def update(self, data):
+        """Nothing moves."""
+
+
+class OnScreen(Shining):
+    picture_class = ScreenPicture
+
+
+def test_a_picture_of_a_screen_alone_is_saved_in_no_other_width(tmp_path: Path) -> None:
+    panel = OnScreen()
+    with pytest.raises(ValueError, match=r"width: expected None for .* for a screen, got 3\.5"):
+        panel.save(tmp_path / "wide.pdf", width=3.5)
+    assert picture_width(panel.save(tmp_path / "wide.png")) == 100 * ScreenPicture.size[0]
+
+
+def test_refusals_of_save(tmp_path: Path) -> None:
+    panel = opened(RootsExplorer)
+    with pytest.raises(ValueError, match=r"path: expected an ending of \.pdf, \.svg, \.png, got"):
+        panel.save(tmp_path / "numbers.csv")
+    with pytest.raises(ValueError, match=r"width: expected inches between 3 and 12"):
+        panel.save(tmp_path / "roots.pdf", width=89)
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_picture_is_as_sharp_as_the_screen_within_bounds() -> None:

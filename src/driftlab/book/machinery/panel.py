@@ -10,6 +10,7 @@ in the panel, and anything unforeseen shows its traceback there and is raised ag
 import html
 import traceback
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any, ClassVar, Protocol
 
 import ipywidgets as widgets
@@ -18,7 +19,9 @@ from .control import Control
 from .matplotlib_view import MatplotlibView
 from .page import Page
 from .picture import Picture
+from .picture_file import PICTURES, ending_of, picture_file
 from .results import Results
+from .sheet import Sheet
 from .still import display_with_still
 
 ERROR_CLASS = "driftlab-error"
@@ -49,7 +52,8 @@ class Explorer(widgets.VBox):
     """A slider panel; subclasses say which controls, picture and computation.
 
     Show it as the last line of a cell. Its values can be read and set in code as well:
-    ``explorer.values`` and ``explorer.set(size=0.1)``.
+    ``explorer.values`` and ``explorer.set(size=0.1)``. What it shows goes into a paper by
+    ``explorer.save("picture.pdf", width=3.5)``.
 
     Parameters
     ----------
@@ -95,6 +99,7 @@ class Explorer(widgets.VBox):
         self.headline = _with_class(widgets.HTML(), "driftlab-headline")
         self.text = widgets.HTML()
         self.code = widgets.HTML()
+        self.paper = widgets.HTML(self._how_to_save())
         self.preset = widgets.Dropdown(
             options=[("own values", ""), *((name, name) for name in self._presets)],
             description="preset",
@@ -119,7 +124,9 @@ class Explorer(widgets.VBox):
                 "driftlab-lower",
             ),
         ]
-        super().__init__([self.page, _with_class(widgets.Box(work), "driftlab-work"), self.code])
+        super().__init__(
+            [self.page, _with_class(widgets.Box(work), "driftlab-work"), self.code, self.paper]
+        )
         self.add_class(PANEL_CLASS)
         self.set(**opening)
 
@@ -177,6 +184,52 @@ class Explorer(widgets.VBox):
             self._setting = False
         self._moved()
 
+    def save(self, path: str | Path, width: float | None = None) -> Path:
+        """Save the picture of what the panel shows now, as a file for a paper or a page.
+
+        Parameters
+        ----------
+        path : str or Path
+            Its ending says the format: .pdf with embedded fonts, .svg, .png with 600 dots an inch
+            for a paper. A scene can be saved as .svg alone.
+        width : float, optional
+            Inches: 3.5 for a column, 7.2 for a page. As on a screen if not given; a scene has that
+            size only.
+
+        Returns
+        -------
+        Path
+            Where it was written.
+
+        Raises
+        ------
+        ValueError
+            If the ending or the width is none of these.
+        """
+        path, sheet = Path(path), Sheet(width)
+        if issubclass(self.picture_class, Picture):
+            ending = ending_of(path, PICTURES)
+            figure = self.picture_class.draw(self._shown, sheet)
+            if sheet.on_paper and figure.get_figwidth() != sheet.width:
+                only = "this picture, which is laid out for a screen"
+                raise ValueError(f"width: expected None for {only}, got {width!r}.")
+            picture = picture_file(figure, ending, sheet, self.title, self.page.alt)
+        else:
+            picture, kind = self.view.still()
+            ending_of(path, [kind.partition("+")[0]])
+            if sheet.on_paper:
+                raise ValueError(f"width: expected None for what plays on a page, got {width!r}.")
+        path.write_bytes(picture)
+        return path
+
+    def _how_to_save(self) -> str:
+        drawn = issubclass(self.picture_class, Picture)
+        arguments = '"picture.pdf", width=3.5' if drawn else '"picture.svg"'
+        return (
+            f"<p>To keep this picture: <code>panel = {type(self).__name__}()</code>, and then "
+            f"<code>panel.save({html.escape(arguments)})</code>.</p>"
+        )
+
     def _moved(self, _: Any = None) -> None:
         if not self._setting:
             self._name_preset()
@@ -216,6 +269,7 @@ class Explorer(widgets.VBox):
             self.code.value = ""
             return
         self.view.show(data)
+        self._shown = data
         self._results = self.numbers(data)
         self._tell(self._results)
         self.code.value = f"<pre>{html.escape(self.call(values))}</pre>"

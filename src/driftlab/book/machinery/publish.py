@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import html
-import io
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, is_dataclass
 from functools import cached_property
@@ -12,7 +11,6 @@ from inspect import isfunction, signature
 from pathlib import Path
 from typing import Any
 
-import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -20,6 +18,7 @@ import driftlab
 
 from .curve_rows import Words
 from .figure_table import as_words, header, write_table
+from .picture_file import PICTURES, ending_of, picture_file
 from .sheet import SCREEN, Sheet
 
 GALLERY_NOTE = (
@@ -28,7 +27,6 @@ GALLERY_NOTE = (
     "say which columns are which curve. `driftlab.figure(name)` makes it anew, with your "
     "parameters if you hand some in, and its `save` puts it on the column or the page of a paper."
 )
-FORMATS = ("pdf", "svg", "png", "csv")
 
 
 @dataclass(frozen=True)
@@ -132,7 +130,7 @@ class PublishedFigure:
         """The picture as SVG whose bytes repeat: no date, identifiers from a fixed salt."""
         if isinstance(self.on_screen, str):
             return self.on_screen.encode()
-        return _saved(self.on_screen, "svg", SCREEN)
+        return picture_file(self.on_screen, "svg", SCREEN)
 
     def save(self, path: str | Path, width: float | None = None) -> Path:
         """Save the figure for a paper, or its numbers.
@@ -163,10 +161,7 @@ class PublishedFigure:
         'map.pdf'
         """
         path = Path(path)
-        ending = path.suffix[1:].lower()
-        if ending not in FORMATS:
-            known = ", ".join(f".{each}" for each in FORMATS)
-            raise ValueError(f"path: expected an ending of {known}, got {str(path)!r}.")
+        ending = ending_of(path, (*PICTURES, "csv"))
         sheet = Sheet(width)
         if ending == "csv":
             self._write_table(path)
@@ -175,7 +170,8 @@ class PublishedFigure:
         else:
             figure = self.definition.draw(self.data, sheet)
             assert isinstance(figure, Figure)
-            path.write_bytes(_saved(figure, ending, sheet, self.definition.name, self.caption))
+            name = self.definition.name
+            path.write_bytes(picture_file(figure, ending, sheet, name, self.caption))
         return path
 
     def write(self, folder: Path) -> None:
@@ -215,19 +211,6 @@ class PublishedFigure:
             f'src="data:image/svg+xml;base64,{picture}">'
             f"<figcaption>{caption}</figcaption></figure>"
         )
-
-
-def _saved(figure: Figure, ending: str, sheet: Sheet, title: str = "", subject: str = "") -> bytes:
-    """Return a figure as a file of which the bytes repeat."""
-    known: dict[str, dict[str, Any]] = {
-        "svg": {"Date": None, "Creator": None},
-        "pdf": {"CreationDate": None, "Title": title, "Subject": subject},
-        "png": {"Title": title, "Description": subject},
-    }
-    buffer = io.BytesIO()
-    with matplotlib.rc_context(sheet.style):
-        figure.savefig(buffer, format=ending, metadata=known[ending])
-    return buffer.getvalue()
 
 
 def written(value: Any) -> str:

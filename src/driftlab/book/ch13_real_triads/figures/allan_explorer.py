@@ -17,6 +17,8 @@ WORDS = (
     "rate random walk",
     "rate ramp",
 )
+SHORT_WORDS = ("quantisation", "angle walk", "bias instability", "rate walk", "rate ramp")
+"""For a column, where the long ones would reach into the points."""
 
 
 class AllanPicture(Picture[SimulatedAllan]):
@@ -25,21 +27,28 @@ class AllanPicture(Picture[SimulatedAllan]):
     size = (10.5, 3.9)
 
     def build(self) -> None:
-        panel = self.figure.subplots()
-        self.figure.subplots_adjust(0.075, 0.13, 0.985, 0.93)
+        self.figure, panels = self.sheet.mosaic(
+            "a", self.size, (0.075, 0.13, 0.985, 0.93), column_height=2.9
+        )
+        panel = panels["a"]
         panel.set(xscale="log", yscale="log", xlim=(TIMES[0], TIMES[-1]), ylim=(1e-4, 1e5))
         panel.set(xlabel="averaging time, s", ylabel="Allan deviation, °/h")
-        panel.set_title("simulated record, its 68 % intervals, and the lines of its noise")
+        panel.set_title(
+            "simulated record and the lines of its noise"
+            if self.sheet.narrow
+            else "simulated record, its 68 % intervals, and the lines of its noise"
+        )
         self.lines = [
             self.line(panel, color=SERIES[i]["color"], linewidth=1.3) for i in range(len(TERMS))
         ]
         self.total = self.line(panel, color=BLACK, linewidth=0.8, linestyle=":")
         self.bars = self.line(panel, color=BLACK, linewidth=1.1)
-        self.points = self.line(panel, color=BLACK, marker="o", markersize=4, linestyle="none")
+        size = 2.5 if self.sheet.on_paper else 4
+        self.points = self.line(panel, color=BLACK, marker="o", markersize=size, linestyle="none")
         self.names = [
             self.words(
                 panel,
-                fontsize=9,
+                fontsize="medium",
                 color=SERIES[i]["color"],
                 va="bottom",
                 clip_on=True,
@@ -48,14 +57,15 @@ class AllanPicture(Picture[SimulatedAllan]):
             for i in range(len(TERMS))
         ]
 
-        self.silence = self.words(panel, fontsize=10, ha="center", va="center")
+        self.silence = self.words(panel, ha="center", va="center")
         self.silence.set_position((np.sqrt(TIMES[0] * TIMES[-1]), 3.0))
 
     def update(self, data: SimulatedAllan) -> None:
         nothing = not data.allan.deviation.any()
         self.silence.set_text("no noise: all means are the same" if nothing else "")
         lines = data.noise.lines(TIMES)
-        for name, words, line, text in zip(TERMS, WORDS, self.lines, self.names, strict=True):
+        known = SHORT_WORDS if self.sheet.narrow else WORDS
+        for name, words, line, text in zip(TERMS, known, self.lines, self.names, strict=True):
             values = lines[name] / UNIT
             shown = values.any()
             line.set_data(TIMES, values if shown else np.full_like(TIMES, np.nan))

@@ -1,0 +1,40 @@
+"""Pictures as files of which the bytes repeat: PDF and PNG for a paper, SVG for a page as well."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+from matplotlib.figure import Figure
+
+from .sheet import Sheet
+
+PICTURES = ("pdf", "svg", "png")
+"""Endings of files that hold a picture."""
+
+
+def ending_of(path: Path, known: Sequence[str]) -> str:
+    """Return the ending of a file's name, without its dot, if it is one of those known."""
+    ending = path.suffix[1:].lower()
+    if ending not in known:
+        endings = ", ".join(f".{each}" for each in known)
+        raise ValueError(f"path: expected an ending of {endings}, got {str(path)!r}.")
+    return ending
+
+
+def picture_file(
+    figure: Figure, ending: str, sheet: Sheet, title: str = "", subject: str = ""
+) -> bytes:
+    """Return a figure as a file: no date in it, identifiers from a fixed salt."""
+    known: dict[str, dict[str, Any]] = {
+        "svg": {"Date": None, "Creator": None},
+        "pdf": {"CreationDate": None, "Title": title, "Subject": subject},
+        "png": {"Title": title, "Description": subject},
+    }
+    buffer = io.BytesIO()
+    with matplotlib.rc_context(sheet.style):
+        figure.savefig(buffer, format=ending, metadata=known[ending])
+    return buffer.getvalue()
