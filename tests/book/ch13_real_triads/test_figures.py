@@ -200,3 +200,20 @@ def test_the_rule_finds_that_rest_in_the_record(five):
 def test_a_turn_of_the_record_is_the_one_in_the_table(turns):
     recording_or_skip("ferraris-session")
     np.testing.assert_allclose(experiments.hand_turns().estimate, turns.estimate, rtol=1e-8)
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters", "sentence"),
+    [
+        ("13-hand-turns", {"stop_deviation": 0}, "stop_deviation: expected a positive number"),
+        ("13-parked-car", {"lengths": (70, 60, 300)}, r"lengths: expected three that grow, from"),
+        ("13-parked-car", {"lengths": (70, 180, 900)}, r"lengths: .* at least 3, got .*900"),
+        ("13-allan-plots", {"cheap_from": 5}, r"cheap_from: .* a tenth of the rest, .* got 5"),
+        ("13-allan-plots", {"dear_rest": (1e4, 2e4)}, "begin, end: expected times of the record"),
+    ],
+)
+def test_refusals_of_parameters(name, parameters, sentence):
+    for recording in figures.figure_definitions("13")[name].recordings:
+        recording_or_skip(recording)
+    with pytest.raises(ValueError, match=sentence):
+        figures.figure(name, **parameters)
