@@ -19,6 +19,12 @@ def plain(g: FloatArray) -> FloatArray:
 LEANING = [[0, 1e-3, 0], [0, 0, 5e-4], [0, 0, 0]]
 
 VARIATIONS: dict[str, dict[str, Any]] = {
+    "01-error-motion": {"rate": [0, 0, 0.2], "measured_rate": [0.02, 0, 0.21], "duration": 120.0},
+    "02-roots": {"size": 0.3, "shape": 3 * np.array(LEANING) / 1e-3, "direction": [0, 1, 1]},
+    "03-globe-of-axes": {"triad_error": np.array(LEANING), "full_colour": 5e-4},
+    "03-turning-block": {"triad_error": 20 * np.array(LEANING), "exaggeration": 10},
+    "03-drift-history": {"triad_error": 20 * np.array(LEANING), "turns": 3, "exaggeration": 10},
+    "03-drift-by-symmetry": {"symmetric": np.diag([1, 2, 3]), "symmetric_axis": [0, 0, 1]},
     "03-drift-map": {"triad_error": np.array(LEANING)},
     "06-algorithm-orders": {
         "algorithms": {"mine": plain, "two-step-4": "two-step-4"},
@@ -43,4 +49,6 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "13-allan-plots": {"cheap_rest": (150.0, 157.0), "dear_rest": (0.0, 600.0), "dear_from": 0.5},
     "13-hand-turns": {"stop_deviation": np.radians(0.5)},
     "13-parked-car": {"lengths": (30.0, 120.0, 240.0)},
+    "03-closed-motions": {"triad_error": LEANING, "half_angle": 0.2, "repeats": 2},
+    "10-ship-under-way": {"speed": 5.0, "turn": -1.5, "window": "gathering way"},
 }

@@ -7,6 +7,7 @@ from hypothesis import given
 from driftlab.book.ch03_systematic_drift.experiments import (
     REPEATS,
     closed_motions,
+    drift_by_symmetry,
     drift_history,
     drift_map,
 )
@@ -25,8 +26,8 @@ def test_drift_history_stays_within_the_fixed_axes(
 ) -> None:
     data = drift_history(triad_error, direction)
     table = drift_history_figure.columns(data)
-    assert np.degrees(np.abs(table["along_rad"])).max() < 12
-    assert 60 * np.degrees(table["across_rad"]).max() < 45
+    assert np.abs(table["along_deg"]).max() < 12
+    assert table["across_arcmin"].max() < 45
     np.testing.assert_allclose(data.turns[::60], data.whole_turns, rtol=0, atol=1e-12)
     # (2.3), made exact: once a turn the error is so many times the drift of one turn.
     seen = np.linalg.norm(data.snapshots, axis=-1)
@@ -84,6 +85,12 @@ def test_closed_motions_are_as_fine_as_asked() -> None:
     [
         (lambda: drift_history(np.eye(3), [0, 0, 0]), "direction: expected nonzero"),
         (lambda: drift_history(np.eye(3), [1, 0, 0], 0), "samples_per_turn: expected a"),
+        (lambda: drift_by_symmetry(skew=np.eye(3)), "skew: expected a skew matrix, got"),
+        (
+            lambda: drift_by_symmetry(symmetric=[[0, 1, 0], [0] * 3, [0] * 3]),
+            "symmetric: expected a",
+        ),
+        (lambda: drift_history(np.eye(3), [1, 0, 0], turns=0), "turns: expected"),
         (lambda: closed_motions(100), "increments: expected a multiple of six, got 100"),
         (lambda: drift_map(np.full((3, 3), np.nan)), "triad_error: expected finite"),
     ],

@@ -50,9 +50,23 @@ class ErrorMotion(NamedTuple):
     tolerance: float
     turn: float
 
+    @property
+    def angle(self) -> FloatArray:
+        """Angle (m,) of the error, rad."""
+        return rotation_angle(self.exact)
+
+    @property
+    def whole_turns(self) -> FloatArray:
+        """When the body has made whole turns, before the end, s."""
+        last = self.time[-1]
+        return np.arange(self.turn, last, self.turn) if self.turn < last else np.zeros(0)
+
 
 def error_motion(
-    rate: ArrayLike, measured_rate: ArrayLike, duration: float = DURATION, tolerance: float = 1e-2
+    rate: ArrayLike = (0.1, 0.2, 0.1),
+    measured_rate: ArrayLike = (0.12, 0.15, 0.1),
+    duration: float = DURATION,
+    tolerance: float = 1e-2,
 ) -> ErrorMotion:
     """Solve (1.4) from [0, 0, 0, 1], in closed form and with a Runge-Kutta integrator.
 

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from driftlab.book.scenarios import OBLIQUE_AXIS, SYMMETRIC
 from driftlab.checks import ComplexArray, FloatArray, finite_array, nonzero_vectors
 from driftlab.drift.characteristic_equation import (
     asymptotic_roots,
@@ -38,7 +39,9 @@ class Roots(NamedTuple):
     branches: FloatArray
 
 
-def characteristic_roots(size: float, shape: ArrayLike, direction: ArrayLike) -> Roots:
+def characteristic_roots(
+    size: float = 0.1, shape: ArrayLike = SYMMETRIC, direction: ArrayLike = OBLIQUE_AXIS
+) -> Roots:
     """Roots by every formula for M = size * shape, and their course over `SIZES`.
 
     Parameters

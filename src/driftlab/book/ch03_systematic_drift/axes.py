@@ -5,7 +5,14 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, nonzero_vectors, whole_number
+from driftlab.book.scenarios import SYMMETRIC
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    nonzero_vectors,
+    positive_number,
+    whole_number,
+)
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.systematic_drift import drift_coefficient, drift_per_turn, principal_drifts
 from driftlab.quaternion import to_rotation_vector
@@ -13,6 +20,9 @@ from driftlab.triad import measured_rate
 from driftlab.vectors import direction_from_angles
 
 from .experiments import EXAGGERATION, TURNS
+
+FULL_COLOUR = 2e-3
+"""Drift coefficient that has the full colour on the globe, if nothing else is said."""
 
 
 class AxisTour(NamedTuple):
@@ -27,7 +37,7 @@ class AxisTour(NamedTuple):
     first_order, exact : ndarray, shape (m,)
         Drift angle in one turn about it, rad.
     error : ndarray, shape (m, 3)
-        Rotation vector from R to B after `TURNS` turns about it, rad, exact.
+        Rotation vector from R to B after `turns` turns about it, rad, exact.
     coefficient : ndarray, shape (12, 24)
         Drift coefficient in the middle of each face of a globe of axes, from the South pole and
         from -180 degrees on.
@@ -38,7 +48,11 @@ class AxisTour(NamedTuple):
     principal_axes : ndarray, shape (3, 3)
         Their unit axes as rows.
     triad : ndarray, shape (3, 3)
-        Sensitive axes as rows, bent `EXAGGERATION` times too much.
+        Sensitive axes as rows, bent `exaggeration` times too much.
+    exaggeration : float
+    turns : int
+    full_colour : float
+        Drift coefficient that has the full colour on the globe.
     """
 
     way: FloatArray
@@ -51,9 +65,18 @@ class AxisTour(NamedTuple):
     principal: FloatArray
     principal_axes: FloatArray
     triad: FloatArray
+    exaggeration: float
+    turns: int
+    full_colour: float
 
 
-def axis_tour(triad_error: ArrayLike, direction: ArrayLike) -> AxisTour:
+def axis_tour(
+    triad_error: ArrayLike = 1e-3 * SYMMETRIC,
+    direction: ArrayLike = (1.0, 0.0, 0.0),
+    turns: int = TURNS,
+    exaggeration: float = EXAGGERATION,
+    full_colour: float = FULL_COLOUR,
+) -> AxisTour:
     """Take the axis of the turns from where it is through the worst axis, and once round.
 
     Parameters
@@ -62,7 +85,16 @@ def axis_tour(triad_error: ArrayLike, direction: ArrayLike) -> AxisTour:
         M, dimensionless.
     direction : array_like, shape (3,)
         Axis of the turns in body axes at first; only its direction counts.
+    turns : int
+        Whole turns about each axis, after which the block is shown.
+    exaggeration : float
+        How many times too large the triad's error is drawn.
+    full_colour : float
+        Drift coefficient that has the full colour on the globe.
     """
+    count = whole_number(turns, "turns")
+    factor = positive_number(exaggeration, "exaggeration")
+    full = positive_number(full_colour, "full_colour")
     n, _ = nonzero_vectors(direction, "direction")
     triad_error = finite_array(triad_error, "triad_error", 3, 3)
     principal, principal_axes = principal_drifts(triad_error)
@@ -81,13 +113,16 @@ def axis_tour(triad_error: ArrayLike, direction: ArrayLike) -> AxisTour:
         2 * np.pi * drift_coefficient(axes, triad_error),
         drift_per_turn(axes, triad_error),
         to_rotation_vector(
-            error_quaternion(axes, measured_rate(axes, triad_error), 2 * np.pi * TURNS)
+            error_quaternion(axes, measured_rate(axes, triad_error), 2 * np.pi * count)
         ),
         drift_coefficient(direction_from_angles(azimuth, elevation), triad_error),
         axes_without_drift(triad_error),
         principal,
         principal_axes,
-        np.eye(3) + EXAGGERATION * triad_error,
+        np.eye(3) + factor * triad_error,
+        factor,
+        count,
+        full,
     )
 
 

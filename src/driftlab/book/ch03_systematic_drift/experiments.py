@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.book.scenarios import LARIN_TRIAD, OBLIQUE_AXIS, SKEW, SYMMETRIC
-from driftlab.checks import FloatArray, finite_array, nonzero_vectors, whole_number
+from driftlab.checks import FloatArray, finite_array, nonzero_vectors, positive_number, whole_number
 from driftlab.drift.closed_motion import drift_per_motion
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.systematic_drift import (
@@ -51,13 +51,14 @@ class DriftHistory(NamedTuple):
     error : ndarray, shape (m, 3)
         Rotation vector, rad.
     whole_turns : ndarray, shape (n,)
-        0 to `TURNS`.
+        Counted from 0.
     snapshots : ndarray, shape (n, 3)
         `error` once a turn, rad.
     direction : ndarray, shape (3,)
         Unit axis of the turns.
     triad : ndarray, shape (3, 3)
-        Sensitive axes as rows, bent `EXAGGERATION` times too much.
+        Sensitive axes as rows, bent `exaggeration` times too much.
+    exaggeration : float
     worst_axis : ndarray, shape (3,)
         Unit axis with the largest drift in size.
     first_order_per_turn, exact_per_turn : float
@@ -72,6 +73,7 @@ class DriftHistory(NamedTuple):
     snapshots: FloatArray
     direction: FloatArray
     triad: FloatArray
+    exaggeration: float
     worst_axis: FloatArray
     first_order_per_turn: float
     exact_per_turn: float
@@ -82,8 +84,10 @@ def drift_history(
     triad_error: ArrayLike = LARGEST_ENTRY * SYMMETRIC,
     direction: ArrayLike = OBLIQUE_AXIS,
     samples_per_turn: int = 60,
+    turns: int = TURNS,
+    exaggeration: float = EXAGGERATION,
 ) -> DriftHistory:
-    """Error of a bent triad over `TURNS` turns at a constant rate, exact; Larin (2.3).
+    """Error of a bent triad over some turns at a constant rate, exact; Larin (2.3).
 
     Parameters
     ----------
@@ -92,23 +96,30 @@ def drift_history(
     direction : array_like, shape (3,)
         Axis of the turns in body axes; only its direction counts.
     samples_per_turn : int
+    turns : int
+        Whole turns.
+    exaggeration : float
+        How many times too large the triad's error is drawn.
     """
     samples = whole_number(samples_per_turn, "samples_per_turn")
+    count = whole_number(turns, "turns")
+    factor = positive_number(exaggeration, "exaggeration")
     n, _ = nonzero_vectors(direction, "direction")
     triad_error = finite_array(triad_error, "triad_error", 3, 3)
     measured = measured_rate(n, triad_error)
     # At unit rate, one turn takes 2 pi seconds.
-    time = 2 * np.pi * np.arange(TURNS * samples + 1) / samples
+    time = 2 * np.pi * np.arange(count * samples + 1) / samples
     error = to_rotation_vector(error_quaternion(n, measured, time))
     coefficients, axes = principal_drifts(triad_error, exact=True)
     worst = np.abs(coefficients).argmax()
     return DriftHistory(
         time / (2 * np.pi),
         error,
-        np.arange(TURNS + 1.0),
+        np.arange(count + 1.0),
         error[::samples],
         n,
-        np.eye(3) + EXAGGERATION * triad_error,
+        np.eye(3) + factor * triad_error,
+        factor,
         axes[worst],
         float(2 * np.pi * drift_coefficient(n, triad_error)),
         float(drift_per_turn(n, triad_error)),
@@ -123,14 +134,15 @@ class DriftBySymmetry(NamedTuple):
     ----------
     sizes : ndarray, shape (m,)
         Size of the deformation, dimensionless.
-    symmetric : ndarray, shape (m,)
-        Of size times `SYMMETRIC` about its worst axis (1, 1, 1), rad.
-    skew : ndarray, shape (m,)
-        Of size times `SKEW` about (1, -1, 0), across the skew matrix's own axis, rad.
+    symmetric, skew : ndarray, shape (m,)
+        Of the size times the one and the other matrix, each about its axis, without sign, rad.
     mixing : ndarray, shape (p,)
         Mixing angle, rad.
     mixed : ndarray, shape (p,)
-        Of ``mixed_size * (cos(mixing) * SYMMETRIC + sin(mixing) * SKEW)`` about (1, 1, 1), rad.
+        Of ``mixed_size * (cos(mixing) * symmetric + sin(mixing) * skew)`` about the axis of the
+        symmetric one, rad.
+    first_order : ndarray, shape (p,)
+        The same to first order, rad.
     mixed_size : float
     """
 
@@ -139,10 +151,17 @@ class DriftBySymmetry(NamedTuple):
     skew: FloatArray
     mixing: FloatArray
     mixed: FloatArray
+    first_order: FloatArray
     mixed_size: float
 
 
-def drift_by_symmetry(mixed_size: float = 1e-3) -> DriftBySymmetry:
+def drift_by_symmetry(
+    mixed_size: float = 1e-3,
+    symmetric: ArrayLike = SYMMETRIC,
+    skew: ArrayLike = SKEW,
+    symmetric_axis: ArrayLike = DIAGONAL,
+    skew_axis: ArrayLike = ACROSS,
+) -> DriftBySymmetry:
     """Exact drift a turn against the size of either part, and of mixtures of one size.
 
     Only the symmetric part drifts to first order; Larin, remark after (2.4).
@@ -151,18 +170,31 @@ def drift_by_symmetry(mixed_size: float = 1e-3) -> DriftBySymmetry:
     ----------
     mixed_size : float
         Size of the mixtures, dimensionless.
+    symmetric, skew : array_like, shape (3, 3)
+        The two deformations, of size one, equal to their transpose and to minus their transpose.
+    symmetric_axis, skew_axis : array_like, shape (3,)
+        Axes of the turns; as published those of the largest drift. Only their directions count.
     """
+    size = positive_number(mixed_size, "mixed_size")
+    even = finite_array(symmetric, "symmetric", 3, 3)
+    odd = finite_array(skew, "skew", 3, 3)
+    for name, matrix, sign in (("symmetric", even, 1), ("skew", odd, -1)):
+        if not np.allclose(matrix, sign * matrix.T):
+            raise ValueError(f"{name}: expected a {name} matrix, got {matrix.tolist()!r}.")
+    along, _ = nonzero_vectors(symmetric_axis, "symmetric_axis")
+    across, _ = nonzero_vectors(skew_axis, "skew_axis")
     sizes = np.geomspace(1e-6, 1e-1, 41)
     mixing = np.linspace(0, np.pi, 73)
     cosine, sine = np.cos(mixing)[:, None, None], np.sin(mixing)[:, None, None]
-    mixture = mixed_size * (cosine * SYMMETRIC + sine * SKEW)
+    mixture = size * (cosine * even + sine * odd)
     return DriftBySymmetry(
         sizes,
-        drift_per_turn(DIAGONAL, sizes[:, None, None] * SYMMETRIC),
-        drift_per_turn(ACROSS, sizes[:, None, None] * SKEW),
+        np.abs(drift_per_turn(along, sizes[:, None, None] * even)),
+        np.abs(drift_per_turn(across, sizes[:, None, None] * odd)),
         mixing,
-        drift_per_turn(DIAGONAL, mixture),
-        mixed_size,
+        drift_per_turn(along, mixture),
+        2 * np.pi * drift_coefficient(along, mixture),
+        size,
     )
 
 
@@ -206,34 +238,41 @@ def drift_map(triad_error: ArrayLike = LARIN_TRIAD) -> DriftMap:
     )
 
 
-def closed_motions(increments: int = 360) -> dict[str, FloatArray]:
+def closed_motions(
+    increments: int = 360, triad_error: ArrayLike = LARIN_TRIAD, half_angle: float = SWING
+) -> dict[str, FloatArray]:
     """Four motions that bring a body back, by name, as true angle increments (increments, 3), rad.
 
     A whole turn; a tumble of quarter turns about axis 1 and axis 3 by turns, three times; one round
-    of a cone; a swing to and fro about one axis. The turn and the swing are about the worst axis of
-    Larin's triad.
+    of a cone; a swing to and fro about one axis. The turn and the swing are about the axis of the
+    greatest drift coefficient of a triad.
 
     Parameters
     ----------
     increments : int
         Of each motion; a multiple of six.
+    triad_error : array_like, shape (3, 3)
+        M, dimensionless.
+    half_angle : float
+        Of the cone and of the swing, rad.
     """
     count = whole_number(increments, "increments", least=6)
     if count % 6:
         raise ValueError(f"increments: expected a multiple of six, got {increments!r}.")
-    worst = principal_drifts(LARIN_TRIAD)[1][-1]
-    angle = SWING * np.sin(2 * np.pi * np.arange(count + 1) / count)
+    worst = principal_drifts(triad_error)[1][-1]
+    reach = positive_number(half_angle, "half_angle")
+    angle = reach * np.sin(2 * np.pi * np.arange(count + 1) / count)
     quarters = np.tile(np.eye(3)[[0, 2]], (3, 1)) * np.pi / 2
     return {
         "whole turn": np.tile(2 * np.pi / count * worst, (count, 1)),
         "tumble": np.repeat(quarters, count // 6, axis=0) * 6 / count,
-        "cone": Coning(SWING, 1.0).increments(1 / count, count),
+        "cone": Coning(reach, 1.0).increments(1 / count, count),
         "swing": np.diff(angle)[:, np.newaxis] * worst,
     }
 
 
 class MotionHistory(NamedTuple):
-    """Error of a triad over one closed motion, made `REPEATS` times.
+    """Error of a triad over one closed motion, made several times.
 
     Attributes
     ----------
@@ -253,17 +292,24 @@ class MotionHistory(NamedTuple):
     first_order: float
 
 
-def motion_histories(triad_error: ArrayLike = LARIN_TRIAD) -> dict[str, MotionHistory]:
+def motion_histories(
+    triad_error: ArrayLike = LARIN_TRIAD, half_angle: float = SWING, repeats: int = REPEATS
+) -> dict[str, MotionHistory]:
     """Exact error of a triad over each of the `closed_motions`, with the drift of first order.
 
     Parameters
     ----------
     triad_error : array_like, shape (3, 3)
         M, dimensionless.
+    half_angle : float
+        Of the cone and of the swing, rad.
+    repeats : int
+        How often each motion is made.
     """
+    count = whole_number(repeats, "repeats")
     histories = {}
-    for name, once in closed_motions().items():
-        true = np.vstack([np.zeros(3), np.tile(once, (REPEATS, 1))])
+    for name, once in closed_motions(360, triad_error, half_angle).items():
+        true = np.vstack([np.zeros(3), np.tile(once, (count, 1))])
         attitude, apparent = (
             cumulative_product(from_rotation_vector(turns))
             for turns in (true, measured_rate(true, triad_error))

@@ -27,10 +27,7 @@ from .block import (
     magnification,
 )
 from .controls import TRIAD_ERROR_CONTROLS, TRIADS, triad_error_of, triad_error_values
-from .experiments import EXAGGERATION, TURNS
 
-FULL_COLOUR = 2e-3
-"""Drift coefficient that has the full colour on the globe."""
 AZIMUTH = 15.0
 """From where the reader looks at first, so that the worst axis of the first block is in sight."""
 LIFT = 0.2
@@ -57,13 +54,13 @@ class GlobeOfAxesView(SceneView):
             tracks={"block": attitude, "ghost": from_rotation_vector(factor * data.error)},
             views=(
                 View(
-                    f"all axes: full colour, {arcmin(FULL_COLOUR):.0f}′ a turn",
+                    f"all axes: full colour, {arcmin(data.full_colour):.3g}′ a turn",
                     (*globe_parts(data), *way_parts(data.axes)),
                     azimuth=AZIMUTH,
                     reach=1.4,
                 ),
                 View(
-                    f"after {TURNS} turns: bent × {EXAGGERATION}, error × {factor}",
+                    f"after {data.turns} turns: bent × {data.exaggeration:g}, error × {factor}",
                     (
                         *block_parts(data.triad, "block"),
                         Part("line", AXIS_LENGTH * ends, "axis"),
@@ -85,7 +82,7 @@ class GlobeOfAxesView(SceneView):
             ),
             readouts=(
                 Readout("left after one turn", exact, 3, "′"),
-                Readout(f"after {TURNS} turns", TURNS * exact, 3, "′"),
+                Readout(f"after {data.turns} turns", data.turns * exact, 3, "′"),
             ),
         )
 
@@ -100,9 +97,9 @@ def signed(angle: float) -> str:
     return "0′" if abs(angle) < 0.05 else f"{angle:+.1f}′".replace("-", "−")
 
 
-def colour(coefficient: float) -> str:
+def colour(coefficient: float, full: float) -> str:
     """Colour of a face: grey without drift, vermilion if the computer runs ahead, else blue."""
-    share = min(abs(coefficient) / FULL_COLOUR, 1.0)
+    share = min(abs(coefficient) / full, 1.0)
     name = "vermilion" if coefficient > 0 else "blue"
     return f"color-mix(in srgb, var(--dl-{name}) {100 * share:.0f}%, var(--dl-rule))"
 
@@ -121,7 +118,7 @@ def globe_parts(data: AxisTour) -> tuple[Part, ...]:
         )
         if named
     ]
-    colours = [[colour(face) for face in row] for row in data.coefficient]
+    colours = [[colour(face, data.full_colour) for face in row] for row in data.coefficient]
     return (*globe(colours), *cone, *principal)
 
 
@@ -144,6 +141,11 @@ def way_parts(axes: FloatArray) -> tuple[Part, ...]:
         Part("line", np.stack([axes[0], start]), "way", lift=LIFT),
         Part("dot", start[np.newaxis], "axis", handle="axis of the turns", lift=2 * LIFT),
     )
+
+
+def tells_most(data: AxisTour) -> int:
+    """The moment at which the axis drifts most."""
+    return int(np.abs(data.exact).argmax())
 
 
 class GlobeOfAxes(SceneExplorer):

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import ClassVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from driftlab.book.ch00_start_here.puzzle import LEANING
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values, matrix_code
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
@@ -43,7 +45,7 @@ class TurningBlockView(SceneView):
         factor = magnification(angle.max())
         ghost = multiply(attitude, from_rotation_vector(factor * data.error))
         along, across = np.degrees(parts_of_error(data)) * 60
-        whole = SAMPLES * np.arange(TURNS + 1)
+        whole = SAMPLES * np.arange(len(data.whole_turns))
         straight = np.degrees(data.first_order_per_turn * data.turns) * 60
         return Stage(
             times=data.turns,
@@ -52,7 +54,7 @@ class TurningBlockView(SceneView):
             tracks={"block": attitude, "ghost": ghost},
             views=(
                 View(
-                    f"gyros bent × {EXAGGERATION}, error × {factor}",
+                    f"gyros bent × {data.exaggeration:g}, error × {factor}",
                     (
                         *block_parts(data.triad, "block"),
                         *axis_parts(data.direction, "block"),
@@ -95,6 +97,25 @@ def parts_of_error(data: DriftHistory) -> tuple[FloatArray, FloatArray]:
     return along, np.linalg.norm(rest, axis=-1)
 
 
+def turning_block(
+    triad_error: ArrayLike = LEANING,
+    direction: ArrayLike = (1.0, 1.0, 0.0),
+    exaggeration: float = EXAGGERATION,
+) -> DriftHistory:
+    """Error of a bent triad in as many moments as the block is shown in; see `drift_history`.
+
+    Parameters
+    ----------
+    triad_error : array_like, shape (3, 3)
+        M, dimensionless.
+    direction : array_like, shape (3,)
+        Axis of the turns in body axes; only its direction counts.
+    exaggeration : float
+        How many times too large the triad's error is drawn.
+    """
+    return drift_history(triad_error, direction, SAMPLES, exaggeration=exaggeration)
+
+
 class TurningBlock(SceneExplorer):
     """Turn a block with three gyros, lean them, and watch what its computer believes."""
 
@@ -124,7 +145,7 @@ class TurningBlock(SceneExplorer):
     }
 
     def compute(self, values: Values) -> DriftHistory:
-        return drift_history(triad_error_of(values), axis_of(values), SAMPLES)
+        return turning_block(triad_error_of(values), axis_of(values))
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         if handle.startswith("gyro"):

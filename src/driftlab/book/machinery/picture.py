@@ -19,6 +19,7 @@ from matplotlib.contour import QuadContourSet
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.text import Text
+from matplotlib.transforms import ScaledTranslation
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray
@@ -182,7 +183,13 @@ def project(points: FloatArray, azimuth: float = -60.0, elevation: float = 24.0)
 
 
 def legend_above(axes: Axes, ncols: int = 4, **style: Any) -> None:
-    """Put the legend into the line of the title, where no data can come to lie under it."""
+    """Put the legend into the line of the title, where no data can come to lie under it.
+
+    On paper, where a panel is too narrow for both, it stands below the panel.
+    """
+    if isinstance(axes.figure, Figure) and axes.figure.get_layout_engine() is not None:
+        legend_below(axes, ncols, **style)
+        return
     axes.legend(
         loc="lower right",
         bbox_to_anchor=(1.0, 0.985),
@@ -193,7 +200,7 @@ def legend_above(axes: Axes, ncols: int = 4, **style: Any) -> None:
     )
 
 
-def legend_below(
+def shared_legend(
     figure: Figure,
     sheet: Sheet,
     handles: Sequence[Artist],
@@ -211,6 +218,36 @@ def legend_below(
         figure.legend(handles=handles, loc="outside lower center", ncols=columns, frameon=False)
     else:
         figure.legend(handles=handles, loc="lower center", ncols=ncols, **on_screen)
+
+
+def legend_below(axes: Axes, ncols: int = 4, below: float = 29.0, **style: Any) -> None:
+    """Put the legend under a panel of a figure on paper, so many points below it.
+
+    The layout makes room for it.
+    """
+    figure = axes.figure
+    assert isinstance(figure, Figure)
+    under = ScaledTranslation(0, -below / 72, figure.dpi_scale_trans)
+    axes.legend(
+        loc="upper center",
+        bbox_to_anchor=(0.5, 0.0),
+        bbox_transform=axes.transAxes + under,
+        ncols=ncols,
+        frameon=False,
+        borderaxespad=0.0,
+        **{"handlelength": 1.8, "columnspacing": 1.1, "handletextpad": 0.5, **style},
+    )
+
+
+def decades(values: ArrayLike, low: float, high: float) -> tuple[float, float]:
+    """Limits of a logarithmic axis: `low` and `high`, or whole decades where values leave them."""
+    shown = np.asarray(values, float)
+    shown = shown[np.isfinite(shown) & (shown > 0)]
+    least, most = shown.min(initial=low), shown.max(initial=high)
+    return (
+        low if least >= low else float(10.0 ** np.floor(np.log10(least))),
+        high if most <= high else float(10.0 ** np.ceil(np.log10(most))),
+    )
 
 
 def plain_axes(axes: Axes, reach: float = 1.25) -> None:

@@ -12,8 +12,9 @@ FIGURES = (
         map_of_ideas.draw,
         None,
         lambda _: (
-            "The book on one page: what a bend of the triad leads to, from left to right; what "
-            "helps, above; what comes on top of it, below. The small numbers are chapters."
+            "The book on one page: the arrows lead from a bend of the triad to a wrong heading; "
+            "boxes on one side of this way are what helps, on the other what comes on top of it. "
+            "The small numbers are chapters."
         ),
     ),
     FigureDefinition(

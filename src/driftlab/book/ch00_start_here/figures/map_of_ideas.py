@@ -1,12 +1,15 @@
 """From the bend to the heading on one page: what leads to what, and in which chapter."""
 
+from textwrap import fill
 from typing import NamedTuple
 
+import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import FancyArrowPatch, FancyBboxPatch
 
 from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, ORANGE, VERMILION, in_style
 from driftlab.book.machinery.sheet import Sheet
+from driftlab.checks import FloatArray
 
 
 class Idea(NamedTuple):
@@ -40,37 +43,59 @@ LEADS_TO = (
     ("turns", "sigma"), ("filter", "drift"), ("computer", "attitude"), ("log", "heading"),
     ("earth", "attitude"), ("noise", "heading"),
 )  # fmt: skip
-WIDTH, HEIGHT = 1.56, 0.78
-"""Of a box."""
+BOX = (1.56, 0.78)
+"""Width and height of a box."""
+IN_A_COLUMN = (0.85, 1.34)
+"""Of one in a narrow column, where the map leads down the page."""
+COLUMNS = ((0.1, 1.2, 2.8, 4.1), (3.0, 2.0, 1.0, 0.0))
+"""There, what is drawn at these ordinates stands at these abscissae."""
+LETTERS = 16
+"""In a line of a box there."""
 
 
 @in_style
 def draw(_: object, sheet: Sheet) -> Figure:
-    """Boxes and arrows; red is what goes wrong, green what helps."""
-    figure = Figure(figsize=(9.6, 4.9))
+    """Boxes and arrows: what helps on one side of the way, what comes on top of it on the other."""
+    width = sheet.width or 9.6
+    figure = Figure(figsize=(width, 4.6 if sheet.narrow else 4.9 / 9.6 * width))
     axes = figure.add_axes((0, 0, 1, 1))
-    axes.set(xlim=(0, 9.8), ylim=(-0.45, 4.65))
+    if sheet.narrow:
+        axes.set(xlim=(-0.5, 3.5), ylim=(-9.65, -0.15))
+    else:
+        axes.set(xlim=(0, 9.8), ylim=(-0.45, 4.65))
     axes.axis("off")
+    size = np.array(IN_A_COLUMN if sheet.narrow else BOX)
+    says = "small" if sheet.narrow else "medium"
+    chapters = "small" if sheet.on_paper else 8
     for idea in IDEAS.values():
-        corner = (idea.x - WIDTH / 2, idea.y - HEIGHT / 2)
+        middle = _middle(idea, sheet)
         axes.add_patch(
             FancyBboxPatch(
-                corner, WIDTH, HEIGHT, boxstyle="round,pad=0.02", linewidth=1.6,
-                facecolor="white", edgecolor=idea.colour,
+                tuple(middle - size / 2), *size, boxstyle="round,pad=0.02", edgecolor=idea.colour,
+                facecolor="white", linewidth=1.0 if sheet.on_paper else 1.6,
             )
         )  # fmt: skip
-        axes.text(idea.x, idea.y + 0.08, idea.says, ha="center", va="center", color=BLACK)
-        axes.text(idea.x, idea.y - 0.3, idea.chapters, ha="center", va="center", fontsize=8)
+        lines = idea.says.splitlines()
+        text = "\n".join(fill(line, LETTERS) for line in lines) if sheet.narrow else idea.says
+        words = {"ha": "center", "va": "center", "color": BLACK}
+        axes.text(*(middle + [0, 0.1 * size[1]]), text, fontsize=says, **words)
+        axes.text(*(middle - [0, 0.38 * size[1]]), idea.chapters, fontsize=chapters, **words)
     for cause, effect in LEADS_TO:
-        start, end = IDEAS[cause], IDEAS[effect]
-        if start.x == end.x:
-            side = 1 if end.y > start.y else -1
-            ends = ((start.x, start.y + side * HEIGHT / 2), (end.x, end.y - side * HEIGHT / 2))
-        else:
-            ends = ((start.x + WIDTH / 2, start.y), (end.x - WIDTH / 2, end.y))
+        start, end = (_middle(IDEAS[name], sheet) for name in (cause, effect))
+        along = 1 if sheet.narrow else 0
+        way = along if abs(end[along] - start[along]) > size[along] else 1 - along
+        edge = np.zeros(2)
+        edge[way] = np.sign(end[way] - start[way]) * size[way] / 2
         axes.add_patch(
             FancyArrowPatch(
-                *ends, arrowstyle="-|>", mutation_scale=11, color=start.colour, shrinkA=3, shrinkB=4
+                tuple(start + edge), tuple(end - edge), arrowstyle="-|>", color=IDEAS[cause].colour,
+                mutation_scale=7 if sheet.on_paper else 11,
+                shrinkA=1 if sheet.on_paper else 3, shrinkB=2 if sheet.on_paper else 4,
             )
-        )
+        )  # fmt: skip
     return figure
+
+
+def _middle(idea: Idea, sheet: Sheet) -> FloatArray:
+    """Where the middle (2,) of a box is; in a column the map is turned, and leads down."""
+    return np.array([np.interp(idea.y, *COLUMNS), -idea.x] if sheet.narrow else [idea.x, idea.y])

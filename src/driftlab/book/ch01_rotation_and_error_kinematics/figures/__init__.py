@@ -8,11 +8,11 @@ from . import error_motion
 FIGURES = (
     FigureDefinition(
         "01-error-motion",
-        lambda: experiments.error_motion([0.1, 0.2, 0.1], [0.12, 0.15, 0.1]),
+        experiments.error_motion,
         error_motion.ErrorMotionPicture.draw,
         error_motion.columns,
         lambda data: (
-            "The four components of the error quaternion for a grossly wrong triad: the "
+            "The four components of the error quaternion, published for a grossly wrong triad: the "
             "lines are the product of two exponentials, the dots are the steps of a Runge-Kutta "
             f"integrator with tolerance {data.tolerance:g}."
         ),

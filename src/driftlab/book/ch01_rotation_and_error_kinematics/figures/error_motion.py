@@ -3,11 +3,10 @@
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from driftlab.book.machinery.picture import BLACK, GREY, SERIES, Picture, legend_above
+from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, Picture, legend_above
 from driftlab.checks import FloatArray
-from driftlab.quaternion import rotation_angle
 
-from ..experiments import DURATION, ErrorMotion
+from ..experiments import ErrorMotion
 
 COMPONENTS = (r"$\lambda_{1e}$", r"$\lambda_{2e}$", r"$\lambda_{3e}$", r"$\lambda_{0e}$")
 
@@ -18,7 +17,17 @@ ANGLES = (2.0, 5.0, 10.0, 20.0, 45.0, 90.0, 180.0)
 def columns(data: ErrorMotion) -> dict[str, FloatArray]:
     """Columns of the figure's CSV."""
     names = ("error_1", "error_2", "error_3", "error_0")
-    return {"time_s": data.time, **dict(zip(names, data.exact.T, strict=True))}
+    integrated = (f"integrated_{name}" for name in names)
+    angle = np.degrees(data.angle)
+    return {
+        "time_s": data.time,
+        **dict(zip(names, data.exact.T, strict=True)),
+        "integrated_time_s": data.integrated_time,
+        **dict(zip(integrated, data.integrated.T, strict=True)),
+        "angle_deg": angle,
+        "whole_turn_s": data.whole_turns,
+        "whole_turn_angle_deg": np.interp(data.whole_turns, data.time, angle),
+    }
 
 
 class ErrorMotionPicture(Picture[ErrorMotion]):
@@ -27,20 +36,24 @@ class ErrorMotionPicture(Picture[ErrorMotion]):
     size = (10.5, 3.9)
 
     def build(self) -> None:
-        axes, angle = self.figure.subplots(1, 2)
-        self.figure.subplots_adjust(0.065, 0.14, 0.985, 0.91, wspace=0.18)
-        axes.set(title="components", xlabel="time, s", xlim=(0, DURATION), ylim=(-1.1, 1.1))
-        angle.set(title="angle of the error, °", xlabel="time, s", xlim=(0, DURATION))
+        self.figure, panels = self.sheet.mosaic(
+            "ab", self.size, (0.065, 0.14, 0.985, 0.91), spaces=(0.18, 0.2), column_height=5.0
+        )
+        axes, angle = panels["a"], panels["b"]
+        axes.set(title="components", xlabel="time, s", ylim=(-1.1, 1.1))
+        angle.set(title="angle of the error, °", xlabel="time, s")
+        self.components_axes = axes
         angle.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 1.5, 2, 3, 5, 10]))
         self.angle_axes = angle
         self.lines, self.dots = [], []
         for name, style, marker in zip(COMPONENTS, SERIES, "osD^", strict=False):
             self.lines.append(self.line(axes, **style, label=name))
-            dot = {"linestyle": "none", "marker": marker, "markersize": 3.0, "fillstyle": "none"}
+            dot = {"linestyle": "none", "marker": marker, "fillstyle": "none"}
+            dot["markersize"] = 2.2 if self.sheet.on_paper else 3.0
             self.dots.append(self.line(axes, color=style["color"], **dot))
         self.dots[-1].set_label("integrator")
         legend_above(axes, 5)
-        self.turns = self.line(angle, color=GREY, linewidth=1.0, linestyle=(0, (2, 2)))
+        self.turns = self.line(angle, color=GREY, linewidth=1.0, linestyle=(0, (2, 2)), label=GUIDE)
         self.angle = self.line(angle, color=BLACK)
         self.once_a_turn = self.line(
             angle, color=BLACK, marker="o", linestyle="none", label="after each whole turn"
@@ -51,10 +64,11 @@ class ErrorMotionPicture(Picture[ErrorMotion]):
         for i, (line, dot) in enumerate(zip(self.lines, self.dots, strict=True)):
             line.set_data(data.time, data.exact[:, i])
             dot.set_data(data.integrated_time, data.integrated[:, i])
-        angle = np.degrees(rotation_angle(data.exact))
+        for axes in (self.components_axes, self.angle_axes):
+            self.set_limits(axes, "x", 0.0, data.time[-1])
+        angle, turns = np.degrees(data.angle), data.whole_turns
         self.set_reach(self.angle_axes, "y", angle, ANGLES)
         self.angle.set_data(data.time, angle)
-        turns = np.arange(data.turn, DURATION, data.turn) if data.turn < DURATION else np.zeros(0)
         low, high = self.angle_axes.get_ylim()
         self.turns.set_data(
             np.repeat(turns, 3),

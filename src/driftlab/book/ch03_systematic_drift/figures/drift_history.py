@@ -18,20 +18,26 @@ from driftlab.book.machinery.picture import (
 )
 from driftlab.checks import FloatArray
 
-from ..experiments import EXAGGERATION, TURNS, DriftHistory
+from ..experiments import DriftHistory
 
 DARK_GREEN = "#007A59"
 """The green of the lines, dark enough for letters."""
-REACHES_ALONG = (0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 12.0)
-REACHES_ACROSS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0)
-"""How far the axes may reach, degrees and minutes of arc; the last holds `LARGEST_ENTRY`."""
+REACHES_ALONG = (0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 12.0, 20.0, 50.0, 100.0, 180.0)
+REACHES_ACROSS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0, 100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 1.1e4)
+"""How far the axes may reach, degrees and minutes of arc."""
 
 
 def columns(data: DriftHistory) -> dict[str, FloatArray]:
     """Columns of the figure's CSV: the rotation vector along the axis and across it."""
     along = data.error @ data.direction
     across = np.linalg.norm(data.error - along[:, np.newaxis] * data.direction, axis=-1)
-    return {"turns": data.turns, "along_rad": along, "across_rad": across}
+    return {
+        "turns": data.turns,
+        "along_deg": np.degrees(along),
+        "across_arcmin": 60 * np.degrees(across),
+        "whole_turns": data.whole_turns,
+        "first_order_deg": np.degrees(data.first_order_per_turn * data.whole_turns),
+    }
 
 
 MOST_TURNED = np.radians(40.0)
@@ -41,23 +47,24 @@ FACTORS = (200, 100, 50, 20, 10, 5, 2, 1)
 
 
 class DriftHistoryPicture(Picture[DriftHistory]):
-    """Exaggerated triad, frames R and B at the end, and the error over `TURNS` turns."""
+    """Exaggerated triad, frames R and B at the end, and the error over the turns."""
 
     size = (10.5, 4.0)
 
     def build(self) -> None:
-        grid = self.figure.add_gridspec(2, 3, width_ratios=[0.85, 0.85, 1.4], height_ratios=[2, 1])
-        self.figure.subplots_adjust(0.005, 0.12, 0.985, 0.93, wspace=0.13, hspace=0.3)
-        triad, frames = (self.figure.add_subplot(grid[:, i]) for i in (0, 1))
-        history = self.history = self.figure.add_subplot(grid[0, 2])
-        across = self.across_axes = self.figure.add_subplot(grid[1, 2], sharex=history)
+        self.figure, panels = self.sheet.mosaic(
+            "abc;abd", self.size, (0.005, 0.12, 0.985, 0.93), spaces=(0.13, 0.3),
+            width_ratios=(0.85, 0.85, 1.4), height_ratios=(2, 1), column="ab;cc;dd",
+            column_height=5.6, column_heights=(1, 1.2, 0.6), page_height=3.3,
+        )  # fmt: skip
+        triad, frames, history, across = (panels[letter] for letter in "abcd")
+        across.sharex(history)
+        self.titles = [panel.set_title("") for panel in (triad, frames)]
+        self.history, self.across_axes = history, across
         for panel in (triad, frames):
             plain_axes(panel)
             panel.set(xlim=(-0.95, 1.1), ylim=(-0.9, 1.2))
-        triad.set_title(f"the gyros' axes, lean ×{EXAGGERATION}")
-        frames.set_title(f"R, and B as computed, after {TURNS} turns")
         history.set(title="along the axis: the slope is the drift", ylabel="error, °")
-        history.set(xlim=(0, TURNS))
         history.tick_params(labelbottom=False)
         across.set(title="across the axis: back after each turn", ylabel="error, ′")
         across.set_xlabel("turns", loc="left")
@@ -65,16 +72,17 @@ class DriftHistoryPicture(Picture[DriftHistory]):
             for label, tip in zip(("$i_1$", "$i_2$", "$i_3$"), project(np.eye(3)), strict=True):
                 panel.plot([0, tip[0]], [0, tip[1]], color=BLACK, linewidth=1.2)
                 panel.text(1.12 * tip[0], 1.12 * tip[1], label, ha="center", va="center")
-        bent = {"color": VERMILION, "linestyle": "--", "marker": "o", "markersize": 4}
+        bent = {"color": VERMILION, "linestyle": "--", "marker": "o"}
+        bent["markersize"] = 2.5 if self.sheet.on_paper else 4
         self.triad = self._three(triad, bent)
         self.frame_b = self._three(frames, bent)
         spin = {"color": BLUE, "linestyle": "-.", "linewidth": 1.2}
         self.axis = [self.line(panel, **spin) for panel in (triad, frames)]
         self.worst = self.line(triad, color=GREEN, linestyle=":", linewidth=1.8)
-        named = {"ha": "center", "va": "center", "fontsize": 8.5}
+        named = {"ha": "center", "va": "center", "fontsize": "small"}
         self.axis_name = self.words(triad, color=BLUE, **named)
         self.worst_name = self.words(triad, color=DARK_GREEN, **named)
-        self.factor = self.words(frames, color=BLACK, fontsize=8.5)
+        self.factor = self.words(frames, color=BLACK, fontsize="small")
         self.factor.set_position((-0.9, -0.86))
         self.along = self.line(history, **SERIES[0], label="full motion")
         self.first = self.line(history, color=GREY, linestyle="--", label="first order")
@@ -85,16 +93,25 @@ class DriftHistoryPicture(Picture[DriftHistory]):
         self.across_snapshots = self.line(
             across, color=BLACK, linestyle="none", marker="o", clip_on=False
         )
+        place = {"loc": "lower right", "bbox_to_anchor": (0.99, -0.015)}
         self.figure.legend(
-            handles=[self.along, self.first, self.snapshots],
-            loc="lower right", ncols=3, frameon=False, bbox_to_anchor=(0.99, -0.015),
-            columnspacing=1.1,
+            handles=[self.along, self.first, self.snapshots], ncols=3, frameon=False,
+            columnspacing=1.1, **({"loc": "outside lower right"} if self.sheet.on_paper else place),
         )  # fmt: skip
 
     def _three(self, panel: Axes, style: dict[str, object]) -> list[Line2D]:
         return [self.line(panel, **style) for _ in range(3)]
 
     def update(self, data: DriftHistory) -> None:
+        last = data.whole_turns[-1]
+        lean, turns = f"lean ×{data.exaggeration:g}", f"after {last:g} turns"
+        between = "\n" if self.sheet.on_paper else " "
+        words = (f"the gyros' axes,{between}{lean}", f"R, and B as computed,{between}{turns}")
+        for title, text in zip(self.titles, words, strict=True):
+            if title.get_text() != text:
+                title.set_text(text)
+                self.rescaled = True
+        self.set_limits(self.history, "x", 0.0, last)
         angle = np.linalg.norm(data.snapshots[-1])
         factor = next((factor for factor in FACTORS if factor * angle <= MOST_TURNED), 1)
         self.factor.set_text(f"error of B drawn ×{factor}")
@@ -117,12 +134,12 @@ class DriftHistoryPicture(Picture[DriftHistory]):
             text.set_position((float(np.clip(x, -0.6, 0.85)), float(np.clip(y, -0.84, 1.1))))
             text.set_text(name)
         table = columns(data)
-        along, across = np.degrees(table["along_rad"]), 60 * np.degrees(table["across_rad"])
+        along, across = table["along_deg"], table["across_arcmin"]
         self.set_reach(self.history, "y", along, REACHES_ALONG)
         self.set_reach(self.across_axes, "y", across, REACHES_ACROSS)
         self.along.set_data(data.turns, along)
         self.across.set_data(data.turns, across)
-        self.across_snapshots.set_data(data.whole_turns, across[:: (len(across) - 1) // TURNS])
+        once = (len(across) - 1) // (len(data.whole_turns) - 1)
+        self.across_snapshots.set_data(data.whole_turns, across[::once])
         self.snapshots.set_data(data.whole_turns, np.degrees(data.snapshots @ data.direction))
-        ends = np.array([0.0, data.whole_turns[-1]])
-        self.first.set_data(ends, np.degrees(data.first_order_per_turn * ends))
+        self.first.set_data(data.whole_turns, table["first_order_deg"])

@@ -3,9 +3,12 @@
 from dataclasses import replace
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from driftlab.book.machinery.scene.stage import Stage
+from driftlab.book.machinery.scene.still_figure import still_figure
 from driftlab.book.machinery.scene.svg import animation
+from driftlab.book.machinery.sheet import SCREEN, Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import DriftHistory
@@ -15,6 +18,8 @@ SHOWN = 2
 """Turns that are played."""
 FRAMES = 24 * SHOWN + 1
 """Drawn moments; between two of them the page draws straight lines."""
+ON_PAPER = (0, SAMPLES // 2, SAMPLES, SHOWN * SAMPLES)
+"""Moments that stand beside each other on paper."""
 
 
 def stage(data: DriftHistory) -> Stage:
@@ -33,8 +38,10 @@ def stage(data: DriftHistory) -> Stage:
     )
 
 
-def draw(data: DriftHistory) -> str:
-    """Animated SVG of the block and its ghost."""
+def draw(data: DriftHistory, sheet: Sheet = SCREEN) -> str | Figure:
+    """Animated SVG of the block and its ghost; on paper, four moments."""
+    if sheet.on_paper:
+        return still_figure(stage(data), sheet, ON_PAPER)
     return animation(stage(data), FRAMES)
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import in_style, legend_below
+from driftlab.book.machinery.picture import in_style, shared_legend
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -59,7 +59,7 @@ def draw(data: AlgorithmOrders, sheet: Sheet) -> Figure:
             of_what = "" if sheet.on_paper else " of attitude"
             panel.set_ylabel(f"largest error{of_what}, rad")
     handles, _ = panels[0].get_legend_handles_labels()
-    legend_below(figure, sheet, handles, ncols=min(len(handles), 7 if not sheet.on_paper else 4),
+    shared_legend(figure, sheet, handles, ncols=min(len(handles), 7 if not sheet.on_paper else 4),
                  fontsize=8)  # fmt: skip
     return figure
 

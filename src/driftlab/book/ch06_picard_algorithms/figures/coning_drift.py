@@ -5,7 +5,7 @@ from matplotlib.figure import Figure
 from scipy.constants import degree, hour
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.book.machinery.picture import in_style, legend_below
+from driftlab.book.machinery.picture import in_style, shared_legend
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -108,6 +108,6 @@ def draw(data: ConingDrift, sheet: Sheet) -> Figure:
             panel.plot(at, _shown(found), **dots, label=f"{group[0]}, measured")
         words = _label(group, data, sheet.narrow)
         handles += by_frequency.plot([], [], **looks[group[0]], label=words)
-    legend_below(figure, sheet, handles, ncols=min(len(handles), 4 if sheet.on_paper else 5),
+    shared_legend(figure, sheet, handles, ncols=min(len(handles), 4 if sheet.on_paper else 5),
                  column=1, fontsize=8)  # fmt: skip
     return figure

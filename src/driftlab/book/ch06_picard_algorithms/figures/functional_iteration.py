@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import arcsecond, degree, hour
 
-from driftlab.book.machinery.picture import GREY, SERIES, in_style, legend_below
+from driftlab.book.machinery.picture import GREY, SERIES, in_style, shared_legend
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -69,5 +69,5 @@ def draw(data: WindowErrors, sheet: Sheet) -> Figure:
     drift.minorticks_off()
     drift.set_xticks([2.5, 5, 10, 20, 40], ["2.5", "5", "10", "20", "40"])
     handles, _ = noise.get_legend_handles_labels()
-    legend_below(figure, sheet, handles, ncols=4, fontsize=8)
+    shared_legend(figure, sheet, handles, ncols=4, fontsize=8)
     return figure

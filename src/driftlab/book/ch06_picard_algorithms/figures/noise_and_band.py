@@ -14,7 +14,7 @@ from driftlab.book.machinery.picture import (
     GUIDE,
     ORANGE,
     in_style,
-    legend_below,
+    shared_legend,
 )
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
@@ -80,7 +80,7 @@ def draw(data: NoiseAndBand, sheet: Sheet) -> Figure:
         handles += marks
     else:
         floors.legend(handles=marks, loc="lower left", fontsize="small")
-    legend_below(figure, sheet, handles, ncols=5, fontsize=8)
+    shared_legend(figure, sheet, handles, ncols=5, fontsize=8)
     return figure
 
 

@@ -13,7 +13,7 @@ from driftlab.gyrocompass.simulation import HeadingErrors
 from driftlab.recordings.publishers import PUBLISHED
 
 from .. import experiments
-from ..scenes import ShipUnderWay
+from ..scenes.ship import ShipUnderWayView, most_off, ship_under_way
 from . import (
     block_diagram,
     frequency_response,
@@ -183,10 +183,11 @@ def _type_tests_caption(data: experiments.TypeTests) -> str:
 FIGURES = (
     scene_figure(
         "10-ship-under-way",
-        ShipUnderWay,
-        "A whole turn",
-        "A ship goes round in a circle. Its compass carries a horizon and a needle with it, in "
-        "dashes, as far as they are wrong.",
+        ship_under_way,
+        ShipUnderWayView,
+        "A ship turns; published for a whole circle. Its compass carries a horizon and a needle "
+        "with it, in dashes, as far as they are wrong.",
+        most_off,
     ),
     FigureDefinition(
         "10-settling",

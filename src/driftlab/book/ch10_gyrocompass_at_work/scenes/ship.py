@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.constants import arcminute, minute
 
 from driftlab.book.machinery.control import Control
@@ -15,8 +16,8 @@ from driftlab.book.machinery.scene.spans import reach
 from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stage, View
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.units import degrees_text
-from driftlab.book.scenarios import SPEED, SPEED_UP, TURN
-from driftlab.checks import FloatArray
+from driftlab.book.scenarios import SARATOV_LATITUDE, SPEED, SPEED_UP, TURN
+from driftlab.checks import FloatArray, finite_array
 from driftlab.quaternion import from_rotation_vector, multiply
 
 from ..experiments import (
@@ -170,6 +171,51 @@ def heading_plot(run: ShipWithCompass) -> Plot:
     return Plot("error of the heading shown, °", curves, low, high)
 
 
+def ship_under_way(
+    speed: float = SPEED,
+    course: float = 0.0,
+    turn: float = 2 * np.pi,
+    gyro_bias: ArrayLike = (0.0, 0.0, 0.0),
+    log: bool = False,
+    window: str = "the turn",
+    latitude: float = SARATOV_LATITUDE,
+) -> tuple[ShipWithCompass, float, float, bool]:
+    """Sail a voyage and look at a part of it: what the ship does, and what its compass shows.
+
+    Parameters
+    ----------
+    speed : float
+        m/s.
+    course, turn : float
+        Heading before the turn, and by how much it turns, rad, positive from North to West.
+    gyro_bias : array_like, shape (3,)
+        As for `driftlab.gyrocompass.simulate_compass`, rad/s.
+    log : bool
+        Whether a log tells the compass the velocity.
+    window : {"gathering way", "the turn", "two hours"}
+        Which part is shown.
+    latitude : float
+        Of the start, rad.
+
+    Returns
+    -------
+    tuple
+        The ship and its compass, the course, the turn, and whether the whole voyage is shown.
+    """
+    if window not in WINDOWS:
+        raise ValueError(f"window: expected one of {', '.join(WINDOWS)}, got {window!r}.")
+    bias = finite_array(gyro_bias, "gyro_bias", 3)
+    run = ship_with_compass(speed, course, turn, bias, log=log, latitude=latitude)
+    first, last, step = WINDOWS[window]
+    begin, end = np.searchsorted(run.times, [first, last])
+    return run.at(slice(begin, end, step)), course, turn, window == "two hours"
+
+
+def most_off(data: tuple[ShipWithCompass, float, float, bool]) -> int:
+    """The moment at which the compass shows the most wrong heading."""
+    return int(np.abs(data[0].shown_error).argmax())
+
+
 class ShipUnderWay(SceneExplorer):
     """Sail, turn, and watch which Up and which North the compass believes in."""
 
@@ -201,12 +247,8 @@ class ShipUnderWay(SceneExplorer):
 
     def compute(self, values: Values) -> tuple[ShipWithCompass, float, float, bool]:
         course, turn = float(np.radians(values["course"])), float(np.radians(values["turn"]))
-        run = ship_with_compass(
-            values["speed"], course, turn, GYRO_BIAS * values["drift"], log=values["log"]
-        )
-        first, last, step = WINDOWS[values["window"]]
-        begin, end = np.searchsorted(run.times, [first, last])
-        return run.at(slice(begin, end, step)), course, turn, values["window"] == "two hours"
+        bias = GYRO_BIAS * values["drift"]
+        return ship_under_way(values["speed"], course, turn, bias, values["log"], values["window"])
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         return dragged_course(self.values, handle, direction)

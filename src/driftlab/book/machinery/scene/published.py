@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from ..publish import FigureDefinition
+from ..sheet import SCREEN, Sheet
 from .stage import Stage
+from .still_figure import still_figure
 from .svg import animation
-from .view import SceneExplorer
+from .view import SceneView
 
 FRAMES = 73
 """Drawn moments; between two of them the page draws straight lines."""
 
 
 def scene_figure(
-    name: str, scene: type[SceneExplorer], preset: str, shows: str
+    name: str,
+    compute: Callable[..., Any],
+    view: type[SceneView],
+    shows: str,
+    on_paper: Callable[[Any], int],
 ) -> FigureDefinition:
     """Return the definition of a figure that plays the views of a scene again and again.
 
@@ -25,28 +33,26 @@ def scene_figure(
     ----------
     name : str
         File name without ending; begins with the chapter's number.
-    scene : type of SceneExplorer
-    preset : str
-        What of it is played.
+    compute : callable
+        The scene's experiment, with the published values of its parameters as defaults.
+    view : type of SceneView
     shows : str
         One sentence or more; what is magnified is added to them.
+    on_paper : callable
+        Data to the moment that a paper shows.
     """
 
-    def compute() -> Stage:
-        explorer = scene(preset)
-        view = explorer.view
-        assert isinstance(view, scene.picture_class)
-        return view.stage(explorer.compute(explorer.values))
+    def draw(data: Any, sheet: Sheet = SCREEN) -> Figure | str:
+        stage = view().stage(data)
+        if sheet.on_paper:
+            return still_figure(stage, sheet, [on_paper(data)])
+        return animation(replace(stage, plots=(), readouts=()), FRAMES)
 
-    def caption(stage: Stage) -> str:
-        return f"{shows} Drawn: {'; '.join(view.title for view in stage.views)}."
+    def caption(data: Any) -> str:
+        titles = (each.title for each in view().stage(data).views)
+        return f"{shows} Drawn: {'; '.join(titles)}."
 
-    return FigureDefinition(name, compute, draw, columns, caption)
-
-
-def draw(stage: Stage) -> str:
-    """Animated SVG of the views."""
-    return animation(replace(stage, plots=(), readouts=()), FRAMES)
+    return FigureDefinition(name, compute, draw, lambda data: columns(view().stage(data)), caption)
 
 
 def columns(stage: Stage) -> dict[str, Any]:

@@ -55,12 +55,24 @@ def flat_corners(view: View, part: Part, stage: Stage, moment: int) -> FloatArra
     return corners * np.array([1.0, -1.0]) * VIEW / view.reach
 
 
+def from_behind(view: View, stage: Stage, moments: Sequence[int] | FloatArray) -> list[Part]:
+    """Parts of a view in the order in which they are drawn: what is nearest, at these moments,
+    last."""
+    a, e = np.radians([view.azimuth, view.elevation])
+    out = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+    depths = [
+        np.mean([(place(part, stage, k) @ out).mean() for k in moments]) + part.nearness
+        for part in view.parts
+    ]
+    return [view.parts[i] for i in np.argsort(depths, kind="stable")]
+
+
 def part_path(part: Part, corners: FloatArray) -> str:
     """Path of a part with flat corners (p, 2); of a dot or a label its place."""
     if part.kind == "face":
         return f"M{_places(corners)}Z"
     if part.kind == "arrow":
-        return _arrow_path(corners)
+        return "".join(f"M{_places(line)}" for line in arrow_lines(corners))
     return f"M{_places(corners)}"
 
 
@@ -109,21 +121,14 @@ def _document(stage: Stage, moments: Sequence[int] | FloatArray) -> str:
 
 
 def _view(view: View, stage: Stage, moments: Sequence[int] | FloatArray) -> list[str]:
-    a, e = np.radians([view.azimuth, view.elevation])
-    out = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
-    depths = [
-        np.mean([(place(part, stage, k) @ out).mean() for k in moments]) + part.nearness
-        for part in view.parts
-    ]
     elements = []
-    for i in np.argsort(depths, kind="stable"):
-        part = view.parts[i]
+    for part in from_behind(view, stage, moments):
         flat = [flat_corners(view, part, stage, k) for k in moments]
         name = f'class="dl-{part.kind} dl-{part.style}"'
         fill = f' style="fill: {part.fill}"' if part.fill else ""
         there = [k >= part.since for k in moments]
         if part.kind == "face":
-            there = [k and _faces_reader(c) for k, c in zip(there, flat, strict=True)]
+            there = [k and faces_reader(c) for k, c in zip(there, flat, strict=True)]
         shown = ["visible" if each else "hidden" for each in there]
         appears = _animated("visibility", shown, stage.seconds)
         if shown[-1] == "hidden" or appears:
@@ -229,20 +234,21 @@ def _places(corners: FloatArray) -> str:
     return "L".join(f"{x:.2f},{y:.2f}" for x, y in corners)
 
 
-def _faces_reader(corners: FloatArray) -> bool:
+def faces_reader(corners: FloatArray) -> bool:
+    """Whether the outside of a face with flat corners (p, 2) is seen."""
     # Twice the area; on a page whose ordinate points down, negative if counter-clockwise.
     x, y = corners.T
     return bool(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 0)
 
 
-def _arrow_path(corners: FloatArray) -> str:
+def arrow_lines(corners: FloatArray) -> list[FloatArray]:
+    """Shaft and head of an arrow with flat corners (2, 2), each as a line (p, 2)."""
     start, tip = corners
     along = tip - start
     length = float(np.hypot(*along))
-    shaft = f"M{_places(corners)}"
     if length < 1:
-        return shaft
+        return [corners]
     size = min(8.0, length / 2) / length
     aside = 0.4 * np.array([along[1], -along[0]])
     barbs = [tip - size * (along + side * aside) for side in (1, -1)]
-    return f"{shaft}M{_places(np.array([barbs[0], tip, barbs[1]]))}"
+    return [corners, np.array([barbs[0], tip, barbs[1]])]
