@@ -16,6 +16,9 @@ def plain(g: FloatArray) -> FloatArray:
     return g[0::2] + g[1::2]
 
 
+from driftlab.book.ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY
+from driftlab.book.ch04_calibration_by_turns.experiments import RealTable
+
 LEANING = [[0, 1e-3, 0], [0, 0, 5e-4], [0, 0, 0]]
 
 VARIATIONS: dict[str, dict[str, Any]] = {
@@ -50,5 +53,13 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "13-hand-turns": {"stop_deviation": np.radians(0.5)},
     "13-parked-car": {"lengths": (30.0, 120.0, 240.0)},
     "03-closed-motions": {"triad_error": LEANING, "half_angle": 0.2, "repeats": 2},
+    "04-turn-bias": {"triad_error": 10 * np.array(LEANING), "runs": 5, "angle_noise": 1e-4},
+    "04-turn-estimates": {"plan": "four axes, least squares", "repeats": 3},
+    "04-larin-digits": {"texts": IN_THE_COPY, "steps": (100,)},
+    "04-larin-free-numbers": {"largest_step_error": 1e-9, "factors": (0.9, 1.3)},
+    "04-weighing-designs": {"runs": 50, "sigma": [1e-3, 0, 0], "offset": 1e-4},
+    "04-real-table": {"runs": 2, "table": RealTable(rate=0.5, gyro_bias=1e-5)},
+    "05-cayley-map": {"angle": -1.0, "axis": [0, 0, 1]},
+    "05-riccati-turns": {"misses": [0.1], "turns": 2, "steps": 50, "tolerances": [1e-4, 1e-5]},
     "10-ship-under-way": {"speed": 5.0, "turn": -1.5, "window": "gathering way"},
 }

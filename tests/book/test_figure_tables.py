@@ -135,14 +135,22 @@ def test_the_header_says_which_columns_are_which_curve(tmp_path: Path) -> None:
     assert lines == [
         'panel 1, "powers": x is "exponent", y is "power, m"',
         '  "cubes of three": x = exponent, y = power_m',
-        "panel 2: ",
+        "panel 2:",
         '  "": y = bars',
     ]
     write_table(tmp_path / "powers.csv", table, lines)
     powers, bars = read_curves(tmp_path / "powers.csv")
     np.testing.assert_array_equal(powers.y, [1, 3, 9])
     np.testing.assert_array_equal(bars.y, [4, 5])
-    assert read_table(tmp_path / "powers.csv") == ([line.rstrip() for line in lines], table)
+    assert read_table(tmp_path / "powers.csv") == (lines, table)
+
+
+def test_two_panels_may_show_the_same_rows() -> None:
+    figure = Figure()
+    for axes in figure.subplots(1, 2):
+        axes.plot([0, 1], [2, 3], label="both")
+    lines = header(figure, as_words({"x": [0, 1], "y": [2, 3]}))
+    assert lines == ["panel 1:", '  "both": x = x, y = y', "panel 2:", '  "both": x = x, y = y']
 
 
 def test_a_curve_that_is_in_two_panels_is_said_of_both(tmp_path: Path) -> None:

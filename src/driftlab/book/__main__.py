@@ -9,6 +9,8 @@ from pathlib import Path
 
 from tqdm import tqdm
 
+import driftlab
+
 from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, experiment_numbers
 from .errata import errata
 from .figures import figure_definitions, measured, not_at_hand, published_paths
@@ -18,6 +20,13 @@ from .machinery.publish import FigureDefinition, PublishedFigure, gallery
 PROJECT = Path(__file__).parents[3]
 AT_HOME = (PROJECT / "lab.py").is_file()
 """Is this the project's folder? An installed package has no place of its own to write to."""
+LARIN_NOTE = [
+    "04-larin-numbers: the seven numbers of Larin's experiment as the copy has them, by the method "
+    "without error of integration, and reconstructed. Without unit.",
+    f"made by: driftlab {driftlab.__version__}, "
+    "driftlab.book.ch04_calibration_by_turns.experiment_numbers.experiment_numbers(); "
+    "text and numbers CC BY 4.0",
+]
 
 
 def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | None = None) -> None:
@@ -39,7 +48,7 @@ def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | No
             PublishedFigure(definition, data, definition.parameters).write(folder)
     table = experiment_numbers()
     numbers = as_words({"name": NAMES, **table})
-    write_table(folder / "04-larin-numbers.csv", numbers, ["Larin's numbers, see chapter 04"])
+    write_table(folder / "04-larin-numbers.csv", numbers, LARIN_NOTE)
     (folder / "README.md").write_text(gallery(captions), encoding="utf-8", newline="\n")
     if kept:
         print(f"\nKept as published, because their recordings are not at hand: {', '.join(kept)}.")

@@ -7,8 +7,12 @@ from driftlab.book.ch04_calibration_by_turns.experiments import (
     FORMULAS as FORMULAS_04,
     PLANS,
     expected_noise,
+    free_numbers,
+    larin_digits,
+    real_table,
     turn_bias,
     turn_estimates,
+    weighing_designs,
 )
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.book.scenarios import LARIN_TRIAD
@@ -19,7 +23,7 @@ from published import published
 
 @pytest.mark.parametrize("plan", PLANS)
 def test_every_plan_finds_sigma_up_to_the_bias(plan: str) -> None:
-    data = turn_estimates(LARIN_TRIAD, plan)
+    data = turn_estimates(LARIN_TRIAD, plan, TurnExperiment())
     np.testing.assert_array_equal(data.true, non_orthogonality(LARIN_TRIAD)[[0, 0, 1], [1, 2, 2]])
     # The bias of one estimate is half of the square of what lies across, at most 2 |M|^2;
     # no plan weighs the estimates with more than 2 in all.
@@ -30,7 +34,7 @@ def test_only_a_fit_with_scale_is_unharmed_by_a_scale_error() -> None:
     triad = LARIN_TRIAD + 2e-4 * np.eye(3)
     errors = {}
     for plan in PLANS:
-        data = turn_estimates(triad, plan)
+        data = turn_estimates(triad, plan, TurnExperiment())
         errors[plan] = np.abs(data.runs - data.true).max()
     unharmed = [plan for plan, error in errors.items() if error < 1e-5]
     assert unharmed == [plan for plan in PLANS if "scale" in plan]
@@ -76,6 +80,14 @@ def test_weighing_monte_carlo_agrees_with_the_closed_forms(figure: PublishedFigu
     ("call", "sentence"),
     [
         (lambda: turn_estimates(np.eye(3), "guess"), "plan: expected one of three pair"),
+        (lambda: turn_estimates(repeats=0), "repeats: expected"),
+        (lambda: turn_bias(angle_noise=0), "angle_noise: expected"),
+        (lambda: larin_digits(("1e-3",)), "texts: expected 7 numbers such as '-0.216e-7', got"),
+        (lambda: larin_digits(steps=()), "steps: expected at least one number of steps, got none"),
+        (lambda: free_numbers(factors=(-1, 1)), "factors: expected"),
+        (lambda: free_numbers(factors=(2, 1)), "factors: expected the lowest before the highest"),
+        (lambda: weighing_designs(noise=0), "noise: expected"),
+        (lambda: real_table(runs=1), "runs: expected"),
     ],
 )
 def test_refusals(call, sentence: str) -> None:

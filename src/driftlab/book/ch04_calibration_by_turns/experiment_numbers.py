@@ -161,10 +161,12 @@ def experiment_numbers() -> dict[str, FloatArray]:
     }
 
 
-def candidates() -> list[Reconstruction]:
-    """Every combination of the assumptions, best agreement first, and the paper's steps first."""
+def candidates(
+    steps: tuple[int, ...] = STEPS, texts: tuple[str, ...] = SIGN_RESTORED
+) -> list[Reconstruction]:
+    """Every combination of the assumptions, best agreement first, and the most steps first."""
     every = [
         reconstruct(*assumptions)
-        for assumptions in product(TRIADS, STEP_FORMULAS, STEPS, SUM_FACTORS)
+        for assumptions in product(TRIADS, STEP_FORMULAS, steps, SUM_FACTORS)
     ]
-    return sorted(every, key=lambda one: (-sum(one.agrees), -one.steps))
+    return sorted(every, key=lambda one: (-sum(agreement(one.values, texts)), -one.steps))

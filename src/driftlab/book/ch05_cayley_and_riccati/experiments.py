@@ -8,7 +8,14 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.attitude.cayley import cayley_vector, rotation_quaternion, shadow
 from driftlab.attitude.riccati import SWITCH, RiccatiSolution, integrate_riccati, riccati_rate
-from driftlab.checks import FloatArray, finite_array, nonzero_vectors
+from driftlab.book.scenarios import OBLIQUE_AXIS
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    nonzero_vectors,
+    positive_number,
+    whole_number,
+)
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
 
 ANGLES: FloatArray = np.radians(np.arange(-359.5, 360.0, 1.0))
@@ -19,9 +26,9 @@ MOMENTS = 361  # of two turns
 TURNS = 3
 STEPS = 200
 """Steps a turn of the integrator with a fixed step."""
-MISSES: FloatArray = np.radians([3.0, 0.1])
+MISSES = (float(np.radians(3.0)), float(np.radians(0.1)))
 """How far from a whole turn the attitude passes at the end of the first turn, rad."""
-TOLERANCES: FloatArray = np.array([1e-5, 1e-7, 1e-9, 1e-11])
+TOLERANCES = (1e-5, 1e-7, 1e-9, 1e-11)
 """Of the integrator with a variable step."""
 
 
@@ -62,7 +69,9 @@ class CayleyMap(NamedTuple):
     curves: FloatArray
 
 
-def cayley_map(angle: float, axis: ArrayLike) -> CayleyMap:
+def cayley_map(
+    angle: float = float(np.radians(EXAMPLE)), axis: ArrayLike = OBLIQUE_AXIS
+) -> CayleyMap:
     """Both Cayley vectors of one rotation, and those of all angles; (1.2), (1.3).
 
     Parameters
@@ -179,12 +188,12 @@ def shadow_steps(axis: ArrayLike, switch: float = SWITCH) -> ShadowSteps:
 
 
 class RiccatiTurns(NamedTuple):
-    """The Riccati equation over `TURNS` turns; times in s, the body turns once a second.
+    """The Riccati equation over some turns; times in s, the body turns once a second.
 
     Attributes
     ----------
     miss : float
-        How far the attitude passes from a whole turn, rad; the first of `MISSES`.
+        How far the attitude passes from a whole turn, rad; the first of `misses`.
     ended : RiccatiSolution
         About a fixed axis, without the shadow switch.
     plain, switched : RiccatiSolution
@@ -194,11 +203,13 @@ class RiccatiTurns(NamedTuple):
     fixed_errors : ndarray, shape (2, f)
         Its error of attitude, without the switch and with it, rad.
     misses : ndarray, shape (n,)
-        `MISSES`, rad.
+        rad.
     evaluations : ndarray, shape (2, n, tolerance)
         Of the rate, by an integrator with a variable step, without the switch and with it.
     worst : ndarray, shape (2, n, tolerance)
         Its largest error of attitude, rad.
+    turns, steps : int
+        Whole turns, and steps a turn of the integrator with a fixed step.
     """
 
     miss: float
@@ -210,6 +221,8 @@ class RiccatiTurns(NamedTuple):
     misses: FloatArray
     evaluations: FloatArray
     worst: FloatArray
+    turns: int
+    steps: int
 
 
 class _TwoSpins(NamedTuple):
@@ -232,14 +245,36 @@ class _TwoSpins(NamedTuple):
         return self.spin + self.tumble[0] * np.array([cosine, -sine, 0.0])
 
 
-def riccati_turns() -> RiccatiTurns:
-    """Integrate (1.10) through `TURNS` turns that pass the singular attitude by `MISSES`.
+def riccati_turns(
+    misses: tuple[float, ...] = MISSES,
+    turns: int = TURNS,
+    steps: int = STEPS,
+    tolerances: tuple[float, ...] = TOLERANCES,
+) -> RiccatiTurns:
+    """Integrate (1.10) through some turns that pass the singular attitude at some distances.
 
-    With and without the shadow switch; with a fixed step, and with a variable one at each of
-    `TOLERANCES`.
+    With and without the shadow switch; with a fixed step, and with a variable one.
+
+    Parameters
+    ----------
+    misses : tuple of float
+        One or two: how far from a whole turn the attitude passes at the end of the first turn, rad.
+    turns : int
+        Whole turns.
+    steps : int
+        A turn, of the integrator with a fixed step.
+    tolerances : tuple of float
+        Of the integrator with a variable step.
     """
+    distances = [positive_number(each, "misses") for each in misses]
+    if len(distances) not in (1, 2):
+        raise ValueError(f"misses: expected one or two distances, got {len(distances)}.")
+    limits = [positive_number(each, "tolerances") for each in tolerances]
+    if not limits:
+        raise ValueError("tolerances: expected one at least, got none.")
+    count, fixed_steps = whole_number(turns, "turns"), whole_number(steps, "steps")
     spin = np.array([0.0, 0.0, 2 * np.pi])
-    times = np.linspace(0.0, TURNS, 40 * TURNS + 1)
+    times = np.linspace(0.0, count, 40 * count + 1)
 
     def motion(miss: float) -> _TwoSpins:
         # After one turn the table has tumbled by miss, and the attitude is that far from the turn.
@@ -254,13 +289,13 @@ def riccati_turns() -> RiccatiTurns:
     # Few times, as they limit the step.
     few = times[::10]
     trials = [
-        [[(m, solve(m, switch, tolerance, few)) for tolerance in TOLERANCES] for m in MISSES]
+        [[(m, solve(m, switch, tolerance, few)) for tolerance in limits] for m in distances]
         for switch in (False, True)
     ]
-    miss = float(MISSES[0])
-    steps = np.linspace(0.0, TURNS, STEPS * TURNS + 1)
+    miss = distances[0]
+    moments = np.linspace(0.0, count, fixed_steps * count + 1)
     fixed = [
-        _error(motion(miss), steps, _fixed_step(motion(miss), steps, switch))
+        _error(motion(miss), moments, _fixed_step(motion(miss), moments, switch))
         for switch in (False, True)
     ]
     return RiccatiTurns(
@@ -268,14 +303,16 @@ def riccati_turns() -> RiccatiTurns:
         solve(0.0, False),
         solve(miss, False),
         solve(miss, True),
-        steps,
+        moments,
         np.array(fixed),
-        MISSES,
+        np.array(distances),
         np.array([[[float(a.evaluations) for _, a in row] for row in rows] for rows in trials]),
         np.array([
             [[_error(motion(m), a.time, a.attitude).max() for m, a in row] for row in rows]
             for rows in trials
         ]),
+        count,
+        fixed_steps,
     )  # fmt: skip
 
 

@@ -155,7 +155,7 @@ def _counts_words(axis: Axis) -> bool:
     places = list(locator())
     if not places:
         return True
-    words = formatter.format_ticks(places)
+    words = formatter.format_ticks(list(places))
     in_rows = np.array_equal(places, np.arange(len(places)))
     return bool(in_rows and any(not _is_number(str(word)) for word in words))
 

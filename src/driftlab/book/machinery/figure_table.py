@@ -59,21 +59,21 @@ def header(figure: Figure, table: Words) -> list[str]:
     lines, missing = [], []
     drawn, contours = curves(figure), fields(figure)
     for number, axes in enumerate(panels(figure), 1):
-        lines.append(f"panel {number}{_title(axes)}: {_axis_words(axes)}")
-        of_panel = []
+        own = []
         for curve in (curve for curve in drawn if curve.panel == number):
             rows = finder.rows(curve, axes)
             if rows is None:
                 missing.append(f"panel {number}, {_described(curve)}")
             else:
-                of_panel.append(f'  "{_one_line(curve.name)}": {rows}')
-        lines += dict.fromkeys(of_panel)
+                own.append(f'  "{_one_line(curve.name)}": {rows}')
         for field in (field for field in contours if field.panel == number):
             names = finder.field(field)
             if names is None:
                 missing.append(f"panel {number}, contours")
             else:
-                lines.append("  contours: x = {}, y = {}, value = {}".format(*names))
+                own.append("  contours: x = {}, y = {}, value = {}".format(*names))
+        lines.append(f"panel {number}{_title(axes)}: {_axis_words(axes)}".rstrip())
+        lines += dict.fromkeys(own)  # several curves may be made of the same rows
     if missing:
         raise MissingCurves(f"The table does not hold what is drawn: {'; '.join(missing)}.")
     return lines

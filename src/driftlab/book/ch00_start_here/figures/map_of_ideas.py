@@ -1,7 +1,7 @@
 """From the bend to the heading on one page: what leads to what, and in which chapter."""
 
 from textwrap import fill
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -71,15 +71,15 @@ def draw(_: object, sheet: Sheet) -> Figure:
         middle = _middle(idea, sheet)
         axes.add_patch(
             FancyBboxPatch(
-                tuple(middle - size / 2), *size, boxstyle="round,pad=0.02", edgecolor=idea.colour,
-                facecolor="white", linewidth=1.0 if sheet.on_paper else 1.6,
+                tuple(middle - size / 2), size[0], size[1], boxstyle="round,pad=0.02",
+                edgecolor=idea.colour, facecolor="white", linewidth=1.0 if sheet.on_paper else 1.6,
             )
         )  # fmt: skip
         lines = idea.says.splitlines()
         text = "\n".join(fill(line, LETTERS) for line in lines) if sheet.narrow else idea.says
-        words = {"ha": "center", "va": "center", "color": BLACK}
-        axes.text(*(middle + [0, 0.1 * size[1]]), text, fontsize=says, **words)
-        axes.text(*(middle - [0, 0.38 * size[1]]), idea.chapters, fontsize=chapters, **words)
+        words: dict[str, Any] = {"ha": "center", "va": "center", "color": BLACK}
+        axes.text(middle[0], middle[1] + 0.1 * size[1], text, fontsize=says, **words)
+        axes.text(middle[0], middle[1] - 0.38 * size[1], idea.chapters, fontsize=chapters, **words)
     for cause, effect in LEADS_TO:
         start, end = (_middle(IDEAS[name], sheet) for name in (cause, effect))
         along = 1 if sheet.narrow else 0

@@ -1,5 +1,7 @@
 """The error quaternion in time, by closed form and by a numerical integrator; Larin (1.4)."""
 
+from typing import Any
+
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
@@ -48,7 +50,7 @@ class ErrorMotionPicture(Picture[ErrorMotion]):
         self.lines, self.dots = [], []
         for name, style, marker in zip(COMPONENTS, SERIES, "osD^", strict=False):
             self.lines.append(self.line(axes, **style, label=name))
-            dot = {"linestyle": "none", "marker": marker, "fillstyle": "none"}
+            dot: dict[str, Any] = {"linestyle": "none", "marker": marker, "fillstyle": "none"}
             dot["markersize"] = 2.2 if self.sheet.on_paper else 3.0
             self.dots.append(self.line(axes, color=style["color"], **dot))
         self.dots[-1].set_label("integrator")

@@ -1,5 +1,7 @@
 """Roots of the characteristic equation against the size of the deformation; Larin (2.1), (2.2)."""
 
+from typing import Any
+
 import numpy as np
 
 from driftlab.book.machinery.picture import BLACK, GUIDE, SERIES, Picture, legend_below
@@ -45,7 +47,7 @@ class RootsPicture(Picture[Roots]):
             width_ratios=(0.45, 1.15, 1.25), column="ab;cc", column_height=5.2, page_height=3.4,
         )  # fmt: skip
         plane, course, error = panels.values()
-        self.plane_axes, self.course_axes = plane, course
+        self.plane_axes, self.course_axes, self.error_axes = plane, course, error
         plane.set(title="complex plane", xlabel=r"Re $s/|\omega|$")
         plane.set(ylabel=r"Im $s/|\omega|$", xlim=(-1, 1), ylim=(-3.2, 3.2))
         plane.axvline(0, color=BLACK, linewidth=0.8)
@@ -81,7 +83,11 @@ class RootsPicture(Picture[Roots]):
             if self.sheet.on_paper:
                 legend_below(axes, 1 if axes is course else 2)
                 continue
-            below = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.17), "frameon": False}
+            below: dict[str, Any] = {
+                "loc": "upper center",
+                "bbox_to_anchor": (0.5, -0.17),
+                "frameon": False,
+            }
             axes.legend(ncols=2, columnspacing=1.2, **below)
 
     def update(self, data: Roots) -> None:
@@ -106,5 +112,5 @@ class RootsPicture(Picture[Roots]):
             self.errors, (first[:, 0], second[:, 0], copied[:, 0], copied[:, 1]), strict=True
         ):
             line.set_data(data.sizes, values)
-        for line, axes in zip(self.here, (self.course_axes, self.errors[0].axes), strict=True):
+        for line, axes in zip(self.here, (self.course_axes, self.error_axes), strict=True):
             line.set_data([data.size, data.size], axes.get_ylim())

@@ -29,7 +29,7 @@ CENTRED: dict[str, Any] = {"ha": "center", "va": "center"}
 
 
 def columns(data: dict[str, MotionHistory]) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV: every third place of each motion, and the ends of first order."""
+    """Columns of the figure's CSV: each motion, thinned, and the ends of its first order."""
     motions = next(iter(data.values())).motions
     ends = motions[[0, -1]]
     names = {name: name.replace(" ", "_") for name in data}

@@ -1,5 +1,7 @@
 """A bent triad, the frames R and B, and the error over the turns; Larin (2.3)."""
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
@@ -72,7 +74,7 @@ class DriftHistoryPicture(Picture[DriftHistory]):
             for label, tip in zip(("$i_1$", "$i_2$", "$i_3$"), project(np.eye(3)), strict=True):
                 panel.plot([0, tip[0]], [0, tip[1]], color=BLACK, linewidth=1.2)
                 panel.text(1.12 * tip[0], 1.12 * tip[1], label, ha="center", va="center")
-        bent = {"color": VERMILION, "linestyle": "--", "marker": "o"}
+        bent: dict[str, Any] = {"color": VERMILION, "linestyle": "--", "marker": "o"}
         bent["markersize"] = 2.5 if self.sheet.on_paper else 4
         self.triad = self._three(triad, bent)
         self.frame_b = self._three(frames, bent)
@@ -107,9 +109,9 @@ class DriftHistoryPicture(Picture[DriftHistory]):
         lean, turns = f"lean ×{data.exaggeration:g}", f"after {last:g} turns"
         between = "\n" if self.sheet.on_paper else " "
         words = (f"the gyros' axes,{between}{lean}", f"R, and B as computed,{between}{turns}")
-        for title, text in zip(self.titles, words, strict=True):
-            if title.get_text() != text:
-                title.set_text(text)
+        for title, said in zip(self.titles, words, strict=True):
+            if title.get_text() != said:
+                title.set_text(said)
                 self.rescaled = True
         self.set_limits(self.history, "x", 0.0, last)
         angle = np.linalg.norm(data.snapshots[-1])

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.book.scenarios import LARIN_TRIAD
-from driftlab.checks import FloatArray, finite_array
+from driftlab.checks import FloatArray, finite_array, whole_number
 from driftlab.drift.step_formulas import integrate_steps
 from driftlab.drift.turn_calibration import TurnExperiment, turn_estimate
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns, weighing
@@ -17,7 +17,7 @@ from driftlab.motion.table_turn import TableTurn
 from driftlab.triad import non_orthogonality
 
 from ..experiment_numbers import SUM_FACTORS
-from .turns import SEED
+from .turns import ANGLE_NOISE, SEED
 
 AS_COPIED, AS_DERIVED = SUM_FACTORS["1, n4 as in the copy"], SUM_FACTORS["3/2, as derived"]
 """What multiplies the fourth turn estimate to give the sum of the sigmas."""
@@ -25,6 +25,8 @@ SENSES = {"one": (1.0,), "both": (1.0, -1.0)}
 """Factors of the table's rate by what the panel calls them."""
 REPEATS = 12
 """Runs of a calibration with noise."""
+NOISY_TURN = TurnExperiment(step_formula="taylor-4", angle_noise=ANGLE_NOISE)
+"""How the turns of the published figure are made."""
 
 
 class Plan(NamedTuple):
@@ -56,35 +58,40 @@ class TurnEstimates(NamedTuple):
     Attributes
     ----------
     true : ndarray, shape (3,)
-    runs : ndarray, shape (REPEATS, 3)
+    runs : ndarray, shape (repeats, 3)
         Estimates; all the same if there is no noise.
     axes : ndarray, shape (m, 3)
         Axes of the turns.
+    angle_noise : float
+        rad a turn and gyro.
     """
 
     true: FloatArray
     runs: FloatArray
     axes: FloatArray
+    angle_noise: float
 
 
 def turn_estimates(
-    triad_error: ArrayLike,
+    triad_error: ArrayLike = LARIN_TRIAD,
     plan: str = "three pair axes, (3.4)",
-    experiment: TurnExperiment | None = None,
+    experiment: TurnExperiment = NOISY_TURN,
     seed: int = SEED,
     *,
     table: TableTurn | None = None,
     senses: str = "one",
     gyro_bias: float = 0.0,
+    repeats: int = REPEATS,
 ) -> TurnEstimates:
-    """Calibrate one triad `REPEATS` times (once, if there is no noise).
+    """Calibrate one triad several times (once, if there is no noise).
 
     Parameters
     ----------
     triad_error : array_like, shape (3, 3)
     plan : str
         A name in `PLANS`.
-    experiment : TurnExperiment, optional
+    experiment : TurnExperiment
+        Turns, steps, step formula and noise.
     seed : int
         Of the noise.
     table : TableTurn, optional
@@ -94,7 +101,10 @@ def turn_estimates(
         Whether to turn as the table says only, or also the other way, and take the mean.
     gyro_bias : float
         Of each gyro, rad/s. It needs a table, for a turn without a time has no rate.
+    repeats : int
+        Runs.
     """
+    count = whole_number(repeats, "repeats")
     triad_error = finite_array(triad_error, "triad_error", 3, 3)
     if plan not in PLANS:
         raise ValueError(f"plan: expected one of {', '.join(PLANS)}, got {plan!r}.")
@@ -102,10 +112,9 @@ def turn_estimates(
         raise ValueError(f"senses: expected one of {', '.join(SENSES)}, got {senses!r}.")
     if gyro_bias and table is None:
         raise ValueError("table: expected a TableTurn, whose rate says what a bias does, got None.")
-    experiment = experiment or TurnExperiment()
     axes, method = PLANS[plan]
-    repeats = REPEATS if experiment.angle_noise else 1
-    repeated = np.broadcast_to(axes, (repeats, *axes.shape))
+    different = count if experiment.angle_noise else 1
+    repeated = np.broadcast_to(axes, (different, *axes.shape))
     rng = np.random.default_rng(seed)
     if table is None:
         turned = [experiment.estimate(repeated, triad_error, rng) for _ in SENSES[senses]]
@@ -118,7 +127,8 @@ def turn_estimates(
     estimates = np.mean(turned, axis=0)
     runs = yates_sigma(estimates) if method == "yates" else fit_turns(estimates, axes, method).sigma
     sigma = non_orthogonality(triad_error)[..., [0, 0, 1], [1, 2, 2]]
-    return TurnEstimates(sigma, np.broadcast_to(runs, (REPEATS, 3)), axes)
+    every = np.broadcast_to(runs, (count, 3))
+    return TurnEstimates(sigma, every, axes, experiment.angle_noise)
 
 
 def _on_table(

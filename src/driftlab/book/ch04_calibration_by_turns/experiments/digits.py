@@ -5,9 +5,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, whole_number
 
-from ..experiment_numbers import NAMES, STEPS, TRIADS, candidates
+from ..copied_digits import NUMBER
+from ..experiment_numbers import NAMES, SIGN_RESTORED, STEPS, TRIADS, agreement, candidates
 
 CHOSEN_BY = {"sigma1*": "step formula", "sigma4*": "factor of sigma4*"}
 """The numbers that served to choose an assumption, and support nothing."""
@@ -26,12 +27,18 @@ class LarinDigits(NamedTuple):
         How many of all candidates give each number, whichever way they form sigma4*.
     candidates : int
         How many there are.
+    steps : tuple of int
+        Numbers of steps in the turn.
+    texts : tuple of str
+        The seven numbers, digit for digit.
     """
 
     labels: list[str]
     agrees: FloatArray
     counts: NDArray[np.int64]
     candidates: int
+    steps: tuple[int, ...]
+    texts: tuple[str, ...]
 
     @property
     def winners(self) -> int:
@@ -44,20 +51,37 @@ class LarinDigits(NamedTuple):
         return [name in CHOSEN_BY for name in NAMES]
 
 
-def larin_digits() -> LarinDigits:
-    """Run all candidates; of those that differ in the forming of sigma4* alone, keep the best."""
-    every = candidates()
+def larin_digits(
+    texts: tuple[str, ...] = SIGN_RESTORED, steps: tuple[int, ...] = STEPS
+) -> LarinDigits:
+    """Run all candidates; of those that differ in the forming of sigma4* alone, keep the best.
+
+    Parameters
+    ----------
+    texts : tuple of str
+        The seven numbers, digit for digit: as in the copy but for a sign, if nothing else is said.
+    steps : tuple of int
+        Numbers of steps in the turn that are tried.
+    """
+    if len(texts) != len(NAMES) or not all(NUMBER.fullmatch(str(text)) for text in texts):
+        raise ValueError(
+            f"texts: expected {len(NAMES)} numbers such as {SIGN_RESTORED[0]!r}, got {texts!r}."
+        )
+    counts = tuple(whole_number(each, "steps") for each in steps)
+    if not counts:
+        raise ValueError("steps: expected at least one number of steps, got none.")
+    every = [(each, agreement(each.values, texts)) for each in candidates(counts, texts)]
     best: dict[tuple[str, str, int], list[bool]] = {}
-    for candidate in every:  # best first
+    for candidate, agrees in every:  # best first
         key = (candidate.triad, candidate.step_formula, candidate.steps)
-        best.setdefault(key, candidate.agrees)
+        best.setdefault(key, agrees)
 
     def total(row: tuple[str, str]) -> int:
-        return sum(sum(best[*row, steps]) for steps in STEPS)
+        return sum(sum(best[*row, count]) for count in counts)
 
     rows = {(triad, formula) for triad, formula, _ in best}
     ordered = sorted(rows, key=lambda row: (TRIADS.index(row[0]), -total(row), row[1]))
-    agrees = [[best[*row, steps] for row in ordered] for steps in STEPS]
+    shown = [[best[*row, count] for row in ordered] for count in counts]
     labels = [f"{triad}, {formula}" for triad, formula in ordered]
-    counts = np.sum([candidate.agrees for candidate in every], axis=0)
-    return LarinDigits(labels, np.array(agrees, dtype=float), counts, len(every))
+    give = np.sum([agrees for _, agrees in every], axis=0)
+    return LarinDigits(labels, np.array(shown, dtype=float), give, len(every), counts, tuple(texts))

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array
+from driftlab.checks import FloatArray, finite_array, positive_number
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment, exact_turn_estimate
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, weighing
@@ -21,10 +21,8 @@ from ..experiment_numbers import SIGN_RESTORED, TRIADS, triad_reading
 STEPS_IN_TURN = 100
 OF_SIGMA1 = np.array(digit_interval(SIGN_RESTORED[0])) * 2 * np.pi / STEPS_IN_TURN
 """Least and greatest angle error of a step with which sigma1* comes out, rad."""
-STEP_ERRORS: FloatArray = np.union1d(
-    np.linspace(-3e-9, 3e-9, 60), np.linspace(OF_SIGMA1[0], OF_SIGMA1[1], 5)[1:-1]
-)
-"""Angle errors of one step that are looked at, rad; some of them give sigma1*."""
+LARGEST_STEP_ERROR = 3e-9
+"""Angle error of one step up to which is looked, rad."""
 FACTORS = (0.8, 1.7)
 """Lowest and highest factor that is looked at."""
 
@@ -37,32 +35,52 @@ class FreeNumbers(NamedTuple):
     step_error : ndarray, shape (m,)
         Angle error of the integrator in a hundredth of a turn, rad.
     bounds : ndarray, shape (triad, 2, 7, m)
-        Lowest and highest factor between the two of `FACTORS` with which a number comes out,
+        Lowest and highest factor between the two of `factors` with which a number comes out,
         rounded or cut off; NaN where none does.
     formulas : dict of str to float
         Angle error of the step formulas that lie in the range of `step_error`, rad.
+    factors : tuple of float
+        Lowest and highest factor that is looked at.
     """
 
     step_error: FloatArray
     bounds: FloatArray
     formulas: dict[str, float]
+    factors: tuple[float, float]
 
     def extent(self, triad: int) -> list[str]:
         """Where each number comes out for one reading: "everywhere", "nowhere" or "in part"."""
         low, high = self.bounds[triad]
-        whole = (low == FACTORS[0]) & (high == FACTORS[1])
+        whole = (low == self.factors[0]) & (high == self.factors[1])
         return [
             "everywhere" if all_of else "nowhere" if none_of else "in part"
             for all_of, none_of in zip(whole.all(axis=-1), np.isnan(low).all(axis=-1), strict=True)
         ]
 
 
-def free_numbers() -> FreeNumbers:
-    """Bounds of the factor over `STEP_ERRORS`, for each reading of the triad."""
-    bounds = [factor_bounds(triad, STEP_ERRORS, FACTORS) for triad in TRIADS]
-    errors = {formula: step_error(formula) for formula in STEP_FORMULAS}
-    within = {name: error for name, error in errors.items() if abs(error) <= STEP_ERRORS.max()}
-    return FreeNumbers(STEP_ERRORS, np.array(bounds), within)
+def free_numbers(
+    largest_step_error: float = LARGEST_STEP_ERROR, factors: tuple[float, float] = FACTORS
+) -> FreeNumbers:
+    """Bounds of the factor over the error of a step, for each reading of the triad.
+
+    Parameters
+    ----------
+    largest_step_error : float
+        Angle error of one step up to which is looked, rad.
+    factors : tuple of float
+        Lowest and highest factor that is looked at, above 0.
+    """
+    largest = positive_number(largest_step_error, "largest_step_error")
+    low, high = (positive_number(factor, "factors") for factor in factors)
+    if not low < high:
+        raise ValueError(f"factors: expected the lowest before the highest, got {factors!r}.")
+    # Some of them give sigma1*.
+    giving = np.linspace(OF_SIGMA1[0], OF_SIGMA1[1], 5)[1:-1]
+    errors = np.union1d(np.linspace(-largest, largest, 60), giving[np.abs(giving) <= largest])
+    bounds = [factor_bounds(triad, errors, (low, high)) for triad in TRIADS]
+    formulas = {formula: step_error(formula) for formula in STEP_FORMULAS}
+    within = {name: error for name, error in formulas.items() if abs(error) <= largest}
+    return FreeNumbers(errors, np.array(bounds), within, (low, high))
 
 
 def step_error(formula: str) -> float:

@@ -1,12 +1,12 @@
 """Turns of a real table on the Earth: what each error of theirs does to the sigmas."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 from scipy.constants import arcminute, arcsecond, degree, hour, micro
 
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, whole_number
 from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.turn_calibration import earth_offset, exact_turn_estimate
@@ -105,8 +105,10 @@ class RealTableErrors(NamedTuple):
     simulated, half_width : ndarray, shape (r, way)
         Root mean square error over the runs, and half of its 95 % interval, rad.
     budget : Budget
-        At the default rate.
+        At the rate of the table.
     runs : int
+    rate : float
+        Of the table, rad/s.
     """
 
     rates: FloatArray
@@ -116,6 +118,7 @@ class RealTableErrors(NamedTuple):
     half_width: FloatArray
     budget: Budget
     runs: int
+    rate: float
 
 
 def sigmas_by_way(estimates: FloatArray) -> FloatArray:
@@ -217,7 +220,11 @@ def simulated_turns(table: RealTable, runs: int, rng: np.random.Generator) -> Fl
     return found
 
 
-def real_table(runs: int = 200, seed: int = SEED) -> RealTableErrors:
+def real_table(
+    runs: int = 200,
+    seed: int = SEED,
+    table: RealTable = RealTable(),
+) -> RealTableErrors:
     """Budget over the table's rate, and simulations of the whole at three rates.
 
     Parameters
@@ -226,19 +233,24 @@ def real_table(runs: int = 200, seed: int = SEED) -> RealTableErrors:
         Calibrations simulated at each rate.
     seed : int
         Of all errors and the noise.
+    table : RealTable
+        Where and how the turns are made; its rate is that of the budget.
     """
+    count = whole_number(runs, "runs", least=2)
     rng = np.random.default_rng(seed)
     rates = np.array([1, 1.5, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100]) * degree
     simulated_rates = rates[[2, 6, 10]]
     simulated, half_width = np.empty((2, len(simulated_rates), len(WAYS)))
     for row, rate in enumerate(simulated_rates):
-        estimates = simulated_turns(RealTable(rate), runs, rng)
+        estimates = simulated_turns(replace(table, rate=rate), count, rng)
         squares = ((sigmas_by_way(estimates) - SIGMA_ON_TABLE) ** 2).mean(axis=-1)
         simulated[row] = np.sqrt(squares.mean(axis=-1))
         # The mean of the squares is near normal; its root divides by twice the root.
-        half_width[row] = 1.96 * squares.std(axis=-1) / np.sqrt(runs) / (2 * simulated[row])
-    expected = np.array([budget(RealTable(rate)).total for rate in rates])
-    return RealTableErrors(rates, expected, simulated_rates, simulated, half_width, budget(), runs)
+        half_width[row] = 1.96 * squares.std(axis=-1) / np.sqrt(count) / (2 * simulated[row])
+    expected = np.array([budget(replace(table, rate=rate)).total for rate in rates])
+    return RealTableErrors(
+        rates, expected, simulated_rates, simulated, half_width, budget(table), count, table.rate
+    )
 
 
 def _across(n: FloatArray) -> FloatArray:

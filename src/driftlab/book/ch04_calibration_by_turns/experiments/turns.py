@@ -5,7 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray
+from driftlab.book.scenarios import LARIN_TRIAD
+from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.turn_calibration import TurnExperiment, exact_turn_estimate
 from driftlab.drift.weighing_designs import PAIR_AXES
@@ -31,7 +32,9 @@ class TurnBias(NamedTuple):
     turns : ndarray, shape (n,)
         Whole turns k.
     noise : ndarray, shape (n,)
-        Standard deviation over the runs, with `ANGLE_NOISE` and exact steps.
+        Standard deviation over the runs, with exact steps.
+    expected_noise : ndarray, shape (n,)
+        The same in closed form.
     runs : int
     bias_by_turns : ndarray, shape (n,)
         Size of the bias of the method for k turns.
@@ -42,11 +45,17 @@ class TurnBias(NamedTuple):
     bias: float
     turns: FloatArray
     noise: FloatArray
+    expected_noise: FloatArray
     runs: int
     bias_by_turns: FloatArray
 
 
-def turn_bias(triad_error: ArrayLike, runs: int = 400, seed: int = SEED) -> TurnBias:
+def turn_bias(
+    triad_error: ArrayLike = LARIN_TRIAD,
+    runs: int = 400,
+    seed: int = SEED,
+    angle_noise: float = ANGLE_NOISE,
+) -> TurnBias:
     """Error of the turn estimate about (1, 0, 1) against the steps a turn and the turns k.
 
     Parameters
@@ -56,14 +65,18 @@ def turn_bias(triad_error: ArrayLike, runs: int = 400, seed: int = SEED) -> Turn
         For each number of turns.
     seed : int
         Of the noise.
+    angle_noise : float
+        rad a turn and gyro.
     """
+    count = whole_number(runs, "runs", least=2)
+    size = positive_number(angle_noise, "angle_noise")
     steps = np.array([6, 8, 12, 16, 24, 32, 48, 64, 100, 160, 240, 360])
     by_formula = np.abs([estimate_errors(triad_error, name, steps) for name in FORMULAS])
     turns = np.array([1, 2, 3, 5, 8, 13, 21, 34])
     rng = np.random.default_rng(seed)
-    repeated = np.broadcast_to(PAIR_AXES[1], (runs, 3))
+    repeated = np.broadcast_to(PAIR_AXES[1], (count, 3))
     noise = [
-        TurnExperiment(int(k), 12, "exact", ANGLE_NOISE).estimate(repeated, triad_error, rng).std()
+        TurnExperiment(int(k), 12, "exact", size).estimate(repeated, triad_error, rng).std()
         for k in turns
     ]
     bias_by_turns = np.abs([method_bias(triad_error, int(k)) for k in turns])
@@ -73,7 +86,8 @@ def turn_bias(triad_error: ArrayLike, runs: int = 400, seed: int = SEED) -> Turn
         float(bias_by_turns[0]),
         turns,
         np.array(noise),
-        runs,
+        expected_noise(turns, size),
+        count,
         bias_by_turns,
     )
 

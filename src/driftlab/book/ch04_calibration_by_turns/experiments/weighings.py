@@ -3,8 +3,15 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    finite_number,
+    positive_number,
+    whole_number,
+)
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns
 
@@ -38,40 +45,56 @@ class WeighingDesigns(NamedTuple):
     expected : ndarray, shape (2, method)
         Closed form of the same.
     runs : int
+    offset : float
+        In units of the noise.
     """
 
     measured: FloatArray
     half_width: FloatArray
     expected: FloatArray
     runs: int
+    offset: float
 
 
-def weighing_designs(runs: int = 20_000, seed: int = SEED) -> WeighingDesigns:
+def weighing_designs(
+    runs: int = 20_000,
+    seed: int = SEED,
+    sigma: ArrayLike = SIGMA,
+    noise: float = NOISE,
+    offset: float = OFFSET,
+) -> WeighingDesigns:
     """Monte Carlo over white noise on each turn estimate, equal for all axes.
-
-    The true sigmas and the sizes of noise and offset are `SIGMA`, `NOISE` and `OFFSET`.
 
     Parameters
     ----------
     runs : int
     seed : int
         Of the noise.
+    sigma : array_like, shape (3,)
+        True sigma1, sigma2, sigma3.
+    noise : float
+        Standard deviation of each turn estimate.
+    offset : float
+        Common to all turn estimates.
     """
+    count = whole_number(runs, "runs", least=2)
+    sigmas, size = finite_array(sigma, "sigma", 3), positive_number(noise, "noise")
+    common = finite_number(offset, "offset")
     rng = np.random.default_rng(seed)
-    true = drift_coefficient(YATES_AXES, triad_error(SIGMA))
-    noise = rng.normal(0.0, NOISE, (runs, 4))
+    true = drift_coefficient(YATES_AXES, triad_error(sigmas))
+    noises = rng.normal(0.0, size, (count, 4))
     measured, half_width, expected = np.empty((3, 2, len(METHODS)))
-    for row, offset in enumerate((0.0, OFFSET)):
-        errors = _estimates(true + offset + noise) - SIGMA
-        squares = (errors**2).mean(axis=-1) / NOISE**2
+    for row, added in enumerate((0.0, common)):
+        errors = _estimates(true + added + noises) - sigmas
+        squares = (errors**2).mean(axis=-1) / size**2
         rms = np.sqrt(squares.mean(axis=-1))
         measured[row] = rms
         # The mean of squares is near normal over this many runs; its root divides by 2 rms.
-        half_width[row] = 1.96 * squares.std(axis=-1) / np.sqrt(runs) / (2 * rms)
-        bias = _estimates((true + offset)[np.newaxis])[:, 0] - SIGMA
+        half_width[row] = 1.96 * squares.std(axis=-1) / np.sqrt(count) / (2 * rms)
+        bias = _estimates((true + added)[np.newaxis])[:, 0] - sigmas
         variance = (_responses() ** 2).sum(axis=-1).mean(axis=-1)
-        expected[row] = np.sqrt(variance + (bias**2).mean(axis=-1) / NOISE**2)
-    return WeighingDesigns(measured, half_width, expected, runs)
+        expected[row] = np.sqrt(variance + (bias**2).mean(axis=-1) / size**2)
+    return WeighingDesigns(measured, half_width, expected, count, common / size)
 
 
 def _estimates(turn_estimates: FloatArray) -> FloatArray:

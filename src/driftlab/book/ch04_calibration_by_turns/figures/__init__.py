@@ -3,38 +3,58 @@
 import numpy as np
 
 from driftlab.book.machinery.publish import FigureDefinition
-from driftlab.book.scenarios import LARIN_TRIAD
-from driftlab.drift.turn_calibration import TurnExperiment
 
 from .. import experiments
+from ..experiment_numbers import NAMES, TRIADS
 from . import free_numbers, larin_digits, real_table, turn_bias, turn_estimates, weighing_designs
+
+
+def _free_caption(data: experiments.FreeNumbers) -> str:
+    extent = dict(zip(NAMES, data.extent(TRIADS.index("unit third axis")), strict=True))
+    others = [data.extent(i) for i, triad in enumerate(TRIADS) if triad != "unit third axis"]
+    nowhere = [name for i, name in enumerate(NAMES) if all(each[i] == "nowhere" for each in others)]
+    pinned, everywhere = (
+        listed([name for name, where in extent.items() if where == kind])
+        for kind in ("in part", "everywhere")
+    )
+    return (
+        "Two numbers left free: the angle error of the integrator in a hundredth of a turn and "
+        "the factor in sigma4*. Filled is where a number comes out, rounded or cut off; dots "
+        f"are {len(data.formulas)} step formulas with three factors each. With an axis of unit "
+        f"length the digits of {pinned} pin the error or the factor; {everywhere} come out "
+        "everywhere here and say nothing about either. With both other readings of the triad "
+        f"{listed(nowhere)} come out nowhere."
+    )
+
+
+def listed(names: list[str]) -> str:
+    """Names as a sentence has them; "none" if there are none."""
+    return " and ".join(filter(None, [", ".join(names[:-1]), *names[-1:]])) or "none"
+
 
 FIGURES = (
     FigureDefinition(
         "04-turn-bias",
-        lambda: experiments.turn_bias(LARIN_TRIAD),
+        experiments.turn_bias,
         turn_bias.draw,
         turn_bias.columns,
         lambda data: (
-            "Size of the error of sigma2 of Larin's triad. With many steps what remains is the "
-            f"bias of the method itself, {data.bias:.1e}; a dip on the way is where the error of "
-            "the integrator has the opposite sign and cancels it. More turns lower the noise only "
-            f"({data.runs} runs for each dot)."
+            "Size of the error of sigma2 of a bent triad, published for Larin's. With many steps "
+            f"what remains is the bias of the method itself, {data.bias:.1e}; a dip on the way is "
+            "where the error of the integrator has the opposite sign and cancels it. More turns "
+            f"lower the noise only ({data.runs} runs for each dot)."
         ),
     ),
     FigureDefinition(
         "04-turn-estimates",
-        lambda: experiments.turn_estimates(
-            LARIN_TRIAD,
-            experiment=TurnExperiment(step_formula="taylor-4", angle_noise=experiments.ANGLE_NOISE),
-        ),
+        experiments.turn_estimates,
         turn_estimates.TurnEstimatesPicture.draw,
         turn_estimates.columns,
         lambda data: (
-            f"Larin's triad calibrated {len(data.runs)} times by one turn about each of three "
-            "axes, with gyro noise of "
-            f"{3600 * np.degrees(experiments.ANGLE_NOISE):.1f} arc seconds "
-            "a turn. On the left the runs can hardly be told apart; on the right their errors can."
+            f"A bent triad, published for Larin's, calibrated {len(data.runs)} times by turns "
+            f"about each of {len(data.axes)} axes, with gyro noise of "
+            f"{3600 * np.degrees(data.angle_noise):.1f} arc seconds a turn. Beside the true values "
+            "the runs can hardly be told apart; their errors can."
         ),
     ),
     FigureDefinition(
@@ -56,14 +76,7 @@ FIGURES = (
         experiments.free_numbers,
         free_numbers.draw,
         free_numbers.columns,
-        lambda data: (
-            "Two numbers left free: the angle error of the integrator in a hundredth of a turn and "
-            "the factor in sigma4*. Filled is where a number comes out, rounded or cut off; dots "
-            f"are {len(data.formulas)} step formulas with three factors each. With an axis of "
-            "unit length the digits of sigma1* pin the error, those of sigma4* and sigma1** "
-            "pin the factor; the other four come out everywhere here and say nothing about either. "
-            "With the other readings of the triad sigma2* and sigma3* come out nowhere."
-        ),
+        _free_caption,
     ),
     FigureDefinition(
         "04-weighing-designs",
@@ -87,7 +100,7 @@ FIGURES = (
             "sense the Earth covers everything else; both senses leave the scale factor, and a "
             "common offset solved for leaves the gyro bias. Both together leave "
             f"{3600 * np.degrees(data.budget.total[-1]):.1f} arc seconds at "
-            f"{np.degrees(experiments.RealTable().rate):g} deg/s. On the right a row is a source; "
+            f"{np.degrees(data.rate):g} deg/s. Source by source, a row is a source; "
             f"a mark that is not there is below {real_table.LOWEST:g} arc seconds."
         ),
     ),

@@ -1,39 +1,59 @@
 """What limits calibration by turns: the method's bias, the integrator, and the noise."""
 
+from typing import Any
+
+import numpy as np
 from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import GREY, SERIES, in_style
+from driftlab.book.machinery.picture import GREY, SERIES, decades, in_style, legend_below
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
-from ..experiments import FORMULAS, TurnBias, expected_noise
+from ..experiments import FORMULAS, TurnBias
 
-_BIAS = {"color": GREY, "linewidth": 5, "alpha": 0.5, "label": "bias of the method"}
+_BIAS: dict[str, Any] = {"color": GREY, "linewidth": 5, "alpha": 0.5, "label": "bias of the method"}
 
 
 def columns(data: TurnBias) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV: the first panel."""
-    return {"steps_per_turn": data.steps, **dict(zip(FORMULAS, data.by_formula, strict=True))}
+    """Columns of the figure's CSV: errors over the steps a turn, then over the turns."""
+    return {
+        "steps_per_turn": data.steps,
+        **dict(zip(FORMULAS, data.by_formula, strict=True)),
+        "bias_of_the_method": np.full(len(data.steps), data.bias),
+        "turns": data.turns,
+        "noise_standard_deviation": data.noise,
+        "noise_expected": data.expected_noise,
+        "bias_by_turns": data.bias_by_turns,
+    }
 
 
 @in_style
 def draw(data: TurnBias, sheet: Sheet) -> Figure:
     """Error over the steps a turn, and noise over the number of turns."""
-    figure = Figure(figsize=(10.0, 4.0))
-    steps, turns = figure.subplots(1, 2)
-    figure.subplots_adjust(0.075, 0.14, 0.985, 0.9, wspace=0.22)
+    figure, panels = sheet.mosaic(
+        "ab", (10.0, 4.0), (0.075, 0.14, 0.985, 0.9), spaces=(0.22, 0.2), column_height=5.2
+    )
+    steps, turns = panels["a"], panels["b"]
+    table = columns(data)
+    size = "error of $\\sigma_2$"
     steps.set(title="one turn, no noise", xscale="log", yscale="log", xlim=(6, 360))
-    steps.set(xlabel="integration steps in the turn", ylim=(1e-9, 1), ylabel="error of $\\sigma_2$")
+    steps.set(xlabel="integration steps in the turn", ylabel=size)
+    steps.set_ylim(*decades([*data.by_formula, table["bias_of_the_method"]], 1e-9, 1))
     steps.set_xticks([6, 10, 20, 50, 100, 200, 360], ["6", "10", "20", "50", "100", "200", "360"])
     steps.minorticks_off()
+    dot = 2.5 if sheet.on_paper else 4
     for name, errors, style, marker in zip(
         FORMULAS, data.by_formula, SERIES, "osD^vx", strict=False
     ):
-        steps.plot(data.steps, errors, **style, marker=marker, markersize=4, label=name)
-    steps.plot(data.steps[[0, -1]], [data.bias, data.bias], **_BIAS)
-    steps.legend(loc="upper right", ncols=2)
+        steps.plot(data.steps, errors, **style, marker=marker, markersize=dot, label=name)
+    steps.plot(data.steps, table["bias_of_the_method"], **_BIAS)
+    if sheet.on_paper:
+        legend_below(steps, 3)
+    else:
+        steps.legend(loc="upper right", ncols=2)
     turns.set(title="k turns, exact steps, noisy gyros", xscale="log", yscale="log")
-    turns.set(xlabel="turns k", ylabel="error of $\\sigma_2$", xlim=(0.9, 40), ylim=(1e-7, 1e-4))
+    turns.set(xlabel="turns k", ylabel=size, xlim=(0.9, 40))
+    turns.set_ylim(*decades([data.noise, data.expected_noise, data.bias_by_turns], 1e-7, 1e-4))
     turns.set_xticks([1, 2, 5, 10, 20, 40], ["1", "2", "5", "10", "20", "40"])
     turns.minorticks_off()
     turns.plot(
@@ -46,7 +66,7 @@ def draw(data: TurnBias, sheet: Sheet) -> Figure:
     )
     turns.plot(
         data.turns,
-        expected_noise(data.turns),
+        data.expected_noise,
         color=GREY,
         linestyle="--",
         label=r"noise expected, falls as $1/\sqrt{k}$",

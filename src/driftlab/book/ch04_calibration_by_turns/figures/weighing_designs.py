@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from driftlab.book.machinery.picture import BLACK, BLUE, ORANGE, in_style
 from driftlab.book.machinery.sheet import Sheet
 
-from ..experiments import METHODS, NOISE, OFFSET, WeighingDesigns
+from ..experiments import METHODS, WeighingDesigns
 
 
 def columns(data: WeighingDesigns) -> dict[str, Any]:
@@ -16,24 +16,33 @@ def columns(data: WeighingDesigns) -> dict[str, Any]:
     names = ("without_offset", "with_offset")
     table: dict[str, Any] = {"method": METHODS}
     for i, name in enumerate(names):
-        table |= {f"rms_{name}": data.measured[i], f"expected_{name}": data.expected[i]}
+        table |= {
+            f"rms_{name}": data.measured[i],
+            f"rms_{name}_from": data.measured[i] - data.half_width[i],
+            f"rms_{name}_to": data.measured[i] + data.half_width[i],
+            f"expected_{name}": data.expected[i],
+        }
     return table
 
 
 @in_style
 def draw(data: WeighingDesigns, sheet: Sheet) -> Figure:
     """Two marks a method, with the closed form beside them."""
-    figure = Figure(figsize=(9.0, 3.6))
-    axes = figure.subplots()
-    figure.subplots_adjust(0.24, 0.15, 0.98, 0.9)
-    axes.set(title="root mean square error of the three sigmas", xscale="log")
-    axes.set(xlabel="error in units of the noise of one turn estimate")
+    figure, panels = sheet.mosaic("a", (9.0, 3.6), (0.24, 0.15, 0.98, 0.9), column_height=2.7)
+    axes = panels["a"]
+    title = (
+        "rms error of the sigmas" if sheet.narrow else "root mean square error of the three sigmas"
+    )
+    axes.set(title=title, xscale="log")
+    narrow = "error / noise of one turn estimate"
+    axes.set_xlabel(narrow if sheet.narrow else "error in units of the noise of one turn estimate")
     axes.set_yticks(range(len(METHODS)), METHODS)
     axes.invert_yaxis()
+    dash = 9 if sheet.on_paper else 14
     rows = np.arange(len(METHODS))
     styles = (
         ("no offset", BLUE, "o", -0.12),
-        (f"common offset, {OFFSET / NOISE:.0f} times the noise", ORANGE, "s", 0.12),
+        (f"common offset, {data.offset:.3g} times the noise", ORANGE, "s", 0.12),
     )
     for i, (label, colour, marker, shift) in enumerate(styles):
         axes.errorbar(
@@ -47,6 +56,9 @@ def draw(data: WeighingDesigns, sheet: Sheet) -> Figure:
             label=label,
         )
         closed = "closed form" if i else None
-        axes.plot(data.expected[i], rows + shift, "|", color=BLACK, markersize=14, label=closed)
-    axes.legend(loc="upper right", fontsize=10)
+        axes.plot(data.expected[i], rows + shift, "|", color=BLACK, markersize=dash, label=closed)
+    if sheet.narrow:
+        figure.legend(loc="outside lower center", ncols=1)
+    else:
+        axes.legend(loc="upper right", fontsize="medium" if sheet.on_paper else 10)
     return figure

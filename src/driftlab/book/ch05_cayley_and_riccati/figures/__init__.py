@@ -3,7 +3,6 @@
 import numpy as np
 
 from driftlab.book.machinery.publish import FigureDefinition
-from driftlab.book.scenarios import OBLIQUE_AXIS
 
 from .. import experiments
 from . import cayley_map, riccati_turns
@@ -11,7 +10,7 @@ from . import cayley_map, riccati_turns
 FIGURES = (
     FigureDefinition(
         "05-cayley-map",
-        lambda: experiments.cayley_map(np.radians(experiments.EXAMPLE), OBLIQUE_AXIS),
+        experiments.cayley_map,
         cayley_map.CayleyMapPicture.draw,
         cayley_map.columns,
         lambda data: (
@@ -28,11 +27,10 @@ FIGURES = (
         riccati_turns.columns,
         lambda data: (
             f"A body that passes the whole turn at {np.degrees(data.miss):.0f}° from the singular "
-            "attitude. Left: the vector with and without the switch to its shadow; about a fixed "
-            f"axis it ends at a length of {np.linalg.norm(data.ended.vector[-1]):.0e}. "
-            "Middle: a fixed step loses digits at the singularity for good. Right: a variable step "
-            "reaches the same accuracy, with more work; each dot is a tolerance, each line a "
-            "distance from the singularity."
+            "attitude. The vector k, with and without the switch to its shadow: about a fixed axis "
+            f"it ends at a length of {np.linalg.norm(data.ended.vector[-1]):.0e}. A fixed step "
+            "loses digits at the singularity for good. A variable step reaches the same accuracy, "
+            "with more work; each dot is a tolerance, each line a distance from the singularity."
         ),
     ),
 )

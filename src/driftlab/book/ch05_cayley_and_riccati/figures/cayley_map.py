@@ -1,15 +1,19 @@
 """Both Cayley vectors of a rotation, and how far each is from its singularity; (1.2), (1.3)."""
 
+from typing import Any
+
 import numpy as np
 
 from driftlab.book.machinery.picture import (
     BLACK,
     BLUE,
     GREY,
+    GUIDE,
     PURPLE,
     SERIES,
     VERMILION,
     Picture,
+    legend_below,
     plain_axes,
     project,
 )
@@ -21,10 +25,24 @@ REACH = 4.0
 """Longest vector that the picture shows."""
 
 
-def columns(data: CayleyMap) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV."""
+def columns(data: CayleyMap) -> dict[str, Any]:
+    """Columns of the figure's CSV: the curves as far as they are drawn, and the marks."""
     names = ("dimension_3", "dimension_4", "shadow")
-    return {"angle_deg": np.degrees(data.angles), **dict(zip(names, data.curves, strict=True))}
+    marks = (data.along_3, data.along_4, data.shadow)
+    return {
+        "angle_deg": np.degrees(data.angles),
+        **dict(zip(names, shown(data.curves), strict=True)),
+        "mark_angle_deg": [np.degrees(data.angle)],
+        **{
+            f"mark_{name}": [np.nan if mark is None else mark]
+            for name, mark in zip(names, marks, strict=True)
+        },
+    }
+
+
+def shown(curves: FloatArray) -> FloatArray:
+    """Curves with gaps where they are far outside the picture, on their way through infinity."""
+    return np.where(np.abs(curves) < 2 * REACH, curves, np.nan)
 
 
 class CayleyMapPicture(Picture[CayleyMap]):
@@ -33,8 +51,13 @@ class CayleyMapPicture(Picture[CayleyMap]):
     size = (10.5, 4.4)
 
     def build(self) -> None:
-        triad, curves = self.figure.subplots(1, 2, gridspec_kw={"width_ratios": [0.7, 1.6]})
-        self.figure.subplots_adjust(0.01, 0.2, 0.985, 0.92, wspace=0.13)
+        self.figure, panels = self.sheet.mosaic(
+            "ab", self.size, (0.01, 0.2, 0.985, 0.92), spaces=(0.13, 0.2), width_ratios=(0.7, 1.6),
+            column_height=5.4,
+        )  # fmt: skip
+        triad, curves = panels["a"], panels["b"]
+        on_paper, narrow = self.sheet.on_paper, self.sheet.narrow
+        small = "small" if on_paper else 8.5
         plain_axes(triad)
         triad.set_title("body frame, turned about the axis")
         for label, tip in zip(("$i_1$", "$i_2$", "$i_3$"), project(np.eye(3)), strict=True):
@@ -53,22 +76,34 @@ class CayleyMapPicture(Picture[CayleyMap]):
             r"shadow of dimension 4: $\cot(\varphi/4)$",
         )
         # The curves never move, so they are drawn here once.
-        for label, values, style in zip(labels, cayley_curves(), SERIES, strict=False):
-            shown = np.where(np.abs(values) < 2 * REACH, values, np.nan)
-            curves.plot(np.degrees(ANGLES), shown, **style, label=label)
+        for label, values, style in zip(labels, shown(cayley_curves()), SERIES, strict=False):
+            curves.plot(np.degrees(ANGLES), values, **style, label=label)
         for angle in (-180, 180):
             curves.axvline(angle, color=BLUE, linewidth=0.8)
         for angle in (-360, 360):
             curves.axvline(angle, color=VERMILION, linewidth=2.5)
-        curves.text(187, 0.95 * -REACH, "dimension 3\nhas no end here", va="bottom", fontsize=8.5)
-        curves.text(353, 0.97 * REACH, "dimension 4\nhas no end here", va="top", ha="right",
-                    fontsize=8.5)  # fmt: skip
-        self.here = self.line(curves, color=BLACK, linewidth=0.8, linestyle=(0, (2, 2)))
+        says = "has no\nend here" if on_paper else "has no end here"
+        name = "dim." if narrow else "dimension"
+        letters: dict[str, Any] = {"fontsize": small, "linespacing": 1.0 if on_paper else 1.2}
+        curves.text(187, 0.95 * -REACH, f"{name} 3\n{says}", va="bottom", **letters)
+        curves.text(353, 0.97 * REACH, f"{name} 4\n{says}", va="top", ha="right", **letters)
+        self.here = self.line(
+            curves, color=BLACK, linewidth=0.8, linestyle=(0, (2, 2)), label=GUIDE
+        )
         self.dots = [
-            self.line(curves, marker=marker, markersize=8, linestyle="none", color=style["color"])
+            self.line(
+                curves,
+                marker=marker,
+                markersize=5 if on_paper else 8,
+                linestyle="none",
+                color=style["color"],
+            )
             for marker, style in zip("os^", SERIES, strict=False)
         ]
-        curves.legend(loc="upper center", ncols=3, bbox_to_anchor=(0.5, -0.14))
+        if on_paper:
+            legend_below(curves, 1 if narrow else 2)
+        else:
+            curves.legend(loc="upper center", ncols=3, bbox_to_anchor=(0.5, -0.14))
 
     def update(self, data: CayleyMap) -> None:
         self.axis.set_data(*project(np.stack([-1.1 * data.axis, 1.1 * data.axis])).T)

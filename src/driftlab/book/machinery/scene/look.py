@@ -52,7 +52,7 @@ def colour(text: str) -> str:
     if mixed := re.fullmatch(r"color-mix\(in srgb, (.+) (\d+)%, (.+)\)", text):
         share = int(mixed[2]) / 100
         parts = [np.array(to_rgb(colour(each))) for each in (mixed[1], mixed[3])]
-        return to_hex(share * parts[0] + (1 - share) * parts[1])
+        return to_hex(tuple(share * parts[0] + (1 - share) * parts[1]))
     if name := re.fullmatch(r"var\((--[\w-]+)\)", text):
         return _rules()[".dl-scene"][name[1]]
     return text
