@@ -147,32 +147,32 @@ def budget(table: RealTable | None = None) -> Budget:
     of_the_method = exact_turn_estimate(YATES_AXES, table.triad)
     of_the_method = of_the_method - drift_coefficient(YATES_AXES, table.triad)
     patterns = {
-        "Earth's rate": ([earth_offset(table.latitude, rates)], f"{table.latitude / degree:g}°"),
+        "Earth's rate": ([earth_offset(table.latitude, rates)], f"{table.latitude / degree:.3g}°"),
         "scale factor, all gyros": (
-            [table.common_scale * one], f"{table.common_scale / micro:g} ppm"
+            [table.common_scale * one], f"{table.common_scale / micro:.3g} ppm"
         ),
         "scale factor, each gyro": (
             table.gyro_scale * YATES_AXES.T[:, np.newaxis] ** 2 * one,
-            f"{table.gyro_scale / micro:g} ppm",
+            f"{table.gyro_scale / micro:.3g} ppm",
         ),
         "gyro bias": (
             table.gyro_bias * YATES_AXES.T[:, np.newaxis] / rates,
-            f"{table.gyro_bias / degree * hour:g} °/h",
+            f"{table.gyro_bias / degree * hour:.3g} °/h",
         ),
         "table overshoots": (
-            [table.overshoot / (2 * np.pi) * one], f"{table.overshoot / arcsecond:g}″"
+            [table.overshoot / (2 * np.pi) * one], f"{table.overshoot / arcsecond:.3g}″"
         ),
         "table stops at random": (
-            table.stopping / (2 * np.pi) * each_turn, f"{table.stopping / arcsecond:g}″"
+            table.stopping / (2 * np.pi) * each_turn, f"{table.stopping / arcsecond:.3g}″"
         ),
         "gyro noise": (
-            walk * each_turn, f"{60 * np.degrees(table.angle_random_walk):g} °/√h"
+            walk * each_turn, f"{60 * np.degrees(table.angle_random_walk):.3g} °/√h"
         ),
         "axis of the body": (
-            table.mounting * np.array(mounted), f"{table.mounting / arcminute:g}′"
+            table.mounting * np.array(mounted), f"{table.mounting / arcminute:.3g}′"
         ),
         "axis of the table": (
-            [table.tilt * level[1] / rates], f"{table.tilt / arcminute:g}′"
+            [table.tilt * level[1] / rates], f"{table.tilt / arcminute:.3g}′"
         ),
         "bias of the method": ([of_the_method * one], "second order"),
     }  # fmt: skip

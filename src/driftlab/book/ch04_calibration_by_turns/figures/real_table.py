@@ -54,7 +54,7 @@ def draw(data: RealTableErrors, sheet: Sheet) -> Figure:
     over_rate.set(ylabel="rms error of a sigma, arc seconds")
     over_rate.set_xticks([1, 2, 5, 10, 20, 50, 100], ["1", "2", "5", "10", "20", "50", "100"])
     over_rate.minorticks_off()
-    sources.set(title=f"source by source, {rate:g} deg/s", xscale="log")
+    sources.set(title=f"source by source, {rate:.3g} deg/s", xscale="log")
     sources.set_xlim(*decades(data.budget.total / arcsecond, 0.8 * LOWEST, 200))
     sources.set_xlabel("rms error of a sigma, arc seconds")
     rows = np.arange(len(data.budget.sizes) + 1)

@@ -57,8 +57,8 @@ def draw(data: WeighingDesigns, sheet: Sheet) -> Figure:
         )
         closed = "closed form" if i else None
         axes.plot(data.expected[i], rows + shift, "|", color=BLACK, markersize=dash, label=closed)
-    if sheet.narrow:
-        figure.legend(loc="outside lower center", ncols=1)
+    if sheet.on_paper:
+        figure.legend(loc="outside lower center", ncols=1 if sheet.narrow else 3)
     else:
-        axes.legend(loc="upper right", fontsize="medium" if sheet.on_paper else 10)
+        axes.legend(loc="upper right", fontsize=10)
     return figure

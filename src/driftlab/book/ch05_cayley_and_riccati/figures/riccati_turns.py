@@ -35,7 +35,7 @@ def columns(data: RiccatiTurns) -> dict[str, FloatArray]:
         curves[f"fixed step, {name}, rad over turns"] = (data.fixed_times[1:], error[1:])
     for i, name in enumerate(("no switch", "with switch")):
         for j, miss in enumerate(data.misses):
-            title = f"variable step, {np.degrees(miss):g}°, {name}, rad over evaluations"
+            title = f"variable step, {np.degrees(miss):.3g}°, {name}, rad over evaluations"
             curves[title] = (data.evaluations[i, j], data.worst[i, j])
     return long_table(curves)
 
@@ -72,7 +72,7 @@ def draw(data: RiccatiTurns, sheet: Sheet) -> Figure:
         error.plot(data.fixed_times[1:], errors[1:], **style, label=name)
     for i, (name, pair) in enumerate((("no switch", SERIES[1:]), ("with switch", SERIES[0::4]))):
         for j, (miss, style, marker) in enumerate(zip(data.misses, pair, "so", strict=False)):
-            label = f"{np.degrees(miss):g}°, {name}"
+            label = f"{np.degrees(miss):.3g}°, {name}"
             work.plot(
                 data.evaluations[i, j], data.worst[i, j], **style, **dot, marker=marker, label=label
             )

@@ -94,8 +94,8 @@ def _drawn(part: Part, corners: FloatArray) -> Iterator[Artist]:
     width = POINTS * style["width"] if style["stroke"] != "none" else 0.0
     if part.kind == "label":
         yield Text(
-            corners[0, 0], corners[0, 1], part.text, color=fill, ha="center", va="center", fontsize="small",
-            fontweight="bold" if style["bold"] else "normal",
+            corners[0, 0], corners[0, 1], part.text, color=fill, fontsize="small",
+            ha="center", va="center", fontweight="bold" if style["bold"] else "normal",
             path_effects=[withStroke(linewidth=1.5, foreground="white")],
         )  # fmt: skip
     elif part.kind == "dot":
