@@ -7,6 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from driftlab.book.ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY
+from driftlab.book.ch04_calibration_by_turns.experiments import RealTable
 from driftlab.checks import FloatArray
 from driftlab.motion import Scheme, Sway
 
@@ -15,9 +17,6 @@ def plain(g: FloatArray) -> FloatArray:
     """A reader's own algorithm: two increments and no correction."""
     return g[0::2] + g[1::2]
 
-
-from driftlab.book.ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY
-from driftlab.book.ch04_calibration_by_turns.experiments import RealTable
 
 LEANING = [[0, 1e-3, 0], [0, 0, 5e-4], [0, 0, 0]]
 

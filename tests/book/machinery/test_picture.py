@@ -1,11 +1,11 @@
-"""What the pictures of all chapters share: tables of curves, legends, calls."""
+"""What the pictures of all chapters share: tables of curves, limits, legends, calls."""
 
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from driftlab.attitude import Algorithm
-from driftlab.book.machinery.picture import long_table, shared_legend
+from driftlab.book.machinery.picture import decades, legend_above, long_table, shared_legend
 from driftlab.book.machinery.publish import written
 from driftlab.book.machinery.sheet import COLUMN, PAGE, Sheet
 
@@ -36,3 +36,32 @@ def test_parameters_are_written_as_one_would_type_them() -> None:
         "{'mine': mine, 'a': 'memory-4', 'b': [1.0, 1.0]}"
     )
     assert eval(written({"own": weights})) == {"own": weights}
+
+
+@pytest.mark.parametrize(
+    ("values", "limits"),
+    [
+        ([0.5, 20], (0.3, 30)),
+        ([0.02, 20], (0.01, 30)),
+        ([[0.5], [301]], (0.3, 1000)),
+        ([0.0, -1, np.nan], (0.3, 30)),  # what has no place on a log scale moves nothing
+        ([], (0.3, 30)),
+    ],
+)
+def test_logarithmic_limits_hold_what_leaves_them(values, limits) -> None:
+    assert decades(values, 0.3, 30) == limits
+
+
+@pytest.mark.parametrize("width", [None, COLUMN])
+def test_a_legend_stands_above_on_a_screen_and_below_on_paper(width) -> None:
+    figure, panels = Sheet(width).mosaic("a", (5.0, 3.0), (0.1, 0.2, 0.9, 0.8))
+    panels["a"].plot([0, 1], label="a curve")
+    panels["a"].set_xlabel("time, s")
+    legend_above(panels["a"])
+    FigureCanvasAgg(figure).draw()
+    legend = panels["a"].get_legend().get_texts()[0].get_window_extent()
+    box = panels["a"].bbox
+    if width is None:
+        assert legend.y0 >= box.y1 - 0.05 * box.height
+    else:
+        assert 0 <= legend.y0 < legend.y1 <= panels["a"].xaxis.label.get_window_extent().y0

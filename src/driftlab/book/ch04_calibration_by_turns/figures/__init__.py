@@ -96,9 +96,9 @@ FIGURES = (
         real_table.columns,
         lambda data: (
             "Turns on the Earth, with all errors of a real table. Lines: the budget to first "
-            f"order; marks: simulations of {data.runs} calibrations with 95 % intervals. As published, "
-            "in one sense the Earth covers everything else; both senses leave the scale factor, "
-            "and a common offset solved for leaves the gyro bias. Both together leave "
+            f"order; marks: simulations of {data.runs} calibrations with 95 % intervals. As "
+            "published, in one sense the Earth covers everything else; both senses leave the scale "
+            "factor, and a common offset solved for leaves the gyro bias. Both together leave "
             f"{3600 * np.degrees(data.budget.total[-1]):.1f} arc seconds at "
             f"{np.degrees(data.rate):.3g} deg/s. Source by source, a row is a source; "
             f"a mark that is not there is below {real_table.LOWEST:g} arc seconds."

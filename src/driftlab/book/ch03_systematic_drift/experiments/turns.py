@@ -1,4 +1,4 @@
-"""The error over turns and other closed motions, what part of M drifts, and about which axis."""
+"""The error over turns, what part of M drifts, and about which axis."""
 
 from typing import NamedTuple
 
@@ -7,21 +7,13 @@ from numpy.typing import ArrayLike
 
 from driftlab.book.scenarios import LARIN_TRIAD, OBLIQUE_AXIS, SKEW, SYMMETRIC
 from driftlab.checks import FloatArray, finite_array, nonzero_vectors, positive_number, whole_number
-from driftlab.drift.closed_motion import drift_per_motion
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.systematic_drift import (
     drift_coefficient,
     drift_per_turn,
     principal_drifts,
 )
-from driftlab.motion import Coning
 from driftlab.quaternion import (
-    conjugate,
-    cumulative_product,
-    from_rotation_vector,
-    multiply,
-    rotate,
-    rotation_angle,
     to_rotation_vector,
 )
 from driftlab.triad import measured_rate
@@ -35,10 +27,6 @@ EXAGGERATION = 150
 """The triad is shown with its error this many times too large."""
 DIAGONAL: FloatArray = np.ones(3) / np.sqrt(3)
 ACROSS: FloatArray = np.array([1.0, -1, 0]) / np.sqrt(2)
-SWING = float(np.radians(30))
-"""Half angle of the cone and of the swing among the closed motions, rad."""
-REPEATS = 5
-"""How often each closed motion is made."""
 
 
 class DriftHistory(NamedTuple):
@@ -236,88 +224,3 @@ def drift_map(triad_error: ArrayLike = LARIN_TRIAD) -> DriftMap:
     return DriftMap(
         azimuth, elevation, drift_coefficient(axes, triad_error), *principal_drifts(triad_error)
     )
-
-
-def closed_motions(
-    increments: int = 360, triad_error: ArrayLike = LARIN_TRIAD, half_angle: float = SWING
-) -> dict[str, FloatArray]:
-    """Four motions that bring a body back, by name, as true angle increments (increments, 3), rad.
-
-    A whole turn; a tumble of quarter turns about axis 1 and axis 3 by turns, three times; one round
-    of a cone; a swing to and fro about one axis. The turn and the swing are about the axis of the
-    greatest drift coefficient of a triad.
-
-    Parameters
-    ----------
-    increments : int
-        Of each motion; a multiple of six.
-    triad_error : array_like, shape (3, 3)
-        M, dimensionless.
-    half_angle : float
-        Of the cone and of the swing, rad.
-    """
-    count = whole_number(increments, "increments", least=6)
-    if count % 6:
-        raise ValueError(f"increments: expected a multiple of six, got {increments!r}.")
-    worst = principal_drifts(triad_error)[1][-1]
-    reach = positive_number(half_angle, "half_angle")
-    angle = reach * np.sin(2 * np.pi * np.arange(count + 1) / count)
-    quarters = np.tile(np.eye(3)[[0, 2]], (3, 1)) * np.pi / 2
-    return {
-        "whole turn": np.tile(2 * np.pi / count * worst, (count, 1)),
-        "tumble": np.repeat(quarters, count // 6, axis=0) * 6 / count,
-        "cone": Coning(reach, 1.0).increments(1 / count, count),
-        "swing": np.diff(angle)[:, np.newaxis] * worst,
-    }
-
-
-class MotionHistory(NamedTuple):
-    """Error of a triad over one closed motion, made several times.
-
-    Attributes
-    ----------
-    motions : ndarray, shape (m,)
-        How far the body has come, in motions.
-    angle : ndarray, shape (m,)
-        Of the rotation from R to B, rad.
-    track : ndarray, shape (m, 3)
-        Third body axis, in the body axes at the start.
-    first_order : float
-        Drift angle in one motion, rad.
-    """
-
-    motions: FloatArray
-    angle: FloatArray
-    track: FloatArray
-    first_order: float
-
-
-def motion_histories(
-    triad_error: ArrayLike = LARIN_TRIAD, half_angle: float = SWING, repeats: int = REPEATS
-) -> dict[str, MotionHistory]:
-    """Exact error of a triad over each of the `closed_motions`, with the drift of first order.
-
-    Parameters
-    ----------
-    triad_error : array_like, shape (3, 3)
-        M, dimensionless.
-    half_angle : float
-        Of the cone and of the swing, rad.
-    repeats : int
-        How often each motion is made.
-    """
-    count = whole_number(repeats, "repeats")
-    histories = {}
-    for name, once in closed_motions(360, triad_error, half_angle).items():
-        true = np.vstack([np.zeros(3), np.tile(once, (count, 1))])
-        attitude, apparent = (
-            cumulative_product(from_rotation_vector(turns))
-            for turns in (true, measured_rate(true, triad_error))
-        )
-        histories[name] = MotionHistory(
-            np.arange(len(true)) / len(once),
-            rotation_angle(multiply(conjugate(attitude), apparent)),
-            rotate(attitude, np.array([0.0, 0, 1])),
-            float(np.linalg.norm(drift_per_motion(once, triad_error))),
-        )
-    return histories
