@@ -22,7 +22,7 @@ LEANING = [[0, 1e-3, 0], [0, 0, 5e-4], [0, 0, 0]]
 
 VARIATIONS: dict[str, dict[str, Any]] = {
     "01-error-motion": {"rate": [0, 0, 0.2], "measured_rate": [0.02, 0, 0.21], "duration": 120.0},
-    "02-roots": {"size": 0.3, "shape": 3 * np.array(LEANING) / 1e-3, "direction": [0, 1, 1]},
+    "02-roots": {"size": 0.3, "shape": np.array(LEANING) / 1e-3, "direction": [0, 1, 1]},
     "03-globe-of-axes": {"triad_error": np.array(LEANING), "full_colour": 5e-4},
     "03-turning-block": {"triad_error": 20 * np.array(LEANING), "exaggeration": 10},
     "03-drift-history": {"triad_error": 20 * np.array(LEANING), "turns": 3, "exaggeration": 10},
