@@ -163,9 +163,10 @@ class Finder:
         self, values: FloatArray, near: _Near, direction: str, distribution: bool = False
     ) -> Rows | None:
         """Where one column has these values and no others, in order or, of a distribution, not."""
+        columns = [name for name in self._numbers if self._holds(name, values, near)]
         for where, chosen in self._groups:
-            for name, column in self._numbers.items():
-                there = column[chosen]
+            for name in columns:
+                there = self._numbers[name][chosen]
                 there = there[np.isfinite(there)]
                 if len(there) != len(values):
                     continue

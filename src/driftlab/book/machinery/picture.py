@@ -250,6 +250,21 @@ def decades(values: ArrayLike, low: float, high: float) -> tuple[float, float]:
     )
 
 
+def figure_legend(axes: Axes, sheet: Sheet, ncols: int, column: int = 2, **style: Any) -> None:
+    """Put the legend of some axes below all panels, in a column of a paper in fewer columns.
+
+    On a screen the figure's margins leave room for it; on paper the layout makes it.
+    """
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    handles, labels = axes.get_legend_handles_labels()
+    figure.legend(
+        **{"handles": handles, "labels": labels, **style},
+        loc="outside lower center" if sheet.on_paper else "lower center",
+        ncols=column if sheet.narrow else ncols,
+    )
+
+
 def plain_axes(axes: Axes, reach: float = 1.25) -> None:
     """Turn axes into an empty square sheet for a projected drawing."""
     axes.set_aspect("equal")

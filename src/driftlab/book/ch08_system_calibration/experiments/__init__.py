@@ -52,6 +52,7 @@ from .scheme_run import SchemeRun, scheme_run
 from .schemes import (
     SchemeDirections,
     TableObservability,
+    states_on_a_table,
     table_observability,
     up_in_body_axes,
 )
@@ -123,6 +124,7 @@ __all__ = [
     "scheme_run",
     "self_aligned",
     "size_effect",
+    "states_on_a_table",
     "table_observability",
     "typical_trial",
     "unit_of",

@@ -1,4 +1,4 @@
-"""The typical unit, calibrated, navigates in place with two choices of body axes; Wu Figs. 3-5."""
+"""A unit, calibrated, navigates in place with two choices of body axes; Wu Figs. 3-5."""
 
 from typing import NamedTuple
 
@@ -10,9 +10,10 @@ from driftlab.calibration.static_error_curves import static_causes, static_error
 from driftlab.calibration.static_error_growth import static_error_modes
 from driftlab.calibration.static_navigation import StaticNavigationErrors, navigate_static
 from driftlab.checks import FloatArray
-from driftlab.imu import TYPICAL_ERRORS
+from driftlab.imu import TYPICAL_ERRORS, ImuErrors
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
-from .calibration import typical_trial
+from .calibration import SEED, trial_of
 from .starts import STARTS, TABLE_ATTITUDE, one_attitude
 
 REST_DURATION = 4 * hour
@@ -22,10 +23,12 @@ FRAMES = {"averaged": "averaged axes", "upper triangle": "usual axes"}
 
 
 class InPlaceErrors(NamedTuple):
-    """Errors of the typical unit at rest.
+    """Errors of a unit at rest.
 
     Attributes
     ----------
+    latitude : float
+        rad.
     runs : dict of (str, str) to StaticNavigationErrors
         By choice of body axes in `FRAMES` and by start in `STARTS`.
     curves : dict of (str, str) to StaticNavigationErrors
@@ -35,6 +38,7 @@ class InPlaceErrors(NamedTuple):
         line, and the terms of 24 hours.
     """
 
+    latitude: float
     runs: dict[tuple[str, str], StaticNavigationErrors]
     curves: dict[tuple[str, str], StaticNavigationErrors]
     slow: FloatArray
@@ -44,21 +48,46 @@ class InPlaceErrors(NamedTuple):
         return np.linalg.norm(self.runs[key].position - self.curves[key].position, axis=-1)
 
 
-def errors_at_rest() -> InPlaceErrors:
-    """Let the typical unit, as `typical_trial` found it, navigate for `REST_DURATION`."""
-    found = {frame: typical_trial(frame).calibration.imu_errors for frame in FRAMES}
+def errors_at_rest(
+    imu_errors: ImuErrors = TYPICAL_ERRORS,
+    scheme: Scheme = NINETEEN_POSITIONS,
+    duration: float = REST_DURATION,
+    latitude: float = TABLE_LATITUDE,
+    seed: int = SEED,
+) -> InPlaceErrors:
+    """Calibrate a unit with two choices of body axes, and let it navigate at rest with either.
+
+    Parameters
+    ----------
+    imu_errors : ImuErrors
+        True errors of the unit.
+    scheme : Scheme
+        Of the table that calibrates it.
+    duration : float
+        Of navigating, s.
+    latitude : float
+        Of the table, rad.
+    seed : int
+        Of the noise of the calibration.
+    """
+    found = {
+        frame: trial_of(frame, imu_errors, scheme, latitude, seed).calibration.imu_errors
+        for frame in FRAMES
+    }
     runs, causes = {}, {}
-    for frame, imu_errors in found.items():
-        one = one_attitude(TYPICAL_ERRORS, found["averaged"], frame)
+    for frame, calibrated in found.items():
+        one = one_attitude(imu_errors, found["averaged"], frame)
         for start, axes in zip(STARTS, (one, TABLE_ATTITUDE), strict=True):
-            unit = TYPICAL_ERRORS, imu_errors, TABLE_ATTITUDE
+            unit = imu_errors, calibrated, TABLE_ATTITUDE
             runs[frame, start] = navigate_static(
-                *unit, start=axes, reference=axes, latitude=TABLE_LATITUDE, duration=REST_DURATION
+                *unit, start=axes, reference=axes, latitude=latitude, duration=duration
             )
             causes[frame, start] = static_causes(
-                *unit, start=axes, reference=axes, latitude=TABLE_LATITUDE
+                *unit, start=axes, reference=axes, latitude=latitude
             )
     times = next(iter(runs.values())).times
-    curves = {key: static_errors(times, TABLE_LATITUDE, each) for key, each in causes.items()}
-    modes = static_error_modes(TABLE_LATITUDE).at(times)
-    return InPlaceErrors(runs, curves, modes[:3].sum(axis=0) @ next(iter(causes.values())))
+    curves = {key: static_errors(times, latitude, each) for key, each in causes.items()}
+    modes = static_error_modes(latitude).at(times)
+    return InPlaceErrors(
+        latitude, runs, curves, modes[:3].sum(axis=0) @ next(iter(causes.values()))
+    )

@@ -6,10 +6,12 @@ from typing import NamedTuple
 import numpy as np
 from scipy.constants import arcsecond, degree, g, hour, micro
 
+from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.simulation import TableTrial, Trial
-from driftlab.checks import FloatArray
-from driftlab.imu import TYPICAL_ERRORS
+from driftlab.checks import FloatArray, whole_number
+from driftlab.imu import TYPICAL_ERRORS, ImuErrors
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
 SEED = 20180501
 """Of the noise, and of the table's error in setting up."""
@@ -73,6 +75,8 @@ class CalibrationErrors(NamedTuple):
     Attributes
     ----------
     names : tuple of str
+    positions : int
+        Pauses of the scheme.
     times : ndarray, shape (k,)
         s.
     errors : ndarray, shape (k, 21)
@@ -82,6 +86,7 @@ class CalibrationErrors(NamedTuple):
     """
 
     names: tuple[str, ...]
+    positions: int
     times: FloatArray
     errors: FloatArray
     deviations: FloatArray
@@ -90,8 +95,26 @@ class CalibrationErrors(NamedTuple):
 @lru_cache(maxsize=8)
 def typical_trial(frame: str = "averaged") -> Trial:
     """Calibrate the typical unit on the nineteen positions; the same noise for each frame."""
-    table = TableTrial(frame=frame, sample_interval=0.1, keep=6)
-    return table.run(np.random.default_rng(SEED), imu_errors=TYPICAL_ERRORS)
+    return _calibrated(frame, TYPICAL_ERRORS, NINETEEN_POSITIONS, TABLE_LATITUDE, SEED)
+
+
+def trial_of(
+    frame: str, imu_errors: ImuErrors, scheme: Scheme, latitude: float, seed: int
+) -> Trial:
+    """Calibrate a unit; `typical_trial` is kept for all figures and panels that show it."""
+    if imu_errors is TYPICAL_ERRORS and (scheme, latitude, seed) == (
+        NINETEEN_POSITIONS, TABLE_LATITUDE, SEED
+    ):  # fmt: skip
+        return typical_trial(frame)
+    return _calibrated(frame, imu_errors, scheme, latitude, seed)
+
+
+def _calibrated(
+    frame: str, imu_errors: ImuErrors, scheme: Scheme, latitude: float, seed: int
+) -> Trial:
+    table = TableTrial(scheme, latitude, frame, sample_interval=0.1, keep=6)
+    rng = np.random.default_rng(whole_number(seed, "seed", least=0))
+    return table.run(rng, imu_errors=imu_errors)
 
 
 def calibration_history(
@@ -133,12 +156,32 @@ def calibration_history(
     )
 
 
-def calibration_errors() -> CalibrationErrors:
-    """Return the histories of all sensor errors in the calibration with averaged axes."""
-    found = typical_trial("averaged")
+def calibration_errors(
+    imu_errors: ImuErrors = TYPICAL_ERRORS,
+    scheme: Scheme = NINETEEN_POSITIONS,
+    frame: str = "averaged",
+    latitude: float = TABLE_LATITUDE,
+    seed: int = SEED,
+) -> CalibrationErrors:
+    """Return the histories of all sensor errors in one calibration by the filter of 27 states.
+
+    Parameters
+    ----------
+    imu_errors : ImuErrors
+        True errors of the unit.
+    scheme : Scheme
+    frame : str
+        Choice of body axes, one of `driftlab.body_frames.BODY_FRAMES`.
+    latitude : float
+        Of the table, rad.
+    seed : int
+        Of the noise, and of the table's error in setting up.
+    """
+    found = trial_of(frame, imu_errors, scheme, latitude, seed)
     calibration = found.calibration
     return CalibrationErrors(
         calibration.model.names[6:],
+        scheme.positions,
         calibration.times,
         found.errors[:, 6:],
         calibration.deviations[:, 6:],

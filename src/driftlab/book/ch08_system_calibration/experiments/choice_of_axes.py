@@ -4,18 +4,19 @@ What a filter leaves out shows in its squared normalised errors: they are larger
 be. A pass more over the same record, linearised about what the first has found, takes it away.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
+from scipy.constants import arcsecond
 
 from driftlab.body_frames import BODY_FRAMES
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.monte_carlo import sweep
 from driftlab.motion.scheme import SCHEMES
 
-from .consistency import quick_trial
+from .consistency import QUICK_TRIAL, quick_trial
 from .verdicts import Verdict, verdict
 
 SIZES = (40, 100, 200, 400)
@@ -35,7 +36,7 @@ class Case(NamedTuple):
     ----------
     scheme : str
         One of `driftlab.motion.scheme.SCHEMES`, here with short pauses.
-    size : int
+    size : float
         Spread of the installation errors, arc seconds.
     frame : str
         Choice of body axes.
@@ -44,21 +45,24 @@ class Case(NamedTuple):
     """
 
     scheme: str
-    size: int
+    size: float
     frame: str
     passes: int
 
 
-CASES = tuple(
-    Case(scheme, size, frame, passes)
-    for passes, sizes in ((1, SIZES), (2, SIZES[-1:]))
-    for scheme in SCHEMES
-    for size in sizes
-    for frame in BODY_FRAMES
-)
-"""All that is compared. Twice over the record go only the units that are bent most."""
-MOST = (SIZES[-1], 1)
-"""Size and passes of the cases with twice as many units."""
+def cases(sizes: Sequence[float] = SIZES) -> tuple[Case, ...]:
+    """All that is compared. Twice over the record go only the units that are bent most."""
+    return tuple(
+        Case(scheme, size, frame, passes)
+        for passes, some in ((1, sizes), (2, sizes[-1:]))
+        for scheme in SCHEMES
+        for size in some
+        for frame in BODY_FRAMES
+    )
+
+
+CASES = cases()
+"""All that the published study compares."""
 
 
 class ChoiceOfAxes(NamedTuple):
@@ -71,12 +75,17 @@ class ChoiceOfAxes(NamedTuple):
 
     squares: Mapping[Case, FloatArray]
 
-    def compared(self, scheme: str, size: int, rival: str, passes: int = 1) -> Verdict:
+    @property
+    def sizes(self) -> tuple[float, ...]:
+        """Spreads of the installation errors, arc seconds, ascending."""
+        return tuple(dict.fromkeys(case.size for case in self.squares))
+
+    def compared(self, scheme: str, size: float, rival: str, passes: int = 1) -> Verdict:
         """How often averaged axes err less than a rival choice, unit by unit; see `Case`."""
         averaged = self.squares[Case(scheme, size, BODY_FRAMES[0], passes)]
         return verdict(averaged / self.squares[Case(scheme, size, rival, passes)])
 
-    def excess(self, scheme: str, size: int, rival: str) -> tuple[float, float]:
+    def excess(self, scheme: str, size: float, rival: str) -> tuple[float, float]:
         """By how much the mean is larger in averaged axes, and the standard error of that.
 
         After one pass; the units are paired.
@@ -88,28 +97,54 @@ class ChoiceOfAxes(NamedTuple):
         return float(more.mean()), float(more.std(ddof=1) / np.sqrt(more.size))
 
 
-def choice_of_axes(units: int = UNITS) -> ChoiceOfAxes:
-    """Run the whole study: some four minutes."""
+def choice_of_axes(
+    units: int = UNITS,
+    sizes: Sequence[float] = tuple(float(size * arcsecond) for size in SIZES),
+    dwell: float = QUICK_TRIAL.scheme.dwell,
+    seed: int = SEED,
+) -> ChoiceOfAxes:
+    """Run the whole study: some four minutes.
+
+    Parameters
+    ----------
+    units : int
+        In each case, at least two; twice as many where there is most to see.
+    sizes : sequence of float
+        Spreads of the installation errors, rad.
+    dwell : float
+        Pauses of both schemes, s.
+    seed : int
+    """
+    units = whole_number(units, "units", least=2)
+    bent = [round(positive_number(size, "sizes") / arcsecond, 6) for size in sorted(sizes)]
+    most = (bent[-1], 1)
     return ChoiceOfAxes({
-        case: normalised_errors(case, units * (2 if (case.size, case.passes) == MOST else 1))
-        for case in CASES
+        case: normalised_errors(
+            case, units * (2 if (case.size, case.passes) == most else 1), dwell, seed
+        )
+        for case in cases(bent)
     })  # fmt: skip
 
 
-def normalised_errors(case: Case, units: int) -> FloatArray:
+def normalised_errors(
+    case: Case, units: int, dwell: float = QUICK_TRIAL.scheme.dwell, seed: int = SEED
+) -> FloatArray:
     """Calibrate random units, and return for each the mean over the states of the squared errors.
 
     Parameters
     ----------
     case : Case
     units : int
+    dwell : float
+        Pauses of the scheme, s.
+    seed : int
 
     Returns
     -------
     ndarray, shape (units,)
     """
-    table = quick_trial(case.scheme, case.size)
+    table = quick_trial(case.scheme, case.size, dwell)
     trial = replace(table, frame=case.frame, passes=case.passes)
-    found = sweep(trial.run, units, seed=SEED, batch=BATCH)
+    found = sweep(trial.run, units, seed=seed, batch=BATCH)
     size = found[0].calibration.model.size
     return np.concatenate([batch.nees[:, -1] for batch in found]) / size

@@ -8,9 +8,11 @@ from scipy.constants import arcsecond
 
 from driftlab.calibration.simulation import TableTrial
 from driftlab.checks import FloatArray
-from driftlab.imu import PriorDeviations
+from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.monte_carlo import mean_square_bounds, sweep
-from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES
+from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
+
+from .schemes import TYPICAL_NOISE
 
 RUNS = 60
 """Calibrations whose errors and innovations are followed over time."""
@@ -24,19 +26,23 @@ QUICK_TRIAL = TableTrial(
 """The nineteen positions with pauses half as long and few samples; only the end is kept."""
 
 
-def quick_trial(scheme: str, installation: float) -> TableTrial:
+def quick_trial(
+    scheme: str, installation: float, dwell: float = QUICK_TRIAL.scheme.dwell
+) -> TableTrial:
     """Return `QUICK_TRIAL` on a scheme, for units that are bent more or less.
 
     Parameters
     ----------
     scheme : str
-        One of `driftlab.motion.scheme.SCHEMES`; its pauses are made as short.
+        One of `driftlab.motion.scheme.SCHEMES`.
     installation : float
         Spread of the installation errors, arc seconds.
+    dwell : float
+        Pauses, s.
     """
     return replace(
         QUICK_TRIAL,
-        scheme=replace(SCHEMES[scheme], dwell=QUICK_TRIAL.scheme.dwell),
+        scheme=replace(SCHEMES[scheme], dwell=dwell),
         prior=PriorDeviations(installation=installation * arcsecond),
     )
 
@@ -46,10 +52,12 @@ class FilterConsistency(NamedTuple):
 
     Attributes
     ----------
+    runs, size : int
+        Calibrations, and states of the filter.
     times : ndarray, shape (k,)
         s.
     states : ndarray, shape (k,)
-        Squared normalised errors of the 27 states.
+        Squared normalised errors of all states.
     state_bounds : tuple of float
         Between them lie 95 % of the values.
     innovation_times : ndarray, shape (u,)
@@ -64,6 +72,8 @@ class FilterConsistency(NamedTuple):
         Part of the innovations inside their bounds.
     """
 
+    runs: int
+    size: int
     times: FloatArray
     states: FloatArray
     state_bounds: tuple[float, float]
@@ -75,16 +85,30 @@ class FilterConsistency(NamedTuple):
     inside: float
 
 
-def filter_consistency(runs: int = RUNS, seed: int = SEED) -> FilterConsistency:
+def filter_consistency(
+    runs: int = RUNS,
+    scheme: Scheme = NINETEEN_POSITIONS,
+    noise: ImuNoise = TYPICAL_NOISE,
+    assumed_noise: ImuNoise | None = None,
+    seed: int = SEED,
+) -> FilterConsistency:
     """Calibrate random units again and again, and compare the errors with what the filter states.
 
     Parameters
     ----------
     runs : int
         Calibrations that are followed over time.
+    scheme : Scheme
+    noise : ImuNoise
+        Of the simulation.
+    assumed_noise : ImuNoise, optional
+        What the filter takes it for; the same if not given.
     seed : int
     """
-    table = TableTrial(sample_interval=0.1, update_interval=3.0, keep=7)
+    table = TableTrial(
+        scheme, noise=noise, assumed_noise=assumed_noise,
+        sample_interval=0.1, update_interval=3.0, keep=7,
+    )  # fmt: skip
     found = sweep(table.run, runs, seed=seed, batch=runs)[0]
     size = found.calibration.model.size
     nis = found.calibration.nis
@@ -92,6 +116,8 @@ def filter_consistency(runs: int = RUNS, seed: int = SEED) -> FilterConsistency:
     low, high = (bound / 3 for bound in mean_square_bounds(3, runs))
     updates = np.arange(1.0, nis.shape[-1] + 1) * table.update_interval
     return FilterConsistency(
+        runs,
+        size,
         found.calibration.times,
         found.nees.mean(axis=0) / size,
         _each(mean_square_bounds(size, runs), size),

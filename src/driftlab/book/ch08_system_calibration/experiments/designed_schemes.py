@@ -12,7 +12,7 @@ from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.scheme_design import design_scheme
 from driftlab.calibration.simulation import TableTrial
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, whole_number
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.monte_carlo import sweep
 from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
@@ -29,6 +29,8 @@ TASKS = {
 
 RANDOM = 200
 """Random rows on two axes, the background."""
+DRAWS = 100
+"""Random rows from which each search begins."""
 SEED = 1992
 UNITS = 100
 """Simulated units that go through the filter on the nineteen positions and on the design."""
@@ -101,38 +103,66 @@ def expected_covariance(scheme: Scheme, latitude: float = TABLE_LATITUDE) -> Flo
     return covariance_analysis(way, ImuNoise(), PriorDeviations())
 
 
-def designed_schemes() -> DesignedSchemes:
-    """Search for schemes, draw random ones, and calibrate units on the best."""
-    rng = np.random.default_rng(SEED)
-    task = TASKS[BEST]
+def designed_schemes(
+    random_schemes: int = RANDOM,
+    draws: int = DRAWS,
+    climbs: int = 1,
+    units: int = UNITS,
+    latitude: float = TABLE_LATITUDE,
+    seed: int = SEED,
+) -> DesignedSchemes:
+    """Search for schemes, draw random ones, and calibrate units on the best: some minutes.
+
+    Parameters
+    ----------
+    random_schemes : int
+        Random rows on two axes, the background.
+    draws, climbs : int
+        Of each search, as for `driftlab.calibration.design_scheme`.
+    units : int
+        Simulated units that go through the filter on the nineteen positions and on the design, at
+        least two.
+    latitude : float
+        Of the table, rad.
+    seed : int
+    """
+    rng = np.random.default_rng(whole_number(seed, "seed", least=0))
+    tasks = {name: replace(task, latitude=latitude) for name, task in TASKS.items()}
+    task = tasks[BEST]
     rows = [("published", name, each.lasting(task.duration)) for name, each in SCHEMES.items()]
-    for name, each in TASKS.items():
-        design = design_scheme(each, rng, draws=100, climbs=1, begin=NINETEEN_POSITIONS)
+    for name, each in tasks.items():
+        design = design_scheme(each, rng, draws=draws, climbs=climbs, begin=NINETEEN_POSITIONS)
         rows.append(("designed", name, design.scheme))
-    random = task.random_schemes(rng, RANDOM)
+    random = task.random_schemes(rng, random_schemes)
     rows += [("random", f"random {i}", scheme) for i, scheme in enumerate(random, 1)]
-    yardstick = np.sqrt(np.diag(expected_covariance(rows[0][2])))[6:]
+    yardstick = np.sqrt(np.diag(expected_covariance(rows[0][2], latitude)))[6:]
     tried = []
     for kind, name, scheme in rows:
-        covariance = expected_covariance(scheme)
+        covariance = expected_covariance(scheme, latitude)
         ratios = np.sqrt(np.diag(covariance))[6:] / yardstick
         criteria = [float(replace(task, criterion=one).values(covariance)) for one in CRITERIA]
         tried.append(TriedScheme(kind, name, scheme, np.array(criteria), ratios))
     errors, nees = {}, {}
     for chosen in (tried[0], tried[len(SCHEMES)]):
-        errors[chosen.name], nees[chosen.name] = _calibrated(chosen.scheme)
+        errors[chosen.name], nees[chosen.name] = _calibrated(
+            chosen.scheme, latitude, whole_number(units, "units", least=2), seed
+        )
         errors[chosen.name] /= yardstick
     return DesignedSchemes(tried, errors, nees)
 
 
-def _calibrated(scheme: Scheme) -> tuple[FloatArray, FloatArray]:
+def _calibrated(
+    scheme: Scheme, latitude: float, units: int, seed: int
+) -> tuple[FloatArray, FloatArray]:
     """Errors (units, 21) and squared normalised errors (units,) of the same units each time."""
     # An update every three seconds tells as much as three that are each so much noisier.
     noise = ImuNoise(reference_velocity=ImuNoise().reference_velocity / np.sqrt(3))
-    table = TableTrial(sample_interval=0.1, update_interval=3.0, noise=noise, keep=100_000)
+    table = TableTrial(
+        latitude=latitude, sample_interval=0.1, update_interval=3.0, noise=noise, keep=100_000
+    )
     # Whole updates, and no pause is longer than it may be.
     table = replace(table, scheme=replace(scheme, dwell=3.0 * (scheme.dwell // 3.0)))
-    batches = sweep(table.run, UNITS, seed=SEED, batch=25)
+    batches = sweep(table.run, units, seed=seed, batch=25)
     errors = np.concatenate([batch.errors[:, -1, 6:] for batch in batches])
     nees = np.concatenate([batch.nees[:, -1] for batch in batches])
     return errors, nees / batches[0].errors.shape[-1]

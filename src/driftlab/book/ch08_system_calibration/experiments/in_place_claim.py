@@ -9,18 +9,19 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
+from scipy.constants import arcsecond
 
 from driftlab.body_frames import GYRO_FRAMES
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.simulation import Trial
 from driftlab.calibration.static_navigation import navigate_static
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, positive_number
 from driftlab.imu import ImuErrors
 from driftlab.monte_carlo import sweep
 from driftlab.motion.scheme import SCHEMES
 
 from .at_rest import REST_DURATION
-from .consistency import quick_trial
+from .consistency import QUICK_TRIAL, quick_trial
 from .starts import ALL_STARTS, TABLE_ATTITUDE, one_attitude, own_axes, self_aligned
 from .verdicts import Verdict, verdict
 
@@ -41,7 +42,7 @@ class Comparison(NamedTuple):
     ----------
     scheme : str
         One of `driftlab.motion.scheme.SCHEMES`, here with short pauses.
-    size : int
+    size : float
         Spread of the installation errors, arc seconds.
     rival : str
         Choice of body axes, one of `TRIANGLES`.
@@ -52,7 +53,7 @@ class Comparison(NamedTuple):
     """
 
     scheme: str
-    size: int
+    size: float
     rival: str
     start: str
     quantity: str
@@ -63,10 +64,18 @@ class InPlaceClaim(NamedTuple):
 
     Attributes
     ----------
+    duration : float
+        Of navigating, s.
     ratios : dict of Comparison to ndarray, shape (units,)
     """
 
+    duration: float
     ratios: Mapping[Comparison, FloatArray]
+
+    @property
+    def sizes(self) -> tuple[float, ...]:
+        """Spreads of the installation errors, arc seconds, ascending."""
+        return tuple(dict.fromkeys(key.size for key in self.ratios))
 
     def counted(self) -> dict[Comparison, Verdict]:
         """How often averaged axes err less, unit by unit, in every comparison."""
@@ -78,56 +87,82 @@ class InPlaceClaim(NamedTuple):
         return 0.05 / len(self.ratios)
 
 
-def error_ratios_at_rest(units: int = UNITS) -> InPlaceClaim:
+def error_ratios_at_rest(
+    units: int = UNITS,
+    sizes: Sequence[float] = tuple(float(size * arcsecond) for size in AT_REST_SIZES),
+    duration: float = REST_DURATION,
+    dwell: float = QUICK_TRIAL.scheme.dwell,
+    seed: int = SEED,
+) -> InPlaceClaim:
     """Calibrate random units on both schemes, and let them navigate: about a minute.
 
     Parameters
     ----------
     units : int
         How many, in each case.
+    sizes : sequence of float
+        Spreads of the installation errors, rad.
+    duration : float
+        Of navigating, s; at least 300.
+    dwell : float
+        Pauses of both schemes, s.
+    seed : int
     """
     ratios: dict[Comparison, FloatArray] = {}
     for scheme in SCHEMES:
-        for size in AT_REST_SIZES:
-            ratios |= error_ratios(scheme, size, units=units)
-    return InPlaceClaim(ratios)
+        for size in sorted(sizes):
+            bent = round(positive_number(size, "sizes") / arcsecond, 6)
+            ratios |= error_ratios(
+                scheme, bent, units=units, duration=duration, dwell=dwell, seed=seed
+            )
+    return InPlaceClaim(duration, ratios)
 
 
 def error_ratios(
-    scheme: str, size: int, rivals: Sequence[str] = tuple(TRIANGLES), units: int = UNITS
+    scheme: str,
+    size: float,
+    rivals: Sequence[str] = tuple(TRIANGLES),
+    units: int = UNITS,
+    duration: float = REST_DURATION,
+    dwell: float = QUICK_TRIAL.scheme.dwell,
+    seed: int = SEED,
 ) -> dict[Comparison, FloatArray]:
     """Compare averaged axes with rivals on the same data, from all starts and in all quantities.
 
     Parameters
     ----------
     scheme : str
-    size : int
+    size : float
         See `Comparison`.
     rivals : sequence of str
         Choices of body axes, of `TRIANGLES`.
     units : int
         Random units with installation errors of this size.
+    duration, dwell, seed : float, float, int
+        As for `error_ratios_at_rest`.
 
     Returns
     -------
     dict of Comparison to ndarray, shape (units,)
         Root mean square errors with averaged axes over those with the rival's.
     """
-    table = quick_trial(scheme, size)
+    table = quick_trial(scheme, size, dwell)
     averaged, *others = (
-        sweep(replace(table, frame=frame).run, units, seed=SEED, batch=units)[0]
+        sweep(replace(table, frame=frame).run, units, seed=seed, batch=units)[0]
         for frame in (AVERAGED, *rivals)
     )
     known = averaged.calibration.imu_errors
-    errors = _errors(averaged, known, AVERAGED)
+    errors = _errors(averaged, known, AVERAGED, duration)
     ratios = {}
     for rival, trial in zip(rivals, others, strict=True):
-        for key, theirs in _errors(trial, known, rival).items():
+        for key, theirs in _errors(trial, known, rival, duration).items():
             ratios[Comparison(scheme, size, rival, *key)] = errors[key] / theirs
     return ratios
 
 
-def _errors(trial: Trial, known: ImuErrors, frame: str) -> dict[tuple[str, str], FloatArray]:
+def _errors(
+    trial: Trial, known: ImuErrors, frame: str, duration: float
+) -> dict[tuple[str, str], FloatArray]:
     """Root mean square errors (units,) at rest, by start and quantity.
 
     `known` are the errors that the calibration in averaged axes found.
@@ -142,7 +177,7 @@ def _errors(trial: Trial, known: ImuErrors, frame: str) -> dict[tuple[str, str],
     for start, begin, axes in zip(ALL_STARTS, begins, references, strict=True):
         run = navigate_static(
             true, found, TABLE_ATTITUDE, start=begin, reference=axes,
-            latitude=TABLE_LATITUDE, duration=REST_DURATION, interval=5.0, output_interval=300.0,
+            latitude=TABLE_LATITUDE, duration=duration, interval=5.0, output_interval=300.0,
         )  # fmt: skip
         for quantity in QUANTITIES:
             squares = (getattr(run, quantity) ** 2).sum(axis=-1)

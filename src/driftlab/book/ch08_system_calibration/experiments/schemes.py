@@ -1,5 +1,6 @@
 """What rotation schemes do with a unit on a turntable, and what they show of its errors."""
 
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -7,17 +8,20 @@ import numpy as np
 
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.covariance import covariance_analysis
-from driftlab.calibration.error_model import FULL, ErrorModel
+from driftlab.calibration.error_model import FULL, ErrorModel, error_model_for
 from driftlab.calibration.linearization import LinearizedErrors, checked_model, linearize_along
 from driftlab.calibration.observability import (
     UnobservableSubspace,
     unobservable_subspace,
 )
-from driftlab.checks import FloatArray, finite_number
+from driftlab.checks import FloatArray, checked_instance, finite_number
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import NINETEEN_POSITIONS, SCHEMES, Scheme
 from driftlab.motion.turntable import table_trajectory
 from driftlab.quaternion import conjugate, rotate
+
+TYPICAL_NOISE = ImuNoise()
+"""Of the sensors and of the reference velocity."""
 
 
 class SchemeDirections(NamedTuple):
@@ -26,12 +30,14 @@ class SchemeDirections(NamedTuple):
     Attributes
     ----------
     names : list of str
+    schemes : list of Scheme
     times : list of ndarray, shape (n,)
         s.
     up : list of ndarray, shape (n, 3)
     """
 
     names: list[str]
+    schemes: list[Scheme]
     times: list[FloatArray]
     up: list[FloatArray]
 
@@ -43,6 +49,8 @@ class TableObservability(NamedTuple):
     ----------
     names : tuple of str
         Of the states.
+    positions : int
+        Pauses of the scheme.
     eigenvalues : ndarray, shape (size,)
         Of the Gramian, ascending, relative to the largest.
     unobservable : int
@@ -54,6 +62,7 @@ class TableObservability(NamedTuple):
     """
 
     names: tuple[str, ...]
+    positions: int
     eigenvalues: FloatArray
     unobservable: int
     descriptions: list[str]
@@ -61,14 +70,49 @@ class TableObservability(NamedTuple):
     after: FloatArray
 
 
-def up_in_body_axes() -> SchemeDirections:
-    """Compute which way is up in the body along `driftlab.motion.SCHEMES`, once a second."""
+def up_in_body_axes(schemes: Sequence[Scheme] = tuple(SCHEMES.values())) -> SchemeDirections:
+    """Compute which way is up in the body along rotation schemes, once a second.
+
+    Parameters
+    ----------
+    schemes : sequence of Scheme
+    """
     times, up = [], []
-    for scheme in SCHEMES.values():
+    for scheme in schemes:
         attitude = table_trajectory(scheme, 0.0, 1.0).attitude
         times.append(np.arange(len(attitude), dtype=np.float64))
         up.append(rotate(conjugate(attitude), [0.0, 0.0, 1.0]))
-    return SchemeDirections(list(SCHEMES), times, up)
+    return SchemeDirections([scheme_name(each) for each in schemes], [*schemes], times, up)
+
+
+def scheme_name(scheme: Scheme) -> str:
+    """Return the book's name of a scheme, whatever its pauses; else how many positions it has."""
+    known = {(each.rotations, each.start): name for name, each in SCHEMES.items()}
+    own = f"{scheme.positions} positions of one's own"
+    return known.get((scheme.rotations, scheme.start), own)
+
+
+def states_on_a_table(
+    scheme: Scheme = NINETEEN_POSITIONS,
+    frame: str | None = None,
+    noise: ImuNoise = TYPICAL_NOISE,
+    latitude: float = TABLE_LATITUDE,
+) -> TableObservability:
+    """Follow the error equations along a scheme, with all 30 states or those of some body axes.
+
+    Parameters
+    ----------
+    scheme : Scheme
+    frame : str, optional
+        Choice of body axes, one of `driftlab.body_frames.BODY_FRAMES`; all 30 states if not given.
+    noise : ImuNoise
+    latitude : float
+        Of the table, rad.
+    """
+    checked_instance(scheme, Scheme, "scheme")
+    checked_instance(noise, ImuNoise, "noise")
+    model = FULL if frame is None else error_model_for(frame)
+    return table_observability(scheme, model, noise, latitude)
 
 
 def table_observability(
@@ -102,6 +146,7 @@ def table_observability(
     covariance = covariance_analysis(way, ImuNoise() if noise is None else noise, prior)
     return TableObservability(
         model.names,
+        scheme.positions,
         unobservable.eigenvalues / unobservable.eigenvalues[-1],
         len(unobservable.directions),
         list(unobservable.descriptions),

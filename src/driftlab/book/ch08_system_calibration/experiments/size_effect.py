@@ -1,5 +1,6 @@
 """What three centimetres of lever arm do to a filter that does not know of them."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 from typing import NamedTuple
@@ -8,10 +9,10 @@ import numpy as np
 
 from driftlab.calibration.kalman import nees
 from driftlab.calibration.simulation import TableTrial, Trial
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, positive_number
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS, HigherOrderErrors
 from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise
-from driftlab.motion.scheme import SCHEMES
+from driftlab.motion.scheme import SCHEMES, Scheme
 
 from .calibration import SEED
 
@@ -29,8 +30,14 @@ class SizeEffect(NamedTuple):
 
     Attributes
     ----------
+    arm : float
+        m.
+    rates : ndarray, shape (rates,)
+        Of the table, rad/s; the middle one is drawn.
+    sizes : ndarray, shape (sizes,)
+        Arms, m.
     ratios : ndarray, shape (2, 21)
-        Errors of the sensor states of the typical unit with `ARM`, on the nineteen positions, in
+        Errors of the sensor states of the typical unit with `arm`, on the nineteen positions, in
         stated deviations: by the filter of 27 states, and by one that has the arms as states.
     innovations : ndarray, shape (2,)
         Mean squared normalised innovation in these two runs; 1 is what it should be.
@@ -46,6 +53,9 @@ class SizeEffect(NamedTuple):
         How many innovations of three components a calibration has.
     """
 
+    arm: float
+    rates: FloatArray
+    sizes: FloatArray
     ratios: FloatArray
     innovations: FloatArray
     squares: FloatArray
@@ -53,6 +63,11 @@ class SizeEffect(NamedTuple):
     worst: FloatArray
     bias: FloatArray
     updates: FloatArray
+
+    @property
+    def shown(self) -> int:
+        """Index of the rate that is drawn."""
+        return len(self.rates) // 2
 
 
 def on_own_axes(arm: float | FloatArray) -> HigherOrderErrors:
@@ -62,27 +77,58 @@ def on_own_axes(arm: float | FloatArray) -> HigherOrderErrors:
 
 
 @cache
-def unit_with_arms(states: tuple[str, ...] = ()) -> Trial:
-    """Calibrate the typical unit with `ARM` on the nineteen positions."""
-    table = replace(TABLE, states=states)
-    rng = np.random.default_rng(SEED)
-    return table.run(rng, imu_errors=TYPICAL_ERRORS, higher_order=on_own_axes(ARM))
+def unit_with_arms(
+    states: tuple[str, ...] = (),
+    arm: float = ARM,
+    dwell: float = TABLE.scheme.dwell,
+    seed: int = SEED,
+) -> Trial:
+    """Calibrate the typical unit with arms, m, on the nineteen positions, pauses of `dwell` s."""
+    table = replace(TABLE, states=states, scheme=replace(TABLE.scheme, dwell=dwell))
+    rng = np.random.default_rng(seed)
+    return table.run(rng, imu_errors=TYPICAL_ERRORS, higher_order=on_own_axes(arm))
 
 
-def size_effect() -> SizeEffect:
-    """Run all of it: a minute."""
-    trials = [unit_with_arms(states) for states in ((), ("lever arms",))]
+def size_effect(
+    arm: float = ARM,
+    sizes: Sequence[float] = SIZES,
+    rates: Sequence[float] = tuple(np.radians(RATES).tolist()),
+    dwell: float = TABLE.scheme.dwell,
+    seed: int = SEED,
+) -> SizeEffect:
+    """Run all of it: a minute.
+
+    Parameters
+    ----------
+    arm : float
+        Of each accelerometer on its own axis in the typical unit, m.
+    sizes : sequence of float
+        Arms of the units without other errors, m.
+    rates : sequence of float
+        Of the table, rad/s.
+    dwell : float
+        Pauses of the table, s.
+    seed : int
+    """
+    arm = positive_number(arm, "arm")
+    trials = [unit_with_arms(states, arm, dwell, seed) for states in ((), ("lever arms",))]
     ratios = [(t.errors / t.calibration.deviations)[-1, 6:27] for t in trials]
-    found = [[_without_noise(scheme, rate) for rate in RATES] for scheme in SCHEMES]
+    found = [
+        [_without_noise(replace(scheme, rate=rate, dwell=dwell), sizes, seed) for rate in rates]
+        for scheme in SCHEMES.values()
+    ]
     squares, noticed, worst, bias, updates = (
         np.array([[case[i] for case in row] for row in found]) for i in range(5)
     )
     innovations = np.array([t.calibration.nis.mean() / 3 for t in trials])
-    return SizeEffect(np.array(ratios), innovations, squares, noticed, worst, bias, updates)
+    return SizeEffect(
+        arm, np.array(rates, float), np.array(sizes, float),
+        np.array(ratios), innovations, squares, noticed, worst, bias, updates,
+    )  # fmt: skip
 
 
 def _without_noise(
-    name: str, rate: float
+    scheme: Scheme, sizes: Sequence[float], seed: int
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, int]:
     """What the arms do by themselves: perfect sensors, and a filter that expects the usual noise.
 
@@ -90,12 +136,12 @@ def _without_noise(
     """
     table = replace(
         TABLE,
-        scheme=replace(SCHEMES[name], rate=float(np.radians(rate))),
+        scheme=scheme,
         noise=ImuNoise(0.0, 0.0, 0.0),
         assumed_noise=TABLE.noise,
     )
-    rng, arms = np.random.default_rng(SEED), on_own_axes(np.array(SIZES))
-    trial = table.run(rng, len(SIZES), imu_errors=NO_ERRORS, higher_order=arms)
+    rng, arms = np.random.default_rng(seed), on_own_axes(np.array(sizes, float))
+    trial = table.run(rng, len(sizes), imu_errors=NO_ERRORS, higher_order=arms)
     errors, nis = trial.errors[:, -1, 6:], trial.calibration.nis
     covariance = trial.calibration.covariance[:, -1, 6:, 6:]
     names = trial.calibration.model.names[6:]

@@ -2,34 +2,38 @@
 
 import numpy as np
 from matplotlib.figure import Figure
+from scipy.constants import minute
 
-from driftlab.book.machinery.picture import SERIES, in_style
+from driftlab.book.machinery.picture import SERIES, in_style, legend_below
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import CalibrationErrors, unit_of
 
+WIDE = "abc;def;ghi;jkl;mno;pqr;stu"
+SHORT = {"arc seconds": "″", "deg/h": "°/h"}
+
 
 def columns(data: CalibrationErrors) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV: each minute, in engineering units."""
-    rows = slice(9, None, 10)
-    table = {"time_s": data.times[rows]}
+    """Columns of the figure's CSV, in engineering units."""
+    table = {"time_min": data.times / minute}
     for i, name in enumerate(data.names):
-        size, _ = unit_of(name)
-        table[f"error of {name}"] = (data.errors[rows, i] / size).round(3)
-        table[f"deviation of {name}"] = (data.deviations[rows, i] / size).round(3)
+        size, unit = unit_of(name)
+        table[f"size of the error of {name}, {unit}"] = np.abs(data.errors[:, i]) / size
+        table[f"three deviations of {name}, {unit}"] = 3 * data.deviations[:, i] / size
     return table
 
 
 @in_style
 def draw(data: CalibrationErrors, sheet: Sheet) -> Figure:
     """Draw seven rows of three small panels."""
-    figure = Figure(figsize=(10.5, 10.5))
-    panels = figure.subplots(7, 3, sharex=True)
-    figure.subplots_adjust(0.065, 0.085, 0.99, 0.975, wspace=0.18, hspace=0.36)
-    minutes = data.times / 60
+    figure, panels = sheet.mosaic(
+        WIDE, (10.5, 10.5), (0.065, 0.085, 0.99, 0.975), column=WIDE, column_height=8.0,
+        page_height=8.5, spaces=(0.18, 0.36), sharex=True,
+    )  # fmt: skip
+    minutes = data.times / minute
     for panel, name, error, deviation in zip(
-        panels.flat, data.names, data.errors.T, data.deviations.T, strict=True
+        panels.values(), data.names, data.errors.T, data.deviations.T, strict=True
     ):
         size, unit = unit_of(name)
         panel.plot(minutes, np.abs(error) / size, **SERIES[0], label="size of the error")
@@ -42,9 +46,16 @@ def draw(data: CalibrationErrors, sheet: Sheet) -> Figure:
         bottom, top = deviation[-1] / size / 10, 6 * deviation[0] / size
         panel.set(yscale="log", ylim=(bottom, top), xlim=(0, minutes[-1]))
         panel.minorticks_off()
-        panel.set_title(f"{name}, {unit}", fontsize=9)
-    for panel in panels[-1]:
-        panel.set_xlabel("time, minutes")
-    handles, labels = panels[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncols=2)
+        panel.set_title(f"{name}, {unit}", fontsize="medium" if sheet.on_paper else 9)
+        if sheet.narrow:
+            panel.set_title(_in_two_lines(name, SHORT.get(unit, unit)), fontsize="small")
+    for letter in WIDE.split(";")[-1]:
+        panels[letter].set_xlabel("time, minutes")
+    legend_below(panels["a"], sheet, ncols=2, column=1)
     return figure
+
+
+def _in_two_lines(name: str, unit: str) -> str:
+    """Name of a sensor error for a narrow panel: the kind, and below it which, with its unit."""
+    first, *kind, which = name.split()
+    return f"{first.replace('accelerometer', 'acc.')} {' '.join(kind)}\n{which}, {unit}"

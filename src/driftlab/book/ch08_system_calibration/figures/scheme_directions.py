@@ -1,8 +1,10 @@
-"""Which way is up in body axes, all along the two rotation schemes."""
+"""Which way is up in body axes, all along the rotation schemes."""
 
+import numpy as np
 from matplotlib.figure import Figure
+from scipy.constants import minute
 
-from driftlab.book.machinery.picture import SERIES, in_style, long_table
+from driftlab.book.machinery.picture import SERIES, in_style, legend_below
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -10,25 +12,38 @@ from ..experiments import SchemeDirections
 
 
 def columns(data: SchemeDirections) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV, each thirtieth second."""
-    return long_table({
-        f"{name}, {axis}": (times[::30], up[::30, i].round(12))
-        for name, times, up in zip(data.names, data.times, data.up, strict=True)
-        for i, axis in enumerate("xyz")
-    })  # fmt: skip
+    """Columns of the figure's CSV: the times of each scheme, and Up along each body axis."""
+    table = {}
+    for name, times, up in zip(data.names, data.times, data.up, strict=True):
+        table[f"time_min, {name}"] = times / minute
+        for axis, values in zip("xyz", up.T, strict=True):
+            table[f"up along {axis}, {name}"] = values.round(6) + 0.0  # no negative zero
+    return table
+
+
+def caption(data: SchemeDirections) -> str:
+    """Say how long each scheme takes."""
+    each = [
+        f"{name}: {times[-1] / minute:.1f} minutes with pauses of {scheme.dwell / minute:g} and "
+        f"turns of {np.degrees(scheme.rate):g} degrees a second"
+        for name, scheme, times in zip(data.names, data.schemes, data.times, strict=True)
+    ]
+    return f"Which body axis points up along a rotation scheme. {'; '.join(each)}."
 
 
 @in_style
 def draw(data: SchemeDirections, sheet: Sheet) -> Figure:
     """Draw one row a scheme, one line a body axis."""
-    figure = Figure(figsize=(10.5, 4.4))
-    panels = figure.subplots(len(data.names), 1, sharex=True, sharey=True)
-    figure.subplots_adjust(0.065, 0.18, 0.985, 0.93, hspace=0.28)
-    for panel, name, times, up in zip(panels, data.names, data.times, data.up, strict=True):
+    letters = [chr(ord("a") + i) for i in range(len(data.names))]
+    figure, panels = sheet.mosaic(
+        ";".join(letters), (10.5, 2.2 * len(letters)), (0.065, 0.18, 0.985, 0.93),
+        column_height=0.6 + 1.3 * len(letters), spaces=(0.2, 0.28), sharex=True, sharey=True,
+    )  # fmt: skip
+    for letter, name, times, up in zip(letters, data.names, data.times, data.up, strict=True):
+        panel = panels[letter]
         panel.set(title=name, ylabel="along Up", ylim=(-1.15, 1.15), yticks=(-1, 0, 1))
         for axis, values, style in zip("xyz", up.T, SERIES, strict=False):
-            panel.plot(times / 60, values, **style, label=f"body axis {axis}")
-    panels[-1].set_xlabel("time, minutes")
-    handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncols=3)
+            panel.plot(times / minute, values, **style, label=f"body axis {axis}")
+    panels[letters[-1]].set_xlabel("time, minutes")
+    legend_below(panels["a"], sheet, ncols=3)
     return figure
