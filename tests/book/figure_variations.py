@@ -10,6 +10,7 @@ import numpy as np
 from driftlab.book.ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY
 from driftlab.book.ch04_calibration_by_turns.experiments import RealTable
 from driftlab.checks import FloatArray
+from driftlab.imu import ImuNoise
 from driftlab.motion import Scheme, Sway
 
 
@@ -19,6 +20,8 @@ def plain(g: FloatArray) -> FloatArray:
 
 
 LEANING = [[0, 1e-3, 0], [0, 0, 5e-4], [0, 0, 0]]
+
+SHORT = Scheme("+90X +90X +90Y +90Z", dwell=15.0)
 
 VARIATIONS: dict[str, dict[str, Any]] = {
     "01-error-motion": {"rate": [0, 0, 0.2], "measured_rate": [0.02, 0, 0.21], "duration": 120.0},
@@ -61,4 +64,19 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "05-cayley-map": {"angle": -1.0, "axis": [0, 0, 1]},
     "05-riccati-turns": {"misses": [0.1], "turns": 2, "steps": 50, "tolerances": [1e-4, 1e-5]},
     "10-ship-under-way": {"speed": 5.0, "turn": -1.5, "window": "gathering way"},
+    "08-calibration-errors": {"scheme": SHORT, "seed": 2},
+    "08-choice-of-axes": {"units": 2, "sizes": [2e-3], "dwell": 3.0},
+    "08-designed-scheme": {
+        "random_schemes": 3,
+        "draws": 1,
+        "units": 2,
+        "positions": 8,
+        "duration": 330.0,
+    },
+    "08-filter-consistency": {"runs": 3, "scheme": SHORT, "assumed_noise": ImuNoise(1e-5)},
+    "08-in-place": {"scheme": SHORT, "duration": 3000.0, "latitude": 0.9},
+    "08-in-place-claim": {"units": 3, "sizes": [1e-3], "duration": 600.0, "dwell": 3.0},
+    "08-scheme-directions": {"schemes": (SHORT,)},
+    "08-size-effect": {"arm": 0.1, "sizes": [0.05, 0.2], "rates": [0.5], "dwell": 3.0},
+    "08-table-observability": {"scheme": SHORT, "frame": "averaged", "latitude": 0.6},
 }

@@ -163,6 +163,14 @@ def test_a_curve_that_is_in_two_panels_is_said_of_both(tmp_path: Path) -> None:
     assert [curve.panel for curve in read_curves(tmp_path / "powers.csv")] == [1, 2]
 
 
+def test_a_curve_that_two_panels_share_is_told_for_both() -> None:
+    figure = Figure()
+    for panel in figure.subplots(1, 2):
+        panel.plot([0.5, 1.5], [2.5, 3.5], label="both")
+    lines = header(figure, as_words({"x": [0.5, 1.5], "y": [2.5, 3.5]}))
+    assert lines == ["panel 1: ", '  "both": x = x, y = y', "panel 2: ", '  "both": x = x, y = y']
+
+
 def test_a_curve_that_is_not_in_the_table_is_refused_by_name() -> None:
     table = as_words({"exponent": [0, 1, 2], "power_m": [1, 3, 8], "bars": [4.0, 5.0]})
     with pytest.raises(MissingCurves, match="panel 1, cubes of three of 3 points"):

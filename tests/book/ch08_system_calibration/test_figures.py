@@ -180,7 +180,10 @@ def test_typical_units_do_not_notice_the_choice_of_axes(figure: PublishedFigure)
 def test_table_observability_draws_zero_for_the_unobservable(figure: PublishedFigure) -> None:
     data = figure.data
     assert data.unobservable == 3
-    assert (data.eigenvalues[:3] < table_observability_figure.FLOOR).all()
+    assert (data.eigenvalues[:3] < 1e-21).all()
+    assert (
+        figure.table()["eigenvalue_relative"][:3] == table_observability_figure.DRAWN_ZERO
+    ).all()
     assert data.eigenvalues[3] > 1e-10
     assert len(data.descriptions) == 3
     drawn = table_observability_figure.TableObservabilityPicture()

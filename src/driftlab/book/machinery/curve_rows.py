@@ -205,7 +205,7 @@ def _thinned(
 ) -> tuple[int, int] | None:
     """Which rows are a curve, as (every, first); None if they are not it."""
     n = len(curve.x)
-    if len(x) < n:
+    if len(x) < n or (n == 1 and len(x) > 1):  # a single point thins nothing
         return None
     every = 1 if len(x) == n else max((len(x) - 1) // max(n - 1, 1), 1)
     for step in dict.fromkeys((every, every + 1)):

@@ -108,6 +108,8 @@ def designed_schemes(
     draws: int = DRAWS,
     climbs: int = 1,
     units: int = UNITS,
+    positions: int = NINETEEN_POSITIONS.positions,
+    duration: float = TASKS[BEST].duration,
     latitude: float = TABLE_LATITUDE,
     seed: int = SEED,
 ) -> DesignedSchemes:
@@ -122,16 +124,24 @@ def designed_schemes(
     units : int
         Simulated units that go through the filter on the nineteen positions and on the design, at
         least two.
+    positions : int
+        Pauses of the rows that are designed or drawn.
+    duration : float
+        Of every scheme, s.
     latitude : float
         Of the table, rad.
     seed : int
     """
     rng = np.random.default_rng(whole_number(seed, "seed", least=0))
-    tasks = {name: replace(task, latitude=latitude) for name, task in TASKS.items()}
+    tasks = {
+        name: replace(task, positions=positions, duration=duration, latitude=latitude)
+        for name, task in TASKS.items()
+    }
+    begin = NINETEEN_POSITIONS if positions == NINETEEN_POSITIONS.positions else None
     task = tasks[BEST]
     rows = [("published", name, each.lasting(task.duration)) for name, each in SCHEMES.items()]
     for name, each in tasks.items():
-        design = design_scheme(each, rng, draws=draws, climbs=climbs, begin=NINETEEN_POSITIONS)
+        design = design_scheme(each, rng, draws=draws, climbs=climbs, begin=begin)
         rows.append(("designed", name, design.scheme))
     random = task.random_schemes(rng, random_schemes)
     rows += [("random", f"random {i}", scheme) for i, scheme in enumerate(random, 1)]

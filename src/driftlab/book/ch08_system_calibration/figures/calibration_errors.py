@@ -32,30 +32,32 @@ def draw(data: CalibrationErrors, sheet: Sheet) -> Figure:
         page_height=8.5, spaces=(0.18, 0.36), sharex=True,
     )  # fmt: skip
     minutes = data.times / minute
+    thick = 0.8 if sheet.on_paper else None
     for panel, name, error, deviation in zip(
         panels.values(), data.names, data.errors.T, data.deviations.T, strict=True
     ):
         size, unit = unit_of(name)
-        panel.plot(minutes, np.abs(error) / size, **SERIES[0], label="size of the error")
+        panel.plot(minutes, np.abs(error) / size, **SERIES[0], linewidth=thick,
+                   label="size of the error")  # fmt: skip
         panel.plot(
             minutes,
             3 * deviation / size,
             **SERIES[1],
+            linewidth=thick,
             label="three standard deviations that the filter states",
         )
         bottom, top = deviation[-1] / size / 10, 6 * deviation[0] / size
         panel.set(yscale="log", ylim=(bottom, top), xlim=(0, minutes[-1]))
         panel.minorticks_off()
-        panel.set_title(f"{name}, {unit}", fontsize="medium" if sheet.on_paper else 9)
-        if sheet.narrow:
-            panel.set_title(_in_two_lines(name, SHORT.get(unit, unit)), fontsize="small")
+        if sheet.on_paper:
+            words = name.replace("accelerometer", "acc.").replace("orthogonality", "orth.")
+            kind, which = words.rsplit(" ", 1)
+            between = "\n" if sheet.narrow else " "
+            words = f"{kind}{between}{which}, {SHORT.get(unit, unit)}"
+            panel.set_title(words, fontsize="small" if sheet.narrow else "medium")
+        else:
+            panel.set_title(f"{name}, {unit}", fontsize=9)
     for letter in WIDE.split(";")[-1]:
         panels[letter].set_xlabel("time, minutes")
     legend_below(panels["a"], sheet, ncols=2, column=1)
     return figure
-
-
-def _in_two_lines(name: str, unit: str) -> str:
-    """Name of a sensor error for a narrow panel: the kind, and below it which, with its unit."""
-    first, *kind, which = name.split()
-    return f"{first.replace('accelerometer', 'acc.')} {' '.join(kind)}\n{which}, {unit}"

@@ -106,8 +106,9 @@ def caption(data: DesignedSchemes) -> str:
     best, free = (data.named(name).criteria[0] for name in (BEST, FREE))
     drawn = np.array([each.criteria[0] for each in data.of_kind("random")])
     first, second = (f"{values.mean():.2f}" for values in data.nees.values())
+    turns = len(data.named(BEST).scheme.turns)
     return (
-        "Rows of eighteen quarter and half turns, all in the time of the nineteen positions. Left: "
+        f"Rows of {turns} quarter and half turns, all in the time of the nineteen positions. Left: "
         "deviations of the sensor errors over those after the nineteen positions; bars, nine in "
         f"ten of {drawn.size} random rows; hollow, errors of {len(data.nees[BEST])} "
         "simulated units after the designed row over those of the same units after the nineteen "
@@ -193,6 +194,7 @@ def _draw_worst(panel: Axes, data: DesignedSchemes, sheet: Sheet) -> None:
     panel.set_xticks([0.03, 0.1, 0.3, 1], ["3 %", "10 %", "30 %", "100 %"])
     panel.minorticks_off()
     if sheet.on_paper:
+        panel.set_ylim(0, 1.5 * counts.max())  # room for the legend
         panel.legend(loc="upper right", fontsize="small")
     else:
         panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=2, fontsize=8)

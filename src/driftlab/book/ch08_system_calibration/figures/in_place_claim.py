@@ -23,7 +23,7 @@ from ..experiments import (
 
 WIDE = (0.3, [0.3, 0.5, 1, 2, 3], 3.3)
 NARROW = (0.95, [0.96, 0.98, 1.0, 1.02, 1.04], 1.05)
-"""Limits and ticks of the ratios; narrow ones where nine in ten lie within."""
+"""Limits and ticks of the ratios; narrow ones where half of them lie within."""
 
 
 def columns(data: InPlaceClaim) -> dict[str, Any]:
@@ -100,20 +100,27 @@ def draw(data: InPlaceClaim, sheet: Sheet) -> Figure:
     rows, starts = len(data.sizes) + 1, len(ALL_STARTS)
     letters = np.array([chr(ord("a") + i) for i in range(rows * starts)]).reshape(rows, starts)
     heights = [1.0] * (rows - 1) + [1.75]
-    wide, narrow = (";".join("".join(row) for row in each) for each in (letters, letters.T))
+    wide, *halves = (
+        ";".join("".join(row) for row in part)
+        for part in (letters, letters[:, : starts // 2], letters[:, starts // 2 :])
+    )
     figure, panels = sheet.mosaic(
-        wide, (10.5, 9.0), (0.085, 0.115, 0.985, 0.965), column=narrow, page_height=7.0,
-        column_height=8.5, spaces=(0.13, 0.37), height_ratios=heights,
+        wide, (10.5, 9.0), (0.085, 0.115, 0.985, 0.965), column=";".join(halves),
+        page_height=7.4, column_height=9.4, spaces=(0.13, 0.37),
+        height_ratios=heights, column_heights=2 * heights,
     )  # fmt: skip
+    first = {0, starts // 2} if sheet.narrow else {0}
     for row, size in zip(letters, data.sizes, strict=False):
-        for letter, start in zip(row, ALL_STARTS, strict=True):
-            _draw_ratios(panels[letter], data, size, start, sheet)
-            first = sheet.narrow or start == ALL_STARTS[0]
-            panels[letter].tick_params(labelleft=first)
-    for letter, start in zip(letters[-1], ALL_STARTS, strict=True):
-        _draw_counts(panels[letter], data, start, sheet)
-        first = sheet.narrow or start == ALL_STARTS[0]
-        panels[letter].set_yticks(range(len(QUANTITIES)), QUANTITIES if first else [])
+        for i, start in enumerate(ALL_STARTS):
+            panel = panels[row[i]]
+            _draw_ratios(panel, data, size, start, sheet)
+            panel.tick_params(labelleft=i in first)
+            if i in first:
+                panel.set_ylabel("part below" if sheet.narrow else "part of the units below")
+    for i, start in enumerate(ALL_STARTS):
+        panel = panels[letters[-1, i]]
+        _draw_counts(panel, data, start, sheet)
+        panel.set_yticks(range(len(QUANTITIES)), QUANTITIES if i in first else [])
     _label(figure, panels, letters, sheet)
     return figure
 
@@ -121,19 +128,28 @@ def draw(data: InPlaceClaim, sheet: Sheet) -> Figure:
 def _label(
     figure: Figure, panels: Mapping[str, Axes], letters: NDArray[np.str_], sheet: Sheet
 ) -> None:
-    ratio = f"error with averaged axes / with {TRIANGLES[0]}, {next(iter(SCHEMES))}"
-    part = "part of the units with less error in averaged axes"
-    counts = panels[letters[-1, 0]]
-    if sheet.on_paper:
-        figure.supxlabel(f"above: {ratio}; below: {part}", fontsize="medium")
-    else:
-        for height, words in ((0.465, ratio), (0.072, part)):
-            figure.text(0.535, height, words, ha="center", fontsize=10)
+    """Words below the panels, and the legends."""
     small = "small" if sheet.on_paper else 8
-    for row in letters[:-1]:
-        panels[row[0]].set_ylabel("part of the units below")
     panels["a"].legend(loc="lower right", fontsize=small)
-    legend_below(counts, sheet, 4, 2, fontsize=small)
+    if sheet.on_paper:
+        for above, below in letters[-2:].T:
+            panels[above].set_xlabel(f"averaged / {TRIANGLES[0]}")
+            panels[below].set_xlabel("part that errs less")
+        legend_below(panels[letters[-1, 0]], sheet, 4, 2, fontsize=small,
+                     title="schemes, triangles, installation errors", title_fontsize=small,
+                     handlelength=1.2, columnspacing=1.2)  # fmt: skip
+        return
+    for height, words in (
+        (0.465, f"error with averaged axes / with {TRIANGLES[0]}, {next(iter(SCHEMES))}"),
+        (0.072, "part of the units with less error in averaged axes"),
+    ):
+        figure.text(0.535, height, words, ha="center", fontsize=10)
+    legend_below(panels[letters[-1, 0]], sheet, 4, fontsize=small)
+
+
+def _say(panel: Axes, size: str, start: str, sheet: Sheet) -> None:
+    words = f"{size}, from {start}" if sheet.narrow else f"{size}, start from {start}"
+    panel.set_title(words, fontsize="small" if sheet.on_paper else 9)
 
 
 def _draw_ratios(panel: Axes, data: InPlaceClaim, size: float, start: str, sheet: Sheet) -> None:
@@ -145,11 +161,13 @@ def _draw_ratios(panel: Axes, data: InPlaceClaim, size: float, start: str, sheet
         for quantity in QUANTITIES
     }
     # From the table's axes, and for units bent much, the ratios differ by more than per cents.
-    spread = np.concatenate([np.quantile(ratios, [0.05, 0.95]) for ratios in drawn.values()])
+    spread = np.concatenate([np.quantile(ratios, [0.25, 0.75]) for ratios in drawn.values()])
     typical = NARROW[0] < spread.min() and spread.max() < NARROW[2]
     low, ticks, high = NARROW if typical else WIDE
     panel.set(xscale="log", xlim=(low, high), ylim=(0, 1))
-    panel.set_title(f"{size:g}″, start from {start}", fontsize="small" if sheet.on_paper else 9)
+    _say(panel, f"{size:g}″", start, sheet)
+    if sheet.narrow:
+        ticks = ticks[:: 2 if typical else 1]
     panel.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     panel.minorticks_off()
     panel.axvline(1.0, color=BLACK, linewidth=0.8)
@@ -162,7 +180,7 @@ def _draw_ratios(panel: Axes, data: InPlaceClaim, size: float, start: str, sheet
 def _draw_counts(panel: Axes, data: InPlaceClaim, start: str, sheet: Sheet) -> None:
     """Part of the units that err less with averaged axes, with 95 % intervals, in all cases."""
     panel.set(ylim=(len(QUANTITIES) - 0.5, -0.5))
-    panel.set_title(f"all, start from {start}", fontsize="small" if sheet.on_paper else 9)
+    _say(panel, "all", start, sheet)
     panel.axvline(0.5, color=BLACK, linewidth=0.8)
     counted = data.counted()
     cases = [(s, rival, size) for s in SCHEMES for rival in TRIANGLES for size in data.sizes]
@@ -174,11 +192,12 @@ def _draw_counts(panel: Axes, data: InPlaceClaim, start: str, sheet: Sheet) -> N
         low, high = np.transpose([each.interval for each in found])
         reach = [min(reach[0], low.min() - 0.02), max(reach[1], high.max() + 0.02)]
         kind, bent = divmod(k, len(data.sizes))
+        word = rival.removesuffix(" triangle") if sheet.on_paper else rival
         panel.errorbar(
             part, np.arange(len(found)) + 0.1 * (k - (len(cases) - 1) / 2),
             xerr=[part - low, high - part], color=SERIES[kind]["color"], marker="os^D"[kind],
             markersize=4.5 * dot, elinewidth=1.5 * dot, linestyle="none",
-            markerfacecolor=None if bent else "white", label=f"{scheme}, {rival}, {size:g}″",
+            markerfacecolor=None if bent else "white", label=f"{scheme}, {word}, {size:g}″",
         )  # fmt: skip
     panel.set_xlim(*reach)
     for row in range(1, len(QUANTITIES)):

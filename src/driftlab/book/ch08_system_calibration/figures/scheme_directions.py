@@ -45,5 +45,5 @@ def draw(data: SchemeDirections, sheet: Sheet) -> Figure:
         for axis, values, style in zip("xyz", up.T, SERIES, strict=False):
             panel.plot(times / minute, values, **style, label=f"body axis {axis}")
     panels[letters[-1]].set_xlabel("time, minutes")
-    legend_below(panels["a"], sheet, ncols=3)
+    legend_below(panels["a"], sheet, ncols=3, column=3)
     return figure
