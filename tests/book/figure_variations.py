@@ -79,4 +79,18 @@ VARIATIONS: dict[str, dict[str, Any]] = {
     "08-scheme-directions": {"schemes": (SHORT,)},
     "08-size-effect": {"arm": 0.1, "sizes": [0.05, 0.2], "rates": [0.5], "dwell": 3.0},
     "08-table-observability": {"scheme": SHORT, "frame": "averaged", "latitude": 0.6},
+    "10-ballistic-error": {"latitude": 1.2, "speed": 30.0, "stiff": 4.0},
+    "10-damping": {"gyro_bias_body": [0.0, 0.0, 5e-7], "damping": 0.2, "current": (1.0, 2.0)},
+    "10-frequency-response": {"latitude": 0.3, "damping": 0.9, "driven_periods": [600.0]},
+    "10-operating-formula": {"pitch": 0.3, "speed": 10.0, "turn": -0.5},
+    "10-operation": {"gyro_bias_body": [0.0, 2e-6, 0.0], "latitude": 1.0, "log": True},
+    "10-restarts": {"restarts": 5, "window": 50, "trials": 500},
+    "10-settling": {"runs": 3, "tilt": [1e-3, 0.0, 2e-3], "angle_random_walk": 1e-6},
+    "10-static-characteristic": {
+        "units": 20,
+        "lasting_drift": [1e-7, 2e-6],
+        "lasting_offset": [0.0, 0.01],
+        "random_drift": 1e-7,
+    },
+    "10-would-it-pass": {"latitudes": [0.5], "damping": 0.3, "worse": 3.0},
 }

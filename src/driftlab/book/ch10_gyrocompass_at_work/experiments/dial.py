@@ -1,12 +1,13 @@
 """Plotnikov Fig. 1, simulated from its description: heading error on a table of three angles."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from scipy.constants import arcminute, degree, g, hour, milli
 
 from driftlab.book.scenarios import SARATOV_LATITUDE
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, finite_array, whole_number
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import alignment_errors
 from driftlab.gyrocompass.trials import table_heading_error
@@ -34,7 +35,8 @@ LASTING: FloatArray = np.arange(0.0, 0.105, 0.01).round(2)
 OFFSETS: FloatArray = np.arange(0.0, 11.0, 1.0)
 """Deviation of the offset that each accelerometer keeps through all runs, mg."""
 SHOWN = 4
-"""Index of the entry of `LASTING` from which one unit is shown."""
+"""Index of the entry of `LASTING` from which one unit is shown in the published figure."""
+SEED = 1
 PAPER_LARGEST = 0.34
 """The paper's largest averaged error, degrees."""
 
@@ -50,6 +52,8 @@ class StaticCharacteristic(NamedTuple):
         What its lasting errors make of the heading to first order, and the table's own, rad.
     lasting, offsets : ndarray, shape (m,)
         Deviations of the drift, deg/h, and of the offset, mg, that last.
+    shown : int
+        Index of the drift in `lasting` from which the unit is.
     by_drift, by_offset : ndarray, shape (2, m, units)
         Largest errors of the averaged characteristic, rad: in the turns in heading alone, and in
         all three.
@@ -59,6 +63,7 @@ class StaticCharacteristic(NamedTuple):
     formula: dict[str, FloatArray]
     lasting: FloatArray
     offsets: FloatArray
+    shown: int
     by_drift: FloatArray
     by_offset: FloatArray
 
@@ -91,7 +96,12 @@ class DialTrial(NamedTuple):
 
 
 def dial_trial(
-    lasting: float, offset: float, units: int, rng: np.random.Generator, random: float = RANDOM
+    lasting: float,
+    offset: float,
+    units: int,
+    rng: np.random.Generator,
+    random: float = RANDOM,
+    latitude: float = SARATOV_LATITUDE,
 ) -> DialTrial:
     """Turn units in heading, pitch and roll on tables with errors within the paper's limits.
 
@@ -105,6 +115,8 @@ def dial_trial(
         Deviation of the accelerometers' offset, which lasts, m/s^2.
     units : int
     rng : numpy.random.Generator
+    latitude : float
+        rad.
     """
     drift = lasting * rng.standard_normal((units, 1, 1, 3))
     bias = offset * rng.standard_normal((units, 1, 1, 3))
@@ -114,13 +126,15 @@ def dial_trial(
     for name, (dial, pitch, roll) in STOPS.items():
         noise = random * rng.standard_normal((units, RUNS, len(dial), 3))
         errors[name] = table_heading_error(
-            dial, drift + noise, bias, SARATOV_LATITUDE, pitch=pitch, roll=roll,
+            dial, drift + noise, bias, latitude, pitch=pitch, roll=roll,
             north_error=north, tilt=tilt,
         )  # fmt: skip
     return DialTrial(errors, drift, bias, north, tilt)
 
 
-def table_and_unit(trial: DialTrial, unit: int) -> dict[str, FloatArray]:
+def table_and_unit(
+    trial: DialTrial, unit: int, latitude: float = SARATOV_LATITUDE
+) -> dict[str, FloatArray]:
     """Return the heading errors (n,) of one unit and its table to first order, by turn, rad."""
     expected = {}
     for name, (dial, pitch, roll) in STOPS.items():
@@ -131,25 +145,53 @@ def table_and_unit(trial: DialTrial, unit: int) -> dict[str, FloatArray]:
         north, east = trial.tilt[unit, 0, 0]
         # A leaning table turns a pitched bow aside; the compass is right, and the dial is not.
         aside = np.tan(pitch) * (east * np.sin(dial) - north * np.cos(dial))
-        aligned = alignment_errors(dial, pitch, SARATOV_LATITUDE, *local).heading
+        aligned = alignment_errors(dial, pitch, latitude, *local).heading
         expected[name] = aligned + trial.north_error[unit, 0, 0] + aside
     return expected
 
 
-def static_characteristic(units: int = 500) -> StaticCharacteristic:
-    """Turn many units on the table for each of `LASTING`, and for each of `OFFSETS`.
+def static_characteristic(
+    units: int = 500,
+    lasting_drift: Sequence[float] = tuple((LASTING * degree / hour).tolist()),
+    lasting_offset: Sequence[float] = tuple((OFFSETS * milli * g).tolist()),
+    random_drift: float = RANDOM,
+    latitude: float = SARATOV_LATITUDE,
+    seed: int = SEED,
+) -> StaticCharacteristic:
+    """Turn many units on the table for each drift that lasts, and for each offset.
 
-    The shown unit is the one whose largest error in the turns in heading is nearest to the paper's.
+    The shown unit is of the drift of which the median is nearest to the paper's largest error, and
+    the one of these whose largest error in the turns in heading is nearest to it.
+
+    Parameters
+    ----------
+    units : int
+        For each drift and each offset.
+    lasting_drift : sequence of float
+        Deviations of the drift that each gyro keeps through all runs, rad/s, ascending.
+    lasting_offset : sequence of float
+        Deviations of the offset that each accelerometer keeps, m/s^2, ascending.
+    random_drift : float
+        Deviation of an averaged gyro from stop to stop, rad/s.
+    latitude : float
+        rad.
+    seed : int
     """
-    rng = np.random.default_rng(1)
-    drifting = [dial_trial(float(s), 0.0, units, rng) for s in LASTING * degree / hour]
-    offset = [dial_trial(0.0, float(s), units, rng) for s in OFFSETS * milli * g]
-    shown = drifting[SHOWN]
-    unit = int(np.abs(np.degrees(shown.largest()[0]) - PAPER_LARGEST).argmin())
+    units, rng = whole_number(units, "units"), np.random.default_rng(seed)
+    drifts = finite_array(lasting_drift, "lasting_drift")
+    offsets = finite_array(lasting_offset, "lasting_offset")
+    drifting, offset = (
+        [dial_trial(*size, units, rng, random_drift, latitude) for size in sizes]
+        for sizes in ([(s, 0.0) for s in drifts], [(0.0, s) for s in offsets])
+    )
+    medians = [np.degrees(np.median(trial.largest()[0])) for trial in drifting]
+    shown = int(np.abs(np.array(medians) - PAPER_LARGEST).argmin())
+    unit = int(np.abs(np.degrees(drifting[shown].largest()[0]) - PAPER_LARGEST).argmin())
     return StaticCharacteristic(
-        {name: errors[unit] for name, errors in shown.errors.items()},
-        table_and_unit(shown, unit),
-        LASTING,
-        OFFSETS,
+        {name: errors[unit] for name, errors in drifting[shown].errors.items()},
+        table_and_unit(drifting[shown], unit, latitude),
+        drifts / (degree / hour),
+        offsets / (milli * g),
+        shown,
         *(np.stack([trial.largest() for trial in each], axis=1) for each in (drifting, offset)),
     )

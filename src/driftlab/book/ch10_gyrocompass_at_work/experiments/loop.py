@@ -1,5 +1,6 @@
 """The levelling loop, frequency by frequency: its transfer functions, and the compass itself."""
 
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -7,8 +8,8 @@ from numpy.typing import NDArray
 from scipy.constants import hour, minute
 
 from driftlab.book.scenarios import SARATOV_LATITUDE, SCHULER_PERIOD
-from driftlab.checks import FloatArray
-from driftlab.earth import EARTH_RATE, gravity
+from driftlab.checks import FloatArray, finite_array, positive_number
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.gains import damped_gains, schuler_gains
 from driftlab.gyrocompass.levelling_loop import LevelLoop, LoopResponse, level_loop
 from driftlab.gyrocompass.simulation import simulate_compass
@@ -19,17 +20,6 @@ from .voyages import DAMPING
 
 SWELL, DAY = 8.0, 24 * hour
 """Periods of a swell and of a day, s."""
-_PULL = float(gravity(SARATOV_LATITUDE))
-_SCHULER = 2 * np.pi / SCHULER_PERIOD
-LOOPS: dict[str, LevelLoop] = {
-    "Schuler's tuning": level_loop(schuler_gains(), _PULL),
-    f"damped, ratio {DAMPING:g}": level_loop(damped_gains(_SCHULER, _PULL, DAMPING), _PULL),
-    f"damped, ratio {DAMPING:g}, with a log": level_loop(
-        damped_gains(_SCHULER, _PULL, DAMPING), _PULL, log=True
-    ),
-    "stiff, for levelling": level_loop(damped_gains(FREQUENCY, _PULL), _PULL),
-}
-"""The four loops of the figure; the last is that of accelerated alignment."""
 DISTURBANCES = ("acceleration", "gyro_bias", "accelerometer_bias", "log_error")
 """Methods of `LevelLoop`."""
 DRIVEN = (SWELL, 10 * minute, SCHULER_PERIOD, 6 * hour)
@@ -41,6 +31,10 @@ class FrequencyResponse(NamedTuple):
 
     Attributes
     ----------
+    latitude, damping : float
+        rad, and the damping ratio.
+    loops : dict of LevelLoop
+        Undamped, damped, damped with a log, and that of accelerated alignment.
     periods : ndarray, shape (n,)
         s.
     curves : dict of dict of LoopResponse
@@ -51,38 +45,92 @@ class FrequencyResponse(NamedTuple):
         Tilt and rate for a unit of each disturbance, complex, from `simulate_compass`.
     """
 
+    latitude: float
+    damping: float
+    loops: dict[str, LevelLoop]
     periods: FloatArray
     curves: dict[str, dict[str, LoopResponse]]
     driven_periods: FloatArray
     driven: dict[str, NDArray[np.complex128]]
 
 
-def damped_loop(disturbance: str) -> LevelLoop:
+def four_loops(
+    latitude: float = SARATOV_LATITUDE, damping: float = DAMPING, frequency: float = FREQUENCY
+) -> dict[str, LevelLoop]:
+    """Return the loops of the figure; the last is that of accelerated alignment.
+
+    Parameters
+    ----------
+    latitude : float
+        rad.
+    damping : float
+        Damping ratio at work.
+    frequency : float
+        Natural frequency of accelerated alignment, rad/s.
+    """
+    pull = float(gravity(latitude))
+    damped = damped_gains(float(np.sqrt(pull / EARTH_RADIUS)), pull, damping)
+    return {
+        "Schuler's tuning": level_loop(schuler_gains(), pull),
+        f"damped, ratio {damping:g}": level_loop(damped, pull),
+        f"damped, ratio {damping:g}, with a log": level_loop(damped, pull, log=True),
+        "stiff, for levelling": level_loop(damped_gains(frequency, pull), pull),
+    }
+
+
+def damped_loop(disturbance: str, loops: Mapping[str, LevelLoop]) -> LevelLoop:
     """Damped loop that is driven by a disturbance: by a log if the log errs, else without."""
-    _, alone, by_log, _ = LOOPS.values()
+    _, alone, by_log, _ = loops.values()
     return by_log if disturbance == "log_error" else alone
 
 
-def frequency_response() -> FrequencyResponse:
-    """Return the responses of four loops, and those of the compass at a few periods."""
+def frequency_response(
+    latitude: float = SARATOV_LATITUDE,
+    damping: float = DAMPING,
+    frequency: float = FREQUENCY,
+    driven_periods: Sequence[float] = DRIVEN,
+) -> FrequencyResponse:
+    """Return the responses of four loops, and those of the compass at a few periods.
+
+    Parameters
+    ----------
+    latitude, damping, frequency : float
+        As for `four_loops`.
+    driven_periods : sequence of float
+        At which the compass itself is driven, s.
+    """
+    damping = positive_number(damping, "damping")
+    driven_at = finite_array(driven_periods, "driven_periods")
+    loops = four_loops(latitude, damping, frequency)
     periods = np.geomspace(2 * DAY, 3.0, 241)
     curves: dict[str, dict[str, LoopResponse]] = {}
     for disturbance in DISTURBANCES:
         answers = {
-            name: getattr(loop, disturbance)(2 * np.pi / periods) for name, loop in LOOPS.items()
+            name: getattr(loop, disturbance)(2 * np.pi / periods) for name, loop in loops.items()
         }
         curves[disturbance] = {name: each for name, each in answers.items() if each.rate.any()}
     driven = {
-        disturbance: np.transpose([driven_compass(disturbance, period) for period in DRIVEN])
+        disturbance: np.transpose(
+            [
+                driven_compass(disturbance, float(period), loops, latitude, damping)
+                for period in driven_at
+            ]
+        )
         for disturbance in DISTURBANCES
     }
-    return FrequencyResponse(periods, curves, np.array(DRIVEN), driven)
+    return FrequencyResponse(latitude, damping, loops, periods, curves, driven_at, driven)
 
 
-def driven_compass(disturbance: str, period: float) -> NDArray[np.complex128]:
+def driven_compass(
+    disturbance: str,
+    period: float,
+    loops: Mapping[str, LevelLoop],
+    latitude: float,
+    damping: float,
+) -> NDArray[np.complex128]:
     """Tilt and rate (2,) of a simulated compass for a unit of a disturbance that swings.
 
-    A ship near Saratov heads North. What a wave leaves of the loop's own swing is fitted away.
+    A ship heads North. What a wave leaves of the loop's own swing is fitted away.
 
     Parameters
     ----------
@@ -90,8 +138,12 @@ def driven_compass(disturbance: str, period: float) -> NDArray[np.complex128]:
         One of `DISTURBANCES`.
     period : float
         s.
+    loops : dict of LevelLoop
+        As `four_loops` returns them.
+    latitude, damping : float
+        rad, and the damping ratio of the compass.
     """
-    loop, swing = damped_loop(disturbance), 2 * np.pi / period
+    loop, swing = damped_loop(disturbance, loops), 2 * np.pi / period
     interval = min(period / 40, 60.0)
     # Some of the loop's own swing must be seen, or it cannot be told from the wave.
     count = round(max(3 * period, min(40 * period, 2 * SCHULER_PERIOD)) / interval)
@@ -107,13 +159,13 @@ def driven_compass(disturbance: str, period: float) -> NDArray[np.complex128]:
         error[:, 0] = size * wave
     elif disturbance == "gyro_bias":
         drift[:, 2] = size * mean
-    way = vehicle_trajectory(SARATOV_LATITUDE, velocity, 0.0, interval=interval)
+    way = vehicle_trajectory(latitude, velocity, 0.0, interval=interval)
     if disturbance == "accelerometer_bias":
         size = 1e-4
         push = way.increments.velocity + interval * size * mean[:, np.newaxis] * [1.0, 0.0, 0.0]
         way = way._replace(increments=way.increments._replace(velocity=push))
-    run = simulate_compass(way, drift, damping=DAMPING, log=loop.log, log_error=error)
-    seen = np.stack([run.tilt[:, 1], EARTH_RATE * np.cos(SARATOV_LATITUDE) * run.heading_error])
+    run = simulate_compass(way, drift, damping=damping, log=loop.log, log_error=error)
+    seen = np.stack([run.tilt[:, 1], EARTH_RATE * np.cos(latitude) * run.heading_error])
     unit = size * 1j * swing if disturbance == "acceleration" else size
     return _wave_in(run.times, seen, swing, loop) / unit
 
@@ -144,7 +196,7 @@ def gain_and_lead(data: FrequencyResponse) -> dict[str, FloatArray]:
     """
     compared = {}
     for disturbance, driven in data.driven.items():
-        answer = getattr(damped_loop(disturbance), disturbance)
+        answer = getattr(damped_loop(disturbance, data.loops), disturbance)
         known = np.stack(answer(2 * np.pi / data.driven_periods))
         # At Schuler's frequency a log's error passes to 1e-16 or so, which is nothing.
         passing = np.abs(known) > 1e-9 * np.abs(known).max(axis=-1, keepdims=True)

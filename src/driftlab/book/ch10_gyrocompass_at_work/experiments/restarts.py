@@ -10,9 +10,9 @@ from driftlab.book.ch09_aligning_a_gyrocompass.experiments import (
     gyro_noise,
 )
 from driftlab.book.scenarios import SARATOV_LATITUDE
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, checked_instance, whole_number
 from driftlab.gyrocompass.alignment import align
-from driftlab.gyrocompass.noise import moving_average
+from driftlab.gyrocompass.noise import GyroNoise, moving_average
 from driftlab.gyrocompass.trials import normal_ranges
 from driftlab.motion.vehicle import static_imu
 
@@ -22,6 +22,9 @@ PAPER_SPREAD, PAPER_DEVIATION = 0.3, 0.054
 """The paper's, degrees."""
 TRIALS = 200_000
 """Samples of as many normal values."""
+NOISES = (gyro_noise(WHITE[0]), gyro_noise(WHITE[1]))
+"""The least and the most of the paper's range."""
+SEED = 26
 
 
 class Restarts(NamedTuple):
@@ -29,18 +32,24 @@ class Restarts(NamedTuple):
 
     Attributes
     ----------
-    heading : ndarray, shape (26,)
-        rad, with the weaker white noise of the paper's range, averaged.
+    noises : tuple of GyroNoise
+        Of a gyro, the quieter one first.
+    window : int
+        Samples that are averaged.
+    heading : ndarray, shape (restarts,)
+        rad, with the weaker noise, averaged.
     raw : ndarray, shape (n,)
-        Noise of one gyro with the stronger white noise, rad/s.
+        Noise of one gyro with the stronger noise, rad/s.
     averaged : ndarray, shape (m,)
         The same after the moving average, rad/s.
     deviations : ndarray, shape (2, 2)
-        A row for each white noise: before and after averaging, rad/s.
-    ranges : ndarray, shape (200000,)
-        Range over standard deviation of 26 normal values.
+        A row for each noise: before and after averaging, rad/s.
+    ranges : ndarray, shape (trials,)
+        Range over standard deviation of as many normal values as restarts.
     """
 
+    noises: tuple[GyroNoise, GyroNoise]
+    window: int
     heading: FloatArray
     raw: FloatArray
     averaged: FloatArray
@@ -48,24 +57,48 @@ class Restarts(NamedTuple):
     ranges: FloatArray
 
 
-def restart_series() -> Restarts:
-    """Switch a compass on again and again, and let it average before it aligns."""
-    rng = np.random.default_rng(26)
-    rate, force = static_imu([0.0, 0.0, 0.0, 1.0], SARATOV_LATITUDE)
-    weak, strong = map(gyro_noise, WHITE)
-    quiet = weak.samples(MOVING_AVERAGE, rng, RESTARTS, 3)
+def restart_series(
+    restarts: int = RESTARTS,
+    noises: tuple[GyroNoise, GyroNoise] = NOISES,
+    window: int = MOVING_AVERAGE,
+    trials: int = TRIALS,
+    latitude: float = SARATOV_LATITUDE,
+    seed: int = SEED,
+) -> Restarts:
+    """Switch a compass on again and again, and let it average before it aligns.
+
+    Parameters
+    ----------
+    restarts : int
+        At least two.
+    noises : tuple of GyroNoise
+        Two noises of a gyro: that of the series, and a stronger one.
+    window : int
+        Samples that are averaged.
+    trials : int
+        Samples of as many normal values as restarts.
+    latitude : float
+        rad.
+    seed : int
+    """
+    restarts = whole_number(restarts, "restarts", least=2)
+    rng = np.random.default_rng(whole_number(seed, "seed", least=0))
+    rate, force = static_imu([0.0, 0.0, 0.0, 1.0], latitude)
+    weak, strong = (checked_instance(each, GyroNoise, "noises") for each in noises)
+    quiet = weak.samples(window, rng, restarts, 3)
     heading = align(rate + quiet.mean(axis=-1), force).heading
-    raw = strong.samples(10 * MOVING_AVERAGE, rng)
+    raw = strong.samples(10 * window, rng)
     deviations = [
-        [np.hypot(gyro.white, gyro.slow), gyro.deviation_of_mean(MOVING_AVERAGE)]
-        for gyro in (weak, strong)
+        [np.hypot(gyro.white, gyro.slow), gyro.deviation_of_mean(window)] for gyro in (weak, strong)
     ]
     return Restarts(
+        (weak, strong),
+        window,
         heading,
         raw,
-        moving_average(raw, MOVING_AVERAGE),
+        moving_average(raw, window),
         np.array(deviations),
-        normal_ranges(RESTARTS, TRIALS, rng),
+        normal_ranges(restarts, trials, rng),
     )
 
 

@@ -3,10 +3,11 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.constants import degree, hour, minute
 
 from driftlab.book.scenarios import SARATOV_LATITUDE
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.gains import damped_gains, schuler_gains
 from driftlab.gyrocompass.horizon_noise import settled_deviation, swing_deviation
@@ -27,6 +28,7 @@ RANDOM_WALK = 0.002 * degree / float(np.sqrt(hour))
 """Of each gyro, rad/sqrt(s)."""
 TILT: FloatArray = np.radians([0.5, 0.0, 0.4])
 """Of the horizon at the start, about North and about East, rad."""
+SEED = 10
 
 
 class Settling(NamedTuple):
@@ -54,24 +56,42 @@ class Settling(NamedTuple):
     deviation: FloatArray
 
 
-def settling_and_swing(runs: int = 40) -> Settling:
+def settling_and_swing(
+    runs: int = 40,
+    tilt: ArrayLike = TILT,
+    frequency: float = FREQUENCY,
+    angle_random_walk: float = RANDOM_WALK,
+    latitude: float = SARATOV_LATITUDE,
+    seed: int = SEED,
+) -> Settling:
     """Let the horizon settle for twenty minutes and work for two hours.
 
     Parameters
     ----------
     runs : int
         Number of runs with noise.
+    tilt : array_like, shape (3,)
+        Rotation vector (North, Up, East) of the horizon at the start, rad.
+    frequency : float
+        Natural frequency of the damped horizon, rad/s.
+    angle_random_walk : float
+        Of each gyro, rad/sqrt(s).
+    latitude : float
+        rad.
+    seed : int
     """
-    rng = np.random.default_rng(10)
-    pull, azimuth_rate = float(gravity(SARATOV_LATITUDE)), EARTH_RATE * np.sin(SARATOV_LATITUDE)
-    rate, force = static_imu([0.0, 0.0, 0.0, 1.0], SARATOV_LATITUDE)
+    runs = whole_number(runs, "runs", least=2)
+    random_walk = positive_number(angle_random_walk, "angle_random_walk")
+    rng = np.random.default_rng(whole_number(seed, "seed", least=0))
+    pull, azimuth_rate = float(gravity(latitude)), EARTH_RATE * np.sin(latitude)
+    rate, force = static_imu([0.0, 0.0, 0.0, 1.0], latitude)
     # Not level, and without an idea of where North is.
-    start = LevelFrame(from_rotation_vector(TILT), np.zeros(2))
-    damped, interval = damped_gains(FREQUENCY, pull), SETTLING_INTERVAL
+    start = LevelFrame(from_rotation_vector(tilt), np.zeros(2))
+    damped, interval = damped_gains(frequency, pull), SETTLING_INTERVAL
 
     def increments(duration: float, *runs: int) -> Increments:
         size = (*runs, round(duration / interval), 3)
-        noise = RANDOM_WALK * np.sqrt(interval) * rng.standard_normal(size) if runs else 0.0
+        noise = random_walk * np.sqrt(interval) * rng.standard_normal(size) if runs else 0.0
         angle = np.broadcast_to(interval * rate, size) + noise
         return Increments(interval, angle, np.broadcast_to(interval * force, size))
 
@@ -82,9 +102,9 @@ def settling_and_swing(runs: int = 40) -> Settling:
     )
     # The swing begins with the rate error of the moment; the tilt adds little to it.
     phase = np.sqrt(pull / EARTH_RADIUS) * working.times
-    begun = settled_deviation(RANDOM_WALK, FREQUENCY) * np.cos(phase)
-    grown = swing_deviation(RANDOM_WALK, working.times, pull)
-    level = EARTH_RATE * np.cos(SARATOV_LATITUDE)
+    begun = settled_deviation(random_walk, frequency) * np.cos(phase)
+    grown = swing_deviation(random_walk, working.times, pull)
+    level = EARTH_RATE * np.cos(latitude)
     return Settling(
         quiet.times,
         np.linalg.norm(to_rotation_vector(quiet.attitude)[:, [0, 2]], axis=-1),

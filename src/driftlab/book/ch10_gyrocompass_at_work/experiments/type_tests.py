@@ -1,5 +1,6 @@
 """Would it pass? The paper's compass and three others on the tests of the marine standards."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -12,7 +13,7 @@ from driftlab.book.ch09_aligning_a_gyrocompass.experiments import (
     gyro_noise,
 )
 from driftlab.book.scenarios import SARATOV_LATITUDE
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, checked_instance, finite_array
 from driftlab.earth import EARTH_RATE
 from driftlab.gyrocompass.type_test import marine_type_test
 from driftlab.gyrocompass.type_test_compass import COARSE, FINE, Gyrocompass
@@ -36,17 +37,28 @@ PAPER_COMPASS = Gyrocompass(
     alignment_time=MOVING_AVERAGE * _NOISE.interval,
 )
 """The paper's, as reconstructed: undamped, with the quieter gyros, 0.34 degrees as one drift."""
-CHEAP_COMPASS = replace(
-    PAPER_COMPASS,
-    gyro_bias=(0.0, 0.0, WORSE * LASTING_DRIFT),
-    gyro_noise=replace(_NOISE, white=WORSE * _NOISE.white, slow=WORSE * _NOISE.slow),
-)
-COMPASSES = {
-    "the paper's compass": PAPER_COMPASS,
-    "the same, damped by a log": replace(PAPER_COMPASS, damping=DAMPING, log=True),
-    "the same, damped without a log": replace(PAPER_COMPASS, damping=DAMPING),
-    f"gyros {WORSE:g} times worse": CHEAP_COMPASS,
-}
+
+
+def compasses(compass: Gyrocompass, damping: float, worse: float) -> dict[str, Gyrocompass]:
+    """Return a compass and three others: damped with a log and without, and with worse gyros."""
+    noise = compass.gyro_noise
+    x, y, z = (worse * bias for bias in compass.gyro_bias)
+    cheap = replace(
+        compass,
+        gyro_bias=(x, y, z),
+        gyro_noise=replace(noise, white=worse * noise.white, slow=worse * noise.slow),
+    )
+    name = "the paper's compass" if compass == PAPER_COMPASS else "a compass"
+    return {
+        name: compass,
+        "the same, damped by a log": replace(compass, damping=damping, log=True),
+        "the same, damped without a log": replace(compass, damping=damping, log=False),
+        f"gyros {worse:g} times worse": cheap,
+    }
+
+
+COMPASSES = compasses(PAPER_COMPASS, DAMPING, WORSE)
+CHEAP_COMPASS = COMPASSES[f"gyros {WORSE:g} times worse"]
 
 
 class TypeTests(NamedTuple):
@@ -56,21 +68,46 @@ class TypeTests(NamedTuple):
     ----------
     latitudes : ndarray, shape (n,)
         degrees.
+    worse : float
+        How many times worse the gyros of the last compass are.
     shares : dict of dict of ndarray, shape (n,)
         By compass and by test, without unit: more than 1 fails; infinite if it never settles.
     """
 
     latitudes: FloatArray
+    worse: float
     shares: dict[str, dict[str, FloatArray]]
 
 
-def type_tests() -> TypeTests:
-    """Put each of `COMPASSES` to the tests at all of `PLACES`."""
+def type_tests(
+    compass: Gyrocompass = PAPER_COMPASS,
+    latitudes: Sequence[float] = tuple(np.radians(PLACES).tolist()),
+    damping: float = DAMPING,
+    worse: float = WORSE,
+    seed: int = 0,
+) -> TypeTests:
+    """Put a compass and three others to the tests at several latitudes.
+
+    Parameters
+    ----------
+    compass : Gyrocompass
+        Undamped.
+    latitudes : sequence of float
+        rad, at most 85 degrees from the equator.
+    damping : float
+        Damping ratio of those that are damped.
+    worse : float
+        How many times worse the gyros of the last one are.
+    seed : int
+        Of the gyros' noise.
+    """
+    checked_instance(compass, Gyrocompass, "compass")
+    places = finite_array(latitudes, "latitudes")
     shares = {}
-    for name, compass in COMPASSES.items():
+    for name, each in compasses(compass, damping, worse).items():
         found = [
-            marine_type_test(compass, latitude, steps=STEPS).shares
-            for latitude in np.radians(PLACES)
+            marine_type_test(each, float(latitude), seed=seed, steps=STEPS).shares
+            for latitude in places
         ]
-        shares[name] = {test: np.array([each[test] for each in found]) for test in LIMITS}
-    return TypeTests(PLACES, shares)
+        shares[name] = {test: np.array([one[test] for one in found]) for test in LIMITS}
+    return TypeTests(np.degrees(places), worse, shares)

@@ -3,9 +3,10 @@
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.constants import arcminute, degree, g, hour, milli
 
-from driftlab.book.scenarios import ship_manoeuvre
+from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE, SPEED, ship_manoeuvre
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
 
@@ -42,9 +43,15 @@ class Horizons(NamedTuple):
     ----------
     runs : dict of HeadingErrors
         By tuning and damping.
+    log_scale : float
+        What a log tells too much, over the velocity.
+    current : tuple of float
+        To North and East, m/s, which no log sees.
     """
 
     runs: dict[str, HeadingErrors]
+    log_scale: float = 0.0
+    current: tuple[float, float] = (0.0, 0.0)
 
 
 class OperatingFormula(NamedTuple):
@@ -61,45 +68,130 @@ class OperatingFormula(NamedTuple):
     gaps: FloatArray
 
 
-def errors_under_way() -> HeadingErrors:
-    """Return the errors of a compass with small drifts on the ship's voyage."""
-    return simulate_compass(ship_manoeuvre(), GYRO_BIAS)
+def errors_under_way(
+    gyro_bias_body: ArrayLike = GYRO_BIAS,
+    latitude: float = SARATOV_LATITUDE,
+    speed: float = SPEED,
+    course: float = 0.0,
+    turn: float = QUARTER_TURN,
+    tuning_factor: float = 1.0,
+    damping: float = 0.0,
+    log: bool = False,
+) -> HeadingErrors:
+    """Return the errors of a compass on the ship's voyage.
+
+    Parameters
+    ----------
+    gyro_bias_body : array_like, shape (3,)
+        rad/s.
+    latitude, speed, course, turn : float
+        As for `driftlab.book.scenarios.ship_manoeuvre`, rad and m/s.
+    tuning_factor, damping, log : float, float, bool
+        As for `driftlab.gyrocompass.simulate_compass`.
+    """
+    way = ship_manoeuvre(latitude, speed, course, turn)
+    return simulate_compass(
+        way, gyro_bias_body, tuning_factor=tuning_factor, damping=damping, log=log
+    )
 
 
-def ballistic_errors() -> Horizons:
-    """Return the errors of five tunings with perfect sensors on the ship's voyage."""
+def ballistic_errors(
+    latitude: float = SARATOV_LATITUDE,
+    speed: float = SPEED,
+    course: float = 0.0,
+    turn: float = QUARTER_TURN,
+    stiff: float = 2.0,
+    soft: float = 0.5,
+    damping: float = DAMPING,
+) -> Horizons:
+    """Return the errors of five tunings with perfect sensors on the ship's voyage.
+
+    Parameters
+    ----------
+    latitude, speed, course, turn : float
+        As for `driftlab.book.scenarios.ship_manoeuvre`, rad and m/s.
+    stiff, soft : float
+        Values of k2 R; 1 is Schuler's tuning.
+    damping : float
+        Damping ratio.
+    """
     tunings: dict[str, dict[str, Any]] = {
         "Schuler: k2 = 1/R": {},
         "Schuler, with a log": {"log": True},
-        "too stiff: k2 = 2/R": {"tuning_factor": 2.0},
-        "too soft: k2 = 0.5/R": {"tuning_factor": 0.5},
-        f"damped: k2 = 1/R, ratio {DAMPING:g}": {"damping": DAMPING},
+        f"too stiff: k2 = {stiff:g}/R": {"tuning_factor": stiff},
+        f"too soft: k2 = {soft:g}/R": {"tuning_factor": soft},
+        f"damped: k2 = 1/R, ratio {damping:g}": {"damping": damping},
     }
-    way = ship_manoeuvre()
+    way = ship_manoeuvre(latitude, speed, course, turn)
     return Horizons(
         {name: simulate_compass(way, np.zeros(3), **tuning) for name, tuning in tunings.items()}
     )
 
 
-def damping_at_sea() -> Horizons:
-    """Return the errors of four horizons with small drifts: undamped, and damped with a log or not.
+def damping_at_sea(
+    gyro_bias_body: ArrayLike = GYRO_BIAS,
+    latitude: float = SARATOV_LATITUDE,
+    speed: float = SPEED,
+    course: float = 0.0,
+    turn: float = QUARTER_TURN,
+    damping: float = DAMPING,
+    log_scale: float = LOG_SCALE,
+    current: tuple[float, float] = CURRENT,
+) -> Horizons:
+    """Return the errors of four horizons: undamped, and damped with a log or not.
 
     The log measures the velocity through the water, so that a current is missing in what it tells.
+
+    Parameters
+    ----------
+    gyro_bias_body : array_like, shape (3,)
+        rad/s.
+    latitude, speed, course, turn : float
+        As for `driftlab.book.scenarios.ship_manoeuvre`, rad and m/s.
+    damping : float
+        Damping ratio.
+    log_scale : float
+        What the log with errors tells too much, over the velocity.
+    current : tuple of float
+        To North and East, m/s.
     """
-    way = ship_manoeuvre()
+    way = ship_manoeuvre(latitude, speed, course, turn)
+    log_error = log_scale * way.velocity - np.asarray(current)
     logs: dict[str, dict[str, Any]] = {
         "undamped, with a log": {"log": True},
-        "damped, no log": {"damping": DAMPING},
-        "damped by a true log": {"damping": DAMPING, "log": True},
-        "damped by a log with errors": {
-            "damping": DAMPING, "log": True, "log_error": LOG_SCALE * way.velocity - CURRENT
-        },
-    }  # fmt: skip
-    return Horizons({name: simulate_compass(way, GYRO_BIAS, **log) for name, log in logs.items()})
+        "damped, no log": {"damping": damping},
+        "damped by a true log": {"damping": damping, "log": True},
+        "damped by a log with errors": {"damping": damping, "log": True, "log_error": log_error},
+    }
+    runs = {name: simulate_compass(way, gyro_bias_body, **log) for name, log in logs.items()}
+    return Horizons(runs, log_scale, current)
 
 
-def operating_formula() -> OperatingFormula:
-    """Compare the compass of a fast craft with (operating heading), term by term."""
-    run = simulate_compass(ship_manoeuvre(**CRAFT), **CRAFT_COMPASS)
+def operating_formula(
+    gyro_bias_body: ArrayLike = CRAFT_COMPASS["gyro_bias_body"],
+    accelerometer_bias_body: ArrayLike = CRAFT_COMPASS["accelerometer_bias_body"],
+    tilt: float = CRAFT_COMPASS["tilt"],
+    tuning_factor: float = CRAFT_COMPASS["tuning_factor"],
+    latitude: float = SARATOV_LATITUDE,
+    speed: float = CRAFT["speed"],
+    course: float = CRAFT["course"],
+    turn: float = CRAFT["turn"],
+    pitch: float = CRAFT["pitch"],
+) -> OperatingFormula:
+    """Compare the compass of a fast craft with (operating heading), term by term.
+
+    Parameters
+    ----------
+    gyro_bias_body, accelerometer_bias_body : array_like, shape (3,)
+        rad/s and m/s^2.
+    tilt, tuning_factor : float
+        As for `driftlab.gyrocompass.simulate_compass`.
+    latitude, speed, course, turn, pitch : float
+        As for `driftlab.book.scenarios.ship_manoeuvre`, rad and m/s.
+    """
+    way = ship_manoeuvre(latitude, speed, course, turn, CRAFT["interval"], pitch)
+    run = simulate_compass(
+        way, gyro_bias_body, accelerometer_bias_body, tuning_factor=tuning_factor, tilt=tilt
+    )
     gap = run.compass_error - run.formula.compass_angle
     return OperatingFormula(run, np.stack([gap, *(gap + term for term in run.formula)]))

@@ -3,13 +3,12 @@
 import numpy as np
 from scipy.constants import arcminute, degree, hour
 
-from driftlab.book.ch09_aligning_a_gyrocompass.experiments import WHITE
-from driftlab.book.machinery.arrays_table import from_columns, to_columns
 from driftlab.book.machinery.publish import FigureDefinition
 from driftlab.book.machinery.scene.published import scene_figure
 from driftlab.book.scenarios import SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.simulation import HeadingErrors
+from driftlab.gyrocompass.type_test_limits import LIMITS
 from driftlab.recordings.publishers import PUBLISHED
 
 from .. import experiments
@@ -34,8 +33,9 @@ def _largest(values: FloatArray) -> float:
 
 def _settling_caption(data: experiments.Settling) -> str:
     return (
-        "Left: a horizon that is half a degree out of level and does not know where North is "
-        f"settles; the heading error ends at {np.degrees(data.settling_heading[-1]):.1g} degrees. "
+        f"Left: a horizon that is {np.degrees(data.tilt[0]):.1f} degrees out of level and does not "
+        "know where North is settles; the heading error ends at "
+        f"{np.degrees(data.settling_heading[-1]):.1g} degrees. "
         f"Right: {len(data.heading)} such runs with gyro noise, left to Schuler's tuning. The "
         "noise of the last moment becomes a swing, and new noise feeds it; the formula says one "
         "deviation."
@@ -78,11 +78,13 @@ def _response_caption(data: experiments.FrequencyResponse) -> str:
 def _operation_caption(data: HeadingErrors) -> str:
     gap = _largest(data.heading_error - data.formula.heading)
     return (
-        "A ship gathers way to the North and turns West (shaded); gyros drift by a few hundredths "
-        f"of a degree per hour. The heading error reaches {_largest(data.heading_error):.2f} "
-        f"degrees, the formula follows within {gap:.1g}. The yaw runs away and the compass angle "
-        f"takes it back. The speed error, up to {_largest(data.speed_error):.1f} degrees, is "
-        "counted apart."
+        "A ship gathers way and turns (shaded), published for gyros that drift by a few hundredths "
+        "of a degree per hour on a way first to the North, then to the West. The heading error "
+        f"reaches {_largest(data.heading_error):.2f} "
+        f"degrees, the formula follows within {gap:.1g}. At the end the yaw is off by "
+        f"{np.degrees(data.yaw_error[-1]):+.2f} degrees and the compass angle by "
+        f"{np.degrees(data.compass_error[-1]):+.2f}. The speed error, up to "
+        f"{_largest(data.speed_error):.1f} degrees, is counted apart."
     )
 
 
@@ -101,15 +103,17 @@ def _ballistic_caption(data: experiments.Horizons) -> str:
 def _damping_caption(data: experiments.Horizons) -> str:
     undamped, alone, damped, wrong = (np.degrees(run.heading_error) for run in data.runs.values())
     swing = SCHULER_PERIOD / 2 / next(iter(data.runs.values())).times[0]
+    beyond = ", beyond the axes," if np.abs(alone).max() > horizons.damping_reach(data)[1] else ""
     rings, stays = (np.ptp(error[-round(swing) :]) for error in (undamped, damped))
     return (
-        "The same voyage with gyros that drift by a few hundredths of a degree per hour. Undamped, "
+        "A voyage with gyros that drift, published for a few hundredths of a degree per hour. "
+        "Undamped, "
         f"the swing that the turn begins goes on: {rings:.2f} degrees of heading from top to "
         f"bottom in the last half period. Damped by the log's velocity, {stays:.2f} of it are "
-        f"left. Damped without a log, the heading runs off by {np.abs(alone).max():.1f} degrees, "
-        "beyond the axes, after the ship has gathered way. The log with errors tells "
-        f"{experiments.LOG_SCALE:.0%} too much and does not see a current of "
-        f"{experiments.CURRENT[0]:g} m/s to the North; it is off by up to "
+        f"left. Damped without a log, the heading runs off by {np.abs(alone).max():.1f} degrees"
+        f"{beyond} after the ship has gathered way. The log with errors tells "
+        f"{data.log_scale:.0%} too much and does not see a current of "
+        f"{np.hypot(*data.current):g} m/s; it is off by up to "
         f"{np.abs(wrong - damped).max():.2f} degrees from the run with "
         "the true log."
     )
@@ -119,21 +123,22 @@ def _formula_caption(data: experiments.OperatingFormula) -> str:
     before = data.run.times < TURN[0]
     without = [_largest(gap[before]) for gap in data.gaps[1:]]
     return (
-        "Everything wrong at once on a fast craft with its bow up. Left: the error of the compass "
-        f"angle, up to {_largest(data.run.compass_error):.1f} degrees, and the formula's terms, "
-        "given the tilts and the yaw error of the simulation. Right: until the turn at most "
+        "Everything wrong at once, published for a fast craft with its bow up that turns until it "
+        "goes nearly West, where the term with the velocity North fades. Left: the error of the "
+        f"compass angle, up to {_largest(data.run.compass_error):.1f} degrees, and the formula's "
+        "terms, given the tilts and the yaw error of the simulation. Right: until the turn at most "
         f"{_largest(data.gaps[0][before]):.2g} degrees are missing with all terms, and "
-        f"{min(without):.2g} or more without any one of them. After it the craft goes nearly West, "
-        "and the term with the velocity North fades."
+        f"{min(without):.2g} or more without any one of them."
     )
 
 
 def _static_caption(data: experiments.StaticCharacteristic) -> str:
-    kinds = ((data.lasting, data.by_drift), (data.offsets, data.by_offset))
+    kinds = ((data.lasting, data.by_drift, ".3f"), (data.offsets, data.by_offset, ".1f"))
     drift, offset = (
-        [float(np.interp(experiments.PAPER_LARGEST, middle, lasting)) for middle in middles]
-        for lasting, middles in (
-            (lasting, np.degrees(np.median(largest, axis=-1))) for lasting, largest in kinds
+        [_where(experiments.PAPER_LARGEST, middle, lasting, form) for middle in middles]
+        for lasting, middles, form in (
+            (lasting, np.degrees(np.median(largest, axis=-1)), form)
+            for lasting, largest, form in kinds
         )
     )
     return (
@@ -141,23 +146,33 @@ def _static_caption(data: experiments.StaticCharacteristic) -> str:
         "unit, three runs around the dial, and the mean of three in turns of pitch and roll. "
         "Below: the largest error of the averaged characteristic over random units. The paper's "
         f"{experiments.PAPER_LARGEST:g} degrees are the median if each gyro keeps a drift with a "
-        f"deviation of {drift[0]:.3f} degrees per hour, or each accelerometer an offset of "
-        f"{offset[0]:.1f} mg; if the turns in pitch and roll count as well, {drift[1]:.3f} or "
-        f"{offset[1]:.1f}."
+        f"deviation of {drift[0]} degrees per hour, or each accelerometer an offset of "
+        f"{offset[0]} mg; if the turns in pitch and roll count as well, {drift[1]} or "
+        f"{offset[1]}."
     )
+
+
+def _where(wanted: float, values: FloatArray, at: FloatArray, form: str) -> str:
+    """Say where rising values are as wanted, or that they are not."""
+    if wanted < values[0]:
+        return f"less than {at[0]:{form}}"
+    if wanted > values[-1]:
+        return f"more than {at[-1]:{form}}"
+    return f"{np.interp(wanted, values, at):{form}}"
 
 
 def _restarts_caption(data: experiments.Restarts) -> str:
     readings = experiments.spread_readings(data.ranges)
     taken, _, least, *_ = (probability for _, probability in readings.values())
     averaged = data.deviations[:, 1] / (degree / hour)
+    weak, strong = (noise.white / (degree / hour) for noise in data.noises)
     return (
         "The paper's Fig. 2, simulated from its description; its own plot is lost. Left: one "
-        f"series, with gyro noise of {WHITE[0]:g} degrees per hour a sample, "
-        f"averaged. Middle: noise of {WHITE[1]:g} degrees per hour a sample; "
+        f"series, with gyro noise of {weak:g} degrees per hour a sample, "
+        f"averaged. Middle: noise of {strong:g} degrees per hour a sample; "
         f"after the average {averaged[1]:.3f}, and {averaged[0]:.3f} where it was "
-        f"{WHITE[0]:g}. Right: of "
-        f"{experiments.TRIALS} normal samples {taken:.1%} have a range of at least 0.3 over 0.054, "
+        f"{weak:g}. Right: of "
+        f"{len(data.ranges)} normal samples {taken:.1%} have a range of at least 0.3 over 0.054, "
         f"and {least:.0%} one that could be rounded to it. If the spread means six deviations, "
         f"{6 * experiments.PAPER_DEVIATION:.2f} degrees, there is nothing to explain."
     )
@@ -165,17 +180,22 @@ def _restarts_caption(data: experiments.Restarts) -> str:
 
 def _type_tests_caption(data: experiments.TypeTests) -> str:
     paper, by_log, alone, cheap = data.shares.values()
-    valid = data.latitudes <= type_tests.BEYOND
+    valid = np.abs(data.latitudes) <= type_tests.BEYOND
+    valid |= not valid.any()
     worst = max(paper, key=lambda test: paper[test][valid].max())
+    fails = paper[worst][~valid].max(initial=0.0) > 1
+    beyond = ", and fails it nearer to the pole" if fails else ""
+    if fails and not LIMITS[worst].secant:
+        beyond += ", because this limit has no secant of the latitude"
     failed = sum(shares[valid].max() > 1 for shares in cheap.values())
     return (
         "What four compasses use up of the limits of IMO A.821(19), by simulation; the dotted line "
-        "is the latitude up to which they hold. The paper's compass, reconstructed, is nearest to "
-        f"a limit in the {worst} test, at {paper[worst][valid].max():.2f} of it, and fails it "
-        "nearer to the pole, because this limit has no secant of the latitude. Damped by a log it "
+        "is the latitude up to which they hold. The first, published for the paper's as it is "
+        f"reconstructed, is nearest to a limit in the {worst} test, at "
+        f"{paper[worst][valid].max():.2f} of it{beyond}. Damped by a log it "
         f"stays below {max(shares[valid].max() for shares in by_log.values()):.2f}. Damped without "
         f"a log it turns with {alone['turn'][valid].max():.1f} times the limit. With gyros "
-        f"{experiments.WORSE:g} times worse it fails {failed} of the {len(cheap)} tests; what "
+        f"{data.worse:g} times worse it fails {failed} of the {len(cheap)} tests; what "
         "never settles stands at the upper edge."
     )
 
@@ -200,9 +220,9 @@ FIGURES = (
         "10-pulses",
         experiments.counted_pulses,
         pulses.draw,
-        to_columns,
+        pulses.columns,
         _pulses_caption,
-        from_columns(experiments.CountedPulses),
+        pulses.restore,
         ("laser-gyro",),
     ),
     FigureDefinition("10-block-diagram", lambda: None, block_diagram.draw, None, _block_caption),
@@ -216,14 +236,14 @@ FIGURES = (
     FigureDefinition(
         "10-ballistic-error",
         experiments.ballistic_errors,
-        horizons.drawn_within(6.0, 6.0),
+        horizons.draw_ballistic,
         horizons.columns,
         _ballistic_caption,
     ),
     FigureDefinition(
         "10-damping",
         experiments.damping_at_sea,
-        horizons.drawn_within(0.4, 0.5),
+        horizons.draw_damping,
         horizons.columns,
         _damping_caption,
     ),

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import minute
 
-from driftlab.book.machinery.picture import BLACK, SERIES, in_style
+from driftlab.book.machinery.picture import BLACK, SERIES, in_style, legend_below
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.book.scenarios import DURATION
 from driftlab.checks import FloatArray
@@ -15,44 +15,55 @@ from .operation import shade_manoeuvres
 TERMS = ("rate about East", "rate about North", "minus the yaw's error", "tilt by tan pitch")
 
 
+SHOWN = slice(5, None, 6)
+"""Steps of the voyage that are drawn."""
+LEAST, MOST = 1e-4, 3.0
+"""Reach of what is missing, degrees, unless it is more."""
+
+
 def columns(data: OperatingFormula) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV, each two minutes."""
-    rows = slice(119, None, 120)
+    """Columns of the figure's CSV; the last ones are sizes of simulated minus formula."""
     run = data.run
     table = {
-        "time_s": run.times[rows],
-        "simulated_deg": np.degrees(run.compass_error[rows]).round(7),
-        "formula_deg": np.degrees(run.formula.compass_angle[rows]).round(7),
+        "time_min": run.times[SHOWN] / minute,
+        "simulated_deg": run.compass_error,
+        "formula_deg": run.formula.compass_angle,
+        **{f"{name}_deg": term for name, term in zip(TERMS, run.formula, strict=True)},
+        "missing_deg": np.abs(data.gaps[0]),
     }
-    for name, term in zip(TERMS, run.formula, strict=True):
-        table[f"{name}_deg"] = np.degrees(term[rows]).round(7)
-    return table
+    for name, gap in zip(TERMS, data.gaps[1:], strict=True):
+        table[f"missing_without_{name}_deg"] = np.abs(gap)
+    time, *angles = table
+    return {time: table[time], **{name: np.degrees(table[name][SHOWN]) for name in angles}}
 
 
 @in_style
 def draw(data: OperatingFormula, sheet: Sheet) -> Figure:
     """The terms and their sum; and what is missing without each."""
-    figure = Figure(figsize=(10.5, 4.3))
-    terms, gaps = figure.subplots(1, 2)
-    figure.subplots_adjust(0.065, 0.28, 0.985, 0.91, wspace=0.2)
+    figure, panels = sheet.mosaic(
+        "ab", (10.5, 4.3), (0.065, 0.28, 0.985, 0.91), page_height=3.3, column_height=4.9
+    )
+    terms, gaps = panels["a"], panels["b"]
+    sizes = np.degrees(np.abs(data.gaps))
     terms.set(title="error of the compass angle, degrees")
-    gaps.set(title="simulated minus formula, size, degrees", yscale="log", ylim=(1e-4, 3))
+    gaps.set(title="simulated minus formula, size, degrees", yscale="log")
+    gaps.set(ylim=(LEAST, max(MOST, 1.5 * sizes.max())))
     for panel in (terms, gaps):
         panel.set(xlabel="time, minutes", xlim=(0, DURATION / minute))
         shade_manoeuvres(panel)
     run = data.run
-    minutes = run.times / minute
-    terms.plot(minutes, np.degrees(run.compass_error), color=BLACK, linewidth=3.5, alpha=0.35,
+    minutes = run.times[SHOWN] / minute
+    terms.plot(minutes, np.degrees(run.compass_error[SHOWN]), color=BLACK,
+               linewidth=2.2 if sheet.on_paper else 3.5, alpha=0.35,
                label="simulated")  # fmt: skip
-    terms.plot(minutes, np.degrees(run.formula.compass_angle), color=BLACK, linewidth=1.0,
-               label="formula, all terms")  # fmt: skip
-    gaps.plot(minutes, np.degrees(np.abs(data.gaps[0])), color=BLACK, linewidth=1.0)
+    terms.plot(minutes, np.degrees(run.formula.compass_angle[SHOWN]), color=BLACK,
+               linewidth=0.7 if sheet.on_paper else 1.0, label="formula, all terms")  # fmt: skip
+    gaps.plot(minutes, sizes[0, SHOWN], color=BLACK, linewidth=0.7 if sheet.on_paper else 1.0,
+              label="with all terms")  # fmt: skip
     for i, name in enumerate(TERMS):
-        terms.plot(minutes, np.degrees(run.formula[i]), **SERIES[i], label=name)
-        gaps.plot(minutes, np.degrees(np.abs(data.gaps[i + 1])), **SERIES[i])
-    handles, labels = terms.get_legend_handles_labels()
-    figure.legend(
-        handles, labels, loc="lower center", ncols=3,
-        title="left: the terms; right: what is missing without each", title_fontsize=8,
-    )  # fmt: skip
+        terms.plot(minutes, np.degrees(run.formula[i][SHOWN]), **SERIES[i], label=name)
+        gaps.plot(minutes, sizes[i + 1, SHOWN], **SERIES[i], label=f"without {name}")
+    first, second = ("above", "below") if sheet.narrow else ("left", "right")
+    legend_below(terms, sheet, 3, 2, title_fontsize="medium" if sheet.on_paper else 8,
+                 title=f"{first}: the terms; {second}: what is missing without each")  # fmt: skip
     return figure

@@ -15,17 +15,16 @@ MINUTES = (0.5, 1.0, 2.0, 5.0, 15.0, 75.0, 1000.0)
 
 
 def columns(data: HeadingErrors) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV, each two minutes."""
-    rows = slice(29, None, 30)
+    """Columns of the figure's CSV."""
     return {
-        "time_s": data.times[rows],
-        "heading_error_deg": np.degrees(data.heading_error[rows]).round(7),
-        "formula_deg": np.degrees(data.formula.heading[rows]).round(7),
-        "speed_error_deg": np.degrees(data.speed_error[rows]).round(7),
-        "tilt_north_arcmin": (data.tilt[rows, 0] / arcminute).round(6),
-        "tilt_east_arcmin": (data.tilt[rows, 1] / arcminute).round(6),
-        "yaw_error_deg": np.degrees(data.yaw_error[rows]).round(7),
-        "compass_angle_error_deg": np.degrees(data.compass_error[rows]).round(7),
+        "time_min": data.times / minute,
+        "heading_error_deg": np.degrees(data.heading_error).round(7),
+        "formula_deg": np.degrees(data.formula.heading).round(7),
+        "speed_error_deg": np.degrees(data.speed_error).round(7),
+        "tilt_north_arcmin": (data.tilt[:, 0] / arcminute).round(6),
+        "tilt_east_arcmin": (data.tilt[:, 1] / arcminute).round(6),
+        "yaw_error_deg": np.degrees(data.yaw_error).round(7),
+        "compass_angle_error_deg": np.degrees(data.compass_error).round(7),
     }
 
 
@@ -38,31 +37,34 @@ def shade_manoeuvres(panel: Axes) -> None:
 class OperationPicture(Picture[HeadingErrors]):
     """Heading error, tilts of the horizon, and the two halves of the heading error."""
 
-    size = (10.5, 3.9)
-
     def build(self) -> None:
-        panels = self.figure.subplots(1, 3)
-        self.figure.subplots_adjust(0.06, 0.14, 0.985, 0.91, wspace=0.2)
-        heading, tilt, halves = self.panels = panels
-        for panel in panels:
+        self.figure, panels = self.sheet.mosaic(
+            "abc", (10.5, 3.9), (0.06, 0.14, 0.985, 0.91), column_height=5.6, page_height=2.8
+        )
+        heading, tilt, halves = self.panels = tuple(panels.values())
+        wide, thin = (2.0, 0.7) if self.sheet.on_paper else (3.0, 1.0)
+        for panel in self.panels:
             panel.set(xlabel="time, min", xlim=(0, DURATION / minute))
             panel.set_xticks(range(0, 121, 20))
             shade_manoeuvres(panel)
         heading.set(title="heading error, °")
         tilt.set(title="tilt, ′")
         halves.set(title="parts, °")
-        self.error = self.line(heading, color=SERIES[0]["color"], linewidth=3.0, alpha=0.6,
+        self.error = self.line(heading, color=SERIES[0]["color"], linewidth=wide, alpha=0.6,
                                label="simulated")  # fmt: skip
-        self.formula = self.line(heading, color=BLACK, linewidth=1.0, label="formula")
+        self.formula = self.line(heading, color=BLACK, linewidth=thin, label="formula")
         self.speed_error = self.line(halves, **SERIES[3], label="speed")
         self.north = self.line(tilt, **SERIES[0], label="about North")
         self.east = self.line(tilt, **SERIES[1], label="about East")
         self.yaw = self.line(halves, **SERIES[2], label=r"yaw $\psi$")
         self.compass = self.line(halves, **SERIES[4], label=r"compass $\Psi_K$")
-        for panel in panels:
-            legend_above(
-                panel, 3, handlelength=1.4, columnspacing=0.7, handletextpad=0.3, fontsize=8
-            )
+        for panel in self.panels:
+            if self.sheet.on_paper:
+                panel.legend(loc="best", fontsize="small", handlelength=1.6)
+            else:
+                legend_above(
+                    panel, 3, handlelength=1.4, columnspacing=0.7, handletextpad=0.3, fontsize=8
+                )
 
     def update(self, data: HeadingErrors) -> None:
         minutes = data.times / minute

@@ -6,11 +6,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import BLACK, SERIES, in_style, long_table
+from driftlab.book.machinery.picture import BLACK, SERIES, in_style, legend_below
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
-from ..experiments import PAPER_LARGEST, SHOWN, STOPS, StaticCharacteristic
+from ..experiments import PAPER_LARGEST, STOPS, StaticCharacteristic
 
 TURNED = ("turns in heading", "turns in heading, pitch and roll")
 
@@ -30,37 +30,55 @@ def _deviations(data: StaticCharacteristic) -> dict[str, tuple[FloatArray, Float
     }
 
 
+def _beside(lasting: FloatArray, i: int) -> FloatArray:
+    """Both kinds of turns are drawn side by side."""
+    step = lasting[1] - lasting[0] if len(lasting) > 1 else 1.0
+    return lasting + (i - 0.5) * 0.2 * step
+
+
 def columns(data: StaticCharacteristic) -> dict[str, Any]:
-    """Columns of the figure's CSV."""
-    curves = {}
+    """Columns of the figure's CSV: those of the turns, then those of drifts and offsets."""
+    table: dict[str, Any] = {}
     for name, stops in _abscissas().items():
+        table[f"{name}_deg"] = stops
         for i, run in enumerate(data.runs[name]):
-            curves[f"run {i + 1}, degrees over {name}"] = stops, np.degrees(run).round(7)
-        mean = data.runs[name].mean(axis=0)
-        curves[f"mean, degrees over {name}"] = stops, np.degrees(mean).round(7)
-        curves[f"formula, degrees over {name}"] = stops, np.degrees(data.formula[name]).round(7)
+            table[f"{name}, run {i + 1}, error_deg"] = np.degrees(run)
+        table[f"{name}, mean, error_deg"] = np.degrees(data.runs[name].mean(axis=0))
+        table[f"{name}, formula, error_deg"] = np.degrees(data.formula[name])
     for kind, (lasting, quantiles) in _deviations(data).items():
-        for share, rows in zip((0.1, 0.5, 0.9), quantiles, strict=True):
-            for turned, row in zip(TURNED, rows, strict=True):
-                name = f"largest error, {share:.0%} of units, {turned}, degrees over lasting {kind}"
-                curves[name] = lasting, row.round(7)
-    return long_table(curves)
+        table[f"lasting {kind}"] = lasting
+        for i, turned in enumerate(TURNED):
+            table[f"drawn at, {kind}, {turned}"] = _beside(lasting, i)
+            for share, row in zip((0.1, 0.5, 0.9), quantiles[:, i], strict=True):
+                table[f"largest error_deg of {share:.0%} of units, {kind}, {turned}"] = row
+    return table
 
 
 @in_style
 def draw(data: StaticCharacteristic, sheet: Sheet) -> Figure:
     """One unit on the table, and which drift or offset makes the paper's largest error."""
-    figure = Figure(figsize=(10.5, 7.2))
-    (heading, others), (drift, offset) = figure.subplots(2, 2)
-    figure.subplots_adjust(0.07, 0.13, 0.985, 0.95, wspace=0.17, hspace=0.36)
-    heading.set_title(f"one unit, lasting drift drawn with {data.lasting[SHOWN]:g} deg/h")
+    figure, panels = sheet.mosaic(
+        "ab;cd", (10.5, 7.2), (0.07, 0.13, 0.985, 0.95), spaces=(0.17, 0.36), page_height=5.6,
+        column_height=8.6,
+    )  # fmt: skip
+    heading, others, drift, offset = panels.values()
+    dot = 0.6 if sheet.on_paper else 1.0
+    lasting = f"{data.lasting[data.shown]:g} deg/h"
+    if sheet.on_paper:
+        heading.set_title(f"one unit, lasting drift of {lasting}")
+        others.set(title="the same unit, pitched or rolled")
+    else:
+        heading.set_title(f"one unit, lasting drift drawn with {lasting}")
+        others.set(title="the same unit, pitched or rolled, bow to the North")
     heading.set(xlabel="heading, degrees", ylabel="heading error, degrees", xlim=(0, 360))
-    others.set(title="the same unit, pitched or rolled, bow to the North")
     others.set(xlabel="pitch from −60, or roll from 0, degrees", xlim=(-60, 360))
+    if sheet.narrow:
+        others.set_ylabel("heading error, degrees")
     stops = _abscissas()
     for i, run in enumerate(data.runs["heading"]):
         heading.plot(stops["heading"], np.degrees(run), linestyle="none", marker="os^"[i],
-                     markersize=4, color=SERIES[i]["color"], label=f"run {i + 1}")  # fmt: skip
+                     markersize=4 * dot, color=SERIES[i]["color"],
+                     label=f"run {i + 1}")  # fmt: skip
     heading.plot(stops["heading"], np.degrees(data.runs["heading"].mean(axis=0)), color=BLACK,
                  label="mean")  # fmt: skip
     heading.plot(stops["heading"], np.degrees(data.formula["heading"]), **SERIES[3],
@@ -70,26 +88,35 @@ def draw(data: StaticCharacteristic, sheet: Sheet) -> Figure:
         others.plot(stops[name], mean, color=style["color"], label=f"{name}, mean of 3 runs")
         others.plot(stops[name], np.degrees(data.formula[name]), **SERIES[3],
                     label="formula, lasting part" if name == "roll" else None)  # fmt: skip
+    drawn = np.degrees([np.append(data.runs[name], data.formula[name]) for name in stops])
+    low, high = min(-0.6, 1.1 * drawn.min()), max(0.9, 1.5 * drawn.max())
     for panel in (heading, others):
-        panel.set(ylim=(-0.6, 0.9))
+        panel.set(ylim=(low, high))
         panel.set_xticks(range(-60 if panel is others else 0, 361, 60))
-        panel.legend(loc="upper left", ncols=2)
+        panel.legend(loc="upper left", ncols=2, fontsize="small" if sheet.on_paper else None)
     units = data.by_drift.shape[-1]
+    top = 1.9
     for panel, (kind, rows) in zip((drift, offset), _deviations(data).items(), strict=True):
-        panel.set_title(f"largest error of the mean of 3 runs, {units} units each", fontsize=9)
-        panel.set(xlabel=f"deviation of the lasting {kind}", ylabel="degrees", ylim=(0, 1.9))
-        _draw_largest(panel, *rows)
-    handles, labels = drift.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncols=3)
+        top = max(top, 1.4 * rows[1][1].max())
+        words = f"largest error of the mean of 3 runs, {units} units"
+        if sheet.on_paper:
+            panel.set_title(words, fontsize="medium")
+        else:
+            panel.set_title(f"{words} each", fontsize=9)
+        panel.set(xlabel=f"deviation of the lasting {kind}", ylabel="degrees")
+        _draw_largest(panel, *rows, dot)
+    for panel in (drift, offset):
+        panel.set_ylim(0, top)
+    legend_below(drift, sheet, 3 if not sheet.on_paper else 2, 1)
     return figure
 
 
-def _draw_largest(panel: Axes, lasting: FloatArray, quantiles: FloatArray) -> None:
+def _draw_largest(panel: Axes, lasting: FloatArray, quantiles: FloatArray, dot: float) -> None:
     """Medians, and bars from 10 to 90 % of the units, for both kinds of turns."""
-    step = lasting[1] - lasting[0]
     for i, turned in enumerate(TURNED):
         low, middle, high = quantiles[:, i]
-        panel.errorbar(lasting + (i - 0.5) * 0.2 * step, middle, [middle - low, high - middle],
-                       color=SERIES[2 * i]["color"], marker="os"[i], linestyle="none", capsize=3,
-                       markersize=4, label=f"{turned}: median, 10 to 90 %")  # fmt: skip
+        panel.errorbar(_beside(lasting, i), middle, [middle - low, high - middle],
+                       color=SERIES[2 * i]["color"], marker="os"[i], linestyle="none",
+                       capsize=3 * dot, markersize=4 * dot,
+                       label=f"{turned}: median, 10 to 90 %")  # fmt: skip
     panel.axhline(PAPER_LARGEST, **SERIES[1], label=f"paper: {PAPER_LARGEST:g}°")

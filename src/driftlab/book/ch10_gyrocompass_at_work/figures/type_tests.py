@@ -12,7 +12,7 @@ from driftlab.book.machinery.picture import (
     VERMILION,
     Picture,
     in_style,
-    long_table,
+    legend_below,
 )
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.gyrocompass.type_test_limits import LIMITS, TypeTest
@@ -26,39 +26,49 @@ MARKERS = "os^vDPX*"
 
 
 def columns(data: TypeTests) -> dict[str, Any]:
-    """Columns of the figure's CSV."""
-    return long_table(
-        {
-            f"{compass}: {test}": (data.latitudes, shares.round(7))
-            for compass, tests in data.shares.items()
-            for test, shares in tests.items()
-        }
-    )
+    """Columns of the figure's CSV: shares of the limits, and where they are drawn."""
+    rows = [
+        (compass, test, latitude, share)
+        for compass, tests in data.shares.items()
+        for test, shares in tests.items()
+        for latitude, share in zip(data.latitudes, shares, strict=True)
+    ]
+    compasses, tests, latitudes, shares = zip(*rows, strict=True)
+    return {
+        "compass": list(compasses),
+        "test": list(tests),
+        "latitude_deg": np.array(latitudes),
+        "share_of_limit": np.array(shares),
+        "drawn_at": np.clip(shares, LOW, HIGH),
+    }
 
 
 @in_style
 def draw(data: TypeTests, sheet: Sheet) -> Figure:
     """One plot a compass; above one a test is failed."""
-    figure = Figure(figsize=(10.5, 6.6))
-    panels = figure.subplots(2, 2, sharex=True, sharey=True)
-    figure.subplots_adjust(0.07, 0.15, 0.985, 0.95, wspace=0.06, hspace=0.16)
-    for panel, (compass, tests) in zip(panels.flat, data.shares.items(), strict=True):
-        panel.set(title=compass, yscale="log", ylim=(LOW, HIGH), xlim=(-2, 82))
+    figure, panels = sheet.mosaic(
+        "ab;cd", (10.5, 6.6), (0.07, 0.15, 0.985, 0.95), spaces=(0.06, 0.16), page_height=5.2,
+        column_height=8.4, sharex=True, sharey=True,
+    )  # fmt: skip
+    ends = min(-2.0, data.latitudes.min() - 2), max(82.0, data.latitudes.max() + 2)
+    for panel, (compass, tests) in zip(panels.values(), data.shares.items(), strict=True):
+        panel.set(title=compass, yscale="log", ylim=(LOW, HIGH), xlim=ends)
         panel.axhspan(1, HIGH, color="#f6e3da", zorder=0)
         panel.axhline(1, color=BLACK, linewidth=1.0)
         panel.axvline(BEYOND, color=BLACK, linewidth=0.6, linestyle=":")
         words = f"limits up to {BEYOND:g}°"
-        panel.text(BEYOND - 1, 1.6 * LOW, words, ha="right", fontsize=9)
+        panel.text(BEYOND - 1, 1.6 * LOW, words, ha="right",
+                   fontsize="medium" if sheet.on_paper else 9)  # fmt: skip
         for (test, shares), style, marker in zip(tests.items(), SERIES, MARKERS, strict=True):
             panel.plot(data.latitudes, np.clip(shares, LOW, HIGH), **style, marker=marker,
-                       markersize=4, label=test, clip_on=False)  # fmt: skip
-    for panel in panels[1]:
-        panel.set(xlabel="latitude, degrees")
-    for panel in panels[:, 0]:
-        panel.set(ylabel="share of the limit")
-        panel.yaxis.set_major_formatter("{x:g}")
-    handles, labels = panels[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncols=8)
+                       markersize=2.5 if sheet.on_paper else 4, label=test,
+                       clip_on=False)  # fmt: skip
+    for letter in "d" if sheet.narrow else "cd":
+        panels[letter].set(xlabel="latitude, degrees")
+    for letter in "abcd" if sheet.narrow else "ac":
+        panels[letter].set(ylabel="share of the limit")
+        panels[letter].yaxis.set_major_formatter("{x:g}")
+    legend_below(panels["a"], sheet, 4 if sheet.on_paper else 8, 2)
     return figure
 
 
