@@ -158,7 +158,7 @@ def _draw_poles(panel: Axes, data: FrequencyResponse, sheet: Sheet) -> None:
                     "", (end.real, end.imag), (start.real, start.imag),
                     arrowprops={"arrowstyle": "-|>", "color": styles[name]["color"]},
                 )  # fmt: skip
-            panel.text(-1.7, 0.0, f"stiff:\n{far:.0f} times\nas far", va="center",
+            panel.text(-0.8 if sheet.on_paper else -1.7, 0.0, f"stiff:\n{far:.0f} times\nas far", va="center",
                        fontsize="small" if sheet.on_paper else 8.5)  # fmt: skip
     if not sheet.on_paper:
         _draw_splitting(panel, data)

@@ -75,5 +75,6 @@ def _drawn(data: Horizons, sheet: Sheet, tilt_reach: float, heading_reach: float
         minutes = run.times[SHOWN] / minute
         tilt.plot(minutes, run.tilt[SHOWN, 1] / arcminute, **style, label=name)
         heading.plot(minutes, np.degrees(run.heading_error[SHOWN]), **style, label=name)
-    legend_below(tilt, sheet, 5 if not sheet.on_paper else 3, 2)
+    rows = 2 if sheet.on_paper and len(data.runs) > 4 else 1
+    legend_below(tilt, sheet, -(-len(data.runs) // rows), 2)
     return figure

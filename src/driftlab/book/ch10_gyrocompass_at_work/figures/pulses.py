@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import minute
 
-from driftlab.book.machinery.picture import SERIES, VERMILION, in_style
+from driftlab.book.machinery.picture import SERIES, VERMILION, in_style, legend_below
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -38,7 +38,7 @@ def restore(table: Mapping[str, Sequence[str]]) -> CountedPulses:
 def draw(data: CountedPulses, sheet: Sheet) -> Figure:
     """Both readings; and the one from the integrals, three hundred times larger."""
     figure, panels = sheet.mosaic(
-        "ab", (10.5, 3.6), (0.065, 0.15, 0.985, 0.91), spaces=(0.17, 0.2), page_height=2.7
+        "ab", (10.5, 3.6), (0.065, 0.15, 0.985, 0.91), spaces=(0.17, 0.2), page_height=3.0
     )
     both, near = panels["a"], panels["b"]
     minutes = data.times / minute
@@ -48,7 +48,10 @@ def draw(data: CountedPulses, sheet: Sheet) -> Figure:
     both.plot(minutes, whole, ".", color=VERMILION, markersize=2 if sheet.on_paper else 4,
               label="from the whole rate")  # fmt: skip
     both.plot(minutes, read, **SERIES[0], label="from the integrals")
-    both.legend(loc="upper right")
+    if sheet.on_paper:
+        legend_below(both, sheet, 2)
+    else:
+        both.legend(loc="upper right")
     middle = read.mean()
     near.set(title="from the integrals, degrees", ylim=(middle - 0.3, middle + 0.3))
     near.plot(minutes, read, **SERIES[0], label="from the integrals")
