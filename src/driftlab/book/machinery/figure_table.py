@@ -56,7 +56,8 @@ def header(figure: Figure, table: Words) -> list[str]:
         If something is drawn that is not in the table.
     """
     finder = Finder(table)
-    lines, missing = [], []
+    lines: list[str] = []
+    missing = []
     drawn, contours = curves(figure), fields(figure)
     for number, axes in enumerate(panels(figure), 1):
         own = []

@@ -99,7 +99,7 @@ class ChoiceOfAxes(NamedTuple):
 
 def choice_of_axes(
     units: int = UNITS,
-    sizes: Sequence[float] = tuple(float(size * arcsecond) for size in SIZES),
+    sizes: Sequence[float] = tuple((arcsecond * np.array(SIZES)).tolist()),
     dwell: float = QUICK_TRIAL.scheme.dwell,
     seed: int = SEED,
 ) -> ChoiceOfAxes:

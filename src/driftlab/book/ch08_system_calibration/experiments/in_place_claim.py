@@ -89,7 +89,7 @@ class InPlaceClaim(NamedTuple):
 
 def error_ratios_at_rest(
     units: int = UNITS,
-    sizes: Sequence[float] = tuple(float(size * arcsecond) for size in AT_REST_SIZES),
+    sizes: Sequence[float] = tuple((arcsecond * np.array(AT_REST_SIZES)).tolist()),
     duration: float = REST_DURATION,
     dwell: float = QUICK_TRIAL.scheme.dwell,
     seed: int = SEED,

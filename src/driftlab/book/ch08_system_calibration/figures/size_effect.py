@@ -55,14 +55,20 @@ def restore(table: Mapping[str, Sequence[str]]) -> SizeEffect:
 
     arms, rates = (np.array(list(dict.fromkeys(numbers(n)))) for n in ("arm_cm", "rate_deg_per_s"))
     shape = (len(SCHEMES), len(rates), len(arms))
+    squares, noticed, worst, bias, updates = (
+        numbers(name).reshape(shape) for name in (*FOUND, "updates")
+    )
     return SizeEffect(
         float(numbers("with_arms_of_cm")[0] * centi),
         np.radians(rates),
         arms * centi,
         np.stack([numbers(f"in_deviations, {name}") for name in FILTERS]),
         numbers("innovations_over_expected"),
-        *(numbers(name).reshape(shape) for name in FOUND),
-        updates=numbers("updates").reshape(shape)[..., 0],
+        squares,
+        noticed,
+        worst,
+        bias,
+        updates[..., 0],
     )
 
 

@@ -18,7 +18,7 @@ def columns(data: TableObservability) -> dict[str, FloatArray | list[str]]:
     values = _drawn(data)
     count = len(values)
     return {
-        "direction": np.arange(1, count + 1),
+        "direction": np.arange(1.0, count + 1),
         "eigenvalue_relative": values,
         "direction_is": ["not observable" if k < data.unobservable else "observable"
                          for k in range(count)],

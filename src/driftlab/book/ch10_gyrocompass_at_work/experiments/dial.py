@@ -181,8 +181,8 @@ def static_characteristic(
     drifts = finite_array(lasting_drift, "lasting_drift")
     offsets = finite_array(lasting_offset, "lasting_offset")
     drifting, offset = (
-        [dial_trial(*size, units, rng, random_drift, latitude) for size in sizes]
-        for sizes in ([(s, 0.0) for s in drifts], [(0.0, s) for s in offsets])
+        [dial_trial(drift, bias, units, rng, random_drift, latitude) for drift, bias in sizes]
+        for sizes in ([(float(s), 0.0) for s in drifts], [(0.0, float(s)) for s in offsets])
     )
     medians = [np.degrees(np.median(trial.largest()[0])) for trial in drifting]
     shown = int(np.abs(np.array(medians) - PAPER_LARGEST).argmin())

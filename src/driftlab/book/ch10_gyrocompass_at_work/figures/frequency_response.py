@@ -74,9 +74,9 @@ def columns(data: FrequencyResponse) -> dict[str, Any]:
     }
     for title, kind in PANELS.items():
         answers, whole, seen = _gains(data, kind)
-        for name, values in answers.items():
-            table[f"{title}, {name}"] = np.abs(values)
-            table[f"phase, degrees: {title}, {name}"] = np.degrees(np.angle(values)).round(4)
+        for name, answer in answers.items():
+            table[f"{title}, {name}"] = np.abs(answer)
+            table[f"phase, degrees: {title}, {name}"] = np.degrees(np.angle(answer)).round(4)
         for name, values in whole.items():
             table[f"{title}, whole rate, {name}"] = values
         table[f"{title}, simulated"] = seen
@@ -158,7 +158,8 @@ def _draw_poles(panel: Axes, data: FrequencyResponse, sheet: Sheet) -> None:
                     "", (end.real, end.imag), (start.real, start.imag),
                     arrowprops={"arrowstyle": "-|>", "color": styles[name]["color"]},
                 )  # fmt: skip
-            panel.text(-0.8 if sheet.on_paper else -1.7, 0.0, f"stiff:\n{far:.0f} times\nas far", va="center",
+            place = -0.8 if sheet.on_paper else -1.7
+            panel.text(place, 0.0, f"stiff:\n{far:.0f} times\nas far", va="center",
                        fontsize="small" if sheet.on_paper else 8.5)  # fmt: skip
     if not sheet.on_paper:
         _draw_splitting(panel, data)

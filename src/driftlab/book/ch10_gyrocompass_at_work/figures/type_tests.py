@@ -28,15 +28,14 @@ MARKERS = "os^vDPX*"
 def columns(data: TypeTests) -> dict[str, Any]:
     """Columns of the figure's CSV: shares of the limits, and where they are drawn."""
     rows = [
-        (compass, test, latitude, share)
+        (f"{compass}: {test}", latitude, share)
         for compass, tests in data.shares.items()
         for test, shares in tests.items()
         for latitude, share in zip(data.latitudes, shares, strict=True)
     ]
-    compasses, tests, latitudes, shares = zip(*rows, strict=True)
+    curves, latitudes, shares = zip(*rows, strict=True)
     return {
-        "compass": list(compasses),
-        "test": list(tests),
+        "curve": list(curves),
         "latitude_deg": np.array(latitudes),
         "share_of_limit": np.array(shares),
         "drawn_at": np.clip(shares, LOW, HIGH),
