@@ -26,18 +26,19 @@ MARKERS = "os^vDPX*"
 
 
 def columns(data: TypeTests) -> dict[str, Any]:
-    """Columns of the figure's CSV: shares of the limits, and where they are drawn."""
+    """Columns of the figure's CSV: shares, none where it never settles, and what is drawn."""
     rows = [
-        (f"{compass}: {test}", latitude, share)
+        (compass, test, latitude, share)
         for compass, tests in data.shares.items()
         for test, shares in tests.items()
         for latitude, share in zip(data.latitudes, shares, strict=True)
     ]
-    curves, latitudes, shares = zip(*rows, strict=True)
+    compasses, tests, latitudes, shares = zip(*rows, strict=True)
     return {
-        "curve": list(curves),
+        "compass": list(compasses),
+        "test": list(tests),
         "latitude_deg": np.array(latitudes),
-        "share_of_limit": np.array(shares),
+        "share_of_limit": np.where(np.isinf(shares), np.nan, shares),
         "drawn_at": np.clip(shares, LOW, HIGH),
     }
 
