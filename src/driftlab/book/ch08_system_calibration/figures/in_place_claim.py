@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from scipy.constants import hour
 
-from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style, legend_below
+from driftlab.book.machinery.picture import BLACK, GREY, SERIES, figure_legend, in_style
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.motion.scheme import SCHEMES
 
@@ -135,7 +135,7 @@ def _label(
         for above, below in letters[-2:].T:
             panels[above].set_xlabel(f"averaged / {TRIANGLES[0]}")
             panels[below].set_xlabel("part that errs less")
-        legend_below(panels[letters[-1, 0]], sheet, 4, 2, fontsize=small,
+        figure_legend(panels[letters[-1, 0]], sheet, 4, 2, fontsize=small,
                      title="schemes, triangles, installation errors", title_fontsize=small,
                      handlelength=1.2, columnspacing=1.2)  # fmt: skip
         return
@@ -144,7 +144,7 @@ def _label(
         (0.072, "part of the units with less error in averaged axes"),
     ):
         figure.text(0.535, height, words, ha="center", fontsize=10)
-    legend_below(panels[letters[-1, 0]], sheet, 4, fontsize=small)
+    figure_legend(panels[letters[-1, 0]], sheet, 4, fontsize=small)
 
 
 def _say(panel: Axes, size: str, start: str, sheet: Sheet) -> None:

@@ -10,7 +10,7 @@ from matplotlib.ticker import NullLocator
 from numpy.typing import NDArray
 from scipy.constants import arcminute, degree, hour, minute
 
-from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, in_style, legend_below
+from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, figure_legend, in_style
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.book.scenarios import SCHULER_PERIOD
 from driftlab.checks import FloatArray
@@ -129,7 +129,7 @@ def _legend(poles: Axes, data: FrequencyResponse, sheet: Sheet) -> None:
     lines.append(poles.plot([], [], "o", color=BLACK, markersize=size, fillstyle="none")[0])
     names = [*styles, "the same loops, whole rate", "simulated compass"]
     several = {tuple: HandlerTuple(ndivide=None, pad=0.4)}
-    legend_below(poles, sheet, 3, 2, handles=lines, labels=names, handler_map=several,
+    figure_legend(poles, sheet, 3, 2, handles=lines, labels=names, handler_map=several,
                  handlelength=3 if sheet.on_paper else 4, columnspacing=1.2,
                  fontsize="small" if sheet.on_paper else None)  # fmt: skip
 

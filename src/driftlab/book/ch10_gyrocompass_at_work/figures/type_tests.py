@@ -11,8 +11,8 @@ from driftlab.book.machinery.picture import (
     SERIES,
     VERMILION,
     Picture,
+    figure_legend,
     in_style,
-    legend_below,
 )
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.gyrocompass.type_test_limits import LIMITS, TypeTest
@@ -68,7 +68,7 @@ def draw(data: TypeTests, sheet: Sheet) -> Figure:
     for letter in "abcd" if sheet.narrow else "ac":
         panels[letter].set(ylabel="share of the limit")
         panels[letter].yaxis.set_major_formatter("{x:g}")
-    legend_below(panels["a"], sheet, 4 if sheet.on_paper else 8, 2)
+    figure_legend(panels["a"], sheet, 4 if sheet.on_paper else 8, 2)
     return figure
 
 
