@@ -2,7 +2,9 @@
 
 Seen from axes that go round with the cone, all steps are the same rotation. So one step tells the
 drift of all: no motion is integrated, and no angle has to be small. `measured_drift` has what an
-algorithm makes of many steps, whether they are alike or not.
+algorithm makes of many steps, whether they are alike or not. Where an error swings by half a turn
+and more within a step, as it may with a few samples a round of a wide cone, neither is a drift, and
+both refuse.
 """
 
 from __future__ import annotations
@@ -13,15 +15,21 @@ from numpy.typing import ArrayLike
 from driftlab.checks import FloatArray, finite_arrays
 from driftlab.core.attitude import step_quaternions
 from driftlab.core.coning import cone_increments
-from driftlab.core.quaternion import cumulative_product, from_rotation_vector, multiply
+from driftlab.core.quaternion import (
+    cumulative_product,
+    from_rotation_vector,
+    multiply,
+    to_rotation_vector,
+)
+from driftlab.core.vectors import norms
 
 from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, attitude_algorithm
 from .own_algorithms import OwnAlgorithm, own_steps
 
 OWN_ROWS = 840
 """Increments of a cone that one's own function is given: whole steps of one to eight samples."""
-_REPEATS = 1e-11
-"""By how much steps that are alike may differ, of length one: sums of `OWN_ROWS` are rounded."""
+_WHOLE_ROUNDS = 1e-3
+"""rad: how near to whole rounds a period is taken for some."""
 
 
 def coning_drift(
@@ -54,8 +62,10 @@ def coning_drift(
     ------
     ValueError
         If an interval is not positive, a half angle is larger than pi, or an increment is a whole
-        turn, where the vector k is infinite. If one's own function makes steps that never come
-        again, as one that smooths over a whole record does; `measured_coning_drift` has its drift.
+        turn, where the vector k is infinite. If the error about the cone's axis may change by half
+        a turn or more within a step, and nothing tells which way. If one's own function makes steps
+        that do not come again to the digits of double precision, as one that smooths over a whole
+        record or computes in single precision; `measured_coning_drift` has its drift.
 
     Notes
     -----
@@ -64,14 +74,23 @@ def coning_drift(
     and q the algorithm's quaternion of the step that begins at phase zero. The step after it is
     Z q Z*, and so on, so that n steps make (q Z)^n Z*^n. A perfect algorithm has a q Z that turns
     by X; what another q Z turns more or less, divided by the time of the step, is the drift.
-    Chapter 06. Rounding leaves some 1e-16 rad a step. The axis of q Z, about which the error piles
-    up, is that of the cone but for the error of one step: with few samples a round of a wide cone
-    it leans by some degrees and more. A drift of more than half a turn a step is told apart from
-    one the other way by nothing, and comes out between -pi and pi a step.
+    Chapter 06. Rounding leaves some 1e-16 rad a step.
+
+    The axis of q Z, about which the error piles up, is that of the cone but for the error of one
+    step: with few samples a round of a wide cone it leans by some degrees and more. Let it lean by
+    l, let q Z turn by 2 h, and K = tan^2(l/2). The error about the cone's axis then wobbles, and
+    within a step grows by the drift of a step and something from
+    -4 arctan(K sin h/(1 + K cos h)) to 4 arctan(K sin h/(1 - K cos h)). Where this reaches half a
+    turn, the number is refused. A drift that is itself of more than half a turn a step is told
+    apart from one the other way by nothing, and comes out between -pi and pi a step.
+
+    Steps that make whole rounds may pile up an error about any axis, as a constant drift of the
+    body does. As long as `OWN_ROWS` increments make less than half a turn of it, the drift is the
+    part of this error about the cone's axis.
 
     One's own function is given `OWN_ROWS` increments. The last of its steps are turned back and
-    compared, and the smallest number of them that repeats stands for the step; what a memory makes
-    of the start is forgotten by then.
+    compared, and the smallest number of them that repeats, but for the rounding of double
+    precision, stands for the step; what a memory makes of the start is forgotten by then.
 
     Examples
     --------
@@ -145,7 +164,7 @@ def _drift_of_step(chosen: AttitudeAlgorithm, angle: FloatArray, x: FloatArray) 
     # One step, or all of a window that is computed as a whole.
     count = chosen.window - chosen.memory
     turned_in_all = cumulative_product(steps)[..., -1, :]
-    return step_drift(turned_in_all, angle, count * x) / count
+    return _settled_drift(turned_in_all, angle, count * x, count) / count
 
 
 def _drift_of_own(function: OwnAlgorithm, half_angle: FloatArray, x: FloatArray) -> float:
@@ -160,13 +179,15 @@ def _drift_of_own(function: OwnAlgorithm, half_angle: FloatArray, x: FloatArray)
     alike[:, 1] = cosine * steps[:, 1] - sine * steps[:, 0]
     late = alike[len(alike) // 2 :]
     apart = [np.abs(late[p:] - late[:-p]).max() for p in range(1, len(late) // 2 + 1)]
-    if min(apart) > _REPEATS:
+    # Phases of so many rad are rounded, and attitudes that are products of so many steps.
+    rounding = 4 * float(np.finfo(float).eps) * OWN_ROWS * (1 + abs(float(x)))
+    if not apart or min(apart) > rounding:
         raise ValueError(
-            "algorithm: expected steps that repeat as a cone goes round, got a function whose "
-            "steps do not; measured_coning_drift runs it as it is."
+            "algorithm: expected steps that repeat as a cone goes round, to the digits of double "
+            f"precision, got a function whose steps {_unlike(apart)}; measured_coning_drift runs "
+            "it as it is."
         )
-    # The shortest period of those that differ by rounding only.
-    period = 1 + int(np.argmax(np.array(apart) <= 8 * min(apart)))
+    period = 1 + int(np.argmax(np.array(apart) <= rounding))
     whole = period * samples
     first = len(steps) - period
     # Of all steps of a period, seen from the phase at which the first of them begins.
@@ -174,7 +195,70 @@ def _drift_of_own(function: OwnAlgorithm, half_angle: FloatArray, x: FloatArray)
     turn = from_rotation_vector(back)
     turned = cumulative_product(steps[first:])[-1]
     turned = multiply(multiply(turn, turned), turn * [-1, -1, -1, 1])
-    return float(step_drift(turned, half_angle, whole * x)) / whole
+    return float(_settled_drift(turned, half_angle, whole * x, whole)) / whole
+
+
+def _unlike(apart: list[float]) -> str:
+    return f"differ by {min(apart):.1g} rad at least" if apart else "are too few to be compared"
+
+
+def _settled_drift(
+    step: FloatArray, half_angle: FloatArray, step_angle: FloatArray, samples: int
+) -> FloatArray:
+    """Drift of a step of so many samples as of `step_drift`, refused where it is none."""
+    axis = np.stack([np.zeros_like(step_angle), np.zeros_like(step_angle), step_angle], axis=-1)
+    error = to_rotation_vector(multiply(step, from_rotation_vector(axis)))
+    size, along = norms(error), _along(error, half_angle)
+    drift = step_drift(step, half_angle, step_angle)
+    # After whole rounds all that is left is error, and may be about any axis.
+    rounds = np.round(step_angle / (2 * np.pi))
+    left = step_angle - 2 * np.pi * rounds
+    small = (rounds != 0) & (np.abs(left) < _WHOLE_ROUNDS) & (size * OWN_ROWS < np.pi * samples)
+    swings = np.where(small, 0.0, _largest_change(drift, size, along))
+    if (swings >= np.pi).any():
+        raise half_a_turn(float(swings.max()))
+    return np.asarray(np.where(small, along - left, drift))
+
+
+def _largest_change(drift: FloatArray, size: FloatArray, along: FloatArray) -> FloatArray:
+    """How much the error about the cone's axis may change in a step, rad.
+
+    The steps turn by `size`, of which `along` is the part about the cone's axis; see `coning_drift`.
+    """
+    lean = np.abs(along) / np.where(size > 0, size, 1.0)
+    ratio = np.where(size > 0, (1 - lean) / (1 + lean), 0.0)
+    sine, cosine = ratio * np.sin(size / 2), ratio * np.cos(size / 2)
+    sign = np.where(along < 0, -1.0, 1.0)
+    more, less = (4 * np.arctan2(sine, 1 + way * cosine) for way in (-1, 1))
+    return np.maximum(np.abs(drift + sign * more), np.abs(drift - sign * less))
+
+
+def half_a_turn(found: float) -> ValueError:
+    """The refusal of an error whose growth cannot be told from one the other way.
+
+    Parameters
+    ----------
+    found : float
+        Change of the error about the cone's axis in a step, rad.
+
+    Returns
+    -------
+    ValueError
+
+    Examples
+    --------
+    >>> print(str(half_a_turn(3.5))[-42:])
+    less than half a turn a step, got 3.5 rad.
+    """
+    return ValueError(
+        "half_angle, frequency, sample_interval: expected a cone on which the algorithm's error "
+        f"about the axis changes by less than half a turn a step, got {found:.3g} rad."
+    )
+
+
+def _along(vector: FloatArray, half_angle: FloatArray) -> FloatArray:
+    """Part about the cone's axis, in the body at phase zero, which leans about its first axis."""
+    return np.asarray(np.sin(half_angle) * vector[..., 1] + np.cos(half_angle) * vector[..., 2])
 
 
 def step_drift(step: FloatArray, half_angle: FloatArray, step_angle: FloatArray) -> FloatArray:
@@ -200,9 +284,7 @@ def step_drift(step: FloatArray, half_angle: FloatArray, step_angle: FloatArray)
     """
     axis = np.stack([np.zeros_like(step_angle), np.zeros_like(step_angle), step_angle], axis=-1)
     turned = multiply(step, from_rotation_vector(axis))
-    # The cone's axis in the body at phase zero, where the body leans about its first axis.
-    along = np.sin(half_angle) * turned[..., 1] + np.cos(half_angle) * turned[..., 2]
-    sine = np.copysign(np.linalg.norm(turned[..., :3], axis=-1), along)
+    sine = np.copysign(np.linalg.norm(turned[..., :3], axis=-1), _along(turned, half_angle))
     cosine = turned[..., 3]
     expected_sine, expected_cosine = np.sin(step_angle / 2), np.cos(step_angle / 2)
     # The difference of two half angles, without taking either.

@@ -16,7 +16,7 @@ from driftlab.core.quaternion import (
 )
 
 from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, attitude_algorithm
-from .drift_on_cones import OWN_ROWS, checked_cone
+from .drift_on_cones import OWN_ROWS, checked_cone, half_a_turn
 from .integration import step_quaternions
 
 MEASURED_STEPS = 60
@@ -34,8 +34,8 @@ def measured_coning_drift(
     """Apparent drift about the axis of a cone, measured over many steps of an algorithm.
 
     Nothing is supposed of the algorithm: it is given the exact increments of the motion, and its
-    attitude is held against the true one. `coning_drift` has the same without running it, where all
-    steps are alike.
+    attitude is held against the true one. `coning_drift` has the same without running it, but for the
+    wobble below, where all steps are alike.
 
     Parameters
     ----------
@@ -61,13 +61,18 @@ def measured_coning_drift(
     Raises
     ------
     ValueError
-        As in `coning_drift` and `driftlab.attitude.integrate`.
+        As in `coning_drift`, but that steps need not repeat, and `driftlab.attitude.integrate`. If
+        the error about the cone's axis changes by half a turn or more within a step.
 
     Notes
     -----
     The attitude's error is a rotation in the axes of the cone; its part along the cone's axis at
-    the end is divided by the time, whole turns counted step by step. Besides the drift it holds the
-    wobble of a single step, which does not grow: a part of 1/count. An algorithm with memory is
+    the end is divided by the time, whole turns counted step by step, each step's error being the
+    rotation of less than half a turn. Where an error about another axis swings the part about the
+    cone's axis by half a turn and more within a step, the count would depend on where the steps
+    happen to fall; more steps mend nothing, and the sum is refused. Besides the drift the result
+    holds the wobble of a single step, which does not grow: a part of 1/count, wide on wide cones
+    with few samples a round. An algorithm with memory is
     given increments before the first, so that its start is not measured with it; one's own function
     is not.
 
@@ -100,11 +105,26 @@ def measured_coning_drift(
     found = multiply(true[..., :1, :], cumulative_product(steps))
     # In the reference axes, whose third is the cone's.
     error = multiply(found, conjugate(true[..., 1:, :]))
-    # Less than half a turn; the turns before are counted step by step, the first errs by none.
+    # Less than half a turn; the turns before are counted step by step.
     along = to_rotation_vector(error[..., -1, :])[..., 2]
-    turns = np.unwrap(2 * np.arctan2(error[..., 2], error[..., 3]), axis=-1) / (2 * np.pi)
-    whole = np.round(turns[..., -1] - np.round(turns[..., 0]) - along / (2 * np.pi))
+    changes = _changes_about_third(error)
+    if (np.abs(changes) >= np.pi).any():
+        raise half_a_turn(float(np.abs(changes).max()))
+    whole = np.round((changes.sum(axis=-1) - along) / (2 * np.pi))
     return np.asarray((along + 2 * np.pi * whole) / (length * interval))[()]
+
+
+def _changes_about_third(error: FloatArray) -> FloatArray:
+    """Changes (..., m) of the turn about the third axis, rad, of errors (..., m, 4) after none.
+
+    From each to the next by the shorter rotation: less than half a turn in space, and yet up to a
+    whole turn about one axis of it.
+    """
+    before = np.concatenate([np.zeros_like(error[..., :1, :]), error[..., :-1, :]], axis=-2)
+    before[..., 0, 3] = 1.0
+    way = np.where((before * error).sum(axis=-1) < 0, -1.0, 1.0)
+    first, second = (pair[..., 3] + 1j * pair[..., 2] for pair in (before, error))
+    return np.asarray(2 * np.angle(way * second * first.conj()))
 
 
 def _attitude(half_angle: FloatArray, phase: FloatArray) -> FloatArray:

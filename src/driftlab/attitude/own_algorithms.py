@@ -15,8 +15,14 @@ The usual two-sample algorithm is one line of the second kind::
         return g[0::2] + g[1::2] + 2 / 3 * np.cross(g[0::2], g[1::2])
 
 Records of several runs are handed over one by one. What comes back is checked for its shape, its
-length and its numbers, and against the increments themselves: degrees, scalar first, and attitudes
-that map the other way turn otherwise than any algorithm would.
+length and its numbers, and against the increments themselves. In steps short enough for an
+algorithm, good or poor, to stay near the sums of its increments, an answer far from them is refused
+if it is one of these slips: degrees, scalar first, attitudes that map the other way or are those of
+single steps, rotation vectors of the opposite sign or since the start, and tan(phi/4) e of either
+sign. Long steps are believed, and so is what might be a bad algorithm: tan(phi/2) e, which is half
+of what it should be, and permuted axes.
+
+Numbers may be of single precision, but `driftlab.attitude.coning_drift` needs all digits.
 """
 
 from __future__ import annotations
@@ -88,9 +94,14 @@ def _steps_of_run(algorithm: OwnAlgorithm, rows: FloatArray) -> FloatArray:
             f"algorithm: expected {name} to return attitudes (n/k, 4) or rotation vectors (n/k, 3) "
             f"after every k-th of n = {count} increments, got shape {found.shape}{before}."
         )
-    sums = rows.reshape(len(found), -1, 3).sum(axis=1)
+    parts = rows.reshape(len(found), -1, 3)
+    sums = parts.sum(axis=1)
+    size = float(np.median(norms(sums)))
+    # Rotations do not commute: those of all increments and of their sum differ by up to half the
+    # square of the way they make.
+    near = (size + float(np.median(norms(parts).sum(axis=1))) ** 2) / 2
     if found.shape[1] == 3:
-        _refuse_other_vectors(found, sums, name)
+        _refuse_other_vectors(found, sums, near, name)
         return from_rotation_vector(found)
     lengths = norms(found)
     off = int(np.argmax(np.abs(lengths - 1)))
@@ -101,7 +112,7 @@ def _steps_of_run(algorithm: OwnAlgorithm, rows: FloatArray) -> FloatArray:
         )
     found = found / lengths[:, np.newaxis]
     steps = _between(found)
-    _refuse_other_attitudes(found, steps, sums, name)
+    _refuse_other_attitudes(found, steps, sums, near, name)
     return steps
 
 
@@ -112,15 +123,17 @@ def _between(attitudes: FloatArray) -> FloatArray:
     return np.where(steps[:, 3:] < 0, -steps, steps)
 
 
-def _refuse_other_vectors(vectors: FloatArray, sums: FloatArray, name: str) -> None:
-    """Refuse rotation vectors that are the sums of the increments but for a slip."""
-    size = np.median(norms(sums))
-    if np.median(norms(vectors - sums)) <= size / 2:
+def _refuse_other_vectors(vectors: FloatArray, sums: FloatArray, near: float, name: str) -> None:
+    """Refuse rotation vectors that are not near the sums of the increments because of a slip."""
+    if np.median(norms(vectors - sums)) <= near:
         return
+    size = np.median(norms(sums))
     for slip, mended in (
         ("degrees", np.radians(vectors)),
         ("the opposite sign", -vectors),
         ("Cayley vectors -tan(phi/4) e", -4 * vectors),
+        ("vectors tan(phi/4) e", 4 * vectors),
+        ("rotation vectors since the start", np.diff(vectors, axis=0, prepend=0)),
     ):
         if np.median(norms(mended - sums)) < size / 10:
             raise ValueError(
@@ -130,17 +143,17 @@ def _refuse_other_vectors(vectors: FloatArray, sums: FloatArray, name: str) -> N
 
 
 def _refuse_other_attitudes(
-    attitudes: FloatArray, steps: FloatArray, sums: FloatArray, name: str
+    attitudes: FloatArray, steps: FloatArray, sums: FloatArray, near: float, name: str
 ) -> None:
-    """Refuse attitudes whose steps are the rotations by the increments' sums but for a slip."""
+    """Refuse attitudes whose steps are not near the increments' sums because of a slip."""
 
     def apart(found: FloatArray, vectors: FloatArray) -> float:
         differences = multiply(conjugate(from_rotation_vector(vectors)), found)
         return float(np.median(norms(to_rotation_vector(differences))))
 
-    size = float(np.median(norms(sums)))
-    if apart(steps, sums) <= size / 2:
+    if apart(steps, sums) <= near:
         return
+    size = float(np.median(norms(sums)))
     degrees = np.degrees(1.0)
     for slip, found, factor in (
         ("scalar first", _between(attitudes[:, [1, 2, 3, 0]]), 1.0),
@@ -149,7 +162,8 @@ def _refuse_other_attitudes(
         ("increments taken for degrees", steps, 1 / degrees),
         ("increments turned into degrees", steps, degrees),
     ):
-        if apart(found, factor * sums) < factor * size / 10:
+        # Rotations are never further apart than half a turn: near a larger one is no sign.
+        if factor * size < np.pi and apart(found, factor * sums) < factor * size / 10:
             raise ValueError(
                 f"algorithm: expected attitudes since the start from {name}, scalar last, body to "
                 f"reference, of increments in rad, got {slip}."
