@@ -47,6 +47,10 @@ def narrow_drift(name, half_angle, x):
 @pytest.mark.parametrize("degrees", [1.0, 20.0, 60.0, 90.0])
 def test_one_step_tells_the_drift_of_many(name, count, turns, degrees):
     half_angle = np.radians(degrees)
+    if (name, count, degrees) == ("rotation-vector-3", 30, 90.0):
+        with pytest.raises(ValueError, match="less than half a turn a step"):
+            coning_drift(name, half_angle, 1, turns / count)
+        return
     expected = coning_drift(name, half_angle, 1, turns / count)
     # Some eps a step; half a turn or more of drift cannot be told from what is left of it.
     bound = 16 * EPS * count
@@ -183,7 +187,7 @@ def test_a_whole_turn_a_step_is_refused_where_k_is_infinite():
     words = "^half_angle, frequency, sample_interval: expected less than a whole turn a step, "
     with pytest.raises(ValueError, match=words):
         coning_drift("two-step-4", 2.0, 1.0, [0.1, 0.6])
-    assert np.isfinite(coning_drift("rotation-vector-2", 2.0, 1.0, 0.6))
+    assert np.isfinite(coning_drift("rotation-vector-2", 2.0, 1.0, 0.8))
 
 
 def test_unknown_algorithm_is_refused():

@@ -7,6 +7,7 @@ from scipy.spatial.transform import Rotation
 from driftlab.attitude import (
     ALGORITHMS,
     CONING_ALGORITHMS,
+    Algorithm,
     FunctionalIteration,
     coning_algorithm,
     coning_drift,
@@ -29,6 +30,7 @@ from driftlab.book.ch06_picard_algorithms.experiments.noise_and_band import roun
 from driftlab.book.ch11_one_triad.experiments import calibration_stages
 from driftlab.drift import recorded_turn_estimate
 from driftlab.motion import Coning, Sway, TableTurn
+from driftlab.quaternion import multiply
 
 ROWS = Sway(0.5, 0.7).increments(0.01, 24)
 RUNS = np.stack([ROWS, 0.3 * ROWS[::-1]])
@@ -135,10 +137,172 @@ def test_steps_that_never_repeat_are_measured_only():
     assert found - plain == pytest.approx(0.5e-4 / 0.01, rel=1e-2)
 
 
+def sums(samples):
+    return lambda g: g.reshape(-1, samples, 3).sum(axis=1)
+
+
+@pytest.mark.parametrize("samples", [1, 2, 4, 8])
+def test_period_of_own_steps_is_one_at_any_rhythm(samples):
+    """Rounding makes some pairs of steps more alike than others; that is no longer period."""
+    named = Algorithm("sums", samples, 0, {}, "rotation vector", order=2)
+    rng = np.random.default_rng(samples)
+    rhythms = [1.3, 2.6, 5.2, *np.exp(rng.uniform(np.log(1.05), np.log(300), 30)).round(2)]
+    for around, degrees in zip(rhythms, rng.choice([5, 10, 20, 30, 45], 33), strict=True):
+        cone = np.radians(degrees), 1.0, 1 / around
+        try:
+            expected = coning_drift(named, *cone)
+        except ValueError:
+            with pytest.raises(ValueError, match=r"^half_angle, frequency, .* half a turn"):
+                coning_drift(sums(samples), *cone)
+        else:
+            found = coning_drift(sums(samples), *cone)
+            assert found == pytest.approx(expected, rel=1e-9, abs=1e-12 * around)
+
+
+@pytest.mark.parametrize("around", [10.0, 100.0, 9.7, 10.0000001])
+@pytest.mark.parametrize("bias", [[1e-6, 0, 0], [-1e-6, 0, 0], [0, 1e-6, 0], [0, 0, 1e-6]])
+def test_constant_drift_of_an_own_function_counts_by_its_part_about_the_axis(around, bias):
+    def drifting(g):
+        return pair(g) + bias
+
+    half_angle = np.radians(0.5)
+    by_formula = coning_drift(drifting, half_angle, 1.0, 1 / around)
+    plain = coning_drift(pair, half_angle, 1.0, 1 / around)
+    # A constant turn across the axis comes to nothing in a round; what it leaves in half a one
+    # is a wobble of `measured`.
+    expected = plain + bias[2] * np.cos(half_angle) * around / 2
+    assert by_formula == pytest.approx(expected, rel=2e-4, abs=2e-13 * around)
+    measured = measured_coning_drift(drifting, half_angle, 1.0, 1 / around, count=8000)
+    assert measured == pytest.approx(by_formula, rel=2e-4, abs=2e-12 * around)
+
+
+def longdouble_twist(f, half_angle, x, count):
+    """Rate of the error about the axis, rad a sample, and its changes in a step: in extended
+    precision, each step's error taken the shorter way, from attitudes by Euler's formula."""
+    kind = np.longdouble
+    a, x = kind(half_angle), kind(x)
+
+    def times(p, q):
+        vector = p[3] * q[:3] + q[3] * p[:3] + np.cross(p[:3], q[:3])
+        return np.append(vector, p[3] * q[3] - p[:3] @ q[:3])
+
+    def turn(v):
+        angle = np.sqrt(v @ v)
+        return np.append(v * np.sin(angle / 2) / angle, np.cos(angle / 2))
+
+    ends = x * np.arange(count + 1)
+    rows = np.stack([
+        np.sin(a) * np.diff(np.cos(ends)), np.sin(a) * np.diff(np.sin(ends)),
+        np.full(count, -(1 - np.cos(a)) * x),
+    ], axis=1)  # fmt: skip
+    vectors = f(rows)
+    samples = count // len(vectors)
+    now = turn(a * np.array([1, 0, 0], kind))
+    last, changes = np.array([0, 0, 0, 1], kind), []
+    for n, vector in enumerate(vectors, 1):
+        now = times(now, turn(vector))
+        phase = x * samples * n
+        true = turn(-a * np.array([np.cos(phase), np.sin(phase), 0], kind))
+        error = times(now, true)
+        error = error if error @ last >= 0 else -error
+        first, second = complex(last[3], last[2]), complex(error[3], error[2])
+        changes.append(2 * np.angle(second * np.conj(first)))
+        last = error
+    changes = np.array(changes)
+    return changes.sum() / count, np.abs(changes).max()
+
+
+def test_formula_and_measurement_agree_or_both_refuse():
+    """Against the error followed in extended precision, on cones of any width and rhythm."""
+    rng, refused, told = np.random.default_rng(4), 0, 0
+    widths, rhythms = (10, 45, 80, 100, 120, 150), (1.3, 2.2, 2.5, 2.9, 3.0, 3.3, 4.0, 7.3)
+    cases = [(f, d, r) for f in (sums(1), sums(2), pair) for d in widths for r in rhythms]
+    for which in rng.choice(len(cases), 48, replace=False):
+        function, degrees, around = cases[which]
+        cone = np.radians(degrees), 1.0, 1 / around
+        true, most = longdouble_twist(function, cone[0], 2 * np.pi / around, 840)
+        if most >= np.pi:
+            for drift in (coning_drift, measured_coning_drift):
+                with pytest.raises(ValueError, match=r"^half_angle, .* half a turn a step, got"):
+                    drift(function, *cone)
+            refused += 1
+            continue
+        # They differ by the wobble at the end, less than half a turn.
+        measured = measured_coning_drift(function, *cone) / around
+        assert measured == pytest.approx(true, abs=np.pi / 840)
+        assert coning_drift(function, *cone) / around == pytest.approx(true, abs=2 * np.pi / 840)
+        told += 1
+    assert min(refused, told) > 1
+
+
+@pytest.mark.parametrize(
+    ("name", "degrees", "around"),
+    [("rotation-vector-3", 120, 4.0), ("rotation-vector-2", 120, 3.3), (pair, 80, 2.9)],
+)
+def test_an_error_that_swings_by_half_a_turn_in_a_step_is_no_drift(name, degrees, around):
+    for drift in (coning_drift, measured_coning_drift):
+        with pytest.raises(ValueError, match=r"^half_angle, frequency, .* less than half a turn"):
+            drift(name, np.radians([1.0, degrees]), 1.0, 1 / around)
+
+
+def test_single_precision_is_measured_and_its_formula_refused_with_the_reason():
+    def short(g):
+        return pair(g.astype(np.float32))
+
+    def short_attitudes(g):
+        return attitudes(g).astype(np.float32)
+
+    cone = np.radians(0.5), 1.0, 1 / 37.123
+    expected = coning_drift(pair, *cone)
+    for function in (short, short_attitudes):
+        with pytest.raises(ValueError, match=r"to the digits of double precision.* differ by .*e-"):
+            coning_drift(function, *cone)
+        # Rounding of numbers up to one, at random or of the last attitude alone.
+        found = measured_coning_drift(function, *cone)
+        assert found == pytest.approx(expected, abs=np.finfo(np.float32).eps * 37.123 / 10)
+
+
+@pytest.mark.parametrize("degrees", [5, 10, 30, 45, 80, 120])
+@pytest.mark.parametrize(("around", "each"), [(20, 20), (40, 40), (20, 10), (60, 60), (12, 8)])
+def test_seldom_answers_of_a_good_integrator_are_no_slip(degrees, around, each):
+    cone = np.radians(degrees), 1.0, 1 / around
+
+    def seldom(g):
+        return integrate(g, "rotation-vector-2")[each // 2 - 1 :: each // 2]
+
+    def vectors(g):
+        return Rotation.from_quat(step_quaternions(g, seldom)).as_rotvec()
+
+    often = measured_coning_drift("rotation-vector-2", *cone, count=960)
+    for function in (seldom, vectors):
+        assert measured_coning_drift(function, *cone, count=960) == pytest.approx(often, abs=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_poor_integrators_are_no_slip_in_steps_of_any_length(seed):
+    """Euler's method, and no correction at all, on rough random motion."""
+    rng = np.random.default_rng(seed)
+    rows = 10 ** rng.uniform(-6, 0.5) * (rng.normal(size=3) + rng.normal(size=(240, 3)))
+
+    def euler(g):
+        now, found = np.array([0.0, 0.0, 0.0, 1.0]), []
+        for row in g:
+            now = now + multiply(now, np.append(row / 2, 0.0))
+            now /= np.linalg.norm(now)
+            found.append(now)
+        return np.array(found)
+
+    for each in (1, 4, 20, 60, 240):
+        for function in (lambda g, n=each: euler(g)[n - 1 :: n], sums(each)):
+            assert len(integrate(rows, function)) == 240 // each
+
+
 WRONG = {
     "degrees": (lambda g: np.degrees(pair(g)), "rotation vectors in rad .* got degrees"),
     "opposite": (lambda g: -pair(g), "got the opposite sign"),
     "Cayley": (lambda g: step_vectors(g, "two-step-4"), "got Cayley vectors"),
+    "Cayley, other sign": (lambda g: -step_vectors(g, "two-step-4"), r"got vectors tan\(phi/4\)"),
+    "cumulated": (lambda g: np.cumsum(pair(g), axis=0), "got rotation vectors since the start"),
     "scalar first": (lambda g: attitudes(g)[:, [3, 0, 1, 2]], "got scalar first"),
     "inverse": (lambda g: rotations(g).inv(), "got reference to body"),
     "steps": (lambda g: step_quaternions(g, "two-step-4"), "got the rotation of each step"),

@@ -23,6 +23,7 @@ from driftlab.core.quaternion import (
 )
 from driftlab.core.vectors import norms
 
+from ._swing import half_a_turn, largest_change
 from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, attitude_algorithm
 from .own_algorithms import OwnAlgorithm, own_steps
 
@@ -85,8 +86,9 @@ def coning_drift(
     apart from one the other way by nothing, and comes out between -pi and pi a step.
 
     Steps that make whole rounds may pile up an error about any axis, as a constant drift of the
-    body does. As long as `OWN_ROWS` increments make less than half a turn of it, the drift is the
-    part of this error about the cone's axis.
+    body does. Of one's own function the drift is then the part of this error about the cone's axis,
+    as long as `OWN_ROWS` increments make less than half a turn of it. A step or a window of a named
+    algorithm that by itself makes whole rounds keeps all of its error.
 
     One's own function is given `OWN_ROWS` increments. The last of its steps are turned back and
     compared, and the smallest number of them that repeats, but for the rounding of double
@@ -164,7 +166,7 @@ def _drift_of_step(chosen: AttitudeAlgorithm, angle: FloatArray, x: FloatArray) 
     # One step, or all of a window that is computed as a whole.
     count = chosen.window - chosen.memory
     turned_in_all = cumulative_product(steps)[..., -1, :]
-    return _settled_drift(turned_in_all, angle, count * x, count) / count
+    return _settled_drift(turned_in_all, angle, count * x) / count
 
 
 def _drift_of_own(function: OwnAlgorithm, half_angle: FloatArray, x: FloatArray) -> float:
@@ -195,65 +197,43 @@ def _drift_of_own(function: OwnAlgorithm, half_angle: FloatArray, x: FloatArray)
     turn = from_rotation_vector(back)
     turned = cumulative_product(steps[first:])[-1]
     turned = multiply(multiply(turn, turned), turn * [-1, -1, -1, 1])
-    return float(_settled_drift(turned, half_angle, whole * x, whole)) / whole
+    by_part = _part_after_whole_rounds(turned, half_angle, whole * x, whole)
+    if by_part is not None:
+        return by_part / whole
+    return float(_settled_drift(turned, half_angle, whole * x)) / whole
+
+
+def _part_after_whole_rounds(
+    turned: FloatArray, half_angle: FloatArray, around: FloatArray, samples: int
+) -> float | None:
+    """What is left about the cone's axis after whole rounds, rad, as long as it is little."""
+    rounds = np.round(around / (2 * np.pi))
+    left = around - 2 * np.pi * rounds
+    if rounds == 0 or abs(left) > _WHOLE_ROUNDS:
+        return None
+    error = _error(turned, around)
+    little = float(norms(error)) * OWN_ROWS < np.pi * samples
+    return float(_along(error, half_angle) - left) if little else None
 
 
 def _unlike(apart: list[float]) -> str:
     return f"differ by {min(apart):.1g} rad at least" if apart else "are too few to be compared"
 
 
-def _settled_drift(
-    step: FloatArray, half_angle: FloatArray, step_angle: FloatArray, samples: int
-) -> FloatArray:
-    """Drift of a step of so many samples as of `step_drift`, refused where it is none."""
-    axis = np.stack([np.zeros_like(step_angle), np.zeros_like(step_angle), step_angle], axis=-1)
-    error = to_rotation_vector(multiply(step, from_rotation_vector(axis)))
-    size, along = norms(error), _along(error, half_angle)
+def _settled_drift(step: FloatArray, half_angle: FloatArray, step_angle: FloatArray) -> FloatArray:
+    """Drift of a step as of `step_drift`, refused where it is none."""
+    turned = _error(step, step_angle)
     drift = step_drift(step, half_angle, step_angle)
-    # After whole rounds all that is left is error, and may be about any axis.
-    rounds = np.round(step_angle / (2 * np.pi))
-    left = step_angle - 2 * np.pi * rounds
-    small = (rounds != 0) & (np.abs(left) < _WHOLE_ROUNDS) & (size * OWN_ROWS < np.pi * samples)
-    swings = np.where(small, 0.0, _largest_change(drift, size, along))
+    swings = largest_change(drift, norms(turned), _along(turned, half_angle))
     if (swings >= np.pi).any():
         raise half_a_turn(float(swings.max()))
-    return np.asarray(np.where(small, along - left, drift))
+    return drift
 
 
-def _largest_change(drift: FloatArray, size: FloatArray, along: FloatArray) -> FloatArray:
-    """How much the error about the cone's axis may change in a step, rad.
-
-    The steps turn by `size`, of which `along` is the part about the cone's axis; see `coning_drift`.
-    """
-    lean = np.abs(along) / np.where(size > 0, size, 1.0)
-    ratio = np.where(size > 0, (1 - lean) / (1 + lean), 0.0)
-    sine, cosine = ratio * np.sin(size / 2), ratio * np.cos(size / 2)
-    sign = np.where(along < 0, -1.0, 1.0)
-    more, less = (4 * np.arctan2(sine, 1 + way * cosine) for way in (-1, 1))
-    return np.maximum(np.abs(drift + sign * more), np.abs(drift - sign * less))
-
-
-def half_a_turn(found: float) -> ValueError:
-    """The refusal of an error whose growth cannot be told from one the other way.
-
-    Parameters
-    ----------
-    found : float
-        Change of the error about the cone's axis in a step, rad.
-
-    Returns
-    -------
-    ValueError
-
-    Examples
-    --------
-    >>> print(str(half_a_turn(3.5))[-42:])
-    less than half a turn a step, got 3.5 rad.
-    """
-    return ValueError(
-        "half_angle, frequency, sample_interval: expected a cone on which the algorithm's error "
-        f"about the axis changes by less than half a turn a step, got {found:.3g} rad."
-    )
+def _error(step: FloatArray, step_angle: FloatArray) -> FloatArray:
+    """Rotation vector of a step and the turn of the cone after it: after whole rounds, of error."""
+    axis = np.stack([np.zeros_like(step_angle), np.zeros_like(step_angle), step_angle], axis=-1)
+    return to_rotation_vector(multiply(step, from_rotation_vector(axis)))
 
 
 def _along(vector: FloatArray, half_angle: FloatArray) -> FloatArray:

@@ -15,8 +15,9 @@ from driftlab.core.quaternion import (
     to_rotation_vector,
 )
 
+from ._swing import half_a_turn
 from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, attitude_algorithm
-from .drift_on_cones import OWN_ROWS, checked_cone, half_a_turn
+from .drift_on_cones import OWN_ROWS, checked_cone
 from .integration import step_quaternions
 
 MEASURED_STEPS = 60
@@ -34,8 +35,8 @@ def measured_coning_drift(
     """Apparent drift about the axis of a cone, measured over many steps of an algorithm.
 
     Nothing is supposed of the algorithm: it is given the exact increments of the motion, and its
-    attitude is held against the true one. `coning_drift` has the same without running it, but for the
-    wobble below, where all steps are alike.
+    attitude is held against the true one. `coning_drift` has the same without running it, but for
+    the wobble below, where all steps are alike.
 
     Parameters
     ----------
