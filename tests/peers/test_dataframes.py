@@ -32,6 +32,12 @@ def test_a_dataframe_with_every_kind_of_time():
     assert_same(FRAME.set_index(WHEN - WHEN[0]))
     assert_same(FRAME.rename_axis("when"), time="when")
     assert_same(FRAME.reset_index(names="when"), time="when")
+    assert_same(FRAME.rename_axis("time [s]"))
+    assert_same(FRAME.set_axis(np.arange(COUNT) * 10).rename_axis("t (ms)"))
+    stamps = 1_714_564_800_000_000_000 + np.arange(COUNT) * 10_000_000
+    assert_same(FRAME.assign(t=stamps), time=("t", "ns"))
+    dates = FRAME.tz_localize("Europe/Vienna").index.to_pydatetime()
+    assert_same(FRAME.assign(when=pandas.Series(dates, WHEN, object)), time="when")
     assert_same(FRAME.assign(t=np.arange(COUNT) * 10).convert_dtypes(), time=("t", "ms"))
     levels = pandas.MultiIndex.from_product([["gyro", "force"], ["x", "y", "z"]])
     triads = {"gyro": ("gyro x", "gyro y", "gyro z"), "accelerometer": ("force x", "force y", 6)}
@@ -48,6 +54,22 @@ def test_faults_are_found_by_row_and_column():
     ):
         with pytest.raises(ValueError, match=words):
             from_dataframe(frame, **GIVEN)
+
+
+def test_columns_without_names_have_numbers_that_count_others():
+    frame = pandas.DataFrame(VALUES, index=WHEN)
+    with pytest.raises(ValueError, match="got 1, which names column 2 and counts another"):
+        from_dataframe(frame, **(GIVEN | {"gyro": (1, 2, 3), "accelerometer": (4, 5, 6)}))
+    assert_same(frame.set_axis(range(1, 7), axis=1), gyro=(1, 2, 3), accelerometer=(4, 5, 6))
+
+
+def test_tables_of_polars_and_of_pyarrow():
+    pyarrow = pytest.importorskip("pyarrow", reason='"python3 lab.py peers" fetches it')
+    columns = dict(zip(NAMES, VALUES.T, strict=True)) | {"when": WHEN.to_numpy()}
+    assert_same(pyarrow.table(columns), time="when")
+    polars = pytest.importorskip("polars", reason='"python3 lab.py peers" fetches it')
+    assert_same(polars.DataFrame(columns), time="when")
+    assert_same(polars.DataFrame(columns), time=7, gyro=(1, 2, 3), accelerometer=(4, 5, 6))
 
 
 def test_columns_go_in_as_arrays():

@@ -314,3 +314,12 @@ def test_of_many_columns_the_nearest_are_named(log):
     refused(log, "expected one of 21 names (field.angular_velocity.1", lines, gyro=wrong, **told)
     read = log(lines, gyro=names[:3], rate=None, time=("%time", "s"), **told)
     assert read.interval == 1.0
+
+
+def test_of_whole_stamps_no_nanosecond_is_lost(log):
+    first = 1_714_564_800_000_000_000
+    rows = [f"{first + 10_000_137 * row},{LINES[1 + row % 2]}" for row in range(9)]
+    found = log([f"t (ns),{LINES[0]}", *rows], time="t", rate=None)
+    assert (found.interval, found.times) == (0.010000137, None)
+    with pytest.raises(ValueError, match="time: expected ns for column 't', as log.csv has it"):
+        log([f"t (ns),{LINES[0]}", *rows], time=("t", "ms"), rate=None)

@@ -1,5 +1,7 @@
 """Tables in memory, by stand-ins with the protocols of pandas and xarray; tests/peers has these."""
 
+from datetime import UTC, datetime, timedelta, timezone
+
 import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
@@ -99,6 +101,82 @@ def changed(name, row, value, kind=float):
     return COLUMNS | {name: values}
 
 
+@pytest.mark.parametrize("size", [1_714_564_800_000_000_000, 2**63])
+@pytest.mark.parametrize("kind", ["int64", "uint64", object])
+def test_of_whole_stamps_no_nanosecond_is_lost(size, kind):
+    if kind == "int64":
+        size = min(size, 2**62)
+    stamps = [size + 10_000_137 * row for row in range(COUNT)]
+    found = from_dataframe(COLUMNS | {"t": np.array(stamps, kind)}, **GIVEN, time=("t", "ns"))
+    assert (found.interval, found.times) == (0.010000137, None)
+
+
+ZONES = [timezone(timedelta(hours=hours)) for hours in (0, 2, -5)]
+AWARE = [
+    (datetime(2024, 5, 1, tzinfo=UTC) + row * timedelta(milliseconds=10)).astimezone(ZONES[row % 3])
+    for row in range(COUNT)
+]
+
+
+def test_dates_of_python_have_a_time_zone_or_none():
+    for dates in (AWARE, [date.replace(tzinfo=None) for date in AWARE[::3]]):
+        log = {name: values[: len(dates)] for name, values in COLUMNS.items()}
+        found = from_dataframe(log | {"when": dates}, **GIVEN, time="when")
+        steps = dates[1] - dates[0]
+        assert found.interval == steps.total_seconds()
+
+
+class Arrow:
+    """As of pyarrow: columns without names, and their names."""
+
+    column_names = list(COLUMNS)
+    columns = [Series(values) for values in COLUMNS.values()]
+
+
+def test_a_table_of_arrow():
+    found = from_dataframe(Arrow(), **GIVEN, rate=100.0)
+    assert_array_equal(found.gyro, RATES)
+    assert_array_equal(found.accelerometer, FORCES)
+
+
+@pytest.mark.parametrize(
+    ("name", "index"),
+    [
+        ("t (ms)", 10 * np.arange(COUNT)),
+        ("time [s]", DATES),
+        ("gx", DATES),  # as a column is
+        (None, DATES),
+    ],
+)
+@pytest.mark.parametrize("more", [{}, {"index": np.arange(COUNT)}])
+def test_an_index_that_says_its_unit_is_the_time(name, index, more):
+    found = from_dataframe(Frame(COLUMNS | more, index, name), **GIVEN)
+    assert_array_equal(found.gyro, RATES)
+    assert (found.interval, found.times) == (0.01, None)
+
+
+def numbered(*names):
+    return Frame(dict(zip(names, COLUMNS.values(), strict=True)))
+
+
+def test_numbers_count_columns_unless_they_name_another():
+    given = GIVEN | {"gyro": (1, 2, "-3"), "accelerometer": (4, 5, 6), "rate": 100.0}
+    for names in (NAMES, (1, 2, 3, 4, 5, 6), ("1", "2", "3", "4", "5", "6")):
+        found = from_dataframe(numbered(*names), **given)
+        assert_array_equal(found.gyro, RATES * [1, 1, -1])
+        assert_array_equal(found.accelerometer, FORCES)
+    for names, which in (((0, 1, 2, 3, 4, 5), 2), ((3, 2, 1, 4, 5, 6), 3)):
+        with pytest.raises(ValueError, match=f"got 1, which names column {which} and counts"):
+            from_dataframe(numbered(*names), **given)
+    with pytest.raises(ValueError, match="a number from 1 to 6 for table, got 7"):  # the index
+        from_dataframe(numbered(*NAMES), **(given | {"gyro": (5, 6, 7)}))
+
+
+def masked(values):
+    return np.ma.array(values, mask=np.arange(COUNT) == 7)
+
+
+UNLIKE = {"wx [rad/s]": Variable(RATES[:, 0], {"units": "deg/s"})}
 LOST = np.delete(DATES, 100)
 WRONG = {
     "no table": (RATES, {}, "frame: expected a DataFrame, a Dataset.*, got ndarray"),
@@ -123,6 +201,19 @@ WRONG = {
     "another unit": (Dataset(COLUMNS, DATES), {"units": ("deg/s", "g")}, "expected rad/s for gyro"),
     "g": (Frame(COLUMNS, DATES), {"units": ("rad/s", "g")}, "m/s.2 taken for g"),
     "unknown": (COLUMNS, {"gyro": ("gx", "gy", "wz"), "rate": 1.0}, "columns: expected .*'wz'"),
+    "masked": (COLUMNS | {"gz": masked(RATES[:, 2])}, {"rate": 1.0}, "row 8: .*'gz', got 'None'"),
+    "masked date": (COLUMNS | {"when": masked(DATES)}, {"time": "when"}, "row 8: .*time, got none"),
+    "two units": (COLUMNS | UNLIKE, {"rate": 1.0}, "one unit .* 'wx .* the attribute 'deg/s'"),
+    "two units of time": (
+        COLUMNS | {"t (ms)": np.arange(COUNT)},
+        {"time": ("t", "s")},
+        "time: expected ms for column 't', as table has it, got 's'",
+    ),
+    "mixed dates": (
+        COLUMNS | {"when": [AWARE[0], "later", *AWARE[2:]]},
+        {"time": "when"},
+        "row 2: expected a date and time, got none",
+    ),
     "ragged": (COLUMNS | {"t": [1, 2]}, {"rate": 1.0}, r"equal length, got shape \(2,\) for 't'"),
 }
 

@@ -12,7 +12,7 @@ from ._table_columns import TableColumns
 from ._time_stamps import spacing_of_stamps
 from .guards import RULES, without_doubts
 from .recording import Recording
-from .units import Unit, accelerometer_unit, gyro_unit, time_unit
+from .units import Unit, accelerometer_unit, gyro_unit, same_unit, time_unit
 
 Columns = Sequence[str | int]
 Time = str | int | tuple[str | int, str]
@@ -61,7 +61,11 @@ def record_of_table(
         spacing = float(interval or 1 / (rate or 1))
     else:
         # First the difference: of 1.7e18 ns, say, little is left in s.
-        since = table.moments(stamp) if size is None else size * (numbers[:, -1] - numbers[0, -1])
+        since = (
+            table.moments(stamp)
+            if size is None
+            else size * table.since_first(stamp, numbers[:, -1])
+        )
         spacing, times = spacing_of_stamps(since, longest, table.place)
     recording = Recording(
         triads[0],
@@ -171,7 +175,13 @@ def _stamp_column(
             f"time: expected the name or number of a column, or it and its unit, got {shown(time)}."
         )
     index, _ = table.column(column, "time")
-    unit = unit or (table.units[index] if table.units else "")
+    known = table.units[index] if table.units else ""
+    if unit and known and not same_unit(unit, known):
+        raise ValueError(
+            f"time: expected {known} for column {column!r}, as {table.title} has it, "
+            f"got {shown(unit)}."
+        )
+    unit = unit or known
     if not unit:
         raise ValueError(
             f"time: expected a unit beside column {column!r} (s, ms, us, ns, or iso for dates and "

@@ -17,9 +17,9 @@ class TableColumns(ABC):
     Attributes
     ----------
     names, units : tuple of str
-        Of the columns; empty if there are none, or "" for a column.
+        Of the columns; empty if there are none, or "" for a column. An index comes last.
     width : int
-        How many columns there are.
+        How many columns there are to be counted, without an index.
     """
 
     names: tuple[str, ...]
@@ -38,6 +38,10 @@ class TableColumns(ABC):
     @abstractmethod
     def moments(self, column: int) -> FloatArray:
         """Dates and times of a column, (n,), s since the first, or a sentence."""
+
+    def since_first(self, column: int, values: FloatArray) -> FloatArray:
+        """Numbers (n,) of a column less the first of them; `values` are these numbers as floats."""
+        return values - values[0]
 
     @abstractmethod
     def place(self, row: int) -> str:
@@ -61,7 +65,8 @@ class TableColumns(ABC):
         Raises
         ------
         ValueError
-            If there is no such column, or more than one.
+            If there is no such column, or more than one; also if digits are the name of one column
+            and the number of another.
 
         Examples
         --------
@@ -83,10 +88,16 @@ class TableColumns(ABC):
                     f"{argument}: expected one column {name!r} in {self.title}, got "
                     f"{len(places)}: say it by number."
                 )
-            if places:
-                return places[0], sign
-            if re.fullmatch(r"\d+", name) and 1 <= int(name) <= self.width:
-                return int(name) - 1, sign
+            number = int(name) - 1 if re.fullmatch(r"\d+", name) else -1
+            counted = 0 <= number < self.width
+            if places and counted and places[0] != number:
+                raise ValueError(
+                    f"{argument}: expected a name or a number that mean one column of "
+                    f"{self.title}, got {shown(wanted)}, which names column {places[0] + 1} and "
+                    "counts another: give the columns names that are no numbers."
+                )
+            if places or counted:
+                return places[0] if places else number, sign
         raise ValueError(
             f"{argument}: expected {names_like(text, self.names)}a number from 1 to {self.width} "
             f"for {self.title}, got {shown(wanted)}."

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -107,6 +108,14 @@ class TextTable(TableColumns):
             self._refuse(columns, fault)
         assert rows is not None
         return rows
+
+    def since_first(self, column: int, values: FloatArray) -> FloatArray:
+        """Numbers (n,) of a column less the first, exact where they are whole."""
+        if np.abs(values).max() > 2**53:  # where floats skip whole numbers
+            with suppress(ValueError):  # of a point or an exponent
+                whole = [int(text) for text in self.texts(column)]
+                return np.array([each - whole[0] for each in whole], float)
+        return values - values[0]
 
     def texts(self, column: int) -> list[str]:
         """Return a column as text.

@@ -1,4 +1,4 @@
-"""A log that is a table in memory: a DataFrame of pandas or polars, or a Dataset of xarray.
+"""A log that is a table in memory, of pandas, polars, pyarrow or xarray.
 
 None of these libraries is needed or loaded here: a table is known by what it can do.
 """
@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ from ._record_of_table import Columns, Time, record_of_table
 from ._table_columns import TableColumns
 from ._time_stamps import seconds_since_first
 from .recording import Recording
-from .units import is_unit
+from .units import is_unit, same_unit
 
 
 def from_dataframe(
@@ -46,19 +47,22 @@ def from_dataframe(
     Parameters
     ----------
     frame : DataFrame, Dataset, DataArray or mapping
-        Of pandas or polars; a Dataset of xarray with variables along one dimension; a DataArray
-        with labelled channels along a second one; or columns by name, each an array (n,).
+        Of pandas or polars, or a Table of pyarrow; a Dataset of xarray with variables along one
+        dimension; a DataArray with labelled channels along a second one; or columns by name, each
+        an array (n,).
     gyro, accelerometer : sequence of str or int
         Three columns each, in the order of the axes: names, without units, or numbers counted
-        from 1. A minus before either changes the sign.
+        from 1, without the index. A minus before either changes the sign. Where columns are named
+        by numbers, as those of pandas are unless one says otherwise, a number that is the name of
+        one and counts another is refused.
     units, zeros : optional
         As for `read_csv`. Without `units` they must stand in the names, in brackets, or in the
         attribute ``units`` of variables of xarray.
     time : str, int or tuple, optional
         Column of time stamps, with its unit as for `read_csv`; the index, or the coordinate of
-        xarray's first dimension, goes by its name or by "index". Columns of dates and times, or of
-        spans of time, need no unit. If nothing is said of the time, the index is taken, provided
-        that it has dates, times or spans, or says its unit.
+        xarray's first dimension, goes by its name, or by "index" if it has none or shares it with a
+        column. Columns of dates and times, or of spans of time, need no unit. If nothing is said of
+        the time, the index is taken, provided that it has dates, times or spans, or says its unit.
     interval, rate : float, optional
         Between samples, s, or how many there are in a second, in place of `time`.
     longest_gap, axes, latitude, gravity, name, source, licence, allow : optional
@@ -72,7 +76,8 @@ def from_dataframe(
     Raises
     ------
     ValueError
-        If `frame` is no table; a cell is empty, NaN or no number; and as for `read_csv`.
+        If `frame` is no table; a cell is empty, masked, NaN or no number; a column's name says one
+        unit and its attribute another; and as for `read_csv`.
 
     Examples
     --------
@@ -141,6 +146,15 @@ class _FrameTable(TableColumns):
             raise ValueError(f"{self.place(row)}: expected a date and time, got none.")
         return seconds_since_first(values)
 
+    def since_first(self, column: int, values: FloatArray) -> FloatArray:
+        found = self.values[column]
+        if found.dtype.kind in "iu":  # floats skip whole numbers beyond 2^53
+            whole = found.astype(np.int64)
+            return (whole - whole[0]).astype(float)  # right of unsigned numbers too, modulo 2^64
+        if found.dtype == object and all(isinstance(cell, int | np.integer) for cell in found):
+            return np.array([int(cell) - int(found[0]) for cell in found], float)
+        return values - values[0]
+
     def place(self, row: int) -> str:
         return f"{self.title}, row {row + 1}"
 
@@ -176,12 +190,14 @@ def _table_of(frame: Any, title: str) -> tuple[_FrameTable, int | None]:
     if hasattr(frame, "data_vars") or hasattr(frame, "dims"):
         columns, label = _xarray_columns(frame)
         index = frame.coords.get(label)
-    elif hasattr(frame, "columns"):
-        places = enumerate(frame.columns)
-        by_place = hasattr(frame, "iloc")  # where names may stand twice
-        columns = [(one, frame.iloc[:, i] if by_place else frame[one]) for i, one in places]
+    elif hasattr(frame, "iloc") and hasattr(frame, "columns"):  # by place, as names may stand twice
+        columns = [(one, frame.iloc[:, i]) for i, one in enumerate(frame.columns)]
         index = getattr(frame, "index", None)
         label = str(getattr(index, "name", None) or label)
+    elif hasattr(frame, "column_names"):
+        columns = list(zip(frame.column_names, frame.columns, strict=True))
+    elif hasattr(frame, "columns"):
+        columns = [(one, frame[one]) for one in frame.columns]
     elif isinstance(frame, Mapping):
         columns = list(frame.items())
     else:
@@ -189,28 +205,39 @@ def _table_of(frame: Any, title: str) -> tuple[_FrameTable, int | None]:
             "frame: expected a DataFrame, a Dataset, a DataArray or columns by name, "
             f"got {type(frame).__name__}."
         )
+    width = len(columns)
     names: list[str] = []
     units: list[str] = []
     values: list[NDArray[Any]] = []
-    if index is not None and label not in (str(one) for one, _ in columns):
-        columns.append((label, index))
-    for one, column in columns:
+    for one, column in columns if index is None else [*columns, (label, index)]:
         array = _values(column)
         if array.ndim != 1 or len(array) != len(values[0] if values else array):
             raise ValueError(
                 f"frame: expected columns of equal length, got shape {array.shape} for {one!r}."
             )
-        name = " ".join(map(str, one)) if isinstance(one, tuple) else str(one)
-        said = getattr(column, "attrs", {}).get("units", "")
-        unit = said if isinstance(said, str) and is_unit(said) else ""
-        match = re.fullmatch(r"(.*?)\s*[(\[]([^()\[\]]*)[)\]]", name)
-        if match and is_unit(match[2]):
-            name, unit = match[1], match[2]
+        name, unit = _name_and_unit(one, column)
+        if len(names) == width:  # the index, by a name of its own
+            name = next((each for each in (name, "index") if each not in names), "")
         names.append(name)
         values.append(array)
         units.append("iso" if array.dtype.kind in "mM" else unit)
-    table = _FrameTable(title, tuple(names), tuple(units), len(names), tuple(values))
-    return table, len(names) - 1 if index is not None and names[-1] == label else None
+    table = _FrameTable(title, tuple(names), tuple(units), width, tuple(values))
+    return table, None if index is None else width
+
+
+def _name_and_unit(label: Any, column: Any) -> tuple[str, str]:
+    """Name of a column, and its unit if the name has it in brackets or an attribute says it."""
+    name = " ".join(map(str, label)) if isinstance(label, tuple) else str(label)
+    said = getattr(column, "attrs", {}).get("units", "")
+    unit = said if isinstance(said, str) and is_unit(said) else ""
+    match = re.fullmatch(r"(.*?)\s*[(\[]([^()\[\]]*)[)\]]", name)
+    if not match or not is_unit(match[2]):
+        return name, unit
+    if unit and not same_unit(match[2], unit):
+        raise ValueError(
+            f"frame: expected one unit for each column, got {name!r} with the attribute {unit!r}."
+        )
+    return match[1], match[2]
 
 
 def _xarray_columns(frame: Any) -> tuple[list[tuple[Any, Any]], str]:
@@ -234,8 +261,25 @@ def _xarray_columns(frame: Any) -> tuple[list[tuple[Any, Any]], str]:
 
 
 def _values(column: Any) -> NDArray[Any]:
-    """A column as an array; dates of a time zone as those of UTC."""
-    array = np.asarray(column.to_numpy() if hasattr(column, "to_numpy") else column)
-    if array.dtype == object and array.size and hasattr(array.flat[0], "tzinfo"):
-        array = np.asarray(column, dtype="datetime64[ns]")
+    """A column as an array; what is masked is none, and dates of a time zone are those of UTC."""
+    array = column.to_numpy() if hasattr(column, "to_numpy") else column
+    if np.ma.is_masked(array):
+        there = array.data.astype(array.dtype if array.dtype.kind in "mM" else object)
+        there[np.ma.getmaskarray(array)] = None
+        array = there
+    array = np.asarray(array)
+    if array.dtype == object and array.size and isinstance(array.flat[0], datetime):
+        if getattr(column, "dtype", object) == object:
+            return np.array([_in_utc(cell) for cell in array.flat])
+        return np.asarray(column, dtype="datetime64[ns]")
     return array
+
+
+def _in_utc(cell: Any) -> np.datetime64:
+    """A date and time of Python or pandas, or none."""
+    if not isinstance(cell, datetime):
+        return np.datetime64("NaT")
+    if cell.tzinfo is not None:
+        cell = cell.astimezone(UTC).replace(tzinfo=None)
+    exact = getattr(cell, "to_datetime64", None)  # where there are ns
+    return exact() if exact is not None else np.datetime64(cell, "us")

@@ -189,6 +189,26 @@ def is_unit(text: str) -> bool:
     return any(name in known for known in (GYRO_UNITS, ACCELEROMETER_UNITS, TIME_UNITS))
 
 
+def same_unit(one: str, other: str) -> bool:
+    """Say whether two texts are spellings of one unit.
+
+    Parameters
+    ----------
+    one, other : str
+        Of two places that ought to agree.
+
+    Returns
+    -------
+    bool
+
+    Examples
+    --------
+    >>> same_unit("°/s", "dps"), same_unit("deg/s", "rad/s")
+    (True, False)
+    """
+    return _spelled(one) == _spelled(other)
+
+
 def _unit(text: str, known: dict[str, tuple[Kind, float]], triad: str) -> Unit:
     """Kind and size of a unit, which may have the size of a count before it."""
     number = re.match(r"\s*([-+.\d][-+.\deE]*(?:/[.\d]+)?)\s*\*?\s*(?=\D)", text)
