@@ -47,6 +47,16 @@ def test_float64_is_not_copied():
             (),
             "value: expected all values to be there, got masked ones.",
         ),
+        (
+            [np.ones(2), np.ma.array([1.0, 2.0], mask=[False, True])],
+            (),
+            "value: expected all values to be there, got masked ones.",
+        ),
+        (
+            [1.0, np.ma.masked],
+            (),
+            "value: expected all values to be there, got masked ones.",
+        ),
         ([10**400], (), "value: expected real numbers, got dtype object."),
         ([[1, 2], [3]], (), "value: expected real numbers, got rows of unequal length."),
         ([[1, 2], [3]], (2,), r"value: expected shape (..., 2), got rows of unequal length."),

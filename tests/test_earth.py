@@ -272,6 +272,23 @@ def test_poles_are_refused_where_north_is_needed(degrees):
         checked_latitude(np.radians([0.0, degrees]))
 
 
+@pytest.mark.parametrize(
+    "function",
+    [
+        earth_rate,
+        curvature_radii,
+        gravity,
+        lambda latitude: gravity_north(latitude, 0.0),
+        lambda latitude: position_vector(latitude, 0.0),
+    ],
+)
+def test_degrees_are_refused_and_poles_are_not(function):
+    words = r"^latitude: expected rad, at most 1\.6 in size, got -55: is it in degrees\? np\.rad"
+    with pytest.raises(ValueError, match=words):
+        function([0.5, -55.0])
+    function([-np.pi / 2, np.pi / 2])
+
+
 def test_other_latitudes_come_back_as_they_are():
     values = np.radians([-89.9, -45.0, 0.0, 89.89])
     np.testing.assert_array_equal(checked_latitude(values), values)

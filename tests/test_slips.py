@@ -343,11 +343,7 @@ def calibrate(**changes):
         ),
         (
             lambda: measure(TRUE.increments, TYPICAL_ERRORS._replace(gyro_bias=[10, 20, 30])),
-            r"gyro_bias: expected rad/s, at most 1 in size, got 30: is it in deg/h\?",
-        ),
-        (
-            lambda: measure(TRUE.increments, NO_ERRORS._replace(gyro_error=np.eye(3) + BENT)),
-            r"gyro_error: .* is it the whole matrix I \+ M\? Subtract the identity",
+            r"gyro_bias: expected rad/s, at most 10 in size, got 30: is it in deg/h\?",
         ),
         (lambda: dl.drift_per_turn(BENT, [1, 1, 0]), "triad_error: expected shape"),
         (
@@ -359,7 +355,11 @@ def calibrate(**changes):
         (lambda: Coning(10, 5.0), "half_angle: .* in degrees"),
         (
             lambda: dl.gyrocompass.level_loop(Gains(1e-3, 1e-6), gravity=1.0),
-            r"gravity: expected m/s\^2, 2 to 50, got 1: is it in g\?",
+            r"gravity: expected m/s\^2, 1.2 to 50, got 1: is it in g\?",
+        ),
+        (
+            lambda: dl.gyrocompass.level_loop(Gains(1e-3, 1e-6), gravity=5e-3),
+            r"gravity: expected m/s\^2, 1.2 to 50, got 0\.005\.$",
         ),
         (lambda: dl.gyrocompass.initial_level_frame(0.5), "alignment: .* from align"),
         (lambda: dl.fit_noise_terms(np.ones(9)), "allan: .* from allan_deviation"),
@@ -376,6 +376,27 @@ def test_named_slip_is_told_what_would_be_right(slip, sentence):
     [
         (lambda: TableTurn(rate=10), r"^rate: 10 rad/s is 573 degrees a second"),
         (lambda: dl.drift_per_turn([1, 1, 0], 1e3 * BENT), "^triad_error: an entry is 2, .* mrad"),
+        (
+            lambda: measure(TRUE.increments, NO_ERRORS._replace(gyro_error=np.eye(3) + BENT)),
+            r"^gyro_error: .* is it the whole matrix I \+ M\? If so, subtract the identity",
+        ),
+        (
+            lambda: dl.triad.measured_rate([1, 0, 0], np.diag([1, 1, 0.75])),
+            r"^triad_error: .* is it the whole matrix I \+ M\? If so",
+        ),
+        (
+            lambda: measure(TRUE.increments, NO_ERRORS._replace(gyro_bias=[0, -1.3, 0])),
+            r"^gyro_bias: -1\.3 rad/s is much: is it in deg/h\?",
+        ),
+        (
+            lambda: measure(TRUE.increments, NO_ERRORS._replace(accelerometer_bias=[0, 20, 0])),
+            r"^accelerometer_bias: 20 m/s\^2 is much: is it in mg\?",
+        ),
+        (
+            lambda: dl.gyrocompass.level_loop(Gains(1e-3, 1e-6), gravity=32.2),
+            r"^gravity: 32\.2 m/s\^2 is that of the Earth in ft/s\^2",
+        ),
+        (lambda: TableTurn(rate=np.radians(6000)), r"^rate: .* is 6000 degrees a second"),
         (lambda: dl.drift_coefficient([1, 1, 0], np.eye(3)), r"^triad_error: .* I \+ M\?"),
         (lambda: dl.frames.from_euler_angles(90, 0, 0), r"^heading: 90 rad is 14\.3 turns"),
     ],
@@ -383,6 +404,12 @@ def test_named_slip_is_told_what_would_be_right(slip, sentence):
 def test_what_is_only_unusual_is_warned_of(unusual, words):
     with pytest.warns(UnusualWarning, match=words):
         unusual()
+
+
+def test_what_some_sensor_or_place_has_is_let_through():
+    measure(TRUE.increments, NO_ERRORS._replace(gyro_bias=np.radians([0, 55, 0])))  # filter: error
+    measure(TRUE.increments, NO_ERRORS._replace(accelerometer_bias=[0, 2.5, 0]))
+    dl.gyrocompass.level_loop(Gains(1e-3, 1e-6), gravity=1.62)  # on the Moon
 
 
 def test_a_name_stands_for_an_object_wherever_there_is_a_table_of_them():

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_array, finite_arrays, pull_of_gravity
+from .checks import FloatArray, finite_array, finite_arrays, pull_of_gravity, within
 from .core import earth as core
 from .core.earth import (
     EARTH_RATE,
@@ -43,6 +43,7 @@ EARTH_RADIUS = SEMI_MAJOR_AXIS * (1 - FLATTENING / 3)
 """Mean radius R of the ellipsoid, m. The Earth of Plotnikov's paper is a sphere."""
 
 _NEAREST_TO_POLE = np.radians(89.9)
+_BEYOND_POLE = 1.6
 
 
 def checked_latitude(latitude: ArrayLike) -> FloatArray:
@@ -71,6 +72,12 @@ def checked_latitude(latitude: ArrayLike) -> FloatArray:
             f"lost at a pole, got {worst:.6g} rad, that is {np.degrees(worst):.6g} degrees.{slip}"
         )
     return values
+
+
+def _any_latitude(latitude: FloatArray) -> FloatArray:
+    """Refuse degrees, but no pole, nor a small step across one to form a difference."""
+    slip = f"is it in degrees? np.radians({latitude.flat[np.abs(latitude).argmax()]:g})."
+    return within(latitude, "latitude", _BEYOND_POLE, "rad", slip)
 
 
 def checked_gravity(gravity: FloatArray) -> FloatArray:
@@ -111,7 +118,7 @@ def earth_rate(latitude: ArrayLike) -> FloatArray:
     >>> (np.degrees(earth_rate(np.radians(30.0))) * 3600).round(3)  # degrees per hour
     array([ 0.   , 13.026,  7.521])
     """
-    return core.earth_rate(finite_array(latitude, "latitude"))
+    return core.earth_rate(_any_latitude(finite_array(latitude, "latitude")))
 
 
 def curvature_radii(latitude: ArrayLike) -> tuple[FloatArray, FloatArray]:
@@ -133,7 +140,7 @@ def curvature_radii(latitude: ArrayLike) -> tuple[FloatArray, FloatArray]:
     >>> print(f"{along:.0f} {across:.0f}")
     6335439 6378137
     """
-    return core.curvature_radii(finite_array(latitude, "latitude"))
+    return core.curvature_radii(_any_latitude(finite_array(latitude, "latitude")))
 
 
 def gravity(latitude: ArrayLike, altitude: ArrayLike = 0.0) -> FloatArray:
@@ -164,7 +171,7 @@ def gravity(latitude: ArrayLike, altitude: ArrayLike = 0.0) -> FloatArray:
     9.7754
     """
     latitude, altitude = finite_arrays(latitude=(latitude,), altitude=(altitude,))
-    return core.gravity(np.sin(latitude) ** 2, altitude)
+    return core.gravity(np.sin(_any_latitude(latitude)) ** 2, altitude)
 
 
 def gravity_north(latitude: ArrayLike, altitude: ArrayLike) -> FloatArray:
@@ -189,7 +196,7 @@ def gravity_north(latitude: ArrayLike, altitude: ArrayLike) -> FloatArray:
     array([ 8.3,  0. , -8.3])
     """
     latitude, altitude = finite_arrays(latitude=(latitude,), altitude=(altitude,))
-    return core.gravity_north(latitude, altitude)
+    return core.gravity_north(_any_latitude(latitude), altitude)
 
 
 def position_vector(latitude: ArrayLike, altitude: ArrayLike) -> FloatArray:
@@ -212,7 +219,8 @@ def position_vector(latitude: ArrayLike, altitude: ArrayLike) -> FloatArray:
     >>> position_vector(np.pi / 2, 0.0).round(0)  # the North pole
     array([      0.,       0., 6356752.])
     """
-    return core.position_vector(*finite_arrays(latitude=(latitude,), altitude=(altitude,)))
+    latitude, altitude = finite_arrays(latitude=(latitude,), altitude=(altitude,))
+    return core.position_vector(_any_latitude(latitude), altitude)
 
 
 def geodetic(position: ArrayLike) -> tuple[FloatArray, FloatArray, FloatArray]:

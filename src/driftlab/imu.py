@@ -15,6 +15,8 @@ from .checks import (
     LARGEST_ACCELEROMETER_BIAS,
     LARGEST_GYRO_BIAS,
     LARGEST_SCALE,
+    USUAL_ACCELEROMETER_BIAS,
+    USUAL_GYRO_BIAS,
     FloatArray,
     checked_generator,
     checked_instance,
@@ -227,7 +229,7 @@ def checked_imu_errors(imu_errors: ImuErrors) -> ImuErrors:
 
 
 def real_imu_errors(imu_errors: ImuErrors) -> ImuErrors:
-    """Return a unit as `checked_imu_errors` does, refusing also what no instrument is.
+    """Return a unit as `checked_imu_errors` does, refusing also what no function here is for.
 
     Parameters
     ----------
@@ -242,19 +244,27 @@ def real_imu_errors(imu_errors: ImuErrors) -> ImuErrors:
     Raises
     ------
     ValueError
-        If a bias is larger than that of any sensor, an error matrix is the whole matrix I + K, or
-        its entries are no rad and parts of the scale; or as for `checked_imu_errors`.
+        If a bias drowns the Earth's rate or gravity; or as for `checked_imu_errors`.
+
+    Warns
+    -----
+    UnusualWarning
+        If a bias is of a size that few sensors have, an error matrix looks like the whole matrix
+        I + K, or its entries like no rad and parts of the scale.
 
     Examples
     --------
-    >>> real_imu_errors(NO_ERRORS._replace(gyro_bias=np.array([1.0, 2.0, 3.0])))
+    >>> real_imu_errors(NO_ERRORS._replace(gyro_bias=np.array([10.0, 20.0, 30.0])))
     Traceback (most recent call last):
-    ValueError: gyro_bias: expected rad/s, at most 1 in size, got 3: is it in deg/h?
+    ValueError: gyro_bias: expected rad/s, at most 10 in size, got 30: is it in deg/h?
     """
     errors = checked_imu_errors(imu_errors)
-    within(errors.gyro_bias, "gyro_bias", LARGEST_GYRO_BIAS, "rad/s", "is it in deg/h?")
-    name, most = "accelerometer_bias", LARGEST_ACCELEROMETER_BIAS
-    within(errors.accelerometer_bias, name, most, "m/s^2", "is it in mg?")
+    for name, most, usual, unit, slip in (
+        ("gyro_bias", LARGEST_GYRO_BIAS, USUAL_GYRO_BIAS, "rad/s", "is it in deg/h?"),
+        ("accelerometer_bias", LARGEST_ACCELEROMETER_BIAS, USUAL_ACCELEROMETER_BIAS, "m/s^2",
+         "is it in mg?"),
+    ):  # fmt: skip
+        within(getattr(errors, name), name, most, unit, slip, usual)
     for name in ("gyro_error", "accelerometer_error"):
         error_matrix(getattr(errors, name), name, LARGEST_SCALE)
     return errors

@@ -52,7 +52,7 @@ def test_only_an_untuned_loop_with_a_log_feels_the_acceleration() -> None:
     [
         ({"gains": Gains(-1.0, 1e-7)}, r"^gains\.proportional: expected at least 0"),
         ({"gains": Gains(0.0, 0.0)}, r"^gains\.integral: expected a positive"),
-        ({"gravity": 0.0}, r"^gravity: expected m/s\^2, 2 to 50, got 0"),
+        ({"gravity": 0.0}, r"^gravity: expected m/s\^2, 1.2 to 50, got 0"),
         ({"radius": -1.0}, "^radius: expected a positive"),
     ],
 )

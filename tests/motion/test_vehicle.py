@@ -102,7 +102,7 @@ def test_smooth_step_rises_once():
         ({"roll": np.nan}, "^roll: expected finite"),
         ({"interval": 0.0}, "^interval: expected a positive number"),
         ({"gravity": np.inf}, "^gravity: expected finite"),
-        ({"gravity": -9.8}, "^gravity: expected m/s\\^2, 2 to 50, got -9.8"),
+        ({"gravity": -9.8}, "^gravity: expected m/s\\^2, 1.2 to 50, got -9.8"),
         ({"radius": 0.0}, "^radius: expected a positive number"),
         ({"radius": np.nan}, "^radius: expected finite"),
         ({"heading": np.zeros((5, 1))}, r"^heading: expected shape \(n \+ 1,\)"),

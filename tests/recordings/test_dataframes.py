@@ -129,8 +129,8 @@ def test_dates_of_python_have_a_time_zone_or_none():
 class Arrow:
     """As of pyarrow: columns without names, and their names."""
 
-    column_names = list(COLUMNS)
-    columns = [Series(values) for values in COLUMNS.values()]
+    column_names = tuple(COLUMNS)
+    columns = tuple(Series(values) for values in COLUMNS.values())
 
 
 def test_a_table_of_arrow():

@@ -24,6 +24,8 @@ from ._error_matrices import (
 from ._magnitudes import (
     LARGEST_ACCELEROMETER_BIAS as LARGEST_ACCELEROMETER_BIAS,
     LARGEST_GYRO_BIAS as LARGEST_GYRO_BIAS,
+    USUAL_ACCELEROMETER_BIAS as USUAL_ACCELEROMETER_BIAS,
+    USUAL_GYRO_BIAS as USUAL_GYRO_BIAS,
     USUAL_TABLE as USUAL_TABLE,
     UnusualWarning as UnusualWarning,
     one_pull as one_pull,

@@ -50,6 +50,9 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     if shape[-1:] == (4,):  # by its method, lest SciPy be loaded for those who do without
         as_quat = getattr(value, "as_quat", None)
         value = as_quat() if as_quat is not None else value
+    masked = value if isinstance(value, list | tuple) else (value,)
+    if any(np.ma.is_masked(each) for each in masked if isinstance(each, np.ma.MaskedArray)):
+        raise ValueError(f"{name}: expected all values to be there, got masked ones.")
     try:
         array = np.asarray(value)
     except ValueError:  # NumPy's error for lists of unequal length
@@ -60,8 +63,6 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
         raise ValueError(f"{name}: expected {expected}, got shape {array.shape}.")
     if array.size == 0:
         raise ValueError(f"{name}: expected at least one value, got an empty array.")
-    if np.ma.is_masked(value):
-        raise ValueError(f"{name}: expected all values to be there, got masked ones.")
     array = array.astype(np.float64, copy=False)
     if not np.isfinite(array).all():
         count = array.size - np.count_nonzero(np.isfinite(array))

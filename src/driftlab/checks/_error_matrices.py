@@ -13,8 +13,10 @@ LARGEST_ERROR = 1.0
 """Largest entry of an error matrix: with more, a gyro feels more across its axis than along it."""
 LARGEST_SCALE = 4.0
 """Largest scale error of a unit whose readings were given another nominal scale than they have."""
-_NEAR_ONE = 0.2
-"""Within this of one all three diagonal entries are those of I + M: no triad reads double."""
+_NEAR_ONE, _PERHAPS_ONE = 0.2, 0.5
+"""Within the first of one, all three diagonal entries are taken for those of I + M; within the
+second they may be. A triad that reads double is possible where its nominal scale is another: the
+range of a gyro set to twice what one thought, say."""
 _WHOLE = (
     "expected the matrix M of measured = (I + M) true, got a diagonal near one: "
     "is it the whole matrix I + M?"
@@ -31,7 +33,8 @@ def error_matrix(matrix: FloatArray, name: str, scale: float = LARGEST_ERROR) ->
     name : str
         Name of the argument, for the sentence.
     scale : float
-        Largest usual size of a diagonal entry.
+        Largest usual size of a diagonal entry. If it is larger than one, a triad may well read
+        double, and the whole matrix is only warned of.
 
     Returns
     -------
@@ -46,7 +49,8 @@ def error_matrix(matrix: FloatArray, name: str, scale: float = LARGEST_ERROR) ->
     Warns
     -----
     UnusualWarning
-        If an entry is larger than one, or than `scale` on the diagonal.
+        If an entry is larger than one, or than `scale` on the diagonal; if all three diagonal
+        entries are within a half of one.
 
     Examples
     --------
@@ -55,8 +59,10 @@ def error_matrix(matrix: FloatArray, name: str, scale: float = LARGEST_ERROR) ->
     ValueError: triad_error: expected the matrix M of measured = (I + M) true, got a diagonal near
     one: is it the whole matrix I + M? Subtract the identity.
     """
-    if _is_whole(matrix):
+    if scale <= LARGEST_ERROR and _is_whole(matrix):
         raise ValueError(f"{name}: {_WHOLE} Subtract the identity.")
+    if _is_whole(matrix, _PERHAPS_ONE):
+        warnings.warn(f"{name}: {_WHOLE} If so, subtract the identity.", UnusualWarning, 3)
     excess = np.abs(matrix) / (LARGEST_ERROR + (scale - LARGEST_ERROR) * np.eye(3))
     if excess.max() > 1:
         warnings.warn(
@@ -101,6 +107,6 @@ def linear_error_matrix(matrix: FloatArray, name: str) -> FloatArray:
     return matrix
 
 
-def _is_whole(matrix: FloatArray) -> bool:
+def _is_whole(matrix: FloatArray, near: float = _NEAR_ONE) -> bool:
     diagonal = np.einsum("...ii->...i", matrix)
-    return bool((np.abs(diagonal - 1) <= _NEAR_ONE).all(axis=-1).any())
+    return bool((np.abs(diagonal - 1) <= near).all(axis=-1).any())

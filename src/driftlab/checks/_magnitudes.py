@@ -1,8 +1,7 @@
-"""Sizes that no instrument has, and the slip of the unit behind most of them.
+"""Sizes that are hardly meant, and the slip of the unit behind most of them.
 
-A limit stands where a number in the usual other unit is refused and no real instrument is: degrees
-for radians, g for m/s^2, degrees an hour for rad/s. What is only unusual is warned of and let
-through.
+What is only unusual, as degrees taken for radians may be, is warned of and let through. Refused is
+what the functions behind the door are not for, whatever instrument has it.
 """
 
 from __future__ import annotations
@@ -14,16 +13,21 @@ import numpy as np
 from ._arrays import FloatArray
 from ._numbers import finite_number
 
-FASTEST_TABLE = 100.0
-"""rad/s: 5730 degrees a second, more than the fastest rate tables turn."""
+FASTEST_TABLE = 200.0
+"""rad/s: a turn in 31 ms, three samples at 100 Hz; numbers of degrees a second are often larger."""
 USUAL_TABLE = 2 * np.pi
 """rad/s: a turn a second; more is the business of centrifuges and tables for wide-range gyros."""
-LARGEST_GYRO_BIAS = 1.0
-"""rad/s: 57 degrees a second, twice the worst that data sheets of consumer gyros allow."""
-LARGEST_ACCELEROMETER_BIAS = 10.0
-"""m/s^2: about gravity, ten times the worst that data sheets of consumer accelerometers allow."""
-GRAVITY_RANGE = (2.0, 50.0)
-"""m/s^2: Mars and Jupiter are within, and one g, taken for a number of m/s^2, is not."""
+USUAL_GYRO_BIAS, LARGEST_GYRO_BIAS = 1.0, 10.0
+"""rad/s: 57 degrees a second, as gyros of a wide range may have, and ten times that, beside which
+the Earth's rate is less than a hundred thousandth and nothing can be calibrated by it."""
+USUAL_ACCELEROMETER_BIAS, LARGEST_ACCELEROMETER_BIAS = 10.0, 1000.0
+"""m/s^2: about gravity, as accelerometers for shocks may have, and a hundred times that, beside
+which gravity is lost."""
+GRAVITY_RANGE = (1.2, 50.0)
+"""m/s^2: the Moon and Jupiter are within, and one g, taken for a number of m/s^2, is not."""
+_ON_EARTH, _LOCAL = 9.80665, 0.05
+"""m/s^2: standard gravity, and by how much that of places on the Earth differs from it."""
+_FOOT = 0.3048
 TWO_TURNS = 4 * np.pi
 """rad: where an angle of a body is more likely one in degrees."""
 
@@ -67,7 +71,7 @@ def table_rate(value: object, name: str, most: float = FASTEST_TABLE) -> float:
     --------
     >>> table_rate(360.0, "rate")
     Traceback (most recent call last):
-    ValueError: rate: expected rad/s, at most 100, got 360: is it in degrees? np.radians(360).
+    ValueError: rate: expected rad/s, at most 200, got 360: is it in degrees? np.radians(360).
     """
     number = finite_number(value, name)  # type: ignore[arg-type]  # it refuses the rest itself
     if number == 0:
@@ -87,7 +91,9 @@ def table_rate(value: object, name: str, most: float = FASTEST_TABLE) -> float:
     return number
 
 
-def within(array: FloatArray, name: str, most: float, unit: str, slip: str) -> FloatArray:
+def within(
+    array: FloatArray, name: str, most: float, unit: str, slip: str, usual: float = np.inf
+) -> FloatArray:
     """Return an array whose entries are at most so large, refusing others with the likely slip.
 
     Parameters
@@ -102,6 +108,8 @@ def within(array: FloatArray, name: str, most: float, unit: str, slip: str) -> F
         Of the numbers.
     slip : str
         The question at the end of the sentence.
+    usual : float
+        Largest size that is let through without a warning.
 
     Returns
     -------
@@ -113,17 +121,24 @@ def within(array: FloatArray, name: str, most: float, unit: str, slip: str) -> F
     ValueError
         If an entry is larger.
 
+    Warns
+    -----
+    UnusualWarning
+        If an entry is larger than `usual`.
+
     Examples
     --------
     >>> within(np.array([90.0]), "pitch", np.pi, "rad", "is it in degrees?")
     Traceback (most recent call last):
     ValueError: pitch: expected rad, at most 3.142 in size, got 90: is it in degrees?
     """
-    if np.abs(array).max() > most:
+    worst = array.flat[np.abs(array).argmax()]
+    if abs(worst) > most:
         raise ValueError(
-            f"{name}: expected {unit}, at most {most:.4g} in size, "
-            f"got {array.flat[np.abs(array).argmax()]:g}: {slip}"
+            f"{name}: expected {unit}, at most {most:.4g} in size, got {worst:g}: {slip}"
         )
+    if abs(worst) > usual:
+        warnings.warn(f"{name}: {worst:g} {unit} is much: {slip}", UnusualWarning, stacklevel=4)
     return array
 
 
@@ -147,17 +162,29 @@ def pull_of_gravity(array: FloatArray, name: str = "gravity") -> FloatArray:
     ValueError
         If a number is out of `GRAVITY_RANGE`.
 
+    Warns
+    -----
+    UnusualWarning
+        If it is gravity on the Earth in feet.
+
     Examples
     --------
     >>> pull_of_gravity(np.array([9.81, 1.0]))
     Traceback (most recent call last):
-    ValueError: gravity: expected m/s^2, 2 to 50, got 1: is it in g?
+    ValueError: gravity: expected m/s^2, 1.2 to 50, got 1: is it in g?
     """
     least, most = GRAVITY_RANGE
     if array.min() < least or array.max() > most:
         worst = array.min() if array.min() < least else array.max()
-        likely = ": is it in g?" if 0.5 < worst < 2 else "."
+        likely = ": is it in g?" if abs(worst - 1) < 0.1 else "."
         raise ValueError(f"{name}: expected m/s^2, {least:g} to {most:g}, got {worst:g}{likely}")
+    if (feet := np.abs(array * _FOOT - _ON_EARTH) < _LOCAL).any():
+        warnings.warn(
+            f"{name}: {array[feet].flat[0]:g} m/s^2 is that of the Earth in ft/s^2. If these were "
+            "meant, multiply by 0.3048.",
+            UnusualWarning,
+            stacklevel=4,
+        )
     return array
 
 
@@ -185,7 +212,7 @@ def one_pull(value: object, name: str = "gravity") -> float:
     --------
     >>> one_pull(1.0)
     Traceback (most recent call last):
-    ValueError: gravity: expected m/s^2, 2 to 50, got 1: is it in g?
+    ValueError: gravity: expected m/s^2, 1.2 to 50, got 1: is it in g?
     """
     number = finite_number(value, name)  # type: ignore[arg-type]  # it refuses the rest itself
     return float(pull_of_gravity(np.array(number), name))

@@ -269,7 +269,7 @@ def _values(column: Any) -> NDArray[Any]:
         array = there
     array = np.asarray(array)
     if array.dtype == object and array.size and isinstance(array.flat[0], datetime):
-        if getattr(column, "dtype", object) == object:
+        if isinstance(getattr(column, "dtype", array.dtype), np.dtype):  # and of no other library
             return np.array([_in_utc(cell) for cell in array.flat])
         return np.asarray(column, dtype="datetime64[ns]")
     return array

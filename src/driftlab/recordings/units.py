@@ -206,7 +206,7 @@ def same_unit(one: str, other: str) -> bool:
     >>> same_unit("°/s", "dps"), same_unit("deg/s", "rad/s")
     (True, False)
     """
-    return _spelled(one) == _spelled(other)
+    return _spelled(checked_text(one, "one")) == _spelled(checked_text(other, "other"))
 
 
 def _unit(text: str, known: dict[str, tuple[Kind, float]], triad: str) -> Unit:
