@@ -15,6 +15,7 @@ from driftlab.calibration import (
     from_json,
     to_json,
 )
+from driftlab.checks import UnusualWarning
 from driftlab.drift import PAIR_AXES, fit_turns
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors, ImuNoise, PriorDeviations, random_imu_errors
@@ -24,6 +25,8 @@ RNG = np.random.default_rng(8)
 UNIT = random_imu_errors(PriorDeviations(), RNG)
 FLEET = random_imu_errors(PriorDeviations(), RNG, 4)
 DEVIATIONS = ImuErrors(*(np.abs(array) / 7 for array in UNIT))
+FULL = KeptCalibration(UNIT, DEVIATIONS, None, ImuNoise())
+TURNS = fit_turns(RNG.normal(size=3), PAIR_AXES)
 HIGHER = NO_HIGHER_ORDER_ERRORS._replace(
     lever_arms=RNG.normal(size=(3, 3)), time_skew=np.float64(1 / 3)
 )
@@ -76,7 +79,7 @@ def test_errors_alone_with_what_the_caller_says():
 @pytest.mark.parametrize("states", [(), ("lever arms", "time skew")])
 def test_end_of_a_filter_with_deviations_of_each_entry(states):
     model = ERROR_MODELS["upper triangle"].with_states(*states)
-    state = RNG.normal(size=(2, 3, model.size))
+    state = 0.01 * RNG.normal(size=(2, 3, model.size))
     half = RNG.normal(size=(2, 3, model.size, model.size))
     covariance = half @ np.swapaxes(half, -1, -2)
     none = np.zeros((2, 3, 4))
@@ -117,10 +120,33 @@ def test_turns(scale):
     assert_same(from_json(to_json(fit)), fit)
 
 
-def with_change(change):
-    document = calibration_document(UNIT)
+def test_turns_of_several_triads_at_once():
+    fit = fit_turns(RNG.normal(size=(2, 3)), PAIR_AXES)
+    assert fit.scale.shape == (2, 0)
+    assert_same(from_json(to_json(fit)), fit)
+
+
+def test_one_set_of_deviations_may_serve_many_units():
+    kept = KeptCalibration(FLEET, DEVIATIONS)
+    assert_same(from_json(to_json(kept)), kept)
+
+
+def test_a_triad_that_reads_double_is_warned_of_and_kept():
+    double = UNIT._replace(gyro_error=UNIT.gyro_error + np.eye(3))  # the other range
+    with pytest.warns(UnusualWarning, match="gyro_error: .* If so, subtract"):
+        text = to_json(double)
+    with pytest.warns(UnusualWarning, match="gyro_error: .* If so, subtract"):
+        assert_same(from_json(text), KeptCalibration(double))
+
+
+def with_change(change, found=UNIT):
+    document = calibration_document(found)
     change(document)
     return json.dumps(document)
+
+
+def with_field(key, found=FULL, **fields):
+    return with_change(lambda document: document["quantities"][key].update(fields), found)
 
 
 SLIPS = {
@@ -164,6 +190,48 @@ SLIPS = {
         with_change(lambda d: d["quantities"]["gyro_bias"].update(deviation=[1, 2, 3])),
         "gyro_error: expected a deviation, as others have one, got none",
     ),
+    "negative deviation": (
+        with_field("gyro_bias", deviation=[-1, 0, 0]),
+        "gyro_bias: expected deviations of at least 0, got -1",
+    ),
+    "one deviation": (
+        with_field("gyro_bias", deviation=1),
+        r"gyro_bias: .* shapes \(\) and \(3,\)",
+    ),
+    "deviations of others": (
+        with_field("gyro_error", deviation=[1, 2, 3]),
+        r"gyro_error: expected shape \(\.\.\., 3, 3\)",
+    ),
+    "misspelt": (
+        with_field("gyro_bias", deviaton=[1, 2, 3]),
+        "gyro_bias: expected unit, value, deviation, got 'deviaton'",
+    ),
+    "deviation of noise": (
+        with_field("angle_random_walk", deviation=1),
+        "angle_random_walk: expected unit, value, got 'deviation'",
+    ),
+    "list of noise": (
+        with_field("angle_random_walk", value=[1, 2]),
+        r"angle_random_walk: expected one number, got shape \(2,\)",
+    ),
+    "half the noise": (
+        with_change(lambda d: d["quantities"].pop("velocity_random_walk"), FULL),
+        "quantities: expected all of angle_random_walk, .* got no velocity_random_walk",
+    ),
+    "twice": (
+        json.dumps(calibration_document(UNIT)).replace("accelerometer_bias", "gyro_bias"),
+        "source: expected each name once, got 'gyro_bias' again",
+    ),
+    "deg/s": (
+        with_field("gyro_bias", value=[100, 0, 0]),
+        "gyro_bias: expected rad/s, at most 10 in size, got 100",
+    ),
+    "date": (with_change(lambda d: d.update(date="yesterday")), "date: expected a date such as"),
+    "one sigma": (with_field("sigma", TURNS, value=[1]), r"sigma: expected shape \(\.\.\., 3\)"),
+    "more unknowns": (
+        with_field("gyro_bias", TURNS, value=[1, 2, 3]),
+        r"covariance: expected shape \(\.\.\., 6, 6\), got shape \(3, 3\)",
+    ),
     "axes": (with_change(lambda d: d.update(axes="FLD")), "axes"),
     "name": (with_change(lambda d: d.update(name=7)), "name: expected text, got 7"),
 }
@@ -180,6 +248,9 @@ def test_what_cannot_be_kept_is_refused():
     for found, words in (
         ("averaged", "found: expected ImuErrors, a Calibration, .* got str"),
         (UNIT._replace(gyro_bias=np.full(3, np.nan)), "gyro_bias: expected finite numbers"),
+        (KeptCalibration(UNIT, UNIT), "gyro_bias: expected deviations of at least 0"),
+        (KeptCalibration(UNIT, date="yesterday"), "date: expected a date such as"),
+        (TURNS._replace(residuals=np.zeros((0, 3))), r"residuals: .* got shape \(0, 3\)"),
     ):
         with pytest.raises(ValueError, match=words):
             to_json(found)

@@ -8,23 +8,29 @@ and radians. Numbers come back to the last digit.
 from __future__ import annotations
 
 import json
-from datetime import datetime
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from driftlab.axes import checked_axes
-from driftlab.checks import FloatArray, checked_instance, checked_text
+from driftlab.checks import FloatArray, checked_instance, checked_text, finite_number
 from driftlab.drift.weighing_designs import TurnFit
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
     HigherOrderErrors,
     checked_higher_order_errors,
 )
-from driftlab.imu import ImuErrors, ImuNoise, checked_imu_errors
+from driftlab.imu import ImuErrors, ImuNoise, checked_imu_errors, real_imu_errors
 
-from ._quantities_as_json import check_convention, parsed, quantities_of, word_of, written
+from ._quantities_as_json import (
+    check_axes_and_date,
+    check_convention,
+    check_sizes,
+    parsed,
+    quantities_of,
+    word_of,
+    written,
+)
 from .calibration_history import Calibration
 from .pose_results import PoseCalibration
 
@@ -78,7 +84,7 @@ class KeptCalibration(NamedTuple):
     axes : str
         Where they point, as in `driftlab.axes`, "FRD" say; empty if nobody said.
     name, date : str
-        What and when, as one likes to say it.
+        What, as one likes to say it, and when, as `to_json` has it; empty if nobody said.
 
     Examples
     --------
@@ -129,8 +135,8 @@ def to_json(
     Raises
     ------
     ValueError
-        If `found` is something else, its numbers are not finite, `axes` are none or `date` is no
-        date.
+        If `found` is something else, its numbers are not finite, or no unit's as
+        `driftlab.imu.real_imu_errors` has it; `axes` are none or `date` is no date.
 
     Examples
     --------
@@ -164,7 +170,8 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
     ------
     ValueError
         If it is no such text: of another schema, with another unit or convention, without a
-        quantity that must be there, or with numbers of a wrong shape.
+        quantity that must be there, with one that is there twice or has an unknown field, or with
+        numbers of a wrong shape; or as for `to_json`.
     OSError
         If the file cannot be read.
 
@@ -184,21 +191,24 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
     if schema == _TURN_SCHEMA:
         check_convention(document, _TURN_CONVENTION)
         values, _ = quantities_of(document, _TURN_UNITS, tuple(_TURN_UNITS))
+        check_sizes(values)
         return TurnFit(**values)
     if schema != SCHEMA:
         raise ValueError(f"schema: expected {SCHEMA!r} or {_TURN_SCHEMA!r}, got {schema!r}.")
     check_convention(document, _CONVENTION)
-    values, deviations = quantities_of(document, _UNITS, ImuErrors._fields)
+    values, deviations = quantities_of(document, _UNITS, ImuErrors._fields, ImuErrors._fields)
     higher = {key: values[key] for key in HigherOrderErrors._fields if key in values}
-    noise = {key: float(values[key]) for key in _NOISE if key in values}
+    noise = {key: finite_number(values[key], key) for key in _NOISE if key in values}
+    if noise and (missing := [key for key in _NOISE if key not in noise]):
+        raise ValueError(f"quantities: expected all of {', '.join(_NOISE)}, got no {missing[0]}.")
     kept = KeptCalibration(
-        checked_imu_errors(ImuErrors(*(values[key] for key in ImuErrors._fields))),
-        ImuErrors(*(deviations[key] for key in ImuErrors._fields)) if deviations else None,
+        real_imu_errors(ImuErrors(*(values[key] for key in ImuErrors._fields))),
+        checked_imu_errors(ImuErrors(**deviations)) if deviations else None,
         checked_higher_order_errors(NO_HIGHER_ORDER_ERRORS._replace(**higher)) if higher else None,
         ImuNoise(**noise) if noise else None,
         *(word_of(document, key) for key in ("body_axes", "axes", "name", "date")),
     )
-    _check_axes(kept.axes)
+    check_axes_and_date(kept.axes, kept.date)
     return kept
 
 
@@ -228,21 +238,20 @@ def calibration_document(
     >>> calibration_document(NO_ERRORS)["quantities"]["gyro_bias"]
     {'unit': 'rad/s', 'value': [0.0, 0.0, 0.0]}
     """
-    _check_axes(axes)
     if noise is not None:
         checked_instance(noise, ImuNoise, "noise")
     words = {"name": name, "date": date}
     head = {key: checked_text(word, key) for key, word in words.items()} | {"axes": axes}
-    if date:
-        _check_date(date)
+    check_axes_and_date(axes, date)
     if isinstance(found, TurnFit):
         values = {key: (unit, getattr(found, key), None) for key, unit in _TURN_UNITS.items()}
         return written(_TURN_SCHEMA, head, _TURN_CONVENTION, values)
     kept = _kept(found)
     head = {key: word or getattr(kept, key) for key, word in head.items()}
+    check_axes_and_date(head["axes"], head["date"])
     quantities: dict[str, Any] = {}
     spread = None if kept.deviations is None else checked_imu_errors(kept.deviations)
-    for key, value in checked_imu_errors(kept.imu_errors)._asdict().items():
+    for key, value in real_imu_errors(kept.imu_errors)._asdict().items():
         quantities[key] = (_UNITS[key], value, spread and getattr(spread, key))
     if kept.higher_order is not None:
         for key, value in checked_higher_order_errors(kept.higher_order)._asdict().items():
@@ -286,17 +295,3 @@ def _deviations(covariance: FloatArray, each: FloatArray, shape: tuple[int, ...]
     shares = each.reshape(len(each), -1)
     variances = np.einsum("...ij,ia,ja->...a", covariance, shares, shares)
     return np.sqrt(np.maximum(variances, 0.0)).reshape(shape)
-
-
-def _check_axes(axes: str) -> None:
-    if checked_text(axes, "axes"):
-        checked_axes(axes, "axes")
-
-
-def _check_date(date: str) -> None:
-    try:
-        datetime.fromisoformat(date)
-    except ValueError:
-        raise ValueError(
-            f"date: expected a date such as 2024-05-01 or 2024-05-01T12:00, got {date!r}."
-        ) from None
