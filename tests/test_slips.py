@@ -48,7 +48,6 @@ LET_THROUGH = {
     *("read_csv.name", "read_imu_tk.name", "read_psins.name"),  # the file's where nothing is said
     *("integrate.history", "step_quaternions.history", "step_vectors.history"),  # not always used
     "convert_attitude_error.true_attitude",
-    *("same_unit.one", "same_unit.other"),  # whatever a header says
     *("Algorithm.name", "Algorithm.order", "FunctionalIteration.name", "Recording.longest_gap"),
     *("NominalReadings.gyro_scale", "NominalReadings.gyro_zero"),
     *("NominalReadings.accelerometer_scale", "NominalReadings.accelerometer_zero"),

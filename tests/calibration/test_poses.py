@@ -328,7 +328,7 @@ GOOD = {"recording": log(TRUE), "rests": ROWS, "gravity": GRAVITY, "noise": NOIS
         ({"recording": 3}, "^recording: expected a Recording"),
         ({"recording": Recording(TRUE.angle, None, 0.02, "increments")}, "^recording: .* without"),
         ({"gravity": None}, "^gravity: expected m/s.2, because the record knows neither"),
-        ({"gravity": -9.8}, "^gravity: expected a positive number"),
+        ({"gravity": -9.8}, r"^gravity: expected m/s\^2, 1\.2 to 50, got -9\.8"),
         ({"rests": ROWS[:1]}, "^rests: expected at least two, .* got 1"),
         ({"rests": [(0, 500), (500, 900)]}, "^rests: expected moves between them, got 0 rows"),
         ({"rests": ROWS[::-1]}, "^rests: expected rows in order"),

@@ -10,9 +10,10 @@ from driftlab.checks import checked_text, finite_array, positive_number, shown, 
 
 from ._table_columns import TableColumns
 from ._time_stamps import spacing_of_stamps
+from ._unit_spellings import spelled
 from .guards import RULES, without_doubts
 from .recording import Recording
-from .units import Unit, accelerometer_unit, gyro_unit, same_unit, time_unit
+from .units import Unit, accelerometer_unit, gyro_unit, time_unit
 
 Columns = Sequence[str | int]
 Time = str | int | tuple[str | int, str]
@@ -176,7 +177,7 @@ def _stamp_column(
         )
     index, _ = table.column(column, "time")
     known = table.units[index] if table.units else ""
-    if unit and known and not same_unit(unit, known):
+    if unit and known and spelled(unit) != spelled(known):
         raise ValueError(
             f"time: expected {known} for column {column!r}, as {table.title} has it, "
             f"got {shown(unit)}."

@@ -19,8 +19,9 @@ from driftlab.checks import FloatArray
 from ._record_of_table import Columns, Time, record_of_table
 from ._table_columns import TableColumns
 from ._time_stamps import seconds_since_first
+from ._unit_spellings import spelled
 from .recording import Recording
-from .units import is_unit, same_unit
+from .units import is_unit
 
 
 def from_dataframe(
@@ -233,7 +234,7 @@ def _name_and_unit(label: Any, column: Any) -> tuple[str, str]:
     match = re.fullmatch(r"(.*?)\s*[(\[]([^()\[\]]*)[)\]]", name)
     if not match or not is_unit(match[2]):
         return name, unit
-    if unit and not same_unit(match[2], unit):
+    if unit and spelled(match[2]) != spelled(unit):
         raise ValueError(
             f"frame: expected one unit for each column, got {name!r} with the attribute {unit!r}."
         )

@@ -15,6 +15,7 @@ from scipy.constants import g as STANDARD_GRAVITY
 
 from driftlab.checks import checked_text, shown
 
+from ._unit_spellings import spelled
 from .recording import Kind
 
 _ARCSEC = np.pi / 648000
@@ -44,23 +45,6 @@ ACCELEROMETER_UNITS: dict[str, tuple[Kind, float]] = {
 """Kind and size in m/s^2 or m/s of each unit of specific force and velocity increments."""
 TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 """Size of the units of time stamps, s."""
-
-_SPELLINGS = (
-    (r"[µμ]", "u"),
-    (r"milli-?", "m"),
-    (r"micro-?", "u"),
-    (r"²|\*\*2", "^2"),
-    (r"[·⋅]", "*"),
-    (r"°|degrees?", "deg"),
-    (r"radians?", "rad"),
-    (r"met(er|re)s?", "m"),
-    (r"arc-?sec(onds?)?", "arcsec"),
-    (r"(?<!arc)sec(onds?)?", "s"),
-    (r"(hours?|hr)$", "h"),
-    (r"/s/s$|/s2$", "/s^2"),
-    (r"^(m?)dps$", r"\1deg/s"),
-    (r"(?<=g)s$", "*s"),
-)
 
 
 class Unit(NamedTuple):
@@ -161,7 +145,7 @@ def time_unit(text: str) -> float:
     >>> time_unit("µs")
     1e-06
     """
-    if (size := TIME_UNITS.get(_spelled(checked_text(text, "units")))) is None:
+    if (size := TIME_UNITS.get(spelled(checked_text(text, "units")))) is None:
         raise ValueError(
             f"units: expected one of {', '.join(TIME_UNITS)} for time, got {shown(text)}."
         )
@@ -185,28 +169,8 @@ def is_unit(text: str) -> bool:
     >>> is_unit("rad/s"), is_unit("gyr_x")
     (True, False)
     """
-    name = _spelled(checked_text(text, "text"))
+    name = spelled(checked_text(text, "text"))
     return any(name in known for known in (GYRO_UNITS, ACCELEROMETER_UNITS, TIME_UNITS))
-
-
-def same_unit(one: str, other: str) -> bool:
-    """Say whether two texts are spellings of one unit.
-
-    Parameters
-    ----------
-    one, other : str
-        Of two places that ought to agree.
-
-    Returns
-    -------
-    bool
-
-    Examples
-    --------
-    >>> same_unit("°/s", "dps"), same_unit("deg/s", "rad/s")
-    (True, False)
-    """
-    return _spelled(checked_text(one, "one")) == _spelled(checked_text(other, "other"))
 
 
 def _unit(text: str, known: dict[str, tuple[Kind, float]], triad: str) -> Unit:
@@ -214,7 +178,7 @@ def _unit(text: str, known: dict[str, tuple[Kind, float]], triad: str) -> Unit:
     number = re.match(r"\s*([-+.\d][-+.\deE]*(?:/[.\d]+)?)\s*\*?\s*(?=\D)", text)
     rest = text[number.end() :] if number else text
     try:
-        kind, size = known[_spelled(rest)]
+        kind, size = known[spelled(rest)]
         count = float(_quotient(number[1])) if number else 1.0
         if count <= 0:
             raise ValueError
@@ -229,11 +193,3 @@ def _unit(text: str, known: dict[str, tuple[Kind, float]], triad: str) -> Unit:
 def _quotient(text: str) -> Fraction:
     above, _, below = text.partition("/")
     return Fraction(above) / Fraction(below or 1)
-
-
-def _spelled(text: str) -> str:
-    """A unit's name as the tables have it."""
-    name = re.sub(r"\s+", "", text.strip().lower())
-    for pattern, usual in _SPELLINGS:
-        name = re.sub(pattern, usual, name)
-    return name
