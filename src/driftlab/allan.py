@@ -106,7 +106,7 @@ def allan_deviation(
     *,
     confidence: float = 0.683,
 ) -> AllanDeviation:
-    """Overlapping Allan deviation of equally spaced rates, with its confidence.
+    r"""Overlapping Allan deviation of equally spaced rates, with its confidence.
 
     Parameters
     ----------
@@ -132,8 +132,19 @@ def allan_deviation(
         If there are fewer than three samples, an averaging time is out of range, or the samples are
         so small or large that the fourth powers of their deviations are no numbers.
 
+    See Also
+    --------
+    fit_noise_terms : The noise terms behind it.
+    driftlab.noise_terms.NoiseTerms : What they are, and samples of them.
+
     Notes
     -----
+    With the means :math:`\bar\omega_k` of m samples that begin with the k-th, and the averaging
+    time :math:`\tau`, m times the interval, the deviation is the root of
+
+    .. math:: \sigma^2(\tau) = \frac{1}{2 (n - 2m + 1)}
+        \sum_{k=1}^{n - 2m + 1} \left( \bar\omega_{k+m} - \bar\omega_k \right)^2.
+
     The intervals are those of chi-square with equivalent degrees of freedom, as in W. Riley's
     Handbook of Frequency Stability Analysis, NIST SP 1065 (2008), section 5.3. How many there are
     depends on the noise. Here the five terms are fitted first; then the variance of each point
@@ -142,6 +153,13 @@ def allan_deviation(
     Table 5 of the handbook within some percent, or has fewer. No time has
     less than one. The intervals hold for noise of these five kinds, and point by point: neighbours
     are made of the same samples and go astray together.
+
+    References
+    ----------
+    - IEEE, *IEEE Standard Specification Format Guide and Test Procedure for Single-Axis
+      Interferometric Fiber Optic Gyros*, IEEE Std 952, 1997.
+    - N. El-Sheimy, H. Hou, X. Niu, *Analysis and modeling of inertial sensors using Allan
+      variance*, IEEE Transactions on Instrumentation and Measurement 57(1), 2008.
 
     Examples
     --------
@@ -227,6 +245,11 @@ def fit_noise_terms(allan: AllanDeviation, terms: Iterable[str] = TERMS) -> Nois
     ValueError
         If there are several sensors, too few averaging times, or unknown terms.
 
+    See Also
+    --------
+    allan_deviation : What it fits.
+    driftlab.gyrocompass.fit_gyro_noise : For the heading of a gyrocompass.
+
     Notes
     -----
     Least squares without negative terms, each point with the weight of its own degrees of freedom.
@@ -238,6 +261,13 @@ def fit_noise_terms(allan: AllanDeviation, terms: Iterable[str] = TERMS) -> Nois
     where chance has made it larger, by two of its deviations if it is seldom seen. All of this is
     good for noise of these five kinds. What is none, an engine's shaking or the temperature of a
     day, is put on the nearest line all the same: look at the plot.
+
+    References
+    ----------
+    - IEEE, *IEEE Standard Specification Format Guide and Test Procedure for Single-Axis
+      Interferometric Fiber Optic Gyros*, IEEE Std 952, 1997.
+    - N. El-Sheimy, H. Hou, X. Niu, *Analysis and modeling of inertial sensors using Allan
+      variance*, IEEE Transactions on Instrumentation and Measurement 57(1), 2008.
 
     Examples
     --------

@@ -96,6 +96,11 @@ def convert_vectors(vectors: ArrayLike, from_axes: str, to_axes: str) -> FloatAr
     ValueError
         As in `axes_rotation`.
 
+    See Also
+    --------
+    convert_matrix : Error matrices in other axes.
+    convert_attitude : Attitudes between other axes.
+
     Examples
     --------
     The rows of a log in forward, right, down, made ready for `align`; at rest the specific force
@@ -170,6 +175,11 @@ def convert_attitude(
     ------
     ValueError
         As in `axes_rotation`, with `reference` or `body` in the sentence.
+
+    See Also
+    --------
+    convert_vectors : Rates, forces and increments in other axes.
+    driftlab.conventions.scalar_first : Quaternions in the other order.
 
     Notes
     -----

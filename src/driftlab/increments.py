@@ -38,6 +38,13 @@ class Increments(NamedTuple):
     velocity : ndarray, shape (..., n, 3)
         Integrals of the specific force, body axes, m/s.
 
+    See Also
+    --------
+    driftlab.recordings.Recording.increments : From a log.
+    driftlab.sampled_rates.increments_from_rates : From sampled rates.
+    measure : With the errors of a unit.
+    compensate : Without them.
+
     Examples
     --------
     Two seconds of a body that lies still on a planet that does not turn:
@@ -164,6 +171,12 @@ def measure(
     Increments
         Arrays of shape (..., n, 3), rad and m/s.
 
+    See Also
+    --------
+    compensate : Its inverse.
+    driftlab.imu.random_imu_errors : Units for Monte Carlo runs.
+    driftlab.motion.table_trajectory : True increments on a table.
+
     Examples
     --------
     Two seconds at rest, with a gyro bias as the only error:
@@ -225,6 +238,12 @@ def compensate(
     ------
     ValueError
         If the sensitive axes of a triad lie in one plane, so that its errors cannot be taken out.
+
+    See Also
+    --------
+    measure : Its inverse.
+    driftlab.calibration.calibrate : Finds the errors.
+    driftlab.calibration.from_json : Reads errors that were kept.
 
     Examples
     --------

@@ -50,6 +50,11 @@ def increments_from_rates(
         increase or have a gap that is too long, or no whole interval lies between the first and the
         last.
 
+    See Also
+    --------
+    driftlab.attitude.integrate : The attitude from them.
+    driftlab.recordings.from_dataframe : Checks units and stamps first; its result has ``increments()``.
+
     Notes
     -----
     A spline guesses what the rate does between the samples. It does well with ten samples in a

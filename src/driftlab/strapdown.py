@@ -64,6 +64,10 @@ def at_rest(
     ValueError
         If the place is a pole, or an attitude is a zero quaternion.
 
+    See Also
+    --------
+    navigate : Goes on from there.
+
     Examples
     --------
     >>> state = at_rest(np.radians([30.0, 45.0]), [0, 0, 0, 2])
@@ -120,10 +124,23 @@ def navigate(
     ValueError
         If shapes do not fit, n is odd or not a multiple of `every`, or the start is at a pole.
 
+    See Also
+    --------
+    at_rest : A state to start from.
+    driftlab.attitude.integrate : The attitude alone.
+    driftlab.calibration.mission_errors : How errors grow, in closed form.
+
     Notes
     -----
     Gravity is that of the ellipsoid, with what changes along the height: within 0.3 micro-g of its
     potential from -5 km to 20 km. The true Earth's differs from it by tens of micro-g.
+
+    References
+    ----------
+    - P. G. Savage, *Strapdown inertial navigation integration algorithm design, part 2: Velocity
+      and position algorithms*, Journal of Guidance, Control, and Dynamics 21(2), 1998.
+    - P. D. Groves, *Principles of GNSS, Inertial, and Multisensor Integrated Navigation Systems*,
+      2nd edition, Artech House, 2013.
 
     Examples
     --------

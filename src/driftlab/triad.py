@@ -60,6 +60,11 @@ def decompose(matrix: ArrayLike) -> TriadErrors:
     TriadErrors
         Three matrices, each of shape (..., 3, 3), whose sum is `matrix`.
 
+    See Also
+    --------
+    driftlab.drift.principal_drifts : What the symmetric part does.
+    driftlab.calibration.imu_errors_in_frame : Other body axes.
+
     Notes
     -----
     Wu et al., (7)-(15).
@@ -157,6 +162,11 @@ def measured_rate(rate: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     -------
     ndarray, shape (..., 3)
         (I + M) rate, rad/s.
+
+    See Also
+    --------
+    driftlab.drift.drift_per_turn : What becomes of it.
+    decompose : The parts of the matrix.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Perelyaev & Chelnokov, section 1: Cayley transforms of a rotation and their Riccati equations.
+"""Cayley transforms of a rotation and their Riccati equations; Perelyaev & Chelnokov, section 1.
 
 A skew matrix and an orthogonal one belong together by n = (I - k)(I + k)^-1, which is its own
 inverse. Applied to the 3x3 matrix of a rotation by phi about e it gives the vector -tan(phi/2) e,

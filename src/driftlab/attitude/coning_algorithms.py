@@ -1,4 +1,4 @@
-"""Perelyaev & Chelnokov, section 2, reconstructed: attitude algorithms as data.
+"""Attitude algorithms as data; Perelyaev & Chelnokov, section 2, reconstructed.
 
 An integrating gyro delivers gamma, the integral of its rate, once a sample. Where the rate changes
 direction within a step, the rotation over the step is not gamma: it differs by the *coning
@@ -280,6 +280,13 @@ def coning_algorithm(algorithm: AnyAlgorithm) -> Algorithm:
     ValueError
         If the name is unknown, or the algorithm has no cross products, or is a function, in which
         they cannot be read.
+
+    References
+    ----------
+    - R. B. Miller, *A new strapdown attitude algorithm*, Journal of Guidance, Control, and Dynamics
+      6(4), 1983.
+    - M. B. Ignagni, *Efficient class of optimized coning compensation algorithms*, Journal of
+      Guidance, Control, and Dynamics 19(2), 1996.
 
     Examples
     --------

@@ -46,6 +46,13 @@ class FunctionalIteration:
     last_stage : str
         ``"functional iteration"``: tells the kind of algorithm.
 
+    References
+    ----------
+    - Y. Wu and others, *Fast RodFIter for attitude reconstruction from inertial measurements*,
+      arXiv:1808.03817, 2018.
+    - Y. Wu, G. Yan, *Attitude reconstruction from inertial measurements: QuatFIter and its
+      comparison with RodFIter*, arXiv:1901.03468, 2019.
+
     Examples
     --------
     Drift in degrees per hour on a cone of 10 degrees at 5 Hz, sampled at 100 Hz:

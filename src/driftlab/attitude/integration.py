@@ -23,7 +23,7 @@ def integrate(
     start: ArrayLike = (0.0, 0.0, 0.0, 1.0),
     history: ArrayLike | None = None,
 ) -> FloatArray:
-    """Attitude after each step, from angle increments.
+    r"""Attitude after each step, from angle increments.
 
     Parameters
     ----------
@@ -58,11 +58,37 @@ def integrate(
         iteration refuses fewer increments than a window has, and such that it does not settle on.
         Of one's own function all that `own_steps` refuses.
 
+    See Also
+    --------
+    increments_from_rates : Increments from sampled rates.
+    driftlab.attitude.measured_coning_drift : What an algorithm loses on a cone.
+    driftlab.strapdown.navigate : Velocity and position as well.
+
     Notes
     -----
+    Solved is the kinematic equation of the attitude q with the rate :math:`\omega` in body axes,
+    by the rotation vector :math:`\varphi_k` of each step that the algorithm makes of increments:
+
+    .. math:: \dot q = \tfrac12\, q \circ \omega, \qquad
+        q_{k+1} = q_k \circ \left( \frac{\varphi_k}{|\varphi_k|} \sin\frac{|\varphi_k|}{2},\;
+        \cos\frac{|\varphi_k|}{2} \right).
+
+    An algorithm in quaternions or Cayley vectors makes the factor on the right directly.
+
     Functional iteration gives an attitude after every increment. If the last window is not full,
     it is moved back until it is: any number of increments from one window on will do. A stream that
     is handed over in whole windows gives the same attitudes as all at once.
+
+    References
+    ----------
+    - P. G. Savage, *Strapdown inertial navigation integration algorithm design, part 1: Attitude
+      algorithms*, Journal of Guidance, Control, and Dynamics 21(1), 1998.
+    - R. B. Miller, *A new strapdown attitude algorithm*, Journal of Guidance, Control, and Dynamics
+      6(4), 1983.
+    - M. B. Ignagni, *Efficient class of optimized coning compensation algorithms*, Journal of
+      Guidance, Control, and Dynamics 19(2), 1996.
+    - J. E. Bortz, *A new mathematical formulation for strapdown inertial navigation*, IEEE
+      Transactions on Aerospace and Electronic Systems AES-7(1), 1971.
 
     Examples
     --------

@@ -65,6 +65,11 @@ def measured_coning_drift(
         As in `coning_drift`, but that steps need not repeat, and `driftlab.attitude.integrate`. If
         the error about the cone's axis changes by half a turn or more within a step.
 
+    See Also
+    --------
+    coning_drift : The same by formula.
+    integrate : The attitude itself.
+
     Notes
     -----
     The attitude's error is a rotation in the axes of the cone; its part along the cone's axis at
@@ -76,6 +81,15 @@ def measured_coning_drift(
     with few samples a round. An algorithm with memory is
     given increments before the first, so that its start is not measured with it; one's own function
     is not.
+
+    References
+    ----------
+    - Goodman, Robinson, *Effect of finite rotations on gyroscopic sensing devices*, Journal of
+      Applied Mechanics 25(2), 1958.
+    - R. B. Miller, *A new strapdown attitude algorithm*, Journal of Guidance, Control, and Dynamics
+      6(4), 1983.
+    - P. G. Savage, *Strapdown inertial navigation integration algorithm design, part 1: Attitude
+      algorithms*, Journal of Guidance, Control, and Dynamics 21(1), 1998.
 
     Examples
     --------

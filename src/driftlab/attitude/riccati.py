@@ -1,4 +1,4 @@
-"""Perelyaev & Chelnokov, section 1: the Riccati equation of a Cayley vector, through any angle."""
+"""The Riccati equation of a Cayley vector, through any angle; Perelyaev & Chelnokov, section 1."""
 
 from __future__ import annotations
 

@@ -57,6 +57,10 @@ def figure(name: str, data: object = None, **parameters: Any) -> PublishedFigure
     RecordingUnavailable
         If a recording is not at hand, and the book's folder is not there either.
 
+    See Also
+    --------
+    figure_parameters : What can be changed of a figure.
+
     Examples
     --------
     >>> import driftlab

@@ -22,10 +22,14 @@ class Calibration(NamedTuple):
     times : ndarray, shape (k,)
         Since the start, s.
     state : ndarray, shape (..., k, size)
-        Estimated sensor errors, in the model's own body axes; attitude and velocity errors are zero
-        here, because they are fed back.
+        Estimated sensor errors in the order of ``model.names``, in the model's own body axes: gyro
+        biases in rad/s, accelerometer biases in m/s^2, entries of the matrices without unit (rad
+        off the diagonal), states of `ErrorModel.with_states` in the SI units of
+        `HigherOrderErrors`. Attitude and velocity errors (rad, m/s) are zero here, because they are
+        fed back.
     covariance : ndarray, shape (..., k, size, size)
-        Of the estimation errors, as the filter computes it.
+        Of the estimation errors, as the filter computes it: in the products of the units of two
+        states, so (rad/s)^2 for the variance of a gyro bias.
     attitude : ndarray, shape (..., k, 4)
         Estimated attitude of the model's own axes, body to East, North, Up.
     velocity : ndarray, shape (..., k, 3)

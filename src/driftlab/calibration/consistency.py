@@ -111,6 +111,11 @@ def innovation_test(calibration: Calibration) -> InnovationTest:
     ValueError
         If the calibration has no innovations.
 
+    See Also
+    --------
+    calibrate : The filter.
+    nees : The test for simulations, where the errors are known.
+
     Notes
     -----
     Bar-Shalom, Li and Kirubarajan (2001), section 5.4. The innovations of a filter whose model is
@@ -119,6 +124,11 @@ def innovation_test(calibration: Calibration) -> InnovationTest:
 
     Too large a noise of the reference velocity, as at a table that stands, makes the innovations
     small and each like the one before, for they then are the slow errors of the sensors alone.
+
+    References
+    ----------
+    - Y. Bar-Shalom, X. R. Li, T. Kirubarajan, *Estimation with Applications to Tracking and
+      Navigation*, Wiley, 2001.
 
     Examples
     --------

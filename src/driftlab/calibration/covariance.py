@@ -41,11 +41,24 @@ def covariance_analysis(
     ValueError
         If `update` or the noise of the velocity is not positive.
 
+    See Also
+    --------
+    linearize_along : The error equations it needs.
+    unobservable_subspace : What no measurement shows.
+    design_scheme : A better scheme.
+
     Notes
     -----
     All measurements within a step are taken as one at its end. With pauses of minutes the standard
     deviations of the sensor errors come out about one per cent too small, those of the attitude
     about five, those of the velocity about ten; shorter pauses have shorter steps.
+
+    References
+    ----------
+    - R. E. Kalman, *A new approach to linear filtering and prediction problems*, Journal of Basic
+      Engineering 82(1), 1960.
+    - Y. Bar-Shalom, X. R. Li, T. Kirubarajan, *Estimation with Applications to Tracking and
+      Navigation*, Wiley, 2001.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Wu et al., section 4: calibrating a whole unit on a turntable with a Kalman filter.
+"""Calibrating a whole unit on a turntable with a Kalman filter; Wu et al., section 4.
 
 The unit navigates while the table turns it. Its centre does not move, so any computed velocity is
 an error, and a filter traces it back to the sensors. The estimates are fed back at once: into
@@ -53,7 +53,7 @@ def calibrate(
     about: Calibration | None = None,
     check: bool = True,
 ) -> Calibration:
-    """Estimate the sensor errors of a unit from its increments on a turntable.
+    r"""Estimate the sensor errors of a unit from its increments on a turntable.
 
     Parameters
     ----------
@@ -112,14 +112,43 @@ def calibrate(
         have a mean, the errors found are beyond what the prior allows or too large for one pass, or
         the rests show other noise than told. It names the likely slips.
 
+    See Also
+    --------
+    innovation_test : Whether what the filter was told is true.
+    covariance_analysis : The accuracy to be expected, without data.
+    unobservable_subspace : What a scheme does not show.
+    calibrate_by_poses : Without a turntable.
+
     Notes
     -----
-    Wu, section 4; the filter's model is (45)-(52).
+    Wu, section 4; the filter's model is (45)-(52). The sensors measure, with constant K, L and b,
+
+    .. math:: (I + K)\, \omega + b_g, \qquad (I + L) f + b_a,
+
+    and what is left of these errors drives those of attitude and velocity in local axes,
+
+    .. math::
+
+        \dot\varphi &= -\Omega \times \varphi + F \delta v
+            - C (\delta K \omega + \delta b_g) - C n_g, \\
+        \dot{\delta v} &= f^l \times \varphi - 2\, \Omega \times \delta v
+            + C (\delta L f + \delta b_a) + C n_a,
+
+    with the Earth's rate :math:`\Omega`, the turn F of the local axes by a velocity (`free_rates`),
+    the attitude C and white noise n. Measured is the velocity: computed less reference it is
+    :math:`\delta v` and white noise.
 
     The first pass feeds its estimates back at once; what it learnt while they were far off it has
     learnt with the wrong derivatives. A pass `about` a result navigates with that from the
     beginning and feeds nothing back. It starts from the same prior about the same mean, so nothing
     counts twice: a step of Gauss and Newton.
+
+    References
+    ----------
+    - R. E. Kalman, *A new approach to linear filtering and prediction problems*, Journal of Basic
+      Engineering 82(1), 1960.
+    - D. H. Titterton, J. L. Weston, *Strapdown Inertial Navigation Technology*, 2nd edition, The
+      Institution of Electrical Engineers, 2004.
 
     Examples
     --------

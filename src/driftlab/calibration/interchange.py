@@ -138,6 +138,10 @@ def to_json(
         If `found` is something else, its numbers are not finite, or no unit's as
         `driftlab.imu.real_imu_errors` has it; `axes` are none or `date` is no date.
 
+    See Also
+    --------
+    from_json : Read it again.
+
     Examples
     --------
     >>> from driftlab.imu import TYPICAL_ERRORS
@@ -174,6 +178,10 @@ def from_json(source: str | Path) -> KeptCalibration | TurnFit:
         numbers of a wrong shape; or as for `to_json`.
     OSError
         If the file cannot be read.
+
+    See Also
+    --------
+    to_json : Write it.
 
     Examples
     --------

@@ -142,6 +142,11 @@ def linearize_along(
     ValueError
         If the scheme takes too long, the place is a pole, or `model` is not an error model.
 
+    See Also
+    --------
+    covariance_analysis : The accuracy to be expected.
+    unobservable_subspace : What no measurement shows.
+
     Notes
     -----
     Wu (49), (50), along the true motion. The integrals over each step are taken by a Gauss

@@ -158,11 +158,21 @@ def unobservable_subspace(linearized: LinearizedErrors) -> UnobservableSubspace:
     UnobservableSubspace
         Eigenvalues of the Gramian, null directions, and their description.
 
+    See Also
+    --------
+    covariance_analysis : How well the others are known.
+    stripped_observability : The same of a row of constant pieces.
+
     Notes
     -----
     To make states comparable, each is counted in its standard deviation for a typical unit. A
     direction counts as unobservable if its singular value is less than 1e-10 of the largest, which
     is well above the level of rounding.
+
+    References
+    ----------
+    - D. Goshen-Meskin, I. Y. Bar-Itzhack, *Observability analysis of piece-wise constant systems,
+      part I: Theory*, IEEE Transactions on Aerospace and Electronic Systems 28(4), 1992.
 
     Examples
     --------

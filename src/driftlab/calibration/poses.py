@@ -95,6 +95,12 @@ def calibrate_by_poses(
         the poses leave some numbers in the dark and no `prior` is given, or the fit does not
         settle.
 
+    See Also
+    --------
+    driftlab.recordings.rests : The rests of a record.
+    calibrate : On a turntable.
+    to_json : Keep what was found.
+
     Notes
     -----
     Least squares for 21 numbers at once: L (6 numbers, three being fixed by the choice of axes) and
@@ -127,6 +133,14 @@ def calibrate_by_poses(
     Noise is taken for white from half a second on. If it is slower, the deviations of K and L are
     too small: by some ten per cent in most simulations, L's by half in some. The biases are means
     over the session, and so are their deviations: of another session's they say nothing.
+
+    References
+    ----------
+    - F. Ferraris, U. Grimaldi, M. Parvis, *Procedure for effortless in-field calibration of
+      three-axis rate gyros and accelerometers*, Sensors and Materials 7, 1995.
+    - D. Tedaldi, A. Pretto, E. Menegatti, *A robust and easy to implement method for IMU
+      calibration without external equipments*, IEEE International Conference on Robotics and
+      Automation, 2014.
 
     Examples
     --------

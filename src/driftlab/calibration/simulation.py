@@ -77,6 +77,10 @@ class TableTrial:
         How often the filter goes through the record; each pass after the first is linearised about
         the result of the one before.
 
+    See Also
+    --------
+    driftlab.calibration.calibrate : The filter on a record of your own.
+
     Examples
     --------
     >>> trial = TableTrial(frame="upper triangle", noise=ImuNoise(reference_velocity=0.001))

@@ -1,4 +1,4 @@
-"""Wu et al., Figs. 3-5: navigation errors of a calibrated unit at rest."""
+"""Navigation errors of a calibrated unit at rest; Wu et al., Figs. 3-5."""
 
 from __future__ import annotations
 

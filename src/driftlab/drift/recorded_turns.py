@@ -63,6 +63,11 @@ def recorded_turn_estimate(
         axis, degrees, rates and a record that is cut are found so; what is less looks like an error
         of the triad. Also as in `driftlab.attitude.integration.integrate` and `turn_estimate`.
 
+    See Also
+    --------
+    fit_turns : The sigmas from several turns.
+    turn_estimate : The same from an attitude error.
+
     Examples
     --------
     A perfect triad on the Earth, once about a body axis in each sense:

@@ -24,7 +24,7 @@ from driftlab.triad import checked_triad
 
 
 def drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
-    """Drift rate in units of the turn rate, rho = n^T M n, to first order; Larin (2.2).
+    r"""Drift rate in units of the turn rate, rho = n^T M n, to first order; Larin (2.2).
 
     Parameters
     ----------
@@ -37,6 +37,18 @@ def drift_coefficient(direction: ArrayLike, triad_error: ArrayLike) -> FloatArra
     -------
     ndarray, shape (...)
         rho, without unit.
+
+    See Also
+    --------
+    drift_per_turn : Exact, for a whole turn.
+    principal_drifts : The worst axes.
+    driftlab.triad.decompose : The parts of the matrix.
+
+    Notes
+    -----
+    Only the symmetric part of the matrix counts:
+
+    .. math:: \rho = n^T M\, n = n^T \Sigma\, n, \qquad \Sigma = \tfrac12 (M + M^T).
 
     Examples
     --------
@@ -95,7 +107,7 @@ def _along_and_across(n: FloatArray, triad_error: FloatArray) -> tuple[FloatArra
 
 
 def drift_per_turn(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
-    """Drift angle after one whole turn: Larin (2.3), without approximation.
+    r"""Drift angle after one whole turn: Larin (2.3), without approximation.
 
     Parameters
     ----------
@@ -109,10 +121,19 @@ def drift_per_turn(direction: ArrayLike, triad_error: ArrayLike) -> FloatArray:
     ndarray, shape (...)
         rad, positive when the apparent frame runs ahead.
 
+    See Also
+    --------
+    drift_coefficient : In units of the turn rate, to first order.
+    principal_drifts : The worst axes.
+    drift_per_motion : The same for any closed motion.
+
     Notes
     -----
-    It is 2 pi (|A n| - 1), and 2 pi n^T M n to first order. After j turns the error is j times this
-    angle, about the *measured* rate.
+    With A = I + M and a unit vector n it is
+
+    .. math:: 2 \pi \left( |A n| - 1 \right) = 2 \pi\, n^T M\, n + O(|M|^2).
+
+    After j turns the error is j times this angle, about the *measured* rate.
 
     Examples
     --------
@@ -145,6 +166,11 @@ def principal_drifts(
         last.
     axes : ndarray, shape (..., 3, 3)
         The unit axes as rows, in the same order, each with its largest entry positive.
+
+    See Also
+    --------
+    drift_coefficient : About an axis of your own.
+    driftlab.triad.decompose : The parts of the matrix.
 
     Examples
     --------

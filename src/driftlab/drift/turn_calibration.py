@@ -56,6 +56,11 @@ def turn_estimate(error_quaternion: ArrayLike, axis: ArrayLike, turns: int = 1) 
     ValueError
         Also for an error of half a turn across the axis, for which (3.3) is 0/0.
 
+    See Also
+    --------
+    recorded_turn_estimate : The same from the increments of a record.
+    fit_turns : The sigmas from several turns.
+
     Examples
     --------
     >>> error = from_rotation_vector(np.array([0.0, 0.0, 2 * np.pi * 0.001]))
@@ -180,6 +185,11 @@ class TurnExperiment:
     angle_noise : float
         Standard deviation, per gyro, of the angle that white gyro noise adds up to over one turn
         (angle random walk times the square root of the turn's time), rad.
+
+    See Also
+    --------
+    driftlab.motion.TableTurn : The turn of a real table.
+    turn_estimate : The estimate from one error.
 
     Examples
     --------

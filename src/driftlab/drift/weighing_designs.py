@@ -126,6 +126,11 @@ def fit_turns(
     ValueError
         If the turns do not determine the unknowns.
 
+    See Also
+    --------
+    recorded_turn_estimate : A turn estimate from a record.
+    fit_hand_turns : From turns by hand.
+
     Notes
     -----
     The estimate from a turn at the rate w about n, n pointing along a in space, is

@@ -1,4 +1,4 @@
-"""Plotnikov et al.: heading from gravity and the Earth's rotation, at rest, and its errors.
+"""Heading from gravity and the Earth's rotation, at rest, and its errors; Plotnikov et al.
 
 Axes and angles are those of `driftlab.frames`, which are the paper's. The paper's formulas
 have no numbers. They are called by their subject here: (alignment heading), (alignment pitch),
@@ -36,7 +36,7 @@ def align(
     rate_unit: float | None = 1.0,
     heading_tolerance: float = _HEADING_TOLERANCE,
 ) -> Alignment:
-    """Heading, pitch, roll and latitude of a body at rest, from its own sensors alone.
+    r"""Heading, pitch, roll and latitude of a body at rest, from its own sensors alone.
 
     Parameters
     ----------
@@ -69,9 +69,26 @@ def align(
         If the rate is not the Earth's, by so much that the heading suffers; with the likely
         reason, if it has another unit, or a wrong sign somewhere.
 
+    See Also
+    --------
+    alignment_errors : What biases do to the angles.
+    alignment_deviation : How long to wait.
+    align_in_positions : Takes the biases out by turns.
+    align_in_inertial_frame : For a body that sways.
+
     Notes
     -----
-    Plotnikov, trigonometric alignment. The heading is positive from North to West. Two directions
+    Plotnikov, trigonometric alignment. With the rate w and the force f, pitch, roll, heading and
+    latitude follow in this order from
+
+    .. math::
+
+        \sin\vartheta &= \frac{f_1}{|f|}, \qquad \tan\gamma = -\frac{f_3}{f_2}, \\
+        \tan\psi &= \frac{w_2 \sin\gamma + w_3 \cos\gamma}
+            {w_1 \cos\vartheta - (w_2 \cos\gamma - w_3 \sin\gamma) \sin\vartheta}, \qquad
+        \tan\varphi = \frac{w \cdot f}{|w \times f|}.
+
+    The heading is positive from North to West. Two directions
     do not tell in which axes they are given: a log in forward, right, down must be converted first
     by `driftlab.axes.convert_vectors`, or the roll comes out wrong by a quarter turn.
 
@@ -83,6 +100,12 @@ def align(
 
     White noise of the gyros that makes a deviation d of the heading makes this warning, if the
     latitude is known, with the chance exp(-(heading_tolerance/d)^2).
+
+    References
+    ----------
+    - K. R. Britting, *Inertial Navigation Systems Analysis*, Wiley, 1971.
+    - D. H. Titterton, J. L. Weston, *Strapdown Inertial Navigation Technology*, 2nd edition, The
+      Institution of Electrical Engineers, 2004.
 
     Examples
     --------
@@ -154,7 +177,7 @@ def alignment_errors(
     accelerometer_bias_nue: ArrayLike,
     gravity: ArrayLike | None = None,
 ) -> AlignmentErrors:
-    """First-order errors of `align`; (alignment heading), (alignment pitch), (alignment roll).
+    r"""First-order errors of `align`; (alignment heading), (alignment pitch), (alignment roll).
 
     Parameters
     ----------
@@ -178,10 +201,31 @@ def alignment_errors(
         Within 0.1 degrees of a pole, or of a vertical body: there heading and roll are not two
         angles. `alignment_attitude_error` has no limit in pitch.
 
+    See Also
+    --------
+    align : The alignment itself.
+    alignment_deviation : Its deviation from noise and biases.
+    alignment_attitude_error : The same as a rotation, at any pitch.
+
     Notes
     -----
+    With the biases d of the gyros, a of the accelerometers and the Earth's rate U the errors of
+    heading, pitch, roll and latitude are
+
+    .. math::
+
+        \delta\psi &= \frac{d_E}{U \cos\varphi}
+            + \frac{(a_E \cos\psi + a_N \sin\psi) \tan\vartheta - a_E \tan\varphi}{g}, \\
+        \delta\vartheta &= \frac{a_N \cos\psi - a_E \sin\psi}{g}, \qquad
+        \delta\gamma = -\frac{a_E \cos\psi + a_N \sin\psi}{g \cos\vartheta}, \\
+        \delta\varphi &= \frac{a_N}{g} + \frac{d_U \cos\varphi - d_N \sin\varphi}{U}.
+
     The third term of the paper's heading error carries a factor tan(latitude) that does not belong
     there; it is left out. The error of the latitude is not in the paper.
+
+    References
+    ----------
+    - K. R. Britting, *Inertial Navigation Systems Analysis*, Wiley, 1971.
 
     Examples
     --------

@@ -44,6 +44,12 @@ def alignment_deviation(
     ValueError
         Within 0.1 degrees of a pole, if a duration is not positive, or a deviation negative.
 
+    See Also
+    --------
+    align : The alignment itself.
+    two_position_deviation : With half a turn between two rests.
+    driftlab.allan.fit_noise_terms : The random walk of a record.
+
     Notes
     -----
     The first part is N / (U cos(latitude) √T). The mean of white noise is the best estimate of the

@@ -1,4 +1,4 @@
-"""Plotnikov et al.: a vehicle's motion and its gyrocompass, and the heading error at work.
+"""A vehicle's motion and its gyrocompass, and the heading error at work; Plotnikov et al.
 
 The compass takes the horizontal component of the rate of the local axes for North, and the specific
 force for the vertical. Motion round the Earth adds to both. The error formula, here called
@@ -21,7 +21,7 @@ from driftlab.frames import navigation_frame_rate, refuse_vertical
 def speed_error(
     latitude: ArrayLike, velocity: ArrayLike, radius: float = EARTH_RADIUS
 ) -> FloatArray:
-    """Speed error of a compass (north-steaming error): angle from its North to true North.
+    r"""Speed error of a compass (north-steaming error): angle from its North to true North.
 
     The compass finds the horizontal component of the rate of the local axes, to which the vehicle's
     own motion round the Earth contributes. Its heading is too large by this angle.
@@ -44,6 +44,22 @@ def speed_error(
     ------
     ValueError
         If the local axes do not turn about any horizontal axis, or at a pole.
+
+    See Also
+    --------
+    operating_heading_error : All terms of a compass under way.
+    simulate_compass : The compass on a voyage.
+    coriolis_correction : What a log takes out.
+
+    Notes
+    -----
+    With the velocity v to North and East, the Earth's rate U and radius R it is
+
+    .. math:: -\arctan \frac{v_N / R}{U \cos\varphi + v_E / R}.
+
+    References
+    ----------
+    - K. R. Britting, *Inertial Navigation Systems Analysis*, Wiley, 1971.
 
     Examples
     --------

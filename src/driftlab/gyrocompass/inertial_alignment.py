@@ -108,6 +108,11 @@ def align_in_inertial_frame(increments: Increments, latitude: ArrayLike) -> Iner
         in g; or if gravity, carried by the gyros, moves more than ten times as fast as the Earth
         turns, as with rates or degrees, or hardly moves, as with gyros that do not feel the Earth.
 
+    See Also
+    --------
+    align : For a body that lies still.
+    inertial_alignment_deviation : How well it can do.
+
     Notes
     -----
     The base may sway and turn, but not travel: a way to the North makes the speed error of every
@@ -132,6 +137,11 @@ def align_in_inertial_frame(increments: Increments, latitude: ArrayLike) -> Iner
     sign, which turns the heading by U T sin(latitude).
     A record that is too short for the Earth to turn far is not refused; the deviation says it,
     which on a swaying base falls with the power -7/2 of the time.
+
+    References
+    ----------
+    - M. Wu, Y. Wu, X. Hu, D. Hu, *Optimization-based alignment for inertial navigation systems:
+      Theory and algorithm*, Aerospace Science and Technology 15, 2011.
 
     Examples
     --------

@@ -133,6 +133,12 @@ def simulate_compass(
         error and no log, if bias or tilt are too large, if the axes are not North, Up, East, and as
         in `propagate_level_frame`.
 
+    See Also
+    --------
+    operating_heading_error : The formula beside it.
+    driftlab.motion.vehicle_trajectory : Makes the voyage.
+    marine_type_test : The tests of the standards.
+
     Examples
     --------
     An east gyro with a bias of 0.01 degrees per hour makes the same heading error at rest as the

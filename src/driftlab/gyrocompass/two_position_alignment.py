@@ -135,6 +135,11 @@ def align_in_positions(
         the biases of the gyros come out larger than the Earth's level rate. Gyros that are as bad
         give this warning too: for them heading_tolerance is infinity.
 
+    See Also
+    --------
+    align : One position.
+    two_position_deviation : How well it can do.
+
     Notes
     -----
     With R for the matrix of a turn, the body in position k reads R_k^T x + c: the Earth's rate or
@@ -151,6 +156,11 @@ def align_in_positions(
     and the heading errs by (a - b)/2. So a right angle told as half a turn is seen, with the
     latitude, and a wrong sign makes a large bias. But a turn of 170 degrees told as 180 has a ratio
     of 0.996 and a heading off by 5 degrees: this stays unseen. A third position shows it.
+
+    References
+    ----------
+    - J. G. Lee, C. G. Park, H. W. Park, *Multiposition alignment of strapdown inertial navigation
+      system*, IEEE Transactions on Aerospace and Electronic Systems 29(4), 1993.
 
     Examples
     --------

@@ -79,6 +79,10 @@ def marine_type_test(
     ValueError
         If the latitude is too near a pole, or the steps are too coarse.
 
+    See Also
+    --------
+    simulate_compass : A voyage of your own.
+
     Notes
     -----
     For the turn mountings 15 degrees apart are tried without noise, if there is an accelerometer

@@ -47,6 +47,11 @@ class Scheme:
         Rate of the rotations, rad/s; at most a turn a second, faster than any table goes from
         position to position.
 
+    See Also
+    --------
+    driftlab.motion.table_trajectory : The true motion.
+    driftlab.calibration.design_scheme : A search for good ones.
+
     Examples
     --------
     >>> scheme = Scheme("+90Z -90Z", start=("North", "West", "Up"), dwell=60.0)

@@ -52,6 +52,10 @@ class TableTurn:
     rest : float
         Time after stopping in which the gyros are still read, s.
 
+    See Also
+    --------
+    driftlab.drift.recorded_turn_estimate : What its record shows.
+
     Examples
     --------
     A turn each way at 10 degrees a second, begun and ended in two seconds:

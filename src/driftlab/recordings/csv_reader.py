@@ -85,6 +85,12 @@ def read_csv(
     OSError
         If the file cannot be read.
 
+    See Also
+    --------
+    from_dataframe : From a table in memory.
+    rests : Where the unit lay still.
+    Recording.increments : What filters and algorithms take.
+
     Examples
     --------
     >>> from tempfile import TemporaryDirectory

@@ -80,6 +80,12 @@ def from_dataframe(
         If `frame` is no table; a cell is empty, masked, NaN or no number; a column's name says one
         unit and its attribute another; and as for `read_csv`.
 
+    See Also
+    --------
+    read_csv : From a file.
+    rests : Where the unit lay still.
+    Recording.increments : What filters and algorithms take.
+
     Examples
     --------
     Columns by name; a DataFrame is handed in just so:

@@ -171,6 +171,11 @@ def rests(
         If the record is shorter than two windows, no rest is left, or a triad shows no noise at
         all, so that there is nothing to measure with.
 
+    See Also
+    --------
+    driftlab.calibration.calibrate_by_poses : What rests are good for.
+    driftlab.gyrocompass.align : The heading from one of them.
+
     Notes
     -----
     A stretch is quiet where, for both triads, the root of the sum of the three windowed variances
