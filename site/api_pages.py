@@ -11,7 +11,7 @@ from functools import cache
 from importlib import import_module
 from io import StringIO
 
-from doors import BOOK, Module, Name, book, documented, modules, thing
+from doors import BOOK, Module, Name, book, documented, first_door, modules, thing
 from driftlab.__main__ import SUBJECTS
 from driftlab.commands import COMMANDS
 from driftlab.commands.line import parser
@@ -51,18 +51,35 @@ def module_page(module: Module) -> str:
     return f"reference/modules/{module.name.removeprefix('driftlab.')}"
 
 
+def module_title(module: Module) -> str:
+    """What a module treats, as its docstring begins, without its paper and what else follows."""
+    return re.split("[;:]", module.summary.rstrip("."))[0]
+
+
 def _index() -> str:
     subjects = [subject_page(subject).rpartition("/")[2] for subject in TITLES]
-    listed = [*subjects[:-2], "commands", *subjects[-2:]]
+    listed = [*subjects[:-2], "commands", subjects[-2]]
     return "\n".join(
         [
             *_heading("API reference", "="),
-            "Every public function, class and constant, with shapes, units, errors, an example "
-            "and its output, and what became of the equation that it computes. A name stands "
-            "where you import it: ``from driftlab.drift import drift_per_turn``. The search box "
-            "finds names; :ref:`genindex` lists them all.",
+            "Every public function, class and constant, with shapes, units and errors, those of "
+            "the package with an example and its output, and what became of the equation that it "
+            "computes. A name stands where you import it: "
+            "``from driftlab.drift import drift_per_turn``. The search box finds names, and words "
+            "of the field; :ref:`genindex` lists them all. What one wants to do with them: "
+            ":doc:`/i_want_to`.",
             "",
+            *_heading("The first door", "-"),
+            "What ``import driftlab as dl`` has at once, as ``dl.align``; the subjects below have "
+            "the rest, as ``dl.calibration.covariance_analysis``.",
+            "",
+            *_list(first_door()),
+            *_heading("By subject", "-"),
             *_toctree(listed, depth=2),
+            *_heading("The book itself", "-"),
+            "Panels, scenes and experiments of the chapters, for who goes on with them.",
+            "",
+            *_toctree(subjects[-1:]),
         ]
     )
 
@@ -70,10 +87,7 @@ def _index() -> str:
 def _subject(subject: str) -> str:
     found = modules(subject)
     intro = _automodule(f"driftlab.{subject}") if subject else [GROUND, ""]
-    pages = [
-        f"{module.name.rpartition('.')[2]} <{module_page(module).removeprefix('reference/')}>"
-        for module in found
-    ]
+    pages = [module_page(module).removeprefix("reference/") for module in found]
     return "\n".join(
         [
             *_heading(TITLES[subject], "="),
@@ -86,9 +100,10 @@ def _subject(subject: str) -> str:
 
 def _overview(module: Module) -> Iterator[str]:
     """A module's line on the page of its subject, and under it a line for each name."""
-    short = module.name.removeprefix("driftlab.")
-    summary = plain_bars([module.summary])
-    yield from [f".. rubric:: :doc:`{short} </{module_page(module)}>`", "", *summary, ""]
+    title = module_title(module)
+    more = module.summary.removeprefix(title).lstrip(";: ").rstrip(".")
+    (said,) = plain_bars([f"``{module.name}``{f': {more}.' if more else ''}"])
+    yield from [f".. rubric:: :doc:`/{module_page(module)}`", "", said, ""]
     yield from _list(module.names)
 
 
@@ -103,7 +118,9 @@ def _list(names: tuple[Name, ...]) -> Iterator[str]:
 def _module(module: Module) -> str:
     return "\n".join(
         [
-            *_heading(module.name.removeprefix("driftlab."), "="),
+            *_heading(module_title(module), "="),
+            f"``{module.name}``",
+            "",
             *_automodule(module.name),
             *(line for name in module.names for line in _entry(name)),
         ]

@@ -57,7 +57,7 @@ def write_source(source: Path) -> None:
             Path(str(files("mathjax"))) / "static/mathjax/es5" / part,
             source / f"_static/mathjax/{part}",
         )
-    for name in ("conf.py",):
+    for name in ("conf.py", "search_order.js"):
         shutil.copy(HERE / name, source)
     for name, text in pages().items():
         path = source / name

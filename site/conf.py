@@ -1,5 +1,7 @@
 """Settings of Sphinx for the site; build.py writes the pages and starts it."""
 
+from pathlib import Path
+
 from numpydoc.xref import DEFAULT_LINKS
 
 import driftlab
@@ -48,6 +50,7 @@ html_theme = "furo"
 html_title = "Drift Lab"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_search_scorer = str(Path(__file__).with_name("search_order.js"))
 html_copy_source = False
 html_show_sourcelink = False
 mathjax_path = "mathjax/tex-chtml.js"

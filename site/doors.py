@@ -152,6 +152,13 @@ def names() -> tuple[Name, ...]:
     )
 
 
+def first_door() -> tuple[Name, ...]:
+    """Return what ``import driftlab`` has at once, but for modules, in the order of its door."""
+    of = {name.home: name for name in names()}
+    found = (f"driftlab.{key}" for key in imports("driftlab"))
+    return tuple(of[home(name)] for name in found if not inspect.ismodule(thing(name)))
+
+
 @cache
 def documented() -> dict[str, str]:
     """Return the documented name of each home."""

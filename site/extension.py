@@ -15,12 +15,14 @@ from sphinx.environment import BuildEnvironment
 
 from api_pages import plain_bars
 from doors import FOLDER, aliases, names
+from field_words import FieldWords, also
 from papers import in_the_papers
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
     """Join the build."""
     app.connect("autodoc-process-docstring", add_papers, priority=900)  # numpydoc rewrites first
+    app.add_transform(FieldWords)
     app.connect("autodoc-skip-member", skip_fields)
     app.connect("doctree-read", add_homes)
     app.connect("env-updated", add_aliases)
@@ -32,10 +34,11 @@ def setup(app: Sphinx) -> dict[str, bool]:
 def add_papers(
     app: Sphinx, what: str, name: str, found: Any, options: object, lines: list[str]
 ) -> None:
-    """Let a docstring keep its bars, and end with what the ledger says of the function."""
+    """Let a docstring keep its bars, and end with words of the field and with the ledger."""
     lines[:] = plain_bars(lines)
     if what in ("function", "class"):
-        lines += in_the_papers(f"{found.__module__}.{found.__qualname__}")
+        place = f"{found.__module__}.{found.__qualname__}"
+        lines += [*also(place), *in_the_papers(place)]
 
 
 def skip_fields(

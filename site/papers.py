@@ -116,6 +116,16 @@ def _paper(paper: str) -> str:
     return "\n".join([*head, *(line for entry in entries for line in _entry(entry))])
 
 
+def _line(line: str) -> str:
+    """A line of the copy as it is set, and its letters, by which one finds it in the copy."""
+    if "$" in line:
+        return f"{line} (`{line}`)"
+    if "\\" in line:
+        formula = ["$$", rf"\begin{{aligned}} {line} \end{{aligned}}", "$$"]
+        return "\n".join(["\n", *(f"  {part}" for part in formula), "", f"  `{line}`"])
+    return f"`{line}`" if line else ""
+
+
 def _entry(entry: LedgerEntry) -> list[str]:
     weight = f", {entry.severity}" if entry.severity else ""
     shown = documented()
@@ -125,7 +135,7 @@ def _entry(entry: LedgerEntry) -> list[str]:
     )
     tests = ", ".join(f"`{test}`" for test in entry.tests)
     facts = {
-        "The line, as the copy has it": f"`{entry.line}`" if entry.line else "",
+        "The line, as the copy has it": _line(entry.line),
         "The copy, in the letters of this book": entry.copy,
         "Right": entry.right,
         "Proof": entry.proof,

@@ -1,0 +1,25 @@
+/* How the search orders what it found: words of the field first, then functions, then modules. */
+var Scorer = {
+  score: (result) => {
+    const anchor = result[2], score = result[4], kind = result[6];
+    if (kind !== "index" || !anchor) return score;
+    // An entry of the index knows its page and its place only: here it says which function or task.
+    const place = anchor.slice(1);
+    if (place.startsWith("driftlab.")) {
+      result[1] = place;
+      return score + 1;
+    }
+    if (place.startsWith("i-want-")) {
+      result[1] = "I " + place.slice(2).replaceAll("-", " ");
+    }
+    return score;
+  },
+  objNameMatch: 11,
+  objPartialMatch: 6,
+  objPrio: { 0: 0, 1: 15, 2: -5 }, // modules; functions, classes and constants; what is else
+  objPrioDefault: 0,
+  title: 15,
+  partialTitle: 7,
+  term: 5,
+  partialTerm: 2,
+};
