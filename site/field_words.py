@@ -9,6 +9,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Iterator
 from functools import cache
+from typing import Any
 
 from docutils import nodes
 from sphinx import addnodes
@@ -47,7 +48,7 @@ def also(place: str) -> list[str]:
 
 
 @cache
-def _tasks() -> list[dict[str, list[str]]]:
+def _tasks() -> list[dict[str, Any]]:
     return tomllib.loads((FOLDER / "tasks.toml").read_text("utf-8"))["task"]
 
 

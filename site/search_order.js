@@ -9,9 +9,9 @@ var Scorer = {
       result[1] = place;
       return score + 1;
     }
-    if (place.startsWith("i-want-")) {
-      result[1] = "I " + place.slice(2).replaceAll("-", " ");
-    }
+    const titles = Object.entries(Search._index.alltitles);
+    const task = titles.find(([, places]) => places.some(([, id]) => id === place));
+    if (task) result[1] = task[0];
     return score;
   },
   objNameMatch: 11,

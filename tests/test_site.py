@@ -8,14 +8,18 @@ from importlib import import_module
 from urllib.parse import unquote
 
 import pytest
+from numpydoc.docscrape import ClassDoc, FunctionDoc
 
-from api_pages import api_pages, module_page, plain_bars
+from api_pages import api_pages, module_page, module_title, plain_bars
 from chapter_pages import ROW, chapters_page, text_of, with_links
-from doors import DOORS, aliases, documented, home, modules, names, thing
+from doors import BOOK, DOORS, aliases, documented, first_door, home, modules, names, thing
 from driftlab.__main__ import SUBJECTS
 from driftlab.book.chapters import CHAPTERS
 from driftlab.book.ledger import WORKS, ledger_entries
+from driftlab.book.references import all_references
+from field_words import also, words_of_functions, words_of_tasks
 from papers import (
+    _line,
     as_rst,
     entry_label,
     in_the_papers,
@@ -69,6 +73,62 @@ def test_a_name_is_documented_where_readers_import_it():
     assert "driftlab.earth.EARTH_RATE" in documented().values()  # its home is a core
 
 
+def test_the_index_leads_with_the_first_door_and_ends_with_the_book(api):
+    page = api["reference/index"]
+    listed = re.findall(r"^- :py:obj:`\w+ <driftlab\.([\w.]+)>`: \S", page, re.M)
+    assert {"attitude.integrate", "gyrocompass.align", "calibration.calibrate"} <= set(listed)
+    assert len(listed) == len(set(listed)) == len(first_door()) > 30
+    assert page.index("gyrocompass.align>") < page.index("   motion") < page.index("   book")
+    assert page.rstrip().endswith("   book")
+
+
+def test_pages_are_titled_by_their_subject_and_say_their_module(api):
+    floors = ["", *(subject for subject in SUBJECTS if subject != "book")]
+    titles = [module_title(module) for floor in floors for module in modules(floor)]
+    assert len(set(titles)) == len(titles)
+    page = api["reference/modules/calibration.filter"]
+    assert page.startswith("Calibrating a whole unit on a turntable with a Kalman filter\n====")
+    assert "\n``driftlab.calibration.filter``\n" in page
+
+
+def test_functions_of_the_first_door_say_what_else_to_see():
+    ends = {shown.rpartition(".")[2] for shown in documented().values()}
+    for name in first_door():
+        if name.kind == "function" and not name.home.startswith("driftlab.core."):
+            seen = FunctionDoc(inspect.unwrap(thing(name.home)))["See Also"]
+            others = {other.rpartition(".")[2] for group, _ in seen for other, _ in group}
+            assert others, name.home
+            # A method of a recording has its entry with the class.
+            assert others - {"increments"} <= ends - {name.home.rpartition(".")[2]}, name.home
+
+
+def test_papers_that_docstrings_cite_are_those_of_the_book():
+    known = {re.sub(r"\s+", " ", str(entry)) for entry in all_references()}
+    cited = 0
+    for name in names():
+        if name.kind != "data" and not name.home.startswith(BOOK):
+            found = inspect.unwrap(thing(name.home))
+            doc = ClassDoc(found) if name.kind == "class" else FunctionDoc(found)
+            text = " ".join(line.strip() for line in doc["References"])
+            for item in filter(None, re.split(r"(?:^|\s)- ", text)):
+                assert any(item.startswith(entry) for entry in known), (name.home, item)
+                cited += 1
+    assert cited > 20
+
+
+def test_words_of_the_field_stand_on_the_page_of_their_function():
+    words = words_of_functions()
+    assert "gyrocompassing" in words["driftlab.gyrocompass.alignment.align"]
+    assert "ZUPT" in words["driftlab.recordings.rest_detection.rests"]
+    # A helper of another subject does not get them.
+    assert "driftlab.axes.convert_vectors" in documented()
+    assert "gyrocompassing" not in words["driftlab.axes.convert_vectors"]
+    assert "heading" in also("driftlab.gyrocompass.alignment.align")[1]
+    assert also("driftlab.vectors.unit") == []
+    assert words.keys() <= documented().keys()
+    assert len(words_of_tasks()) > 30
+
+
 def test_every_documented_name_means_its_thing():
     for name in names():
         assert home(name.documented) == name.home
@@ -112,6 +172,17 @@ def test_every_function_of_the_ledger_has_an_entry():
 
 def targets(text):
     return re.findall(r"^\(([\w-]+)\)=$", text, re.M)
+
+
+def test_a_line_of_the_copy_is_set_and_keeps_its_letters():
+    assert _line("") == ""
+    assert _line("plain words") == "`plain words`"
+    assert _line("size $x$") == "size $x$ (`size $x$`)"
+    array = r"M &= \begin{array}{c} 1 \end{array}"
+    set_, letters = rf"\begin{{aligned}} {array} \end{{aligned}}", f"`{array}`"
+    assert [part.strip() for part in _line(array).split("\n") if part.strip()] == [
+        *("$$", set_, "$$", letters)
+    ]
 
 
 def test_every_ledger_entry_is_a_place_of_its_own(ledger):

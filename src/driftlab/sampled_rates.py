@@ -53,7 +53,7 @@ def increments_from_rates(
     See Also
     --------
     driftlab.attitude.integrate : The attitude from them.
-    driftlab.recordings.from_dataframe : Checks units and stamps first; its result has ``increments()``.
+    driftlab.recordings.from_dataframe : Checks units and stamps first.
 
     Notes
     -----

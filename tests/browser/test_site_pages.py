@@ -63,8 +63,14 @@ def test_every_page_fits_the_screen_and_sets_its_formulas(site, page):
     ("words", "found"),
     [
         ("drift_per_turn", "driftlab.drift.drift_per_turn"),
-        ("observability", "calibration.observability"),
+        ("observability", "calibration.unobservable_subspace"),
         ("sculling", "attitude.sculling"),
+        ("gyrocompassing", "gyrocompass.align"),
+        ("bias instability", "allan.fit_noise_terms"),
+        ("attitude from rates", "sampled_rates.increments_from_rates"),
+        ("align", "gyrocompass.align"),
+        ("ZUPT", "recordings.rests"),
+        ("DataFrame", "recordings.from_dataframe"),
     ],
 )
 def test_the_search_finds_what_a_reader_looks_for(site, page, words, found):
@@ -75,3 +81,19 @@ def test_the_search_finds_what_a_reader_looks_for(site, page, words, found):
     page.wait_for_function("document.querySelector('p.search-summary')?.textContent.includes('.')")
     first = page.locator("ul.search li").all_inner_texts()[:3]
     assert any(found in text for text in first), first
+
+
+def test_the_search_leads_to_the_section_of_a_task(site, page):
+    page.goto((site / "search.html").as_uri() + "?q=gyrocompassing")
+    title = "I want the heading from my log at rest, by gyrocompassing"
+    found = page.locator("ul.search li a", has_text=title).first
+    found.wait_for()
+    address = found.get_attribute("href")
+    assert address.startswith("i_want_to.html#i-want-the-heading-from-my-log-at-rest")
+
+
+def test_recipes_show_their_whole_lines(site, page):
+    page.set_viewport_size({"width": 1280, "height": 900})
+    page.goto((site / "i_want_to.html").as_uri())
+    beyond = "cells => cells.filter(cell => cell.scrollWidth > cell.clientWidth).length"
+    assert page.locator("div.cell_input pre").evaluate_all(beyond) == 0

@@ -39,6 +39,17 @@ def solid_angle(directions: ArrayLike) -> FloatArray:
         If a direction has no length, if there are fewer than three of them, or if two neighbours
         are opposite, which any great circle through them would join.
 
+    See Also
+    --------
+    driftlab.attitude.coning_drift : What an algorithm loses of it.
+
+    References
+    ----------
+    - Goodman, Robinson, *Effect of finite rotations on gyroscopic sensing devices*, Journal of
+      Applied Mechanics 25(2), 1958.
+    - A. Yu. Ishlinskii, *Mechanics of Gyroscopic Systems*, Israel Program for Scientific
+      Translations, 1965.
+
     Examples
     --------
     An eighth of the sphere:

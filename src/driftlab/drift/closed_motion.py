@@ -53,6 +53,11 @@ def drift_per_motion(
     ValueError
         Also if the motion does not close.
 
+    See Also
+    --------
+    drift_per_turn : A whole turn about one axis.
+    driftlab.attitude.solid_angle : The motion's own part.
+
     Notes
     -----
     It is the integral of C M rate over the motion: linear in M, without a part from the skew part

@@ -50,6 +50,7 @@ def align(
         is held against the Earth's. None if it has no unit, and is a direction only.
     heading_tolerance : float
         Contradictions that can turn the heading by more are warned of, rad; infinity for none.
+        Half a degree if not given.
 
     Returns
     -------
