@@ -211,11 +211,16 @@ def plain_bars(lines: list[str]) -> list[str]:
     In reStructuredText they would call for a substitution; examples, code and set formulas have
     none.
     """
-    marked, apart = [], False
+    marked, apart, formula = [], False, None
     for line in lines:
-        text = line.strip()
-        apart = bool(text) and (apart or text.startswith((">>>", ".. math::")))
-        marked.append(line if apart else re.sub(r"(`[^`]*`)|\|", _bar, line))
+        text, depth = line.strip(), len(line) - len(line.lstrip())
+        if formula is not None and text and depth <= formula:
+            formula = None  # a formula goes on below a blank line while it is indented
+        if text.startswith(".. math::"):
+            formula = depth
+        apart = bool(text) and (apart or text.startswith(">>>"))
+        plain = not apart and formula is None
+        marked.append(re.sub(r"(`[^`]*`)|\|", _bar, line) if plain else line)
     return marked
 
 

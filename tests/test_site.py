@@ -241,10 +241,11 @@ def test_formulas_and_code_of_the_ledger_become_those_of_docstrings():
 
 
 def test_bars_stay_bars_but_where_they_are_code_or_formulas():
-    lines = ["|w| is `a|b` here", "", ">>> a | b", "|x|", "", ".. math:: |w|", "   |v|", "", "|u|"]
+    formulas = [".. math:: |w|", "   |v|", "", ".. math::", "", "   |s| &= 1", "", "   |t|", ""]
+    lines = ["|w| is `a|b` here", "", ">>> a | b", "|x|", "", *formulas, "|u|"]
     assert plain_bars(lines) == [
         r"\|w\| is `a|b` here",
-        *["", ">>> a | b", "|x|", "", ".. math:: |w|", "   |v|", "", r"\|u\|"],
+        *["", ">>> a | b", "|x|", "", *formulas, r"\|u\|"],
     ]
 
 
