@@ -11,15 +11,13 @@ from matplotlib.legend import Legend
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
 
-from driftlab.book import AllanExplorer, figures
+from driftlab.book import figures
 from driftlab.book.machinery.panel import Explorer
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.book.machinery.sheet import COLUMN, PAGE, Sheet
-from grouped import opened
+from grouped import every_panel, only_panel
 from published import NAMES, published
 
-ON_PAPER = (AllanExplorer,)
-"""Panels of which the picture is no published figure, and is laid out for paper."""
 LEAST_TYPE = 5.5
 """Points; journals ask for five to six at least."""
 LEAST_PANEL = 0.5
@@ -39,11 +37,9 @@ def drawn_words(figure: Figure, monkeypatch: pytest.MonkeyPatch) -> list[tuple[T
             found.append((text, text.get_window_extent(renderer)))
 
     figure.dpi = 100
-    canvas = FigureCanvasAgg(figure)
-    canvas.draw()  # finds the layout
     with monkeypatch.context() as patch:
         patch.setattr(Text, "draw", recorded)
-        canvas.draw()
+        FigureCanvasAgg(figure).draw()  # finds the layout before it draws any words
     return found
 
 
@@ -68,6 +64,19 @@ def collisions(figure: Figure, words: list[tuple[Text, Bbox]]) -> Iterator[str]:
                 yield f"{text.get_text()!r} and a legend overlap"
 
 
+def flaws(figure: Figure, width: float, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Sentences on what is wrong with a figure of so many inches."""
+    found = list(collisions(figure, drawn_words(figure, monkeypatch)))
+    if figure.get_figwidth() != width:
+        found.append(f"it is {figure.get_figwidth():g} inches wide")
+    for panel in (panel for panel in figure.axes if panel.get_label() != "<colorbar>"):
+        box = panel.get_position()
+        least = min(box.width * width, box.height * figure.get_figheight())
+        if least < LEAST_PANEL:
+            found.append(f"panel {panel.get_title('left')!r} is of {least:.2f} inches")
+    return found
+
+
 def overlap(a: Bbox, b: Bbox) -> bool:
     """Whether two boxes have more than a little in common."""
     both = Bbox.intersection(a, b)
@@ -81,28 +90,24 @@ def test_no_words_collide(
 ) -> None:
     drawn = figure.definition.draw(figure.data, Sheet(width))
     assert isinstance(drawn, Figure)
-    assert drawn.get_figwidth() == width
-    found = list(collisions(drawn, drawn_words(drawn, monkeypatch)))
+    found = flaws(drawn, width, monkeypatch)
     assert not found, "; ".join(found)
-    for panel in (panel for panel in drawn.axes if panel.get_label() != "<colorbar>"):
-        box = panel.get_position()
-        assert box.width * width > LEAST_PANEL, panel.get_title("left")
-        assert box.height * drawn.get_figheight() > LEAST_PANEL, panel.get_title("left")
 
 
-@pytest.mark.parametrize("panel_class", ON_PAPER)
+@every_panel
 def test_no_words_of_a_panels_picture_collide(
     panel_class: type[Explorer], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Pictures of panels that are no published figures, in a column, with every preset."""
-    panel = opened(panel_class)
-    for preset in panel.presets:
-        panel.preset.value = preset
-        data = panel.compute(panel.values)
-        drawn = panel.picture_class.draw(data, Sheet(COLUMN))
-        assert drawn.get_figwidth() == COLUMN
-        found = list(collisions(drawn, drawn_words(drawn, monkeypatch)))
-        assert not found, f"{preset}: {'; '.join(found)}"
+    """What it shows with each preset, in a column, and what it opens with, on a page."""
+    panel = only_panel(panel_class)
+    starts = {control.name: control.start for control in panel.controls}
+    data = {name: panel.compute({**starts, **preset}) for name, preset in panel.presets.items()}
+    for width, names in ((COLUMN, [*data]), (PAGE, [next(iter(data))])):
+        picture = panel.picture_class(Sheet(width))
+        for name in names:
+            picture.update(data[name])
+            found = flaws(picture.figure, width, monkeypatch)
+            assert not found, f"{width} inches, {name}: {'; '.join(found)}"
 
 
 def test_the_test_sees_words_that_collide(monkeypatch: pytest.MonkeyPatch) -> None:

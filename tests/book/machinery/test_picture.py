@@ -5,7 +5,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from driftlab.attitude import Algorithm
-from driftlab.book.machinery.picture import decades, legend_above, long_table, shared_legend
+from driftlab.book.machinery.picture import decades, legend_above, legend_below_all, long_table
 from driftlab.book.machinery.publish import written
 from driftlab.book.machinery.sheet import COLUMN, PAGE, Sheet
 
@@ -18,10 +18,10 @@ def test_long_table_keeps_every_curve() -> None:
 
 
 @pytest.mark.parametrize("width", [COLUMN, PAGE])
-def test_a_shared_legend_has_room_of_its_own_on_paper(width: float) -> None:
+def test_a_legend_below_all_panels_has_room_of_its_own_on_paper(width: float) -> None:
     figure, panels = Sheet(width).mosaic("ab", (9, 4), (0.1, 0.1, 0.9, 0.9))
     handles = [panels["a"].plot([0, 1], label=f"curve {i}")[0] for i in range(6)]
-    shared_legend(figure, Sheet(width), handles, ncols=6)
+    legend_below_all(figure, Sheet(width), handles, ncols=6)
     FigureCanvasAgg(figure).draw()
     top = figure.legends[0].get_window_extent().y1
     assert all(panel.get_tightbbox().y0 > top for panel in panels.values())

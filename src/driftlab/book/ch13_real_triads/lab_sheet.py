@@ -13,7 +13,7 @@ from driftlab.checks import FloatArray
 from driftlab.drift.missed_stops import NearTurn
 from driftlab.drift.turns_by_hand import HandTurn, HandTurnFit
 
-from ..machinery.picture import GREY, SERIES, in_style, legend_above
+from ..machinery.picture import GREY, SERIES, in_style, legend_above, legend_below_all
 from ..machinery.publish import FigureDefinition, PublishedFigure
 from ..machinery.sheet import Sheet
 from ..machinery.table import Table
@@ -158,7 +158,7 @@ def _draw(log: Log, sheet: Sheet) -> Figure:
     panel.set(xlabel="time, s", ylabel="rate, deg/s", ylim=(-highest, highest))
     panel.set_xlim(log.seconds[0], log.seconds[-1])
     if sheet.on_paper:
-        figure.legend(*panel.get_legend_handles_labels(), loc="outside lower right", ncols=3)
+        legend_below_all(figure, sheet, panel, ncols=3, column=3)
     else:
         legend_above(panel, ncols=3)
     return figure

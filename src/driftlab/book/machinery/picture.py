@@ -200,24 +200,29 @@ def legend_above(axes: Axes, ncols: int = 4, **style: Any) -> None:
     )
 
 
-def shared_legend(
+def legend_below_all(
     figure: Figure,
     sheet: Sheet,
-    handles: Sequence[Artist],
-    *,
+    shown: Axes | Sequence[Any],
     ncols: int = 4,
     column: int = 2,
-    **on_screen: Any,
+    *,
+    points: float | None = None,
+    **style: Any,
 ) -> None:
-    """Put one legend for all panels below them; on paper, the layout finds room for it.
+    """Put one legend below all panels, of the curves of some axes or of these artists.
 
-    It has `column` columns in a narrow column; `on_screen` is style for the screen alone.
+    On a screen the figure's margins leave room for it, and its type may have a size in `points` of
+    its own. On paper the layout finds the room; there are `column` columns in a narrow column.
     """
-    if sheet.on_paper:
-        columns = column if sheet.narrow else ncols
-        figure.legend(handles=handles, loc="outside lower center", ncols=columns, frameon=False)
-    else:
-        figure.legend(handles=handles, loc="lower center", ncols=ncols, **on_screen)
+    handles = shown.get_legend_handles_labels()[0] if isinstance(shown, Axes) else shown
+    place = (
+        {"loc": "outside lower center", "frameon": False}
+        if sheet.on_paper
+        else {"loc": "lower center", "fontsize": points}
+    )
+    columns = column if sheet.narrow else ncols
+    figure.legend(handles=handles, ncols=columns, **{**place, **style})
 
 
 def legend_below(axes: Axes, ncols: int = 4, below: float = 29.0, **style: Any) -> None:
@@ -247,21 +252,6 @@ def decades(values: ArrayLike, low: float, high: float) -> tuple[float, float]:
     return (
         low if least >= low else float(10.0 ** np.floor(np.log10(least))),
         high if most <= high else float(10.0 ** np.ceil(np.log10(most))),
-    )
-
-
-def figure_legend(axes: Axes, sheet: Sheet, ncols: int, column: int = 2, **style: Any) -> None:
-    """Put the legend of some axes below all panels, in a column of a paper in fewer columns.
-
-    On a screen the figure's margins leave room for it; on paper the layout makes it.
-    """
-    figure = axes.get_figure(root=True)
-    assert figure is not None
-    handles, labels = axes.get_legend_handles_labels()
-    figure.legend(
-        **{"handles": handles, "labels": labels, **style},
-        loc="outside lower center" if sheet.on_paper else "lower center",
-        ncols=column if sheet.narrow else ncols,
     )
 
 

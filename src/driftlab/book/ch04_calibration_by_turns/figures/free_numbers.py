@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import BLACK, SERIES, in_style
+from driftlab.book.machinery.picture import BLACK, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -79,14 +79,11 @@ def draw(data: FreeNumbers, sheet: Sheet) -> Figure:
     artists = [panel.get_legend_handles_labels() for panel in panels]
     handles = {label: handle for both in artists for handle, label in zip(*both, strict=True)}
     handles |= {label: handles.pop(label)}  # the dots last
+    entries = list(handles.values())
     if sheet.on_paper:
-        place: dict[str, Any] = {
-            "loc": "outside lower center",
-            "ncols": 1 if sheet.narrow else len(handles),
-        }
+        legend_below_all(figure, sheet, entries, len(entries), column=1, labels=list(handles))
     else:
-        place = {"loc": "lower left", "ncols": len(handles), "fontsize": 10}
-    figure.legend(handles.values(), handles, **place)
+        figure.legend(entries, handles, loc="lower left", ncols=len(entries), fontsize=10)
     return figure
 
 

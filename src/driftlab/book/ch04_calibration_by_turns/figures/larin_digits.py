@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import BLUE, GREY, in_style
+from driftlab.book.machinery.picture import BLUE, GREY, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 
 from ..experiment_numbers import NAMES
@@ -69,10 +69,7 @@ def draw(data: LarinDigits, sheet: Sheet) -> Figure:
             words = f"of all {data.candidates}"
             panel.text(-0.7, len(data.labels) + below, words, ha="right", fontsize=size)
     if small:
-        handles, names = panels[0].get_legend_handles_labels()
-        figure.legend(
-            handles, names, loc="outside lower center", ncols=1 if sheet.narrow else len(names)
-        )
+        legend_below_all(figure, sheet, panels[0], ncols=3, column=1)
     else:
         panels[0].legend(loc="upper left", bbox_to_anchor=(-0.45, -0.05), ncols=3, fontsize=size)
     return figure

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import arcsecond, degree
 
-from driftlab.book.machinery.picture import GREY, SERIES, decades, in_style
+from driftlab.book.machinery.picture import GREY, SERIES, decades, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -87,13 +87,5 @@ def draw(data: RealTableErrors, sheet: Sheet) -> Figure:
             markersize=size,
             linestyle="none",
         )
-    handles, names = over_rate.get_legend_handles_labels()
-    if sheet.on_paper:
-        place: dict[str, Any] = {
-            "loc": "outside lower center",
-            "ncols": 2 if sheet.narrow else len(WAYS),
-        }
-    else:
-        place = {"loc": "lower center", "ncols": len(WAYS), "fontsize": 10}
-    figure.legend(handles, names, **place)
+    legend_below_all(figure, sheet, over_rate, len(WAYS), points=10)
     return figure

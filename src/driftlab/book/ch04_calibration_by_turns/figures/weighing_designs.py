@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import BLACK, BLUE, ORANGE, in_style
+from driftlab.book.machinery.picture import BLACK, BLUE, ORANGE, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 
 from ..experiments import METHODS, WeighingDesigns
@@ -58,7 +58,7 @@ def draw(data: WeighingDesigns, sheet: Sheet) -> Figure:
         closed = "closed form" if i else None
         axes.plot(data.expected[i], rows + shift, "|", color=BLACK, markersize=dash, label=closed)
     if sheet.on_paper:
-        figure.legend(loc="outside lower center", ncols=1 if sheet.narrow else 3)
+        legend_below_all(figure, sheet, axes, ncols=3, column=1)
     else:
         axes.legend(loc="upper right", fontsize=10)
     return figure

@@ -19,6 +19,7 @@ from driftlab.book.machinery.picture import (
     PURPLE,
     SERIES,
     Picture,
+    legend_below_all,
 )
 from driftlab.book.machinery.sheet import SCREEN, Sheet
 
@@ -48,6 +49,8 @@ BOTTOMS = (1e-2, 1e-4, 1e-7, 1e-10)
 TOPS = (1.0, 100.0, 1e4, 1e6)
 """Where the axis of the errors may begin and end, seconds of arc."""
 ORDERS = (2, 3, 4)
+CROWDED = 1e8
+"""On an axis of the errors over more than this, the names of the orders would touch on paper."""
 
 
 def styles(names: Iterable[str], sheet: Sheet = SCREEN) -> dict[str, dict[str, Any]]:
@@ -81,8 +84,11 @@ class AlgorithmLaboratoryPicture(Picture[AlgorithmLaboratory]):
     size = (10.5, 4.4)
 
     def build(self) -> None:
-        history, order = self.figure.subplots(1, 2, sharey=True)
-        self.figure.subplots_adjust(0.06, 0.21, 0.985, 0.92, wspace=0.05)
+        self.figure, panels = self.sheet.mosaic(
+            "ab", self.size, (0.06, 0.21, 0.985, 0.92), spaces=(0.05, 0.2), column_height=5.6,
+            page_height=3.5, sharey=True,
+        )  # fmt: skip
+        history, order = panels["a"], panels["b"]
         self.order_axes = order
         history.set(title="error of attitude after each step", xlabel="time, s")
         history.set(xlim=(0, DURATION), yscale="log")
@@ -93,18 +99,18 @@ class AlgorithmLaboratoryPicture(Picture[AlgorithmLaboratory]):
         history.set_yticks(list(TICKS), list(TICKS.values()))
         history.set_yticks([], minor=True)
         self.slopes = [self.line(order, color=GREY, linewidth=0.8) for _ in ORDERS]
-        self.slope_names = [self.words(order, color=GREY, va="center") for _ in ORDERS]
+        size = "small" if self.sheet.on_paper else None
+        self.slope_names = [
+            self.words(order, color=GREY, va="center", fontsize=size) for _ in ORDERS
+        ]
+        looks = styles(STYLES, self.sheet)
         self.here = self.line(order, color=BLACK, linewidth=0.8, linestyle=(0, (2, 2)))
         self.histories = {
-            name: self.line(history, **{**style, "marker": ""}) for name, style in STYLES.items()
+            name: self.line(history, **{**style, "marker": ""}) for name, style in looks.items()
         }
-        self.orders = {
-            name: self.line(order, **style, label=name) for name, style in STYLES.items()
-        }
-        self.figure.legend(
-            handles=list(self.orders.values()), loc="lower center", ncols=len(STYLES), fontsize=8,
-            frameon=False,
-        )  # fmt: skip
+        self.orders = {name: self.line(order, **style, label=name) for name, style in looks.items()}
+        most = 4 if self.sheet.on_paper else len(STYLES)
+        legend_below_all(self.figure, self.sheet, order, most, points=8, frameon=False)
 
     def update(self, data: AlgorithmLaboratory) -> None:
         for name in STYLES:
@@ -133,8 +139,10 @@ class AlgorithmLaboratoryPicture(Picture[AlgorithmLaboratory]):
         self.set_limits(self.order_axes, "y", low, high)
         rates = SAMPLE_RATES[0] * np.array([1.0, 3.0])
         top = low * (high / low) ** 0.36
+        crowded = self.sheet.on_paper and high > CROWDED * low
         for order, line, name in zip(ORDERS, self.slopes, self.slope_names, strict=True):
             errors = top * (rates / rates[0]) ** -float(order)
             line.set_data(rates, errors)
             name.set_position((1.05 * rates[1], errors[1]))
-            name.set_text(f"order {order}" if errors[1] > 1.5 * low else "")
+            told = errors[1] > 1.5 * low and not (crowded and order == 3)
+            name.set_text(f"order {order}" if told else "")

@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import in_style, shared_legend
+from driftlab.book.machinery.picture import in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -59,8 +59,8 @@ def draw(data: AlgorithmOrders, sheet: Sheet) -> Figure:
             of_what = "" if sheet.on_paper else " of attitude"
             panel.set_ylabel(f"largest error{of_what}, rad")
     handles, _ = panels[0].get_legend_handles_labels()
-    shared_legend(figure, sheet, handles, ncols=min(len(handles), 7 if not sheet.on_paper else 4),
-                 fontsize=8)  # fmt: skip
+    most = min(len(handles), 4 if sheet.on_paper else 7)
+    legend_below_all(figure, sheet, handles, most, points=8)
     return figure
 
 

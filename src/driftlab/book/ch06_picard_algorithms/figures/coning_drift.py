@@ -5,7 +5,7 @@ from matplotlib.figure import Figure
 from scipy.constants import degree, hour
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.book.machinery.picture import in_style, shared_legend
+from driftlab.book.machinery.picture import decades, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -15,9 +15,9 @@ from .algorithm_laboratory import styles
 DEGREE_PER_HOUR = degree / hour
 ALIKE = 0.02
 """Algorithms whose drifts differ by less than this part of them are drawn as one."""
-DECADES = (-7, 5)
-"""Least reach of the axis of the drift: powers of ten, deg/h."""
-ROUNDING = -9
+LOW, HIGH = 1e-7, 1e5
+"""Least reach of the axis of the drift, deg/h."""
+ROUNDING = 1e-9
 """It reaches down no farther: there is nothing there but rounding."""
 
 
@@ -86,10 +86,8 @@ def draw(data: ConingDrift, sheet: Sheet) -> Figure:
     by_rate.set(title=f"coning at {data.frequency:g} Hz, {angle}", xlabel="sample rate, Hz")
     by_rate.set(xscale="log", xlim=(12, 1000))
     by_rate.set_xticks([20, 50, 100, 200, 500], ["20", "50", "100", "200", "500"])
-    powers = np.log10(_shown(np.concatenate([data.by_frequency, data.by_rate], axis=-1)))
-    low = max(min(DECADES[0], np.floor(np.nanmin(powers))), ROUNDING)
-    high = max(DECADES[1], np.ceil(np.nanmax(powers)))
-    by_frequency.set_ylim(10.0**low, 10.0**high)
+    drawn = _shown(np.concatenate([data.by_frequency, data.by_rate], axis=-1))
+    by_frequency.set_ylim(*decades(np.maximum(drawn, ROUNDING), LOW, HIGH))
     for panel in (by_frequency, by_rate):
         panel.minorticks_off()
     looks, handles = styles(data.names, sheet), []
@@ -108,6 +106,6 @@ def draw(data: ConingDrift, sheet: Sheet) -> Figure:
             panel.plot(at, _shown(found), **dots, label=f"{group[0]}, measured")
         words = _label(group, data, sheet.narrow)
         handles += by_frequency.plot([], [], **looks[group[0]], label=words)
-    shared_legend(figure, sheet, handles, ncols=min(len(handles), 4 if sheet.on_paper else 5),
-                 column=1, fontsize=8)  # fmt: skip
+    most = min(len(handles), 4 if sheet.on_paper else 5)
+    legend_below_all(figure, sheet, handles, most, column=1, points=8)
     return figure

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import arcsecond, degree, hour
 
-from driftlab.book.machinery.picture import GREY, SERIES, in_style, shared_legend
+from driftlab.book.machinery.picture import GREY, SERIES, decades, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -20,8 +20,8 @@ WIDTHS = tuple(
     for i, marker in zip((2, 0, 5, 7), "x*pd", strict=True)
 )
 """Line styles of the windows, from the narrowest to the widest."""
-DECADES = (-10, 6)
-"""Reach of the axis of the drift: powers of ten, deg/h."""
+LOW, HIGH = 1e-10, 1e6
+"""Least reach of the axis of the drift, deg/h; it reaches down no farther."""
 
 
 def columns(data: WindowErrors) -> dict[str, FloatArray]:
@@ -64,10 +64,8 @@ def draw(data: WindowErrors, sheet: Sheet) -> Figure:
         noise.plot(sizes, data.noisy[i] / arcsecond, **style, label=name)
     for panel in (drift, noise):
         panel.set(xscale="log", yscale="log")
-    largest = np.log10(np.nanmax(data.drifts) / DEGREE_PER_HOUR)
-    drift.set_ylim(10.0 ** DECADES[0], 10.0 ** max(DECADES[1], np.ceil(largest)))
+    drift.set_ylim(LOW, decades(data.drifts / DEGREE_PER_HOUR, LOW, HIGH)[1])
     drift.minorticks_off()
     drift.set_xticks([2.5, 5, 10, 20, 40], ["2.5", "5", "10", "20", "40"])
-    handles, _ = noise.get_legend_handles_labels()
-    shared_legend(figure, sheet, handles, ncols=4, fontsize=8)
+    legend_below_all(figure, sheet, noise, points=8)
     return figure

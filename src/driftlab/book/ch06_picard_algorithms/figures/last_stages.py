@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from scipy.constants import arcsecond
 
-from driftlab.book.machinery.picture import GREY, SERIES, in_style, shared_legend
+from driftlab.book.machinery.picture import GREY, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -71,9 +71,8 @@ def draw(data: LastStageErrors, sheet: Sheet) -> Figure:
     kinds = _draw_ratios(panels["c"], data, sheet)
     _draw_costs(panels["d"], data)
     handles, _ = panels["a"].get_legend_handles_labels()
-    shared_legend(
-        figure, sheet, [*handles, *kinds], ncols=5 if not sheet.on_paper else 4, fontsize=8
-    )
+    most = 4 if sheet.on_paper else 5
+    legend_below_all(figure, sheet, [*handles, *kinds], most, points=8)
     return figure
 
 

@@ -14,7 +14,7 @@ from driftlab.book.machinery.picture import (
     GUIDE,
     ORANGE,
     in_style,
-    shared_legend,
+    legend_below_all,
 )
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
@@ -80,7 +80,7 @@ def draw(data: NoiseAndBand, sheet: Sheet) -> Figure:
         handles += marks
     else:
         floors.legend(handles=marks, loc="lower left", fontsize="small")
-    shared_legend(figure, sheet, handles, ncols=5, fontsize=8)
+    legend_below_all(figure, sheet, handles, ncols=5, points=8)
     return figure
 
 

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from scipy.constants import arcsecond
 
 from driftlab.attitude.finite_precision import UPDATES
-from driftlab.book.machinery.picture import GREY, GUIDE, SERIES, in_style, shared_legend
+from driftlab.book.machinery.picture import GREY, GUIDE, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -113,8 +113,7 @@ def draw(data: ShortWord, sheet: Sheet) -> Figure:
     stored = "left: $\\lambda_0$\nstored as 1" if sheet.on_paper else STORED
     for x, words in ((8e-7, "the paper's\nsteps"), (1.15 * STORED_AS_ONE, stored)):
         first_panel.text(x, 1.3 * bottom, words, va="bottom", fontsize="small")
-    handles, _ = first_panel.get_legend_handles_labels()
-    shared_legend(figure, sheet, handles, ncols=4, column=1)
+    legend_below_all(figure, sheet, first_panel, column=1)
     return figure
 
 

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import arcsecond, minute
 
-from driftlab.book.machinery.picture import GREY, GUIDE, SERIES, in_style
+from driftlab.book.machinery.picture import GREY, GUIDE, SERIES, decades, in_style
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -53,7 +53,7 @@ def draw(data: EquivalentStart, sheet: Sheet) -> Figure:
     tilt, speed, left = panels.values()
     tilt.set(title="attitude error", xlabel="time, minutes", ylabel="arc seconds")
     speed.set(title="velocity error", xlabel="time, minutes", ylabel="m/s")
-    top = max(1e2, 10 ** np.ceil(np.log10(data.left.max())))
+    top = decades(data.left, LEAST, 1e2)[1]
     left.set(title="left by first order", xscale="log", yscale="log", ylim=(LEAST, top))
     left.set(xlabel="misalignment, rad", ylabel="rad, or m/s")
     left.plot(data.sizes, 1e-3 * data.sizes**2, color=GREY, linewidth=0.8, label=GUIDE)

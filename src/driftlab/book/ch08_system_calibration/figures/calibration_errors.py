@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import minute
 
-from driftlab.book.machinery.picture import SERIES, figure_legend, in_style
+from driftlab.book.machinery.picture import SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -59,5 +59,5 @@ def draw(data: CalibrationErrors, sheet: Sheet) -> Figure:
             panel.set_title(f"{name}, {unit}", fontsize=9)
     for letter in WIDE.split(";")[-1]:
         panels[letter].set_xlabel("time, minutes")
-    figure_legend(panels["a"], sheet, ncols=2, column=1)
+    legend_below_all(figure, sheet, panels["a"], ncols=2, column=1)
     return figure

@@ -7,6 +7,7 @@ from functools import cache
 from typing import NamedTuple
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from driftlab.book.machinery.picture import BLACK, SERIES, Picture, legend_above
 from driftlab.calibration.simulation import TableTrial
@@ -67,13 +68,16 @@ class CalibrationRunPicture(Picture[CalibrationRun]):
     size = (10.5, 4.4)
 
     def build(self) -> None:
-        grid = self.figure.add_gridspec(2, 2, height_ratios=[1, 0.17])
-        self.figure.subplots_adjust(0.06, 0.11, 0.985, 0.93, wspace=0.14, hspace=0.46)
-        size, ratio = (self.figure.add_subplot(grid[0, i]) for i in (0, 1))
-        table = self.figure.add_subplot(grid[1, :])
+        self.figure, panels = self.sheet.mosaic(
+            "ab;cc", self.size, (0.06, 0.11, 0.985, 0.93), spaces=(0.14, 0.46),
+            height_ratios=(1, 0.17), column_height=5.4, column_heights=(1, 1, 0.36),
+            page_height=3.7,
+        )  # fmt: skip
+        size, ratio, table = panels["a"], panels["b"], panels["c"]
         self.size_axes, self.ratio_axes, self.table_axes = size, ratio, table
         size.set(title="in deviations known before", yscale="log")
-        ratio.set(title="error, in deviations that the filter states: inside ±3?", ylim=(-4.2, 4.2))
+        words = "stated deviations" if self.sheet.on_paper else "deviations that the filter states"
+        ratio.set(title=f"error, in {words}: inside ±3?", ylim=(-4.2, 4.2))
         for panel in (size, ratio):
             panel.set_xlim(0, 41)
             panel.set_xlabel("time, min", loc="right", labelpad=0)
@@ -83,11 +87,7 @@ class CalibrationRunPicture(Picture[CalibrationRun]):
         table.set_yticks([])
         table.grid(visible=False)
         table.tick_params(labelbottom=False, bottom=False)
-        for i, (begin, end, up, rotation) in enumerate(pauses()):
-            face = ("#e4eef5", "#f6efe0")[i % 2]
-            table.axvspan(begin, end, facecolor=face, edgecolor="none")
-            table.text((begin + end) / 2, 0.7, up, ha="center", va="center", fontsize=8)
-            table.text(end, 0.25, rotation, ha="center", va="center", fontsize=6.5)
+        self._say_what_the_table_does(table)
         self.error = self.line(size, **SERIES[0], label="error")
         self.bound = self.line(size, **SERIES[1], label="three deviations stated")
         self.ratio = self.line(ratio, **SERIES[0])
@@ -96,6 +96,16 @@ class CalibrationRunPicture(Picture[CalibrationRun]):
             for panel in (size, ratio, table)
         ]
         legend_above(size, 2)
+
+    def _say_what_the_table_does(self, table: Axes) -> None:
+        axis, turn = ("small", "small") if self.sheet.on_paper else (8, 6.5)
+        upright = 90 if self.sheet.narrow else 0
+        for i, (begin, end, up, rotation) in enumerate(pauses()):
+            face = ("#e4eef5", "#f6efe0")[i % 2]
+            table.axvspan(begin, end, facecolor=face, edgecolor="none")
+            middle = {"ha": "center", "va": "center"}
+            table.text((begin + end) / 2, 0.7, up, fontsize=axis, **middle)
+            table.text(end, 0.25, rotation, fontsize=turn, rotation=upright, **middle)
 
     def update(self, data: CalibrationRun) -> None:
         minutes = data.times / 60

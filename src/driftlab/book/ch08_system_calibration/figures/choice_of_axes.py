@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from driftlab.body_frames import BODY_FRAMES
-from driftlab.book.machinery.picture import BLACK, SERIES, figure_legend, in_style
+from driftlab.book.machinery.picture import BLACK, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 from driftlab.motion.scheme import SCHEMES
@@ -151,7 +151,7 @@ def draw(data: ChoiceOfAxes, sheet: Sheet) -> Figure:
     _draw_units(units, data, sheet)
     if sheet.on_paper:
         handles, labels = _both(schemes[0], units)
-        figure_legend(schemes[0], sheet, 4, 2, handles=handles, labels=labels, fontsize="small")
+        legend_below_all(figure, sheet, handles, labels=labels, fontsize="small")
     else:
         handles, labels = schemes[0].get_legend_handles_labels()
         figure.legend(

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import minute
 
-from driftlab.book.machinery.picture import BLACK, SERIES, figure_legend, in_style
+from driftlab.book.machinery.picture import BLACK, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -64,5 +64,5 @@ def draw(data: FilterConsistency, sheet: Sheet) -> Figure:
             panel.axhline(bound, color=BLACK, linestyle="--", linewidth=0.75 * wide)
         panel.lines[-1].set_label("95 % bounds of each value")
         panel.set(ylim=(low, high), xlim=(0, times[-1] / minute))
-    figure_legend(states, sheet, ncols=2)
+    legend_below_all(figure, sheet, states, ncols=2)
     return figure

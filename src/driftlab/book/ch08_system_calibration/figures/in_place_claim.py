@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from scipy.constants import hour
 
-from driftlab.book.machinery.picture import BLACK, GREY, SERIES, figure_legend, in_style
+from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.motion.scheme import SCHEMES
 
@@ -130,21 +130,22 @@ def _label(
 ) -> None:
     """Words below the panels, and the legends."""
     small = "small" if sheet.on_paper else 8
+    last = panels[letters[-1, 0]]
     panels["a"].legend(loc="lower right", fontsize=small)
     if sheet.on_paper:
         for above, below in letters[-2:].T:
             panels[above].set_xlabel(f"averaged / {TRIANGLES[0]}")
             panels[below].set_xlabel("part that errs less")
-        figure_legend(panels[letters[-1, 0]], sheet, 4, 2, fontsize=small,
-                     title="schemes, triangles, installation errors", title_fontsize=small,
-                     handlelength=1.2, columnspacing=1.2)  # fmt: skip
+        legend_below_all(figure, sheet, last, fontsize=small,
+                         title="schemes, triangles, installation errors", title_fontsize=small,
+                         handlelength=1.2, columnspacing=1.2)  # fmt: skip
         return
     for height, words in (
         (0.465, f"error with averaged axes / with {TRIANGLES[0]}, {next(iter(SCHEMES))}"),
         (0.072, "part of the units with less error in averaged axes"),
     ):
         figure.text(0.535, height, words, ha="center", fontsize=10)
-    figure_legend(panels[letters[-1, 0]], sheet, 4, fontsize=small)
+    legend_below_all(figure, sheet, last, fontsize=small)
 
 
 def _say(panel: Axes, size: str, start: str, sheet: Sheet) -> None:

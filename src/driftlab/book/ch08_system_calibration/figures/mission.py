@@ -27,8 +27,11 @@ class MissionPicture(Picture[Mission]):
     size = (10.5, 3.9)
 
     def build(self) -> None:
-        over_time, chart = self.figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.5, 1.0]})
-        self.figure.subplots_adjust(0.08, 0.13, 0.985, 0.88, wspace=0.2)
+        self.figure, panels = self.sheet.mosaic(
+            "ab", self.size, (0.08, 0.13, 0.985, 0.88), width_ratios=(1.5, 1.0), column_height=5.2,
+            column_heights=(1, 1.4),
+        )  # fmt: skip
+        over_time, chart = panels["a"], panels["b"]
         self.over_time, self.chart = over_time, chart
         over_time.set(xlabel="time, hours", ylabel="position error, nmi")
         chart.set(title="the way on the map", xlabel="East, nmi", ylabel="North, nmi")
@@ -46,15 +49,17 @@ class MissionPicture(Picture[Mission]):
             for label in ("without Schuler's swing", "_")
         ]
         self.way = self.line(chart, color=SERIES[0]["color"], linewidth=1.3)
-        chart.plot(0.0, 0.0, color=BLACK, marker="s", markersize=8, markerfacecolor="none",
+        begin, end = (5, 3.5) if self.sheet.on_paper else (8, 5)
+        chart.plot(0.0, 0.0, color=BLACK, marker="s", markersize=begin, markerfacecolor="none",
                    linestyle="none", label="start")  # fmt: skip
         self.end = self.line(
-            chart, color=BLACK, marker="o", markersize=5, linestyle="none", label="end"
+            chart, color=BLACK, marker="o", markersize=end, linestyle="none", label="end"
         )
-        chart.legend(loc="upper right", fontsize=8)
+        chart.legend(loc="upper right", fontsize="small" if self.sheet.on_paper else 8)
         self.too_far = self.words(
-            over_time, transform=over_time.transAxes, ha="left", va="top", fontsize=9
-        )
+            over_time, transform=over_time.transAxes, ha="left", va="top",
+            fontsize="medium" if self.sheet.on_paper else 9,
+        )  # fmt: skip
         self.too_far.set_position((0.02, 0.97))
         legend_above(over_time, 3)
 
@@ -67,7 +72,9 @@ class MissionPicture(Picture[Mission]):
         self.way.set_data(*position.T)
         self.end.set_data(position[-1:, 0], position[-1:, 1])
         far = np.linalg.norm(data.position, axis=-1).max() > LINEAR
-        beyond = f"beyond {LINEAR / nautical_mile:.0f} nmi the linear equations no longer hold"
+        between = "\n" if self.sheet.narrow else " "
+        there = f"beyond {LINEAR / nautical_mile:.0f} nmi"
+        beyond = f"{there}{between}the linear equations no longer hold"
         self.too_far.set_text(beyond if far else "")
         reach = max(float(abs(position).max()), float(abs(data.slow).max() / nautical_mile))
         step = next((step for step in REACHES if reach <= step), REACHES[-1])

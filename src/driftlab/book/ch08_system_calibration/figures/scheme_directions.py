@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import minute
 
-from driftlab.book.machinery.picture import SERIES, figure_legend, in_style
+from driftlab.book.machinery.picture import SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -45,5 +45,5 @@ def draw(data: SchemeDirections, sheet: Sheet) -> Figure:
         for axis, values, style in zip("xyz", up.T, SERIES, strict=False):
             panel.plot(times / minute, values, **style, label=f"body axis {axis}")
     panels[letters[-1]].set_xlabel("time, minutes")
-    figure_legend(panels["a"], sheet, ncols=3, column=3)
+    legend_below_all(figure, sheet, panels["a"], ncols=3, column=3)
     return figure

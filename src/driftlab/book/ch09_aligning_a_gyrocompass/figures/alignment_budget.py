@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
-from driftlab.book.machinery.picture import BLACK, SERIES, Picture, legend_above, shared_legend
+from driftlab.book.machinery.picture import BLACK, SERIES, Picture, legend_above, legend_below_all
 from driftlab.checks import FloatArray
 
 from ..experiments import TERMS, AlignmentBudget
@@ -60,7 +60,7 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
         )
         if self.sheet.on_paper:
             handles = [self.first_order, self.exact, self.here]
-            shared_legend(self.figure, self.sheet, handles, ncols=3, column=3)
+            legend_below_all(self.figure, self.sheet, handles, ncols=3, column=3)
         else:
             legend_above(right, 3)
         self.hatched, self.reasons = [], []

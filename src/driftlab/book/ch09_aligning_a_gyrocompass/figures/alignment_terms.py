@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import BLACK, SERIES, in_style, shared_legend
+from driftlab.book.machinery.picture import BLACK, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -69,6 +69,5 @@ def draw(data: AlignmentTerms, sheet: Sheet) -> Figure:
                    label="all, formula of the copy")  # fmt: skip
         panel.plot(grid[::4], terms.sum(axis=-1)[::4], color=BLACK, marker="o", markersize=4,
                    linestyle="none", label="all, formula corrected")  # fmt: skip
-    handles, _ = panels[0].get_legend_handles_labels()
-    shared_legend(figure, sheet, handles, ncols=4)
+    legend_below_all(figure, sheet, panels[0])
     return figure

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import degree, hour
 
-from driftlab.book.machinery.picture import GREY, SERIES, in_style, shared_legend
+from driftlab.book.machinery.picture import GREY, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -67,7 +67,7 @@ def draw(data: AveragingWindow, sheet: Sheet) -> Figure:
     for panel in panels if sheet.narrow else panels[:1]:
         panel.set_ylabel(f"spread of the heading{of_what}, degrees")
     if sheet.on_paper:
-        shared_legend(figure, sheet, panels[0].get_legend_handles_labels()[0], ncols=2, column=1)
+        legend_below_all(figure, sheet, panels[0], ncols=2, column=1)
     else:
         panels[0].legend(loc="lower left", fontsize=8, labelspacing=0.25, handlelength=1.6)
     return figure

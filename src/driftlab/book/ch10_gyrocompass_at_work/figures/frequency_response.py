@@ -10,7 +10,7 @@ from matplotlib.ticker import NullLocator
 from numpy.typing import NDArray
 from scipy.constants import arcminute, degree, hour, minute
 
-from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, figure_legend, in_style
+from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.book.scenarios import SCHULER_PERIOD
 from driftlab.checks import FloatArray
@@ -115,11 +115,11 @@ def draw(data: FrequencyResponse, sheet: Sheet) -> Figure:
             panel.set_xticks(list(MARKS.values()), ["24 h", *list(MARKS)[1:]], fontsize="small")
         else:
             panel.set_title(title, fontsize=10)
-    _legend(poles, data, sheet)
+    _legend(figure, poles, data, sheet)
     return figure
 
 
-def _legend(poles: Axes, data: FrequencyResponse, sheet: Sheet) -> None:
+def _legend(figure: Figure, poles: Axes, data: FrequencyResponse, sheet: Sheet) -> None:
     styles = _styles(data)
     lines: list[Any] = [poles.plot([], [], **style)[0] for style in styles.values()]
     whole = [style for name, style in styles.items() if "log" not in name]
@@ -129,9 +129,9 @@ def _legend(poles: Axes, data: FrequencyResponse, sheet: Sheet) -> None:
     lines.append(poles.plot([], [], "o", color=BLACK, markersize=size, fillstyle="none")[0])
     names = [*styles, "the same loops, whole rate", "simulated compass"]
     several = {tuple: HandlerTuple(ndivide=None, pad=0.4)}
-    figure_legend(poles, sheet, 3, 2, handles=lines, labels=names, handler_map=several,
-                 handlelength=3 if sheet.on_paper else 4, columnspacing=1.2,
-                 fontsize="small" if sheet.on_paper else None)  # fmt: skip
+    legend_below_all(figure, sheet, lines, 3, labels=names, handler_map=several,
+                     handlelength=3 if sheet.on_paper else 4, columnspacing=1.2,
+                     fontsize="small" if sheet.on_paper else None)  # fmt: skip
 
 
 def _draw_poles(panel: Axes, data: FrequencyResponse, sheet: Sheet) -> None:

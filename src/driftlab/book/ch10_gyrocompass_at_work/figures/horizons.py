@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import arcminute, minute
 
-from driftlab.book.machinery.picture import SERIES, figure_legend, in_style
+from driftlab.book.machinery.picture import SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.book.scenarios import DURATION
 from driftlab.checks import FloatArray
@@ -76,5 +76,5 @@ def _drawn(data: Horizons, sheet: Sheet, tilt_reach: float, heading_reach: float
         tilt.plot(minutes, run.tilt[SHOWN, 1] / arcminute, **style, label=name)
         heading.plot(minutes, np.degrees(run.heading_error[SHOWN]), **style, label=name)
     rows = 2 if sheet.on_paper and len(data.runs) > 4 else 1
-    figure_legend(tilt, sheet, -(-len(data.runs) // rows), 2)
+    legend_below_all(figure, sheet, tilt, -(-len(data.runs) // rows))
     return figure

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import minute
 
-from driftlab.book.machinery.picture import BLACK, SERIES, figure_legend, in_style
+from driftlab.book.machinery.picture import BLACK, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.book.scenarios import DURATION
 from driftlab.checks import FloatArray
@@ -64,6 +64,7 @@ def draw(data: OperatingFormula, sheet: Sheet) -> Figure:
         terms.plot(minutes, np.degrees(run.formula[i][SHOWN]), **SERIES[i], label=name)
         gaps.plot(minutes, sizes[i + 1, SHOWN], **SERIES[i], label=f"without {name}")
     first, second = ("above", "below") if sheet.narrow else ("left", "right")
-    figure_legend(terms, sheet, 3, 2, title_fontsize="medium" if sheet.on_paper else 8,
-                 title=f"{first}: the terms; {second}: what is missing without each")  # fmt: skip
+    words = f"{first}: the terms; {second}: what is missing without each"
+    size = "medium" if sheet.on_paper else 8
+    legend_below_all(figure, sheet, terms, 3, title=words, title_fontsize=size)
     return figure

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from scipy.constants import minute
 
-from driftlab.book.machinery.picture import SERIES, VERMILION, figure_legend, in_style
+from driftlab.book.machinery.picture import SERIES, VERMILION, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -49,7 +49,7 @@ def draw(data: CountedPulses, sheet: Sheet) -> Figure:
               label="from the whole rate")  # fmt: skip
     both.plot(minutes, read, **SERIES[0], label="from the integrals")
     if sheet.on_paper:
-        figure_legend(both, sheet, 2)
+        legend_below_all(figure, sheet, both, 2)
     else:
         both.legend(loc="upper right")
     middle = read.mean()

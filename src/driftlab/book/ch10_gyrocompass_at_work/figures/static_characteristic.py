@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import BLACK, SERIES, figure_legend, in_style
+from driftlab.book.machinery.picture import BLACK, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -107,7 +107,7 @@ def draw(data: StaticCharacteristic, sheet: Sheet) -> Figure:
         _draw_largest(panel, *rows, dot)
     for panel in (drift, offset):
         panel.set_ylim(0, top)
-    figure_legend(drift, sheet, 3 if not sheet.on_paper else 2, 1)
+    legend_below_all(figure, sheet, drift, 2 if sheet.on_paper else 3, 1)
     return figure
 
 

@@ -11,8 +11,8 @@ from driftlab.book.machinery.picture import (
     SERIES,
     VERMILION,
     Picture,
-    figure_legend,
     in_style,
+    legend_below_all,
 )
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.gyrocompass.type_test_limits import LIMITS, TypeTest
@@ -68,7 +68,7 @@ def draw(data: TypeTests, sheet: Sheet) -> Figure:
     for letter in "abcd" if sheet.narrow else "ac":
         panels[letter].set(ylabel="share of the limit")
         panels[letter].yaxis.set_major_formatter("{x:g}")
-    figure_legend(panels["a"], sheet, 4 if sheet.on_paper else 8, 2)
+    legend_below_all(figure, sheet, panels["a"], 4 if sheet.on_paper else 8)
     return figure
 
 
@@ -78,8 +78,10 @@ class BarsPicture(Picture[TypeTest]):
     size = (9.0, 3.6)
 
     def build(self) -> None:
-        axes = self.figure.subplots()
-        self.figure.subplots_adjust(0.16, 0.14, 0.985, 0.92)
+        self.figure, panels = self.sheet.mosaic(
+            "a", self.size, (0.16, 0.14, 0.985, 0.92), column_height=2.6, page_height=2.8
+        )
+        axes = panels["a"]
         axes.set(xscale="log", xlim=(LOW, HIGH), xlabel="share of the limit")
         axes.set(title="what the compass uses up of each limit")
         axes.set_yticks(range(len(LIMITS)), LIMITS)
@@ -87,9 +89,12 @@ class BarsPicture(Picture[TypeTest]):
         axes.xaxis.set_major_formatter("{x:g}")
         axes.axvspan(1, HIGH, color="#f6e3da", zorder=0)
         axes.axvline(1, color=BLACK, linewidth=1.0)
-        self.bars = {test: self.line(axes, linewidth=11, solid_capstyle="butt") for test in LIMITS}
+        wide, size = (8, "medium") if self.sheet.on_paper else (11, 9)
+        self.bars = {
+            test: self.line(axes, linewidth=wide, solid_capstyle="butt") for test in LIMITS
+        }
         self.notes = {
-            test: self.words(axes, va="center", fontsize=9, clip_on=False) for test in LIMITS
+            test: self.words(axes, va="center", fontsize=size, clip_on=False) for test in LIMITS
         }
 
     def update(self, data: TypeTest) -> None:

@@ -13,7 +13,7 @@ from driftlab.book.machinery.picture import (
     SERIES,
     Picture,
     legend_above,
-    shared_legend,
+    legend_below_all,
 )
 from driftlab.book.scenarios import DURATION
 from driftlab.checks import FloatArray
@@ -100,7 +100,7 @@ class CapstonePicture(Picture[Capstone]):
             handles = [*stems, *self.under_way]
             if not self.sheet.narrow:
                 handles = [handles[i] for i in (0, 3, 1, 4, 2, 5)]
-            shared_legend(self.figure, self.sheet, handles, ncols=3)
+            legend_below_all(self.figure, self.sheet, handles, ncols=3)
         else:
             legend_above(known, 3, handles=stems)
             self.figure.legend(handles=self.under_way, loc="lower center", ncols=3, frameon=False)

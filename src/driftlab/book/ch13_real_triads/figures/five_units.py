@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from scipy.constants import degree
 
 from driftlab.book.machinery.arrays_table import to_columns
-from driftlab.book.machinery.picture import BLACK, BLUE, GREY, VERMILION, in_style
+from driftlab.book.machinery.picture import BLACK, BLUE, GREY, VERMILION, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -63,10 +63,8 @@ def draw(data: FiveUnits, sheet: Sheet) -> Figure:
     difference.set(xscale="log", xlim=(1e-4, 1e-2))
     residual.set(xlim=(0, 0.34))
     if sheet.on_paper:
-        figure.legend(
-            *residual.get_legend_handles_labels(), loc="outside lower right",
-            ncols=len(_UNITS), columnspacing=0.8, handletextpad=0.1,
-        )  # fmt: skip
+        legend_below_all(figure, sheet, residual, len(_UNITS), len(_UNITS), columnspacing=0.8,
+                         handletextpad=0.1)  # fmt: skip
     else:
         residual.legend(loc="lower right")
     return figure

@@ -8,7 +8,15 @@ from matplotlib.figure import Figure
 from scipy.constants import degree
 
 from driftlab.book.machinery.arrays_table import to_columns
-from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, in_style, legend_above
+from driftlab.book.machinery.picture import (
+    BLACK,
+    GREY,
+    GUIDE,
+    SERIES,
+    in_style,
+    legend_above,
+    legend_below_all,
+)
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -53,7 +61,7 @@ def draw(data: HandTurns, sheet: Sheet) -> Figure:
     _draw_paths(panels["a"], data, sheet)
     _draw_worth(panels["b"], data)
     if sheet.on_paper:
-        figure.legend(*panels["b"].get_legend_handles_labels(), loc="outside lower right", ncols=3)
+        legend_below_all(figure, sheet, panels["b"], ncols=3, column=3)
     else:
         legend_above(panels["b"], ncols=3, fontsize=8)
     return figure
