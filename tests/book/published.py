@@ -4,6 +4,7 @@ What belongs to one figure is one group of tests, so that only one of several pr
 """
 
 from functools import cache
+from typing import Any
 
 import pytest
 
@@ -26,12 +27,15 @@ def computed(name: str) -> PublishedFigure:
     return figures.figure(name)
 
 
+def of_figure(name: str) -> Any:
+    """Name of a figure as a test's parameter, which puts the test into the figure's group."""
+    group = SHARED.get(name, f"figure-{name}")
+    return pytest.param(name, id=name, marks=pytest.mark.xdist_group(group))
+
+
 def published(*names: str) -> pytest.MarkDecorator:
     """Run a test on each of these figures: its argument `figure` is the `PublishedFigure`."""
-    cases = [
-        pytest.param(name, marks=pytest.mark.xdist_group(SHARED.get(name, f"figure-{name}")))
-        for name in names
-    ]
+    cases = [of_figure(name) for name in names]
     return pytest.mark.parametrize("figure", cases, indirect=True)
 
 

@@ -15,6 +15,7 @@ from driftlab.book.machinery.picture import (
     SERIES,
     VERMILION,
     Picture,
+    legend_below_all,
     plain_axes,
     project,
 )
@@ -22,6 +23,7 @@ from driftlab.checks import FloatArray
 
 from ..experiments import DriftHistory
 
+AXES = ("axis of the turns", "worst axis")
 DARK_GREEN = "#007A59"
 """The green of the lines, dark enough for letters."""
 REACHES_ALONG = (0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 12.0, 20.0, 50.0, 100.0, 180.0)
@@ -95,11 +97,16 @@ class DriftHistoryPicture(Picture[DriftHistory]):
         self.across_snapshots = self.line(
             across, color=BLACK, linestyle="none", marker="o", clip_on=False
         )
-        place = {"loc": "lower right", "bbox_to_anchor": (0.99, -0.015)}
-        self.figure.legend(
-            handles=[self.along, self.first, self.snapshots], ncols=3, frameon=False,
-            columnspacing=1.1, **({"loc": "outside lower right"} if self.sheet.on_paper else place),
-        )  # fmt: skip
+        over_turns = [self.along, self.first, self.snapshots]
+        if self.sheet.on_paper:
+            words = [*(line.get_label() for line in over_turns), *AXES]
+            handles = [*over_turns, self.axis[0], self.worst]
+            legend_below_all(self.figure, self.sheet, handles, 5, labels=words, columnspacing=1.1)
+        else:
+            self.figure.legend(
+                handles=over_turns, ncols=3, frameon=False, columnspacing=1.1, loc="lower right",
+                bbox_to_anchor=(0.99, -0.015),
+            )  # fmt: skip
 
     def _three(self, panel: Axes, style: dict[str, object]) -> list[Line2D]:
         return [self.line(panel, **style) for _ in range(3)]
@@ -128,13 +135,13 @@ class DriftHistoryPicture(Picture[DriftHistory]):
         sign = 1.0 if data.worst_axis @ data.direction >= 0 else -1.0
         worst = project(sign * np.stack([-data.worst_axis, data.worst_axis]))
         self.worst.set_data(*worst.T)
-        for text, end, name in (
-            (self.axis_name, spin[0], "axis of the turns"),
-            (self.worst_name, worst[1], "worst axis"),
+        for text, end, name in zip(
+            (self.axis_name, self.worst_name), (spin[0], worst[1]), AXES, strict=True
         ):
             x, y = end * (1 + 0.12 / max(float(np.linalg.norm(end)), 0.1))
             text.set_position((float(np.clip(x, -0.6, 0.85)), float(np.clip(y, -0.84, 1.1))))
-            text.set_text(name)
+            if not self.sheet.on_paper:  # there the legend names it, with more room
+                text.set_text(name)
         table = columns(data)
         along, across = table["along_deg"], table["across_arcmin"]
         self.set_reach(self.history, "y", along, REACHES_ALONG)

@@ -70,8 +70,8 @@ class CalibrationRunPicture(Picture[CalibrationRun]):
     def build(self) -> None:
         self.figure, panels = self.sheet.mosaic(
             "ab;cc", self.size, (0.06, 0.11, 0.985, 0.93), spaces=(0.14, 0.46),
-            height_ratios=(1, 0.17), column_height=5.4, column_heights=(1, 1, 0.36),
-            page_height=3.7,
+            height_ratios=(1, 0.28 if self.sheet.on_paper else 0.17), column_height=5.4,
+            column_heights=(1, 1, 0.36), page_height=3.9,
         )  # fmt: skip
         size, ratio, table = panels["a"], panels["b"], panels["c"]
         self.size_axes, self.ratio_axes, self.table_axes = size, ratio, table
