@@ -89,7 +89,9 @@ def draw(data: StaticCharacteristic, sheet: Sheet) -> Figure:
         others.plot(stops[name], np.degrees(data.formula[name]), **SERIES[3],
                     label="formula, lasting part" if name == "roll" else None)  # fmt: skip
     drawn = np.degrees([np.append(data.runs[name], data.formula[name]) for name in stops])
-    low, high = min(-0.6, 1.1 * drawn.min()), max(0.9, 1.5 * drawn.max())
+    # Room for the legends, which are wider in a column than half of it.
+    room = 2.1 if sheet.narrow else 1.5
+    low, high = min(-0.6, 1.1 * drawn.min()), max(0.9, room * drawn.max())
     for panel in (heading, others):
         panel.set(ylim=(low, high))
         panel.set_xticks(range(-60 if panel is others else 0, 361, 60))
