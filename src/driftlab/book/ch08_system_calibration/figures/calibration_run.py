@@ -4,7 +4,7 @@
 """
 
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -100,10 +100,10 @@ class CalibrationRunPicture(Picture[CalibrationRun]):
     def _say_what_the_table_does(self, table: Axes) -> None:
         axis, turn = ("small", "small") if self.sheet.on_paper else (8, 6.5)
         upright = 90 if self.sheet.narrow else 0
+        middle: dict[str, Any] = {"ha": "center", "va": "center"}
         for i, (begin, end, up, rotation) in enumerate(pauses()):
             face = ("#e4eef5", "#f6efe0")[i % 2]
             table.axvspan(begin, end, facecolor=face, edgecolor="none")
-            middle = {"ha": "center", "va": "center"}
             table.text((begin + end) / 2, 0.7, up, fontsize=axis, **middle)
             table.text(end, 0.25, rotation, fontsize=turn, rotation=upright, **middle)
 
