@@ -6,8 +6,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from driftlab.attitude import Algorithm
 from driftlab.book.machinery.picture import decades, legend_above, legend_below_all, long_table
-from driftlab.book.machinery.publish import written
 from driftlab.book.machinery.sheet import COLUMN, PAGE, Sheet
+from driftlab.book.machinery.written import written
 
 
 def test_long_table_keeps_every_curve() -> None:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
-from itertools import combinations
+from collections.abc import Iterator, Mapping
+from decimal import Decimal
+from itertools import combinations, islice
 from typing import NamedTuple
 
 import numpy as np
@@ -17,10 +18,14 @@ from .drawn import Curve, Field
 
 Words = Mapping[str, list[str]]
 """Columns of a table by name, as a CSV holds them."""
-_Near = Callable[[FloatArray, FloatArray], NDArray[np.bool_]]
+_Group = tuple[dict[str, str], NDArray[np.intp]]
 
 _MOST_KEYS = 400
 """Columns of whole numbers with more values than this do not tell curves apart."""
+_DIGITS = 1e-9
+"""How far a number of a table may be off, of its value or of its curve's size."""
+_ROUNDED = 1e-5
+"""How far a column that is rounded on purpose may be off at most, of the same."""
 RANK = "rank / number"
 """Ordinate of a distribution function: the abscissa's values, sorted, over their share."""
 
@@ -32,7 +37,7 @@ class Rows(NamedTuple):
     ----------
     x, y : str
         Names of columns, with a minus sign before them if the curve is their mirror image; empty
-        along an axis that counts words.
+        along an axis that counts words, and of a line through a whole panel.
     where : dict
         Words or whole numbers of other columns that the rows must have.
     every, first : int
@@ -98,134 +103,185 @@ def numbers(words: list[str]) -> FloatArray | None:
         return None
 
 
+class _Column(NamedTuple):
+    """Numbers of a table, and how far they may be off the drawn ones because they are rounded."""
+
+    values: FloatArray
+    rounding: float
+
+    def at(self, rows: NDArray[np.intp]) -> _Column:
+        return _Column(self.values[rows], self.rounding) if self.values.size else self
+
+    def near(self, drawn: FloatArray, log: bool) -> NDArray[np.bool_]:
+        """Whether the numbers are those that are drawn, one by one."""
+        most = float(np.nanmax(np.abs(drawn), initial=0.0))
+        size = np.abs(drawn) if log else np.full(drawn.shape, most)
+        # A rounding that a curve on its axis would show is no excuse.
+        rounding = np.where(self.rounding <= _ROUNDED * size, self.rounding, 0.0)
+        off = np.abs(self.values - drawn)
+        same = off <= _DIGITS * size + rounding
+        return same | (~np.isfinite(self.values) & np.isnan(drawn))
+
+    def has_ends_of(self, drawn: FloatArray, log: bool) -> bool:
+        """Whether the first and the last of the drawn numbers are there at all."""
+        size = np.nanmax(np.abs(drawn), initial=0.0)
+        least = _DIGITS * size + min(self.rounding, _ROUNDED * size)
+        ends = drawn[np.isfinite(drawn)][[0, -1]]
+        return all(bool(np.any(np.abs(self.values - end) <= least)) for end in ends)
+
+
 class Finder:
-    """Finds curves among the columns of a table."""
+    """Finds curves among the columns of a table, no two different ones in the same rows."""
 
     def __init__(self, table: Words) -> None:
-        self._table = table
-        self._numbers: dict[str, FloatArray] = {}
+        self._columns: dict[str, _Column] = {}
+        self._made: dict[str, Curve] = {}
         keys: dict[str, NDArray[np.str_]] = {}
         for name, words in table.items():
-            column = numbers(words)
-            if column is not None:
-                self._numbers[name] = column
-            whole = column is None or bool(np.all(column == np.round(column)))
+            values = numbers(words)
+            if values is not None:
+                self._columns[name] = _Column(values, _rounding(words))
+            whole = values is None or bool(np.all(values == np.round(values)))
             if whole and len(set(words)) <= min(_MOST_KEYS, max(len(words) - 1, 1)):
                 keys[name] = np.array(words)
-        self._groups = list(_groups(keys, len(next(iter(table.values())))))
+        self._levels = _Levels(keys, len(next(iter(table.values()))))
 
     def rows(self, curve: Curve, axes: Axes) -> Rows | None:
         """Return where a curve is, in the simplest of the ways there are."""
-        near_x, near_y = _closeness(axes, "x"), _closeness(axes, "y")
-        if not curve.x.size or not curve.y.size:
-            return (
-                self._only(curve.y, near_y, "y")
-                if curve.y.size
-                else self._only(curve.x, near_x, "x")
-            )
-        abscissae = [name for name in self._numbers if self._holds(name, curve.x, near_x)]
-        ordinates = [
-            (sign, name)
-            for sign in (1.0, -1.0)
-            for name in self._numbers
-            if self._holds(name, sign * curve.y, near_y)
-        ]
-        pairs = [(x, sign, y) for x in abscissae for sign, y in ordinates if x != y]
-        for where, chosen in self._groups:
-            best = np.inf  # two curves may be the same to the eye
-            for name, sign, other in pairs:
-                x, y = self._numbers[name][chosen], sign * self._numbers[other][chosen]
-                there = np.isfinite(x)
-                thin = _thinned(x[there], y[there], curve, near_x, near_y)
-                if thin:
-                    off = y[there][thin[1] :: thin[0]] - curve.y
-                    if (away := float(np.nansum(off**2))) < best:
-                        signed = other if sign > 0 else f"-{other}"
-                        best, rows = away, Rows(name, signed, where, *thin)
-            if best < np.inf:
+        log_x, log_y = (getattr(axes, f"get_{axis}scale")() == "log" for axis in "xy")
+        across, up = self._candidates(curve.x, log_x), self._candidates(curve.y, log_y)
+        if curve.x.size and curve.y.size:
+            up |= self._candidates(-curve.y, log_y, mirrored=True)
+        pairs = [(x, y) for x in across for y in up if x != y]
+        # Any number may be found somewhere: a level has a column of nothing else.
+        level = {curve.x.size, curve.y.size} == {0, 1}
+        for groups in islice(self._levels, 1 if level else None):
+            found = []
+            for where, chosen in groups:
+                for x, y in pairs:
+                    if x in where or y in where:
+                        continue  # it tells apart, and is no curve
+                    if thin := _thinned(
+                        across[x].at(chosen), up[y].at(chosen), curve, log_x, log_y
+                    ):
+                        found.append(Rows(x, y, where, *thin))
+            if rows := self._best(found, curve):
                 return rows
-        n = len(curve.y)
-        if np.allclose(curve.y, np.arange(1, n + 1) / n):
-            found = self._only(curve.x, near_x, "x", distribution=True)
-            return found and found._replace(y=RANK)
-        return None
+        return self._distribution(curve, log_x)
 
     def field(self, field: Field) -> tuple[str, str, str] | None:
         """Return the columns of a field: abscissa, ordinate, value."""
-        names = [
-            next((n for n, column in self._numbers.items() if _same(column, values)), None)
-            for values in (field.x, field.y, field.z)
-        ]
-        x, y, z = names
-        return (x, y, z) if x and y and z else None
+        names = []
+        for values in (field.x, field.y, field.z):
+            for name, column in self._columns.items():
+                there = column.at(np.flatnonzero(np.isfinite(column.values)))
+                if len(there.values) == len(values) and there.near(values, log=False).all():
+                    names.append(name)
+                    break
+        return (names[0], names[1], names[2]) if len(names) == 3 else None
 
-    def _only(
-        self, values: FloatArray, near: _Near, direction: str, distribution: bool = False
-    ) -> Rows | None:
-        """Where one column has these values and no others, in order or, of a distribution, not."""
-        columns = [name for name in self._numbers if self._holds(name, values, near)]
-        for where, chosen in self._groups:
-            for name in columns:
-                there = self._numbers[name][chosen]
-                there = there[np.isfinite(there)]
-                if len(there) != len(values):
-                    continue
-                if near(np.sort(there) if distribution else there, values).all():
-                    return Rows(*((name, "") if direction == "x" else ("", name)), where)
+    def _candidates(
+        self, drawn: FloatArray, log: bool, mirrored: bool = False
+    ) -> dict[str, _Column]:
+        """Columns that may hold a coordinate, by name; none with a name where it has no numbers."""
+        if not drawn.size:
+            return {"": _Column(drawn, 0.0)}
+        return {
+            f"-{name}" if mirrored else name: _Column(-each.values, each.rounding)
+            if mirrored
+            else each
+            for name, each in self._columns.items()
+            if each.has_ends_of(drawn, log)
+        }
+
+    def _best(self, found: list[Rows], curve: Curve) -> Rows | None:
+        """Rows in which no other curve is, rather whole ones, named as it is, and not yet taken."""
+
+        def order(rows: Rows) -> tuple[bool, bool, bool]:
+            words = (rows.x, rows.y, *rows.where.values())
+            named = any(curve.name in word for word in words)
+            return rows.every > 1, not named, str(rows) in self._made
+
+        free = [rows for rows in found if _same(self._made.get(str(rows), curve), curve)]
+        rows = min(free, key=order, default=None)
+        if rows is not None:
+            self._made.setdefault(str(rows), curve)
+        return rows
+
+    def _distribution(self, curve: Curve, log: bool) -> Rows | None:
+        """Where the sorted values of a column are the abscissa of a distribution function."""
+        n = len(curve.y)
+        if not n or n != len(curve.x) or not np.allclose(curve.y, np.arange(1, n + 1) / n):
+            return None
+        for name, column in self._candidates(curve.x, log).items():
+            for where, chosen in (group for level in self._levels for group in level):
+                values = np.sort(column.values[chosen])
+                values = values[np.isfinite(values)]
+                if len(values) == n and _Column(values, column.rounding).near(curve.x, log).all():
+                    return self._best([Rows(name, RANK, where)], curve)
         return None
 
-    def _holds(self, name: str, values: FloatArray, near: _Near) -> bool:
-        """Whether a column has the first and the last of some values at all."""
-        column = self._numbers[name]
-        ends = values[np.isfinite(values)][[0, -1]]
-        return all(near(column, np.full(len(column), end)).any() for end in ends)
+
+class _Levels:
+    """Groups of rows: all, then those that have one, two or three words in common.
+
+    Each level is made when it is asked for, and kept: most tables need only the first.
+    """
+
+    def __init__(self, keys: Mapping[str, NDArray[np.str_]], count: int) -> None:
+        self._keys = {name: np.unique(words, return_inverse=True) for name, words in keys.items()}
+        self._made: list[list[_Group]] = [[({}, np.arange(count))]]
+
+    def __iter__(self) -> Iterator[list[_Group]]:
+        for many in range(4):
+            if many == len(self._made):
+                self._made.append(
+                    [each for c in combinations(self._keys, many) for each in self._groups(c)]
+                )
+            yield self._made[many]
+
+    def _groups(self, names: tuple[str, ...]) -> Iterator[_Group]:
+        codes = np.stack([self._keys[name][1].ravel() for name in names])
+        found, group = np.unique(codes, axis=1, return_inverse=True)
+        order = np.argsort(group.ravel(), kind="stable")
+        rows = np.split(order, np.cumsum(np.bincount(group.ravel()))[:-1])
+        for code, chosen in sorted(zip(found.T, rows, strict=True), key=lambda each: each[1][0]):
+            words = (str(self._keys[n][0][c]) for n, c in zip(names, code, strict=True))
+            yield dict(zip(names, words, strict=True)), chosen
 
 
-def _groups(
-    keys: Mapping[str, NDArray[np.str_]], count: int
-) -> Iterator[tuple[dict[str, str], NDArray[np.bool_]]]:
-    """All rows, then those that have one, two or three words in common."""
-    yield {}, np.ones(count, bool)
-    for many in (1, 2, 3):
-        for names in combinations(keys, many):
-            rows = np.stack([keys[name] for name in names], axis=-1)
-            for words in dict.fromkeys(map(tuple, rows)):
-                yield dict(zip(names, words, strict=True)), np.all(rows == words, axis=-1)
+def _rounding(words: list[str]) -> float:
+    """Half the last digit of a column that is rounded to some decimals; 0 for whole numbers."""
+    decimals = max(
+        (-Decimal(word).as_tuple().exponent for word in words if word and "n" not in word),
+        default=0,
+    )
+    return 0.5001 * 10.0**-decimals if decimals > 0 else 0.0
 
 
-def _same(column: FloatArray, values: FloatArray) -> bool:
-    """Whether a column has just these values, to the digits of a CSV."""
-    there = column[np.isfinite(column)]
-    least = 1e-9 * float(np.abs(values).max())
-    return len(there) == len(values) and np.allclose(there, values, rtol=1e-9, atol=least)
+def _same(one: Curve, other: Curve) -> bool:
+    """Whether two curves have the same numbers, to the digits of a table."""
+    return all(
+        a.shape == b.shape and bool(_Column(a, 0.0).near(b, log=False).all())
+        for a, b in ((one.x, other.x), (one.y, other.y))
+    )
 
 
 def _thinned(
-    x: FloatArray, y: FloatArray, curve: Curve, near_x: _Near, near_y: _Near
+    x: _Column, y: _Column, curve: Curve, log_x: bool, log_y: bool
 ) -> tuple[int, int] | None:
     """Which rows are a curve, as (every, first); None if they are not it."""
-    n = len(curve.x)
-    if len(x) < n or (n == 1 and len(x) > 1):  # a single point thins nothing
+    there = np.flatnonzero(np.isfinite(x.values if curve.x.size else y.values))
+    n = max(len(curve.x), len(curve.y))
+    if len(there) < n or (n == 1 and len(there) > 1):  # a single point thins nothing
         return None
-    every = 1 if len(x) == n else max((len(x) - 1) // max(n - 1, 1), 1)
-    for step in dict.fromkeys((every, every + 1)):
-        for first in range(min(step, len(x))):
-            rows = slice(first, None, step)
-            if len(x[rows]) != n or not near_x(x[rows], curve.x).all():
+    both = bool(curve.x.size and curve.y.size)
+    every = 1 if len(there) == n else max((len(there) - 1) // max(n - 1, 1), 1)
+    for step in dict.fromkeys((every, every + 1)) if both else (1,):
+        for first in range(min(step, len(there))):
+            rows = there[first::step]
+            if len(rows) != n or not x.at(rows).near(curve.x, log_x).all():
                 continue
-            if near_y(y[rows], curve.y).all():
+            if y.at(rows).near(curve.y, log_y).all():
                 return step, first
     return None
-
-
-def _closeness(axes: Axes, direction: str) -> _Near:
-    """What is the same to the eye: a two thousandth of a panel, or of a number on a log scale."""
-    low, high = getattr(axes, f"get_{direction}lim")()
-    linear = getattr(axes, f"get_{direction}scale")() == "linear"
-    most = abs(high - low) / 2000 if linear else 0.0
-    part = 1e-9 if linear else 1e-3
-
-    def near(a: FloatArray, b: FloatArray) -> NDArray[np.bool_]:
-        return np.isclose(a, b, rtol=part, atol=most, equal_nan=True)
-
-    return near

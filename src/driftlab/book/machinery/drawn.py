@@ -1,7 +1,8 @@
-"""The curves that a figure shows, read off Matplotlib's artists.
+"""What a figure shows, read off Matplotlib's artists: curves, points, bars, contours, levels.
 
-What guides the eye is left out: lines through a whole panel (``axhline``), artists labelled
-`GUIDE`, panels without axes, which are drawings, and colour bars.
+Nothing is left out by its kind: what cannot be read is `Unread`, and the figure's table is refused.
+What only guides the eye has the label `GUIDE`, and words are words. Panels without axes are
+drawings: there are no units in which their lines could be compared.
 """
 
 from __future__ import annotations
@@ -10,15 +11,21 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.axes._secondary_axes import SecondaryAxis
 from matplotlib.axis import Axis
 from matplotlib.collections import Collection, LineCollection, PathCollection, PolyCollection
 from matplotlib.container import BarContainer
 from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
+from matplotlib.legend import Legend
 from matplotlib.lines import AxLine, Line2D
 from matplotlib.patches import Rectangle
-from matplotlib.ticker import FixedLocator, NullLocator
+from matplotlib.spines import Spine
+from matplotlib.text import Annotation, Text
+from matplotlib.ticker import FixedLocator
+from matplotlib.transforms import Transform
 
 from driftlab.checks import FloatArray
 
@@ -26,16 +33,16 @@ from .picture import GUIDE
 
 
 class Curve(NamedTuple):
-    """One curve, row of points or row of bars.
+    """One curve, row of points or row of bars; or one value, a line through a whole panel.
 
     Attributes
     ----------
     panel : int
-        Counted from 1, in the order of the figure's axes.
+        Counted from 1, in the order of `panels`.
     name : str
         Its label; empty if it has none.
     x, y : ndarray, shape (n,)
-        In the units of the axes; empty along an axis that counts words.
+        In the units of the axes; empty along an axis that counts words, or that it runs along.
     """
 
     panel: int
@@ -60,104 +67,224 @@ class Field(NamedTuple):
     z: FloatArray
 
 
+class Unread(NamedTuple):
+    """What is drawn and cannot be read; `what` says so in words.
+
+    Attributes
+    ----------
+    panel : int
+        0 for what stands on no panel.
+    what : str
+    """
+
+    panel: int
+    what: str
+
+
+_Points = tuple[FloatArray, FloatArray]
+
+
 def panels(figure: Figure) -> list[Axes]:
-    """Return the panels of a figure that have axes, and so show numbers."""
-    return [
-        axes for axes in figure.axes if axes.axison and axes.get_label() != "<colorbar>"
-    ]  # fmt: skip
+    """Return all panels of a figure with their insets, but for the scales of colours."""
+    return [panel for axes in figure.axes for panel in _with_insets(axes)]
+
+
+def _with_insets(axes: Axes) -> Iterator[Axes]:
+    if not axes.get_visible() or hasattr(axes, "_colorbar") or isinstance(axes, SecondaryAxis):
+        return
+    yield axes
+    for inset in axes.child_axes:
+        yield from _with_insets(inset)
+
+
+def nature(axes: Axes) -> str:
+    """Return why nothing of a panel is compared with the table; nothing for any other."""
+    if not axes.axison:
+        return "a drawing, without axes"
+    if counts_words(axes.xaxis) and counts_words(axes.yaxis):
+        return "words both ways"
+    return ""
+
+
+def shown(figure: Figure) -> Iterator[Curve | Field | Unread]:
+    """Return what a figure shows, panel by panel."""
+    for artist in (*figure.lines, *figure.patches, *figure.images, *figure.artists):
+        if artist.get_label() != GUIDE:
+            yield Unread(0, f"{_kind(artist)} on no panel")
+    for number, axes in enumerate(panels(figure), 1):
+        if axes.axison:
+            yield from _shown(number, axes)
+
+
+def curves(figure: Figure) -> list[Curve]:
+    """Return what a figure shows as curves, points, bars and their ends, and as single values."""
+    return [each for each in shown(figure) if isinstance(each, Curve)]
 
 
 def fields(figure: Figure) -> list[Field]:
     """Return what a figure shows as contours, filled by `picture.filled_contours`."""
-    found = []
-    for number, axes in enumerate(panels(figure), 1):
-        for each in axes.collections:
-            if isinstance(each, ContourSet) and each.get_label() != GUIDE:
-                x, y, z = each.driftlab_values  # type: ignore[attr-defined]
-                places = (values.ravel() for values in (*np.meshgrid(x, y), z))
-                found.append(Field(number, *places))
-    return found
+    return [each for each in shown(figure) if isinstance(each, Field)]
 
 
-def curves(figure: Figure) -> list[Curve]:
-    """Return what a figure shows as curves, points, bars and their ends."""
-    found = []
-    for number, axes in enumerate(panels(figure), 1):
-        no_x, no_y = (_counts_words(axis) for axis in (axes.xaxis, axes.yaxis))
-        for name, x, y in _points(axes):
-            if np.any(np.isfinite(x) & np.isfinite(y)) and not (no_x and no_y):
-                label = "" if name.startswith("_") else name
-                found.append(Curve(number, label, x[:0] if no_x else x, y[:0] if no_y else y))
-    return found
-
-
-def _points(axes: Axes) -> Iterator[tuple[str, FloatArray, FloatArray]]:
-    for line in axes.lines:
-        if _shown(line, axes) and not isinstance(line, AxLine):
-            x, y = np.broadcast_arrays(*(np.asarray(each, float) for each in line.get_data()))
-            yield str(line.get_label()), x, y
-    for collection in axes.collections:
-        if isinstance(collection, ContourSet) or not collection.get_visible():
+def _shown(number: int, axes: Axes) -> Iterator[Curve | Field | Unread]:
+    if axes.name != "rectilinear":
+        yield Unread(number, f"{axes.name} axes")
+        return
+    words = "".join(axis.axis_name for axis in (axes.xaxis, axes.yaxis) if counts_words(axis))
+    names = {id(part): each.get_label() for each in axes.containers for part in each.get_children()}
+    bars = [each for each in axes.containers if isinstance(each, BarContainer)]
+    rows = {id(bar) for row in bars for bar in row.patches}
+    for artist in (*bars, *axes.get_children()):
+        name = str(names.get(id(artist), artist.get_label()))
+        if id(artist) in rows or _is_left_out(artist, axes, name):
             continue
-        if collection.get_label() != GUIDE:
-            for x, y in _collected(collection, axes):
-                yield str(collection.get_label()), x, y
-    for container in axes.containers:
-        if isinstance(container, BarContainer) and container.get_label() != GUIDE:
-            yield from _bars(container)
+        if isinstance(artist, ContourSet):
+            yield _field(number, artist)
+            continue
+        along, parts = _parts(artist, axes)
+        if parts is None:
+            yield Unread(number, f"{_kind(artist)}{f' {name!r}' if name[:1] != '_' else ''}")
+        for x, y in parts or ():
+            ends = _without(x, y, words, along)
+            if ends is not None:
+                yield Curve(number, "" if name.startswith("_") else name, *ends)
 
 
-def _shown(line: Line2D, axes: Axes) -> bool:
-    data = line.get_transform() == axes.transData  # an axhline has parts of the panel in one
-    counts = line.get_visible() and line.get_label() != GUIDE
-    return data and counts and np.size(line.get_xdata()) > 0
+def _is_left_out(artist: Artist | BarContainer, axes: Axes, name: str) -> bool:
+    """Whether an artist is a panel's furniture, words, hidden, or a guide to the eye."""
+    if isinstance(artist, BarContainer):
+        return name == GUIDE
+    if isinstance(artist, Text):  # an arrow without words points at something that must be known
+        pure = isinstance(artist, Annotation) and artist.arrow_patch and not artist.get_text()
+        return not pure or name == GUIDE
+    furniture = artist is axes.patch or isinstance(artist, Axis | Spine | Legend | Axes)
+    # Filled contours are never a guide: they are the field itself.
+    guide = name == GUIDE and not (isinstance(artist, ContourSet) and artist.filled)
+    return furniture or guide or not artist.get_visible()
 
 
-def _collected(collection: Collection, axes: Axes) -> Iterator[tuple[FloatArray, FloatArray]]:
-    if isinstance(collection, PathCollection):  # scattered points
-        places: FloatArray = np.ma.filled(np.ma.asarray(collection.get_offsets(), float), np.nan)
-        yield places[:, 0], places[:, 1]
-    elif isinstance(collection, LineCollection):  # error bars, sticks: their two ends
-        if collection.get_transform() == axes.transData:
-            ends = np.array([segment[[0, -1]] for segment in collection.get_segments()])
-            for i in range(2 if len(ends) else 0):
-                yield ends[:, i, 0], ends[:, i, 1]
-    elif isinstance(collection, PolyCollection):  # what is filled between two curves
-        for path in collection.get_paths():
-            corners = np.asarray(path.vertices, float)
-            n = (len(corners) - 3) // 2
-            for edge in (corners[1 : n + 1], corners[n + 2 : 2 * n + 2][::-1]):
-                yield edge[:, 0], edge[:, 1]
+def _field(number: int, contours: ContourSet) -> Field | Unread:
+    values = getattr(contours, "driftlab_values", None)
+    if values is None:
+        return Unread(number, "contours that filled_contours has not drawn")
+    x, y, z = values
+    return Field(number, *(each.ravel() for each in (*np.meshgrid(x, y), z)))
 
 
-def _bars(container: BarContainer) -> Iterator[tuple[str, FloatArray, FloatArray]]:
+def _parts(artist: Artist | BarContainer, axes: Axes) -> tuple[str, list[_Points] | None]:
+    """Return which coordinates of an artist are data, and its points; None if it is not read."""
+    if isinstance(artist, BarContainer):
+        return "xy", _bars(artist)
+    if isinstance(artist, Collection) and artist.get_array() is not None:
+        return "", None  # its colours are numbers too
+    transform = artist.get_transform()
+    points: list[_Points] | None = None
+    if isinstance(artist, Line2D) and not isinstance(artist, AxLine):
+        x, y = np.broadcast_arrays(*(np.asarray(v, float) for v in artist.get_data(orig=False)))
+        points = [(x, y)]
+    elif isinstance(artist, PathCollection):  # scattered points
+        transform = artist.get_offset_transform()
+        places: FloatArray = np.ma.filled(np.ma.asarray(artist.get_offsets(), float), np.nan)
+        points = [(places[:, 0], places[:, 1])]
+    elif isinstance(artist, LineCollection):
+        points = _segments(artist)
+    elif isinstance(artist, PolyCollection):
+        points = _edges(artist)
+    elif isinstance(artist, Rectangle):  # axhspan, axvspan; any other has no row of the table
+        transform = Artist.get_transform(artist)
+        (x, y), width, height = artist.get_xy(), artist.get_width(), artist.get_height()
+        if transform != axes.transData:
+            points = [(np.array([a]), np.array([b])) for a, b in ((x, y), (x + width, y + height))]
+    along = _data_coordinates(transform, axes)
+    empty = points is not None and not any(x.size for x, _ in points)  # a legend's sample
+    return along, points if along or empty else None
+
+
+def _data_coordinates(transform: Transform, axes: Axes) -> str:
+    """Which coordinates are in the units of the axes; the other is a part of the panel."""
+    if transform == axes.transData:
+        return "xy"
+    for direction in "xy":
+        if transform == getattr(axes, f"get_{direction}axis_transform")(which="grid"):
+            return direction
+    return ""
+
+
+def _without(x: FloatArray, y: FloatArray, words: str, along: str) -> _Points | None:
+    """Points without the coordinates that are no numbers; None if none is left."""
+    has_x, has_y = ("x" in along and "x" not in words), ("y" in along and "y" not in words)
+    there = np.isfinite(x) if has_x else np.isfinite(y)
+    x, y = (x[there] if has_x else x[:0]), (y[there] if has_y else y[:0])
+    y = np.where(np.isfinite(y), y, np.nan)
+    if not np.any(np.isfinite(y if has_y else x)):
+        return None
+    if along == "xy":
+        return x, y
+    # A line through the whole panel is one value.
+    return tuple(v[:1] if v.size and np.ptp(v) == 0 else v for v in (x, y))  # type: ignore[return-value]
+
+
+def _segments(collection: LineCollection) -> list[_Points]:
+    """Error bars and sticks as the rows of their two ends, longer lines each as a curve."""
+    lines = [np.asarray(line, float) for line in collection.get_segments() if len(line)]
+    if lines and all(len(line) == 2 for line in lines):
+        ends = np.array(lines)
+        return [(ends[:, i, 0], ends[:, i, 1]) for i in range(2)]
+    return [(line[:, 0], line[:, 1]) for line in lines]
+
+
+def _edges(collection: PolyCollection) -> list[_Points] | None:
+    """The two curves between which is filled; None for other polygons."""
+    found = []
+    for path in collection.get_paths():
+        corners = np.asarray(path.vertices, float)
+        n = (len(corners) - 3) // 2
+        edges = corners[1 : n + 1], corners[n + 2 : 2 * n + 2][::-1]
+        over = [i for i in range(2) if n and np.array_equal(edges[0][:, i], edges[1][:, i])]
+        if len(corners) != 2 * n + 3 or not over:
+            return None
+        found += [tuple(_unstepped(edge, over[0]).T) for edge in edges]
+    return found
+
+
+def _unstepped(edge: FloatArray, i: int) -> FloatArray:
+    """The points between which an edge steps, if it does; `i` is the coordinate it is over."""
+    over = edge[:, i]
+    if len(over) % 2 and len(over) > 1:
+        before, after = over[:-2:2] == over[1::2], over[1::2] == over[2::2]
+        return edge[::2] if before.all() or after.all() else edge
+    if len(over) > 2 and np.array_equal(over[1:-1:2], over[2:-1:2]):  # half-way between points
+        points = edge[::2].copy()
+        for k, middle in enumerate(over[1:-1:2], 1):
+            points[k, i] = 2 * middle - points[k - 1, i]
+        return points
+    return edge
+
+
+def _bars(container: BarContainer) -> list[_Points]:
     bars = [bar for bar in container.patches if isinstance(bar, Rectangle)]
     corners = np.array([[b.get_x(), b.get_y(), b.get_width(), b.get_height()] for b in bars])
-    x, y, width, height = corners.T
-    name = str(container.get_label())
+    x, y, width, height = corners.reshape(-1, 4).T
     if container.orientation == "horizontal":
         near, far, middle = x, x + width, y + height / 2
         ends = [(far, middle)] if not np.any(near) else [(near, middle), (far, middle)]
     else:
         near, far, middle = y, y + height, x + width / 2
         ends = [(middle, far)] if not np.any(near) else [(middle, near), (middle, far)]
-    for x, y in ends:
-        yield name, x, y
+    return ends
 
 
-def _counts_words(axis: Axis) -> bool:
-    """Whether an axis has words at 0, 1, 2, ..., or nothing, rather than a scale."""
+def _kind(artist: Artist | BarContainer) -> str:
+    return f"a {type(artist).__name__}"
+
+
+def counts_words(axis: Axis) -> bool:
+    """Whether an axis has words at 0, 1, 2, ... rather than a scale."""
     locator, formatter = axis.get_major_locator(), axis.get_major_formatter()
-    if isinstance(locator, NullLocator):
-        return True
-    if not isinstance(locator, FixedLocator):
+    places = list(locator()) if isinstance(locator, FixedLocator) else []
+    if not places or not np.array_equal(places, np.arange(len(places))):
         return False
-    places = list(locator())
-    if not places:
-        return True
-    words = formatter.format_ticks(list(places))
-    in_rows = np.array_equal(places, np.arange(len(places)))
-    return bool(in_rows and any(not _is_number(str(word)) for word in words))
+    return any(not _is_number(str(word)) for word in formatter.format_ticks(places))
 
 
 def _is_number(word: str) -> bool:

@@ -21,8 +21,8 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from .curve_rows import Finder, Rows, Words, taken
-from .drawn import Curve, curves, fields, panels
+from .curve_rows import RANK, Finder, Rows, Words, taken
+from .drawn import Curve, Field, Unread, nature, panels, shown
 
 
 class MissingCurves(ValueError):
@@ -53,31 +53,69 @@ def header(figure: Figure, table: Words) -> list[str]:
     Raises
     ------
     MissingCurves
-        If something is drawn that is not in the table.
+        If something is drawn that is not in the table, or that cannot be compared with it.
+    ValueError
+        If the name of a column cannot stand in such a line.
     """
+    _check_names(table)
     finder = Finder(table)
+    drawn = list(shown(figure))
     lines: list[str] = []
-    missing = []
-    drawn, contours = curves(figure), fields(figure)
+    missing = [f"{_place(each.panel)}{each.what}" for each in drawn if isinstance(each, Unread)]
     for number, axes in enumerate(panels(figure), 1):
         own = []
-        for curve in (curve for curve in drawn if curve.panel == number):
-            rows = finder.rows(curve, axes)
-            if rows is None:
-                missing.append(f"panel {number}, {_described(curve)}")
+        for each in drawn:
+            if each.panel != number or isinstance(each, Unread):
+                continue
+            if isinstance(each, Curve):
+                rows = finder.rows(each, axes)
+                line = None if rows is None else curve_line(each.name, rows)
             else:
-                own.append(f'  "{_one_line(curve.name)}": {rows}')
-        for field in (field for field in contours if field.panel == number):
-            names = finder.field(field)
-            if names is None:
-                missing.append(f"panel {number}, contours")
+                names = finder.field(each)
+                line = names and "  contours: x = {}, y = {}, value = {}".format(*names)
+            if line:
+                own.append(line)
             else:
-                own.append("  contours: x = {}, y = {}, value = {}".format(*names))
-        lines.append(f"panel {number}{_title(axes)}: {_axis_words(axes)}".rstrip())
+                missing.append(_place(number) + _described(each))
+        said = [part for part in (nature(axes), _axis_words(axes)) if part]
+        lines.append(f"panel {number}{_title(axes)}: {', '.join(said)}".rstrip())
         lines += dict.fromkeys(own)  # several curves may be made of the same rows
     if missing:
-        raise MissingCurves(f"The table does not hold what is drawn: {'; '.join(missing)}.")
+        raise MissingCurves(
+            f"The table does not hold what is drawn: {'; '.join(missing)}. "
+            "Give the table a column of it, or label it GUIDE if it only guides the eye."
+        )
     return lines
+
+
+def curve_line(name: str, rows: Rows) -> str:
+    """Return the line of a header that says where a curve is, as `read_curves` reads it.
+
+    Raises
+    ------
+    ValueError
+        If it would be read as something else.
+    """
+    line = f'  "{_one_line(name)}": {rows}'
+    if _read_line(line) != (_one_line(name), rows):
+        raise ValueError(
+            "Names and words of a table that are in its header: expected none with a number sign, "
+            f"a quotation mark, a line break, ' = ', or ', x = ' and the like, got {line.strip()}."
+        )
+    return line
+
+
+def _read_line(line: str) -> tuple[str, Rows] | None:
+    curve = re.fullmatch(r'  "(.*)": ([^"]*)', line)
+    return (curve[1], Rows.read(curve[2])) if curve and "#" not in curve[2] else None
+
+
+def _check_names(table: Words) -> None:
+    """Refuse names that no header can hold, wherever they stand."""
+    for name in table:
+        curve_line("", Rows(name, name, {}))
+        if not name or name != name.strip() or name == RANK:
+            raise ValueError(f"Columns: expected names without blanks at their ends, got {name!r}.")
 
 
 def write_table(path: Path, table: Words, comments: list[str]) -> None:
@@ -107,8 +145,8 @@ def read_curves(path: Path) -> list[Curve]:
     for line in comments:
         if panel := re.match(r"panel (\d+)", line):
             number = int(panel[1])
-        elif curve := re.fullmatch(r"  \"(.*)\": (.*)", line):
-            found.append(Curve(number, curve[1], *taken(table, Rows.read(curve[2]))))
+        elif curve := _read_line(line):
+            found.append(Curve(number, curve[0], *taken(table, curve[1])))
     return found
 
 
@@ -130,11 +168,20 @@ def _one_line(text: str) -> str:
     return " ".join(text.split())
 
 
-def _described(curve: Curve) -> str:
+def _place(panel: int) -> str:
+    return f"panel {panel}, " if panel else ""
+
+
+def _described(curve: Curve | Field) -> str:
+    if isinstance(curve, Field):
+        return "contours"
     ends = [
         f"{axis} from {values[0]:.6g} to {values[-1]:.6g}"
         for axis, values in (("x", curve.x), ("y", curve.y))
         if values.size
     ]
     name, count = curve.name or "a curve without a name", max(curve.x.size, curve.y.size)
+    if count == 1:
+        ends = [f"{axis} = {v[0]:.6g}" for axis, v in (("x", curve.x), ("y", curve.y)) if v.size]
+        return f"{curve.name or 'a value without a name'} at {', '.join(ends)}"
     return f"{name} of {count} points, {', '.join(ends)}"

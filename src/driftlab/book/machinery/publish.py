@@ -5,13 +5,12 @@ from __future__ import annotations
 import base64
 import html
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, is_dataclass
+from dataclasses import dataclass
 from functools import cached_property
-from inspect import isfunction, signature
+from inspect import signature
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from matplotlib.figure import Figure
 
 import driftlab
@@ -20,12 +19,14 @@ from .curve_rows import Words
 from .figure_table import as_words, header, write_table
 from .picture_file import PICTURES, ending_of, picture_file
 from .sheet import SCREEN, Sheet
+from .written import imports, written
 
 GALLERY_NOTE = (
     "Rebuilt from seeds by `python3 lab.py figures`; do not edit. The numbers behind a figure, "
     "every curve of it in the units of its axes, are in the CSV of the same name, below lines that "
-    "say which columns are which curve. `driftlab.figure(name)` makes it anew, with your "
-    "parameters if you hand some in, and its `save` puts it on the column or the page of a paper."
+    "say which columns are which curve; panels without axes are drawings. `driftlab.figure(name)` "
+    "makes it anew, with your parameters if you hand some in, and its `save` puts it on the column "
+    "or the page of a paper."
 )
 
 
@@ -106,13 +107,22 @@ class PublishedFigure:
         name = self.definition.name
         if self.parameters is None:
             return f"driftlab.figure({name!r}, data)"
-        published = self.definition.parameters
-        own = [
-            f", {title}={written(value)}"
-            for title, value in self.parameters.items()
-            if written(value) != written(published[title])
-        ]
+        own = [f", {title}={written(value)}" for title, value in self._own.items()]
         return f"driftlab.figure({name!r}{''.join(own)})"
+
+    @property
+    def imports(self) -> list[str]:
+        """The lines that `call` needs above it, besides ``import driftlab``."""
+        return imports(self._own)
+
+    @property
+    def _own(self) -> dict[str, Any]:
+        published = self.definition.parameters
+        return {
+            title: value
+            for title, value in (self.parameters or {}).items()
+            if written(value) != written(published[title])
+        }
 
     def table(self) -> dict[str, Any]:
         """Return the numbers behind the picture: the columns of its CSV, by name.
@@ -190,10 +200,12 @@ class PublishedFigure:
         """
         lines = [
             f"{self.definition.name}: {self.caption}",
+            *self.imports,
             f"made by: driftlab {driftlab.__version__}, {self.call}; text and numbers CC BY 4.0",
         ]
         if self.parameters:
             lines.append("parameters, in SI units and radians:")
+            lines += [f"  {line}" for line in imports(self.parameters)]
             lines += [f"  {name} = {written(value)}" for name, value in self.parameters.items()]
         if isinstance(self.on_screen, Figure):
             lines += header(self.on_screen, table)
@@ -211,26 +223,6 @@ class PublishedFigure:
             f'src="data:image/svg+xml;base64,{picture}">'
             f"<figcaption>{caption}</figcaption></figure>"
         )
-
-
-def written(value: Any) -> str:
-    """Return a parameter as Python writes it, on one line; arrays as lists, functions by name."""
-    if isinstance(value, np.ndarray | np.generic):
-        return repr(value.tolist())
-    if isinstance(value, tuple) and hasattr(value, "_fields"):
-        inner = ", ".join(f"{name}={written(getattr(value, name))}" for name in value._fields)
-        return f"{type(value).__name__}({inner})"
-    if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{key!r}: {written(one)}" for key, one in value.items()) + "}"
-    if isfunction(value):
-        return value.__name__  # the reader has it; where it is in memory says nothing
-    if isinstance(value, list | tuple):
-        inner = ", ".join(map(written, value))
-        return f"[{inner}]" if isinstance(value, list) else f"({inner}{',' * (len(value) == 1)})"
-    if is_dataclass(value) and not isinstance(value, type):
-        inner = ", ".join(f"{n}={written(getattr(value, n))}" for n in value.__dataclass_fields__)
-        return f"{type(value).__name__}({inner})"
-    return " ".join(repr(value).split())
 
 
 def gallery(captions: Mapping[str, str]) -> str:

@@ -50,7 +50,7 @@ class RootsPicture(Picture[Roots]):
         self.plane_axes, self.course_axes, self.error_axes = plane, course, error
         plane.set(title="complex plane", xlabel=r"Re $s/|\omega|$")
         plane.set(ylabel=r"Im $s/|\omega|$", xlim=(-1, 1), ylim=(-3.2, 3.2))
-        plane.axvline(0, color=BLACK, linewidth=0.8)
+        plane.axvline(0, color=BLACK, linewidth=0.8, label=GUIDE)
         self.names = [self.words(plane, fontsize="small") for _ in range(3)]
         narrow = self.sheet.narrow
         course.set(

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from scipy.constants import arcsecond
 
-from driftlab.book.machinery.picture import BLACK, BLUE, VERMILION, Picture, legend_above
+from driftlab.book.machinery.picture import BLACK, BLUE, GUIDE, VERMILION, Picture, legend_above
 from driftlab.checks import FloatArray
 
 from ..experiments import TurnEstimates
@@ -47,7 +47,7 @@ class TurnEstimatesPicture(Picture[TurnEstimates]):
         for axes in (values, errors):
             axes.set(xlim=(-0.6, 2.6), xticks=[0, 1, 2])
             axes.set_xticklabels(names)
-            axes.axhline(0, color=BLACK, linewidth=0.8)
+            axes.axhline(0, color=BLACK, linewidth=0.8, label=GUIDE)
         dot = {"color": BLUE, "linestyle": "none", "marker": "o", "fillstyle": "none"}
         dash = 20 if self.sheet.on_paper else 26
         self.true = self.line(values, color=BLACK, linestyle="none", marker="_", markersize=dash,

@@ -79,9 +79,9 @@ class CayleyMapPicture(Picture[CayleyMap]):
         for label, values, style in zip(labels, shown(cayley_curves()), SERIES, strict=False):
             curves.plot(np.degrees(ANGLES), values, **style, label=label)
         for angle in (-180, 180):
-            curves.axvline(angle, color=BLUE, linewidth=0.8)
+            curves.axvline(angle, color=BLUE, linewidth=0.8, label=GUIDE)
         for angle in (-360, 360):
-            curves.axvline(angle, color=VERMILION, linewidth=2.5)
+            curves.axvline(angle, color=VERMILION, linewidth=2.5, label=GUIDE)
         says = "has no\nend here" if on_paper else "has no end here"
         name = "dim." if narrow else "dimension"
         letters: dict[str, Any] = {"fontsize": small, "linespacing": 1.0 if on_paper else 1.2}

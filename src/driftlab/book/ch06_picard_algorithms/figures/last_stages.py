@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from scipy.constants import arcsecond
 
-from driftlab.book.machinery.picture import GREY, SERIES, in_style, legend_below_all
+from driftlab.book.machinery.picture import GREY, GUIDE, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
@@ -104,7 +104,7 @@ def _draw_ratios(panel: Axes, data: LastStageErrors, sheet: Sheet) -> list[Line2
     marks = ("0.3", "1", "3", "10", "30", "100", "300", "1000")
     panel.set_xticks([float(mark) for mark in marks], marks)
     panel.minorticks_off()
-    panel.axvline(1, color=GREY)
+    panel.axvline(1, color=GREY, label=GUIDE)
     others = COMPARED_STAGES[:-1]
     colours = [STYLES[stage]["color"] for stage in others]
     handles: list[Line2D] = []
@@ -126,5 +126,7 @@ def _draw_costs(panel: Axes, data: LastStageErrors) -> None:
     colours = [STYLES[stage]["color"] for stage in COMPARED_STAGES]
     bars = panel.barh(range(len(COMPARED_STAGES)), data.costs, color=colours)
     panel.bar_label(bars, padding=3)
-    panel.set_yticks([])
+    # The rows are those of the names beside them.
+    panel.set_yticks(range(len(COMPARED_STAGES)), [LABELS[stage] for stage in COMPARED_STAGES])
+    panel.tick_params(axis="y", left=False, labelleft=False)
     panel.invert_yaxis()

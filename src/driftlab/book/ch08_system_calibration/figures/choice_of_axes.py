@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from driftlab.body_frames import BODY_FRAMES
-from driftlab.book.machinery.picture import BLACK, SERIES, in_style, legend_below_all
+from driftlab.book.machinery.picture import BLACK, GUIDE, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 from driftlab.motion.scheme import SCHEMES
@@ -129,7 +129,7 @@ def draw(data: ChoiceOfAxes, sheet: Sheet) -> Figure:
         panel.set(xlabel="installation errors, arc seconds")
         panel.set(xlim=(0.825 * sizes[0], 1.4 * sizes[-1]))
         panel.set(ylim=(min(0.85, 0.9 * lowest), max(25.0, 1.2 * highest)))
-        panel.axhline(1.0, color=BLACK, linewidth=0.8)
+        panel.axhline(1.0, color=BLACK, linewidth=0.8, label=GUIDE)
         for frame, style, marker in zip(BODY_FRAMES, SERIES, "os^Dv", strict=False):
             once, errors = np.transpose(
                 [_mean(data.squares[Case(scheme, size, frame, 1)]) for size in sizes]
@@ -169,7 +169,7 @@ def _both(*panels: Axes) -> tuple[list[Any], list[Any]]:
 def _draw_units(panel: Axes, data: ChoiceOfAxes, sheet: Sheet) -> None:
     """Part of the units in which averaged axes err less than each rival, with 95 % intervals."""
     panel.set(title=f"averaged axes err less, {data.sizes[-1]:g}″", xlabel="part of the units")
-    panel.axvline(0.5, color=BLACK, linewidth=0.8)
+    panel.axvline(0.5, color=BLACK, linewidth=0.8, label=GUIDE)
     rivals = BODY_FRAMES[1:]
     dot = 0.6 if sheet.on_paper else 1.0
     reach = [0.2, 0.9]

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, GREY, VERMILION, in_style
+from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, GREY, GUIDE, VERMILION, in_style
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.calibration.design_task import CRITERIA
 from driftlab.calibration.error_model import ERROR_MODELS
@@ -64,6 +64,10 @@ def _drawn(data: DesignedSchemes) -> dict[str, FloatArray | list[str]]:
         "simulated_high": ratio + spread,
         "worst_of_random_rows": (edges[1:] + edges[:-1]) / 2,
         "random_rows": counts,
+        **{
+            f"least known after {name}": data.named(name).criteria[:1].round(6)
+            for name in (*SCHEMES, BEST, FREE)
+        },
     }
 
 
@@ -137,7 +141,7 @@ def draw(data: DesignedSchemes, sheet: Sheet) -> Figure:
     errors.set(title="deviation, over that after the nineteen positions", yscale="log")
     top = max(60.0, 2 * high.max())
     errors.set(xlim=(-0.7, len(NAMES) - 0.3), ylim=(min(0.4, 0.8 * low.min()), top))
-    errors.axhline(1.0, color=BLACK, linewidth=0.8)
+    errors.axhline(1.0, color=BLACK, linewidth=0.8, label=GUIDE)
     errors.bar(places, high - low, 0.8, low, color="#dcdcdc", label="random rows, 90 %")
     errors.plot(
         places, middle, color=GREY, marker="_", linestyle="none", label="random rows, median"

@@ -21,8 +21,10 @@ def columns(data: FilterConsistency) -> dict[str, FloatArray]:
         "states_over_expected": data.states,
         "innovation_time_min": data.innovation_times / minute,
         "innovations_over_expected": data.innovations,
-        "state_bounds": np.array(data.state_bounds),
-        "innovation_bounds": np.array(data.innovation_bounds),
+        "state_bound_low": np.array(data.state_bounds[:1]),
+        "state_bound_high": np.array(data.state_bounds[1:]),
+        "innovation_bound_low": np.array(data.innovation_bounds[:1]),
+        "innovation_bound_high": np.array(data.innovation_bounds[1:]),
     }
 
 

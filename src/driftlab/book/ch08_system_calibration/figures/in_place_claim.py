@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from scipy.constants import hour
 
-from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style, legend_below_all
+from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, in_style, legend_below_all
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.motion.scheme import SCHEMES
 
@@ -171,8 +171,8 @@ def _draw_ratios(panel: Axes, data: InPlaceClaim, size: float, start: str, sheet
         ticks = ticks[:: 2 if typical else 1]
     panel.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     panel.minorticks_off()
-    panel.axvline(1.0, color=BLACK, linewidth=0.8)
-    panel.axhline(0.5, color=GREY, linewidth=0.8)
+    panel.axvline(1.0, color=BLACK, linewidth=0.8, label=GUIDE)
+    panel.axhline(0.5, color=GREY, linewidth=0.8, label=GUIDE)
     for (quantity, ratios), style in zip(drawn.items(), SERIES, strict=False):
         parts = np.arange(1, len(ratios) + 1) / len(ratios)
         panel.step(ratios, parts, where="post", **style, label=quantity)
@@ -182,7 +182,7 @@ def _draw_counts(panel: Axes, data: InPlaceClaim, start: str, sheet: Sheet) -> N
     """Part of the units that err less with averaged axes, with 95 % intervals, in all cases."""
     panel.set(ylim=(len(QUANTITIES) - 0.5, -0.5))
     _say(panel, "all", start, sheet)
-    panel.axvline(0.5, color=BLACK, linewidth=0.8)
+    panel.axvline(0.5, color=BLACK, linewidth=0.8, label=GUIDE)
     counted = data.counted()
     cases = [(s, rival, size) for s in SCHEMES for rival in TRIANGLES for size in data.sizes]
     reach = [0.3, 0.9]

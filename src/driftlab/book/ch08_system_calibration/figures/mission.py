@@ -7,6 +7,7 @@ from scipy.constants import hour, nautical_mile
 from driftlab.book.machinery.picture import (
     BLACK,
     GREY,
+    GUIDE,
     SERIES,
     Picture,
     legend_above,
@@ -38,7 +39,7 @@ class MissionPicture(Picture[Mission]):
         chart.set_aspect("equal", adjustable="box")
         for axis in (chart.xaxis, chart.yaxis):
             axis.set_major_locator(MaxNLocator(4))
-        over_time.axhline(0.0, color=BLACK, linewidth=0.8)
+        over_time.axhline(0.0, color=BLACK, linewidth=0.8, label=GUIDE)
         names = ("East", "North")
         self.lines = [
             self.line(over_time, **style, label=name)

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.constants import centi
 
-from driftlab.book.machinery.picture import BLACK, GREY, SERIES, in_style
+from driftlab.book.machinery.picture import BLACK, GREY, GUIDE, SERIES, in_style
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.checks import FloatArray
@@ -26,6 +26,8 @@ FILTERS = ("filter of 27 states", "with the arms as states")
 FOUND = ("squares", "noticed", "worst", "bias")
 BOTTOM, TOP = 0.85, 500.0
 """Reach of what should be one, unless something leaves it."""
+BAND = 3.0
+"""Stated deviations within which errors should be."""
 
 
 def columns(data: SizeEffect) -> dict[str, Any]:
@@ -44,6 +46,9 @@ def columns(data: SizeEffect) -> dict[str, Any]:
         "arm_cm": data.sizes[arm] / centi,
         **{name: getattr(data, name).ravel() for name in FOUND},
         "updates": data.updates[scheme, rate],
+        "band_from_deviations": [-BAND],
+        "band_to_deviations": [BAND],
+        "clean_innovations_below": [_bound(data)],
     }
 
 
@@ -107,15 +112,17 @@ def draw(data: SizeEffect, sheet: Sheet) -> Figure:
 
 def _draw_errors(panel: Axes, data: SizeEffect, sheet: Sheet) -> None:
     panel.set(title=f"errors with arms of {data.arm / centi:g} cm, in stated deviations")
-    panel.axhspan(-3, 3, facecolor="#e4eef5", edgecolor="none", label="within three deviations")
-    panel.axhline(0, color=BLACK, linewidth=0.8)
+    panel.axhspan(
+        -BAND, BAND, facecolor="#e4eef5", edgecolor="none", label="within three deviations"
+    )
+    panel.axhline(0, color=BLACK, linewidth=0.8, label=GUIDE)
     places = np.arange(1, data.ratios.shape[-1] + 1)
     size = 3 if sheet.on_paper else 5
     for ratios, style, marker, label in zip(data.ratios, SERIES, "os", FILTERS, strict=False):
         panel.plot(places, ratios, color=style["color"], marker=marker, markersize=size,
                    linestyle="none", label=label)  # fmt: skip
     for _, begin, _ in KINDS[1:]:
-        panel.axvline(begin + 0.5, color=GREY, linewidth=0.6)
+        panel.axvline(begin + 0.5, color=GREY, linewidth=0.6, label=GUIDE)
     middles = [(begin + end + 1) / 2 for _, begin, end in KINDS]
     small = "small" if sheet.on_paper else 8
     panel.set_xticks(middles, [words for words, *_ in KINDS], fontsize=small)
@@ -127,14 +134,20 @@ def _draw_errors(panel: Axes, data: SizeEffect, sheet: Sheet) -> None:
         panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, fontsize=8)
 
 
+def _bound(data: SizeEffect) -> float:
+    """What 95 % of the mean squared innovations of right filters are below, over expected."""
+    _, high = mean_square_bounds(3, int(data.updates[0, data.shown]))
+    return high / 3
+
+
 def _draw_tests(panel: Axes, data: SizeEffect, sheet: Sheet) -> None:
     shown = data.shown
     top = max(TOP, 2 * data.squares[:, shown].max())
     panel.set(title=f"what should be one, table at {np.degrees(data.rates[shown]):g}°/s",
               xscale="log", yscale="log", xlabel="lever arm, cm", ylim=(BOTTOM, top))  # fmt: skip
-    _, high = mean_square_bounds(3, int(data.updates[0, shown]))
-    panel.axhspan(BOTTOM, high / 3, facecolor="#b9d6ea", edgecolor="none")
-    panel.axhline(high / 3, color=BLACK, linewidth=1, linestyle=":",
+    high = _bound(data)
+    panel.axhspan(BOTTOM, high, facecolor="#b9d6ea", edgecolor="none", label=GUIDE)
+    panel.axhline(high, color=BLACK, linewidth=1, linestyle=":",
                   label="95 % of clean innovations below")  # fmt: skip
     centimetres = data.sizes / centi
     for i, (scheme, marker) in enumerate(zip(SCHEMES, "os", strict=True)):

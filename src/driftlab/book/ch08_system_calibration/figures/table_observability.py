@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from driftlab.book.machinery.picture import BLACK, BLUE, GREY, VERMILION, Picture
+from driftlab.book.machinery.picture import BLACK, BLUE, GREY, GUIDE, VERMILION, Picture
 from driftlab.calibration.error_model import FULL
 from driftlab.checks import FloatArray
 
@@ -71,7 +71,7 @@ class TableObservabilityPicture(Picture[TableObservability]):
         )
         values.set(xlim=(0, 31), ylim=(DRAWN_ZERO / 10, 10), ylabel="relative to the largest")
         values.set_yticks([1e-12, 1e-9, 1e-6, 1e-3, 1])
-        values.axhline(DRAWN_ZERO, color=GREY, linewidth=0.8)
+        values.axhline(DRAWN_ZERO, color=GREY, linewidth=0.8, label=GUIDE)
         values.text(
             30.5,
             1.7 * DRAWN_ZERO,
@@ -92,7 +92,7 @@ class TableObservabilityPicture(Picture[TableObservability]):
         ratios.set(yscale="log")
         ratios.set(xlim=(-0.7, len(SLOTS) - 0.3), ylim=(5e-4, 2))
         self.ratio_axes = ratios
-        ratios.axhline(1.0, color=BLACK, linewidth=0.8)
+        ratios.axhline(1.0, color=BLACK, linewidth=0.8, label=GUIDE)
         if self.sheet.narrow:
             ratios.set_xticks(range(len(SLOTS)), SLOTS, rotation=90, fontsize=5.6)
         else:

@@ -4,7 +4,14 @@ import numpy as np
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
-from driftlab.book.machinery.picture import BLACK, SERIES, Picture, legend_above, legend_below_all
+from driftlab.book.machinery.picture import (
+    BLACK,
+    GUIDE,
+    SERIES,
+    Picture,
+    legend_above,
+    legend_below_all,
+)
 from driftlab.checks import FloatArray
 
 from ..experiments import TERMS, AlignmentBudget
@@ -42,7 +49,7 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
         left.set(title="heading error by term, °")
         left.set_ylim(len(TERMS) - 0.4, -0.6)
         left.xaxis.set_major_locator(MaxNLocator(5))
-        left.axvline(0, color=BLACK, linewidth=0.8)
+        left.axvline(0, color=BLACK, linewidth=0.8, label=GUIDE)
         left.axhline(3.5, color=BLACK, linewidth=0.8, linestyle=":")
         styles = [*(SERIES[0],) * 4, SERIES[1], SERIES[4]]
         self.bars = left.barh(rows, np.zeros(len(TERMS)), 0.6)

@@ -15,7 +15,11 @@ DEGREE_PER_HOUR = degree / hour
 
 def columns(data: AveragingWindow) -> dict[str, FloatArray]:
     """Columns of the figure's CSV, in degrees."""
-    table = {"samples": data.windows}
+    table = {
+        "samples": data.windows,
+        "moving_average_samples": np.array([data.moving_average]),
+        "rival_window_samples": np.array([data.rival_window]),
+    }
     for i, white in enumerate(data.white / DEGREE_PER_HOUR):
         for name in ("simulated", "formula", "white_alone"):
             values = np.degrees(getattr(data, name)[i])

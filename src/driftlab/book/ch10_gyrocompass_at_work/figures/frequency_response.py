@@ -68,6 +68,7 @@ def columns(data: FrequencyResponse) -> dict[str, Any]:
         "loop": [name for name, found in poles.items() for _ in found],
         "pole_real": np.concatenate([found.real for found in poles.values()]),
         "pole_imaginary": np.concatenate([found.imag for found in poles.values()]),
+        "undamped_pole_on_the_turning_earth_real": np.zeros(2),
         "undamped_pole_on_the_turning_earth": _split_poles(data),
         "period_s": data.periods,
         "driven_period_s": data.driven_periods,
@@ -156,7 +157,7 @@ def _draw_poles(panel: Axes, data: FrequencyResponse, sheet: Sheet) -> None:
                 start, end = 1.22 * pole, 1.55 * pole
                 panel.annotate(
                     "", (end.real, end.imag), (start.real, start.imag),
-                    arrowprops={"arrowstyle": "-|>", "color": styles[name]["color"]},
+                    arrowprops={"arrowstyle": "-|>", "color": styles[name]["color"]}, label=GUIDE,
                 )  # fmt: skip
             place = -0.8 if sheet.on_paper else -1.7
             panel.text(place, 0.0, f"stiff:\n{far:.0f} times\nas far", va="center",

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from scipy.constants import arcminute, minute
 
-from driftlab.book.machinery.picture import BLACK, SERIES, Picture, legend_above
+from driftlab.book.machinery.picture import BLACK, GUIDE, SERIES, Picture, legend_above
 from driftlab.book.scenarios import DURATION, SPEED_UP, TURN
 from driftlab.checks import FloatArray
 from driftlab.gyrocompass.simulation import HeadingErrors
@@ -31,7 +31,9 @@ def columns(data: HeadingErrors) -> dict[str, FloatArray]:
 def shade_manoeuvres(panel: Axes) -> None:
     """Shade the times, in minutes, at which the ship gathers way and turns."""
     for begin, length in (SPEED_UP, TURN):
-        panel.axvspan(begin / minute, (begin + length) / minute, color="#ececec", zorder=0)
+        panel.axvspan(
+            begin / minute, (begin + length) / minute, color="#ececec", zorder=0, label=GUIDE
+        )
 
 
 class OperationPicture(Picture[HeadingErrors]):

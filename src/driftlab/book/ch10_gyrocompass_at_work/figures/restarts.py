@@ -33,6 +33,10 @@ def columns(data: Restarts) -> dict[str, FloatArray]:
         "mean_rate_deg_per_h": (data.averaged[EVERY] / (degree / hour)).round(8),
         "range_over_deviation": (edges[1:] + edges[:-1]) / 2,
         "density": density,
+        "paper_range_over_deviation": np.array([PAPER_SPREAD / PAPER_DEVIATION]),
+        "paper_ratio_rounded_from": np.array([rounded_ratio_range()[0]]),
+        "paper_ratio_rounded_to": np.array([rounded_ratio_range()[1]]),
+        "largest_possible_ratio": np.array([most_range_over_deviation(len(data.heading))]),
     }
 
 

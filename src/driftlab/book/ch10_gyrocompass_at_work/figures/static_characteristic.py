@@ -51,6 +51,7 @@ def columns(data: StaticCharacteristic) -> dict[str, Any]:
             table[f"drawn at, {kind}, {turned}"] = _beside(lasting, i)
             for share, row in zip((0.1, 0.5, 0.9), quantiles[:, i], strict=True):
                 table[f"largest error_deg of {share:.0%} of units, {kind}, {turned}"] = row
+    table["paper_largest_error_deg"] = [PAPER_LARGEST]
     return table
 
 

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from driftlab.book.machinery.picture import (
     BLACK,
     BLUE,
+    GUIDE,
     SERIES,
     VERMILION,
     Picture,
@@ -53,9 +54,9 @@ def draw(data: TypeTests, sheet: Sheet) -> Figure:
     ends = min(-2.0, data.latitudes.min() - 2), max(82.0, data.latitudes.max() + 2)
     for panel, (compass, tests) in zip(panels.values(), data.shares.items(), strict=True):
         panel.set(title=compass, yscale="log", ylim=(LOW, HIGH), xlim=ends)
-        panel.axhspan(1, HIGH, color="#f6e3da", zorder=0)
-        panel.axhline(1, color=BLACK, linewidth=1.0)
-        panel.axvline(BEYOND, color=BLACK, linewidth=0.6, linestyle=":")
+        panel.axhspan(1, HIGH, color="#f6e3da", zorder=0, label=GUIDE)
+        panel.axhline(1, color=BLACK, linewidth=1.0, label=GUIDE)
+        panel.axvline(BEYOND, color=BLACK, linewidth=0.6, linestyle=":", label=GUIDE)
         words = f"limits up to {BEYOND:g}°"
         panel.text(BEYOND - 1, 1.6 * LOW, words, ha="right",
                    fontsize="medium" if sheet.on_paper else 9)  # fmt: skip

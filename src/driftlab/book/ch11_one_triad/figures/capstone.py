@@ -71,11 +71,11 @@ class CapstonePicture(Picture[Capstone]):
         self.heading_panels = aligned, under_way
         known.set(title="1 the bend, ″")
         known.set_xlim(-0.6, 5.6)
-        known.axhline(0, color=BLACK, linewidth=0.8)
+        known.axhline(0, color=BLACK, linewidth=0.8, label=GUIDE)
         known.set_xticks(range(6), PARTS)
         turns.set(title="2 drift in one turn, by axis, ″")
         turns.set_xlim(-0.6, 5.6)
-        turns.axhline(0, color=BLACK, linewidth=0.8)
+        turns.axhline(0, color=BLACK, linewidth=0.8, label=GUIDE)
         turns.set_xticks(range(6), AXIS_NAMES)
         aligned.set(title="3 heading error after alignment, ′")
         aligned.set(xlabel="heading, °", xlim=(-180, 180))

@@ -27,6 +27,9 @@ def columns(data: FiveUnits) -> dict[str, Any]:
     return {
         "time_s": _times(data),
         "rate_rad_per_s": data.rate,
+        "quiet_below_rad_per_s": [QUIET],
+        "rest_begins_s": data.pause[:1] * _INTERVAL,
+        "rest_ends_s": data.pause[1:] * _INTERVAL,
         "way": WAY_NAMES,
         **{
             f"{unit.replace(' ', '_')}_{name}": column

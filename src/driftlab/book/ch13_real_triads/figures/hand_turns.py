@@ -107,7 +107,7 @@ def _draw_worth(panel: Axes, data: HandTurns) -> None:
             sizes[:, index], np.arange(len(_ROWS)) + 0.2 * (index - 1),
             color=style["color"], marker=marker, linestyle="none", label=f"about {_AXES[index]}",
         )  # fmt: skip
-    panel.axvline(1 / 360, color=BLACK, linewidth=0.8)
+    panel.axvline(1 / 360, color=BLACK, linewidth=0.8, label=GUIDE)
     panel.text(
         1 / 335, 2, "one degree of heading", fontsize="medium", rotation=-90, va="center",
         bbox={"color": "white", "pad": 1},

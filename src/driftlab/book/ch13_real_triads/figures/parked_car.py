@@ -27,6 +27,8 @@ def columns(data: ParkedCar) -> dict[str, Any]:
     drawn: dict[str, Any] = {
         "unrest_time_min": _middles(UNREST, len(data.unrest)),
         "unrest_deg_per_h": data.unrest / (degree / hour),
+        "level_earth_rate_deg_per_h": [_level_earth_rate(data)],
+        "file_header_heading_deg": [np.degrees(HEADER)],
     }
     for name, seconds, headings, deviations in _stated(data):
         ends = np.degrees(headings[2] + 2 * deviations * np.array([[0.0], [-1.0], [1.0]]))
@@ -83,12 +85,17 @@ def _middles(seconds: float, count: int) -> FloatArray:
     return seconds / minute * (np.arange(count) + 0.5)
 
 
+def _level_earth_rate(data: ParkedCar) -> float:
+    """Level part of the Earth's rate, deg/h."""
+    return float(EARTH_RATE * np.cos(data.latitude) / (degree / hour))
+
+
 def _draw_unrest(panel: Axes, data: ParkedCar) -> None:
     unit = degree / hour
     panel.set(title="unrest of the car, °/h", yscale="log", xlim=(0, 31), ylim=(0.4, 9000))
     panel.step(_middles(UNREST, len(data.unrest)), data.unrest / unit, where="mid",
                color=GREY, linewidth=1.0)  # fmt: skip
-    level = float(EARTH_RATE * np.cos(data.latitude) / unit)
+    level = _level_earth_rate(data)
     panel.axhline(level, color=BLACK, linewidth=1.2,
                   label=f"level part of the Earth's rate: {level:.1f}")  # fmt: skip
     panel.legend(loc="upper right", fontsize="small")
