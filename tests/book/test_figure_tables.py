@@ -1,16 +1,24 @@
 """Each figure can be drawn from its CSV alone, and the CSV says of what parameters it is."""
 
 import re
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Circle, Rectangle
+from matplotlib.transforms import Affine2D
 
+import driftlab
 from driftlab.book import figures
 from driftlab.book.machinery.curve_rows import Rows, numbers
-from driftlab.book.machinery.drawn import Curve, curves, fields, panels
+from driftlab.book.machinery.drawn import Curve, curves, fields
 from driftlab.book.machinery.figure_table import (
     MissingCurves,
     as_words,
@@ -20,9 +28,10 @@ from driftlab.book.machinery.figure_table import (
     write_table,
 )
 from driftlab.book.machinery.picture import GUIDE, filled_contours
-from driftlab.book.machinery.publish import PublishedFigure
+from driftlab.book.machinery.publish import PublishedFigure, call_of
 from driftlab.book.machinery.sheet import COLUMN, Sheet
-from figure_variations import VARIATIONS
+from driftlab.book.machinery.written import imports, written
+from figure_variations import SHORT, VARIATIONS, plain
 from published import NAMES, of_figure, published
 
 PUBLISHED = Path(__file__).parents[2] / "figures"
@@ -37,10 +46,9 @@ def test_a_figure_can_be_drawn_from_its_csv_alone(figure: PublishedFigure) -> No
     path = PUBLISHED / f"{figure.definition.name}.csv"
     again = as_drawn(read_curves(path))
     for (number, name), of_one_name in as_drawn(curves(figure.on_screen)).items():
-        axes = panels(figure.on_screen)[number - 1]
         found = again[number, name]
         for curve in of_one_name:
-            assert any(same_to_the_eye(curve, other, axes) for other in found), (number, name)
+            assert any(same(curve, other) for other in found), (number, name)
     comments, table = read_table(path)
     drawn = [line for line in comments if line.startswith("  contours: ")]
     shown = fields(figure.on_screen)
@@ -60,22 +68,15 @@ def as_drawn(shown: list[Curve]) -> dict[tuple[int, str], list[Curve]]:
     return found
 
 
-def same_to_the_eye(curve: Curve, other: Curve, axes: object) -> bool:
-    """Whether two curves differ by less than a thousandth of their panel, on its own scale."""
-    for direction, one, two in (("x", curve.x, other.x), ("y", curve.y, other.y)):
+def same(curve: Curve, other: Curve) -> bool:
+    """Whether two curves have the same numbers; some tables are rounded, to the fifth digit."""
+    for one, two in ((curve.x, other.x), (curve.y, other.y)):
         if one.shape != two.shape:
             return False
-        if one.size:
-            zeros = np.zeros(one.size)
-            places = (
-                np.column_stack([values, zeros] if direction == "x" else [zeros, values])
-                for values in (np.nan_to_num(one, nan=-1.0), np.nan_to_num(two, nan=-1.0))
-            )
-            size = axes.bbox.width if direction == "x" else axes.bbox.height
-            index = "xy".index(direction)
-            one, two = (axes.transData.transform(each)[:, index] for each in places)
-            if not np.allclose(one, two, atol=size / 1000):
-                return False
+        two = np.where(np.isfinite(two), two, np.nan)
+        least = 1e-5 * np.nanmax(np.abs(one), initial=0.0)
+        if not np.allclose(one, two, rtol=0, atol=least, equal_nan=True):
+            return False
     return True
 
 
@@ -86,8 +87,9 @@ def test_the_csv_names_its_parameters_its_call_and_the_version(figure: Published
         pytest.skip(missing)
     computed = figure.comments(as_words(figure.table()))
     version = r"driftlab \d+\.\d+\.\d+"
-    assert re.search(version, comments[1])
-    assert f"driftlab.figure('{figure.definition.name}')" in comments[1]
+    made = next(line for line in comments if line.startswith("made by: "))
+    assert re.search(version, made)
+    assert f"driftlab.figure('{figure.definition.name}')" in made
     plain = [
         [re.sub(version, "driftlab", line).rstrip() for line in each]
         for each in (comments, computed)
@@ -108,8 +110,13 @@ def test_a_figure_is_drawn_with_other_parameters(name: str, tmp_path: Path) -> N
     """On a screen, in a column, and as numbers, and what is drawn is in them."""
     if missing := figures.not_at_hand(figures.figure_definitions(name[:2])[name]):
         pytest.skip(missing)
-    figure = figures.figure(name, **VARIATIONS[name])
-    assert all(f"{parameter}=" in figure.call for parameter in VARIATIONS[name])
+    definition = figures.figure_definitions(name[:2])[name]
+    asked = definition.parameters | VARIATIONS[name]
+    call, page = call_of(definition, asked), {"driftlab": driftlab}
+    exec("\n".join(imports(VARIATIONS[name])), page)
+    figure = eval(call, page)  # as a reader who has the line and the imports above it
+    assert figure.call == call
+    assert all(f"{parameter}=" in call for parameter in VARIATIONS[name])
     for drawn in (figure.on_screen, figure.definition.draw(figure.data, Sheet(COLUMN))):
         if isinstance(drawn, Figure):
             drawn.set_dpi(50)
@@ -124,7 +131,7 @@ def a_figure() -> Figure:
     left, right = figure.subplots(1, 2)
     left.plot([0, 1, 2], [1, 3, 9], label="cubes of three")
     left.plot([0, 2], [5, 5], label=GUIDE)
-    left.axhline(0.3)
+    left.axhline(0.3, label=GUIDE)
     left.set(title="powers", xlabel="exponent", ylabel="power, m")
     right.bar([0, 1], [4.0, 5.0])
     right.set_xticks([0, 1], ["one", "other"])
@@ -166,14 +173,6 @@ def test_a_curve_that_is_in_two_panels_is_said_of_both(tmp_path: Path) -> None:
     assert [curve.panel for curve in read_curves(tmp_path / "powers.csv")] == [1, 2]
 
 
-def test_a_curve_that_two_panels_share_is_told_for_both() -> None:
-    figure = Figure()
-    for panel in figure.subplots(1, 2):
-        panel.plot([0.5, 1.5], [2.5, 3.5], label="both")
-    lines = header(figure, as_words({"x": [0.5, 1.5], "y": [2.5, 3.5]}))
-    assert lines == ["panel 1: ", '  "both": x = x, y = y', "panel 2: ", '  "both": x = x, y = y']
-
-
 def test_a_curve_that_is_not_in_the_table_is_refused_by_name() -> None:
     table = as_words({"exponent": [0, 1, 2], "power_m": [1, 3, 8], "bars": [4.0, 5.0]})
     with pytest.raises(MissingCurves, match="panel 1, cubes of three of 3 points"):
@@ -204,3 +203,152 @@ def test_contours_are_compared_with_the_table() -> None:
 )
 def test_rows_are_read_as_they_are_written(rows: Rows) -> None:
     assert Rows.read(str(rows)) == rows
+
+
+def drawn_by(draw: Callable[[Axes], object]) -> Figure:
+    """A figure of one panel."""
+    figure = Figure()
+    axes = figure.subplots()
+    draw(axes)
+    return figure
+
+
+NOTHING = as_words({"nothing": [0.123]})
+
+
+@pytest.mark.parametrize(
+    ("draw", "said"),
+    [
+        (lambda a: a.stairs([1, 2]), "a StepPatch"),
+        (lambda a: a.hist([1, 2, 2], histtype="step"), "a Polygon"),
+        (lambda a: a.fill([0, 1, 1], [0, 0, 1]), "a Polygon"),
+        (lambda a: a.imshow(np.eye(2)), "a AxesImage"),
+        (lambda a: a.pcolormesh(np.eye(2)), "a QuadMesh"),
+        (lambda a: a.quiver([0], [0], [1], [1]), "a Quiver"),
+        (lambda a: a.pie([1, 2]), "a drawing"),
+        (lambda a: a.add_patch(Circle((0, 0), 1)), "a Circle"),
+        (lambda a: a.add_patch(Rectangle((0, 0), 1, 1)), "a Rectangle"),
+        (lambda a: a.arrow(0, 0, 1, 1), "a FancyArrow"),
+        (lambda a: a.annotate("", (0, 0), (1, 1), arrowprops={}), "a Annotation"),
+        (lambda a: a.table([["1"]]), "a Table"),
+        (lambda a: a.axline((0, 0), slope=1), "a AxLine"),
+        (lambda a: a.scatter([0, 1], [0, 1], c=[3, 4]), "a PathCollection"),
+        (lambda a: a.contour(np.outer([1, 2], [1, 2])), "contours that filled_contours has not"),
+        (lambda a: a.contourf(np.outer([1, 2], [1, 2])).set_label(GUIDE), "contours that"),
+        (lambda a: a.plot([0, 1], transform=a.transData + Affine2D()), "a Line2D"),
+        (lambda a: a.figure.add_artist(Line2D([0, 1], [0, 1])), "a Line2D on no panel"),
+        (lambda a: a.inset_axes((0, 0, 1, 1)).plot([4, 5], label="in"), "panel 2, in of 2 points"),
+        (lambda a: a.axhline(2.5, label="result"), "panel 1, result at y = 2.5"),
+        (lambda a: a.axvspan(2.5, 3.5), "panel 1, a value without a name at x = 2.5"),
+        (lambda a: (a.plot([7, 8], [1, 2]), a.set_yticks([])), "x from 7 to 8, y from 1 to 2"),
+        (lambda a: a.add_collection(LineCollection([[(0, 0), (1, 3), (2, 2)]])), "of 3 points"),
+    ],
+)
+def test_nothing_is_left_out_because_of_its_kind(draw: Callable[[Axes], object], said: str) -> None:
+    figure = drawn_by(draw)
+    if said == "a drawing":
+        figure.axes[0].set_axis_on()
+        said = "a Wedge"
+    with pytest.raises(MissingCurves, match=re.escape(said)):
+        header(figure, NOTHING)
+
+
+def test_three_dimensions_are_not_read() -> None:
+    figure = Figure()
+    figure.add_subplot(projection="3d").plot([0, 1], [0, 1], [0, 1])
+    with pytest.raises(MissingCurves, match="panel 1, 3d axes"):
+        header(figure, NOTHING)
+
+
+def test_guides_words_drawings_and_scales_of_colours_need_no_column() -> None:
+    figure = Figure()
+    plane, sketch, words = figure.subplots(1, 3)
+    plane.axhline(0, label=GUIDE)
+    plane.annotate("here", (0, 0), (1, 1), arrowprops={})
+    x = np.arange(3.0)
+    figure.colorbar(filled_contours(plane, x, x, np.outer(x, x)), ax=plane)
+    sketch.plot([0, 1], [0, 1])
+    sketch.axis("off")
+    words.plot([0, 1], [1, 0], "o")
+    words.set_xticks([0, 1], ["a", "b"])
+    words.set_yticks([0, 1], ["c", "d"])
+    grid = (each.ravel() for each in np.meshgrid(x, x))
+    table = as_words({**dict(zip("xy", grid, strict=True)), "z": np.outer(x, x).ravel()})
+    assert header(figure, table) == [
+        "panel 1:",
+        "  contours: x = x, y = y, value = z",
+        "panel 2: a drawing, without axes",
+        "panel 3: words both ways",
+    ]
+
+
+def test_a_level_has_a_column_of_nothing_else(tmp_path: Path) -> None:
+    figure = drawn_by(lambda a: (a.axhline(2.5, label="bound"), a.axvspan(1, 3)))
+    with pytest.raises(MissingCurves, match=re.escape("bound at y = 2.5")):
+        header(figure, as_words({"run": [1, 2, 3], "other": [1, 2.5, 3]}))
+    table = as_words({"bound_m": [2.5], "from_s": [1], "to_s": [3]})
+    lines = header(figure, table)
+    assert lines[1:] == ['  "bound": y = bound_m', '  "": x = from_s', '  "": x = to_s']
+    write_table(tmp_path / "levels.csv", table, lines)
+    assert [len(each.x) + len(each.y) for each in read_curves(tmp_path / "levels.csv")] == [1] * 3
+
+
+@pytest.mark.parametrize("step", [None, "pre", "post", "mid"])
+def test_the_two_edges_of_what_is_filled_are_in_the_table(step: str | None) -> None:
+    x, low, high = np.array([0, 1, 3, 4.5]), np.array([0, 1, 0, 2]), np.array([3, 4, 3, 5])
+    figure = drawn_by(lambda a: a.fill_between(x, low, high, step=step, label="range"))
+    lines = header(figure, as_words({"x": x, "low": low, "high": high}))
+    assert lines[1:] == ['  "range": x = x, y = low', '  "range": x = x, y = high']
+
+
+@pytest.mark.parametrize("off", [0, 1e-11, 1e-8, 1e-3])
+def test_a_curve_is_its_column_to_the_digits_of_a_table(off: float) -> None:
+    figure = drawn_by(lambda a: (a.plot([0, 1, 2], [1, 3 + off, 9]), a.set_ylim(0, 1e4)))
+    table = as_words({"x": [0, 1, 2], "y": [1, 3, 9]})
+    if off < 1e-9:
+        assert header(figure, table)[1:] == ['  "": x = x, y = y']
+    else:
+        with pytest.raises(MissingCurves):
+            header(figure, table)
+
+
+def test_a_rounded_column_holds_one_of_two_curves_that_it_could_be() -> None:
+    figure = drawn_by(lambda a: [a.plot([0, 1], [0.123456, y]) for y in (1.000001, 1.000002)])
+    table = {"x": ["0", "1"], "first": ["0.12346", "1"]}
+    with pytest.raises(MissingCurves, match=re.escape("y from 0.123456 to 1")):
+        header(figure, table)
+    assert len(header(figure, table | {"second": table["first"]})) == 3
+
+
+def test_twins_are_told_apart_by_their_names() -> None:
+    figure = drawn_by(lambda a: [a.plot([0, 1], [2, 3], label=name) for name in ("one", "two")])
+    lines = header(figure, as_words({"x": [0, 1], "by two": [2, 3], "by one": [2, 3]}))
+    assert lines[1:] == ['  "one": x = x, y = by one', '  "two": x = x, y = by two']
+
+
+@pytest.mark.parametrize("name", ["x, y = 2", "#x", "a, where b", 'of "x"', "two\nlines", " x", ""])
+def test_names_that_a_header_cannot_hold_are_refused(name: str) -> None:
+    with pytest.raises(ValueError, match=r"(Names and keys of a table|Columns): expected"):
+        header(Figure(), as_words({name: [1.0], "other": [2.0]}))
+
+
+class Choice(NamedTuple):
+    kind: str
+    sizes: tuple[float, ...]
+
+
+def test_parameters_have_their_values_again() -> None:
+    values = {
+        "scheme": SHORT,
+        "kinds": [Choice("two  blanks", (1.0, float("inf"))), np.float64(2)],
+        "way": plain,
+        "sizes": {("a", 1): np.array([1.0, -np.inf])},
+    }
+    page: dict[str, Any] = {"Choice": Choice}
+    lines = imports(values)
+    assert "from driftlab import Scheme" in lines
+    assert "from figure_variations import plain" in lines
+    exec("\n".join(line for line in lines if "Choice" not in line), page)
+    again = {name: eval(written(value), page) for name, value in values.items()}
+    assert again == values | {"sizes": {("a", 1): [1.0, -np.inf]}}
+    assert np.isnan(eval(written(np.nan)))

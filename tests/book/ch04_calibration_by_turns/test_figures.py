@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from driftlab.book.ch04_calibration_by_turns.experiment_numbers import NAMES
 from driftlab.book.ch04_calibration_by_turns.experiments import (
     FORMULAS as FORMULAS_04,
     PLANS,
@@ -14,6 +15,8 @@ from driftlab.book.ch04_calibration_by_turns.experiments import (
     turn_estimates,
     weighing_designs,
 )
+from driftlab.book.machinery.drawn import nature, panels
+from driftlab.book.machinery.figure_table import as_words
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.turn_calibration import TurnExperiment
@@ -63,6 +66,23 @@ def test_three_candidates_give_all_seven_numbers(figure: PublishedFigure) -> Non
     assert [data.labels[i] for i in np.flatnonzero(data.agrees[0].all(axis=-1))] == [
         "unit third axis, pade"
     ]
+
+
+@published("04-larin-digits")
+def test_marks_of_digits_are_those_of_the_table(figure: PublishedFigure) -> None:
+    """Both axes are words, so that the header leaves it to this test."""
+    table = as_words(figure.table())
+    for steps, panel in zip(figure.data.steps, panels(figure.on_screen), strict=True):
+        assert nature(panel) == "words both ways"
+        columns = np.array([table[f"{name} in {steps}"] for name in NAMES])
+        rows = [word.get_text() for word in panels(figure.on_screen)[0].get_yticklabels()]
+        assert rows == table["candidate"][: len(rows)]
+        drawn = np.full(columns.T.shape, "?")
+        for line in panel.lines:
+            number, candidate = np.asarray(line.get_xydata(), int).T
+            assert np.all(drawn[candidate, number] == "?")
+            drawn[candidate, number] = "0" if line.get_label() == "does not agree" else "1"
+        np.testing.assert_array_equal(drawn, columns.T)
 
 
 @published("04-weighing-designs")

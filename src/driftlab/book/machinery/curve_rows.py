@@ -252,11 +252,9 @@ class _Levels:
 
 def _rounding(words: list[str]) -> float:
     """Half the last digit of a column that is rounded to some decimals; 0 for whole numbers."""
-    decimals = max(
-        (-Decimal(word).as_tuple().exponent for word in words if word and "n" not in word),
-        default=0,
-    )
-    return 0.5001 * 10.0**-decimals if decimals > 0 else 0.0
+    exponents = [Decimal(word).as_tuple().exponent for word in words if word]
+    last = min((each for each in exponents if isinstance(each, int)), default=0)
+    return 0.5001 * 10.0**last if last < 0 else 0.0
 
 
 def _same(one: Curve, other: Curve) -> bool:

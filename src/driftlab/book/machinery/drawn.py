@@ -13,7 +13,6 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.axes._secondary_axes import SecondaryAxis
 from matplotlib.axis import Axis
 from matplotlib.collections import Collection, LineCollection, PathCollection, PolyCollection
 from matplotlib.container import BarContainer
@@ -22,6 +21,7 @@ from matplotlib.figure import Figure
 from matplotlib.legend import Legend
 from matplotlib.lines import AxLine, Line2D
 from matplotlib.patches import Rectangle
+from matplotlib.quiver import Barbs, Quiver
 from matplotlib.spines import Spine
 from matplotlib.text import Annotation, Text
 from matplotlib.ticker import FixedLocator
@@ -90,11 +90,12 @@ def panels(figure: Figure) -> list[Axes]:
 
 
 def _with_insets(axes: Axes) -> Iterator[Axes]:
-    if not axes.get_visible() or hasattr(axes, "_colorbar") or isinstance(axes, SecondaryAxis):
+    if not axes.get_visible() or hasattr(axes, "_colorbar"):
         return
     yield axes
     for inset in axes.child_axes:
-        yield from _with_insets(inset)
+        if isinstance(inset, Axes):  # a second scale is none
+            yield from _with_insets(inset)
 
 
 def nature(axes: Axes) -> str:
@@ -112,7 +113,9 @@ def shown(figure: Figure) -> Iterator[Curve | Field | Unread]:
         if artist.get_label() != GUIDE:
             yield Unread(0, f"{_kind(artist)} on no panel")
     for number, axes in enumerate(panels(figure), 1):
-        if axes.axison:
+        if axes.name != "rectilinear":
+            yield Unread(number, f"{axes.name} axes")
+        elif axes.axison:
             yield from _shown(number, axes)
 
 
@@ -127,14 +130,12 @@ def fields(figure: Figure) -> list[Field]:
 
 
 def _shown(number: int, axes: Axes) -> Iterator[Curve | Field | Unread]:
-    if axes.name != "rectilinear":
-        yield Unread(number, f"{axes.name} axes")
-        return
     words = "".join(axis.axis_name for axis in (axes.xaxis, axes.yaxis) if counts_words(axis))
     names = {id(part): each.get_label() for each in axes.containers for part in each.get_children()}
     bars = [each for each in axes.containers if isinstance(each, BarContainer)]
     rows = {id(bar) for row in bars for bar in row.patches}
-    for artist in (*bars, *axes.get_children()):
+    artists: list[Artist | BarContainer] = [*bars, *axes.get_children()]
+    for artist in artists:
         name = str(names.get(id(artist), artist.get_label()))
         if id(artist) in rows or _is_left_out(artist, axes, name):
             continue
@@ -175,8 +176,9 @@ def _parts(artist: Artist | BarContainer, axes: Axes) -> tuple[str, list[_Points
     """Return which coordinates of an artist are data, and its points; None if it is not read."""
     if isinstance(artist, BarContainer):
         return "xy", _bars(artist)
-    if isinstance(artist, Collection) and artist.get_array() is not None:
-        return "", None  # its colours are numbers too
+    coloured = isinstance(artist, Collection) and artist.get_array() is not None
+    if coloured or isinstance(artist, Quiver | Barbs):
+        return "", None  # its colours, or its arrows, are numbers too
     transform = artist.get_transform()
     points: list[_Points] | None = None
     if isinstance(artist, Line2D) and not isinstance(artist, AxLine):
@@ -192,9 +194,10 @@ def _parts(artist: Artist | BarContainer, axes: Axes) -> tuple[str, list[_Points
         points = _edges(artist)
     elif isinstance(artist, Rectangle):  # axhspan, axvspan; any other has no row of the table
         transform = Artist.get_transform(artist)
-        (x, y), width, height = artist.get_xy(), artist.get_width(), artist.get_height()
-        if transform != axes.transData:
-            points = [(np.array([a]), np.array([b])) for a, b in ((x, y), (x + width, y + height))]
+        if transform is not axes.transData:
+            (left, low), wide, high = artist.get_xy(), artist.get_width(), artist.get_height()
+            ends = (left, low), (left + wide, low + high)
+            points = [(np.array([x]), np.array([y])) for x, y in ends]
     along = _data_coordinates(transform, axes)
     empty = points is not None and not any(x.size for x, _ in points)  # a legend's sample
     return along, points if along or empty else None
@@ -202,10 +205,10 @@ def _parts(artist: Artist | BarContainer, axes: Axes) -> tuple[str, list[_Points
 
 def _data_coordinates(transform: Transform, axes: Axes) -> str:
     """Which coordinates are in the units of the axes; the other is a part of the panel."""
-    if transform == axes.transData:
+    if transform is axes.transData:  # equal are also others, if the axes reach from 0 to 1
         return "xy"
     for direction in "xy":
-        if transform == getattr(axes, f"get_{direction}axis_transform")(which="grid"):
+        if transform is getattr(axes, f"get_{direction}axis_transform")(which="grid"):
             return direction
     return ""
 

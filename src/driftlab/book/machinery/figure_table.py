@@ -57,7 +57,10 @@ def header(figure: Figure, table: Words) -> list[str]:
     ValueError
         If the name of a column cannot stand in such a line.
     """
-    _check_names(table)
+    for name in table:
+        _check_word(name)
+        if name in ("", RANK):
+            raise ValueError(f"Columns: expected names of their own, got {name!r}.")
     finder = Finder(table)
     drawn = list(shown(figure))
     lines: list[str] = []
@@ -77,8 +80,8 @@ def header(figure: Figure, table: Words) -> list[str]:
                 own.append(line)
             else:
                 missing.append(_place(number) + _described(each))
-        said = [part for part in (nature(axes), _axis_words(axes)) if part]
-        lines.append(f"panel {number}{_title(axes)}: {', '.join(said)}".rstrip())
+        says = nature(axes) or _axis_words(axes)
+        lines.append(f"panel {number}{_title(axes)}: {says}".rstrip())
         lines += dict.fromkeys(own)  # several curves may be made of the same rows
     if missing:
         raise MissingCurves(
@@ -94,28 +97,28 @@ def curve_line(name: str, rows: Rows) -> str:
     Raises
     ------
     ValueError
-        If it would be read as something else.
+        If a word in it cannot stand there.
     """
     line = f'  "{_one_line(name)}": {rows}'
-    if _read_line(line) != (_one_line(name), rows):
-        raise ValueError(
-            "Names and words of a table that are in its header: expected none with a number sign, "
-            f"a quotation mark, a line break, ' = ', or ', x = ' and the like, got {line.strip()}."
-        )
+    for word in (rows.x, rows.y, *rows.where, *rows.where.values()):
+        _check_word(word)
+    if any(" = " in key for key in rows.where):
+        raise ValueError(f"Columns: expected names without ' = ' where they are keys, got {line}.")
     return line
+
+
+def _check_word(word: str) -> None:
+    """Refuse what a header would take for its own words, or a reader of the CSV for a comment."""
+    if re.search(r'[#"\r\n]|, (x|y|where|every)\b', word) or word != word.strip():
+        raise ValueError(
+            "Names and keys of a table: expected no number sign, quotation mark, line break, outer "
+            f"blank, nor any of x, y, where and every after a comma, got {word!r}."
+        )
 
 
 def _read_line(line: str) -> tuple[str, Rows] | None:
     curve = re.fullmatch(r'  "(.*)": ([^"]*)', line)
-    return (curve[1], Rows.read(curve[2])) if curve and "#" not in curve[2] else None
-
-
-def _check_names(table: Words) -> None:
-    """Refuse names that no header can hold, wherever they stand."""
-    for name in table:
-        curve_line("", Rows(name, name, {}))
-        if not name or name != name.strip() or name == RANK:
-            raise ValueError(f"Columns: expected names without blanks at their ends, got {name!r}.")
+    return (curve[1], Rows.read(curve[2])) if curve else None
 
 
 def write_table(path: Path, table: Words, comments: list[str]) -> None:

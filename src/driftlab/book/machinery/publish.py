@@ -104,25 +104,14 @@ class PublishedFigure:
     @property
     def call(self) -> str:
         """The call that makes this figure again; what differs from the published one is in it."""
-        name = self.definition.name
         if self.parameters is None:
-            return f"driftlab.figure({name!r}, data)"
-        own = [f", {title}={written(value)}" for title, value in self._own.items()]
-        return f"driftlab.figure({name!r}{''.join(own)})"
+            return f"driftlab.figure({self.definition.name!r}, data)"
+        return call_of(self.definition, self.parameters)
 
     @property
     def imports(self) -> list[str]:
         """The lines that `call` needs above it, besides ``import driftlab``."""
-        return imports(self._own)
-
-    @property
-    def _own(self) -> dict[str, Any]:
-        published = self.definition.parameters
-        return {
-            title: value
-            for title, value in (self.parameters or {}).items()
-            if written(value) != written(published[title])
-        }
+        return imports(_own(self.definition, self.parameters or {}))
 
     def table(self) -> dict[str, Any]:
         """Return the numbers behind the picture: the columns of its CSV, by name.
@@ -223,6 +212,17 @@ class PublishedFigure:
             f'src="data:image/svg+xml;base64,{picture}">'
             f"<figcaption>{caption}</figcaption></figure>"
         )
+
+
+def call_of(definition: FigureDefinition, parameters: Mapping[str, Any]) -> str:
+    """Return the call that makes a figure with these parameters; published ones are left out."""
+    own = _own(definition, parameters)
+    return f"driftlab.figure({definition.name!r}{''.join(f', {n}={written(own[n])}' for n in own)})"
+
+
+def _own(definition: FigureDefinition, parameters: Mapping[str, Any]) -> dict[str, Any]:
+    published = definition.parameters
+    return {n: v for n, v in parameters.items() if written(v) != written(published[n])}
 
 
 def gallery(captions: Mapping[str, str]) -> str:

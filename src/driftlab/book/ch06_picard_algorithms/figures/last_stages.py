@@ -129,4 +129,5 @@ def _draw_costs(panel: Axes, data: LastStageErrors) -> None:
     # The rows are those of the names beside them.
     panel.set_yticks(range(len(COMPARED_STAGES)), [LABELS[stage] for stage in COMPARED_STAGES])
     panel.tick_params(axis="y", left=False, labelleft=False)
+    panel.grid(visible=False, axis="y")
     panel.invert_yaxis()

@@ -60,7 +60,7 @@ def columns(data: ShortWord) -> dict[str, FloatArray | list[str]]:
         "step_rad": np.broadcast_to(data.angles[:, np.newaxis, np.newaxis], shape).ravel(),
         "error_arcsec": _shown(data.errors).swapaxes(0, 1).ravel(),
         "length_error": lengths.ravel(),
-        "stored_as_one_rad": [STORED_AS_ONE],
+        "stored_as_one_rad": np.array([STORED_AS_ONE]),
     }
 
 
