@@ -293,6 +293,12 @@ def test_a_level_has_a_column_of_nothing_else(tmp_path: Path) -> None:
     assert [len(each.x) + len(each.y) for each in read_curves(tmp_path / "levels.csv")] == [1] * 3
 
 
+def test_bands_of_one_name_are_the_rows_of_their_begins_and_ends() -> None:
+    figure = drawn_by(lambda a: [a.axvspan(t, t + 1, label="rest") for t in (1, 4, 6)])
+    lines = header(figure, as_words({"begin_s": [1, 4, 6], "end_s": [2, 5, 7]}))
+    assert lines[1:] == ['  "rest": x = begin_s', '  "rest": x = end_s']
+
+
 @pytest.mark.parametrize("step", [None, "pre", "post", "mid"])
 def test_the_two_edges_of_what_is_filled_are_in_the_table(step: str | None) -> None:
     x, low, high = np.array([0, 1, 3, 4.5]), np.array([0, 1, 0, 2]), np.array([3, 4, 3, 5])

@@ -76,7 +76,7 @@ def test_marks_of_digits_are_those_of_the_table(figure: PublishedFigure) -> None
         assert nature(panel) == "words both ways"
         columns = np.array([table[f"{name} in {steps}"] for name in NAMES])
         rows = [word.get_text() for word in panels(figure.on_screen)[0].get_yticklabels()]
-        assert rows == table["candidate"][: len(rows)]
+        assert rows == table["candidate"]
         drawn = np.full(columns.T.shape, "?")
         for line in panel.lines:
             number, candidate = np.asarray(line.get_xydata(), int).T

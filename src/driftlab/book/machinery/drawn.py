@@ -52,14 +52,7 @@ class Curve(NamedTuple):
 
 
 class Field(NamedTuple):
-    """Values over a plane, drawn as contours.
-
-    Attributes
-    ----------
-    panel : int
-    x, y, z : ndarray, shape (n,)
-        A value at each place, row after row of the grid.
-    """
+    """Values z (n,) over a plane, drawn as contours, row after row of the grid x (n,), y (n,)."""
 
     panel: int
     x: FloatArray
@@ -68,14 +61,7 @@ class Field(NamedTuple):
 
 
 class Unread(NamedTuple):
-    """What is drawn and cannot be read; `what` says so in words.
-
-    Attributes
-    ----------
-    panel : int
-        0 for what stands on no panel.
-    what : str
-    """
+    """What is drawn and cannot be read, in words; its panel is 0 if it stands on none."""
 
     panel: int
     what: str
@@ -111,7 +97,7 @@ def shown(figure: Figure) -> Iterator[Curve | Field | Unread]:
     """Return what a figure shows, panel by panel."""
     for artist in (*figure.lines, *figure.patches, *figure.images, *figure.artists):
         if artist.get_label() != GUIDE:
-            yield Unread(0, f"{_kind(artist)} on no panel")
+            yield Unread(0, f"a {type(artist).__name__} on no panel")
     for number, axes in enumerate(panels(figure), 1):
         if axes.name != "rectilinear":
             yield Unread(number, f"{axes.name} axes")
@@ -134,6 +120,7 @@ def _shown(number: int, axes: Axes) -> Iterator[Curve | Field | Unread]:
     names = {id(part): each.get_label() for each in axes.containers for part in each.get_children()}
     bars = [each for each in axes.containers if isinstance(each, BarContainer)]
     rows = {id(bar) for row in bars for bar in row.patches}
+    bands: dict[tuple[str, str], list[list[_Points]]] = {}
     artists: list[Artist | BarContainer] = [*bars, *axes.get_children()]
     for artist in artists:
         name = str(names.get(id(artist), artist.get_label()))
@@ -144,11 +131,25 @@ def _shown(number: int, axes: Axes) -> Iterator[Curve | Field | Unread]:
             continue
         along, parts = _parts(artist, axes)
         if parts is None:
-            yield Unread(number, f"{_kind(artist)}{f' {name!r}' if name[:1] != '_' else ''}")
-        for x, y in parts or ():
-            ends = _without(x, y, words, along)
-            if ends is not None:
-                yield Curve(number, "" if name.startswith("_") else name, *ends)
+            yield Unread(
+                number, f"a {type(artist).__name__}{f' {name!r}' if name[:1] != '_' else ''}"
+            )
+        elif isinstance(artist, Rectangle):
+            bands.setdefault((name, along), []).append(parts)
+        else:
+            yield from _curves(number, name, parts, words, along)
+    for (name, along), several in bands.items():  # their begins are a row, and their ends
+        begins, ends = (np.concatenate([band[i] for band in several], axis=1) for i in (0, 1))
+        yield from _curves(number, name, [(begins[0], begins[1]), (ends[0], ends[1])], words, along)
+
+
+def _curves(
+    number: int, name: str, parts: list[_Points], words: str, along: str
+) -> Iterator[Curve]:
+    for x, y in parts:
+        points = _without(x, y, words, along)
+        if points is not None:
+            yield Curve(number, "" if name.startswith("_") else name, *points)
 
 
 def _is_left_out(artist: Artist | BarContainer, axes: Axes, name: str) -> bool:
@@ -275,10 +276,6 @@ def _bars(container: BarContainer) -> list[_Points]:
         near, far, middle = y, y + height, x + width / 2
         ends = [(middle, far)] if not np.any(near) else [(middle, near), (middle, far)]
     return ends
-
-
-def _kind(artist: Artist | BarContainer) -> str:
-    return f"a {type(artist).__name__}"
 
 
 def counts_words(axis: Axis) -> bool:

@@ -1,11 +1,17 @@
 """The numbers behind a figure as CSV, with a header that says how the picture is drawn from them.
 
-Every curve that a figure shows is looked for in its table, in the units of its axes, before the
-table is written; one that is not there is a `MissingCurves`. So nothing is drawn that a reader of
-the CSV does not have, and the header can say of each panel which columns make it:
+Whatever a panel with axes shows is looked for in the figure's table, in the units of the axes and
+to the digits of a CSV, before the table is written; what is not there, or of a kind that is not
+read, is a `MissingCurves`. So nothing is drawn that a reader of the CSV does not have, but for what
+only guides the eye, and the header can say of each panel which columns make it:
 
     # panel 2, "drift": x is "turns", y is "error, arcmin"
     #   "exact": x = turns, y = exact_arcmin, where axis = along
+    #   "largest possible": y = most_arcmin
+    # panel 3: a drawing, without axes
+
+A line through a whole panel is one value, in a column of its own. Of a panel of words both ways,
+a figure's own tests say that its marks are those of the table.
 
 `read_curves` draws from such a file alone; `pandas.read_csv(path, comment="#")` has its columns.
 """

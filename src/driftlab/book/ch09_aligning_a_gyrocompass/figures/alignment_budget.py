@@ -73,7 +73,8 @@ class AlignmentBudgetPicture(Picture[AlignmentBudget]):
         self.hatched, self.reasons = [], []
         for panel in (left, right):
             sheet = Rectangle((0, 0), 1, 1, transform=panel.transAxes, facecolor="#f4f4f4",
-                              edgecolor="#9a9a9a", hatch="//", linewidth=0)  # fmt: skip
+                              edgecolor="#9a9a9a", hatch="//", linewidth=0,
+                              label=GUIDE)  # fmt: skip
             panel.add_patch(sheet)
             self.moving.append(sheet)
             self.hatched.append(sheet)

@@ -18,13 +18,13 @@ def columns(data: HeadingErrors) -> dict[str, FloatArray]:
     """Columns of the figure's CSV."""
     return {
         "time_min": data.times / minute,
-        "heading_error_deg": np.degrees(data.heading_error).round(7),
-        "formula_deg": np.degrees(data.formula.heading).round(7),
-        "speed_error_deg": np.degrees(data.speed_error).round(7),
-        "tilt_north_arcmin": (data.tilt[:, 0] / arcminute).round(6),
-        "tilt_east_arcmin": (data.tilt[:, 1] / arcminute).round(6),
-        "yaw_error_deg": np.degrees(data.yaw_error).round(7),
-        "compass_angle_error_deg": np.degrees(data.compass_error).round(7),
+        "heading_error_deg": np.degrees(data.heading_error),
+        "formula_deg": np.degrees(data.formula.heading),
+        "speed_error_deg": np.degrees(data.speed_error),
+        "tilt_north_arcmin": data.tilt[:, 0] / arcminute,
+        "tilt_east_arcmin": data.tilt[:, 1] / arcminute,
+        "yaw_error_deg": np.degrees(data.yaw_error),
+        "compass_angle_error_deg": np.degrees(data.compass_error),
     }
 
 

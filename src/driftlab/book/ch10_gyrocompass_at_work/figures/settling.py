@@ -24,7 +24,7 @@ def columns(data: Settling) -> dict[str, FloatArray]:
         "time_min": data.times / minute,
         "formula_deg": np.degrees(data.deviation),
         "simulated_deg": np.degrees(data.heading.std(axis=0)),
-        **{name: row.round(8) for name, row in runs.items()},
+        **runs,
     }
 
 
