@@ -152,16 +152,17 @@ def test_a_thing_of_its_kind_is_returned():
     assert checked_instance(value, list, "value") is value
     rng = np.random.default_rng(1)
     assert checked_generator(rng) is rng
+    assert checked_generator(np.int64(7)).uniform() == np.random.default_rng(7).uniform()
 
 
-@pytest.mark.parametrize("seed", [None, 1, np.random.RandomState(1)])
+@pytest.mark.parametrize("seed", [None, -1, True, 1.0, np.random.RandomState(1)])
 def test_noise_is_drawn_from_a_generator_only(seed):
     with pytest.raises(ValueError, match=r"^rng: expected a numpy Generator to draw the noise"):
         checked_generator(seed)
 
 
 @pytest.mark.parametrize(
-    "part", ["arrays", "error_matrices", "magnitudes", "numbers", "objects", "words"]
+    "part", ["arrays", "error_matrices", "magnitudes", "numbers", "objects", "words", "deviations"]
 )
 def test_examples_run(part):
     options = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS

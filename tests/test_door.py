@@ -1,6 +1,7 @@
 """``import driftlab`` is instant, loads nothing, and offers everything that is public."""
 
 import inspect
+import operator
 import subprocess
 import sys
 from importlib import import_module
@@ -57,6 +58,16 @@ def test_names_mean_what_the_modules_say():
 def test_unknown_name_is_an_attribute_error():
     with pytest.raises(AttributeError, match=r"^module 'driftlab.drift' has no attribute 'drfit'$"):
         driftlab.drift.drfit  # noqa: B018
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["recordings.read_csv", "attitude.coning_drift", "earth.EARTH_RATE", "checks.UnusualWarning"],
+)
+def test_a_name_that_is_deeper_is_told_where(name):
+    with pytest.raises(AttributeError, match=rf"; did you mean driftlab\.{name}\?$"):
+        getattr(driftlab, name.split(".")[1])
+    assert operator.attrgetter(name)(driftlab) is not None
 
 
 @pytest.mark.parametrize("subject", SUBJECTS)

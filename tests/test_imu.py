@@ -34,13 +34,13 @@ STANDING = Increments(0.25, np.zeros((2, 3)), np.zeros((2, 3)))
 
 def test_random_units_are_as_large_as_their_spread():
     prior = PriorDeviations(
-        1e-3, gyro_bias=2.0, accelerometer_bias=3.0, scale=5.0, installation=7.0
+        1e-3, gyro_bias=0.2, accelerometer_bias=3.0, scale=0.5, installation=0.7
     )
     many = random_imu_errors(prior, np.random.default_rng(6), 100, 50)
-    sizes = np.where(np.eye(3) == 1, 5.0, 7.0)
+    sizes = np.where(np.eye(3) == 1, 0.5, 0.7)
     values = np.concatenate(
         [
-            many.gyro_bias / 2,
+            many.gyro_bias / 0.2,
             (many.gyro_error / sizes).reshape(100, 50, 9),
             many.accelerometer_bias / 3,
             (many.accelerometer_error / sizes).reshape(100, 50, 9),

@@ -97,7 +97,7 @@ def test_measuring_leaves_the_increments_alone():
     true = Increments(0.1, np.ones((4, 3)), np.ones((4, 3)))
     for rows_of_one in true[1:]:
         rows_of_one.setflags(write=False)
-    measure(true, UNIT, ImuNoise(1.0, 1.0), np.random.default_rng(0))
+    measure(true, UNIT, ImuNoise(1e-3, 1e-2), np.random.default_rng(0))
 
 
 # Noise
@@ -106,11 +106,11 @@ def test_measuring_leaves_the_increments_alone():
 @pytest.mark.parametrize("interval", [0.01, 4.0])
 def test_noise_is_white_and_as_large_as_stated(interval):
     """A random walk of q has a variance of q^2 t, so increments have q^2 times the interval."""
-    noise = ImuNoise(angle_random_walk=3e-3, velocity_random_walk=5e-2)
+    noise = ImuNoise(angle_random_walk=3e-4, velocity_random_walk=5e-3)
     true = STANDING._replace(interval=interval)
     _, angle, velocity = measure(true, NO_ERRORS, noise, np.random.default_rng(1))
     root = np.sqrt(interval)
-    assert_normal(np.hstack([angle / 3e-3, velocity / 5e-2]), root)
+    assert_normal(np.hstack([angle / 3e-4, velocity / 5e-3]), root)
 
 
 def test_noise_comes_on_top_of_what_is_said():
@@ -132,9 +132,9 @@ def test_noise_comes_on_top_of_what_is_said():
 def test_units_draw_noise_of_their_own():
     many = random_imu_errors(PriorDeviations(), np.random.default_rng(1), 4)
     true = Increments(1.0, np.zeros((5000, 3)), np.zeros((5000, 3)))
-    noise = ImuNoise(1.0, 1.0)
+    noise = ImuNoise(1e-3, 1e-2)
     plain, noisy = measure(true, many), measure(true, many, noise, np.random.default_rng(2))
-    draws = np.stack(noisy[1:]) - np.stack(plain[1:])
+    draws = np.stack([(noisy.angle - plain.angle) / 1e-3, (noisy.velocity - plain.velocity) / 1e-2])
     # 24 columns: two kinds of sensor, four units, three axes.
     assert_normal(np.moveaxis(draws, 2, 0).reshape(5000, 24), 1.0)
 
@@ -153,7 +153,7 @@ def test_without_sensor_noise_no_generator_is_needed(noise):
         np.testing.assert_array_equal(one, other)
 
 
-@pytest.mark.parametrize("noise", [ImuNoise(), ImuNoise(1.0, 0.0), ImuNoise(0.0, 1.0)], ids=str)
+@pytest.mark.parametrize("noise", [ImuNoise(), ImuNoise(1e-3, 0.0), ImuNoise(0.0, 1e-2)], ids=str)
 def test_noise_without_a_generator_is_refused(noise):
     with pytest.raises(ValueError, match=r"^rng: expected a numpy Generator .* got None\.$"):
         measure(STANDING, UNIT, noise)

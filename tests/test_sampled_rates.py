@@ -120,7 +120,11 @@ def test_a_faster_motion_leaves_the_same_samples():
         ({"interval": 0.0}, r"interval: expected a positive number, got 0\.0"),
         ({"degree": 4}, "degree: expected 3, 5 or 7, got 4"),
         ({"times": np.arange(8.0)}, r"times: expected shape \(\.\.\., 9\), got shape \(8,\)"),
-        ({"times": np.zeros(9)}, r"times: expected 9 increasing times \(m,\), got an array"),
+        (
+            {"times": [0, 1, 2, 3, 3, 4, 5, 6, 7]},
+            r"times: expected 9 increasing times \(m,\), got 3 after 3 in row 5",
+        ),
+        ({"times": 100 * np.arange(9)}, "times: expected s, with steps of some 0.1 s, .* millisec"),
         (
             {"times": [0, 1, 2, 3, 4, 6, 7, 8, 9]},
             r"times: expected no gap longer than 1\.5 times the usual 1 s \(longest_gap\), "
@@ -142,3 +146,14 @@ def test_rates_that_make_no_increments_are_refused(arguments, words):
     assert increments_from_rates(**good).shape == (8, 3)
     with pytest.raises(ValueError, match=rf"^{words}"):
         increments_from_rates(**(good | arguments))
+
+
+def test_dates_and_times_are_seconds_since_the_first():
+    rates = CONE.rate(np.arange(200) / 100)
+    times = np.datetime64("2026-05-01T12:00:00.000", "ms") + 10 * np.arange(200)
+    np.testing.assert_allclose(
+        increments_from_rates(rates, 0.01, times=times),
+        increments_from_rates(rates, 0.01, times=np.arange(200) / 100),
+        rtol=0,
+        atol=1e-15,
+    )

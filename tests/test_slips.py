@@ -25,10 +25,12 @@ import pytest
 import driftlab as dl
 from driftlab.calibration import ERROR_MODELS, linearize_along
 from driftlab.checks import UnusualWarning
+from driftlab.drift import PAIR_AXES
 from driftlab.gyrocompass import Gains
 from driftlab.imu import NO_ERRORS, TYPICAL_ERRORS, ImuNoise, PriorDeviations
 from driftlab.increments import Increments, measure
 from driftlab.motion import Coning, Scheme, TableTurn, table_trajectory
+from driftlab.recordings import Recording
 from support import helper_modules
 
 # Loops call these with what has been checked; they are public for who builds a filter of his own.
@@ -286,6 +288,7 @@ LATITUDE = np.radians(59.9)
 SCHEME = Scheme("+90X -90X", dwell=10.0)
 TRUE = table_trajectory(SCHEME, LATITUDE, 0.5)
 LINEARIZED = linearize_along(SCHEME, LATITUDE)
+LOG = Recording(TRUE.increments.angle, TRUE.increments.velocity, 0.5, "increments")
 BENT = np.array([[0, 2e-3, 0], [0, 0, 0], [0, 0, 0]])
 CALIBRATE = {
     "latitude": LATITUDE,
@@ -338,8 +341,8 @@ def calibrate(**changes):
             "noise: expected an ImuNoise, got a Generator",
         ),
         (
-            lambda: measure(TRUE.increments, NO_ERRORS, ImuNoise(), 1),
-            "rng: expected a numpy Generator to draw the noise, got 1",
+            lambda: measure(TRUE.increments, NO_ERRORS, ImuNoise(), 0.5),
+            "rng: expected a numpy Generator to draw the noise, or a seed for one, got 0.5",
         ),
         (
             lambda: measure(TRUE.increments, TYPICAL_ERRORS._replace(gyro_bias=[10, 20, 30])),
@@ -361,6 +364,21 @@ def calibrate(**changes):
             lambda: dl.gyrocompass.level_loop(Gains(1e-3, 1e-6), gravity=5e-3),
             r"gravity: expected m/s\^2, 1.2 to 50, got 0\.005\.$",
         ),
+        (lambda: dl.integrate(LOG), "increments: .* got a Recording: .* angles"),
+        (lambda: dl.integrate(TRUE.increments), "increments: .* got an Increments: .* angle,"),
+        (lambda: dl.align(LOG, LOG), "angular_rate: .* got a Recording: .* gyro"),
+        (
+            lambda: dl.compensate(LOG, NO_ERRORS),
+            r"increments: .* got a Recording: hand in its increments\(\)",
+        ),
+        (
+            lambda: dl.compensate(TRUE.increments, dl.drift.fit_turns(np.ones(3), PAIR_AXES)),
+            r"imu_errors: .* got a TurnFit\.",
+        ),
+        (
+            lambda: dl.allan_deviation(np.ones((200, 3)), 0.01),
+            r"samples: .* got \(200, 3\): .* samples\.T",
+        ),
         (lambda: dl.gyrocompass.initial_level_frame(0.5), "alignment: .* from align"),
         (lambda: dl.fit_noise_terms(np.ones(9)), "allan: .* from allan_deviation"),
         (lambda: Increments(1.0, np.eye(3), np.eye(3)).part(0.5, 2), "begin: expected a whole"),
@@ -375,6 +393,21 @@ def test_named_slip_is_told_what_would_be_right(slip, sentence):
     ("unusual", "words"),
     [
         (lambda: TableTurn(rate=10), r"^rate: 10 rad/s is 573 degrees a second"),
+        (lambda: ImuNoise(angle_random_walk=0.003), r"^angle_random_walk: .*np\.radians\(0\.003\)"),
+        (lambda: PriorDeviations(installation=40), "^installation: .* arc seconds"),
+        (
+            lambda: dl.gyrocompass.alignment_deviation(0.9, 60.0, 0.003),
+            "^angle_random_walk: .* deg/√h",
+        ),
+        (
+            lambda: dl.fit_turns(np.ones(3), PAIR_AXES, table_rates=[10, -10, 10]),
+            r"^table_rates: 10 rad/s is 573 degrees a second",
+        ),
+        (lambda: dl.triad.decompose(np.eye(3) + BENT), r"^matrix: .* I \+ M\?"),
+        (
+            lambda: dl.integrate(np.full((4, 3), 20.0), "rotation-vector-2"),
+            "^increments: 20 rad between two samples .* np.radians",
+        ),
         (lambda: dl.drift_per_turn([1, 1, 0], 1e3 * BENT), "^triad_error: an entry is 2, .* mrad"),
         (
             lambda: measure(TRUE.increments, NO_ERRORS._replace(gyro_error=np.eye(3) + BENT)),

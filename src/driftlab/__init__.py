@@ -32,6 +32,8 @@ Conventions, fixed here once for the whole package:
   to other axes, `conventions` other signs and orders.
 * Bad input raises `ValueError` with one sentence: which argument, what was expected, what came. A
   size that is possible but seldom meant, as degrees for radians, is a `checks.UnusualWarning`.
+* What draws noise takes an `rng`: a Generator of NumPy, or a seed, of which
+  `numpy.random.default_rng` makes one. The same seed gives the same noise with each call.
 * Where there is a table of objects with names, as `ERROR_MODELS` or `SCHEMES`, an argument is one
   of the names or an object of one's own.
 * What is annotated ``FloatArray`` is an array that the package has made: it is not checked again.

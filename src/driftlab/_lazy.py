@@ -8,6 +8,7 @@ It is what the package lazy_loader does (SPEC 1 of Scientific Python), without t
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
@@ -36,10 +37,23 @@ def attach(
 
     def load(name: str) -> Any:
         if name not in homes:
-            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+            deeper = "" if name.startswith("_") else _deeper(name, package, file, homes)
+            raise AttributeError(f"module {package!r} has no attribute {name!r}{deeper}")
         module, attribute = homes[name]
         if module is None:  # "from . import name": a module of the package
             return import_module(f"{package}.{attribute}")
         return getattr(import_module(f"{package}.{module}"), attribute)
 
     return load, lambda: sorted(homes), sorted(homes)
+
+
+def _deeper(name: str, package: str, file: str, homes: dict[str, tuple[str | None, str]]) -> str:
+    """Where a name is that one of the package's own packages or modules offers, for a sentence."""
+    offered = rf"^(?:def |class ){name}\b|^{name}\b.* =|\b{name} as {name}\b|^    \"{name}\",$"
+    for home in (each for each, (module, _) in homes.items() if module is None):
+        path = Path(file).parent / home
+        places = path.with_suffix(".py"), path / "__init__.pyi", path / "__init__.py"
+        text = next(place for place in places if place.exists()).read_text(encoding="utf-8")
+        if re.search(offered, text, re.MULTILINE):
+            return f"; did you mean {package}.{home}.{name}?"
+    return ""

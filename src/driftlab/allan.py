@@ -39,6 +39,10 @@ _GRID = 30
 """Averaging times, if none are given."""
 _LONGEST = 4
 """The longest of them is this part of the record."""
+_COLUMNS = 7
+"""So few samples are columns: gyros, accelerometers, and the time or the temperature,"""
+_ROWS = 100
+"""where there are more rows than this."""
 _BOUND = 0.95
 """Probability that stands behind an upper bound."""
 
@@ -129,8 +133,9 @@ def allan_deviation(
     Raises
     ------
     ValueError
-        If there are fewer than three samples, an averaging time is out of range, or the samples are
-        so small or large that the fourth powers of their deviations are no numbers.
+        If there are fewer than three samples, sensors stand in columns, an averaging time is out of
+        range, or the samples are so small or large that the fourth powers of their deviations are
+        no numbers.
 
     See Also
     --------
@@ -174,6 +179,11 @@ def allan_deviation(
     """
     rates = np.atleast_1d(finite_array(samples, "samples"))
     step, length = positive_number(interval, "interval"), rates.shape[-1]
+    if rates.ndim > 1 and length <= _COLUMNS and rates.shape[-2] > _ROWS:
+        raise ValueError(
+            f"samples: expected shape (..., n), the samples of a sensor along the last axis, got "
+            f"{rates.shape}: are they rows of {length} sensors? Hand in samples.T, or one column."
+        )
     if length < 3:
         raise ValueError(f"samples: expected shape (..., n), n at least 3, got {rates.shape}.")
     probability(confidence, "confidence")

@@ -22,7 +22,7 @@ from .checks import (
     checked_instance,
     error_matrix,
     finite_arrays,
-    nonnegative_number,
+    usual_deviation,
     whole_number,
     within,
 )
@@ -155,17 +155,19 @@ class PriorDeviations:
 
 def _check_sizes(sizes: ImuNoise | PriorDeviations) -> None:
     for field in fields(sizes):
-        nonnegative_number(getattr(sizes, field.name), field.name)
+        usual_deviation(getattr(sizes, field.name), field.name)
 
 
-def random_imu_errors(prior: PriorDeviations, rng: np.random.Generator, *shape: int) -> ImuErrors:
+def random_imu_errors(
+    prior: PriorDeviations, rng: np.random.Generator | int, *shape: int
+) -> ImuErrors:
     """Draw units whose errors are normally distributed and independent of each other.
 
     Parameters
     ----------
     prior : PriorDeviations
         Standard deviations of the errors; its `attitude` is not used.
-    rng : numpy.random.Generator
+    rng : numpy.random.Generator or int
         Source of the random numbers.
     *shape : int
         Leading axes of the result; one unit without any if not given.
@@ -184,14 +186,14 @@ def random_imu_errors(prior: PriorDeviations, rng: np.random.Generator, *shape: 
     False
     """
     checked_instance(prior, PriorDeviations, "prior")
-    checked_generator(rng)
+    draw = checked_generator(rng).standard_normal
     shape = tuple(whole_number(length, "shape") for length in shape)
     sizes = np.where(np.eye(3, dtype=bool), prior.scale, prior.installation)
     return ImuErrors(
-        prior.gyro_bias * rng.standard_normal((*shape, 3)),
-        sizes * rng.standard_normal((*shape, 3, 3)),
-        prior.accelerometer_bias * rng.standard_normal((*shape, 3)),
-        sizes * rng.standard_normal((*shape, 3, 3)),
+        prior.gyro_bias * draw((*shape, 3)),
+        sizes * draw((*shape, 3, 3)),
+        prior.accelerometer_bias * draw((*shape, 3)),
+        sizes * draw((*shape, 3, 3)),
     )
 
 

@@ -147,7 +147,7 @@ def measure(
     increments: Increments,
     imu_errors: ImuErrors,
     noise: ImuNoise | None = None,
-    rng: np.random.Generator | None = None,
+    rng: np.random.Generator | int | None = None,
     *,
     higher_order: HigherOrderErrors | None = None,
 ) -> Increments:
@@ -161,7 +161,7 @@ def measure(
         Errors of the unit. Their leading axes (...) are those of the result.
     noise : ImuNoise, optional
         None for a unit without noise.
-    rng : numpy.random.Generator, optional
+    rng : numpy.random.Generator or int, optional
         Source of the noise; needed for noise only.
     higher_order : HigherOrderErrors, optional
         Lever arms and what else bias and matrix do not describe; none if not given.
@@ -193,8 +193,7 @@ def measure(
     errors = real_imu_errors(imu_errors)
     if noise is not None:
         checked_instance(noise, ImuNoise, "noise")
-    if rng is not None:
-        checked_generator(rng)
+    source = None if rng is None else checked_generator(rng)
     if higher_order is not None:
         more = felt_besides(seconds, angle, velocity, checked_higher_order_errors(higher_order))
         angle, velocity = angle + more[0], velocity + more[1]
@@ -207,7 +206,7 @@ def measure(
         measured = measured + (seconds * bias)[..., np.newaxis, :]
         size = 0.0 if noise is None else getattr(noise, walk) * np.sqrt(seconds)
         if size:
-            measured += size * checked_generator(rng).standard_normal(measured.shape)
+            measured += size * checked_generator(source).standard_normal(measured.shape)
         found.append(measured)
     return Increments(seconds, found[0], found[1])
 

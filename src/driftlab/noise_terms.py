@@ -111,7 +111,7 @@ class NoiseTerms:
         return np.sqrt(variances)
 
     def samples(
-        self, count: int, interval: float, rng: np.random.Generator, *shape: int
+        self, count: int, interval: float, rng: np.random.Generator | int, *shape: int
     ) -> FloatArray:
         """Draw a record of this noise.
 
@@ -121,7 +121,7 @@ class NoiseTerms:
             Number of samples: means of the rate over an interval.
         interval : float
             Between samples, s.
-        rng : numpy.random.Generator
+        rng : numpy.random.Generator or int
             Source of the noise.
         *shape : int
             Leading axes of the result: independent sensors.

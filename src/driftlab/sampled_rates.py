@@ -10,6 +10,8 @@ from .checks import FloatArray, finite_array, positive_number, shown, whole_numb
 
 _NEARLY_WHOLE = 1e-3
 """Part that the last interval may lack, because time stamps are rounded."""
+_FEWEST = 500.0
+"""Intervals to a sample that nobody wants: milliseconds taken for seconds make a thousand."""
 
 
 def increments_from_rates(
@@ -29,7 +31,8 @@ def increments_from_rates(
     interval : float
         Of the increments, s; and of the samples, if no `times` are given.
     times : array_like, shape (m,), optional
-        Moments of the samples, s, if they are not equally spaced or not those of the increments.
+        Moments of the samples, s, or dates and times of NumPy, if they are not equally spaced or
+        not those of the increments.
     degree : {5, 3, 7}
         Of the spline. The error of the integrals goes with this power of the spacing, plus one.
     longest_gap : float
@@ -47,8 +50,8 @@ def increments_from_rates(
     ------
     ValueError
         If there are not more samples than the degree, an argument is not finite, the times do not
-        increase or have a gap that is too long, or no whole interval lies between the first and the
-        last.
+        increase, have a gap that is too long or are no seconds, or no whole interval lies between
+        the first and the last.
 
     See Also
     --------
@@ -95,7 +98,7 @@ def increments_from_rates(
     if times is None:
         moments, whole = step * np.arange(count), count - 1
     else:
-        moments = _sample_times(times, count, longest_gap)
+        moments = _sample_times(times, count, longest_gap, step)
         # Seconds since 1970 are good to a quarter of a microsecond. An interval at the end that
         # lacks so little is whole; the spline goes on beyond the last sample.
         whole = int(moments[-1] / step + _NEARLY_WHOLE)
@@ -107,12 +110,24 @@ def increments_from_rates(
     return np.diff(spline(step * np.arange(whole + 1)), axis=-2)
 
 
-def _sample_times(times: ArrayLike, count: int, longest_gap: float) -> FloatArray:
+def _sample_times(times: ArrayLike, count: int, longest_gap: float, interval: float) -> FloatArray:
     """Times (m,) of samples from the first on, s."""
-    moments = finite_array(times, "times", count)
+    moments = finite_array(_seconds(times), "times", count)
     steps = np.diff(moments)
-    if moments.ndim != 1 or not (steps > 0).all():
+    if moments.ndim != 1:
         raise ValueError(f"times: expected {count} increasing times (m,), got {shown(times)}.")
+    if not (steps > 0).all():
+        row = int(np.argmin(steps > 0)) + 1
+        raise ValueError(
+            f"times: expected {count} increasing times (m,), got {moments[row]:.10g} after "
+            f"{moments[row - 1]:.10g} in row {row + 1}."
+        )
+    usual = float(np.median(steps))
+    if usual > _FEWEST * interval:
+        raise ValueError(
+            f"times: expected s, with steps of some {interval:g} s, the interval, got {usual:g}: "
+            "are they in milliseconds, microseconds or nanoseconds? Multiply by 1e-3, 1e-6 or 1e-9."
+        )
     longest = int(np.argmax(steps))
     if steps[longest] > longest_gap * np.median(steps):
         raise ValueError(
@@ -121,3 +136,13 @@ def _sample_times(times: ArrayLike, count: int, longest_gap: float) -> FloatArra
             f"{moments[longest]:.10g}."
         )
     return moments - moments[0]
+
+
+def _seconds(times: ArrayLike) -> ArrayLike:
+    """Dates and times, or spans of time, as seconds since the first; others as they are."""
+    kind = getattr(getattr(times, "dtype", None), "kind", "")  # of an array, or of a Series
+    array = np.asarray(times) if kind in ("m", "M") else np.empty(0)
+    if not array.size or np.isnat(array).any():
+        return times
+    # First the difference: of the seconds since 1970 the fractions are lost.
+    return (array - array.flat[0]).astype("timedelta64[ns]").astype(float) * 1e-9

@@ -60,6 +60,11 @@ def decompose(matrix: ArrayLike) -> TriadErrors:
     TriadErrors
         Three matrices, each of shape (..., 3, 3), whose sum is `matrix`.
 
+    Warns
+    -----
+    UnusualWarning
+        If its diagonal is near one, as that of the whole matrix I + K.
+
     See Also
     --------
     driftlab.drift.principal_drifts : What the symmetric part does.
@@ -81,7 +86,7 @@ def decompose(matrix: ArrayLike) -> TriadErrors:
            [4., 5., 0.],
            [0., 0., 9.]])
     """
-    matrix = finite_array(matrix, "matrix", 3, 3)
+    matrix = linear_error_matrix(finite_array(matrix, "matrix", 3, 3), "matrix")
     transposed = np.swapaxes(matrix, -1, -2)
     scale = matrix * np.eye(3)
     return TriadErrors(

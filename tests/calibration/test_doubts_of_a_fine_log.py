@@ -12,6 +12,7 @@ import pytest
 from driftlab.calibration import ERROR_MODELS, InconsistentWarning, calibrate, innovation_test
 from driftlab.calibration._evidence import evidence
 from driftlab.calibration._judge import Judge, Told
+from driftlab.checks import UnusualWarning
 from driftlab.earth import EARTH_RATE
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS
 from driftlab.imu import TYPICAL_ERRORS, ImuNoise, PriorDeviations
@@ -116,7 +117,10 @@ def test_windows_that_a_turn_begins_in_are_no_rests():
 
 
 def test_one_update_for_the_whole_record_needs_little_room():
-    found = calibrate(**arguments(update_interval=1e5))
+    with pytest.warns(
+        UnusualWarning, match=r"^update_interval: 100000 s is longer than the record"
+    ):
+        found = calibrate(**arguments(update_interval=1e5))
     assert found.nis.shape == (1,)
 
 
@@ -136,7 +140,7 @@ def test_filter_that_cannot_go_on_says_so_in_one_sentence():
         ({"increments": PLAIN.part(0, 3)}, "increments: expected at least 4, two pairs, got 3"),
         (
             {"increments": Recording(PLAIN.angle, PLAIN.velocity, 0.01, "increments")},
-            r"increments: .* hand in recording\.increments\(\)",
+            r"increments: .* hand in its increments\(\)",
         ),
         ({"start": Scheme("+90Y")}, r"start: .* hand in scheme\.start_attitude"),
         ({"check": "no"}, "check: expected True or False, got 'no'"),

@@ -196,7 +196,7 @@ def test_attitude_of_a_reduction_may_have_any_length_but_must_be_one():
 # What is known before
 
 
-SPREAD = PriorDeviations(2.0, gyro_bias=3.0, accelerometer_bias=5.0, scale=7.0, installation=11.0)
+SPREAD = PriorDeviations(0.2, gyro_bias=0.3, accelerometer_bias=0.5, scale=0.7, installation=0.11)
 
 
 def variances(model, prior=SPREAD, attitude=ATTITUDE):
@@ -209,23 +209,23 @@ def test_prior_of_all_states_is_the_spread():
     covariance = FULL.covariance(SPREAD, ATTITUDE)
     np.testing.assert_array_equal(covariance, np.diag(np.diag(covariance)))
     imu_errors, attitude, velocity = variances(FULL)
-    matrix = np.where(np.eye(3) == 1, 7.0**2, 11.0**2)
-    expected = (np.full(3, 3.0**2), matrix, np.full(3, 5.0**2), matrix)
+    matrix = np.where(np.eye(3) == 1, 0.7**2, 0.11**2)
+    expected = (np.full(3, 0.3**2), matrix, np.full(3, 0.5**2), matrix)
     for found, value in zip(imu_errors, expected, strict=True):
         np.testing.assert_array_equal(found, value)
-    np.testing.assert_array_equal(attitude, 4.0)
+    np.testing.assert_array_equal(attitude, 0.2**2)
     np.testing.assert_array_equal(velocity, 0.0)
 
 
 @every_reduced_model
 def test_prior_of_a_choice_of_axes_in_closed_form(model):
     """K_xy + K_yx has twice the variance s^2, their mean half of it; L loses what K does."""
-    s = 11.0**2
+    s = 0.11**2
     imu_errors, attitude, velocity = variances(model)
-    for bias, size in ((imu_errors.gyro_bias, 3.0), (imu_errors.accelerometer_bias, 5.0)):
+    for bias, size in ((imu_errors.gyro_bias, 0.3), (imu_errors.accelerometer_bias, 0.5)):
         np.testing.assert_allclose(bias, size**2, rtol=8 * EPS)
     for matrix in (imu_errors.gyro_error, imu_errors.accelerometer_error):
-        np.testing.assert_allclose(np.diag(matrix), 7.0**2, rtol=8 * EPS)
+        np.testing.assert_allclose(np.diag(matrix), 0.7**2, rtol=8 * EPS)
     own, other = imu_errors.gyro_error, imu_errors.accelerometer_error
     if "accelerometers" in model.frame:
         own, other = other, own
@@ -240,7 +240,7 @@ def test_prior_of_a_choice_of_axes_in_closed_form(model):
         assert (rows != columns).all()  # one of each pair
     np.testing.assert_allclose(other[off], s + turned, rtol=8 * EPS)
     # The axes' own uncertainty comes to that of the table.
-    np.testing.assert_allclose(attitude, 4.0 + turned, rtol=16 * EPS)
+    np.testing.assert_allclose(attitude, 0.2**2 + turned, rtol=16 * EPS)
     np.testing.assert_array_equal(velocity, 0.0)
 
 
@@ -249,7 +249,7 @@ def test_prior_of_a_choice_of_axes_in_closed_form(model):
     "prior",
     [
         PriorDeviations(),
-        PriorDeviations(1e-9, 1.0, 0.0, 1e3, 1e-3),
+        PriorDeviations(1e-9, 1.0, 0.0, 1.0, 1e-6),
         PriorDeviations(0, 0, 0, 0, 1.0),
         PriorDeviations(0, 0, 0, 0, 0),
     ],

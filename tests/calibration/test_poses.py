@@ -9,7 +9,7 @@ import pytest
 
 from driftlab.attitude import attitude_algorithm, integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
-from driftlab.calibration import FULL
+from driftlab.calibration import FULL, InconsistentWarning
 from driftlab.calibration.body_axes import imu_errors_in_frame
 from driftlab.calibration.poses import POSE_AXES, calibrate_by_poses
 from driftlab.core.poses import UNKNOWNS, PoseModel, Poses
@@ -319,6 +319,15 @@ def test_turns_about_two_axes_leave_the_third_gyro_in_the_dark():
 
 
 TRUE, ROWS = by_hand()
+
+
+def test_gravity_of_another_planet_is_warned_of():
+    with pytest.warns(
+        InconsistentWarning, match=r"^gravity: .* got 3\.71 m/s\^2, and they show 9\.8"
+    ):
+        calibrate_by_poses(log(TRUE), ROWS, gravity=3.71, noise=NOISE)
+
+
 GOOD = {"recording": log(TRUE), "rests": ROWS, "gravity": GRAVITY, "noise": NOISE}
 
 

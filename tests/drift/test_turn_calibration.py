@@ -525,6 +525,7 @@ def test_covariance_with_rates_is_that_of_the_design():
     np.testing.assert_allclose(normal, np.eye(8), rtol=0, atol=EPS * np.linalg.cond(design) ** 2)
 
 
+@pytest.mark.filterwarnings("ignore:table_rates:driftlab.checks.UnusualWarning")
 @pytest.mark.parametrize("size", [1e-9, 1e9])
 def test_no_unit_of_the_rates_makes_the_unknowns_undetermined(size):
     fit = fit_turns(drift_coefficient(EIGHT, BENT), EIGHT, table_rates=size * RATES, gyro_bias=True)

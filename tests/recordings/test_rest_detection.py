@@ -1,8 +1,11 @@
 """Rests: found where they are, with their reasons, in simulated logs and in published ones."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from driftlab.checks import UnusualWarning
 from driftlab.recordings.recording import Recording
 from driftlab.recordings.rest_detection import rests
 from support import recording_or_skip
@@ -62,6 +65,20 @@ def test_a_log_without_moves_is_one_rest():
     found = rests(log())
     assert found.rows == [(100, 2900)]
     assert found.why.startswith("1 rest: ")
+
+
+@pytest.mark.parametrize("kind", ["rates", "increments"])
+def test_a_log_that_never_rests_is_warned_of(kind):
+    """Swings of a radian a second, whose calmest moment is no noise."""
+    t = np.arange(6000) / 100
+    gyro = np.stack([np.sin(5 * t), np.cos(3 * t), np.sin(7 * t)], axis=1)
+    share = 1.0 if kind == "rates" else 0.01
+    with pytest.warns(UnusualWarning, match=r"^recording\.gyro: .* ever lie still"):
+        rests(Recording(share * gyro, None, 0.01, kind))
+    lively = log((500, 800), kind=kind)
+    force = lively.accelerometer + 3 * share * gyro[: len(lively)]
+    with pytest.warns(UnusualWarning, match=r"^recording\.accelerometer: "):
+        rests(replace(lively, accelerometer=force))
 
 
 def test_other_multiples_are_told():

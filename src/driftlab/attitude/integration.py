@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from driftlab.checks import FloatArray, finite_array, finite_arrays, shown, unit_quaternions
+from driftlab.checks import (
+    FloatArray,
+    UnusualWarning,
+    finite_array,
+    finite_arrays,
+    shown,
+    unit_quaternions,
+)
 from driftlab.core import attitude as core
 from driftlab.core.attitude import rotation_quaternion, turns_too_far
 from driftlab.core.quaternion import cumulative_product, from_rotation_vector, multiply
@@ -58,6 +66,11 @@ def integrate(
         iteration refuses fewer increments than a window has, and such that it does not settle on.
         Of one's own function all that `own_steps` refuses.
 
+    Warns
+    -----
+    UnusualWarning
+        If an increment is more than a whole turn.
+
     See Also
     --------
     increments_from_rates : Increments from sampled rates.
@@ -100,6 +113,14 @@ def integrate(
     first = unit_quaternions(start, "start")
     steps = cumulative_product(step_quaternions(increments, algorithm, history=history))
     finite_arrays(increments=(steps, *steps.shape[-2:]), start=(first, 4))
+    largest = float(np.abs(np.asarray(increments)).max())
+    if largest > 2 * np.pi:
+        warnings.warn(
+            f"increments: {largest:.3g} rad between two samples is more than a whole turn. "
+            "If degrees were meant, np.radians; if rates, times the interval.",
+            UnusualWarning,
+            stacklevel=2,
+        )
     return multiply(first[..., np.newaxis, :], steps)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from driftlab.checks import FloatArray, finite_array, positive_number, shown
+from driftlab.checks import FloatArray, UnusualWarning, finite_array, positive_number, shown
 
 USUAL_INTERVAL = 1.0
 """Of the updates at a table that stands, if nothing else is said, s."""
@@ -53,6 +53,13 @@ def updates(
         inner = np.arange(2 * pairs, count - 1, 2 * pairs)
         # The last update takes what is left, but for one increment of an odd number.
         ends = np.append(inner[inner < count - count % 2], count - count % 2)
+        if 2 * pairs > count:
+            warnings.warn(
+                f"update_interval: {seconds:g} s is longer than the record, {interval * count:g} s:"
+                " there is one update only, and little is learnt beyond the prior.",
+                UnusualWarning,
+                stacklevel=3,
+            )
         return ends, np.zeros((len(ends), 3))
     reference = finite_array(reference_velocity, "reference_velocity", 3)
     number = reference.shape[-2] if reference.ndim > 1 else 0

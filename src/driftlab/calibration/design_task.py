@@ -193,12 +193,12 @@ class DesignTask:
         rows = rows_of(self)
         return float(self.values(rows.after([rows.row(scheme)]))[0])
 
-    def random_schemes(self, rng: np.random.Generator, count: int) -> list[Scheme]:
+    def random_schemes(self, rng: np.random.Generator | int, count: int) -> list[Scheme]:
         """Draw random schemes that the table can do.
 
         Parameters
         ----------
-        rng : numpy.random.Generator
+        rng : numpy.random.Generator or int
             Source of the random draws.
         count : int
             How many.

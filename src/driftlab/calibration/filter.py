@@ -25,7 +25,6 @@ from driftlab.higher_order_errors import rate_changes
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments, checked_increments
 from driftlab.motion.scheme import Scheme
-from driftlab.recordings.recording import Recording
 from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 
 from ._doubt import Door, warn_if_impossible, warn_if_inconsistent
@@ -173,10 +172,6 @@ def calibrate(
     checked_instance(prior, PriorDeviations, "prior")
     checked_instance(noise, ImuNoise, "noise")
     place = float(checked_latitude(finite_number(latitude, "latitude")))
-    if isinstance(increments, Recording):
-        raise ValueError(
-            "increments: expected Increments, got a Recording: hand in recording.increments()."
-        )
     if isinstance(start, Scheme):
         raise ValueError(
             "start: expected a quaternion (..., 4), got a Scheme: hand in scheme.start_attitude."

@@ -77,7 +77,7 @@ class SchemeDesign(NamedTuple):
 
 def design_scheme(
     task: DesignTask,
-    rng: np.random.Generator,
+    rng: np.random.Generator | int,
     *,
     draws: int = 200,
     climbs: int = 4,
@@ -89,7 +89,7 @@ def design_scheme(
     ----------
     task : DesignTask
         The criterion, and what the table can do.
-    rng : numpy.random.Generator
+    rng : numpy.random.Generator or int
         Source of all random draws.
     draws : int
         Number of random schemes.
@@ -131,7 +131,8 @@ def design_scheme(
     count = whole_number(climbs, "climbs")
     trials, turns = rows_of(task), task.positions - 1
     number, moves = whole_number(draws, "draws"), trials.moves
-    starts, rows = moves.drawn(checked_generator(rng), number, turns, task.two_axes)
+    source = checked_generator(rng)
+    starts, rows = moves.drawn(source, number, turns, task.two_axes)
     drawn = task.values(trials.covariances(starts, rows))
     best = _in_order(drawn)[:count]
     begun = [((int(starts[i]), rows[i]), float(drawn[i])) for i in best]
@@ -148,7 +149,7 @@ def design_scheme(
         tried += 1
     found = []
     for row, before in begun:
-        end, after, more = _climb(task, trials, row, before, rng)
+        end, after, more = _climb(task, trials, row, before, source)
         found.append(Climb(trials.scheme(*row), trials.scheme(*end), before, after))
         tried += more
     found = [found[i] for i in _in_order([climb.after for climb in found])]

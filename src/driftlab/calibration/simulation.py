@@ -132,7 +132,7 @@ class TableTrial:
 
     def run(
         self,
-        rng: np.random.Generator,
+        rng: np.random.Generator | int,
         runs: int | None = None,
         imu_errors: ImuErrors | None = None,
         higher_order: HigherOrderErrors | None = None,
@@ -141,7 +141,7 @@ class TableTrial:
 
         Parameters
         ----------
-        rng : numpy.random.Generator
+        rng : numpy.random.Generator or int
             Source of all random draws.
         runs : int, optional
             Number of runs, along a leading axis of the result. If not given, as many as
@@ -177,12 +177,12 @@ class TableTrial:
         >>> [round(1e6 * float(errors.gyro_error[0, 0])) for errors in both]
         [-130, -103]
         """
-        checked_generator(rng)
+        source = checked_generator(rng)
         model = self.model
         warn_if_unobservable(linearize_along(self.scheme, self.latitude, model))
         lead = () if runs is None else (whole_number(runs, "runs"),)
         if imu_errors is None:
-            imu_errors = random_imu_errors(self.prior, rng, *lead)
+            imu_errors = random_imu_errors(self.prior, source, *lead)
         imu_errors = checked_imu_errors(imu_errors)
         try:
             imu_errors = broadcast_imu_errors(imu_errors, *lead)
@@ -196,12 +196,14 @@ class TableTrial:
         true = table_trajectory(
             self.scheme, self.latitude, self.sample_interval, multiple_of=samples
         )
-        higher_order = self._higher_order(higher_order, rng, lead)
-        measured = measure(true.increments, imu_errors, self.noise, rng, higher_order=higher_order)
+        higher_order = self._higher_order(higher_order, source, lead)
+        measured = measure(
+            true.increments, imu_errors, self.noise, source, higher_order=higher_order
+        )
         updates = measured.angle.shape[-2] // samples
-        reference = self.noise.reference_velocity * rng.standard_normal((*lead, updates, 3))
+        reference = self.noise.reference_velocity * source.standard_normal((*lead, updates, 3))
         # The table tells its attitude with an error.
-        tilt = from_rotation_vector(-self.prior.attitude * rng.standard_normal((*lead, 3)))
+        tilt = from_rotation_vector(-self.prior.attitude * source.standard_normal((*lead, 3)))
         one_pass = partial(
             calibrate,
             measured,

@@ -60,7 +60,7 @@ def navigate_static(
     interval: float = 0.5,
     output_interval: float = 60.0,
     noise: ImuNoise | None = None,
-    rng: np.random.Generator | None = None,
+    rng: np.random.Generator | int | None = None,
 ) -> StaticNavigationErrors:
     """Navigate with a unit at rest, with its errors compensated as far as they were found.
 
@@ -86,7 +86,7 @@ def navigate_static(
         Between two results, s; rounded to an even number of increments.
     noise : ImuNoise, optional
         Of the sensors; none if not given.
-    rng : numpy.random.Generator, optional
+    rng : numpy.random.Generator or int, optional
         Source of the noise.
 
     Returns

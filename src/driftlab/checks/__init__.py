@@ -16,6 +16,7 @@ from ._arrays import (
     unit_quaternions as unit_quaternions,
     whole_pairs as whole_pairs,
 )
+from ._deviations import usual_deviation as usual_deviation
 from ._error_matrices import (
     LARGEST_SCALE as LARGEST_SCALE,
     error_matrix as error_matrix,

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._words import shown
+from ._words import named_in, shown, with_article
 
 FloatArray = NDArray[np.float64]
 ComplexArray = NDArray[np.complexfloating[Any, Any]]
@@ -56,9 +56,11 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     try:
         array = np.asarray(value)
     except ValueError:  # NumPy's error for lists of unequal length
-        raise ValueError(f"{name}: expected {expected}, got rows of unequal length.") from None
+        got = _object(value) or "rows of unequal length"
+        raise ValueError(f"{name}: expected {expected}, got {got}.") from None
     if array.dtype.kind not in "fiu":
-        raise ValueError(f"{name}: expected real numbers, got dtype {array.dtype}.")
+        got = _object(value) or f"dtype {array.dtype}"
+        raise ValueError(f"{name}: expected real numbers, got {got}.")
     if shape and array.shape[-len(shape) :] != shape:
         raise ValueError(f"{name}: expected {expected}, got shape {array.shape}.")
     if array.size == 0:
@@ -68,6 +70,12 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
         count = array.size - np.count_nonzero(np.isfinite(array))
         raise ValueError(f"{name}: expected finite numbers, got {count} NaN or infinite.")
     return array
+
+
+def _object(value: object) -> str:
+    """Words for an object that holds arrays, and for which of them may be meant; else nothing."""
+    hint = named_in(value, "FloatArray")
+    return f"{with_article(type(value).__name__)}{hint}" if hint else ""
 
 
 def nonzero_vectors(value: ArrayLike, name: str) -> tuple[FloatArray, FloatArray]:

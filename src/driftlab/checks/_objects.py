@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
@@ -9,7 +10,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from ._words import shown, with_article
+from ._words import named_in, shown, with_article
 
 Kind = TypeVar("Kind")
 
@@ -49,7 +50,8 @@ def checked_instance(value: object, kind: type[Kind], name: str, hint: str = "")
         wanted = f"({', '.join(fields)})" if fields else ""
         more = f" {hint}" if hint else ""
         raise ValueError(
-            f"{name}: expected {with_article(kind.__name__)}{wanted}{more}, got {shown(value)}."
+            f"{name}: expected {with_article(kind.__name__)}{wanted}{more}, got {shown(value)}"
+            f"{named_in(value, kind.__name__)}."
         )
     return value
 
@@ -177,12 +179,15 @@ def named_or_own(
 
 
 def checked_generator(rng: object) -> np.random.Generator:
-    """Return the argument `rng` if noise can be drawn from it.
+    """Return the generator that the argument `rng` is, or that a seed makes.
+
+    A seed makes a new generator each time it is checked, so check it once and hand on the result.
 
     Parameters
     ----------
     rng : object
-        Should be a `numpy.random.Generator`.
+        Should be a `numpy.random.Generator`, or a seed: a whole number from 0 on, of which
+        `numpy.random.default_rng` makes one.
 
     Returns
     -------
@@ -191,17 +196,28 @@ def checked_generator(rng: object) -> np.random.Generator:
     Raises
     ------
     ValueError
-        If it is something else, as a seed or None.
+        If it is something else, as None: noise that cannot be drawn again is not wanted.
 
     Examples
     --------
-    >>> checked_generator(1)
+    >>> float(checked_generator(1).uniform()) == float(np.random.default_rng(1).uniform())
+    True
+    >>> checked_generator(None)
     Traceback (most recent call last):
-    ValueError: rng: expected a numpy Generator to draw the noise, got 1.
+    ValueError: rng: expected a numpy Generator to draw the noise, or a seed for one, got None.
     """
-    if not isinstance(rng, np.random.Generator):
-        raise ValueError(f"rng: expected a numpy Generator to draw the noise, got {shown(rng)}.")
-    return rng
+    if isinstance(rng, np.random.Generator):
+        return rng
+    try:
+        seed = -1 if isinstance(rng, bool | np.bool) else operator.index(rng)  # type: ignore[arg-type]
+    except TypeError:
+        seed = -1
+    if seed < 0:
+        raise ValueError(
+            "rng: expected a numpy Generator to draw the noise, or a seed for one, "
+            f"got {shown(rng)}."
+        )
+    return np.random.default_rng(seed)
 
 
 def checked_function(value: object, name: str, of: str) -> Callable[..., Any]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from inspect import isfunction
 
 import numpy as np
 
@@ -54,6 +55,54 @@ def shown(value: object) -> str:
     if callable(value) and hasattr(value, "__name__"):
         return f"the function {value.__name__}"
     return with_article(kind.__name__)
+
+
+def named_in(value: object, kind: str) -> str:
+    """Say which part of one of the package's objects is what was wanted in its place.
+
+    Parameters
+    ----------
+    value : object
+        Anything; its class says what its fields, properties and methods without arguments are.
+    kind : str
+        Name of the class that was wanted, "FloatArray" for arrays.
+
+    Returns
+    -------
+    str
+        The end of a sentence: ": hand in its increments()", say; nothing if no part is.
+
+    Examples
+    --------
+    >>> from driftlab.increments import Increments
+    >>> named_in(Increments(1.0, np.zeros((2, 3)), np.zeros((2, 3))), "FloatArray")
+    ': hand in one of its arrays: angle, velocity, mean_rate'
+    >>> named_in(3.0, "FloatArray")
+    ''
+    """
+    found = [
+        name
+        for name, said in _annotations(type(value))
+        if not name.startswith("_")
+        and kind in str(getattr(said, "__forward_arg__", said)).split(" | ")
+    ]
+    if not found:
+        return ""
+    if kind == "FloatArray":
+        return f": hand in one of its arrays: {', '.join(found)}"
+    return f": hand in its {found[0]}"
+
+
+def _annotations(kind: type) -> Iterator[tuple[str, object]]:
+    """What fields, properties and methods without arguments are said to be; of our own classes."""
+    if not kind.__module__.startswith("driftlab"):
+        return
+    yield from getattr(kind, "__annotations__", {}).items()
+    for name, member in vars(kind).items():
+        if isinstance(member, property):
+            yield name, getattr(member.fget, "__annotations__", {}).get("return")
+        elif isfunction(member) and member.__code__.co_argcount == 1:
+            yield f"{name}()", member.__annotations__.get("return")
 
 
 def _is_short(values: object) -> bool:

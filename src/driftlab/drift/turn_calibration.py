@@ -216,7 +216,7 @@ class TurnExperiment:
         self,
         axis: ArrayLike,
         triad_error: ArrayLike,
-        rng: np.random.Generator | None = None,
+        rng: np.random.Generator | int | None = None,
     ) -> FloatArray:
         """Attitude error after the turns, integrated step by step as in a computer; Larin (1.2).
 
@@ -226,7 +226,7 @@ class TurnExperiment:
             Body axis of the turns; only its direction counts.
         triad_error : array_like, shape (..., 3, 3)
             Matrix M of the errors of the triad, without unit.
-        rng : numpy.random.Generator, optional
+        rng : numpy.random.Generator or int, optional
             Source of the noise; needed when `angle_noise` is not zero.
 
         Returns
@@ -250,18 +250,17 @@ class TurnExperiment:
         increment = 2 * np.pi / self.steps_per_turn * transform(checked_triad(triad_error), n)
         count = self.turns * self.steps_per_turn
         increments = np.repeat(increment[..., np.newaxis, :], count, axis=-2)
-        if rng is not None:
-            checked_generator(rng)
+        source = None if rng is None else checked_generator(rng)
         if self.angle_noise:
             scale = self.angle_noise / np.sqrt(self.steps_per_turn)
-            increments = increments + checked_generator(rng).normal(0.0, scale, increments.shape)
+            increments = increments + checked_generator(source).normal(0.0, scale, increments.shape)
         return integrate_steps(increments, self.step_formula)
 
     def estimate(
         self,
         axis: ArrayLike,
         triad_error: ArrayLike,
-        rng: np.random.Generator | None = None,
+        rng: np.random.Generator | int | None = None,
     ) -> FloatArray:
         """Estimate n^T Sigma n by the whole experiment: integrate, then apply `turn_estimate`.
 
@@ -271,7 +270,7 @@ class TurnExperiment:
             Body axis n of the turns; only its direction counts.
         triad_error : array_like, shape (..., 3, 3)
             Matrix M of the errors of the triad, without unit.
-        rng : numpy.random.Generator, optional
+        rng : numpy.random.Generator or int, optional
             Source of the noise; needed when `angle_noise` is not zero.
 
         Returns

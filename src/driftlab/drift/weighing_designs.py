@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, nonzero_vectors, one_of, shown, truth_value
+from driftlab.checks import (
+    USUAL_TABLE,
+    FloatArray,
+    UnusualWarning,
+    finite_array,
+    nonzero_vectors,
+    one_of,
+    shown,
+    truth_value,
+)
 
 PAIR_AXES: FloatArray = np.array([[1.0, 1, 0], [1, 0, 1], [0, 1, 1]]) / np.sqrt(2)
 """Larin's (3.4): turning about row s gives sigma_s itself."""
@@ -126,6 +136,11 @@ def fit_turns(
     ValueError
         If the turns do not determine the unknowns.
 
+    Warns
+    -----
+    UnusualWarning
+        If a table rate is more than a turn a second, and so perhaps in degrees.
+
     See Also
     --------
     recorded_turn_estimate : A turn estimate from a record.
@@ -200,6 +215,14 @@ def _time_of_a_radian(table_rates: ArrayLike | None, count: int) -> FloatArray:
     rates = finite_array(table_rates, "table_rates", count)
     if rates.ndim != 1 or not rates.all():
         raise ValueError(f"table_rates: expected {count} rates that are not zero, got {rates}.")
+    fastest = float(rates[np.abs(rates).argmax()])
+    if abs(fastest) > USUAL_TABLE:
+        warnings.warn(
+            f"table_rates: {fastest:g} rad/s is {np.degrees(fastest):.0f} degrees a second. If "
+            "degrees were meant, np.radians(table_rates).",
+            UnusualWarning,
+            stacklevel=3,
+        )
     return 1 / rates
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_arrays, finite_number, shown
+from driftlab.checks import FloatArray, finite_arrays, usual_deviation
 from driftlab.earth import EARTH_RATE, checked_latitude, gravity
 
 from .contradictions import NOTHING_KNOWN
@@ -167,8 +167,4 @@ def _checked(
 
 
 def _deviations(**values: float) -> list[float]:
-    found = [finite_number(value, name) for name, value in values.items()]
-    for name, value in zip(values, found, strict=True):
-        if value < 0:
-            raise ValueError(f"{name}: expected a number of at least 0, got {shown(value)}.")
-    return found
+    return [usual_deviation(value, name) for name, value in values.items()]

@@ -93,14 +93,14 @@ class GyroNoise:
         white = self.white * float(np.sqrt(self.interval / seconds))
         return replace(self, white=white, interval=seconds)
 
-    def samples(self, count: int, rng: np.random.Generator, *shape: int) -> FloatArray:
+    def samples(self, count: int, rng: np.random.Generator | int, *shape: int) -> FloatArray:
         """Draw the noise of gyros that are switched on anew.
 
         Parameters
         ----------
         count : int
             Number of samples.
-        rng : numpy.random.Generator
+        rng : numpy.random.Generator or int
             Source of the noise.
         *shape : int
             Leading axes of the result: independent gyros.
@@ -113,7 +113,7 @@ class GyroNoise:
         Raises
         ------
         ValueError
-            If a number is not whole and positive, or `rng` is not a Generator.
+            If a number is not whole and positive, or `rng` is no source of noise.
 
         Examples
         --------
@@ -123,15 +123,15 @@ class GyroNoise:
         ((2, 10000), '1e-06')
         """
         size = (*(whole_number(n, "shape") for n in shape), whole_number(count, "count"))
-        checked_generator(rng)
+        source = checked_generator(rng)
         kept = float(np.exp(-self.interval / self.correlation_time))
-        draws = rng.standard_normal(size)
+        draws = source.standard_normal(size)
         # The first value has the spread of all; later ones forget it little by little.
         draws[..., 1:] *= np.sqrt(1 - kept**2)
         slow = lfilter([1.0], [1.0, -kept], draws, axis=-1)
-        noise: FloatArray = self.slow * slow + self.white * rng.standard_normal(size)
+        noise: FloatArray = self.slow * slow + self.white * source.standard_normal(size)
         if self.quantisation:
-            rounding = rng.standard_normal((*size[:-1], size[-1] + 1))
+            rounding = source.standard_normal((*size[:-1], size[-1] + 1))
             noise += self.quantisation / self.interval * np.diff(rounding)
         return noise
 

@@ -142,7 +142,7 @@ def most_range_over_deviation(count: int) -> float:
     return float(np.sqrt(2 * (whole_number(count, "count", least=2) - 1)))
 
 
-def normal_ranges(count: int, trials: int, rng: np.random.Generator) -> FloatArray:
+def normal_ranges(count: int, trials: int, rng: np.random.Generator | int) -> FloatArray:
     """`range_over_deviation` of random samples of normally distributed values.
 
     Parameters
@@ -151,7 +151,7 @@ def normal_ranges(count: int, trials: int, rng: np.random.Generator) -> FloatArr
         Number of values in a sample, at least 2.
     trials : int
         Number of samples.
-    rng : numpy.random.Generator
+    rng : numpy.random.Generator or int
         Source of the values.
 
     Returns

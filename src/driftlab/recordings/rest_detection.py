@@ -8,17 +8,28 @@ lets go slowly and a table rings on: what touches a move is cut off.
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d
 
-from driftlab.checks import FloatArray, checked_instance, finite_number, positive_number, shown
+from driftlab.checks import (
+    FloatArray,
+    UnusualWarning,
+    checked_instance,
+    finite_number,
+    positive_number,
+    shown,
+)
 
 from .recording import Kind, Recording
 
 _SILENT = 1e-9
 """Deviation, relative to the largest sample, below which a triad cannot tell rest from motion."""
+_LOUDEST = {"gyro": (0.1, "rad/s"), "accelerometer": (1.0, "m/s^2")}
+"""Root of the summed variances of a triad, of rates: more than the noise of any, and about what a
+running engine shakes into one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,6 +182,12 @@ def rests(
         If the record is shorter than two windows, no rest is left, or a triad shows no noise at
         all, so that there is nothing to measure with.
 
+    Warns
+    -----
+    UnusualWarning
+        If even the quietest window scatters by more than sensors do at rest: then the unit perhaps
+        never lay still, and what is found are but its calmer moments.
+
     See Also
     --------
     driftlab.calibration.calibrate_by_poses : What rests are good for.
@@ -213,6 +230,7 @@ def rests(
         force = _windowed_deviation(recording.accelerometer, width, "accelerometer")
         force_noise = float(force.min())
         scatter = np.maximum(scatter, force / force_noise)
+    _warn_if_never_still(recording, {"gyro": float(gyro.min()), "accelerometer": force_noise})
     trimmed, wanted = round(cut / recording.interval), max(2, round(least / recording.interval))
 
     def found(limit: float) -> tuple[list[tuple[int, int]], list[tuple[int, int]]]:
@@ -270,6 +288,20 @@ def _windowed_deviation(rows: FloatArray, width: int, name: str) -> FloatArray:
             f"{row}: a sensor that hangs, or one too coarse to show its noise in so short a window?"
         )
     return deviation
+
+
+def _warn_if_never_still(recording: Recording, noise: dict[str, float]) -> None:
+    """Warn if what passes for the noise of a triad is larger than that of any."""
+    share = 1.0 if recording.kind == "rates" else recording.interval
+    for name, (most, unit) in _LOUDEST.items():
+        if noise[name] / share > most:
+            warnings.warn(
+                f"recording.{name}: expected a moment of rest, where samples scatter by less than "
+                f"{most:g} {unit}, got {noise[name] / share:.2g} {unit} in the quietest window: "
+                "did the unit ever lie still, and is the unit of the numbers right?",
+                UnusualWarning,
+                stacklevel=3,
+            )
 
 
 def _loudest(scatter: FloatArray, begin: int, end: int, width: int) -> float:
