@@ -13,6 +13,7 @@ from driftlab.frames import FROM_EAST_NORTH_UP, from_euler_angles, to_euler_angl
 from driftlab.gyrocompass import align
 from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import to_matrix
+from driftlab.recordings import Recording
 from support import EPS, matrices, quaternions, same_rotation, vectors
 
 
@@ -133,7 +134,8 @@ def test_rate_of_the_earth_in_north_east_down():
         ("NED", "FRD", "to_axes: expected local axes such as 'NED' or 'ENU', as from_axes are loc"),
         ("FRD", "ENU", "to_axes: expected body axes such as 'FRD', as from_axes are body axes"),
         ("NSU", "ENU", "from_axes: expected three letters for three perpendicular directions"),
-        ("NED", "ned", "to_axes: expected three letters"),
+        ("NED", "ned", "to_axes: expected three letters .* got 'ned': in capitals, please"),
+        ("", "FUR", "from_axes: .* got none: of a log, say axes= when it is read"),
         ("NED", "NEDU", "to_axes: expected three letters"),
         ("NED", "NRD", "to_axes: expected three letters"),
         ("NED", None, "to_axes: expected three letters"),
@@ -158,3 +160,8 @@ def test_impossible_axes_are_refused(old, new, sentence):
 def test_impossible_pairs_are_refused(arguments, sentence):
     with pytest.raises(ValueError, match=f"^{sentence}"):
         convert_attitude([0.0, 0.0, 0.0, 1.0], **arguments)
+
+
+def test_a_log_in_local_axes_is_refused_by_the_name_that_was_said():
+    with pytest.raises(ValueError, match=r"^axes: expected body axes .* 'NED', which are local"):
+        Recording(np.zeros((2, 3)), None, 0.01, "rates", axes="NED")

@@ -221,7 +221,7 @@ def _quaternion(pair: tuple[str, str], name: str) -> FloatArray:
     return Rotation.from_matrix(axes_rotation(old, new)).as_quat()
 
 
-def checked_axes(axes: str, name: str) -> str:
+def checked_axes(axes: str, name: str, kind: str | None = None) -> str:
     """Return the name of axes unchanged, refusing what is none.
 
     Parameters
@@ -230,6 +230,8 @@ def checked_axes(axes: str, name: str) -> str:
         Three letters, as "NED" or "FRD".
     name : str
         Name of the argument, for the sentence.
+    kind : {"body", "local"}, optional
+        What they must be axes of; either if not given.
 
     Returns
     -------
@@ -240,8 +242,15 @@ def checked_axes(axes: str, name: str) -> str:
     --------
     >>> checked_axes("FRD", "axes")
     'FRD'
+    >>> checked_axes("NED", "axes", "body")
+    Traceback (most recent call last):
+    ValueError: axes: expected body axes such as 'FRD', got 'NED', which are local axes.
     """
-    _directions(axes, name)
+    found, _ = _directions(axes, name)
+    if kind is not None and found != kind:
+        raise ValueError(
+            f"{name}: expected {_EXAMPLES[kind]}, got {shown(axes)}, which are {found} axes."
+        )
     return axes
 
 
@@ -265,7 +274,13 @@ def _directions_of_letters(axes: str, name: str) -> tuple[str, FloatArray]:
             if handedness > 0.5:
                 rows.setflags(write=False)
                 return kind, rows
+    if not axes:
+        got = "none: of a log, say axes= when it is read."
+    elif len(axes) == 3 and axes != axes.upper():
+        got = f"{shown(axes)}: in capitals, please."
+    else:
+        got = f"{shown(axes)}."
     raise ValueError(
         f"{name}: expected three letters for three perpendicular directions, as 'NED', 'ENU', "
-        f"'FRD' or 'FLU', got {shown(axes)}."
+        f"'FRD' or 'FLU', got {got}"
     )

@@ -156,3 +156,9 @@ def test_a_figure_draws_the_numbers_that_it_is_given() -> None:
     definition = figures.figure_definitions("02")["02-roots"]
     data = definition.compute()
     assert figures.figure("02-roots", data).data is data
+
+
+def test_a_figure_at_a_prompt_says_what_it_is():
+    figure = figures.figure("03-drift-map")
+    assert repr(figure).startswith("driftlab.figure('03-drift-map')\n")
+    assert figure.caption in repr(figure)

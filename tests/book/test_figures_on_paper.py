@@ -151,7 +151,7 @@ def test_the_numbers_are_saved_too(tmp_path: Path) -> None:
     [
         ("map.jpeg", None, r"path: expected an ending of \.pdf, \.svg, \.png, \.csv, got 'map"),
         ("map.pdf", 2.0, r"width: expected inches between 3 and 12, such as 3\.5 .* got 2\."),
-        ("map.pdf", 89.0, r"width: expected inches"),
+        ("map.pdf", 89.0, r"width: expected inches .* in mm\? 89 / 25\.4"),
         ("map.pdf", "column", r"width: "),
     ],
 )

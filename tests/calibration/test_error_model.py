@@ -283,3 +283,16 @@ def test_prior_is_the_covariance_of_random_units_in_the_models_axes(model):
     values = np.linalg.svd(white / np.sqrt(count), compute_uv=False)
     bound = np.sqrt(24 / count) + np.sqrt(28 / count)
     assert np.abs(values - 1).max() < bound
+
+
+def test_a_name_that_no_model_has_is_told_those_that_there_are():
+    with pytest.raises(KeyError, match=r"expected one of averaged, .* got '27'"):
+        ERROR_MODELS["27"]
+    assert "27" not in ERROR_MODELS
+    assert ERROR_MODELS.get("27") is None
+
+
+def test_a_model_in_a_signature_is_one_short_line():
+    assert repr(FULL) == "<ErrorModel of 30 states, any body axes>"
+    larger = ERROR_MODELS["averaged"].with_states("time skew")
+    assert repr(larger) == "<ErrorModel of 28 states, axes 'averaged', with time skew>"

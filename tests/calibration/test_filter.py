@@ -510,3 +510,20 @@ def with_nan(name):
 def test_bad_arguments_are_refused_by_name(name, bad, words):
     with pytest.raises(ValueError, match=f"^{name}: expected {words}"):
         calibrate(**replaced(GOOD, {name: bad}))
+
+
+def test_biases_that_lead_astray_are_told_how_to_do_without():
+    """Degrees a second in the gyros, and updates so seldom that the first one turns the unit."""
+    true = table_trajectory(Scheme("+90X -90X +90Y", dwell=20.0), 0.9, 0.5)
+    bias = np.radians([3.0, -2.0, 1.0])
+    with pytest.raises(ValueError, match=r"^prior: .* got a gyro_bias of 0\.0524 .* mean at rest"):
+        calibrate(
+            measure(true.increments, NO_ERRORS._replace(gyro_bias=bias)),
+            latitude=0.9,
+            start=true.attitude[0],
+            model="averaged",
+            prior=PriorDeviations(gyro_bias=np.radians(3.0)),
+            noise=ImuNoise(),
+            update_interval=20.0,
+            check=False,
+        )

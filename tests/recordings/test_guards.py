@@ -218,3 +218,10 @@ def test_a_record_without_accelerometers_is_judged_by_what_it_has():
         "rate",
         "half turn",
     ]
+
+
+def test_gravity_that_is_told_is_what_the_force_is_held_against():
+    gyro, noise = 1e-3 * np.random.default_rng(1).standard_normal((2, 200, 3))
+    on_mars = Recording(gyro, noise + np.array([0.0, 0.0, 3.71]), 0.01, "rates", gravity=3.71)
+    assert doubts(on_mars) == ()
+    assert [doubt.rule for doubt in doubts(replace(on_mars, gravity=None))] == ["force"]

@@ -27,6 +27,14 @@ _ONCE_MORE = (
     "about this result"
 )
 
+LARGE_BIAS = 1e-3
+"""Deviation of the gyros' biases with which a filter that is linear in them may go astray, rad/s:
+in a minute such a bias turns by three degrees."""
+TAKE_THE_MEAN = (
+    "Gyro biases as large as the prior says lead the filter astray: take the mean at rest out of "
+    "the gyros first, then say in the prior what is left"
+)
+
 
 class Door(NamedTuple):
     """Arguments of a calibration, checked."""
@@ -64,7 +72,7 @@ def warn_if_impossible(
                 "expected gravity and the Earth's rate to be where start, latitude and increments "
                 f"have them within {FITS:g} deviations, got {size:.3g}"
             )
-            return _warn(sentence + _advice(slips, noise))
+            return _warn(sentence + _advice(door.prior, slips, noise))
     return None
 
 
@@ -93,9 +101,9 @@ def warn_if_inconsistent(
         if not noise or judge.steps is not None:
             slips = likely_slips(told, _expected(door), judge)
         if slips or noise:
-            _warn(said[0] + _advice(slips, noise))
+            _warn(said[0] + _advice(door.prior, slips, noise))
             return
-        said[0] += _advice([]) if doubt is not None else ""
+        said[0] += _advice(door.prior, []) if doubt is not None else ""
     elif noise:
         said.append(
             f"expected noise within a factor of {LARGER:g} of what was told, got "
@@ -117,13 +125,18 @@ def _warn(sentence: str) -> InconsistentWarning:
     return warning
 
 
-def _advice(slips: list[str], certain: list[str] | None = None) -> str:
+def _advice(prior: PriorDeviations, slips: list[str], certain: list[str] | None = None) -> str:
     """The end of a sentence: what is certain, and slips of which one may be; or that none is."""
     parts = ["; or ".join(slip.rstrip("?") for slip in slips)] if slips else []
     parts = [*(part.rstrip("?") for part in certain or []), *parts]
     if parts:
         return f": {'; and '.join(parts)}?"
-    return "; no slip is known that explains it."
+    if prior.gyro_bias > LARGE_BIAS:
+        return f"; no slip is known that explains it. {TAKE_THE_MEAN}."
+    return (
+        "; no slip is known that explains it. Are the errors larger than the prior says? Then a "
+        "larger prior, and a second pass about this result."
+    )
 
 
 def _told(run: int, door: Door) -> Told:

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.body_frames import misalignment_vector
-from driftlab.checks import FloatArray, checked_instance, one_of, one_quaternion
+from driftlab.checks import FloatArray, checked_instance, one_of, one_quaternion, shown
 from driftlab.core.quaternion import to_matrix
 from driftlab.core.vectors import cross_matrix
 from driftlab.imu import PriorDeviations
@@ -58,6 +58,11 @@ class ErrorModel(StateLayout):
     >>> model.size, model.names[12]
     (27, 'gyro non-orthogonality xy')
     """
+
+    def __repr__(self) -> str:
+        axes = "any body axes" if self.frame is None else f"axes {self.frame!r}"
+        more = f", with {', '.join(self.higher_order)}" if self.higher_order else ""
+        return f"<ErrorModel of {self.size} states, {axes}{more}>"
 
     def with_states(self, *groups: str) -> ErrorModel:
         """Return this model with states that describe `HigherOrderErrors`.
@@ -206,7 +211,15 @@ def _model(
 FULL = _model(None, OFF_DIAGONAL, OFF_DIAGONAL)
 """All 24 sensor errors, 30 states."""
 
-ERROR_MODELS = MappingProxyType({
+
+class _Named(dict[str, ErrorModel]):
+    """Models by name, with a sentence for a name that is none."""
+
+    def __missing__(self, name: object) -> ErrorModel:
+        raise KeyError(f"expected one of {', '.join(self)}, got {shown(name)}.")
+
+
+ERROR_MODELS = MappingProxyType(_Named({
     "averaged": _model("averaged", UPPER, OFF_DIAGONAL, symmetric="gyro"),
     "upper triangle": _model("upper triangle", LOWER, OFF_DIAGONAL),
     "lower triangle": _model("lower triangle", UPPER, OFF_DIAGONAL),
@@ -214,7 +227,7 @@ ERROR_MODELS = MappingProxyType({
     "averaged accelerometers": _model(
         "averaged accelerometers", OFF_DIAGONAL, UPPER, symmetric="accelerometer"
     ),
-})  # fmt: skip
+}))  # fmt: skip
 """The five choices of body axes, 27 states each."""
 
 

@@ -27,7 +27,7 @@ from driftlab.increments import Increments, checked_increments
 from driftlab.motion.scheme import Scheme
 from driftlab.strapdown import ALGORITHM, at_rest, checked_interval
 
-from ._doubt import Door, warn_if_impossible, warn_if_inconsistent
+from ._doubt import LARGE_BIAS, TAKE_THE_MEAN, Door, warn_if_impossible, warn_if_inconsistent
 from ._earlier_pass import check_about, linearization_point
 from ._innovations import normalised_innovations
 from ._updates import updates
@@ -204,7 +204,12 @@ def calibrate(
         result = _filtered(door, model, keep, about)
     except (ValueError, np.linalg.LinAlgError) as failure:
         if doubted is None:
-            raise
+            if prior.gyro_bias <= LARGE_BIAS:
+                raise
+            raise ValueError(
+                "prior: expected errors that the filter can follow, got a gyro_bias of "
+                f"{prior.gyro_bias:.3g} rad/s, and it could not go on: {failure} {TAKE_THE_MEAN}."
+            ) from failure
         raise ValueError(
             "increments: expected a record that the filter can follow to its end, got one that "
             f"contradicts what was told, so that it could not go on: {failure}"

@@ -25,7 +25,6 @@ from .alignment_results import Alignment, AlignmentErrors
 from .contradictions import checked_tolerance, rate_contradiction, warn_of_contradiction
 
 _LEAST_COLATITUDE = np.radians(0.1)
-_HEADING_TOLERANCE = float(np.radians(0.5))
 
 
 def align(
@@ -34,7 +33,7 @@ def align(
     *,
     latitude: ArrayLike | None = None,
     rate_unit: float | None = 1.0,
-    heading_tolerance: float = _HEADING_TOLERANCE,
+    heading_tolerance: float = np.pi / 360,
 ) -> Alignment:
     r"""Heading, pitch, roll and latitude of a body at rest, from its own sensors alone.
 

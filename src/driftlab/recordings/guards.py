@@ -164,7 +164,8 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
     rates = recording.kind == "rates"
     step = recording.interval
     if recording.accelerometer is not None:
-        expected = STANDARD_GRAVITY * (1 if rates else step)
+        gravity = STANDARD_GRAVITY if recording.gravity is None else recording.gravity
+        expected = gravity * (1 if rates else step)
         size = float(np.median(np.linalg.norm(recording.accelerometer, axis=1)))
         if not 1 / _FORCE_FACTOR < size / expected < _FORCE_FACTOR:
             unit = "m/s^2" if rates else "m/s, gravity times the interval"

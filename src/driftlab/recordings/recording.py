@@ -11,7 +11,7 @@ from typing import Literal
 
 import numpy as np
 
-from driftlab.axes import axes_rotation, checked_axes, convert_vectors
+from driftlab.axes import checked_axes, convert_vectors
 from driftlab.checks import (
     FloatArray,
     checked_text,
@@ -104,7 +104,7 @@ class Recording:
                 )
             object.__setattr__(self, "times", times)
         if self.axes:
-            axes_rotation(checked_axes(self.axes, "axes"), "FRD")
+            checked_axes(self.axes, "axes", "body")
         if self.latitude is not None and abs(finite_number(self.latitude, "latitude")) > np.pi / 2:
             raise ValueError(
                 f"latitude: expected rad, at most a quarter turn, got {shown(self.latitude)}."
@@ -221,7 +221,7 @@ class Recording:
         """
         if not self.axes:
             raise ValueError("axes: expected a record that knows its axes, got one that does not.")
-        force, axes = self.accelerometer, checked_axes(axes, "axes")
+        force, axes = self.accelerometer, checked_axes(axes, "axes", "body")
         return replace(
             self,
             gyro=convert_vectors(self.gyro, self.axes, axes),

@@ -204,6 +204,9 @@ class PublishedFigure:
         table = as_words(self.table())
         write_table(path, table, self.comments(table))
 
+    def __repr__(self) -> str:
+        return f"{self.call}\n{self.caption}\n.save(path) writes it, .table() has its numbers."
+
     def _repr_html_(self) -> str:
         picture = base64.b64encode(self.svg()).decode()
         caption = html.escape(self.caption)

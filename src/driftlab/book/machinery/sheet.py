@@ -65,9 +65,10 @@ class Sheet:
         if self.width is not None:
             width = positive_number(self.width, "width")
             if not LEAST <= width <= MOST:
+                inches = f": in mm? {width:g} / 25.4." if LEAST <= width / 25.4 <= MOST else "."
                 raise ValueError(
                     f"width: expected inches between {LEAST:g} and {MOST:g}, such as {COLUMN:g} "
-                    f"for a column and {PAGE:g} for a page, got {width:g}."
+                    f"for a column and {PAGE:g} for a page, got {width:g}{inches}"
                 )
 
     @property
