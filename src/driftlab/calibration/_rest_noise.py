@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 
 from driftlab.checks import FloatArray, checked_instance
@@ -10,10 +12,14 @@ from driftlab.earth import EARTH_RATE
 from driftlab.imu import ImuNoise
 from driftlab.recordings.recording import Recording
 
+from .consistency import InconsistentWarning
+
 _BLOCK = 0.5
 """Means over so many seconds show the slow part of the noise."""
 _LEAST = 1e-9
 """Least deviation of a mean, relative to gravity, or in rad and rad/s: records without noise."""
+_GRAVITY_FACTOR = 1.25
+"""More than the errors of scale and bias of any accelerometer make together."""
 
 
 def noise_of_rests(
@@ -89,3 +95,16 @@ def _row_variance(
         return white, np.nan
     slow = width * total / freedom
     return slow, float(slow.sum() / white.sum())
+
+
+def warn_of_gravity(poses: Poses) -> None:
+    """Warn if the accelerometers at rest show another gravity; biases push up here, down there."""
+    found = float(np.median(np.linalg.norm(poses.force, axis=-1)))
+    if not 1 / _GRAVITY_FACTOR < found / poses.gravity < _GRAVITY_FACTOR:
+        warnings.warn(
+            f"gravity: expected what the accelerometers show at rest within a factor of "
+            f"{_GRAVITY_FACTOR:g}, got {poses.gravity:g} m/s^2, and they show {found:.4g}: the "
+            "scale of all three would be wrong by that. Is it another planet's, or their unit?",
+            InconsistentWarning,
+            stacklevel=3,
+        )

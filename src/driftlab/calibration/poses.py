@@ -8,7 +8,6 @@ the gyros alone must find no turn: this is Larin's test, and three components co
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 
 import numpy as np
@@ -32,8 +31,7 @@ from driftlab.recordings.recording import Recording
 from driftlab.recordings.rest_detection import Rests
 
 from ._pose_fit import fit_poses
-from ._rest_noise import noise_of_rests
-from .consistency import InconsistentWarning
+from ._rest_noise import noise_of_rests, warn_of_gravity
 from .error_model import FULL
 from .pose_results import PoseCalibration
 
@@ -44,9 +42,6 @@ POSE_AXES = (*BODY_FRAMES, "lower triangle accelerometers")
 the two triangles in which IMU-TK's matrices are in circulation. ``lower triangle accelerometers``
 has axis z along the z accelerometer, and L is zero below: the other, IMU-TK's own.
 """
-
-_GRAVITY_FACTOR = 1.25
-"""More than the errors of scale and bias of any accelerometer make together."""
 
 
 def calibrate_by_poses(
@@ -183,7 +178,7 @@ def calibrate_by_poses(
     pairs = _checked_pairs(closed, len(rows))
     assumed = _gravity(recording, gravity)
     poses = _poses(recording, rows, assumed, pairs, sensitivity)
-    _warn_of_gravity(poses)
+    warn_of_gravity(poses)
     variances, colour = noise_of_rests(recording, rows, poses, noise)
     known = None if gyro_bias is None else finite_arrays(gyro_bias=(gyro_bias, 3))[0]
     if known is not None and known.ndim != 1:
@@ -248,19 +243,6 @@ def _gravity(recording: Recording, given: float | None) -> float:
     raise ValueError(
         "gravity: expected m/s^2, because the record knows neither gravity nor latitude, got none."
     )
-
-
-def _warn_of_gravity(poses: core.Poses) -> None:
-    """Warn if the accelerometers at rest show another gravity; biases push up here, down there."""
-    found = float(np.median(np.linalg.norm(poses.force, axis=-1)))
-    if not 1 / _GRAVITY_FACTOR < found / poses.gravity < _GRAVITY_FACTOR:
-        warnings.warn(
-            f"gravity: expected what the accelerometers show at rest within a factor of "
-            f"{_GRAVITY_FACTOR:g}, got {poses.gravity:g} m/s^2, and they show {found:.4g}: the "
-            "scale of all three would be wrong by that. Is it another planet's, or their unit?",
-            InconsistentWarning,
-            stacklevel=3,
-        )
 
 
 def _checked_rows(
