@@ -216,7 +216,7 @@ def test_other_kinds_are_refused():
     with pytest.raises(ValueError, match=r"^task: expected"):
         design_scheme(NINETEEN_POSITIONS, np.random.default_rng(1))
     with pytest.raises((ValueError, TypeError), match=r"^rng: expected"):
-        design_scheme(SMALL, 1)
+        design_scheme(SMALL, 0.5)
 
 
 def test_states_that_are_known_before_leave_the_criterion():

@@ -387,7 +387,7 @@ def test_times_that_do_not_fit_into_each_other_are_refused(name, bad):
         ("start", np.zeros(4), "nonzero quaternions, got a zero quaternion"),
         ("start", [0, 0, 1], r"shape \(\.\.\., 4\), got shape \(3,\)"),
         ("reference", np.zeros(4), "nonzero quaternions, got a zero quaternion"),
-        ("rng", None, "a numpy Generator to draw the noise, got None"),
+        ("rng", None, "a numpy Generator to draw the noise, or a seed for one, got None"),
     ],
 )
 def test_bad_arguments_are_refused_by_name(name, bad, words):
