@@ -29,6 +29,7 @@ every_reduced_model = pytest.mark.parametrize(
     "model", ERROR_MODELS.values(), ids=list(ERROR_MODELS)
 )
 every_latitude = pytest.mark.parametrize("latitude", np.radians([37.5, -60.0, 0.0]))
+NOISE = ImuNoise(1.5e-3, 1.2e-2)
 ATTITUDE = np.array([0.1, -0.5, 0.3, 0.8]) / np.sqrt(0.99)
 EARTH_RADIUS = 6.378e6
 
@@ -106,9 +107,9 @@ def test_leading_axes_of_any_argument_count():
         assert found.shape == (*lead, 30, 30)
         np.testing.assert_allclose(found, np.broadcast_to(alone, found.shape), rtol=1e-12)
     force, durations = rng.normal(size=(3, 3)), np.array([1.0, 2.0])
-    found = process_noise(ImuNoise(0.3, 0.7), force, durations)
+    found = process_noise(NOISE, force, durations)
     for one, duration in zip(found, durations, strict=True):
-        expected = process_noise(ImuNoise(0.3, 0.7), force, duration)
+        expected = process_noise(NOISE, force, duration)
         np.testing.assert_allclose(one, expected, rtol=0, atol=4 * EPS)
 
 
@@ -217,11 +218,12 @@ def test_free_growth_is_an_exponential_to_third_order(latitude):
 
 def test_process_noise_is_what_many_small_steps_add_up_to():
     """Each small piece of random walk is carried on to the end by the transition matrix."""
-    noise, duration, count = ImuNoise(0.3, 0.7), 2.5, 400
+    noise, duration, count = NOISE, 2.5, 400
     force = np.array([1.0, -2.0, 9.0])
     expected, step = np.zeros((30, 30)), duration / count
     piece = np.zeros((30, 30))
-    piece[:3, :3], piece[3:6, 3:6] = 0.3**2 * step * np.eye(3), 0.7**2 * step * np.eye(3)
+    piece[:3, :3] = noise.angle_random_walk**2 * step * np.eye(3)
+    piece[3:6, 3:6] = noise.velocity_random_walk**2 * step * np.eye(3)
     for left in step * (count - 0.5 - np.arange(count)):
         carry = np.eye(30)
         carry[3:6, :3] = cross_matrix(left * force)
@@ -255,10 +257,10 @@ def test_process_noise_has_the_spread_of_navigated_noise():
 def test_process_noise_has_leading_axes():
     rng = np.random.default_rng(12)
     forces, durations = rng.normal(size=(2, 4, 3, 3)), rng.uniform(1, 2, size=(2, 4))
-    together = process_noise(ImuNoise(0.3, 0.7), forces, durations)
+    together = process_noise(NOISE, forces, durations)
     assert together.shape == (2, 4, 6, 6)
     for index in np.ndindex(2, 4):
-        alone = process_noise(ImuNoise(0.3, 0.7), forces[index], durations[index])
+        alone = process_noise(NOISE, forces[index], durations[index])
         np.testing.assert_allclose(together[index], alone, rtol=0, atol=4 * EPS)
         assert np.linalg.eigvalsh(alone)[0] > -1e-15
 

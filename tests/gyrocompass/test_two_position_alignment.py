@@ -278,6 +278,7 @@ def test_refusals(change, words):
         align_in_positions(**{"angular_rate": rate, "specific_force": force, "turn": turn} | change)
 
 
+@pytest.mark.filterwarnings("ignore:.*If deg/√h were meant")
 def test_where_nothing_is_known_the_deviation_is_that_of_any_heading():
     """N in degrees per root hour instead of rad per root second made 272 degrees once."""
     nothing = np.pi / np.sqrt(3)

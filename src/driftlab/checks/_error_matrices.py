@@ -50,7 +50,7 @@ def error_matrix(matrix: FloatArray, name: str, scale: float = LARGEST_ERROR) ->
     -----
     UnusualWarning
         If an entry is larger than one, or than `scale` on the diagonal; if all three diagonal
-        entries are within a half of one.
+        entries are within two fifths of one.
 
     Examples
     --------

@@ -34,8 +34,8 @@ def columns(data: DesignedSchemes) -> dict[str, FloatArray | list[str]]:
         for error, nees in zip(errors, data.nees[name], strict=True):
             rows.append(TriedScheme(UNIT + name, "", scheme, np.full(3, nees), error))
     kinds, names, schemes, criteria, ratios = zip(*rows, strict=True)
-    first = np.array(criteria).round(6).T
-    after = np.array(ratios).round(4).T
+    first = np.array(criteria).T
+    after = np.array(ratios).T
     return {
         "kind": list(kinds),
         "name": list(names),
@@ -65,7 +65,7 @@ def _drawn(data: DesignedSchemes) -> dict[str, FloatArray | list[str]]:
         "worst_of_random_rows": (edges[1:] + edges[:-1]) / 2,
         "random_rows": counts,
         **{
-            f"least known after {name}": data.named(name).criteria[:1].round(6)
+            f"least known after {name}": data.named(name).criteria[:1]
             for name in (*SCHEMES, BEST, FREE)
         },
     }

@@ -68,7 +68,7 @@ def _two_alignments(*box: float, stray: bool = False) -> FloatArray:
     attitude = from_euler_angles(headings, pitch, roll)
     gyro_bias, accelerometer_bias = (
         np.array(sensors[:3]) * EARTH_RATE / earth,
-        np.array(sensors[3:]),
+        np.array(sensors[3:]) * g / pull,
     )
     terms = alignment_errors(
         headings,
@@ -76,7 +76,7 @@ def _two_alignments(*box: float, stray: bool = False) -> FloatArray:
         latitude,
         rotate(attitude, gyro_bias),
         rotate(attitude, accelerometer_bias),
-        pull,
+        g,
     ).heading_terms
     if stray:
         terms[:, 2] *= np.tan(latitude)
