@@ -13,7 +13,7 @@ LARGEST_ERROR = 1.0
 """Largest entry of an error matrix: with more, a gyro feels more across its axis than along it."""
 LARGEST_SCALE = 4.0
 """Largest scale error of a unit whose readings were given another nominal scale than they have."""
-_NEAR_ONE, _PERHAPS_ONE = 0.2, 0.5
+_NEAR_ONE, _PERHAPS_ONE = 0.2, 0.4
 """Within the first of one, all three diagonal entries are taken for those of I + M; within the
 second they may be. A triad that reads double is possible where its nominal scale is another: the
 range of a gyro set to twice what one thought, say."""
