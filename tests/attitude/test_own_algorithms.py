@@ -365,3 +365,16 @@ def test_several_algorithms_have_names():
     for wrong in ("two-step-4", None):
         with pytest.raises(ValueError, match=r"^algorithms: expected several names"):
             named_algorithms(wrong)
+
+
+@pytest.mark.parametrize(
+    ("mine", "count", "words"),
+    [
+        (lambda g: g[0::2] + g[1::2], 9, "of n = 9: .* needs n to be a multiple of k"),
+        (lambda g, dt: g, 8, "TypeError of n = 8: .*dt"),
+        (lambda g: 1.0, 8, r"got shape \(1,\)"),
+    ],
+)
+def test_what_a_function_cannot_do_is_said_in_a_sentence(mine, count, words):
+    with pytest.raises(ValueError, match=f"^algorithm: expected .*lambda.*{words}"):
+        integrate(np.full((count, 3), 0.01), mine)

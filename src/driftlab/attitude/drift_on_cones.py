@@ -68,6 +68,11 @@ def coning_drift(
         that do not come again to the digits of double precision, as one that smooths over a whole
         record or computes in single precision; `measured_coning_drift` has its drift.
 
+    See Also
+    --------
+    measured_coning_drift : The same by running the algorithm.
+    driftlab.attitude.integrate : The attitude itself.
+
     Notes
     -----
     Let Z be the rotation about the cone's axis by the angle X that the cone goes round in a step
@@ -93,6 +98,17 @@ def coning_drift(
     One's own function is given `OWN_ROWS` increments. The last of its steps are turned back and
     compared, and the smallest number of them that repeats, but for the rounding of double
     precision, stands for the step; what a memory makes of the start is forgotten by then.
+
+    References
+    ----------
+    - Goodman, Robinson, *Effect of finite rotations on gyroscopic sensing devices*, Journal of
+      Applied Mechanics 25(2), 1958.
+    - R. B. Miller, *A new strapdown attitude algorithm*, Journal of Guidance, Control, and Dynamics
+      6(4), 1983.
+    - M. B. Ignagni, *Efficient class of optimized coning compensation algorithms*, Journal of
+      Guidance, Control, and Dynamics 19(2), 1996.
+    - P. G. Savage, *Strapdown inertial navigation integration algorithm design, part 1: Attitude
+      algorithms*, Journal of Guidance, Control, and Dynamics 21(1), 1998.
 
     Examples
     --------

@@ -83,11 +83,16 @@ def own_steps(algorithm: OwnAlgorithm, increments: ArrayLike) -> FloatArray:
 def _steps_of_run(algorithm: OwnAlgorithm, rows: FloatArray) -> FloatArray:
     """Steps (m, 4) from the increments (n, 3) of one run."""
     name = getattr(algorithm, "__name__", type(algorithm).__name__)
-    # A copy, so that a function that writes into its argument spoils nothing.
-    answer = algorithm(rows.copy())
-    answer = answer.as_quat() if hasattr(answer, "as_quat") else answer
-    found = finite_array(answer, f"algorithm: what {name} returned")
     count = len(rows)
+    try:  # a copy, so that a function that writes into its argument spoils nothing
+        answer = algorithm(rows.copy())
+    except (TypeError, ValueError, IndexError) as error:
+        raise ValueError(
+            f"algorithm: expected {name} to take increments (n, 3), got {type(error).__name__} of "
+            f"n = {count}: {error}. One of k samples a step needs n to be a multiple of k."
+        ) from error
+    answer = answer.as_quat() if hasattr(answer, "as_quat") else answer
+    found = np.atleast_1d(finite_array(answer, f"algorithm: what {name} returned"))
     if found.ndim != 2 or found.shape[1] not in (3, 4) or count % len(found):
         before = " (leave out the attitude before the first)" if len(found) == count + 1 else ""
         raise ValueError(
