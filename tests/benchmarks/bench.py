@@ -6,6 +6,7 @@ repeats, a redraw the median of its moves. Peers that are missing are left out.
 
 import platform
 import sys
+import tomllib
 import warnings
 from pathlib import Path
 from time import perf_counter
@@ -242,8 +243,10 @@ def redraws(moves: int = 10) -> None:
 
 
 def browser_latencies() -> None:
-    tests = Path(__file__).parents[1]
-    sys.path += [str(folder) for folder in (tests, tests / "browser", tests / "notebooks")]
+    home = Path(__file__).parents[2]
+    settings = tomllib.loads((home / "pyproject.toml").read_text("utf-8"))
+    folders = settings["tool"]["pytest"]["ini_options"]["pythonpath"]  # where the tests look, too
+    sys.path += [str(home / folder) for folder in folders]
     from latency import latencies
 
     latencies()
