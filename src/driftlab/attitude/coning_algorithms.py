@@ -202,6 +202,11 @@ def attitude_algorithm(algorithm: AnyAlgorithm) -> AttitudeAlgorithm | OwnAlgori
     >>> attitude_algorithm("rotation-vector-3").samples
     3
     """
+    return _known(algorithm, "algorithm")
+
+
+def _known(algorithm: AnyAlgorithm, argument: str) -> AttitudeAlgorithm | OwnAlgorithm:
+    """As `attitude_algorithm`, for an argument of any name."""
     if isinstance(algorithm, AttitudeAlgorithm):
         return algorithm
     # A class can be called too, but what it makes is no attitude.
@@ -209,7 +214,7 @@ def attitude_algorithm(algorithm: AnyAlgorithm) -> AttitudeAlgorithm | OwnAlgori
         return algorithm
     if not isinstance(algorithm, str) or algorithm not in ALGORITHMS:
         raise ValueError(
-            f"algorithm: expected one of {', '.join(ALGORITHMS)}, an Algorithm or a function of "
+            f"{argument}: expected one of {', '.join(ALGORITHMS)}, an Algorithm or a function of "
             f"increments, got {shown(algorithm)}."
         )
     return ALGORITHMS[algorithm]
@@ -241,25 +246,19 @@ def named_algorithms(algorithms: Algorithms) -> dict[str, AttitudeAlgorithm | Ow
     (['mine', 'two-step-4'], ['picard-1', 'memory-4'])
     """
     if isinstance(algorithms, Mapping):
-        return {str(name): _of_several(one) for name, one in algorithms.items()}
+        return {str(name): _known(one, "algorithms") for name, one in algorithms.items()}
     if isinstance(algorithms, str) or not isinstance(algorithms, Iterable):
         raise ValueError(
             "algorithms: expected several names, or a mapping from names to algorithms, "
             f"got {shown(algorithms)}."
         )
     found: dict[str, AttitudeAlgorithm | OwnAlgorithm] = {}
-    for one in map(_of_several, algorithms):
-        if not isinstance(one, AttitudeAlgorithm):
+    for one in algorithms:
+        algorithm = _known(one, "algorithms")
+        if not isinstance(algorithm, AttitudeAlgorithm):
             raise ValueError('algorithms: expected a name with a function, as {"mine": function}.')
-        found[one.name] = one
+        found[algorithm.name] = algorithm
     return found
-
-
-def _of_several(algorithm: AnyAlgorithm) -> AttitudeAlgorithm | OwnAlgorithm:
-    try:
-        return attitude_algorithm(algorithm)
-    except ValueError as error:
-        raise ValueError(str(error).replace("algorithm:", "algorithms:", 1)) from None
 
 
 def coning_algorithm(algorithm: AnyAlgorithm) -> Algorithm:

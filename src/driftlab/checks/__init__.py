@@ -35,6 +35,7 @@ from ._magnitudes import (
     turned_angle as turned_angle,
     within as within,
 )
+from ._names import named_or_own as named_or_own, one_of as one_of, some_of as some_of
 from ._numbers import (
     finite_number as finite_number,
     nonnegative_number as nonnegative_number,
@@ -50,8 +51,5 @@ from ._objects import (
     checked_instance as checked_instance,
     checked_path as checked_path,
     checked_text as checked_text,
-    named_or_own as named_or_own,
-    one_of as one_of,
-    some_of as some_of,
 )
 from ._words import shown as shown

@@ -34,15 +34,7 @@ def columns(data: PlaneAxes) -> dict[str, list[float] | list[str]]:
 @in_style
 def draw(data: PlaneAxes, sheet: Sheet) -> Figure:
     """Draw instruments and given axes; then the same gyros with both choices of body axes."""
-    figure, mosaic = sheet.mosaic(
-        "abc",
-        (10.5, 2.9),
-        (0.01, 0.02, 1.0, 0.9),
-        spaces=(0.02, 0.2),
-        column_height=5.6,
-        page_height=1.9,
-    )
-    panels = list(mosaic.values())
+    figure, panels = three_planes(sheet)
     titles = ("four instruments, given axes", "usual: x along the x gyro", "averaged")
     for panel, title in zip(panels, titles, strict=True):
         plain_axes(panel, reach=1.3)
@@ -72,6 +64,19 @@ def draw(data: PlaneAxes, sheet: Sheet) -> Figure:
         panel.plot(0.62 * np.cos(arc), 0.62 * np.sin(arc), color=GREEN)
         panel.text(0.68, 0.04, f"{angle:.2f} rad")
     return figure
+
+
+def three_planes(sheet: Sheet) -> tuple[Figure, list[Axes]]:
+    """Room for three drawings in a plane, beside each other or in a column."""
+    figure, mosaic = sheet.mosaic(
+        "abc",
+        (10.5, 2.9),
+        (0.01, 0.02, 1.0, 0.9),
+        spaces=(0.02, 0.2),
+        column_height=5.6,
+        page_height=1.9,
+    )
+    return figure, list(mosaic.values())
 
 
 def beside(angle: float) -> float:

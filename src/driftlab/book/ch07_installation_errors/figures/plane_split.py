@@ -8,7 +8,7 @@ from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
 from ..experiments import PlaneSplit
-from .plane_axes import beside, lowest, pair
+from .plane_axes import beside, lowest, pair, three_planes
 
 
 def columns(data: PlaneSplit) -> dict[str, FloatArray | list[str]]:
@@ -25,19 +25,11 @@ def columns(data: PlaneSplit) -> dict[str, FloatArray | list[str]]:
 @in_style
 def draw(data: PlaneSplit, sheet: Sheet) -> Figure:
     """Draw the two gyros with both errors, with the one and with the other."""
-    figure, mosaic = sheet.mosaic(
-        "abc",
-        (10.5, 2.9),
-        (0.01, 0.02, 1.0, 0.9),
-        spaces=(0.02, 0.2),
-        column_height=5.6,
-        page_height=1.9,
-    )
+    figure, panels = three_planes(sheet)
     closing = "close up" if data.non_orthogonality[0] >= 0 else "open"
     titles = (
         "two gyros", "misalignment: both turn alike", f"non-orthogonality: they {closing}"
     )  # fmt: skip
-    panels = list(mosaic.values())
     for panel, title, sign, angles in zip(panels, titles, ("", "= ", "+ "), data, strict=True):
         plain_axes(panel, reach=1.3)
         panel.set_title(sign + title if sheet.narrow else title)
