@@ -1,4 +1,4 @@
-"""Standard deviations and random walks that no instrument has, and the unit behind most of them.
+"""Standard deviations and random walks larger than usual, and the unit behind most of them.
 
 Only the largest can be told from those in the usual other unit: a bias of 0.1 may be that of a
 phone in rad/s. So what is listed here is let through with a warning.
@@ -20,7 +20,7 @@ class _Usual(NamedTuple):
 
 
 _USUAL = {
-    # Twice the worst that data sheets of consumer sensors have: 0.05 deg/s and 1 mg per root hertz.
+    # About 0.1 deg/s and 2 mg per root hertz: many times what a phone has.
     "angle_random_walk": _Usual(2e-3, "rad/√s", "deg/√h were meant, np.radians({0:g}) / 60"),
     "velocity_random_walk": _Usual(
         2e-2, "(m/s)/√s", "m/s/√h were meant, {0:g} / 60; of µg/√Hz, {0:g}e-6 * 9.81"
@@ -36,7 +36,7 @@ _USUAL = {
 
 
 def usual_deviation(value: object, name: str) -> float:
-    """Return a standard deviation or a random walk, warning of what no instrument has.
+    """Return a standard deviation or a random walk, warning of an unusual size.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def usual_deviation(value: object, name: str) -> float:
     Warns
     -----
     UnusualWarning
-        If it is larger than that of any instrument.
+        If it is larger than instruments usually have.
 
     Examples
     --------
@@ -69,14 +69,14 @@ def usual_deviation(value: object, name: str) -> float:
     >>> with warnings.catch_warnings(record=True) as caught:
     ...     warnings.simplefilter("always")
     ...     print(usual_deviation(40, "installation"), caught[0].message)
-    40.0 installation: 40 rad is more than any instrument has. If arc seconds were meant,
+    40.0 installation: 40 rad is more than instruments usually have. If arc seconds were meant,
     np.radians(40 / 3600).
     """
     number = nonnegative_number(value, name)  # type: ignore[arg-type]  # it refuses the rest itself
     usual = _USUAL.get(name)
     if usual is not None and number > usual.most:
         warnings.warn(
-            f"{name}: {number:g} {usual.unit} is more than any instrument has. "
+            f"{name}: {number:g} {usual.unit} is more than instruments usually have. "
             f"If {usual.likely.format(number)}.",
             UnusualWarning,
             stacklevel=4,
