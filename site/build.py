@@ -1,47 +1,35 @@
 """Builds the site: ``python3 lab.py site`` runs this in an environment that has Sphinx.
 
-The pages are written to build/site, from the package, its ledger and the notebooks; Sphinx makes
-``_site`` of them. A warning is an error, and so is anything that a page would fetch from elsewhere.
+The book is executed (`executed`), and from that come its pages (`reading`). Everything is made in
+build/site and moved to ``_site`` when it is whole.
 """
 
 from __future__ import annotations
 
-import json
-import re
+import argparse
 import shutil
 import sys
-from importlib.resources import files
 from pathlib import Path
 
-from sphinx.cmd.build import main as sphinx
+from executed import executed
+from reading.make import Unfinished, make_reading
 
-from api_pages import api_pages
-from chapter_pages import chapters_page, text_of, with_links
-from papers import ledger_pages
-from requests_of import requests_of
-
-HERE = Path(__file__).resolve().parent
-ROOT = HERE.parent
+ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build/site"
 SITE = ROOT / "_site"
-TASKS = "i_want_to.ipynb"
-GALLERY = "All figures of the book. The numbers behind a figure are in the CSV beside its caption."
-MATHJAX = ("tex-chtml.js", "input/tex/extensions", "output/chtml/fonts")
-"""What the pages need of MathJax, of the 40 MB that it has."""
 
 
-def main() -> int:
-    """Write the pages, make the site, look through it; the exit code."""
-    shutil.rmtree(BUILD, ignore_errors=True)
-    source = BUILD / "source"
-    write_source(source)
+def main(arguments: list[str]) -> int:
+    """Make the site; the exit code."""
+    parser = argparse.ArgumentParser(prog="lab.py site", usage="python3 lab.py --help")
+    parser.parse_args(arguments)
+    notebooks = executed()
     made = BUILD / "html"
-    options = ["-W", "--keep-going", "-q", "-b", "html", "-d", str(BUILD / "doctrees")]
-    if sphinx([*options, str(source), str(made)]):
-        return 1
-    elsewhere = requests_of(made)
-    if elsewhere:
-        print("Pages would fetch from elsewhere:", *elsewhere, sep="\n  ", file=sys.stderr)
+    shutil.rmtree(made, ignore_errors=True)
+    try:
+        make_reading(notebooks, BUILD, made)
+    except Unfinished as trouble:
+        print(trouble, file=sys.stderr)
         return 1
     shutil.rmtree(SITE, ignore_errors=True)
     shutil.move(made, SITE)
@@ -49,83 +37,5 @@ def main() -> int:
     return 0
 
 
-def write_source(source: Path) -> None:
-    """Write what Sphinx reads."""
-    shutil.copytree(HERE / "_static", source / "_static")
-    for part in MATHJAX:
-        _copy(
-            Path(str(files("mathjax"))) / "static/mathjax/es5" / part,
-            source / f"_static/mathjax/{part}",
-        )
-    for name in ("conf.py", "search_order.js"):
-        shutil.copy(HERE / name, source)
-    for name, text in pages().items():
-        path = source / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, "utf-8")
-    for path in sorted((ROOT / "figures").glob("*.[cs][sv][vg]")):
-        shutil.copy(path, source / "gallery")
-
-
-def pages() -> dict[str, str]:
-    """Return the text of every page by its file's name."""
-    found = {f"{name}.rst": text for name, text in api_pages().items()}
-    found |= {f"{name}.md": text for name, text in ledger_pages().items()}
-    notation = text_of(
-        ROOT, "12_ledger_and_glossary.ipynb", "## One notation", "## What the book cites"
-    )
-    found["chapters.md"] = chapters_page(ROOT)
-    found["glossary.md"] = f"# Notation and glossary\n\n{notation}"
-    found["conventions.md"] = text_of(ROOT, "conventions.ipynb")
-    found["errata.md"] = (ROOT / "ERRATA.md").read_text("utf-8")
-    found["gallery/index.md"] = _gallery()
-    if (ROOT / "CHANGELOG.md").exists():
-        found["changes.md"] = (ROOT / "CHANGELOG.md").read_text("utf-8")
-    if (ROOT / "notebooks" / TASKS).exists():
-        found[TASKS] = _tasks()
-    front = ["reference/index", "ledger/index", "chapters", "glossary", "conventions"]
-    front += ["gallery/index", "errata"]
-    if TASKS in found:
-        front.insert(0, Path(TASKS).stem)
-    if "changes.md" in found:
-        front.append("changes")
-    contents = ["```{toctree}", ":hidden:", "", *front, "```", ""]
-    found["index.md"] = (HERE / "index.md").read_text("utf-8") + "\n".join(contents)
-    return found
-
-
-def _gallery() -> str:
-    """The list of figures, each with a link to its numbers and a name to link to."""
-    text = (ROOT / "figures/README.md").read_text("utf-8")
-
-    def named(match: re.Match[str]) -> str:
-        numbers = (
-            f" [Numbers]({match[2]}.csv)." if (ROOT / f"figures/{match[2]}.csv").exists() else ""
-        )
-        return f"(figure-{match[2]})=\n{match[0]}{numbers}"
-
-    text = re.sub(r"\n\n.*\n\n", f"\n\n{GALLERY}\n\n", text, count=1)
-    # The text for who cannot see the picture is its caption, which stands below it.
-    text = re.sub(r"^!\[[^\n]*\]\((\S+)\.svg\)$", r"![\1](\1.svg)", text, flags=re.M)
-    return re.sub(r"^(\*\*(\S+)\.\*\*.*)$", named, text, flags=re.M)
-
-
-def _tasks() -> str:
-    """The notebook of tasks with its links led to the site's pages; Sphinx runs it."""
-    notebook = json.loads((ROOT / "notebooks" / TASKS).read_text("utf-8"))
-    for cell in notebook["cells"]:
-        if cell["cell_type"] == "markdown":
-            cell["source"] = with_links("".join(cell["source"]))
-    return json.dumps(notebook)
-
-
-def _copy(source: Path, target: Path) -> None:
-    target.parent.mkdir(parents=True, exist_ok=True)
-    if source.is_dir():
-        shutil.copytree(source, target)
-    else:
-        shutil.copy(source, target)
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

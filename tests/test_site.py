@@ -10,15 +10,15 @@ from urllib.parse import unquote
 import pytest
 from numpydoc.docscrape import ClassDoc, FunctionDoc
 
-from api_pages import api_pages, module_page, module_title, plain_bars
-from chapter_pages import ROW, chapters_page, text_of, with_links
-from doors import BOOK, DOORS, aliases, documented, first_door, home, modules, names, thing
 from driftlab.__main__ import SUBJECTS
 from driftlab.book.chapters import CHAPTERS
 from driftlab.book.ledger import WORKS, ledger_entries
 from driftlab.book.references import all_references
-from field_words import also, words_of_functions, words_of_tasks
-from papers import (
+from reading.api_pages import api_pages, module_page, module_title, plain_bars
+from reading.chapter_pages import ROW, chapters_page, text_of, with_links
+from reading.doors import BOOK, DOORS, aliases, documented, first_door, home, modules, names, thing
+from reading.field_words import also, words_of_functions, words_of_tasks
+from reading.papers import (
     _line,
     as_rst,
     entry_label,

@@ -15,7 +15,7 @@ from docutils import nodes
 from sphinx import addnodes
 from sphinx.transforms import SphinxTransform
 
-from doors import FOLDER, home, names
+from reading.doors import FOLDER, home, names
 
 TASKS_PAGE = "i_want_to"
 

@@ -11,10 +11,10 @@ from functools import cache
 from importlib import import_module
 from io import StringIO
 
-from doors import BOOK, Module, Name, book, documented, first_door, modules, thing
 from driftlab.__main__ import SUBJECTS
 from driftlab.commands import COMMANDS
 from driftlab.commands.line import parser
+from reading.doors import BOOK, Module, Name, book, documented, first_door, modules, thing
 
 LONGEST_VALUE = 90
 """A constant's value is shown if its text is no longer."""

@@ -13,10 +13,10 @@ from sphinx.application import Sphinx
 from sphinx.domains.python import PythonDomain
 from sphinx.environment import BuildEnvironment
 
-from api_pages import plain_bars
-from doors import FOLDER, aliases, names
-from field_words import FieldWords, also
-from papers import in_the_papers
+from reading.api_pages import plain_bars
+from reading.doors import FOLDER, aliases, names
+from reading.field_words import FieldWords, also
+from reading.papers import in_the_papers
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

@@ -9,8 +9,8 @@ import re
 from collections.abc import Sequence
 from functools import cache
 
-from doors import documented, home
 from driftlab.book.ledger import SEVERITIES, STATUSES, WORKS, LedgerEntry, ledger_entries
+from reading.doors import documented, home
 
 
 def slug(text: str) -> str:

@@ -5,7 +5,7 @@ from pathlib import Path
 from numpydoc.xref import DEFAULT_LINKS
 
 import driftlab
-from doors import names
+from reading.doors import names
 
 project = "Drift Lab"
 author = project_copyright = "The Drift Lab authors"
@@ -18,7 +18,7 @@ extensions = [
     "numpydoc",
     "myst_nb",
     "sphinx_copybutton",
-    "extension",
+    "reading.extension",
 ]
 nitpicky = True  # a link that leads nowhere is a warning, and a warning an error
 default_role = "py:obj"

@@ -12,9 +12,9 @@ from itertools import groupby
 from pathlib import Path
 from urllib.parse import unquote
 
-from doors import aliases, documented
 from driftlab.book.ledger import LedgerEntry, ledger_entries
-from papers import entry_label, section_label, short, shown_label
+from reading.doors import aliases, documented
+from reading.papers import entry_label, section_label, short, shown_label
 
 ROW = re.compile(r"^\| (\d\d) \| \[([^\]]+)\]\([^)]*\)(.*?) \| (\d+) \|(.*?)\|$", re.M)
 """A chapter in the table of README.md: number, name, more, minutes, source."""
