@@ -10,6 +10,7 @@ usage: python3 lab.py [command]
   fresh     bring clean notebooks and put yours aside: all, or "fresh 03" for chapter 03
   test      check the project: ruff, mypy, import-linter and pytest
               --quick        leave out browsers, chapters and whole set-ups
+              --site         only the site that "site" built, in _site or where DRIFTLAB_SITE says
               other arguments go to pytest, which then runs alone
   figures   rebuild every figure and table of the book
   bench     print how fast the package is, against its peers, which this command fetches
@@ -66,6 +67,9 @@ from bootstrap.steps import (
 
 FIRST = "00_start_here.ipynb"
 NO_PEERS = "--ignore=tests/peers"
+SITE = "_site"
+# The longest groups first, as tests/conftest.py orders them, not those of the most tests.
+AT_ONCE = ["-n", "2", "--dist", "loadgroup", "--no-loadscope-reorder", "--durations=10"]
 QUICK = ["--hypothesis-profile=quick", NO_PEERS, "-m", "not browser and not kernel and not setup"]
 
 # The token travels in the environment because other users can read command lines. It becomes
@@ -169,7 +173,11 @@ def test(arguments: list[str]) -> int:
     """Check the project, or run pytest alone if there are arguments for it."""
     set_up()
     marks = QUICK if "--quick" in arguments else []
-    chosen = [argument for argument in arguments if argument != "--quick"]
+    chosen = [argument for argument in arguments if argument not in ("--quick", "--site")]
+    if "--site" in arguments:
+        if not (HOME / os.environ.setdefault("DRIFTLAB_SITE", SITE)).is_dir():
+            raise Trouble("There is no site to test; 'python3 lab.py site' builds it.")
+        return run("-m", "pytest", *AT_ONCE, *(chosen or ["tests/site"]))
     if chosen:
         return run("-m", "pytest", *marks, *chosen)
     begun = time.monotonic()
@@ -178,9 +186,7 @@ def test(arguments: list[str]) -> int:
         linter = "from importlinter.cli import lint_imports_command; lint_imports_command()"
         checks["import-linter"] = ["-c", linter]
     # pytest comes last so that its summary closes the output.
-    # The longest groups first, as tests/conftest.py orders them, not those of the most tests.
-    workers = ["-n", "2", "--dist", "loadgroup", "--no-loadscope-reorder", "--durations=10"]
-    checks["pytest"] = ["-m", "pytest", *workers, *(marks or [NO_PEERS])]
+    checks["pytest"] = ["-m", "pytest", *AT_ONCE, *(marks or [NO_PEERS])]
     codes = {name: run(*command) for name, command in checks.items()}
     failed = [name for name, code in codes.items() if code]
     minutes, seconds = divmod(round(time.monotonic() - begun), 60)

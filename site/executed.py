@@ -14,9 +14,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import nbformat
-from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbformat import NotebookNode
+from traitlets.config import Config
 
 ROOT = Path(__file__).resolve().parent.parent
 KEPT = ROOT / "build/site/executed"
@@ -67,9 +67,9 @@ def _executed(name: str, below: str) -> NotebookNode:
             return notebook
     notebook = _read(source)
     place = {"metadata": {"path": str((COPY / name).parent)}}
-    # Through files, which other users of the computer cannot read as they could a port.
-    kernel = AsyncKernelManager(transport="ipc")
-    NotebookClient(notebook, kernel, timeout=SECONDS, resources=place).execute()
+    # Encrypted, for other users of the computer can listen at the ports of kernels.
+    through = Config({"KernelManager": {"transport_encryption": "auto"}})
+    NotebookClient(notebook, timeout=SECONDS, resources=place, config=through).execute()
     notebook.metadata["digest"] = digest
     kept.parent.mkdir(parents=True, exist_ok=True)
     nbformat.write(notebook, kept)  # type: ignore[no-untyped-call]

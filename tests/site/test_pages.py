@@ -1,46 +1,9 @@
 """The site as built, in a browser: nothing from elsewhere, nothing too wide, search."""
 
 import pytest
-from chromium import chromium
-
-from support import site_or_skip
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("site")]
 WIDTHS = (390, 768, 1280)
-
-
-@pytest.fixture(scope="module")
-def site():
-    """Folder of a built site."""
-    return site_or_skip()
-
-
-@pytest.fixture(scope="module")
-def browser(site):
-    with chromium() as browser:
-        yield browser
-
-
-@pytest.fixture
-def page(browser):
-    """A page that keeps what it complains of, and what it asks of other places."""
-    page = browser.new_page()
-    page.complaints = []
-    page.on("pageerror", lambda error: page.complaints.append(str(error)))
-    page.on(
-        "console",
-        lambda said: page.complaints.append(said.text) if said.type == "error" else None,
-    )
-    page.on(
-        "request",
-        lambda asked: (
-            None
-            if asked.url.startswith(("file:", "data:", "blob:"))
-            else page.complaints.append(asked.url)
-        ),
-    )
-    yield page
-    page.close()
 
 
 def test_every_page_fits_the_screen_and_sets_its_formulas(site, page):

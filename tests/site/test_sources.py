@@ -28,7 +28,7 @@ from reading.papers import (
     short,
 )
 from requests_of import requests_of
-from support import ROOT, site_or_skip
+from support import ROOT
 
 
 @pytest.fixture(scope="module")
@@ -300,12 +300,6 @@ def test_what_a_page_would_fetch_from_elsewhere_is_found(tmp_path):
 
 
 # ------------------------------------------------------------------ the site as built
-
-
-@pytest.fixture(scope="module")
-def site():
-    """Folder of a built site."""
-    return site_or_skip()
 
 
 def inventory(site):
