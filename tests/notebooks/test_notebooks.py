@@ -8,6 +8,7 @@ import nbformat
 import pytest
 from pages import CHAPTERS, FOLDER, LEDGER, NOTEBOOKS, PAGES, START, markdown, name_of
 
+ROOT = FOLDER.parent
 ENDS = ["In your textbook", "Read on"]
 BONES = [
     "A puzzle",
@@ -55,6 +56,22 @@ def test_links_lead_somewhere(path: Path) -> None:
 def test_no_text_counts_on_colours(path: Path) -> None:
     words = r"\b(red|blue|green|orange|purple|violet|yellow|gr[ae]y|pink|cyan|magenta)\b"
     assert not re.findall(words, markdown(path), flags=re.IGNORECASE)
+
+
+@pytest.mark.parametrize("path", [*PAGES, *ROOT.glob("*.md"), *ROOT.glob("figures/*.md")])
+def test_no_bare_bar_in_a_formula_of_a_table(path: Path) -> None:
+    """There it ends the cell, everywhere but in JupyterLab."""
+    rows = re.findall(r"^ *\|.*$", markdown(path), flags=re.MULTILINE)
+    formulas = [formula for row in rows for formula in re.findall(r"\$[^$]+\$", row)]
+    assert [formula for formula in formulas if "|" in formula] == []
+
+
+def test_formulas_write_fonts_as_every_reader_of_them_knows() -> None:
+    r"""Also those that code composes: ``\rm`` is old, and pandoc does not read it."""
+    sources = [path for kind in ("py", "toml") for path in ROOT.glob(f"src/**/*.{kind}")]
+    for path in [*sources, *PAGES, *ROOT.glob("*.md")]:
+        text = path.read_text(encoding="utf-8")
+        assert re.findall(r"\\(?:rm|sf|bf|it|cal)\b.{9}", text) == [], path
 
 
 @pytest.mark.parametrize("path", CHAPTERS, ids=name_of)
