@@ -1,0 +1,115 @@
+"""Brings what others made: Pyodide's runtime by npm, wheels by pip.
+
+All is checked against its digest and kept in a folder, so that a second build fetches nothing.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import shutil
+import subprocess
+import sys
+import tarfile
+from collections.abc import Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from reading.make import Unfinished
+
+from .versions import VERSIONS, Pin
+
+RUNTIME = ("pyodide.asm.js", "pyodide.asm.wasm", "pyodide.mjs", "python_stdlib.zip")
+"""What a browser loads of the runtime."""
+OFFICIAL = "pyodide-lock.json"
+"""The lock of the whole distribution, which comes with the runtime."""
+TARGET = ("--platform=any", "--implementation=py", "--abi=none", "--python-version=3.12")
+"""Wheels of Python alone: pip on this machine chooses for a browser."""
+
+
+def has_runtime(folder: Path) -> bool:
+    """Return whether the runtime was brought before."""
+    return all((folder / name).exists() for name in (*RUNTIME, OFFICIAL))
+
+
+def bring_runtime(folder: Path) -> None:
+    """Put the runtime into a folder, unless it is there.
+
+    Raises
+    ------
+    Unfinished
+        If npm does not bring it, or brings something else.
+    """
+    if has_runtime(folder):
+        return
+    name = f"pyodide@{VERSIONS['pyodide']['version']}"
+    with TemporaryDirectory() as place:
+        command = [found("npm"), "pack", name, "--json", "--pack-destination", place]
+        said = _run(command, f"npm does not bring {name}")
+        packed = Path(place) / json.loads(said)[0]["filename"]
+        digest = base64.b64encode(hashlib.sha512(packed.read_bytes()).digest()).decode()
+        if f"sha512-{digest}" != VERSIONS["pyodide"]["integrity"]:
+            raise Unfinished(f"{name} came with other contents than versions.toml says.")
+        with tarfile.open(packed) as files:
+            files.extractall(place, filter="data")
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        for name in (*RUNTIME, OFFICIAL, "package.json"):
+            shutil.copy(Path(place) / "package" / name, folder)
+
+
+def bring_wheels(pins: Sequence[Pin], folder: Path) -> list[Path]:
+    """Return the wheels of some packages, in their order; those missing in the folder are brought.
+
+    Raises
+    ------
+    Unfinished
+        If pip does not bring one.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    missing = [pin for pin in pins if _kept(pin, folder) is None]
+    if missing:
+        wanted = folder / "wanted.txt"
+        lines = [
+            " ".join([f"{pin.name}=={pin.version}", *(f"--hash=sha256:{h}" for h in pin.sha256)])
+            for pin in missing
+        ]
+        wanted.write_text("\n".join([*lines, ""]), "utf-8")
+        pip = [sys.executable, "-m", "pip", "download", "--quiet", "--no-input", "--retries=2"]
+        options = ["--no-deps", "--only-binary=:all:", *TARGET, "--require-hashes"]
+        command = [*pip, *options, f"--dest={folder}", f"--requirement={wanted}"]
+        _run(command, f"pip does not bring {', '.join(pin.name for pin in missing)}")
+    wheels = [_kept(pin, folder) for pin in pins]
+    if None in wheels:
+        raise Unfinished("pip brought no wheel for one of the packages of the live book.")
+    return [wheel for wheel in wheels if wheel is not None]
+
+
+def found(program: str) -> str:
+    """Return where a program is; its name where it is not found."""
+    return shutil.which(program) or program  # npm is npm.cmd on Windows
+
+
+def digest_of(path: Path) -> str:
+    """Return the SHA-256 of a file."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _kept(pin: Pin, folder: Path) -> Path | None:
+    begin = f"{pin.name.replace('-', '_')}-{pin.version}-"
+    for path in sorted(folder.glob("*.whl")):
+        if path.name.lower().startswith(begin.lower()) and digest_of(path) in pin.sha256:
+            return path
+    return None
+
+
+def _run(command: list[str], trouble: str) -> str:
+    """Return what a program prints."""
+    try:
+        done = subprocess.run(command, capture_output=True, encoding="utf-8", check=True)
+    except OSError as error:
+        raise Unfinished(f"{trouble}: {error}") from error
+    except subprocess.CalledProcessError as error:
+        raise Unfinished(f"{trouble}:\n{error.stderr.strip()}") from error
+    return done.stdout

@@ -1,0 +1,98 @@
+"""The runtime with the lock and the wheels that a browser takes from the site."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+from typing import Any
+
+from reading.make import Unfinished
+
+from .brought import OFFICIAL, RUNTIME, bring_runtime, bring_wheels, digest_of
+from .lock import check, entry_of, needed
+from .own_wheels import compiled, driftlab_wheel, fontlist_wheel, from_within
+from .versions import VERSIONS, older, wheel_pins
+
+
+def make_packages(build: Path, made: Path, distribution: Path | None) -> dict[str, Path]:
+    """Write the runtime, the lock and the wheels, and return the wheels that pip brought, by name.
+
+    Parameters
+    ----------
+    build : Path
+        Folder for what is kept for the next time.
+    made : Path
+        Folder for what a browser loads.
+    distribution : Path, optional
+        Folder with the files of Pyodide's distribution. With it the site holds them all; without
+        it a browser fetches them from where Pyodide publishes them.
+
+    Raises
+    ------
+    Unfinished
+        If something cannot be brought or made, or a file is not what it should be.
+    """
+    runtime = build / "runtime"
+    bring_runtime(runtime)
+    pins = wheel_pins()
+    brought = dict(zip((p.name for p in pins), bring_wheels(pins, build / "wheels"), strict=True))
+    (within_older,) = bring_wheels([older()], build / "wheels")
+    official = json.loads((runtime / OFFICIAL).read_text("utf-8"))
+    packages = needed(official, VERSIONS["wheels"]["distribution"])
+    own = _own(build / "own", brought, within_older, packages["matplotlib"]["version"])
+
+    shutil.rmtree(made, ignore_errors=True)
+    made.mkdir(parents=True)
+    for name in RUNTIME:
+        shutil.copy(runtime / name, made)
+    if distribution is None:
+        address = VERSIONS["pyodide"]["distribution"]
+        for entry in packages.values():
+            entry["file_name"] = address + entry["file_name"]
+    else:
+        _bring_here(packages, distribution, runtime, build, made)
+    for wheel in compiled(own, runtime, build):
+        shutil.copy(wheel, made)
+        name = wheel.name.partition("-")[0]
+        depends = VERSIONS["wheels"]["driftlab"]["depends"] if name == "driftlab" else None
+        entry = entry_of(wheel, depends)
+        if entry["name"] in packages:
+            raise Unfinished(f"{entry['name']} would be in the lock twice.")
+        packages[entry["name"]] = entry
+    check(packages, own)
+    lock = {"info": official["info"], "packages": dict(sorted(packages.items()))}
+    (made / OFFICIAL).write_text(json.dumps(lock, indent=1), "utf-8")
+    return brought
+
+
+def _own(folder: Path, brought: dict[str, Path], within_older: Path, matplotlib: str) -> list[Path]:
+    """Return the wheels that the site adds to the distribution, as they were before compiling."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    wheels = [driftlab_wheel(folder), fontlist_wheel(folder, matplotlib)]
+    wheels += [brought[name] for name in VERSIONS["wheels"]["book"]]
+    kernel = brought["jupyterlite-pyodide-kernel"]
+    wheels += [from_within(kernel, name, folder) for name in VERSIONS["wheels"]["kernel"]]
+    names = VERSIONS["wheels"]["older"]["names"]
+    return wheels + [from_within(within_older, name, folder) for name in names]
+
+
+def _bring_here(
+    packages: dict[str, Any], distribution: Path, runtime: Path, build: Path, made: Path
+) -> None:
+    """Copy the files of the distribution, each checked and its Python compiled."""
+    wheels = {}
+    for name, entry in packages.items():
+        path = distribution / entry["file_name"]
+        if not path.is_file():
+            raise Unfinished(f"{path.name} is missing in {distribution}.")
+        if digest_of(path) != entry["sha256"]:
+            raise Unfinished(f"{path} is not the file that Pyodide published.")
+        if path.suffix == ".whl":
+            wheels[path] = name
+        else:
+            shutil.copy(path, made)
+    for wheel, name in zip(compiled(list(wheels), runtime, build), wheels.values(), strict=True):
+        shutil.copy(wheel, made)
+        packages[name]["sha256"] = digest_of(wheel)
