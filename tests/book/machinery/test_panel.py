@@ -3,9 +3,12 @@
 import base64
 import html
 import io
+import json
 import re
+from importlib import import_module
 from pathlib import Path
 from typing import ClassVar
+from xml.etree import ElementTree
 
 import ipywidgets as widgets
 import numpy as np
@@ -20,6 +23,7 @@ from driftlab.book.machinery.panel import ERROR_CLASS, OWN_VALUES, Explorer
 from driftlab.book.machinery.picture import Picture
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.sheet import COLUMN
+from driftlab.book.machinery.still import still
 from grouped import opened
 from panel_numbers import results_of, shown_numbers
 
@@ -44,13 +48,24 @@ def test_opens_with_a_preset_and_goes_back_to_it() -> None:
 
 def test_a_page_without_widgets_has_the_picture(monkeypatch) -> None:
     panel, shown = opened(RootsExplorer), []
-    monkeypatch.setattr("driftlab.book.machinery.still.display", lambda b, raw: shown.append(b))
+    displays = import_module("IPython.display")  # the name alone is a function of IPython
+    monkeypatch.setattr(displays, "display", lambda bundle, raw: shown.append(bundle))
     panel._ipython_display_()
-    live, still = shown
+    live, instead = shown
     assert "application/vnd.jupyter.widget-view+json" in live
     picture = base64.b64encode(panel.view.widget.value).decode()
-    assert f"data:image/jpeg;base64,{picture}" in still["text/html"]
-    assert html.escape(panel.page.alt) in still["text/html"]
+    assert f"data:image/jpeg;base64,{picture}" in instead["text/html"]
+    assert html.escape(panel.page.alt) in instead["text/html"]
+    figure = ElementTree.fromstring(re.search("<figure.*?>", instead["text/html"])[0] + "</figure>")
+    assert figure.get("data-panel") == "RootsExplorer"
+    assert json.loads(figure.get("data-values")) == panel.values
+
+
+def test_the_values_of_a_still_may_hold_any_text() -> None:
+    values = {"formula": 'x\' < 2 & "μ" > 1', "turns": 3, "open": True}
+    text = still(b"", "jpeg", "a picture", "Panel", values)
+    figure = ElementTree.fromstring(re.search("<figure.*?>", text)[0] + "</figure>")
+    assert json.loads(figure.get("data-values")) == values
 
 
 def test_panels_share_no_state() -> None:

@@ -22,7 +22,7 @@ from .picture import Picture
 from .picture_file import PICTURES, ending_of, picture_file
 from .results import Results
 from .sheet import Sheet
-from .still import display_with_still
+from .still import display_with_still, still
 
 ERROR_CLASS = "driftlab-error"
 """HTML class of a traceback in a panel; the tests look for it."""
@@ -288,7 +288,9 @@ class Explorer(widgets.VBox):
     def _ipython_display_(self) -> None:
         """The live panel, and for pages that cannot show it, its picture."""
         picture, kind = self.view.still()
-        display_with_still(self, picture, kind, self.page.alt)
+        text = self.page.alt
+        instead = still(picture, kind, text, type(self).__name__, self.values)
+        display_with_still(self, instead, text)
 
 
 def _with_class(widget: Any, name: str) -> Any:

@@ -7,8 +7,10 @@ the picture is an output of its own, and hides as long as the widget lives besid
 
 import base64
 import html
+import json
+from collections.abc import Mapping
+from typing import Any
 
-from IPython.display import display
 from ipywidgets import DOMWidget
 
 STILL_CLASS = "driftlab-still"
@@ -24,8 +26,13 @@ STYLE = f"""
 """
 
 
-def still(picture: bytes, kind: str, description: str) -> str:
+def still(
+    picture: bytes, kind: str, description: str, panel: str, values: Mapping[str, Any]
+) -> str:
     """Return HTML with a picture and the sentence that says how to have the live one.
+
+    The figure says which panel it is of, and with which values: a page that can run Python by
+    itself makes the panel live in its place.
 
     Parameters
     ----------
@@ -35,29 +42,37 @@ def still(picture: bytes, kind: str, description: str) -> str:
         What kind of file it is, such as "jpeg" or "svg+xml".
     description : str
         What the picture shows, for those who do not see it.
+    panel : str
+        Name of the panel's class.
+    values : mapping
+        The values of all its controls, by name.
     """
     source = f"data:image/{kind};base64,{base64.b64encode(picture).decode()}"
+    # JSON is full of double quotes, so the attribute stands between single ones.
+    data = html.escape(json.dumps(dict(values), ensure_ascii=False), quote=False)
+    data = data.replace("'", "&#x27;")
     return (
-        f'<style>{STYLE}</style><figure class="{STILL_CLASS}" style="margin: 0">'
+        f'<style>{STYLE}</style><figure class="{STILL_CLASS}" data-panel="{html.escape(panel)}" '
+        f"data-values='{data}' style=\"margin: 0\">"
         f'<img src="{source}" alt="{html.escape(description)}" style="max-width: 100%">'
         "<figcaption>This is how it stood when its cell was run. Run the cell again to move it."
         "</figcaption></figure>"
     )
 
 
-def display_with_still(widget: DOMWidget, picture: bytes, kind: str, description: str) -> None:
+def display_with_still(widget: DOMWidget, picture: str, description: str) -> None:
     """Show a widget, and a picture of it wherever it does not live.
 
     Parameters
     ----------
     widget : DOMWidget
-    picture : bytes
-        The file of the picture.
-    kind : str
-        What kind of file it is, such as "jpeg" or "svg+xml".
+    picture : str
+        What `still` returns.
     description : str
         What the picture shows, for those who do not see it.
     """
+    from IPython.display import display  # where a page shows nothing so, panels do without it
+
     live = {**widget._repr_mimebundle_(), "text/plain": description}
-    for bundle in (live, {"text/html": still(picture, kind, description), "text/plain": ""}):
+    for bundle in (live, {"text/html": picture, "text/plain": ""}):
         display(bundle, raw=True)  # type: ignore[no-untyped-call]
