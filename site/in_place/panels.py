@@ -1,0 +1,165 @@
+"""The panels and scenes of a page, made of the book's own classes; the worker calls what is here.
+
+A panel is known to the page by its number, and each of its widgets by an identifier. All answers
+are plain data: what has changed, what scripts are told, and the values of all controls.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import widgets_standin
+
+logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # it builds a list, and says so
+
+from driftlab.book.machinery.control import Control  # noqa: E402
+from driftlab.book.machinery.panel import ERROR_CLASS, Explorer  # noqa: E402
+from driftlab.book.panels import EXPLORERS, SCENES  # noqa: E402
+
+CLASSES: dict[str, type[Explorer]] = {each.__name__: each for each in (*EXPLORERS, *SCENES)}
+OPEN: list[Explorer] = []
+
+
+def open(
+    name: str, values: Mapping[str, Any], link: Mapping[str, str] | None = None, ratio: float = 1.0
+) -> dict[str, Any]:
+    """Open a panel as it stands in the chapter.
+
+    Parameters
+    ----------
+    name : str
+        Its class.
+    values : mapping
+        The values of its controls in the chapter; Reset goes back to the preset that they are.
+    link : mapping, optional
+        Values as a link has them, all as text, to which the panel is moved.
+    ratio : float
+        Pixels of the screen for one of the page.
+
+    Returns
+    -------
+    dict
+        Its number, title, widgets, control names by the identifier of their widgets, and values;
+        what is wrong with the link, or "".
+    """
+    if name not in CLASSES:
+        raise ValueError(f"This release of the book has no panel {name}.")
+    panel_class = CLASSES[name]
+    panel = panel_class(_preset(panel_class, values))
+    panel.page.ratio = ratio
+    if panel.values != values:
+        panel.set(**_given(panel_class, values))
+    refused = ""
+    if link:
+        try:
+            panel.set(**_read(panel_class, link))
+        except ValueError as error:
+            refused = f"This link does not fit the panel. {error}"
+    OPEN.append(panel)
+    widgets_standin.taken()
+    return {
+        "panel": len(OPEN) - 1,
+        "title": panel.title,
+        "widget": panel.described(),
+        "values": panel.values,
+        "refused": refused,
+    }
+
+
+def move(
+    panel: int, changes: Sequence[Sequence[Any]], messages: Sequence[Sequence[Any]] = ()
+) -> dict[str, Any]:
+    """Take what the reader did.
+
+    Parameters
+    ----------
+    panel : int
+        Its number.
+    changes : sequence of (str, str, object)
+        Widget, name in its state, new value.
+    messages : sequence of (str, object)
+        Widget, and what was said to it: a button that it was pressed, a scene what was dragged.
+    """
+    explorer = OPEN[panel]
+    for identifier, name, value in changes:
+        _let(explorer, lambda i=identifier, n=name, v=value: setattr(widgets_standin.WIDGETS[i], n, v))
+    for identifier, message in messages:
+        _let(explorer, lambda i=identifier, m=message: widgets_standin.WIDGETS[i].received(m))
+    return _news(explorer)
+
+
+def set(panel: int, link: Mapping[str, str]) -> dict[str, Any]:
+    """Move a panel to the values of a link.
+
+    Raises
+    ------
+    ValueError
+        If they do not fit the panel.
+    """
+    explorer = OPEN[panel]
+    _let(explorer, lambda: explorer.set(**_read(type(explorer), link)))
+    return _news(explorer)
+
+
+def _news(panel: Explorer) -> dict[str, Any]:
+    changed, messages = widgets_standin.taken()
+    return {"changed": changed, "messages": messages, "values": panel.values}
+
+
+def _let(panel: Explorer, act: Any) -> None:
+    """Do something; what is unforeseen stands as a traceback in the panel, and goes no further."""
+    try:
+        act()
+    except Exception:
+        if ERROR_CLASS not in panel.message.value:
+            raise
+
+
+def _preset(panel_class: type[Explorer], values: Mapping[str, Any]) -> str | None:
+    """The preset that some values are, if any."""
+    starts = {control.name: control.start for control in panel_class.controls}
+    for name, preset in panel_class.presets.items():
+        if {**starts, **preset} == values:
+            return name
+    return None
+
+
+def _given(panel_class: type[Explorer], values: Mapping[str, Any]) -> dict[str, Any]:
+    """Values from a page, in which a number does not say whether it is whole."""
+    controls = {control.name: control for control in panel_class.controls}
+    return {
+        name: _like(controls[name], value) if name in controls else value
+        for name, value in values.items()
+    }
+
+
+def _like(control: Control, value: Any) -> Any:
+    if control.options:
+        return next((option for option in control.options if option == value), value)
+    return float(value) if isinstance(control.start, float) else value
+
+
+def _read(panel_class: type[Explorer], link: Mapping[str, str]) -> dict[str, Any]:
+    """Values from the text of a link.
+
+    Raises
+    ------
+    ValueError
+        If one that should be a number is not.
+    """
+    controls = {control.name: control for control in panel_class.controls}
+    values = {}
+    for name, text in link.items():
+        control = controls.get(name)
+        if control is None or isinstance(control.start, str):
+            values[name] = text
+        elif control.is_box:
+            values[name] = {"true": True, "false": False}.get(text, text)
+        else:
+            try:
+                values[name] = type(control.start)(text)
+            except ValueError:
+                raise ValueError(f"{name}: expected a number, got {text!r}.") from None
+    return _given(panel_class, values)

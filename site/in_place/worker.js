@@ -1,0 +1,104 @@
+// The one Python of a page: a module worker that loads Pyodide and the book's package, and answers
+// calls of functions in the Python files beside it.
+//
+// In:  {id, call: "panels.open", args: [...], packages: ["sympy"]}
+// Out: {id, result} or {id, error: {kind, says, trace, fatal}}, and while things are fetched
+//      {progress: {loaded, total, says}}, in bytes; total is 0 as long as it is not known.
+// Arguments and results are plain data: numbers, text, lists, objects, and bytes as Uint8Array.
+
+import { countFetches } from "./fetches.js";
+
+const HERE = new URL(".", import.meta.url).href;
+const RUNTIME = new URL("../live/static/pyodide/", HERE).href;
+const FOLDER = "/in_place"; // of the Python files, in the file system that Python sees
+
+const fetches = countFetches((progress) => postMessage({ progress }));
+const modules = new Map(); // name -> promise that it lies in FOLDER
+let python;
+
+async function start() {
+  if (typeof WebAssembly !== "object") throw new Trouble("NoWebAssembly", NO_WEBASSEMBLY);
+  fetches.say("Fetching Python and the book's package");
+  await fetches.expect(RUNTIME, ["driftlab"]);
+  const { loadPyodide } = await import(`${RUNTIME}pyodide.mjs`);
+  const py = await loadPyodide({
+    indexURL: RUNTIME,
+    packages: ["driftlab"],
+    env: { HOME: "/home/pyodide", MPLBACKEND: "agg" },
+    stdout: () => {},
+    stderr: (line) => console.info(line),
+  });
+  fetches.check();
+  fetches.say("Starting the book's package");
+  py.FS.mkdir(FOLDER);
+  py.runPython(`import sys; sys.path.insert(0, "${FOLDER}")`);
+  await bring(py, "widgets_standin");
+  py.pyimport("widgets_standin").install();
+  return py;
+}
+
+// Put a Python file from beside this script where Python finds it.
+function bring(py, name) {
+  if (!modules.has(name)) modules.set(name, write(py, name));
+  return modules.get(name);
+}
+
+async function write(py, name) {
+  const response = await fetch(`${HERE}${name}.py`);
+  if (!response.ok) throw new Trouble("NotFetched", `${name}.py is missing on this server.`);
+  py.FS.writeFile(`${FOLDER}/${name}.py`, await response.text());
+}
+
+async function answer({ call, args = [], packages = [] }) {
+  python ??= start();
+  const py = await python;
+  const missing = packages.filter((name) => !(name in py.loadedPackages));
+  if (missing.length) {
+    fetches.say(`Fetching ${missing.join(", ")}`);
+    await fetches.expect(RUNTIME, missing, Object.keys(py.loadedPackages));
+    await py.loadPackage(missing, { messageCallback() {}, errorCallback() {} });
+    fetches.check();
+    fetches.say("Computing");
+  }
+  const [module, name] = call.split(".");
+  await bring(py, module);
+  const given = args.map((each) => py.toPy(each));
+  const result = py.pyimport(module)[name](...given);
+  given.forEach((each) => each?.destroy?.());
+  if (!(result instanceof py.ffi.PyProxy)) return result;
+  const plain = { dict_converter: Object.fromEntries, create_pyproxies: false };
+  const data = result.toJs(plain);
+  result.destroy();
+  return data;
+}
+
+class Trouble extends Error {
+  constructor(kind, says) {
+    super(says);
+    this.kind = kind;
+  }
+}
+
+const NO_WEBASSEMBLY =
+  "This browser has no WebAssembly, which Python in a page needs; a current Firefox, Chrome, Edge " +
+  "or Safari has it, unless it is switched off.";
+
+// What went wrong: its kind (of Python's exceptions the type), a sentence, and Python's traceback.
+function told(error) {
+  if (error.type) {
+    const lines = error.message.trimEnd().split("\n");
+    const says = lines.at(-1).replace(/^[\w.]+: /, "");
+    return { kind: error.type, says, trace: error.message };
+  }
+  const fatal = Boolean(error.pyodide_fatal_error) || error instanceof RangeError ||
+    error instanceof WebAssembly.RuntimeError;
+  return { kind: error.kind ?? error.name, says: error.message, trace: error.stack, fatal };
+}
+
+onmessage = async ({ data }) => {
+  try {
+    postMessage({ id: data.id, result: await answer(data) });
+  } catch (error) {
+    postMessage({ id: data.id, error: told(error) });
+  }
+};
