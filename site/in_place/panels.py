@@ -7,12 +7,14 @@ are plain data: what has changed, what scripts are told, and the values of all c
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any
 
-import widgets_standin
+from widgets_standin import WIDGETS, taken
 
-logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # it builds a list, and says so
+# It may build its list of fonts first, and would say so.
+logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
 
 from driftlab.book.machinery.control import Control  # noqa: E402
 from driftlab.book.machinery.panel import ERROR_CLASS, Explorer  # noqa: E402
@@ -58,7 +60,7 @@ def open(
         except ValueError as error:
             refused = f"This link does not fit the panel. {error}"
     OPEN.append(panel)
-    widgets_standin.taken()
+    taken()
     return {
         "panel": len(OPEN) - 1,
         "title": panel.title,
@@ -84,9 +86,11 @@ def move(
     """
     explorer = OPEN[panel]
     for identifier, name, value in changes:
-        _let(explorer, lambda i=identifier, n=name, v=value: setattr(widgets_standin.WIDGETS[i], n, v))
+        with _shown_in(explorer):
+            setattr(WIDGETS[identifier], name, value)
     for identifier, message in messages:
-        _let(explorer, lambda i=identifier, m=message: widgets_standin.WIDGETS[i].received(m))
+        with _shown_in(explorer):
+            WIDGETS[identifier].received(message)
     return _news(explorer)
 
 
@@ -99,19 +103,21 @@ def set(panel: int, link: Mapping[str, str]) -> dict[str, Any]:
         If they do not fit the panel.
     """
     explorer = OPEN[panel]
-    _let(explorer, lambda: explorer.set(**_read(type(explorer), link)))
+    with _shown_in(explorer):
+        explorer.set(**_read(type(explorer), link))
     return _news(explorer)
 
 
 def _news(panel: Explorer) -> dict[str, Any]:
-    changed, messages = widgets_standin.taken()
+    changed, messages = taken()
     return {"changed": changed, "messages": messages, "values": panel.values}
 
 
-def _let(panel: Explorer, act: Any) -> None:
-    """Do something; what is unforeseen stands as a traceback in the panel, and goes no further."""
+@contextmanager
+def _shown_in(panel: Explorer) -> Iterator[None]:
+    """What is unforeseen stands as a traceback in the panel, and goes no further."""
     try:
-        act()
+        yield
     except Exception:
         if ERROR_CLASS not in panel.message.value:
             raise
@@ -150,7 +156,7 @@ def _read(panel_class: type[Explorer], link: Mapping[str, str]) -> dict[str, Any
         If one that should be a number is not.
     """
     controls = {control.name: control for control in panel_class.controls}
-    values = {}
+    values: dict[str, Any] = {}
     for name, text in link.items():
         control = controls.get(name)
         if control is None or isinstance(control.start, str):

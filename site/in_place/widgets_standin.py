@@ -17,7 +17,7 @@ from typing import Any
 from weakref import WeakValueDictionary
 
 import traitlets
-from traitlets import Any as AnyTrait, Bool, CFloat, CInt, Int, List, Tuple, Unicode
+from traitlets import Any as AnyTrait, Bool, CFloat, CInt, Int, Tuple, Unicode
 
 WIDGETS: WeakValueDictionary[str, Widget] = WeakValueDictionary()
 """All there are, by identifier."""
@@ -111,7 +111,7 @@ class ValueWidget(DOMWidget):
     value = AnyTrait().tag(sync=True)
 
     def __init__(self, *value: Any, **state: Any) -> None:
-        super().__init__(**(dict(value=value[0]) if value else {}), **state)
+        super().__init__(**({"value": value[0]} if value else {}), **state)
 
 
 class HTML(ValueWidget):
@@ -196,7 +196,7 @@ class Selection(ValueWidget):
     """One of several values; the page knows their labels, and which of them it is."""
 
     value = AnyTrait()
-    labels = List().tag(sync=True)
+    labels = Tuple().tag(sync=True)
     index = Int(None, allow_none=True).tag(sync=True)
 
     def __init__(self, *, options: Iterable[Any] = (), **state: Any) -> None:
@@ -204,7 +204,7 @@ class Selection(ValueWidget):
         self._values = [value for _, value in pairs]
         if "value" not in state and pairs:
             state["value"] = self._values[0]
-        super().__init__(labels=[label for label, _ in pairs], **state)
+        super().__init__(labels=tuple(label for label, _ in pairs), **state)
         self._follow()
 
     @traitlets.validate("value")

@@ -8,13 +8,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+import driftlab
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import step_drift
 from driftlab.attitude.integration import integrate
 from driftlab.checks import FloatArray, whole_number
 from driftlab.core.coning import cone_increments
 from driftlab.quaternion import conjugate, cumulative_product, multiply, rotation_angle
-from driftlab.symbolic import operations, run_program, step_program
 
 from .random_motion import random_increments
 
@@ -101,7 +101,7 @@ def last_stage_errors(
     halves = STEP_ANGLES[:, np.newaxis, np.newaxis] / 2 * np.array([[0.0, 0, 1], [0, 0, 1]])
     for stage in COMPARED_STAGES:
         drifts.append(stage_drift(stage, HALF_ANGLES, samples))
-        step = run_program(step_program(PAIR, stage), halves)
+        step = _step(stage, halves)
         fixed_axis.append(2 * np.arctan2(step[:, 2], step[:, 3]) - STEP_ANGLES)
         stretched.append(np.linalg.norm(step, axis=-1) - 1)
     return LastStageErrors(
@@ -112,7 +112,7 @@ def last_stage_errors(
         np.array(fixed_axis),
         np.array(stretched),
         np.array([_random_errors(rng, turning, count) for turning in RANDOM_KINDS.values()]),
-        tuple(sum(operations(step_program(PAIR, stage)).values()) for stage in COMPARED_STAGES),
+        tuple(map(_cost, COMPARED_STAGES)),
     )
 
 
@@ -130,10 +130,22 @@ def stage_drift(stage: str, half_angles: FloatArray, samples_a_round: int) -> Fl
     sample = np.asarray(2 * np.pi / samples_a_round)
     middle = sample * (np.arange(PAIR.samples) + 0.5)
     increments = cone_increments(half_angles[..., np.newaxis], sample, middle)
-    step = run_program(step_program(PAIR, stage), increments)
+    step = _step(stage, increments)
     step /= np.linalg.norm(step, axis=-1, keepdims=True)
     steps = samples_a_round / PAIR.samples
     return steps * step_drift(step, half_angles, np.asarray(PAIR.samples * sample))
+
+
+# SymPy comes with the first call of these two, so that the panels of the chapter do without it.
+def _step(stage: str, increments: FloatArray) -> FloatArray:
+    """Quaternions of steps by a last stage, from pairs of increments (..., 2, 3)."""
+    return driftlab.symbolic.run_program(driftlab.symbolic.step_program(PAIR, stage), increments)
+
+
+def _cost(stage: str) -> int:
+    """Operations of a step with a last stage."""
+    program = driftlab.symbolic.step_program(PAIR, stage)
+    return sum(driftlab.symbolic.operations(program).values())
 
 
 def _random_errors(rng: np.random.Generator, turning: float, motions: int) -> FloatArray:
@@ -144,7 +156,7 @@ def _random_errors(rng: np.random.Generator, turning: float, motions: int) -> Fl
     pairs = fine.reshape(motions, -1, PAIR.samples, FINER, 3).sum(axis=-2)
     errors = []
     for stage in COMPARED_STAGES:
-        steps = run_program(step_program(PAIR, stage), pairs)
+        steps = _step(stage, pairs)
         steps /= np.linalg.norm(steps, axis=-1, keepdims=True)
         found = cumulative_product(steps)[:, -1]
         errors.append(rotation_angle(multiply(conjugate(true), found)))
