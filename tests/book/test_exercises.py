@@ -93,12 +93,13 @@ def test_choice_names_what_is_wrong_with_every_other_statement(number):
         )
 
 
-def test_importing_the_exercises_loads_no_plotting():
-    code = (
-        "import sys; from driftlab.book.exercises import all_exercises; all_exercises(); "
-        "print('matplotlib' in sys.modules)"
-    )
-    command = [sys.executable, "-c", code]
+JUDGED = "verdict('3.1', [1, 1, -1, 0, 0, 0]); verdict('3.3', 'ad'); verdict('3.5', len)"
+
+
+@pytest.mark.parametrize(("then", "loaded"), [("all_exercises()", "matplotlib"), (JUDGED, "sympy")])
+def test_importing_the_exercises_loads_no_plotting_and_judging_no_sympy(then, loaded):
+    begin = "import sys; from driftlab.book.exercises import all_exercises, verdict"
+    command = [sys.executable, "-c", f"{begin}; {then}; print({loaded!r} in sys.modules)"]
     answer = subprocess.run(command, capture_output=True, text=True, check=True)
     assert answer.stdout.strip() == "False"
 

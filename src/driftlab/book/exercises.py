@@ -66,18 +66,23 @@ def check(number: str | float, answer: Any) -> None:
     counted since the kernel started, and the first guess at a "predict" exercise is kept as long,
     to be shown beside the answer.
     """
+    show(judged(number, answer, PROGRESS))
+
+
+def judged(number: str | float, answer: Any, progress: Progress) -> Card:
+    """Return the card that `check` shows; `progress` is what was answered, and takes note of it."""
     name, exercise = _exercise(number)
     found = exercise.verdict(answer)
-    PROGRESS.note(name, answer, found)
+    progress.note(name, answer, found)
     chapter = _chapter(name)
-    right, count = PROGRESS.of(all_exercises(chapter))
+    right, count = progress.of(all_exercises(chapter))
     notes = []
     if found.right and exercise.kind == "predict":
-        notes.append(PROGRESS.guess_against(name, answer))
+        notes.append(progress.guess_against(name, answer))
     if not isinstance(number, str) and f"{name}0" in all_exercises(chapter):
         notes.append(f'This is {name}. For the tenth exercise write "{name}0", as text.')
-    progress = f"{right} of {count} right in chapter {chapter}"
-    show(Card(name, found, hints_of(chapter)[name], tuple(notes), progress))
+    done = f"{right} of {count} right in chapter {chapter}"
+    return Card(name, found, hints_of(chapter)[name], tuple(notes), done)
 
 
 def hint(number: str | float) -> None:

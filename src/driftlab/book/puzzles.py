@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import math
+from collections.abc import Callable
 from statistics import median
 from typing import NamedTuple
 
@@ -157,10 +158,15 @@ def _strip(decades: float) -> str:
 
 def guesses() -> Guesses:
     """Look back at the guesses that are kept beside this notebook."""
+    return looked_back(lambda puzzle: kept_guess(puzzle)[1])
+
+
+def looked_back(kept: Callable[[Puzzle], list[Answer] | None]) -> Guesses:
+    """Look back at all guesses; `kept` gives that at a puzzle, if there is one."""
     rows = []
     for chapter in chapters_with("puzzle"):
         puzzle = puzzle_of(chapter)
-        _, guess = kept_guess(puzzle)
+        guess = kept(puzzle)
         if guess is not None:
             truths = puzzle.truths()
             rows += [

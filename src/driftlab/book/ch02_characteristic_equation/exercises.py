@@ -5,7 +5,6 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-import sympy as sp
 
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
@@ -64,6 +63,8 @@ def _cubic(*, in_the_copy: bool = False, powers: int = 3) -> Callable[..., float
     Of the root of (2.1) as the copy has it if asked for, or of the exact root with the binomial
     series sqrt(1 + x) = 1 + x/2 - ... cut off after a power of x.
     """
+    import sympy as sp  # no other exercise of the chapter needs it
+
     mu, rho, r, x = sp.symbols("mu rho_1 r x", real=True)
     across = rho**2 + r**2
     if in_the_copy:

@@ -12,11 +12,10 @@ from numbers import Number
 from typing import Any, ClassVar
 
 import numpy as np
-import sympy as sp
 from numpy.typing import NDArray
 
 from .exercise import Exercise, Objection, rows
-from .reading import Numbers, UnreadableError, entries, fit, name, numbers, read, symbols
+from .reading import Numbers, UnreadableError, entries, fit, name, numbers, of_sympy, read, symbols
 from .sizes import common_factor, size
 from .slips import find_slip, matches
 
@@ -117,11 +116,13 @@ class Formula(Exercise):
 
     def _function(self, answer: Any, place: tuple[Any, ...]) -> Callable[..., Any]:
         """The answer, a function, an expression or a constant, as a function."""
+        if callable(answer) and not of_sympy(answer, "Basic"):
+            return answer
+        import sympy as sp
+
         names = ", ".join(self.arguments)
         if isinstance(answer, sp.Lambda):
             return sp.lambdify(answer.variables, answer.expr)
-        if callable(answer) and not isinstance(answer, sp.Basic):
-            return answer
         parts = entries(answer)
         if not all(isinstance(part, (sp.Basic, Number)) for part in parts):
             raise UnreadableError(

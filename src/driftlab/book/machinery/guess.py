@@ -13,14 +13,11 @@ from typing import Any
 import ipywidgets as widgets
 
 from .kept_guesses import keep, kept_guess
-from .marks import marks
 from .puzzle import Answer, Choice, Number, Puzzle, rounded
+from .revealed import CLOSE, revealed
 
 GUESS_CLASS = "driftlab-guess"
 """HTML class of every guess control."""
-
-WITHOUT_GUESS = "You looked without a guess, so none is kept for this puzzle."
-
 
 UNITS = {"°": "degrees (°)", "′": "arc minutes (′)", "″": "arc seconds (″)"}
 """Units whose signs are too small to stand alone beside a field."""
@@ -160,22 +157,7 @@ class GuessControl:
         note : str
             What is to be said of its keeping, if anything.
         """
-        truths = self.puzzle.truths()
-        lines = []
-        for number, (question, truth) in enumerate(zip(self.puzzle.questions, truths, strict=True)):
-            own = None if guess is None else guess[number]
-            found = f"{html.escape(question.asks)} <b>{html.escape(question.written(truth))}</b>."
-            far = "" if own is None else html.escape(question.how_far(own, truth))
-            lines.append(f"<p style='{CLOSE}'>{found} {far}</p>")
-            if isinstance(question, Number):
-                lines.append(marks(question, own, truth))  # type: ignore[arg-type]
-        lines.append(f"<p style='{CLOSE}'>{html.escape(self.puzzle.remark(truths))}</p>")
-        note = " ".join(filter(None, [WITHOUT_GUESS if guess is None else "", note]))
-        if note:
-            lines.append(f"<p style='{CLOSE}'><small>{html.escape(note)}</small></p>")
-        # An alert is read out when it appears; of a region that is put in anew with its text most
-        # screen readers say nothing.
-        self.answer.value = f"<div role='alert' aria-live='polite'>{''.join(lines)}</div>"
+        self.answer.value = revealed(self.puzzle, guess, note)
         self.button.disabled = self.look.disabled = True
         # The answer takes the place of the questions. The buttons stay: one of them has the focus.
         self.widget.children = [self.buttons, self.answer]
@@ -194,7 +176,6 @@ class GuessControl:
         }
 
 
-CLOSE = "margin: 0.5em 0; line-height: 1.45"
 HOW_TO_SEE = "Run this cell in JupyterLab to make your guess; then the answer appears here."
 
 

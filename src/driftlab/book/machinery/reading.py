@@ -1,12 +1,16 @@
-"""Answers in any form that stands for numbers, read as arrays; what cannot be read is told."""
+"""Answers in any form that stands for numbers, read as arrays; what cannot be read is told.
+
+SymPy takes long to import and is not asked for here: where nobody has imported it, no answer is
+of its making.
+"""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-import sympy as sp
 from numpy.typing import NDArray
 
 Numbers = NDArray[np.float64] | NDArray[np.complex128]
@@ -28,7 +32,7 @@ def numbers(value: Any) -> Numbers:
     UnreadableError
         If it is something else, has symbols, or is not finite.
     """
-    if isinstance(value, sp.MatrixBase):
+    if of_sympy(value, "MatrixBase"):
         value = value.tolist()
     if any(isinstance(entry, str) for entry in entries(value)):
         raise UnreadableError("Expected numbers without quotation marks, such as 1.5 or [1, 2].")
@@ -101,13 +105,19 @@ def entries(answer: Any) -> list[Any]:
     """The entries of a matrix, an array or nested lists; of anything else, itself."""
     if isinstance(answer, (list, tuple)):
         return [entry for part in answer for entry in entries(part)]
-    if isinstance(answer, (sp.MatrixBase, np.ndarray)):
+    if isinstance(answer, np.ndarray) or of_sympy(answer, "MatrixBase"):
         return list(np.array(answer, dtype=object).flat)
     return [answer]
 
 
-def symbols(entry: Any) -> set[sp.Symbol]:
-    return entry.free_symbols if isinstance(entry, sp.Basic) else set()
+def of_sympy(value: Any, kind: str) -> bool:
+    """Tell whether `value` is of a class of SymPy, given by its name."""
+    sympy = sys.modules.get("sympy")
+    return sympy is not None and isinstance(value, getattr(sympy, kind))
+
+
+def symbols(entry: Any) -> set[Any]:
+    return entry.free_symbols if of_sympy(entry, "Basic") else set()
 
 
 def form(array: Numbers) -> str:
