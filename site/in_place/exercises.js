@@ -1,0 +1,133 @@
+// The exercises of a page: a form below each, which answers back by the page's Python.
+import { Asking, data, element } from "./asking.js";
+import { downloadAnswers } from "./export.js";
+import { AnswerForm } from "./form.js";
+import { BLOCKED, Kept } from "./kept.js";
+
+const SIGNS = { true: "✓ Right", false: "✗ Not yet" };
+
+export async function begin() {
+  const places = [...document.querySelectorAll("div.exercise[data-exercise]")];
+  const { version, exercises } = await data("exercises");
+  const kept = new Kept(version);
+  const end = element("div", { className: "answers-end" });
+  const tell = () => showEnd(end, kept, Object.keys(exercises), version);
+  for (const place of places) {
+    const number = place.dataset.exercise;
+    new Exercise(place, number, exercises[number], kept, tell);
+  }
+  places.at(-1)?.after(end);
+  tell();
+}
+
+class Exercise {
+  constructor(place, number, form, kept, tell) {
+    Object.assign(this, { place, number, kept, tell });
+    this.asking = new Asking("What you typed is still here.");
+    this.form = new AnswerForm(number, form, this.asking.stop);
+    this.printed = element("pre", { className: "answer-printed", hidden: true, tabIndex: 0 });
+    this.printed.setAttribute("aria-label", `What your lines for exercise ${number} printed`);
+    // It is there before its text is, or a screen reader would say nothing of it.
+    this.card = element("div", { className: "answer-card", ariaLive: "polite" });
+    place.replaceChildren(this.form.root, this.asking.root, this.printed, this.card);
+    this.form.onTyped = (typed) => this.#keep({ typed });
+    this.form.onAnswer = (answer) => this.check(answer);
+    this.#restore();
+  }
+
+  get mine() {
+    return this.kept.of("exercises")[this.number] ?? {};
+  }
+
+  #keep(more) {
+    this.kept.put("exercises", this.number, { ...this.mine, ...more });
+    this.tell();
+  }
+
+  #restore() {
+    const { typed, cell, right } = this.mine;
+    if (typed) this.form.show(typed);
+    if (cell && right != null)
+      this.card.append(
+        element("p", { className: `answer-before ${right ? "right" : "not-yet"}` },
+          element("b", { textContent: SIGNS[right] }), " when you last checked it."));
+  }
+
+  async check(answer) {
+    if (answer.way === "panel" && !(answer = panelAbove(this.place))) {
+      this.asking.say("There is no panel above this exercise.");
+      return;
+    }
+    this.form.busy = true;
+    this.card.replaceChildren();
+    this.printed.hidden = true;
+    const { way, given, panel = "" } = answer;
+    const result = await this.asking.for("exercises.check",
+      [this.number, way, given, this.#progress(), panel]);
+    this.form.busy = false;
+    if (!result) return;
+    this.card.innerHTML = result.card;
+    this.card.dataset.verdict = result.right ?? "open";
+    leadLinks(this.card);
+    this.printed.textContent = result.printed;
+    this.printed.hidden = !result.printed;
+    const { right, guesses } = result.progress;
+    this.#keep({
+      typed: this.form.typed, cell: result.cell, says: result.says,
+      right: right[this.number], guess: guesses[this.number],
+    });
+  }
+
+  // What the package must know of the chapter to say how it stands.
+  #progress() {
+    const progress = { right: {}, guesses: {} };
+    const chapter = `${this.number.split(".")[0]}.`;
+    for (const [number, { right, guess }] of Object.entries(this.kept.of("exercises"))) {
+      if (!number.startsWith(chapter)) continue;
+      if (right != null) progress.right[number] = right;
+      if (guess != null) progress.guesses[number] = guess;
+    }
+    return progress;
+  }
+}
+
+// The values of the panel that stands last before the exercise.
+function panelAbove(place) {
+  const above = [...document.querySelectorAll("figure.driftlab-still[data-panel]")].filter(
+    (figure) => figure.compareDocumentPosition(place) & Node.DOCUMENT_POSITION_FOLLOWING);
+  const figure = above.at(-1);
+  return figure && {
+    way: "panel", given: JSON.parse(figure.dataset.values), panel: figure.dataset.panel,
+  };
+}
+
+// The package's links name a section as Jupyter does; here it is the heading of the same words.
+function leadLinks(card) {
+  const bare = (text) => text.toLowerCase().replace(/[^\p{L}\p{N}]/gu, "");
+  for (const link of card.querySelectorAll("a[href^='#']")) {
+    const wanted = bare(link.getAttribute("href"));
+    const heading = [...document.querySelectorAll("section > :is(h2, h3, h4)")].find(
+      (each) => [each, each.firstChild].some(({ textContent }) => bare(textContent) === wanted));
+    if (heading) link.href = `#${heading.parentElement.id}`;
+    else link.replaceWith(link.textContent);
+  }
+}
+
+// Below the last exercise: how the book's exercises stand, and a way to take the answers along.
+function showEnd(end, kept, numbers, version) {
+  const mine = kept.of("exercises");
+  const answered = numbers.filter((number) => mine[number]?.cell);
+  const right = answered.filter((number) => mine[number].right).length;
+  const button = element("button", { type: "button", textContent: "Export my answers" });
+  button.disabled = !answered.length;
+  button.onclick = () => downloadAnswers(answered.map((n) => [n, mine[n]]), version);
+  const words = answered.length
+    ? `In the whole book you have answered ${answered.length} of ${numbers.length} exercises, ` +
+      `${right} of them right. The export is a notebook of your answers and what was said of them.`
+    : "What you answer is kept in this browser, and nowhere else.";
+  end.replaceChildren(
+    element("p", { textContent: words }),
+    ...(kept.blocked ? [element("p", { textContent: BLOCKED })] : []),
+    button,
+  );
+}

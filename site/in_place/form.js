@@ -1,0 +1,118 @@
+// The form of one exercise: letters to tick, a line of numbers, or lines of Python.
+import { element } from "./asking.js";
+
+export class AnswerForm {
+  onTyped = () => {};
+  onAnswer = () => {};
+
+  constructor(number, { way, letters = "", lines, panel = false }, stop) {
+    this.way = way;
+    this.root = element("form", { className: "answer" });
+    this.first = lines ?? "";
+    const parts = [];
+    if (way === "letters") parts.push(this.#letters(letters));
+    if (way === "line") parts.push(this.#line(number));
+    if (lines !== undefined) parts.push(this.#python(number));
+    this.button = element("button", { type: "submit", className: "answer-check" });
+    const buttons = element("div", { className: "answer-buttons" }, this.button);
+    if (panel) buttons.append(this.#panelButton());
+    buttons.append(stop);
+    this.root.append(
+      element("fieldset", {},
+        element("legend", { textContent: `Your answer to ${number}` }), ...parts), buttons);
+    this.root.onsubmit = (event) => {
+      event.preventDefault();
+      this.onAnswer(this.answer);
+    };
+    this.root.onchange = () => this.onTyped(this.typed);
+    this.#follow();
+  }
+
+  // Everything that stands in the form, and whether Python is unfolded.
+  get typed() {
+    return {
+      letters: this.boxes?.filter((box) => box.checked).map((box) => box.value).join(""),
+      line: this.line?.value,
+      code: this.code?.value === this.first ? undefined : this.code?.value,
+      python: this.fold?.open,
+    };
+  }
+
+  show({ letters = "", line = "", code = this.first, python = false }) {
+    for (const box of this.boxes ?? []) box.checked = letters.includes(box.value);
+    if (this.line) this.line.value = line;
+    if (this.code) this.code.value = code;
+    if (this.fold) this.fold.open = python;
+    this.#follow();
+  }
+
+  get answer() {
+    const way = this.inPython ? "code" : this.way;
+    return { way, given: this.typed[way] ?? this.first };
+  }
+
+  get inPython() {
+    return this.way === "code" || Boolean(this.fold?.open);
+  }
+
+  set busy(busy) {
+    this.root.ariaBusy = String(busy);
+    for (const button of this.root.querySelectorAll(".answer-check")) button.disabled = busy;
+  }
+
+  #letters(letters) {
+    this.boxes = [...letters].map((value) =>
+      element("input", { type: "checkbox", value, ariaLabel: `Statement ${value}` }));
+    return this.simple = element("div", { className: "answer-letters" },
+      ...this.boxes.map((box) => element("label", {}, box, ` (${box.value})`)));
+  }
+
+  #line(number) {
+    this.line = element("input", {
+      type: "text", autocapitalize: "off", autocomplete: "off", spellcheck: false,
+      ariaLabel: `Numbers, your answer to exercise ${number}`,
+    });
+    const how = element("small", {
+      id: `how-${number}`,
+      textContent: "Commas between numbers, semicolons between rows: 1.5, −2e-3, 90/7, sqrt(2)",
+    });
+    this.line.setAttribute("aria-describedby", how.id);
+    return this.simple = element("div", { className: "answer-line" }, this.line, how);
+  }
+
+  #python(number) {
+    this.code = element("textarea", {
+      value: this.first, rows: this.first.split("\n").length + 2, spellcheck: false,
+      autocapitalize: "off", ariaLabel: `Python for exercise ${number}`,
+    });
+    this.code.onkeydown = (event) => {
+      if (event.key !== "Enter" || !(event.ctrlKey || event.shiftKey || event.metaKey)) return;
+      event.preventDefault();
+      if (!this.button.disabled) this.root.requestSubmit();
+    };
+    const how = element("small", { textContent:
+      "The answer is what your lines call answer. Shift and Enter run them; print shows here." });
+    if (this.way === "code") return element("div", {}, this.code, how);
+    this.fold = element("details", { className: "answer-python" },
+      element("summary", { textContent: "Compute it in Python" }), this.code, how);
+    this.fold.ontoggle = () => {
+      this.#follow();
+      this.onTyped(this.typed);
+    };
+    return this.fold;
+  }
+
+  #panelButton() {
+    const button = element("button", {
+      type: "button", className: "answer-check", textContent: "Check the panel as it stands",
+    });
+    button.onclick = () => this.onAnswer({ way: "panel" });
+    return button;
+  }
+
+  // Who computes answers by the lines, and what is typed above them is put aside.
+  #follow() {
+    this.button.textContent = this.inPython ? "Run and check" : "Check";
+    if (this.simple) this.simple.hidden = this.inPython;
+  }
+}
