@@ -1,0 +1,111 @@
+"""A notebook as Markdown for pandoc, with calls of the template's functions where it has cells.
+
+On paper nothing answers: cells that only wait for an answer are left out, and their cards; a
+guess is a question with room for it.
+"""
+
+from __future__ import annotations
+
+import html
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from nbformat import NotebookNode
+
+from pdf.pictures import picture
+
+FENCE = "`" * 12
+CARD = "<div role='status'"
+QUESTIONS = re.compile(r"<li>(.*?)</li>", re.S)
+WAITS = re.compile(r"answer = \.\.\.$|check\(|guess\(|(from|import) |$")
+"""Lines of a cell that only waits for the reader."""
+REMARK = re.compile(r"</div><div>(.*?)</div>", re.S)
+SAID_TO_THE_READER = ("You had it", "Your first guess", "The section that helps", "<details>")
+FIGURE = re.compile(r'\bfigure\("([\w-]+)"')
+
+
+def call(function: str, *arguments: str | float, **options: str | float) -> str:
+    """Return a block of Markdown that calls a function of the template."""
+    # Typst writes strings as JSON does, but for control characters, of which there are none.
+    said = [json.dumps(argument, ensure_ascii=False) for argument in arguments]
+    said += [f"{key}: {json.dumps(value, ensure_ascii=False)}" for key, value in options.items()]
+    return typst(f"#{function}({', '.join(said)})")
+
+
+def typst(text: str) -> str:
+    """Return a block of Markdown that is Typst."""
+    return f"{FENCE}{{=typst}}\n{text}\n{FENCE}"
+
+
+def markdown_of(notebook: NotebookNode, name: str, folder: Path) -> str:
+    """Return a notebook as Markdown.
+
+    Parameters
+    ----------
+    notebook : NotebookNode
+        With its outputs.
+    name : str
+        What its pictures are called, with a number behind it.
+    folder : Path
+        Where they are written.
+    """
+    blocks: list[str] = []
+    for number, cell in enumerate(notebook.cells):
+        if cell.cell_type == "markdown":
+            if not re.search(r"-end(-1)?$", cell.id) or not cell.source.startswith("Next:"):
+                blocks.append(cell.source)
+        elif cell.cell_type == "code":
+            blocks += _code(cell, f"{name}-{number}", folder)
+    return "\n\n".join(blocks) + "\n"
+
+
+def _code(cell: NotebookNode, name: str, folder: Path) -> Iterator[str]:
+    if not all(WAITS.match(line) for line in cell.source.splitlines()):
+        yield call("code", cell.source)
+    for number, output in enumerate(cell.outputs):
+        yield from _output(output, cell.source, f"{name}-{number}", folder)
+
+
+def _output(output: NotebookNode, source: str, name: str, folder: Path) -> Iterator[str]:
+    data = output.get("data", {})
+    if output.output_type == "stream":
+        yield call("output", output.text.rstrip("\n"))
+    elif "text/html" in data:
+        yield from _html(data["text/html"], source, name, folder)
+    elif "text/latex" in data:
+        formula = re.sub(r"^\$+\s*(\\displaystyle\s*)?|\$+$", "", data["text/latex"].strip())
+        yield "\n\n".join([typst("#result["), f"$${formula}$$", typst("]")])
+    elif "text/markdown" in data:
+        yield data["text/markdown"]
+    elif "text/plain" in data and not any("widget-view" in kind for kind in data):
+        yield call("output", data["text/plain"])
+
+
+def _html(markup: str, source: str, name: str, folder: Path) -> Iterator[str]:
+    shown = picture(markup, folder, name)
+    if shown is not None:
+        called = FIGURE.search(source)
+        yield call(
+            "still" if shown.is_still else "drawing",
+            f"pictures/{shown.file}",
+            shown.caption,
+            width=shown.width,
+            name=called[1] if called else "",
+        )
+    elif markup.startswith(CARD):
+        remarks = [plain(remark) for remark in REMARK.findall(markup) if _is_kept(remark)]
+        if "Right</b>" in markup and remarks:
+            yield call("remark", " ".join(remarks))
+    elif questions := QUESTIONS.findall(markup):
+        yield call("guess", *(plain(question) for question in questions))
+
+
+def _is_kept(remark: str) -> bool:
+    return not remark.startswith(SAID_TO_THE_READER)
+
+
+def plain(markup: str) -> str:
+    """Return HTML as plain words."""
+    return html.unescape(re.sub(r"<[^>]+>", "", markup)).replace("\xa0", " ").strip()

@@ -1,0 +1,78 @@
+"""What the book on paper holds, and in which order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import PurePosixPath
+from typing import NamedTuple
+
+ERRATA = "ERRATA.md"
+
+
+class Part(NamedTuple):
+    """Some chapters under one heading.
+
+    Attributes
+    ----------
+    title, source : str
+        The heading, and the paper that the chapters follow.
+    beginnings : tuple of str
+        How the names of its documents begin, in their order.
+    """
+
+    title: str
+    source: str
+    beginnings: tuple[str, ...]
+
+
+PARTS = (
+    Part("Before you start", "", ("00_",)),
+    Part(
+        "Part I: A bent triad and its drift",
+        "V. B. Larin, On the calibration of a spatial angular-rate meter, received 1987",
+        ("01_", "02_", "03_", "04_"),
+    ),
+    Part(
+        "Part II: The computer's attitude",
+        "S. E. Perelyaev, Yu. N. Chelnokov, New algorithms for determining the inertial "
+        "orientation of an object, 2014",
+        ("05_", "06_"),
+    ),
+    Part(
+        "Part III: A whole system calibrated",
+        "Wu Huali, Xiao Zhicai, Zhou Dawang, Wang Lingling, on decoupling installation-error "
+        "matrices, 2018",
+        ("07_", "08_"),
+    ),
+    Part(
+        "Part IV: From the drift to the heading",
+        "P. K. Plotnikov, A. V. Mikheev, S. G. Naumov, Errors of a strapdown gyrocompass for "
+        "objects with unlimited rotation angles",
+        ("09_", "10_"),
+    ),
+    Part("All four together", "", ("11_", "12_", "13_")),
+    Part(
+        "Appendices",
+        "",
+        ("conventions", "i_want_to", "lab_sheet", "for_instructors", "solutions/", ERRATA),
+    ),
+)
+
+
+def chosen(part: Part, names: Iterable[str]) -> list[str]:
+    """Return the names of a part's documents, in its order."""
+    known = sorted(names)
+    return [name for begin in part.beginnings for name in known if name.startswith(begin)]
+
+
+def label(name: str) -> str:
+    """Return what a document is called inside the PDF, "solutions-03_systematic_drift"."""
+    return PurePosixPath(name).with_suffix("").as_posix().replace("/", "-")
+
+
+def figure_prefix(name: str) -> str:
+    """Return what stands before the numbers of a document's figures: 3, S3 for solutions, A."""
+    number = PurePosixPath(name).name[:2]
+    if not number.isdigit():
+        return {"conventions.ipynb": "C", "lab_sheet.ipynb": "L"}.get(name, "A")
+    return f"{'S' if name.startswith('solutions/') else ''}{int(number)}"

@@ -1,0 +1,102 @@
+"""Tables that fit the page: columns as wide as what is in them asks for, in smaller type if need be.
+
+A table is one of pandoc's: ["attr", caption, columns, head, bodies, foot].
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+LINE = 112
+"""Signs in a line of a table's usual type."""
+GAP = 2.6
+"""Signs between two columns."""
+SIZES = (8.5, 7.5, 6.8)
+"""Types in points, the usual one first."""
+
+
+def fitted(table: list[Any]) -> float:
+    """Give a table's columns their widths; the size of its type in points.
+
+    A table that is narrower than a line keeps the widths of its contents.
+    """
+    cells = [[_measures(cell) for cell in row] for row in _rows(table)]
+    columns = list(zip(*cells, strict=True))
+    wanted = [max(length for length, _ in column) for column in columns]
+    longest = [max(word for _, word in column) for column in columns]
+    gaps = GAP * len(columns)
+    if sum(wanted) + gaps <= LINE:
+        return SIZES[0]
+    size = next((s for s in SIZES if sum(longest) + gaps <= LINE * SIZES[0] / s), SIZES[-1])
+    widths = _widths(wanted, longest, LINE * SIZES[0] / size - gaps)
+    table[2] = [
+        [alignment, {"t": "ColWidth", "c": round(width / sum(widths), 4)}]
+        for (alignment, _), width in zip(table[2], widths, strict=True)
+    ]
+    return size
+
+
+def _widths(wanted: list[float], longest: list[float], room: float) -> list[float]:
+    """Short columns get what they want, the others shares that grow with the root of it."""
+    widths = [0.0] * len(wanted)
+    left = list(range(len(wanted)))
+    while left:
+        total = sum(wanted[i] ** 0.5 for i in left)
+        shares = {i: room * wanted[i] ** 0.5 / total for i in left}
+        settled = [i for i in left if wanted[i] <= shares[i] or longest[i] > shares[i]]
+        for i in settled or left:
+            widths[i] = min(wanted[i], max(longest[i], shares[i])) if settled else shares[i]
+            room -= widths[i]
+        room = max(room, 1.0)
+        left = [i for i in left if i not in settled] if settled else []
+    return widths
+
+
+def _rows(table: list[Any]) -> Iterator[list[Any]]:
+    _, _, _, head, bodies, _ = table
+    for rows in (head[1], *(body[3] for body in bodies)):
+        for _, cells in rows:
+            yield [cell[4] for cell in cells]
+
+
+def _measures(blocks: Any) -> tuple[float, float]:
+    """How long a cell is in signs on one line, and the longest word of it."""
+    words: list[float] = [0.0]
+    longest = total = 0.0
+    for kind, content in _leaves(blocks):
+        if kind in ("Space", "SoftBreak", "LineBreak"):
+            total = max(total, sum(words)) if kind == "LineBreak" else total
+            words = [0.0] if kind == "LineBreak" else [*words, 1.0, 0.0]
+            continue
+        if kind == "Code":  # it breaks at its dots
+            parts = re.split(r"(?<=[._/:,= ])", content[1])
+            size = 1.25
+        elif kind == "Math":
+            parts = re.split(r"(?<=[=+])", _drawn(content[1]))
+            size = 1.05
+        else:
+            parts = re.split(r"(?<=[-/–])", content)
+            size = 1.0
+        words[-1] += size * sum(map(len, parts))
+        longest = max(longest, size * max(map(len, parts)))
+    return max(total, sum(words)), longest
+
+
+def _drawn(tex: str) -> str:
+    """About as many signs as a formula has when it is set."""
+    tex = re.sub(r"\\(text|math\w+|left|right|[td]?frac|hat|dot|bar|sqrt)\b|\\[,;:! ]", "", tex)
+    return re.sub(r"[{}^_ ]", "", re.sub(r"\\([a-zA-Z]+|.)", "a", tex))
+
+
+def _leaves(node: Any) -> Iterator[tuple[str, Any]]:
+    if isinstance(node, list):
+        for each in node:
+            yield from _leaves(each)
+    elif isinstance(node, dict):
+        kind = node.get("t", "")
+        if kind in ("Str", "Space", "SoftBreak", "LineBreak", "Code", "Math"):
+            yield kind, node.get("c", "")
+        else:
+            yield from _leaves(node.get("c", []))
