@@ -18,6 +18,7 @@ from pdf.pictures import picture
 
 FENCE = "`" * 12
 CARD = "<div role='status'"
+FORMULA = re.compile(r"`[^`]*`|\$([^$\n]+)\$")
 QUESTIONS = re.compile(r"<li>(.*?)</li>", re.S)
 WAITS = re.compile(r"answer = \.\.\.$|check\(|guess\(|(from|import) |$")
 """Lines of a cell that only waits for the reader."""
@@ -78,7 +79,7 @@ def _output(output: NotebookNode, source: str, name: str, folder: Path) -> Itera
         formula = re.sub(r"^\$+\s*(\\displaystyle\s*)?|\$+$", "", data["text/latex"].strip())
         yield "\n\n".join([typst("#result["), f"$${formula}$$", typst("]")])
     elif "text/markdown" in data:
-        yield data["text/markdown"]
+        yield tight(data["text/markdown"])
     elif "text/plain" in data and not any("widget-view" in kind for kind in data):
         yield call("output", data["text/plain"])
 
@@ -100,6 +101,11 @@ def _html(markup: str, source: str, name: str, folder: Path) -> Iterator[str]:
             yield call("remark", " ".join(remarks))
     elif questions := QUESTIONS.findall(markup):
         yield call("guess", *(plain(question) for question in questions))
+
+
+def tight(text: str) -> str:
+    """Return Markdown whose formulas have no blanks at their ends; to pandoc they were no formulas."""
+    return FORMULA.sub(lambda found: f"${found[1].strip()}$" if found[1] else found[0], text)
 
 
 def _is_kept(remark: str) -> bool:

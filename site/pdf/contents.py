@@ -8,6 +8,16 @@ from typing import NamedTuple
 
 ERRATA = "ERRATA.md"
 
+OF_EVERY_CHAPTER = (
+    "A puzzle",
+    "Guessed? Then compute it",
+    "What you will be able to do",
+    "Reproduce",
+    "In your textbook",
+    "Read on",
+)
+"""Headings that the table of contents leaves out; the bookmarks have them."""
+
 
 class Part(NamedTuple):
     """Some chapters under one heading.
@@ -76,3 +86,11 @@ def figure_prefix(name: str) -> str:
     if not number.isdigit():
         return {"conventions.ipynb": "C", "lab_sheet.ipynb": "L"}.get(name, "A")
     return f"{'S' if name.startswith('solutions/') else ''}{int(number)}"
+
+
+def is_listed(name: str, level: int, heading: str) -> bool:
+    """Whether the table of contents names a heading of a document."""
+    is_an_exercise = heading[0].isdigit() and level > 1
+    return level == 1 or not (
+        name.startswith(("solutions/", ERRATA)) or is_an_exercise or heading in OF_EVERY_CHAPTER or level > 3
+    )

@@ -15,7 +15,7 @@ from urllib.parse import unquote
 
 import pypandoc
 
-from pdf.contents import label
+from pdf.contents import is_listed, label
 from pdf.formulas import readable
 from pdf.tables import fitted
 
@@ -65,7 +65,8 @@ class Document:
             own += "-"
         self.anchors[words.replace(" ", "-")] = own
         self.anchors.setdefault("", own)
-        node["c"] = [level + 1, [own, attributes[1], attributes[2]], inlines]
+        classes = [] if is_listed(self.name, level, words) else ["unlisted"]
+        node["c"] = [level + 1, [own, classes, attributes[2]], inlines]
         return None
 
 
@@ -92,6 +93,8 @@ class Book:
     def _print(self, node: dict[str, Any]) -> list[Any] | None:
         """What stands on paper for a node; None if the node itself."""
         kind, content = node["t"], node.get("c")
+        if kind == "Str" and re.search(r"[$\\]", content):
+            raise Unfinished(f"{self._current.name} has a formula that would be printed raw: {content}")
         if kind == "Math":
             node["c"] = [content[0], readable(content[1])]
         elif kind in ("RawInline", "RawBlock") and content[0] == HTML:

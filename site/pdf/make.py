@@ -12,13 +12,15 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
+import pikepdf
 import typst
 from nbformat import NotebookNode
 
 import driftlab
-from pdf.cells import call, markdown_of
+from pdf.cells import markdown_of, tight
 from pdf.contents import ERRATA, PARTS, chosen, figure_prefix, label
 from pdf.document import Book, Document, Unfinished
+from pdf.pictures import plain_svg
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -49,7 +51,8 @@ def make_pdf(notebooks: dict[str, NotebookNode], build: Path, target: Path) -> N
     shutil.rmtree(folder, ignore_errors=True)
     (folder / "pictures").mkdir(parents=True)
     shutil.copy(HERE / "template.typ", folder)
-    shutil.copy(ROOT / COVER, folder / "pictures/cover.svg")
+    cover = plain_svg((ROOT / COVER).read_text("utf-8"))
+    (folder / "pictures/cover.svg").write_text(cover, "utf-8")
     source = folder / "book.typ"
     source.write_text(_typst(notebooks, folder / "pictures"), "utf-8")
     target.parent.mkdir(parents=True, exist_ok=True)
@@ -66,6 +69,10 @@ def _compile(source: Path, target: Path) -> None:
         )
     except typst.TypstError as trouble:
         raise Unfinished(f"Typst says: {trouble.diagnostic}") from trouble
+    with pikepdf.open(target, allow_overwriting_input=True) as written:
+        # Tags, by which a screen reader finds its way, are many small things.
+        together = pikepdf.ObjectStreamMode.generate
+        written.save(target, object_stream_mode=together, deterministic_id=True)
     if warnings:
         raise Unfinished("\n".join(["Typst warns:", *(each.message for each in warnings)]))
 
@@ -89,7 +96,7 @@ def _typst(notebooks: dict[str, NotebookNode], pictures: Path) -> str:
 def _markdown(name: str, notebooks: dict[str, NotebookNode], pictures: Path) -> str:
     if name == ERRATA:
         # Names of tests are for who has the files at hand, where they stand too.
-        return re.sub(r"; checked by [^\n]*", ".", (ROOT / ERRATA).read_text("utf-8"))
+        return re.sub(r"; checked by [^\n]*", ".", tight((ROOT / ERRATA).read_text("utf-8")))
     text = markdown_of(notebooks[name], label(name), pictures)
     return re.sub(r"^# .*", f"# {FIRST}", text, count=1) if name.startswith("00_") else text
 
