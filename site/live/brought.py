@@ -15,10 +15,11 @@ import tarfile
 from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import NamedTuple
 
 from reading.make import Unfinished
 
-from .versions import VERSIONS, Pin
+from .versions import VERSIONS, Pin, older, wheel_pins
 
 RUNTIME = ("pyodide.asm.js", "pyodide.asm.wasm", "pyodide.mjs", "python_stdlib.zip")
 """What a browser loads of the runtime."""
@@ -28,9 +29,38 @@ TARGET = ("--platform=any", "--implementation=py", "--abi=none", "--python-versi
 """Wheels of Python alone: pip on this machine chooses for a browser."""
 
 
-def has_runtime(folder: Path) -> bool:
-    """Return whether the runtime was brought before."""
-    return all((folder / name).exists() for name in (*RUNTIME, OFFICIAL))
+class Brought(NamedTuple):
+    """What others made.
+
+    Attributes
+    ----------
+    runtime : Path
+        Folder of Pyodide's runtime, with its official lock.
+    wheels : dict of str to Path
+        Wheels by the name of their package.
+    older : Path
+        The wheel that holds an older package.
+    """
+
+    runtime: Path
+    wheels: dict[str, Path]
+    older: Path
+
+
+def bring(folder: Path) -> Brought:
+    """Bring all that the live book needs, but for what is in the folder already.
+
+    Raises
+    ------
+    Unfinished
+        If something does not come.
+    """
+    runtime = folder / "runtime"
+    bring_runtime(runtime)
+    pins = wheel_pins()
+    wheels = bring_wheels(pins, folder / "wheels")
+    (old,) = bring_wheels([older()], folder / "wheels")
+    return Brought(runtime, dict(zip((pin.name for pin in pins), wheels, strict=True)), old)
 
 
 def bring_runtime(folder: Path) -> None:
@@ -41,7 +71,7 @@ def bring_runtime(folder: Path) -> None:
     Unfinished
         If npm does not bring it, or brings something else.
     """
-    if has_runtime(folder):
+    if all((folder / name).exists() for name in (*RUNTIME, OFFICIAL)):
         return
     name = f"pyodide@{VERSIONS['pyodide']['version']}"
     with TemporaryDirectory() as place:

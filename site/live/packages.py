@@ -9,17 +9,19 @@ from typing import Any
 
 from reading.make import Unfinished
 
-from .brought import OFFICIAL, RUNTIME, bring_runtime, bring_wheels, digest_of
+from .brought import OFFICIAL, RUNTIME, Brought, digest_of
 from .lock import check, entry_of, needed
 from .own_wheels import compiled, driftlab_wheel, fontlist_wheel, from_within
-from .versions import VERSIONS, older, wheel_pins
+from .versions import VERSIONS
 
 
-def make_packages(build: Path, made: Path, distribution: Path | None) -> dict[str, Path]:
-    """Write the runtime, the lock and the wheels, and return the wheels that pip brought, by name.
+def make_packages(brought: Brought, build: Path, made: Path, distribution: Path | None) -> None:
+    """Write the runtime, the lock and the wheels.
 
     Parameters
     ----------
+    brought : Brought
+        What others made.
     build : Path
         Folder for what is kept for the next time.
     made : Path
@@ -31,16 +33,12 @@ def make_packages(build: Path, made: Path, distribution: Path | None) -> dict[st
     Raises
     ------
     Unfinished
-        If something cannot be brought or made, or a file is not what it should be.
+        If something cannot be made, or a file is not what it should be.
     """
-    runtime = build / "runtime"
-    bring_runtime(runtime)
-    pins = wheel_pins()
-    brought = dict(zip((p.name for p in pins), bring_wheels(pins, build / "wheels"), strict=True))
-    (within_older,) = bring_wheels([older()], build / "wheels")
+    runtime = brought.runtime
     official = json.loads((runtime / OFFICIAL).read_text("utf-8"))
     packages = needed(official, VERSIONS["wheels"]["distribution"])
-    own = _own(build / "own", brought, within_older, packages["matplotlib"]["version"])
+    own = _own(build / "own", brought, packages["matplotlib"]["version"])
 
     shutil.rmtree(made, ignore_errors=True)
     made.mkdir(parents=True)
@@ -63,19 +61,18 @@ def make_packages(build: Path, made: Path, distribution: Path | None) -> dict[st
     check(packages, own)
     lock = {"info": official["info"], "packages": dict(sorted(packages.items()))}
     (made / OFFICIAL).write_text(json.dumps(lock, indent=1), "utf-8")
-    return brought
 
 
-def _own(folder: Path, brought: dict[str, Path], within_older: Path, matplotlib: str) -> list[Path]:
+def _own(folder: Path, brought: Brought, matplotlib: str) -> list[Path]:
     """Return the wheels that the site adds to the distribution, as they were before compiling."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     wheels = [driftlab_wheel(folder), fontlist_wheel(folder, matplotlib)]
-    wheels += [brought[name] for name in VERSIONS["wheels"]["book"]]
-    kernel = brought["jupyterlite-pyodide-kernel"]
+    wheels += [brought.wheels[name] for name in VERSIONS["wheels"]["book"]]
+    kernel = brought.wheels["jupyterlite-pyodide-kernel"]
     wheels += [from_within(kernel, name, folder) for name in VERSIONS["wheels"]["kernel"]]
     names = VERSIONS["wheels"]["older"]["names"]
-    return wheels + [from_within(within_older, name, folder) for name in names]
+    return wheels + [from_within(brought.older, name, folder) for name in names]
 
 
 def _bring_here(

@@ -1,0 +1,136 @@
+"""JupyterLite with the notebooks of the book, and what the site adds to its page."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterable
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from reading.make import Unfinished
+
+from .versions import ROOT, VERSIONS
+
+PAGE = Path(__file__).resolve().parent / "page"
+"""What the site adds: the strip above the notebook, and the page with a reader's work."""
+APP = "lab"
+OUTSIDE = {"ERRATA.md": "errata.html", "README.md": "index.html", "figures/README.md": "gallery/index.html"}
+"""Pages of the site for files that notebooks link to and the live book does not hold."""
+
+
+def make_lite(build: Path, made: Path, extensions: Iterable[Path], about: dict[str, str]) -> None:
+    """Write JupyterLite with every notebook of the book.
+
+    Parameters
+    ----------
+    build : Path
+        Folder for what is needed on the way.
+    made : Path
+        Folder for the live book, which is not there yet.
+    extensions : iterable of Path
+        Wheels with extensions of JupyterLab.
+    about : dict of str to str
+        What the strip above the notebook must know, by name: "version", "storage", ...
+
+    Raises
+    ------
+    Unfinished
+        If JupyterLite is not built.
+    """
+    source = build / "lite"
+    shutil.rmtree(source, ignore_errors=True)
+    write_contents(source / "files")
+    _write(source / "jupyter-lite.json", settings(about["storage"]))
+    _write(source / "overrides.json", OVERRIDES)
+    options = [f"--LiteBuildConfig.federated_extensions={wheel}" for wheel in extensions]
+    command = [sys.executable, "-m", "jupyterlite_core", "build", "--apps", APP, "--no-sourcemaps"]
+    command += ["--no-unused-shared-packages", "--ignore-sys-prefix", f"--output-dir={made}"]
+    done = subprocess.run([*command, *options], cwd=source, capture_output=True, encoding="utf-8")
+    if done.returncode:
+        raise Unfinished(f"JupyterLite is not built:\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
+    shutil.rmtree(made / "extensions/@jupyterlite/pyodide-kernel-extension/static/pypi")
+    shutil.copytree(PAGE, made, dirs_exist_ok=True)
+    for path in (made / APP / "index.html", made / "my-work.html"):
+        _tell(path, about)
+
+
+def settings(storage: str) -> dict[str, Any]:
+    """Return what jupyter-lite.json says."""
+    kernel = {
+        "disablePyPIFallback": True,
+        "loadPyodideOptions": {"packages": VERSIONS["kernel"]["packages"]},
+        "pyodideUrl": "./static/pyodide/pyodide.mjs",
+    }
+    return {
+        "jupyter-lite-schema-version": 0,
+        "jupyter-config-data": {
+            "appName": "Drift Lab",
+            "contentsStorageName": storage,
+            "enableMemoryStorage": True,
+            "exposeAppInBrowser": True,
+            "litePluginSettings": {"@jupyterlite/pyodide-kernel-extension:kernel": kernel},
+            "settingsStorageName": f"{storage}: settings",
+            "workspacesStorageName": f"{storage}: workspaces",
+        },
+    }
+
+
+OVERRIDES = {
+    "@jupyterlab/apputils-extension:themes": {"adaptive-theme": True},
+    "@jupyterlab/docmanager-extension:plugin": {"autosaveInterval": 10},
+}
+"""Settings of JupyterLab: light or dark as the computer is, and nothing is lost in a closed tab."""
+
+
+def write_contents(folder: Path) -> None:
+    """Write the notebooks, their links led to what a reader of the live book has."""
+    book = ROOT / "notebooks"
+    for path in sorted(book.rglob("*.ipynb")):
+        if ".ipynb_checkpoints" in path.parts:
+            continue
+        inside = path.relative_to(book)
+        notebook = json.loads(path.read_text("utf-8"))
+        for cell in notebook["cells"]:
+            if cell["cell_type"] == "markdown":
+                cell["source"] = with_links("".join(cell["source"]))
+        _write(folder / inside, notebook)
+    for path in pictures(folder):
+        target = folder / path.relative_to(ROOT)
+        target.parent.mkdir(exist_ok=True)
+        shutil.copy(path, target)
+
+
+def with_links(text: str) -> str:
+    """Return Markdown whose links lead to pages of the site, "#site/errata.html", and pictures here."""
+    for file, page in OUTSIDE.items():
+        text = re.sub(rf"\]\((?:\.\./)+{re.escape(file)}(#[^)]*)?\)", rf"](#site/{page})", text)
+    return text.replace("](../figures/", "](figures/")
+
+
+def pictures(folder: Path) -> list[Path]:
+    """Return the figures that the notebooks of a folder show as files."""
+    found: set[str] = set()
+    for path in folder.glob("*.ipynb"):
+        found.update(re.findall(r"\]\((figures/[\w.-]+\.svg)\)", path.read_text("utf-8")))
+    return [ROOT / name for name in sorted(found)]
+
+
+def _tell(path: Path, about: dict[str, str]) -> None:
+    """Put the site's script into a page, with what it must know."""
+    data = "".join(f' data-{name}="{escape(value)}"' for name, value in about.items())
+    text = path.read_text("utf-8")
+    if path.name == "index.html":
+        text = text.replace("<title>JupyterLite</title>", "<title>Drift Lab</title>")
+        head = '<link rel="stylesheet" href="../strip.css"><script type="module" src="../strip.js">'
+        text = text.replace("</head>", f"{head}</script></head>", 1)
+    path.write_text(text.replace("<html", f"<html{data}", 1), "utf-8")
+
+
+def _write(path: Path, data: object) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(data, indent=1, ensure_ascii=False), "utf-8")

@@ -1,0 +1,109 @@
+// Lists what a reader has changed in the live chapters, of every version of the book, to download.
+import { zip } from "./zip.js";
+
+const here = document.documentElement.dataset; // version, storage: written by lite.py
+const FAMILY = "Drift Lab ";
+const place = document.getElementById("work");
+
+try {
+  const stores = await everything();
+  place.replaceChildren(...(stores.length ? stores.flatMap(shown) : [text("p", "Nothing yet.")]));
+} catch (error) {
+  place.textContent = `This browser lets the page keep nothing, so there is nothing to list (${error.message}).`;
+}
+
+// [{ title, files: [{ name, text, when, changed }] }], the present version first.
+async function everything() {
+  const listed = (await indexedDB.databases?.()) ?? [{ name: here.storage }];
+  const found = [];
+  for (const { name } of listed) {
+    const models = name.startsWith(FAMILY) ? await kept(name) : [];
+    const files = await Promise.all(models.map((model) => file(model, name === here.storage)));
+    if (files.length) found.push({ title: name, files });
+  }
+  const answers = Object.entries({ ...localStorage }).filter(([name]) => name.startsWith(FAMILY));
+  for (const [name, text] of answers) {
+    found.push({ title: name, files: [{ name: "answers.json", text, when: "", changed: "" }] });
+  }
+  const rank = ({ title }) => (title.startsWith(here.storage) ? 0 : 1);
+  return found.sort((a, b) => rank(a) - rank(b) || b.title.localeCompare(a.title));
+}
+
+// What JupyterLite keeps under a name; nothing of a database that is not its own.
+function kept(name) {
+  return new Promise((resolve, reject) => {
+    const request = indexedDB.open(name);
+    request.onupgradeneeded = () => request.transaction.abort(); // it was not there
+    request.onerror = () => (request.error.name === "AbortError" ? resolve([]) : reject(request.error));
+    request.onsuccess = () => {
+      const database = request.result;
+      const close = (result) => {
+        database.close(); // or JupyterLite could not change it
+        resolve(result);
+      };
+      if (!database.objectStoreNames.contains("files")) return close([]);
+      const all = database.transaction("files").objectStore("files").getAll();
+      all.onsuccess = () => close(all.result.filter((model) => model.type !== "directory"));
+      all.onerror = () => reject(all.error);
+    };
+  });
+}
+
+async function file(model, present) {
+  const text = typeof model.content === "string" ? model.content : JSON.stringify(model.content, null, 1);
+  const when = new Date(model.last_modified).toLocaleString();
+  const changed = present && model.type === "notebook" ? await changes(model) : "";
+  return { name: model.path, text, when, changed };
+}
+
+// How many cells are not as the book has them.
+async function changes(model) {
+  const answer = await fetch(`files/${model.path}`).catch(() => null);
+  if (!answer?.ok) return "yours";
+  const sources = ({ cells }) => new Map(cells.map(({ id, source }) => [id, [source].flat().join("")]));
+  const [book, own] = [sources(await answer.json()), sources(model.content)];
+  const count = [...own].filter(([id, source]) => book.get(id) !== source).length;
+  return count ? `${count} cell${count > 1 ? "s" : ""} changed` : "run, not changed";
+}
+
+function shown({ title, files }) {
+  const rows = files.map(({ name, text: contents, when, changed }) => row(
+    text("td", name), text("td", changed), text("td", when),
+    element("td", button("Download", `Download ${name}`, () => save(new Blob([contents]), name))),
+  ));
+  const head = row(...["File", "Changes", "Last saved", ""].map((name) => text("th", name)));
+  const all = () => save(zip(Object.fromEntries(files.map((each) => [each.name, each.text]))), `${title}.zip`);
+  return [
+    text("h2", title), element("table", head, ...rows),
+    element("p", button("Download all", `Download all of ${title}`, all)),
+  ];
+}
+
+function save(blob, name) {
+  const link = element("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name.split("/").pop().replaceAll(":", "");
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+function element(tag, ...inside) {
+  const made = document.createElement(tag);
+  made.append(...inside);
+  return made;
+}
+
+function text(tag, words) {
+  return element(tag, words);
+}
+
+function row(...cells) {
+  return element("tr", ...cells);
+}
+
+function button(words, name, action) {
+  const made = text("button", words);
+  made.ariaLabel = name;
+  made.onclick = action;
+  return made;
+}

@@ -1,0 +1,105 @@
+// The strip above the notebook: what Python is doing, what this browser cannot do, where one's work
+// is kept; and links of the chapters that lead to pages of the site.
+const about = document.documentElement.dataset; // version, megabytes, probe: written by lite.py
+const STARTING = `Python is starting. The first time it fetches some ${about.megabytes} MB, a minute or more on a slow line; from then on it takes some seconds.`;
+const READY = `Python is ready. What you change is kept in this browser, for version ${about.version} of the book.`;
+const READ_ON = "The chapter can still be read, here and on its page.";
+
+const site = new URL("../../", document.baseURI);
+const strip = document.createElement("header");
+const says = document.createElement("p");
+says.setAttribute("role", "status");
+const page = link("Chapter's page", new URL(`${chapter()}.html`, site));
+strip.append(page, says, link("My work", new URL("../my-work.html", document.baseURI)));
+strip.id = "strip";
+document.body.prepend(strip);
+new ResizeObserver(() => {
+  document.body.style.setProperty("--strip", `${strip.offsetHeight}px`);
+  dispatchEvent(new Event("resize")); // JupyterLab measures the rest anew
+}).observe(strip);
+
+// Chapters link to "#site/errata.html" for what stands on the site only.
+addEventListener("click", (event) => {
+  const target = event.target.closest?.('a[href*="#site/"]')?.getAttribute("href");
+  if (target) {
+    event.preventDefault();
+    event.stopPropagation();
+    open(new URL(target.split("#site/")[1], site), "_blank", "noopener");
+  }
+}, { capture: true });
+
+const troubles = await whatIsMissing();
+say(troubles.length ? [...troubles, READ_ON].join(" ") : STARTING);
+if (!troubles.some((trouble) => trouble.startsWith("Python"))) follow(await application());
+
+function chapter(path = new URLSearchParams(location.search).get("path")) {
+  return path?.endsWith(".ipynb") ? path.slice(0, -".ipynb".length) : "index";
+}
+
+function link(text, target) {
+  return Object.assign(document.createElement("a"), { textContent: text, href: target });
+}
+
+function say(sentence) {
+  says.textContent = sentence;
+}
+
+async function whatIsMissing() {
+  const found = [];
+  if (typeof WebAssembly !== "object" || typeof Worker !== "function") {
+    found.push("Python cannot run: this browser has no WebAssembly, or it is switched off.");
+  } else if (about.probe && !(await fetch(about.probe).catch(() => false))) {
+    found.push(`Python cannot start: its packages come from ${new URL(about.probe).host}, which cannot be reached from here.`);
+  }
+  if (!(await mayKeep())) {
+    found.push("This browser keeps nothing for the page: what you write is gone when you close it, so download it before (File, Download).");
+  }
+  return found;
+}
+
+function mayKeep() {
+  return new Promise((answer) => {
+    const name = "Drift Lab: may it be kept?";
+    try {
+      const request = indexedDB.open(name);
+      request.onerror = () => answer(false);
+      request.onsuccess = () => {
+        request.result.close();
+        indexedDB.deleteDatabase(name);
+        answer(true);
+      };
+    } catch {
+      answer(false);
+    }
+  });
+}
+
+function application() {
+  return new Promise((resolve) => {
+    const look = setInterval(() => {
+      if (window.jupyterapp) {
+        clearInterval(look);
+        resolve(window.jupyterapp);
+      }
+    }, 100);
+  });
+}
+
+async function follow(app) {
+  await app.restored;
+  app.shell.collapseLeft(); // the list of files; one click brings it back
+  const look = async () => {
+    const shown = app.shell.currentWidget?.context;
+    const session = app.shell.currentWidget?.sessionContext;
+    if (!session) return;
+    page.href = new URL(`${chapter(shown.path)}.html`, site);
+    say([...troubles, STARTING].join(" "));
+    await session.ready;
+    await session.session?.kernel?.info;
+    if (app.shell.currentWidget?.sessionContext === session) {
+      say(troubles.length ? ["Python is ready.", ...troubles].join(" ") : READY);
+    }
+  };
+  app.shell.currentChanged.connect(look);
+  look();
+}
