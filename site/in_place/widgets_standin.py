@@ -120,12 +120,6 @@ class HTML(ValueWidget):
     value = Unicode().tag(sync=True)
 
 
-class Label(ValueWidget):
-    """Plain text."""
-
-    value = Unicode().tag(sync=True)
-
-
 class Image(ValueWidget):
     """The file of a picture."""
 
@@ -184,14 +178,6 @@ class IntSlider(Bounded):
     readout_format = Unicode("d").tag(sync=True)
 
 
-class BoundedFloatText(FloatSlider):
-    """A number to be typed."""
-
-
-class BoundedIntText(IntSlider):
-    """A whole number to be typed."""
-
-
 class Selection(ValueWidget):
     """One of several values; the page knows their labels, and which of them it is."""
 
@@ -225,10 +211,6 @@ class Selection(ValueWidget):
 
 class Dropdown(Selection):
     """A menu."""
-
-
-class RadioButtons(Selection):
-    """All values beside each other."""
 
 
 class SelectionSlider(Selection):
