@@ -56,11 +56,13 @@ class Panel {
     this.root.setAttribute("aria-label", opened.title);
     const copy = make("button", { type: "button", onclick: () => this.#copy() },
       "Copy a link to this state");
+    const save = make("button", { type: "button", onclick: () => this.#save() },
+      "Save the picture");
     const end = make("button", { type: "button", title: "End Python on this page",
       onclick: () => stop() }, "Stop");
     this.root.append(
       show(this.conversation.root, this.#ends),
-      make("div", { className: "in-place-tools" }, copy, end, this.status),
+      make("div", { className: "in-place-tools" }, copy, save, end, this.status),
     );
     figure.dataset.values = JSON.stringify(opened.values);
     figure.classList.add("in-place-is-live");
@@ -105,6 +107,17 @@ class Panel {
       this.#say("The link is copied. Who follows it sees the panel as it stands now.");
     } catch {
       this.#say("This page may not copy. Its address, above, is the link now: copy it from there.");
+    }
+  }
+
+  async #save() {
+    try {
+      const picture = await ask("panels.picture", [this.conversation.number]);
+      const href = URL.createObjectURL(new Blob([picture], { type: "image/svg+xml" }));
+      make("a", { href, download: `${this.figure.dataset.panel}.svg` }).click();
+      setTimeout(() => URL.revokeObjectURL(href), 10_000);
+    } catch (error) {
+      this.#trouble(error);
     }
   }
 

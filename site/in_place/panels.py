@@ -9,6 +9,8 @@ from __future__ import annotations
 import logging
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from widgets_standin import WIDGETS, taken
@@ -51,6 +53,7 @@ def open(
     panel_class = CLASSES[name]
     panel = panel_class(_preset(panel_class, values))
     panel.page.ratio = ratio
+    panel.paper.layout.display = "none"  # how to save by a line of Python; here it is a button
     if panel.values != values:
         panel.set(**_given(panel_class, values))
     refused = ""
@@ -106,6 +109,12 @@ def set(panel: int, link: Mapping[str, str]) -> dict[str, Any]:
     with _shown_in(explorer):
         explorer.set(**_read(type(explorer), link))
     return _news(explorer)
+
+
+def picture(panel: int) -> bytes:
+    """Return what a panel shows as an SVG, for a paper or a page."""
+    with TemporaryDirectory() as folder:
+        return OPEN[panel].save(Path(folder) / "picture.svg").read_bytes()
 
 
 def _news(panel: Explorer) -> dict[str, Any]:

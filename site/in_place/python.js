@@ -13,6 +13,9 @@ export class Trouble extends Error {
 }
 
 const SENTENCES = {
+  NoWebAssembly:
+    "This browser has no WebAssembly, which Python in a page needs; a current Firefox, Chrome, " +
+    "Edge or Safari has it, unless it is switched off.",
   NoWorker:
     "Python could not be started: this browser does not run module workers, or a file of the " +
     "site is missing. A current Firefox, Chrome, Edge or Safari will do.",
@@ -68,6 +71,10 @@ export function onStop(watcher) {
 function next() {
   if (running || !waiting.length) return;
   running = waiting.pop();
+  if (typeof WebAssembly !== "object") {
+    stop("NoWebAssembly");
+    return;
+  }
   try {
     worker ??= begin();
   } catch {

@@ -17,7 +17,6 @@ const modules = new Map(); // name -> promise that it lies in FOLDER
 let python;
 
 async function start() {
-  if (typeof WebAssembly !== "object") throw new Trouble("NoWebAssembly", NO_WEBASSEMBLY);
   fetches.say("Fetching Python and the book's package");
   await fetches.expect(RUNTIME, ["driftlab"]);
   const { loadPyodide } = await import(`${RUNTIME}pyodide.mjs`);
@@ -78,10 +77,6 @@ class Trouble extends Error {
     this.kind = kind;
   }
 }
-
-const NO_WEBASSEMBLY =
-  "This browser has no WebAssembly, which Python in a page needs; a current Firefox, Chrome, Edge " +
-  "or Safari has it, unless it is switched off.";
 
 // What went wrong: its kind (of Python's exceptions the type), a sentence, and Python's traceback.
 function told(error) {
