@@ -91,7 +91,7 @@ def read_line(text: str) -> Any:
     """Read a line of numbers: with commas between them, and semicolons between rows."""
     try:
         return eval(compile(in_python(text), YOURS, "eval"), {**vars(np), "np": np})
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         raise UnreadableError(
             "Expected numbers in one line, such as 1.5 or 1, 2.5, with a point for the decimals "
             f"and commas between numbers; {type(error).__name__}: {error}"
@@ -117,12 +117,14 @@ def run(code: str) -> Any:
     linecache.cache[YOURS] = len(code), None, code.splitlines(keepends=True), YOURS
     try:
         tree = ast.parse(code, YOURS)
-        last = tree.body.pop() if tree.body and isinstance(tree.body[-1], ast.Expr) else None
+        shown = None
+        if tree.body and isinstance(last := tree.body[-1], ast.Expr):
+            shown = ast.Expression(last.value)
+            del tree.body[-1]
         exec(compile(tree, YOURS, "exec"), names)
-        if last is not None:
-            value = eval(compile(ast.Expression(last.value), YOURS, "eval"), names)
-            if value is not None:
-                print(repr(value))
+        value = shown and eval(compile(shown, YOURS, "eval"), names)
+        if value is not None:
+            print(repr(value))
     except (Exception, SystemExit) as error:
         if isinstance(error, ModuleNotFoundError) and error.name == LATE:
             raise
