@@ -10,14 +10,13 @@ export async function begin() {
   const places = [...document.querySelectorAll("div.exercise[data-exercise]")];
   const { version, exercises } = await data("exercises");
   const kept = new Kept(version);
-  const end = element("div", { className: "answers-end" });
-  const tell = () => showEnd(end, kept, Object.keys(exercises), version);
+  const end = new End(kept, Object.keys(exercises), version);
   for (const place of places) {
     const number = place.dataset.exercise;
-    new Exercise(place, number, exercises[number], kept, tell);
+    new Exercise(place, number, exercises[number], kept, () => end.tell());
   }
-  places.at(-1)?.after(end);
-  tell();
+  places.at(-1)?.after(end.root);
+  end.tell();
 }
 
 class Exercise {
@@ -114,20 +113,33 @@ function leadLinks(card) {
 }
 
 // Below the last exercise: how the book's exercises stand, and a way to take the answers along.
-function showEnd(end, kept, numbers, version) {
-  const mine = kept.of("exercises");
-  const answered = numbers.filter((number) => mine[number]?.cell);
-  const right = answered.filter((number) => mine[number].right).length;
-  const button = element("button", { type: "button", textContent: "Export my answers" });
-  button.disabled = !answered.length;
-  button.onclick = () => downloadAnswers(answered.map((n) => [n, mine[n]]), version);
-  const words = answered.length
-    ? `In the whole book you have answered ${answered.length} of ${numbers.length} exercises, ` +
-      `${right} of them right. The export is a notebook of your answers and what was said of them.`
-    : "What you answer is kept in this browser, and nowhere else.";
-  end.replaceChildren(
-    element("p", { textContent: words }),
-    ...(kept.blocked ? [element("p", { textContent: BLOCKED })] : []),
-    button,
-  );
+// Its parts stay while their words change, or a click would lose the button under it.
+class End {
+  #words = element("p");
+  #blocked = element("p", { textContent: BLOCKED, hidden: true });
+  #button = element("button", { type: "button", textContent: "Export my answers" });
+  root = element("div", { className: "answers-end" }, this.#words, this.#blocked, this.#button);
+
+  constructor(kept, numbers, version) {
+    Object.assign(this, { kept, numbers });
+    this.#button.onclick = () => downloadAnswers(this.answered, version);
+  }
+
+  // Numbers of exercises, and what is kept of them.
+  get answered() {
+    const mine = this.kept.of("exercises");
+    return this.numbers.filter((number) => mine[number]?.cell).map((n) => [n, mine[n]]);
+  }
+
+  tell() {
+    const { answered, numbers } = this;
+    const right = answered.filter(([, mine]) => mine.right).length;
+    this.#words.textContent = answered.length
+      ? `In the whole book you have answered ${answered.length} of ${numbers.length} exercises, ` +
+        `${right} of them right. The export is a notebook of your answers and what was said of them.`
+      : "What you answer is kept in this browser, and nowhere else.";
+    this.#words.hidden = this.kept.blocked && !answered.length;
+    this.#blocked.hidden = !this.kept.blocked;
+    this.#button.disabled = !answered.length;
+  }
 }
