@@ -19,6 +19,8 @@ from pdf.pictures import picture
 FENCE = "`" * 12
 CARD = "<div role='status'"
 FORMULA = re.compile(r"`[^`]*`|\$([^$\n]+)\$")
+WAY_ON = re.compile(r"(Next|Back|Contents): \[")
+"""The last line of a chapter, which leads to the next one."""
 QUESTIONS = re.compile(r"<li>(.*?)</li>", re.S)
 WAITS = re.compile(r"answer = \.\.\.$|check\(|guess\(|(from|import) |$")
 """Lines of a cell that only waits for the reader."""
@@ -55,7 +57,7 @@ def markdown_of(notebook: NotebookNode, name: str, folder: Path) -> str:
     blocks: list[str] = []
     for number, cell in enumerate(notebook.cells):
         if cell.cell_type == "markdown":
-            if not re.search(r"-end(-1)?$", cell.id) or not cell.source.startswith("Next:"):
+            if not WAY_ON.match(cell.source):
                 blocks.append(cell.source)
         elif cell.cell_type == "code":
             blocks += _code(cell, f"{name}-{number}", folder)
@@ -64,7 +66,8 @@ def markdown_of(notebook: NotebookNode, name: str, folder: Path) -> str:
 
 def _code(cell: NotebookNode, name: str, folder: Path) -> Iterator[str]:
     if not all(WAITS.match(line) for line in cell.source.splitlines()):
-        yield call("code", cell.source)
+        shows = any("<figure" in output.get("data", {}).get("text/html", "") for output in cell.outputs)
+        yield call("code", cell.source, sticky=shows)
     for number, output in enumerate(cell.outputs):
         yield from _output(output, cell.source, f"{name}-{number}", folder)
 

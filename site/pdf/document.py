@@ -104,11 +104,12 @@ class Book:
         elif kind == "Image":
             return []  # the picture of the title page
         elif kind == "Table":
-            for row in _cells(content):
+            rows = _cells(content)
+            for row in rows:
                 row[:] = [self._cell(cell) for cell in row]
             _walk(content, self._print)
             size = fitted(content)
-            return [_raw(f"#table-text({size}pt)["), node, _raw("]")]
+            return [_raw(f"#table-text({size}pt, {len(rows)})["), node, _raw("]")]
         return None
 
     def _link(self, content: list[Any]) -> list[Any] | None:
@@ -186,7 +187,8 @@ def _unfolded(inlines: list[Any]) -> list[Any]:
     kept = inlines[: tags.index("<details>")] + inlines[begin + 1 : end]
     for node in inlines[end + 1 :]:
         if node["t"] == "Str" and node["c"].startswith(NAME_IN_CODE[0]):
-            kept += [{"t": "LineBreak"}, {"t": "Code", "c": [["", [], []], node["c"]]}]
+            name = node["c"].rpartition(".")[2]
+            kept += [{"t": "LineBreak"}, {"t": "Code", "c": [["", [], []], name]}]
         elif node["t"] == "Str" and not node["c"].startswith(NAME_IN_CODE):
             return [node for node in inlines if node["t"] != "RawInline" or "<br" in node["c"][1]]
     return kept

@@ -32,7 +32,7 @@ def fitted(table: list[Any]) -> float:
     size = next((s for s in SIZES if sum(longest) + gaps <= LINE * SIZES[0] / s), SIZES[-1])
     widths = _widths(wanted, longest, LINE * SIZES[0] / size - gaps)
     table[2] = [
-        [alignment, {"t": "ColWidth", "c": round(width / sum(widths), 4)}]
+        [alignment, {"t": "ColWidth", "c": round((width + GAP) / (sum(widths) + gaps), 4)}]
         for (alignment, _), width in zip(table[2], widths, strict=True)
     ]
     return size
