@@ -64,6 +64,7 @@ class Exercise {
     const result = await this.asking.for("exercises.check",
       [this.number, way, given, this.#progress(), panel]);
     this.form.busy = false;
+    if (this.asking.stopped) this.form.button.focus({ preventScroll: true }); // Stop is gone
     if (!result) return;
     this.card.innerHTML = result.card;
     this.card.dataset.verdict = result.right ?? "open";

@@ -22,7 +22,7 @@ export class AnswerForm {
         element("legend", { textContent: `Your answer to ${number}` }), ...parts), buttons);
     this.root.onsubmit = (event) => {
       event.preventDefault();
-      this.onAnswer(this.answer);
+      if (!this.busy) this.onAnswer(this.answer);
     };
     this.root.onchange = () => this.onTyped(this.typed);
     this.#follow();
@@ -55,9 +55,15 @@ export class AnswerForm {
     return this.way === "code" || Boolean(this.fold?.open);
   }
 
+  // A disabled button would lose the focus, so that it only says that it is.
   set busy(busy) {
     this.root.ariaBusy = String(busy);
-    for (const button of this.root.querySelectorAll(".answer-check")) button.disabled = busy;
+    for (const button of this.root.querySelectorAll(".answer-check"))
+      button.ariaDisabled = String(busy);
+  }
+
+  get busy() {
+    return this.root.ariaBusy === "true";
   }
 
   #letters(letters) {
@@ -88,7 +94,7 @@ export class AnswerForm {
     this.code.onkeydown = (event) => {
       if (event.key !== "Enter" || !(event.ctrlKey || event.shiftKey || event.metaKey)) return;
       event.preventDefault();
-      if (!this.button.disabled) this.root.requestSubmit();
+      this.root.requestSubmit();
     };
     const how = element("small", { textContent:
       "The answer is what your lines call answer. Shift and Enter run them; print shows here." });
@@ -106,7 +112,9 @@ export class AnswerForm {
     const button = element("button", {
       type: "button", className: "answer-check", textContent: "Check the panel as it stands",
     });
-    button.onclick = () => this.onAnswer({ way: "panel" });
+    button.onclick = () => {
+      if (!this.busy) this.onAnswer({ way: "panel" });
+    };
     return button;
   }
 

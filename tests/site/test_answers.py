@@ -218,7 +218,7 @@ class Form:
 
     def line(self, text):
         self.part.get_by_role("textbox").first.fill(text)
-        self.button("Check").first.click()
+        self.part.get_by_role("textbox").first.press("Enter")
 
     def letters(self, chosen):
         for box in self.part.get_by_role("checkbox").all():
@@ -254,6 +254,7 @@ def test_exercises_of_each_kind_answer_in_the_page_and_are_kept(page, address, t
     figure = page.locator('figure.driftlab-still[data-panel="DriftExplorer"]').last
     panel.button("Check the panel as it stands").click()
     panel.expect("false")
+    assert page.evaluate("document.activeElement.textContent") == "Check the panel as it stands"
     figure.evaluate("(figure, values) => (figure.dataset.values = JSON.stringify(values))", REACH)
     panel.button("Check the panel as it stands").click()
     assert "2 of 6 right" in panel.expect("true")
@@ -266,6 +267,7 @@ def test_exercises_of_each_kind_answer_in_the_page_and_are_kept(page, address, t
     computed.python("while True:\n    pass")
     computed.button("Stop").click()
     computed.part.get_by_text("Stopped. What you typed is still here.").wait_for()
+    assert page.evaluate("document.activeElement.textContent") == "Run and check"
     computed.python("print('as if')\nanswer = [0, 0, 0]")
     computed.expect("false")
     assert computed.part.locator("pre").inner_text() == "as if\n"
