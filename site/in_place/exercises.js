@@ -137,7 +137,7 @@ class End {
     const right = answered.filter(([, mine]) => mine.right).length;
     this.#words.textContent = answered.length
       ? `In the whole book you have answered ${answered.length} of ${numbers.length} exercises, ` +
-        `${right} of them right. The export is a notebook of your answers and what was said of them.`
+        `${right} of them right. The export is a notebook of them and of what was said to each.`
       : "What you answer is kept in this browser, and nowhere else.";
     this.#words.hidden = this.kept.blocked && !answered.length;
     this.#blocked.hidden = !this.kept.blocked;
