@@ -12,11 +12,13 @@ usage: python3 lab.py [command]
               --quick        leave out browsers, chapters and whole set-ups
               --site         only the site that "site" built, in _site or where DRIFTLAB_SITE says
               other arguments go to pytest, which then runs alone
+  lowest    the quick tests with the oldest packages that pyproject.toml allows
+              other arguments go to pytest
   figures   rebuild every figure and table of the book
   bench     print how fast the package is, against its peers, which this command fetches
   peers     ask programs of others, which this command fetches, whether they compute the same
   site      build the reference, the ledger and the gallery as web pages, in _site
-  lock      renew environment.txt, and the list of the site's packages, from pyproject.toml
+  lock      renew environment.txt, and the lists of "site" and "lowest", from pyproject.toml
   release   write what release/release.toml says of this version where it is needed
 """
 
@@ -39,7 +41,15 @@ if sys.version_info < (3, 11):  # noqa: UP036
 
 sys.path.append(str(Path(__file__).resolve().parent))
 
-from bootstrap.beside import SITE_HEAD, SITE_LIST, beside, without
+from bootstrap.beside import (
+    LOWEST_HEAD,
+    LOWEST_LIST,
+    SITE_HEAD,
+    SITE_LIST,
+    apart,
+    beside,
+    without,
+)
 from bootstrap.copies import BOOK, bring_clean, bring_copies
 from bootstrap.environment import (
     ENVIRONMENT,
@@ -70,6 +80,12 @@ NO_PEERS = "--ignore=tests/peers"
 SITE = "_site"
 # The longest groups first, as tests/conftest.py orders them, not those of the most tests.
 AT_ONCE = ["-n", "2", "--dist", "loadgroup", "--no-loadscope-reorder", "--durations=10"]
+# Packages of different age deprecate each other's ways, which is not the book's affair; what it
+# calls itself must not be deprecated in the newest. A widget that takes no such argument is.
+OF_DIFFERENT_AGE = [
+    *["-W", "ignore::DeprecationWarning"],
+    *["-W", "error:Passing unrecognized arguments:DeprecationWarning"],
+]
 QUICK = ["--hypothesis-profile=quick", NO_PEERS, "-m", "not browser and not kernel and not setup"]
 
 # The token travels in the environment because other users can read command lines. It becomes
@@ -194,6 +210,14 @@ def test(arguments: list[str]) -> int:
     return max(codes.values())
 
 
+def lowest(arguments: list[str]) -> int:
+    """Run the quick tests in an environment of the oldest packages that are allowed."""
+    python = apart(LOWEST_LIST)
+    asked = [*QUICK, *OF_DIFFERENT_AGE, *(arguments or AT_ONCE)]
+    with running([str(python), "-m", "pytest", *asked]) as process:
+        return abs(process.wait())
+
+
 def figures(arguments: list[str]) -> int:
     expect_none(arguments)
     set_up()
@@ -234,26 +258,31 @@ def site(arguments: list[str]) -> int:
 
 
 def lock(arguments: list[str]) -> int:
-    """Write environment.txt with the newest packages that pyproject.toml allows."""
+    """Write environment.txt with the newest packages that pyproject.toml allows, and more lists."""
     expect_none(arguments)
     set_up()
-    new = ENVIRONMENT.with_suffix(".new")
-    resolve = ["pip", "compile", PYPROJECT.name, "--upgrade", "--quiet"]  # [tool.uv.pip] has more
-    if run("-m", "uv", *resolve, "--output-file", new.name):
-        raise Trouble("environment.txt stays as it is; the messages above tell why.")
-    write(ENVIRONMENT, lock_line() + new.read_text("utf-8"))
-    new.unlink()
+    write(ENVIRONMENT, lock_line() + resolved(ENVIRONMENT))
     say("environment.txt is renewed.")
-    if "site" not in project()["project"].get("optional-dependencies", {}):
-        return 0
-    more = ["--extra", "site", "--constraint", ENVIRONMENT.name]
-    new = SITE_LIST.with_suffix(".new")
-    if run("-m", "uv", *resolve, *more, "--output-file", str(new.relative_to(HOME))):
-        raise Trouble(f"{SITE_LIST.name} stays as it is; the messages above tell why.")
-    write(SITE_LIST, SITE_HEAD + without(ENVIRONMENT.read_text("utf-8"), new.read_text("utf-8")))
-    new.unlink()
-    say("The list of the site's packages is renewed.")
+    extras = project()["project"].get("optional-dependencies", {})
+    if "book" in extras:
+        write(LOWEST_LIST, LOWEST_HEAD + resolved(LOWEST_LIST, "--resolution", "lowest-direct"))
+        say("The list of the oldest packages is renewed.")
+    if "site" in extras:
+        found = resolved(SITE_LIST, "--extra", "site", "--constraint", ENVIRONMENT.name)
+        write(SITE_LIST, SITE_HEAD + without(ENVIRONMENT.read_text("utf-8"), found))
+        say("The list of the site's packages is renewed.")
     return 0
+
+
+def resolved(listed: Path, *options: str) -> str:
+    """Return the packages that uv finds for a list; [tool.uv.pip] in pyproject.toml has more."""
+    new = listed.with_suffix(".new")
+    command = ["pip", "compile", PYPROJECT.name, "--upgrade", "--quiet", *options]
+    if run("-m", "uv", *command, "--output-file", new.relative_to(HOME).as_posix()):
+        raise Trouble(f"{listed.name} stays as it is; the messages above tell why.")
+    found = new.read_text("utf-8")
+    new.unlink()
+    return found
 
 
 def release(arguments: list[str]) -> int:
@@ -274,6 +303,7 @@ COMMANDS = {
     "open": open_book,
     "fresh": fresh,
     "test": test,
+    "lowest": lowest,
     "figures": figures,
     "bench": bench,
     "peers": peers,

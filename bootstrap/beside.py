@@ -1,7 +1,8 @@
-"""Makes environments beside ``.venv``: they see all that it has, and hold what one command adds.
+"""Makes environments besides ``.venv``, each from a list of pinned packages.
 
-So the site is built with the very packages that the tests run with, and ``.venv`` stays as its list
-says.
+The site's sees all that ``.venv`` has, and holds what one command adds: so the site is built with
+the very packages that the tests run with, and ``.venv`` stays as its list says. The one of the
+oldest packages sees nothing of ``.venv``, and has the book's own package besides.
 """
 
 import hashlib
@@ -9,7 +10,7 @@ import json
 import re
 from pathlib import Path
 
-from bootstrap.environment import STAMP, alone, make_venv, site_packages, write
+from bootstrap.environment import PYPROJECT, STAMP, alone, make_venv, site_packages, write
 from bootstrap.steps import (
     BIN,
     HOME,
@@ -23,27 +24,43 @@ from bootstrap.steps import (
 
 SITE_LIST = HOME / "site/packages.txt"
 SITE_HEAD = "# What 'python3 lab.py site' needs beside environment.txt; by 'python3 lab.py lock'.\n"
+LOWEST_LIST = HOME / "bootstrap/lowest.txt"
+LOWEST_HEAD = "# The oldest packages that pyproject.toml allows, for 'python3 lab.py lowest'.\n"
 
 
 def beside(listed: Path) -> Path:
     """Return the Python of an environment with `.venv` and the packages of a list beside it."""
-    name = listed.parent.name
+    return _python(listed, listed.parent.name, sees_venv=True)
+
+
+def apart(listed: Path) -> Path:
+    """Return the Python of an environment with the packages of a list and the book's own."""
+    return _python(listed, listed.stem, sees_venv=False)
+
+
+def _python(listed: Path, name: str, sees_venv: bool) -> Path:
     folder = VENV.with_name(f"{VENV.name}-{name}")
     python = folder / BIN / PYTHON_NAME
-    digest = hashlib.sha256(listed.read_bytes()).hexdigest()
+    # What the package says of itself, an editable one says as it was when it was laid.
+    what = listed.read_bytes() + (b"" if sees_venv else PYPROJECT.read_bytes())
     below = str(site_packages(VENV))
-    stamp = json.dumps({"packages": digest, "below": below, "python": VERSION})
+    packages = hashlib.sha256(what).hexdigest()
+    stamp = json.dumps({"packages": packages, "below": below, "python": VERSION})
     with alone():
         made = folder / STAMP
         if python.exists() and made.exists() and made.read_text("utf-8") == stamp:
             return python
         say(f"Bringing the packages of {listed.relative_to(HOME)} ...")
         make_venv(folder)
-        # Escaped, because Pythons before 3.13 read this file in the system's encoding.
-        line = f"import site; site.addsitedir({below!a})\n"
-        write(site_packages(folder) / "below.pth", line)
+        pip = pip_install(str(python))
+        if sees_venv:
+            # Escaped, because Pythons before 3.13 read this file in the system's encoding.
+            line = f"import site; site.addsitedir({below!a})\n"
+            write(site_packages(folder) / "below.pth", line)
         options = ["--no-compile", "--progress-bar=off", "--require-hashes", "-r", str(listed)]
-        run_step([*pip_install(str(python)), *options])
+        run_step([*pip, *options])
+        if not sees_venv:
+            run_step([*pip, "--no-build-isolation", "--editable", "."])
         write(made, stamp)
     return python
 

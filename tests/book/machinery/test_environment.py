@@ -29,6 +29,6 @@ def test_names_what_is_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(environment.platform, "python_version", lambda: "3.9.1")
     assert environment.problems() == [
         "Python >=3.11 is needed; this is 3.9.1.",
-        "ipywidgets 9.0 is installed; ipywidgets<9,>=8.1 is needed.",
+        "ipywidgets 9.0 is installed; ipywidgets!=8.1.9,<9,>=7.7 is needed.",
         "sympy is not installed; sympy>=1.13 is needed.",
     ]

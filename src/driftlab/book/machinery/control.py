@@ -10,6 +10,8 @@ from driftlab.checks import finite_array
 
 STOPS_CLASS = "driftlab-stops"
 """HTML class of a slider with stops; the script in the page looks for it."""
+TOOLTIP = "tooltip" if hasattr(widgets.DOMWidget, "tooltip") else "description_tooltip"
+"""What ipywidgets calls the name of a slider that shows on hovering; the latter before 8.0."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +74,7 @@ class Control:
         common = {
             "value": self.start,
             "description": self.label,
-            "tooltip": self.full_name,
+            TOOLTIP: self.full_name,
             "style": {"description_width": "9.5em"},
             "layout": {"width": "auto"},
         }

@@ -12,9 +12,11 @@ from typing import Any
 
 import ipywidgets as widgets
 
+from .control import TOOLTIP
 from .kept_guesses import keep, kept_guess
 from .puzzle import Answer, Choice, Number, Puzzle, rounded
 from .revealed import CLOSE, revealed
+from .widget_view import widget_view
 
 GUESS_CLASS = "driftlab-guess"
 """HTML class of every guess control."""
@@ -38,24 +40,18 @@ class NumberInput:
     def __init__(self, question: Number) -> None:
         self.question = question
         limits = {"value": question.start, "min": question.low, "max": question.high}
-        wide = {"width": "auto", "max_width": "30em", "margin": "0"}
-        slider_text = f"{question.asks} ({question.unit})"
+        slider = {
+            "readout": False,
+            "layout": {"width": "auto", "max_width": "30em", "margin": "0"},
+            TOOLTIP: f"{question.asks} ({question.unit})",
+        }
         if question.whole:
             self.field = widgets.BoundedIntText(**limits, description="Your guess")
-            self.slider = widgets.IntSlider(
-                **limits, readout=False, layout=wide, tooltip=slider_text
-            )
+            self.slider = widgets.IntSlider(**limits, **slider)
         else:
             self.field = widgets.BoundedFloatText(**limits, description="Your guess")
-            self.slider = widgets.FloatSlider(
-                question.place(question.start),
-                min=0,
-                max=1,
-                step=0.005,
-                readout=False,
-                layout=wide,
-                tooltip=slider_text,
-            )
+            start = question.place(question.start)
+            self.slider = widgets.FloatSlider(start, min=0, max=1, step=0.005, **slider)
         self.field.layout = {"width": "14em"}
         self.slider.observe(self._slid, "value")
         self.field.observe(self._typed, "value")
@@ -166,11 +162,11 @@ class GuessControl:
         asks = " ".join(question.asks for question in self.puzzle.questions)
         return f"A guess first: {asks}\n{HOW_TO_SEE}"
 
-    def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
         """The control, and for a page that is not live, the question without the answer."""
         asks = "".join(f"<li>{html.escape(q.asks)}</li>" for q in self.puzzle.questions)
         return {
-            **self.widget._repr_mimebundle_(**options),
+            **widget_view(self.widget),
             "text/html": f"<p><b>A guess first.</b></p><ul>{asks}</ul><p>{HOW_TO_SEE}</p>",
             "text/plain": repr(self),
         }

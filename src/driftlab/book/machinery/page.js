@@ -20,7 +20,7 @@ function nameAll() {
     set(headline, "aria-atomic", "true");
     for (const slider of panel.querySelectorAll(".widget-slider")) {
       const name = slider.querySelector("label").title;
-      const handle = slider.querySelector(".noUi-handle");
+      const handle = slider.querySelector(".noUi-handle, .ui-slider-handle");  // of ipywidgets 8, 7
       const readout = slider.querySelector(".widget-readout");
       set(handle, "aria-label", name);
       set(handle, "aria-valuetext", readout.textContent);

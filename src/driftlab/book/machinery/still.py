@@ -13,6 +13,8 @@ from typing import Any
 
 from ipywidgets import DOMWidget
 
+from .widget_view import widget_view
+
 STILL_CLASS = "driftlab-still"
 """HTML class of a still; its style and the tests look for it."""
 
@@ -73,6 +75,6 @@ def display_with_still(widget: DOMWidget, picture: str, description: str) -> Non
     """
     from IPython.display import display  # where a page shows nothing so, panels do without it
 
-    live = {**widget._repr_mimebundle_(), "text/plain": description}
+    live = {**widget_view(widget), "text/plain": description}
     for bundle in (live, {"text/html": picture, "text/plain": ""}):
         display(bundle, raw=True)  # type: ignore[no-untyped-call]

@@ -87,7 +87,9 @@ class SceneExplorer(Explorer):
         first, *others = super()._rows()
         if self.folded:
             inside = widgets.VBox(others)
-            others = [widgets.Accordion([inside], titles=["Exact values"], selected_index=None)]
+            folded = widgets.Accordion([inside], selected_index=None)
+            folded.set_title(0, "Exact values")
+            others = [folded]
         return [first, *others]
 
     def redraw(self) -> None:
