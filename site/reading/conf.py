@@ -37,19 +37,17 @@ DEFAULT_LINKS.clear()  # they lead to the pages of Python and NumPy, which are e
 numpydoc_class_members_toctree = False
 
 myst_enable_extensions = ["amsmath", "dollarmath"]
-myst_heading_anchors = 3
-nb_execution_mode = "force"
-nb_execution_raise_on_error = True
-nb_execution_timeout = 120
+myst_heading_anchors = 4
+nb_execution_mode = "off"
+nb_merge_streams = True
 nb_render_markdown_format = "myst"  # or tables and formulas of outputs stay raw
-# A widget's view would fetch its manager from elsewhere; the page shows its picture.
-nb_mime_priority_overrides = [("html", "application/vnd.jupyter.widget-view+json", None)]
 nb_ipywidgets_js: dict[str, dict[str, str]] = {}  # they would come from elsewhere
 
 html_theme = "furo"
 html_title = "Drift Lab"
 html_static_path = ["_static"]
-html_css_files = ["site.css"]
+html_css_files = ["site.css", "chapters.css"]
+html_js_files = [("solutions.js", {"defer": "defer"})]
 html_search_scorer = str(Path(__file__).with_name("search_order.js"))
 html_copy_source = False
 html_show_sourcelink = False

@@ -16,6 +16,7 @@ from sphinx.environment import BuildEnvironment
 from reading.api_pages import plain_bars
 from reading.doors import FOLDER, aliases, names
 from reading.field_words import FieldWords, also
+from reading.folds import fold_sections, note_figures
 from reading.papers import in_the_papers
 
 
@@ -25,10 +26,20 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_transform(FieldWords)
     app.connect("autodoc-skip-member", skip_fields)
     app.connect("doctree-read", add_homes)
+    app.connect("doctree-read", fold_sections)
+    app.connect("doctree-read", note_figures)
     app.connect("env-updated", add_aliases)
     app.connect("env-updated", drop_sourceless)
     app.connect("missing-reference", find_elsewhere)
+    app.add_config_value("scripts", "", "html", str)
+    app.connect("builder-inited", add_scripts)
     return {"parallel_read_safe": True}
+
+
+def add_scripts(app: Sphinx) -> None:
+    """Load the scripts that stand beside the pages, when the page is there; "" for none."""
+    for script in app.config.scripts.split():
+        app.add_js_file(f"../{script}", loading_method="defer")
 
 
 def add_papers(

@@ -5,9 +5,9 @@ A warning is an error, and so is anything that a page would fetch from elsewhere
 
 from __future__ import annotations
 
-import json
 import re
 import shutil
+from collections.abc import Collection
 from importlib.resources import files
 from pathlib import Path
 
@@ -15,14 +15,18 @@ from nbformat import NotebookNode
 from sphinx.cmd.build import main as sphinx
 
 from reading.api_pages import api_pages
-from reading.chapter_pages import chapters_page, text_of, with_links
+from reading.notebook_pages import NotebookPages, notebook_pages
+from reading.overview import chapters_page, text_of
 from reading.papers import ledger_pages
+from reading.parts import chapters, contents, parts
 from requests_of import requests_of
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-TASKS = "i_want_to.ipynb"
 GALLERY = "All figures of the book. The numbers behind a figure are in the CSV beside its caption."
+SOLUTIONS = "Worked solutions of the exercises, chapter by chapter. Try an exercise first."
+IN_PLACE = "in_place/begin.js"
+"""The script that makes panels, scenes and exercises live in the page."""
 MATHJAX = ("tex-chtml.js", "input/tex/extensions", "output/chtml/fonts")
 """What the pages need of MathJax, of the 40 MB that it has."""
 
@@ -31,7 +35,12 @@ class Unfinished(Exception):
     """The site cannot be made; the sentence says why."""
 
 
-def make_reading(notebooks: dict[str, NotebookNode], build: Path, made: Path) -> None:
+def make_reading(
+    notebooks: dict[str, NotebookNode],
+    build: Path,
+    made: Path,
+    beside: Collection[str] = (),
+) -> None:
     """Make the pages.
 
     Parameters
@@ -42,6 +51,9 @@ def make_reading(notebooks: dict[str, NotebookNode], build: Path, made: Path) ->
         Folder for what is needed on the way.
     made : Path
         Folder for the pages, which is not there yet.
+    beside : collection of str
+        What else the site will have, so that the pages lead to it: of "live", "colab", "pdf" and
+        "in_place".
 
     Raises
     ------
@@ -50,15 +62,17 @@ def make_reading(notebooks: dict[str, NotebookNode], build: Path, made: Path) ->
     """
     source = build / "source"
     shutil.rmtree(source, ignore_errors=True)
-    write_source(source)
+    write_source(source, notebook_pages(notebooks, chapters(ROOT), beside))
     options = ["-W", "--keep-going", "-q", "-b", "html", "-d", str(build / "doctrees")]
+    if "in_place" in beside:
+        options += ["-D", f"scripts={IN_PLACE}"]
     if sphinx([*options, str(source), str(made)]):
         raise Unfinished("Sphinx warned; its messages above tell of what.")
     if elsewhere := requests_of(made):
         raise Unfinished("\n  ".join(["Pages would fetch from elsewhere:", *elsewhere]))
 
 
-def write_source(source: Path) -> None:
+def write_source(source: Path, book: NotebookPages) -> None:
     """Write what Sphinx reads."""
     shutil.copytree(HERE / "_static", source / "_static")
     for part in MATHJAX:
@@ -68,16 +82,17 @@ def write_source(source: Path) -> None:
         )
     for name in ("conf.py", "search_order.js"):
         shutil.copy(HERE / name, source)
-    for name, text in pages().items():
+    for name, text in (book.texts | pages(book)).items():
         path = source / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, "utf-8")
+    book.pictures.write(source)
     for path in sorted((ROOT / "figures").glob("*.[cs][sv][vg]")):
         shutil.copy(path, source / "gallery")
 
 
-def pages() -> dict[str, str]:
-    """Return the text of every page by its file's name."""
+def pages(book: NotebookPages) -> dict[str, str]:
+    """Return the text of every page that is no notebook, by its file's name."""
     found = {f"{name}.rst": text for name, text in api_pages().items()}
     found |= {f"{name}.md": text for name, text in ledger_pages().items()}
     notation = text_of(
@@ -85,47 +100,43 @@ def pages() -> dict[str, str]:
     )
     found["chapters.md"] = chapters_page(ROOT)
     found["glossary.md"] = f"# Notation and glossary\n\n{notation}"
-    found["conventions.md"] = text_of(ROOT, "conventions.ipynb")
     found["errata.md"] = (ROOT / "ERRATA.md").read_text("utf-8")
-    found["gallery/index.md"] = _gallery()
-    if (ROOT / "CHANGELOG.md").exists():
-        found["changes.md"] = (ROOT / "CHANGELOG.md").read_text("utf-8")
-    if (ROOT / "notebooks" / TASKS).exists():
-        found[TASKS] = _tasks()
-    front = ["reference/index", "ledger/index", "chapters", "glossary", "conventions"]
-    front += ["gallery/index", "errata"]
-    if TASKS in found:
-        front.insert(0, Path(TASKS).stem)
-    if "changes.md" in found:
-        front.append("changes")
-    contents = ["```{toctree}", ":hidden:", "", *front, "```", ""]
-    found["index.md"] = (HERE / "index.md").read_text("utf-8") + "\n".join(contents)
+    found["gallery/index.md"] = _gallery(book.figures)
+    found["changes.md"] = (ROOT / "CHANGELOG.md").read_text("utf-8")
+    solved = sorted(Path(name).stem for name in book.texts if name.startswith("solutions/"))
+    found["solutions/index.md"] = f"# Solutions\n\n{SOLUTIONS}\n{contents('', solved)}"
+    found["index.md"] = (HERE / "index.md").read_text("utf-8") + _contents()
     return found
 
 
-def _gallery() -> str:
-    """The list of figures, each with a link to its numbers and a name to link to."""
+def _contents() -> str:
+    """The contents of the whole site, part by part."""
+    lists = {
+        name: [f"{chapter.number} {chapter.name} <{chapter.page}>" for chapter in part]
+        for name, part in parts(ROOT).items()
+    }
+    lists["Start"] = ["chapters", *lists["Start"]]
+    lists["Aside"] = ["i_want_to", "lab_sheet", "solutions/index", "for_instructors"]
+    lists["To look things up"] = ["reference/index", "conventions", "glossary", "ledger/index"]
+    lists["To look things up"] += ["gallery/index", "errata", "changes"]
+    return "".join(contents(caption, names) for caption, names in lists.items())
+
+
+def _gallery(in_chapters: Collection[str]) -> str:
+    """The list of figures, each with a name to link to, and links to its numbers and chapter."""
     text = (ROOT / "figures/README.md").read_text("utf-8")
 
     def named(match: re.Match[str]) -> str:
         numbers = (
             f" [Numbers]({match[2]}.csv)." if (ROOT / f"figures/{match[2]}.csv").exists() else ""
         )
-        return f"(figure-{match[2]})=\n{match[0]}{numbers}"
+        place = f" [In the chapter](#fig-{match[2]})." if match[2] in in_chapters else ""
+        return f"(figure-{match[2]})=\n{match[0]}{numbers}{place}"
 
     text = re.sub(r"\n\n.*\n\n", f"\n\n{GALLERY}\n\n", text, count=1)
     # The text for who cannot see the picture is its caption, which stands below it.
     text = re.sub(r"^!\[[^\n]*\]\((\S+)\.svg\)$", r"![\1](\1.svg)", text, flags=re.M)
     return re.sub(r"^(\*\*(\S+)\.\*\*.*)$", named, text, flags=re.M)
-
-
-def _tasks() -> str:
-    """The notebook of tasks with its links led to the site's pages; Sphinx runs it."""
-    notebook = json.loads((ROOT / "notebooks" / TASKS).read_text("utf-8"))
-    for cell in notebook["cells"]:
-        if cell["cell_type"] == "markdown":
-            cell["source"] = with_links("".join(cell["source"]))
-    return json.dumps(notebook)
 
 
 def _copy(source: Path, target: Path) -> None:

@@ -28,9 +28,20 @@ def shown_label(entry: LedgerEntry) -> str:
     return entry.label.replace("*", r"\*")
 
 
-def section_label(entry: LedgerEntry) -> str:
+def section_label(chapter: str, heading: str) -> str:
+    """Return the target of links to a section of a chapter."""
+    return f"chapter-{chapter}-{slug(heading)}"
+
+
+def place_label(entry: LedgerEntry) -> str:
     """Return the target of links to the place where the book treats an entry."""
-    return f"chapter-{entry.chapter}-{slug(entry.section)}"
+    return section_label(entry.chapter, entry.section)
+
+
+def equation_label(entry: LedgerEntry) -> str:
+    """Return the target of links to an equation in the book; "" if the entry is not one."""
+    numbered = re.fullmatch(r"\(\d+(\.\d+)?\)", entry.label)
+    return f"eq-{entry.paper}-{slug(entry.label)}" if numbered else ""
 
 
 @cache
@@ -55,7 +66,7 @@ def in_the_papers(place: str) -> list[str]:
     lines = [
         f"- :ref:`{short(entry.paper)}, {entry.label} <{entry_label(entry)}>`, *{entry.status}*: "
         f"{as_rst(entry.says)} "
-        f":ref:`Chapter {entry.chapter} <{section_label(entry)}>` treats it."
+        f":ref:`Chapter {entry.chapter} <{place_label(entry)}>` treats it."
         for entry in entries
     ]
     return ["", ".. rubric:: In the papers", "", *lines, ""] if lines else []
@@ -126,6 +137,13 @@ def _line(line: str) -> str:
     return f"`{line}`" if line else ""
 
 
+def _in_the_book(entry: LedgerEntry) -> str:
+    """Where a chapter treats an entry, and where its equation stands."""
+    section = f"[chapter {entry.chapter}, {entry.section}](#{place_label(entry)})"
+    equation = equation_label(entry)
+    return f"{section}; [{entry.label} there](#{equation})" if equation else section
+
+
 def _entry(entry: LedgerEntry) -> list[str]:
     weight = f", {entry.severity}" if entry.severity else ""
     shown = documented()
@@ -140,7 +158,7 @@ def _entry(entry: LedgerEntry) -> list[str]:
         "Right": entry.right,
         "Proof": entry.proof,
         "For the authors": entry.in_favour,
-        "In the book": f"[chapter {entry.chapter}, {entry.section}](#{section_label(entry)})",
+        "In the book": _in_the_book(entry),
         "Computed by": functions,
         "Tested by": tests,
     }

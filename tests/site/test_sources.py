@@ -7,6 +7,7 @@ from html.parser import HTMLParser
 from importlib import import_module
 from urllib.parse import unquote
 
+import nbformat
 import pytest
 from numpydoc.docscrape import ClassDoc, FunctionDoc
 
@@ -14,19 +15,24 @@ from driftlab.__main__ import SUBJECTS
 from driftlab.book.chapters import CHAPTERS
 from driftlab.book.ledger import WORKS, ledger_entries
 from driftlab.book.references import all_references
+from executed import FOLDER, notebooks
 from reading.api_pages import api_pages, module_page, module_title, plain_bars
-from reading.chapter_pages import ROW, chapters_page, text_of, with_links
 from reading.doors import BOOK, DOORS, aliases, documented, first_door, home, modules, names, thing
 from reading.field_words import also, words_of_functions, words_of_tasks
+from reading.links import with_links
+from reading.notebook_pages import notebook_pages
+from reading.overview import chapters_page, text_of
 from reading.papers import (
     _line,
     as_rst,
     entry_label,
+    equation_label,
     in_the_papers,
     ledger_pages,
-    section_label,
+    place_label,
     short,
 )
+from reading.parts import chapters, parts
 from requests_of import requests_of
 from support import ROOT
 
@@ -41,6 +47,22 @@ def api():
 def ledger():
     """Pages of the ledger."""
     return ledger_pages()
+
+
+@pytest.fixture(scope="module")
+def book():
+    """Pages of the notebooks, without outputs, as text: cells of code stand between fences."""
+    clean = {name: nbformat.read(FOLDER / name, as_version=4) for name in notebooks()}
+    texts = notebook_pages(clean, chapters(ROOT)).texts
+    return {name: as_text(nbformat.reads(text, as_version=4)) for name, text in texts.items()}
+
+
+def as_text(notebook):
+    cells = (
+        cell.source if cell.cell_type == "markdown" else f"```python\n{cell.source}\n```"
+        for cell in notebook.cells
+    )
+    return "\n".join(cells)
 
 
 def offered():
@@ -191,24 +213,52 @@ def test_every_ledger_entry_is_a_place_of_its_own(ledger):
     assert len(set(found)) == len(found)
 
 
-def test_chapters_and_their_sections_are_places():
-    found = targets(chapters_page(ROOT))
+def test_chapters_their_sections_and_equations_are_places(book):
+    found = [
+        target for name, text in book.items() if name[:2].isdigit() for target in targets(text)
+    ]
     assert len(set(found)) == len(found)
-    assert set(found) == {f"chapter-{number}" for number in CHAPTERS} | set(
-        map(section_label, ledger_entries())
-    )
+    assert {f"chapter-{number}" for number in CHAPTERS} <= set(found)
+    assert set(map(place_label, ledger_entries())) <= set(found)
+    equations = {equation_label(entry) for entry in ledger_entries()} - {""}
+    assert {place for place in found if place.startswith("eq-")} == equations
+    assert len(equations) > 70
 
 
-def test_every_chapter_stands_in_the_overview_with_its_minutes():
-    rows = ROW.findall((ROOT / "README.md").read_text("utf-8"))
-    assert [row[0] for row in rows] == list(CHAPTERS)
+def test_a_number_alone_is_a_link_where_a_chapter_treats_one_paper(book):
+    assert "such as [(1.4)](#eq-larin-1-4) here" in book["03_systematic_drift.ipynb"]
+    assert "[(44)](#eq-wu-44). The half-diff" in book["07_installation_errors.ipynb"]
+    assert "Sciences 41(4), 1993" in book["05_cayley_and_riccati.ipynb"]
+    assert "#eq-" not in book["12_ledger_and_glossary.ipynb"]
+    places = {target for text in book.values() for target in targets(text)}
+    for text in book.values():
+        assert set(re.findall(r"\]\(#(eq-[\w-]+)\)", text)) <= places
+
+
+def test_an_equation_stands_at_its_number_its_proof_or_its_heading(book):
+    numbered = book["04_calibration_by_turns.ipynb"]
+    assert re.search(r"^\(eq-larin-3-3\)=\n\$\$n\^T", numbered, re.M)
+    drift = book["03_systematic_drift.ipynb"]
+    assert re.search(r"^\(eq-larin-2-5\)=\n```python\nmu = sp.symbols", drift, re.M)
+    assert re.search(r"^\(eq-larin-2-4\)=\n\(chapter-03-.*\)=\n### The bend and its", drift, re.M)
+
+
+def test_every_chapter_stands_in_the_overview_with_its_minutes(book):
+    rows = chapters(ROOT)
+    assert [row.number for row in rows] == list(CHAPTERS)
     text = chapters_page(ROOT)
-    for number, name, _, minutes, _ in rows:
-        assert re.search(rf"## {number} {re.escape(name)}\n\n.+\n\n{minutes} minutes", text)
+    for row in rows:
+        title = rf"## \[{row.number} {re.escape(row.name)}\]\({row.page}\.ipynb\)"
+        assert re.search(rf"{title}\n\n.+\n\n{row.minutes} minutes", text)
+    assert [chapter for part in parts(ROOT).values() for chapter in part] == list(rows)
+    assert list(parts(ROOT))[1] == "Part I: Larin"
 
 
-def test_links_between_ledger_reference_and_chapters_lead_somewhere(ledger):
-    places = set(targets(chapters_page(ROOT)))
+def test_links_between_ledger_reference_and_chapters_lead_somewhere(ledger, book):
+    places = {target for text in book.values() for target in targets(text)}
+    linked = set(re.findall(r"\]\(#(chapter-[\w-]+)\)", chapters_page(ROOT)))
+    assert len(linked) > 50
+    assert linked <= places
     for page, text in ledger.items():
         functions = re.findall(r"\{py:obj\}`[^<`]+ <([\w.]+)>`", text)
         assert set(functions) <= set(documented().values())
@@ -252,12 +302,13 @@ def test_bars_stay_bars_but_where_they_are_code_or_formulas():
 @pytest.mark.parametrize(
     ("link", "led"),
     [
-        ("03_systematic_drift.ipynb", "#chapter-03"),
-        ("../notebooks/03_systematic_drift.ipynb#Derive", "#chapter-03"),
+        ("03_systematic_drift.ipynb", "03_systematic_drift.ipynb"),
+        ("../03_systematic_drift.ipynb#Derive", "../03_systematic_drift.ipynb#derive"),
         ("#Where-axes,-signs%20and-names-differ", "#where-axes-signs-and-names-differ"),
-        ("conventions.ipynb", "/conventions.md"),
         ("../ERRATA.md", "/errata.md"),
-        ("lab_sheet.ipynb", "/chapters.md"),
+        ("../README.md", "/index.md"),
+        ("../figures/README.md", "/gallery/index.md"),
+        ("../figures/03-drift-map.svg", "/gallery/03-drift-map.svg"),
         ("https://example.org/a.ipynb", "https://example.org/a.ipynb"),
         ("picture.svg", "picture.svg"),
     ],
@@ -325,7 +376,7 @@ def test_a_page_has_formulas_outputs_sources_and_the_papers(site):
     entry = entry[: entry.index("</dd></dl>")]
     for part in ("array([0.02, 0.", "In the papers", "ledger/larin.html#ledger-larin-", "[source]"):
         assert part in re.sub(r"<[^a][^>]*>", "", entry), part
-    assert "chapters.html#chapter-03-only-the-symmetric-part" in entry
+    assert "03_systematic_drift.html#chapter-03-only-the-symmetric-part" in entry
     assert 'class="math' in entry
 
 

@@ -1,0 +1,136 @@
+"""The executed notebooks as pages: what MyST-NB reads of them.
+
+Each keeps its name, so links between notebooks hold. Headings and equations of chapters become
+places to link to, and what JupyterLab folds is folded. `outputs` says what becomes of outputs.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from copy import deepcopy
+from typing import NamedTuple
+
+import nbformat
+from nbformat import NotebookNode
+from nbformat.v4 import new_markdown_cell, new_notebook
+
+from reading.equations import add_targets, with_mentions
+from reading.folds import FOLDED
+from reading.links import with_links
+from reading.outputs import Outputs
+from reading.papers import section_label
+from reading.parts import Chapter
+from reading.pictures import Pictures
+from reading.solutions import link_back
+
+COLLAPSED = "jp-MarkdownHeadingCollapsed"
+"""JupyterLab's mark at a cell whose section is folded."""
+HEADING = re.compile(r"^(#+) (.+)$", re.M)
+WAYS = {
+    "live": ("live/lab/index.html?path={}", "Run the whole notebook live"),
+    "colab": ("colab/{}", "Notebook for Colab"),
+    "pdf": ("drift-lab.pdf", "The book as PDF"),
+}
+"""Other ways to read a notebook, by the part of the site that they lead to."""
+
+
+class NotebookPages(NamedTuple):
+    """The pages of all notebooks.
+
+    Attributes
+    ----------
+    texts : dict of str to str
+        What MyST-NB reads, by the name of the file.
+    pictures : Pictures
+    figures : frozenset of str
+        Names of the book's figures that have a place on one of the pages.
+    """
+
+    texts: dict[str, str]
+    pictures: Pictures
+    figures: frozenset[str]
+
+
+def notebook_pages(
+    notebooks: Mapping[str, NotebookNode],
+    chapters: Sequence[Chapter],
+    beside: Collection[str] = (),
+) -> NotebookPages:
+    """Return the pages of all notebooks.
+
+    Parameters
+    ----------
+    notebooks : mapping of str to NotebookNode
+        The book with its outputs, by name: "solutions/03_systematic_drift.ipynb".
+    chapters : sequence of Chapter
+        The chapters among them.
+    beside : collection of str
+        The parts of the site that are built beside the pages: of "live", "colab" and "pdf".
+    """
+    pictures, texts, figures = Pictures(), {}, set()
+    known = {f"{chapter.page}.ipynb": chapter for chapter in chapters}
+    for name, notebook in notebooks.items():
+        folder, _, file = name.rpartition("/")
+        chapter = known.get(file)
+        number = chapter.number if chapter else ""
+        outputs = Outputs(pictures, name.removesuffix(".ipynb"), number)
+        cells = deepcopy(notebook.cells)
+        if folder:
+            link_back(cells, number)
+        elif chapter:
+            _add_places(cells, number)
+        cells = [*_shown(cells, outputs)]
+        if not folder:
+            _add_ways(cells[0], name, chapter, beside)
+            figures |= outputs.figures
+        # Without the state of its widgets, which live in a kernel only.
+        metadata = {"kernelspec": notebook.metadata["kernelspec"]}
+        page = new_notebook(cells=cells, metadata=metadata)  # type: ignore[no-untyped-call]
+        texts[name] = nbformat.writes(page)  # type: ignore[no-untyped-call]
+    return NotebookPages(texts, pictures, frozenset(figures))
+
+
+def _add_places(cells: list[NotebookNode], number: str) -> None:
+    """Make headings and equations of a chapter places, and numbers of equations links to them."""
+    add_targets(cells, number)
+    for cell in cells:
+        if cell.cell_type == "markdown":
+            cell.source = HEADING.sub(
+                lambda found: f"({_place(found, number)})=\n{found[0]}",
+                with_mentions(cell.source, number),
+            )
+
+
+def _place(heading: re.Match[str], number: str) -> str:
+    return f"chapter-{number}" if heading[1] == "#" else section_label(number, heading[2])
+
+
+def _shown(cells: list[NotebookNode], outputs: Outputs) -> Iterator[NotebookNode]:
+    """What a page has of the cells: links and outputs as the site has them, folds marked."""
+    for cell in cells:
+        if cell.cell_type == "code":
+            if targets := cell.metadata.pop("targets", []):
+                yield new_markdown_cell("\n".join(targets))  # type: ignore[no-untyped-call]
+            cell.outputs = outputs.shown(cell)
+        else:
+            cell.source = with_links(cell.source)
+            if cell.metadata.get(COLLAPSED):
+                cell.source = HEADING.sub(rf"\g<0>\n\n% {FOLDED}\n", cell.source, count=1)
+        cell.metadata.clear()
+        yield cell
+
+
+def _add_ways(
+    first: NotebookNode, name: str, chapter: Chapter | None, beside: Collection[str]
+) -> None:
+    """Say below the title how long a chapter takes, and how else one can have the notebook."""
+    ways = [f"{chapter.minutes} minutes"] if chapter else []
+    ways += [
+        f'<a href="{address.format(name)}">{words}</a>'
+        for part, (address, words) in WAYS.items()
+        if part in beside
+    ]
+    if ways:
+        line = f'<p class="ways">{" · ".join(ways)}</p>'
+        first.source = HEADING.sub(rf"\g<0>\n\n{line}\n", first.source, count=1)

@@ -1,0 +1,46 @@
+"""Worked solutions: pages of their own, and the folds below the exercises that lead to them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from nbformat import NotebookNode
+
+from reading.papers import section_label
+
+HEADING = re.compile(r"^## ((\d+\.\d+) .+)$", re.M)
+
+
+def solution_label(number: str) -> str:
+    """Return the target of links to the solution of an exercise."""
+    return f"solution-{number.replace('.', '-')}"
+
+
+def fold_of(number: str, page: str) -> str:
+    """Return what stands below an exercise; ``solutions.js`` fills it when a reader unfolds it.
+
+    Parameters
+    ----------
+    number : str
+        The exercise, as "3.2".
+    page : str
+        The address of the page of solutions.
+    """
+    return (
+        '<details class="solution"><summary>Worked solution</summary>'
+        f'<p><a class="reference internal" href="{page}#{solution_label(number)}">'
+        "On a page of its own</a></p></details>"
+    )
+
+
+def link_back(cells: Sequence[NotebookNode], chapter: str) -> None:
+    """Make each solution a place to link to, and lead from it to its exercise."""
+
+    def linked(heading: re.Match[str]) -> str:
+        exercise = f"[To the exercise](#{section_label(chapter, heading[1])})"
+        return f"({solution_label(heading[2])})=\n{heading[0]}\n\n{exercise}"
+
+    for cell in cells:
+        if cell.cell_type == "markdown":
+            cell.source = HEADING.sub(linked, cell.source)
