@@ -23,6 +23,7 @@ from requests_of import requests_of
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+LANDING = HERE.parent / "landing"  # the moving picture of the first page
 GALLERY = "All figures of the book. The numbers behind a figure are in the CSV beside its caption."
 SOLUTIONS = "Worked solutions of the exercises, chapter by chapter. Try an exercise first."
 IN_PLACE = "in_place/begin.js"
@@ -68,6 +69,7 @@ def make_reading(
         options += ["-D", f"scripts={IN_PLACE}"]
     if sphinx([*options, str(source), str(made)]):
         raise Unfinished("Sphinx warned; its messages above tell of what.")
+    shutil.copytree(LANDING, made / LANDING.name)
     if elsewhere := requests_of(made):
         raise Unfinished("\n  ".join(["Pages would fetch from elsewhere:", *elsewhere]))
 
