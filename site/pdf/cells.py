@@ -21,6 +21,7 @@ CARD = "<div role='status'"
 FORMULA = re.compile(r"`[^`]*`|\$([^$\n]+)\$")
 WAY_ON = re.compile(r"(Next|Back|Contents): \[")
 """The last line of a chapter, which leads to the next one."""
+PROGRESS = re.compile(r"\r *\d+%\|[^\r\n]*")
 QUESTIONS = re.compile(r"<li>(.*?)</li>", re.S)
 WAITS = re.compile(r"answer = \.\.\.$|check\(|guess\(|(from|import) |$")
 """Lines of a cell that only waits for the reader."""
@@ -75,7 +76,8 @@ def _code(cell: NotebookNode, name: str, folder: Path) -> Iterator[str]:
 def _output(output: NotebookNode, source: str, name: str, folder: Path) -> Iterator[str]:
     data = output.get("data", {})
     if output.output_type == "stream":
-        yield call("output", output.text.rstrip("\n"))
+        if words := PROGRESS.sub("", output.text).rstrip("\n"):
+            yield call("output", words)
     elif "text/html" in data:
         yield from _html(data["text/html"], source, name, folder)
     elif "text/latex" in data:

@@ -1,7 +1,7 @@
 r"""TeX that pandoc reads, with the same look, from TeX that it does not read or reads loosely.
 
-It knows no ``\rm``, sets the bars of $|\omega|$ as single signs, gives ``\;`` no width, and drops the
-number in ``\tag``.
+It knows no ``\rm``, sets the bars of $|\omega|$ as single signs, gives ``\;`` no width and ``\!`` far
+too much, and drops the number in ``\tag``.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ SIDES = {r"\lvert": r"\left|", r"\rvert": r"\right|", r"\lVert": r"\left\|", r"\
 
 def readable(tex: str) -> str:
     """Return a formula as pandoc reads it."""
-    tex = tex.replace(r"\;", r"\ ")
+    tex = tex.replace(r"\;", r"\ ").replace(r"\!", " ")
     tex = TAG.sub(r"\\qquad (\\text{\1})", tex.strip())
     tex = OLD_FONT.sub(r"{\\math\1{\2}}", tex)
     return _paired_bars(tex)

@@ -54,6 +54,7 @@ def picture(markup: str, folder: Path, name: str) -> Picture | None:
     is_still = "driftlab-still" in markup
     words = (ALT if is_still else CAPTION).search(markup) or ALT.search(markup)
     caption = html.unescape(words[1]).replace("?. ", "? ") if words else ""
+    caption += "" if caption.endswith((".", "?")) else "."
     return Picture(file, paper_width(content), caption, is_still)
 
 

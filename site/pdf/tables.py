@@ -74,7 +74,8 @@ def _measures(blocks: Any) -> tuple[float, float]:
             parts = re.split(r"(?<=[._/:,= ])", content[1])
             size = 1.25
         elif kind == "Math":
-            parts = re.split(r"(?<=[=+])", _drawn(content[1]))
+            drawn = _drawn(content[1])
+            parts = [drawn] if r"\\" in content[1] else re.split(r"(?<=[=+])", drawn)
             size = 1.05
         else:
             parts = re.split(r"(?<=[-/–])", content)
@@ -85,9 +86,11 @@ def _measures(blocks: Any) -> tuple[float, float]:
 
 
 def _drawn(tex: str) -> str:
-    """About as many signs as a formula has when it is set."""
-    tex = re.sub(r"\\(text|math\w+|left|right|[td]?frac|hat|dot|bar|sqrt)\b|\\[,;:! ]", "", tex)
-    return re.sub(r"[{}^_ ]", "", re.sub(r"\\([a-zA-Z]+|.)", "a", tex))
+    """About as many signs as a formula has when it is set, of a matrix those of its longest row."""
+    tex = re.sub(r"\\(begin|end)\{\w+\}|\\(left|right)\W", "", tex)
+    tex = re.sub(r"\\(text|math\w+|[td]?frac|hat|dot|bar|sqrt|displaystyle)\b|\\[,;:! ]", "", tex)
+    rows = (re.sub(r"[{}^_ ]", "", re.sub(r"\\([a-zA-Z]+|.)", "a", row)) for row in tex.split(r"\\"))
+    return max(rows, key=len)
 
 
 def _leaves(node: Any) -> Iterator[tuple[str, Any]]:
