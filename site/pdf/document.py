@@ -19,7 +19,8 @@ from pdf.contents import is_listed, label
 from pdf.formulas import readable
 from pdf.tables import fitted
 
-READER = "commonmark_x-emoji"
+READER = "commonmark+pipe_tables+raw_attribute+smart+tex_math_dollars"
+"""What JupyterLab reads, and Typst between fences."""
 HTML = "html"
 NAME_IN_CODE = ("driftlab.", "tests/", "notebooks/")
 CHAPTER_AND_SECTION = re.compile(r"^(\d\d),$")
