@@ -17,7 +17,8 @@ usage: python3 lab.py [command]
   figures   rebuild every figure and table of the book
   bench     print how fast the package is, against its peers, which this command fetches
   peers     ask programs of others, which this command fetches, whether they compute the same
-  site      build the reference, the ledger and the gallery as web pages, in _site
+  site      build the book as web pages that are alive, and as a PDF, in _site
+              --self-contained FOLDER   with all of Pyodide, from its distribution in a folder
   lock      renew environment.txt, and the lists of "site" and "lowest", from pyproject.toml
   release   write what release/release.toml says of this version where it is needed
 """

@@ -1,7 +1,9 @@
 """Builds the site: ``python3 lab.py site`` runs this in an environment that has Sphinx.
 
-The book is executed (`executed`), and from that come its pages (`reading`). Everything is made in
-build/site and moved to ``_site`` when it is whole.
+The book is executed (`executed`), and from that come its pages (`reading`) and its PDF (`pdf`).
+Beside the pages lie what makes them alive (`in_place`), the whole book live (`live`), which brings
+Python for both, and copies for Colab (`colab`). Everything is made in build/site and moved to
+``_site`` when it is whole.
 """
 
 from __future__ import annotations
@@ -12,29 +14,72 @@ import sys
 from pathlib import Path
 
 from executed import executed
-from reading.make import Unfinished, make_reading
+from forms import write_forms
+from live.make import make_live, reason_not
+from pdf.make import make_pdf
+from reading.make import make_reading
+from unfinished import Unfinished
 
-ROOT = Path(__file__).resolve().parent.parent
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent
 BUILD = ROOT / "build/site"
 SITE = ROOT / "_site"
+PDF = "drift-lab.pdf"
 
 
 def main(arguments: list[str]) -> int:
     """Make the site; the exit code."""
     parser = argparse.ArgumentParser(prog="lab.py site", usage="python3 lab.py --help")
-    parser.parse_args(arguments)
-    notebooks = executed()
+    parser.add_argument("--self-contained", type=Path, metavar="FOLDER")
+    distribution: Path | None = parser.parse_args(arguments).self_contained
     made = BUILD / "html"
     shutil.rmtree(made, ignore_errors=True)
     try:
-        make_reading(notebooks, BUILD, made)
+        make_site(made, distribution)
     except Unfinished as trouble:
         print(trouble, file=sys.stderr)
         return 1
     shutil.rmtree(SITE, ignore_errors=True)
     shutil.move(made, SITE)
-    print(f"The site is ready: open {SITE / 'index.html'}")
+    print(f"The site is ready: python3 -m http.server --directory {SITE.relative_to(ROOT)}")
     return 0
+
+
+def make_site(made: Path, distribution: Path | None) -> None:
+    """Make the whole site in a folder, which is not there yet.
+
+    Parameters
+    ----------
+    made : Path
+    distribution : Path, optional
+        Folder with Pyodide's distribution, for a site that needs no network.
+
+    Raises
+    ------
+    Unfinished
+        If something cannot be made. Without Node.js, or without a network at the first build, the
+        pages are made all the same; they do not move then, and a sentence is printed.
+    """
+    if distribution and not distribution.is_dir():
+        raise Unfinished(f"--self-contained: expected a folder, got {distribution}.")
+    reason = reason_not()
+    if reason and distribution:
+        raise Unfinished(reason)
+    if reason:
+        print(reason, file=sys.stderr)
+    beside = {"pdf"} if reason else {"pdf", "in_place", "live"}
+    notebooks = executed()
+    make_reading(notebooks, BUILD, made, beside)
+    make_pdf(notebooks, BUILD, made / PDF)
+    if not reason:
+        make_in_place(made / "in_place")
+        make_live(BUILD, made, distribution)
+
+
+def make_in_place(folder: Path) -> None:
+    """Put what makes the pages alive beside them, with what exercises and puzzles ask."""
+    shutil.copytree(HERE / "in_place", folder, ignore=shutil.ignore_patterns("__pycache__"))
+    write_forms(folder)
 
 
 if __name__ == "__main__":

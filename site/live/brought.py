@@ -17,7 +17,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
-from reading.make import Unfinished
+from unfinished import Unfinished
 
 from .versions import VERSIONS, Pin, older, wheel_pins
 

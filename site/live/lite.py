@@ -12,14 +12,18 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from reading.make import Unfinished
+from unfinished import Unfinished
 
 from .versions import ROOT, VERSIONS
 
 PAGE = Path(__file__).resolve().parent / "page"
 """What the site adds: the strip above the notebook, and the page with a reader's work."""
 APP = "lab"
-OUTSIDE = {"ERRATA.md": "errata.html", "README.md": "index.html", "figures/README.md": "gallery/index.html"}
+OUTSIDE = {
+    "ERRATA.md": "errata.html",
+    "README.md": "index.html",
+    "figures/README.md": "gallery/index.html",
+}
 """Pages of the site for files that notebooks link to and the live book does not hold."""
 
 
@@ -106,7 +110,7 @@ def write_contents(folder: Path) -> None:
 
 
 def with_links(text: str) -> str:
-    """Return Markdown whose links lead to pages of the site, "#site/errata.html", and pictures here."""
+    """Return Markdown whose links lead to pages of the site, as "#site/errata.html"."""
     for file, page in OUTSIDE.items():
         text = re.sub(rf"\]\((?:\.\./)+{re.escape(file)}(#[^)]*)?\)", rf"](#site/{page})", text)
     return text.replace("](../figures/", "](figures/")

@@ -16,7 +16,7 @@ from typing import Any
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-from reading.make import Unfinished
+from unfinished import Unfinished
 
 from .brought import digest_of
 

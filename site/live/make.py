@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 
 from driftlab import __version__
-from reading.make import Unfinished
+from unfinished import Unfinished
 
 from .brought import OFFICIAL, bring
 from .lite import make_lite
@@ -54,7 +54,7 @@ def make_live(build: Path, made: Path, distribution: Path | None) -> None:
 
     Raises
     ------
-    reading.make.Unfinished
+    Unfinished
         If something cannot be brought or made.
     """
     kept, live = build / "live", made / "live"

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from flit_core.wheel import make_wheel_in
 
-from reading.make import Unfinished
+from unfinished import Unfinished
 
 from .brought import found
 from .versions import ROOT

@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-from reading.make import Unfinished
+from unfinished import Unfinished
 
 from .brought import OFFICIAL, RUNTIME, Brought, digest_of
 from .lock import check, entry_of, needed

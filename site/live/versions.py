@@ -25,7 +25,9 @@ class Pin(NamedTuple):
 def pin(name: str) -> Pin:
     """Return how a package is pinned in the lists of the project."""
     for path in PINS:
-        found = re.search(rf"^{name}==([^\s;]+).*\n((?:[ \t].*\n?)*)", path.read_text("utf-8"), re.M)
+        found = re.search(
+            rf"^{name}==([^\s;]+).*\n((?:[ \t].*\n?)*)", path.read_text("utf-8"), re.M
+        )
         if found:
             return Pin(name, found[1], tuple(re.findall(r"sha256:([0-9a-f]{64})", found[2])))
     raise LookupError(f"{name} is pinned neither in {' nor in '.join(p.name for p in PINS)}.")

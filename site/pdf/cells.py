@@ -67,7 +67,9 @@ def markdown_of(notebook: NotebookNode, name: str, folder: Path) -> str:
 
 def _code(cell: NotebookNode, name: str, folder: Path) -> Iterator[str]:
     if not all(WAITS.match(line) for line in cell.source.splitlines()):
-        shows = any("<figure" in output.get("data", {}).get("text/html", "") for output in cell.outputs)
+        shows = any(
+            "<figure" in output.get("data", {}).get("text/html", "") for output in cell.outputs
+        )
         yield call("code", cell.source, sticky=shows)
     for number, output in enumerate(cell.outputs):
         yield from _output(output, cell.source, f"{name}-{number}", folder)
@@ -109,7 +111,7 @@ def _html(markup: str, source: str, name: str, folder: Path) -> Iterator[str]:
 
 
 def tight(text: str) -> str:
-    """Return Markdown whose formulas have no blanks at their ends; to pandoc they were no formulas."""
+    """Return Markdown whose formulas have no blanks at their ends, as pandoc wants."""
     return FORMULA.sub(lambda found: f"${found[1].strip()}$" if found[1] else found[0], text)
 
 

@@ -92,5 +92,8 @@ def is_listed(name: str, level: int, heading: str) -> bool:
     """Whether the table of contents names a heading of a document."""
     is_an_exercise = heading[0].isdigit() and level > 1
     return level == 1 or not (
-        name.startswith(("solutions/", ERRATA)) or is_an_exercise or heading in OF_EVERY_CHAPTER or level > 3
+        name.startswith(("solutions/", ERRATA))
+        or is_an_exercise
+        or heading in OF_EVERY_CHAPTER
+        or level > 3
     )

@@ -18,16 +18,13 @@ import pypandoc
 from pdf.contents import is_listed, label
 from pdf.formulas import readable
 from pdf.tables import fitted
+from unfinished import Unfinished
 
 READER = "commonmark+pipe_tables+raw_attribute+smart+tex_math_dollars"
 """What JupyterLab reads, and Typst between fences."""
 HTML = "html"
 NAME_IN_CODE = ("driftlab.", "tests/", "notebooks/")
 CHAPTER_AND_SECTION = re.compile(r"^(\d\d),$")
-
-
-class Unfinished(Exception):
-    """The PDF cannot be made; the sentence says why."""
 
 
 class Document:
@@ -93,9 +90,12 @@ class Book:
 
     def _print(self, node: dict[str, Any]) -> list[Any] | None:
         """What stands on paper for a node; None if the node itself."""
-        kind, content = node["t"], node.get("c")
+        kind: str = node["t"]
+        content: Any = node.get("c")
         if kind == "Str" and re.search(r"[$\\]", content):
-            raise Unfinished(f"{self._current.name} has a formula that would be printed raw: {content}")
+            raise Unfinished(
+                f"{self._current.name} has a formula that would be printed raw: {content}"
+            )
         if kind == "Math":
             node["c"] = [content[0], readable(content[1])]
         elif kind in ("RawInline", "RawBlock") and content[0] == HTML:

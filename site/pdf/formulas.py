@@ -1,7 +1,7 @@
 r"""TeX that pandoc reads, with the same look, from TeX that it does not read or reads loosely.
 
-It knows no ``\rm``, sets the bars of $|\omega|$ as single signs, gives ``\;`` no width and ``\!`` far
-too much, and drops the number in ``\tag``.
+It knows no ``\rm``, sets the bars of $|\omega|$ as single signs, gives ``\;`` no width and ``\!``
+far too much, and drops the number in ``\tag``.
 """
 
 from __future__ import annotations

@@ -19,8 +19,9 @@ from nbformat import NotebookNode
 import driftlab
 from pdf.cells import markdown_of, tight
 from pdf.contents import ERRATA, PARTS, chosen, figure_prefix, label
-from pdf.document import Book, Document, Unfinished
+from pdf.document import Book, Document
 from pdf.pictures import plain_svg
+from unfinished import Unfinished
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -64,9 +65,7 @@ def _compile(source: Path, target: Path) -> None:
         str(source), root=str(source.parent), font_paths=[str(FONTS)], ignore_system_fonts=True
     )
     try:
-        _, warnings = compiler.compile_with_warnings(
-            output=str(target), format="pdf", timestamp=0
-        )
+        _, warnings = compiler.compile_with_warnings(output=str(target), format="pdf", timestamp=0)
     except typst.TypstError as trouble:
         raise Unfinished(f"Typst says: {trouble.diagnostic}") from trouble
     with pikepdf.open(target, allow_overwriting_input=True) as written:

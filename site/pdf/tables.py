@@ -1,4 +1,4 @@
-"""Tables that fit the page: columns as wide as what is in them asks for, in smaller type if need be.
+"""Tables that fit the page: columns as wide as what is in them, in smaller type if need be.
 
 A table is one of pandoc's: ["attr", caption, columns, head, bodies, foot].
 """
@@ -89,7 +89,9 @@ def _drawn(tex: str) -> str:
     """About as many signs as a formula has when it is set, of a matrix those of its longest row."""
     tex = re.sub(r"\\(begin|end)\{\w+\}|\\(left|right)\W", "", tex)
     tex = re.sub(r"\\(text|math\w+|[td]?frac|hat|dot|bar|sqrt|displaystyle)\b|\\[,;:! ]", "", tex)
-    rows = (re.sub(r"[{}^_ ]", "", re.sub(r"\\([a-zA-Z]+|.)", "a", row)) for row in tex.split(r"\\"))
+    rows = (
+        re.sub(r"[{}^_ ]", "", re.sub(r"\\([a-zA-Z]+|.)", "a", row)) for row in tex.split(r"\\")
+    )
     return max(rows, key=len)
 
 

@@ -20,6 +20,7 @@ from reading.overview import chapters_page, text_of
 from reading.papers import ledger_pages
 from reading.parts import chapters, contents, parts
 from requests_of import requests_of
+from unfinished import Unfinished
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -30,10 +31,6 @@ IN_PLACE = "in_place/begin.js"
 """The script that makes panels, scenes and exercises live in the page."""
 MATHJAX = ("tex-chtml.js", "input/tex/extensions", "output/chtml/fonts")
 """What the pages need of MathJax, of the 40 MB that it has."""
-
-
-class Unfinished(Exception):
-    """The site cannot be made; the sentence says why."""
 
 
 def make_reading(

@@ -8,6 +8,7 @@ from contextlib import suppress
 import numpy as np
 import pytest
 
+import forms
 from driftlab.book import class_summary
 from driftlab.book.chapters import CHAPTERS, chapters_with
 from driftlab.book.exercises import all_exercises, hints_of
@@ -15,11 +16,11 @@ from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.formulas import Formula
 from driftlab.book.machinery.reading import UnreadableError, numbers
 from driftlab.book.puzzles import puzzle_of
-from in_place import exercises, guesses, written
+from in_place import exercises, guesses
 from wrong_answers import WRONG
 
 EXERCISES = all_exercises()
-FORMS = written.exercise_forms()
+FORMS = forms.exercise_forms()
 NOTHING = {"right": {}, "guesses": {}}
 CODE = "from driftlab.book.exercises import all_exercises\nanswer = {}"
 SCHEME = "+180Y -90Y -180Z +90Z +180X"
@@ -89,12 +90,12 @@ def test_a_right_answer_given_in_the_form_is_right_and_wrong_ones_are_not(number
 
 
 def test_the_forms_hold_nothing_of_the_answers(tmp_path):
-    written.write_forms(tmp_path)
-    forms = json.loads((tmp_path / "exercises.json").read_text("utf-8"))
+    forms.write_forms(tmp_path)
+    kept = json.loads((tmp_path / "exercises.json").read_text("utf-8"))
     puzzles = json.loads((tmp_path / "puzzles.json").read_text("utf-8"))
-    assert forms["version"] == puzzles["version"]
-    assert forms["exercises"].keys() == EXERCISES.keys()
-    for form in forms["exercises"].values():
+    assert kept["version"] == puzzles["version"]
+    assert kept["exercises"].keys() == EXERCISES.keys()
+    for form in kept["exercises"].values():
         assert form.keys() <= {"way", "letters", "panel", "lines"}
         assert form.get("letters", "") == "abcdefgh"[: len(form.get("letters", ""))]
     assert list(puzzles["puzzles"]) == chapters_with("puzzle")

@@ -19,7 +19,7 @@ from driftlab.book.machinery.guess import UNITS
 from driftlab.book.machinery.puzzle import Number, Question
 from driftlab.book.puzzles import puzzle_of
 
-NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
+NOTEBOOKS = Path(__file__).resolve().parents[1] / "notebooks"
 
 
 def write_forms(target: Path) -> None:
