@@ -14,11 +14,14 @@ from pathlib import Path
 
 from nbformat import NotebookNode
 
-from pdf.pictures import picture
+from pdf.pictures import paper_width, picture, plain_svg
+
+ROOT = Path(__file__).resolve().parent.parent.parent
 
 FENCE = "`" * 12
 CARD = "<div role='status'"
 FORMULA = re.compile(r"`[^`]*`|\$([^$\n]+)\$")
+IMAGE = re.compile(r"^!\[([^\]]*)\]\(\.\./(figures/([\w-]+)\.svg)\)$", re.M)
 WAY_ON = re.compile(r"(Next|Back|Contents): \[")
 """The last line of a chapter, which leads to the next one."""
 PROGRESS = re.compile(r"\r *\d+%\|[^\r\n]*")
@@ -59,10 +62,18 @@ def markdown_of(notebook: NotebookNode, name: str, folder: Path) -> str:
     for number, cell in enumerate(notebook.cells):
         if cell.cell_type == "markdown":
             if not WAY_ON.match(cell.source):
-                blocks.append(cell.source)
+                blocks.append(IMAGE.sub(lambda found: _drawn(found, folder), cell.source))
         elif cell.cell_type == "code":
             blocks += _code(cell, f"{name}-{number}", folder)
     return "\n\n".join(blocks) + "\n"
+
+
+def _drawn(image: re.Match[str], folder: Path) -> str:
+    """A picture of the gallery that stands in the text."""
+    content = plain_svg((ROOT / image[2]).read_text("utf-8")).encode()
+    (folder / f"{image[3]}.svg").write_bytes(content)
+    shown = f"pictures/{image[3]}.svg"
+    return call("drawing", shown, image[1], width=paper_width(content), name=image[3])
 
 
 def _code(cell: NotebookNode, name: str, folder: Path) -> Iterator[str]:
@@ -111,7 +122,7 @@ def _html(markup: str, source: str, name: str, folder: Path) -> Iterator[str]:
 
 
 def tight(text: str) -> str:
-    """Return Markdown whose formulas have no blanks at their ends, as pandoc wants."""
+    """Return Markdown whose formulas have no blanks at their ends, or pandoc sees none."""
     return FORMULA.sub(lambda found: f"${found[1].strip()}$" if found[1] else found[0], text)
 
 

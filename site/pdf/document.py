@@ -90,8 +90,7 @@ class Book:
 
     def _print(self, node: dict[str, Any]) -> list[Any] | None:
         """What stands on paper for a node; None if the node itself."""
-        kind: str = node["t"]
-        content: Any = node.get("c")
+        kind, content = node["t"], node.get("c", [])
         if kind == "Str" and re.search(r"[$\\]", content):
             raise Unfinished(
                 f"{self._current.name} has a formula that would be printed raw: {content}"
@@ -103,7 +102,7 @@ class Book:
         elif kind == "Link":
             return self._link(content)
         elif kind == "Image":
-            return []  # the picture of the title page
+            raise Unfinished(f"{self._current.name} has a picture from {content[2][0]}.")
         elif kind == "Table":
             rows = _cells(content)
             for row in rows:

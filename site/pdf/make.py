@@ -20,6 +20,7 @@ import driftlab
 from pdf.cells import markdown_of, tight
 from pdf.contents import ERRATA, PARTS, chosen, figure_prefix, label
 from pdf.document import Book, Document
+from pdf.glyphs import pages_with_boxes
 from pdf.pictures import plain_svg
 from unfinished import Unfinished
 
@@ -46,7 +47,8 @@ def make_pdf(notebooks: dict[str, NotebookNode], build: Path, target: Path) -> N
     Raises
     ------
     Unfinished
-        If a formula cannot be read, a link leads nowhere, or Typst refuses or warns.
+        If a formula cannot be read, a link leads nowhere, a sign is in no font, or Typst refuses
+        or warns.
     """
     folder = build / "pdf"
     shutil.rmtree(folder, ignore_errors=True)
@@ -65,15 +67,17 @@ def _compile(source: Path, target: Path) -> None:
         str(source), root=str(source.parent), font_paths=[str(FONTS)], ignore_system_fonts=True
     )
     try:
-        _, warnings = compiler.compile_with_warnings(output=str(target), format="pdf", timestamp=0)
+        _, warnings = compiler.compile_with_warnings(output=str(target), format="pdf")
     except typst.TypstError as trouble:
         raise Unfinished(f"Typst says: {trouble.diagnostic}") from trouble
+    if warnings:
+        raise Unfinished("\n".join(["Typst warns:", *(each.message for each in warnings)]))
     with pikepdf.open(target, allow_overwriting_input=True) as written:
+        if boxes := pages_with_boxes(written):
+            raise Unfinished(f"The fonts lack a sign on page {boxes}; see {FONTS / 'README.md'}.")
         # Tags, by which a screen reader finds its way, are many small things.
         together = pikepdf.ObjectStreamMode.generate
         written.save(target, object_stream_mode=together, deterministic_id=True)
-    if warnings:
-        raise Unfinished("\n".join(["Typst warns:", *(each.message for each in warnings)]))
 
 
 def _typst(notebooks: dict[str, NotebookNode], pictures: Path) -> str:

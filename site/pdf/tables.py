@@ -1,4 +1,4 @@
-"""Tables that fit the page: columns as wide as what is in them, in smaller type if need be.
+"""Tables that fit the page: columns as wide as their contents ask for, smaller type if need be.
 
 A table is one of pandoc's: ["attr", caption, columns, head, bodies, foot].
 """
