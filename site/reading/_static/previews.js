@@ -5,6 +5,7 @@
 
 (() => {
   const LINKS = "article a[href*='#']:not(.headerlink, .footnote-reference, [role=doc-backlink])";
+  const NOT_COPIED = "script, style, button, input, .headerlink, .viewcode-link, .ways";
   const WAIT = 250; // ms before a card comes, and before it goes
   const EDGE = 8; // px to the edge of the window
   const BLOCKS = 3; // of a section
@@ -21,13 +22,8 @@
     if (url.origin !== location.origin || url.protocol === "file:") return null;
     if (!pages.has(address)) {
       const asked = fetch(address).then((answer) => (answer.ok ? answer.text() : ""));
-      pages.set(address, asked.then(
-        (text) => new DOMParser().parseFromString(text, "text/html"),
-        () => {
-          pages.delete(address); // perhaps next time
-          return null;
-        },
-      ));
+      const read = asked.then((text) => new DOMParser().parseFromString(text, "text/html"));
+      pages.set(address, read.catch(() => pages.delete(address) && null)); // perhaps next time
     }
     return pages.get(address);
   }
@@ -45,17 +41,23 @@
       const first = says && (whole ? says : says.querySelector(":scope > p"));
       return first ? [target, first] : [target];
     }
-    if (target.matches("span, a") && !target.textContent.trim()) {
-      const next = target.nextElementSibling;
-      const around = target.parentElement;
-      return around.matches("p, li, td, figure, dd") || !next ? [around] : partsAt(next);
-    }
+    if (target.matches("div.cell")) return [target.querySelector(".cell_output") || target];
+    if (target.matches("span, a") && !target.textContent.trim()) return partsAfter(target);
     // A caption in bold letters under a picture, as in the gallery.
     const before = target.previousElementSibling;
     if (target.matches("p") && before?.querySelector(":scope > img:only-child")) {
       return [before, target];
     }
     return [target];
+  }
+  // A name without a thing of its own stands in front of it, or inside.
+  function partsAfter(mark) {
+    let next = mark.nextElementSibling;
+    while (next?.matches("span:empty")) next = next.nextElementSibling;
+    const around = mark.parentElement;
+    return !next || around.matches("p, li, td, dd, figure") || next.matches("h1, h2, h3, h4, h5")
+      ? partsAt(around)
+      : partsAt(next);
   }
   const partsOfFirst = (section) =>
     [...section.querySelectorAll(":scope > section")].slice(0, 1).flatMap(partsAt);
@@ -69,8 +71,7 @@
       row.replaceWith(table);
       table.append(row);
     }
-    copy.querySelectorAll("script, style, button, input, .headerlink, .viewcode-link, .copybtn")
-      .forEach((part) => part.remove());
+    copy.querySelectorAll(NOT_COPIED).forEach((part) => part.remove());
     for (const part of copy.querySelectorAll("*")) {
       part.removeAttribute("id");
       part.removeAttribute("tabindex");
@@ -139,7 +140,8 @@
     made.addEventListener("pointerenter", () => clearTimeout(timer));
     made.addEventListener("pointerleave", leave);
     await setFormulas(made);
-    await Promise.all([...made.querySelectorAll("img")].map((image) => image.decode().catch(() => {})));
+    const seen = [...made.querySelectorAll("img")].map((image) => image.decode().catch(() => {}));
+    await Promise.all(seen);
     if (card === made) {
       place();
       made.dataset.ready = "";
@@ -165,11 +167,12 @@
     timer = setTimeout(hide, WAIT);
   }
 
-  document.addEventListener("pointerover", (event) => event.pointerType === "mouse" && come(event));
-  document.addEventListener("pointerout", (event) => event.target.closest?.(LINKS) && leave());
-  document.addEventListener("focusin", (event) => event.target.matches(":focus-visible") && come(event));
-  document.addEventListener("focusout", leave);
-  document.addEventListener("keydown", (event) => event.key === "Escape" && hide());
-  document.addEventListener("click", hide);
+  const on = (name, does) => document.addEventListener(name, does);
+  on("pointerover", (event) => event.pointerType === "mouse" && come(event));
+  on("pointerout", (event) => event.target.closest?.(LINKS) && leave());
+  on("focusin", (event) => event.target.matches(":focus-visible") && come(event));
+  on("focusout", leave);
+  on("keydown", (event) => event.key === "Escape" && hide());
+  on("click", hide);
   window.addEventListener("resize", hide);
 })();
