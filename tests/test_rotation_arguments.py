@@ -31,6 +31,10 @@ from support import helper_modules, random_quaternions
 ONE = random_quaternions(seed=1)
 FEW = random_quaternions(3, seed=2)
 GRID = random_quaternions(2, 3, seed=3)
+try:
+    Rotation.from_quat(GRID)
+except ValueError:  # older SciPys have stacks along one axis only
+    GRID = GRID.reshape(-1, 4)
 ROWS = np.full((4, 3), 0.01)
 VECTOR = np.array([0.1, -0.2, 0.3])
 LATITUDE = 0.7

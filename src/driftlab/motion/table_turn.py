@@ -214,7 +214,7 @@ class TableTurn:
         edges = np.union1d(times, kinks[(kinks > times[0]) & (kinks < times[-1])])
         # And so that no piece turns by more than an eighth, however long a sample is.
         widths = np.diff(edges)
-        parts = np.ceil(np.abs(self.rate) * widths / (np.pi / 4)).astype(int)
+        parts = np.ceil(np.abs(self.rate) * widths / (np.pi / 4)).clip(1).astype(int)
         within = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
         edges = np.append(
             np.repeat(edges[:-1], parts) + within * np.repeat(widths / parts, parts), edges[-1]
