@@ -31,6 +31,24 @@ def test_importing_the_package_loads_no_library():
     assert printed_by("-c", code) == "[]"
 
 
+def test_panels_ask_for_no_more_than_a_page_has():
+    """A page runs them in a browser, where SymPy, JupyterLab and IPython would be far too much.
+
+    IPython is a part of the real ipywidgets, so that it is taken away when these are there.
+    """
+    code = """
+import sys
+import anywidget, ipywidgets
+for name in [*sys.modules]:
+    if name.partition(".")[0] == "IPython":
+        sys.modules[name] = None
+import driftlab.book.panels as panels
+assert panels.EXPLORERS and panels.SCENES
+print(sorted({"sympy", "jupyterlab", "tqdm", "pooch", "nbformat"} & sys.modules.keys()))
+"""
+    assert printed_by("-c", code) == "[]"
+
+
 def test_one_subject_loads_no_other():
     code = "import sys, driftlab as dl; dl.align; print('driftlab.calibration' in sys.modules)"
     assert printed_by("-c", code) == "False"

@@ -1,10 +1,23 @@
 """The environment check: silent when all is well, one sentence for each thing that is not."""
 
+import sys
 from importlib import metadata
 
 import pytest
 
 from driftlab.book.machinery import environment
+
+IN_A_BROWSER = {
+    "anywidget": "0.9.13",
+    "ipywidgets": "8.1.8",
+    "matplotlib": "3.8.4",
+    "numpy": "2.0.2",
+    "packaging": "24.2",
+    "scipy": "1.14.1",
+    "sympy": "1.14.0",
+    "tqdm": "4.67.1",
+}
+"""What the live book of the site has, with Pyodide 0.27: neither JupyterLab nor pooch."""
 
 
 def test_this_environment_will_do() -> None:
@@ -32,3 +45,34 @@ def test_names_what_is_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
         "ipywidgets 9.0 is installed; ipywidgets!=8.1.9,<9,>=7.7 is needed.",
         "sympy is not installed; sympy>=1.13 is needed.",
     ]
+
+
+@pytest.fixture
+def in_a_browser(monkeypatch: pytest.MonkeyPatch) -> dict[str, str]:
+    """Packages and their versions, as Python in a page finds them; the test may change them."""
+    there = dict(IN_A_BROWSER)
+
+    def version(name: str) -> str:
+        if name not in there:
+            raise metadata.PackageNotFoundError(name)
+        return there[name]
+
+    monkeypatch.setattr(environment.metadata, "version", version)
+    monkeypatch.setattr(sys, "platform", "emscripten")
+    return there
+
+
+def test_all_is_well_in_a_browser(in_a_browser: dict[str, str]) -> None:
+    assert environment.problems() == []
+    assert "matplotlib 3.8.4" in environment.report()
+    assert "lab.py" not in environment.report()
+
+
+def test_a_browser_without_a_package_is_no_place_to_install_it(
+    in_a_browser: dict[str, str],
+) -> None:
+    del in_a_browser["tqdm"]
+    said = environment.report()
+    assert "tqdm is not installed" in said
+    assert "reload the page" in said
+    assert "lab.py" not in said

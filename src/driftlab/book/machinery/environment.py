@@ -1,6 +1,7 @@
 """Is this notebook running where it should? Says what is wrong in words."""
 
 import platform
+import sys
 from importlib import metadata
 
 from packaging.requirements import Requirement
@@ -9,6 +10,10 @@ from packaging.specifiers import SpecifierSet
 ADVICE = (
     "Start the book with 'python3 lab.py', which sets everything up, or install what is missing "
     "with 'pip install -e .[book]' in the book's folder; then restart the kernel."
+)
+IN_A_BROWSER = (
+    "Here the site brings all packages, so reload the page; if that does not help, the site itself "
+    "lacks them."
 )
 
 
@@ -43,8 +48,9 @@ def report(package: str = "driftlab") -> str:
     """Return the verdict as text: versions if all is well, else what is wrong and what to do."""
     found = problems(package)
     if found:
+        advice = IN_A_BROWSER if sys.platform == "emscripten" else ADVICE
         return "\n".join(
-            ["This environment will not do.", *(f"- {line}" for line in found), ADVICE]
+            ["This environment will not do.", *(f"- {line}" for line in found), advice]
         )
     versions = (f"{need.name} {metadata.version(need.name)}" for need in _needs(package))
     return f"All is well: Python {platform.python_version()}, {', '.join(versions)}."
@@ -52,5 +58,5 @@ def report(package: str = "driftlab") -> str:
 
 def _needs(package: str) -> list[Requirement]:
     needs = map(Requirement, metadata.requires(package) or [])
-    book = {"extra": "book"}
+    book = {"extra": "book", "sys_platform": sys.platform}
     return [need for need in needs if need.marker is None or need.marker.evaluate(book)]
