@@ -215,7 +215,8 @@ def lowest(arguments: list[str]) -> int:
     """Run the quick tests in an environment of the oldest packages that are allowed."""
     python = apart(LOWEST_LIST)
     asked = [*QUICK, *OF_DIFFERENT_AGE, *(arguments or AT_ONCE)]
-    with running([str(python), "-m", "pytest", *asked]) as process:
+    around = surroundings(python.parents[1])
+    with running([str(python), "-m", "pytest", *asked], env=around) as process:
         return abs(process.wait())
 
 

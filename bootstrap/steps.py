@@ -53,18 +53,18 @@ def say(text: str) -> None:
     print(text, flush=True)
 
 
-def surroundings(**extra: str) -> dict[str, str]:
+def surroundings(venv: Path = VENV, **extra: str) -> dict[str, str]:
     """Return the user's environment variables without those that mislead Python, pip or Jupyter."""
     misleading = {"PYTHONHOME", "PYTHONPATH", "JUPYTERLAB_DIR"}
     # pip is told to compile nothing, so each start of a kernel would compile NumPy and all else.
     misleading.add("PYTHONDONTWRITEBYTECODE")
     misleading |= {f"PIP_{name}" for name in ("CONSTRAINT", "PREFIX", "PYTHON", "ROOT", "TARGET")}
     kept = {name: value for name, value in os.environ.items() if name not in misleading}
-    before = {"PATH": PYTHON.parent, "JUPYTER_PATH": VENV / "share/jupyter"}
+    before = {"PATH": venv / BIN, "JUPYTER_PATH": venv / "share/jupyter"}
     for name, first in {**before, "JUPYTER_CONFIG_PATH": JUPYTER}.items():
         kept[name] = os.pathsep.join([str(first), *filter(None, [kept.get(name)])])
     ours = {f"PIP_{name}": "0" for name in ("DRY_RUN", "QUIET", "REQUIRE_HASHES", "USER")}
-    ours.update(PYTHONNOUSERSITE="1", PIP_DISABLE_PIP_VERSION_CHECK="1", VIRTUAL_ENV=str(VENV))
+    ours.update(PYTHONNOUSERSITE="1", PIP_DISABLE_PIP_VERSION_CHECK="1", VIRTUAL_ENV=str(venv))
     return {**kept, **ours, **extra}
 
 

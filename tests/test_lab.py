@@ -24,7 +24,9 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+import yaml
 from jupyter_client import BlockingKernelClient
+from packaging.requirements import Requirement
 
 ROOT = Path(__file__).resolve().parents[1]
 NO_INDEX = {  # a port where nobody listens, whatever pip is configured to use otherwise
@@ -246,6 +248,44 @@ def test_environment_txt_pins_every_package_with_hashes_and_names_no_index() -> 
 def test_the_library_needs_numpy_and_scipy_only() -> None:
     needs = load(ROOT).environment.project()["project"]["dependencies"]
     assert [need.split()[0] for need in needs] == ["numpy", "scipy"]
+
+
+def test_the_list_of_the_oldest_packages_begins_where_pyproject_toml_does() -> None:
+    """`python3 lab.py lowest` would else try something newer than what is allowed."""
+    about = load(ROOT).environment.project()["project"]
+    wanted = [*about["dependencies"], *about["optional-dependencies"]["book"]]
+    listed = (ROOT / "bootstrap/lowest.txt").read_text("utf-8")
+    for need in map(Requirement, wanted):
+        (floor,) = (one.version for one in need.specifier if one.operator == ">=")
+        pinned = re.search(rf"^{need.name}==([^\s;]+)", listed, re.MULTILINE)[1]
+        assert need.specifier.contains(pinned)
+        assert f"{pinned}.".startswith(f"{floor}."), need
+
+
+def test_binder_pins_what_environment_txt_pins_and_no_jupyter() -> None:
+    """Binder's own JupyterLab and Notebook go together; another JupyterLab would part them."""
+    lines = (ROOT / ".binder/requirements.txt").read_text("utf-8").splitlines()
+    *pins, package = (line for line in lines if not line.startswith("#"))
+    assert package == "-e .[book]"
+    assert set(pins) <= set(load(ROOT).environment.pins())
+    assert {pin.partition("==")[0] for pin in pins} >= {"numpy", "scipy", "matplotlib", "sympy"}
+    assert "jupyter" not in "".join(pins)
+    about = load(ROOT).environment.project()["project"]
+    assert "jupyterlab" not in "".join(about["optional-dependencies"]["book"])
+    python = (ROOT / ".binder/runtime.txt").read_text("utf-8").strip()
+    tried = "Programming Language :: Python :: " + python.removeprefix("python-")
+    assert tried in about["classifiers"]
+
+
+def test_the_site_is_published_with_no_more_rights_than_that_takes() -> None:
+    workflow = yaml.safe_load((ROOT / ".github/workflows/pages.yml").read_text("utf-8"))
+    assert workflow["permissions"] == {"contents": "read"}
+    jobs = workflow["jobs"]
+    assert "permissions" not in jobs["build"]
+    assert {"run": "python3 lab.py site"} in jobs["build"]["steps"]
+    assert jobs["publish"]["permissions"] == {"pages": "write", "id-token": "write"}
+    used = [step["uses"] for job in jobs.values() for step in job["steps"] if "uses" in step]
+    assert all(re.fullmatch(r"actions/[\w-]+@v\d+", action) for action in used)
 
 
 def test_an_old_python_reads_lab_py_as_far_as_the_refusal() -> None:
@@ -774,6 +814,25 @@ def test_a_lock_writes_packages_below_what_they_were_found_for(
     assert not (tiny / "environment.new").exists()
 
 
+def test_a_lock_writes_the_oldest_packages_too(tiny: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    modules = load(tiny)
+    with (tiny / "pyproject.toml").open("a", encoding="utf-8") as file:
+        file.write('[project.optional-dependencies]\nbook = ["sympy >=1.13"]\n')
+
+    def resolve(*words: str) -> int:
+        found = "sympy==1.13\n" if "lowest-direct" in words else "sympy==1.14\n"
+        (tiny / words[-1]).write_text(found, "utf-8")
+        return 0
+
+    monkeypatch.setattr(modules.lab, "run", resolve)
+    monkeypatch.setattr(modules.lab, "set_up", lambda: None)
+    assert modules.lab.main(["lock"]) == 0
+    assert modules.environment.pins() == ["sympy==1.14"]
+    lowest = (tiny / "bootstrap/lowest.txt").read_text("utf-8")
+    assert lowest == modules.beside.LOWEST_HEAD + "sympy==1.13\n"
+    assert not (tiny / "bootstrap/lowest.new").exists()
+
+
 def test_a_lock_writes_what_the_site_needs_beside_that(
     tiny: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -824,6 +883,58 @@ def test_the_site_is_built_in_an_environment_that_sees_the_other(
     wanted.write_text("# another\n", "utf-8")
     assert modules.beside.beside(wanted) == python
     assert len(made) == 2
+
+
+def test_the_oldest_packages_are_an_environment_of_their_own(
+    modules: SimpleNamespace, copied: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Which sees nothing of the other, has the package, and is made anew when it asks for more."""
+    steps: list[list[str]] = []
+    made: list[Path] = []
+
+    def make_venv(folder: Path) -> None:
+        made.append(folder)
+        (folder / modules.beside.BIN).mkdir(parents=True, exist_ok=True)
+        (folder / modules.beside.BIN / modules.beside.PYTHON_NAME).touch()
+
+    monkeypatch.setattr(modules.beside, "make_venv", make_venv)
+    monkeypatch.setattr(modules.beside, "run_step", steps.append)
+    listed = copied / "bootstrap/lowest.txt"
+    listed.write_text("", "utf-8")
+    python = modules.beside.apart(listed)
+    assert modules.beside.apart(listed) == python
+    assert made == [copied / ".venv-lowest"]
+    assert not list(made[0].rglob("*.pth"))
+    assert steps[0][-3:] == ["--require-hashes", "-r", str(listed)]
+    assert steps[1][-2:] == ["--editable", "."]
+    with (copied / "pyproject.toml").open("a", encoding="utf-8") as file:
+        file.write("# other dependencies\n")
+    modules.beside.apart(listed)
+    assert len(made) == 2
+
+
+def test_the_quick_tests_run_with_the_oldest_packages(
+    checks: SimpleNamespace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ran: list[list[str]] = []
+
+    @contextmanager
+    def running(command: list[str], env: dict[str, str]) -> Iterator[SimpleNamespace]:
+        assert env["VIRTUAL_ENV"] == "there"
+        assert not env["JUPYTER_PATH"].startswith(str(ROOT))
+        ran.append(command)
+        yield SimpleNamespace(wait=lambda: 1)
+
+    monkeypatch.setattr(checks.lab, "apart", lambda listed: Path("there/bin/old"))
+    monkeypatch.setattr(checks.lab, "running", running)
+    assert checks.lab.main(["lowest"]) == 1
+    assert checks.lab.main(["lowest", "tests/drift"]) == 1
+    whole, chosen = ran
+    assert whole[:3] == [str(Path("there/bin/old")), "-m", "pytest"]
+    assert {*checks.lab.QUICK, *checks.lab.AT_ONCE} <= set(whole)
+    assert chosen[-1] == "tests/drift"
+    assert "loadgroup" not in chosen
+    assert set(checks.lab.QUICK) <= set(chosen)
 
 
 # ------------------------------------------------------------------ the whole book
