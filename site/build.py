@@ -13,7 +13,8 @@ import shutil
 import sys
 from pathlib import Path
 
-from executed import executed
+from colab import make_colab
+from executed import FOLDER, executed
 from forms import write_forms
 from live.make import make_live, reason_not
 from pdf.make import make_pdf
@@ -67,10 +68,11 @@ def make_site(made: Path, distribution: Path | None) -> None:
         raise Unfinished(reason)
     if reason:
         print(reason, file=sys.stderr)
-    beside = {"pdf"} if reason else {"pdf", "in_place", "live"}
+    beside = {"colab", "pdf"} if reason else {"colab", "pdf", "in_place", "live"}
     notebooks = executed()
     make_reading(notebooks, BUILD, made, beside)
     make_pdf(notebooks, BUILD, made / PDF)
+    make_colab(FOLDER, made / "colab")
     if not reason:
         make_in_place(made / "in_place")
         make_live(BUILD, made, distribution)

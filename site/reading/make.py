@@ -59,9 +59,11 @@ def make_reading(
         If Sphinx warns, or a page would fetch something from elsewhere.
     """
     source = build / "source"
-    shutil.rmtree(source, ignore_errors=True)
+    trees = build / "doctrees"  # made anew: kept ones would still know where labels were
+    for folder in (source, trees):
+        shutil.rmtree(folder, ignore_errors=True)
     write_source(source, notebook_pages(notebooks, chapters(ROOT), beside))
-    options = ["-W", "--keep-going", "-q", "-b", "html", "-d", str(build / "doctrees")]
+    options = ["-W", "--keep-going", "-q", "-b", "html", "-d", str(trees)]
     if "in_place" in beside:
         options += ["-D", f"scripts={IN_PLACE}"]
     if sphinx([*options, str(source), str(made)]):

@@ -60,8 +60,12 @@ def test_the_ground_of_a_picture_is_the_page_s(site, dark, name, selector):
     dark.goto((site / f"{name}.html").as_uri())
     picture = dark.locator(selector).first
     picture.scroll_into_view_if_needed()
-    dark.wait_for_function("found => found.complete && found.naturalWidth", arg=picture.element_handle())
-    ground = dark.evaluate("getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number)")
+    dark.wait_for_function(
+        "found => found.complete && found.naturalWidth", arg=picture.element_handle()
+    )
+    ground = dark.evaluate(
+        "getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number)"
+    )
     corner = seen(picture.screenshot())[2:5, 2:5].mean(axis=(0, 1))
     assert luminance(np.array(ground)) < 0.02
     assert np.max(np.abs(corner - ground)) < 6

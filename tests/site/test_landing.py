@@ -93,7 +93,9 @@ def test_the_numbers_are_those_of_the_package_before_and_after_keys(still):
     less = leaning(LEAN / TIMES_LESS)
     assert numbers(still) == computed(leaning(LEAN), less, [1, 1, 0])
     still.locator("#hero select").select_option("10")
-    assert numbers(still)[2] == pytest.approx(np.degrees(600 * drift_per_turn([1, 1, 0], less)), abs=0.05)
+    assert numbers(still)[2] == pytest.approx(
+        np.degrees(600 * drift_per_turn([1, 1, 0], less)), abs=0.05
+    )
     tip = still.locator(".handle").nth(FIRST)
     tip.focus()
     for _ in range(40):
