@@ -25,7 +25,7 @@ import zipfile
 from importlib._bootstrap_external import _code_to_hash_pyc
 
 warnings.simplefilter("ignore")
-LEFT_OUT = re.compile(r"/$|(^|/)tests?/|\\.data/")
+LEFT_OUT = re.compile(r"/$|(^|/)tests?/|\\.data/data/(share|etc)/")
 
 
 def compiled(path, data):

@@ -19,6 +19,12 @@ from .versions import ROOT, VERSIONS
 PAGE = Path(__file__).resolve().parent / "page"
 """What the site adds: the strip above the notebook, and the page with a reader's work."""
 APP = "lab"
+HEAD = """\
+<link rel="icon" href="favicon.ico">
+<link rel="stylesheet" href="../strip.css">
+<script type="module" src="../strip.js"></script>
+"""
+"""What the page of JupyterLite gets besides."""
 OUTSIDE = {
     "ERRATA.md": "errata.html",
     "README.md": "index.html",
@@ -59,6 +65,8 @@ def make_lite(build: Path, made: Path, extensions: Iterable[Path], about: dict[s
         raise Unfinished(f"JupyterLite is not built:\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
     shutil.rmtree(made / "extensions/@jupyterlite/pyodide-kernel-extension/static/pypi")
     shutil.copytree(PAGE, made, dirs_exist_ok=True)
+    # JupyterLab asks for a picture beside its page before it looks among the notebooks.
+    shutil.copytree(source / "files/figures", made / APP / "figures")
     for path in (made / APP / "index.html", made / "my-work.html"):
         _tell(path, about)
 
@@ -78,8 +86,10 @@ def settings(storage: str) -> dict[str, Any]:
             "enableMemoryStorage": True,
             "exposeAppInBrowser": True,
             "litePluginSettings": {"@jupyterlite/pyodide-kernel-extension:kernel": kernel},
+            "contentsStorageDrivers": ["asyncStorage", "memoryStorageDriver"],
             "settingsStorageName": f"{storage}: settings",
-            "workspacesStorageName": f"{storage}: workspaces",
+            # A link opens its chapter, and not those of last time with a Python for each.
+            "workspacesStorageDrivers": ["memoryStorageDriver"],
         },
     }
 
@@ -110,7 +120,7 @@ def write_contents(folder: Path) -> None:
 
 
 def with_links(text: str) -> str:
-    """Return Markdown whose links lead to pages of the site, as "#site/errata.html"."""
+    """Return Markdown with links out of the book led to the site, as "#site/errata.html"."""
     for file, page in OUTSIDE.items():
         text = re.sub(rf"\]\((?:\.\./)+{re.escape(file)}(#[^)]*)?\)", rf"](#site/{page})", text)
     return text.replace("](../figures/", "](figures/")
@@ -130,8 +140,7 @@ def _tell(path: Path, about: dict[str, str]) -> None:
     text = path.read_text("utf-8")
     if path.name == "index.html":
         text = text.replace("<title>JupyterLite</title>", "<title>Drift Lab</title>")
-        head = '<link rel="stylesheet" href="../strip.css"><script type="module" src="../strip.js">'
-        text = text.replace("</head>", f"{head}</script></head>", 1)
+        text = text.replace("</head>", f"{HEAD}</head>", 1)
     path.write_text(text.replace("<html", f"<html{data}", 1), "utf-8")
 
 

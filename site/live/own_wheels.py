@@ -1,4 +1,4 @@
-"""Wheels that are made here: the book's package, and the list of Matplotlib's fonts."""
+"""Wheels that are made here: the book's package, and files that stand beside packages."""
 
 from __future__ import annotations
 
@@ -10,8 +10,10 @@ from collections.abc import Sequence
 from hashlib import sha256
 from pathlib import Path
 
-from flit_core.wheel import make_wheel_in
+from flit_core.wheel import make_wheel_in  # type: ignore[import-untyped]
 
+from driftlab import __version__
+from driftlab.book.figures import figure_definitions
 from unfinished import Unfinished
 
 from .brought import found
@@ -44,16 +46,34 @@ def fontlist_wheel(folder: Path, matplotlib: str) -> Path:
     That list is of another version; Matplotlib makes its own at each start, and says so in red in
     a reader's first figure.
     """
-    name = f"matplotlib_fontlist-{matplotlib}"
-    info = f"{name}.dist-info"
-    path = folder / f"{name}-py3-none-any.whl"
-    metadata = f"Metadata-Version: 2.1\nName: matplotlib-fontlist\nVersion: {matplotlib}\n"
+    files = {"matplotlib/fontlist.json": (HERE / "fontlist.json").read_bytes()}
+    return _wheel(folder, "matplotlib-fontlist", matplotlib, files, f"matplotlib=={matplotlib}")
+
+
+def figures_wheel(folder: Path, python: str) -> Path:
+    """Make a wheel with the numbers of figures that no browser computes.
+
+    A study takes minutes, and a recording is not at hand; `driftlab.book.figure` reads their
+    numbers from the folder where the package finds the book's.
+    """
+    place = f"driftlab_figures-{__version__}.data/data/lib/python{python}/figures"
+    definitions = figure_definitions().values()
+    names = [f"{each.name}.csv" for each in definitions if each.restore is not None]
+    files = {f"{place}/{name}": (ROOT / "figures" / name).read_bytes() for name in names}
+    return _wheel(folder, "driftlab-figures", __version__, files, f"driftlab=={__version__}")
+
+
+def _wheel(folder: Path, name: str, version: str, files: dict[str, bytes], needs: str) -> Path:
+    """Make a wheel of a few files; what compiles it writes its RECORD."""
+    info = f"{name.replace('-', '_')}-{version}.dist-info"
+    path = folder / f"{info.removesuffix('.dist-info')}-py3-none-any.whl"
+    metadata = f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\nRequires-Dist: {needs}\n"
     about = "Wheel-Version: 1.0\nGenerator: driftlab\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
+    texts = {"METADATA": metadata, "WHEEL": about, "RECORD": ""}
+    files = files | {f"{info}/{key}": text.encode() for key, text in texts.items()}
     with zipfile.ZipFile(path, "w") as wheel:
-        wheel.write(HERE / "fontlist.json", "matplotlib/fontlist.json")
-        wheel.writestr(f"{info}/METADATA", f"{metadata}Requires-Dist: matplotlib=={matplotlib}\n")
-        wheel.writestr(f"{info}/WHEEL", about)
-        wheel.writestr(f"{info}/RECORD", "")
+        for inside, data in files.items():
+            wheel.writestr(zipfile.ZipInfo(inside), data)
     return path
 
 

@@ -11,7 +11,7 @@ from unfinished import Unfinished
 
 from .brought import OFFICIAL, RUNTIME, Brought, digest_of
 from .lock import check, entry_of, needed
-from .own_wheels import compiled, driftlab_wheel, fontlist_wheel, from_within
+from .own_wheels import compiled, driftlab_wheel, figures_wheel, fontlist_wheel, from_within
 from .versions import VERSIONS
 
 
@@ -38,7 +38,8 @@ def make_packages(brought: Brought, build: Path, made: Path, distribution: Path 
     runtime = brought.runtime
     official = json.loads((runtime / OFFICIAL).read_text("utf-8"))
     packages = needed(official, VERSIONS["wheels"]["distribution"])
-    own = _own(build / "own", brought, packages["matplotlib"]["version"])
+    python = official["info"]["python"].rpartition(".")[0]
+    own = _own(build / "own", brought, packages["matplotlib"]["version"], python)
 
     shutil.rmtree(made, ignore_errors=True)
     made.mkdir(parents=True)
@@ -63,11 +64,15 @@ def make_packages(brought: Brought, build: Path, made: Path, distribution: Path 
     (made / OFFICIAL).write_text(json.dumps(lock, indent=1), "utf-8")
 
 
-def _own(folder: Path, brought: Brought, matplotlib: str) -> list[Path]:
+def _own(folder: Path, brought: Brought, matplotlib: str, python: str) -> list[Path]:
     """Return the wheels that the site adds to the distribution, as they were before compiling."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    wheels = [driftlab_wheel(folder), fontlist_wheel(folder, matplotlib)]
+    wheels = [
+        driftlab_wheel(folder),
+        figures_wheel(folder, python),
+        fontlist_wheel(folder, matplotlib),
+    ]
     wheels += [brought.wheels[name] for name in VERSIONS["wheels"]["book"]]
     kernel = brought.wheels["jupyterlite-pyodide-kernel"]
     wheels += [from_within(kernel, name, folder) for name in VERSIONS["wheels"]["kernel"]]

@@ -87,11 +87,13 @@ function application() {
 
 async function follow(app) {
   await app.restored;
-  app.shell.collapseLeft(); // the list of files; one click brings it back
+  let folded = false;
   const look = async () => {
     const shown = app.shell.currentWidget?.context;
     const session = app.shell.currentWidget?.sessionContext;
     if (!session) return;
+    if (!folded) app.shell.collapseLeft(); // the list of files; one click brings it back
+    folded = true;
     page.href = new URL(`${chapter(shown.path)}.html`, site);
     say([...troubles, STARTING].join(" "));
     await session.ready;

@@ -1,0 +1,190 @@
+"""The whole book live: chapters run to their end in JupyterLite, and a reader's work is kept.
+
+Of the published site the page's fixture answers Pyodide's addresses with the same bytes.
+"""
+
+import io
+import json
+import os
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from driftlab import __version__
+
+pytestmark = [pytest.mark.browser, pytest.mark.kernel, pytest.mark.xdist_group("site-live")]
+
+LONG = 240_000  # ms, for a kernel to start on a busy machine
+CHAPTERS = (
+    "00_start_here.ipynb",
+    "02_characteristic_equation.ipynb",
+    "04_calibration_by_turns.ipynb",
+    "06_picard_algorithms.ipynb",
+)
+ANSWERS = """async () => {
+  const shown = window.jupyterapp?.shell?.currentWidget;
+  const kernel = shown?.sessionContext?.session?.kernel;
+  return kernel ? Boolean(await kernel.info) : false;
+}"""
+RUN = """async () => {
+  const shown = window.jupyterapp.shell.currentWidget;
+  await window.jupyterapp.commands.execute("notebook:run-all-cells");
+  return shown.content.widgets.map((cell) => cell.model.toJSON());
+}"""
+WRITE = """async (text) => {
+  const { widgets } = window.jupyterapp.shell.currentWidget.content;
+  widgets.find(({ model }) => model.type === "code").model.sharedModel.setSource(text);
+  await window.jupyterapp.commands.execute("docmanager:save");
+}"""
+OLD = """() => new Promise((done) => {
+  const request = indexedDB.open("Drift Lab 0.0.1", 1);
+  request.onupgradeneeded = () => request.result.createObjectStore("files").put({
+    path: "my_own.ipynb", type: "notebook", last_modified: "2026-01-01T00:00:00Z",
+    content: { cells: [], nbformat: 4, nbformat_minor: 5, metadata: {} },
+  }, "my_own.ipynb");
+  request.onsuccess = () => { request.result.close(); done(); };
+})"""
+
+
+@pytest.fixture
+def published(site) -> str:
+    """The address of a small file that readers fetch from Pyodide; empty if the site holds all."""
+    lock = json.loads((site / "live/static/pyodide/pyodide-lock.json").read_text("utf-8"))
+    name = lock["packages"]["cycler"]["file_name"]
+    return name if name.startswith("https:") else ""
+
+
+@pytest.fixture
+def live(address, page, published):
+    """Opens a chapter, and waits until its text is there."""
+    folder = Path(os.environ.get("DRIFTLAB_PYODIDE", ""))
+    if published and not (folder / published.rpartition("/")[2]).is_file():
+        pytest.skip("DRIFTLAB_PYODIDE names no folder that could answer for Pyodide's addresses")
+
+    def opened(name: str) -> None:
+        page.goto(f"{address}/live/lab/index.html?path={name}")
+        page.locator(".jp-Notebook .jp-Cell").first.wait_for(timeout=LONG)
+
+    return opened
+
+
+def test_chapters_run_to_their_end(live, page):
+    """One after the other in one browser, which has fetched all with the first."""
+    for name in CHAPTERS:
+        live(name)
+        page.wait_for_function(ANSWERS, timeout=LONG)
+        cells = page.evaluate(RUN)
+        ran = [cell for cell in cells if cell["cell_type"] == "code"]
+        assert all(cell["execution_count"] for cell in ran if cell["source"]), name
+        for cell in ran:
+            for output in cell["outputs"]:
+                assert output["output_type"] != "error", (name, cell["source"], output)
+                assert output.get("name") != "stderr", (name, cell["source"], output)
+        assert page.locator(".driftlab-panel, .driftlab-scene").count() > 0, name
+        says = page.locator("#strip [role=status]")
+        assert says.inner_text().startswith("Python is ready."), name
+        assert page.complaints == [], name
+
+
+def test_the_strip_leads_to_the_chapters_page_and_folds_the_files(live, page):
+    live("solutions/03_systematic_drift.ipynb")
+    page.wait_for_function("window.jupyterapp?.shell?.leftCollapsed === true", timeout=LONG)
+    strip = page.locator("#strip")
+    page_of = strip.get_by_role("link", name="Chapter's page")
+    assert page_of.evaluate("a => a.href").endswith("/solutions/03_systematic_drift.html")
+    assert "MB" in strip.get_by_role("status").inner_text()
+    below = page.locator("#main").bounding_box()["y"]
+    assert below == pytest.approx(strip.bounding_box()["height"], abs=1)
+    for width in (390, 768):
+        page.set_viewport_size({"width": width, "height": 900})
+        assert page.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0
+
+
+def test_a_link_out_of_the_book_opens_a_page_of_the_site(live, page):
+    live("12_ledger_and_glossary.ipynb")
+    link = page.locator('a[href*="#site/errata.html"]').first
+    link.wait_for(timeout=LONG)
+    with page.context.expect_page() as opened:
+        link.click()
+    assert opened.value.url.endswith("/errata.html")
+    assert "/live/" not in opened.value.url
+
+
+def test_work_is_kept_under_the_version_and_comes_home_in_a_zip(live, page, address):
+    live("03_systematic_drift.ipynb")
+    page.wait_for_function(
+        "window.jupyterapp?.shell?.currentWidget?.context?.isReady", timeout=LONG
+    )
+    page.evaluate(WRITE, "mine = 'Straße'")
+    page.evaluate(OLD)
+    names = page.evaluate("indexedDB.databases().then((all) => all.map(({ name }) => name))")
+    assert f"Drift Lab {__version__}" in names
+    page.goto(f"{address}/live/my-work.html")
+    page.get_by_role("heading", level=2).first.wait_for()
+    titles = page.get_by_role("heading", level=2).all_inner_texts()
+    assert titles == [f"Drift Lab {__version__}", "Drift Lab 0.0.1"]
+    assert (
+        page.get_by_role("row", name="03_systematic_drift.ipynb")
+        .inner_text()
+        .count("1 cell changed")
+    )
+    with page.expect_download() as coming:
+        page.get_by_role("button", name=f"Download all of Drift Lab {__version__}").click()
+    assert coming.value.suggested_filename == f"Drift Lab {__version__}.zip"
+    with zipfile.ZipFile(io.BytesIO(Path(coming.value.path()).read_bytes())) as files:
+        assert files.testzip() is None
+        assert files.namelist() == ["03_systematic_drift.ipynb"]
+        notebook = json.loads(files.read("03_systematic_drift.ipynb"))
+    assert "mine = 'Straße'" in ["".join(cell["source"]) for cell in notebook["cells"]]
+    with page.expect_download() as coming:
+        page.get_by_role("button", name="Download my_own.ipynb").click()
+    assert json.loads(Path(coming.value.path()).read_text("utf-8"))["nbformat"] == 4
+    for width in (390, 768, 1280):
+        page.set_viewport_size({"width": width, "height": 900})
+        assert page.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0, width
+    assert page.complaints == []
+
+
+def test_nothing_written_is_said_in_words(page, address):
+    page.goto(f"{address}/live/my-work.html")
+    page.get_by_text("Nothing yet.").wait_for()
+
+
+# ------------------------------------------------------------------ bad surroundings
+
+BLOCKED = """Object.defineProperty(window, "indexedDB", {
+  get() { throw new DOMException("blocked", "SecurityError"); },
+});"""
+
+
+def said(page, words):
+    """Wait until the strip says some words, and return all that it says."""
+    page.locator("#strip [role=status]", has_text=words).wait_for(timeout=LONG)
+    return page.locator("#strip [role=status]").inner_text()
+
+
+def test_without_webassembly_the_text_is_there_and_a_sentence(live, page):
+    page.add_init_script("delete window.WebAssembly")
+    live("03_systematic_drift.ipynb")
+    assert said(page, "has no WebAssembly").endswith(
+        "The chapter can still be read, here and on its page."
+    )
+
+
+def test_where_pyodides_packages_cannot_be_reached_a_sentence_says_so(live, page, published):
+    if not published:
+        pytest.skip("this site holds all packages itself")
+    page.route(published.rpartition("/")[0] + "/**", lambda route: route.abort())
+    live("03_systematic_drift.ipynb")
+    assert "Python cannot start: its packages come from" in said(
+        page, "cannot be reached from here"
+    )
+
+
+def test_where_nothing_can_be_kept_the_chapter_opens_and_a_sentence_says_so(live, page, address):
+    page.add_init_script(BLOCKED)
+    live("03_systematic_drift.ipynb")
+    assert said(page, "keeps nothing for the page")
+    page.goto(f"{address}/live/my-work.html")
+    page.get_by_text("so there is nothing to list").wait_for()
