@@ -106,7 +106,7 @@ def test_a_link_out_of_the_book_opens_a_page_of_the_site(live, page):
     link = page.locator('a[href*="#site/errata.html"]').first
     link.wait_for(timeout=LONG)
     with page.context.expect_page() as opened:
-        link.click()
+        link.evaluate("link => link.click()")  # JupyterLab still moves the text about
     assert opened.value.url.endswith("/errata.html")
     assert "/live/" not in opened.value.url
 

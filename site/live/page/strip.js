@@ -87,13 +87,11 @@ function application() {
 
 async function follow(app) {
   await app.restored;
-  let folded = false;
+  fold(app.shell);
   const look = async () => {
     const shown = app.shell.currentWidget?.context;
     const session = app.shell.currentWidget?.sessionContext;
     if (!session) return;
-    if (!folded) app.shell.collapseLeft(); // the list of files; one click brings it back
-    folded = true;
     page.href = new URL(`${chapter(shown.path)}.html`, site);
     say([...troubles, STARTING].join(" "));
     await session.ready;
@@ -104,4 +102,17 @@ async function follow(app) {
   };
   app.shell.currentChanged.connect(look);
   look();
+}
+
+// JupyterLab opens its list of files by itself, and late: until the reader does something, it stays
+// folded.
+function fold(shell) {
+  const close = () => {
+    if (!shell.leftCollapsed) shell.collapseLeft();
+  };
+  shell.layoutModified.connect(close);
+  close();
+  for (const event of ["pointerdown", "keydown"]) {
+    addEventListener(event, () => shell.layoutModified.disconnect(close), { capture: true, once: true });
+  }
 }
