@@ -71,11 +71,15 @@ def make_lite(build: Path, made: Path, extensions: Iterable[Path], about: dict[s
         _tell(path, about)
 
 
+QUIET = {"HOME": "/home/pyodide", "PYTHONWARNINGS": "ignore:tqdm:RuntimeWarning"}
+"""tqdm warns, in red, that it has no thread to watch its bars; a browser has none."""
+
+
 def settings(storage: str) -> dict[str, Any]:
     """Return what jupyter-lite.json says."""
     kernel = {
         "disablePyPIFallback": True,
-        "loadPyodideOptions": {"packages": VERSIONS["kernel"]["packages"]},
+        "loadPyodideOptions": {"env": QUIET, "packages": VERSIONS["kernel"]["packages"]},
         "pyodideUrl": "./static/pyodide/pyodide.mjs",
     }
     return {

@@ -26,7 +26,7 @@ LOOSER = {
     "11-capstone": 1e-7,
 }
 ROUNDING = 1e-12
-"""What is smaller is rounding itself, in whatever units; on a logarithmic axis it may be missing."""
+"""What is smaller is rounding itself, in whatever units; a logarithmic axis may leave it out."""
 
 
 @pytest.fixture(scope="module")
