@@ -16,7 +16,7 @@ from sphinx.environment import BuildEnvironment
 from reading.api_pages import plain_bars
 from reading.doors import FOLDER, aliases, names
 from reading.field_words import FieldWords, also
-from reading.folds import fold_sections, note_figures
+from reading.folds import fold_sections, keep_places_single, note_figures
 from reading.papers import in_the_papers
 
 
@@ -28,6 +28,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.connect("doctree-read", add_homes)
     app.connect("doctree-read", fold_sections)
     app.connect("doctree-read", note_figures)
+    app.connect("doctree-resolved", keep_places_single)
     app.connect("env-updated", add_aliases)
     app.connect("env-updated", drop_sourceless)
     app.connect("missing-reference", find_elsewhere)

@@ -1,6 +1,6 @@
-"""Sections that the page folds, as JupyterLab does, and figures that links lead to.
+"""Sections that the page folds, as JupyterLab does, and places that links lead to.
 
-Both are known to Sphinx only here: a fold is a comment in Markdown, a figure is HTML.
+Sphinx knows of them only here: a fold is a comment in Markdown, a figure is HTML.
 """
 
 from __future__ import annotations
@@ -31,3 +31,10 @@ def note_figures(app: Sphinx, doctree: nodes.document) -> None:
     for node in doctree.findall(nodes.raw):
         if figure := FIGURE.search(node.astext()):
             labels[figure[1]] = app.env.docname, figure[1]
+
+
+def keep_places_single(app: Sphinx, doctree: nodes.document, docname: str) -> None:
+    """Leave the place of a formula to the box that the theme puts around it with the same name."""
+    for formula in doctree.findall(nodes.math_block):
+        if formula["ids"] == formula.parent.get("ids"):
+            formula["ids"] = []

@@ -8,6 +8,7 @@ the last two live, and without them the page reads as it is.
 from __future__ import annotations
 
 import re
+from html import unescape
 from urllib.parse import unquote
 
 from nbformat import NotebookNode
@@ -19,6 +20,7 @@ from reading.solutions import fold_of
 
 WIDGET = "application/vnd.jupyter.widget-view+json"
 STILL = re.compile(r'<style>.*?</style>(<figure class="driftlab-still".*?)<figcaption>.*', re.S)
+STOOD = "<figcaption>This is how it stood when the chapter was run.</figcaption></figure>"
 FIGURE = re.compile(r'<figure style="margin: 0">(<img.*?>)(<figcaption>.*)</figcaption></figure>')
 PUBLISHED = re.compile(r"driftlab\.figure\('([\w-]+)'\)$", re.M)
 """What a figure says first of itself, if nobody has changed its parameters."""
@@ -32,6 +34,8 @@ LEDGER = re.compile(r'^paper_table\("([\w-]+)"\)$', re.M)
 """The whole table of a paper's equations, which has a page of its own on the site."""
 GUESS = re.compile(r"(<p><b>A guess first.*)<p>.*?</p>", re.S)
 """The questions of a puzzle, and the sentence that only holds in JupyterLab."""
+
+LOOK_BACK = "<p>No guess is kept yet."
 
 
 class Outputs:
@@ -75,7 +79,7 @@ class Outputs:
 
     def _html(self, html: str, plain: str) -> str:
         if still := STILL.fullmatch(html):
-            return f"{self.pictures.as_files(still[1], self.up)}</figure>"
+            return f"{self.pictures.as_files(still[1], self.up)}{STOOD}"
         if figure := FIGURE.fullmatch(html):
             return self._figure(figure, plain)
         if card := OPEN.fullmatch(html):
@@ -85,6 +89,8 @@ class Outputs:
             return f'{room}<div class="hints">{hints}</div>{solution}'
         if guess := GUESS.fullmatch(html):
             return f'<div class="guess" data-guess="{self.chapter}">{guess[1]}</div>'
+        if html.startswith(LOOK_BACK):
+            return f'<div class="guesses">{html}</div>'
         return self.pictures.as_files(PROGRESS.sub("", html), self.up)
 
     def _figure(self, figure: re.Match[str], plain: str) -> str:
@@ -105,7 +111,7 @@ class Outputs:
 
     def _section(self, found: re.Match[str]) -> str:
         """A link to a section, for which Jupyter has another address."""
-        heading = unquote(found[1]).replace("-", " ")
+        heading = unescape(unquote(found[1])).replace("-", " ")
         return f"class='reference internal' href='#{section_label(self.chapter, heading)}'"
 
 
