@@ -105,7 +105,7 @@ def pages(book: NotebookPages) -> dict[str, str]:
     found["gallery/index.md"] = _gallery(book.figures)
     found["changes.md"] = (ROOT / "CHANGELOG.md").read_text("utf-8")
     solved = sorted(Path(name).stem for name in book.texts if name.startswith("solutions/"))
-    found["solutions/index.md"] = f"# Solutions\n\n{SOLUTIONS}\n{contents('', solved)}"
+    found["solutions/index.md"] = f"# Solutions\n\n{SOLUTIONS}\n{contents(solved)}"
     found["index.md"] = (HERE / "index.md").read_text("utf-8") + _contents()
     return found
 
@@ -120,7 +120,9 @@ def _contents() -> str:
     lists["Aside"] = ["i_want_to", "lab_sheet", "solutions/index", "for_instructors"]
     lists["To look things up"] = ["reference/index", "conventions", "glossary", "ledger/index"]
     lists["To look things up"] += ["gallery/index", "errata", "changes"]
-    return "".join(contents(caption, names) for caption, names in lists.items())
+    return "".join(
+        contents(names, ":hidden:", f":caption: '{caption}'") for caption, names in lists.items()
+    )
 
 
 def _gallery(in_chapters: Collection[str]) -> str:

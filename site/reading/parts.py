@@ -43,7 +43,6 @@ def parts(root: Path) -> dict[str, list[Chapter]]:
     return found
 
 
-def contents(caption: str, names: Sequence[str]) -> str:
-    """Return a hidden table of contents, for the side of the page and for what comes next."""
-    head = f":caption: '{caption}'\n" if caption else ""
-    return "\n".join(["", f"```{{toctree}}\n:hidden:\n{head}", *names, "```", ""])
+def contents(names: Sequence[str], *options: str) -> str:
+    """Return a table of contents; options are lines like ":hidden:"."""
+    return "\n".join(["", "```{toctree}", *options, "", *names, "```", ""])

@@ -14,6 +14,7 @@ def test_every_page_fits_the_screen_and_sets_its_formulas(site, page):
         if page.locator(".math").count():
             page.wait_for_function("document.querySelector('mjx-container') !== null")
             page.evaluate("MathJax.startup.promise")
+        page.evaluate("document.querySelectorAll('details').forEach(fold => { fold.open = true; })")
         for width in WIDTHS:
             page.set_viewport_size({"width": width, "height": 900})
             beyond = page.evaluate("document.documentElement.scrollWidth - innerWidth")

@@ -254,6 +254,15 @@ def test_every_chapter_stands_in_the_overview_with_its_minutes(book):
     assert list(parts(ROOT))[1] == "Part I: Larin"
 
 
+def test_a_chapter_leads_to_what_else_is_built():
+    name = "03_systematic_drift.ipynb"
+    clean = {name: nbformat.read(FOLDER / name, as_version=4)}
+    text = notebook_pages(clean, chapters(ROOT), ("live", "colab", "pdf")).texts[name]
+    for address in (f"live/lab/index.html?path={name}", f"colab/{name}", "drift-lab.pdf"):
+        assert f'<a href=\\"{address}\\">' in text
+    assert "<a href=" not in notebook_pages(clean, chapters(ROOT), ()).texts[name]
+
+
 def test_links_between_ledger_reference_and_chapters_lead_somewhere(ledger, book):
     places = {target for text in book.values() for target in targets(text)}
     linked = set(re.findall(r"\]\(#(chapter-[\w-]+)\)", chapters_page(ROOT)))
