@@ -60,7 +60,7 @@ export function countFetches(report) {
 
     // Take into the total what packages and all that they need will weigh, where the lock says so.
     async expect(folder, names, loaded = []) {
-      const lock = await (await original(`${folder}pyodide-lock.json`)).json();
+      const lock = await (await fetch(`${folder}pyodide-lock.json`)).json();
       const normal = (name) => name.toLowerCase().replace(/[-_.]+/g, "-");
       const entries = new Map(
         Object.entries(lock.packages).map(([name, entry]) => [normal(name), entry]),

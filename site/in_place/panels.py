@@ -20,6 +20,7 @@ logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
 
 from driftlab.book.machinery.control import Control  # noqa: E402
 from driftlab.book.machinery.panel import ERROR_CLASS, Explorer  # noqa: E402
+from driftlab.book.machinery.still import plain_values  # noqa: E402
 from driftlab.book.panels import EXPLORERS, SCENES  # noqa: E402
 
 CLASSES: dict[str, type[Explorer]] = {each.__name__: each for each in (*EXPLORERS, *SCENES)}
@@ -54,7 +55,7 @@ def open(
     panel = panel_class(_preset(panel_class, values))
     panel.page.ratio = ratio
     panel.paper.layout.display = "none"  # how to save by a line of Python; here it is a button
-    if panel.values != values:
+    if plain_values(panel.values) != values:
         panel.set(**_given(panel_class, values))
     refused = ""
     if link:
@@ -68,7 +69,7 @@ def open(
         "panel": len(OPEN) - 1,
         "title": panel.title,
         "widget": panel.described(),
-        "values": panel.values,
+        "values": plain_values(panel.values),
         "refused": refused,
     }
 
@@ -119,7 +120,7 @@ def picture(panel: int) -> bytes:
 
 def _news(panel: Explorer) -> dict[str, Any]:
     changed, messages = taken()
-    return {"changed": changed, "messages": messages, "values": panel.values}
+    return {"changed": changed, "messages": messages, "values": plain_values(panel.values)}
 
 
 @contextmanager
@@ -136,13 +137,13 @@ def _preset(panel_class: type[Explorer], values: Mapping[str, Any]) -> str | Non
     """The preset that some values are, if any."""
     starts = {control.name: control.start for control in panel_class.controls}
     for name, preset in panel_class.presets.items():
-        if {**starts, **preset} == values:
+        if plain_values({**starts, **preset}) == values:
             return name
     return None
 
 
 def _given(panel_class: type[Explorer], values: Mapping[str, Any]) -> dict[str, Any]:
-    """Values from a page, in which a number does not say whether it is whole."""
+    """Values from a page, where a number does not say whether it is whole, and none is infinite."""
     controls = {control.name: control for control in panel_class.controls}
     return {
         name: _like(controls[name], value) if name in controls else value
@@ -151,9 +152,9 @@ def _given(panel_class: type[Explorer], values: Mapping[str, Any]) -> dict[str, 
 
 
 def _like(control: Control, value: Any) -> Any:
-    if control.options:
-        return next((option for option in control.options if option == value), value)
-    return float(value) if isinstance(control.start, float) else value
+    if isinstance(control.start, float):
+        value = float(value)
+    return next((option for option in control.options if option == value), value)
 
 
 def _read(panel_class: type[Explorer], link: Mapping[str, str]) -> dict[str, Any]:

@@ -50,14 +50,14 @@ export function ask(call, args = [], { onProgress, signal, packages = [] } = {})
 }
 
 // End Python; whatever was asked is refused with this kind of sentence.
-export function stop(kind = "Stopped") {
+export function stop(kind = "Stopped", says = SENTENCES[kind]) {
   worker?.terminate();
   worker = null;
   alive = false;
   const left = [running, ...waiting].filter(Boolean);
   running = null;
   waiting = [];
-  const trouble = new Trouble({ kind, says: SENTENCES[kind] });
+  const trouble = new Trouble({ kind, says });
   for (const request of left) request.reject(trouble);
   for (const watcher of [...watchers]) watcher(trouble);
 }
@@ -95,8 +95,8 @@ function begin() {
     }
     const request = running;
     if (data.id !== request?.id) return;
-    if (data.error?.fatal) {
-      stop("Died");
+    if (data.error?.ends) {
+      stop(data.error.kind, SENTENCES[data.error.kind] ?? data.error.says);
       return;
     }
     running = null;

@@ -2,7 +2,8 @@
 // calls of functions in the Python files beside it.
 //
 // In:  {id, call: "panels.open", args: [...], packages: ["sympy"]}
-// Out: {id, result} or {id, error: {kind, says, trace, fatal}}, and while things are fetched
+// Out: {id, result} or {id, error: {kind, says, trace, ends}}; `ends` if this worker is of no use any
+//      more. And while things are fetched
 //      {progress: {loaded, total, says}}, in bytes; total is 0 as long as it is not known.
 // Arguments and results are plain data: numbers, text, lists, objects, and bytes as Uint8Array.
 
@@ -15,9 +16,19 @@ const FOLDER = "/in_place"; // of the Python files, in the file system that Pyth
 const fetches = countFetches((progress) => postMessage({ progress }));
 const modules = new Map(); // name -> promise that it lies in FOLDER
 let python;
+let begun = false;
 
 async function start() {
   fetches.say("Fetching Python and the book's package");
+  try {
+    return await begin();
+  } catch (error) {
+    fetches.check(); // that is why, if something is missing
+    throw error;
+  }
+}
+
+async function begin() {
   await fetches.expect(RUNTIME, ["driftlab"]);
   const { loadPyodide } = await import(`${RUNTIME}pyodide.mjs`);
   const py = await loadPyodide({
@@ -33,18 +44,23 @@ async function start() {
   py.runPython(`import sys; sys.path.insert(0, "${FOLDER}")`);
   await bring(py, "widgets_standin");
   py.pyimport("widgets_standin").install();
+  begun = true;
   return py;
 }
 
 // Put a Python file from beside this script where Python finds it.
 function bring(py, name) {
-  if (!modules.has(name)) modules.set(name, write(py, name));
+  if (!modules.has(name)) {
+    const written = write(py, name);
+    written.catch(() => modules.delete(name)); // it may be tried again
+    modules.set(name, written);
+  }
   return modules.get(name);
 }
 
 async function write(py, name) {
-  const response = await fetch(`${HERE}${name}.py`);
-  if (!response.ok) throw new Trouble("NotFetched", `${name}.py is missing on this server.`);
+  const response = await fetch(`${HERE}${name}.py`).catch(() => null);
+  fetches.check();
   py.FS.writeFile(`${FOLDER}/${name}.py`, await response.text());
 }
 
@@ -71,13 +87,6 @@ async function answer({ call, args = [], packages = [] }) {
   return data;
 }
 
-class Trouble extends Error {
-  constructor(kind, says) {
-    super(says);
-    this.kind = kind;
-  }
-}
-
 // What went wrong: its kind (of Python's exceptions the type), a sentence, and Python's traceback.
 function told(error) {
   if (error.type) {
@@ -85,9 +94,9 @@ function told(error) {
     const says = lines.at(-1).replace(/^[\w.]+: /, "");
     return { kind: error.type, says, trace: error.message };
   }
-  const fatal = Boolean(error.pyodide_fatal_error) || error instanceof RangeError ||
-    error instanceof WebAssembly.RuntimeError;
-  return { kind: error.kind ?? error.name, says: error.message, trace: error.stack, fatal };
+  const died = error.pyodide_fatal_error || error instanceof WebAssembly.RuntimeError;
+  const kind = died ? "Died" : error.kind ?? error.name;
+  return { kind, says: error.message, trace: error.stack, ends: died || !begun };
 }
 
 onmessage = async ({ data }) => {

@@ -6,6 +6,7 @@
 import os
 import re
 from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -56,7 +57,21 @@ def browser(site) -> Iterator:
 
 @pytest.fixture
 def page(browser) -> Iterator:
-    """A page of a reader who was never here, which keeps what it complains of.
+    """A page of a reader who was never here, which keeps what it complains of."""
+    with visit(browser) as page:
+        yield page
+
+
+@pytest.fixture(scope="module")
+def kept_page(browser) -> Iterator:
+    """Such a page that stays for all tests of a module: what lives in it need not begin anew."""
+    with visit(browser) as page:
+        yield page
+
+
+@contextmanager
+def visit(browser) -> Iterator:
+    """Open a page in a context of its own.
 
     ``complaints`` has errors of the console, and what it asks of other places than this machine;
     that is not answered. Of Pyodide's own packages, which the published site asks a content

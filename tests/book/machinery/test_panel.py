@@ -62,10 +62,10 @@ def test_a_page_without_widgets_has_the_picture(monkeypatch) -> None:
 
 
 def test_the_values_of_a_still_may_hold_any_text() -> None:
-    values = {"formula": 'x\' < 2 & "μ" > 1', "turns": 3, "open": True}
+    values = {"formula": 'x\' < 2 & "μ" > 1', "turns": 3, "open": True, "most": np.inf}
     text = still(b"", "jpeg", "a picture", "Panel", values)
     figure = ElementTree.fromstring(re.search("<figure.*?>", text)[0] + "</figure>")
-    assert json.loads(figure.get("data-values")) == values
+    assert json.loads(figure.get("data-values")) == {**values, "most": "inf"}
 
 
 def test_panels_share_no_state() -> None:

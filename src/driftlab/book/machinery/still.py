@@ -8,6 +8,7 @@ the picture is an output of its own, and hides as long as the widget lives besid
 import base64
 import html
 import json
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -51,7 +52,8 @@ def still(
     """
     source = f"data:image/{kind};base64,{base64.b64encode(picture).decode()}"
     # JSON is full of double quotes, so the attribute stands between single ones.
-    data = html.escape(json.dumps(dict(values), ensure_ascii=False), quote=False)
+    text = json.dumps(plain_values(values), ensure_ascii=False, allow_nan=False)
+    data = html.escape(text, quote=False)
     data = data.replace("'", "&#x27;")
     return (
         f'<style>{STYLE}</style><figure class="{STILL_CLASS}" data-panel="{html.escape(panel)}" '
@@ -60,6 +62,14 @@ def still(
         "<figcaption>This is how it stood when its cell was run. Run the cell again to move it."
         "</figcaption></figure>"
     )
+
+
+def plain_values(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return values as JSON has them: what is no finite number is its text, "inf"."""
+    return {
+        name: str(value) if isinstance(value, float) and not math.isfinite(value) else value
+        for name, value in values.items()
+    }
 
 
 def display_with_still(widget: DOMWidget, picture: str, description: str) -> None:
