@@ -220,7 +220,7 @@ def chapter_table(chapter: str) -> Table:
             rows += [
                 (
                     f"*{status}*",
-                    f"**{entry.label}**: in the copy {entry.copy}; right is {entry.right}.",
+                    f"{_bold(entry.label)}: in the copy {entry.copy}; right is {entry.right}.",
                 )
                 for entry in those
             ]
@@ -247,7 +247,7 @@ def paper_table(paper: str) -> Table:
             ("", "what it states", "status", "in the book", "computed and tested by"),
             *(
                 (
-                    f"**{entry.label}**",
+                    _bold(entry.label),
                     entry.says,
                     _status(entry),
                     f"{entry.chapter}, *{entry.section}*",
@@ -273,6 +273,11 @@ def _entries_of(paper: str) -> list[LedgerEntry]:
     if paper not in WORKS:
         raise ValueError(f"paper: expected one of {', '.join(WORKS)}, got {paper!r}.")
     return [entry for entry in ledger_entries() if entry.paper == paper]
+
+
+def _bold(label: str) -> str:
+    """A label in bold letters; a star in it is none of Markdown's."""
+    return "**" + label.replace("*", r"\*") + "**"
 
 
 def _status(entry: LedgerEntry) -> str:
