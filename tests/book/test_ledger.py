@@ -150,7 +150,7 @@ def test_tables_have_a_row_for_each_entry():
         rows = ledger.paper_table(paper).rows[1:]
         assert len(rows) == sum(entry.paper == paper for entry in ENTRIES)
     for chapter in {entry.chapter for entry in ENTRIES}:
-        text = ledger.chapter_table(chapter)._repr_markdown_()
+        text = ledger.chapter_table(chapter)._repr_markdown_().replace(r"\*", "*")
         for entry in ENTRIES:
             assert entry.chapter != chapter or entry.label in text
     totals = [int(row[-1]) for row in ledger.summary_table().rows[1:]]
