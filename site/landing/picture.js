@@ -91,8 +91,9 @@ const Picture = (() => {
       draw(near, path([ORIGIN, times(axis, 1.2)]));
       [...ends, axis].forEach((end, i) => {
         tips[i].setAttribute("transform", `translate(${seen(times(end, REACH[i]))})`);
-        const high = dot(UP, end) > 0.6; // there is no room above it
-        const [x, y] = i < 3 ? seen(times(end, 0.18)) : high ? [32, 0] : [0, -20];
+        const upright = Math.abs(dot(SIDE, end)) < 0.35; // then the name stands beside the line
+        const [beside, beyond] = i < 3 ? [19, seen(times(end, 0.18))] : [32, [0, -20]];
+        const [x, y] = upright ? [beside, 0] : beyond;
         tips[i].lastChild.setAttribute("x", x);
         tips[i].lastChild.setAttribute("y", y);
       });

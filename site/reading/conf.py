@@ -46,6 +46,7 @@ nb_ipywidgets_js: dict[str, dict[str, str]] = {}  # they would come from elsewhe
 html_theme = "furo"
 html_title = "Drift Lab"
 html_static_path = ["_static"]
+html_favicon = "_static/favicon.svg"
 html_css_files = ["site.css", "chapters.css"]
 html_js_files = [(name, {"defer": "defer"}) for name in ("solutions.js", "previews.js")]
 html_search_scorer = str(Path(__file__).with_name("search_order.js"))

@@ -17,6 +17,7 @@ from reading.api_pages import plain_bars
 from reading.doors import FOLDER, aliases, names
 from reading.field_words import FieldWords, also
 from reading.folds import fold_sections, keep_places_single, note_figures
+from reading.glossary_words import GlossaryWords
 from reading.papers import in_the_papers
 
 
@@ -24,6 +25,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     """Join the build."""
     app.connect("autodoc-process-docstring", add_papers, priority=900)  # numpydoc rewrites first
     app.add_transform(FieldWords)
+    app.add_transform(GlossaryWords)
     app.connect("autodoc-skip-member", skip_fields)
     app.connect("doctree-read", add_homes)
     app.connect("doctree-read", fold_sections)

@@ -3,11 +3,16 @@ var Scorer = {
   score: (result) => {
     const anchor = result[2], score = result[4], kind = result[6];
     if (kind !== "index" || !anchor) return score;
-    // An entry of the index knows its page and its place only: here it says which function or task.
+    // An entry of the index knows its page and its place only: here it says which function, term or
+    // task.
     const place = anchor.slice(1);
     if (place.startsWith("driftlab.")) {
       result[1] = place;
       return score + 1;
+    }
+    if (place.startsWith("term-")) {
+      result[1] = `Glossary: ${place.slice("term-".length).replaceAll("-", " ")}`;
+      return score;
     }
     const titles = Object.entries(Search._index.alltitles);
     const task = titles.find(([, places]) => places.some(([, id]) => id === place));
@@ -23,3 +28,5 @@ var Scorer = {
   term: 5,
   partialTerm: 2,
 };
+// From a disk no page can be asked for the lines around a word; the titles are found all the same.
+if (location.protocol === "file:") DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;
