@@ -1,4 +1,4 @@
-"""Every example of the README and of the index's page runs when it is pasted alone."""
+"""Examples of the README and of the index's page run when pasted alone; links lead to files."""
 
 import re
 from importlib import import_module
@@ -37,3 +37,11 @@ def test_example_runs_alone_and_prints_finite_numbers(example, capsys):
     numbers = printed_numbers(printed)
     assert numbers
     assert np.isfinite(numbers).all(), printed
+
+
+@pytest.mark.parametrize(
+    "page", [*ROOT.glob("*.md"), *(ROOT / "release").rglob("*.md")], ids=lambda page: page.name
+)
+def test_every_file_that_a_page_links_to_is_there(page):
+    links = re.findall(r"\]\((?!https?:)([^)#\s]+)", page.read_text("utf-8"))
+    assert [link for link in links if not (page.parent / link).exists()] == []
