@@ -70,6 +70,7 @@
     const [name, number = "1"] = (link.get("panel") ?? "").split(".");
     const named = offers.filter(({ figure }) => figure.dataset.panel === name)[number - 1];
     if (!named) return;
+    for (let fold = named.figure; (fold = fold.parentElement.closest("details")); ) fold.open = true;
     named.figure.scrollIntoView();
     link.delete("panel");
     const values = Object.fromEntries(link);

@@ -18,12 +18,11 @@ from widgets_standin import WIDGETS, taken
 # It may build its list of fonts first, and would say so.
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
 
+import driftlab.book  # noqa: E402
 from driftlab.book.machinery.control import Control  # noqa: E402
 from driftlab.book.machinery.panel import ERROR_CLASS, Explorer  # noqa: E402
 from driftlab.book.machinery.still import plain_values  # noqa: E402
-from driftlab.book.panels import EXPLORERS, SCENES  # noqa: E402
 
-CLASSES: dict[str, type[Explorer]] = {each.__name__: each for each in (*EXPLORERS, *SCENES)}
 OPEN: list[Explorer] = []
 
 
@@ -46,12 +45,10 @@ def open(
     Returns
     -------
     dict
-        Its number, title, widgets, control names by the identifier of their widgets, and values;
+        Its number, title, widgets and values;
         what is wrong with the link, or "".
     """
-    if name not in CLASSES:
-        raise ValueError(f"This release of the book has no panel {name}.")
-    panel_class = CLASSES[name]
+    panel_class = getattr(driftlab.book, name)  # of its chapter alone, which takes less time
     panel = panel_class(_preset(panel_class, values))
     panel.page.ratio = ratio
     panel.paper.layout.display = "none"  # how to save by a line of Python; here it is a button
