@@ -29,6 +29,8 @@ GALLERY = "All figures of the book. The numbers behind a figure are in the CSV b
 SOLUTIONS = "Worked solutions of the exercises, chapter by chapter. Try an exercise first."
 IN_PLACE = "in_place/begin.js"
 """The script that makes panels, scenes and exercises live in the page."""
+LIVE_ONLY = re.compile(r"^% live\n(.*?)^% end\n", re.M | re.S)
+"""What the first page says of the live book alone."""
 MATHJAX = ("tex-chtml.js", "input/tex/extensions", "output/chtml/fonts")
 """What the pages need of MathJax, of the 40 MB that it has."""
 
@@ -62,7 +64,7 @@ def make_reading(
     trees = build / "doctrees"  # made anew: kept ones would still know where labels were
     for folder in (source, trees):
         shutil.rmtree(folder, ignore_errors=True)
-    write_source(source, notebook_pages(notebooks, chapters(ROOT), beside))
+    write_source(source, notebook_pages(notebooks, chapters(ROOT), beside), "live" in beside)
     options = ["-W", "--keep-going", "-q", "-b", "html", "-d", str(trees)]
     if "in_place" in beside:
         options += ["-D", f"scripts={IN_PLACE}"]
@@ -73,8 +75,8 @@ def make_reading(
         raise Unfinished("\n  ".join(["Pages would fetch from elsewhere:", *elsewhere]))
 
 
-def write_source(source: Path, book: NotebookPages) -> None:
-    """Write what Sphinx reads."""
+def write_source(source: Path, book: NotebookPages, live: bool) -> None:
+    """Write what Sphinx reads, of a site with or without the live book."""
     shutil.copytree(HERE / "_static", source / "_static")
     for part in MATHJAX:
         _copy(
@@ -83,7 +85,7 @@ def write_source(source: Path, book: NotebookPages) -> None:
         )
     for name in ("conf.py", "search_order.js"):
         shutil.copy(HERE / name, source)
-    for name, text in (book.texts | pages(book)).items():
+    for name, text in (book.texts | pages(book, live)).items():
         path = source / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, "utf-8")
@@ -92,7 +94,7 @@ def write_source(source: Path, book: NotebookPages) -> None:
         shutil.copy(path, source / "gallery")
 
 
-def pages(book: NotebookPages) -> dict[str, str]:
+def pages(book: NotebookPages, live: bool) -> dict[str, str]:
     """Return the text of every page that is no notebook, by its file's name."""
     found = {f"{name}.rst": text for name, text in api_pages().items()}
     found |= {f"{name}.md": text for name, text in ledger_pages().items()}
@@ -106,7 +108,8 @@ def pages(book: NotebookPages) -> dict[str, str]:
     found["changes.md"] = (ROOT / "CHANGELOG.md").read_text("utf-8")
     solved = sorted(Path(name).stem for name in book.texts if name.startswith("solutions/"))
     found["solutions/index.md"] = f"# Solutions\n\n{SOLUTIONS}\n{contents(solved)}"
-    found["index.md"] = (HERE / "index.md").read_text("utf-8") + _contents()
+    front = LIVE_ONLY.sub(r"\1" if live else "", (HERE / "index.md").read_text("utf-8"))
+    found["index.md"] = front + _contents()
     return found
 
 
