@@ -58,7 +58,6 @@ const KINDS = {
     const button = make("button", { type: "button", title: model.get("tooltip") ?? "" });
     button.textContent = model.get("description");
     button.onclick = () => model.send({ pressed: true });
-    follow(model, "disabled", (disabled) => (button.disabled = disabled));
     return button;
   },
 

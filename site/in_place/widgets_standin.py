@@ -87,7 +87,6 @@ class DOMWidget(Widget):
     style = AnyTrait()
     classes = Tuple().tag(sync=True)
     description = Unicode().tag(sync=True)
-    disabled = Bool().tag(sync=True)
     tooltip = Unicode(None, allow_none=True).tag(sync=True)
 
     def __init__(self, *, layout: Any = None, **state: Any) -> None:
@@ -126,7 +125,6 @@ class Image(ValueWidget):
     value = traitlets.Bytes().tag(sync=True)
     format = Unicode("png").tag(sync=True)
     width = traitlets.CUnicode().tag(sync=True)
-    height = traitlets.CUnicode().tag(sync=True)
 
 
 class Checkbox(ValueWidget):
@@ -140,8 +138,7 @@ class Text(ValueWidget):
     """A line of text."""
 
     value = Unicode().tag(sync=True)
-    placeholder = Unicode().tag(sync=True)
-    continuous_update = Bool(True).tag(sync=True)
+    continuous_update = Bool(True)
 
 
 class Bounded(ValueWidget):
@@ -150,8 +147,6 @@ class Bounded(ValueWidget):
     value: Any
     min: Any
     max: Any
-    readout = Bool(True).tag(sync=True)
-    continuous_update = Bool(True).tag(sync=True)
 
     @traitlets.validate("value")
     def _within(self, proposal: Any) -> Any:
@@ -219,8 +214,6 @@ class SelectionSlider(Selection):
 
 class Button(DOMWidget):
     """Something to press."""
-
-    button_style = Unicode().tag(sync=True)
 
     def __init__(self, **state: Any) -> None:
         self._handlers: list[Callable[[Button], Any]] = []
