@@ -144,7 +144,6 @@ class Text(ValueWidget):
 class Bounded(ValueWidget):
     """A number between two ends, to which it is moved."""
 
-    value: Any
     min: Any
     max: Any
 
@@ -291,16 +290,11 @@ class AnyWidget(DOMWidget):
 
 def install() -> None:
     """Let ``import ipywidgets`` and ``import anywidget`` find what is here."""
-    for name, offered in (
-        ("ipywidgets", [each for each in globals().values() if _is_widget(each)]),
-        ("anywidget", [AnyWidget]),
-    ):
+    mine = [each for each in globals().values() if isinstance(each, type)]
+    widgets = [each for each in mine if issubclass(each, Widget) and each is not AnyWidget]
+    for name, offered in (("ipywidgets", widgets), ("anywidget", [AnyWidget])):
         module = ModuleType(name, __doc__)
         module.__spec__ = ModuleSpec(name, None)  # or nobody could ask whether it is installed
         for each in offered:
             setattr(module, each.__name__, each)
         sys.modules[name] = module
-
-
-def _is_widget(thing: Any) -> bool:
-    return isinstance(thing, type) and issubclass(thing, Widget) and thing is not AnyWidget
