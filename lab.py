@@ -194,7 +194,8 @@ def test(arguments: list[str]) -> int:
     if "--site" in arguments:
         if not (HOME / os.environ.setdefault("DRIFTLAB_SITE", SITE)).is_dir():
             raise Trouble("There is no site to test; 'python3 lab.py site' builds it.")
-        return run("-m", "pytest", *AT_ONCE, *(chosen or ["tests/site"]))
+        paths = [argument for argument in chosen if (HOME / argument.split("::")[0]).exists()]
+        return run("-m", "pytest", *AT_ONCE, *chosen, *(() if paths else ["tests/site"]))
     if chosen:
         return run("-m", "pytest", *marks, *chosen)
     begun = time.monotonic()
