@@ -64,29 +64,38 @@ def bring(folder: Path) -> Brought:
 
 
 def bring_runtime(folder: Path) -> None:
-    """Put the runtime into a folder, unless it is there.
+    """Put the runtime into a folder, unless it is there as it was published.
 
     Raises
     ------
     Unfinished
         If npm does not bring it, or brings something else.
     """
-    if all((folder / name).exists() for name in (*RUNTIME, OFFICIAL)):
+    if _is_runtime(folder):
         return
     name = f"pyodide@{VERSIONS['pyodide']['version']}"
-    with TemporaryDirectory() as place:
+    other = Unfinished(f"{name} came with other contents than versions.toml says.")
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with TemporaryDirectory(dir=folder.parent) as place:  # beside it: then it moves there whole
         command = [found("npm"), "pack", name, "--json", "--pack-destination", place]
         said = _run(command, f"npm does not bring {name}")
-        packed = Path(place) / json.loads(said)[0]["filename"]
+        try:
+            packed = Path(place) / json.loads(said)[0]["filename"]
+        except (ValueError, LookupError, TypeError) as error:
+            raise Unfinished(f"npm does not say which file it brought for {name}.") from error
         digest = base64.b64encode(hashlib.sha512(packed.read_bytes()).digest()).decode()
         if f"sha512-{digest}" != VERSIONS["pyodide"]["integrity"]:
-            raise Unfinished(f"{name} came with other contents than versions.toml says.")
+            raise other
         with tarfile.open(packed) as files:
             files.extractall(place, filter="data")
+        whole = Path(place) / "runtime"
+        whole.mkdir()
+        for kept in VERSIONS["pyodide"]["sha256"]:
+            shutil.copy(Path(place) / "package" / kept, whole)
+        if not _is_runtime(whole):
+            raise other
         shutil.rmtree(folder, ignore_errors=True)
-        folder.mkdir(parents=True)
-        for name in (*RUNTIME, OFFICIAL, "package.json"):
-            shutil.copy(Path(place) / "package" / name, folder)
+        whole.rename(folder)
 
 
 def bring_wheels(pins: Sequence[Pin], folder: Path) -> list[Path]:
@@ -124,6 +133,13 @@ def found(program: str) -> str:
 def digest_of(path: Path) -> str:
     """Return the SHA-256 of a file."""
     return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _is_runtime(folder: Path) -> bool:
+    return all(
+        (folder / name).is_file() and digest_of(folder / name) == digest
+        for name, digest in VERSIONS["pyodide"]["sha256"].items()
+    )
 
 
 def _kept(pin: Pin, folder: Path) -> Path | None:

@@ -1,17 +1,19 @@
 """The live book's lock and wheels: what a browser loads is there, and is what Pyodide published."""
 
 import hashlib
+import io
 import json
 import os
 import re
 import shutil
+import tarfile
 import zipfile
-from base64 import urlsafe_b64encode
+from base64 import b64encode, urlsafe_b64encode
 from pathlib import Path
 
 import pytest
 
-from live.brought import OFFICIAL, RUNTIME, bring_runtime
+from live.brought import OFFICIAL, RUNTIME, bring_runtime, digest_of
 from live.lite import settings, with_links, write_contents
 from live.lock import check, entry_of, needed, requirements
 from live.make import make_live, reason_not
@@ -20,6 +22,7 @@ from live.versions import ROOT, VERSIONS, older, pin, wheel_pins
 from unfinished import Unfinished
 
 CDN = VERSIONS["pyodide"]["distribution"]
+DIGESTS = VERSIONS["pyodide"]["sha256"]
 KEPT = ROOT / "build/site/live"
 
 
@@ -45,10 +48,11 @@ def distribution() -> Path:
 
 @pytest.fixture(scope="module")
 def official() -> dict:
-    """The lock that Pyodide publishes; it came with the runtime, whose digest was checked."""
+    """The lock that Pyodide publishes, which came with the runtime."""
     path = KEPT / "runtime" / OFFICIAL
     if not path.exists():
         pytest.skip("Pyodide's runtime was not brought; 'python3 lab.py site' brings it")
+    assert digest_of(path) == DIGESTS[OFFICIAL]
     return json.loads(path.read_text("utf-8"))["packages"]
 
 
@@ -187,6 +191,17 @@ def program(folder, name, text):
     path.chmod(0o755)
 
 
+def npm_brings(programs, packed):
+    """An npm that brings some bytes."""
+    (programs / "packed.tgz").write_bytes(packed)
+    lines = [
+        "for last; do :; done",
+        f'{shutil.which("cp", path="/usr/bin:/bin")} "{programs}/packed.tgz" "$last/packed.tgz"',
+        'echo \'[{"filename": "packed.tgz"}]\'',
+    ]
+    program(programs, "npm", "\n".join(lines))
+
+
 @pytest.fixture
 def programs(tmp_path, monkeypatch) -> Path:
     """The folder that programs are looked for in, and no other; empty."""
@@ -219,16 +234,68 @@ def test_without_npm_or_its_network_a_sentence_says_so(programs, tmp_path):
 
 
 def test_other_contents_than_those_published_are_refused(programs, tmp_path):
-    (programs / "other.tgz").write_bytes(b"other")
-    lines = [
-        "for last; do :; done",
-        f'{shutil.which("cp", path="/usr/bin:/bin")} "{programs}/other.tgz" "$last/other.tgz"',
-        'echo \'[{"filename": "other.tgz"}]\'',
-    ]
-    program(programs, "npm", "\n".join(lines))
+    npm_brings(programs, b"other")
     with pytest.raises(Unfinished, match=r"other contents than versions\.toml says"):
         bring_runtime(tmp_path / "runtime")
     assert not (tmp_path / "runtime").exists()
+
+
+def test_an_npm_that_does_not_say_what_it_brought_is_told_in_a_sentence(programs, tmp_path):
+    for said in ("npm notice", "[]", "{}", "null"):
+        program(programs, "npm", f"echo '{said}'")
+        with pytest.raises(Unfinished, match=r"^npm does not say which file it brought for"):
+            bring_runtime(tmp_path / "runtime")
+
+
+@pytest.fixture
+def package(programs, monkeypatch) -> dict[str, bytes]:
+    """Small files in place of the runtime's, as npm brings them and versions.toml has them."""
+    files = {name: name.encode() for name in DIGESTS}
+    packed = io.BytesIO()
+    with tarfile.open(fileobj=packed, mode="w:gz") as archive:
+        for name, data in files.items():
+            entry = tarfile.TarInfo(f"package/{name}")
+            entry.size = len(data)
+            archive.addfile(entry, io.BytesIO(data))
+    npm_brings(programs, packed.getvalue())
+    integrity = b64encode(hashlib.sha512(packed.getvalue()).digest()).decode()
+    digests = {name: hashlib.sha256(data).hexdigest() for name, data in files.items()}
+    monkeypatch.setitem(VERSIONS["pyodide"], "integrity", f"sha512-{integrity}")
+    monkeypatch.setitem(VERSIONS["pyodide"], "sha256", digests)
+    return files
+
+
+def there(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def test_a_runtime_that_is_kept_whole_is_not_brought_again(package, programs, tmp_path):
+    folder = tmp_path / "kept/runtime"
+    bring_runtime(folder)
+    assert there(folder) == package
+    assert list(folder.parent.iterdir()) == [folder], "nothing is left beside it"
+    program(programs, "npm", "exit 1")
+    bring_runtime(folder)
+
+
+@pytest.mark.parametrize("name", DIGESTS)
+@pytest.mark.parametrize("spoilt", ["missing", "changed"])
+def test_a_runtime_that_is_not_whole_is_brought_anew(spoilt, name, package, programs, tmp_path):
+    folder = tmp_path / "kept/runtime"
+    bring_runtime(folder)
+    (folder / name).unlink()
+    if spoilt == "changed":
+        (folder / name).write_bytes(b"other")
+    bring_runtime(folder)
+    assert there(folder) == package
+    assert list(folder.parent.iterdir()) == [folder]
+
+
+def test_a_package_whose_files_are_others_is_refused(package, monkeypatch, tmp_path):
+    monkeypatch.setitem(VERSIONS["pyodide"]["sha256"], OFFICIAL, "0" * 64)
+    with pytest.raises(Unfinished, match=r"other contents than versions\.toml says"):
+        bring_runtime(tmp_path / "kept/runtime")
+    assert list((tmp_path / "kept").iterdir()) == []
 
 
 @pytest.mark.parametrize("spoilt", ["missing", "other"])
@@ -274,9 +341,9 @@ def test_panels_in_a_page_load_no_more_than_they_need(lock):
     assert not loaded & {"anywidget", "ipython", "ipywidgets", "jedi", "sympy"}
 
 
-def test_the_runtime_is_that_of_pyodide(folder, official):
+def test_the_runtime_is_that_of_pyodide(folder):
     for name in RUNTIME:
-        assert (folder / name).read_bytes() == (KEPT / "runtime" / name).read_bytes()
+        assert digest_of(folder / name) == DIGESTS[name], name
 
 
 def test_what_pyodide_publishes_has_its_official_digest(lock, official):
