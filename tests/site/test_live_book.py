@@ -8,6 +8,7 @@ import json
 import os
 import zipfile
 from pathlib import Path
+from urllib.parse import quote
 
 import pytest
 
@@ -56,6 +57,17 @@ def published(site) -> str:
     lock = json.loads((site / "live/static/pyodide/pyodide-lock.json").read_text("utf-8"))
     name = lock["packages"]["cycler"]["file_name"]
     return name if name.startswith("https:") else ""
+
+
+CLICK = """(target) => {
+  const opened = [];
+  window.open = (url) => opened.push(String(url));
+  const link = document.createElement("a");
+  link.setAttribute("href", target);
+  document.body.append(link);
+  link.click();
+  return opened;
+}"""
 
 
 @pytest.fixture
@@ -192,3 +204,23 @@ def test_where_nothing_can_be_kept_the_chapter_opens_and_a_sentence_says_so(live
     assert said(page, "keeps nothing for the page")
     page.goto(f"{address}/live/my-work.html")
     page.get_by_text("so there is nothing to list").wait_for()
+
+
+@pytest.mark.parametrize(
+    "path", ["javascript:alert(1)//.ipynb", "//other.example/a.ipynb", "../../other/a.ipynb"]
+)
+def test_a_path_that_is_no_chapters_leads_to_the_sites_index(path, page, address):
+    page.goto(f"{address}/live/lab/index.html?path={quote(path, safe='')}")
+    link = page.locator("#strip").get_by_role("link", name="Chapter's page")
+    assert link.evaluate("a => a.href") == f"{address}/index.html"
+
+
+@pytest.mark.parametrize(
+    ("target", "opens"),
+    [("errata.html", True), ("javascript:void 0", False), ("//other.example/", False)],
+)
+def test_a_link_to_the_site_opens_nothing_else(target, opens, page, address):
+    page.goto(f"{address}/live/lab/index.html")
+    page.locator("#strip").wait_for()
+    opened = page.evaluate(CLICK, f"#site/{target}")
+    assert opened == ([f"{address}/{target}"] if opens else [])

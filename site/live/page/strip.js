@@ -5,6 +5,8 @@ const STARTING = `Python is starting. The first time it fetches some ${about.meg
 const READY = `Python is ready. What you change is kept in this browser, for version ${about.version} of the book.`;
 const READ_ON = "The chapter can still be read, here and on its page.";
 
+const NOTEBOOK = /^(?!.*\.\.)[\w-][\w/.-]*\.ipynb$/; // of the book: no other scheme, host or folder
+
 const site = new URL("../../", document.baseURI);
 const strip = document.createElement("header");
 const says = document.createElement("p");
@@ -24,7 +26,8 @@ addEventListener("click", (event) => {
   if (target) {
     event.preventDefault();
     event.stopPropagation();
-    open(new URL(target.split("#site/")[1], site), "_blank", "noopener");
+    const url = new URL(target.split("#site/")[1], site);
+    if (url.origin === site.origin) open(url, "_blank", "noopener"); // a notebook may be anyone's
   }
 }, { capture: true });
 
@@ -32,8 +35,9 @@ const troubles = await whatIsMissing();
 say(troubles.length ? [...troubles, READ_ON].join(" ") : STARTING);
 if (!troubles.some((trouble) => trouble.startsWith("Python"))) follow(await application());
 
+// Whoever wrote the link to this page chose the path in it.
 function chapter(path = new URLSearchParams(location.search).get("path")) {
-  return path?.endsWith(".ipynb") ? path.slice(0, -".ipynb".length) : "index";
+  return NOTEBOOK.test(path) ? path.slice(0, -".ipynb".length) : "index";
 }
 
 function link(text, target) {
