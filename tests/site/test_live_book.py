@@ -7,6 +7,7 @@ import io
 import json
 import os
 import zipfile
+from base64 import b64encode
 from pathlib import Path
 from urllib.parse import quote
 
@@ -41,23 +42,22 @@ WRITE = """async (text) => {
   widgets.find(({ model }) => model.type === "code").model.sharedModel.setSource(text);
   await window.jupyterapp.commands.execute("docmanager:save");
 }"""
-OLD = """() => new Promise((done) => {
+PICTURE = b"\x89PNG\r\n\x00\xff\xc3"  # no text in any encoding that a page would guess
+OLD = """(picture) => new Promise((done) => {
   const request = indexedDB.open("Drift Lab 0.0.1", 1);
-  request.onupgradeneeded = () => request.result.createObjectStore("files").put({
-    path: "my_own.ipynb", type: "notebook", last_modified: "2026-01-01T00:00:00Z",
-    content: { cells: [], nbformat: 4, nbformat_minor: 5, metadata: {} },
-  }, "my_own.ipynb");
+  request.onupgradeneeded = () => {
+    const files = request.result.createObjectStore("files");
+    const last_modified = "2026-01-01T00:00:00Z";
+    files.put({
+      path: "my_own.ipynb", type: "notebook", format: "json", last_modified,
+      content: { cells: [], nbformat: 4, nbformat_minor: 5, metadata: {} },
+    }, "my_own.ipynb");
+    files.put({
+      path: "Größe.png", type: "file", format: "base64", last_modified, content: picture,
+    }, "Größe.png");
+  };
   request.onsuccess = () => { request.result.close(); done(); };
 })"""
-
-
-@pytest.fixture
-def published(site) -> str:
-    """The address of a small file that readers fetch from Pyodide; empty if the site holds all."""
-    lock = json.loads((site / "live/static/pyodide/pyodide-lock.json").read_text("utf-8"))
-    name = lock["packages"]["cycler"]["file_name"]
-    return name if name.startswith("https:") else ""
-
 
 CLICK = """(target) => {
   const opened = [];
@@ -132,7 +132,7 @@ def test_work_is_kept_under_the_version_and_comes_home_in_a_zip(live, page, addr
         "window.jupyterapp?.shell?.currentWidget?.context?.isReady", timeout=LONG
     )
     page.evaluate(WRITE, "mine = 'Straße'")
-    page.evaluate(OLD)
+    page.evaluate(OLD, b64encode(PICTURE).decode())
     names = page.evaluate("indexedDB.databases().then((all) => all.map(({ name }) => name))")
     assert f"Drift Lab {__version__}" in names
     page.on("dialog", lambda dialog: dialog.accept())  # "Leave the page?"
@@ -156,6 +156,16 @@ def test_work_is_kept_under_the_version_and_comes_home_in_a_zip(live, page, addr
     with page.expect_download() as coming:
         page.get_by_role("button", name="Download my_own.ipynb").click()
     assert json.loads(Path(coming.value.path()).read_text("utf-8"))["nbformat"] == 4
+    with page.expect_download() as coming:
+        page.get_by_role("button", name="Download Größe.png").click()
+    assert coming.value.suggested_filename == "Größe.png"
+    assert Path(coming.value.path()).read_bytes() == PICTURE
+    with page.expect_download() as coming:
+        page.get_by_role("button", name="Download all of Drift Lab 0.0.1").click()
+    with zipfile.ZipFile(coming.value.path()) as files:
+        assert files.testzip() is None
+        assert sorted(files.namelist()) == ["Größe.png", "my_own.ipynb"]
+        assert files.read("Größe.png") == PICTURE
     for width in (390, 768, 1280):
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0, width

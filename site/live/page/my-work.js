@@ -12,7 +12,7 @@ try {
   place.textContent = `This browser lets the page keep nothing, so there is nothing to list (${error.message}).`;
 }
 
-// [{ title, files: [{ name, text, when, changed }] }], the present version first.
+// [{ title, files: [{ name, data, when, changed }] }], the present version first.
 async function everything() {
   const listed = (await indexedDB.databases?.()) ?? [{ name: here.storage }];
   const found = [];
@@ -23,7 +23,7 @@ async function everything() {
   }
   const answers = Object.entries({ ...localStorage }).filter(([name]) => name.startsWith(FAMILY));
   for (const [name, text] of answers) {
-    found.push({ title: name, files: [{ name: "answers.json", text, when: "", changed: "" }] });
+    found.push({ title: name, files: [{ name: "answers.json", data: text, when: "", changed: "" }] });
   }
   const rank = ({ title }) => (title.startsWith(here.storage) ? 0 : 1);
   return found.sort((a, b) => rank(a) - rank(b) || b.title.localeCompare(a.title));
@@ -50,10 +50,15 @@ function kept(name) {
 }
 
 async function file(model, present) {
-  const text = typeof model.content === "string" ? model.content : JSON.stringify(model.content, null, 1);
   const when = new Date(model.last_modified).toLocaleString();
   const changed = present && model.type === "notebook" ? await changes(model) : "";
-  return { name: model.path, text, when, changed };
+  return { name: model.path, data: contents(model), when, changed };
+}
+
+// Text, or the bytes of what is none, as a picture: JupyterLite keeps them in base64.
+function contents({ format, content }) {
+  if (format === "base64") return Uint8Array.from(atob(content), (byte) => byte.charCodeAt(0));
+  return typeof content === "string" ? content : JSON.stringify(content, null, 1);
 }
 
 // How many cells are not as the book has them.
@@ -67,12 +72,12 @@ async function changes(model) {
 }
 
 function shown({ title, files }) {
-  const rows = files.map(({ name, text: contents, when, changed }) => row(
+  const rows = files.map(({ name, data, when, changed }) => row(
     text("td", name), text("td", changed), text("td", when),
-    element("td", button("Download", `Download ${name}`, () => save(new Blob([contents]), name))),
+    element("td", button("Download", `Download ${name}`, () => save(new Blob([data]), name))),
   ));
   const head = row(...["File", "Changes", "Last saved", ""].map((name) => text("th", name)));
-  const all = () => save(zip(Object.fromEntries(files.map((each) => [each.name, each.text]))), `${title}.zip`);
+  const all = () => save(zip(Object.fromEntries(files.map((each) => [each.name, each.data]))), `${title}.zip`);
   return [
     text("h2", title), element("table", head, ...rows),
     element("p", button("Download all", `Download all of ${title}`, all)),

@@ -1,13 +1,13 @@
 // A zip of a few files, not compressed: enough to take them home in one download.
 
-// Files by name; their contents as text.
+// Files by name; their contents as text or bytes.
 export function zip(files) {
   const parts = [];
   const directory = [];
   let offset = 0;
-  for (const [name, text] of Object.entries(files)) {
+  for (const [name, contents] of Object.entries(files)) {
     const path = new TextEncoder().encode(name);
-    const data = new TextEncoder().encode(text);
+    const data = typeof contents === "string" ? new TextEncoder().encode(contents) : contents;
     const head = fields(path, data);
     parts.push(bytes([[4, 0x04034b50], ...head]), path, data);
     directory.push(
