@@ -71,6 +71,14 @@ CLICK = """(target) => {
 
 
 @pytest.fixture
+def published(site) -> str:
+    """The address of a small file that readers fetch from Pyodide; empty if the site holds all."""
+    lock = json.loads((site / "live/static/pyodide/pyodide-lock.json").read_text("utf-8"))
+    name = lock["packages"]["cycler"]["file_name"]
+    return name if name.startswith("https:") else ""
+
+
+@pytest.fixture
 def live(address, page, published):
     """Opens a chapter, and waits until its text is there."""
     folder = Path(os.environ.get("DRIFTLAB_PYODIDE", ""))
@@ -124,6 +132,26 @@ def test_a_link_out_of_the_book_opens_a_page_of_the_site(live, page):
         link.evaluate("link => link.click()")  # JupyterLab still moves the text about
     assert opened.value.url.endswith("/errata.html")
     assert "/live/" not in opened.value.url
+
+
+@pytest.mark.parametrize(
+    "path", ["javascript:alert(1)//.ipynb", "//other.example/a.ipynb", "../../other/a.ipynb"]
+)
+def test_a_path_that_is_no_chapters_leads_to_the_sites_index(path, page, address):
+    page.goto(f"{address}/live/lab/index.html?path={quote(path, safe='')}")
+    link = page.locator("#strip").get_by_role("link", name="Chapter's page")
+    assert link.evaluate("a => a.href") == f"{address}/index.html"
+
+
+@pytest.mark.parametrize(
+    ("target", "opens"),
+    [("errata.html", True), ("javascript:void 0", False), ("//other.example/", False)],
+)
+def test_a_link_to_the_site_opens_nothing_else(target, opens, page, address):
+    page.goto(f"{address}/live/lab/index.html")
+    page.locator("#strip").wait_for()
+    opened = page.evaluate(CLICK, f"#site/{target}")
+    assert opened == ([f"{address}/{target}"] if opens else [])
 
 
 def test_work_is_kept_under_the_version_and_comes_home_in_a_zip(live, page, address):
@@ -214,23 +242,3 @@ def test_where_nothing_can_be_kept_the_chapter_opens_and_a_sentence_says_so(live
     assert said(page, "keeps nothing for the page")
     page.goto(f"{address}/live/my-work.html")
     page.get_by_text("so there is nothing to list").wait_for()
-
-
-@pytest.mark.parametrize(
-    "path", ["javascript:alert(1)//.ipynb", "//other.example/a.ipynb", "../../other/a.ipynb"]
-)
-def test_a_path_that_is_no_chapters_leads_to_the_sites_index(path, page, address):
-    page.goto(f"{address}/live/lab/index.html?path={quote(path, safe='')}")
-    link = page.locator("#strip").get_by_role("link", name="Chapter's page")
-    assert link.evaluate("a => a.href") == f"{address}/index.html"
-
-
-@pytest.mark.parametrize(
-    ("target", "opens"),
-    [("errata.html", True), ("javascript:void 0", False), ("//other.example/", False)],
-)
-def test_a_link_to_the_site_opens_nothing_else(target, opens, page, address):
-    page.goto(f"{address}/live/lab/index.html")
-    page.locator("#strip").wait_for()
-    opened = page.evaluate(CLICK, f"#site/{target}")
-    assert opened == ([f"{address}/{target}"] if opens else [])
