@@ -22,8 +22,8 @@ async function everything() {
     if (files.length) found.push({ title: name, files });
   }
   const answers = Object.entries({ ...localStorage }).filter(([name]) => name.startsWith(FAMILY));
-  for (const [name, text] of answers) {
-    found.push({ title: name, files: [{ name: "answers.json", data: text, when: "", changed: "" }] });
+  for (const [name, data] of answers) {
+    found.push({ title: name, files: [{ name: "answers.json", data, when: "", changed: "" }] });
   }
   const rank = ({ title }) => (title.startsWith(here.storage) ? 0 : 1);
   return found.sort((a, b) => rank(a) - rank(b) || b.title.localeCompare(a.title));
@@ -77,7 +77,8 @@ function shown({ title, files }) {
     element("td", button("Download", `Download ${name}`, () => save(new Blob([data]), name))),
   ));
   const head = row(...["File", "Changes", "Last saved", ""].map((name) => text("th", name)));
-  const all = () => save(zip(Object.fromEntries(files.map((each) => [each.name, each.data]))), `${title}.zip`);
+  const named = Object.fromEntries(files.map(({ name, data }) => [name, data]));
+  const all = () => save(zip(named), `${title}.zip`);
   return [
     text("h2", title), element("table", head, ...rows),
     element("p", button("Download all", `Download all of ${title}`, all)),
