@@ -44,16 +44,17 @@ const Drift = (() => {
   }
 
   // The axis about which most is left after a turn: where |A n| is greatest or least, an eigenvector
-  // of A^T A, found by repetition.
+  // of S = A^T A - E, found by repetition. E is left out and S shifted by its own size, since the
+  // eigenvalues of A^T A itself are all but equal where the bend is small.
   function worst(M) {
-    const A = M.map((row, i) => row.map((x, j) => x + (i === j)));
-    const columns = [0, 1, 2].map((j) => A.map((row) => row[j]));
-    const square = (a) => times(columns, times(A, a));
-    const bound = columns.reduce((total, column) => total + dot(column, column), 0);
-    let [most, least] = [[0.5, 0.6, 0.62], [0.62, -0.6, 0.5]];
+    const columns = [0, 1, 2].map((j) => M.map((row) => row[j]));
+    const S = columns.map((a, i) => columns.map((b, j) => M[i][j] + M[j][i] + dot(a, b)));
+    const size = Math.hypot(...S.flat());
+    let [most, least] = [unit([0.5, 0.6, 0.62]), unit([0.62, -0.6, 0.5])];
+    if (size === 0) return most; // nothing is left about any axis
     for (let k = 0; k < 500; k++) {
-      most = unit(square(most));
-      least = unit(sum(least.map((x) => bound * x), square(least), -1));
+      most = unit(sum(times(S, most), most, size));
+      least = unit(sum(times(S, least), least, -size));
     }
     return Math.abs(perTurn(M, most)) < Math.abs(perTurn(M, least)) ? least : most;
   }

@@ -125,6 +125,7 @@
 
   // ---- time ------------------------------------------------------------------------------------
   let last = 0;
+  let coming; // the next frame
   function pass(seconds) {
     if (rest > 0) {
       rest -= seconds;
@@ -141,13 +142,14 @@
     if (!playing || !visible) return;
     pass(Math.min(0.05, (now - last) / 1000));
     last = now;
-    requestAnimationFrame(frame);
+    coming = requestAnimationFrame(frame);
   }
 
   function run() {
     play.textContent = playing ? "Pause" : "Play";
     last = performance.now();
-    if (playing && visible) requestAnimationFrame(frame);
+    cancelAnimationFrame(coming); // or there would be two of them from now on
+    if (playing && visible) coming = requestAnimationFrame(frame);
   }
 
   // ---- hand and keys ---------------------------------------------------------------------------

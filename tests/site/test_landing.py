@@ -133,6 +133,46 @@ def test_the_worst_axis_and_one_without_drift(still):
     assert "in its computer it is, too" in still.locator(".hero-says").inner_text()
 
 
+def test_the_worst_axis_is_the_worst_however_small_the_bend(still):
+    random = np.random.default_rng(23)
+    leans = np.radians(10.0 ** random.uniform(-2, 1, (100, 3, 1)))
+    across = np.cross(np.eye(3), random.normal(size=(100, 3, 3)))
+    across /= np.linalg.norm(across, axis=2, keepdims=True)
+    errors = (np.cos(leans) - 1) * np.eye(3) + np.sin(leans) * across
+    axes = still.evaluate("(errors) => errors.map((M) => Drift.worst(M))", errors.tolist())
+    for error, axis in zip(errors, axes, strict=True):
+        stretches = np.linalg.svd(np.eye(3) + error, compute_uv=False)
+        worst = 2 * np.pi * max(np.abs(stretches - 1))
+        assert abs(drift_per_turn(axis, error)) == pytest.approx(worst, rel=1e-3)
+    straight = still.evaluate("Drift.worst([[0, 0, 0], [0, 0, 0], [0, 0, 0]])")
+    assert np.linalg.norm(straight) == pytest.approx(1)
+
+
+COUNTED = """
+  window.waiting = new Set();
+  window.most = 0;
+  const [ask, cancel] = [requestAnimationFrame, cancelAnimationFrame];
+  window.requestAnimationFrame = (does) => {
+    const id = ask((now) => { waiting.delete(id); does(now); });
+    if (does.name === 'frame') waiting.add(id); // others ask for frames, too
+    most = Math.max(most, waiting.size);
+    return id;
+  };
+  window.cancelAnimationFrame = (id) => { waiting.delete(id); cancel(id); };
+"""
+"""How many frames the moving picture waits for at once, at most."""
+
+
+def test_one_frame_follows_another(browser, site):
+    context = browser.new_context()
+    page = context.new_page()
+    page.add_init_script(COUNTED)
+    page.goto((site / "index.html").as_uri())
+    page.wait_for_function(PASSED, arg=[0.1])
+    assert page.evaluate("most") == 1
+    context.close()
+
+
 def test_fingers_find_what_to_press(browser, site):
     context = browser.new_context(viewport={"width": 390, "height": 844}, has_touch=True)
     page = context.new_page()
