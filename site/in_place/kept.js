@@ -4,6 +4,25 @@
 export const BLOCKED =
   "This browser does not let the page keep anything: what you answer lasts until you leave it.";
 
+const isPlain = (value) => Object.prototype.toString.call(value) === "[object Object]";
+const isAnyOf = (types, value) => types.includes(value === null ? "null" : typeof value);
+
+const TYPED = { letters: "string", line: "string", code: "string", python: "boolean" };
+
+// What an entry must look like. Whatever else stands there, from elsewhere or by hand, counts as
+// none: it must not take the forms away.
+const SOUND = {
+  exercises: (entry) =>
+    isPlain(entry) &&
+    (entry.typed === undefined || isPlain(entry.typed)) &&
+    Object.entries(TYPED).every(([name, type]) =>
+      isAnyOf([type, "undefined"], entry.typed?.[name])) &&
+    ["cell", "says", "guess"].every((name) =>
+      isAnyOf(["string", "null", "undefined"], entry[name])) &&
+    isAnyOf(["boolean", "null", "undefined"], entry.right),
+  guesses: (entry) => entry === null || Array.isArray(entry),
+};
+
 export class Kept {
   #memory = {};
 
@@ -22,7 +41,8 @@ export class Kept {
       this.blocked = true;
     }
     try {
-      this.#memory = text ? JSON.parse(text) : this.#memory;
+      const kept = text ? JSON.parse(text) : null;
+      if (isPlain(kept)) this.#memory = kept;
     } catch {
       // Not written by this page; the next answer takes its place.
     }
@@ -30,7 +50,9 @@ export class Kept {
   }
 
   of(kind) {
-    return this.all()[kind] ?? {};
+    const found = this.all()[kind];
+    const entries = Object.entries(isPlain(found) ? found : {});
+    return Object.fromEntries(entries.filter(([, entry]) => SOUND[kind](entry)));
   }
 
   put(kind, key, value) {

@@ -321,6 +321,44 @@ def test_a_puzzle_is_guessed_answered_and_remembered(page, address):
     assert page.complaints == []
 
 
+SOUND = {"typed": {"letters": "ad"}, "cell": "answer = 'ad'", "says": "right.", "right": True}
+BROKEN = {
+    "3.1": {"typed": {"line": None}},
+    "3.2": None,
+    "3.3": {"typed": {"letters": 5}},
+    "3.4": {"typed": "x", "cell": 5},
+    "3.5": [5],
+}
+
+
+@pytest.mark.browser
+@pytest.mark.xdist_group("site-answers")
+@pytest.mark.parametrize(
+    ("kept", "answered"),
+    [
+        (None, 0),
+        ({"exercises": None, "guesses": "5"}, 0),
+        ({"exercises": BROKEN, "guesses": {puzzle_of("03").key: 5}}, 0),
+        ({"exercises": {**BROKEN, "3.3": SOUND}}, 1),
+    ],
+)
+def test_what_the_page_did_not_write_takes_no_form_away(page, address, site, kept, answered):
+    version = json.loads((site / "in_place/exercises.json").read_text("utf-8"))["version"]
+    name = f"Drift Lab {version}: answers"
+    page.add_init_script(f"localStorage[{json.dumps(name)}] = {json.dumps(json.dumps(kept))}")
+    page.goto(f"{address}/03_systematic_drift.html")
+    page.get_by_role("button", name="Export my answers").wait_for()
+    page.locator('div.guess[data-guess="03"] form').wait_for()
+    assert page.locator("div.exercise form").count() == len(all_exercises("03"))
+    assert page.get_by_text("you have answered 1 of").count() == answered
+    boxes = Form(page, "3.3").part.get_by_role("checkbox")
+    assert [box.is_checked() for box in boxes.all()].count(True) == 2 * answered
+    boxes.nth(1).check()
+    written = page.evaluate("(name) => JSON.parse(localStorage[name])", name)
+    assert "b" in written["exercises"]["3.3"]["typed"]["letters"]
+    assert page.complaints == []
+
+
 @pytest.mark.browser
 @pytest.mark.xdist_group("site-answers")
 def test_a_browser_that_keeps_nothing_is_told_so(page, address):
