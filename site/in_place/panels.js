@@ -8,14 +8,27 @@ import { Waiting } from "./waiting.js";
 
 const SLOW = 300; // ms after which it is said that Python computes
 const live = new Map(); // figure -> Panel
+const opening = new Map(); // figure -> promise that it is, while Python opens it
 const openings = new Map(); // figure -> the values in the chapter
 
-// Make a figure live, or move it if it is; `link` has values as text.
+// Make a figure live, or move it if it is, or will be soon; `link` has values as text.
 export async function begin(figure, offered, link) {
-  if (live.has(figure)) {
-    if (link) live.get(figure).conversation.goTo(link);
+  if (!live.has(figure) && !opening.has(figure)) {
+    // Kept before it is awaited, or a second link would open a second panel in the figure.
+    const opened = open(figure, offered, link);
+    opening.set(figure, opened);
+    try {
+      await opened;
+    } finally {
+      opening.delete(figure);
+    }
     return;
   }
+  await opening.get(figure);
+  if (link) live.get(figure)?.conversation.goTo(link);
+}
+
+async function open(figure, offered, link) {
   if (!openings.has(figure)) openings.set(figure, JSON.parse(figure.dataset.values));
   // Where it stood when Python was stopped, or where a link wants it.
   const now = JSON.parse(figure.dataset.values);

@@ -160,13 +160,17 @@ def _read(panel_class: type[Explorer], link: Mapping[str, str]) -> dict[str, Any
     Raises
     ------
     ValueError
-        If one that should be a number is not.
+        If the panel has no control of a name, or what should be a number is none.
     """
     controls = {control.name: control for control in panel_class.controls}
+    # Here, since `set(**values)` takes some names, like self, for something else.
+    for name in link:
+        if name not in controls:
+            raise ValueError(f"values: expected names from {', '.join(controls)}, got {name}.")
     values: dict[str, Any] = {}
     for name, text in link.items():
-        control = controls.get(name)
-        if control is None or isinstance(control.start, str):
+        control = controls[name]
+        if isinstance(control.start, str):
             values[name] = text
         elif control.is_box:
             values[name] = {"true": True, "false": False}.get(text, text)

@@ -87,7 +87,9 @@ function next() {
 
 function begin() {
   const begun = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
+  // What one that was stopped had said before may still come, and is of no use any more.
   begun.onmessage = ({ data }) => {
+    if (worker !== begun) return;
     alive = true;
     if (data.progress) {
       for (const each of [running, ...waiting]) each?.onProgress?.(data.progress);
@@ -106,6 +108,7 @@ function begin() {
   };
   begun.onerror = (event) => {
     event.preventDefault();
+    if (worker !== begun) return;
     stop(alive ? "Died" : "NoWorker");
   };
   return begun;

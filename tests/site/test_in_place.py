@@ -370,6 +370,55 @@ def test_without_its_packages_python_says_so_and_stop_ends_it_for_a_while(page, 
     assert values_of(figure) == {**DriftExplorer().values, "elevation": -90.0}
 
 
+WORKERS = """
+  window.workers = [];
+  window.Worker = class {
+    asked = [];
+    constructor() { workers.push(this); }
+    postMessage(message) { this.asked.push(message); }
+    terminate() {}
+  };
+"""
+"""Workers that say what a test lets them say."""
+
+
+def test_two_links_at_once_make_one_panel(page, address):
+    page.add_init_script(WORKERS)
+    show(page, address, DriftExplorer(), link="#panel=DriftExplorer&azimuth=-30")
+    page.wait_for_function("window.workers[0]?.asked.length")
+    page.evaluate("location.hash = 'panel=DriftExplorer&azimuth=40'")
+    page.evaluate("new Promise((done) => setTimeout(done, 100))")
+    paragraph = {"id": 1, "kind": "HTML", "state": {"value": "It lives."}}
+    paragraph["state"]["layout"] = {"id": 2, "kind": "Layout", "state": {"display": None}}
+    opened = {"panel": 0, "title": "", "widget": paragraph, "values": {}, "refused": ""}
+    answer = "(result) => workers[0].onmessage({ data: { id: workers[0].asked[0].id, result } })"
+    page.evaluate(answer, opened)
+    page.wait_for_function("workers[0].asked.length === 2")
+    asked = page.evaluate("workers[0].asked.map(({ call, args }) => [call, args.at(-1).azimuth])")
+    assert [call for call, _ in asked] == ["panels.open", "panels.set"]
+    assert asked[1][1] == "40"
+    assert page.locator(".in-place-live").count() == 1
+    assert page.complaints == []
+
+
+def test_what_a_stopped_python_had_still_to_say_is_not_heard(page, address):
+    page.add_init_script(WORKERS)
+    show(page, address, DriftExplorer())
+    script = """async () => {
+      const { ask, stop } = await import(`${location.origin}/in_place/python.js`);
+      const first = ask("a.first").catch((trouble) => trouble.kind);
+      stop();
+      const second = ask("a.second").catch((trouble) => trouble.kind);
+      const [old, begun] = workers;
+      const { id } = begun.asked[0];
+      old.onmessage({ data: { id, result: "of the old one" } });
+      old.onerror({ preventDefault() {} });
+      begun.onmessage({ data: { id, result: "of the new one" } });
+      return [await first, await second];
+    }"""
+    assert page.evaluate(script) == ["Stopped", "of the new one"]
+
+
 @pytest.mark.parametrize(
     ("missing", "says"),
     [("WebAssembly", "This browser has no WebAssembly"), ("Worker", "Python could not be started")],
