@@ -43,9 +43,9 @@ const Drift = (() => {
     return 2 * Math.atan2(Math.hypot(...vector), Math.abs(scalar));
   }
 
-  // The axis about which most is left after a turn: where |A n| is greatest or least, an eigenvector
-  // of S = A^T A - E, found by repetition. E is left out and S shifted by its own size, since the
-  // eigenvalues of A^T A itself are all but equal where the bend is small.
+  // The axis about which most is left after a turn: where |A n| is greatest or least. That is an
+  // eigenvector of S = A^T A - E, found by repetition. E is left out and S shifted by its own size,
+  // since the eigenvalues of A^T A itself are all but equal where the bend is small.
   function worst(M) {
     const columns = [0, 1, 2].map((j) => M.map((row) => row[j]));
     const S = columns.map((a, i) => columns.map((b, j) => M[i][j] + M[j][i] + dot(a, b)));
