@@ -17,6 +17,8 @@
     "What lives in the page could not be fetched: this browser is too old for it, or the network " +
     "is away. The text and the pictures need nothing of it.";
 
+  const SIGNS = ["wheel", "pointerdown", "keydown"]; // that a reader goes where he wants
+
   const make = (kind, properties, ...inside) => {
     const element = Object.assign(document.createElement(kind), properties);
     element.append(...inside);
@@ -63,6 +65,20 @@
     return { figure, start };
   }
 
+  // Formulas, pictures and the panel itself move what was in view; it is brought back until the
+  // reader does something.
+  function keepInView(element) {
+    const bring = () => element.scrollIntoView({ behavior: "instant" });
+    const page = new ResizeObserver(bring);
+    const leave = () => {
+      page.disconnect();
+      for (const sign of SIGNS) removeEventListener(sign, leave, true);
+    };
+    for (const sign of SIGNS) addEventListener(sign, leave, { capture: true, passive: true });
+    page.observe(document.body);
+    bring();
+  }
+
   // A link that someone shared names a panel and its values. Who follows it wants to see just that,
   // so the panel starts without a click, unless the browser is told to save data.
   function follow(offers) {
@@ -71,7 +87,7 @@
     const named = offers.filter(({ figure }) => figure.dataset.panel === name)[number - 1];
     if (!named) return;
     for (let fold = named.figure; (fold = fold.parentElement.closest("details")); ) fold.open = true;
-    named.figure.scrollIntoView();
+    keepInView(named.figure);
     link.delete("panel");
     const values = Object.fromEntries(link);
     if (navigator.connection?.saveData) named.figure.dataset.link = JSON.stringify(values);
@@ -92,6 +108,8 @@
 
   function begin() {
     const offers = [...document.querySelectorAll(PANELS)].map(offer);
+    const place = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    if (place) keepInView(place);
     follow(offers);
     window.addEventListener("hashchange", () => follow(offers));
     for (const [selector, name] of FORMS) fill(selector, name);

@@ -9,6 +9,8 @@ import struct
 from pathlib import Path
 from typing import NamedTuple
 
+from driftlab.book.machinery.scene.look import colour
+
 WIDEST, HIGHEST = 482.0, 540.0
 """In points: the width of the text, and a height that leaves room for a caption."""
 SHRINK = 0.74
@@ -17,6 +19,7 @@ DATA = re.compile(r'src="data:image/(svg\+xml|jpeg|png);base64,([^"]+)"')
 CAPTION = re.compile(r"<figcaption>(.*?)</figcaption>", re.S)
 ALT = re.compile(r'\balt="([^"]*)"')
 VARIABLE = re.compile(r"(--[\w-]+):\s*([^;}]+)")
+MIXED = re.compile(r"color-mix\(in srgb, [^;\"]*?\d+%, (?:var\([^)]*\)|[^()]*?)\)")
 DARK = re.compile(r"\.driftlab-dark [^{}]*\{[^{}]*\}")
 
 
@@ -59,8 +62,8 @@ def picture(markup: str, folder: Path, name: str) -> Picture | None:
 
 
 def plain_svg(text: str) -> str:
-    """Return an SVG without what only browsers know: variables of style, and a dark theme."""
-    text = DARK.sub("", text)
+    """Return an SVG without what only browsers know: mixed and named colours, a dark theme."""
+    text = MIXED.sub(lambda match: colour(match[0]), DARK.sub("", text))
     values = dict(reversed(VARIABLE.findall(text)))  # the first that is said holds
     return re.sub(r"var\((--[\w-]+)\)", lambda match: values[match[1]].strip(), text)
 

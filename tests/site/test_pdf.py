@@ -195,3 +195,10 @@ def test_a_wide_table_gets_widths_and_a_narrow_one_keeps_its_own():
 def test_type_gets_smaller_where_many_long_words_stand_side_by_side():
     row = ("a" * (LINE // 8),) * 8
     assert fitted(table(row, row)) < fitted(table(("a", "b"), ("1", "2")))
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "figures").glob("*.svg")), ids=lambda p: p.stem)
+def test_a_figure_on_paper_asks_for_no_colour_that_only_browsers_mix(path):
+    plain = plain_svg(path.read_text("utf-8"))
+    assert "var(" not in plain
+    assert "color-mix(" not in plain
