@@ -9,11 +9,12 @@ from driftlab.book.machinery.still import STILL_CLASS
 
 SHOW = """
 from ipywidgets import HTML, Image, VBox
-from driftlab.book.machinery.still import display_with_still
+from driftlab.book.machinery.still import display_with_still, still
 triangle = b"<svg xmlns='http://www.w3.org/2000/svg'><path d='M9 9h72v72z'/></svg>"
 picture = Image(value=triangle, format="svg+xml", width=72)
 widget = VBox([HTML("alive"), picture])
-display_with_still(widget, triangle, "svg+xml", "A triangle, half of a square.")
+words = "A triangle, half of a square."
+display_with_still(widget, still(triangle, "svg+xml", words, "Triangle", {}), words)
 """
 HEIGHT = f"() => document.querySelector('.{STILL_CLASS}').getBoundingClientRect().height"
 DIRTY = "() => window.jupyterapp.shell.currentWidget.context.model.dirty"
