@@ -35,15 +35,9 @@ const watchers = new Set();
 // Call "module.function" of a Python file in this folder with plain arguments.
 // packages: names in the lock that the call needs besides the book's package.
 // onProgress: told {loaded, total, says} while something is fetched.
-// signal: of an AbortController; what is not begun yet is dropped, of what runs the answer is.
-export function ask(call, args = [], { onProgress, signal, packages = [] } = {}) {
+export function ask(call, args = [], { onProgress, packages = [] } = {}) {
   return new Promise((resolve, reject) => {
     const request = { id: ++count, call, args, packages, onProgress, resolve, reject };
-    signal?.throwIfAborted();
-    signal?.addEventListener("abort", () => {
-      waiting = waiting.filter((each) => each !== request);
-      reject(signal.reason);
-    });
     waiting.push(request);
     next();
   });
