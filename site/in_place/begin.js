@@ -69,13 +69,13 @@
   // reader does something.
   function keepInView(element) {
     const bring = () => element.scrollIntoView({ behavior: "instant" });
-    const page = new ResizeObserver(bring);
+    const article = new ResizeObserver(bring); // the page itself is as high as the screen
     const leave = () => {
-      page.disconnect();
+      article.disconnect();
       for (const sign of SIGNS) removeEventListener(sign, leave, true);
     };
     for (const sign of SIGNS) addEventListener(sign, leave, { capture: true, passive: true });
-    page.observe(document.body);
+    article.observe(element.closest("article") ?? document.body);
     bring();
   }
 

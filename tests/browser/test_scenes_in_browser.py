@@ -128,6 +128,34 @@ def test_a_handle_obeys_the_arrow_keys_and_keeps_the_focus(page: NotebookPage) -
     assert page.all_trouble() == []
 
 
+RAISED = """scene => {
+  const view = scene.views.find(each => each.svg.querySelector('[data-handle]'));
+  const handle = view.svg.querySelector('[data-handle]');
+  const latitude = () => {
+    const { place } = view.seen(handle.dataset.handle);
+    return Math.asin(place[1] / Math.hypot(...place)) * 180 / Math.PI;
+  };
+  const last = scene.stage.times.length - 1;
+  return [0, 0.3, 0.6, 1].map(part => {
+    scene.goTo(Math.round(part * last));
+    const before = latitude();
+    const key = before < 0 ? 'ArrowUp' : 'ArrowDown';
+    handle.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+    return Math.abs(latitude() - before);
+  });
+}"""
+"""By how many degrees of the view one key moves a handle, at four moments of a scene."""
+
+
+def test_a_key_moves_a_handle_by_two_degrees_wherever_it_is(page: NotebookPage) -> None:
+    handled = [
+        i for i in range(len(SCENES)) if "data-handle" in ask(page, i, "s => s.viewsBox.outerHTML")
+    ]
+    assert handled
+    for index in handled:
+        np.testing.assert_allclose(ask(page, index, RAISED), 2.0, err_msg=SCENES[index].__name__)
+
+
 def test_the_kernel_is_told_where_a_scene_stands(page: NotebookPage) -> None:
     index = 0
     slider = page.page.locator(".dl-bar input").nth(index)

@@ -7,6 +7,7 @@ const VIEW = 100; // half the width of a view in its own units: its reach
 const PLOT = { width: 400, height: 140, left: 40, right: 100, top: 22, bottom: 22 };
 const TURN = 0.5; // degrees that the eye goes round for one unit of the pointer
 const KEY_STEP = 2; // degrees for one arrow key; with Shift a quarter of it
+const HIGHEST = 89; // degrees towards the top or foot of a view; keys bring a handle no further
 
 const make = (parent, tag, attributes = {}, text = "") => {
   const inSvg = parent.namespaceURI === SVG || tag === "svg";

@@ -1,6 +1,7 @@
 // Things in space, as the page shows them, and the hand that turns or drags them.
 
-const radians = (degrees) => (degrees * Math.PI) / 180;
+const radians = (angle) => (angle * Math.PI) / 180;
+const degrees = (angle) => (angle * 180) / Math.PI;
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 // Three unit vectors: to the right of the page, up the page, and out of it towards the reader.
@@ -233,12 +234,14 @@ class ViewOfSpace {
       this.lookFrom([this.eye[0] + 5 * step * way[0] / 2, this.eye[1] + 5 * step * way[1] / 2]);
       return;
     }
+    // As on a globe whose axis stands up the page: each key moves the handle, wherever it is.
     const { part, place } = this.seen(name);
-    const [c, s] = [Math.cos(radians(step)), Math.sin(radians(step))];
-    const i = way[0] ? 0 : 1;
-    const next = [...place];
-    next[i] = c * place[i] + s * way[i] * place[2];
-    next[2] = c * place[2] - s * way[i] * place[i];
+    const radius = Math.hypot(...place);
+    const latitude = degrees(Math.asin(place[1] / radius)) + step * way[1];
+    const north = radians(Math.max(-HIGHEST, Math.min(HIGHEST, latitude)));
+    const east = Math.atan2(place[0], place[2]) + radians(step * way[0]);
+    const next = [Math.cos(north) * Math.sin(east), Math.sin(north), Math.cos(north) * Math.cos(east)]
+      .map((each) => radius * each);
     this.send(part, next);
   }
 
