@@ -1,5 +1,5 @@
 // The state of a panel as an address: its class, which of them on the page if there are several, and
-// the values of all its controls. begin.js reads it.
+// the values of all its controls. offer.js reads it.
 
 export function linkTo(figure) {
   const { panel, values } = figure.dataset;

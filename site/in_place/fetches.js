@@ -79,17 +79,27 @@ export function countFetches(report) {
       tell(true);
     },
 
-    // Complain of what could not be fetched since the last time; Pyodide goes on without it.
-    check() {
-      if (!failed) return;
-      const { host, pathname } = new URL(failed);
+    // Do something for which things are fetched. If one of them did not come, that is why it fails:
+    // of what follows from it nothing is said, and Pyodide would go on without it.
+    async during(work) {
       failed = "";
-      const error = new Error(
-        `${pathname.split("/").at(-1)} could not be fetched from ${host}. Are you offline, or is ` +
-          "that place closed to your network? The text and the pictures need nothing of it.",
-      );
-      error.kind = "NotFetched";
-      throw error;
+      let trouble = null;
+      const result = await work().catch((error) => {
+        trouble = error;
+      });
+      if (failed) throw notFetched(failed);
+      if (trouble) throw trouble;
+      return result;
     },
   };
+}
+
+function notFetched(address) {
+  const { host, pathname } = new URL(address);
+  const error = new Error(
+    `${pathname.split("/").at(-1)} could not be fetched from ${host}. Are you offline, or is that ` +
+      "place closed to your network? The text and the pictures need nothing of it.",
+  );
+  error.kind = "NotFetched";
+  return error;
 }

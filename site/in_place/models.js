@@ -71,7 +71,8 @@ export class Conversation {
   models = new Map();
   #changes = new Map(); // "widget name" -> [widget, name, value]
   #messages = [];
-  #task = null; // what runs now
+  #going = false;
+  #ended = false;
 
   // onBusy(true or false), onNews({values}), onTrouble(error)
   constructor({ panel, widget }, { onBusy, onNews, onTrouble }) {
@@ -97,6 +98,7 @@ export class Conversation {
   }
 
   #next() {
+    if (this.#ended) return null;
     if (this.link) {
       const call = ["panels.set", [this.number, this.link]];
       this.link = null;
@@ -109,18 +111,28 @@ export class Conversation {
     return call;
   }
 
+  // Nothing is sent any more: the panel is gone, or Python is.
+  end() {
+    this.#ended = true;
+  }
+
+  // What is refused, as a link may be, keeps nothing else from being sent; it is told at the end,
+  // when nothing is said of computing any more.
   async #go() {
-    if (this.#task) return;
-    this.#task = true;
+    if (this.#going) return;
+    this.#going = true;
     this.#busy(true);
-    try {
-      for (let call = this.#next(); call; call = this.#next()) this.#take(await ask(...call));
-    } catch (error) {
-      this.onTrouble(error);
-    } finally {
-      this.#task = null;
-      this.#busy(false);
+    let trouble = null;
+    for (let call = this.#next(); call; call = this.#next()) {
+      try {
+        this.#take(await ask(...call));
+      } catch (error) {
+        trouble = error;
+      }
     }
+    this.#going = false;
+    this.#busy(false);
+    if (trouble) this.onTrouble(trouble);
   }
 
   #busy(busy) {

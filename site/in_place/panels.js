@@ -143,6 +143,7 @@ class Panel {
   // Python has ended: the still comes back, and says why.
   #end(trouble) {
     live.delete(this.figure);
+    this.conversation.end();
     clearTimeout(this.slow);
     clearTimeout(this.later);
     for (const end of this.#ends) end();

@@ -20,12 +20,9 @@ let begun = false;
 
 async function start() {
   fetches.say("Fetching Python and the book's package");
-  try {
-    return await begin();
-  } catch (error) {
-    fetches.check(); // that is why, if something is missing
-    throw error;
-  }
+  const py = await fetches.during(begin);
+  begun = true;
+  return py;
 }
 
 async function begin() {
@@ -38,20 +35,18 @@ async function begin() {
     stdout: () => {},
     stderr: (line) => console.info(line),
   });
-  fetches.check();
   fetches.say("Starting the book's package");
   py.FS.mkdir(FOLDER);
   py.runPython(`import sys; sys.path.insert(0, "${FOLDER}")`);
-  await bring(py, "widgets_standin");
+  await write(py, "widgets_standin");
   py.pyimport("widgets_standin").install();
-  begun = true;
   return py;
 }
 
 // Put a Python file from beside this script where Python finds it.
 function bring(py, name) {
   if (!modules.has(name)) {
-    const written = write(py, name);
+    const written = fetches.during(() => write(py, name));
     written.catch(() => modules.delete(name)); // it may be tried again
     modules.set(name, written);
   }
@@ -59,8 +54,7 @@ function bring(py, name) {
 }
 
 async function write(py, name) {
-  const response = await fetch(`${HERE}${name}.py`).catch(() => null);
-  fetches.check();
+  const response = await fetch(`${HERE}${name}.py`);
   py.FS.writeFile(`${FOLDER}/${name}.py`, await response.text());
 }
 
@@ -70,9 +64,10 @@ async function answer({ call, args = [], packages = [] }) {
   const missing = packages.filter((name) => !(name in py.loadedPackages));
   if (missing.length) {
     fetches.say(`Fetching ${missing.join(", ")}`);
-    await fetches.expect(RUNTIME, missing, Object.keys(py.loadedPackages));
-    await py.loadPackage(missing, { messageCallback() {}, errorCallback() {} });
-    fetches.check();
+    await fetches.during(async () => {
+      await fetches.expect(RUNTIME, missing, Object.keys(py.loadedPackages));
+      await py.loadPackage(missing, { messageCallback() {}, errorCallback() {} });
+    });
     fetches.say("Computing");
   }
   const [module, name] = call.split(".");
