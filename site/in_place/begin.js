@@ -4,7 +4,7 @@
 
 (function () {
   "use strict";
-  var here = document.querySelector('script[src$="in_place/begin.js"]').src.replace(/[^\/]*$/, "");
+  var here = document.querySelector('script[src*="in_place/begin.js"]').src.replace(/[^\/]*$/, "");
   // Where something would come alive, as offer.js has it.
   var PLACES = [
     "figure.driftlab-still[data-panel]", "div.exercise[data-exercise]", "div.guess[data-guess]"

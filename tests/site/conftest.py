@@ -3,33 +3,25 @@
 ``python3 lab.py test --site`` runs them; without a built site those that need one are skipped.
 """
 
+import json
 import os
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from threading import Thread
-from typing import ClassVar
 
 import pytest
 from chromium import chromium
+from served import served
 
+from live.brought import OFFICIAL, bring, digest_of
+from live.make import BUILD
+from live.packages import make_packages
+from live.versions import VERSIONS
 from support import site_or_skip
 
-
-class Quiet(SimpleHTTPRequestHandler):
-    """Files of the site, as a web server hands them out."""
-
-    extensions_map: ClassVar = {
-        **SimpleHTTPRequestHandler.extensions_map,
-        ".mjs": "text/javascript",
-        ".wasm": "application/wasm",
-    }
-
-    def log_message(self, *_: object) -> None:
-        pass
+KEPT = BUILD / "live"
+"""What the build of the site brought, and keeps."""
 
 
 @pytest.fixture(scope="session")
@@ -41,11 +33,35 @@ def site() -> Path:
 @pytest.fixture(scope="session")
 def address(site) -> Iterator[str]:
     """Where the site is served, without a slash at the end."""
-    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(site)))
-    Thread(target=server.serve_forever, daemon=True).start()
-    yield f"http://127.0.0.1:{server.server_port}"
-    server.shutdown()
-    server.server_close()
+    with served(site) as address:
+        yield address
+
+
+@pytest.fixture(scope="session")
+def distribution() -> Path:
+    """Folder with the distribution's files."""
+    folder = os.environ.get("DRIFTLAB_PYODIDE")
+    if not folder:
+        pytest.skip("DRIFTLAB_PYODIDE names no folder with Pyodide's distribution")
+    return Path(folder)
+
+
+@pytest.fixture(scope="session")
+def official() -> dict:
+    """The lock that Pyodide publishes, which came with the runtime."""
+    path = KEPT / "runtime" / OFFICIAL
+    if not path.exists():
+        pytest.skip("Pyodide's runtime was not brought; 'python3 lab.py site' brings it")
+    assert digest_of(path) == VERSIONS["pyodide"]["sha256"][OFFICIAL]
+    return json.loads(path.read_text("utf-8"))["packages"]
+
+
+@pytest.fixture(scope="session")
+def all_here(distribution, official, tmp_path_factory) -> Path:
+    """Folder with what a browser loads of a site that needs no network."""
+    made = tmp_path_factory.mktemp("self-contained") / "pyodide"
+    make_packages(bring(KEPT), KEPT, made, distribution)
+    return made
 
 
 @pytest.fixture(scope="session")

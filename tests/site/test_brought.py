@@ -1,0 +1,132 @@
+"""What others made comes whole or not at all, and what is missing is said in a sentence."""
+
+import hashlib
+import io
+import os
+import shutil
+import tarfile
+from base64 import b64encode
+from pathlib import Path
+
+import pytest
+
+from live.brought import OFFICIAL, bring_runtime
+from live.make import reason_not
+from live.versions import VERSIONS
+from unfinished import Unfinished
+
+DIGESTS = VERSIONS["pyodide"]["sha256"]
+
+
+def program(folder, name, text):
+    """A program of a folder, which a shell runs."""
+    path = folder / name
+    path.write_text(f"#!/bin/sh\n{text}\n", "utf-8")
+    path.chmod(0o755)
+
+
+def npm_brings(programs, packed):
+    """An npm that brings some bytes."""
+    (programs / "packed.tgz").write_bytes(packed)
+    lines = [
+        "for last; do :; done",
+        f'{shutil.which("cp", path="/usr/bin:/bin")} "{programs}/packed.tgz" "$last/packed.tgz"',
+        'echo \'[{"filename": "packed.tgz"}]\'',
+    ]
+    program(programs, "npm", "\n".join(lines))
+
+
+@pytest.fixture
+def programs(tmp_path, monkeypatch) -> Path:
+    """The folder that programs are looked for in, and no other; empty."""
+    if os.name == "nt":
+        pytest.skip("the stand-ins are scripts of a shell")
+    folder = tmp_path / "programs"
+    folder.mkdir()
+    monkeypatch.setenv("PATH", str(folder))
+    return folder
+
+
+def test_without_node_a_sentence_says_so(programs, tmp_path):
+    assert reason_not(tmp_path) == (
+        "The book is not made live: that needs Node.js, which is not installed."
+    )
+
+
+def test_an_old_node_is_named(programs, tmp_path):
+    program(programs, "node", "echo v12.1.0")
+    assert reason_not(tmp_path).endswith("needs Node.js 18; this is v12.1.0.")
+
+
+def test_without_npm_or_its_network_a_sentence_says_so(programs, tmp_path):
+    program(programs, "node", "echo v20.0.0")
+    begin = "The book is not made live: npm does not bring pyodide@"
+    assert reason_not(tmp_path).startswith(begin)
+    program(programs, "npm", "echo no network >&2; exit 1")
+    assert reason_not(tmp_path).startswith(begin)
+    assert reason_not(tmp_path).endswith("no network")
+
+
+def test_other_contents_than_those_published_are_refused(programs, tmp_path):
+    npm_brings(programs, b"other")
+    with pytest.raises(Unfinished, match=r"other contents than versions\.toml says"):
+        bring_runtime(tmp_path / "runtime")
+    assert not (tmp_path / "runtime").exists()
+
+
+def test_an_npm_that_does_not_say_what_it_brought_is_told_in_a_sentence(programs, tmp_path):
+    for said in ("npm notice", "[]", "{}", "null"):
+        program(programs, "npm", f"echo '{said}'")
+        with pytest.raises(Unfinished, match=r"^npm does not say which file it brought for"):
+            bring_runtime(tmp_path / "runtime")
+
+
+@pytest.fixture
+def package(programs, monkeypatch) -> dict[str, bytes]:
+    """Small files in place of the runtime's, as npm brings them and versions.toml has them."""
+    files = {name: name.encode() for name in DIGESTS}
+    packed = io.BytesIO()
+    with tarfile.open(fileobj=packed, mode="w:gz") as archive:
+        for name, data in files.items():
+            entry = tarfile.TarInfo(f"package/{name}")
+            entry.size = len(data)
+            archive.addfile(entry, io.BytesIO(data))
+    npm_brings(programs, packed.getvalue())
+    integrity = b64encode(hashlib.sha512(packed.getvalue()).digest()).decode()
+    digests = {name: hashlib.sha256(data).hexdigest() for name, data in files.items()}
+    monkeypatch.setitem(VERSIONS["pyodide"], "integrity", f"sha512-{integrity}")
+    monkeypatch.setitem(VERSIONS["pyodide"], "sha256", digests)
+    return files
+
+
+def there(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def test_a_runtime_that_is_kept_whole_is_not_brought_again(package, programs, tmp_path):
+    folder = tmp_path / "kept/runtime"
+    bring_runtime(folder)
+    assert there(folder) == package
+    assert list(folder.parent.iterdir()) == [folder], "nothing is left beside it"
+    program(programs, "npm", "exit 1")
+    bring_runtime(folder)
+
+
+@pytest.mark.parametrize("name", DIGESTS)
+@pytest.mark.parametrize("spoilt", ["missing", "changed"])
+def test_a_runtime_that_is_not_whole_is_brought_anew(spoilt, name, package, programs, tmp_path):
+    folder = tmp_path / "kept/runtime"
+    bring_runtime(folder)
+    (folder / name).unlink()
+    if spoilt == "changed":
+        (folder / name).write_bytes(b"other")
+    bring_runtime(folder)
+    assert there(folder) == package
+    assert list(folder.parent.iterdir()) == [folder]
+
+
+def test_a_package_whose_files_are_others_is_refused(package, monkeypatch, tmp_path):
+    monkeypatch.setitem(VERSIONS["pyodide"]["sha256"], OFFICIAL, "0" * 64)
+    with pytest.raises(Unfinished, match=r"other contents than versions\.toml says"):
+        bring_runtime(tmp_path / "kept/runtime")
+    assert list((tmp_path / "kept").iterdir()) == []

@@ -1,0 +1,38 @@
+"""The notebooks that the live book holds, and its settings."""
+
+import json
+import re
+
+from live.lite import settings, with_links, write_contents
+from live.versions import ROOT
+
+
+def test_links_out_of_the_book_lead_to_the_site():
+    text = "[a](../ERRATA.md) [b](../figures/README.md#x) ![c](../figures/p.svg) [d](03_x.ipynb)"
+    assert with_links(text) == (
+        "[a](#site/errata.html) [b](#site/gallery/index.html) ![c](figures/p.svg) [d](03_x.ipynb)"
+    )
+
+
+def test_every_notebook_is_live_and_links_to_what_is_there(tmp_path):
+    write_contents(tmp_path)
+    book = ROOT / "notebooks"
+    names = {
+        path.relative_to(book) for path in book.rglob("*.ipynb") if "." not in path.parent.name
+    }
+    assert {path.relative_to(tmp_path) for path in tmp_path.rglob("*.ipynb")} == names
+    for name in names:
+        notebook = json.loads((tmp_path / name).read_text("utf-8"))
+        text = "".join(
+            "".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "markdown"
+        )
+        for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", text):
+            assert ((tmp_path / name).parent / link).exists(), (name, link)
+
+
+def test_work_is_kept_under_the_version_and_nothing_is_asked_of_a_registry():
+    data = settings("Drift Lab 9.9")["jupyter-config-data"]
+    assert data["contentsStorageName"] == "Drift Lab 9.9"
+    (kernel,) = data["litePluginSettings"].values()
+    assert kernel["disablePyPIFallback"] is True
+    assert kernel["pyodideUrl"].startswith("./")
