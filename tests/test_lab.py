@@ -282,7 +282,13 @@ def test_the_site_is_published_with_no_more_rights_than_that_takes() -> None:
     assert workflow["permissions"] == {"contents": "read"}
     jobs = workflow["jobs"]
     assert "permissions" not in jobs["build"]
-    assert {"run": "python3 lab.py site"} in jobs["build"]["steps"]
+    said = [step["run"] for step in jobs["build"]["steps"] if "run" in step]
+    assert said == [
+        "python3 lab.py site",
+        "test -f _site/live/lab/index.html",
+        'DRIFTLAB_BROWSER="$(command -v google-chrome)" python3 lab.py test --site',
+    ]
+    assert "upload-pages-artifact" in jobs["build"]["steps"][-1]["uses"], "tested before"
     assert jobs["publish"]["permissions"] == {"pages": "write", "id-token": "write"}
     used = [step["uses"] for job in jobs.values() for step in job["steps"] if "uses" in step]
     assert all(re.fullmatch(r"actions/[\w-]+@v\d+", action) for action in used)

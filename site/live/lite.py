@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from html import escape
 from pathlib import Path
 from typing import Any
+from zlib import crc32
 
 from unfinished import Unfinished
 
@@ -25,6 +26,13 @@ HEAD = """\
 <script type="module" src="../strip.js"></script>
 """
 """What the page of JupyterLite gets besides."""
+BEGIN = "await import("
+"""How JupyterLite begins, in its page. Before, copies that can be had anew are forgotten."""
+RENEW = """\
+await import("../copies.js").then(({ renew }) => renew()).catch(console.info);
+        """
+MARK = "driftlab-text"
+"""In a notebook's metadata: the mark of the book's text that a reader's copy began with."""
 OUTSIDE = {
     "ERRATA.md": "errata.html",
     "README.md": "index.html",
@@ -54,7 +62,7 @@ def make_lite(build: Path, made: Path, extensions: Iterable[Path], about: dict[s
     """
     source = build / "lite"
     shutil.rmtree(source, ignore_errors=True)
-    write_contents(source / "files")
+    texts = write_contents(source / "files")
     _write(source / "jupyter-lite.json", settings(about["storage"]))
     _write(source / "overrides.json", OVERRIDES)
     options = [f"--LiteBuildConfig.federated_extensions={wheel}" for wheel in extensions]
@@ -65,6 +73,7 @@ def make_lite(build: Path, made: Path, extensions: Iterable[Path], about: dict[s
         raise Unfinished(f"JupyterLite is not built:\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
     shutil.rmtree(made / "extensions/@jupyterlite/pyodide-kernel-extension/static/pypi")
     shutil.copytree(PAGE, made, dirs_exist_ok=True)
+    _write(made / "texts.json", texts)
     # JupyterLab asks for a picture beside its page before it looks among the notebooks.
     shutil.copytree(source / "files/figures", made / APP / "figures")
     for path in (made / APP / "index.html", made / "my-work.html"):
@@ -105,9 +114,16 @@ OVERRIDES = {
 """Settings of JupyterLab: light or dark as the computer is, and nothing is lost in a closed tab."""
 
 
-def write_contents(folder: Path) -> None:
-    """Write the notebooks, their links led to what a reader of the live book has."""
+def write_contents(folder: Path) -> dict[str, str]:
+    """Write the notebooks, their links led to what a reader of the live book has.
+
+    Returns
+    -------
+    dict of str to str
+        The mark of each notebook's text, by its path; the notebook has it in its metadata, too.
+    """
     book = ROOT / "notebooks"
+    texts = {}
     for path in sorted(book.rglob("*.ipynb")):
         if ".ipynb_checkpoints" in path.parts:
             continue
@@ -116,11 +132,19 @@ def write_contents(folder: Path) -> None:
         for cell in notebook["cells"]:
             if cell["cell_type"] == "markdown":
                 cell["source"] = with_links("".join(cell["source"]))
+        texts[inside.as_posix()] = notebook["metadata"][MARK] = mark(notebook["cells"])
         _write(folder / inside, notebook)
     for path in pictures(folder):
         target = folder / path.relative_to(ROOT)
         target.parent.mkdir(exist_ok=True)
         shutil.copy(path, target)
+    return texts
+
+
+def mark(cells: Iterable[dict[str, Any]]) -> str:
+    """Return the mark of a notebook's text, as copies.js computes it: other text, other mark."""
+    parts = [part for cell in cells for part in (cell["cell_type"], "".join(cell["source"]))]
+    return f"{crc32(chr(0).join(parts).encode()):x}"
 
 
 def with_links(text: str) -> str:
@@ -145,6 +169,9 @@ def _tell(path: Path, about: dict[str, str]) -> None:
     if path.name == "index.html":
         text = text.replace("<title>JupyterLite</title>", "<title>Drift Lab</title>")
         text = text.replace("</head>", f"{HEAD}</head>", 1)
+        if text.count(BEGIN) != 1:
+            raise Unfinished("JupyterLite's page begins in another way than lite.py knows.")
+        text = text.replace(BEGIN, RENEW + BEGIN)
     path.write_text(text.replace("<html", f"<html{data}", 1), "utf-8")
 
 

@@ -1,4 +1,4 @@
-"""A folder as a web server hands it out."""
+"""A folder as a web server hands it out, and one that is another but for a part of it."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -30,3 +30,15 @@ def served(folder: Path) -> Iterator[str]:
     yield f"http://127.0.0.1:{server.server_port}"
     server.shutdown()
     server.server_close()
+
+
+def linked(there: Path, own: Path, without: str) -> Path:
+    """Make a folder that has all that another has, but for what stands at a path in it."""
+    name, _, rest = without.partition("/")
+    own.mkdir()
+    for path in there.iterdir():
+        if path.name != name:
+            (own / path.name).symlink_to(path)
+        elif rest:
+            linked(path, own / name, rest)
+    return own

@@ -70,6 +70,9 @@ CLICK = """(target) => {
 }"""
 
 
+SOLUTION = "solutions/03_systematic_drift.html"
+
+
 @pytest.fixture
 def published(site) -> str:
     """The address of a small file that readers fetch from Pyodide; empty if the site holds all."""
@@ -135,12 +138,21 @@ def test_a_link_out_of_the_book_opens_a_page_of_the_site(live, page):
 
 
 @pytest.mark.parametrize(
-    "path", ["javascript:alert(1)//.ipynb", "//other.example/a.ipynb", "../../other/a.ipynb"]
+    ("path", "name", "leads"),
+    [
+        ("03_systematic_drift.ipynb", "Chapter's page", "03_systematic_drift.html"),
+        ("03_systematic_drift mine, Größe.ipynb", "Chapter's page", "03_systematic_drift.html"),
+        ("solutions/03_systematic_drift-Copy1.ipynb", "Chapter's page", SOLUTION),
+        ("Größe.ipynb", "The book's pages", "index.html"),
+        ("javascript:alert(1)//.ipynb", "The book's pages", "index.html"),
+        ("//other.example/a.ipynb", "The book's pages", "index.html"),
+        ("../../other/a.ipynb", "The book's pages", "index.html"),
+    ],
 )
-def test_a_path_that_is_no_chapters_leads_to_the_sites_index(path, page, address):
+def test_the_strip_leads_to_the_page_of_a_chapter_or_to_the_index(path, name, leads, page, address):
     page.goto(f"{address}/live/lab/index.html?path={quote(path, safe='')}")
-    link = page.locator("#strip").get_by_role("link", name="Chapter's page")
-    assert link.evaluate("a => a.href") == f"{address}/index.html"
+    link = page.locator("#strip").get_by_role("link", name=name)
+    assert link.evaluate("a => a.href") == f"{address}/{leads}"
 
 
 @pytest.mark.parametrize(

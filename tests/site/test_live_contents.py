@@ -3,7 +3,7 @@
 import json
 import re
 
-from live.lite import settings, with_links, write_contents
+from live.lite import MARK, mark, settings, with_links, write_contents
 from live.versions import ROOT
 
 
@@ -15,14 +15,16 @@ def test_links_out_of_the_book_lead_to_the_site():
 
 
 def test_every_notebook_is_live_and_links_to_what_is_there(tmp_path):
-    write_contents(tmp_path)
+    texts = write_contents(tmp_path)
     book = ROOT / "notebooks"
     names = {
         path.relative_to(book) for path in book.rglob("*.ipynb") if "." not in path.parent.name
     }
     assert {path.relative_to(tmp_path) for path in tmp_path.rglob("*.ipynb")} == names
+    assert texts.keys() == {name.as_posix() for name in names}
     for name in names:
         notebook = json.loads((tmp_path / name).read_text("utf-8"))
+        assert notebook["metadata"][MARK] == texts[name.as_posix()] == mark(notebook["cells"])
         text = "".join(
             "".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "markdown"
         )

@@ -8,7 +8,7 @@ import zipfile
 
 import pytest
 from lively import at_rest, awaken, figure_of, same_as_native, values_of
-from served import served
+from served import linked, served
 
 from driftlab.book import DriftExplorer
 from live.brought import bring
@@ -47,14 +47,8 @@ def test_compiled_wheels_hold_what_the_published_do(all_here, distribution):
 @pytest.fixture
 def own_site(site, all_here, tmp_path):
     """The site as built, with all of Pyodide in the place of what its lock leaves elsewhere."""
-    own = tmp_path / "site"
-    runtime = own / "live/static/pyodide"
-    runtime.parent.mkdir(parents=True)
-    runtime.symlink_to(all_here)
-    for here, there in ((own, site), (own / "live", site / "live")):
-        for path in there.iterdir():
-            if path.name not in ("live", "static"):
-                (here / path.name).symlink_to(path)
+    own = linked(site, tmp_path / "site", without="live/static/pyodide")
+    (own / "live/static/pyodide").symlink_to(all_here)
     return own
 
 

@@ -1,4 +1,5 @@
 // Lists what a reader has changed in the live chapters, of every version of the book, to download.
+import { kept } from "./copies.js";
 import { zip } from "./zip.js";
 
 const here = document.documentElement.dataset; // version, storage: written by lite.py
@@ -27,26 +28,6 @@ async function everything() {
   }
   const rank = ({ title }) => (title.startsWith(here.storage) ? 0 : 1);
   return found.sort((a, b) => rank(a) - rank(b) || b.title.localeCompare(a.title));
-}
-
-// What JupyterLite keeps under a name; nothing of a database that is not its own.
-function kept(name) {
-  return new Promise((resolve, reject) => {
-    const request = indexedDB.open(name);
-    request.onupgradeneeded = () => request.transaction.abort(); // it was not there
-    request.onerror = () => (request.error.name === "AbortError" ? resolve([]) : reject(request.error));
-    request.onsuccess = () => {
-      const database = request.result;
-      const close = (result) => {
-        database.close(); // or JupyterLite could not change it
-        resolve(result);
-      };
-      if (!database.objectStoreNames.contains("files")) return close([]);
-      const all = database.transaction("files").objectStore("files").getAll();
-      all.onsuccess = () => close(all.result.filter((model) => model.type !== "directory"));
-      all.onerror = () => reject(all.error);
-    };
-  });
 }
 
 async function file(model, present) {

@@ -1,17 +1,19 @@
 // The strip above the notebook: what Python is doing, what this browser cannot do, where one's work
 // is kept; and links of the chapters that lead to pages of the site.
+import { behind, texts } from "./copies.js";
+
 const about = document.documentElement.dataset; // version, megabytes, probe: written by lite.py
 const STARTING = `Python is starting. The first time it fetches some ${about.megabytes} MB, a minute or more on a slow line; from then on it takes some seconds.`;
 const READY = `Python is ready. What you change is kept in this browser, for version ${about.version} of the book.`;
 const READ_ON = "The chapter can still be read, here and on its page.";
-
-const NOTEBOOK = /^(?!.*\.\.)[\w-][\w/.-]*\.ipynb$/; // of the book: no other scheme, host or folder
+const CHANGED = "The book's text of this notebook has changed since you began with it. What is yours stays; rename it in the list of files, and the new one opens.";
 
 const site = new URL("../../", document.baseURI);
 const strip = document.createElement("header");
 const says = document.createElement("p");
 says.setAttribute("role", "status");
-const page = link("Chapter's page", new URL(`${chapter()}.html`, site));
+const page = document.createElement("a");
+leadToPageOf(opened());
 strip.append(page, says, link("My work", new URL("../my-work.html", document.baseURI)));
 strip.id = "strip";
 document.body.prepend(strip);
@@ -32,20 +34,32 @@ addEventListener("click", (event) => {
 }, { capture: true });
 
 const troubles = await whatIsMissing();
-say(troubles.length ? [...troubles, READ_ON].join(" ") : STARTING);
+say(...(troubles.length ? [...troubles, READ_ON] : [STARTING]), ...newsOf(opened()));
 if (!troubles.some((trouble) => trouble.startsWith("Python"))) follow(await application());
 
-// Whoever wrote the link to this page chose the path in it.
-function chapter(path = new URLSearchParams(location.search).get("path")) {
-  return NOTEBOOK.test(path) ? path.slice(0, -".ipynb".length) : "index";
+// The notebook that the link to this page names, whoever wrote the link.
+function opened() {
+  return new URLSearchParams(location.search).get("path") ?? "";
+}
+
+// A copy of a chapter, whatever a reader has put behind its name, has the chapter's page.
+function leadToPageOf(path) {
+  const names = Object.keys(texts).map((name) => name.slice(0, -".ipynb".length));
+  const chapter = names.filter((name) => path.startsWith(name)).sort().at(-1); // the longest
+  page.textContent = chapter ? "Chapter's page" : "The book's pages";
+  page.href = new URL(`${chapter ?? "index"}.html`, site);
+}
+
+function newsOf(path) {
+  return behind.has(path) ? [CHANGED] : [];
 }
 
 function link(text, target) {
   return Object.assign(document.createElement("a"), { textContent: text, href: target });
 }
 
-function say(sentence) {
-  says.textContent = sentence;
+function say(...sentences) {
+  says.textContent = sentences.join(" ");
 }
 
 async function whatIsMissing() {
@@ -96,12 +110,13 @@ async function follow(app) {
     const shown = app.shell.currentWidget?.context;
     const session = app.shell.currentWidget?.sessionContext;
     if (!session) return;
-    page.href = new URL(`${chapter(shown.path)}.html`, site);
-    say([...troubles, STARTING].join(" "));
+    leadToPageOf(shown.path);
+    say(...troubles, STARTING, ...newsOf(shown.path));
     await session.ready;
     await session.session?.kernel?.info;
     if (app.shell.currentWidget?.sessionContext === session) {
-      say(troubles.length ? ["Python is ready.", ...troubles].join(" ") : READY);
+      const ready = troubles.length ? ["Python is ready.", ...troubles] : [READY];
+      say(...ready, ...newsOf(shown.path));
     }
   };
   app.shell.currentChanged.connect(look);

@@ -50,7 +50,7 @@ const TABLE = Uint32Array.from({ length: 256 }, (_, n) => {
   return n >>> 0;
 });
 
-function crc32(data) {
+export function crc32(data) {
   let found = 0xffffffff;
   for (const byte of data) found = TABLE[(found ^ byte) & 0xff] ^ (found >>> 8);
   return (found ^ 0xffffffff) >>> 0;
