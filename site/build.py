@@ -2,8 +2,8 @@
 
 The book is executed (`executed`), and from that come its pages (`reading`) and its PDF (`pdf`).
 Beside the pages lie what makes them alive (`in_place`), the whole book live (`live`), which brings
-Python for both, and copies for Colab (`colab`). Everything is made in build/site and moved to
-``_site`` when it is whole.
+Python for both, and copies for Colab (`colab`). One page names the `licences` of it all. Everything
+is made in build/site and moved to ``_site`` when it is whole.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from pathlib import Path
 from colab import make_colab
 from executed import FOLDER, executed
 from forms import write_forms
+from licences import write_licences
 from live.make import make_live, reason_not
 from pdf.make import make_pdf
 from reading.make import make_reading
@@ -76,6 +77,7 @@ def make_site(made: Path, distribution: Path | None) -> None:
     if not reason:
         make_in_place(made / "in_place")
         make_live(BUILD, made, distribution)
+    write_licences(made)
 
 
 def make_in_place(folder: Path) -> None:
