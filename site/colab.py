@@ -13,18 +13,12 @@ import re
 import tomllib
 from pathlib import Path
 from typing import Any
-from urllib.parse import unquote
 
+from addresses import LINK, anchor, file_of, page_of
 from driftlab import __version__
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGES = {
-    "ERRATA.md": "errata.html",
-    "README.md": "index.html",
-    "figures/README.md": "gallery/index.html",
-}
-"""Pages of the site for files of the project that are no notebooks."""
-LINK = re.compile(r"(!?)\[([^\]]*)\]\((?!https?:)([^)\s]+)\)")
+WHOLE_LINK = re.compile(rf"(!?)\[([^\]]*){LINK.pattern}")
 BESIDE = "Where it speaks of another page, look there: from here no link leads to it."
 WIDGETS = """\
 import sys
@@ -113,17 +107,7 @@ def _with_links(text: str, path: Path, notebooks: Path, address: str) -> str:
             return f"![{words}](data:image/svg+xml;base64,{picture})"
         if not address:
             return words
-        # Jupyter's address of a heading has its commas and capitals, a page's has not.
-        heading = re.sub("[^a-z0-9_-]", "", unquote(fragment).lower().replace(" ", "-"))
-        place = (path.parent / file).resolve() if file else path.resolve()
-        page = _page(place, notebooks.resolve())
-        return f"[{words}]({address}/{page}{'#' if heading else ''}{heading})"
+        page = page_of(file_of(file, path.relative_to(notebooks).as_posix()))
+        return f"[{words}]({address}/{page}.html{anchor(fragment)})"
 
-    return LINK.sub(led, text)
-
-
-def _page(file: Path, notebooks: Path) -> str:
-    """Return the page of the site on which a file of the project stands."""
-    if file.is_relative_to(notebooks):
-        return file.relative_to(notebooks).with_suffix(".html").as_posix()
-    return PAGES[file.relative_to(notebooks.parent).as_posix()]
+    return WHOLE_LINK.sub(led, text)

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 from zlib import crc32
 
+from addresses import LINK, PAGES, anchor, file_of, page_of
 from unfinished import Unfinished
 
 from .versions import ROOT, VERSIONS
@@ -33,12 +34,6 @@ await import("../copies.js").then(({ renew }) => renew()).catch(console.info);
         """
 MARK = "driftlab-text"
 """In a notebook's metadata: the mark of the book's text that a reader's copy began with."""
-OUTSIDE = {
-    "ERRATA.md": "errata.html",
-    "README.md": "index.html",
-    "figures/README.md": "gallery/index.html",
-}
-"""Pages of the site for files that notebooks link to and the live book does not hold."""
 
 
 def make_lite(build: Path, made: Path, extensions: Iterable[Path], about: dict[str, str]) -> None:
@@ -131,7 +126,7 @@ def write_contents(folder: Path) -> dict[str, str]:
         notebook = json.loads(path.read_text("utf-8"))
         for cell in notebook["cells"]:
             if cell["cell_type"] == "markdown":
-                cell["source"] = with_links("".join(cell["source"]))
+                cell["source"] = with_links("".join(cell["source"]), inside.as_posix())
         texts[inside.as_posix()] = notebook["metadata"][MARK] = mark(notebook["cells"])
         _write(folder / inside, notebook)
     for path in pictures(folder):
@@ -147,11 +142,17 @@ def mark(cells: Iterable[dict[str, Any]]) -> str:
     return f"{crc32(chr(0).join(parts).encode()):x}"
 
 
-def with_links(text: str) -> str:
+def with_links(text: str, notebook: str) -> str:
     """Return Markdown with links out of the book led to the site, as "#site/errata.html"."""
-    for file, page in OUTSIDE.items():
-        text = re.sub(rf"\]\((?:\.\./)+{re.escape(file)}(#[^)]*)?\)", rf"](#site/{page})", text)
-    return text.replace("](../figures/", "](figures/")
+
+    def led(match: re.Match[str]) -> str:
+        path, _, fragment = match[1].partition("#")
+        file = file_of(path, notebook)
+        if file in PAGES:
+            return f"](#site/{page_of(file)}.html{anchor(fragment)})"
+        return f"]({file})" if file.startswith("figures/") else match[0]
+
+    return LINK.sub(led, text)
 
 
 def pictures(folder: Path) -> list[Path]:

@@ -9,7 +9,7 @@ from docutils import nodes
 from sphinx import addnodes
 from sphinx.transforms import SphinxTransform
 
-from reading.papers import slug
+from addresses import slug
 
 GLOSSARY_PAGE = "glossary"
 LANGUAGES = ("English", "Russian", "Chinese")

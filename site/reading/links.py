@@ -4,48 +4,42 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from pathlib import Path
-from urllib.parse import unquote
+from posixpath import basename
 
+from addresses import LINK, anchor, file_of, page_of
 from reading.doors import aliases, documented
 
-PUBLISHED = {
-    "ERRATA.md": "/errata.md",
-    "README.md": "/index.md",
-    "figures/README.md": "/gallery/index.md",
-}
-"""Where files beside the notebooks, to which they link, stand on the site."""
 
-
-def with_links(text: str) -> str:
+def with_links(text: str, notebook: str) -> str:
     """Return Markdown of a notebook, its links and names led to where things stand on the site.
 
     Notebooks are pages under their own names, so links between them hold as they are.
+
+    Parameters
+    ----------
+    text : str
+    notebook : str
+        The notebook's name, seen from the book's folder.
     """
 
     def led(match: re.Match[str]) -> str:
         path, _, fragment = match[1].partition("#")
-        if path and not path.endswith(".ipynb"):
-            return f"]({_place(path)})"
-        # Jupyter's address of a heading has its commas and capitals, MyST's has not.
-        heading = re.sub("[^a-z0-9_-]", "", unquote(fragment).lower().replace(" ", "-"))
-        return f"]({path}#{heading})" if fragment else match[0]
+        return f"]({_place(path, notebook)}{anchor(fragment)})"
 
     def named(match: re.Match[str]) -> str:
         return f"{{py:obj}}`{match[1]}`" if match[1] in _public() else match[0]
 
     text = re.sub(r"(?<!`)`(driftlab\.[\w.]+)`(?!`)", named, text)
-    return re.sub(r"\]\((?!https?:)([^)\s]+)\)", led, text)
+    return LINK.sub(led, text)
 
 
-def _place(path: str) -> str:
-    """The place on the site of a file that a notebook names from its own folder."""
-    inside = path.removeprefix("../")
-    if inside == path:
+def _place(path: str, notebook: str) -> str:
+    """What Sphinx calls a file that a notebook names; what is beside the notebook stays there."""
+    file = file_of(path, notebook)
+    if file.startswith("notebooks/"):
         return path
-    if inside.startswith("figures/") and Path(inside).suffix in (".svg", ".csv"):
-        return f"/gallery/{Path(inside).name}"
-    return PUBLISHED[inside]
+    is_figure = file.startswith("figures/") and file.endswith((".svg", ".csv"))
+    return f"/gallery/{basename(file)}" if is_figure else f"/{page_of(file)}.md"
 
 
 @cache

@@ -7,7 +7,7 @@ places to link to, and what JupyterLab folds is folded. `outputs` says what beco
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from copy import deepcopy
 from typing import NamedTuple
 
@@ -15,11 +15,11 @@ import nbformat
 from nbformat import NotebookNode
 from nbformat.v4 import new_markdown_cell, new_notebook
 
+from addresses import PDF, colab_address, live_address, section_label
 from reading.equations import add_targets, with_mentions
 from reading.folds import FOLDED
 from reading.links import with_links
 from reading.outputs import Outputs
-from reading.papers import section_label
 from reading.parts import Chapter
 from reading.pictures import Pictures
 from reading.solutions import link_back
@@ -27,10 +27,10 @@ from reading.solutions import link_back
 COLLAPSED = "jp-MarkdownHeadingCollapsed"
 """JupyterLab's mark at a cell whose section is folded."""
 HEADING = re.compile(r"^(#+) (.+)$", re.M)
-WAYS = {
-    "live": ("live/lab/index.html?path={}", "Run the whole notebook live"),
-    "colab": ("colab/{}", "Notebook for Colab"),
-    "pdf": ("drift-lab.pdf", "The book as PDF"),
+WAYS: dict[str, tuple[Callable[[str], str], str]] = {
+    "live": (live_address, "Run the whole notebook live"),
+    "colab": (colab_address, "Notebook for Colab"),
+    "pdf": (lambda notebook: PDF, "The book as PDF"),
 }
 """Other ways to read a notebook, by the part of the site that they lead to."""
 
@@ -80,7 +80,7 @@ def notebook_pages(
             link_back(cells, number)
         elif chapter:
             _add_places(cells, number)
-        cells = [*_shown(cells, outputs)]
+        cells = [*_shown(cells, name, outputs)]
         if not folder:
             _add_ways(cells[0], name, chapter, beside)
             figures |= outputs.figures
@@ -106,7 +106,7 @@ def _place(heading: re.Match[str], number: str) -> str:
     return f"chapter-{number}" if heading[1] == "#" else section_label(number, heading[2])
 
 
-def _shown(cells: list[NotebookNode], outputs: Outputs) -> Iterator[NotebookNode]:
+def _shown(cells: list[NotebookNode], name: str, outputs: Outputs) -> Iterator[NotebookNode]:
     """What a page has of the cells: links and outputs as the site has them, folds marked."""
     for cell in cells:
         if cell.cell_type == "code":
@@ -114,7 +114,7 @@ def _shown(cells: list[NotebookNode], outputs: Outputs) -> Iterator[NotebookNode
                 yield new_markdown_cell("\n".join(targets))  # type: ignore[no-untyped-call]
             cell.outputs = outputs.shown(cell)
         else:
-            cell.source = with_links(cell.source)
+            cell.source = with_links(cell.source, name)
             if cell.metadata.get(COLLAPSED):
                 cell.source = HEADING.sub(rf"\g<0>\n\n% {FOLDED}\n", cell.source, count=1)
         cell.metadata.clear()
@@ -127,7 +127,7 @@ def _add_ways(
     """Say below the title how long a chapter takes, and how else one can have the notebook."""
     ways = [f"{chapter.minutes} minutes"] if chapter else []
     ways += [
-        f'<a href="{address.format(name)}">{words}</a>'
+        f'<a href="{address(name)}">{words}</a>'
         for part, (address, words) in WAYS.items()
         if part in beside
     ]

@@ -14,7 +14,7 @@ from urllib.parse import unquote
 from nbformat import NotebookNode
 from nbformat.v4 import new_output
 
-from reading.papers import section_label
+from addresses import section_label
 from reading.pictures import Pictures
 from reading.solutions import fold_of
 

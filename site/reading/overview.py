@@ -68,4 +68,4 @@ def text_of(root: Path, notebook: str, begin: str, end: str) -> str:
     """
     text = "\n\n".join(words_of(root / "notebooks" / notebook))
     text = text[text.index(f"{begin}\n") :]
-    return f"{with_links(text[: text.index(end)])}\n"
+    return f"{with_links(text[: text.index(end)], notebook)}\n"

@@ -9,13 +9,9 @@ import re
 from collections.abc import Sequence
 from functools import cache
 
+from addresses import section_label, slug
 from driftlab.book.ledger import SEVERITIES, STATUSES, WORKS, LedgerEntry, ledger_entries
 from reading.doors import documented, home
-
-
-def slug(text: str) -> str:
-    """Return a text as a part of an address; a star of the papers' letters stays a word in it."""
-    return re.sub(r"[^a-z0-9]+", "-", text.lower().replace("*", "-star")).strip("-")
 
 
 def entry_label(entry: LedgerEntry) -> str:
@@ -26,11 +22,6 @@ def entry_label(entry: LedgerEntry) -> str:
 def shown_label(entry: LedgerEntry) -> str:
     """Return the number or name of an entry as Markdown, in which a star would mean something."""
     return entry.label.replace("*", r"\*")
-
-
-def section_label(chapter: str, heading: str) -> str:
-    """Return the target of links to a section of a chapter."""
-    return f"chapter-{chapter}-{slug(heading)}"
 
 
 def place_label(entry: LedgerEntry) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from nbformat import NotebookNode
 
-from reading.papers import section_label
+from addresses import section_label
 
 HEADING = re.compile(r"^## ((\d+\.\d+) .+)$", re.M)
 

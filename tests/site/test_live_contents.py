@@ -9,8 +9,8 @@ from live.versions import ROOT
 
 def test_links_out_of_the_book_lead_to_the_site():
     text = "[a](../ERRATA.md) [b](../figures/README.md#x) ![c](../figures/p.svg) [d](03_x.ipynb)"
-    assert with_links(text) == (
-        "[a](#site/errata.html) [b](#site/gallery/index.html) ![c](figures/p.svg) [d](03_x.ipynb)"
+    assert with_links(text, "02_x.ipynb") == (
+        "[a](#site/errata.html) [b](#site/gallery/index.html#x) ![c](figures/p.svg) [d](03_x.ipynb)"
     )
 
 

@@ -1,0 +1,63 @@
+"""Where a file of the project stands on the site, and the places in it that links lead to."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from urllib.parse import unquote
+
+PAGES = {"ERRATA.md": "errata", "README.md": "index", "figures/README.md": "gallery/index"}
+"""Pages of files that are no notebooks; a notebook's page has its name."""
+LINK = re.compile(r"\]\((?!https?:)([^)\s]+)\)")
+"""The second half of a link or picture in Markdown, if it leads to something of the project."""
+PDF = "drift-lab.pdf"
+
+
+def live_address(notebook: str) -> str:
+    """Return where a notebook, "solutions/03_systematic_drift.ipynb", can be run."""
+    return f"live/lab/index.html?path={notebook}"
+
+
+def colab_address(notebook: str) -> str:
+    """Return where the copy of a notebook for Colab stands."""
+    return f"colab/{notebook}"
+
+
+def file_of(path: str, notebook: str) -> str:
+    """Return the file of the project that a link means, seen from the project's folder.
+
+    Parameters
+    ----------
+    path : str
+        As the link has it, without what follows a "#"; "" is the notebook itself.
+    notebook : str
+        The notebook with the link, seen from the book's folder.
+    """
+    own = posixpath.join("notebooks", notebook)
+    return posixpath.normpath(posixpath.join(posixpath.dirname(own), path)) if path else own
+
+
+def page_of(file: str) -> str:
+    """Return the page of a file of the project, without the page's ending."""
+    if file.endswith(".ipynb"):
+        return file.removeprefix("notebooks/").removesuffix(".ipynb")
+    return PAGES[file]
+
+
+def anchor(fragment: str) -> str:
+    """Return a heading's end of an address with its "#", from Jupyter's name of it; "" for none.
+
+    Jupyter's has the commas and capitals of the heading, a page's has not.
+    """
+    name = re.sub("[^a-z0-9_-]", "", unquote(fragment).lower().replace(" ", "-"))
+    return f"#{name}" if name else ""
+
+
+def slug(text: str) -> str:
+    """Return a text as a part of a label; a star of the papers' letters stays a word in it."""
+    return re.sub(r"[^a-z0-9]+", "-", text.lower().replace("*", "-star")).strip("-")
+
+
+def section_label(chapter: str, heading: str) -> str:
+    """Return the label of a section of a chapter, by which all pages link to it."""
+    return f"chapter-{chapter}-{slug(heading)}"
