@@ -16,6 +16,7 @@ from . import (
     increments as increments,
     monte_carlo as monte_carlo,
     motion as motion,
+    noise_identification as noise_identification,
     noise_terms as noise_terms,
     quaternion as quaternion,
     recordings as recordings,
@@ -25,7 +26,7 @@ from . import (
     triad as triad,
     vectors as vectors,
 )
-from .allan import allan_deviation as allan_deviation, fit_noise_terms as fit_noise_terms
+from .allan import allan_deviation as allan_deviation
 from .attitude.integration import integrate as integrate
 from .axes import convert_attitude as convert_attitude, convert_vectors as convert_vectors
 from .book.figures import figure as figure
@@ -61,6 +62,7 @@ from .increments import (
 )
 from .motion.scheme import Scheme as Scheme
 from .motion.table_turn import TableTurn as TableTurn
+from .noise_identification import fit_noise_terms as fit_noise_terms
 from .sampled_rates import increments_from_rates as increments_from_rates
 from .strapdown import (
     at_rest as at_rest,

@@ -38,7 +38,7 @@ GROUND_FLOOR = (
         "strapdown",
         "monte_carlo",
     ),
-    *("noise_terms", "allan"),
+    *("noise_terms", "allan", "noise_identification"),
 )
 SUBJECTS = (
     *(

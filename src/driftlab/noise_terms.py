@@ -1,6 +1,7 @@
 """Five terms of the noise of a sensor at rest, as straight lines on an Allan plot, and as records.
 
-They are those of IEEE Std 952, and of every data sheet: see `driftlab.allan` for reading them.
+They are those of IEEE Std 952, and of every data sheet; `noise_identification` finds them in a
+record.
 """
 
 from __future__ import annotations

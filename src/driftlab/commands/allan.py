@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 from scipy.constants import arcsecond, degree, g, hour, micro, milli
 
-from driftlab.allan import TERMS, AllanDeviation, NoiseFit, allan_deviation, fit_noise_terms
+from driftlab.allan import AllanDeviation, allan_deviation
 from driftlab.checks import FloatArray
+from driftlab.noise_identification import NoiseFit, fit_noise_terms
+from driftlab.noise_terms import TERMS
 from driftlab.recordings.recording import Recording
 
 from .example import OPTIONS

@@ -94,7 +94,8 @@ class AllanExplorer(Explorer):
         return (
             "import numpy as np\n"
             "from scipy.constants import arcsecond, degree, hour\n"
-            "from driftlab.allan import NoiseTerms, allan_deviation\n"
+            "from driftlab.allan import allan_deviation\n"
+            "from driftlab.noise_terms import NoiseTerms\n"
             f"q, n, b, k, r = {sizes}\n"
             "noise = NoiseTerms(q * arcsecond, n * degree / hour**0.5, b * degree / hour,\n"
             "    k * degree / hour**1.5, r * degree / hour**2)\n"

@@ -8,13 +8,15 @@ import numpy as np
 from scipy.constants import arcsecond
 from scipy.signal import coherence, welch
 
-from driftlab.allan import TERMS, AllanDeviation, NoiseFit, allan_deviation, fit_noise_terms
+from driftlab.allan import AllanDeviation, allan_deviation
 from driftlab.checks import FloatArray, finite_array, positive_number
 from driftlab.gyrocompass.inertial_alignment import (
     align_in_inertial_frame,
     inertial_alignment_deviation,
 )
 from driftlab.gyrocompass.noise_fit import fit_gyro_noise
+from driftlab.noise_identification import NoiseFit, fit_noise_terms
+from driftlab.noise_terms import TERMS
 from driftlab.recordings.publishers import published
 from driftlab.recordings.recording import Recording
 
