@@ -27,7 +27,6 @@ import argparse
 import io
 import os
 import platform
-import secrets
 import socket
 import sys
 import time
@@ -63,11 +62,10 @@ from bootstrap.environment import (
     write,
 )
 from bootstrap.release import version, written
+from bootstrap.server import serve
 from bootstrap.steps import (
     HOME,
-    JUPYTER,
     PYTHON,
-    VENV,
     NoPackages,
     Trouble,
     catch_signals,
@@ -89,33 +87,6 @@ OF_DIFFERENT_AGE = [
 ]
 QUICK = ["--hypothesis-profile=quick", NO_PEERS, "-m", "not browser and not kernel and not setup"]
 
-# The token travels in the environment because other users can read command lines. It becomes
-# an argument inside the process because arguments, unlike JUPYTER_TOKEN, also win over a user's
-# configuration that switches tokens off. Encryption keeps what a kernel says from other users of
-# the computer. The book's matrices are small: threads for them only get in the way of the browser.
-# The address is printed from the server's loop, hence when it listens. Only the server itself can
-# say where its custom.css is; other than by this line that would be the user's own folder.
-SERVER = """\
-import os, sys, zmq
-from jupyterlab.labapp import LabApp
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-token = os.environ.pop("DRIFTLAB_TOKEN")
-encryption = "auto" if zmq.has("curve") else "disabled"
-options = [
-    "--IdentityProvider.token=" + token,
-    "--MappingKernelManager.transport_encryption=" + encryption,
-]
-try:
-    server = LabApp.initialize_server([*sys.argv[1:], *options])
-    server.web_app.settings["static_custom_path"].insert(0, os.environ["DRIFTLAB_STYLE"])
-    address = f"http://127.0.0.1:{server.port}{server.default_url}?token={token}"
-    welcome = f"Drift Lab is open at\\n\\n  {address}\\n\\nCtrl-C stops it."
-    server.io_loop.add_callback(lambda: print(welcome, flush=True))
-    server.start()
-except OSError as error:
-    sys.exit(f"JupyterLab cannot write its own files: {error}")
-"""
-
 
 def run(*arguments: str) -> int:
     """Run the environment's Python in sight of the user and return its exit code."""
@@ -124,7 +95,7 @@ def run(*arguments: str) -> int:
 
 
 def open_book(arguments: list[str]) -> int:
-    """Start JupyterLab on the first notebook and wait until it ends."""
+    """Open the first notebook in JupyterLab, which stays open until it is told to stop."""
     parser = argparse.ArgumentParser(prog="lab.py open", usage="python3 lab.py --help")
     parser.add_argument("--no-browser", action="store_true")
     parser.add_argument("--port", type=int, default=0)  # 0: any, chosen by the system
@@ -144,38 +115,7 @@ def open_book(arguments: list[str]) -> int:
             raise
         say(f"{trouble}\nMeanwhile the book opens with the packages of the last set-up.")
     folder = BOOK if options.original else bring_copies()
-    command = [
-        *[str(PYTHON), "-c", SERVER],
-        f"--ServerApp.root_dir={HOME}",
-        "--ServerApp.ip=127.0.0.1",
-        f"--ServerApp.port={options.port}",
-        "--ServerApp.port_retries=0",
-        "--ServerApp.base_url=/",
-        f"--ServerApp.open_browser={not options.no_browser}",
-        f"--LabApp.default_url=/lab/tree/{folder.name}/{FIRST}",
-        "--LabApp.custom_css=True",
-        # Not WARN: that alarms beginners with "not trusted" at each opening of a clean notebook.
-        "--ServerApp.log_level=ERROR",
-        "--LabApp.log_level=ERROR",
-    ]
-    if os.access(VENV, os.W_OK):  # or it would open the tabs of another folder's book as well
-        command.append(f"--LabApp.workspaces_dir={VENV / 'workspaces'}")
-    if os.name != "nt" and os.geteuid() == 0:
-        command.append("--allow-root")
-    say("Starting JupyterLab ...")
-    # In a session of its own Ctrl-C does not reach the server, which would end in disorder from
-    # that and our request together.
-    environment = surroundings(
-        DRIFTLAB_TOKEN=secrets.token_hex(24), DRIFTLAB_STYLE=str(JUPYTER / "custom")
-    )
-    with running(command, env=environment, start_new_session=True) as server:
-        try:
-            code = abs(server.wait())
-        except KeyboardInterrupt:
-            say("\nStopping ...")
-            return 0
-    if code:
-        raise Trouble("JupyterLab did not end as it should; its messages above tell why.")
+    serve(f"{folder.name}/{FIRST}", options.port, browser=not options.no_browser)
     return 0
 
 

@@ -88,7 +88,7 @@ class LabApp:
 """
 
 
-PARTS = ("environment", "steps", "copies", "beside")
+PARTS = ("environment", "steps", "copies", "beside", "release", "server")
 
 
 def load(folder: Path) -> SimpleNamespace:

@@ -1,0 +1,79 @@
+"""Starts JupyterLab on a notebook of the book, for nobody but the user of this computer."""
+
+import os
+import secrets
+
+from bootstrap.steps import HOME, JUPYTER, PYTHON, VENV, Trouble, running, say, surroundings
+
+# The token travels in the environment because other users can read command lines. It becomes
+# an argument inside the process because arguments, unlike JUPYTER_TOKEN, also win over a user's
+# configuration that switches tokens off. Encryption keeps what a kernel says from other users of
+# the computer. The book's matrices are small: threads for them only get in the way of the browser.
+# The address is printed from the server's loop, hence when it listens. Only the server itself can
+# say where its custom.css is; other than by this line that would be the user's own folder.
+SERVER = """\
+import os, sys, zmq
+from jupyterlab.labapp import LabApp
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+token = os.environ.pop("DRIFTLAB_TOKEN")
+encryption = "auto" if zmq.has("curve") else "disabled"
+options = [
+    "--IdentityProvider.token=" + token,
+    "--MappingKernelManager.transport_encryption=" + encryption,
+]
+try:
+    server = LabApp.initialize_server([*sys.argv[1:], *options])
+    server.web_app.settings["static_custom_path"].insert(0, os.environ["DRIFTLAB_STYLE"])
+    address = f"http://127.0.0.1:{server.port}{server.default_url}?token={token}"
+    welcome = f"Drift Lab is open at\\n\\n  {address}\\n\\nCtrl-C stops it."
+    server.io_loop.add_callback(lambda: print(welcome, flush=True))
+    server.start()
+except OSError as error:
+    sys.exit(f"JupyterLab cannot write its own files: {error}")
+"""
+
+
+def serve(notebook: str, port: int, browser: bool) -> None:
+    """Start JupyterLab on a notebook and wait until it ends.
+
+    Parameters
+    ----------
+    notebook : str
+        Its path in the project folder.
+    port : int
+        0 is any, chosen by the system.
+    browser : bool
+        Whether it is to open a browser.
+    """
+    command = [
+        *[str(PYTHON), "-c", SERVER],
+        f"--ServerApp.root_dir={HOME}",
+        "--ServerApp.ip=127.0.0.1",
+        f"--ServerApp.port={port}",
+        "--ServerApp.port_retries=0",
+        "--ServerApp.base_url=/",
+        f"--ServerApp.open_browser={browser}",
+        f"--LabApp.default_url=/lab/tree/{notebook}",
+        "--LabApp.custom_css=True",
+        # Not WARN: that alarms beginners with "not trusted" at each opening of a clean notebook.
+        "--ServerApp.log_level=ERROR",
+        "--LabApp.log_level=ERROR",
+    ]
+    if os.access(VENV, os.W_OK):  # or it would open the tabs of another folder's book as well
+        command.append(f"--LabApp.workspaces_dir={VENV / 'workspaces'}")
+    if os.name != "nt" and os.geteuid() == 0:
+        command.append("--allow-root")
+    say("Starting JupyterLab ...")
+    # In a session of its own Ctrl-C does not reach the server, which would end in disorder from
+    # that and our request together.
+    environment = surroundings(
+        DRIFTLAB_TOKEN=secrets.token_hex(24), DRIFTLAB_STYLE=str(JUPYTER / "custom")
+    )
+    with running(command, env=environment, start_new_session=True) as server:
+        try:
+            code = abs(server.wait())
+        except KeyboardInterrupt:
+            say("\nStopping ...")
+            return
+    if code:
+        raise Trouble("JupyterLab did not end as it should; its messages above tell why.")
