@@ -16,6 +16,7 @@ from typing import Any
 
 from addresses import LINK, anchor, file_of, page_of
 from driftlab import __version__
+from executed import notebooks
 
 ROOT = Path(__file__).resolve().parent.parent
 WHOLE_LINK = re.compile(rf"(!?)\[([^\]]*){LINK.pattern}")
@@ -29,26 +30,23 @@ if "google.colab" in sys.modules:  # which shows scenes and panels only when it 
     output.enable_custom_widget_manager()"""
 
 
-def make_colab(notebooks: Path, target: Path) -> None:
+def make_colab(book: Path, target: Path) -> None:
     """Write a copy of every notebook that Colab can run.
 
     Parameters
     ----------
-    notebooks : Path
+    book : Path
         The book's folder, or one like it; its pictures are beside it in ``figures``.
     target : Path
         Folder for the copies, each under its notebook's name.
     """
     release = tomllib.loads((ROOT / "release/release.toml").read_text("utf-8"))
     address = release["urls"]["Documentation"].rstrip("/")
-    for path in sorted(notebooks.rglob("*.ipynb")):
-        if ".ipynb_checkpoints" in path.parts:
-            continue
-        name = path.relative_to(notebooks).as_posix()
-        notebook = json.loads(path.read_text("utf-8"))
+    for name in notebooks(book):
+        notebook = json.loads((book / name).read_text("utf-8"))
         for cell in notebook["cells"]:
             if cell["cell_type"] == "markdown":
-                cell["source"] = _with_links("".join(cell["source"]), path, notebooks, address)
+                cell["source"] = _with_links("".join(cell["source"]), name, book, address)
         notebook["cells"][:0] = _first_cells(name, address, release)
         copy = target / name
         copy.parent.mkdir(parents=True, exist_ok=True)
@@ -96,18 +94,19 @@ def _first_cells(name: str, address: str, release: dict[str, Any]) -> list[dict[
     ]
 
 
-def _with_links(text: str, path: Path, notebooks: Path, address: str) -> str:
+def _with_links(text: str, notebook: str, book: Path, address: str) -> str:
     """Return Markdown with its links led to the site, or taken off; its pictures are in it."""
 
     def led(match: re.Match[str]) -> str:
         is_picture, words, target = match.groups()
         file, _, fragment = target.partition("#")
         if is_picture:
-            picture = base64.b64encode((path.parent / file).read_bytes()).decode()
-            return f"![{words}](data:image/svg+xml;base64,{picture})"
+            picture = (book.parent / file_of(file, notebook)).read_bytes()
+            inlined = base64.b64encode(picture).decode()
+            return f"![{words}](data:image/svg+xml;base64,{inlined})"
         if not address:
             return words
-        page = page_of(file_of(file, path.relative_to(notebooks).as_posix()))
+        page = page_of(file_of(file, notebook))
         return f"[{words}]({address}/{page}.html{anchor(fragment)})"
 
     return WHOLE_LINK.sub(led, text)

@@ -30,11 +30,11 @@ SECONDS = 600
 """For one cell, on a busy machine."""
 
 
-def notebooks() -> list[str]:
+def notebooks(folder: Path = FOLDER) -> list[str]:
     """Return the names of all notebooks, "solutions/03_systematic_drift.ipynb" for solutions."""
     return sorted(
-        path.relative_to(FOLDER).as_posix()
-        for path in FOLDER.rglob("*.ipynb")
+        path.relative_to(folder).as_posix()
+        for path in folder.rglob("*.ipynb")
         if ".ipynb_checkpoints" not in path.parts
     )
 

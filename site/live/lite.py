@@ -14,6 +14,7 @@ from typing import Any
 from zlib import crc32
 
 from addresses import LINK, PAGES, anchor, file_of, page_of
+from executed import FOLDER, notebooks
 from unfinished import Unfinished
 
 from .versions import ROOT, VERSIONS
@@ -117,18 +118,14 @@ def write_contents(folder: Path) -> dict[str, str]:
     dict of str to str
         The mark of each notebook's text, by its path; the notebook has it in its metadata, too.
     """
-    book = ROOT / "notebooks"
     texts = {}
-    for path in sorted(book.rglob("*.ipynb")):
-        if ".ipynb_checkpoints" in path.parts:
-            continue
-        inside = path.relative_to(book)
-        notebook = json.loads(path.read_text("utf-8"))
+    for name in notebooks():
+        notebook = json.loads((FOLDER / name).read_text("utf-8"))
         for cell in notebook["cells"]:
             if cell["cell_type"] == "markdown":
-                cell["source"] = with_links("".join(cell["source"]), inside.as_posix())
-        texts[inside.as_posix()] = notebook["metadata"][MARK] = mark(notebook["cells"])
-        _write(folder / inside, notebook)
+                cell["source"] = with_links("".join(cell["source"]), name)
+        texts[name] = notebook["metadata"][MARK] = mark(notebook["cells"])
+        _write(folder / name, notebook)
     for path in pictures(folder):
         target = folder / path.relative_to(ROOT)
         target.parent.mkdir(exist_ok=True)

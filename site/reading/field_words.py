@@ -15,6 +15,7 @@ from docutils import nodes
 from sphinx import addnodes
 from sphinx.transforms import SphinxTransform
 
+from driftlab.__main__ import SUBJECTS
 from reading.doors import FOLDER, home, names
 
 TASKS_PAGE = "i_want_to"
@@ -28,12 +29,18 @@ def words_of_functions() -> dict[str, tuple[str, ...]]:
     """
     found: dict[str, dict[str, None]] = {}
     for task in _tasks():
-        subject = task["functions"][0].partition(".")[0]
+        subject = _subject(task["functions"][0])
         for function in task["functions"]:
-            if function.partition(".")[0] == subject:
+            if _subject(function) == subject:
                 place = home(f"driftlab.{function}")
                 found.setdefault(place, {}).update(dict.fromkeys(task["words"]))
     return {place: tuple(words) for place, words in found.items()}
+
+
+def _subject(function: str) -> str:
+    """The subject of a function; "" for the ground floor, whose modules are one."""
+    first = function.partition(".")[0]
+    return first if first in SUBJECTS else ""
 
 
 def words_of_tasks() -> dict[str, tuple[str, ...]]:
