@@ -6,7 +6,9 @@ import html
 
 from .puzzle import Number
 
-LABEL = "position: absolute; white-space: nowrap; font-size: 0.85em"
+LABEL = "position: absolute; white-space: nowrap; line-height: 1.3"
+MANY = 5
+"""Ticks; of more, each second one is labelled, or the labels of a small screen touch."""
 
 
 def marks(question: Number, guess: float | None, truth: float) -> str:
@@ -19,28 +21,35 @@ def marks(question: Number, guess: float | None, truth: float) -> str:
     guess, truth : float
         In the question's unit.
     """
-    line = "position: absolute; left: 0; right: 0; top: 2.4em; border-top: 2px solid currentColor"
+    # From the top: words and diamond of the guess, the line, diamond and words of the truth, the
+    # numbers of the scale. A label's small letters stand inside, or its em would be another.
+    line = "position: absolute; left: 0; right: 0; top: 2.3em; border-top: 2px solid currentColor"
     parts = [f"<div style='{line}'></div>"]
-    for tick in question.ticks():
+    ticks = question.ticks()
+    every = 2 if len(ticks) > MANY else 1
+    for number, tick in enumerate(ticks):
         at = 100 * question.place(tick)
         parts.append(
-            f"<div style='{LABEL}; left: {at:.1f}%; top: 2.1em; height: 0.7em; "
+            f"<div style='position: absolute; left: {at:.1f}%; top: 2.1em; height: 0.5em; "
             "border-left: 1px solid currentColor; opacity: 0.6'></div>"
-            f"<div style='{LABEL}; left: {at:.1f}%; top: 4.6em; transform: translateX(-50%); "
-            f"opacity: 0.75'>{written_tick(tick)}</div>"
         )
+        if number % every == 0:
+            parts.append(
+                f"<div style='{LABEL}; left: {at:.1f}%; top: 4.7em; transform: translateX(-50%); "
+                f"opacity: 0.75'><small>{written_tick(tick)}</small></div>"
+            )
     # The diamonds differ in their filling and in their words, and stand on different sides.
-    parts.append(_mark(question, truth, "it is", top="2.75em", filled=True, label_top="3.3em"))
+    parts.append(_mark(question, truth, "it is", top="2.65em", filled=True, label_top="3.4em"))
     says = f"The answer {question.written(truth)}"
     if guess is not None:
-        parts.append(_mark(question, guess, "you", top="1.55em", filled=False, label_top="0"))
+        parts.append(_mark(question, guess, "you", top="1.45em", filled=False, label_top="0"))
         says += f" and your guess {question.written(guess)}"
     says += (
         f" on a scale from {question.written(question.low)} to {question.written(question.high)}"
     )
     return (
         f"<div role='img' aria-label='{html.escape(says, quote=True)}' "
-        "style='position: relative; height: 6em; margin: 0.3em 2.5em; max-width: 34em'>"
+        "style='position: relative; height: 6.2em; margin: 0.3em 2.5em; max-width: 34em'>"
         f"{''.join(parts)}</div>"
     )
 
@@ -52,12 +61,13 @@ def _mark(
     # A label at an end of the scale stays within it.
     shift = "0" if place < 12 else "-100%" if place > 88 else "-50%"
     filling = "currentColor" if filled else "transparent"
+    words = f"{who} <b>{html.escape(question.written(value))}</b>"
     return (
         f"<div style='position: absolute; left: {place:.1f}%; top: {top}; width: 0.55em; "
         f"height: 0.55em; background: {filling}; border: 2px solid currentColor; "
         "box-sizing: border-box; transform: translateX(-50%) rotate(45deg)'></div>"
         f"<div style='{LABEL}; left: {place:.1f}%; top: {label_top}; "
-        f"transform: translateX({shift})'>{who} <b>{html.escape(question.written(value))}</b></div>"
+        f"transform: translateX({shift})'><small>{words}</small></div>"
     )
 
 

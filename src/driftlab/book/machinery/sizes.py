@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from .reading import Numbers
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
+ROUNDING = 1e-12
+"""What is smaller than this part of the right answer, rounding has left over of a zero."""
 
 
 def how_far_off(
@@ -66,6 +68,8 @@ def size(given: Any, right: Any) -> str:
     if right == 0 or given == 0:
         return "too large" if given > right else "too small"
     ratio = abs(given / right)
+    if ratio < ROUNDING:
+        return "practically zero, nothing but rounding"
     large = "too large" if ratio > 1 else "too small"
     decades = abs(np.log10(ratio))
     if decades > 0.8:
@@ -84,7 +88,7 @@ def common_factor(given: Numbers, right: Numbers) -> float | None:
         return None
     factors = given[there] / right[there]
     factor = float(factors.flat[0])
-    alike = factor != 0 and np.allclose(factors, factor, rtol=1e-3, atol=0)
+    alike = abs(factor) > ROUNDING and np.allclose(factors, factor, rtol=1e-3, atol=0)
     return factor if alike and _same(given, factor * right) else None
 
 
