@@ -1,8 +1,8 @@
 // The exercises of a page: a form below each, which answers back by the page's Python.
 import { Asking, data, element } from "./asking.js";
-import { downloadAnswers } from "./export.js";
+import { End } from "./export.js";
 import { AnswerForm } from "./form.js";
-import { BLOCKED, Kept } from "./kept.js";
+import { Kept } from "./kept.js";
 
 const SIGNS = { true: "✓ Right", false: "✗ Not yet" };
 
@@ -15,7 +15,7 @@ export async function begin() {
     const number = place.dataset.exercise;
     new Exercise(place, number, exercises[number], kept, () => end.tell());
   }
-  places.at(-1)?.after(end.root);
+  places.at(-1)?.closest("section")?.after(end.root); // below the exercises, not in the last one
   end.tell();
 }
 
@@ -68,7 +68,6 @@ class Exercise {
     if (!result) return;
     this.card.innerHTML = result.card;
     this.card.dataset.verdict = result.right ?? "open";
-    leadLinks(this.card);
     this.printed.textContent = result.printed;
     this.printed.hidden = !result.printed;
     const { right, guesses } = result.progress;
@@ -99,48 +98,4 @@ function panelAbove(place) {
   return figure && {
     way: "panel", given: JSON.parse(figure.dataset.values), panel: figure.dataset.panel,
   };
-}
-
-// The package's links name a section as Jupyter does; here it is the heading of the same words.
-function leadLinks(card) {
-  const bare = (text) => text.toLowerCase().replace(/[^\p{L}\p{N}]/gu, "");
-  for (const link of card.querySelectorAll("a[href^='#']")) {
-    const wanted = bare(link.getAttribute("href"));
-    const heading = [...document.querySelectorAll("section > :is(h2, h3, h4)")].find(
-      (each) => [each, each.firstChild].some(({ textContent }) => bare(textContent) === wanted));
-    if (heading) link.href = `#${heading.parentElement.id}`;
-    else link.replaceWith(link.textContent);
-  }
-}
-
-// Below the last exercise: how the book's exercises stand, and a way to take the answers along.
-// Its parts stay while their words change, or a click would lose the button under it.
-class End {
-  #words = element("p");
-  #blocked = element("p", { textContent: BLOCKED, hidden: true });
-  #button = element("button", { type: "button", textContent: "Export my answers" });
-  root = element("div", { className: "answers-end" }, this.#words, this.#blocked, this.#button);
-
-  constructor(kept, numbers, version) {
-    Object.assign(this, { kept, numbers });
-    this.#button.onclick = () => downloadAnswers(this.answered, version);
-  }
-
-  // Numbers of exercises, and what is kept of them.
-  get answered() {
-    const mine = this.kept.of("exercises");
-    return this.numbers.filter((number) => mine[number]?.cell).map((n) => [n, mine[n]]);
-  }
-
-  tell() {
-    const { answered, numbers } = this;
-    const right = answered.filter(([, mine]) => mine.right).length;
-    this.#words.textContent = answered.length
-      ? `In the whole book you have answered ${answered.length} of ${numbers.length} exercises, ` +
-        `${right} of them right. The export is a notebook of them and of what was said to each.`
-      : "What you answer is kept in this browser, and nowhere else.";
-    this.#words.hidden = this.kept.blocked && !answered.length;
-    this.#blocked.hidden = !this.kept.blocked;
-    this.#button.disabled = !answered.length;
-  }
 }

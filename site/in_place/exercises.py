@@ -9,6 +9,7 @@ import re
 import traceback
 from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
+from dataclasses import replace
 from importlib.util import find_spec
 from types import SimpleNamespace
 from typing import Any
@@ -26,6 +27,16 @@ LATE = "sympy"
 """The package that comes only when it is asked for."""
 YOURS = "<your lines>"
 """What a traceback calls the lines of an answer."""
+HOW = {
+    "letters": "Tick the letters of all true statements, then press Check.",
+    "line": (
+        "Type a number, as 1.5 or 2e-3, or an expression, as 2*pi/3; commas stand between "
+        "several, semicolons between rows."
+    ),
+    "code": "Put your answer in the place of the three dots: it is what your lines call answer.",
+}
+"""What to do, said to who has given no answer yet, by the way; a line that is no number is told
+the same."""
 SIGNS = str.maketrans({"−": "-", "·": "*", "×": "*", "π": "pi", "°": "", "′": "", "″": ""})
 """Signs of a typed line that Python does not know; units are those that the exercise asks for."""
 
@@ -65,7 +76,7 @@ def check(
             raise
         return {"needs": LATE}
     return {
-        "card": card._repr_html_(),
+        "card": card.boxed(hints=False),  # they stand below the form
         "says": repr(card),
         "right": card.verdict.right,
         "printed": printed.getvalue(),
@@ -84,18 +95,23 @@ def _judged(number: str, way: str, given: Any, kept: Progress) -> Card:
     except UnreadableError as error:
         verdict = Verdict(False, f"not readable. {error}")
         return Card(number, verdict, hints_of(chapter)[number])
-    return judged(number, answer, kept)
+    card = judged(number, answer, kept)
+    if card.verdict.right is None and way in HOW:
+        return replace(card, verdict=Verdict(None, f"{card.verdict.says} {HOW[way]}"))
+    return card
 
 
 def read_line(text: str) -> Any:
     """Read a line of numbers: with commas between them, and semicolons between rows."""
     try:
         return eval(compile(in_python(text), YOURS, "eval"), {**vars(np), "np": np})
+    except NameError as error:
+        raise UnreadableError(f"Nothing is called {error.name} here. {HOW['line']}") from None
+    except SyntaxError:
+        raise UnreadableError(f"This cannot be read as numbers. {HOW['line']}") from None
     except (Exception, SystemExit) as error:
-        raise UnreadableError(
-            "Expected numbers in one line, such as 1.5 or 1, 2.5, with a point for the decimals "
-            f"and commas between numbers; {type(error).__name__}: {error}"
-        ) from None
+        says = f"This could not be computed ({type(error).__name__}: {error})."
+        raise UnreadableError(f"{says} {HOW['line']}") from None
 
 
 def in_python(text: str) -> str:

@@ -1,35 +1,56 @@
-// A reader's answers as a notebook: it runs in Jupyter, and whoever marks a class reads and counts
-// it like the chapters that students hand in (`driftlab.book.class_summary`).
-export function notebook(answers, version) {
-  const today = new Date().toISOString().slice(0, 10);
-  const about = `Exercises of Drift Lab ${version}, answered on its pages. ${today}`;
-  const cells = [text("about", `# My answers\n\n${about}`)];
-  for (const [number, { cell, says }] of answers) {
-    cells.push(text(`text-${number}`, `## ${number}`), {
-      id: cellId(`code-${number}`), cell_type: "code", execution_count: null, metadata: {},
-      source: cell,
-      outputs: [{ output_type: "stream", name: "stdout", text: `${says}\n` }],
-    });
+// Below all exercises of a page: how the book's exercises stand, and the reader's answers as a
+// notebook, to take along or to hand in.
+import { element } from "./asking.js";
+import { fileName, notebook } from "./answers_notebook.js";
+import { BLOCKED } from "./kept.js";
+
+// Its parts stay while their words change, or a click would lose the button under it.
+export class End {
+  #words = element("p");
+  #blocked = element("p", { textContent: BLOCKED, hidden: true });
+  #name = element("input", { type: "text", autocomplete: "name", maxLength: 80 });
+  #button = element("button", { type: "submit", textContent: "Export my answers" });
+
+  constructor(kept, numbers, version) {
+    Object.assign(this, { kept, numbers });
+    const name = element("label", {}, "Your name, if the notebook shall bear it ", this.#name);
+    this.#name.value = kept.of("reader").name ?? "";
+    this.#name.onchange = () => kept.put("reader", "name", this.#name.value.trim());
+    const form = element("form", { className: "answer answers-export" }, name, this.#button);
+    form.onsubmit = (event) => {
+      event.preventDefault();
+      if (this.answered.length) download(this.answered, this.#name.value.trim(), version);
+    };
+    const title = element("h3", { id: "your-answers", textContent: "Your answers" });
+    this.root = element("section", { className: "answers-end" },
+      title, this.#words, this.#blocked, form);
+    this.root.setAttribute("aria-labelledby", title.id);
   }
-  return { nbformat: 4, nbformat_minor: 5, metadata: {
-    kernelspec: { display_name: "Python 3", language: "python", name: "python3" },
-  }, cells };
+
+  // Numbers of exercises, and what is kept of them.
+  get answered() {
+    const mine = this.kept.of("exercises");
+    return this.numbers.filter((number) => mine[number]?.cell).map((n) => [n, mine[n]]);
+  }
+
+  tell() {
+    const { answered, numbers } = this;
+    const right = answered.filter(([, mine]) => mine.right).length;
+    this.#words.textContent =
+      "The export is a notebook of what you have answered in the whole book and what was said to " +
+      "it: to keep, to go on with in Jupyter, or to hand in. " + (answered.length
+        ? `So far ${answered.length} of ${numbers.length} exercises, ${right} of them right.`
+        : "So far you have answered none.") +
+      (this.kept.blocked ? "" : " Answers and name are kept in this browser, and nowhere else.");
+    this.#blocked.hidden = !this.kept.blocked;
+    this.#button.disabled = !answered.length;
+  }
 }
 
-export function downloadAnswers(answers, version) {
-  const made = new Blob([JSON.stringify(notebook(answers, version), null, 1)],
+function download(answers, name, version) {
+  const made = new Blob([JSON.stringify(notebook(answers, name, version), null, 1)],
     { type: "application/x-ipynb+json" });
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(made);
-  link.download = "drift-lab-answers.ipynb";
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-}
-
-function text(id, source) {
-  return { id: cellId(id), cell_type: "markdown", metadata: {}, source };
-}
-
-function cellId(name) {
-  return name.replaceAll(".", "-");
+  const href = URL.createObjectURL(made);
+  element("a", { href, download: fileName(name) }).click();
+  setTimeout(() => URL.revokeObjectURL(href), 10_000);
 }

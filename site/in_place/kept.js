@@ -1,6 +1,6 @@
-// What a reader has answered and guessed: kept in the browser, under a name with the version of
-// the book, whose next one may ask something else. Where nothing may be kept, it lasts as long as
-// the page.
+// What a reader has answered and guessed, and the name to export it under: kept in the browser,
+// by the version of the book, whose next one may ask something else. Where nothing may be kept, it
+// lasts as long as the page.
 export const BLOCKED =
   "This browser does not let the page keep anything: what you answer lasts until you leave it.";
 
@@ -21,6 +21,7 @@ const SOUND = {
       isAnyOf(["string", "null", "undefined"], entry[name])) &&
     isAnyOf(["boolean", "null", "undefined"], entry.right),
   guesses: (entry) => entry === null || Array.isArray(entry),
+  reader: (entry) => typeof entry === "string",
 };
 
 export class Kept {

@@ -9,17 +9,17 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from copy import deepcopy
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import nbformat
 from nbformat import NotebookNode
-from nbformat.v4 import new_markdown_cell, new_notebook
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from addresses import PDF, colab_address, live_address, section_label
 from reading.equations import add_targets, with_mentions
 from reading.folds import FOLDED
 from reading.links import with_links
-from reading.outputs import Outputs
+from reading.outputs import Outputs, has_room
 from reading.parts import Chapter
 from reading.pictures import Pictures
 from reading.solutions import link_back
@@ -27,6 +27,9 @@ from reading.solutions import link_back
 COLLAPSED = "jp-MarkdownHeadingCollapsed"
 """JupyterLab's mark at a cell whose section is folded."""
 HEADING = re.compile(r"^(#+) (.+)$", re.M)
+IN_A_NOTEBOOK = (
+    '<details class="in-a-notebook"><summary>In a notebook, this is the cell</summary>'
+)
 WAYS: dict[str, tuple[Callable[[str], str], str]] = {
     "live": (live_address, "Run the whole notebook live"),
     "colab": (colab_address, "Notebook for Colab"),
@@ -111,14 +114,30 @@ def _shown(cells: list[NotebookNode], name: str, outputs: Outputs) -> Iterator[N
     for cell in cells:
         if cell.cell_type == "code":
             if targets := cell.metadata.pop("targets", []):
-                yield new_markdown_cell("\n".join(targets))  # type: ignore[no-untyped-call]
+                yield _cell("markdown", "\n".join(targets))
             cell.outputs = outputs.shown(cell)
         else:
             cell.source = with_links(cell.source, name)
             if cell.metadata.get(COLLAPSED):
                 cell.source = HEADING.sub(rf"\g<0>\n\n% {FOLDED}\n", cell.source, count=1)
         cell.metadata.clear()
-        yield cell
+        if cell.cell_type == "code" and has_room(cell.outputs):
+            yield from _asking(cell)
+        else:
+            yield cell
+
+
+def _asking(cell: NotebookNode) -> Iterator[NotebookNode]:
+    """The room for an answer, and below it, folded, the cell that takes it in a notebook."""
+    yield _cell("code", cell.source, outputs=cell.outputs, metadata={"tags": ["remove-input"]})
+    yield _cell("markdown", IN_A_NOTEBOOK)
+    yield _cell("code", cell.source)
+    yield _cell("markdown", "</details>")
+
+
+def _cell(kind: str, source: str, **more: Any) -> NotebookNode:
+    make = new_code_cell if kind == "code" else new_markdown_cell
+    return make(source, **more)  # type: ignore[no-untyped-call, no-any-return]
 
 
 def _add_ways(

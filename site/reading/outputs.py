@@ -36,6 +36,8 @@ GUESS = re.compile(r"(<p><b>A guess first.*)<p>.*?</p>", re.S)
 """The questions of a puzzle, and the sentence that only holds in JupyterLab."""
 
 LOOK_BACK = "<p>No guess is kept yet."
+ROOM = re.compile(r'<div class="(exercise|guess)" data-')
+"""What an output begins with that has room for an answer."""
 
 
 class Outputs:
@@ -113,6 +115,11 @@ class Outputs:
         """A link to a section, for which Jupyter has another address."""
         heading = unescape(unquote(found[1])).replace("-", " ")
         return f"class='reference internal' href='#{section_label(self.chapter, heading)}'"
+
+
+def has_room(shown: list[NotebookNode]) -> bool:
+    """Return whether outputs, as a page shows them, have room for an answer."""
+    return any(ROOM.match(output.get("data", {}).get("text/html", "")) for output in shown)
 
 
 def _output(kind: str, text: str) -> NotebookNode:

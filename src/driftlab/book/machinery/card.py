@@ -55,6 +55,10 @@ class Card:
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
+        return self.boxed()
+
+    def boxed(self, *, hints: bool = True) -> str:
+        """The card in HTML; without hints for a page that has them below it anyway."""
         sign, colour = SIGNS[self.verdict.word]
         says = self.verdict.says.partition(".")[2].strip()
         head = f"<b>{sign}</b> &nbsp;Exercise {html.escape(self.number)}"
@@ -66,7 +70,7 @@ class Card:
             f"<span style='letter-spacing: 0.3em' aria-label='{_aloud(row)}'>{ticks}</span>"
             for row, ticks in zip(self.verdict.parts, self._ticks(), strict=True)
         ]
-        if not self.verdict.right:
+        if hints and not self.verdict.right:
             lines += [ladder(self.help), link(self.help)]
         return boxed(lines, colour)
 
