@@ -71,10 +71,11 @@ class Exercise {
     this.printed.textContent = result.printed;
     this.printed.hidden = !result.printed;
     const { right, guesses } = result.progress;
-    this.#keep({
-      typed: this.form.typed, cell: result.cell, says: result.says,
+    const judged = result.cell && { // what could not be read takes no earlier answer's place
+      cell: result.cell, says: result.says,
       right: right[this.number], guess: guesses[this.number],
-    });
+    };
+    this.#keep({ typed: this.form.typed, ...judged });
   }
 
   // What the package must know of the chapter to say how it stands.

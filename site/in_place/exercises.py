@@ -25,6 +25,8 @@ from driftlab.book.machinery.reading import UnreadableError
 
 LATE = "sympy"
 """The package that comes only when it is asked for."""
+JUDGED = ("right", "not yet")
+"""Words of a verdict on an answer that could be read."""
 YOURS = "<your lines>"
 """What a traceback calls the lines of an answer."""
 HOW = {
@@ -63,8 +65,9 @@ def check(
     -------
     dict
         The card in HTML, what it says as text, the verdict (true, false or null), what the lines
-        of the answer printed, the cell of a notebook that gives the same answer, and the progress
-        from now on. Or "needs": a package without which the answer cannot be judged.
+        of the answer printed, the cell of a notebook that gives the same answer (None if there is
+        none that could be judged), and the progress from now on. Or "needs": a package without
+        which the answer cannot be judged.
     """
     kept = Progress(dict(progress["right"]), dict(progress["guesses"]))
     printed = io.StringIO()
@@ -80,7 +83,7 @@ def check(
         "says": repr(card),
         "right": card.verdict.right,
         "printed": printed.getvalue(),
-        "cell": _cell(number, way, given, panel),
+        "cell": _cell(number, way, given, panel) if card.verdict.word in JUDGED else None,
         "progress": {"right": kept.right, "guesses": kept.guesses},
     }
 

@@ -13,7 +13,7 @@ export class End {
 
   constructor(kept, numbers, version) {
     Object.assign(this, { kept, numbers });
-    const name = element("label", {}, "Your name, if the notebook shall bear it ", this.#name);
+    const name = element("label", {}, "Your name, if it should stand in the notebook ", this.#name);
     this.#name.value = kept.of("reader").name ?? "";
     this.#name.onchange = () => kept.put("reader", "name", this.#name.value.trim());
     const form = element("form", { className: "answer answers-export" }, name, this.#button);

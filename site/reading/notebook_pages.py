@@ -27,9 +27,7 @@ from reading.solutions import link_back
 COLLAPSED = "jp-MarkdownHeadingCollapsed"
 """JupyterLab's mark at a cell whose section is folded."""
 HEADING = re.compile(r"^(#+) (.+)$", re.M)
-IN_A_NOTEBOOK = (
-    '<details class="in-a-notebook"><summary>In a notebook, this is the cell</summary>'
-)
+IN_A_NOTEBOOK = '<details class="in-a-notebook"><summary>In a notebook, this is the cell</summary>'
 WAYS: dict[str, tuple[Callable[[str], str], str]] = {
     "live": (live_address, "Run the whole notebook live"),
     "colab": (colab_address, "Notebook for Colab"),

@@ -1,0 +1,37 @@
+"""What several tests of answers in the page use: one exercise's form, and values of a panel."""
+
+PATIENCE = 240_000
+"""Milliseconds that Python may take to come on a busy machine."""
+REACH = {f"m{i}{j}": 2 for i in (1, 2, 3) for j in (1, 2, 3)} | {"azimuth": 45, "elevation": 35}
+"""Values of the panel of exercise 3.2 that answer it."""
+
+
+class Form:
+    """One exercise in the page."""
+
+    def __init__(self, page, number):
+        self.part = page.locator(f'div.exercise[data-exercise="{number}"]')
+
+    def button(self, name):
+        return self.part.get_by_role("button", name=name)
+
+    def expect(self, verdict):
+        card = self.part.locator(f'.answer-card[data-verdict="{verdict}"] > [role=status]')
+        card.wait_for(timeout=PATIENCE)
+        return card.inner_text()
+
+    def line(self, text):
+        self.part.get_by_role("textbox").first.fill(text)
+        self.part.get_by_role("textbox").first.press("Enter")
+
+    def letters(self, chosen):
+        for box in self.part.get_by_role("checkbox").all():
+            box.set_checked(box.get_attribute("value") in chosen)
+        self.button("Check").click()
+
+    def python(self, lines):
+        area = self.part.locator("textarea")
+        if not area.is_visible():
+            self.part.get_by_text("Compute it in Python").click()
+        area.fill(lines)
+        area.press("Shift+Enter")
