@@ -135,7 +135,7 @@ def _asking(cell: NotebookNode) -> Iterator[NotebookNode]:
 
 def _cell(kind: str, source: str, **more: Any) -> NotebookNode:
     make = new_code_cell if kind == "code" else new_markdown_cell
-    return make(source, **more)  # type: ignore[no-untyped-call, no-any-return]
+    return make(source, **more)  # type: ignore[no-untyped-call]
 
 
 def _add_ways(
