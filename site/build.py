@@ -71,8 +71,10 @@ def make_site(made: Path, distribution: Path | None) -> None:
         print(reason, file=sys.stderr)
     beside = {"colab", "pdf"} if reason else {"colab", "pdf", "in_place", "live"}
     notebooks = executed()
-    make_reading(notebooks, BUILD, made, beside)
-    make_pdf(notebooks, BUILD, made / PDF)
+    pdf = BUILD / PDF  # first, for the pages say how large it is
+    make_pdf(notebooks, BUILD, pdf)
+    make_reading(notebooks, BUILD, made, beside, pdf.stat().st_size)
+    shutil.move(pdf, made / PDF)
     make_colab(FOLDER, made / "colab")
     if not reason:
         make_in_place(made / "in_place")

@@ -3,7 +3,7 @@
 "use strict";
 
 (() => {
-  const { dot, perTurn, turned, unit } = Drift;
+  const { dot, error, perTurn, turned, unit } = Drift;
   const { DEGREE, STRAIGHT, bentTo, errors, lean, leaning } = Triad;
   const { SIDE, TOWARDS, UP, picture } = Picture;
   const TURNS = 5;
@@ -14,26 +14,27 @@
   const hero = document.getElementById("hero");
   hero.innerHTML = `
     <div class="hero-views">
-      <figure><figcaption id="hero-how"><b>Bend a gyro, or turn the axis.</b> Drag a tip; or go to
-        it with Tab and press arrow keys.</figcaption>
+      <figure class="hero-triad"><figcaption id="hero-how"><b>Bend a gyro, or turn the axis.</b>
+        Drag a tip; or go to it with Tab and press arrow keys.</figcaption>
         <svg role="group" aria-label="three gyros and the axis of the turn"></svg></figure>
-      <figure><figcaption><b>A body turns.</b> Dashed: where its computer, which believes the gyros,
-        takes it to be.</figcaption>
+      <div class="hero-buttons">
+        <button type="button" data-do="play"></button>
+        <button type="button" data-do="worst">The worst axis</button>
+        <button type="button" data-do="without">An axis without drift</button>
+        <button type="button" data-do="begin">Start again</button>
+      </div>
+      <p class="hero-says"></p>
+      <figure class="hero-flight"><figcaption><b>A body turns.</b> Dashed: where its computer, which
+        believes the gyros, takes it to be.</figcaption>
         <svg role="img" aria-label="a paper dart that turns, and its ghost"></svg></figure>
     </div>
-    <p class="hero-says"></p>
-    <p class="hero-scale"><span>error of the attitude, turn by turn</span><span></span></p>
+    <p class="hero-scale"><span>angle between the two attitudes, turn by turn</span>
+      <span></span></p>
     <svg class="hero-curve" preserveAspectRatio="none" aria-hidden="true"></svg>
     <input type="range" min="0" max="${TURNS}" step="0.02" aria-label="turns made">
-    <div class="hero-buttons">
-      <button type="button" data-do="play"></button>
-      <button type="button" data-do="worst">The worst axis</button>
-      <button type="button" data-do="without">An axis without drift</button>
-      <button type="button" data-do="begin">Start again</button>
-    </div>
     <dl>
-      <div><dt>drift as drawn</dt><dd></dd></div>
-      <div><dt>bent ${TIMES} times less</dt><dd></dd></div>
+      <div><dt>drift as drawn, in degrees</dt><dd></dd></div>
+      <div><dt>${TIMES} times less, in minutes</dt><dd></dd></div>
       <div><dt><label>this at <select><option value="1">1 turn<option value="10">10 turns<option
         value="60">60 turns</select> a minute</label></dt><dd></dd></div>
     </dl>
@@ -54,7 +55,7 @@
   function begin() {
     ends = [leaning(STRAIGHT[0], STRAIGHT[1], 8 * DEGREE), STRAIGHT[1], STRAIGHT[2]];
     axis = unit([1, 1, 0]);
-    moment = playing ? 0 : 3;
+    moment = 0;
     rest = REST;
   }
 
@@ -74,11 +75,15 @@
 
   function soFar(turns) {
     if (turns === 0) return "After one turn the body will be back. And in its computer?";
-    const left = turns * perTurn(errors(ends), axis);
+    const M = errors(ends);
+    const left = turns * perTurn(M, axis);
     const back = `After ${turns === 1 ? "one turn" : `${turns} turns`} the body is back`;
     if (Math.abs(left) < 0.05 * DEGREE) return `${back}, and in its computer it is, too.`;
     const where = left > 0 ? "too far" : "short of it";
-    return `${back}; its computer believes it ${degrees(Math.abs(left))} ${where}.`;
+    const far = `${degrees(Math.abs(left))} ${where}`;
+    if (Math.abs(left) <= Math.PI) return `${back}; its computer believes it ${far}.`;
+    const apart = degrees(error(M, axis, 2 * Math.PI * turns)); // no two are more than 180° apart
+    return `${back}; its computer has it ${far}, which leaves the two attitudes ${apart} apart.`;
   }
 
   function sayNumbers() {
@@ -89,7 +94,8 @@
     hourly.textContent = `${degrees(small * 60 * rate.value)} an hour`;
     find(".hero-note").textContent =
       `The picture exaggerates: the gyro that leans most leans ${degrees(most)} here. ${TIMES} ` +
-      `times less is ${arcMinutes(most / TIMES)} (minutes of arc), and no eye would see it.`;
+      `times less is ${arcMinutes(most / TIMES)} (minutes of arc; 60′ are 1°), and no eye ` +
+      "would see it.";
     tips.forEach((tip, i) => {
       const value = i < 3 ? lean(ends, i) : Math.acos(axis[2]);
       const along = axis.map((x) => number(x, "")).join(", ");
@@ -208,6 +214,7 @@
   });
 
   begin();
+  if (!playing) moment = 3; // who wants little motion finds something to see
   showAll();
   run();
   new IntersectionObserver(([seen]) => {

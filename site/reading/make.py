@@ -31,6 +31,8 @@ IN_PLACE = "in_place/begin.js"
 """The script that makes panels, scenes and exercises live in the page."""
 LIVE_ONLY = re.compile(r"^% live\n(.*?)^% end\n", re.M | re.S)
 """What the first page says of the live book alone."""
+PDF_SIZE = "{size}"
+"""Where the first page says how large the PDF is."""
 MATHJAX = ("tex-chtml.js", "input/tex/extensions", "output/chtml/fonts")
 """What the pages need of MathJax, of the 40 MB that it has."""
 
@@ -40,6 +42,7 @@ def make_reading(
     build: Path,
     made: Path,
     beside: Collection[str] = (),
+    pdf_size: int = 0,
 ) -> None:
     """Make the pages.
 
@@ -54,6 +57,8 @@ def make_reading(
     beside : collection of str
         What else the site will have, so that the pages lead to it: of "live", "colab", "pdf" and
         "in_place".
+    pdf_size : int, optional
+        Of the PDF, in bytes, for the first page to say.
 
     Raises
     ------
@@ -64,7 +69,8 @@ def make_reading(
     trees = build / "doctrees"  # made anew: kept ones would still know where labels were
     for folder in (source, trees):
         shutil.rmtree(folder, ignore_errors=True)
-    write_source(source, notebook_pages(notebooks, chapters(ROOT), beside), "live" in beside)
+    book = notebook_pages(notebooks, chapters(ROOT), beside)
+    write_source(source, book, "live" in beside, pdf_size)
     options = ["-W", "--keep-going", "-q", "-b", "html", "-d", str(trees)]
     if "in_place" in beside:
         options += ["-D", f"scripts={IN_PLACE}"]
@@ -75,7 +81,7 @@ def make_reading(
         raise Unfinished("\n  ".join(["Pages would fetch from elsewhere:", *elsewhere]))
 
 
-def write_source(source: Path, book: NotebookPages, live: bool) -> None:
+def write_source(source: Path, book: NotebookPages, live: bool, pdf_size: int) -> None:
     """Write what Sphinx reads, of a site with or without the live book."""
     shutil.copytree(HERE / "_static", source / "_static")
     for part in MATHJAX:
@@ -85,7 +91,7 @@ def write_source(source: Path, book: NotebookPages, live: bool) -> None:
         )
     for name in ("conf.py", "search_order.js"):
         shutil.copy(HERE / name, source)
-    for name, text in (book.texts | pages(book, live)).items():
+    for name, text in (book.texts | pages(book, live, pdf_size)).items():
         path = source / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, "utf-8")
@@ -94,7 +100,7 @@ def write_source(source: Path, book: NotebookPages, live: bool) -> None:
         shutil.copy(path, source / "gallery")
 
 
-def pages(book: NotebookPages, live: bool) -> dict[str, str]:
+def pages(book: NotebookPages, live: bool, pdf_size: int) -> dict[str, str]:
     """Return the text of every page that is no notebook, by its file's name."""
     found = {f"{name}.rst": text for name, text in api_pages().items()}
     found |= {f"{name}.md": text for name, text in ledger_pages().items()}
@@ -109,7 +115,7 @@ def pages(book: NotebookPages, live: bool) -> dict[str, str]:
     solved = sorted(Path(name).stem for name in book.texts if name.startswith("solutions/"))
     found["solutions/index.md"] = f"# Solutions\n\n{SOLUTIONS}\n{contents(solved)}"
     front = LIVE_ONLY.sub(r"\1" if live else "", (HERE / "index.md").read_text("utf-8"))
-    found["index.md"] = front + _contents()
+    found["index.md"] = front.replace(PDF_SIZE, f"{pdf_size / 1e6:.0f} MB") + _contents()
     return found
 
 

@@ -121,6 +121,21 @@ def test_a_tip_is_dragged(still):
     assert numbers(still) != said
     still.get_by_role("button", name="Start again").click()
     assert tip.get_attribute("transform") == before
+    assert moment(still) == 0
+
+
+def test_beyond_half_a_turn_it_says_how_far_apart_the_attitudes_are(still):
+    for i, key in enumerate(["ArrowRight", "ArrowLeft", "ArrowRight"]):
+        still.locator(".handle").nth(i).focus()
+        for _ in range(20):
+            still.keyboard.press(key)
+    still.get_by_role("button", name="The worst axis").click()
+    still.locator("#hero input").fill("5")
+    said = still.locator(".hero-says").inner_text()
+    counted, apart = (float(x) for x in re.findall(r"([\d.]+)°", said))
+    assert counted > 180
+    assert apart == pytest.approx(abs((counted + 180) % 360 - 180), abs=0.15)
+    assert still.locator(".hero-scale").inner_text().endswith("at most 180.0°")
 
 
 def test_the_worst_axis_and_one_without_drift(still):
@@ -182,6 +197,8 @@ def test_fingers_find_what_to_press(browser, site):
         assert min(box["width"], box["height"]) >= 43, part
         assert box["x"] >= 0, part
         assert box["x"] + box["width"] <= 390, part
+    last = page.get_by_role("button", name="Start again").bounding_box()
+    assert last["y"] + last["height"] < 844  # in view with the triad
     page.get_by_role("button", name="Pause").tap()
     assert page.get_by_role("button", name="Play").is_visible()
     context.close()
@@ -196,3 +213,11 @@ def test_without_scripts_it_says_so_and_stands_still(browser, site):
     assert picture.is_visible()
     assert (site / picture.get_attribute("src")).is_file()
     context.close()
+
+
+def test_it_says_how_large_the_pdf_is_and_leads_to_ones_work(page, site):
+    page.goto((site / "index.html").as_uri())
+    size = (site / "drift-lab.pdf").stat().st_size / 1e6
+    assert f"(PDF, {size:.0f} MB)" in page.locator(".doors").inner_text()
+    if (site / "live").exists():
+        assert page.locator("a[href='live/my-work.html']").count() == 1
