@@ -14,6 +14,7 @@ from sphinx.domains.python import PythonDomain
 from sphinx.environment import BuildEnvironment
 
 from reading.api_pages import plain_bars
+from reading.code_colours import use_few_tags
 from reading.doors import FOLDER, aliases, names
 from reading.field_words import FieldWords, also
 from reading.folds import fold_sections, keep_places_single, note_figures
@@ -36,6 +37,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.connect("missing-reference", find_elsewhere)
     app.add_config_value("scripts", "", "html", str)
     app.connect("builder-inited", add_scripts)
+    use_few_tags(app)
     return {"parallel_read_safe": True}
 
 

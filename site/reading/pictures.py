@@ -48,9 +48,10 @@ class Pictures:
         self.files[name] = raw
         width, height = size(raw)
         alt = ALT.search(found[0])
-        return (
-            f'<img src="{up}{FOLDER}/{name}" alt="{alt[1] if alt else ""}" loading="lazy" '
-            f'decoding="async" width="{width}" height="{height}">'
+        file = f"{up}{FOLDER}/{name}"
+        return (  # a tap shows it at its full size, where a narrow page has made it small
+            f'<a class="picture" href="{file}"><img src="{file}" alt="{alt[1] if alt else ""}" loading="lazy" '
+            f'decoding="async" width="{width}" height="{height}"></a>'
         )
 
     def write(self, source: Path) -> None:

@@ -1,9 +1,7 @@
 """The notebooks as pages: figures, panels, exercises, places to link to, and what a page weighs."""
 
-import base64
 import gzip
 import html
-import io
 import json
 import re
 from itertools import pairwise
@@ -11,25 +9,19 @@ from urllib.parse import unquote
 
 import nbformat
 import pytest
-from PIL import Image
 
 from driftlab.book.ledger import ledger_entries
-from driftlab.book.machinery.card import Card
-from driftlab.book.machinery.exercise import Verdict
-from driftlab.book.machinery.hints import Help
 from driftlab.book.panels import EXPLORERS, SCENES
 from executed import FOLDER, notebooks
-from reading.outputs import Outputs
 from reading.papers import equation_label
-from reading.pictures import Pictures, size
-from reading.solutions import fold_of, link_back
 from support import ROOT
 
 WEIGHT = 50_000
-"""Bytes of a page's words, packed as servers send them."""
+"""Bytes of a page, packed as servers send it."""
+HEAVY = {"06_picard_algorithms": 65_000, "08_system_calibration": 70_000}
+"""The two longest chapters: their words, code and numbers alone are more than 40 kB."""
 CHAPTERS = [name for name in notebooks() if name[:2].isdigit()]
 PANELS = {panel.__name__: panel for panel in (*EXPLORERS, *SCENES)}
-SVG = b'<svg xmlns="http://www.w3.org/2000/svg" width="72pt" height="36pt" viewBox="0 0 72 36"/>'
 
 
 def sources(name):
@@ -39,100 +31,6 @@ def sources(name):
         "\n".join(cell.source for cell in cells if cell.cell_type == kind)
         for kind in ("code", "markdown")
     ]
-
-
-# ------------------------------------------------------------------ outputs
-
-
-def shown(output, plain="", source="", page="03_systematic_drift"):
-    """What a chapter's page has of one HTML output, and its pictures."""
-    pictures = Pictures()
-    cell = nbformat.v4.new_code_cell(source)
-    cell.outputs = [
-        nbformat.v4.new_output("display_data", {"text/html": output, "text/plain": plain})
-    ]
-    (made,) = Outputs(pictures, page, "03").shown(cell)
-    return made.data["text/html"], pictures
-
-
-def inlined(raw, kind):
-    return (
-        f'<img src="data:image/{kind};base64,{base64.b64encode(raw).decode()}" alt="two &amp; a">'
-    )
-
-
-def test_a_picture_becomes_one_file_however_often_it_is_shown():
-    pictures = Pictures()
-    twice = pictures.as_files(2 * inlined(SVG, "svg+xml"), "../")
-    (name,) = pictures.files
-    assert pictures.files[name] == SVG
-    assert twice.count(f'src="../_static/pictures/{name}" alt="two &amp; a" loading="lazy"') == 2
-    assert name.endswith(".svg")
-    assert 'width="96" height="48"' in twice
-
-
-def test_room_is_kept_for_every_kind_of_picture():
-    file = io.BytesIO()
-    Image.new("RGB", (30, 20)).save(file, "jpeg")
-    assert size(file.getvalue()) == (30, 20)
-    assert size(SVG) == (96, 48)
-    assert size(b'<svg viewBox="0 0 640 310.5">') == (640, 310)
-
-
-def test_a_figure_is_a_place_once_and_leads_to_its_numbers():
-    figure = (
-        f'<figure style="margin: 0">{inlined(SVG, "svg+xml")}<figcaption>x</figcaption></figure>'
-    )
-    page, _ = shown(figure, "driftlab.figure('03-drift-map')\nx")
-    assert page.startswith(
-        '<figure class="driftlab-figure" id="fig-03-drift-map"><img src="_static'
-    )
-    assert 'href="gallery/index.html#figure-03-drift-map"' in page
-    changed, _ = shown(figure, "driftlab.figure('03-drift-map', turns=2)\nx")
-    assert "id=" not in changed
-    assert "gallery" not in changed
-    cell = nbformat.v4.new_code_cell()
-    data = {"text/html": figure, "text/plain": "driftlab.figure('03-drift-map')\nx"}
-    cell.outputs = [nbformat.v4.new_output("display_data", data)] * 2
-    first, second = Outputs(Pictures(), "03_systematic_drift", "03").shown(cell)
-    assert "id=" in first.data["text/html"]
-    assert "id=" not in second.data["text/html"]
-
-
-def test_an_open_exercise_has_room_its_hints_and_its_solution():
-    help_ = Help("Where it stands: (2.4)", "nudge", "idea")
-    card = Card("3.2", Verdict(None, "not answered yet."), help_, (), "0 of 6 right")
-    page, _ = shown(card._repr_html_())
-    assert page.startswith('<div class="exercise" data-exercise="3.2"></div><div class="hints">')
-    assert page.endswith(fold_of("3.2", "solutions/03_systematic_drift.html"))
-    assert "href='#chapter-03-where-it-stands-2-4'" in page
-    assert "nudge" in page
-    assert "0 of 6 right" not in page
-
-
-def test_a_puzzle_has_room_for_a_guess():
-    asked = "<p><b>A guess first.</b></p><ul><li>How far?</li></ul>"
-    page, _ = shown(f"{asked}<p>Run this cell in JupyterLab.</p>")
-    assert page == f'<div class="guess" data-guess="03">{asked}</div>'
-
-
-def test_what_needs_a_kernel_is_left_out():
-    cell = nbformat.v4.new_code_cell()
-    data = {"application/vnd.jupyter.widget-view+json": {"model_id": "1"}, "text/plain": "A panel"}
-    cell.outputs = [nbformat.v4.new_output("display_data", data)]
-    assert Outputs(Pictures(), "03_systematic_drift", "03").shown(cell) == []
-
-
-def test_a_solution_is_a_place_and_leads_back():
-    cell = nbformat.v4.new_markdown_cell("## 3.2 Slide\n\nThe coefficient.")
-    link_back([cell], "03")
-    assert cell.source == (
-        "(solution-3-2)=\n## 3.2 Slide\n\n[To the exercise](#chapter-03-3-2-slide)\n\n"
-        "The coefficient."
-    )
-
-
-# ------------------------------------------------------------------ the pages as built
 
 
 @pytest.fixture(scope="module")
@@ -247,12 +145,12 @@ def test_nothing_is_left_raw(pages):
         assert "widget-view" not in text, name
 
 
-def test_the_words_of_a_page_weigh_little(site):
+def test_a_page_weighs_little_as_it_is_served(site):
     for path in sorted(site.rglob("*.html")):
         text = path.read_text("utf-8")
-        if "<article" in text:
-            plain = html.unescape(re.sub(r"<[^>]*>", "", article(text)))
-            assert len(gzip.compress(plain.encode())) < WEIGHT, path.relative_to(site)
+        if "<article" in text and "_modules" not in path.parts:
+            most = HEAVY.get(path.stem, WEIGHT)
+            assert len(gzip.compress(text.encode())) < most, path.relative_to(site)
 
 
 def test_chapters_come_part_by_part_and_lead_on(pages):
@@ -264,57 +162,3 @@ def test_chapters_come_part_by_part_and_lead_on(pages):
     readme = (ROOT / "README.md").read_text("utf-8")
     minutes = re.search(r"^\| 03 \|.*?\| (\d+) \|", readme, re.M)[1]
     assert f'<p class="ways">{minutes} minutes' in side
-
-
-# ------------------------------------------------------------------ in a browser
-
-
-@pytest.mark.browser
-@pytest.mark.xdist_group("site-chapters")
-def test_a_solution_comes_into_the_chapter_when_it_is_unfolded(address, page):
-    page.goto(f"{address}/03_systematic_drift.html")
-    fold = page.locator("details.solution").nth(1)
-    fold.locator("summary").click()
-    fold.get_by_text("all nine sliders matter").wait_for()
-    fold.locator("mjx-container").first.wait_for()
-    assert fold.locator("h2").count() == 0
-    assert page.locator("details.solution mjx-container").count() > 0
-    assert page.complaints == []
-
-
-@pytest.mark.browser
-@pytest.mark.xdist_group("site-chapters")
-def test_from_a_disk_the_fold_leads_to_the_solution(site, page):
-    page.goto((site / "03_systematic_drift.html").as_uri())
-    fold = page.locator("details.solution").first
-    fold.locator("summary").click()
-    fold.locator("a").click()
-    page.wait_for_url("**/solutions/03_systematic_drift.html#solution-3-1")
-    assert page.complaints == []
-
-
-@pytest.mark.browser
-@pytest.mark.xdist_group("site-chapters")
-def test_a_link_into_a_folded_section_unfolds_it(site, page):
-    page.goto((site / "05_cayley_and_riccati.html").as_uri() + "#chapter-05-the-matrix-of-1-6")
-    page.locator("h4", has_text="The matrix of (1.6)").wait_for(state="visible")
-    assert page.locator("details.folded[open]").count() == 1
-
-
-@pytest.mark.browser
-@pytest.mark.xdist_group("site-chapters")
-@pytest.mark.parametrize(
-    ("said", "title"),
-    [
-        ("systematic drift", "03 The systematic drift"),
-        ("seaway", "03 The systematic drift"),
-        ("count by their area", "Small motions count by their area"),
-        ("no ballistic error", "No ballistic error"),
-    ],
-)
-def test_the_search_finds_chapters_and_their_sections(site, page, said, title):
-    page.goto((site / "search.html").as_uri() + f"?q={said}")
-    page.locator("ul.search li").first.wait_for()
-    page.wait_for_function("document.querySelector('p.search-summary')?.textContent.includes('.')")
-    found = page.locator("ul.search li").all_inner_texts()[:8]
-    assert any(title in text for text in found), found

@@ -24,8 +24,6 @@ from driftlab.checks import FloatArray
 from ..experiments import DriftHistory
 
 AXES = ("axis of the turns", "worst axis")
-DARK_GREEN = "#007A59"
-"""The green of the lines, dark enough for letters."""
 REACHES_ALONG = (0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 12.0, 20.0, 50.0, 100.0, 180.0)
 REACHES_ACROSS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0, 100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 1.1e4)
 """How far the axes may reach, degrees and minutes of arc."""
@@ -83,11 +81,8 @@ class DriftHistoryPicture(Picture[DriftHistory]):
         spin = {"color": BLUE, "linestyle": "-.", "linewidth": 1.2}
         self.axis = [self.line(panel, **spin) for panel in (triad, frames)]
         self.worst = self.line(triad, color=GREEN, linestyle=":", linewidth=1.8)
-        named = {"ha": "center", "va": "center", "fontsize": "small"}
-        self.axis_name = self.words(triad, color=BLUE, **named)
-        self.worst_name = self.words(triad, color=DARK_GREEN, **named)
         self.factor = self.words(frames, color=BLACK, fontsize="small")
-        self.factor.set_position((-0.9, -0.86))
+        self.factor.set_position((-0.9, -1.02))  # below every line
         self.along = self.line(history, **SERIES[0], label="full motion")
         self.first = self.line(history, color=GREY, linestyle="--", label="first order")
         self.snapshots = self.line(
@@ -98,15 +93,20 @@ class DriftHistoryPicture(Picture[DriftHistory]):
             across, color=BLACK, linestyle="none", marker="o", clip_on=False
         )
         over_turns = [self.along, self.first, self.snapshots]
+        in_space = [self.axis[0], self.worst]
         if self.sheet.on_paper:
             words = [*(line.get_label() for line in over_turns), *AXES]
-            handles = [*over_turns, self.axis[0], self.worst]
+            handles = [*over_turns, *in_space]
             legend_below_all(self.figure, self.sheet, handles, 5, labels=words, columnspacing=1.1)
         else:
-            self.figure.legend(
-                handles=over_turns, ncols=3, frameon=False, columnspacing=1.1, loc="lower right",
-                bbox_to_anchor=(0.99, -0.015),
-            )  # fmt: skip
+            for handles, words, corner, x in (
+                (over_turns, None, "lower right", 0.99),
+                (in_space, AXES, "lower left", 0.0),
+            ):
+                self.figure.legend(
+                    handles, words or [line.get_label() for line in handles], ncols=3,
+                    frameon=False, columnspacing=1.1, loc=corner, bbox_to_anchor=(x, -0.015),
+                )  # fmt: skip
 
     def _three(self, panel: Axes, style: dict[str, object]) -> list[Line2D]:
         return [self.line(panel, **style) for _ in range(3)]
@@ -131,17 +131,8 @@ class DriftHistoryPicture(Picture[DriftHistory]):
         spin = project(np.stack([-data.direction, data.direction]))
         for line in self.axis:
             line.set_data(*spin.T)
-        # Its name stands at the other end than that of the axis, also where the two are one.
-        sign = 1.0 if data.worst_axis @ data.direction >= 0 else -1.0
-        worst = project(sign * np.stack([-data.worst_axis, data.worst_axis]))
+        worst = project(np.stack([-data.worst_axis, data.worst_axis]))
         self.worst.set_data(*worst.T)
-        for text, end, name in zip(
-            (self.axis_name, self.worst_name), (spin[0], worst[1]), AXES, strict=True
-        ):
-            x, y = end * (1 + 0.12 / max(float(np.linalg.norm(end)), 0.1))
-            text.set_position((float(np.clip(x, -0.6, 0.85)), float(np.clip(y, -0.84, 1.1))))
-            if not self.sheet.on_paper:  # there the legend names it, with more room
-                text.set_text(name)
         table = columns(data)
         along, across = table["along_deg"], table["across_arcmin"]
         self.set_reach(self.history, "y", along, REACHES_ALONG)
