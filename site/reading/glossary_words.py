@@ -44,7 +44,13 @@ def cells(row: nodes.row) -> list[str]:
 
 
 def words(texts: list[str]) -> Iterator[str]:
-    """Yield the words of a row: without what stands in brackets, and what is an abbreviation."""
+    """Yield the words of a row: without what stands in brackets, and what is an abbreviation.
+
+    Of a Russian term also the last word, which says what it is of, "угловая скорость дрейфа".
+    """
+    russian = re.sub(r"\s*\([^)]*\)", "", texts[1]).split()
+    if len(russian) > 1:
+        yield russian[-1]
     for text in texts[: len(LANGUAGES)]:
         yield re.sub(r"\s*\([^)]*\)", "", text)
         yield from re.findall(r"\(([^\W\d_]{2,5})\)", text)

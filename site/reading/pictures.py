@@ -50,8 +50,8 @@ class Pictures:
         alt = ALT.search(found[0])
         file = f"{up}{FOLDER}/{name}"
         return (  # a tap shows it at its full size, where a narrow page has made it small
-            f'<a class="picture" href="{file}"><img src="{file}" alt="{alt[1] if alt else ""}" loading="lazy" '
-            f'decoding="async" width="{width}" height="{height}"></a>'
+            f'<a class="picture" href="{file}"><img src="{file}" '
+            f'alt="{alt[1] if alt else ""}" loading="lazy" decoding="async" width="{width}" height="{height}"></a>'
         )
 
     def write(self, source: Path) -> None:

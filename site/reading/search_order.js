@@ -1,23 +1,26 @@
-/* How the search orders what it found: words of the field first, then functions, then modules. */
+/* What the search puts first, and what it quotes: words of the glossary, tasks, and chapters by
+   their headings; then functions; then what only has the word somewhere in its text. */
+const BY_HEADING = /^(\d\d_|i_want_to)/; // pages to read
 var Scorer = {
   score: (result) => {
-    const anchor = result[2], score = result[4], kind = result[6];
+    const [docname, , anchor, , score, , kind] = result;
+    if (kind === "title" && BY_HEADING.test(docname)) return score + 100;
     if (kind !== "index" || !anchor) return score;
     // An entry of the index knows its page and its place only: here it says which function, term or
     // task.
     const place = anchor.slice(1);
     if (place.startsWith("driftlab.")) {
       result[1] = place;
-      return score + 1;
+      return score;
     }
     if (place.startsWith("term-")) {
       result[1] = `Glossary: ${place.slice("term-".length).replaceAll("-", " ")}`;
-      return score;
+      return score + 100;
     }
     const titles = Object.entries(Search._index.alltitles);
     const task = titles.find(([, places]) => places.some(([, id]) => id === place));
     if (task) result[1] = task[0];
-    return score;
+    return score + 1;
   },
   objNameMatch: 11,
   objPartialMatch: 6,
@@ -28,5 +31,20 @@ var Scorer = {
   term: 5,
   partialTerm: 2,
 };
+
+/* The words of a page, or of one place of it, that an excerpt is taken from: no code, no formulas.
+   A function's place is its heading, so its text is beside it. */
+const UNREAD = ".headerlink, script, style, .highlight, .math, .ways, .sig, dl.field-list";
+function wordsOf(text, anchor) {
+  const page = new DOMParser().parseFromString(text, "text/html");
+  const found = anchor && page.getElementById(decodeURIComponent(anchor.slice(1)));
+  const place = found?.matches("dt") ? found.parentElement : found;
+  const whole = place?.textContent.trim() ? place : page.querySelector('[role="main"]');
+  for (const part of whole?.querySelectorAll(UNREAD) ?? []) part.remove();
+  return whole?.textContent.replace(/\s+/g, " ") ?? "";
+}
+document.addEventListener("DOMContentLoaded", () => {
+  if (typeof Search !== "undefined") Search.htmlToText = wordsOf;
+});
 // From a disk no page can be asked for the lines around a word; the titles are found all the same.
 if (location.protocol === "file:") DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY = false;

@@ -12,6 +12,9 @@ pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("site-landing")]
         ("лазерный гироскоп", "ring-laser-gyro"),
         ("ВОГ", "fibre-optic-gyro"),
         ("加速度计", "accelerometer"),
+        ("дрейф", "drift-of-a-gyro"),
+        ("уход", "drift-coefficient"),
+        ("Schuler", "schuler-period"),
         ("陀螺", "gyroscope"),
         ("fibre-optic gyro", "fibre-optic-gyro"),
     ],
@@ -27,3 +30,19 @@ def test_a_word_is_found(site, page, word, term):
     row = page.locator(f"#term-{term}")
     row.wait_for()
     assert word in row.inner_text()
+
+
+def test_the_glossary_comes_before_functions_and_excerpts_can_be_read(address, page):
+    said = []
+    page.on("console", lambda message: said.append(message.text))
+    page.goto(f"{address}/search.html?q=Schuler")
+    page.wait_for_function("document.querySelector('p.search-summary')?.textContent.includes('.')")
+    page.locator("ul.search li p.context").nth(5).wait_for()
+    found = page.locator("ul.search li").all_inner_texts()[:12]
+    glossary = [i for i, text in enumerate(found) if text.startswith("Glossary: ")]
+    functions = [i for i, text in enumerate(found) if text.startswith("driftlab.")]
+    assert glossary
+    assert functions
+    assert max(glossary) < min(functions)
+    assert not any(">>>" in text or "\\(" in text for text in found)
+    assert said == []
