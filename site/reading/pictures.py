@@ -51,7 +51,8 @@ class Pictures:
         file = f"{up}{FOLDER}/{name}"
         return (  # a tap shows it at its full size, where a narrow page has made it small
             f'<a class="picture" href="{file}"><img src="{file}" '
-            f'alt="{alt[1] if alt else ""}" loading="lazy" decoding="async" width="{width}" height="{height}"></a>'
+            f'alt="{alt[1] if alt else ""}" loading="lazy" decoding="async" '
+            f'width="{width}" height="{height}"></a>'
         )
 
     def write(self, source: Path) -> None:
