@@ -21,11 +21,11 @@ PLAIN = frozenset(
 )
 
 
-class FewTags(HtmlFormatter[str]):
+class FewTags(HtmlFormatter[str]):  # type: ignore[misc]
     """Code as HTML, with tags around what has a colour of its own only."""
 
     def _get_css_class(self, ttype: Any) -> str:
-        return "" if ttype in PLAIN else str(super()._get_css_class(ttype))  # type: ignore[misc]
+        return "" if ttype in PLAIN else str(super()._get_css_class(ttype))
 
 
 def use_few_tags(app: Sphinx) -> None:

@@ -48,11 +48,11 @@ class Pictures:
         self.files[name] = raw
         width, height = size(raw)
         alt = ALT.search(found[0])
+        words = alt[1] if alt else ""
         file = f"{up}{FOLDER}/{name}"
         return (  # a tap shows it at its full size, where a narrow page has made it small
-            f'<a class="picture" href="{file}"><img src="{file}" '
-            f'alt="{alt[1] if alt else ""}" loading="lazy" decoding="async" '
-            f'width="{width}" height="{height}"></a>'
+            f'<a class="picture" href="{file}"><img src="{file}" alt="{words}" loading="lazy" '
+            f'decoding="async" width="{width}" height="{height}"></a>'
         )
 
     def write(self, source: Path) -> None:

@@ -99,14 +99,13 @@ class DriftHistoryPicture(Picture[DriftHistory]):
             handles = [*over_turns, *in_space]
             legend_below_all(self.figure, self.sheet, handles, 5, labels=words, columnspacing=1.1)
         else:
-            for handles, words, corner, x in (
-                (over_turns, None, "lower right", 0.99),
-                (in_space, AXES, "lower left", 0.0),
-            ):
-                self.figure.legend(
-                    handles, words or [line.get_label() for line in handles], ncols=3,
-                    frameon=False, columnspacing=1.1, loc=corner, bbox_to_anchor=(x, -0.015),
-                )  # fmt: skip
+            style: dict[str, Any] = {"ncols": 3, "frameon": False, "columnspacing": 1.1}
+            self.figure.legend(
+                handles=over_turns, loc="lower right", bbox_to_anchor=(0.99, -0.015), **style
+            )
+            self.figure.legend(
+                in_space, AXES, loc="lower left", bbox_to_anchor=(0.0, -0.015), **style
+            )
 
     def _three(self, panel: Axes, style: dict[str, object]) -> list[Line2D]:
         return [self.line(panel, **style) for _ in range(3)]
