@@ -40,6 +40,7 @@ body {{ max-width: 46rem; margin: 2rem auto; padding: 0 1rem; }}
 body {{ font: 1rem/1.6 system-ui, sans-serif; overflow-wrap: anywhere; }}
 table {{ width: 100%; border-collapse: collapse; }}
 th, td {{ padding: 0.3rem 0.8rem 0.3rem 0; border-bottom: 1px solid #8885; text-align: left; }}
+th {{ overflow-wrap: normal; }}
 pre {{ white-space: pre-wrap; font-size: 0.85rem; }}
 </style>
 </head>
