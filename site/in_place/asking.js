@@ -1,19 +1,13 @@
 // A question to the page's Python: what is said while it works, a way to stop it, and one sentence
 // if it fails.
+import { make } from "./elements.js";
 import { ask, stop } from "./python.js";
-
-export function element(tag, properties = {}, ...children) {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-}
+import { Progress } from "./waiting.js";
 
 export class Asking {
-  #words = element("span", { role: "status" });
-  #much = element("span"); // apart from the words, which a screen reader reads out when they change
-  #bar = element("progress", { ariaLabel: "Fetched", hidden: true });
-  root = element("p", { className: "answer-says" }, this.#words, this.#much, this.#bar);
-  stop = element("button", { type: "button", textContent: "Stop", hidden: true });
+  #progress = new Progress();
+  root = make("p", { className: "answer-says" }, ...this.#progress.parts);
+  stop = make("button", { type: "button", textContent: "Stop", hidden: true });
 
   constructor(kept = "") {
     this.stop.onclick = () => {
@@ -23,7 +17,7 @@ export class Asking {
   }
 
   say(words) {
-    if (this.#words.textContent !== words) this.#words.textContent = words;
+    this.#progress.say(words);
   }
 
   // The result, or null if there is none; then the sentence stands in the page.
@@ -39,30 +33,20 @@ export class Asking {
       this.say(this.stopped || error.message);
       return null;
     } finally {
-      this.stop.hidden = this.#bar.hidden = true;
-      this.#much.textContent = "";
+      this.stop.hidden = true;
+      this.#progress.end();
     }
   }
 
   // Python says if it needs a package that is not loaded yet; it is asked again with it.
   async #withPackages(call, args) {
-    const onProgress = (progress) => this.#show(progress);
     let packages = [];
     for (;;) {
-      const result = await ask(call, args, { onProgress, packages });
+      const result = await ask(call, args, { onProgress: this.#progress.show, packages });
       if (!result?.needs) return result;
       if (packages.includes(result.needs)) throw new Error(`${result.needs} could not be loaded.`);
       packages = [result.needs];
     }
-  }
-
-  #show({ says, loaded, total }) {
-    const fetching = loaded < total;
-    const megabytes = (bytes) => Math.round(bytes / 1e6);
-    this.say(`${says} …`);
-    this.#much.textContent = fetching ? ` ${megabytes(loaded)} of ${megabytes(total)} MB ` : "";
-    this.#bar.hidden = !fetching;
-    Object.assign(this.#bar, { max: total || 1, value: loaded });
   }
 }
 
@@ -70,7 +54,7 @@ export class Asking {
 export async function data(name) {
   const style = new URL("answers.css", import.meta.url).href;
   if (!document.querySelector(`link[href="${style}"]`))
-    document.head.append(element("link", { rel: "stylesheet", href: style }));
+    document.head.append(make("link", { rel: "stylesheet", href: style }));
   const answer = await fetch(new URL(`${name}.json`, import.meta.url)).catch(() => null);
   if (!answer?.ok) throw new Error(`${name}.json could not be fetched. Are you offline?`);
   return answer.json();

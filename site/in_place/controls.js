@@ -1,13 +1,9 @@
 // Native controls for the widgets of a panel, each with its label, its full name for screen readers,
 // and its value. What brings its own script is drawn by that script.
 
-let count = 0;
+import { make } from "./elements.js";
 
-export const make = (kind, properties = {}, ...inside) => {
-  const element = Object.assign(document.createElement(kind), properties);
-  element.append(...inside);
-  return element;
-};
+let count = 0;
 
 // Show a model; returns its element. `ends` collects what is to be called at its end.
 export function show(model, ends) {

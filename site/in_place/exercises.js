@@ -1,5 +1,6 @@
 // The exercises of a page: a form below each, which answers back by the page's Python.
-import { Asking, data, element } from "./asking.js";
+import { Asking, data } from "./asking.js";
+import { make } from "./elements.js";
 import { End } from "./export.js";
 import { AnswerForm } from "./form.js";
 import { Kept } from "./kept.js";
@@ -24,10 +25,10 @@ class Exercise {
     Object.assign(this, { place, number, kept, tell });
     this.asking = new Asking("What you typed is still here.");
     this.form = new AnswerForm(number, form, this.asking.stop);
-    this.printed = element("pre", { className: "answer-printed", hidden: true, tabIndex: 0 });
+    this.printed = make("pre", { className: "answer-printed", hidden: true, tabIndex: 0 });
     this.printed.setAttribute("aria-label", `What your lines for exercise ${number} printed`);
     // It is there before its text is, or a screen reader would say nothing of it.
-    this.card = element("div", { className: "answer-card", ariaLive: "polite" });
+    this.card = make("div", { className: "answer-card", ariaLive: "polite" });
     place.replaceChildren(this.form.root, this.asking.root, this.printed, this.card);
     this.form.onTyped = (typed) => this.#keep({ typed });
     this.form.onAnswer = (answer) => this.check(answer);
@@ -48,8 +49,8 @@ class Exercise {
     if (typed) this.form.show(typed);
     if (cell && right != null)
       this.card.append(
-        element("p", { className: `answer-before ${right ? "right" : "not-yet"}` },
-          element("b", { textContent: SIGNS[right] }), " when you last checked it."));
+        make("p", { className: `answer-before ${right ? "right" : "not-yet"}` },
+          make("b", { textContent: SIGNS[right] }), " when you last checked it."));
   }
 
   async check(answer) {

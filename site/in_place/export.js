@@ -1,28 +1,28 @@
 // Below all exercises of a page: how the book's exercises stand, and the reader's answers as a
 // notebook, to take along or to hand in.
-import { element } from "./asking.js";
 import { fileName, notebook } from "./answers_notebook.js";
+import { download, make } from "./elements.js";
 import { BLOCKED } from "./kept.js";
 
 // Its parts stay while their words change, or a click would lose the button under it.
 export class End {
-  #words = element("p");
-  #blocked = element("p", { textContent: BLOCKED, hidden: true });
-  #name = element("input", { type: "text", autocomplete: "name", maxLength: 80 });
-  #button = element("button", { type: "submit", textContent: "Export my answers" });
+  #words = make("p");
+  #blocked = make("p", { textContent: BLOCKED, hidden: true });
+  #name = make("input", { type: "text", autocomplete: "name", maxLength: 80 });
+  #button = make("button", { type: "submit", textContent: "Export my answers" });
 
   constructor(kept, numbers, version) {
     Object.assign(this, { kept, numbers });
-    const name = element("label", {}, "Your name, if it should stand in the notebook ", this.#name);
+    const name = make("label", {}, "Your name, if it should stand in the notebook ", this.#name);
     this.#name.value = kept.of("reader").name ?? "";
     this.#name.onchange = () => kept.put("reader", "name", this.#name.value.trim());
-    const form = element("form", { className: "answer answers-export" }, name, this.#button);
+    const form = make("form", { className: "answer answers-export" }, name, this.#button);
     form.onsubmit = (event) => {
       event.preventDefault();
-      if (this.answered.length) download(this.answered, this.#name.value.trim(), version);
+      if (this.answered.length) this.#hand(this.#name.value.trim(), version);
     };
-    const title = element("h3", { id: "your-answers", textContent: "Your answers" });
-    this.root = element("section", { className: "answers-end" },
+    const title = make("h3", { id: "your-answers", textContent: "Your answers" });
+    this.root = make("section", { className: "answers-end" },
       title, this.#words, this.#blocked, form);
     this.root.setAttribute("aria-labelledby", title.id);
   }
@@ -45,12 +45,9 @@ export class End {
     this.#blocked.hidden = !this.kept.blocked;
     this.#button.disabled = !answered.length;
   }
-}
 
-function download(answers, name, version) {
-  const made = new Blob([JSON.stringify(notebook(answers, name, version), null, 1)],
-    { type: "application/x-ipynb+json" });
-  const href = URL.createObjectURL(made);
-  element("a", { href, download: fileName(name) }).click();
-  setTimeout(() => URL.revokeObjectURL(href), 10_000);
+  #hand(name, version) {
+    const made = JSON.stringify(notebook(this.answered, name, version), null, 1);
+    download(fileName(name), "application/x-ipynb+json", made);
+  }
 }

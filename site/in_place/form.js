@@ -1,5 +1,5 @@
 // The form of one exercise: letters to tick, a line of numbers, or lines of Python.
-import { element } from "./asking.js";
+import { make } from "./elements.js";
 
 export class AnswerForm {
   onTyped = () => {};
@@ -7,19 +7,19 @@ export class AnswerForm {
 
   constructor(number, { way, letters = "", lines, panel = false }, stop) {
     this.way = way;
-    this.root = element("form", { className: "answer" });
+    this.root = make("form", { className: "answer" });
     this.first = lines ?? "";
     const parts = [];
     if (way === "letters") parts.push(this.#letters(letters));
     if (way === "line") parts.push(this.#line(number));
     if (lines !== undefined) parts.push(this.#python(number));
-    this.button = element("button", { type: "submit", className: "answer-check" });
-    const buttons = element("div", { className: "answer-buttons" }, this.button);
+    this.button = make("button", { type: "submit", className: "answer-check" });
+    const buttons = make("div", { className: "answer-buttons" }, this.button);
     if (panel) buttons.append(this.#panelButton());
     buttons.append(stop);
     this.root.append(
-      element("fieldset", {},
-        element("legend", { textContent: `Your answer to ${number}` }), ...parts), buttons);
+      make("fieldset", {},
+        make("legend", { textContent: `Your answer to ${number}` }), ...parts), buttons);
     this.root.onsubmit = (event) => {
       event.preventDefault();
       if (!this.busy) this.onAnswer(this.answer);
@@ -68,26 +68,26 @@ export class AnswerForm {
 
   #letters(letters) {
     this.boxes = [...letters].map((value) =>
-      element("input", { type: "checkbox", value, ariaLabel: `Statement ${value}` }));
-    return this.simple = element("div", { className: "answer-letters" },
-      ...this.boxes.map((box) => element("label", {}, box, ` (${box.value})`)));
+      make("input", { type: "checkbox", value, ariaLabel: `Statement ${value}` }));
+    return this.simple = make("div", { className: "answer-letters" },
+      ...this.boxes.map((box) => make("label", {}, box, ` (${box.value})`)));
   }
 
   #line(number) {
-    this.line = element("input", {
+    this.line = make("input", {
       type: "text", autocapitalize: "off", autocomplete: "off", spellcheck: false,
       ariaLabel: `Numbers, your answer to exercise ${number}`,
     });
-    const how = element("small", {
+    const how = make("small", {
       id: `how-${number}`,
       textContent: "Commas between numbers, semicolons between rows: 1.5, −2e-3, 90/7, sqrt(2)",
     });
     this.line.setAttribute("aria-describedby", how.id);
-    return this.simple = element("div", { className: "answer-line" }, this.line, how);
+    return this.simple = make("div", { className: "answer-line" }, this.line, how);
   }
 
   #python(number) {
-    this.code = element("textarea", {
+    this.code = make("textarea", {
       value: this.first, rows: this.first.split("\n").length + 2, spellcheck: false,
       autocapitalize: "off", ariaLabel: `Python for exercise ${number}`,
     });
@@ -96,11 +96,11 @@ export class AnswerForm {
       event.preventDefault();
       this.root.requestSubmit();
     };
-    const how = element("small", { textContent:
+    const how = make("small", { textContent:
       "The answer is what your lines call answer. Shift and Enter run them; print shows here." });
-    if (this.way === "code") return element("div", {}, this.code, how);
-    this.fold = element("details", { className: "answer-python" },
-      element("summary", { textContent: "Compute it in Python" }), this.code, how);
+    if (this.way === "code") return make("div", {}, this.code, how);
+    this.fold = make("details", { className: "answer-python" },
+      make("summary", { textContent: "Compute it in Python" }), this.code, how);
     this.fold.ontoggle = () => {
       this.#follow();
       this.onTyped(this.typed);
@@ -109,7 +109,7 @@ export class AnswerForm {
   }
 
   #panelButton() {
-    const button = element("button", {
+    const button = make("button", {
       type: "button", className: "answer-check", textContent: "Check the panel as it stands",
     });
     button.onclick = () => {

@@ -1,6 +1,7 @@
 // The puzzles of a page: first a guess, then the answer, which the page's Python computes. The
 // guess that was made first is kept.
-import { Asking, data, element } from "./asking.js";
+import { Asking, data } from "./asking.js";
+import { make } from "./elements.js";
 import { BLOCKED, Kept } from "./kept.js";
 
 const UNANSWERED =
@@ -31,15 +32,15 @@ class Guess {
       question.options
         ? new ChoiceInput(question, `guess-${chapter}-${i}`)
         : new NumberInput(question));
-    const look = element("button", { type: "button", textContent: "Show me",
+    const look = make("button", { type: "button", textContent: "Show me",
       title: "See the answer without a guess; that is possible too" });
     look.onclick = () => this.#make(null);
-    const mine = element("button", {
+    const mine = make("button", {
       type: "submit", className: "answer-check", textContent: "That is my guess" });
-    const form = element("form", { className: "answer" },
-      element("p", {}, element("b", { textContent: "A guess first." })),
+    const form = make("form", { className: "answer" },
+      make("p", {}, make("b", { textContent: "A guess first." })),
       ...this.inputs.map((input) => input.root),
-      element("div", { className: "answer-buttons" }, mine, look));
+      make("div", { className: "answer-buttons" }, mine, look));
     form.onsubmit = (event) => {
       event.preventDefault();
       const guess = this.inputs.map((input) => input.value);
@@ -58,15 +59,15 @@ class Guess {
   #remind(guess) {
     const words = guess
       ? this.puzzle.questions.map(({ asks, unit = "" }, i) =>
-        element("p", {}, `${asks} Your guess: `,
-          element("b", { textContent: `${guess[i]} ${unit}`.trim() })))
-      : [element("p", { textContent: "You looked at the answer of this puzzle." })];
-    const show = element("button", {
+        make("p", {}, `${asks} Your guess: `,
+          make("b", { textContent: `${guess[i]} ${unit}`.trim() })))
+      : [make("p", { textContent: "You looked at the answer of this puzzle." })];
+    const show = make("button", {
       type: "button", className: "answer-check", textContent: "Show the answer" });
     const note = guess ? "This is the guess that you made first; it is kept in this browser." : "";
     show.onclick = () => this.#reveal(guess, note);
     this.place.replaceChildren(
-      ...words, element("div", { className: "answer-buttons" }, show), this.asking.root);
+      ...words, make("div", { className: "answer-buttons" }, show), this.asking.root);
   }
 
   async #reveal(guess, note) {
@@ -74,7 +75,7 @@ class Guess {
     this.#remind(guess);
     this.place.querySelector(".answer-check").hidden = true;
     this.place.querySelector(".answer-buttons").append(this.asking.stop);
-    const answer = element("div", { className: "guess-answer", tabIndex: -1 });
+    const answer = make("div", { className: "guess-answer", tabIndex: -1 });
     const html = await this.asking.for("guesses.reveal", [this.chapter, guess, note]);
     if (html === null) {
       this.place.querySelector(".answer-check").hidden = false;
@@ -94,10 +95,10 @@ class NumberInput {
     const ratio = Math.log(high / low);
     const place = (value) => (whole ? value : Math.log(value / low) / ratio);
     const at = (slid) => (whole ? slid : Number((low * Math.exp(ratio * slid)).toPrecision(2)));
-    this.field = element("input", {
+    this.field = make("input", {
       type: "number", min: low, max: high, step: whole ? 1 : "any", value: start, required: true });
     const [least, most, step] = whole ? [low, high, 1] : [0, 1, 0.005];
-    const slider = element("input", {
+    const slider = make("input", {
       type: "range", min: least, max: most, step, value: place(start),
       ariaLabel: `${asks} ${unit}`, className: "guess-slider" });
     const say = () => slider.setAttribute("aria-valuetext", `${this.field.value} ${unit}`);
@@ -112,8 +113,8 @@ class NumberInput {
       say();
     };
     say();
-    this.root = element("fieldset", {}, element("legend", { textContent: asks }),
-      element("label", { className: "guess-number" }, "Your guess ", this.field, ` ${unit}`),
+    this.root = make("fieldset", {}, make("legend", { textContent: asks }),
+      make("label", { className: "guess-number" }, "Your guess ", this.field, ` ${unit}`),
       slider);
   }
 
@@ -125,10 +126,10 @@ class NumberInput {
 // Buttons for the answers of one question; none is chosen at first.
 class ChoiceInput {
   constructor({ asks, options }, name) {
-    this.radios = options.map((value) => element("input", { type: "radio", name, value }));
-    this.root = element("fieldset", {}, element("legend", { textContent: asks }),
+    this.radios = options.map((value) => make("input", { type: "radio", name, value }));
+    this.root = make("fieldset", {}, make("legend", { textContent: asks }),
       ...this.radios.map((radio) =>
-        element("label", { className: "guess-option" }, radio, ` ${radio.value}`)));
+        make("label", { className: "guess-option" }, radio, ` ${radio.value}`)));
   }
 
   get value() {
@@ -139,13 +140,13 @@ class ChoiceInput {
 // All guesses beside their truths, when the reader asks for them.
 function offerLookBack(place, kept) {
   const asking = new Asking();
-  const table = element("div", { className: "guess-answer", ariaLive: "polite" });
-  const button = element("button", { type: "button", textContent: "Look back at my guesses" });
+  const table = make("div", { className: "guess-answer", ariaLive: "polite" });
+  const button = make("button", { type: "button", textContent: "Look back at my guesses" });
   button.onclick = async () => {
     button.disabled = true;
     table.innerHTML = (await asking.for("guesses.look_back", [kept.of("guesses")])) ?? "";
     button.disabled = false;
   };
   place.replaceChildren(
-    element("div", { className: "answer-buttons" }, button, asking.stop), asking.root, table);
+    make("div", { className: "answer-buttons" }, button, asking.stop), asking.root, table);
 }

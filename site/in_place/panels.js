@@ -1,7 +1,8 @@
 // A panel or scene comes alive in the place of its still, and its state stands in the address.
 
-import { make, show } from "./controls.js";
 import { linkTo } from "./address.js";
+import { show } from "./controls.js";
+import { download, make } from "./elements.js";
 import { Conversation } from "./models.js";
 import { ask, onStop, stop } from "./python.js";
 import { Waiting } from "./waiting.js";
@@ -126,9 +127,7 @@ class Panel {
   async #save() {
     try {
       const picture = await ask("panels.picture", [this.conversation.number]);
-      const href = URL.createObjectURL(new Blob([picture], { type: "image/svg+xml" }));
-      make("a", { href, download: `${this.figure.dataset.panel}.svg` }).click();
-      setTimeout(() => URL.revokeObjectURL(href), 10_000);
+      download(`${this.figure.dataset.panel}.svg`, "image/svg+xml", picture);
     } catch (error) {
       this.#trouble(error);
     }

@@ -1,29 +1,44 @@
 // What a reader sees while Python comes or works: what is done, how much of how much, and Stop.
 
+import { make } from "./elements.js";
 import { stop } from "./python.js";
-import { make } from "./controls.js";
 
 const MEGABYTE = 1e6;
 
-export class Waiting {
-  constructor() {
-    this.says = make("span", { role: "status" });
-    this.amount = make("span", { className: "in-place-amount", ariaHidden: "true" });
-    this.bar = make("progress", { ariaLabel: "fetched", hidden: true });
-    const button = make("button", { type: "button", onclick: () => stop() }, "Stop");
-    this.root = make("div", { className: "in-place-waiting" },
-      this.says, this.amount, this.bar, button);
-    this.show({ says: "Waiting for Python", loaded: 0, total: 0 });
+export class Progress {
+  #words = make("span", { role: "status" });
+  // Apart from the words, which a screen reader reads out when they change.
+  #amount = make("span", { className: "in-place-amount", ariaHidden: "true" });
+  #bar = make("progress", { ariaLabel: "Fetched", hidden: true });
+  parts = [this.#words, this.#amount, this.#bar];
+
+  say(words) {
+    if (this.#words.textContent !== words) this.#words.textContent = words;
   }
 
   // To be handed to `ask` as its onProgress.
   show = ({ says, loaded, total }) => {
-    if (this.says.textContent !== says) this.says.textContent = says;
-    const going = loaded < total;
-    this.bar.hidden = !total;
-    if (total) Object.assign(this.bar, { value: loaded, max: total });
-    this.amount.textContent = going
-      ? `${(loaded / MEGABYTE).toFixed(0)} of ${(total / MEGABYTE).toFixed(0)} MB`
-      : "";
+    const fetching = loaded < total;
+    const megabytes = (bytes) => Math.round(bytes / MEGABYTE);
+    this.say(`${says} …`);
+    this.#amount.textContent = fetching ? ` ${megabytes(loaded)} of ${megabytes(total)} MB ` : "";
+    this.#bar.hidden = !fetching;
+    Object.assign(this.#bar, { max: total || 1, value: loaded });
   };
+
+  end() {
+    this.#amount.textContent = "";
+    this.#bar.hidden = true;
+  }
+}
+
+export class Waiting {
+  #progress = new Progress();
+  show = this.#progress.show;
+  root = make("div", { className: "in-place-waiting" }, ...this.#progress.parts,
+    make("button", { type: "button", onclick: () => stop() }, "Stop"));
+
+  constructor() {
+    this.#progress.say("Waiting for Python …");
+  }
 }

@@ -1,6 +1,7 @@
 // Lists what a reader has changed in the live chapters, of every version of the book, to download.
 import { kept } from "./copies.js";
 import { zip } from "./zip.js";
+import { download, make } from "../in_place/elements.js";
 
 const here = document.documentElement.dataset; // version, storage: written by lite.py
 const FAMILY = "Drift Lab ";
@@ -55,37 +56,27 @@ async function changes(model) {
 function shown({ title, files }) {
   const rows = files.map(({ name, data, when, changed }) => row(
     text("td", name), text("td", changed), text("td", when),
-    element("td", button("Download", `Download ${name}`, () => save(new Blob([data]), name))),
+    make("td", {}, button("Download", `Download ${name}`, () => save(data, name))),
   ));
   const head = row(...["File", "Changes", "Last saved", ""].map((name) => text("th", name)));
   const named = Object.fromEntries(files.map(({ name, data }) => [name, data]));
   const all = () => save(zip(named), `${title}.zip`);
   return [
-    text("h2", title), element("table", head, ...rows),
-    element("p", button("Download all", `Download all of ${title}`, all)),
+    text("h2", title), make("table", {}, head, ...rows),
+    make("p", {}, button("Download all", `Download all of ${title}`, all)),
   ];
 }
 
-function save(blob, name) {
-  const link = element("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name.split("/").pop().replaceAll(":", "");
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-}
-
-function element(tag, ...inside) {
-  const made = document.createElement(tag);
-  made.append(...inside);
-  return made;
+function save(data, name) {
+  download(name.split("/").pop().replaceAll(":", ""), "application/octet-stream", data);
 }
 
 function text(tag, words) {
-  return element(tag, words);
+  return make(tag, {}, words);
 }
 
 function row(...cells) {
-  return element("tr", ...cells);
+  return make("tr", {}, ...cells);
 }
 
 function button(words, name, action) {
