@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from urllib.request import urlopen
 
 import pytest
 from chromium import chromium
@@ -44,6 +45,20 @@ def distribution() -> Path:
     if not folder:
         pytest.skip("DRIFTLAB_PYODIDE names no folder with Pyodide's distribution")
     return Path(folder)
+
+
+@pytest.fixture(scope="session")
+def packages(site) -> None:
+    """Pyodide's packages can be had: the site holds them, or a folder does, or the network."""
+    lock = json.loads((site / "live/static/pyodide" / OFFICIAL).read_text("utf-8"))
+    address = lock["packages"]["cycler"]["file_name"]
+    folder = os.environ.get("DRIFTLAB_PYODIDE")
+    if not address.startswith("https:") or folder:
+        return
+    try:
+        urlopen(address, timeout=20).close()
+    except OSError:
+        pytest.skip("DRIFTLAB_PYODIDE names no folder, and Pyodide's address cannot be reached")
 
 
 @pytest.fixture(scope="session")
@@ -91,7 +106,8 @@ def visit(browser) -> Iterator:
 
     ``complaints`` has errors of the console, and what it asks of other places than this machine;
     that is not answered. Of Pyodide's own packages, which the published site asks a content
-    network for, the folder DRIFTLAB_PYODIDE answers with the same bytes.
+    network for, the folder DRIFTLAB_PYODIDE answers with the same bytes; where no folder is
+    named, the network itself does.
     """
     context = browser.new_context(viewport={"width": 1280, "height": 900})
     page = context.new_page()
@@ -106,7 +122,9 @@ def visit(browser) -> Iterator:
     def answer(route) -> None:
         url = route.request.url
         packaged = re.fullmatch(r"https://[^/]+/pyodide/v[\d.]+/full/([^/?]+)", url)
-        if url.startswith(("http://127.0.0.1:", "file:", "data:", "blob:")):
+        if url.startswith(("http://127.0.0.1:", "file:", "data:", "blob:")) or (
+            packaged and not folder
+        ):
             route.continue_()
         elif packaged and (Path(folder) / packaged[1]).is_file():
             cross_origin = {"access-control-allow-origin": "*"}

@@ -23,7 +23,7 @@ def test_every_section_that_helps_is_a_heading_of_its_page(site):
 
 @pytest.mark.browser
 @pytest.mark.xdist_group("site-answers")
-def test_exercises_of_each_kind_answer_in_the_page_and_are_kept(page, address, tmp_path):
+def test_exercises_of_each_kind_answer_in_the_page_and_are_kept(page, address, tmp_path, packages):
     chapter = f"{address}/03_systematic_drift.html"
     page.goto(chapter)
     numbers, panel, letters, computed, formula = (Form(page, f"3.{i}") for i in range(1, 6))

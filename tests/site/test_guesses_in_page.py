@@ -27,7 +27,7 @@ def overlap(a, b):
 
 @pytest.mark.browser
 @pytest.mark.xdist_group("site-answers")
-def test_a_puzzle_is_guessed_answered_and_remembered(page, address):
+def test_a_puzzle_is_guessed_answered_and_remembered(page, address, packages):
     page.goto(f"{address}/03_systematic_drift.html")
     puzzle = page.locator('div.guess[data-guess="03"]')
     puzzle.get_by_role("button", name="That is my guess").click()

@@ -39,7 +39,7 @@ POINTS = 20
 
 
 @pytest.fixture(scope="module")
-def lively(kept_page, address):
+def lively(kept_page, address, packages):
     """A page with every panel and scene of the book, one of them twice."""
     show(kept_page, address, *(opened(each) for each in ALL), DriftExplorer("Scale factor"))
     return kept_page

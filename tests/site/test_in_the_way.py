@@ -14,7 +14,7 @@ from support import ROOT
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("site-in-the-way")]
 
 
-def test_without_its_packages_python_says_so_and_stop_ends_it_for_a_while(page, address):
+def test_without_its_packages_python_says_so_and_stop_ends_it_for_a_while(page, address, packages):
     """Whatever place the packages come from. It begins again where it stood."""
     wheel = re.compile(r"/numpy-[^/]*\.whl")
     page.route(wheel, lambda route: route.abort())
