@@ -248,8 +248,10 @@ def browser_latencies() -> None:
     folders = settings["tool"]["pytest"]["ini_options"]["pythonpath"]  # where the tests look, too
     sys.path += [str(home / folder) for folder in folders]
     from latency import latencies
+    from latency_in_page import page_latencies
 
     latencies()
+    page_latencies(home / "_site")
 
 
 if __name__ == "__main__":
