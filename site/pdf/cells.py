@@ -28,8 +28,23 @@ PROGRESS = re.compile(r"\r *\d+%\|[^\r\n]*")
 QUESTIONS = re.compile(r"<li>(.*?)</li>", re.S)
 WAITS = re.compile(r"answer = \.\.\.$|check\(|guess\(|(from|import) |$")
 """Lines of a cell that only waits for the reader."""
+ASKS = re.compile(r"^(answer = \.\.\.|check\(.*|from driftlab\.book import check)\n*", re.M)
+"""Lines of a cell that waits, but also names the letters in which it is to be answered."""
 REMARK = re.compile(r"</div><div>(.*?)</div>", re.S)
 SAID_TO_THE_READER = ("You had it", "Your first guess", "The section that helps", "<details>")
+ON_PAPER = (
+    (r"What stands under this heading is folded away[^\n]*", ""),
+    (
+        r"In a notebook, put your answer in place of the three dots.*? The worked (\[.*)",
+        "Each exercise stands by itself, so begin where you like. *Predict* is for a guess, "
+        "written down before you compute. *Slide* wants the panel, in the notebook or on the web "
+        "page of this chapter; there, too, answers are checked, and hints unfold. "
+        r"The worked \1",
+    ),
+    ("Unfold the section below", "Read the section below"),
+    ("he folded section below", "he section below"),
+)
+"""What the text says of a screen, and what it says here."""
 FIGURE = re.compile(r'\bfigure\("([\w-]+)"')
 
 
@@ -62,10 +77,17 @@ def markdown_of(notebook: NotebookNode, name: str, folder: Path) -> str:
     for number, cell in enumerate(notebook.cells):
         if cell.cell_type == "markdown":
             if not WAY_ON.match(cell.source):
-                blocks.append(IMAGE.sub(lambda found: _drawn(found, folder), cell.source))
+                blocks.append(IMAGE.sub(lambda found: _drawn(found, folder), said(cell.source)))
         elif cell.cell_type == "code":
             blocks += _code(cell, f"{name}-{number}", folder)
     return "\n\n".join(blocks) + "\n"
+
+
+def said(text: str) -> str:
+    """Return a cell's Markdown as paper says it."""
+    for on_screen, on_paper in ON_PAPER:
+        text = re.sub(on_screen, on_paper, text)
+    return text
 
 
 def _drawn(image: re.Match[str], folder: Path) -> str:
@@ -79,9 +101,12 @@ def _drawn(image: re.Match[str], folder: Path) -> str:
 def _code(cell: NotebookNode, name: str, folder: Path) -> Iterator[str]:
     if not all(WAITS.match(line) for line in cell.source.splitlines()):
         shows = any(
-            "<figure" in output.get("data", {}).get("text/html", "") for output in cell.outputs
+            "<figure" in output.get("data", {}).get("text/html", "")
+            or output.get("data", {}).get("text/markdown", "").startswith("|")
+            for output in cell.outputs
         )
-        yield call("code", cell.source, sticky=shows)
+        source = ASKS.sub("", cell.source) if "answer = ..." in cell.source else cell.source
+        yield call("code", source.rstrip(), sticky=shows)
     for number, output in enumerate(cell.outputs):
         yield from _output(output, cell.source, f"{name}-{number}", folder)
 

@@ -9,9 +9,9 @@ import pypdfium2
 import pytest
 from pypdfium2 import raw
 
-from pdf.cells import tight
+from pdf.cells import said, tight
 from pdf.formulas import readable
-from pdf.pictures import plain_svg
+from pdf.pictures import HIGHEST, WIDEST, narrowed, paper_width, plain_svg
 from pdf.tables import LINE, fitted
 from support import ROOT
 
@@ -165,6 +165,36 @@ def test_pictures_lose_variables_and_the_dark_theme():
     text = ".a { --ink: #111; } .driftlab-dark .a { --ink: #eee; } path { fill: var(--ink); }"
     assert "fill: #111" in plain_svg(text)
     assert "#eee" not in plain_svg(text)
+
+
+SCENE = """<svg class="dl-scene" viewBox="0 0 1066 330" width="1066" height="330">
+<rect width="1066" height="330"/>
+<svg x="0" y="20" width="310" height="310"/><svg x="318" y="20" width="310" height="310"/>
+<svg class="dl-plot" x="636" y="0" width="400" height="140"><text x="40" y="13">a</text></svg>
+<text x="680" y="170">b</text></svg>"""
+
+
+def test_a_wide_scene_has_its_plots_below_its_views():
+    narrow = narrowed(SCENE)
+    assert 'viewBox="0 0 628 510" width="628" height="510"' in narrow
+    assert '<rect width="628" height="510"' in narrow
+    assert 'class="dl-plot" x="8" y="330" width="400" height="140"><text x="40" y="13">' in narrow
+    assert '<text x="52" y="500">b' in narrow
+    assert narrowed(narrow) == narrow
+
+
+def test_a_picture_is_as_wide_as_the_text_if_it_is_not_too_high():
+    assert paper_width(b'<svg width="900" height="300">') == WIDEST
+    assert paper_width(b'<svg width="900pt" height="900pt">') == WIDEST
+    assert paper_width(b'<svg width="900pt" height="1800pt">') == HIGHEST / 2
+
+
+@in_the_site
+def test_paper_does_not_say_what_only_a_screen_does(pages):
+    everything = "".join(pages)
+    for of_a_screen in ("answer=...", "threedots", "Unfoldthe", "isfoldedaway", "foldedsection"):
+        assert of_a_screen not in re.sub(r"\s", "", everything), of_a_screen
+    assert said("Unfold the section below to compare") == "Read the section below to compare"
 
 
 def table(*rows: tuple[str, ...]) -> list:
