@@ -100,9 +100,10 @@ def _drawn(image: re.Match[str], folder: Path) -> str:
 
 def _code(cell: NotebookNode, name: str, folder: Path) -> Iterator[str]:
     if not all(WAITS.match(line) for line in cell.source.splitlines()):
+        is_short = cell.source.count("\n") < 3
         shows = any(
             "<figure" in output.get("data", {}).get("text/html", "")
-            or output.get("data", {}).get("text/markdown", "").startswith("|")
+            or (is_short and output.get("data", {}).get("text/markdown", "").startswith("|"))
             for output in cell.outputs
         )
         source = ASKS.sub("", cell.source) if "answer = ..." in cell.source else cell.source
