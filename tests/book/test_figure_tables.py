@@ -12,7 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Circle, Rectangle
+from matplotlib.patches import Circle, Polygon, Rectangle
 from matplotlib.transforms import Affine2D
 
 import driftlab
@@ -213,6 +213,11 @@ def drawn_by(draw: Callable[[Axes], object]) -> Figure:
     return figure
 
 
+def in_band(axes: Axes, *corners: tuple[float, float]) -> Polygon:
+    """A polygon over the whole height, as axvspan draws before Matplotlib 3.9."""
+    return Polygon(corners, transform=axes.get_xaxis_transform(which="grid"))
+
+
 NOTHING = as_words({"nothing": [0.123]})
 
 
@@ -228,6 +233,7 @@ NOTHING = as_words({"nothing": [0.123]})
         (lambda a: a.pie([1, 2]), "a drawing"),
         (lambda a: a.add_patch(Circle((0, 0), 1)), "a Circle"),
         (lambda a: a.add_patch(Rectangle((0, 0), 1, 1)), "a Rectangle"),
+        (lambda a: a.add_patch(in_band(a, (0, 0), (0, 1), (1, 1))), "a Polygon"),
         (lambda a: a.arrow(0, 0, 1, 1), "a FancyArrow"),
         (lambda a: a.annotate("", (0, 0), (1, 1), arrowprops={}), "a Annotation"),
         (lambda a: a.table([["1"]]), "a Table"),
@@ -240,6 +246,10 @@ NOTHING = as_words({"nothing": [0.123]})
         (lambda a: a.inset_axes((0, 0, 1, 1)).plot([4, 5], label="in"), "panel 2, in of 2 points"),
         (lambda a: a.axhline(2.5, label="result"), "panel 1, result at y = 2.5"),
         (lambda a: a.axvspan(2.5, 3.5), "panel 1, a value without a name at x = 2.5"),
+        (
+            lambda a: a.add_patch(in_band(a, (2.5, 0), (2.5, 1), (3, 1), (3, 0))),
+            "panel 1, a value without a name at x = 2.5",
+        ),
         (lambda a: (a.plot([7, 8], [1, 2]), a.set_yticks([])), "x from 7 to 8, y from 1 to 2"),
         (lambda a: a.add_collection(LineCollection([[(0, 0), (1, 3), (2, 2)]])), "of 3 points"),
     ],

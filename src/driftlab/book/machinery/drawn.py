@@ -20,7 +20,7 @@ from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 from matplotlib.legend import Legend
 from matplotlib.lines import AxLine, Line2D
-from matplotlib.patches import Rectangle
+from matplotlib.patches import Polygon, Rectangle
 from matplotlib.quiver import Barbs, Quiver
 from matplotlib.spines import Spine
 from matplotlib.text import Annotation, Text
@@ -123,7 +123,7 @@ def _shown(number: int, axes: Axes) -> Iterator[Curve | Field | Unread]:
     bands: dict[tuple[str, str], list[list[_Points]]] = {}
     artists: list[Artist | BarContainer] = [*bars, *axes.get_children()]
     for artist in artists:
-        name = str(names.get(id(artist), artist.get_label()))
+        name = str(names.get(id(artist), artist.get_label()) or "")
         if id(artist) in rows or _is_left_out(artist, axes, name):
             continue
         if isinstance(artist, ContourSet):
@@ -134,7 +134,7 @@ def _shown(number: int, axes: Axes) -> Iterator[Curve | Field | Unread]:
             yield Unread(
                 number, f"a {type(artist).__name__}{f' {name!r}' if name[:1] != '_' else ''}"
             )
-        elif isinstance(artist, Rectangle):
+        elif isinstance(artist, Rectangle | Polygon):  # the latter before Matplotlib 3.9
             bands.setdefault((name, along), []).append(parts)
         else:
             yield from _curves(number, name, parts, words, along)
@@ -193,12 +193,12 @@ def _parts(artist: Artist | BarContainer, axes: Axes) -> tuple[str, list[_Points
         points = _segments(artist)
     elif isinstance(artist, PolyCollection):
         points = _edges(artist)
-    elif isinstance(artist, Rectangle):  # axhspan, axvspan; any other has no row of the table
+    elif isinstance(artist, Rectangle | Polygon):  # axhspan, axvspan; any other has no row
         transform = Artist.get_transform(artist)
-        if transform is not axes.transData:
-            (left, low), wide, high = artist.get_xy(), artist.get_width(), artist.get_height()
-            ends = (left, low), (left + wide, low + high)
-            points = [(np.array([x]), np.array([y])) for x, y in ends]
+        corners = artist.get_patch_transform().transform(artist.get_path().vertices)
+        upright = len(corners) == 5 and all(len(set(column)) <= 2 for column in corners.T)
+        if transform is not axes.transData and upright:
+            points = [(x, y) for x, y in corners[:3:2, :, None]]
     along = _data_coordinates(transform, axes)
     empty = points is not None and not any(x.size for x, _ in points)  # a legend's sample
     return along, points if along or empty else None
