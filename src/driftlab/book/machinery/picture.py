@@ -225,7 +225,7 @@ def legend_below_all(
     figure.legend(handles=handles, ncols=columns, **{**place, **style})
 
 
-def legend_below(axes: Axes, ncols: int = 4, below: float = 29.0, **style: Any) -> None:
+def legend_below(axes: Axes, ncols: int = 4, below: float = 31.0, **style: Any) -> None:
     """Put the legend under a panel of a figure on paper, so many points below it.
 
     The layout makes room for it.
