@@ -60,12 +60,15 @@ class Interpreter(InteractiveShell):
 
 @contextlib.contextmanager
 def interpreter(folder: Path) -> Iterator[Interpreter]:
-    """Start IPython with its files in `folder`, and leave this process as it was."""
+    """Start IPython with its files in `folder`, and leave this process as it was.
+
+    Which warnings are errors in a cell is said outside; IPython would only show them.
+    """
     config = Config({"HistoryManager": {"enabled": False}})
     path = list(sys.path)
     with warnings.catch_warnings(), matplotlib.rc_context():
-        shell = Interpreter.instance(config=config, ipython_dir=str(folder))
-        warnings.simplefilter("error")
+        with warnings.catch_warnings():  # IPython's own filters end here
+            shell = Interpreter.instance(config=config, ipython_dir=str(folder))
         try:
             yield shell
         finally:

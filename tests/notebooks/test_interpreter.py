@@ -23,6 +23,7 @@ def test_an_error_in_what_a_cell_shows_is_found_without_a_kernel(cell: str, tmp_
     assert hidden_errors(run_here(notebook_of(cell), tmp_path)) == ["broken"]
 
 
+@pytest.mark.filterwarnings("error")
 @pytest.mark.parametrize(
     ("cell", "error"),
     [

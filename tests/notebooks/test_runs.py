@@ -87,7 +87,7 @@ def runs_of(paths: list[Path]) -> pytest.MarkDecorator:
         name = name_of(path)
         marks = [pytest.mark.xdist_group(f"notebook-{name}")]
         if path in READERS:
-            marks.append(pytest.mark.kernel)
+            marks += [pytest.mark.kernel, pytest.mark.filterwarnings("ignore::DeprecationWarning")]
         return pytest.param(path, id=name, marks=marks)
 
     heaviest_first = sorted(paths, key=lambda path: path.name[:2] not in HEAVY)
@@ -96,7 +96,7 @@ def runs_of(paths: list[Path]) -> pytest.MarkDecorator:
 
 every_run = runs_of(NOTEBOOKS)
 # nbclient and its kernel client close their sockets when they are collected, some of them late.
-pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning")
 
 
 def hidden_errors(notebook: NotebookNode) -> list[str]:
@@ -262,6 +262,7 @@ def broken(x):
 
 
 @pytest.mark.kernel
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
 @pytest.mark.xdist_group("browser-faults")
 @pytest.mark.parametrize(
     "way",
