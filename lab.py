@@ -84,6 +84,8 @@ AT_ONCE = ["-n", "2", "--dist", "loadgroup", "--no-loadscope-reorder", "--durati
 OF_DIFFERENT_AGE = [
     *["-W", "ignore::DeprecationWarning"],
     *["-W", "error:Passing unrecognized arguments:DeprecationWarning"],
+    # The page's stand-in has what ipywidgets 8 has; a slider of 7 has no tooltip.
+    "--deselect=tests/site/test_widgets_standin.py::test_shows_the_same",
 ]
 QUICK = ["--hypothesis-profile=quick", NO_PEERS, "-m", "not browser and not kernel and not setup"]
 
