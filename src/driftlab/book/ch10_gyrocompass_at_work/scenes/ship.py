@@ -30,6 +30,8 @@ TILT_FACTOR, HEADING_FACTOR, LEAN_FACTOR = 1000, 15, 20
 """How many times too large the horizon's tilt, the heading's error and the plumb line are drawn."""
 CARD, SEA, HANDLES = 0.95, 1.42, 1.2
 """Radius of the compass card, of the water, and of the ring on which the courses are set."""
+THEN, ASIDE = 1.62, np.radians(16.0)
+"""Radius of the word at the second course, and its least angle from a letter of the water, rad."""
 METRES = 3000.0
 """Of the wake in one unit of the view."""
 WINDOWS = {
@@ -60,6 +62,7 @@ class ShipUnderWayView(SceneView):
                     (
                         *sea(SEA),
                         *compass_card(CARD, "edge"),
+                        *turn_shown(course, turn),
                         *course_handles(course, turn),
                         Part("line", wake_points(run), "rate"),
                         *ship("ship"),
@@ -68,7 +71,7 @@ class ShipUnderWayView(SceneView):
                     ),
                     azimuth=-48.0,
                     elevation=44.0,
-                    reach=1.6,
+                    reach=1.85,
                 ),
             ),
             plots=(tilt_plot(run, is_whole), heading_plot(run)),
@@ -127,6 +130,17 @@ def course_handles(course: float, turn: float) -> tuple[Part, ...]:
         place = radius * np.array([[-np.sin(angle), np.cos(angle), 0.0]])
         parts.append(Part("dot", place, "axis", handle=name))
     return tuple(parts)
+
+
+def turn_shown(course: float, turn: float) -> tuple[Part, ...]:
+    """The way from one handle of `course_handles` to the other, and a word at the second."""
+    angles, radii = np.linspace(course, course + turn, 61), np.linspace(1.0, 1.1, 61) * HANDLES
+    way = np.stack([-radii * np.sin(angles), radii * np.cos(angles), np.zeros(61)], axis=-1)
+    letter = np.round((course + turn) / (np.pi / 2)) * np.pi / 2
+    aside = course + turn - letter
+    angle = letter + np.copysign(max(abs(aside), ASIDE), aside)
+    place = THEN * np.array([[-np.sin(angle), np.cos(angle), 0.0]])
+    return Part("line", way, "way"), Part("label", place, "axis", text="then")
 
 
 def dragged_course(values: Values, handle: str, direction: FloatArray) -> Values:
