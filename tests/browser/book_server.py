@@ -11,6 +11,7 @@ import time
 import urllib.request
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib import import_module
 from pathlib import Path
 from runpy import run_path
 from typing import NamedTuple
@@ -22,8 +23,9 @@ from pages import FOLDER, NOTEBOOKS
 
 # Starts JupyterLab as lab.py does: its token comes from DRIFTLAB_TOKEN and wins over any
 # configuration that switches tokens off.
-LAB = run_path(str(FOLDER.parent / "lab.py"), run_name="lab")
-SERVER, JUPYTER = LAB["SERVER"], LAB["JUPYTER"]
+run_path(str(FOLDER.parent / "lab.py"), run_name="lab")  # it says where its modules are
+STARTER = import_module("bootstrap.server")
+SERVER, JUPYTER = STARTER.SERVER, STARTER.JUPYTER
 
 
 class Server(NamedTuple):
