@@ -29,6 +29,7 @@ def boxes(page, link) -> tuple[dict, dict]:
 def test_a_card_shows_what_stands_there(address, page, name, selector, has, width):
     page.set_viewport_size({"width": width, "height": 800})
     page.goto(f"{address}/{name}.html")
+    page.evaluate("window.MathJax?.startup?.promise")  # or formulas move the link from under the pointer
     link = page.locator(selector).locator("visible=true").first
     link.hover()
     card = page.locator(".preview[data-ready]")
