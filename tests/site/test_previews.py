@@ -14,6 +14,15 @@ PLACES = [
     ("i_want_to", TO_FUNCTION, "dt"),
 ]
 
+STANDS = """async link => {
+  for (let frames = 0, before; frames < 20; frames += 1) {
+    await new Promise(requestAnimationFrame);
+    const { top } = link.getBoundingClientRect();
+    if (top !== before) [frames, before] = [0, top];
+  }
+}"""
+"""Wait until a link stands: what moves it from under the pointer takes its card away."""
+
 
 def boxes(page, link) -> tuple[dict, dict]:
     """Where the card and the link's first line are, in the window."""
@@ -29,8 +38,10 @@ def boxes(page, link) -> tuple[dict, dict]:
 def test_a_card_shows_what_stands_there(address, page, name, selector, has, width):
     page.set_viewport_size({"width": width, "height": 800})
     page.goto(f"{address}/{name}.html")
-    page.evaluate("window.MathJax?.startup?.promise")  # or formulas move the link from under the pointer
+    page.evaluate("window.MathJax?.startup?.promise")
     link = page.locator(selector).locator("visible=true").first
+    link.scroll_into_view_if_needed()
+    link.evaluate(STANDS)
     link.hover()
     card = page.locator(".preview[data-ready]")
     card.wait_for()
