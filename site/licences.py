@@ -114,7 +114,9 @@ def _python(lock: dict[str, Any]) -> Iterable[str]:
     ]
     yield "<h2>Python in the page and in the live book</h2>"
     source = _link("https://github.com/pyodide/pyodide", "Pyodide's source")
-    yield f"<p>Packages have their licences in full in their wheels. {source} is open to all.</p>"
+    kept = ", ".join(_link(address, name) for name, address in KNOWN["elsewhere"].items())
+    yield "<p>Most packages have their licence in full in their wheels; those without have it "
+    yield f"here: {kept}. {source} is open to all.</p>"
     yield _table(("Name", "Version", "Licence"), ([escape(cell) for cell in row] for row in rows))
 
 

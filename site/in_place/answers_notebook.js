@@ -1,11 +1,13 @@
 // A reader's answers as a notebook: it runs in Jupyter, and whoever marks a class reads and counts
 // it like the chapters that students hand in (`driftlab.book.class_summary`).
 
+const LONGEST = 50; // signs of a name; file systems take 255 bytes, and a sign may have four
+
 // A name that every file system takes: small letters and digits, whatever the alphabet.
 export function fileName(name) {
   const plain = name.normalize("NFD").replace(/(\p{Script=Latin})\p{M}+/gu, "$1").normalize("NFC");
-  const words = plain.toLowerCase().match(/[\p{L}\p{M}\p{N}]+/gu) ?? [];
-  return `${["drift-lab-answers", ...words].join("-")}.ipynb`;
+  const words = [...plain.toLowerCase()].slice(0, LONGEST).join("").match(/[\p{L}\p{M}\p{N}]+/gu);
+  return `${["drift-lab-answers", ...(words ?? [])].join("-")}.ipynb`;
 }
 
 export function notebook(answers, name, version) {
@@ -39,7 +41,7 @@ function today() {
 }
 
 function plainText(name) {
-  return name.replace(/[^\p{L}\p{M}\p{N} .,'-]/gu, "\\$&");
+  return name.replace(/[!-+/:-@[-`{-~]/g, "\\$&"); // only these mean something in Markdown
 }
 
 function text(id, source) {

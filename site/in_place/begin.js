@@ -12,6 +12,9 @@
   var TOO_OLD =
     "What lives in the page needs a newer browser: a current Firefox, Chrome, Edge or Safari will " +
     "do. The text and the pictures need nothing of it.";
+  var NOT_THERE =
+    "What lives in the page could not be fetched; is the network away? The text and the pictures " +
+    "need nothing of it.";
 
   function isCurrent() {
     try { // each of these stands in a script of this folder
@@ -23,14 +26,14 @@
   }
 
   // One sentence where a reader meets the first panel, the first exercise and the first puzzle.
-  function refuse() {
+  function refuse(words) {
     for (var i = 0; i < PLACES.length; i += 1) {
       var place = document.querySelector(PLACES[i]);
       if (place) {
         var note = document.createElement("p");
         note.className = "in-place-note";
         note.setAttribute("role", "status");
-        note.appendChild(document.createTextNode(TOO_OLD));
+        note.appendChild(document.createTextNode(words));
         place.appendChild(note);
       }
     }
@@ -43,10 +46,11 @@
   if (isCurrent()) {
     var script = document.createElement("script");
     script.src = here + "offer.js";
+    script.onerror = function () { refuse(NOT_THERE); };
     document.head.appendChild(script);
   } else if (document.readyState === "loading") {
-    document.addEventListener("DOMContentLoaded", refuse);
+    document.addEventListener("DOMContentLoaded", function () { refuse(TOO_OLD); });
   } else {
-    refuse();
+    refuse(TOO_OLD);
   }
 })();

@@ -45,9 +45,10 @@ class Exercise {
   }
 
   #restore() {
-    const { typed, cell, right } = this.mine;
+    const { typed, checked, right } = this.mine;
     if (typed) this.form.show(typed);
-    if (cell && right != null)
+    // Not of what was typed since, or could not be read.
+    if (right != null && JSON.stringify(checked) === JSON.stringify(typed))
       this.card.append(
         make("p", { className: `answer-before ${right ? "right" : "not-yet"}` },
           make("b", { textContent: SIGNS[right] }), " when you last checked it."));
@@ -72,11 +73,13 @@ class Exercise {
     this.printed.textContent = result.printed;
     this.printed.hidden = !result.printed;
     const { right, guesses } = result.progress;
+    const { typed } = this.form;
     const judged = result.cell && { // what could not be read takes no earlier answer's place
+      checked: typed,
       cell: result.cell, says: result.says,
       right: right[this.number], guess: guesses[this.number],
     };
-    this.#keep({ typed: this.form.typed, ...judged });
+    this.#keep({ typed, ...judged });
   }
 
   // What the package must know of the chapter to say how it stands.

@@ -18,11 +18,18 @@ export async function begin() {
   for (const place of document.querySelectorAll("div.guesses")) offerLookBack(place, kept);
 }
 
+// Whether what is kept is a guess at this puzzle, or a look without one.
+function fits(guess, { questions }) {
+  return guess === null || (guess.length === questions.length &&
+    questions.every(({ options, low, high }, i) =>
+      options ? options.includes(guess[i]) : low <= guess[i] && guess[i] <= high));
+}
+
 class Guess {
   constructor(place, chapter, puzzle, kept) {
     Object.assign(this, { place, chapter, puzzle, kept, asking: new Asking() });
     const before = kept.of("guesses")[puzzle.key];
-    if (before === undefined) this.#ask();
+    if (before === undefined || !fits(before, puzzle)) this.#ask();
     else this.#remind(before);
   }
 

@@ -107,9 +107,18 @@
     }
   }
 
+  // Of an address that was cut or mistyped, as "#%", nothing; the forms come all the same.
+  function placeAskedFor() {
+    try {
+      return decodeURIComponent(location.hash.slice(1));
+    } catch {
+      return "";
+    }
+  }
+
   function begin() {
     const offers = [...document.querySelectorAll(PANELS)].map(offer);
-    const place = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    const place = document.getElementById(placeAskedFor());
     if (place) keepInView(place);
     follow(offers);
     window.addEventListener("hashchange", () => follow(offers));

@@ -157,3 +157,20 @@ def test_a_handle_beyond_a_slider_stops_at_its_end() -> None:
     assert nearest(control, control.low + 1.4 * control.step) == pytest.approx(
         control.low + control.step
     )
+
+
+@every_scene
+def test_a_key_moves_each_handle_though_a_step_of_its_slider_is_larger(scene_class) -> None:
+    """By half a degree, as the arrow keys do with Shift: in some direction, and that way."""
+    for name, place_before in handles_of(stage_of(opened(scene_class))).items():
+        moved = []
+        for axis in np.vstack([np.eye(3), -np.eye(3)]):
+            scene = opened(scene_class)
+            across = np.cross(place_before, axis)
+            wanted = place_before + np.radians(0.5) * across
+            before = scene.values
+            scene._asked(None, {"handle": name, "direction": wanted.tolist(), "key": True}, None)
+            if scene.values != before:
+                moved.append((handles_of(stage_of(scene))[name] - place_before) @ across)
+        assert moved, name
+        assert min(moved) > -1e-12, f"{name} goes the other way"

@@ -144,10 +144,10 @@ RAISED = """scene => {
     return Math.abs(latitude() - before);
   });
 }"""
-"""By how many degrees of the view one key moves a handle, at four moments of a scene."""
+"""How many degrees of the view one key asks for, at four moments of a scene."""
 
 
-def test_a_key_moves_a_handle_by_two_degrees_wherever_it_is(page: NotebookPage) -> None:
+def test_a_key_asks_for_two_degrees_wherever_a_handle_is(page: NotebookPage) -> None:
     handled = [
         i for i in range(len(SCENES)) if "data-handle" in ask(page, i, "s => s.viewsBox.outerHTML")
     ]

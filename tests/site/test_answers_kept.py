@@ -34,12 +34,13 @@ def keep(page, kept):
         (None, 0),
         ({"exercises": None, "guesses": "5"}, 0),
         ({"exercises": BROKEN, "guesses": {puzzle_of("03").key: 5}}, 0),
+        ({"guesses": {puzzle_of("03").key: ["a"]}}, 0),
         ({"exercises": {**BROKEN, "3.3": SOUND}, "reader": {"name": 5}}, 1),
     ],
 )
 def test_what_the_page_did_not_write_takes_no_form_away(page, address, kept, answered):
     keep(page, kept)
-    page.goto(f"{address}/03_systematic_drift.html")
+    page.goto(f"{address}/03_systematic_drift.html#%")  # nor does an address that is none
     page.get_by_role("button", name="Export my answers").wait_for()
     page.locator('div.guess[data-guess="03"] form').wait_for()
     assert page.locator("div.exercise form").count() == len(all_exercises("03"))
@@ -64,6 +65,14 @@ def test_a_browser_that_keeps_nothing_is_told_so(page, address):
     assert page.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0
 
 
+@pytest.mark.parametrize(("checked", "shown"), [({"letters": "ad"}, 1), ({"letters": "a"}, 0)])
+def test_a_mark_is_only_of_what_was_checked(page, address, checked, shown):
+    keep(page, {"exercises": {"3.3": {**SOUND, "checked": checked}}})
+    page.goto(f"{address}/03_systematic_drift.html")
+    page.get_by_role("button", name="Export my answers").wait_for()
+    assert page.get_by_text("when you last checked it").count() == shown
+
+
 @pytest.mark.parametrize(
     ("name", "file", "title"),
     [
@@ -72,6 +81,8 @@ def test_a_browser_that_keeps_nothing_is_told_so(page, address):
         ("../Ørsted: 1*", "drift-lab-answers-ørsted-1", r"Answers of ..\/Ørsted\: 1\*"),
         ("Лев Николаевич", "drift-lab-answers-лев-николаевич", "Answers of Лев Николаевич"),
         ("?!", "drift-lab-answers", r"Answers of \?\!"),
+        ("O’Brien", "drift-lab-answers-o-brien", "Answers of O’Brien"),
+        ("李" * 80, "drift-lab-answers-" + "李" * 50, "Answers of " + "李" * 80),
     ],
 )
 def test_the_export_bears_the_readers_name(page, address, name, file, title):

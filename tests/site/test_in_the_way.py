@@ -225,6 +225,13 @@ def test_a_browser_that_cannot_read_the_scripts_is_told_so_once_in_each_place(pa
     assert page.complaints == []
 
 
+def test_scripts_that_do_not_come_are_told_of(page, address):
+    page.route("**/in_place/offer.js", lambda route: route.abort())
+    show(page, address, DriftExplorer())
+    page.locator(".in-place-note", has_text="could not be fetched").wait_for()
+    assert figure_of(page, DriftExplorer).locator("img").is_visible()
+
+
 def test_an_old_browser_reads_the_first_script():
     """ECMAScript 5; the others are not, which shows that it was looked for."""
     if not (node := shutil.which("node")):

@@ -110,13 +110,14 @@ async function follow(app) {
     const shown = app.shell.currentWidget?.context;
     const session = app.shell.currentWidget?.sessionContext;
     if (!session) return;
-    leadToPageOf(shown.path);
-    say(...troubles, STARTING, ...newsOf(shown.path));
+    const path = shown?.path ?? ""; // a console has none
+    leadToPageOf(path);
+    say(...troubles, STARTING, ...newsOf(path));
     await session.ready;
     await session.session?.kernel?.info;
     if (app.shell.currentWidget?.sessionContext === session) {
       const ready = troubles.length ? ["Python is ready.", ...troubles] : [READY];
-      say(...ready, ...newsOf(shown.path));
+      say(...ready, ...newsOf(path));
     }
   };
   app.shell.currentChanged.connect(look);

@@ -57,7 +57,7 @@ class PlotOfTime {
       const style = `dl-curve dl-${curve.style}${curve.moments ? " dl-moments" : ""}`;
       make(this.svg, "path", { d, class: `${style} dl-future` });
       make(this.svg, "path", { d, class: style, "clip-path": `url(#${id})` });
-      const end = curve.values.findLast((value) => !Number.isNaN(value));
+      const end = [...curve.values].filter((value) => !Number.isNaN(value)).at(-1);
       if (end === undefined || !curve.name) continue;
       let at = Math.max(PLOT.top + 4, Math.min(bottom, y(end)));
       const away = at > PLOT.height / 2 ? -1 : 1; // towards the middle, where there is room

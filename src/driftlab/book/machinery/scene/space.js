@@ -158,7 +158,7 @@ class ViewOfSpace {
     if (order.some((each, i) => each !== this.order?.[i])) {
       const focused = document.activeElement;
       let next = null;
-      for (const { element } of order.toReversed()) {
+      for (const { element } of [...order].reverse()) {
         if (element.nextSibling !== next) this.svg.insertBefore(element, next); // few have moved
         next = element;
       }
@@ -242,15 +242,15 @@ class ViewOfSpace {
     const east = Math.atan2(place[0], place[2]) + radians(step * way[0]);
     const next = [Math.cos(north) * Math.sin(east), Math.sin(north), Math.cos(north) * Math.cos(east)]
       .map((each) => radius * each);
-    this.send(part, next);
+    this.send(part, next, { key: true });
   }
 
-  send(part, seen) {
+  send(part, seen, more = {}) {
     const [right, up, out] = camera(...this.eye);
     let there = [0, 1, 2].map((i) => seen[0] * right[i] + seen[1] * up[i] + seen[2] * out[i]);
     const { stage, moment } = this.scene;
     if (part.track) there = turnedBack(stage.tracks[part.track], moment, there);
-    this.scene.ask({ handle: part.handle, direction: there });
+    this.scene.ask({ handle: part.handle, direction: there, ...more });
   }
 }
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib.resources import files
+from math import copysign
 from typing import Any, ClassVar
 
 import anywidget
@@ -111,9 +113,27 @@ class SceneExplorer(Explorer):
         try:
             values = self.dragged(message["handle"], np.array(message["direction"], float))
             controls = {control.name: control for control in self.controls}
-            self.set(**{name: nearest(controls[name], value) for name, value in values.items()})
+            wanted = {name: nearest(controls[name], value) for name, value in values.items()}
+            if message.get("key") and wanted.items() <= self.values.items():
+                wanted |= _one_step(controls, self.values, values)
+            self.set(**wanted)
         finally:
             self.view.widget.send({"done": True})  # now it may ask again
+
+
+def _one_step(
+    controls: Mapping[str, Control], now: Mapping[str, Any], wanted: Mapping[str, Any]
+) -> Values:
+    """Move by a step the control that is asked to go farthest: a key is less than half a step."""
+    steps = {name: (value - now[name]) / controls[name].step for name, value in wanted.items()}
+    name = max(steps, key=lambda each: abs(steps[each]))
+    if not steps[name]:
+        return {}
+    control, way = controls[name], copysign(1.0, steps[name])
+    if control.options:
+        farther = [each for each in control.options if (each - now[name]) * way > 0]
+        return {name: min(farther, key=lambda each: abs(each - now[name]), default=now[name])}
+    return {name: nearest(control, now[name] + way * control.step)}
 
 
 def nearest(control: Control, value: float) -> float:
