@@ -41,7 +41,7 @@ function today() {
 }
 
 function plainText(name) {
-  return name.replace(/[!-+/:-@[-`{-~]/g, "\\$&"); // only these mean something in Markdown
+  return name.replace(/[!-&(-+/:-@[-`{-~]/g, "\\$&"); // only these mean something in Markdown
 }
 
 function text(id, source) {
