@@ -13,6 +13,7 @@ import shutil
 import sys
 from pathlib import Path
 
+from addresses import PDF
 from colab import make_colab
 from executed import FOLDER, executed
 from forms import write_forms
@@ -26,7 +27,6 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 BUILD = ROOT / "build/site"
 SITE = ROOT / "_site"
-PDF = "drift-lab.pdf"
 
 
 def main(arguments: list[str]) -> int:
