@@ -47,7 +47,6 @@ from bootstrap.beside import (
     SITE_HEAD,
     SITE_LIST,
     apart,
-    beside,
     without,
 )
 from bootstrap.copies import BOOK, bring_clean, bring_copies
@@ -73,6 +72,7 @@ from bootstrap.steps import (
     say,
     surroundings,
 )
+from bootstrap.teaching import by_site_tools
 
 FIRST = "00_start_here.ipynb"
 NO_PEERS = "--ignore=tests/peers"
@@ -196,10 +196,7 @@ def fetch(extra: str) -> None:
 
 def site(arguments: list[str]) -> int:
     """Build the site in an environment of its own; a warning is an error."""
-    set_up()
-    python = beside(SITE_LIST)
-    with running([str(python), "site/build.py", *arguments]) as process:
-        return abs(process.wait())
+    return by_site_tools("site/build.py", arguments)
 
 
 def lock(arguments: list[str]) -> int:

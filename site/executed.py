@@ -39,8 +39,13 @@ def notebooks(folder: Path = FOLDER) -> list[str]:
     )
 
 
-def executed() -> dict[str, NotebookNode]:
-    """Return every notebook with the outputs of all its cells, by its name.
+def executed(wanted: Iterable[str] | None = None) -> dict[str, NotebookNode]:
+    """Return notebooks with the outputs of all their cells, by name.
+
+    Parameters
+    ----------
+    wanted : iterable of str, optional
+        Their names, as `notebooks` gives them; all if not given.
 
     Raises
     ------
@@ -50,7 +55,7 @@ def executed() -> dict[str, NotebookNode]:
     below = _digest(_what_notebooks_stand_on())
     shutil.rmtree(COPY, ignore_errors=True)
     shutil.copytree(FOLDER, COPY, ignore=shutil.ignore_patterns(".ipynb_checkpoints", "*.json"))
-    names = sorted(notebooks(), key=lambda name: (not name.startswith(LONGEST), name))
+    names = sorted(wanted or notebooks(), key=lambda name: (not name.startswith(LONGEST), name))
     with ThreadPoolExecutor(AT_ONCE) as threads:
         runs = threads.map(lambda name: _executed(name, below), names)
         found = dict(zip(names, runs, strict=True))
