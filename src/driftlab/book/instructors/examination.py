@@ -11,6 +11,8 @@ import hashlib
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from driftlab.book.machinery.table import Table
+
 from .exam_questions import BY_CHOICE, COMPULSORY, Part, Question, drawn_from
 
 CHOSEN = 2
@@ -57,6 +59,17 @@ class Examination(NamedTuple):
     def minutes(self) -> int:
         """With those for reading."""
         return READING + sum(q.minutes for q in (*self.compulsory, *self.by_choice[:CHOSEN]))
+
+    def plan(self) -> Table:
+        """Return which outcome each question examines, with its marks and minutes."""
+        header = ("", "question", "chapter", "examines whether a student can", "marks", "minutes")
+        rows = [
+            (str(n), q.title, q.chapter, q.outcome, str(q.marks), str(q.minutes))
+            for n, q in self._numbered()
+        ]
+        total = f"reading, and {CHOSEN} of the last {len(self.by_choice)}"
+        last = ("", total, "", "", f"**{self.marks}**", f"**{self.minutes}**")
+        return Table([header, *rows, last])
 
     def sheet(self) -> Page:
         """Return what the class gets."""

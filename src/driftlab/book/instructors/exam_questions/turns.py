@@ -225,8 +225,8 @@ def table_on_the_earth(draw: Generator) -> Question:
         rf"At {degrees}° {'South' if south else 'North'} a triad rides on a table with an upright "
         rf"axis; the axis $n$ of the body points up. {turns} whole turns counter-clockwise, seen "
         rf"from above, at {rate}°/s give the estimate ${readings[0]}''$ of $n^T\Sigma n$: "
-        "the error angle about $n$ over the angle turned. As many clockwise, each counted about its own "
-        rf"direction of turning, give ${readings[1]}''$. The gyros may have biases; the "
+        "the error angle about $n$ over the angle turned. As many clockwise, each counted about "
+        rf"its own direction of turning, give ${readings[1]}''$. The gyros may have biases; the "
         "Earth turns by 15.04° an hour.",
         (
             Part(
