@@ -1,0 +1,1 @@
+"""What is for instructors alone: a student's copy of the book leaves this folder out."""
