@@ -84,7 +84,7 @@ def check(
     printed = io.StringIO()
     try:
         with redirect_stdout(printed), redirect_stderr(printed):
-            card = _judged(number, way, given, kept, Said(because=because))
+            card = _judged(number, way, given, kept, Said(because=" ".join(because.split())))
     except ModuleNotFoundError as error:
         if error.name != LATE:
             raise
