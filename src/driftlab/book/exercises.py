@@ -109,6 +109,8 @@ def judged(number: str | float, answer: Any, progress: Progress, said: Said = NO
     notes = []
     if found.right and exercise.kind == "predict":
         notes.append(progress.guess_against(name, answer))
+    if said.student and getattr(exercise, "given", None):
+        notes.append(f"Judged with the numbers of {said.student}.")
     if not isinstance(number, str) and f"{name}0" in all_exercises(chapter):
         notes.append(f'This is {name}. For the tenth exercise write "{name}0", as text.')
     done = f"{right} of {count} right in chapter {chapter}"
