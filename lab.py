@@ -19,6 +19,8 @@ usage: python3 lab.py [command]
   peers     ask programs of others, which this command fetches, whether they compute the same
   site      build the book as web pages that are alive, and as a PDF, in _site
               --self-contained FOLDER   with all of Pyodide, from its distribution in a folder
+  student   pack a copy for a class, without solutions, answers and pages for teachers
+              a name for the zip file may follow
   lock      renew environment.txt, and the lists of "site" and "lowest", from pyproject.toml
   release   write what release/release.toml says of this version where it is needed
 """
@@ -72,7 +74,7 @@ from bootstrap.steps import (
     say,
     surroundings,
 )
-from bootstrap.teaching import by_site_tools
+from bootstrap.teaching import by_site_tools, expect_whole, student
 
 FIRST = "00_start_here.ipynb"
 NO_PEERS = "--ignore=tests/peers"
@@ -250,6 +252,7 @@ COMMANDS = {
     "bench": bench,
     "peers": peers,
     "site": site,
+    "student": student,
     "lock": lock,
     "release": release,
 }
@@ -265,6 +268,7 @@ def main(arguments: list[str]) -> int:
     command, *rest = arguments
     if command not in COMMANDS:
         raise Trouble(f'There is no command "{command}"; there are {", ".join(COMMANDS)}.')
+    expect_whole(command)
     return COMMANDS[command](rest)
 
 

@@ -50,7 +50,7 @@ def exercise_forms() -> dict[str, dict[str, Any]]:
 def _form(exercise: Exercise, lines: str) -> dict[str, Any]:
     form: dict[str, Any] = {"way": "code"}
     if isinstance(exercise, Choice):
-        form = {"way": "letters", "letters": "".join(sorted({*exercise.right, *exercise.wrong}))}
+        form = {"way": "letters", "letters": exercise.letters}
     elif isinstance(exercise, Value):
         form = {"way": "line"}
         if exercise.from_panel:

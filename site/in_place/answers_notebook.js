@@ -1,5 +1,7 @@
 // A reader's answers as a notebook: it runs in Jupyter, and whoever marks a class reads and counts
-// it like the chapters that students hand in (`driftlab.book.class_summary`).
+// it like the chapters that students hand in (`python3 lab.py class`).
+
+const RECORD = "application/vnd.driftlab.exercise+json"; // as machinery/records.py has it
 
 const LONGEST = 50; // signs of a name; file systems take 255 bytes, and a sign may have four
 
@@ -23,11 +25,14 @@ export function notebook(answers, name, version) {
   const cells = [text("about", `${title}\n\n${about}`)];
   for (const [chapter, each] of chapters) {
     cells.push(text(`chapter-${chapter}`, `## Chapter ${chapter}`));
-    for (const [number, { cell, says }] of each)
+    for (const [number, { cell, says, record }] of each)
       cells.push(text(`text-${number}`, `### ${number}`), {
         id: cellId(`code-${number}`), cell_type: "code", execution_count: null, metadata: {},
         source: cell,
-        outputs: [{ output_type: "stream", name: "stdout", text: `${says}\n` }],
+        outputs: [{
+          output_type: "display_data", metadata: {},
+          data: { "text/plain": says, ...(record && { [RECORD]: record }) },
+        }],
       });
   }
   return { nbformat: 4, nbformat_minor: 5, metadata: {

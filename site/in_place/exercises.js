@@ -62,9 +62,9 @@ class Exercise {
     this.form.busy = true;
     this.card.replaceChildren();
     this.printed.hidden = true;
-    const { way, given, panel = "" } = answer;
+    const { way, given, panel = "", because = "" } = answer;
     const result = await this.asking.for("exercises.check",
-      [this.number, way, given, this.#progress(), panel]);
+      [this.number, way, given, this.#progress(), panel, because]);
     this.form.busy = false;
     if (this.asking.stopped) this.form.button.focus({ preventScroll: true }); // Stop is gone
     if (!result) return;
@@ -72,24 +72,25 @@ class Exercise {
     this.card.dataset.verdict = result.right ?? "open";
     this.printed.textContent = result.printed;
     this.printed.hidden = !result.printed;
-    const { right, guesses } = result.progress;
+    const { right, guesses, tried } = result.progress;
     const { typed } = this.form;
     const judged = result.cell && { // what could not be read takes no earlier answer's place
       checked: typed,
-      cell: result.cell, says: result.says,
-      right: right[this.number], guess: guesses[this.number],
+      cell: result.cell, says: result.says, record: result.record,
+      right: right[this.number], guess: guesses[this.number], tried: tried[this.number],
     };
     this.#keep({ typed, ...judged });
   }
 
   // What the package must know of the chapter to say how it stands.
   #progress() {
-    const progress = { right: {}, guesses: {} };
+    const progress = { right: {}, guesses: {}, tried: {} };
     const chapter = `${this.number.split(".")[0]}.`;
-    for (const [number, { right, guess }] of Object.entries(this.kept.of("exercises"))) {
+    for (const [number, { right, guess, tried }] of Object.entries(this.kept.of("exercises"))) {
       if (!number.startsWith(chapter)) continue;
       if (right != null) progress.right[number] = right;
       if (guess != null) progress.guesses[number] = guess;
+      if (tried != null) progress.tried[number] = tried;
     }
     return progress;
   }

@@ -9,6 +9,7 @@ import re
 import traceback
 from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
+from copy import deepcopy
 from dataclasses import replace
 from importlib.util import find_spec
 from types import SimpleNamespace
@@ -18,13 +19,15 @@ import numpy as np
 
 from driftlab.book.exercises import all_exercises, hints_of, judged
 from driftlab.book.machinery.card import Card
-from driftlab.book.machinery.exercise import Verdict
+from driftlab.book.machinery.exercise import Said, Verdict
 from driftlab.book.machinery.formulas import Formula
 from driftlab.book.machinery.progress import Progress
 from driftlab.book.machinery.reading import UnreadableError
 
 LATE = "sympy"
 """The package that comes only when it is asked for."""
+KEPT = ("right", "guesses", "tried")
+"""What a page keeps of a `Progress`."""
 JUDGED = ("right", "not yet")
 """Words of a verdict on an answer that could be read."""
 YOURS = "<your lines>"
@@ -44,7 +47,12 @@ SIGNS = str.maketrans({"−": "-", "·": "*", "×": "*", "π": "pi", "°": "", "
 
 
 def check(
-    number: str, way: str, given: Any, progress: dict[str, Any], panel: str = ""
+    number: str,
+    way: str,
+    given: Any,
+    progress: dict[str, Any],
+    panel: str = "",
+    because: str = "",
 ) -> dict[str, Any]:
     """Judge an answer.
 
@@ -57,23 +65,26 @@ def check(
     given : str or dict
         What was typed or chosen; the values of a panel by name.
     progress : dict
-        "right" and "guesses" of a `Progress`: what the page has kept.
+        "right", "guesses" and "tried" of a `Progress`: what the page has kept.
     panel : str
         Name of the panel's class, where the answer is a panel.
+    because : str
+        Why, in the reader's own words.
 
     Returns
     -------
     dict
         The card in HTML, what it says as text, the verdict (true, false or null), what the lines
         of the answer printed, the cell of a notebook that gives the same answer (None if there is
-        none that could be judged), and the progress from now on. Or "needs": a package without
+        none that could be judged), the record that such a cell leaves, and the progress from now
+        on. Or "needs": a package without
         which the answer cannot be judged.
     """
-    kept = Progress(dict(progress["right"]), dict(progress["guesses"]))
+    kept = Progress(**{name: deepcopy(progress[name]) for name in KEPT})
     printed = io.StringIO()
     try:
         with redirect_stdout(printed), redirect_stderr(printed):
-            card = _judged(number, way, given, kept)
+            card = _judged(number, way, given, kept, Said(because=" ".join(because.split())))
     except ModuleNotFoundError as error:
         if error.name != LATE:
             raise
@@ -83,12 +94,13 @@ def check(
         "says": repr(card),
         "right": card.verdict.right,
         "printed": printed.getvalue(),
-        "cell": _cell(number, way, given, panel) if card.verdict.word in JUDGED else None,
-        "progress": {"right": kept.right, "guesses": kept.guesses},
+        "cell": _cell(number, way, given, panel, because) if card.verdict.word in JUDGED else None,
+        "record": dict(card.record),
+        "progress": {name: getattr(kept, name) for name in KEPT},
     }
 
 
-def _judged(number: str, way: str, given: Any, kept: Progress) -> Card:
+def _judged(number: str, way: str, given: Any, kept: Progress, said: Said) -> Card:
     chapter = number.split(".")[0].zfill(2)
     # A formula may be compared with SymPy, which reading an answer must not be blamed for.
     if isinstance(all_exercises(chapter)[number], Formula) and not find_spec(LATE):
@@ -98,7 +110,7 @@ def _judged(number: str, way: str, given: Any, kept: Progress) -> Card:
     except UnreadableError as error:
         verdict = Verdict(False, f"not readable. {error}")
         return Card(number, verdict, hints_of(chapter)[number])
-    card = judged(number, answer, kept)
+    card = judged(number, answer, kept, said)
     if card.verdict.right is None and way in HOW:
         return replace(card, verdict=Verdict(None, f"{card.verdict.says} {HOW[way]}"))
     return card
@@ -161,7 +173,7 @@ def _own_part(error: BaseException) -> str:
     return "".join(traceback.format_exception(type(error), error, place))
 
 
-def _cell(number: str, way: str, given: Any, panel: str) -> str:
+def _cell(number: str, way: str, given: Any, panel: str, because: str) -> str:
     """The lines of a notebook's cell that give the same answer."""
     if way == "code":
         lines = given
@@ -172,7 +184,8 @@ def _cell(number: str, way: str, given: Any, panel: str) -> str:
         typed = repr(given) if way == "letters" else in_python(given)
         # What functions a line may use; a cell of letters needs none.
         lines = f"from numpy import *\n\nanswer = {typed}" if "(" in typed else f"answer = {typed}"
-    return f'from driftlab.book import check\n{lines}\n\ncheck("{number}", answer)'
+    why = f", because={because!r}" if because else ""
+    return f'from driftlab.book import check\n{lines}\n\ncheck("{number}", answer{why})'
 
 
 WAYS: dict[str, Callable[[Any], Any]] = {

@@ -10,7 +10,7 @@ export class AnswerForm {
     this.root = make("form", { className: "answer" });
     this.first = lines ?? "";
     const parts = [];
-    if (way === "letters") parts.push(this.#letters(letters));
+    if (way === "letters") parts.push(this.#letters(letters), this.#why());
     if (way === "line") parts.push(this.#line(number));
     if (lines !== undefined) parts.push(this.#python(number));
     this.button = make("button", { type: "submit", className: "answer-check" });
@@ -35,20 +35,22 @@ export class AnswerForm {
       line: this.line?.value,
       code: this.code?.value === this.first ? undefined : this.code?.value,
       python: this.fold?.open,
+      because: this.because?.value,
     };
   }
 
-  show({ letters = "", line = "", code = this.first, python = false }) {
+  show({ letters = "", line = "", code = this.first, python = false, because = "" }) {
     for (const box of this.boxes ?? []) box.checked = letters.includes(box.value);
     if (this.line) this.line.value = line;
     if (this.code) this.code.value = code;
     if (this.fold) this.fold.open = python;
+    if (this.because) this.because.value = because;
     this.#follow();
   }
 
   get answer() {
     const way = this.inPython ? "code" : this.way;
-    return { way, given: this.typed[way] ?? this.first };
+    return { way, given: this.typed[way] ?? this.first, because: this.typed.because?.trim() };
   }
 
   get inPython() {
@@ -71,6 +73,12 @@ export class AnswerForm {
       make("input", { type: "checkbox", value, ariaLabel: `Statement ${value}` }));
     return this.simple = make("div", { className: "answer-letters" },
       ...this.boxes.map((box) => make("label", {}, box, ` (${box.value})`)));
+  }
+
+  #why() {
+    this.because = make("textarea", { rows: 2, maxLength: 2000 });
+    return make("label", { className: "answer-why" },
+      "Why? A sentence of your own; the reply goes into it.", this.because);
   }
 
   #line(number) {

@@ -7,7 +7,8 @@ export const BLOCKED =
 const isPlain = (value) => Object.prototype.toString.call(value) === "[object Object]";
 const isAnyOf = (types, value) => types.includes(value === null ? "null" : typeof value);
 
-const TYPED = { letters: "string", line: "string", code: "string", python: "boolean" };
+const TYPED =
+  { letters: "string", line: "string", code: "string", because: "string", python: "boolean" };
 
 // What an entry must look like. Whatever else stands there, from elsewhere or by hand, counts as
 // none: it must not take the forms away.
@@ -19,6 +20,9 @@ const SOUND = {
       isAnyOf([type, "undefined"], entry.typed?.[name])) &&
     ["cell", "says", "guess"].every((name) =>
       isAnyOf(["string", "null", "undefined"], entry[name])) &&
+    (entry.record === undefined || isPlain(entry.record)) &&
+    (entry.tried === undefined ||
+      (Array.isArray(entry.tried) && entry.tried.every((each) => typeof each === "string"))) &&
     isAnyOf(["boolean", "null", "undefined"], entry.right),
   guesses: (entry) => entry === null || Array.isArray(entry),
   reader: (entry) => typeof entry === "string",

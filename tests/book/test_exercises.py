@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 from functools import cache
+from itertools import combinations
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -13,10 +14,18 @@ import pytest
 
 from driftlab import book
 from driftlab.book.chapters import CHAPTERS, chapters_with
-from driftlab.book.exercises import KINDS, all_exercises, by_kind, check, hints_of, verdict
-from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.exercises import (
+    KINDS,
+    all_exercises,
+    by_kind,
+    check,
+    given,
+    hints_of,
+    verdict,
+)
+from driftlab.book.machinery.answers import Choice, Value, computed
+from driftlab.book.machinery.exercise import key_of
 from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.reading import numbers
 from wrong_answers import WRONG
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
@@ -25,10 +34,14 @@ VALUES = {n: e for n, e in EXERCISES.items() if isinstance(e, Value)}
 FORMULAS = {n: e for n, e in EXERCISES.items() if isinstance(e, Formula)}
 
 
+WORDS = "Because it looks so."
+"""Without a reason why, a choice is told no more than that it is not right."""
+
+
 @cache
 def replies(number):
     """What the book says to each of the wrong answers."""
-    return [verdict(number, answer) for answer, _ in WRONG[number]]
+    return [verdict(number, answer, because=WORDS) for answer, _ in WRONG[number]]
 
 
 def test_chapters_have_four_or_more_of_every_kind_in_order():
@@ -58,23 +71,24 @@ def test_wrong_answer_is_refused_with_its_reason(number):
 @pytest.mark.parametrize("number", VALUES)
 def test_right_value_passes_and_each_mistake_is_told_apart(number):
     exercise = VALUES[number]
-    assert exercise.verdict(exercise.right()).right
-    for says, value in exercise.mistakes.items():
-        assert exercise.verdict(value())[:2] == (False, f"not yet. {says}")
+    right, mistakes = computed(exercise)
+    assert exercise.verdict(right).right
+    for says, value in mistakes:
+        assert exercise.verdict(value)[:2] == (False, f"not yet. {says}")
 
 
 @pytest.mark.parametrize("number", FORMULAS)
 def test_right_formula_passes_and_each_mistake_is_told_apart(number):
     exercise = FORMULAS[number]
-    assert exercise.verdict(exercise.right).right
-    for says, function in exercise.mistakes.items():
+    assert exercise.verdict(key_of(exercise).right).right
+    for says, function in key_of(exercise).mistakes.items():
         assert exercise.verdict(function)[:2] == (False, f"not yet. {says}")
 
 
 @pytest.mark.parametrize("number", VALUES)
 def test_no_wrong_answer_is_told_the_right_one(number):
     exercise = VALUES[number]
-    right = {f"{entry:.3g}" for entry in np.abs(numbers(exercise.right())).flat if entry > 0.1}
+    right = {f"{entry:.3g}" for entry in np.abs(computed(exercise)[0]).flat if entry > 0.1}
     said = " ".join(reply.says for reply in replies(number))
     assert not right & set(re.findall(r"\d+\.?\d*", said))
 
@@ -82,15 +96,26 @@ def test_no_wrong_answer_is_told_the_right_one(number):
 @pytest.mark.parametrize("number", [n for n, e in EXERCISES.items() if isinstance(e, Choice)])
 def test_choice_names_what_is_wrong_with_every_other_statement(number):
     exercise = EXERCISES[number]
-    letters = "".join(sorted({*exercise.right, *exercise.wrong}))
-    assert letters == "abcdefgh"[: len(letters)]
-    assert not set(exercise.right) & set(exercise.wrong)
-    assert exercise.verdict(exercise.right).right
-    for letter, reason in exercise.wrong.items():
-        assert exercise.verdict(exercise.right + letter)[:2] == (
-            False,
-            f"not yet. ({letter}) {reason}",
-        )
+    key = key_of(exercise)
+    right = "".join(sorted(key.right))
+    assert exercise.letters == "abcdefgh"[: len(exercise.letters)]
+    assert not key.right & set(key.mistakes)
+    assert verdict(number, right).right
+    for letter, reason in key.mistakes.items():
+        says = f"not yet. ({letter}) {reason}"
+        assert verdict(number, right + letter, because=WORDS)[:2] == (False, says)
+    less = verdict(number, right[1:], because=WORDS)
+    assert less[:2] == (False, "not yet. What you chose is true, and something else is too.")
+
+
+@pytest.mark.parametrize("number", [n for n, e in EXERCISES.items() if isinstance(e, Choice)])
+def test_choice_tells_who_gives_no_reason_nothing_to_find_it_by(number):
+    """So that whoever tries has to try all: with one reply to all, no order of trials is better."""
+    letters = EXERCISES[number].letters
+    tries = ["".join(each) for n in range(1, 7) for each in combinations(letters, n)]
+    found = [verdict(number, each) for each in tries]
+    assert sum(each.right for each in found) == 1
+    assert len({each.says for each in found if not each.right}) == 1
 
 
 JUDGED = "verdict('3.1', [1, 1, -1, 0, 0, 0]); verdict('3.3', 'ad'); verdict('3.5', len)"
@@ -119,12 +144,68 @@ def test_check_prints_what_it_says_and_refuses_an_unknown_number(capsys):
         check("1.6", 1)
 
 
-def test_lists_for_teachers_have_every_exercise_with_its_answer_and_its_mistakes():
+def test_exercises_of_a_kind_are_listed():
     assert sorted(n for kind in KINDS for n in by_kind(kind)) == sorted(EXERCISES)
-    assert by_kind("predict")["1.1"].expected() == "180, 0, 0 degrees"
-    assert all(exercise.expected() and exercise.feedback() for exercise in EXERCISES.values())
     with pytest.raises(ValueError, match=r"^kind: expected one of predict, .*, got 'guess'"):
         by_kind("guess")
+
+
+@pytest.mark.parametrize("number", EXERCISES)
+def test_no_public_attribute_leads_to_what_is_right(number):
+    exercise = EXERCISES[number]
+    public = {name: getattr(exercise, name) for name in dir(exercise) if not name.startswith("_")}
+    assert not {"right", "wrong", "expected", "feedback"} & public.keys()
+    assert public.pop("mistakes", {}) == {}  # the default of an argument
+    assert repr(key_of(exercise).right) not in repr(exercise)
+
+
+GIVING = [n for n, e in EXERCISES.items() if getattr(e, "given", None)]
+STUDENTS = [f"student {i}" for i in range(30)]
+
+
+@pytest.mark.parametrize("number", GIVING)
+def test_students_have_numbers_of_their_own_and_mistakes_told_apart(number):
+    exercise, answers = EXERCISES[number], set()
+    for student in STUDENTS:
+        right, mistakes = computed(exercise, student)
+        answers.add(right.tobytes())
+        assert verdict(number, right, student=f" {student.upper()}").right
+        for says, value in mistakes:
+            reply = verdict(number, value, student=student)
+            assert reply[:2] == (False, f"not yet. {says}"), student
+    assert len(answers) > len(STUDENTS) / 2
+    others = sum(verdict(number, computed(exercise, s)[0]).right for s in STUDENTS)
+    assert others <= 2, "the book's answer is right for nearly nobody else"
+
+
+@pytest.mark.parametrize("number", GIVING)
+def test_given_numbers_are_shown_as_code_that_makes_them(number):
+    for student in ("", "Ada Lovelace"):
+        numbers = given(number, student=student)
+        assert len(numbers) == len(list(numbers))
+        names = {}
+        exec(repr(numbers), {"np": np}, names)
+        assert names.keys() == numbers.keys()
+        for name, value in numbers.items():
+            np.testing.assert_array_equal(names[name], value)
+
+
+def test_given_refuses_what_has_no_numbers_of_ones_own():
+    with pytest.raises(ValueError, match=r"^number: expected one of .*3\.4, .*, got '3\.3'"):
+        given("3.3", student="Ada")
+    with pytest.raises(ValueError, match=r"^student: expected text, got int"):
+        given("3.4", student=7)
+    with pytest.raises(ValueError, match=r"^because: expected text, got list"):
+        check("3.3", "ad", because=[1])
+
+
+def test_strict_check_raises_unless_the_answer_is_right(capsys):
+    check("3.3", "ad", strict=True)
+    with pytest.raises(AssertionError, match=r"^Exercise 3\.3: not yet\. "):
+        check("3.3", "a", strict=True)
+    with pytest.raises(AssertionError, match=r"^Exercise 3\.3: not answered yet\."):
+        check("3.3", ..., strict=True)
+    assert capsys.readouterr().out.count("Exercise 3.3: ") == 3
 
 
 def test_every_exercise_has_a_ladder_that_ends_in_a_section_of_its_chapter():
@@ -147,7 +228,7 @@ def test_every_exercise_has_a_ladder_that_ends_in_a_section_of_its_chapter():
 @pytest.mark.parametrize("number", VALUES)
 def test_no_hint_gives_the_answer(number):
     exercise = VALUES[number]
-    right = {f"{entry:.3g}" for entry in np.abs(numbers(exercise.right())).flat if entry > 2}
+    right = {f"{entry:.3g}" for entry in np.abs(computed(exercise)[0]).flat if entry > 2}
     ladder = " ".join(hints_of(number.split(".")[0].zfill(2))[number].rungs)
     assert not right & set(re.findall(r"\d+\.?\d*", ladder))
 
@@ -169,9 +250,9 @@ SETTINGS = {
 """The panel of an exercise, its preset, and what the reader sets besides."""
 FOUND = {
     "3.2": ALL_AT_THEIR_ENDS,
-    "4.2": {"steps": round(float(EXERCISES["4.2"].right()))},
-    "9.4": {"pitch": round(float(EXERCISES["9.4"].right()))},
-    "11.4": {"turn_right": round(float(EXERCISES["11.4"].right()))},
+    "4.2": {"steps": round(float(computed(EXERCISES["4.2"])[0]))},
+    "9.4": {"pitch": round(float(computed(EXERCISES["9.4"])[0]))},
+    "11.4": {"turn_right": round(float(computed(EXERCISES["11.4"])[0]))},
     "13.3": {"quantisation": 100.0},
 }
 """What more a reader sets who has found the answer."""

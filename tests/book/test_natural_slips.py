@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from driftlab.book.exercises import all_exercises
-from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.answers import Choice, Value, computed
+from driftlab.book.machinery.exercise import key_of
 from driftlab.book.machinery.formulas import Formula
 from driftlab.book.machinery.reading import numbers
 
@@ -44,12 +45,12 @@ def of_formula(right):
 def said_of(number: str) -> list[str]:
     exercise = EXERCISES[number]
     if isinstance(exercise, Choice):
-        letters = sorted({*exercise.right, *exercise.wrong})
+        letters = exercise.letters
         answers = ["".join(each) for n in (1, 2) for each in permutations(letters, n)]
     elif isinstance(exercise, Value):
-        answers = [a for a in of_numbers(numbers(exercise.right())) if np.isfinite(a).all()]
+        answers = [a for a in of_numbers(computed(exercise)[0]) if np.isfinite(a).all()]
     elif isinstance(exercise, Formula):
-        answers = list(of_formula(exercise.right))
+        answers = list(of_formula(key_of(exercise).right))
     else:
         answers = ["", "+90X"]
     found = [exercise.verdict(answer) for answer in answers]
@@ -66,6 +67,7 @@ def test_natural_slip_is_told_more_than_that_it_is_wrong(number):
         assert len(reason) > 8, each
     exercise = EXERCISES[number]
     if isinstance(exercise, Value):
-        right = {f"{entry:.3g}" for entry in np.abs(numbers(exercise.right())).flat if entry > 0.1}
-        told = [each for each in says if each not in {f"not yet. {m}" for m in exercise.mistakes}]
+        right = {f"{entry:.3g}" for entry in np.abs(computed(exercise)[0]).flat if entry > 0.1}
+        own = {f"not yet. {m}" for m in key_of(exercise).mistakes}
+        told = [each for each in says if each not in own]
         assert not right & set(re.findall(r"\d+\.?\d*", " ".join(told)))

@@ -24,9 +24,10 @@ class Form:
         self.part.get_by_role("textbox").first.fill(text)
         self.part.get_by_role("textbox").first.press("Enter")
 
-    def letters(self, chosen):
+    def letters(self, chosen, because=""):
         for box in self.part.get_by_role("checkbox").all():
             box.set_checked(box.get_attribute("value") in chosen)
+        self.part.get_by_label("Why?").fill(because)
         self.button("Check").click()
 
     def python(self, lines):

@@ -51,8 +51,10 @@ def test_exercises_of_each_kind_answer_in_the_page_and_are_kept(page, address, t
     assert "2 of 6 right" in panel.expect("true")
 
     letters.letters("ab")
+    assert "in your own words" in letters.expect("false")
+    letters.letters("abd", because="It turns both ways, <b>so</b> it sees more.")
     assert "(b) forgets" in letters.expect("false")
-    letters.letters("ad")
+    letters.letters("ad", because="One number a mounting.")
     letters.expect("true")
 
     computed.python("while True:\n    pass")

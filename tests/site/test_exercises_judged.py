@@ -3,6 +3,7 @@
 import json
 import re
 from contextlib import suppress
+from copy import deepcopy
 
 import numpy as np
 import pytest
@@ -11,7 +12,8 @@ from answer_form import REACH
 import forms
 from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises
-from driftlab.book.machinery.answers import Choice, Value
+from driftlab.book.machinery.answers import Choice, Value, computed
+from driftlab.book.machinery.exercise import key_of
 from driftlab.book.machinery.formulas import Formula
 from driftlab.book.machinery.reading import UnreadableError, numbers
 from driftlab.book.puzzles import puzzle_of
@@ -20,8 +22,12 @@ from wrong_answers import WRONG
 
 EXERCISES = all_exercises()
 FORMS = forms.exercise_forms()
-NOTHING = {"right": {}, "guesses": {}}
-CODE = "from driftlab.book.exercises import all_exercises\nanswer = {}"
+NOTHING = {"right": {}, "guesses": {}, "tried": {}}
+CODE = (
+    "from driftlab.book.exercises import all_exercises\n"
+    "from driftlab.book.machinery.exercise import key_of\n"
+    "answer = {}"
+)
 SCHEME = "+180Y -90Y -180Z +90Z +180X"
 """Six positions that show all states."""
 
@@ -42,17 +48,21 @@ def judged(number, way, given, **more):
 def right_answer(number):
     exercise = EXERCISES[number]
     if isinstance(exercise, Choice):
-        return "letters", exercise.right
+        return "letters", "".join(sorted(key_of(exercise).right))
     if isinstance(exercise, Value):
-        return "line", typed(exercise.right())
-    source = f"all_exercises()[{number!r}].right" if isinstance(exercise, Formula) else repr(SCHEME)
+        return "line", typed(computed(exercise)[0])
+    source = (
+        f"key_of(all_exercises()[{number!r}]).right"
+        if isinstance(exercise, Formula)
+        else repr(SCHEME)
+    )
     return "code", CODE.format(source)
 
 
 def wrong_answers(number):
     exercise = EXERCISES[number]
     if isinstance(exercise, Choice):
-        return [("letters", letter) for letter in exercise.wrong]
+        return [("letters", letter) for letter in key_of(exercise).mistakes]
     if isinstance(exercise, Value):
         found = []
         for answer, _ in WRONG[number]:
@@ -60,7 +70,7 @@ def wrong_answers(number):
                 found.append(("line", typed(answer)))
         return found
     if isinstance(exercise, Formula):
-        source = f"[*all_exercises()[{number!r}].mistakes.values()][0]"
+        source = f"[*key_of(all_exercises()[{number!r}]).mistakes.values()][0]"
         return [("code", CODE.format(source))]
     return [("code", CODE.format("'+90X +90Y'"))]
 
@@ -72,7 +82,7 @@ def test_a_right_answer_given_in_the_form_is_right_and_wrong_ones_are_not(number
     assert form["way"] == way
     assert "answer = ..." in form.get("lines", "answer = ...")
     if way == "letters":
-        assert {*form["letters"]} == {*EXERCISES[number].right, *EXERCISES[number].wrong}
+        assert form["letters"] == EXERCISES[number].letters
     found = judged(number, way, given)
     assert found["right"] is True, found["says"]
     assert found["progress"]["right"] == {number: True}
@@ -158,12 +168,30 @@ def test_lines_run_alone_and_tell_what_they_print_and_where_they_stop():
     assert "SystemExit" in judged("3.4", "code", "exit(1)")["says"]
 
 
+def test_a_readers_own_words_are_kept_with_the_answer():
+    words = "It turns 'both' ways,\n<b>so</b> it sees more."
+    found = judged("3.3", "letters", "abd", because=words)
+    assert "(b) forgets" in found["says"]
+    assert "&lt;b&gt;so&lt;/b&gt;" in found["card"]
+    assert found["record"]["because"] == " ".join(words.split())
+    names = {}
+    exec(found["cell"].replace("check(", "said = dict(").replace('"3.3", answer, ', ""), names)
+    assert names["said"] == {"because": words}
+
+
 def test_the_progress_is_the_pages():
-    before = {"right": {"3.1": True, "3.2": False}, "guesses": {"3.1": "5"}}
+    before = {
+        "right": {"3.1": True, "3.2": False},
+        "guesses": {"3.1": "5"},
+        "tried": {"3.1": ["digest of 5"]},
+    }
+    kept = deepcopy(before)
     found = exercises.check("3.1", *right_answer("3.1"), before)
     assert "Your first guess was 5, the answer is" in found["says"]
     assert "1 of 6 right in chapter 03" in found["card"]
-    assert before == {"right": {"3.1": True, "3.2": False}, "guesses": {"3.1": "5"}}
+    assert "attempt 2; 1 of 6" in found["card"]
+    assert found["record"]["attempt"] == len(found["progress"]["tried"]["3.1"]) == 2
+    assert before == kept
 
 
 def test_sympy_is_asked_for_where_an_answer_needs_it(monkeypatch):

@@ -42,6 +42,7 @@ from .exercises import (
     all_exercises as all_exercises,
     by_kind as by_kind,
     check as check,
+    given as given,
     hint as hint,
     verdict as verdict,
 )

@@ -15,9 +15,19 @@ from typing import Any
 
 from .chapters import CHAPTERS, chapters_with, part_of
 from .machinery.card import Card, HintCard, show
-from .machinery.exercise import KINDS, Exercise, Verdict
+from .machinery.exercise import (
+    KINDS,
+    NOTHING_SAID,
+    Exercise,
+    NotRightError,
+    Said,
+    Verdict,
+    is_missing,
+)
+from .machinery.given_numbers import Given
 from .machinery.hints import Help
 from .machinery.progress import Progress
+from .machinery.records import record_of
 
 PROGRESS = Progress()
 """What has been answered since the kernel started."""
@@ -42,7 +52,14 @@ def hints_of(chapter: str) -> dict[str, Help]:
     return {number: Help(**each) for number, each in tomllib.loads(text).items()}
 
 
-def check(number: str | float, answer: Any) -> None:
+def check(
+    number: str | float,
+    answer: Any,
+    *,
+    because: str = "",
+    student: str = "",
+    strict: bool = False,
+) -> None:
     """Show a card that says whether `answer` is right, and what may be wrong with it.
 
     Parameters
@@ -54,35 +71,98 @@ def check(number: str | float, answer: Any) -> None:
         A number or an array in any form, a SymPy expression or a function, or the letters of the
         chosen statements, as the exercise asks. An exercise with a slider panel takes the panel as
         well. ``...`` stands for an answer that is still missing.
+    because : str
+        Why, in your own words. They are kept with the answer; among statements, the reply goes
+        into what was chosen only for who has said why.
+    student : str
+        The name with which `given` was asked for numbers of one's own.
+    strict : bool
+        Raise an error unless the answer is right, for programs that mark notebooks.
 
     Raises
     ------
     ValueError
         If there is no exercise of that number.
+    NotRightError
+        With `strict`, if the answer is wrong or missing; it is an AssertionError.
 
     Notes
     -----
-    Outside a notebook the card is plain text. How many exercises of the chapter are right is
-    counted since the kernel started, and the first guess at a "predict" exercise is kept as long,
-    to be shown beside the answer.
+    Outside a notebook the card is plain text. How many exercises of the chapter are right, and how
+    many different answers there were to one, is counted since the kernel started, and the first
+    guess at a "predict" exercise is kept as long, to be shown beside the answer.
     """
-    show(judged(number, answer, PROGRESS))
+    card = judged(number, answer, PROGRESS, _said(because, student))
+    show(card)
+    if strict and not card.verdict.right:
+        raise NotRightError(f"Exercise {card.number}: {card.verdict.says}")
 
 
-def judged(number: str | float, answer: Any, progress: Progress) -> Card:
+def judged(number: str | float, answer: Any, progress: Progress, said: Said = NOTHING_SAID) -> Card:
     """Return the card that `check` shows; `progress` is what was answered, and takes note of it."""
     name, exercise = _exercise(number)
-    found = exercise.verdict(answer)
+    found = exercise.verdict(answer, said)
     progress.note(name, answer, found)
     chapter = _chapter(name)
     right, count = progress.of(all_exercises(chapter))
+    attempts = progress.attempts(name)
     notes = []
     if found.right and exercise.kind == "predict":
         notes.append(progress.guess_against(name, answer))
+    if said.student and getattr(exercise, "given", None):
+        notes.append(f"Judged with the numbers of {said.student}.")
     if not isinstance(number, str) and f"{name}0" in all_exercises(chapter):
         notes.append(f'This is {name}. For the tenth exercise write "{name}0", as text.')
     done = f"{right} of {count} right in chapter {chapter}"
-    return Card(name, found, hints_of(chapter)[name], tuple(notes), done)
+    if attempts > 1:
+        done = f"attempt {attempts}; {done}"
+    record = record_of(name, answer, found, attempts, said)
+    return Card(name, found, hints_of(chapter)[name], tuple(notes), done, said.because, record)
+
+
+def given(number: str | float, *, student: str = "") -> Given:
+    """Return the numbers that an exercise gives: the book's, or some of your own.
+
+    Parameters
+    ----------
+    number : str
+        The exercise's number, as in `check`.
+    student : str
+        Your name, or what your teacher has agreed with you; capitals and blanks do not matter.
+        The same name has the same numbers everywhere. Hand it to `check` as well.
+
+    Returns
+    -------
+    mapping
+        The numbers by name, in the units of the exercise; shown, the lines of code for them.
+
+    Raises
+    ------
+    ValueError
+        If there is no exercise of that number, or if all have the same numbers in it.
+
+    Examples
+    --------
+    >>> from driftlab.book import given
+    >>> given("4.6")
+    # Exercise 4.6, the numbers of the book
+    latitude = -33.9  # degrees
+    table_rate = -20.0  # degrees a second
+    >>> mine = given("4.6", student="Ada Lovelace")
+    >>> mine["latitude"] == given("4.6", student="ada  lovelace")["latitude"]
+    True
+    """
+    name, exercise = _exercise(number)
+    numbers = getattr(exercise, "given", None)
+    if numbers is None:
+        there = [n for n, each in all_exercises().items() if getattr(each, "given", None)]
+        raise ValueError(
+            f"number: expected one of {', '.join(there)}, which can have numbers of one's own, "
+            f"got {name!r}."
+        )
+    who = _said("", student).student
+    whose = f"numbers of {who}" if who else "the numbers of the book"
+    return Given(f"Exercise {name}, {whose}", numbers.numbers(who), numbers.units)
 
 
 def hint(number: str | float) -> None:
@@ -103,9 +183,18 @@ def hint(number: str | float) -> None:
     show(HintCard(name, each, PROGRESS.next_rung(name, len(each.rungs) + 1)))
 
 
-def verdict(number: str | float, answer: Any) -> Verdict:
+def verdict(number: str | float, answer: Any, *, because: str = "", student: str = "") -> Verdict:
     """Return what `check` says, and whether the answer is right; arguments as there."""
-    return _exercise(number)[1].verdict(answer)
+    return _exercise(number)[1].verdict(answer, _said(because, student))
+
+
+def _said(because: Any, student: Any) -> Said:
+    """What came with an answer, as text; ``...`` stands for words that are still missing."""
+    for name, text in (("because", because), ("student", student)):
+        if not isinstance(text, str) and not is_missing(text):
+            raise ValueError(f"{name}: expected text, got {type(text).__name__}.")
+    words = ["" if is_missing(text) else " ".join(text.split()) for text in (because, student)]
+    return Said(*words)
 
 
 def _exercise(number: str | float) -> tuple[str, Exercise]:

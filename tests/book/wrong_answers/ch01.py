@@ -26,6 +26,7 @@ WRONG = {
         ("abce", r"^not yet. \(a\)"),
         ("bcde", r"\(d\)"),
         ("be", "something else is too"),
+        ("ad", "^not yet. More than one statement"),
     ],
     "1.4": [
         ([0.9999896, 0.0037533, -0.0000140, 0.0025795], "scalar stands first"),

@@ -36,7 +36,8 @@ WRONG = {
         ("abce", r"\(b\) holds to first order only"),
         ("acde", r"\(d\)"),
         ("acef", r"one and the same proportion"),
-        ("a", "something else is too"),
+        ("ac", "something else is too"),
+        ("bf", "^not yet. More than one statement"),
     ],
     "2.2": [
         ([-90, 90], "Larin's slow root is zero"),
@@ -47,9 +48,10 @@ WRONG = {
     ],
     "2.3": [
         ("abce", r"\(a\) asks for too much"),
-        ("bcd", r"\(d\)"),
+        ("bcde", r"\(d\)"),
         ("bcef", r"\(f\) confuses"),
         ("bc", "something else is too"),
+        ("af", "^not yet. More than one statement"),
     ],
     "2.4": [
         (RHO * ACROSS**2, "the sign and a constant factor are not"),

@@ -34,6 +34,7 @@ WRONG = {
         ("ade", r"\(e\).* cone"),
         ("adf", r"\(f\) counts entries"),
         ("d", "something else is too"),
+        ("bf", "^not yet. More than one statement"),
     ],
     "3.4": [
         (_arcmin(_loop(AXES[1]) * _loop(AXES[0])), "order of the two loops"),
@@ -54,5 +55,6 @@ WRONG = {
         ("acdf", r"\(c\) takes the pace"),
         ("adef", r"\(e\) would be so"),
         ("ad", "something else is too"),
+        ("be", "^not yet. More than one statement"),
     ],
 }

@@ -31,6 +31,7 @@ WRONG = {
         ("abde", r"\(e\) forgets"),
         ("abdf", r"\(f\) takes two different things"),
         ("ab", "something else is too"),
+        ("cf", "^not yet. More than one statement"),
     ],
     "4.4": [
         ([3 / 4, 1 / 4, 1 / 2], r"Your turn about the space diagonal.*2/3 of \(3\.5\)"),

@@ -31,8 +31,9 @@ WRONG = {
     "5.1": [
         ("abcd", r"^not yet. \(c\)"),
         ("abde", r"\(e\) takes what is wise"),
-        ("abf", r"from one end of the swing to the other"),
+        ("abdf", r"from one end of the swing to the other"),
         ("ab", "something else is too"),
+        ("cf", "^not yet. More than one statement"),
     ],
     "5.2": [
         (180, "no length is twice another"),
@@ -46,8 +47,9 @@ WRONG = {
     "5.3": [
         ("abde", r"\(b\) is what no three numbers"),
         ("acde", r"\(c\) is false"),
-        ("def", r"\(f\)"),
+        ("adef", r"\(f\)"),
         ("ad", "something else is too"),
+        ("bf", "^not yet. More than one statement"),
     ],
     "5.4": [
         (-sp.tan(phi / 4), "without the squares"),
@@ -57,9 +59,10 @@ WRONG = {
     ],
     "5.5": [
         ("abcd", r"\(b\).*denominator"),
-        ("ace", r"\(e\) looks at the length"),
+        ("acde", r"\(e\) looks at the length"),
         ("acdf", r"\(f\)"),
-        ("a", "something else is too"),
+        ("ac", "something else is too"),
+        ("bf", "^not yet. More than one statement"),
     ],
     "5.6": [
         (closed_formula(+1), "factors are exchanged"),

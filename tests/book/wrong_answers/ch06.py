@@ -53,9 +53,10 @@ WRONG = {
     ],
     "6.4": [
         ("acef", r"\(e\).*widest cone"),
-        ("b", r"\(b\) confuses the two orders"),
+        ("abcf", r"\(b\) confuses the two orders"),
         ("acdf", r"\(d\) draws the wrong lesson"),
         ("af", "something else is too"),
+        ("be", "^not yet. More than one statement"),
     ],
     "6.5": [
         ([27 / 40, 9 / 20, 27 / 40], "Miller"),
@@ -82,10 +83,11 @@ WRONG = {
         ),
     ],
     "6.8": [
-        ("acf", r"\(a\) trusts a table"),
-        ("bcd", r"\(b\) trusts a spline"),
+        ("acdf", r"\(a\) trusts a table"),
+        ("bcdf", r"\(b\) trusts a spline"),
         ("cdef", r"\(e\) is false"),
         ("cf", "something else is too"),
+        ("ae", "^not yet. More than one statement"),
     ],
     "6.9": [
         (16, "fourth order of the pair"),

@@ -20,10 +20,11 @@ WRONG = {
         ([[0, 40, -40], [-40, 0, 40], [40, -40, 0]], "All misalignments are negative"),
     ],
     "7.3": [
-        ("abd", r"\(b\)"),
-        ("c", r"\(c\)"),
+        ("abde", r"\(b\)"),
+        ("acde", r"\(c\)"),
         ("adef", r"\(f\)"),
         ("ad", "something else is too"),
+        ("bf", "^not yet. More than one statement"),
     ],
     "7.4": [
         # By the formula of first order: C κ is (κ_y, κ_z, κ_x) at first, and κ itself at the end.

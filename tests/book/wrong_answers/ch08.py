@@ -14,6 +14,7 @@ WRONG = {
         ("acde", r"\(c\)"),
         ("adef", r"\(f\)"),
         ("de", "something else is too"),
+        ("bf", "^not yet. More than one statement"),
     ],
     "8.2": [
         ([[1.16, 2.0, 8.0], [9.3, 5.0, 1.05]], "exchanged"),
@@ -45,9 +46,10 @@ WRONG = {
     ],
     "8.6": [
         ("abde", r"\(b\)"),
-        ("c", r"\(c\)"),
+        ("acde", r"\(c\)"),
         ("adef", r"\(f\)"),
-        ("a", "something else is too"),
+        ("ad", "something else is too"),
+        ("bf", "^not yet. More than one statement"),
     ],
     "8.7": [
         (2.0, "Twice the deviation"),

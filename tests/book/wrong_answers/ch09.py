@@ -18,8 +18,9 @@ WRONG = {
     ],
     "9.2": [
         ("abcd", r"^not yet. \(c\)"),
-        ("ae", r"\(e\)"),
-        ("a", "something else is too"),
+        ("abde", r"\(e\)"),
+        ("ab", "something else is too"),
+        ("ce", "^not yet. More than one statement"),
     ],
     "9.3": [
         (0, "true of a level box"),

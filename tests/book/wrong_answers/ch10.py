@@ -15,9 +15,10 @@ WRONG = {
     ],
     "10.2": [
         ("abcd", r"^not yet. \(c\)"),
-        ("ade", r"\(e\)"),
-        ("f", r"\(f\)"),
+        ("abde", r"\(e\)"),
+        ("abdf", r"\(f\)"),
         ("ab", "something else is too"),
+        ("cf", "^not yet. More than one statement"),
     ],
     "10.3": [
         (297, "swings out twice as far"),

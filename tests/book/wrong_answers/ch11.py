@@ -13,8 +13,9 @@ WRONG = {
     "11.2": [
         ("abcf", r"^not yet. \(c\)"),
         ("abdf", r"\(d\)"),
-        ("e", r"\(e\)"),
+        ("abef", r"\(e\)"),
         ("ab", "something else is too"),
+        ("ce", "^not yet. More than one statement"),
     ],
     "11.3": [
         ([1, 2.97, 2.97], "nothing to do with the Earth"),

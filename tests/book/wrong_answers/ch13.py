@@ -46,5 +46,6 @@ WRONG = {
         ("acde", r"\(e\)"),
         ("acdf", r"\(f\)"),
         ("ac", "something else is too"),
+        ("bf", "^not yet. More than one statement"),
     ],
 }

@@ -9,6 +9,7 @@ import numpy as np
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
 from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.given_numbers import GivenNumbers
 from driftlab.book.machinery.reading import SettingError
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray
@@ -40,20 +41,22 @@ def _arcmin(angle: Any) -> Any:
     return 60 * np.degrees(angle)
 
 
-def _loops(first: FloatArray = LOOPS[0], second: FloatArray = LOOPS[1]) -> FloatArray:
-    """Rotation vector from R to B after one loop of Larin's triad about each axis, arc minutes."""
+def _loops(
+    triad_error: FloatArray, first: FloatArray = LOOPS[0], second: FloatArray = LOOPS[1]
+) -> FloatArray:
+    """Rotation vector from R to B after one loop about each axis, arc minutes."""
     apparent = [
-        from_rotation_vector(2 * np.pi * measured_rate(axis, LARIN_TRIAD))
+        from_rotation_vector(2 * np.pi * measured_rate(axis, triad_error))
         for axis in (first, second)
     ]
     return _arcmin(to_rotation_vector(multiply(*apparent)))
 
 
-def _loops_added() -> FloatArray:
+def _loops_added(triad_error: FloatArray) -> FloatArray:
     """The same if the rotation vectors of the two loops could be added."""
-    measured = measured_rate(LOOPS, LARIN_TRIAD)
+    measured = measured_rate(LOOPS, triad_error)
     directions = measured / np.linalg.norm(measured, axis=1, keepdims=True)
-    return _arcmin(drift_per_turn(LOOPS, LARIN_TRIAD) @ directions)
+    return _arcmin(drift_per_turn(LOOPS, triad_error) @ directions)
 
 
 def _largest_drift(symmetric: FloatArray) -> float:
@@ -132,20 +135,29 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "3.4": Value(
         kind="compute",
+        given=GivenNumbers(
+            book={"triad_error": LARIN_TRIAD},
+            draw=lambda rng: {"triad_error": np.round(rng.uniform(5e-4, 3e-3, (3, 3)), 5)},
+            units={},
+        ),
         right=_loops,
         unit="arc minutes",
         accuracy=1e-4,
         mistakes={
             "The order of the two loops: what happens later about body axes multiplies on the "
-            "right.": lambda: _loops(LOOPS[1], LOOPS[0]),
+            "right.": lambda triad_error: _loops(triad_error, LOOPS[1], LOOPS[0]),
             "This is first order. Each drift is about the measured axis, and two rotations about "
             "different axes do not add like vectors.": (
-                lambda: _arcmin(2 * np.pi * drift_coefficient(LOOPS, LARIN_TRIAD) @ LOOPS)
+                lambda triad_error: _arcmin(
+                    2 * np.pi * drift_coefficient(LOOPS, triad_error) @ LOOPS
+                )
             ),
             "Each loop is right, but two rotations about different axes do not add like vectors.": (
                 _loops_added
             ),
-            "The second loop has the wrong sense.": lambda: _loops(LOOPS[0], -LOOPS[1]),
+            "The second loop has the wrong sense.": (
+                lambda triad_error: _loops(triad_error, LOOPS[0], -LOOPS[1])
+            ),
         },
         remark="There and back cancels whatever the triad; two different axes do not.",
     ),

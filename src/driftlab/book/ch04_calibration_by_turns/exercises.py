@@ -9,6 +9,7 @@ from scipy.constants import arcsecond, degree
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
 from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.given_numbers import GivenNumbers
 from driftlab.book.machinery.reading import slider
 from driftlab.book.scenarios import LARIN_TRIAD, SYMMETRIC
 from driftlab.checks import FloatArray
@@ -24,13 +25,28 @@ STEPS = np.arange(20, 101)
 DIAGONALS = np.array([[1.0, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]])
 EDGES = np.array([[1.0, 1, 0], [1, -1, 0], [1, 0, 1], [1, 0, -1], [0, 1, 1], [0, 1, -1]])
 
-SOUTHERN, CLOCKWISE, WHOLE_TURNS = -33.9 * degree, -20 * degree, 2
-"""Latitude, table rate and turns of exercise 4.6."""
 BODY_AND_PAIRS = np.vstack([PAIR_AXES, np.eye(3)])
 
 
-def _seconds_of_arc(offset: ArrayLike) -> float:
-    return float(offset) / arcsecond  # type: ignore[arg-type]
+WHOLE_TURNS = 2
+"""Of exercise 4.6."""
+
+
+def _earth_alone(latitude: float, table_rate: float) -> float:
+    """Estimate of a triad without error, in arc seconds, from degrees and degrees a second."""
+    return float(earth_offset(latitude * degree, table_rate * degree)) / arcsecond
+
+
+def _other_part(latitude: float, table_rate: float, share: float | None = None) -> float:
+    """The same with the Earth's level rate, or a share of its rate, taken as positive."""
+    told = np.cos(latitude * degree) if share is None else share
+    return float(EARTH_RATE * told / abs(table_rate * degree)) / arcsecond
+
+
+def _southern_table(rng: np.random.Generator) -> dict[str, float]:
+    # South and clockwise, as what is said of the mistakes has it.
+    latitude, table_rate = rng.integers(290, 400) / 10, rng.choice([8.0, 12.0, 15.0, 25.0])
+    return {"latitude": -float(latitude), "table_rate": -float(table_rate)}
 
 
 def _twelve_turns(*, scale: str = "each", senses: int = 2) -> list[float]:
@@ -221,34 +237,33 @@ EXERCISES: dict[str, Exercise] = {
     "4.6": Value(
         kind="predict",
         unit="arc seconds",
-        right=lambda: _seconds_of_arc(earth_offset(SOUTHERN, CLOCKWISE)),
+        given=GivenNumbers(
+            book={"latitude": -33.9, "table_rate": -20.0},
+            draw=_southern_table,
+            units={"latitude": "degrees", "table_rate": "degrees a second"},
+        ),
+        right=_earth_alone,
         accuracy=0.01,
         mistakes={
             "The sign. In the South the Earth turns clockwise, seen from above, and so does the "
-            "table: the Earth adds to the turn.": (
-                lambda: -_seconds_of_arc(earth_offset(SOUTHERN, CLOCKWISE))
-            ),
+            "table: the Earth adds to the turn.": lambda **table: -_earth_alone(**table),
             "That is with the level part of the Earth's rate, the cosine of the latitude. It goes "
-            "round and sums to zero; the part along the table's axis counts.": (
-                lambda: _seconds_of_arc(EARTH_RATE * np.cos(SOUTHERN) / abs(CLOCKWISE))
-            ),
+            "round and sums to zero; the part along the table's axis counts.": _other_part,
             "Two slips: that is with the level part of the Earth's rate, the cosine of the "
             "latitude, and with the other sign. Which part adds up, and which way does the table "
-            "turn?": (lambda: -_seconds_of_arc(EARTH_RATE * np.cos(SOUTHERN) / abs(CLOCKWISE))),
+            "turn?": lambda **table: -_other_part(**table),
             "That is the whole rate of the Earth. Only its part along the table's axis adds up.": (
-                lambda: _seconds_of_arc(EARTH_RATE / abs(CLOCKWISE))
+                lambda **table: _other_part(**table, share=1.0)
             ),
             "That is the angle by which the Earth turns about the table's axis meanwhile. (3.3) "
             "divides it by the angle of the turns.": (
-                lambda: _seconds_of_arc(2 * np.pi * WHOLE_TURNS * earth_offset(SOUTHERN, CLOCKWISE))
+                lambda **table: 2 * np.pi * WHOLE_TURNS * _earth_alone(**table)
             ),
             "By that angle the Earth turns about the table's axis in one of the two turns. (3.3) "
             "divides by the angle of the turns, and is a plain number before it is one of arc "
-            "seconds.": lambda: 2 * np.pi * _seconds_of_arc(earth_offset(SOUTHERN, CLOCKWISE)),
+            "seconds.": lambda **table: 2 * np.pi * _earth_alone(**table),
             "Two turns take twice the time, and (3.3) divides by twice the number: the number of "
-            "turns does not matter.": (
-                lambda: WHOLE_TURNS * _seconds_of_arc(earth_offset(SOUTHERN, CLOCKWISE))
-            ),
+            "turns does not matter.": lambda **table: WHOLE_TURNS * _earth_alone(**table),
         },
         remark="The same for every axis in the body, and reversed for the other sense.",
     ),

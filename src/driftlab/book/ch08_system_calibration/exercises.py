@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from driftlab.book.machinery.answers import Choice, Value
-from driftlab.book.machinery.exercise import Exercise, Objection, Verdict
+from driftlab.book.machinery.exercise import NOTHING_SAID, Exercise, Objection, Said, Verdict
 from driftlab.book.machinery.formulas import Formula
 from driftlab.book.machinery.reading import UnreadableError
 from driftlab.calibration.error_model import ERROR_MODELS
@@ -75,15 +75,23 @@ def _compared(scheme: Scheme) -> tuple[float, str]:
     return float(ratios[worst]), MODEL.names[worst]
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class _Positions(Exercise):
     """A scheme of a few positions that shows all states, and none of them too badly."""
 
     positions: int
     most: float
 
-    def verdict(self, answer: Any) -> Verdict:
-        found = super().verdict(answer)
+    def __post_init__(self) -> None:
+        told = (
+            "How many positions the scheme has, if not as many as asked.",
+            "Which states it leaves unobservable.",
+            "Which sensor error is known worst, if it is far worse than with nineteen positions.",
+        )
+        self._seal("a scheme; see the solutions", dict.fromkeys(told))
+
+    def verdict(self, answer: Any, said: Said = NOTHING_SAID) -> Verdict:
+        found = super().verdict(answer, said)
         if not found.right:
             return found
         ratio, name = _compared(_scheme(answer))
@@ -91,17 +99,7 @@ class _Positions(Exercise):
             says=f"{found.says} The worst of yours is {name}: {ratio:.1f} times the deviation."
         )
 
-    def expected(self) -> str:
-        return "a scheme; see the solutions"
-
-    def feedback(self) -> list[str]:
-        return [
-            "How many positions the scheme has, if not as many as asked.",
-            "Which states it leaves unobservable.",
-            "Which sensor error is known worst, if it is far worse than with nineteen positions.",
-        ]
-
-    def _objection(self, answer: Any) -> Objection | None:
+    def _objection(self, answer: Any, said: Said) -> Objection | None:
         scheme = _scheme(answer)
         if scheme.positions != self.positions:
             return Objection(

@@ -3,26 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import InitVar, dataclass, field
+from functools import lru_cache
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from .exercise import Exercise, Objection, rows
+from .exercise import Exercise, Objection, Said, key_of, rows
+from .given_numbers import GivenNumbers
 from .reading import Numbers, UnreadableError, fit, numbers, panel_values, read
 from .sizes import how_far_off
 from .slips import UNITS, find_slip, matches
 
+FEWEST_WORDS = 3
+NOT_ALL = "At least one statement is judged otherwise than it should be."
+SAY_WHY = "Say why you judge so, in your own words, and the reply goes into it."
 
-@dataclass(frozen=True, kw_only=True)
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Value(Exercise):
     """A number or an array of numbers.
 
     Attributes
     ----------
-    right : callable
-        Gives the value.
     unit : str
         The unit that the exercise asks for, one of `slips.UNITS`; "1" for pure numbers.
     accuracy : float
@@ -31,8 +35,6 @@ class Value(Exercise):
     absolute : float or sequence of float
         The same in the unit, for all entries or one by one. If both are given, the larger one
         counts.
-    mistakes : mapping
-        What to say of a likely mistake, and a callable that gives the value it leads to.
     quaternion : bool
         The value is a unit quaternion, scalar last; the opposite sign is as right.
     any_order : bool
@@ -40,40 +42,33 @@ class Value(Exercise):
     from_panel : callable, optional
         Reads the answer from the values of a slider panel that stand for it; it raises
         `UnreadableError` if they cannot.
+    given : GivenNumbers, optional
+        The numbers that the exercise gives, if a student can have others.
+    right : callable
+        Gives the value; its arguments are the names of `given`.
+    mistakes : mapping
+        What to say of a likely mistake, and a callable, like `right`, of the value it leads to.
     """
 
-    right: Callable[[], Any]
+    right: InitVar[Callable[..., Any]]
+    mistakes: InitVar[Mapping[str, Callable[..., Any]]] = MappingProxyType({})
     unit: str = "1"
     accuracy: float | None = None
     absolute: float | Sequence[float] = 0.0
-    mistakes: Mapping[str, Callable[[], Any]] = field(default_factory=dict)
     quaternion: bool = False
     any_order: bool = False
     from_panel: Callable[[Mapping[str, Any]], Any] | None = None
+    given: GivenNumbers | None = None
 
-    def __post_init__(self) -> None:
+    def __post_init__(
+        self, right: Callable[..., Any], mistakes: Mapping[str, Callable[..., Any]]
+    ) -> None:
+        self._seal(right, mistakes)
         if not any(self.unit in kind for kind in UNITS.values()):
             raise ValueError(f"unit: expected one of slips.UNITS, got {self.unit!r}")
 
-    @cached_property
-    def _right(self) -> Numbers:
-        return numbers(self.right())
-
-    @cached_property
-    def _slips(self) -> list[tuple[str, Numbers]]:
-        return [(says, numbers(value())) for says, value in self.mistakes.items()]
-
-    def expected(self) -> str:
-        right = self._right
-        right = np.where(np.abs(right) < 1e-9 * np.abs(right).max(), 0, right)
-        text = ", ".join(f"{entry:.3g}" for entry in right.flat)
-        return text if self.unit == "1" else f"{text} {self.unit}"
-
-    def feedback(self) -> list[str]:
-        return list(self.mistakes)
-
-    def _objection(self, answer: Any) -> Objection | None:
-        right = self._right
+    def _objection(self, answer: Any, said: Said) -> Objection | None:
+        right, slips = computed(self, said.student)
         if self.any_order and isinstance(answer, (set, frozenset)):
             answer = list(answer)
         values = panel_values(answer)
@@ -84,7 +79,7 @@ class Value(Exercise):
         part = self.accuracy or (0.0 if absolute.any() else 1e-3)
         tolerance = np.maximum(part * np.abs(right).max(), absolute)
         same = {"quaternion": self.quaternion, "any_order": self.any_order}
-        reason = find_slip(given, right, self._slips, tolerance=tolerance, unit=self.unit, **same)
+        reason = find_slip(given, right, slips, tolerance=tolerance, unit=self.unit, **same)
         if reason is None:
             return None
         parts = matches(given, right, tolerance, **same)
@@ -100,29 +95,42 @@ class Value(Exercise):
             raise UnreadableError("Expected the panel of this exercise, got another one.") from None
 
 
-@dataclass(frozen=True, kw_only=True)
+@lru_cache(maxsize=256)
+def computed(exercise: Value, student: str = "") -> tuple[Numbers, list[tuple[str, Numbers]]]:
+    """Return what is right with the numbers of a student, and what each mistake leads to."""
+    given = exercise.given.numbers(student) if exercise.given else {}
+    key = key_of(exercise)
+    slips = [(says, numbers(value(**given))) for says, value in key.mistakes.items()]
+    return numbers(key.right(**given)), slips
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Choice(Exercise):
     """One or several of the statements a, b, c, ... of the exercise.
 
+    Which letter is wrong is said only to who says why: otherwise the true ones could be found by
+    trying, and nothing be learned.
+
     Attributes
     ----------
+    letters : str
+        Those of all statements.
     right : str
         The letters of all true statements.
     wrong : mapping
         The other letters, and what is wrong with each.
     """
 
-    right: str
-    wrong: Mapping[str, str]
+    right: InitVar[str]
+    wrong: InitVar[Mapping[str, str]]
+    letters: str = field(init=False)
 
-    def expected(self) -> str:
-        return ", ".join(self.right)
+    def __post_init__(self, right: str, wrong: Mapping[str, str]) -> None:
+        self._seal(frozenset(right), wrong)
+        object.__setattr__(self, "letters", "".join(sorted({*right, *wrong})))
 
-    def feedback(self) -> list[str]:
-        return [f"({letter}) {reason}" for letter, reason in self.wrong.items()]
-
-    def _objection(self, answer: Any) -> Objection | None:
-        letters = sorted({*self.right, *self.wrong})
+    def _objection(self, answer: Any, said: Said) -> Objection | None:
+        letters = self.letters
         expected = f"Expected letters from {letters[0]} to {letters[-1]}"
         if isinstance(answer, np.ndarray):
             answer = answer.ravel().tolist()
@@ -138,9 +146,19 @@ class Choice(Exercise):
                 raise UnreadableError(f"{expected}, found {letter!a}.")
         if not chosen:
             raise UnreadableError(f"{expected}.")
-        for letter in chosen:
-            if letter in self.wrong:
-                return Objection(f"({letter}) {self.wrong[letter]}")
-        if set(chosen) < set(self.right):
-            return Objection("What you chose is true, and something else is too.")
-        return None
+        misjudged = self._key.right.symmetric_difference(chosen)
+        if not misjudged:
+            return None
+        if not in_words(said.because):
+            return Objection(f"{NOT_ALL} {SAY_WHY}")
+        if len(misjudged) > 1:
+            return Objection("More than one statement is judged otherwise than it should be.")
+        (letter,) = misjudged
+        if letter in self._key.mistakes:
+            return Objection(f"({letter}) {self._key.mistakes[letter]}")
+        return Objection("What you chose is true, and something else is too.")
+
+
+def in_words(because: str) -> bool:
+    """Whether somebody has said why, if only in a few words."""
+    return len(because.split()) >= FEWEST_WORDS

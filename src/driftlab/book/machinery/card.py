@@ -10,10 +10,13 @@ from __future__ import annotations
 import html
 import re
 import sys
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
 
 from .exercise import Verdict
 from .hints import Help
+from .records import MIME
 
 SIGNS = {
     "right": ("✓ Right", "0, 158, 115"),
@@ -42,6 +45,10 @@ class Card:
         Sentences that follow: a first guess against the truth, how to write the number.
     progress : str
         How the chapter stands.
+    because : str
+        The student's own words.
+    record : mapping
+        The same for programs, which keep it in a saved notebook; see `records`.
     """
 
     number: str
@@ -49,6 +56,8 @@ class Card:
     help: Help
     notes: tuple[str, ...] = ()
     progress: str = ""
+    because: str = ""
+    record: Mapping[str, Any] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         lines = [f"Exercise {self.number}: {self.verdict.says}", *self._ticks(), *self._words()]
@@ -56,6 +65,9 @@ class Card:
 
     def _repr_html_(self) -> str:
         return self.boxed()
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
+        return {MIME: dict(self.record)}
 
     def boxed(self, *, hints: bool = True) -> str:
         """The card in HTML; without hints for a page that has them below it anyway."""
@@ -78,8 +90,11 @@ class Card:
         return [" ".join(TICKS[part] for part in row) for row in self.verdict.parts]
 
     def _words(self) -> list[str]:
-        model = [f"In words: {self.help.model}"] if self.verdict.right and self.help.model else []
-        return [*self.notes, *model]
+        yours = [f"Your words: {self.because}"] if self.because else []
+        model = self.verdict.right and self.help.model
+        if model and self.because:
+            return [*self.notes, *yours, f"The book's words: {model}"]
+        return [*self.notes, *yours, *([f"In words: {model}"] if model else [])]
 
 
 @dataclass(frozen=True)

@@ -2,13 +2,15 @@
 
 An exercise computes what is right, and what each likely mistake would give, with the package
 itself; nothing is typed in. A wrong answer that equals one of the mistakes is told so. What is
-right is never shown to anybody who has not found it.
+right is never shown to anybody who has not found it; it is the exercise's `Key`, which no public
+attribute leads to.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -48,6 +50,48 @@ class Verdict(NamedTuple):
         return self.says.partition(".")[0]
 
 
+class NotRightError(AssertionError):
+    """An answer that had to be right is not."""
+
+
+class Said(NamedTuple):
+    """What a student says beside the answer.
+
+    Attributes
+    ----------
+    because : str
+        Why, in the student's own words.
+    student : str
+        The name that numbers of one's own were asked with; empty for the book's numbers.
+    """
+
+    because: str = ""
+    student: str = ""
+
+
+NOTHING_SAID = Said()
+
+
+class Key:
+    """What is right, and what likely mistakes lead to: for judging, and for teachers' lists.
+
+    Parameters
+    ----------
+    right
+        The right answer, or what computes it.
+    mistakes : mapping
+        What is said of each likely mistake, or the letter of a statement, and what it is about.
+    """
+
+    def __init__(self, right: Any, mistakes: Mapping[str, Any]) -> None:
+        self.right, self.mistakes = right, mistakes
+
+
+def key_of(exercise: Exercise) -> Key:
+    """Return what is right in an exercise."""
+    return exercise._key
+
+
 class Objection(NamedTuple):
     """What can be said of a wrong answer, and which of its parts are right."""
 
@@ -55,7 +99,7 @@ class Objection(NamedTuple):
     parts: Parts = ()
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Exercise(ABC):
     """An exercise that answers back.
 
@@ -69,13 +113,17 @@ class Exercise(ABC):
 
     kind: str
     remark: str = ""
+    _key: Key = field(init=False, repr=False, compare=False)
 
-    def verdict(self, answer: Any) -> Verdict:
+    def _seal(self, right: Any, mistakes: Mapping[str, Any]) -> None:
+        object.__setattr__(self, "_key", Key(right, mistakes))
+
+    def verdict(self, answer: Any, said: Said = NOTHING_SAID) -> Verdict:
         """Judge `answer`; ``...`` and None mean that there is none yet."""
-        if _is_missing(answer):
+        if is_missing(answer):
             return Verdict(None, "not answered yet.")
         try:
-            objection = self._objection(answer)
+            objection = self._objection(answer, said)
         except SettingError as error:
             return Verdict(False, f"not yet. {error}")
         except UnreadableError as error:
@@ -85,15 +133,7 @@ class Exercise(ABC):
         return Verdict(False, f"not yet. {objection.reason}", objection.parts)
 
     @abstractmethod
-    def expected(self) -> str:
-        """What is right, in words, for a teacher's list."""
-
-    def feedback(self) -> list[str]:
-        """What the likely mistakes of this exercise are told."""
-        return []
-
-    @abstractmethod
-    def _objection(self, answer: Any) -> Objection | None:
+    def _objection(self, answer: Any, said: Said) -> Objection | None:
         """Return None if `answer` is right, else what can be said of it."""
 
 
@@ -102,9 +142,10 @@ def rows(parts: NDArray[np.bool_]) -> Parts:
     return tuple(tuple(map(bool, row)) for row in np.atleast_2d(parts)) if parts.ndim else ()
 
 
-def _is_missing(answer: Any) -> bool:
+def is_missing(answer: Any) -> bool:
+    """Whether an answer is one that is still to be given, or a list with such a part."""
     if answer is None or answer is Ellipsis:
         return True
     if isinstance(answer, str):
         return not answer.strip(" ?.")
-    return isinstance(answer, (list, tuple)) and any(map(_is_missing, answer))
+    return isinstance(answer, (list, tuple)) and any(map(is_missing, answer))

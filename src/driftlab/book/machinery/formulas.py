@@ -5,22 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from copy import deepcopy
-from dataclasses import dataclass, field
+from dataclasses import InitVar, dataclass, field
 from functools import cached_property
 from itertools import combinations
 from numbers import Number
+from types import MappingProxyType
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .exercise import Exercise, Objection, rows
+from .exercise import Exercise, Objection, Said, rows
 from .reading import Numbers, UnreadableError, entries, fit, name, numbers, of_sympy, read, symbols
 from .sizes import common_factor, size
 from .slips import find_slip, matches
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Formula(Exercise):
     """A formula: a SymPy expression, a matrix of them, or a Python function.
 
@@ -44,21 +45,20 @@ class Formula(Exercise):
 
     arguments: tuple[str, ...]
     draw: Callable[[np.random.Generator], tuple[Any, ...]]
-    right: Callable[..., Any]
+    right: InitVar[Callable[..., Any]]
     accuracy: float = 1e-6
-    mistakes: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+    mistakes: InitVar[Mapping[str, Callable[..., Any]]] = MappingProxyType({})
     aliases: Mapping[str, str] = field(default_factory=dict)
 
     COUNT: ClassVar[int] = 7
 
-    def expected(self) -> str:
-        return f"a formula in {', '.join(self.arguments)}; see the solutions"
+    def __post_init__(
+        self, right: Callable[..., Any], mistakes: Mapping[str, Callable[..., Any]]
+    ) -> None:
+        self._seal(right, mistakes)
 
-    def feedback(self) -> list[str]:
-        return list(self.mistakes)
-
-    def _objection(self, answer: Any) -> Objection | None:
-        places, right = self._places, self._values(self.right)
+    def _objection(self, answer: Any, said: Said) -> Objection | None:
+        places, right = self._places, self._values(self._key.right)
         function = read(self._function, answer, places[0])
         # An answer may change its arguments; the places are still needed.
         fitted = read(lambda: [fit(numbers(function(*deepcopy(p))), right[0]) for p in places])
@@ -98,7 +98,7 @@ class Formula(Exercise):
 
     @cached_property
     def _slips(self) -> list[tuple[str, Numbers]]:
-        own = [(says, self._values(function)) for says, function in self.mistakes.items()]
+        own = [(says, self._values(function)) for says, function in self._key.mistakes.items()]
         return [*own, *self._exchanged()]
 
     def _exchanged(self) -> Iterator[tuple[str, Numbers]]:
@@ -110,7 +110,7 @@ class Formula(Exercise):
                 order[i], order[j] = j, i
                 with suppress(ValueError):  # a latitude, say, that is no length
                     values = self._values(
-                        lambda *place, order=order: self.right(*(place[k] for k in order))
+                        lambda *place, order=order: self._key.right(*(place[k] for k in order))
                     )
                     yield "Two of the arguments have changed places.", values
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from types import CodeType, FunctionType
 from typing import Any
 
 import numpy as np
 
 from .exercise import Verdict
-from .reading import of_sympy
+from .reading import of_sympy, panel_values
 
 
 @dataclass
@@ -24,11 +26,14 @@ class Progress:
         The first answer that could be read.
     rungs : dict of str to int
         How many hints were asked for.
+    tried : dict of str to list of str
+        Digests of the different answers that could be read.
     """
 
     right: dict[str, bool] = field(default_factory=dict)
     guesses: dict[str, str] = field(default_factory=dict)
     rungs: dict[str, int] = field(default_factory=dict)
+    tried: dict[str, list[str]] = field(default_factory=dict)
 
     def note(self, number: str, answer: Any, verdict: Verdict) -> None:
         """Remember a verdict, and of the first answer that can be read what it was."""
@@ -36,6 +41,13 @@ class Progress:
             self.right[number] = verdict.right
         if verdict.word in ("right", "not yet"):
             self.guesses.setdefault(number, as_text(answer))
+            tried = self.tried.setdefault(number, [])
+            if (digest := _digest(answer)) not in tried:
+                tried.append(digest)
+
+    def attempts(self, number: str) -> int:
+        """How many different answers there were."""
+        return len(self.tried.get(number, ()))
 
     def guess_against(self, number: str, answer: Any) -> str:
         """A sentence about the first guess, now that a right answer is there."""
@@ -66,3 +78,21 @@ def as_text(answer: Any) -> str:
     except (TypeError, ValueError):
         return ", ".join(map(str, answer)) if isinstance(answer, (list, tuple)) else str(answer)
     return ", ".join(f"{value:.4g}" for value in values.flat)
+
+
+def _digest(answer: Any) -> str:
+    """What tells answers apart; the same lines of code, run again, make the same answer."""
+    values = panel_values(answer)
+    if values is not None:
+        text = repr(sorted(values.items()))
+    elif isinstance(answer, FunctionType):
+        text = repr(_lines_of(answer.__code__))
+    else:
+        text = as_text(answer)
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def _lines_of(code: CodeType) -> tuple[Any, ...]:
+    """What code does, without the places in memory where it stands."""
+    constants = [_lines_of(c) if isinstance(c, CodeType) else repr(c) for c in code.co_consts]
+    return code.co_code, constants, code.co_names

@@ -1,0 +1,88 @@
+"""The numbers that an exercise gives: the book's, or some that only one student has.
+
+A student's are drawn with the name as seed, so that they are the same on every computer and in
+every year; whoever wants others next year puts the year behind the name.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import unicodedata
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class GivenNumbers:
+    """What an exercise gives, and how a student's own numbers are drawn.
+
+    Attributes
+    ----------
+    book : mapping
+        The numbers of the book's text by name, in the units of the text.
+    draw : callable
+        Gives other numbers by the same names, from a generator of random numbers.
+    units : mapping
+        The unit of each number that has one.
+    """
+
+    book: Mapping[str, Any]
+    draw: Callable[[np.random.Generator], Mapping[str, Any]]
+    units: Mapping[str, str]
+
+    def numbers(self, student: str = "") -> dict[str, Any]:
+        """Return the numbers of a student, or the book's if there is no name."""
+        return dict(self.draw(generator(student)) if student else self.book)
+
+
+class Given(Mapping[str, Any]):
+    """Numbers of an exercise by name; shown as the lines of code that make them.
+
+    Parameters
+    ----------
+    head : str
+        Whose numbers they are, and of which exercise.
+    numbers : mapping
+    units : mapping
+        The unit of each number that has one.
+    """
+
+    def __init__(self, head: str, numbers: Mapping[str, Any], units: Mapping[str, str]) -> None:
+        self._head, self._numbers, self._units = head, numbers, units
+
+    def __getitem__(self, name: str) -> Any:
+        return self._numbers[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._numbers)
+
+    def __len__(self) -> int:
+        return len(self._numbers)
+
+    def __repr__(self) -> str:
+        lines = [f"# {self._head}"]
+        for name, value in self._numbers.items():
+            unit = f"  # {self._units[name]}" if name in self._units else ""
+            lines.append(f"{name} = {_as_code(value)}{unit}")
+        return "\n".join(lines)
+
+
+def same_name(student: str) -> str:
+    """Return a student's name without what differs by accident: capitals, blanks, joined signs."""
+    plain = unicodedata.normalize("NFKC", student).casefold()
+    return " ".join(plain.split())
+
+
+def generator(student: str) -> np.random.Generator:
+    """Return the generator of random numbers that belongs to a name."""
+    digest = hashlib.sha256(same_name(student).encode()).digest()
+    return np.random.default_rng(int.from_bytes(digest, "big"))
+
+
+def _as_code(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        return f"np.array({value.tolist()})"
+    return repr(value)
