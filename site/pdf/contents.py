@@ -64,7 +64,15 @@ PARTS = (
     Part(
         "Appendices",
         "",
-        ("conventions", "i_want_to", "lab_sheet", "for_instructors", "solutions/", ERRATA),
+        (
+            "conventions",
+            "i_want_to",
+            "lab_sheet",
+            "for_instructors",
+            "for_your_course",
+            "solutions/",
+            ERRATA,
+        ),
     ),
 )
 
