@@ -19,6 +19,10 @@ usage: python3 lab.py [command]
   peers     ask programs of others, which this command fetches, whether they compute the same
   site      build the book as web pages that are alive, and as a PDF, in _site
               --self-contained FOLDER   with all of Pyodide, from its distribution in a folder
+  print     the whole book on paper, a PDF in _print, or "print 03 lab_sheet solutions/03"
+              --no-code      only what the cells gave
+              --exercises    only the exercises of a chapter, with room to write
+              --paper us-letter   not A4
   lock      renew environment.txt, and the lists of "site" and "lowest", from pyproject.toml
   release   write what release/release.toml says of this version where it is needed
 """
@@ -72,7 +76,7 @@ from bootstrap.steps import (
     say,
     surroundings,
 )
-from bootstrap.teaching import by_site_tools
+from bootstrap.teaching import by_site_tools, print_
 
 FIRST = "00_start_here.ipynb"
 NO_PEERS = "--ignore=tests/peers"
@@ -250,6 +254,7 @@ COMMANDS = {
     "bench": bench,
     "peers": peers,
     "site": site,
+    "print": print_,
     "lock": lock,
     "release": release,
 }

@@ -5,6 +5,11 @@ from bootstrap.environment import set_up
 from bootstrap.steps import running
 
 
+def print_(arguments: list[str]) -> int:
+    """Print chapters, or the whole book, as PDF in _print."""
+    return by_site_tools("site/paper.py", arguments)
+
+
 def by_site_tools(script: str, arguments: list[str]) -> int:
     """Run a script of the site in the environment that has its tools and return its exit code."""
     set_up()
