@@ -51,8 +51,11 @@ class Look(NamedTuple):
     is_sheet: bool = False
 
 
+AS_A_BOOK = Look()
+
+
 def make_pdf(
-    notebooks: dict[str, NotebookNode], build: Path, target: Path, look: Look = Look()
+    notebooks: dict[str, NotebookNode], build: Path, target: Path, look: Look = AS_A_BOOK
 ) -> None:
     """Make the PDF of the whole book.
 
@@ -80,7 +83,7 @@ def make_pdf(
 
 
 def make_handout(
-    name: str, notebook: NotebookNode, build: Path, target: Path, look: Look = Look()
+    name: str, notebook: NotebookNode, build: Path, target: Path, look: Look = AS_A_BOOK
 ) -> None:
     """Make the PDF of one document; its links to others are words.
 

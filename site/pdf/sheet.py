@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from nbformat import NotebookNode
-from nbformat.v4 import new_markdown_cell
+from nbformat.v4 import new_markdown_cell, new_notebook
 
 from pdf.cells import call, typst
 
@@ -23,6 +23,11 @@ def sheet(notebook: NotebookNode) -> NotebookNode | None:
 
     What introduces them speaks of a screen and is left out, and so are panels, which need one;
     hints stand in no cell. Of the cells for answers there is what they give to begin with.
+
+    Parameters
+    ----------
+    notebook : NotebookNode
+        Without outputs: what a check says is no part of a sheet.
     """
     title, *cells = notebook.cells
     found: list[NotebookNode] = []
@@ -36,11 +41,12 @@ def sheet(notebook: NotebookNode) -> NotebookNode | None:
                 found += [*end, _words(typst("#block(breakable: false)["))]
                 end = [_words(f"{_room(begun[1], cell.source)}\n\n{typst(']')}")]
             if cell.cell_type == "markdown" or "answer = ..." in cell.source:
-                found.append(NotebookNode({**cell, "outputs": []}))
+                found.append(cell)
     if not end:
         return None
     heading = title.source.splitlines()[0]
-    return NotebookNode(cells=[_words(f"{heading}: exercises"), *found, *end])
+    made: NotebookNode = new_notebook(cells=[_words(f"{heading}: exercises"), *found, *end])  # type: ignore[no-untyped-call]
+    return made
 
 
 def _room(kind: str, text: str) -> str:
