@@ -19,6 +19,10 @@ usage: python3 lab.py [command]
   peers     ask programs of others, which this command fetches, whether they compute the same
   site      build the book as web pages that are alive, and as a PDF, in _site
               --self-contained FOLDER   with all of Pyodide, from its distribution in a folder
+  print     the whole book on paper, a PDF in _print, or "print 03 lab_sheet solutions/03"
+              --no-code      only what the cells gave
+              --exercises    only the exercises of a chapter, with room to write
+              --paper us-letter   not A4
   student   pack a copy for a class, without solutions, answers and pages for teachers
               a name for the zip file may follow
   lock      renew environment.txt, and the lists of "site" and "lowest", from pyproject.toml
@@ -74,7 +78,7 @@ from bootstrap.steps import (
     say,
     surroundings,
 )
-from bootstrap.teaching import by_site_tools, expect_whole, student
+from bootstrap.teaching import TEACHING, by_site_tools, expect_whole
 
 FIRST = "00_start_here.ipynb"
 NO_PEERS = "--ignore=tests/peers"
@@ -252,7 +256,7 @@ COMMANDS = {
     "bench": bench,
     "peers": peers,
     "site": site,
-    "student": student,
+    **TEACHING,
     "lock": lock,
     "release": release,
 }

@@ -25,6 +25,11 @@ def expect_whole(command: str) -> None:
         raise Trouble(f'This is a student\'s copy of the book, which has no "{command}".')
 
 
+def print_(arguments: list[str]) -> int:
+    """Print chapters, or the whole book, as PDF in _print."""
+    return by_site_tools("site/paper.py", arguments)
+
+
 def by_site_tools(script: str, arguments: list[str]) -> int:
     """Run a script of the site in the environment that has its tools and return its exit code."""
     set_up()
@@ -39,3 +44,6 @@ def student(arguments: list[str]) -> int:
         raise Trouble(f"student: expected at most one file, got {' '.join(arguments)}.")
     write_student_copy(Path(*arguments) if arguments else HOME / f"{NAME}.zip")
     return 0
+
+
+TEACHING = {"print": print_, "student": student}

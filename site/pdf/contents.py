@@ -83,6 +83,16 @@ def chosen(part: Part, names: Iterable[str]) -> list[str]:
     return [name for begin in part.beginnings for name in known if name.startswith(begin)]
 
 
+def part_of(name: str) -> Part:
+    """Return the part that a document stands in."""
+    return next(part for part in PARTS if name.startswith(part.beginnings))
+
+
+def goes_on(name: str) -> bool:
+    """Whether a document may begin in the middle of a page: the solutions after the first."""
+    return name.startswith("solutions/") and not name.startswith("solutions/01_")
+
+
 def label(name: str) -> str:
     """Return what a document is called inside the PDF, "solutions-03_systematic_drift"."""
     return PurePosixPath(name).with_suffix("").as_posix().replace("/", "-")
