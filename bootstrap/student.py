@@ -55,7 +55,7 @@ def student_files() -> Iterator[tuple[str, bytes]]:
     names = sorted(_names())
     folders = (str(parent) for name in names for parent in PurePosixPath(name).parents)
     known = {"README.md", *names, *folders}
-    yield "README.md", (HOME / README).read_bytes()
+    yield "README.md", (HOME / README).read_bytes().replace(b"](../", b"](")
     for name in names:
         content = (HOME / name).read_bytes()
         if name.endswith(".ipynb"):
