@@ -1,0 +1,89 @@
+"""What of a chapter stands on its slides.
+
+Pictures stand in for panels and scenes; readings that the book folds, links that lead into the
+book's folder, and every word of the solutions stay out. What a lecturer says comes as notes.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+
+from nbformat import NotebookNode
+from nbformat.v4 import new_markdown_cell, new_output
+
+NOTES: dict[str, str] = tomllib.loads(
+    Path(__file__).with_name("notes.toml").read_text("utf-8")
+)
+"""What a lecturer may ask and say, by the id of the cell at which to say it."""
+FOLDED = re.compile(r"#+ For (?:readers of the paper|a second reading)\b")
+HEADING = re.compile(r"(#+) ")
+LINK = re.compile(r"(?<!!)\[([^]]*)\]\((?!https?:)[^)\s]*\)")
+SOLUTION = re.compile(r"[^.:]*\]\(solutions/[^)]*\)[^.]*\.")
+IN_A_NOTEBOOK = re.compile(r"In a notebook, put your answer .*?unfold if you want them\. ", re.S)
+"""How to answer an exercise, which a reader needs and a class does not."""
+WIDGET = "application/vnd.jupyter.widget-view+json"
+STILL = re.compile(r'<style>.*?</style><figure class="driftlab-still".*?(<img.*?>).*', re.S)
+
+
+def on_slides(notebook: NotebookNode) -> NotebookNode:
+    """Return a chapter, with its outputs, as its slides have it; the notebook stays as it is.
+
+    Parameters
+    ----------
+    notebook : NotebookNode
+        As `executed.executed` returns it.
+    """
+    shown: list[NotebookNode] = []
+    folded = 0  # the level of the heading that is folded
+    for cell in notebook.cells:
+        heading = HEADING.match(cell.source) if cell.cell_type == "markdown" else None
+        level = len(heading[1]) if heading else 0
+        if level and (not folded or level <= folded):
+            folded = level if FOLDED.match(cell.source) else 0
+        kind = cell.metadata.get("slideshow", {}).get("slide_type", "-")
+        panel = kind == "skip" and "-exercise-" not in cell.id and has_still(cell)
+        if folded or (kind == "skip" and not panel):
+            continue
+        shown.append(_code(cell, panel) if cell.cell_type == "code" else _text(cell))
+        if cell.id in NOTES:
+            shown.append(_cell(NOTES[cell.id], "notes"))
+    return NotebookNode({**notebook, "cells": shown})
+
+
+def has_still(cell: NotebookNode) -> bool:
+    """Return whether a cell shows a panel or a scene, which left a picture of itself."""
+    outputs = cell.get("outputs", [])
+    return any(STILL.fullmatch(each.get("data", {}).get("text/html", "")) for each in outputs)
+
+
+def _text(cell: NotebookNode) -> NotebookNode:
+    source = LINK.sub(r"\1", SOLUTION.sub("", IN_A_NOTEBOOK.sub("", cell.source)))
+    return NotebookNode({**cell, "source": source})
+
+
+def _code(cell: NotebookNode, panel: bool) -> NotebookNode:
+    outputs: list[NotebookNode] = []
+    for output in cell.outputs:
+        data = output.get("data", {})
+        if still := STILL.fullmatch(data.get("text/html", "")):
+            html = f'<figure>{still[1]}<figcaption class="live">Live in the book.</figcaption></figure>'
+            outputs.append(new_output("display_data", {"text/html": html}))  # type: ignore[no-untyped-call]
+        elif WIDGET in data and "text/html" not in data:
+            continue  # the panel itself, whose still follows
+        elif outputs and output.output_type == outputs[-1].output_type == "stream":
+            outputs[-1] = NotebookNode({**outputs[-1], "text": outputs[-1].text + output.text})
+        else:
+            outputs.append(output)
+    # A call that only shows a panel tells a class nothing.
+    metadata = {**cell.metadata, "aside": has_still(cell)}
+    if panel:
+        metadata["slideshow"] = {"slide_type": "-"}
+    return NotebookNode({**cell, "outputs": outputs, "metadata": NotebookNode(metadata)})
+
+
+def _cell(source: str, kind: str) -> NotebookNode:
+    metadata = {"slideshow": {"slide_type": kind}}
+    cell: NotebookNode = new_markdown_cell(source, metadata=metadata)  # type: ignore[no-untyped-call]
+    return cell
