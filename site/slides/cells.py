@@ -43,10 +43,14 @@ def on_slides(notebook: NotebookNode) -> NotebookNode:
         if level and (not folded or level <= folded):
             folded = level if FOLDED.match(cell.source) else 0
         kind = cell.metadata.get("slideshow", {}).get("slide_type", "-")
+        if kind == "subslide" and not heading:
+            kind = "-"  # which slide it comes to is a matter of room
         panel = kind == "skip" and "-exercise-" not in cell.id and has_still(cell)
         if folded or (kind == "skip" and not panel):
             continue
-        shown.append(_code(cell, panel) if cell.cell_type == "code" else _text(cell))
+        made = _code(cell) if cell.cell_type == "code" else _text(cell)
+        made.metadata["slideshow"] = {"slide_type": "-" if panel else kind}
+        shown.append(made)
         if cell.id in NOTES:
             shown.append(_cell(NOTES[cell.id], "notes"))
     return NotebookNode({**notebook, "cells": shown})
@@ -60,10 +64,10 @@ def has_still(cell: NotebookNode) -> bool:
 
 def _text(cell: NotebookNode) -> NotebookNode:
     source = LINK.sub(r"\1", SOLUTION.sub("", IN_A_NOTEBOOK.sub("", cell.source)))
-    return NotebookNode({**cell, "source": source})
+    return NotebookNode({**cell, "source": source, "metadata": NotebookNode(cell.metadata)})
 
 
-def _code(cell: NotebookNode, panel: bool) -> NotebookNode:
+def _code(cell: NotebookNode) -> NotebookNode:
     outputs: list[NotebookNode] = []
     for output in cell.outputs:
         data = output.get("data", {})
@@ -72,15 +76,17 @@ def _code(cell: NotebookNode, panel: bool) -> NotebookNode:
             outputs.append(new_output("display_data", {"text/html": html}))  # type: ignore[no-untyped-call]
         elif WIDGET in data and "text/html" not in data:
             continue  # the panel itself, whose still follows
+        elif formula := data.get("text/latex"):
+            # As two formulas, of which the second may go to a line of its own.
+            apart = formula.replace(r"\quad\checkmark", r"$ $\displaystyle\quad\checkmark")
+            outputs.append(new_output("display_data", {"text/latex": apart}))  # type: ignore[no-untyped-call]
         elif outputs and output.output_type == outputs[-1].output_type == "stream":
             outputs[-1] = NotebookNode({**outputs[-1], "text": outputs[-1].text + output.text})
         else:
             outputs.append(output)
     # A call that only shows a panel tells a class nothing.
-    metadata = {**cell.metadata, "aside": has_still(cell)}
-    if panel:
-        metadata["slideshow"] = {"slide_type": "-"}
-    return NotebookNode({**cell, "outputs": outputs, "metadata": NotebookNode(metadata)})
+    metadata = NotebookNode({**cell.metadata, "aside": has_still(cell)})
+    return NotebookNode({**cell, "outputs": outputs, "metadata": metadata})
 
 
 def _cell(source: str, kind: str) -> NotebookNode:
