@@ -19,6 +19,8 @@ usage: python3 lab.py [command]
   peers     ask programs of others, which this command fetches, whether they compute the same
   site      build the book as web pages that are alive, and as a PDF, in _site
               --self-contained FOLDER   with all of Pyodide, from its distribution in a folder
+  slides    make slides that need no network in _slides: all, or "slides 03 10" for chapters
+              --code         show the code, too
   lock      renew environment.txt, and the lists of "site" and "lowest", from pyproject.toml
   release   write what release/release.toml says of this version where it is needed
 """
@@ -72,7 +74,7 @@ from bootstrap.steps import (
     say,
     surroundings,
 )
-from bootstrap.teaching import by_site_tools
+from bootstrap.teaching import by_site_tools, slides
 
 FIRST = "00_start_here.ipynb"
 NO_PEERS = "--ignore=tests/peers"
@@ -250,6 +252,7 @@ COMMANDS = {
     "bench": bench,
     "peers": peers,
     "site": site,
+    "slides": slides,
     "lock": lock,
     "release": release,
 }

@@ -20,9 +20,12 @@ NOTES: dict[str, str] = tomllib.loads(
 FOLDED = re.compile(r"#+ For (?:readers of the paper|a second reading)\b")
 HEADING = re.compile(r"(#+) ")
 LINK = re.compile(r"(?<!!)\[([^]]*)\]\((?!https?:)[^)\s]*\)")
-SOLUTION = re.compile(r"[^.:]*\]\(solutions/[^)]*\)[^.]*\.")
+SOLUTION = re.compile(r" The worked \[solutions\]\([^)]*\) are for afterwards\.")
 IN_A_NOTEBOOK = re.compile(r"In a notebook, put your answer .*?unfold if you want them\. ", re.S)
 """How to answer an exercise, which a reader needs and a class does not."""
+FOLDED_TOO = re.compile(r"; [^.;]*\bfolded\b[^.;]*(?=\.)")
+FOLDING = re.compile(r"(?:^|(?<=[.?] ))[A-Z][^.?]*\b(?:[Uu]nfold|folded)\b[^.?]*\.(?: |$)", re.M)
+"""Half a sentence, or a whole one, on what is folded in the book and left out here."""
 WIDGET = "application/vnd.jupyter.widget-view+json"
 STILL = re.compile(r'<style>.*?</style><figure class="driftlab-still".*?(<img.*?>).*', re.S)
 
@@ -63,7 +66,10 @@ def has_still(cell: NotebookNode) -> bool:
 
 
 def _text(cell: NotebookNode) -> NotebookNode:
-    source = LINK.sub(r"\1", SOLUTION.sub("", IN_A_NOTEBOOK.sub("", cell.source)))
+    source = cell.source
+    for left_out in (IN_A_NOTEBOOK, FOLDED_TOO, FOLDING, SOLUTION):
+        source = left_out.sub("", source)
+    source = LINK.sub(r"\1", source)
     return NotebookNode({**cell, "source": source, "metadata": NotebookNode(cell.metadata)})
 
 
@@ -76,6 +82,8 @@ def _code(cell: NotebookNode) -> NotebookNode:
             outputs.append(new_output("display_data", {"text/html": html}))  # type: ignore[no-untyped-call]
         elif WIDGET in data and "text/html" not in data:
             continue  # the panel itself, whose still follows
+        elif output.output_type == "stream" and not output.text.strip():
+            continue  # the line that a progress bar leaves
         elif formula := data.get("text/latex"):
             # As two formulas, of which the second may go to a line of its own.
             apart = formula.replace(r"\quad\checkmark", r"$ $\displaystyle\quad\checkmark")

@@ -4,6 +4,7 @@
 (async () => {
   const [WIDTH, HEIGHT, LEAST] = [1140, 712, 18];
   let counted = 0; // lists and tables that were taken apart
+  const HEADINGS = "h1, h2, h3, h4";
   const cells = document.getElementById("cells");
   const measure = document.body.appendChild(document.createElement("div"));
   measure.id = "measure";
@@ -15,6 +16,7 @@
 
   for (const row of [...cells.children]) {
     for (const section of [...row.children]) section.replaceWith(...(await divided(section)));
+    if (!row.children.length) row.remove();
   }
   measure.remove();
   cells.removeAttribute("id");
@@ -30,7 +32,12 @@
     await MathJax.typesetPromise([sheet]);
     await Promise.all([...sheet.querySelectorAll("img")].map((img) => img.decode()));
     sheet.querySelectorAll("img").forEach((img) => sized(img, 470));
-    for (const block of blocks) narrowed(block.element);
+    for (const { element } of blocks) {
+      const img = element.querySelector("img"), over = element.offsetHeight + 60 - HEIGHT;
+      if (img && over > 0) sized(img, img.offsetHeight - over); // its caption is long
+      narrowed(element);
+    }
+    if (blocks.every(({ element }) => element.matches(HEADINGS))) return [];
     blocks = blocks.flatMap(pieces);
     return gathered(blocks);
   }
@@ -118,7 +125,7 @@
   function parted(blocks, end) {
     if (end === blocks.length) return 0;
     const [last, next] = [blocks[end - 1].element, blocks[end].element];
-    if (last.matches("h1, h2, h3, h4")) return 1000;
+    if (last.matches(HEADINGS)) return 1000;
     if (last.matches(".code") && next.matches("pre, .shown, .formula")) return 3;
     if (last.matches("p") && /:\s*$/.test(last.textContent)) return 3;
     return blocks[end].of && blocks[end].of === blocks[end - 1].of ? 1 : 0;
@@ -128,12 +135,12 @@
     const made = document.createElement("section");
     const own = made.appendChild(document.createElement("div"));
     own.className = "sheet";
-    if (heading?.matches("h1, h2, h3, h4")) {
+    if (heading?.matches(HEADINGS)) {
       const again = own.appendChild(document.createElement("p"));
       again.className = "again";
       again.innerHTML = heading.innerHTML;
     }
-    const first = page.find((block) => !block.element.matches("h1, h2, h3, h4"));
+    const first = page.find((block) => !block.element.matches(HEADINGS));
     let place = own, step = null;
     for (const block of page) {
       // What a new slide begins with has had its key press.
