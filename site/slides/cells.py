@@ -8,18 +8,22 @@ from __future__ import annotations
 
 import re
 import tomllib
+from base64 import b64encode
+from copy import copy
+from html import escape
 from pathlib import Path
 
 from nbformat import NotebookNode
 from nbformat.v4 import new_markdown_cell, new_output
 
-NOTES: dict[str, str] = tomllib.loads(
-    Path(__file__).with_name("notes.toml").read_text("utf-8")
-)
+from executed import FOLDER
+
+NOTES: dict[str, str] = tomllib.loads(Path(__file__).with_name("notes.toml").read_text("utf-8"))
 """What a lecturer may ask and say, by the id of the cell at which to say it."""
 FOLDED = re.compile(r"#+ For (?:readers of the paper|a second reading)\b")
 HEADING = re.compile(r"(#+) ")
 LINK = re.compile(r"(?<!!)\[([^]]*)\]\((?!https?:)[^)\s]*\)")
+PICTURE = re.compile(r"!\[([^]]*)\]\(([^)\s]*\.svg)\)")
 SOLUTION = re.compile(r" The worked \[solutions\]\([^)]*\) are for afterwards\.")
 IN_A_NOTEBOOK = re.compile(r"In a notebook, put your answer .*?unfold if you want them\. ", re.S)
 """How to answer an exercise, which a reader needs and a class does not."""
@@ -27,6 +31,7 @@ FOLDED_TOO = re.compile(r"; [^.;]*\bfolded\b[^.;]*(?=\.)")
 FOLDING = re.compile(r"(?:^|(?<=[.?] ))[A-Z][^.?]*\b(?:[Uu]nfold|folded)\b[^.?]*\.(?: |$)", re.M)
 """Half a sentence, or a whole one, on what is folded in the book and left out here."""
 WIDGET = "application/vnd.jupyter.widget-view+json"
+LIVE = '<figcaption class="live">Live in the book.</figcaption>'
 STILL = re.compile(r'<style>.*?</style><figure class="driftlab-still".*?(<img.*?>).*', re.S)
 
 
@@ -56,7 +61,9 @@ def on_slides(notebook: NotebookNode) -> NotebookNode:
         shown.append(made)
         if cell.id in NOTES:
             shown.append(_cell(NOTES[cell.id], "notes"))
-    return NotebookNode({**notebook, "cells": shown})
+    made = copy(notebook)
+    made.cells = shown
+    return made
 
 
 def has_still(cell: NotebookNode) -> bool:
@@ -69,8 +76,16 @@ def _text(cell: NotebookNode) -> NotebookNode:
     source = cell.source
     for left_out in (IN_A_NOTEBOOK, FOLDED_TOO, FOLDING, SOLUTION):
         source = left_out.sub("", source)
-    source = LINK.sub(r"\1", source)
-    return NotebookNode({**cell, "source": source, "metadata": NotebookNode(cell.metadata)})
+    source = PICTURE.sub(_inlined, LINK.sub(r"\1", source))
+    made = copy(cell)
+    made.source, made.metadata = source, copy(cell.metadata)
+    return made
+
+
+def _inlined(picture: re.Match[str]) -> str:
+    """A picture of the book's figures, in the page itself."""
+    raw = b64encode((FOLDER / picture[2]).read_bytes()).decode()
+    return f'<img alt="{escape(picture[1])}" src="data:image/svg+xml;base64,{raw}">'
 
 
 def _code(cell: NotebookNode) -> NotebookNode:
@@ -78,7 +93,7 @@ def _code(cell: NotebookNode) -> NotebookNode:
     for output in cell.outputs:
         data = output.get("data", {})
         if still := STILL.fullmatch(data.get("text/html", "")):
-            html = f'<figure>{still[1]}<figcaption class="live">Live in the book.</figcaption></figure>'
+            html = f"<figure>{still[1]}{LIVE}</figure>"
             outputs.append(new_output("display_data", {"text/html": html}))  # type: ignore[no-untyped-call]
         elif WIDGET in data and "text/html" not in data:
             continue  # the panel itself, whose still follows
@@ -89,12 +104,16 @@ def _code(cell: NotebookNode) -> NotebookNode:
             apart = formula.replace(r"\quad\checkmark", r"$ $\displaystyle\quad\checkmark")
             outputs.append(new_output("display_data", {"text/latex": apart}))  # type: ignore[no-untyped-call]
         elif outputs and output.output_type == outputs[-1].output_type == "stream":
-            outputs[-1] = NotebookNode({**outputs[-1], "text": outputs[-1].text + output.text})
+            both = copy(output)
+            both.text = outputs[-1].text + output.text
+            outputs[-1] = both
         else:
             outputs.append(output)
     # A call that only shows a panel tells a class nothing.
-    metadata = NotebookNode({**cell.metadata, "aside": has_still(cell)})
-    return NotebookNode({**cell, "outputs": outputs, "metadata": metadata})
+    made = copy(cell)
+    made.outputs, made.metadata = outputs, copy(cell.metadata)
+    made.metadata["aside"] = has_still(cell)
+    return made
 
 
 def _cell(source: str, kind: str) -> NotebookNode:

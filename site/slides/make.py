@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # run as a script,
 from nbconvert.exporters import SlidesExporter
 from nbformat import NotebookNode
 
-from executed import FOLDER, executed, notebooks
+from executed import executed, notebooks
 from licences import licence_texts
 from slides.cells import on_slides
 
@@ -64,16 +64,11 @@ def slides(notebook: NotebookNode, name: str, code: bool = False) -> str:
     code : bool, optional
         Whether the code is shown.
     """
-    exporter = SlidesExporter(
-        template_name="lecture",
-        extra_template_basedirs=[str(HERE)],
-        exclude_anchor_links=True,
-        embed_images=True,
+    exporter = SlidesExporter(  # type: ignore[no-untyped-call]
+        template_name="lecture", extra_template_basedirs=[str(HERE)], exclude_anchor_links=True
     )
     exporter.environment.globals["lecture"] = _parts(name, code)
-    body, _ = exporter.from_notebook_node(
-        on_slides(notebook), {"metadata": {"path": str(FOLDER)}}
-    )
+    body, _ = exporter.from_notebook_node(on_slides(notebook))
     return str(body)
 
 
