@@ -28,7 +28,9 @@ SOLUTION = re.compile(r" The worked \[solutions\]\([^)]*\) are for afterwards\."
 IN_A_NOTEBOOK = re.compile(r"In a notebook, put your answer .*?unfold if you want them\. ", re.S)
 """How to answer an exercise, which a reader needs and a class does not."""
 FOLDED_TOO = re.compile(r"; [^.;]*\bfolded\b[^.;]*(?=\.)")
-FOLDING = re.compile(r"(?:^|(?<=[.?] ))[A-Z][^.?]*\b(?:[Uu]nfold|folded)\b[^.?]*\.(?: |$)", re.M)
+FOLDING = re.compile(
+    r"(?:^|(?<=[.?] ))(?=[A-Z])[^.?]*\b(?:[Uu]nfold|[Ff]olded)\b[^.?]*\.(?: |$)", re.M
+)
 """Half a sentence, or a whole one, on what is folded in the book and left out here."""
 WIDGET = "application/vnd.jupyter.widget-view+json"
 LIVE = '<figcaption class="live">Live in the book.</figcaption>'
