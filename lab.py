@@ -19,6 +19,8 @@ usage: python3 lab.py [command]
   peers     ask programs of others, which this command fetches, whether they compute the same
   site      build the book as web pages that are alive, and as a PDF, in _site
               --self-contained FOLDER   with all of Pyodide, from its distribution in a folder
+  slides    make slides that need no network in _slides: all, or "slides 03 10" for chapters
+              --code         show the code, too
   print     the whole book on paper, a PDF in _print, or "print 03 lab_sheet solutions/03"
               --no-code      only what the cells gave
               --exercises    only the exercises of a chapter, with room to write

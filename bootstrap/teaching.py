@@ -30,6 +30,11 @@ def print_(arguments: list[str]) -> int:
     return by_site_tools("site/paper.py", arguments)
 
 
+def slides(arguments: list[str]) -> int:
+    """Make the slides of some chapters, or of all."""
+    return by_site_tools("site/slides/make.py", arguments)
+
+
 def by_site_tools(script: str, arguments: list[str]) -> int:
     """Run a script of the site in the environment that has its tools and return its exit code."""
     set_up()
@@ -46,4 +51,4 @@ def student(arguments: list[str]) -> int:
     return 0
 
 
-TEACHING = {"print": print_, "student": student}
+TEACHING = {"slides": slides, "print": print_, "student": student}
