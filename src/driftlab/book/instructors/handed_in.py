@@ -80,8 +80,7 @@ class HandedIn(NamedTuple):
 
 def handed_in(found: Iterable[Found]) -> tuple[list[HandedIn], list[str]]:
     """Return the files with their students, and sentences on what was left out."""
-    everything, notes = _below_submitted(list(found))
-    everything = _without_wrapping(everything)
+    everything, notes = _below_submitted(_without_wrapping(list(found)))
     times = {
         one.parts[:-1]: moment
         for one in everything
@@ -147,14 +146,17 @@ def _below_submitted(found: list[Found]) -> tuple[list[Found], list[str]]:
 
 
 def _without_wrapping(found: list[Found]) -> list[Found]:
-    """Without a folder, or an archive, around the folders of all students."""
+    """Without a folder, or an archive, around the folders of all students.
+
+    What holds one folder only is a student's.
+    """
 
     def is_wrapped(one: Found) -> bool:
         return one.parts[0] == found[0].parts[0] and (
             len(one.parts) > 2 or (len(one.parts) == 2 and bool(CANVAS.fullmatch(one.parts[1])))
         )
 
-    while found and all(map(is_wrapped, found)):
+    while all(map(is_wrapped, found)) and len({one.parts[1] for one in found}) > 1:
         if MOODLE.fullmatch(found[0].parts[0]) or CANVAS.fullmatch(found[0].parts[0]):
             break
         found = [one._replace(parts=one.parts[1:]) for one in found]

@@ -20,7 +20,7 @@ BAR = 160
 
 def page(report: ClassReport) -> str:
     """Return a page that stands alone; its policy lets no script run and asks for nothing."""
-    style = _style("report_page.css") + _style("report_tables.css")
+    style = _style("report_tables.css") + _style("report_page.css")
     digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()
     policy = f"default-src 'none'; style-src 'sha256-{digest}'; base-uri 'none'; form-action 'none'"
     title = f"Class report: {escape(report.folder)}"
@@ -46,7 +46,7 @@ def _style(name: str) -> str:
 
 
 def _tables(report: ClassReport) -> str:
-    return "\n".join([*_students(report), *_slips(report), *_words(report), *_notes(report)]) + "\n"
+    return "\n".join([*_students(report), *_notes(report), *_slips(report), *_words(report)]) + "\n"
 
 
 def _students(report: ClassReport) -> Iterator[str]:
@@ -66,7 +66,7 @@ def _students(report: ClassReport) -> Iterator[str]:
         cells = "".join(_cell(student.status(number)) for number in report.exercises)
         yield (
             f'<tr><th scope="row">{_name(student)}</th>'
-            f"<td>{student.right(report.exercises)} of {len(report.exercises)}</td>"
+            f'<td class="sum">{student.right(report.exercises)} of {len(report.exercises)}</td>'
             f"<td>{student.attempts(report.exercises)}</td>{cells}</tr>"
         )
     totals = "".join(
