@@ -8,6 +8,7 @@ from html.parser import HTMLParser
 
 import pytest
 
+import driftlab.book
 from driftlab.book import class_report
 from driftlab.book.__main__ import write_class_report
 from driftlab.book.instructors.made_up_class import PLAIN, write_made_up_class
@@ -228,6 +229,14 @@ def test_the_command_writes_beside_the_folder(place):
     assert done.returncode == 0, done.stderr
     assert b"Slips, the most frequent first:" in done.stdout
     assert (place.with_name("class-report") / "report.html").exists()
+
+
+def test_a_students_copy_says_that_it_is_one(monkeypatch):
+    for name in [name for name in sys.modules if name.startswith("driftlab.book.instructors")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "driftlab.book.instructors", None)
+    with pytest.raises(ImportError, match=r"^class_report is for who teaches, and this is a stud"):
+        driftlab.book.class_report  # noqa: B018
 
 
 def test_the_command_says_in_a_sentence_what_it_cannot_read(place):

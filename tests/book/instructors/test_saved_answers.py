@@ -11,10 +11,10 @@ from driftlab.book.exercises import check
 from driftlab.book.instructors.saved_answers import (
     LARGEST,
     MOST_ATTEMPTS,
-    RECORD,
     STATUSES,
     saved_answers,
 )
+from driftlab.book.machinery.records import MIME
 
 
 def saved(*cells):
@@ -27,7 +27,7 @@ def code(source="", *outputs):
 
 def recorded(**record):
     given = {"exercise": "3.4", "word": "not yet", "says": "Close.", "attempt": 1} | record
-    return {"output_type": "display_data", "data": {RECORD: given, "text/plain": "no matter"}}
+    return {"output_type": "display_data", "data": {MIME: given, "text/plain": "no matter"}}
 
 
 def printed(number, answer):
@@ -165,7 +165,7 @@ output = st.fixed_dictionaries(
     optional={
         "text": anything | st.just("Exercise 3.4: not yet. Close."),
         "ename": anything,
-        "data": anything | st.fixed_dictionaries({}, optional={RECORD: anything | record}),
+        "data": anything | st.fixed_dictionaries({}, optional={MIME: anything | record}),
     },
 )
 cell = st.fixed_dictionaries(

@@ -17,10 +17,8 @@ from typing import Any
 import numpy as np
 
 from driftlab.book.exercises import judged
-from driftlab.book.machinery.card import Card
+from driftlab.book.machinery.exercise import Said
 from driftlab.book.machinery.progress import Progress
-
-from .saved_answers import RECORD
 
 RIGHT = {
     "1.1": "[180, 0, 0]",
@@ -55,6 +53,7 @@ FUNCTIONS: dict[str, Callable[[Any], Any]] = {
     WRONG["3.5"][0]: lambda M: 2 * np.pi * np.linalg.eigvalsh(M)[-1],
 }
 WORDS = {
+    "1.3": ["What happens later stands on the right.", "I turned my book and looked."],
     "3.3": ["The axis enters twice.", "Six numbers, and six axes are enough.", "Σ is symmetric."],
     "3.6": ["Only the path counts.", "What is taken back leaves nothing."],
 }
@@ -111,7 +110,7 @@ def _awkward(rng: random.Random) -> dict[str, dict[str, bytes]]:
     stuck = [*cells[1][:2], _failed("3.3"), *cells[1][3:]]
     twice = [_cell("3.1", WRONG["3.1"][0], Progress()), *_chapter("03", rng, skill=1.0)]
     tag = "<img src=x onerror=alert(1)> =1+1"
-    words = [*cells[8], _cell("3.6", RIGHT["3.6"], Progress(), because=tag)]
+    his = [*cells[8], _cell("3.6", RIGHT["3.6"], Progress(), because=tag)]
     export = [_title("Wanda Webb"), *_chapter("03", rng, plain=True)]
     return {
         "Una Unrun": {name: _saved([_unrun(cell) for cell in cells[0]])},
@@ -129,7 +128,7 @@ def _awkward(rng: random.Random) -> dict[str, dict[str, bytes]]:
         "=2+5 Formula": {name: _saved(cells[5])},
         "Old Format": {name: _in_format_3(cells[6])},
         "Tom Twice": {name: _saved(twice)},
-        "Tag Typer": {name: _saved(words)},
+        "Tag Typer": {name: _saved(his)},
         "Not On The List": {name: _saved(cells[7]), "broken.zip": b"PK\3\4 cut short"},
     }
 
@@ -152,28 +151,12 @@ def _cell(
     number: str, source: str, progress: Progress, *, because: str = "", plain: bool = False
 ) -> dict[str, Any]:
     """A cell as Jupyter saves it, or as the web pages export it: as text alone."""
-    card = judged(number, _value(source), progress)
-    shown = {"text/plain": repr(card), "text/html": card._repr_html_()}
-    shown |= _record(card, source, because)
+    card = judged(number, _value(source), progress, Said(because))
+    shown = {"text/plain": repr(card), "text/html": card._repr_html_()} | card._repr_mimebundle_()
     output = {"output_type": "display_data", "metadata": {}, "data": shown}
     if plain:
         output = {"output_type": "stream", "name": "stdout", "text": f"{card!r}\n"}
     return _code(f'answer = {source}\ncheck("{number}", answer)', output)
-
-
-def _record(card: Card, source: str, because: str) -> dict[str, Any]:
-    found = card.verdict
-    record = {
-        "exercise": card.number,
-        "right": found.right,
-        "word": found.word,
-        "says": found.says.partition(".")[2].strip(),
-        "attempt": 0 if found.right is None else 1,
-        "answer": source,
-        "because": because,
-        "student": "",
-    }
-    return {RECORD: record}
 
 
 def _code(source: str, output: dict[str, Any]) -> dict[str, Any]:
@@ -187,6 +170,7 @@ def _code(source: str, output: dict[str, Any]) -> dict[str, Any]:
 
 
 def _value(source: str) -> Any:
+    """What the source of an answer is; it is one of ours, above."""
     return FUNCTIONS[source] if source in FUNCTIONS else ast.literal_eval(source)
 
 

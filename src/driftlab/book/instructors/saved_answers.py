@@ -1,8 +1,8 @@
 """What the exercises in a saved notebook say; nothing of it is run.
 
-`check` leaves a record beside what it shows (`RECORD`); where there is none, as in notebooks of
-earlier versions and in exports of the web pages, the words that it shows are read. Nothing proves
-that nobody wrote them by hand.
+`check` leaves a record beside what it shows (`machinery.records`). Where there is none, as in
+notebooks of earlier versions, the words that it shows are read. Nothing proves that nobody wrote
+either by hand.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
+from driftlab.book.machinery.records import MIME
+
 from .plain_text import clean
 
-RECORD = "application/vnd.driftlab.exercise+json"
-"""The kind of output that has the record of an exercise."""
 LARGEST = 64 * 2**20
 """Bytes of a notebook; more is not read."""
 NUMBER = re.compile(r"[0-9]{1,3}\.[0-9]{1,3}", re.ASCII)
@@ -181,7 +181,7 @@ def _cells(content: bytes) -> Iterator[dict[str, Any]]:
 def _told(output: dict[str, Any]) -> list[_Told]:
     data = output.get("data")
     data = data if isinstance(data, dict) else {}
-    record = data.get(RECORD)
+    record = data.get(MIME)
     if isinstance(record, dict) and (told := _recorded(record)):
         return [told]
     text = _text(output.get("text")) or _text(data.get("text/plain"))
