@@ -234,7 +234,7 @@ def test_the_command_writes_beside_the_folder(place):
 def test_a_students_copy_says_that_it_is_one(monkeypatch):
     for name in [name for name in sys.modules if name.startswith("driftlab.book.instructors")]:
         monkeypatch.delitem(sys.modules, name)
-    monkeypatch.setitem(sys.modules, "driftlab.book.instructors", None)
+    monkeypatch.setattr(driftlab.book, "__path__", [])
     with pytest.raises(ImportError, match=r"^class_report is for who teaches, and this is a stud"):
         driftlab.book.class_report  # noqa: B018
 
