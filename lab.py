@@ -17,6 +17,9 @@ usage: python3 lab.py [command]
   figures   rebuild every figure and table of the book
   bench     print how fast the package is, against its peers, which this command fetches
   peers     ask programs of others, which this command fetches, whether they compute the same
+  class     report what a class handed in: "class FOLDER", a folder or a zip
+              --roster FILE     with all names of the class, from a CSV file
+              --output FOLDER   where to write it, else beside FOLDER
   site      build the book as web pages that are alive, and as a PDF, in _site
               --self-contained FOLDER   with all of Pyodide, from its distribution in a folder
   slides    make slides that need no network in _slides: all, or "slides 03 10" for chapters

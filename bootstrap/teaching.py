@@ -7,7 +7,7 @@ from pathlib import Path
 
 from bootstrap.beside import SITE_LIST, beside
 from bootstrap.environment import set_up
-from bootstrap.steps import HOME, Trouble, running
+from bootstrap.steps import HOME, PYTHON, Trouble, running
 from bootstrap.student import NAME, write_student_copy
 
 NEEDS = {
@@ -51,4 +51,15 @@ def student(arguments: list[str]) -> int:
     return 0
 
 
-TEACHING = {"slides": slides, "print": print_, "student": student}
+def class_report(arguments: list[str]) -> int:
+    """Report what a class handed in."""
+    if not arguments:
+        raise Trouble('Say what to read: "python3 lab.py class FOLDER".')
+    set_up()
+    # Paths are seen from where the caller is, and commands run in the project's folder.
+    paths = [each if each.startswith("-") else str(Path(each).absolute()) for each in arguments]
+    with running([str(PYTHON), "-m", "driftlab.book", "class", *paths]) as process:
+        return abs(process.wait())
+
+
+TEACHING = {"slides": slides, "print": print_, "student": student, "class": class_report}

@@ -28,7 +28,9 @@ PROGRESS = re.compile(r"\r *\d+%\|[^\r\n]*")
 QUESTIONS = re.compile(r"<li>(.*?)</li>", re.S)
 WAITS = re.compile(r"answer = \.\.\.$|because = \.\.\.|check\(|guess\(|(from|import) |$")
 """Lines of a cell that only waits for the reader."""
-ASKS = re.compile(r"^((answer|because) = \.\.\..*|check\(.*|from driftlab\.book import check)\n*", re.M)
+ASKS = re.compile(
+    r"^((answer|because) = \.\.\..*|check\(.*|from driftlab\.book import check)\n*", re.M
+)
 """Lines of a cell that waits, but also names the letters in which it is to be answered."""
 REMARK = re.compile(r"</div><div>(.*?)</div>", re.S)
 SAID_TO_THE_READER = ("You had it", "Your first guess", "The section that helps", "<details>")

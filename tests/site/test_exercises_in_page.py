@@ -6,7 +6,7 @@ import nbformat
 import pytest
 from answer_form import REACH, Form
 
-from driftlab.book import class_summary
+from driftlab.book import class_report
 from driftlab.book.chapters import CHAPTERS, chapters_with
 from driftlab.book.exercises import all_exercises, hints_of
 
@@ -79,9 +79,10 @@ def test_exercises_of_each_kind_answer_in_the_page_and_are_kept(page, address, t
         export.click()
     assert download.value.suggested_filename == "drift-lab-answers-zoe-van-t-hoff.ipynb"
     download.value.save_as(tmp_path / "answers.ipynb")
-    counts = class_summary(tmp_path).counts
-    assert {number: set(each) for number, each in counts.items()} == {
-        "3.1": {"right"}, "3.2": {"right"}, "3.3": {"right"}, "3.4": {"wrong"}, "3.5": {"right"},
+    (student,) = class_report(tmp_path).students
+    assert student.name == "Zoë van 't Hoff"
+    assert {number: each.status for number, each in student.answers.items()} == {
+        "3.1": "right", "3.2": "right", "3.3": "right", "3.4": "wrong", "3.5": "right",
     }  # fmt: skip
     title = nbformat.read(tmp_path / "answers.ipynb", as_version=4).cells[0].source
     assert title.startswith("# Answers of Zoë van 't Hoff\n\n")

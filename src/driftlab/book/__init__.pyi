@@ -52,6 +52,7 @@ from .figures import (
     figure_parameters as figure_parameters,
     measured as measured,
 )
+from .instructors.class_report import class_report as class_report
 from .ledger import (
     SEVERITIES as SEVERITIES,
     STATUSES as STATUSES,
@@ -60,7 +61,6 @@ from .ledger import (
     paper_table as paper_table,
     summary_table as summary_table,
 )
-from .machinery.submissions import class_summary as class_summary
 from .machinery.table import Table as Table
 from .puzzles import (
     guess as guess,

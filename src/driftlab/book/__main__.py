@@ -1,9 +1,11 @@
-"""What is written from the book: ``python -m driftlab.book figures`` or ``... errata``."""
+"""What is written from the book: ``python -m driftlab.book figures``, ``errata`` or ``class``."""
 
 from __future__ import annotations
 
 import argparse
+import io
 import shutil
+import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
@@ -73,10 +75,32 @@ def write_errata(file: Path) -> None:
     print(f"Written: {file}")
 
 
+def write_class_report(folder: Path, roster: Path | None, output: Path | None) -> None:
+    """Print what the notebooks say that a class handed in, and write it as CSV and HTML."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):  # a terminal may lack letters of a name
+            stream.reconfigure(errors="backslashreplace")
+    try:
+        from driftlab.book import class_report
+
+        report = class_report(folder, roster)
+        place = folder.resolve()
+        name = place.stem if place.is_file() else place.name
+        written = report.write(output or place.with_name(f"{name}-report"))
+    except (ValueError, ModuleNotFoundError) as error:
+        sys.exit(str(error))
+    print(f"{report}\n\nWritten: {written}")
+
+
 def main() -> None:
     """Do what the command line says."""
     parser = argparse.ArgumentParser(prog="python -m driftlab.book", description=__doc__)
     commands = parser.add_subparsers(required=True)
+    a_class = commands.add_parser("class", help=write_class_report.__doc__)
+    a_class.add_argument("folder", type=Path, help="what students handed in: a folder, or a zip")
+    a_class.add_argument("--roster", type=Path, help="a CSV file with the names of the class")
+    a_class.add_argument("--output", "-o", type=Path, help="else FOLDER-report, beside it")
+    a_class.set_defaults(write=write_class_report)
     for name, write, default in (
         ("figures", write_figures, "figures"),
         ("errata", write_errata, "ERRATA.md"),
@@ -84,14 +108,15 @@ def main() -> None:
         command = commands.add_parser(name, help=write.__doc__)
         command.add_argument(
             *("--output", "-o"),
+            dest="folder" if name == "figures" else "file",
             type=Path,
             default=PROJECT / default if AT_HOME else None,
             required=not AT_HOME,
             help="where to write it; the project's own place if it is run there",
         )
         command.set_defaults(write=write)
-    options = parser.parse_args()
-    options.write(options.output)
+    options = vars(parser.parse_args())
+    options.pop("write")(**options)
 
 
 if __name__ == "__main__":

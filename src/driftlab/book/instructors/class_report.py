@@ -1,0 +1,158 @@
+"""What a class handed in: one row a student, and the slips that many have made."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+from driftlab.book.chapters import chapters_with
+from driftlab.book.exercises import all_exercises
+
+from .found_files import files_in
+from .handed_in import handed_in
+from .report_files import write_report
+from .report_page import fragment
+from .report_text import text_of
+from .roster import read_roster
+from .students import Student, in_order, place, students_of
+
+MOST_EXERCISES = 200
+"""That are not the book's: more are no teacher's."""
+
+
+class Slip(NamedTuple):
+    """What several students were told of the same wrong answer.
+
+    Attributes
+    ----------
+    exercise : str
+    says : str
+        As `check` said it; empty if it did not know the slip.
+    students : tuple of str
+        Their names.
+    """
+
+    exercise: str
+    says: str
+    students: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class ClassReport:
+    """What a class handed in; the last line of a notebook cell shows it, `print` as text.
+
+    Attributes
+    ----------
+    folder : str
+        What was read.
+    students : list of Student
+        In the order of the roster, or of their names.
+    exercises : list of str
+        All of the chapters that somebody has touched, in the book's order; then those of a
+        teacher's own.
+    slips : list of Slip
+        The most frequent first.
+    notes : list of str
+        What concerns nobody alone.
+    """
+
+    folder: str
+    students: list[Student]
+    exercises: list[str]
+    slips: list[Slip]
+    notes: list[str]
+
+    def __str__(self) -> str:
+        return text_of(self)
+
+    __repr__ = __str__
+
+    def _repr_html_(self) -> str:
+        return fragment(self)
+
+    def write(self, folder: str | Path) -> Path:
+        """Write the report's files into a folder of their own, in place of an earlier report.
+
+        Parameters
+        ----------
+        folder : path
+            It must not exist, or hold a report and nothing else.
+
+        Returns
+        -------
+        Path
+            The folder with gradebook.csv, statuses.csv, slips.csv, words.csv and report.html.
+
+        Raises
+        ------
+        ValueError
+            If the folder holds anything else, or cannot be written.
+        """
+        return write_report(self, Path(folder))
+
+
+def class_report(folder: str | Path, roster: str | Path | None = None) -> ClassReport:
+    """Return what the notebooks that a class handed in say of the exercises.
+
+    Parameters
+    ----------
+    folder : path
+        A folder with what a learning platform gives (Moodle, Canvas, nbgrader), with exports of
+        the web pages, or with a folder a student; archives (zip) in it are read in memory. Or one
+        archive.
+    roster : path, optional
+        A list of the class as a CSV file. Then who handed in nothing has a row as well, and who is
+        not on the list is marked.
+
+    Returns
+    -------
+    ClassReport
+        Nothing in a submission is run. What cannot be read is told, and never stops the report.
+
+    Raises
+    ------
+    ValueError
+        If there is no such folder, or the roster cannot be read.
+    """
+    where = Path(folder)
+    listed = read_roster(roster) if roster is not None else []
+    files, notes = handed_in(files_in(where))
+    students = in_order(students_of(files), listed)
+    exercises, strange = _exercises(students)
+    if not students:
+        notes.append("Nothing was handed in.")
+    return ClassReport(where.name, students, exercises, _slips(students), notes + strange)
+
+
+def _exercises(students: list[Student]) -> tuple[list[str], list[str]]:
+    """The columns of the report, and a sentence on numbers that become none."""
+    touched: dict[str, int] = {}
+    for student in students:
+        for number in student.answers:
+            touched[number] = touched.get(number, 0) + 1
+    book: list[str] = []
+    for chapter in chapters_with("exercises"):
+        if any(number.split(".")[0].zfill(2) == chapter for number in touched):
+            known = all_exercises(chapter)
+            book += known if touched.keys() & known.keys() else ()
+    active = sum(bool(student.answers) for student in students)
+    # Anyone can write a number into a notebook; a teacher's exercise was given to several.
+    own = {n for n, count in touched.items() if n not in book and (count > 1 or active == 1)}
+    own_sorted = sorted(own, key=place)[:MOST_EXERCISES]
+    strange = sorted(touched.keys() - set(book) - set(own_sorted), key=place)
+    notes = []
+    if strange:
+        shown = ", ".join(strange[:5]) + (" ..." if len(strange) > 5 else "")
+        notes.append(f"Not in the book, and in one notebook only, so without a column: {shown}.")
+    return book + own_sorted, notes
+
+
+def _slips(students: list[Student]) -> list[Slip]:
+    told: dict[tuple[str, str], list[str]] = {}
+    for student in students:
+        for number, answer in student.answers.items():
+            for says in answer.slips:
+                told.setdefault((number, says), []).append(student.name)
+    slips = [Slip(number, says, tuple(names)) for (number, says), names in told.items()]
+    return sorted(slips, key=lambda slip: (-len(slip.students), place(slip.exercise), slip.says))

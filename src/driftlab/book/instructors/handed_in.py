@@ -1,0 +1,193 @@
+"""Who handed in a file: read from its name and its folders, as learning platforms give them.
+
+- Moodle: ``[group-]Full Name_1234567_assignsubmission_file[_]/name``, a folder a student, or the
+  same in front of the name. A name keeps its blanks and has no underscore.
+- Canvas: ``lovelaceada[_LATE]_12345_67890_name``: family name first, without blanks, the numbers
+  of the student and of the file. What is handed in again has ``-1`` and so on behind its name.
+- nbgrader: ``submitted/student/assignment/name``, with ``timestamp.txt`` beside it.
+- The book's web pages: ``drift-lab-answers-ada-lovelace.ipynb``, with the name as it is written in
+  the title inside.
+- Else the first folder is the student's, or the archive, or the file is.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from datetime import datetime
+from typing import NamedTuple
+
+from driftlab.book.chapters import CHAPTERS
+
+from .found_files import Found
+from .plain_text import clean, squeezed
+
+MOODLE = re.compile(r"(?P<name>[^_]+)_(?P<id>[^_]+)_assignsubmission_[a-z]+_?(?P<file>.*)", re.S)
+CANVAS = re.compile(
+    r"(?:(?:late_)?anon_(?P<anon>[0-9a-z]+)|(?P<name>.+?)(?:_late)?_(?P<id>[0-9]+))"
+    r"_(?P<upload>[0-9]{3,15})_(?P<file>.+)",
+    re.S | re.I,
+)
+CANVAS_AGAIN = re.compile(r"-([0-9]{1,2})(?=\.|$)")
+COPY = re.compile(r" ?\(([0-9]{1,2})\)(?=\.|$)")
+"""What browsers put behind the name of a second download."""
+EXPORT = re.compile(r"drift-lab-answers(?:-(?P<name>.+))?", re.S)
+ANONYMOUS = (*(name[2:] for name in CHAPTERS.values()), "drift-lab-answers", "answers")
+"""Names of files that are nobody's."""
+
+
+class Person(NamedTuple):
+    """A student as a platform names one.
+
+    Attributes
+    ----------
+    name : str
+        As it shows.
+    id : str
+        The platform's number, if it gives one.
+    """
+
+    name: str
+    id: str = ""
+
+    @property
+    def key(self) -> str:
+        """The same for the same student."""
+        return f"id {self.id}" if self.id else f"name {squeezed(self.name) or self.name}"
+
+
+class HandedIn(NamedTuple):
+    """A file with its student.
+
+    Attributes
+    ----------
+    person : Person
+    file : str
+        Its name, without what the platform has put in front.
+    newness : tuple
+        Of two files with the same exercises the one with the larger counts.
+    found : Found
+    is_named_inside : bool
+        Whether a name in the file says better whose it is.
+    """
+
+    person: Person
+    file: str
+    newness: tuple[int, float]
+    found: Found
+    is_named_inside: bool = False
+
+
+def handed_in(found: Iterable[Found]) -> tuple[list[HandedIn], list[str]]:
+    """Return the files with their students, and sentences on what was left out."""
+    everything, notes = _below_submitted(_without_wrapping(list(found)))
+    times = {
+        one.parts[:-1]: moment
+        for one in everything
+        if one.parts[-1] == "timestamp.txt" and (moment := _timestamp(one.content)) is not None
+    }
+    files = [
+        _whose(one, times.get(one.parts[:-1], one.time))
+        for one in everything
+        if one.parts[-1] != "timestamp.txt" or one.trouble
+    ]
+    return _without_groups(files), notes
+
+
+def _whose(found: Found, moment: float) -> HandedIn:
+    parts = found.parts
+    file = clean(parts[-1] or parts[-2], 200) or "?"
+    copies = COPY.search(file)
+    newness = (int(copies[1]) if copies else 0, moment)
+    for place, part in enumerate(parts):
+        if said := MOODLE.fullmatch(part):
+            person = Person(clean(said["name"], 100), clean(said["id"], 40))
+            shown = clean(said["file"], 200) if part == parts[-1] and said["file"] else file
+            return HandedIn(person, shown, newness, found)
+        # Canvas makes no folders, and a report_11_2026_final.ipynb in a student's is none of its.
+        if _is_outermost(parts, place) and (said := CANVAS.fullmatch(part)):
+            again = CANVAS_AGAIN.search(said["file"])
+            newness = (int(again[1]) if again else newness[0], float(said["upload"]))
+            shown = clean(said["file"], 200) if part == parts[-1] else file
+            person = Person(clean(said["name"] or "Anonymous", 100), said["id"] or said["anon"])
+            return HandedIn(person, shown, newness, found)
+    first = parts[0]
+    if len(parts) > 1:
+        name = _stem(first) if first.casefold().endswith(".zip") else first
+        return HandedIn(Person(clean(name, 100) or "?"), file, newness, found)
+    stem = COPY.sub("", _stem(first))
+    if said := EXPORT.fullmatch(stem):
+        name = (said["name"] or "").replace("-", " ")
+        person = Person(clean(name, 100) or file)
+        return HandedIn(person, file, newness, found, is_named_inside=True)
+    # Two files of the book's own name are two students', not two downloads of one.
+    name = file if stem in ANONYMOUS or stem.isdigit() else clean(stem, 100) or file
+    return HandedIn(Person(name), file, newness, found, is_named_inside=True)
+
+
+def _is_outermost(parts: tuple[str, ...], place: int) -> bool:
+    return place == 0 or (place == 1 and parts[0].casefold().endswith(".zip"))
+
+
+def _stem(name: str) -> str:
+    """A name without its endings: "ada.ipynb.zip" is Ada's."""
+    return re.sub(r"(\.(ipynb|zip|json|txt))+$", "", name, flags=re.I)
+
+
+def _below_submitted(found: list[Found]) -> tuple[list[Found], list[str]]:
+    """What students handed in of a whole course of nbgrader."""
+    inside = [one for one in found if "submitted" in one.parts[:-2]]
+    if not inside:
+        return found, []
+    left_out = len(found) - len(inside)
+    notes = [f'Only the folder "submitted" is read; {left_out} files lie elsewhere.']
+    below = [one._replace(parts=one.parts[one.parts.index("submitted") + 1 :]) for one in inside]
+    return below, notes if left_out else []
+
+
+def _without_wrapping(found: list[Found]) -> list[Found]:
+    """Without a folder, or an archive, around the folders of all students.
+
+    What holds one folder only is a student's.
+    """
+
+    def is_wrapped(one: Found) -> bool:
+        return one.parts[0] == found[0].parts[0] and (
+            len(one.parts) > 2 or (len(one.parts) == 2 and bool(CANVAS.fullmatch(one.parts[1])))
+        )
+
+    while all(map(is_wrapped, found)) and len({one.parts[1] for one in found}) > 1:
+        if MOODLE.fullmatch(found[0].parts[0]) or CANVAS.fullmatch(found[0].parts[0]):
+            break
+        found = [one._replace(parts=one.parts[1:]) for one in found]
+    return found
+
+
+def _without_groups(files: list[HandedIn]) -> list[HandedIn]:
+    """Without the group that Moodle puts in front of a name: "Group A-Ada Lovelace".
+
+    Names have hyphens too, so a group is what stands before several names, and has a digit, or a
+    blank before a name that has one as well.
+    """
+    members: dict[str, set[str]] = {}
+    for file in files:
+        group, hyphen, name = file.person.name.partition("-")
+        has_digit = any(map(str.isdigit, group))
+        if hyphen and file.person.id and name and (has_digit or (" " in group and " " in name)):
+            members.setdefault(group, set()).add(file.person.id)
+    groups = {group for group, several in members.items() if len(several) > 1}
+
+    def without(person: Person) -> Person:
+        group, _, name = person.name.partition("-")
+        return person._replace(name=name) if group in groups and person.id else person
+
+    return [file._replace(person=without(file.person)) for file in files]
+
+
+def _timestamp(content: bytes | None) -> float | None:
+    """The moment in a file of nbgrader: "2026-01-30 15:30:10.123456 UTC"."""
+    said = re.match(rb"\s*(\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(?:\.\d{1,6})?)", content or b"")
+    try:
+        return datetime.fromisoformat(said[1].decode()).timestamp() if said else None
+    except (ValueError, OverflowError, OSError):
+        return None

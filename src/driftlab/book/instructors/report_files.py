@@ -1,0 +1,118 @@
+"""The report of a class as files: CSV for spreadsheets and platforms, HTML to read and to print."""
+
+from __future__ import annotations
+
+import csv
+import io
+import shutil
+import tempfile
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .report_page import page
+
+if TYPE_CHECKING:
+    from .class_report import ClassReport
+
+FORMULA = ("=", "+", "-", "@", "\t", "\r", "＝", "＋", "－", "＠")
+"""A cell that begins so a spreadsheet would compute."""
+FILES = ("gradebook.csv", "statuses.csv", "slips.csv", "words.csv", "report.html")
+MARKS = {"right": "1", "wrong": "0", "error": "0", "open": "0"}
+"""In the gradebook; what was not run or not handed in stays blank, for a platform to pass over."""
+
+
+def write_report(report: ClassReport, folder: Path) -> Path:
+    """Write all files, or none; see `ClassReport.write`."""
+    if folder.exists() or folder.is_symlink():
+        try:
+            others = sorted({path.name for path in folder.iterdir()} - set(FILES))
+        except OSError:
+            raise ValueError(f"folder: {str(folder)!r} is not a folder.") from None
+        if others:
+            raise ValueError(
+                f"folder: {str(folder)!r} holds other files than a report ({others[0]!r} is one); "
+                "choose another folder."
+            )
+    contents = {name: _csv(rows(report)) for name, rows in TABLES.items()}
+    contents["report.html"] = page(report).encode()
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        new = Path(tempfile.mkdtemp(prefix=f".{folder.name}-", dir=folder.parent))
+        try:
+            for name, content in contents.items():
+                (new / name).write_bytes(content)
+            new.chmod(0o755)
+            earlier = new.with_name(f"{new.name}-earlier")
+            if folder.exists():
+                folder.rename(earlier)
+            new.rename(folder)
+            shutil.rmtree(earlier, ignore_errors=True)
+        finally:
+            shutil.rmtree(new, ignore_errors=True)
+    except OSError as error:
+        raise ValueError(
+            f"folder: {str(folder)!r} cannot be written ({error.strerror or error})."
+        ) from None
+    return folder
+
+
+def defused(cell: object) -> str:
+    """Return a cell that a spreadsheet shows and does not compute."""
+    text = str(cell)
+    return f"'{text}" if text.lstrip(" ").startswith(FORMULA) else text
+
+
+def _csv(rows: Iterable[Iterable[object]]) -> bytes:
+    """The bytes of a table; with the mark that spreadsheets need to see UTF-8."""
+    text = io.StringIO(newline="")
+    csv.writer(text).writerows([defused(cell) for cell in row] for row in rows)
+    return text.getvalue().encode("utf-8-sig")
+
+
+def _gradebook(report: ClassReport) -> Iterable[Iterable[object]]:
+    yield ("student", "id", "right", "of", "attempts", *report.exercises)
+    for student in report.students:
+        yield (
+            student.name,
+            student.id,
+            student.right(report.exercises),
+            len(report.exercises),
+            student.attempts(report.exercises),
+            *(MARKS.get(student.status(number), "") for number in report.exercises),
+        )
+
+
+def _statuses(report: ClassReport) -> Iterable[Iterable[object]]:
+    yield ("student", "id", *report.exercises, "files", "notes")
+    for student in report.students:
+        yield (
+            student.name,
+            student.id,
+            *(student.status(number) for number in report.exercises),
+            "; ".join(student.files),
+            " ".join(student.notes),
+        )
+
+
+def _slips(report: ClassReport) -> Iterable[Iterable[object]]:
+    yield ("exercise", "slip", "students", "who")
+    for slip in report.slips:
+        yield slip.exercise, slip.says, len(slip.students), "; ".join(slip.students)
+
+
+def _words(report: ClassReport) -> Iterable[Iterable[object]]:
+    yield ("exercise", "student", "id", "status", "words")
+    for number in report.exercises:
+        for student in report.students:
+            answer = student.answers.get(number)
+            if answer and answer.because:
+                yield number, student.name, student.id, answer.status, answer.because
+
+
+TABLES = {
+    "gradebook.csv": _gradebook,
+    "statuses.csv": _statuses,
+    "slips.csv": _slips,
+    "words.csv": _words,
+}

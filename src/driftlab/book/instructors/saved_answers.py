@@ -1,0 +1,231 @@
+"""What the exercises in a saved notebook say; nothing of it is run.
+
+`check` leaves a record beside what it shows (`machinery.records`). Where there is none, as in
+notebooks of earlier versions, the words that it shows are read. Nothing proves that nobody wrote
+either by hand.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from driftlab.book.machinery.records import MIME
+
+from .plain_text import clean
+
+LARGEST = 64 * 2**20
+"""Bytes of a notebook; more is not read."""
+NUMBER = re.compile(r"[0-9]{1,3}\.[0-9]{1,3}", re.ASCII)
+MOST_WORDS = 4000
+MOST_ATTEMPTS = 9999
+
+STATUSES = ("right", "wrong", "error", "open", "not run", "absent")
+"""What an exercise can be; of several in a notebook the first counts."""
+
+_SAID = re.compile(
+    r"^Exercise ([0-9]{1,3}\.[0-9]{1,3}): "
+    r"(right|not yet|not readable|not answered yet)\.[ \t]*(.*)$",
+    re.MULTILINE,
+)
+_CALLED = re.compile(
+    r"\b(?:check|verdict)\(\s*(?:number\s*=\s*)?"
+    r"(?:\"([0-9.]{3,7})\"|'([0-9.]{3,7})'|([0-9]{1,3}\.[0-9]{1,3}))"
+)
+_STATUS = {
+    "right": "right",
+    "not yet": "wrong",
+    "not readable": "wrong",
+    "not answered yet": "open",
+}
+
+
+@dataclass
+class SavedAnswer:
+    """What a notebook says of one exercise.
+
+    Attributes
+    ----------
+    status : str
+        One of `STATUSES`.
+    slips : list of str
+        What wrong answers were told, each once, the latest last.
+    attempts : int
+        How many different answers were judged, as far as the notebook shows it.
+    because : str
+        The student's own words.
+    student : str
+        The name that the exercise's numbers were asked with.
+    error : str
+        The name of the error that kept the answer from being judged.
+    """
+
+    status: str = "absent"
+    slips: list[str] = field(default_factory=list)
+    attempts: int = 0
+    because: str = ""
+    student: str = ""
+    error: str = ""
+
+    def become(self, status: str) -> None:
+        """Take a status, unless one that counts more is there."""
+        self.status = min(self.status, status, key=STATUSES.index)
+
+
+@dataclass
+class SavedNotebook:
+    """What a saved notebook says.
+
+    Attributes
+    ----------
+    answers : dict of str to SavedAnswer
+        By the exercise's number.
+    whose : str
+        The name in the title of an export from the web pages.
+    """
+
+    answers: dict[str, SavedAnswer]
+    whose: str = ""
+
+
+def saved_answers(content: bytes) -> SavedNotebook:
+    """Return what `check` had said, exercise by exercise, when a notebook was saved.
+
+    Parameters
+    ----------
+    content : bytes
+        Of the file, as Jupyter's formats 3 and 4 have it.
+
+    Raises
+    ------
+    ValueError
+        If this is not a notebook. The message is one sentence, without the name of the file.
+    """
+    notebook: dict[str, list[_Told]] = {}
+    whose = ""
+    errors: dict[str, str] = {}
+    for cell in _cells(content):
+        source = _text(cell.get("source", cell.get("input")))
+        if cell.get("cell_type") == "markdown" and not whose:
+            whose = _whose(source)
+        if cell.get("cell_type") != "code":
+            continue
+        told, error = [], ""
+        for output in _dicts(cell.get("outputs")):
+            told += _told(output)
+            error = clean(output.get("ename"), 60) or error
+        for one in told:
+            notebook.setdefault(one.number, []).append(one)
+        for number in _called(source):
+            notebook.setdefault(number, [])
+            if error and number not in {one.number for one in told}:
+                errors[number] = error
+    answers = {number: _summed(told, errors.get(number)) for number, told in notebook.items()}
+    return SavedNotebook(answers, whose)
+
+
+@dataclass
+class _Told:
+    """What was said once: the word that follows the number, and the rest."""
+
+    number: str
+    word: str
+    says: str
+    attempt: int = 0
+    because: str = ""
+    student: str = ""
+
+
+def _summed(told: list[_Told], error: str | None) -> SavedAnswer:
+    answer = SavedAnswer("not run")
+    if error:
+        answer.become("error")
+        answer.error = error
+    judged = [one for one in told if _STATUS[one.word] != "open"]
+    for one in told:
+        answer.become(_STATUS[one.word])
+        answer.because = one.because or answer.because
+        answer.student = one.student or answer.student
+    slips = [one.says for one in judged if _STATUS[one.word] == "wrong"]
+    answer.slips = list(dict.fromkeys(reversed(slips)))[::-1]
+    counted = {one.attempt for one in judged if one.attempt}
+    # Who shows one answer in two cells has tried once; where nothing is counted, each is a try.
+    shown = len(counted) + sum(not one.attempt for one in judged)
+    answer.attempts = max(shown, *counted, 0)
+    return answer
+
+
+def _cells(content: bytes) -> Iterator[dict[str, Any]]:
+    if len(content) > LARGEST:
+        raise ValueError(f"It is larger than {LARGEST // 2**20} MB.")
+    if not content.strip(b"\0 \t\r\n"):
+        raise ValueError("It is empty.")
+    try:
+        # With what an editor has put first, or in two bytes a sign, too; of a letter in another
+        # encoding nothing that counts depends.
+        book = json.loads(content.decode(json.detect_encoding(content), errors="replace"))
+    except RecursionError:
+        raise ValueError("It is nested too deeply for a notebook.") from None
+    except (ValueError, MemoryError):
+        raise ValueError("It is not a notebook, whatever its name says.") from None
+    sheets = _dicts(book.get("worksheets")) if isinstance(book, dict) else []
+    if not isinstance(book, dict) or not (isinstance(book.get("cells"), list) or sheets):
+        raise ValueError("It is not a notebook, whatever its name says.")
+    for holder in (book, *sheets):
+        yield from _dicts(holder.get("cells"))
+
+
+def _told(output: dict[str, Any]) -> list[_Told]:
+    data = output.get("data")
+    data = data if isinstance(data, dict) else {}
+    record = data.get(MIME)
+    if isinstance(record, dict) and (told := _recorded(record)):
+        return [told]
+    text = _text(output.get("text")) or _text(data.get("text/plain"))
+    return [_Told(number, word, clean(says)) for number, word, says in _SAID.findall(text)]
+
+
+def _recorded(record: dict[str, Any]) -> _Told | None:
+    number, word, attempt = (record.get(name) for name in ("exercise", "word", "attempt"))
+    if not isinstance(number, str) or not NUMBER.fullmatch(number) or word not in tuple(_STATUS):
+        return None
+    counted = type(attempt) is int and 0 < attempt <= MOST_ATTEMPTS
+    return _Told(
+        number,
+        str(word),
+        clean(record.get("says")),
+        attempt if counted and isinstance(attempt, int) else 0,
+        clean(record.get("because"), MOST_WORDS),
+        clean(record.get("student"), 100),
+    )
+
+
+def _called(source: str) -> set[str]:
+    """Numbers of the exercises that a cell hands an answer to."""
+    code = re.sub(r"#.*", "", source)
+    found = set()
+    for double, single, bare in _CALLED.findall(code):
+        number = double or single or str(float(bare))
+        if NUMBER.fullmatch(number):
+            found.add(number)
+    return found
+
+
+def _whose(source: str) -> str:
+    """The name in a title as the web pages export it, where a backslash guards punctuation."""
+    title = re.match(r"# Answers of (.+)", source)
+    return clean(re.sub(r"\\([!-/:-@\[-`{-~])", r"\1", title[1]), 100) if title else ""
+
+
+def _text(value: object) -> str:
+    """Text of a notebook, which may be kept as a list of lines."""
+    if isinstance(value, list):
+        return "".join(line for line in value if isinstance(line, str))
+    return value if isinstance(value, str) else ""
+
+
+def _dicts(value: object) -> list[dict[str, Any]]:
+    return [one for one in value if isinstance(one, dict)] if isinstance(value, list) else []
