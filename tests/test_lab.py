@@ -891,6 +891,28 @@ def test_the_site_is_built_in_an_environment_that_sees_the_other(
     assert len(made) == 2
 
 
+def test_the_paths_of_a_class_are_seen_from_where_the_caller_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lab = load(ROOT).lab
+    globals_ = lab.COMMANDS["class"].__globals__
+    asked: list[list[str]] = []
+
+    @contextmanager
+    def running(command: list[str]) -> Iterator[SimpleNamespace]:
+        asked.append(command)
+        yield SimpleNamespace(wait=lambda: 1)
+
+    monkeypatch.setitem(globals_, "running", running)
+    monkeypatch.setitem(globals_, "set_up", lambda: None)
+    monkeypatch.chdir(tmp_path)
+    assert lab.main(["class", "mine", "--roster", "names.csv"]) == 1
+    here = Path.cwd()
+    assert asked[0][-4:] == ["class", str(here / "mine"), "--roster", str(here / "names.csv")]
+    with pytest.raises(globals_["Trouble"], match="Say what to read"):
+        lab.main(["class"])
+
+
 def test_the_oldest_packages_are_an_environment_of_their_own(
     modules: SimpleNamespace, copied: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
