@@ -117,7 +117,7 @@ EXERCISES: dict[str, Exercise] = {
                 _waiting(**box) / 2
             ),
             "So it would be after half a turn. A smaller turn leaves less of the Earth's rate in "
-            "the difference.": lambda **box: _waiting(**box, share=np.ones_like),
+            "the difference.": lambda **box: _waiting(**box, share=lambda half: 1.0),
             "The difference of a vector and the turned one is twice the sine of half the turn, not "
             "of the turn, and not its cosine.": lambda **box: _waiting(**box, share=np.cos),
             "That is the noise alone. The turn is not known exactly, and the drifts change.": (
