@@ -19,6 +19,14 @@ usage: python3 lab.py [command]
   peers     ask programs of others, which this command fetches, whether they compute the same
   site      build the book as web pages that are alive, and as a PDF, in _site
               --self-contained FOLDER   with all of Pyodide, from its distribution in a folder
+  slides    make slides that need no network in _slides: all, or "slides 03 10" for chapters
+              --code         show the code, too
+  print     the whole book on paper, a PDF in _print, or "print 03 lab_sheet solutions/03"
+              --no-code      only what the cells gave
+              --exercises    only the exercises of a chapter, with room to write
+              --paper us-letter   not A4
+  student   pack a copy for a class, without solutions, answers and pages for teachers
+              a name for the zip file may follow
   lock      renew environment.txt, and the lists of "site" and "lowest", from pyproject.toml
   release   write what release/release.toml says of this version where it is needed
 """
@@ -72,7 +80,7 @@ from bootstrap.steps import (
     say,
     surroundings,
 )
-from bootstrap.teaching import by_site_tools
+from bootstrap.teaching import TEACHING, by_site_tools, expect_whole
 
 FIRST = "00_start_here.ipynb"
 NO_PEERS = "--ignore=tests/peers"
@@ -250,6 +258,7 @@ COMMANDS = {
     "bench": bench,
     "peers": peers,
     "site": site,
+    **TEACHING,
     "lock": lock,
     "release": release,
 }
@@ -265,6 +274,7 @@ def main(arguments: list[str]) -> int:
     command, *rest = arguments
     if command not in COMMANDS:
         raise Trouble(f'There is no command "{command}"; there are {", ".join(COMMANDS)}.')
+    expect_whole(command)
     return COMMANDS[command](rest)
 
 

@@ -1,8 +1,38 @@
-"""Commands for whoever teaches from the book: slides and paper, made by the site's tools."""
+"""Commands for whoever teaches from the book: slides and paper, made by the site's tools, and more.
+
+A student's copy has none of what they need.
+"""
+
+from pathlib import Path
 
 from bootstrap.beside import SITE_LIST, beside
 from bootstrap.environment import set_up
-from bootstrap.steps import running
+from bootstrap.steps import HOME, Trouble, running
+from bootstrap.student import NAME, write_student_copy
+
+NEEDS = {
+    **dict.fromkeys(("test", "lowest", "bench", "peers"), "tests"),
+    **dict.fromkeys(("site", "slides", "print"), "site"),
+    **dict.fromkeys(("class", "student"), "src/driftlab/book/instructors"),
+    "release": "release/release.toml",
+}
+"""What commands need that a student's copy has not."""
+
+
+def expect_whole(command: str) -> None:
+    """Refuse a command that this copy of the book has not the files for."""
+    if not (HOME / NEEDS.get(command, ".")).exists():
+        raise Trouble(f'This is a student\'s copy of the book, which has no "{command}".')
+
+
+def print_(arguments: list[str]) -> int:
+    """Print chapters, or the whole book, as PDF in _print."""
+    return by_site_tools("site/paper.py", arguments)
+
+
+def slides(arguments: list[str]) -> int:
+    """Make the slides of some chapters, or of all."""
+    return by_site_tools("site/slides/make.py", arguments)
 
 
 def by_site_tools(script: str, arguments: list[str]) -> int:
@@ -11,3 +41,14 @@ def by_site_tools(script: str, arguments: list[str]) -> int:
     python = beside(SITE_LIST)
     with running([str(python), script, *arguments]) as process:
         return abs(process.wait())
+
+
+def student(arguments: list[str]) -> int:
+    """Pack a copy for students, into the file that is named, if one is."""
+    if len(arguments) > 1 or any(argument.startswith("-") for argument in arguments):
+        raise Trouble(f"student: expected at most one file, got {' '.join(arguments)}.")
+    write_student_copy(Path(*arguments) if arguments else HOME / f"{NAME}.zip")
+    return 0
+
+
+TEACHING = {"slides": slides, "print": print_, "student": student}

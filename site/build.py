@@ -15,7 +15,7 @@ from pathlib import Path
 
 from addresses import PDF
 from colab import make_colab
-from executed import FOLDER, executed
+from executed import FOLDER, executed, published
 from forms import write_forms
 from licences import write_licences
 from live.make import make_live, reason_not
@@ -70,7 +70,7 @@ def make_site(made: Path, distribution: Path | None) -> None:
     if reason:
         print(reason, file=sys.stderr)
     beside = {"colab", "pdf"} if reason else {"colab", "pdf", "in_place", "live"}
-    notebooks = executed()
+    notebooks = executed(published())
     pdf = BUILD / PDF  # first, for the pages say how large it is
     make_pdf(notebooks, BUILD, pdf)
     make_reading(notebooks, BUILD, made, beside, pdf.stat().st_size)

@@ -16,7 +16,7 @@ from typing import Any
 
 from addresses import LINK, anchor, file_of, page_of
 from driftlab import __version__
-from executed import notebooks
+from executed import published
 
 ROOT = Path(__file__).resolve().parent.parent
 WHOLE_LINK = re.compile(rf"(!?)\[([^\]]*){LINK.pattern}")
@@ -42,7 +42,7 @@ def make_colab(book: Path, target: Path) -> None:
     """
     release = tomllib.loads((ROOT / "release/release.toml").read_text("utf-8"))
     address = release["urls"]["Documentation"].rstrip("/")
-    for name in notebooks(book):
+    for name in published(book):
         notebook = json.loads((book / name).read_text("utf-8"))
         for cell in notebook["cells"]:
             if cell["cell_type"] == "markdown":

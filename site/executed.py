@@ -23,6 +23,8 @@ KEPT = ROOT / "build/site/executed"
 COPY = ROOT / "build/site/run"
 """A copy of the book to run in: what a notebook writes stays out of the book's own folder."""
 FOLDER = ROOT / "notebooks"
+NOT_PUBLISHED = "instructors"
+"""Folder of what students should not find, the examination above all."""
 LONGEST = ("08_", "06_")
 """Beginnings of those that run longest: they are begun first."""
 AT_ONCE = 2
@@ -37,6 +39,11 @@ def notebooks(folder: Path = FOLDER) -> list[str]:
         for path in folder.rglob("*.ipynb")
         if ".ipynb_checkpoints" not in path.parts
     )
+
+
+def published(folder: Path = FOLDER) -> list[str]:
+    """Return the names of the notebooks that the site shows: all but the lecturers' own."""
+    return [name for name in notebooks(folder) if not name.startswith(f"{NOT_PUBLISHED}/")]
 
 
 def executed(wanted: Iterable[str] | None = None) -> dict[str, NotebookNode]:

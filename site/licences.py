@@ -86,12 +86,17 @@ def _pages(made: Path) -> Iterable[str]:
     for name, about in KNOWN["pages"].items():
         package = distribution(about.get("package", name))
         text = made / TEXTS / f"{name}.txt"
-        files = [path for path in package.files or [] if _is_licence(Path(path))]
-        text.write_text("\n\n".join(path.read_text("utf-8") for path in files), "utf-8")
+        text.write_text(licence_texts(package.name), "utf-8")
         licence = _link(f"{TEXTS}/{text.name}", about["licence"])
         rows.append((escape(name), escape(package.version), licence))
     yield "<h2>What the pages are set with</h2>"
     yield _table(("Name", "Version", "Licence"), rows)
+
+
+def licence_texts(package: str) -> str:
+    """Return the licences that an installed package brings, in full."""
+    files = [path for path in distribution(package).files or [] if _is_licence(Path(path))]
+    return "\n\n".join(path.read_text("utf-8") for path in files)
 
 
 def _is_licence(path: Path) -> bool:

@@ -14,7 +14,7 @@ from typing import Any
 from zlib import crc32
 
 from addresses import LINK, PAGES, anchor, file_of, page_of
-from executed import FOLDER, notebooks
+from executed import FOLDER, published
 from unfinished import Unfinished
 
 from .versions import ROOT, VERSIONS
@@ -119,7 +119,7 @@ def write_contents(folder: Path) -> dict[str, str]:
         The mark of each notebook's text, by its path; the notebook has it in its metadata, too.
     """
     texts = {}
-    for name in notebooks():
+    for name in published():
         notebook = json.loads((FOLDER / name).read_text("utf-8"))
         for cell in notebook["cells"]:
             if cell["cell_type"] == "markdown":

@@ -26,9 +26,9 @@ WAY_ON = re.compile(r"(Next|Back|Contents): \[")
 """The last line of a chapter, which leads to the next one."""
 PROGRESS = re.compile(r"\r *\d+%\|[^\r\n]*")
 QUESTIONS = re.compile(r"<li>(.*?)</li>", re.S)
-WAITS = re.compile(r"answer = \.\.\.$|check\(|guess\(|(from|import) |$")
+WAITS = re.compile(r"answer = \.\.\.$|because = \.\.\.|check\(|guess\(|(from|import) |$")
 """Lines of a cell that only waits for the reader."""
-ASKS = re.compile(r"^(answer = \.\.\.|check\(.*|from driftlab\.book import check)\n*", re.M)
+ASKS = re.compile(r"^((answer|because) = \.\.\..*|check\(.*|from driftlab\.book import check)\n*", re.M)
 """Lines of a cell that waits, but also names the letters in which it is to be answered."""
 REMARK = re.compile(r"</div><div>(.*?)</div>", re.S)
 SAID_TO_THE_READER = ("You had it", "Your first guess", "The section that helps", "<details>")
@@ -45,6 +45,7 @@ ON_PAPER = (
     ("he folded section below", "he section below"),
 )
 """What the text says of a screen, and what it says here."""
+STATEMENTS = re.compile(r"(?:^- \([a-z]\) .*\n?)+", re.M)
 FIGURE = re.compile(r'\bfigure\("([\w-]+)"')
 
 
@@ -61,7 +62,7 @@ def typst(text: str) -> str:
     return f"{FENCE}{{=typst}}\n{text}\n{FENCE}"
 
 
-def markdown_of(notebook: NotebookNode, name: str, folder: Path) -> str:
+def markdown_of(notebook: NotebookNode, name: str, folder: Path, *, with_code: bool = True) -> str:
     """Return a notebook as Markdown.
 
     Parameters
@@ -72,6 +73,8 @@ def markdown_of(notebook: NotebookNode, name: str, folder: Path) -> str:
         What its pictures are called, with a number behind it.
     folder : Path
         Where they are written.
+    with_code : bool
+        Whether what the cells gave has their code above it.
     """
     blocks: list[str] = []
     for number, cell in enumerate(notebook.cells):
@@ -79,7 +82,10 @@ def markdown_of(notebook: NotebookNode, name: str, folder: Path) -> str:
             if not WAY_ON.match(cell.source):
                 blocks.append(IMAGE.sub(lambda found: _drawn(found, folder), said(cell.source)))
         elif cell.cell_type == "code":
-            blocks += _code(cell, f"{name}-{number}", folder)
+            if with_code:
+                blocks += _code(cell)
+            for place, output in enumerate(cell.outputs):
+                blocks += _output(output, cell.source, f"{name}-{number}-{place}", folder)
     return "\n\n".join(blocks) + "\n"
 
 
@@ -87,7 +93,12 @@ def said(text: str) -> str:
     """Return a cell's Markdown as paper says it."""
     for on_screen, on_paper in ON_PAPER:
         text = re.sub(on_screen, on_paper, text)
-    return text
+    return STATEMENTS.sub(lambda found: "\n\n".join(within("statements", found[0])), text)
+
+
+def within(function: str, text: str) -> list[str]:
+    """Return blocks of Markdown that give a text to a function of the template."""
+    return [typst(f"#{function}["), text, typst("]")]
 
 
 def _drawn(image: re.Match[str], folder: Path) -> str:
@@ -98,7 +109,7 @@ def _drawn(image: re.Match[str], folder: Path) -> str:
     return call("drawing", shown, image[1], width=paper_width(content), name=image[3])
 
 
-def _code(cell: NotebookNode, name: str, folder: Path) -> Iterator[str]:
+def _code(cell: NotebookNode) -> Iterator[str]:
     if not all(WAITS.match(line) for line in cell.source.splitlines()):
         is_short = cell.source.count("\n") < 3
         shows = any(
@@ -108,8 +119,6 @@ def _code(cell: NotebookNode, name: str, folder: Path) -> Iterator[str]:
         )
         source = ASKS.sub("", cell.source) if "answer = ..." in cell.source else cell.source
         yield call("code", source.rstrip(), sticky=shows)
-    for number, output in enumerate(cell.outputs):
-        yield from _output(output, cell.source, f"{name}-{number}", folder)
 
 
 def _output(output: NotebookNode, source: str, name: str, folder: Path) -> Iterator[str]:
@@ -121,7 +130,7 @@ def _output(output: NotebookNode, source: str, name: str, folder: Path) -> Itera
         yield from _html(data["text/html"], source, name, folder)
     elif "text/latex" in data:
         formula = re.sub(r"^\$+\s*(\\displaystyle\s*)?|\$+$", "", data["text/latex"].strip())
-        yield "\n\n".join([typst("#result["), f"$${formula}$$", typst("]")])
+        yield from within("result", f"$${formula}$$")
     elif "text/markdown" in data:
         yield tight(data["text/markdown"])
     elif "text/plain" in data and not any("widget-view" in kind for kind in data):

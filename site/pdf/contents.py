@@ -64,7 +64,15 @@ PARTS = (
     Part(
         "Appendices",
         "",
-        ("conventions", "i_want_to", "lab_sheet", "for_instructors", "solutions/", ERRATA),
+        (
+            "conventions",
+            "i_want_to",
+            "lab_sheet",
+            "for_instructors",
+            "for_your_course",
+            "solutions/",
+            ERRATA,
+        ),
     ),
 )
 
@@ -73,6 +81,16 @@ def chosen(part: Part, names: Iterable[str]) -> list[str]:
     """Return the names of a part's documents, in its order."""
     known = sorted(names)
     return [name for begin in part.beginnings for name in known if name.startswith(begin)]
+
+
+def part_of(name: str) -> Part:
+    """Return the part that a document stands in."""
+    return next(part for part in PARTS if name.startswith(part.beginnings))
+
+
+def goes_on(name: str) -> bool:
+    """Whether a document may begin in the middle of a page: the solutions after the first."""
+    return name.startswith("solutions/") and not name.startswith("solutions/01_")
 
 
 def label(name: str) -> str:

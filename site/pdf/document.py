@@ -142,11 +142,12 @@ class Book:
         match = CHAPTER_AND_SECTION.match(inlines[0]["c"])
         if match is None:
             return inlines
-        (chapter,) = (doc for name, doc in self.documents.items() if name.startswith(match[1]))
         anchor = _words(inlines[2]["c"]).replace(" ", "-")
-        if anchor not in chapter.anchors:
-            return inlines
-        return [{"t": "Link", "c": [["", [], []], inlines, [f"{chapter.name}#{anchor}", ""]]}]
+        for name, chapter in self.documents.items():
+            if name.startswith(match[1]) and anchor in chapter.anchors:
+                link = [["", [], []], inlines, [f"{name}#{anchor}", ""]]
+                return [{"t": "Link", "c": link}]
+        return inlines
 
 
 def pandoc(text: str, source: str, target: str) -> str:

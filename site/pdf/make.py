@@ -1,4 +1,4 @@
-"""Makes the book as a PDF: notebooks with their outputs, by pandoc and Typst.
+"""Makes the book, or a part of it, as a PDF: notebooks with their outputs, by pandoc and Typst.
 
 Nothing of it depends on the machine: fonts are those that Typst brings and one beside this file,
 the date is that of the version. What Typst reads is left in the folder for it, to be looked at.
@@ -10,7 +10,7 @@ import re
 import shutil
 import tomllib
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import pikepdf
 import typst
@@ -18,7 +18,7 @@ from nbformat import NotebookNode
 
 import driftlab
 from pdf.cells import markdown_of, tight
-from pdf.contents import ERRATA, PARTS, chosen, figure_prefix, label
+from pdf.contents import ERRATA, PARTS, chosen, figure_prefix, goes_on, label, part_of
 from pdf.document import Book, Document
 from pdf.glyphs import pages_with_boxes
 from pdf.pictures import plain_svg
@@ -28,12 +28,36 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 FONTS = HERE / "fonts"
 COVER = "figures/03-turning-block.svg"
+TEMPLATE = '#import "template.typ": *'
 FIRST = "00 Start here"
 """The heading of chapter 00, which has the title of the book as its own."""
 
 
-def make_pdf(notebooks: dict[str, NotebookNode], build: Path, target: Path) -> None:
-    """Make the PDF.
+class Look(NamedTuple):
+    """How a document is to be printed.
+
+    Attributes
+    ----------
+    paper : str
+        Its name in Typst, "a4" or "us-letter".
+    with_code : bool
+        Whether what the cells gave has their code above it.
+    is_sheet : bool
+        Whether the document is a sheet of exercises, to be written on.
+    """
+
+    paper: str = "a4"
+    with_code: bool = True
+    is_sheet: bool = False
+
+
+AS_A_BOOK = Look()
+
+
+def make_pdf(
+    notebooks: dict[str, NotebookNode], build: Path, target: Path, look: Look = AS_A_BOOK
+) -> None:
+    """Make the PDF of the whole book.
 
     Parameters
     ----------
@@ -43,6 +67,8 @@ def make_pdf(notebooks: dict[str, NotebookNode], build: Path, target: Path) -> N
         Folder for what is needed on the way.
     target : Path
         The file.
+    look : Look
+        How it is to be printed.
 
     Raises
     ------
@@ -50,19 +76,52 @@ def make_pdf(notebooks: dict[str, NotebookNode], build: Path, target: Path) -> N
         If a formula cannot be read, a link leads nowhere, a sign is in no font, or Typst refuses
         or warns.
     """
-    folder = build / "pdf"
+    folder = _emptied(build / "pdf")
+    cover = plain_svg((ROOT / COVER).read_text("utf-8"))
+    (folder / "pictures/cover.svg").write_text(cover, "utf-8")
+    _compile(folder, _book(notebooks, folder / "pictures", look), target)
+
+
+def make_handout(
+    name: str, notebook: NotebookNode, build: Path, target: Path, look: Look = AS_A_BOOK
+) -> None:
+    """Make the PDF of one document; its links to others are words.
+
+    Parameters
+    ----------
+    name : str
+        As `executed.executed` has it.
+    notebook : NotebookNode
+        With its outputs.
+    build, target, look
+        As in `make_pdf`.
+
+    Raises
+    ------
+    Unfinished
+        As in `make_pdf`.
+    """
+    folder = _emptied(build / "print" / label(name))
+    part = part_of(name)
+    said = {"part": part.title, "source": part.source, "number": figure_prefix(name)}
+    front = f"{_front(look, **said)}, is-sheet: {str(look.is_sheet).lower()}"
+    document = Document(name, _markdown(name, notebook, folder / "pictures", look))
+    blocks = [TEMPLATE, f"#show: handout.with({front})", Book([document]).typst(name)]
+    _compile(folder, blocks, target)
+
+
+def _emptied(folder: Path) -> Path:
+    """A folder for what Typst reads."""
     shutil.rmtree(folder, ignore_errors=True)
     (folder / "pictures").mkdir(parents=True)
     shutil.copy(HERE / "template.typ", folder)
-    cover = plain_svg((ROOT / COVER).read_text("utf-8"))
-    (folder / "pictures/cover.svg").write_text(cover, "utf-8")
+    return folder
+
+
+def _compile(folder: Path, blocks: list[str], target: Path) -> None:
     source = folder / "book.typ"
-    source.write_text(_typst(notebooks, folder / "pictures"), "utf-8")
+    source.write_text("\n\n".join(blocks) + "\n", "utf-8")
     target.parent.mkdir(parents=True, exist_ok=True)
-    _compile(source, target)
-
-
-def _compile(source: Path, target: Path) -> None:
     compiler = typst.Compiler(
         str(source), root=str(source.parent), font_paths=[str(FONTS)], ignore_system_fonts=True
     )
@@ -80,32 +139,32 @@ def _compile(source: Path, target: Path) -> None:
         written.save(target, object_stream_mode=together, deterministic_id=True)
 
 
-def _typst(notebooks: dict[str, NotebookNode], pictures: Path) -> str:
+def _book(notebooks: dict[str, NotebookNode], pictures: Path, look: Look) -> list[str]:
     """All of the book as Typst."""
     names = [name for part in PARTS for name in chosen(part, [*notebooks, ERRATA])]
-    documents = [Document(name, _markdown(name, notebooks, pictures)) for name in names]
+    documents = [
+        Document(name, _markdown(name, notebooks.get(name), pictures, look)) for name in names
+    ]
     book = Book(documents)
-    blocks = ['#import "template.typ": *', f"#show: book.with({_front()})"]
+    blocks = [TEMPLATE, f"#show: book.with({_front(look)})"]
     for part in PARTS:
         for number, name in enumerate(chosen(part, names)):
-            begin = [part.title, part.source] if number == 0 else []
-            blocks.append(
-                f"#begin-document({', '.join(map(_string, [figure_prefix(name), *begin]))})"
-            )
-            blocks.append(book.typst(name))
-    return "\n\n".join(blocks) + "\n"
+            begin = [figure_prefix(name), *([part.title, part.source] if number == 0 else [])]
+            arguments = [*map(_string, begin), f"goes-on: {str(goes_on(name)).lower()}"]
+            blocks += [f"#begin-document({', '.join(arguments)})", book.typst(name)]
+    return blocks
 
 
-def _markdown(name: str, notebooks: dict[str, NotebookNode], pictures: Path) -> str:
-    if name == ERRATA:
+def _markdown(name: str, notebook: NotebookNode | None, pictures: Path, look: Look) -> str:
+    if notebook is None:
         # Names of tests are for who has the files at hand, where they stand too.
         return re.sub(r"; checked by [^\n]*", ".", tight((ROOT / ERRATA).read_text("utf-8")))
-    text = markdown_of(notebooks[name], label(name), pictures)
+    text = markdown_of(notebook, label(name), pictures, with_code=look.with_code)
     return re.sub(r"^# .*", f"# {FIRST}", text, count=1) if name.startswith("00_") else text
 
 
-def _front() -> str:
-    """What the title page says, as arguments of the template."""
+def _front(look: Look, **more: str) -> str:
+    """What the title says, and how it all looks, as arguments of the template."""
     release: dict[str, Any] = tomllib.loads((ROOT / "release/release.toml").read_text("utf-8"))
     citation = (ROOT / "CITATION.cff").read_text("utf-8")
     (title,) = re.findall(r'^title: "(.*)"$', citation, re.M)
@@ -116,6 +175,8 @@ def _front() -> str:
         "version": driftlab.__version__,
         "authors": release["authors"],
         "address": "".join(addresses),
+        "paper": look.paper,
+        **more,
     }
     arguments = [f"{key}: {_string(value)}" for key, value in said.items()]
     arguments.append(f"date: datetime(year: {date.year}, month: {date.month}, day: {date.day})")

@@ -13,6 +13,7 @@ LINE = 112
 """Signs in a line of a table's usual type."""
 GAP = 2.6
 """Signs between two columns."""
+GAP_IN_MATRIX = "   "
 SIZES = (8.5, 7.5, 6.8)
 """Types in points, the usual one first."""
 
@@ -92,7 +93,7 @@ def _drawn(tex: str) -> str:
     rows = (
         re.sub(r"[{}^_ ]", "", re.sub(r"\\([a-zA-Z]+|.)", "a", row)) for row in tex.split(r"\\")
     )
-    return max(rows, key=len)
+    return max((row.replace("&", GAP_IN_MATRIX) for row in rows), key=len)
 
 
 def _leaves(node: Any) -> Iterator[tuple[str, Any]]:

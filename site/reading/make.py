@@ -127,6 +127,7 @@ def _contents() -> str:
     }
     lists["Start"] = ["chapters", *lists["Start"]]
     lists["Aside"] = ["i_want_to", "lab_sheet", "solutions/index", "for_instructors"]
+    lists["Aside"] += ["for_your_course"]
     lists["To look things up"] = ["reference/index", "conventions", "glossary", "ledger/index"]
     lists["To look things up"] += ["gallery/index", "errata", "changes"]
     return "".join(

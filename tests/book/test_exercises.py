@@ -13,19 +13,23 @@ import numpy as np
 import pytest
 
 from driftlab import book
+from driftlab.book import exercises
 from driftlab.book.chapters import CHAPTERS, chapters_with
 from driftlab.book.exercises import (
     KINDS,
+    add_exercise,
     all_exercises,
     by_kind,
     check,
     given,
+    hint,
     hints_of,
     verdict,
 )
 from driftlab.book.machinery.answers import Choice, Value, computed
-from driftlab.book.machinery.exercise import key_of
+from driftlab.book.machinery.exercise import in_order, key_of
 from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.hints import Help
 from wrong_answers import WRONG
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
@@ -49,7 +53,9 @@ def test_chapters_have_four_or_more_of_every_kind_in_order():
     assert chapters == {str(chapter) for chapter in [*range(1, 12), 13]}
     for chapter in chapters:
         numbers_of = [n for n in EXERCISES if n.split(".")[0] == chapter]
-        assert numbers_of == [f"{chapter}.{i}" for i in range(1, len(numbers_of) + 1)]
+        assert numbers_of == sorted(numbers_of, key=in_order)
+        whole = [n for n in numbers_of if not n[-1].isalpha()]  # 3.3a may follow 3.3
+        assert whole == [f"{chapter}.{i}" for i in range(1, len(whole) + 1)]
         assert len(numbers_of) >= 4
         assert {EXERCISES[n].kind for n in numbers_of} == set(KINDS)
 
@@ -140,8 +146,9 @@ def test_check_prints_what_it_says_and_refuses_an_unknown_number(capsys):
         check("x", 1)
     with pytest.raises(ValueError, match=r'^number: expected "1\.1" to "13\.\d", got 3'):
         check(3, 1)
-    with pytest.raises(ValueError, match=r'^number: expected "1\.1" to "1\.5", got '):
-        check("1.6", 1)
+    last = re.escape([*all_exercises("01")][-1])
+    with pytest.raises(ValueError, match=rf'^number: expected "1\.1" to "{last}", got '):
+        check("1.99", 1)
 
 
 def test_exercises_of_a_kind_are_listed():
@@ -197,6 +204,54 @@ def test_given_refuses_what_has_no_numbers_of_ones_own():
         given("3.4", student=7)
     with pytest.raises(ValueError, match=r"^because: expected text, got list"):
         check("3.3", "ad", because=[1])
+
+
+@pytest.fixture
+def own():
+    """Exercises of one's own, which no other test sees."""
+    yield exercises._OWN
+    exercises._OWN.clear()
+
+
+def test_an_exercise_of_ones_own_answers_like_the_books(own, capsys):
+    half = Value(kind="compute", right=lambda: 2.0, mistakes={"That is a half.": lambda: 0.5})
+    add_exercise("90.1", half)
+    check("90.1", 0.5)
+    add_exercise("3.3a", half, Help(section="", nudge="Look again.", idea="It is two."))
+    check("3.3a", 2)
+    hint("3.3a")
+    hint("3.3a")
+    hint("3.3a")
+    assert capsys.readouterr().out.split("\n") == [
+        "Exercise 90.1: not yet. That is a half.",
+        "Exercise 3.3a: right.",
+        *("Exercise 3.3a", "Hint 1: Look again."),
+        *2 * ("Exercise 3.3a", "Hint 1: Look again.", "Hint 2: It is two."),
+        "",
+    ]
+    add_exercise("90.1", Choice(kind="explain", right="a", wrong={"b": "is not."}))
+    assert verdict("90.1", "a").right
+    numbers_known = list(all_exercises())
+    assert numbers_known[-2:] == ["90.1", "3.3a"]
+    assert sorted(numbers_known, key=in_order)[-1] == "90.1"
+    assert "Exercise 90.1" in exercises.judged("90.1", "b", exercises.Progress())._repr_html_()
+    with pytest.raises(ValueError, match=r"^number: expected an exercise with hints; 90\.1 has no"):
+        hint("90.1")
+    with pytest.raises(ValueError, match=r'^number: expected "90\.1" to "90\.1", got \'90\.2\''):
+        check("90.2", 1)
+
+
+def test_an_exercise_of_ones_own_takes_no_place_of_the_books(own):
+    half = Value(kind="compute", right=lambda: 0.5)
+    with pytest.raises(
+        ValueError, match=r"^number: expected one that the book has not, got '3\.3'"
+    ):
+        add_exercise("3.3", half)
+    with pytest.raises(ValueError, match=r"^number: expected one like .*3\.3a.*, got 3\.7"):
+        add_exercise(3.7, half)
+    with pytest.raises(ValueError, match=r"^exercise: expected an Exercise, got float"):
+        add_exercise("3.7", 0.5)
+    assert own == {}
 
 
 def test_strict_check_raises_unless_the_answer_is_right(capsys):

@@ -30,6 +30,33 @@ def markdown(path: Path) -> str:
     return "\n\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
 
 
+SLIDE_TYPES = {
+    "slide": "Slide",
+    "subslide": "Sub-Slide",
+    "fragment": "Fragment",
+    "-": "-",
+    "skip": "Skip",
+    "notes": "Notes",
+}
+"""What a cell may be on the slides, and what JupyterLab calls it."""
+
+
+def slide_types(notebook: NotebookNode) -> dict[str, str]:
+    """What each cell is on the slides; one that does not say it fails, and is told how to."""
+    types = {
+        cell.id: cell.metadata.get("slideshow", {}).get("slide_type", "") for cell in notebook.cells
+    }
+    missing = [name for name, shown in types.items() if shown not in SLIDE_TYPES]
+    assert not missing, (
+        f"no slide type in: {', '.join(missing)}. In JupyterLab choose the cell, open the property "
+        "inspector (the two cogs on the right), and set Slide Type: Slide for a heading of level "
+        "two, Sub-Slide for a lower one, as over an exercise; Skip for a cell with an answer or a "
+        "panel; - for what stays on the slide before. In the file it is "
+        '"metadata": {"slideshow": {"slide_type": "subslide"}}.'
+    )
+    return types
+
+
 def notebook_of(*cells: str) -> NotebookNode:
     """A notebook of some cells of code, for the kernel of the book."""
     kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}

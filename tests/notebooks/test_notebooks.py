@@ -6,7 +6,18 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from pages import CHAPTERS, FOLDER, LEDGER, NOTEBOOKS, PAGES, START, markdown, name_of
+from pages import (
+    CHAPTERS,
+    FOLDER,
+    LEDGER,
+    NOTEBOOKS,
+    PAGES,
+    SLIDE_TYPES,
+    START,
+    markdown,
+    name_of,
+    slide_types,
+)
 
 ROOT = FOLDER.parent
 ENDS = ["In your textbook", "Read on"]
@@ -34,6 +45,46 @@ def test_is_committed_clean(path: Path) -> None:
             assert not cell.outputs
             assert cell.execution_count is None
             assert len(cell.source.splitlines()) <= 25, f"{cell.id} is long; move it to the package"
+
+
+@pytest.mark.parametrize("path", [START, *CHAPTERS], ids=name_of)
+def test_each_cell_says_what_it_is_on_the_slides(path: Path) -> None:
+    """Read from the file, so that whoever adds a cell hears of it before a notebook is run."""
+    notebook = nbformat.read(path, as_version=4)
+    types = slide_types(notebook)
+    assert types[notebook.cells[0].id] == "slide", f"{path.name}: the first cell opens the slides"
+    for cell in notebook.cells:
+        shown = types[cell.id]
+        headings = re.findall(r"^(#+) ", cell.source, re.MULTILINE)
+        if cell.cell_type == "markdown" and headings and shown not in ("skip", "notes"):
+            assert cell.source.startswith("#"), (
+                f"{cell.id}: a heading opens a slide, so it must begin its cell; divide the cell"
+            )
+            wanted = "slide" if len(headings[0]) <= 2 else "subslide"
+            assert shown == wanted, (
+                f"{cell.id}: a heading of level {len(headings[0])} has the Slide Type "
+                f"{SLIDE_TYPES[wanted]}, got {SLIDE_TYPES[shown]}"
+            )
+        if "Explorer(" in cell.source or "\nanswer = ..." in f"\n{cell.source}":
+            assert shown == "skip", (
+                f"{cell.id}: neither sliders nor answers live on a slide; set its Slide Type, "
+                f"{SLIDE_TYPES[shown]}, to Skip"
+            )
+
+
+@pytest.mark.parametrize(
+    ("metadata", "says"),
+    [
+        ({}, "no slide type in: mine"),
+        ({"slideshow": {"slide_type": "Skip"}}, "no slide type in: mine"),
+    ],
+)
+def test_a_cell_without_a_slide_type_is_told_where_to_set_it(metadata: dict, says: str) -> None:
+    notebook = nbformat.v4.new_notebook(
+        cells=[nbformat.v4.new_markdown_cell("### 3.7", id="mine", metadata=metadata)]
+    )
+    with pytest.raises(AssertionError, match=f"{says}.*Slide Type.*Sub-Slide"):
+        slide_types(notebook)
 
 
 @pytest.mark.parametrize("path", PAGES, ids=name_of)

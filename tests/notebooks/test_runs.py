@@ -26,6 +26,7 @@ from pages import (
     markdown,
     name_of,
     notebook_of,
+    slide_types,
 )
 from places import PLACES, Place
 from twin import Panel
@@ -153,10 +154,16 @@ def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
     path, notebook = run.path, run.notebook
     expected = exercises_of(path)
     asked = re.findall(r"^### ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
-    assert asked == list(expected.items())
+    assert asked == list(expected.items()), (
+        'headings such as "### 3.1 Compute" do not agree with EXERCISES of the chapter, number '
+        "and kind, in their order"
+    )
     code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
     checked = re.findall(r'^answer = \.\.\.\ncheck\("([\d.]+)", answer\)', code, re.MULTILINE)
-    assert checked == list(expected)
+    assert checked == list(expected), (
+        "each exercise of the chapter needs a cell that ends in the two lines\n"
+        'answer = ...\ncheck("3.1", answer)\nand nothing more in them, comments neither.'
+    )
     printed = [text for cell in notebook.cells for text in printed_by(cell)]
     assert printed.count("not answered yet.") == len(expected)
 
@@ -184,18 +191,7 @@ def printed_by(cell: NotebookNode) -> list[str]:
 @runs_of([START, *CHAPTERS])
 def test_chapter_can_be_shown_as_slides(run: Run) -> None:
     notebook = run.notebook
-    types = {cell.id: cell.metadata["slideshow"]["slide_type"] for cell in notebook.cells}
-    assert set(types.values()) <= {"slide", "subslide", "fragment", "-", "skip"}
-    assert types[notebook.cells[0].id] == "slide"
-    for cell in notebook.cells:
-        shown = types[cell.id]
-        # A heading opens a slide, so it must stand at the beginning of its cell.
-        headings = re.findall(r"^(#+) ", cell.source, re.MULTILINE)
-        if cell.cell_type == "markdown" and headings and shown != "skip":
-            assert cell.source.startswith("#"), cell.id
-            assert shown == ("slide" if len(headings[0]) <= 2 else "subslide"), cell.id
-        if "Explorer(" in cell.source or cell.source.startswith("answer = ..."):
-            assert shown == "skip", f"{cell.id}: neither sliders nor answers live on a slide"
+    types = slide_types(notebook)
     html, _ = SlidesExporter(exclude_input=True).from_notebook_node(notebook)
     opened = [shown for shown in types.values() if shown in ("slide", "subslide")]
     # A row of slides is a section with a section for each slide in it.

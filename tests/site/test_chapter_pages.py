@@ -12,7 +12,7 @@ import pytest
 
 from driftlab.book.ledger import ledger_entries
 from driftlab.book.panels import EXPLORERS, SCENES
-from executed import FOLDER, notebooks
+from executed import FOLDER, published
 from reading.papers import equation_label
 from support import ROOT
 
@@ -20,7 +20,7 @@ WEIGHT = 50_000
 """Bytes of a page, packed as servers send it."""
 HEAVY = {"06_picard_algorithms": 65_000, "08_system_calibration": 70_000}
 """The two longest chapters: their words, code and numbers alone are more than 40 kB."""
-CHAPTERS = [name for name in notebooks() if name[:2].isdigit()]
+CHAPTERS = [name for name in published() if name[:2].isdigit()]
 PANELS = {panel.__name__: panel for panel in (*EXPLORERS, *SCENES)}
 
 
@@ -36,7 +36,7 @@ def sources(name):
 @pytest.fixture(scope="module")
 def pages(site):
     """The page of each notebook."""
-    return {name: (site / name).with_suffix(".html").read_text("utf-8") for name in notebooks()}
+    return {name: (site / name).with_suffix(".html").read_text("utf-8") for name in published()}
 
 
 def tags(text, name):

@@ -9,6 +9,7 @@ import pytest
 
 import colab
 from driftlab import __version__
+from executed import published
 from support import ROOT
 
 BOOK = ROOT / "notebooks"
@@ -44,7 +45,7 @@ def read(path: Path) -> dict:
 
 def test_every_notebook_has_a_copy_that_is_valid(tmp_path, monkeypatch) -> None:
     made = copies(tmp_path, monkeypatch)
-    names = {path.relative_to(BOOK) for path in BOOK.rglob("*.ipynb")}
+    names = {Path(name) for name in published()}
     assert {path.relative_to(made) for path in made.rglob("*.ipynb")} >= names - {
         name for name in names if ".ipynb_checkpoints" in name.parts
     }

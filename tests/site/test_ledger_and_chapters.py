@@ -7,7 +7,7 @@ import pytest
 
 from driftlab.book.chapters import CHAPTERS
 from driftlab.book.ledger import WORKS, ledger_entries
-from executed import FOLDER, notebooks
+from executed import FOLDER, published
 from reading.doors import documented, home
 from reading.notebook_pages import notebook_pages
 from reading.overview import chapters_page, text_of
@@ -34,7 +34,7 @@ def ledger():
 @pytest.fixture(scope="module")
 def book():
     """Pages of the notebooks, without outputs, as text: cells of code stand between fences."""
-    clean = {name: nbformat.read(FOLDER / name, as_version=4) for name in notebooks()}
+    clean = {name: nbformat.read(FOLDER / name, as_version=4) for name in published()}
     texts = notebook_pages(clean, chapters(ROOT)).texts
     return {name: as_text(nbformat.reads(text, as_version=4)) for name, text in texts.items()}
 

@@ -39,6 +39,7 @@ from .ch11_one_triad.panels import CapstoneExplorer as CapstoneExplorer
 from .ch11_one_triad.scenes import TurningShip as TurningShip
 from .ch13_real_triads.panels import AllanExplorer as AllanExplorer
 from .exercises import (
+    add_exercise as add_exercise,
     all_exercises as all_exercises,
     by_kind as by_kind,
     check as check,

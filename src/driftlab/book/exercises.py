@@ -18,6 +18,7 @@ from .machinery.card import Card, HintCard, show
 from .machinery.exercise import (
     KINDS,
     NOTHING_SAID,
+    NUMBER,
     Exercise,
     NotRightError,
     Said,
@@ -25,9 +26,12 @@ from .machinery.exercise import (
     is_missing,
 )
 from .machinery.given_numbers import Given
-from .machinery.hints import Help
+from .machinery.hints import NO_HELP, Help
 from .machinery.progress import Progress
 from .machinery.records import record_of
+
+_OWN: dict[str, tuple[Exercise, Help]] = {}
+"""Exercises that are not the book's, and the help with each."""
 
 PROGRESS = Progress()
 """What has been answered since the kernel started."""
@@ -40,9 +44,53 @@ def all_exercises(chapter: str | None = None) -> dict[str, Exercise]:
     ----------
     chapter : str, optional
         Its number, "01" to "13". Only that chapter's module is imported then.
+
+    Notes
+    -----
+    Those that `add_exercise` has brought come last.
     """
-    chapters = chapters_with("exercises") if chapter is None else [chapter]
-    return {n: each for c in chapters for n, each in part_of(c, "exercises").EXERCISES.items()}
+    with_some = chapters_with("exercises")
+    chapters = with_some if chapter is None else [chapter] if chapter in with_some else []
+    found = {n: each for c in chapters for n, each in part_of(c, "exercises").EXERCISES.items()}
+    own = {n: each for n, (each, _) in _OWN.items() if chapter in (None, _chapter(n))}
+    return {**found, **own}
+
+
+def add_exercise(number: str, exercise: Exercise, help_: Help = NO_HELP) -> None:
+    """Add an exercise of your own, for `check`, `hint` and `verdict` in this kernel.
+
+    Parameters
+    ----------
+    number : str
+        As "90.1", or "3.3a" for one that follows 3.3; none of the book's. A number of your own
+        that is there already gets the new exercise, so that a cell may run twice.
+    exercise : Exercise
+        `Value`, `Choice` or `Formula`.
+    help_ : Help, optional
+        What helps with it.
+
+    Raises
+    ------
+    ValueError
+        If the number is none, or the book's.
+
+    Examples
+    --------
+    >>> from driftlab.book import add_exercise, check
+    >>> from driftlab.book.machinery.answers import Value
+    >>> slip = {"That is in radians.": lambda: 3.141592653589793}
+    >>> half = Value(kind="compute", right=lambda: 180.0, unit="degrees", mistakes=slip)
+    >>> add_exercise("90.1", half)
+    >>> check("90.1", 3.1416)
+    Exercise 90.1: not yet. That is in radians.
+    """
+    if not isinstance(number, str) or not NUMBER.fullmatch(number):
+        raise ValueError(f'number: expected one like "90.1" or "3.3a", got {number!r}.')
+    if not isinstance(exercise, Exercise):
+        raise ValueError(f"exercise: expected an Exercise, got {type(exercise).__name__}.")
+    if number not in _OWN and number in all_exercises():
+        raise ValueError(f"number: expected one that the book has not, got {number!r}.")
+    _OWN[number] = exercise, help_
 
 
 @cache
@@ -109,13 +157,15 @@ def judged(number: str | float, answer: Any, progress: Progress, said: Said = NO
     notes = []
     if found.right and exercise.kind == "predict":
         notes.append(progress.guess_against(name, answer))
+    if said.student and getattr(exercise, "given", None):
+        notes.append(f"Judged with the numbers of {said.student}.")
     if not isinstance(number, str) and f"{name}0" in all_exercises(chapter):
         notes.append(f'This is {name}. For the tenth exercise write "{name}0", as text.')
     done = f"{right} of {count} right in chapter {chapter}"
     if attempts > 1:
         done = f"attempt {attempts}; {done}"
     record = record_of(name, answer, found, attempts, said)
-    return Card(name, found, hints_of(chapter)[name], tuple(notes), done, said.because, record)
+    return Card(name, found, _help(name), tuple(notes), done, said.because, record)
 
 
 def given(number: str | float, *, student: str = "") -> Given:
@@ -174,11 +224,13 @@ def hint(number: str | float) -> None:
     Raises
     ------
     ValueError
-        If there is no exercise of that number.
+        If there is no exercise of that number, or no hint for it.
     """
     name, _ = _exercise(number)
-    each = hints_of(_chapter(name))[name]
-    show(HintCard(name, each, PROGRESS.next_rung(name, len(each.rungs) + 1)))
+    each = _help(name)
+    if not each.is_there:
+        raise ValueError(f"number: expected an exercise with hints; {name} has none.")
+    show(HintCard(name, each, PROGRESS.next_rung(name, len(each.rungs) + bool(each.section))))
 
 
 def verdict(number: str | float, answer: Any, *, because: str = "", student: str = "") -> Verdict:
@@ -198,12 +250,16 @@ def _said(because: Any, student: Any) -> Said:
 def _exercise(number: str | float) -> tuple[str, Exercise]:
     """The exercise of a number, and the number as text."""
     name = str(number) if isinstance(number, (str, float)) else ""
-    chapter = _chapter(name)
-    known = all_exercises(chapter if chapter in chapters_with("exercises") else None)
+    known = all_exercises(_chapter(name)) or all_exercises()
     if name not in known:
-        first, *_, last = known
+        first, last = next(iter(known)), next(reversed(known))
         raise ValueError(f'number: expected "{first}" to "{last}", got {number!r}.')
     return name, known[name]
+
+
+def _help(name: str) -> Help:
+    """What helps with an exercise, the book's or one's own."""
+    return _OWN[name][1] if name in _OWN else hints_of(_chapter(name))[name]
 
 
 def _chapter(name: str) -> str:

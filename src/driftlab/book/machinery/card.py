@@ -82,8 +82,9 @@ class Card:
             f"<span style='letter-spacing: 0.3em' aria-label='{_aloud(row)}'>{ticks}</span>"
             for row, ticks in zip(self.verdict.parts, self._ticks(), strict=True)
         ]
-        if hints and not self.verdict.right:
-            lines += [ladder(self.help), link(self.help)]
+        if hints and self.help.is_there and not self.verdict.right:
+            lines.append(ladder(self.help))
+            lines += [link(self.help)] if self.help.section else []
         return boxed(lines, colour)
 
     def _ticks(self) -> list[str]:

@@ -8,6 +8,7 @@ attribute leads to.
 
 from __future__ import annotations
 
+import re
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -20,6 +21,16 @@ from .reading import SettingError, UnreadableError
 
 KINDS = ("predict", "slide", "explain", "compute")
 """What an exercise asks for: a guess before looking, a try in a panel, a reason, a computation."""
+
+NUMBER = re.compile(r"\d+\.\d+[a-z]?")
+"""How an exercise is numbered; 3.3a stands between 3.3 and 3.4."""
+
+
+def in_order(number: str) -> tuple[int, int, str]:
+    """Return what exercises are sorted by: 3.3a after 3.3, 3.10 after 3.9."""
+    chapter, _, rest = number.partition(".")
+    digits = rest.rstrip("abcdefghijklmnopqrstuvwxyz")
+    return int(chapter), int(digits), rest[len(digits) :]
 
 
 Parts = tuple[tuple[bool, ...], ...]

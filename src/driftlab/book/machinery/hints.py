@@ -37,3 +37,12 @@ class Help(NamedTuple):
     def rungs(self) -> tuple[str, str]:
         """The steps of the ladder below the section itself."""
         return self.nudge, self.idea
+
+    @property
+    def is_there(self) -> bool:
+        """Whether there is any."""
+        return bool(self.nudge or self.idea)
+
+
+NO_HELP = Help(section="", nudge="", idea="")
+"""For an exercise that is not the book's."""

@@ -1,0 +1,111 @@
+"""Prints chapters or the whole book as PDF: ``python3 lab.py print 03`` runs this.
+
+Only the notebooks that are wanted are run, and what they gave is kept (`executed`).
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path, PurePosixPath
+
+import nbformat
+from nbformat import NotebookNode
+
+from addresses import PDF
+from executed import FOLDER, executed, notebooks
+from pdf.contents import label
+from pdf.make import Look, make_handout, make_pdf
+from pdf.sheet import sheet
+from unfinished import Unfinished
+
+ROOT = Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build/site"
+PRINTED = ROOT / "_print"
+
+
+def main(arguments: list[str]) -> int:
+    """Print what the command line says; the exit code."""
+    parser = argparse.ArgumentParser(prog="lab.py print", usage="python3 lab.py --help")
+    parser.add_argument("names", nargs="*")
+    parser.add_argument("--no-code", dest="with_code", action="store_false")
+    parser.add_argument("--exercises", dest="is_sheet", action="store_true")
+    parser.add_argument("--paper", choices=("a4", "us-letter"), default="a4")
+    options = parser.parse_args(arguments)
+    look = Look(options.paper, options.with_code, options.is_sheet)
+    try:
+        for target in printed([found(name, notebooks()) for name in options.names], look):
+            print(f"Printed: {target.relative_to(ROOT)}")
+    except Unfinished as trouble:
+        print(trouble, file=sys.stderr)
+        return 1
+    return 0
+
+
+def found(asked: str, names: list[str]) -> str:
+    """Return the one name of a notebook that is meant.
+
+    Raises
+    ------
+    Unfinished
+        If there is none, or more than one.
+    """
+    asked = asked.removeprefix("notebooks/")
+    meant = [name for name in names if name.removesuffix(".ipynb") == asked.removesuffix(".ipynb")]
+    meant = meant or [name for name in names if asked and name.startswith(asked)]
+    if len(meant) != 1:
+        there = ", ".join(_short(name) for name in names if "/" not in name)
+        raise Unfinished(
+            f'{"More than one" if meant else "No"} notebook is called "{asked}"; there are '
+            f"{there}, and solutions/01 and so on."
+        )
+    return meant[0]
+
+
+def printed(names: list[str], look: Look) -> list[Path]:
+    """Print notebooks, one file each, or the whole book if none is named; the files.
+
+    Raises
+    ------
+    Unfinished
+        If something cannot be printed.
+    """
+    how = "-exercises" if look.is_sheet else "" if look.with_code else "-without-code"
+    if not names:
+        if look.is_sheet:
+            raise Unfinished("Name the chapters whose exercises you want, as in: print 03 04.")
+        target = PRINTED / f"{PurePosixPath(PDF).stem}{how}.pdf"
+        make_pdf(executed(), BUILD, target, look)
+        return [target]
+    targets = []
+    for name, shown in (sheets(names) if look.is_sheet else executed(names)).items():
+        targets.append(PRINTED / f"{label(name)}{how}.pdf")
+        make_handout(name, shown, BUILD, targets[-1], look)
+    return targets
+
+
+def sheets(names: list[str]) -> dict[str, NotebookNode]:
+    """Return the exercises of chapters, which need not be run.
+
+    Raises
+    ------
+    Unfinished
+        If one has none.
+    """
+    made = {}
+    for name in names:
+        notebook = nbformat.read(FOLDER / name, as_version=4)  # type: ignore[no-untyped-call]
+        exercises = sheet(notebook)
+        if exercises is None:
+            raise Unfinished(f"{_short(name)} has no exercises.")
+        made[name] = exercises
+    return made
+
+
+def _short(name: str) -> str:
+    """A number if there is one, else the name."""
+    return name[:2] if name[:2].isdigit() else name.removesuffix(".ipynb")
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

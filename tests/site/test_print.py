@@ -1,0 +1,207 @@
+"""Chapters on paper: what a lecturer prints of a notebook, and the sheets of exercises."""
+
+import ctypes
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import nbformat
+import pypdfium2
+import pytest
+from pypdfium2 import raw
+from test_pdf import SIDES, text_of, words
+
+from driftlab.book.chapters import chapters_with
+from driftlab.book.exercises import all_exercises, hints_of
+from executed import FOLDER, notebooks
+from pdf.sheet import sheet
+from support import ROOT
+
+pytestmark = pytest.mark.xdist_group("site-print")
+PYTHON = Path(os.environ.get("DRIFTLAB_SITE_PYTHON", f"{sys.prefix}-site/bin/python"))
+"""Of the environment that has Typst, as lab.py lays it beside this one."""
+CHAPTER = "03_systematic_drift.ipynb"
+# What print_small.py puts into its notebooks.
+LONG = "a_long_name = another_name"
+WAITS = "not answered yet"
+A4, LETTER = (595.3, 841.9), (612, 792)
+FEET = 25
+"""Points that stay white above and below on every page."""
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory) -> tuple[Path, dict[str, str]]:
+    """Folder of what was printed, and what names mean."""
+    if not PYTHON.exists():
+        pytest.skip("'python3 lab.py print' has not run in this folder: it brings what is needed")
+    folder = tmp_path_factory.mktemp("printed")
+    command = [str(PYTHON), str(Path(__file__).with_name("print_small.py")), str(folder)]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8")
+    assert done.returncode == 0, done.stderr
+    return folder, json.loads(done.stdout)
+
+
+@pytest.fixture
+def printed(made):
+    """Opens a file by its name."""
+
+    def by(name: str) -> pypdfium2.PdfDocument:
+        path = made[0] / f"{name}.pdf"
+        if not path.exists():
+            pytest.skip("the chapter was not run; 'python3 lab.py print 03' runs it")
+        return pypdfium2.PdfDocument(path)
+
+    return by
+
+
+def texts(document) -> list[str]:
+    return [text_of(page.get_textpage()) for page in document]
+
+
+def assert_within_the_margins(document) -> None:
+    for number, page in enumerate(document, 1):
+        text = page.get_textpage()
+        assert text.count_rects() > 0, number
+        for place in range(text.count_rects()):
+            left, bottom, right, top = text.get_rect(place)
+            what = (number, text.get_text_bounded(left, bottom, right, top))
+            assert SIDES[0] < left, what
+            assert right < SIDES[1], what
+            assert bottom > FEET, what
+            assert top < page.get_height() - FEET, what
+
+
+def test_a_chapter_alone_has_its_title_contents_and_page_numbers(printed):
+    pages = texts(printed("long"))
+    for said in ("Part I: A bent triad and its drift", "03 A title", "Drift Lab", "CC BY 4.0"):
+        assert words(said) in words(pages[0]), said
+    assert all(f"Section{n}" in words(pages[0]) for n in range(12))
+    assert len(pages) > 8
+    for number, text in enumerate(pages, 1):
+        assert re.search(rf"\b{number}\s*$", text), number
+
+
+def test_a_short_one_needs_no_contents(printed):
+    assert words(texts(printed("short"))[0]).count("Section0") == 1
+    assert words(texts(printed("long"))[0]).count("Section0") == 2
+
+
+def test_a_chapter_that_is_not_there_is_words_and_no_link(printed):
+    document = printed("short")
+    assert "Seechapter04" in words(texts(document)[0])
+    place, link = ctypes.c_int(0), raw.FPDF_LINK()
+    inside = []
+    while raw.FPDFLink_Enumerate(document[0], place, link):
+        inside.append(bool(raw.FPDFLink_GetDest(document, link)))
+    assert not any(inside)
+
+
+def test_nothing_is_said_of_answers_and_no_code_is_cut(printed):
+    document = printed("short")
+    text = words("".join(texts(document)))
+    assert words(WAITS) not in text
+    assert words(LONG) in text
+    assert_within_the_margins(document)
+
+
+def test_a_handout_without_code_has_what_the_code_gave(printed):
+    text = words("".join(texts(printed("without-code"))))
+    assert words(LONG) not in text
+    assert "whatitgave" in text
+
+
+@pytest.mark.parametrize(("name", "size"), [("short", A4), ("us-letter", LETTER)])
+def test_the_page_has_its_size_and_its_fonts(printed, name, size):
+    page = printed(name)[0]
+    assert page.get_size() == pytest.approx(size, abs=0.5)
+    shown = [each for each in page.get_objects() if each.type == raw.FPDF_PAGEOBJ_TEXT]
+    assert shown
+    for each in shown:
+        assert raw.FPDFFont_GetIsEmbedded(raw.FPDFTextObj_GetFont(each)) == 1
+
+
+def test_a_whole_chapter_stays_within_the_margins(printed):
+    document = printed("chapter")
+    assert_within_the_margins(document)
+    assert "not answered yet" not in "".join(texts(document))
+    assert len(document) > 10
+
+
+@pytest.mark.parametrize("chapter", sorted(chapters_with("exercises")))
+def test_a_sheet_has_every_exercise_and_none_of_its_hints(printed, chapter):
+    document = printed(f"sheet-{chapter}")
+    assert_within_the_margins(document)
+    text = words("".join(texts(document)))
+    (name,) = (each for each in notebooks() if each.startswith(chapter))
+    asked = asked_in(nbformat.read(FOLDER / name, as_version=4))
+    assert set(asked) == set(all_exercises(chapter))
+    for number, sentences in asked.items():
+        assert words(number) in text, number
+        for sentence in sentences:
+            assert words(sentence) in text, (number, sentence)
+    for number, helps in hints_of(chapter).items():
+        for hint in (helps.nudge, helps.idea, helps.model):
+            for sentence in plain(hint):
+                assert words(sentence) not in text, (number, sentence)
+
+
+def asked_in(notebook) -> dict[str, list[str]]:
+    """The plain sentences of each exercise."""
+    begun = ((re.match(r"### (\d+\.\d+) ", cell.source), cell.source) for cell in notebook.cells)
+    return {match[1]: plain(text[match.end() :]) for match, text in begun if match}
+
+
+def plain(text: str) -> list[str]:
+    """What of a text has no markup in it, sentence by sentence, but what is very short."""
+    sentences = re.split(r"(?<=[.?:])\s+|\n+(?:- )?", text)
+    return [each for each in sentences if len(each) > 25 and not re.search(r"[$`*\[<&\\\"']", each)]
+
+
+@pytest.mark.parametrize("chapter", sorted(chapters_with("exercises")))
+def test_a_sheet_is_made_of_questions_and_what_is_given(chapter):
+    """The folded models, the worked solutions and what a check says are not in it."""
+    (name,) = (each for each in notebooks() if each.startswith(chapter))
+    notebook = nbformat.read(FOLDER / name, as_version=4)
+    asked = {cell.source for cell in notebook.cells}
+    cells = sheet(notebook).cells
+    for cell in cells[1:]:
+        assert "solutions/" not in cell.source
+        assert cell.source in asked or "{=typst}" in cell.source
+        if cell.cell_type == "code":
+            assert "answer = ..." in cell.source
+            assert not cell.outputs
+    rooms = [cell for cell in cells if "#room(" in cell.source]
+    assert len(rooms) == len(all_exercises(chapter))
+
+
+@pytest.mark.parametrize(
+    ("asked", "name"),
+    [
+        ("03", CHAPTER),
+        (f"notebooks/{CHAPTER}", CHAPTER),
+        ("lab_sheet", "lab_sheet.ipynb"),
+        ("conventions", "conventions.ipynb"),
+        ("solutions/03", f"solutions/{CHAPTER}"),
+        ("14", 'No notebook is called "14"; there are 00, 01, '),
+        ("0", 'More than one notebook is called "0"; there are 00, 01, '),
+        ("", 'No notebook is called ""; there are 00, 01, '),
+    ],
+)
+def test_a_notebook_is_known_by_how_it_begins(made, asked, name):
+    assert made[1][asked].startswith(name)
+
+
+@pytest.mark.parametrize("arguments", [("14",), ("12", "--exercises"), ("--exercises",)])
+def test_what_cannot_be_printed_is_said_in_one_sentence(made, arguments):
+    command = [str(PYTHON), str(ROOT / "site/paper.py"), *arguments]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8")
+    assert done.returncode == 1
+    assert len(done.stderr.splitlines()) == 1
+    assert done.stderr[0].isupper() or done.stderr[0].isdigit()
+
+
+def test_what_is_printed_is_ignored_by_git():
+    assert "/_print\n" in (ROOT / ".gitignore").read_text("utf-8")

@@ -1,0 +1,167 @@
+"""Slides stand alone, fit every projector, show each proof, and have a lecturer's notes."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import nbformat
+import pytest
+from chromium import chromium, no_browser
+from visitor import visit
+
+from executed import KEPT
+from slides.cells import NOTES, on_slides
+from slides.make import chapters, main
+from support import ROOT
+
+pytestmark = pytest.mark.xdist_group("site-slides")
+CHAPTERS = chapters()
+DEFINITIONS = {"08-one-step-of-the-filter-ten-lines"}
+"""Cells that print nothing: their code is what they show, asked for or not."""
+BARE = re.compile(r"[\d{\[(.-]|array|True|False|None|<")
+"""What Python calls a value, without words and units."""
+SIZES = (1024, 768), (1280, 720), (1920, 1080)
+LEAST = 18
+"""The smallest type, of a slide that is 800 high."""
+ALL_SLIDES = """() => Reveal.getSlides().map((slide) => {
+  const { h, v } = Reveal.getIndices(slide);
+  Reveal.slide(h, v, 99);
+  const seen = [...slide.querySelectorAll(".sheet *")].filter(
+    (each) => !each.closest("mjx-container :not(svg)") && each.getClientRects().length);
+  const boxes = seen.map((each) => each.getBoundingClientRect());
+  const type = seen.filter((each) => each.matches("mjx-container")
+    || [...each.childNodes].some((node) => node.nodeType === 3 && node.data.trim()));
+  return {
+    place: `${h}.${v}`,
+    left: Math.min(...boxes.map((box) => box.left)),
+    right: Math.max(...boxes.map((box) => box.right)),
+    top: Math.min(...boxes.map((box) => box.top)),
+    bottom: Math.max(...boxes.map((box) => box.bottom)),
+    least: Math.min(...type.map((each) => parseFloat(getComputedStyle(each).fontSize))),
+    cut: seen.filter((each) => each.scrollWidth > each.clientWidth + 1
+      && getComputedStyle(each).overflowX !== "visible").length,
+    raw: /\\\\[a-z]{2,}|\\$/.test([...slide.querySelectorAll("p, li, td, .formula")]
+      .map((each) => each.innerText).join(" ")),
+  };
+})"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory) -> Path:
+    """All slides, with and without code."""
+    python = Path(os.environ.get("DRIFTLAB_SITE_PYTHON", f"{sys.prefix}-site/bin/python"))
+    if not python.exists():
+        pytest.skip("the site's tools are not there; 'python3 lab.py slides' brings them")
+    folder = tmp_path_factory.mktemp("slides")
+    script = Path(__file__).with_name("build_slides.py")
+    subprocess.run([python, script, folder, *CHAPTERS.values()], check=True)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with chromium() as started:
+        yield started
+
+
+@pytest.fixture
+def page(browser):
+    with visit(browser) as page:
+        yield page
+
+
+def opened(page, path: Path) -> None:
+    page.goto(path.as_uri())
+    page.wait_for_selector("html[data-ready]", timeout=20000)
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(bool(no_browser()), reason=no_browser())
+@pytest.mark.parametrize("code", ["", "-code"])
+@pytest.mark.parametrize("number", CHAPTERS)
+def test_every_slide_fits_and_can_be_read(folder, page, number, code):
+    opened(page, folder / f"{Path(CHAPTERS[number]).stem}{code}.html")
+    for width, height in SIZES:
+        page.set_viewport_size({"width": width, "height": height})
+        page.evaluate("Reveal.layout()")
+        slides = page.evaluate(ALL_SLIDES)
+        assert len(slides) > 10
+        for slide in slides:
+            place = (width, slide["place"])
+            assert slide["left"] >= 0, place
+            assert slide["right"] <= width, place
+            assert slide["top"] >= 0, place
+            assert slide["bottom"] <= height, place
+            assert slide["least"] >= LEAST, place
+            assert not slide["cut"], place
+            assert not slide["raw"], place
+    assert page.complaints == []
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(bool(no_browser()), reason=no_browser())
+def test_the_answer_of_a_puzzle_waits_for_a_key_and_its_notes_open_from_a_file(folder, page):
+    opened(page, folder / f"{Path(CHAPTERS['01']).stem}.html")
+    page.keyboard.press("ArrowRight")
+    with page.expect_popup() as popup:
+        page.keyboard.press("s")
+    notes = popup.value.locator(".speaker-controls-notes .value")
+    notes.get_by_text("Most say 30").wait_for()
+    page.keyboard.press("Space")
+    answer = page.locator("section.present .fragment").first
+    assert page.locator("section.present:not(.stack) h3").inner_text().startswith("Guessed?")
+    assert "visible" not in answer.get_attribute("class")
+    page.keyboard.press("Space")
+    assert "visible" in answer.get_attribute("class")
+    assert page.complaints == []
+
+
+def source(number: str):
+    return nbformat.read(ROOT / "notebooks" / CHAPTERS[number], as_version=4)
+
+
+def shown(number: str):
+    """Ids of the cells that stand on slides."""
+    notebook = source(number)
+    for cell in notebook.cells:
+        cell.setdefault("outputs", [])
+    return {cell.id for cell in on_slides(notebook).cells}
+
+
+@pytest.mark.parametrize("number", CHAPTERS)
+def test_notes_stand_on_slides_and_their_minutes_are_those_of_the_syllabus(number):
+    notes = {name: text for name, text in NOTES.items() if name.startswith(f"{number}-")}
+    assert notes.keys() <= shown(number)
+    assert any("puzzle" in name for name in notes)
+    page = nbformat.read(ROOT / "notebooks/for_instructors.ipynb", as_version=4)
+    (minutes,) = re.findall(rf"^\| {number} [^|]*\|[^|]*\| (\d+) \|", page.cells[1].source, re.M)
+    told = [re.match(r"\s*\*\*(\d+) minutes\.\*\*", text) for text in notes.values()]
+    assert sum(int(each[1]) for each in told) == int(minutes)
+
+
+def test_every_note_belongs_to_a_chapter():
+    assert {name[:2] for name in NOTES} == set(CHAPTERS)
+
+
+@pytest.mark.parametrize("number", CHAPTERS)
+def test_every_cell_on_a_slide_shows_something_and_no_reading_is_left_unfolded(folder, number):
+    notebook = nbformat.read(KEPT / CHAPTERS[number], as_version=4)
+    on_them = on_slides(notebook).cells
+    silent = {cell.id for cell in on_them if cell.cell_type == "code" and not cell.outputs}
+    assert silent <= DEFINITIONS
+    for cell in on_them:
+        assert "solutions/" not in cell.source
+        assert ".ipynb)" not in cell.source
+        assert "For readers of the paper" not in cell.source
+        assert "olded" not in cell.source, cell.id
+        for output in cell.get("outputs", []):
+            data = output.get("data", {})
+            assert set(data) != {"text/plain"} or not BARE.match(data["text/plain"]), cell.id
+
+
+def test_an_unknown_chapter_gets_one_sentence(capsys):
+    assert main(["12"]) == 1
+    said = capsys.readouterr().err
+    assert said == f"No slides for 12; there are {', '.join(CHAPTERS)}.\n"
