@@ -6,6 +6,7 @@ from scipy.integrate import solve_ivp
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
 from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.given_numbers import GivenNumbers
 from driftlab.book.machinery.reading import slider
 from driftlab.checks import FloatArray
 from driftlab.drift.error_kinematics import error_quaternion, error_rate_matrix
@@ -14,8 +15,9 @@ from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotat
 from .experiments import SPIN
 
 BODY_TURNS = 2 * np.pi * np.array([1 / 4, 1 / 2, 1])
-BENT = np.array([[1, 1e-2, 0], [0, 1, 0], [0, 0, 1]])
 SECONDS = 20.0
+TOLERANCE = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-11}
+"""Of 1.4: the time, and how exactly to integrate."""
 TOO_LITTLE = 0.3
 """What the panel's slider takes off the rate about the third axis, degrees a second."""
 
@@ -31,32 +33,45 @@ def _same_size() -> float:
     return np.sqrt(SPIN**2 - (SPIN - TOO_LITTLE) ** 2)
 
 
-def _error(matrix: FloatArray = BENT) -> FloatArray:
-    """Error quaternion after `SECONDS` of the rate (sin t, cos t, 1/2), by (1.4)."""
+def _bent(entry_12: float) -> FloatArray:
+    matrix = np.eye(3)
+    matrix[0, 1] = entry_12
+    return matrix
+
+
+def _rate(time: float, rate_3: float) -> FloatArray:
+    return np.array([np.sin(time), np.cos(time), rate_3])
+
+
+def _error(entry_12: float, rate_3: float, transposed: bool = False) -> FloatArray:
+    """Error quaternion of a bent triad after `SECONDS`, by (1.4)."""
+    matrix = _bent(entry_12).T if transposed else _bent(entry_12)
 
     def slope(time: float, error: FloatArray) -> FloatArray:
-        rate = np.array([np.sin(time), np.cos(time), 0.5])
+        rate = _rate(time, rate_3)
         return error_rate_matrix(rate, matrix @ rate) @ error / 2
 
-    solution = solve_ivp(slope, (0, SECONDS), [0, 0, 0, 1], "DOP853", rtol=1e-12, atol=1e-13)
-    return solution.y[:, -1]
+    return solve_ivp(slope, (0, SECONDS), [0, 0, 0, 1], **TOLERANCE).y[:, -1]
 
 
-def _error_in_fixed_frame() -> FloatArray:
+def _error_in_fixed_frame(entry_12: float, rate_3: float) -> FloatArray:
     def slope(time: float, attitude: FloatArray) -> FloatArray:
-        rate = np.array([np.sin(time), np.cos(time), 0.5, 0])
-        return multiply(attitude, rate) / 2
+        return multiply(attitude, [*_rate(time, rate_3), 0]) / 2
 
-    steps = solve_ivp(slope, (0, SECONDS), [0, 0, 0, 1], "DOP853", rtol=1e-12, atol=1e-13)
-    attitude = steps.y[:, -1]
-    return multiply(multiply(attitude, _error()), conjugate(attitude))
+    attitude = solve_ivp(slope, (0, SECONDS), [0, 0, 0, 1], **TOLERANCE).y[:, -1]
+    return multiply(multiply(attitude, _error(entry_12, rate_3)), conjugate(attitude))
 
 
-def _rates_taken_for_constant() -> FloatArray:
-    rate = np.array([np.sin(SECONDS), np.cos(SECONDS), 0.5])
-    return multiply(
-        from_rotation_vector(-rate * SECONDS), from_rotation_vector(BENT @ rate * SECONDS)
-    )
+def _rates_taken_for_constant(entry_12: float, rate_3: float) -> FloatArray:
+    turn = _rate(SECONDS, rate_3) * SECONDS
+    return multiply(from_rotation_vector(-turn), from_rotation_vector(_bent(entry_12) @ turn))
+
+
+def _some_triad(rng: np.random.Generator) -> dict[str, float]:
+    return {
+        "entry_12": round(rng.uniform(5e-3, 2e-2), 4),
+        "rate_3": round(rng.uniform(0.3, 0.9), 2),
+    }
 
 
 def _picked_up(w: float, m: float, t: float) -> FloatArray:
@@ -115,6 +130,9 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "1.4": Value(
         kind="compute",
+        given=GivenNumbers(
+            book={"entry_12": 0.01, "rate_3": 0.5}, draw=_some_triad, units={"rate_3": "rad/s"}
+        ),
         right=_error,
         accuracy=1e-6,
         quaternion=True,
@@ -123,7 +141,7 @@ EXERCISES: dict[str, Exercise] = {
                 _error_in_fixed_frame
             ),
             "The entry is on the wrong side of the diagonal: gyro x picks up the second "
-            "component of the rate.": lambda: _error(BENT.T),
+            "component of the rate.": lambda **triad: _error(**triad, transposed=True),
             "The exact solution holds for constant rates only; these change.": (
                 _rates_taken_for_constant
             ),

@@ -9,6 +9,7 @@ import numpy as np
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
 from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.given_numbers import GivenNumbers
 from driftlab.book.machinery.reading import SettingError
 from driftlab.checks import FloatArray
 from driftlab.drift.characteristic_equation import asymptotic_roots, exact_roots
@@ -21,8 +22,6 @@ from driftlab.vectors import direction_from_angles
 
 AZIMUTHS = np.arange(-179.0, 181.0)
 LEANS = 0.3 * np.array([[0, 1, 0], [0, 0, 0], [0, 0, 0]])
-RATE = np.array([0.3, -0.2, 0.6])
-SHAPE = np.array([[0.2, 1, 0.5], [-0.4, 0, 0.8], [1, 0.3, -0.6]])
 SIZES = np.array([0.1, 0.05])
 
 
@@ -78,16 +77,31 @@ def _cubic(*, in_the_copy: bool = False, powers: int = 3) -> Callable[..., float
     return sp.lambdify((rho, r), sp.expand(expansion).coeff(mu, 3))
 
 
-def _errors(weight: float = 1.0) -> FloatArray:
+def _along_and_across(T: FloatArray, omega: FloatArray) -> tuple[float, float]:
+    """rho_1 and r about the axis of a rate."""
+    axis = omega / np.linalg.norm(omega)
+    error = T @ axis
+    along = float(error @ axis)
+    return along, float(np.linalg.norm(error - along * axis))
+
+
+def _errors(T: FloatArray, omega: FloatArray, weight: float = 1.0) -> FloatArray:
     """Error of the fast root at `SIZES`, its mu^3 term multiplied by `weight`; rad/s."""
-    speed = np.linalg.norm(RATE)
-    error = SHAPE @ RATE / speed
-    along = error @ RATE / speed
-    term = _cubic()(along, np.sqrt(error @ error - along**2))
-    triad_errors = SIZES[:, np.newaxis, np.newaxis] * SHAPE
-    series = asymptotic_roots(RATE, triad_errors, order=2)[:, 0].imag
-    exact = exact_roots(RATE, measured_rate(RATE, triad_errors))[:, 0].imag
-    return series + weight * speed * SIZES**3 * term - exact
+    term = float(np.linalg.norm(omega)) * _cubic()(*_along_and_across(T, omega))
+    triad_errors = SIZES[:, np.newaxis, np.newaxis] * T
+    series = asymptotic_roots(omega, triad_errors, order=2)[:, 0].imag
+    exact = exact_roots(omega, measured_rate(omega, triad_errors))[:, 0].imag
+    return series + weight * SIZES**3 * term - exact
+
+
+def _some_triad(rng: np.random.Generator) -> dict[str, FloatArray]:
+    """A triad whose series about this axis has a term in mu^3, and one in mu^4."""
+    while True:
+        T, omega = (np.round(rng.uniform(-1, 1, shape), 1) for shape in ((3, 3), 3))
+        if 0.4 < np.linalg.norm(omega) < 0.8:
+            along, across = np.abs(_along_and_across(T, omega))
+            if along > 0.2 and along < across < 1.5 * along:
+                return {"T": T, "omega": omega}
 
 
 EXERCISES: dict[str, Exercise] = {
@@ -157,16 +171,26 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "2.5": Value(
         kind="compute",
+        given=GivenNumbers(
+            book={
+                "T": np.array([[0.2, 1, 0.5], [-0.4, 0, 0.8], [1, 0.3, -0.6]]),
+                "omega": np.array([0.3, -0.2, 0.6]),
+            },
+            draw=_some_triad,
+            units={"omega": "rad/s"},
+        ),
         right=_errors,
         unit="rad/s",
         mistakes={
-            "That is the error without the new term.": lambda: _errors(0),
-            "The new term is added with the wrong sign.": lambda: _errors(-1),
+            "That is the error without the new term.": lambda **triad: _errors(**triad, weight=0),
+            "The new term is added with the wrong sign.": lambda **triad: _errors(
+                **triad, weight=-1
+            ),
             "The new term lacks a factor: the series is in units of the rate's size.": (
-                lambda: _errors(1 / float(np.linalg.norm(RATE)))
+                lambda T, omega: _errors(T, omega, 1 / float(np.linalg.norm(omega)))
             ),
             "This is in units of the rate's size; the roots are in radians per second.": (
-                lambda: _errors() / np.linalg.norm(RATE)
+                lambda T, omega: _errors(T, omega) / np.linalg.norm(omega)
             ),
         },
     ),

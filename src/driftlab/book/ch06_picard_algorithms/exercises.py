@@ -14,6 +14,7 @@ from driftlab.attitude.spherical_area import solid_angle
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
 from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.given_numbers import GivenNumbers
 from driftlab.book.machinery.reading import slider
 from driftlab.checks import FloatArray
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply
@@ -27,8 +28,6 @@ from .experiments import (
     WIDE_BRACKET_RATE,
     algorithm_errors,
 )
-
-HALVES = np.array([[0.3, -0.1, 0.4], [0.35, 0.15, 0.25]])
 
 
 def _growth(name: str) -> float:
@@ -79,14 +78,26 @@ def _miller() -> list[float]:
     return [weights[pair] for pair in ((0, 1), (0, 2), (1, 2))]
 
 
-def _step(weight: float = 2 / 3, last_stage: LastStage = "tangent") -> FloatArray:
+def _step(
+    gamma_1: FloatArray,
+    gamma_2: FloatArray,
+    weight: float = 2 / 3,
+    last_stage: LastStage = "tangent",
+) -> FloatArray:
     algorithm = Algorithm("two halves", 2, 0, {(0, 1): weight}, last_stage, 4)
-    return step_quaternions(HALVES, algorithm)[0]
+    return step_quaternions([gamma_1, gamma_2], algorithm)[0]
 
 
-def _turned_one_after_the_other(first: int) -> FloatArray:
-    halves = from_rotation_vector(HALVES)
-    return multiply(halves[first], halves[1 - first])
+def _turned_one_after_the_other(first: FloatArray, second: FloatArray) -> FloatArray:
+    return multiply(from_rotation_vector(first), from_rotation_vector(second))
+
+
+def _some_halves(rng: np.random.Generator) -> dict[str, FloatArray]:
+    """Two increments of a rate that changes its direction, but not into the opposite one."""
+    while True:
+        first, second = np.round(rng.uniform(-0.5, 0.5, (2, 3)), 2)
+        if np.linalg.norm(np.cross(first, second)) > 0.1 and first @ second > 0:
+            return {"gamma_1": first, "gamma_2": second}
 
 
 def _gain_of_sampling() -> float:
@@ -202,35 +213,53 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "6.7": Value(
         kind="compute",
+        given=GivenNumbers(
+            book={
+                "gamma_1": np.array([0.3, -0.1, 0.4]),
+                "gamma_2": np.array([0.35, 0.15, 0.25]),
+            },
+            draw=_some_halves,
+            units={"gamma_1": "rad", "gamma_2": "rad"},
+        ),
         right=_step,
         accuracy=2e-6,
         quaternion=True,
         mistakes={
-            "The cross product has its factors exchanged.": lambda: _step(-2 / 3),
+            "The cross product has its factors exchanged.": lambda **halves: _step(
+                **halves, weight=-2 / 3
+            ),
             "The cross product is missing: you know only the sum of the two increments.": (
-                lambda: _step(0)
+                lambda **halves: _step(**halves, weight=0)
             ),
             "That is the first iterate, of second order: it has neither the cross product nor the "
-            "cubic term.": lambda: step_quaternions([HALVES.sum(axis=0)], "picard-1")[0],
+            "cubic term.": lambda gamma_1, gamma_2: step_quaternions(
+                [gamma_1 + gamma_2], "picard-1"
+            )[0],
             "The step turns half as far: the tangent in k is of a quarter of the angle.": (
-                lambda: rotation_quaternion(step_vectors(HALVES, "two-step-4")[0], 3)
+                lambda gamma_1, gamma_2: rotation_quaternion(
+                    step_vectors([gamma_1, gamma_2], "two-step-4")[0], 3
+                )
             ),
-            "This is the opposite rotation: k points against the axis.": lambda: conjugate(_step()),
+            "This is the opposite rotation: k points against the axis.": lambda **halves: conjugate(
+                _step(**halves)
+            ),
             "The cubic term is that of the sum. `two-step-4` takes the corrected sum for it.": (
-                lambda: _step(last_stage="third iterate")
+                lambda **halves: _step(**halves, last_stage="third iterate")
             ),
             "This is what `two-step-3` gives: the shorter formula is the better one.": (
-                lambda: step_quaternions(HALVES, "two-step-3")[0]
+                lambda **halves: step_quaternions([*halves.values()], "two-step-3")[0]
             ),
             "This is the rotation vector with a sine, as in `rotation-vector-2`.": (
-                lambda: step_quaternions(HALVES, "rotation-vector-2")[0]
+                lambda **halves: step_quaternions([*halves.values()], "rotation-vector-2")[0]
             ),
             "One turn after the other takes the rate for constant in each half. It corrects by "
             "half of the cross product, where a changing rate needs two thirds.": (
-                lambda: _turned_one_after_the_other(0)
+                lambda gamma_1, gamma_2: _turned_one_after_the_other(gamma_1, gamma_2)
             ),
             "One turn after the other takes the rate for constant in each half; besides, the "
-            "first of the two has to be on the left.": lambda: _turned_one_after_the_other(1),
+            "first of the two has to be on the left.": lambda gamma_1, gamma_2: (
+                _turned_one_after_the_other(gamma_2, gamma_1)
+            ),
         },
         remark="No sine and no root, and its length is one.",
     ),

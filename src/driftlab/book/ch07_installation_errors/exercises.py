@@ -1,6 +1,6 @@
 """Exercises of chapter 07: installation errors, taken apart."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
@@ -11,6 +11,7 @@ from driftlab.body_frames import misalignment_vector
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
 from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.given_numbers import GivenNumbers
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.body_axes import attitude_error
 from driftlab.checks import FloatArray
@@ -23,16 +24,14 @@ from driftlab.vectors import cross_matrix
 
 from .experiments import INTERVAL, computed_attitude, inertial_attitude
 
-LEAN: FloatArray = 40.0 * np.outer([1, 0, 0], [0, 1, 0])  # arc seconds
-
-KAPPA: FloatArray = np.array([60.0, -30.0, 20.0]) * arcsecond
 SCHEME = Scheme("+90X +90Y", ("Up", "East", "North"), dwell=5.0)
 
 
-def _lean() -> FloatArray:
+def _lean(K_xy: int) -> FloatArray:
     """Non-orthogonality of x and y, and the turn (3,) of the averaged axes, in arc seconds."""
+    lean = K_xy * np.outer([1.0, 0, 0], [0, 1, 0])
     # The axes turn the other way than the components.
-    return np.array([decompose(LEAN).non_orthogonality[0, 1], *(0.0 - misalignment_vector(LEAN))])
+    return np.array([decompose(lean).non_orthogonality[0, 1], *(0.0 - misalignment_vector(lean))])
 
 
 def _skew(*vector: float) -> FloatArray:
@@ -58,17 +57,24 @@ def _error(gyro_error: FloatArray, start: FloatArray, of_earth: bool = False) ->
 
 
 def _two_units(
-    start: FloatArray | None = None,
-    gyro_error: FloatArray | None = None,
+    kappa: FloatArray,
+    start: Callable[[FloatArray], FloatArray] = lambda kappa: -_in_table_axes(kappa),
+    sense: float = 1.0,
     of_earth: bool = False,
 ) -> FloatArray:
     """Errors (2, 3) of the ideal unit that starts wrong and of the misaligned one."""
-    none = np.zeros(3)
-    if start is None:
-        start = -rotate(_record().attitude[0], KAPPA)
-    if gyro_error is None:
-        gyro_error = cross_matrix(KAPPA)
-    return np.stack([_error(np.zeros((3, 3)), start, of_earth), _error(gyro_error, none, of_earth)])
+    vector = np.asarray(kappa) * arcsecond
+    ideal = _error(np.zeros((3, 3)), start(vector), of_earth)
+    return np.stack([ideal, _error(sense * cross_matrix(vector), np.zeros(3), of_earth)])
+
+
+def _in_table_axes(kappa: FloatArray) -> FloatArray:
+    return rotate(_record().attitude[0], kappa)
+
+
+def _some_kappa(rng: np.random.Generator) -> dict[str, FloatArray]:
+    sizes = rng.permutation(rng.uniform([15, 30, 50], [25, 40, 80]))
+    return {"kappa": np.round(rng.choice([-1, 1], 3) * sizes)}
 
 
 def _hidden(*vector: float) -> FloatArray:
@@ -85,24 +91,29 @@ def _entries(values: Mapping[str, Any]) -> FloatArray:
 EXERCISES: dict[str, Exercise] = {
     "7.1": Value(
         kind="predict",
+        given=GivenNumbers(
+            book={"K_xy": 40},
+            draw=lambda rng: {"K_xy": round(rng.uniform(15.5, 99.5))},
+            units={"K_xy": "arc seconds"},
+        ),
         right=_lean,
         unit="arc seconds",
         absolute=0.5,
         mistakes={
             "The last three are κ, the rotation of the components. The axes turn the other way.": (
-                lambda: _lean() * [1, -1, -1, -1]
+                lambda K_xy: _lean(K_xy) * [1, -1, -1, -1]
             ),
             "The first number is the change of the angle between the two axes. The matrix has a "
-            "part of it on each side of the diagonal.": lambda: _lean() * [2, 1, 1, 1],
+            "part of it on each side of the diagonal.": lambda K_xy: _lean(K_xy) * [2, 1, 1, 1],
             "This follows gyro x alone, as the upper triangle does. Averaged axes follow both "
-            "gyros, and y has stayed where it was.": lambda: 2 * _lean(),
+            "gyros, and y has stayed where it was.": lambda K_xy: 2 * _lean(K_xy),
             "Taken for a turn of the whole triad. Has gyro y turned as well?": (
-                lambda: 2 * _lean() * [0, 1, 1, 1]
+                lambda K_xy: 2 * _lean(K_xy) * [0, 1, 1, 1]
             ),
             "Taken for an error of the angle alone, so that the averaged axes would stay. Which "
-            "symmetric matrix would that be?": lambda: 2 * _lean() * [1, 0, 0, 0],
+            "symmetric matrix would that be?": lambda K_xy: 2 * _lean(K_xy) * [1, 0, 0, 0],
             "The axis of the turn is wrong: what leans from x towards y turns about neither.": (
-                lambda: _lean()[[0, 3, 1, 2]]
+                lambda K_xy: _lean(K_xy)[[0, 3, 1, 2]]
             ),
         },
         remark="One wrong entry is half non-orthogonality and half misalignment.",
@@ -140,24 +151,29 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "7.4": Value(
         kind="compute",
+        given=GivenNumbers(
+            book={"kappa": np.array([60.0, -30.0, 20.0])},
+            draw=_some_kappa,
+            units={"kappa": "arc seconds"},
+        ),
         right=_two_units,
         unit="arc seconds",
         accuracy=5e-3,
         mistakes={
             "The first row has the wrong sign: the computed attitude is (I - [φ×]) C, so the "
             "rotation vector that goes before C is -φ.": (
-                lambda: _two_units(rotate(_record().attitude[0], KAPPA))
+                lambda kappa: _two_units(kappa, _in_table_axes)
             ),
             "The second row is φ - Cκ already. Give φ itself, before the comparison.": (
-                lambda: np.stack([_two_units()[0]] * 2)
+                lambda kappa: np.stack([_two_units(kappa)[0]] * 2)
             ),
             "The second row has the sign of the opposite misalignment: look at the matrix of the "
-            "cross product, κ first.": lambda: _two_units(gyro_error=-cross_matrix(KAPPA)),
+            "cross product, κ first.": lambda kappa: _two_units(kappa, sense=-1.0),
             "The ideal unit starts with -κ. But κ is in body axes, and φ in those of the "
-            "table: C(0) is missing.": lambda: _two_units(-KAPPA),
+            "table: C(0) is missing.": lambda kappa: _two_units(kappa, np.negative),
             "The errors contain the turn of the Earth: `integrate` stays in axes that do not turn, "
             "and the attitudes of the record are counted from axes that do.": (
-                lambda: _two_units(of_earth=True)
+                lambda kappa: _two_units(kappa, of_earth=True)
             ),
         },
         remark="The two rows differ by the carried κ, and by nothing else to first order.",

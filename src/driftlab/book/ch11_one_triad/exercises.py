@@ -9,6 +9,7 @@ from scipy.constants import arcsecond
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
 from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.given_numbers import GivenNumbers
 from driftlab.book.machinery.reading import slider
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE as LATITUDE, SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
@@ -25,7 +26,6 @@ from .experiments import (
     bent_triad,
 )
 
-FAR_NORTH = float(np.radians(75.0))
 PUZZLE: FloatArray = np.array([[0, -30 * arcsecond, 0], [0, 0, 0], [0, 0, 0]])
 BENT = bent_triad(NON_ORTHOGONALITY, MISALIGNMENT)
 PARTS_OF_PERIOD = (0.25, 0.5, 1.0)
@@ -60,16 +60,21 @@ def _steps(latitude: float) -> FloatArray:
     return np.array([*largest, gain * _east(PUZZLE, QUARTER_TURN)])
 
 
-@cache
-def _growth() -> FloatArray:
-    grown: FloatArray = _steps(FAR_NORTH) / _steps(LATITUDE)
-    grown.setflags(write=False)
-    return grown
+def _growth(from_latitude: float, to_latitude: float) -> FloatArray:
+    """How many times more they are at the northern latitude, degrees."""
+    return _steps(float(np.radians(to_latitude))) / _steps(float(np.radians(from_latitude)))
 
 
-def _ratio(function: np.ufunc) -> float:
+def _ratio(function: np.ufunc, from_latitude: float, to_latitude: float) -> float:
     """How many times more a function of the latitude is at the northern place."""
-    return float(function(FAR_NORTH) / function(LATITUDE))
+    return float(function(np.radians(to_latitude)) / function(np.radians(from_latitude)))
+
+
+def _some_places(rng: np.random.Generator) -> dict[str, float]:
+    return {
+        "from_latitude": round(rng.uniform(30, 50), 1),
+        "to_latitude": round(rng.uniform(70, 78), 1),
+    }
 
 
 def _slider(about_forward: float = 1.0, right_gyro: float = 1.0) -> float:
@@ -165,25 +170,36 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "11.3": Value(
         kind="compute",
+        given=GivenNumbers(
+            book={"from_latitude": 51.5, "to_latitude": 75.0},
+            draw=_some_places,
+            units={"from_latitude": "degrees", "to_latitude": "degrees"},
+        ),
         right=_growth,
         accuracy=0.02,
         mistakes={
             "The tilt that the turn leaves has nothing to do with the Earth; only the level rate, "
-            "against which it is read, shrinks.": (lambda: [1, _ratio(np.tan), _ratio(np.tan)]),
+            "against which it is read, shrinks.": (
+                lambda **at: [1, _ratio(np.tan, **at), _ratio(np.tan, **at)]
+            ),
             "At the quay the gyro leans into the Earth's rate about Up, and this part grows.": (
-                lambda: [1, 1 / _ratio(np.cos), 1 / _ratio(np.cos)]
+                lambda **at: [1, 1 / _ratio(np.cos, **at), 1 / _ratio(np.cos, **at)]
             ),
             "At the quay, too, something changes: the rate about Up grows, the level one falls.": (
-                lambda: [1, 1, 1 / _ratio(np.cos)]
+                lambda **at: [1, 1, 1 / _ratio(np.cos, **at)]
             ),
             "A turntable turns as fast at any latitude.": (
-                lambda: [1 / _ratio(np.cos), _ratio(np.tan), 1 / _ratio(np.cos)]
+                lambda **at: [
+                    1 / _ratio(np.cos, **at),
+                    _ratio(np.tan, **at),
+                    1 / _ratio(np.cos, **at),
+                ]
             ),
             "That is the way back to the South. Northward the level rate shrinks.": (
-                lambda: 1 / _growth()
+                lambda **at: 1 / _growth(**at)
             ),
             "The swing is read against the level rate, which goes with the cosine and not the "
-            "sine.": lambda: [1, _ratio(np.tan), 1 / _ratio(np.sin)],
+            "sine.": lambda **at: [1, _ratio(np.tan, **at), 1 / _ratio(np.sin, **at)],
         },
         remark="The bend is the same everywhere; what it is measured against is not.",
     ),

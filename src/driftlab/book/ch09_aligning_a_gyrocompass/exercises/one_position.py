@@ -7,6 +7,7 @@ from scipy.optimize import brentq
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
 from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.given_numbers import GivenNumbers
 from driftlab.book.machinery.reading import slider
 from driftlab.book.scenarios import SARATOV_LATITUDE as LATITUDE
 from driftlab.checks import FloatArray
@@ -17,21 +18,27 @@ from driftlab.motion.vehicle import static_imu
 from driftlab.quaternion import rotate
 from driftlab.vectors import wrap_angle
 
-FORWARD_DRIFT = 0.05 * degree / hour
 RIGHT_DRIFT, RIGHT_OFFSET = 0.03 * degree / hour, 1.5 * milli * g
 
 
-def _forward_gyro(headings: tuple[float, ...] = (0.0, 90.0)) -> FloatArray:
-    """Heading errors in degrees of a level box whose forward gyro drifts."""
+def _forward_gyro(
+    latitude: float, drift: float, headings: tuple[float, ...] = (0.0, 90.0)
+) -> FloatArray:
+    """Heading errors in degrees of a level box whose forward gyro drifts by degrees an hour."""
     true = np.radians(headings)
-    rate, force = static_imu(from_euler_angles(true, 0.0, 0.0), LATITUDE)
-    found = align(rate + np.array([FORWARD_DRIFT, 0.0, 0.0]), force).heading
+    rate, force = static_imu(from_euler_angles(true, 0.0, 0.0), np.radians(latitude))
+    found = align(rate + np.array([drift * degree / hour, 0.0, 0.0]), force).heading
     return np.degrees(wrap_angle(found - true))
 
 
-def _at_west(rate: float) -> FloatArray:
+def _at_west(drift: float, rate: float) -> FloatArray:
     """Heading errors in degrees if what tells North were `rate`."""
-    return np.degrees([0.0, -FORWARD_DRIFT / rate])
+    return np.array([0.0, -drift / hour / rate])
+
+
+def _some_place(rng: np.random.Generator) -> dict[str, float]:
+    # Far from 45 degrees, so that the sine and the cosine of the latitude are told apart.
+    return {"latitude": round(rng.uniform(54, 68), 1), "drift": round(rng.uniform(0.04, 0.12), 3)}
 
 
 def _same_as_gyro(latitude_term: float = 1.0, sign: float = 1.0) -> float:
@@ -125,23 +132,30 @@ def _without_right(*compass: float) -> float:
 EXERCISES: dict[str, Exercise] = {
     "9.1": Value(
         kind="predict",
+        given=GivenNumbers(
+            book={"latitude": 51.5, "drift": 0.05},
+            draw=_some_place,
+            units={"latitude": "degrees", "drift": "degrees an hour"},
+        ),
         right=_forward_gyro,
         unit="degrees",
         absolute=0.01,
         mistakes={
             "Headings are counted about Up, from North to West: which way does the forward gyro of "
             "a box point that is turned by 90 degrees, to East or away from it?": (
-                lambda: -_forward_gyro()
+                lambda **box: -_forward_gyro(**box)
             ),
             "That is the other way round: a drift about North does nothing to the heading.": (
-                lambda: _forward_gyro((90.0, 0.0))
+                lambda **box: _forward_gyro(**box, headings=(90.0, 0.0))
             ),
             "So it would be with the heading counted to East and the forward gyro taken for the "
-            "right one.": lambda: -_forward_gyro((90.0, 0.0)),
+            "right one.": lambda **box: -_forward_gyro(**box, headings=(90.0, 0.0)),
             "The sine of the latitude gives the part of the Earth's rate about Up; North is told "
-            "by the level part.": lambda: _at_west(EARTH_RATE * np.sin(LATITUDE)),
+            "by the level part.": lambda latitude, drift: _at_west(
+                drift, EARTH_RATE * np.sin(np.radians(latitude))
+            ),
             "Not the whole rate of the Earth tells where North is, only its level part.": (
-                lambda: _at_west(EARTH_RATE)
+                lambda latitude, drift: _at_west(drift, EARTH_RATE)
             ),
         },
         remark="A drift about North goes into the latitude, one about East into the heading.",

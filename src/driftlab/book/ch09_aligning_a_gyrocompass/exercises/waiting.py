@@ -1,5 +1,6 @@
 """Exercises 9.6 and 9.7: how long to wait for North."""
 
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -7,6 +8,7 @@ from scipy.constants import degree, hour
 
 from driftlab.book.machinery.answers import Value
 from driftlab.book.machinery.exercise import Exercise
+from driftlab.book.machinery.given_numbers import GivenNumbers
 from driftlab.earth import EARTH_RATE
 
 from ..experiments import WHITE, gyro_noise
@@ -14,9 +16,8 @@ from ..experiments import WHITE, gyro_noise
 NOISE, WALK = gyro_noise(WHITE[0], slow=0.0), 0.01 * degree / hour / np.sqrt(hour)
 """Of 9.6: the white noise, and the walk of the drift in rad/s per root of a second."""
 
-CABLE, CLICK, CHANGE = np.radians(120.0), np.radians(0.12), 0.006 * degree / hour
-RANDOM_WALK, PLACE, GOAL = 0.005 * degree / np.sqrt(hour), np.radians(60.0), np.radians(0.1)
-"""Of 9.7: turn, its deviation, change of a drift; the gyros, the latitude, and what is wanted."""
+GOAL = 0.1 * degree
+"""Of 9.7: the deviation of the heading that is wanted."""
 
 
 @cache
@@ -35,11 +36,36 @@ def _window(white: float, walk_part: float) -> float:
 
 
 def _waiting(
-    sine: float = float(np.sin(CABLE / 2)), click: float = CLICK / 2, change: float = CHANGE / 2
+    turn: float,
+    turn_deviation: float,
+    random_walk: float,
+    drift_change: float,
+    latitude: float,
+    *,
+    share: Callable[[float], float] = np.sin,
+    click: float = 0.5,
+    change: float = 0.5,
 ) -> float:
-    """Time of both positions, s, whose noise fills what turn and change leave of the deviation."""
-    level = EARTH_RATE * np.cos(PLACE) * sine
-    return float(RANDOM_WALK**2 / ((GOAL**2 - click**2) * level**2 - change**2))
+    """Time of both positions, s, whose noise fills what turn and change leave of the deviation.
+
+    The last two say how much of the turn's deviation and of the drift's change counts; `share`
+    takes half the turn to the part of the Earth's rate that the difference shows.
+    """
+    level = EARTH_RATE * np.cos(latitude * degree) * share(turn * degree / 2)
+    seen = (GOAL**2 - (click * turn_deviation * degree) ** 2) * level**2
+    noise = (random_walk * degree) ** 2 / hour
+    return float(noise / (seen - (change * drift_change * degree / hour) ** 2))
+
+
+def _some_cable(rng: np.random.Generator) -> dict[str, float]:
+    # A turn between a quarter and a half, far from both, and no part so small that it hides.
+    return {
+        "turn": round(rng.uniform(114, 130)),
+        "turn_deviation": round(rng.uniform(0.11, 0.126), 3),
+        "random_walk": round(rng.uniform(0.003, 0.007), 4),
+        "drift_change": round(rng.uniform(0.005, 0.006), 4),
+        "latitude": round(rng.uniform(54, 60), 1),
+    }
 
 
 EXERCISES: dict[str, Exercise] = {
@@ -66,30 +92,49 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "9.7": Value(
         kind="compute",
+        given=GivenNumbers(
+            book={
+                "turn": 120,
+                "turn_deviation": 0.12,
+                "random_walk": 0.005,
+                "drift_change": 0.006,
+                "latitude": 60.0,
+            },
+            draw=_some_cable,
+            units={
+                "turn": "degrees",
+                "turn_deviation": "degrees",
+                "random_walk": "degrees per root of an hour",
+                "drift_change": "degrees an hour",
+                "latitude": "degrees",
+            },
+        ),
         right=_waiting,
         unit="s",
         accuracy=0.01,
         mistakes={
-            "That is the time of one position; both have to be waited for.": lambda: _waiting() / 2,
-            "So it would be after half a turn. A smaller turn leaves less of the Earth's rate in "
-            "the difference.": lambda: _waiting(1.0),
-            "The difference of a vector and the turned one is twice the sine of half the turn, not "
-            "of the turn, and not its cosine.": lambda: _waiting(0.5),
-            "That is the noise alone. The turn is not known exactly, and the drifts change.": (
-                lambda: _waiting(click=0.0, change=0.0)
+            "That is the time of one position; both have to be waited for.": lambda **box: (
+                _waiting(**box) / 2
             ),
-            "The change of the drifts counts as well.": lambda: _waiting(change=0.0),
+            "So it would be after half a turn. A smaller turn leaves less of the Earth's rate in "
+            "the difference.": lambda **box: _waiting(**box, share=lambda half: 1.0),
+            "The difference of a vector and the turned one is twice the sine of half the turn, not "
+            "of the turn, and not its cosine.": lambda **box: _waiting(**box, share=np.cos),
+            "That is the noise alone. The turn is not known exactly, and the drifts change.": (
+                lambda **box: _waiting(**box, click=0.0, change=0.0)
+            ),
+            "The change of the drifts counts as well.": lambda **box: _waiting(**box, change=0.0),
             "The turn is not known exactly, and half of its error goes into the heading.": (
-                lambda: _waiting(click=0.0)
+                lambda **box: _waiting(**box, click=0.0)
             ),
             "Of the turn's error half goes into the heading, not all of it.": (
-                lambda: _waiting(click=CLICK)
+                lambda **box: _waiting(**box, click=1.0)
             ),
             "A change of the drift is shared by both positions: half of it counts.": (
-                lambda: _waiting(change=CHANGE)
+                lambda **box: _waiting(**box, change=1.0)
             ),
             "So it would be if the readings of one position alone told the heading. It takes the "
-            "noise of both.": lambda: 2 * _waiting(),
+            "noise of both.": lambda **box: 2 * _waiting(**box),
         },
         remark="The turn's error takes a fixed part: no waiting gets below half of it.",
     ),

@@ -8,6 +8,7 @@ from scipy.constants import arcminute, degree, hour
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
 from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.given_numbers import GivenNumbers
 from driftlab.book.machinery.reading import slider
 from driftlab.book.scenarios import (
     QUARTER_TURN,
@@ -20,7 +21,7 @@ from driftlab.book.scenarios import (
 from driftlab.checks import FloatArray
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.gyrocompass.heading_error import coriolis_correction, speed_error
-from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
+from driftlab.gyrocompass.simulation import simulate_compass
 
 from ..experiments import GYRO_BIAS, TUNING_FACTORS
 
@@ -28,7 +29,8 @@ GRAVITY = float(gravity(LATITUDE))
 TO_THE_EAST = {"course": -QUARTER_TURN, "turn": 0.0}
 """A voyage without a turn."""
 LOG_ERROR = 0.1
-GROWTH = 0.01 * degree / hour / hour
+HOURS = 2.0
+"""Of 10.4: the length of the voyage."""
 
 
 @cache
@@ -66,23 +68,23 @@ def _wrong_log() -> float:
     return float(np.abs(turned) / (np.linalg.norm(pushed) / GRAVITY))
 
 
-@cache
-def _growing_drift() -> HeadingErrors:
-    """Errors at the quay with a gyro bias about East that grows."""
-    quay = ship_manoeuvre(speed=0.0, turn=0.0)
+def _heading_and_yaw(latitude: float, growth: float) -> FloatArray:
+    """Errors in degrees at the quay with a gyro bias about East that grows, degrees an hour²."""
+    quay = ship_manoeuvre(latitude * degree, speed=0.0, turn=0.0)
     bias = np.zeros_like(quay.increments.angle)
-    bias[:, 2] = GROWTH * quay.times[:-1]  # none in the interval that the alignment reads
-    return simulate_compass(quay, bias)
-
-
-def _heading_and_yaw() -> FloatArray:
-    run = _growing_drift()
+    # None in the interval that the alignment reads.
+    bias[:, 2] = growth * degree / hour**2 * quay.times[:-1]
+    run = simulate_compass(quay, bias)
     return np.degrees([run.heading_error[-1], run.yaw_error[-1]])
 
 
-def _no_swing(level_rate: float) -> FloatArray:
-    """Answer to 10.4 in degrees if the last drift stood against `level_rate`."""
-    return np.degrees([GROWTH * _growing_drift().times[-1] / level_rate, 0.0])
+def _no_swing(growth: float, share: float) -> list[float]:
+    """Answer to 10.4 if the last drift stood against this share of the Earth's rate."""
+    return [growth * HOURS / hour / (EARTH_RATE * share), 0.0]
+
+
+def _some_quay(rng: np.random.Generator) -> dict[str, float]:
+    return {"latitude": round(rng.uniform(53, 60), 1), "growth": round(rng.uniform(8e-3, 2e-2), 3)}
 
 
 @cache
@@ -182,24 +184,29 @@ EXERCISES: dict[str, Exercise] = {
     ),
     "10.4": Value(
         kind="compute",
+        given=GivenNumbers(
+            book={"latitude": 51.5, "growth": 0.01},
+            draw=_some_quay,
+            units={"latitude": "degrees", "growth": "degrees an hour, in every hour"},
+        ),
         right=_heading_and_yaw,
         unit="degrees",
         absolute=(0.002, 5e-4),
         mistakes={
             "That is the other way round: the yaw hardly notices a drift about East.": (
-                lambda: _heading_and_yaw()[::-1]
+                lambda **quay: _heading_and_yaw(**quay)[::-1]
             ),
             "That is the drift over the level rate. A drift that grows also makes the horizon "
-            "swing.": lambda: _no_swing(EARTH_RATE * np.cos(LATITUDE)),
+            "swing.": lambda latitude, growth: _no_swing(growth, np.cos(latitude * degree)),
             "Sine for cosine, and no swing: North is told by the level part of the Earth's rate.": (
-                lambda: _no_swing(EARTH_RATE * np.sin(LATITUDE))
+                lambda latitude, growth: _no_swing(growth, np.sin(latitude * degree))
             ),
             "Only the level part of the Earth's rate tells where North is; and there is a swing.": (
-                lambda: _no_swing(EARTH_RATE)
+                lambda latitude, growth: _no_swing(growth, 1.0)
             ),
             "That is the angle by which the gyro has drifted. Gravity holds the horizon; the drift "
             "goes into the correction, in which North is read.": (
-                lambda: [np.degrees(GROWTH) * _growing_drift().times[-1] ** 2 / 2, 0.0]
+                lambda latitude, growth: [growth * HOURS**2 / 2, 0.0]
             ),
         },
     ),
