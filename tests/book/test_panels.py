@@ -10,6 +10,7 @@ import pytest
 from matplotlib.axes import Axes
 from PIL import Image
 
+from driftlab import book
 from driftlab.book.machinery.panel import OWN_VALUES, Explorer
 from grouped import every_panel, opened
 from panel_numbers import results_of
@@ -156,3 +157,33 @@ def share_used(axes: Axes) -> float:
     shown = shown[np.isfinite(shown)]
     ends = axes.transLimits.transform(axes.transScale.transform([(1, y) for y in shown]))[:, 1]
     return float(np.ptp(np.clip(ends, 0.0, 1.0)))
+
+
+def test_presets_of_ones_own_stand_before_the_books():
+    mine = {"My triad": {"m12": 1.0}, "Larin's triad": {"azimuth": 10.0}}
+    panel = book.DriftExplorer(presets=mine)
+    assert (panel.values["m12"], panel.preset.value) == (1.0, "My triad")
+    names = [name for name, _ in panel.preset.options]
+    assert names[:3] == ["own values", *mine]
+    assert sorted(names[1:]) == sorted({*mine, *book.DriftExplorer.presets})
+    panel.preset.value = "Larin's triad"
+    assert panel.values["azimuth"] == 10.0
+    panel.reset.click()
+    assert panel.preset.value == "My triad"
+    assert "My triad" not in book.DriftExplorer.presets
+    scene = book.TurningBlock(presets={"Mine": {}})
+    assert scene.preset.value == "Mine"
+
+
+@pytest.mark.parametrize(
+    ("presets", "words"),
+    [
+        ({"a": {"m99": 1.0}}, r"^presets: expected names from azimuth, .*, got m99"),
+        ({"a": {"azimuth": 1e9}}, r"^azimuth: expected"),
+        ({"azimuth": 1.0}, r"^presets: expected values by control for each name, got "),
+        ([1], r"^presets: expected values by control for each name, got \[1\]"),
+    ],
+)
+def test_presets_of_ones_own_are_refused_in_a_sentence(presets, words):
+    with pytest.raises(ValueError, match=words):
+        book.DriftExplorer(presets=presets)

@@ -19,7 +19,8 @@ from .control import Control
 from .matplotlib_view import MatplotlibView
 from .page import Page
 from .picture import Picture
-from .picture_file import PICTURES, ending_of, picture_file
+from .picture_file import PICTURES, ending_of, how_to_save, picture_file
+from .presets import Values as Values, check_values, offered_presets
 from .results import Results
 from .sheet import Sheet
 from .still import display_with_still, still
@@ -32,8 +33,6 @@ PANEL_CLASS = "driftlab-panel"
 
 OWN_VALUES = "Your own values: say first what you expect, then move one thing at a time."
 """What stands under the title when the values are no preset's."""
-
-Values = Mapping[str, Any]
 
 
 class View(Protocol):
@@ -59,6 +58,14 @@ class Explorer(widgets.VBox):
     ----------
     preset : str, optional
         Name of the preset to open with, and to go back to on Reset; the first if not given.
+    presets : mapping, optional
+        Presets of your own by name, each the values that differ from the controls' own. They stand
+        before the book's: ``DriftExplorer(presets={"My triad": {"m12": 1.0}})`` opens with yours.
+
+    Raises
+    ------
+    ValueError
+        If there is no such preset, or a control or a value of yours is none of the panel's.
     """
 
     title: ClassVar[str]
@@ -81,14 +88,17 @@ class Explorer(widgets.VBox):
         """Return the Python lines that compute the same."""
         raise NotImplementedError
 
-    def __init__(self, preset: str | None = None) -> None:
+    def __init__(
+        self, preset: str | None = None, *, presets: Mapping[str, Values] | None = None
+    ) -> None:
         """Open the panel with a preset; any other values come by the sliders or by `set`."""
-        if preset is not None and preset not in self.presets:
-            raise ValueError(f"preset: expected one of {', '.join(self.presets)}, got {preset!r}.")
+        offered = offered_presets(self.controls, self.presets, presets or {})
+        if preset is not None and preset not in offered:
+            raise ValueError(f"preset: expected one of {', '.join(offered)}, got {preset!r}.")
         self._widgets = {control.name: control.widget() for control in self.controls}
         starts = {control.name: control.start for control in self.controls}
-        self._presets = {name: {**starts, **values} for name, values in self.presets.items()}
-        opening = self._presets[preset or next(iter(self.presets))]
+        self._presets = {name: {**starts, **values} for name, values in offered.items()}
+        opening = self._presets[preset or next(iter(offered))]
         self._setting = False  # whether it is this object that moves the widgets
         self._results = Results(("", ""), ())
         self.page = Page(layout={"display": "none"})
@@ -99,7 +109,8 @@ class Explorer(widgets.VBox):
         self.headline = _with_class(widgets.HTML(), "driftlab-headline")
         self.text = widgets.HTML()
         self.code = widgets.HTML()
-        self.paper = widgets.HTML(self._how_to_save())
+        drawn = issubclass(self.picture_class, Picture)
+        self.paper = widgets.HTML(how_to_save(type(self).__name__, drawn=drawn))
         self.preset = widgets.Dropdown(
             options=[("own values", ""), *((name, name) for name in self._presets)],
             description="preset",
@@ -171,11 +182,7 @@ class Explorer(widgets.VBox):
         ValueError
             If there is no such control, or its value is out of range.
         """
-        controls = {control.name: control for control in self.controls}
-        for name, value in values.items():
-            if name not in controls:
-                raise ValueError(f"values: expected names from {', '.join(controls)}, got {name}.")
-            controls[name].check(value)
+        check_values(self.controls, values)
         self._setting = True
         try:
             for name, value in values.items():
@@ -221,14 +228,6 @@ class Explorer(widgets.VBox):
                 raise ValueError(f"width: expected None for what plays on a page, got {width!r}.")
         path.write_bytes(picture)
         return path
-
-    def _how_to_save(self) -> str:
-        drawn = issubclass(self.picture_class, Picture)
-        arguments = '"picture.pdf", width=3.5' if drawn else '"picture.svg"'
-        return (
-            f"<p>To keep this picture: <code>panel = {type(self).__name__}()</code>, and then "
-            f"<code>panel.save({html.escape(arguments)})</code>.</p>"
-        )
 
     def _moved(self, _: Any = None) -> None:
         if not self._setting:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import io
 from collections.abc import Sequence
 from pathlib import Path
@@ -38,3 +39,12 @@ def picture_file(
     with matplotlib.rc_context(sheet.style):
         figure.savefig(buffer, format=ending, metadata=known[ending])
     return buffer.getvalue()
+
+
+def how_to_save(panel: str, *, drawn: bool) -> str:
+    """Return a line of HTML that says how a panel's picture is kept; `drawn` by Matplotlib."""
+    arguments = '"picture.pdf", width=3.5' if drawn else '"picture.svg"'
+    return (
+        f"<p>To keep this picture: <code>panel = {panel}()</code>, and then "
+        f"<code>panel.save({html.escape(arguments)})</code>.</p>"
+    )

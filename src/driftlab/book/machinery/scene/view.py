@@ -81,8 +81,10 @@ class SceneExplorer(Explorer):
     folded: ClassVar[bool] = False
     """Whether the sliders wait behind a line to click, because the handles do the same."""
 
-    def __init__(self, preset: str | None = None) -> None:
-        super().__init__(preset)
+    def __init__(
+        self, preset: str | None = None, *, presets: Mapping[str, Values] | None = None
+    ) -> None:
+        super().__init__(preset, presets=presets)
         self.view.widget.on_msg(self._asked)
 
     def _rows(self) -> list[widgets.Box]:
