@@ -178,7 +178,7 @@ def test_presets_of_ones_own_stand_before_the_books():
 @pytest.mark.parametrize(
     ("presets", "words"),
     [
-        ({"a": {"m99": 1.0}}, r"^presets: expected names from azimuth, .*, got m99"),
+        ({"a": {"m99": 1.0}}, r"^presets: expected names from m11, .*, got m99"),
         ({"a": {"azimuth": 1e9}}, r"^azimuth: expected"),
         ({"azimuth": 1.0}, r"^presets: expected values by control for each name, got "),
         ([1], r"^presets: expected values by control for each name, got \[1\]"),
