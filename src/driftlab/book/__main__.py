@@ -1,4 +1,4 @@
-"""What is written from the book: ``python -m driftlab.book figures`` or ``... errata``."""
+"""What is written from the book: ``python -m driftlab.book figures``, ``errata``, ``questions``."""
 
 from __future__ import annotations
 
@@ -73,6 +73,15 @@ def write_errata(file: Path) -> None:
     print(f"Written: {file}")
 
 
+def write_questions(folder: Path, students: int) -> None:
+    """Write the exercises as a question bank for Moodle and for Canvas."""
+    try:
+        from .instructors.question_bank import write_question_bank
+    except ModuleNotFoundError:
+        raise SystemExit("A student's copy of the book makes no question bank.") from None
+    write_question_bank(folder, students=students)
+
+
 def main() -> None:
     """Do what the command line says."""
     parser = argparse.ArgumentParser(prog="python -m driftlab.book", description=__doc__)
@@ -89,9 +98,15 @@ def main() -> None:
             required=not AT_HOME,
             help="where to write it; the project's own place if it is run there",
         )
-        command.set_defaults(write=write)
+        command.set_defaults(run=lambda options, write=write: write(options.output))
+    bank = commands.add_parser("questions", help=write_questions.__doc__)
+    bank.add_argument("folder", type=Path, help="where to write it")
+    bank.add_argument(
+        "--students", type=int, default=20, help="variants, where students can have their own"
+    )
+    bank.set_defaults(run=lambda options: write_questions(options.folder, options.students))
     options = parser.parse_args()
-    options.write(options.output)
+    options.run(options)
 
 
 if __name__ == "__main__":
