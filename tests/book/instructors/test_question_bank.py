@@ -135,30 +135,33 @@ def test_variants_show_their_numbers(bank, moodle):
         assert f"<code>{name}</code>: <code>{value}</code>" in text
 
 
-def test_text2qti_reads_the_quiz(bank):
+def test_text2qti_reads_the_quiz_of_a_class():
     package = pytest.importorskip("text2qti.quiz", reason="text2qti is not installed.")
     from text2qti.config import Config
 
-    plain = [each for each in bank[0] if fits(each)]
+    plain = [each for each in questions(NOTEBOOKS, students=30)[0] if fits(each)]
     quiz = package.Quiz(quiz_text(plain), config=Config(), source_name="quiz")
-    asked = {
-        each.title_raw: each
-        for part in quiz.questions_and_delims
-        for each in [part]
-        if hasattr(each, "title_raw") and hasattr(each, "choices")
-    }
+    read = {}
+    for part in quiz.questions_and_delims:
+        if isinstance(part, package.Question):
+            read[part.title_raw] = part
     for each in plain:
+        count = len(each.numbers)
         for which, number in enumerate(each.numbers, start=1):
-            count = len(each.numbers)
-            title = each.title + (f", number {which} of {count}" if count > 1 else "")
-            read = asked[title]
-            low, high = float(read.numerical_min_html_xml), float(read.numerical_max_html_xml)
+            one = read[each.title + (f", number {which} of {count}" if count > 1 else "")]
+            low, high = float(one.numerical_min_html_xml), float(one.numerical_max_html_xml)
             assert low <= number.right <= high
             assert high - low == pytest.approx(2 * number.tolerance, rel=0.1)
         if each.statements:
-            assert [one.correct for one in asked[each.title].choices] == [
-                one.true for one in each.statements
-            ]
+            choices = [one.correct for one in read[each.title].choices]
+            assert choices == [one.true for one in each.statements]
+
+
+def test_no_two_variants_are_the_same():
+    variants = [each for each in questions(NOTEBOOKS, students=60)[0] if each.variant]
+    assert len({each.text for each in variants}) == len(variants)
+    assert [each.variant for each in variants[:60]] == list(range(1, 61)), "those of 3.4"
+    assert 20 < sum(each.exercise == "4.6" for each in variants) < 60
 
 
 def test_files_of_the_command(tmp_path):

@@ -86,7 +86,7 @@ def _gap(number: Number) -> str:
     """A number in Moodle's language for gaps in a text, HTML about it."""
     answers = [f"={_written(number.right)}:{_written(number.tolerance)}"]
     for slip in number.slips:
-        says = re.sub(r"([\\}~#])", r"\\\1", in_html(slip.says, block=False))
+        says = re.sub(r"([}~#])", r"\\\1", in_html(slip.says, block=False))
         answers.append(f"%0%{_written(slip.value)}:{_written(slip.tolerance)}#{says}")
     return f"{{1:NUMERICAL:{'~'.join(answers)}}}"
 

@@ -102,7 +102,8 @@ def questions(notebooks: Path, students: int) -> tuple[list[Question], dict[str,
     notebooks : Path
         The folder of the chapters, whose text is taken.
     students : int
-        How many variants are made where students can have numbers of their own.
+        How many variants are drawn where students can have numbers of their own; of two that are
+        the same one is kept.
     """
     texts = exercise_texts(notebooks)
     asked: list[Question] = []
@@ -115,7 +116,9 @@ def questions(notebooks: Path, students: int) -> tuple[list[Question], dict[str,
             asked.append(_choice(number, exercise, texts[number]))
         elif isinstance(exercise, Value):
             variants = range(1, students + 1) if exercise.given else (0,)
-            asked += [_value(number, exercise, texts[number], each) for each in variants]
+            made = [_value(number, exercise, texts[number], each) for each in variants]
+            # Round numbers are few, so two variants may have drawn the same.
+            asked += reversed({each.text: each for each in reversed(made)}.values())
     return asked, left_out
 
 
@@ -160,15 +163,19 @@ def _choice(number: str, exercise: Choice, text: str) -> Question:
 
 def _value(number: str, exercise: Value, text: str, variant: int) -> Question:
     name = f"variant {variant}" if variant else ""
+    right: Any
     right, mistakes = computed(exercise, name)
     tolerance = np.broadcast_to(exercise.tolerance(right), right.shape)
     right = np.where(np.abs(right) < 1e-9 * np.abs(right).max(), 0, right)
     if exercise.any_order:
         right, text = np.sort(right), f"{text}\n\nGive them from the smallest to the largest."
     numbers = tuple(
-        Number(float(right[i]), float(tolerance[i]), tuple(found))
-        for i in np.ndindex(right.shape)
-        for found in [_slips(exercise, right, mistakes, tolerance, i)]
+        Number(
+            float(right[at]),
+            float(tolerance[at]),
+            tuple(_slips(exercise, right, mistakes, tolerance, at)),
+        )
+        for at in np.ndindex(right.shape)
     )
     if variant:
         text = f"{text}\n\n{_own_numbers(exercise, name)}"

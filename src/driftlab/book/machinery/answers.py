@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .exercise import Exercise, Objection, Said, key_of, rows
 from .given_numbers import GivenNumbers
@@ -84,11 +85,11 @@ class Value(Exercise):
         reason = reason or how_far_off(given, right, parts, any_order=self.any_order)
         return Objection(reason, rows(parts))
 
-    def tolerance(self, right: Numbers) -> Numbers:
+    def tolerance(self, right: Numbers) -> NDArray[np.float64]:
         """Return by how much each entry may be off: one number for all, or one for each."""
         absolute = np.asarray(self.absolute, dtype=float)
         part = self.accuracy or (0.0 if absolute.any() else 1e-3)
-        return np.maximum(part * np.abs(right).max(), absolute)
+        return np.maximum(part * float(np.abs(right).max()), absolute)
 
     def _read_panel(self, values: Mapping[str, Any]) -> Any:
         if self.from_panel is None:
