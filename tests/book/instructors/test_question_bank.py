@@ -131,6 +131,7 @@ def test_formulas_and_signs_survive():
 def test_variants_show_their_numbers(bank, moodle):
     numbers = given("4.6", student="variant 2")
     text = moodle["Exercise 4.6, variant 2"].findtext("questiontext/text")
+    assert "The unit is arc seconds." in text
     for name, value in numbers.items():
         assert f"<code>{name}</code>: <code>{value}</code>" in text
 

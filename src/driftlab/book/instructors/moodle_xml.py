@@ -41,8 +41,6 @@ def _add(quiz: ET.Element, question: Question) -> None:
     one = ET.SubElement(quiz, "question", type="cloze" if cloze else kind)
     _text(one, "name", question.title)
     asks = in_html(question.text)
-    if question.unit != "1":
-        asks += f"<p>In {html.escape(question.unit)}.</p>"
     if cloze:
         gaps = "".join(f"<li>{_gap(each)}</li>" for each in question.numbers)
         asks += f"<p>Your numbers, in this order:</p><ol>{gaps}</ol>"

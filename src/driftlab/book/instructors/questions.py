@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -38,7 +38,7 @@ class Number:
     Attributes
     ----------
     right, tolerance : float
-        In the unit of the question.
+        In the unit that the question asks for.
     slips : tuple of Slip
         Likely wrong ones; the first that is met counts, and none is right.
     """
@@ -71,8 +71,6 @@ class Question:
         0 if all students have the same numbers.
     text : str
         Markdown, with formulas in LaTeX between dollar signs.
-    unit : str
-        That of the numbers; "1" for pure numbers.
     numbers : tuple of Number
     statements : tuple of Statement
         One of these two is empty.
@@ -83,7 +81,6 @@ class Question:
     exercise: str
     variant: int
     text: str
-    unit: str
     numbers: tuple[Number, ...]
     statements: tuple[Statement, ...]
     remark: str
@@ -143,6 +140,8 @@ def _why_not(exercise: Exercise) -> str:
         return "it asks neither for numbers nor for a choice"
     if exercise.quaternion:
         return "a quaternion has two right signs"
+    if exercise.any_order:
+        return "its numbers may come in any order"
     right, _ = computed(exercise)
     return "it asks for many numbers" if right.ndim > 1 or right.size > MOST_NUMBERS else ""
 
@@ -158,7 +157,7 @@ def _choice(number: str, exercise: Choice, text: str) -> Question:
         for letter, says in _STATEMENT.findall(text)
     )
     asks = _STATEMENT.sub("", text).strip()
-    return Question(number, 0, _signed(number, asks), "1", (), statements, exercise.remark)
+    return Question(number, 0, _signed(number, asks), (), statements, exercise.remark)
 
 
 def _value(number: str, exercise: Value, text: str, variant: int) -> Question:
@@ -167,32 +166,34 @@ def _value(number: str, exercise: Value, text: str, variant: int) -> Question:
     right, mistakes = computed(exercise, name)
     tolerance = np.broadcast_to(exercise.tolerance(right), right.shape)
     right = np.where(np.abs(right) < 1e-9 * np.abs(right).max(), 0, right)
-    if exercise.any_order:
-        right, text = np.sort(right), f"{text}\n\nGive them from the smallest to the largest."
+    likely = [*mistakes, *slips(right, unit=exercise.unit)]
     numbers = tuple(
         Number(
             float(right[at]),
             float(tolerance[at]),
-            tuple(_slips(exercise, right, mistakes, tolerance, at)),
+            tuple(_slips_at(at, right, float(tolerance[at]), likely)),
         )
         for at in np.ndindex(right.shape)
     )
     if variant:
         text = f"{text}\n\n{_own_numbers(exercise, name)}"
-    return Question(
-        number, variant, _signed(number, text), exercise.unit, numbers, (), exercise.remark
-    )
+    if exercise.unit != "1":
+        text = f"{text}\n\nThe unit is {exercise.unit}."
+    return Question(number, variant, _signed(number, text), numbers, (), exercise.remark)
 
 
-def _slips(
-    exercise: Value, right: Any, mistakes: Any, tolerance: Any, at: tuple[int, ...]
-) -> Iterator[Slip]:
-    """The slips that make one of the numbers another one."""
-    for says, value in [*mistakes, *slips(right, unit=exercise.unit)]:
+def _slips_at(
+    at: tuple[int, ...], right: Any, tolerance: float, likely: Sequence[tuple[str, Any]]
+) -> list[Slip]:
+    """What makes one of the numbers another one; of two that make the same, the first."""
+    found: list[Slip] = []
+    for says, value in likely:
         if value.shape == right.shape and np.isfinite(value[at]):
-            wrong = np.sort(value) if exercise.any_order else value
-            if abs(wrong[at] - right[at]) > tolerance[at]:
-                yield Slip(float(wrong[at]), float(tolerance[at] * exactness(right, value)), says)
+            wrong = float(value[at])
+            known = [(float(right[at]), tolerance), *((s.value, s.tolerance) for s in found)]
+            if all(abs(wrong - other) > near for other, near in known):
+                found.append(Slip(wrong, tolerance * exactness(right, value), says))
+    return found
 
 
 def _own_numbers(exercise: Value, name: str) -> str:

@@ -53,13 +53,10 @@ def _questions(question: Question) -> list[str]:
 
 def _number(question: Question, which: int, number: Number) -> str:
     count = len(question.numbers)
-    title, asks = question.title, ""
+    title, text = question.title, question.text
     if count > 1:
         title += f", number {which} of {count}"
-        asks = f"**Of the {count} numbers give number {which} here.** "
-    if question.unit != "1":
-        asks += f"In {question.unit}."
-    text = f"{question.text}\n\n{asks}".strip()
+        text += f"\n\n**Of the {count} numbers give number {which} here.**"
     return (
         f"Title: {title}\n{_hanging('1.', text)}{_remark(question)}"
         f"= {number.right:.10g} +- {number.tolerance:.10g}\n"
