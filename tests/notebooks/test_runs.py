@@ -32,6 +32,7 @@ from places import PLACES, Place
 from twin import Panel
 
 from driftlab.book.exercises import all_exercises
+from driftlab.book.machinery.answers import Choice
 from driftlab.book.machinery.panel import ERROR_CLASS
 from driftlab.book.panels import EXPLORERS
 
@@ -153,16 +154,28 @@ def exercises_of(path: Path) -> dict[str, str]:
 def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
     path, notebook = run.path, run.notebook
     expected = exercises_of(path)
-    asked = re.findall(r"^### ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
+    asked = re.findall(r"^### ([\d.]+[a-z]?) (\w+)$", markdown(path), flags=re.MULTILINE)
     assert asked == list(expected.items()), (
         'headings such as "### 3.1 Compute" do not agree with EXERCISES of the chapter, number '
         "and kind, in their order"
     )
     code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
-    checked = re.findall(r'^answer = \.\.\.\ncheck\("([\d.]+)", answer\)', code, re.MULTILINE)
-    assert checked == list(expected), (
+    because = r"because = \.\.\.  # why, in your own words\n"
+    checked = re.findall(
+        rf'^answer = \.\.\.\n({because})?check\("([\d.]+[a-z]?)", answer(, because=because)?\)$',
+        code,
+        re.MULTILINE,
+    )
+    assert [number for _, number, _ in checked] == list(expected), (
         "each exercise of the chapter needs a cell that ends in the two lines\n"
         'answer = ...\ncheck("3.1", answer)\nand nothing more in them, comments neither.'
+    )
+    asks_why = [number for line, number, said in checked if line and said]
+    exercises = all_exercises(path.name[:2])
+    assert asks_why == [n for n, each in exercises.items() if isinstance(each, Choice)], (
+        "where statements are chosen, and only there, the cell ends in the three lines\n"
+        "answer = ...\nbecause = ...  # why, in your own words\n"
+        'check("3.3", answer, because=because)'
     )
     printed = [text for cell in notebook.cells for text in printed_by(cell)]
     assert printed.count("not answered yet.") == len(expected)

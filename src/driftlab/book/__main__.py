@@ -1,4 +1,4 @@
-"""What is written from the book: ``python -m driftlab.book figures``, ``errata`` or ``class``."""
+"""What is written from the book: ``python -m driftlab.book figures``, ``errata``, ``class`` ..."""
 
 from __future__ import annotations
 
@@ -92,6 +92,15 @@ def write_class_report(folder: Path, roster: Path | None, output: Path | None) -
     print(f"{report}\n\nWritten: {written}")
 
 
+def write_questions(folder: Path, students: int) -> None:
+    """Write the exercises as a question bank for Moodle and for Canvas."""
+    try:
+        from .instructors.question_bank import write_question_bank
+    except ModuleNotFoundError:
+        raise SystemExit("A student's copy of the book makes no question bank.") from None
+    write_question_bank(folder, students=students)
+
+
 def main() -> None:
     """Do what the command line says."""
     parser = argparse.ArgumentParser(prog="python -m driftlab.book", description=__doc__)
@@ -101,6 +110,12 @@ def main() -> None:
     a_class.add_argument("--roster", type=Path, help="a CSV file with the names of the class")
     a_class.add_argument("--output", "-o", type=Path, help="else FOLDER-report, beside it")
     a_class.set_defaults(write=write_class_report)
+    bank = commands.add_parser("questions", help=write_questions.__doc__)
+    bank.add_argument("folder", type=Path, help="where to write it")
+    bank.add_argument(
+        "--students", type=int, default=20, help="variants, where students can have their own"
+    )
+    bank.set_defaults(write=write_questions)
     for name, write, default in (
         ("figures", write_figures, "figures"),
         ("errata", write_errata, "ERRATA.md"),

@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .exercise import Exercise, Objection, Said, key_of, rows
 from .given_numbers import GivenNumbers
@@ -75,9 +76,7 @@ class Value(Exercise):
         if values is not None:
             answer = self._read_panel(values)
         given = fit(read(numbers, answer), right)
-        absolute = np.asarray(self.absolute, dtype=float)
-        part = self.accuracy or (0.0 if absolute.any() else 1e-3)
-        tolerance = np.maximum(part * np.abs(right).max(), absolute)
+        tolerance = self.tolerance(right)
         same = {"quaternion": self.quaternion, "any_order": self.any_order}
         reason = find_slip(given, right, slips, tolerance=tolerance, unit=self.unit, **same)
         if reason is None:
@@ -85,6 +84,12 @@ class Value(Exercise):
         parts = matches(given, right, tolerance, **same)
         reason = reason or how_far_off(given, right, parts, any_order=self.any_order)
         return Objection(reason, rows(parts))
+
+    def tolerance(self, right: Numbers) -> NDArray[np.float64]:
+        """Return by how much each entry may be off: one number for all, or one for each."""
+        absolute = np.asarray(self.absolute, dtype=float)
+        part = self.accuracy or (0.0 if absolute.any() else 1e-3)
+        return np.maximum(part * float(np.abs(right).max()), absolute)
 
     def _read_panel(self, values: Mapping[str, Any]) -> Any:
         if self.from_panel is None:

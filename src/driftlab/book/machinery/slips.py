@@ -85,10 +85,7 @@ def find_slip(
         yield from _two_slips(mistakes, unit)
 
     for says, value in candidates():
-        # A mistake is as exact as the answer would be, each by its own size; zero is rather exact.
-        size, other = float(np.abs(right).max()), float(np.abs(value).max())
-        scale = max(other / size, 1e-6) if size > 0 else 1.0
-        if agree(value, tolerance * scale):
+        if agree(value, tolerance * exactness(right, value)):
             return says
     # Close is a fiftieth off, but never finer than twice a generous tolerance, and of a fine one
     # no more than ten times, or four digits.
@@ -96,6 +93,15 @@ def find_slip(
     if not any_order and agree(right, np.clip(0.02 * np.abs(right), 2 * tolerance, most)):
         return "Close: more digits are needed, a finer look, or a small term that was left out."
     return ""
+
+
+def exactness(right: NDArray[Any], value: NDArray[Any]) -> float:
+    """Return by how much the tolerance of a mistake is larger than that of the right answer.
+
+    A mistake is as exact as the answer would be, each by its own size; zero is rather exact.
+    """
+    size, other = float(np.abs(right).max()), float(np.abs(value).max())
+    return max(other / size, 1e-6) if size > 0 else 1.0
 
 
 def slips(
