@@ -9,6 +9,7 @@ from __future__ import annotations
 import html
 import json
 import re
+import unicodedata
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -32,6 +33,8 @@ ASKS = re.compile(
     r"^((answer|because) = \.\.\..*|check\(.*|from driftlab\.book import check)\n*", re.M
 )
 """Lines of a cell that waits, but also names the letters in which it is to be answered."""
+NO_FONT = re.compile(r"[\u0590-\u0dff\u3040-\ud7af]")
+"""Letters of a name, say, in an alphabet that no font of the book has."""
 REMARK = re.compile(r"</div><div>(.*?)</div>", re.S)
 SAID_TO_THE_READER = ("You had it", "Your first guess", "The section that helps", "<details>")
 ON_PAPER = (
@@ -127,7 +130,7 @@ def _output(output: NotebookNode, source: str, name: str, folder: Path) -> Itera
     data = output.get("data", {})
     if output.output_type == "stream":
         if words := PROGRESS.sub("", output.text).rstrip("\n"):
-            yield call("output", words)
+            yield call("output", NO_FONT.sub(_box, words))
     elif "text/html" in data:
         yield from _html(data["text/html"], source, name, folder)
     elif "text/latex" in data:
@@ -137,6 +140,13 @@ def _output(output: NotebookNode, source: str, name: str, folder: Path) -> Itera
         yield tight(data["text/markdown"])
     elif "text/plain" in data and not any("widget-view" in kind for kind in data):
         yield call("output", data["text/plain"])
+
+
+def _box(letter: re.Match[str]) -> str:
+    """A box in place of a letter, as wide as it would be; an accent has no width."""
+    if unicodedata.combining(letter[0]) or unicodedata.category(letter[0]) == "Mc":
+        return ""
+    return "□ " if unicodedata.east_asian_width(letter[0]) == "W" else "□"
 
 
 def _html(markup: str, source: str, name: str, folder: Path) -> Iterator[str]:

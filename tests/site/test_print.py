@@ -17,6 +17,7 @@ from test_pdf import SIDES, text_of, words
 from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises, hints_of
 from executed import FOLDER, notebooks
+from pdf.cells import markdown_of
 from pdf.sheet import sheet
 from support import ROOT
 
@@ -205,3 +206,11 @@ def test_what_cannot_be_printed_is_said_in_one_sentence(made, arguments):
 
 def test_what_is_printed_is_ignored_by_git():
     assert "/_print\n" in (ROOT / ".gitignore").read_text("utf-8")
+
+
+def test_letters_that_no_font_has_are_boxes_of_their_width(tmp_path):
+    cell = nbformat.v4.new_code_cell("print(report)")
+    names = "Ада 王 שיר क़ल Nguyễn\n"
+    cell.outputs = [nbformat.v4.new_output("stream", name="stdout", text=names)]
+    paper = markdown_of(nbformat.v4.new_notebook(cells=[cell]), "label", tmp_path)
+    assert "Ада □  □□□ □□ Nguyễn" in paper
