@@ -45,7 +45,7 @@ def _other_part(latitude: float, table_rate: float, share: float | None = None) 
 
 def _southern_table(rng: np.random.Generator) -> dict[str, float]:
     # South and clockwise, as what is said of the mistakes has it.
-    latitude, table_rate = rng.integers(290, 400) / 10, rng.choice([8.0, 12.0, 15.0, 25.0])
+    latitude, table_rate = rng.integers(315, 400) / 10, rng.choice([8.0, 12.0, 15.0, 25.0])
     return {"latitude": -float(latitude), "table_rate": -float(table_rate)}
 
 

@@ -60,7 +60,7 @@ def _waiting(
 def _some_cable(rng: np.random.Generator) -> dict[str, float]:
     # A turn between a quarter and a half, far from both, and no part so small that it hides.
     return {
-        "turn": round(rng.uniform(114, 130)),
+        "turn": round(rng.uniform(118, 130)),
         "turn_deviation": round(rng.uniform(0.11, 0.126), 3),
         "random_walk": round(rng.uniform(0.003, 0.007), 4),
         "drift_change": round(rng.uniform(0.005, 0.006), 4),

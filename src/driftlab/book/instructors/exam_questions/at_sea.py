@@ -6,7 +6,7 @@ import numpy as np
 from numpy.random import Generator
 from scipy.constants import hour, knot, minute
 
-from driftlab.earth import EARTH_RATE, gravity
+from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass.alignment import align, alignment_errors
 from driftlab.gyrocompass.gains import schuler_gains
 from driftlab.gyrocompass.heading_error import speed_error
@@ -68,7 +68,8 @@ def at_rest(draw: Generator) -> Question:
             ),
             Part(
                 f"The angle random walk of the gyros is {walk} degrees per root hour. How many "
-                f"minutes must be averaged until its part in the heading is {wanted}°?",
+                "minutes must be averaged until its part in the heading, one standard deviation, "
+                f"is {wanted}°?",
                 r"$T = (N/(U\cos\varphi\,\sigma))^2$ with $\sigma$ in radians.",
                 (Answer("the time", float(time), "minutes"),),
                 ((1, "the number"),),
@@ -89,6 +90,7 @@ def under_way(draw: Generator) -> Question:
     card = np.radians(COURSES[course])
     velocity = knots * knot * np.array([np.cos(card), np.sin(card)])
     error = abs(float(speed_error(latitude, velocity)))
+    simple = abs(velocity[0]) / (EARTH_RADIUS * EARTH_RATE * np.cos(latitude))
     side = "West" if velocity[0] > 0 else "East"
     wrong_log = abs(float(speed_error(latitude, (1 + percent / 100) * velocity))) - error
     schuler = float(np.sqrt(gravity(latitude) * schuler_gains().integral))
@@ -114,7 +116,7 @@ def under_way(draw: Generator) -> Question:
                 (
                     (1, "only the part of the velocity along the meridian turns North away"),
                     (1, r"$v_N/(R\,U\cos\varphi)$; leaving out $v_E$ there costs nothing"),
-                    (1, "the number, and the side"),
+                    (1, f"the number, or {shown(np.degrees(simple))} without $v_E$, and the side"),
                 ),
                 (
                     f"The whole speed in place of its part ({shown(np.degrees(error) * 2**0.5)}, "
@@ -124,9 +126,16 @@ def under_way(draw: Generator) -> Question:
             Part(
                 f"The error is taken off with a log that reads {percent} per cent too much. How "
                 "large is the error that is left, in arc minutes?",
-                "The correction is too large by the same part.",
+                "The correction is too large by the same part, and by a little more where $v_E$ "
+                "is counted in the level rate.",
                 (Answer("the error that is left", 60 * np.degrees(wrong_log), "arc minutes"),),
-                ((1, "the number"),),
+                (
+                    (
+                        1,
+                        "the number, or the error times the per cent "
+                        f"({shown(60 * np.degrees(error) * percent / 100)})",
+                    ),
+                ),
                 ("The error that is left given with the opposite sense: nothing off.",),
             ),
             Part(

@@ -153,10 +153,13 @@ def calibration_step(draw: Generator) -> Question:
     angle, bias = float(draw.integers(2, 6)), float(draw.integers(2, 6))
     time = float(draw.choice([2.0, 3.0]))
     noise = float(draw.integers(3, 8))
-    measured = float(draw.choice([-1, 1]) * draw.integers(6, 20))
     transition = np.array([[1.0, time], [0.0, 1.0]])
     before = predict(np.diag([angle**2, bias**2]), transition, np.zeros((2, 2)))
-    update = correct(before, [measured], [[1.0, 0.0]], [[noise**2]])
+    nis = 4.0
+    while abs(nis - 4) < 0.5:  # or rounding would decide what to think of it
+        measured = float(draw.choice([-1, 1]) * draw.integers(6, 20))
+        update = correct(before, [measured], [[1.0, 0.0]], [[noise**2]])
+        nis = float(update.nis)
     after = np.sqrt(np.diag(update.covariance))
     spread = np.sqrt(before[0, 0] + noise**2)
     uncoupled = measured * bias**2 / (bias**2 + noise**2)

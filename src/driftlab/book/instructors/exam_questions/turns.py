@@ -161,8 +161,8 @@ def worst_axis(draw: Generator) -> Question:
         rf"The errors of a triad are $M = {matrix(entries)}$ arc seconds.",
         (
             Part(
-                "Which number of $M$ says nothing about the drift, to first order? Split $M$ so "
-                "that it shows, and say in one sentence why that part does not drift.",
+                "Which part of $M$ says nothing about the drift, to first order? Split it off, so "
+                "that its size shows, and say in one sentence why that part does not drift.",
                 rf"The skew part, with $\pm{abs(skew)}''$ at the two places beside the diagonal. "
                 r"$n^TMn$ of a skew matrix is zero: it turns the triad as a whole, and the error "
                 "is the same again after each turn. The symmetric part keeps "
