@@ -8,6 +8,7 @@ import json
 import re
 import zipfile
 from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path, PurePosixPath
 
 from bootstrap.steps import HOME, Trouble, say
@@ -24,6 +25,10 @@ LEFT_OUT = (
     *("notebooks/solutions", "notebooks/instructors", "notebooks/for_instructors.ipynb"),
     *("notebooks/for_your_course.ipynb", "src/driftlab/book/instructors"),
 )
+KINDS = {"notebooks": ("*.ipynb",), "figures": ("*.svg", "*.csv", "*.md")}
+"""What is taken of folders in which a teacher may have files of another kind, marks say."""
+MODEL = re.compile(r'^model = ("""[\s\S]*?"""|"(?:[^"\\]|\\.)*")\n', re.M)
+"""How the book answers in words, in a file of hints."""
 MADE = ("__pycache__", ".ipynb_checkpoints", "guesses.json")
 LINK = re.compile(r"\[([^\]]*)\]\(([^)\s#]+)(#[^)\s]*)?\)")
 
@@ -62,6 +67,8 @@ def student_files() -> Iterator[tuple[str, bytes]]:
             content = _notebook(content.decode(), PurePosixPath(name).parent, known).encode()
         elif name.endswith(".md"):
             content = without_links(content.decode(), PurePosixPath(name).parent, known).encode()
+        elif name.endswith("/hints.toml"):
+            content = MODEL.sub("", content.decode()).encode()
         yield name, content
 
 
@@ -91,7 +98,9 @@ def _flat(path: PurePosixPath) -> PurePosixPath:
 def _names() -> Iterator[str]:
     for taken in TAKEN:
         path = HOME / taken
-        for file in [path] if path.is_file() else sorted(path.rglob("*")):
+        kinds = KINDS.get(taken)
+        inside = chain.from_iterable(map(path.glob, kinds)) if kinds else path.rglob("*")
+        for file in [path] if path.is_file() else sorted(inside):
             name = file.relative_to(HOME).as_posix()
             if file.is_file() and not name.startswith(LEFT_OUT) and not {*file.parts} & {*MADE}:
                 yield name

@@ -5,6 +5,7 @@ import json
 import re
 import subprocess
 import sys
+import tomllib
 import zipfile
 from pathlib import Path, PurePosixPath
 
@@ -67,7 +68,7 @@ def test_exercises_answer_in_it_and_no_module_asks_for_what_is_left_out(copy: Pa
     found = subprocess.run(command, capture_output=True, text=True, cwd=copy)
     assert found.stdout.startswith("Exercise 3.3: right."), found.stderr
     for path in (copy / "src").rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        for node in ast.parse(path.read_text("utf-8")).body:  # what is imported at once
             if isinstance(node, ast.ImportFrom):
                 assert "instructors" not in f"{node.module}", path
 
@@ -101,3 +102,23 @@ def test_it_takes_no_files_place(tmp_path: Path) -> None:
     assert target.read_text() == "mine"
     with pytest.raises(Trouble, match=r"cannot be written: No such file"):
         write_student_copy(tmp_path / "no/where.zip")
+
+
+def test_the_books_own_words_are_not_in_it_and_hints_are(copy: Path) -> None:
+    for path in (copy / "src").rglob("hints.toml"):
+        hints = tomllib.loads(path.read_text("utf-8"))
+        book = tomllib.loads((HOME / path.relative_to(copy)).read_text("utf-8"))
+        assert hints == {n: {k: v for k, v in e.items() if k != "model"} for n, e in book.items()}
+        assert any("model" in each for each in book.values())
+
+
+def test_files_that_are_not_the_books_stay_at_home(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    for name in ("notebooks/autumn/gradebook.csv", "notebooks/marks.csv", "notebooks/03.ipynb"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text('{"cells": []}')
+    (tmp_path / "release").mkdir()
+    (tmp_path / "release/STUDENT.md").write_text("")
+    monkeypatch.setattr("bootstrap.student.HOME", tmp_path)
+    assert {name for name, _ in student_files()} == {"README.md", "notebooks/03.ipynb"}

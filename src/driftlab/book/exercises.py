@@ -121,7 +121,7 @@ def check(
         well. ``...`` stands for an answer that is still missing.
     because : str
         Why, in your own words. They are kept with the answer; among statements, the reply goes
-        into what was chosen only for who has said why.
+        into what was chosen only for who has said why, in other words than of another choice.
     student : str
         The name with which `given` was asked for numbers of one's own.
     strict : bool
@@ -149,12 +149,13 @@ def check(
 def judged(number: str | float, answer: Any, progress: Progress, said: Said = NOTHING_SAID) -> Card:
     """Return the card that `check` shows; `progress` is what was answered, and takes note of it."""
     name, exercise = _exercise(number)
-    found = exercise.verdict(answer, said)
+    is_said = not said.because or progress.are_new(said.because, name, answer)
+    found = exercise.verdict(answer, said if is_said else said._replace(because=""))
     progress.note(name, answer, found)
     chapter = _chapter(name)
     right, count = progress.of(all_exercises(chapter))
     attempts = progress.attempts(name)
-    notes = []
+    notes = [] if is_said else ["These are your words on another answer: why this one?"]
     if found.right and exercise.kind == "predict":
         notes.append(progress.guess_against(name, answer))
     if said.student and getattr(exercise, "given", None):
@@ -234,8 +235,14 @@ def hint(number: str | float) -> None:
 
 
 def verdict(number: str | float, answer: Any, *, because: str = "", student: str = "") -> Verdict:
-    """Return what `check` says, and whether the answer is right; arguments as there."""
-    return _exercise(number)[1].verdict(answer, _said(because, student))
+    """Return what `check` says, and whether the answer is right; arguments as there.
+
+    It counts among the attempts that `check` shows.
+    """
+    name, exercise = _exercise(number)
+    found = exercise.verdict(answer, _said(because, student))
+    PROGRESS.count(name, answer, found)
+    return found
 
 
 def _said(because: Any, student: Any) -> Said:

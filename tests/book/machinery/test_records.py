@@ -8,7 +8,8 @@ import pytest
 import sympy as sp
 from IPython.core.formatters import DisplayFormatter
 
-from driftlab.book.exercises import judged
+from driftlab.book import exercises
+from driftlab.book.exercises import judged, verdict
 from driftlab.book.machinery.exercise import NOTHING_SAID, Said
 from driftlab.book.machinery.progress import Progress
 from driftlab.book.machinery.records import LONGEST, MIME
@@ -90,3 +91,25 @@ def test_attempts_are_different_answers():
 def test_card_says_with_whose_numbers_it_judges():
     assert "Judged with the numbers of Ada." in repr(judged("3.4", 1, Progress(), Said("", "Ada")))
     assert "numbers of" not in repr(judged("3.3", "a", Progress(), Said("", "Ada")))
+
+
+def test_words_on_one_choice_are_no_reason_for_another():
+    progress = Progress()
+    words = Said("One number a mounting.")
+    assert record("3.3", "abd", words, progress)["says"].startswith("(b) forgets")
+    assert record("3.3", "abd", words, progress)["says"].startswith("(b) forgets")
+    again = record("3.3", "acd", words, progress)
+    assert again["says"].startswith("At least one statement")
+    assert again["because"] == words.because
+    assert "your words on another answer" in repr(judged("3.3", "acd", progress, words))
+    assert record("3.3", "acd", Said("Three are enough."), progress)["says"].startswith(
+        "(c) counts"
+    )
+
+
+def test_a_verdict_counts_as_an_attempt(monkeypatch):
+    monkeypatch.setattr("driftlab.book.exercises.PROGRESS", Progress())
+    for letters in ("a", "ab", "abc"):
+        verdict("3.3", letters)
+    card = judged("3.3", "ad", exercises.PROGRESS)
+    assert card.record["attempt"] == 4

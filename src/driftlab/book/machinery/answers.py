@@ -113,8 +113,8 @@ def computed(exercise: Value, student: str = "") -> tuple[Numbers, list[tuple[st
 class Choice(Exercise):
     """One or several of the statements a, b, c, ... of the exercise.
 
-    Which letter is wrong is said only to who says why: otherwise the true ones could be found by
-    trying, and nothing be learned.
+    Which letter is wrong is said only to who says why, and only if it is the only one: without
+    that, trying finds the true ones sooner than thinking.
 
     Attributes
     ----------

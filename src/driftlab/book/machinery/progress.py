@@ -28,12 +28,15 @@ class Progress:
         How many hints were asked for.
     tried : dict of str to list of str
         Digests of the different answers that could be read.
+    reasons : dict of str to dict of str to str
+        What was said of an answer in words, and the digest of the answer.
     """
 
     right: dict[str, bool] = field(default_factory=dict)
     guesses: dict[str, str] = field(default_factory=dict)
     rungs: dict[str, int] = field(default_factory=dict)
     tried: dict[str, list[str]] = field(default_factory=dict)
+    reasons: dict[str, dict[str, str]] = field(default_factory=dict)
 
     def note(self, number: str, answer: Any, verdict: Verdict) -> None:
         """Remember a verdict, and of the first answer that can be read what it was."""
@@ -41,9 +44,19 @@ class Progress:
             self.right[number] = verdict.right
         if verdict.word in ("right", "not yet"):
             self.guesses.setdefault(number, as_text(answer))
+        self.count(number, answer, verdict)
+
+    def count(self, number: str, answer: Any, verdict: Verdict) -> None:
+        """Count an answer that can be read, if it is another than those before."""
+        if verdict.word in ("right", "not yet"):
             tried = self.tried.setdefault(number, [])
             if (digest := _digest(answer)) not in tried:
                 tried.append(digest)
+
+    def are_new(self, words: str, number: str, answer: Any) -> bool:
+        """Whether words on an answer are not those on another one before."""
+        said = self.reasons.setdefault(number, {})
+        return said.setdefault(words, _digest(answer)) == _digest(answer)
 
     def attempts(self, number: str) -> int:
         """How many different answers there were."""
