@@ -64,7 +64,12 @@ def rows(folder, **options):
     ],
 )  # fmt: skip
 def test_names_as_platforms_give_them(path, name, id_, file):
-    files, _ = handed_in([Found(tuple(path.split("/"))), Found(("Other", "x.ipynb"))])
+    other = "Other/x.ipynb"
+    if path.startswith(("all.zip", "canvas.zip")):  # what a platform packs has several students
+        other = path.replace("_12", "_13")
+    elif "submitted" in path:
+        other = "course/source/x.ipynb"
+    files, _ = handed_in([Found(tuple(each.split("/"))) for each in (path, other)])
     if "submitted" not in path:
         assert len(files) == 2
     assert (files[0].person.name, files[0].person.id, files[0].file) == (name, id_, file)
@@ -273,3 +278,71 @@ def test_an_empty_folder_and_a_list_without_names(tmp_path):
         class_report(tmp_path, roster=tmp_path / "r.csv")
     with pytest.raises(ValueError, match=r"^roster: .* cannot be read"):
         class_report(tmp_path, roster=tmp_path / "no.csv")
+
+
+def test_a_folder_called_submitted_is_a_students_own_unless_it_holds_the_class(tmp_path):
+    inside = {"submitted/hw/hw.ipynb": notebook(WRONG)}
+    put(tmp_path, {
+        **{f"Ada L{i}_{i}_assignsubmission_file_/03.ipynb": notebook() for i in range(4)},
+        "Eve X_9_assignsubmission_file_/hw.zip": zipped(inside),
+    })  # fmt: skip
+    assert set(rows(tmp_path)) == {"Ada L0", "Ada L1", "Ada L2", "Ada L3", "Eve X"}
+    put(tmp_path / "plain", {
+        "Ada/03.ipynb": notebook(), "Eve/submitted/hw/hw.ipynb": notebook(),
+    })  # fmt: skip
+    assert set(rows(tmp_path / "plain")) == {"Ada", "Eve"}
+
+
+def test_names_that_differ_in_an_accent_a_point_or_a_vowel_are_several_students(tmp_path):
+    names = ["राम", "रमा", "Jan Müller", "Jan Muller", "jo.hann", "johann", "1-1", "11"]
+    put(tmp_path, {f"{name}/03.ipynb": notebook() for name in names})
+    assert set(rows(tmp_path)) == set(names)
+
+
+def test_who_handed_in_nothing_but_a_moment_has_a_row(tmp_path):
+    put(tmp_path, {
+        "submitted/ann/ps1/hw.ipynb": notebook(),
+        "submitted/bob/ps1/timestamp.txt": b"2026-01-30 15:30:10 UTC",
+    })  # fmt: skip
+    found = rows(tmp_path)
+    assert set(found) == {"ann", "bob"}
+    assert found["bob"].notes == ["Nothing was handed in."]
+
+
+def test_nobody_takes_the_row_of_another(tmp_path):
+    put(tmp_path, {
+        "bob.ipynb": notebook(WRONG),
+        "eve.ipynb": notebook(title="# Answers of bob"),
+        "mallory.zip": zipped({"Bob Smith_12_assignsubmission_file_/x.ipynb": notebook()}),
+    })  # fmt: skip
+    found = rows(tmp_path)
+    assert set(found) == {"bob", "eve", "mallory"}
+    assert found["bob"].status("3.1") == "wrong"
+
+
+def test_the_later_file_counts_whatever_number_stands_behind_its_name(tmp_path):
+    put(tmp_path, {"Ada/03.ipynb": notebook(), "Ada/03 (2).ipynb": notebook(WRONG)})
+    os.utime(tmp_path / "Ada/03 (2).ipynb", (0, 0))
+    assert rows(tmp_path)["Ada"].status("3.1") == "right"
+
+
+def test_an_exercise_between_two_has_its_column(tmp_path):
+    said = {"Ada": "right.", "Bob": "not yet. Close."}
+    put(tmp_path, {f"{n}/a.ipynb": notebook(f"Exercise 3.3a: {w}") for n, w in said.items()})
+    report = class_report(tmp_path)
+    assert report.exercises == ["3.3a"]
+    assert [each.status("3.3a") for each in report.students] == ["right", "wrong"]
+
+
+def test_a_year_behind_the_name_is_no_other_name(tmp_path):
+    from driftlab.book.machinery.records import MIME
+
+    record = {"exercise": "3.4", "right": True, "word": "right", "says": "", "attempt": 1}
+    for student, notes in (
+        ("Ada Lovelace 2027", []),
+        ("Bob", ["The numbers of 3.4 were asked in the name Bob."]),
+    ):
+        output = {"output_type": "display_data", "data": {MIME: {**record, "student": student}}}
+        cell = {"cell_type": "code", "source": "", "outputs": [output]}
+        put(tmp_path, {"Ada Lovelace/03.ipynb": json.dumps({"cells": [cell]}).encode()})
+        assert rows(tmp_path)["Ada Lovelace"].notes == notes

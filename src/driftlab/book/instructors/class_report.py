@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises
+from driftlab.book.machinery.exercise import in_order as numbered
 
 from .found_files import files_in
 from .handed_in import handed_in
@@ -15,10 +16,14 @@ from .report_files import write_report
 from .report_page import fragment
 from .report_text import text_of
 from .roster import read_roster
-from .students import Student, in_order, place, students_of
+from .students import Student, in_order, students_of
 
 MOST_EXERCISES = 200
 """That are not the book's: more are no teacher's."""
+
+
+MOST_SLIPS = 50
+"""Of one student in one exercise; the last ones."""
 
 
 class Slip(NamedTuple):
@@ -122,7 +127,9 @@ def class_report(folder: str | Path, roster: str | Path | None = None) -> ClassR
     exercises, strange = _exercises(students)
     if not students:
         notes.append("Nothing was handed in.")
-    return ClassReport(where.name, students, exercises, _slips(students), notes + strange)
+    return ClassReport(
+        where.name, students, exercises, _slips(students, exercises), notes + strange
+    )
 
 
 def _exercises(students: list[Student]) -> tuple[list[str], list[str]]:
@@ -139,8 +146,8 @@ def _exercises(students: list[Student]) -> tuple[list[str], list[str]]:
     active = sum(bool(student.answers) for student in students)
     # Anyone can write a number into a notebook; a teacher's exercise was given to several.
     own = {n for n, count in touched.items() if n not in book and (count > 1 or active == 1)}
-    own_sorted = sorted(own, key=place)[:MOST_EXERCISES]
-    strange = sorted(touched.keys() - set(book) - set(own_sorted), key=place)
+    own_sorted = sorted(own, key=numbered)[:MOST_EXERCISES]
+    strange = sorted(touched.keys() - set(book) - set(own_sorted), key=numbered)
     notes = []
     if strange:
         shown = ", ".join(strange[:5]) + (" ..." if len(strange) > 5 else "")
@@ -148,11 +155,12 @@ def _exercises(students: list[Student]) -> tuple[list[str], list[str]]:
     return book + own_sorted, notes
 
 
-def _slips(students: list[Student]) -> list[Slip]:
+def _slips(students: list[Student], exercises: list[str]) -> list[Slip]:
     told: dict[tuple[str, str], list[str]] = {}
     for student in students:
-        for number, answer in student.answers.items():
-            for says in answer.slips:
+        for number in exercises:
+            answer = student.answers.get(number)
+            for says in answer.slips[-MOST_SLIPS:] if answer else ():
                 told.setdefault((number, says), []).append(student.name)
     slips = [Slip(number, says, tuple(names)) for (number, says), names in told.items()]
-    return sorted(slips, key=lambda slip: (-len(slip.students), place(slip.exercise), slip.says))
+    return sorted(slips, key=lambda slip: (-len(slip.students), numbered(slip.exercise), slip.says))

@@ -21,7 +21,7 @@ from .plain_text import clean
 from .saved_answers import LARGEST
 
 MOST_FILES = 20_000
-MOST_BYTES = 4 * 2**30
+MOST_BYTES = 2**29
 MOST_FILES_INSIDE = 2_000
 MOST_BYTES_INSIDE = 256 * 2**20
 """Of an archive in an archive."""

@@ -20,7 +20,7 @@ from typing import NamedTuple
 from driftlab.book.chapters import CHAPTERS
 
 from .found_files import Found
-from .plain_text import clean, squeezed
+from .plain_text import clean
 
 MOODLE = re.compile(r"(?P<name>[^_]+)_(?P<id>[^_]+)_assignsubmission_[a-z]+_?(?P<file>.*)", re.S)
 CANVAS = re.compile(
@@ -53,7 +53,7 @@ class Person(NamedTuple):
     @property
     def key(self) -> str:
         """The same for the same student."""
-        return f"id {self.id}" if self.id else f"name {squeezed(self.name) or self.name}"
+        return f"id {self.id}" if self.id else f"name {self.name.casefold()}"
 
 
 class HandedIn(NamedTuple):
@@ -73,7 +73,7 @@ class HandedIn(NamedTuple):
 
     person: Person
     file: str
-    newness: tuple[int, float]
+    newness: tuple[float, float]
     found: Found
     is_named_inside: bool = False
 
@@ -86,28 +86,48 @@ def handed_in(found: Iterable[Found]) -> tuple[list[HandedIn], list[str]]:
         for one in everything
         if one.parts[-1] == "timestamp.txt" and (moment := _timestamp(one.content)) is not None
     }
-    files = [
-        _whose(one, times.get(one.parts[:-1], one.time))
-        for one in everything
-        if one.parts[-1] != "timestamp.txt" or one.trouble
-    ]
+    # Whose folder holds nothing but the moment has handed in nothing, and has a row all the same.
+    filled = {one.parts[:-1] for one in everything if one.parts[-1] != "timestamp.txt"}
+    archives = _archives_of_a_class(everything)
+    files = []
+    for one in everything:
+        is_moment = one.parts[-1] == "timestamp.txt" and not one.trouble
+        if is_moment and one.parts[:-1] in filled:
+            continue
+        if is_moment and len(one.parts) > 1:
+            one = Found((*one.parts[:-1], ""), one.time)
+        files.append(_whose(one, times.get(one.parts[:-1], one.time), archives))
     return _without_groups(files), notes
 
 
-def _whose(found: Found, moment: float) -> HandedIn:
+def _archives_of_a_class(found: list[Found]) -> set[str]:
+    """Archives in which a platform has put several students; else one is its owner's."""
+    inside: dict[str, set[str]] = {}
+    for one in found:
+        if len(one.parts) > 1 and one.parts[0].casefold().endswith(".zip"):
+            for pattern in (MOODLE, CANVAS):
+                if said := pattern.fullmatch(one.parts[1]):
+                    inside.setdefault(one.parts[0], set()).add(f"{said['id']}")
+    return {archive for archive, students in inside.items() if len(students) > 1}
+
+
+def _whose(found: Found, moment: float, archives: set[str]) -> HandedIn:
     parts = found.parts
     file = clean(parts[-1] or parts[-2], 200) or "?"
     copies = COPY.search(file)
-    newness = (int(copies[1]) if copies else 0, moment)
-    for place, part in enumerate(parts):
+    newness = (moment, float(copies[1]) if copies else 0.0)
+    # What a student has packed may be called like another's.
+    outer = parts[:2] if parts[0] in archives or not _is_archive(parts[0]) else parts[:1]
+    for place, part in enumerate(outer):
         if said := MOODLE.fullmatch(part):
             person = Person(clean(said["name"], 100), clean(said["id"], 40))
             shown = clean(said["file"], 200) if part == parts[-1] and said["file"] else file
             return HandedIn(person, shown, newness, found)
         # Canvas makes no folders, and a report_11_2026_final.ipynb in a student's is none of its.
-        if _is_outermost(parts, place) and (said := CANVAS.fullmatch(part)):
+        is_outermost = place == 0 or parts[0] in archives
+        if is_outermost and (said := CANVAS.fullmatch(part)):
             again = CANVAS_AGAIN.search(said["file"])
-            newness = (int(again[1]) if again else newness[0], float(said["upload"]))
+            newness = (float(again[1]) if again else newness[1], float(said["upload"]))
             shown = clean(said["file"], 200) if part == parts[-1] else file
             person = Person(clean(said["name"] or "Anonymous", 100), said["id"] or said["anon"])
             return HandedIn(person, shown, newness, found)
@@ -122,11 +142,12 @@ def _whose(found: Found, moment: float) -> HandedIn:
         return HandedIn(person, file, newness, found, is_named_inside=True)
     # Two files of the book's own name are two students', not two downloads of one.
     name = file if stem in ANONYMOUS or stem.isdigit() else clean(stem, 100) or file
-    return HandedIn(Person(name), file, newness, found, is_named_inside=True)
+    is_nobodys = stem in ANONYMOUS or stem.isdigit()
+    return HandedIn(Person(name), file, newness, found, is_named_inside=is_nobodys)
 
 
-def _is_outermost(parts: tuple[str, ...], place: int) -> bool:
-    return place == 0 or (place == 1 and parts[0].casefold().endswith(".zip"))
+def _is_archive(name: str) -> bool:
+    return name.casefold().endswith(".zip")
 
 
 def _stem(name: str) -> str:
@@ -136,7 +157,11 @@ def _stem(name: str) -> str:
 
 def _below_submitted(found: list[Found]) -> tuple[list[Found], list[str]]:
     """What students handed in of a whole course of nbgrader."""
-    inside = [one for one in found if "submitted" in one.parts[:-2]]
+    if any(MOODLE.fullmatch(one.parts[0]) or CANVAS.fullmatch(one.parts[0]) for one in found):
+        return found, []
+    # At the top, or below one folder around it all: elsewhere it is some student's.
+    is_wrapped = len({one.parts[0] for one in found}) == 1
+    inside = [one for one in found if "submitted" in one.parts[:-2][: 1 + is_wrapped]]
     if not inside:
         return found, []
     left_out = len(found) - len(inside)

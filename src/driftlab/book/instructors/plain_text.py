@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import unicodedata
 
 JOINERS = "\u200c\u200d"
@@ -41,9 +40,20 @@ def _columns(sign: str) -> int:
 
 
 def squeezed(name: str) -> str:
-    """Return what all spellings of a name have in common: letters and digits, without accents."""
+    """Return what all spellings of a name have in common: letters and digits, without accents.
+
+    The vowels of Indian scripts are marks on letters, but no accents.
+    """
     apart = unicodedata.normalize("NFKD", name.casefold())
-    return "".join(re.findall(r"[^\W_]", "".join(c for c in apart if not unicodedata.combining(c))))
+    return "".join(
+        sign
+        for sign in apart
+        if sign.isalnum() or (unicodedata.category(sign)[0] == "M" and not _is_accent(sign))
+    )
+
+
+def _is_accent(sign: str) -> bool:
+    return unicodedata.combining(sign) not in (0, 7, 9)  # 7 and 9: nukta and virama
 
 
 def spellings(name: str) -> set[str]:

@@ -19,7 +19,9 @@ from .plain_text import clean
 
 LARGEST = 64 * 2**20
 """Bytes of a notebook; more is not read."""
-NUMBER = re.compile(r"[0-9]{1,3}\.[0-9]{1,3}", re.ASCII)
+NUMBER = re.compile(r"[0-9]{1,3}\.[0-9]{1,3}[a-z]?", re.ASCII)
+MOST_NUMBERS = 1000
+"""Exercises of one notebook; the book has fewer than a hundred."""
 MOST_WORDS = 4000
 MOST_ATTEMPTS = 9999
 
@@ -27,13 +29,13 @@ STATUSES = ("right", "wrong", "error", "open", "not run", "absent")
 """What an exercise can be; of several in a notebook the first counts."""
 
 _SAID = re.compile(
-    r"^Exercise ([0-9]{1,3}\.[0-9]{1,3}): "
+    r"^Exercise ([0-9]{1,3}\.[0-9]{1,3}[a-z]?): "
     r"(right|not yet|not readable|not answered yet)\.[ \t]*(.*)$",
     re.MULTILINE,
 )
 _CALLED = re.compile(
-    r"\b(?:check|verdict)\(\s*(?:number\s*=\s*)?"
-    r"(?:\"([0-9.]{3,7})\"|'([0-9.]{3,7})'|([0-9]{1,3}\.[0-9]{1,3}))"
+    r"\bcheck\(\s*(?:number\s*=\s*)?"
+    r"(?:\"([0-9.]{3,7}[a-z]?)\"|'([0-9.]{3,7}[a-z]?)'|([0-9]{1,3}\.[0-9]{1,3}))"
 )
 _STATUS = {
     "right": "right",
@@ -118,10 +120,12 @@ def saved_answers(content: bytes) -> SavedNotebook:
             told += _told(output)
             error = clean(output.get("ename"), 60) or error
         for one in told:
-            notebook.setdefault(one.number, []).append(one)
-        for number in _called(source):
+            if one.number in notebook or len(notebook) < MOST_NUMBERS:
+                notebook.setdefault(one.number, []).append(one)
+        shown = {one.number for one in told}
+        for number in sorted(_called(source))[: MOST_NUMBERS - len(notebook)]:
             notebook.setdefault(number, [])
-            if error and number not in {one.number for one in told}:
+            if error and number not in shown:
                 errors[number] = error
     answers = {number: _summed(told, errors.get(number)) for number, told in notebook.items()}
     return SavedNotebook(answers, whose)

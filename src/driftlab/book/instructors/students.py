@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+
+from driftlab.book.machinery.exercise import in_order as numbered
 
 from .found_files import is_notebook
 from .handed_in import HandedIn, Person
@@ -12,11 +15,8 @@ from .roster import Listed
 from .saved_answers import SavedAnswer, saved_answers
 
 MOST_NOTES = 8
-
-
-def place(number: str) -> tuple[int, ...]:
-    """Where an exercise stands in the book."""
-    return tuple(map(int, number.split(".")))
+YEAR = re.compile(r"[\s/._-]*[0-9]{2,4}$")
+"""What is put behind a name for other numbers in another year."""
 
 
 @dataclass
@@ -152,9 +152,9 @@ def _compare_seeds(student: Student, listed: Listed) -> None:
     """Say so if numbers were asked in another name than the one they were handed in with."""
     others: dict[str, list[str]] = {}
     for number, answer in student.answers.items():
-        asked = answer.student
+        asked = YEAR.sub("", answer.student)
         if asked and not (listed.is_named(asked) or listed.has(asked)):
             others.setdefault(answer.student, []).append(number)
     for name, numbers in others.items():
-        which = ", ".join(sorted(numbers, key=place))
+        which = ", ".join(sorted(numbers, key=numbered))
         student.notes.append(f"The numbers of {which} were asked in the name {name}.")
