@@ -76,6 +76,9 @@ PARTS = (
     ),
 )
 
+OUTSIDE = Part("For instructors", "", ("instructors/",))
+"""What the book does not hold, but can be printed alone."""
+
 
 def chosen(part: Part, names: Iterable[str]) -> list[str]:
     """Return the names of a part's documents, in its order."""
@@ -85,7 +88,7 @@ def chosen(part: Part, names: Iterable[str]) -> list[str]:
 
 def part_of(name: str) -> Part:
     """Return the part that a document stands in."""
-    return next(part for part in PARTS if name.startswith(part.beginnings))
+    return next((part for part in PARTS if name.startswith(part.beginnings)), OUTSIDE)
 
 
 def goes_on(name: str) -> bool:

@@ -18,6 +18,7 @@ from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises, hints_of
 from executed import FOLDER, notebooks
 from pdf.cells import markdown_of
+from pdf.contents import OUTSIDE, part_of
 from pdf.sheet import sheet
 from support import ROOT
 
@@ -214,3 +215,10 @@ def test_letters_that_no_font_has_are_boxes_of_their_width(tmp_path):
     cell.outputs = [nbformat.v4.new_output("stream", name="stdout", text=names)]
     paper = markdown_of(nbformat.v4.new_notebook(cells=[cell]), "label", tmp_path)
     assert "Ада □  □□□ □□ Nguyễn" in paper
+
+
+def test_every_notebook_can_be_printed_under_a_heading():
+    assert {name for name in notebooks() if part_of(name) is OUTSIDE} == {
+        "instructors/examination.ipynb"
+    }
+    assert all(part_of(name).title for name in notebooks())
