@@ -120,5 +120,5 @@ def test_files_that_are_not_the_books_stay_at_home(
         (tmp_path / name).write_text('{"cells": []}')
     (tmp_path / "release").mkdir()
     (tmp_path / "release/STUDENT.md").write_text("")
-    monkeypatch.setattr("bootstrap.student.HOME", tmp_path)
+    monkeypatch.setitem(student_files.__globals__, "HOME", tmp_path)
     assert {name for name, _ in student_files()} == {"README.md", "notebooks/03.ipynb"}
