@@ -18,7 +18,7 @@ NAME = "03_systematic_drift.ipynb"
 folder = Path(sys.argv[1])
 all_pages, sphinx = make.pages, make.sphinx
 build.BUILD = folder / "build"
-build.executed = lambda: {NAME: nbformat.read(KEPT / NAME, as_version=4)}
+build.executed = lambda wanted: {NAME: nbformat.read(KEPT / NAME, as_version=4)}
 build.BUILD.mkdir()
 build.make_pdf = lambda _notebooks, _build, pdf: pdf.write_bytes(b"")
 FEW = ("index.md", "gallery/index.md")  # from the second comes the picture of the first

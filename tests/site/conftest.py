@@ -79,10 +79,16 @@ def all_here(distribution, official, tmp_path_factory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def browser(site) -> Iterator:
-    """The browser; its contexts share nothing."""
+def started_browser() -> Iterator:
+    """The one browser of a process; its contexts share nothing."""
     with chromium() as started:
         yield started
+
+
+@pytest.fixture(scope="session")
+def browser(site, started_browser):
+    """The browser, where there is a site to look at."""
+    return started_browser
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from chromium import chromium, no_browser
+from chromium import no_browser
 from visitor import visit
 
 from executed import KEPT
@@ -60,15 +60,9 @@ def folder(tmp_path_factory) -> Path:
     return folder
 
 
-@pytest.fixture(scope="module")
-def browser():
-    with chromium() as started:
-        yield started
-
-
 @pytest.fixture
-def page(browser):
-    with visit(browser) as page:
+def page(started_browser):
+    with visit(started_browser) as page:
         yield page
 
 
