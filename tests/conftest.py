@@ -75,13 +75,20 @@ def pytest_collection_finish() -> None:
 
 
 @pytest.fixture(scope="session")
-def browser() -> Iterator:
-    """A window of the browser; its pages share what they have loaded already."""
+def started_browser() -> Iterator:
+    """The one browser of a process, which cannot drive two; its contexts share nothing."""
     from chromium import chromium  # most tests need none of this
-    from notebook_page import SCREENS
 
     with chromium() as started:
-        yield started.new_context(viewport=SCREENS["1280x800"])
+        yield started
+
+
+@pytest.fixture(scope="session")
+def browser(started_browser):
+    """A window of the browser; its pages share what they have loaded already."""
+    from notebook_page import SCREENS
+
+    return started_browser.new_context(viewport=SCREENS["1280x800"])
 
 
 @pytest.fixture(scope="session")

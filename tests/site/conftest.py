@@ -10,7 +10,6 @@ from pathlib import Path
 from urllib.request import urlopen
 
 import pytest
-from chromium import chromium
 from served import served
 from visitor import visit
 
@@ -76,13 +75,6 @@ def all_here(distribution, official, tmp_path_factory) -> Path:
     made = tmp_path_factory.mktemp("self-contained") / "pyodide"
     make_packages(bring(KEPT), KEPT, made, distribution)
     return made
-
-
-@pytest.fixture(scope="session")
-def started_browser() -> Iterator:
-    """The one browser of a process; its contexts share nothing."""
-    with chromium() as started:
-        yield started
 
 
 @pytest.fixture(scope="session")
