@@ -1,8 +1,10 @@
 /* Divides what a chapter has for a slide into as many slides as it needs, below each other, then
    starts reveal.js. It measures after formulas and pictures are there, with the fonts of this very
-   computer; so what is here fits, whoever shows it. */
+   computer; so what is here fits, whoever shows it. A slide has the shape of the window it was
+   opened in, from 16:9 to 4:3, and is filled to where the number of the slide stands. */
 (async () => {
-  const [WIDTH, HEIGHT, LEAST] = [1140, 712, 18];
+  const CANVAS = { width: 1200, height: Math.min(900, Math.max(675, (1200 * innerHeight) / innerWidth)) };
+  const [WIDTH, HEIGHT, LEAST] = [CANVAS.width - 60, CANVAS.height - 64, 18];
   let counted = 0; // lists and tables that were taken apart
   const HEADINGS = "h1, h2, h3, h4";
   const cells = document.getElementById("cells");
@@ -21,7 +23,7 @@
   measure.remove();
   cells.removeAttribute("id");
   await Reveal.initialize({
-    width: 1200, height: 800, margin: 0.01, center: false, hash: true, slideNumber: "c/t",
+    ...CANVAS, margin: 0.01, center: false, hash: true, slideNumber: "c/t",
     transition: "none", backgroundTransition: "none", plugins: [RevealNotes],
   });
   document.documentElement.dataset.ready = "yes";
@@ -31,7 +33,7 @@
     sheet.replaceChildren(...blocks.map((block) => block.element));
     await MathJax.typesetPromise([sheet]);
     await Promise.all([...sheet.querySelectorAll("img")].map((img) => img.decode()));
-    sheet.querySelectorAll("img").forEach((img) => sized(img, 470));
+    sheet.querySelectorAll("img").forEach((img) => sized(img, 0.66 * HEIGHT));
     for (const { element } of blocks) {
       const img = element.querySelector("img"), over = element.offsetHeight + 60 - HEIGHT;
       if (img && over > 0) sized(img, img.offsetHeight - over); // its caption is long
