@@ -11,6 +11,7 @@ import numpy as np
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import NOTHING_SAID, Exercise, Objection, Said, Verdict
 from driftlab.book.machinery.formulas import Formula
+from driftlab.book.machinery.language import tr
 from driftlab.book.machinery.reading import UnreadableError
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.checks import FloatArray
@@ -96,27 +97,39 @@ class _Positions(Exercise):
             return found
         ratio, name = _compared(_scheme(answer))
         return found._replace(
-            says=f"{found.says} The worst of yours is {name}: {ratio:.1f} times the deviation."
+            says=f"{found.says} "
+            + tr(
+                "The worst of yours is {name}: {ratio} times the deviation.",
+                name=name,
+                ratio=f"{ratio:.1f}",
+            )
         )
 
     def _objection(self, answer: Any, said: Said) -> Objection | None:
         scheme = _scheme(answer)
         if scheme.positions != self.positions:
             return Objection(
-                f"This scheme has {scheme.positions} positions: one more than there are rotations."
+                tr(
+                    "This scheme has {count} positions: one more than there are rotations.",
+                    count=scheme.positions,
+                )
             )
         try:
             unobservable = table_observability(scheme, MODEL).descriptions
         except ValueError as error:
             raise UnreadableError(str(error)) from None
         if unobservable:
-            return Objection(f"Unobservable stay {'; '.join(unobservable)}.")
+            return Objection(tr("Unobservable stay {states}.", states="; ".join(unobservable)))
         ratio, name = _compared(scheme)
         if ratio > self.most:
             return Objection(
-                f"Nothing stays unobservable. But {name} has {ratio:.0f} times the deviation that "
-                "the nineteen positions reach. Ask which pair of positions, or which turn, would "
-                "show it."
+                tr(
+                    "Nothing stays unobservable. But {name} has {ratio} times the deviation that "
+                    "the nineteen positions reach. Ask which pair of positions, or which turn, "
+                    "would show it.",
+                    name=name,
+                    ratio=f"{ratio:.0f}",
+                )
             )
         return None
 

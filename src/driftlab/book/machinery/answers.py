@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from .exercise import Exercise, Objection, Said, key_of, rows
 from .given_numbers import GivenNumbers
+from .language import tr
 from .reading import Numbers, UnreadableError, fit, numbers, panel_values, read
 from .sizes import how_far_off
 from .slips import UNITS, find_slip, matches
@@ -136,32 +137,33 @@ class Choice(Exercise):
 
     def _objection(self, answer: Any, said: Said) -> Objection | None:
         letters = self.letters
-        expected = f"Expected letters from {letters[0]} to {letters[-1]}"
+        ends = {"first": letters[0], "last": letters[-1]}
+        expected = tr("Expected letters from {first} to {last}", **ends)
         if isinstance(answer, np.ndarray):
             answer = answer.ravel().tolist()
         if isinstance(answer, Mapping) or not isinstance(answer, Iterable):
-            raise UnreadableError(f"{expected}, as text.")
+            raise UnreadableError(f"{expected}, {tr('as text.')}")
         words = [answer] if isinstance(answer, str) else list(answer)
         if not all(isinstance(word, str) for word in words):
-            raise UnreadableError(f"{expected}, as text.")
+            raise UnreadableError(f"{expected}, {tr('as text.')}")
         text = " ".join(words).lower().replace("and", " ")
         chosen = sorted({letter for letter in text if letter.isalnum()})
         for letter in chosen:
             if letter not in letters:
-                raise UnreadableError(f"{expected}, found {letter!a}.")
+                raise UnreadableError(f"{expected}, {tr('found {letter}.', letter=ascii(letter))}")
         if not chosen:
             raise UnreadableError(f"{expected}.")
         misjudged = self._key.right.symmetric_difference(chosen)
         if not misjudged:
             return None
         if not in_words(said.because):
-            return Objection(f"{NOT_ALL} {SAY_WHY}")
+            return Objection(f"{tr(NOT_ALL)} {tr(SAY_WHY)}")
         if len(misjudged) > 1:
-            return Objection("More than one statement is judged otherwise than it should be.")
+            return Objection(tr("More than one statement is judged otherwise than it should be."))
         (letter,) = misjudged
         if letter in self._key.mistakes:
-            return Objection(f"({letter}) {self._key.mistakes[letter]}")
-        return Objection("What you chose is true, and something else is too.")
+            return Objection(f"({letter}) {tr(self._key.mistakes[letter])}")
+        return Objection(tr("What you chose is true, and something else is too."))
 
 
 def in_words(because: str) -> bool:
