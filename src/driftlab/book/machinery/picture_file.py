@@ -11,6 +11,7 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
+from .language import tr
 from .sheet import Sheet
 
 PICTURES = ("pdf", "svg", "png")
@@ -45,6 +46,6 @@ def how_to_save(panel: str, *, drawn: bool) -> str:
     """Return a line of HTML that says how a panel's picture is kept; `drawn` by Matplotlib."""
     arguments = '"picture.pdf", width=3.5' if drawn else '"picture.svg"'
     return (
-        f"<p>To keep this picture: <code>panel = {panel}()</code>, and then "
+        f"<p>{tr('To keep this picture:')} <code>panel = {panel}()</code>, {tr('and then')} "
         f"<code>panel.save({html.escape(arguments)})</code>.</p>"
     )
