@@ -144,7 +144,7 @@ def check(
     card = judged(number, answer, PROGRESS, _said(because, student))
     show(card)
     if strict and not card.verdict.right:
-        raise NotRightError(f"{tr('Exercise {number}', number=card.number)}: {card.verdict.says}")
+        raise NotRightError(f"Exercise {card.number}: {card.verdict.says}")
 
 
 def judged(number: str | float, answer: Any, progress: Progress, said: Said = NOTHING_SAID) -> Card:
@@ -163,12 +163,13 @@ def judged(number: str | float, answer: Any, progress: Progress, said: Said = NO
     if said.student and getattr(exercise, "given", None):
         notes.append(tr("Judged with the numbers of {student}.", student=said.student))
     if not isinstance(number, str) and f"{name}0" in all_exercises(chapter):
-        tenth = 'This is {number}. For the tenth exercise write "{number}0", as text.'
-        notes.append(tr(tenth, number=name))
+        notes.append(
+            tr('This is {number}. For the tenth exercise write "{number}0", as text.', number=name)
+        )
     so_far = {"right": right, "count": count, "chapter": chapter}
     done = tr("{right} of {count} right in chapter {chapter}", **so_far)
     if attempts > 1:
-        done = f"{tr('attempt {number}', number=attempts)}; {done}"
+        done = tr("attempt {number}; {done}", number=attempts, done=done)
     with speaking(ENGLISH):  # a class is counted in one language
         same = exercise.verdict(answer, counted)
         record = record_of(name, answer, same, attempts, said)

@@ -16,14 +16,16 @@ from typing import Any, NamedTuple
 
 from .chapters import chapters_with, part_of
 from .exercises import all_exercises, hints_of
-from .machinery.card import SIGNS
+from .machinery.answers import NOT_ALL, SAY_WHY
+from .machinery.card import SECTION, SIGNS
 from .machinery.exercise import key_of
-from .machinery.formulas import Formula
-from .machinery.guess import HOW_TO_SEE, KEPT, UNANSWERED, UNITS as GUESS_UNITS
+from .machinery.formulas import EXCHANGED, Formula
+from .machinery.guess import FIRST, HOW_TO_SEE, KEPT, UNANSWERED, UNITS as GUESS_UNITS
 from .machinery.language import DOMAIN, FOLDER
 from .machinery.panel import OWN_VALUES
 from .machinery.puzzle import PARTS, Number
 from .machinery.revealed import WITHOUT_GUESS
+from .machinery.sizes import NUMBERS, ORDINALS
 from .machinery.slips import UNITS
 from .panels import EXPLORERS
 
@@ -52,7 +54,7 @@ class Coverage(NamedTuple):
     def __str__(self) -> str:
         lines = [f"{self.translated} of {self.total} texts are translated."]
         for name, cells in self.behind.items():
-            lines.append(f"{name}: {f'behind: {", ".join(cells)}' if cells else 'up to date'}")
+            lines.append(f"{name}: {'behind: ' + ', '.join(cells) if cells else 'up to date'}")
         return "\n".join(lines)
 
 
@@ -80,6 +82,7 @@ def texts() -> Iterator[tuple[str, str]]:
             yield from ((text, where) for text in (control.label, control.group, *control.choices))
     constants = [*SIGNS, *(sign for sign, _ in SIGNS.values()), *PARTS.values(), WITHOUT_GUESS]
     constants += [HOW_TO_SEE, KEPT, UNANSWERED, OWN_VALUES, *GUESS_UNITS.values()]
+    constants += [NOT_ALL, SAY_WHY, SECTION, FIRST, EXCHANGED, *NUMBERS, *ORDINALS]
     constants += [unit for kind in UNITS.values() for unit in kind]
     yield from ((text, "machinery") for text in constants)
 
@@ -127,7 +130,7 @@ def update(language: str) -> Coverage:
     path = FOLDER / language / "LC_MESSAGES" / f"{DOMAIN}.po"
     template = Catalog(project="driftlab", charset="utf-8", fuzzy=False)
     for message, where in gathered().items():
-        places = [(place, 0) for place in dict.fromkeys(where)]
+        places = [(place.replace(" ", "-"), 0) for place in dict.fromkeys(where)]
         flags = ["python-brace-format"] if "{" in message[0] else []
         template.add(message if len(message) > 1 else message[0], locations=places, flags=flags)
     catalog = Catalog(locale=language, project="driftlab", charset="utf-8", fuzzy=False)

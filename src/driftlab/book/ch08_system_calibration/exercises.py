@@ -69,7 +69,7 @@ def _compared(scheme: Scheme) -> tuple[float, str]:
     turning = _duration(scheme) - scheme.positions * scheme.dwell
     pause = (_duration(NINETEEN_POSITIONS) - turning) / scheme.positions
     if pause < 1:
-        raise UnreadableError("The turns alone take longer than all the nineteen positions.")
+        raise UnreadableError(tr("The turns alone take longer than all the nineteen positions."))
     timed = replace(scheme, dwell=pause)
     ratios = _deviations(timed, ImuNoise()) / _deviations(NINETEEN_POSITIONS, ImuNoise())
     worst = 6 + int(ratios[6:].argmax())
@@ -139,7 +139,7 @@ def _scheme(answer: Any) -> Scheme:
     if isinstance(answer, Scheme):
         return answer
     if not isinstance(answer, str):
-        raise UnreadableError("Expected a Scheme, or its rotations as text.")
+        raise UnreadableError(tr("Expected a Scheme, or its rotations as text."))
     try:
         return Scheme(answer)
     except ValueError as error:

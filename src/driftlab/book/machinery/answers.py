@@ -94,11 +94,13 @@ class Value(Exercise):
 
     def _read_panel(self, values: Mapping[str, Any]) -> Any:
         if self.from_panel is None:
-            raise UnreadableError("No one setting of a panel is the answer; expected numbers.")
+            raise UnreadableError(tr("No one setting of a panel is the answer; expected numbers."))
         try:
             return self.from_panel(values)
         except KeyError:
-            raise UnreadableError("Expected the panel of this exercise, got another one.") from None
+            raise UnreadableError(
+                tr("Expected the panel of this exercise, got another one.")
+            ) from None
 
 
 @lru_cache(maxsize=256)
@@ -138,21 +140,26 @@ class Choice(Exercise):
     def _objection(self, answer: Any, said: Said) -> Objection | None:
         letters = self.letters
         ends = {"first": letters[0], "last": letters[-1]}
-        expected = tr("Expected letters from {first} to {last}", **ends)
+        as_letters = tr("Expected letters from {first} to {last}, as text.", **ends)
         if isinstance(answer, np.ndarray):
             answer = answer.ravel().tolist()
         if isinstance(answer, Mapping) or not isinstance(answer, Iterable):
-            raise UnreadableError(f"{expected}, {tr('as text.')}")
+            raise UnreadableError(as_letters)
         words = [answer] if isinstance(answer, str) else list(answer)
         if not all(isinstance(word, str) for word in words):
-            raise UnreadableError(f"{expected}, {tr('as text.')}")
+            raise UnreadableError(as_letters)
         text = " ".join(words).lower().replace("and", " ")
         chosen = sorted({letter for letter in text if letter.isalnum()})
         for letter in chosen:
             if letter not in letters:
-                raise UnreadableError(f"{expected}, {tr('found {letter}.', letter=ascii(letter))}")
+                found = tr(
+                    "Expected letters from {first} to {last}, found {letter}.",
+                    letter=ascii(letter),
+                    **ends,
+                )
+                raise UnreadableError(found)
         if not chosen:
-            raise UnreadableError(f"{expected}.")
+            raise UnreadableError(tr("Expected letters from {first} to {last}.", **ends))
         misjudged = self._key.right.symmetric_difference(chosen)
         if not misjudged:
             return None

@@ -27,6 +27,8 @@ SIGNS = {
 }
 """By the first words of a verdict, what the card says, and its colour."""
 
+SECTION = "The section that helps:"
+
 TICKS = {True: "✓", False: "✗"}
 
 
@@ -94,7 +96,7 @@ class Card:
         return [" ".join(TICKS[part] for part in row) for row in self.verdict.parts]
 
     def _words(self) -> list[str]:
-        yours = [f"{tr('Your words:')} {self.because}"] if self.because else []
+        yours = [tr("Your words: {words}", words=self.because)] if self.because else []
         model = self.verdict.right and tr(self.help.model)
         if model:
             whose = tr("The book's words:") if self.because else tr("In words:")
@@ -112,11 +114,11 @@ class HintCard:
 
     def __repr__(self) -> str:
         shown = [
-            f"{tr('Hint {count}', count=i)}: {tr(text)}"
+            tr("Hint {count}: {words}", count=i, words=tr(text))
             for i, text in enumerate(self.help.rungs[: self.rungs], 1)
         ]
         if self.rungs > len(shown):
-            shown.append(f"{tr('The section that helps:')} {tr(self.help.section)}.")
+            shown.append(f"{tr(SECTION)} {tr(self.help.section)}.")
         return "\n".join([tr("Exercise {number}", number=self.number), *shown])
 
     def _repr_html_(self) -> str:
@@ -157,7 +159,7 @@ def link(help_: Help) -> str:
     """A link to the section that helps, within the page."""
     section = tr(help_.section)
     anchor = html.escape(section.replace(" ", "-"))
-    return f"{tr('The section that helps:')} <a href='#{anchor}'>{html.escape(section)}</a>"
+    return f"{tr(SECTION)} <a href='#{anchor}'>{html.escape(section)}</a>"
 
 
 def in_html(text: str) -> str:

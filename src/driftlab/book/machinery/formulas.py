@@ -21,6 +21,8 @@ from .reading import Numbers, UnreadableError, entries, fit, name, numbers, of_s
 from .sizes import common_factor, size
 from .slips import find_slip, matches
 
+EXCHANGED = "Two of the arguments have changed places."
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Formula(Exercise):
@@ -79,11 +81,12 @@ class Formula(Exercise):
                 return tr("The form is right, the sign and a constant factor are not.")
             return tr("The form is right, a constant factor is not.")
         if parts.ndim and parts.any():
-            one, several = (
+            return tr_number(
                 "Right is {count} of {total} parts.",
                 "Right are {count} of {total} parts.",
+                int(parts.sum()),
+                total=parts.size,
             )
-            return tr_number(one, several, int(parts.sum()), total=parts.size)
         at = np.unravel_index(np.argmax(np.abs(given - right)), given.shape)
         where = tr("One of those tried: there")
         if all(np.ndim(value) == 0 for value in self._places[at[0]]):
@@ -118,7 +121,7 @@ class Formula(Exercise):
                     values = self._values(
                         lambda *place, order=order: self._key.right(*(place[k] for k in order))
                     )
-                    yield "Two of the arguments have changed places.", values
+                    yield EXCHANGED, values
 
     def _function(self, answer: Any, place: tuple[Any, ...]) -> Callable[..., Any]:
         """The answer, a function, an expression or a constant, as a function."""

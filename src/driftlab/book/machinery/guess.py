@@ -166,20 +166,19 @@ class GuessControl:
 
     def __repr__(self) -> str:
         asks = " ".join(tr(question.asks) for question in self.puzzle.questions)
-        return f"{tr('A guess first:')} {asks}\n{tr(HOW_TO_SEE)}"
+        return f"{tr(FIRST)} {asks}\n{tr(HOW_TO_SEE)}"
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
         """The control, and for a page that is not live, the question without the answer."""
         asks = "".join(f"<li>{html.escape(tr(q.asks))}</li>" for q in self.puzzle.questions)
         return {
             **widget_view(self.widget),
-            "text/html": (
-                f"<p><b>{tr('A guess first:')}</b></p><ul>{asks}</ul><p>{tr(HOW_TO_SEE)}</p>"
-            ),
+            "text/html": (f"<p><b>{tr(FIRST)}</b></p><ul>{asks}</ul><p>{tr(HOW_TO_SEE)}</p>"),
             "text/plain": repr(self),
         }
 
 
+FIRST = "A guess first:"
 HOW_TO_SEE = "Run this cell in JupyterLab to make your guess; then the answer appears here."
 
 

@@ -37,11 +37,13 @@ def numbers(value: Any) -> Numbers:
     if of_sympy(value, "MatrixBase"):
         value = value.tolist()
     if any(isinstance(entry, str) for entry in entries(value)):
-        raise UnreadableError("Expected numbers without quotation marks, such as 1.5 or [1, 2].")
+        raise UnreadableError(
+            tr("Expected numbers without quotation marks, such as 1.5 or [1, 2].")
+        )
     try:
         array = np.asarray(value)
     except ValueError:
-        raise UnreadableError("Expected numbers, got rows of unequal length.") from None
+        raise UnreadableError(tr("Expected numbers, got rows of unequal length.")) from None
     if array.dtype == object:
         found = {str(symbol) for entry in array.flat for symbol in symbols(entry)}
         if found:
@@ -55,7 +57,7 @@ def numbers(value: Any) -> Numbers:
     if array.dtype.kind not in "iufc" or array.size == 0:
         raise UnreadableError(tr("Expected numbers, got {form}.", form=name(value)))
     if not np.isfinite(array).all():
-        raise UnreadableError("Expected finite numbers, got NaN or infinity.")
+        raise UnreadableError(tr("Expected finite numbers, got NaN or infinity."))
     return array.astype(np.complex128) if np.iscomplex(array).any() else np.real(array) * 1.0
 
 

@@ -11,6 +11,8 @@ from .language import tr, tr_number
 from .reading import Numbers
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
+NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
+
 ROUNDING = 1e-12
 """What is smaller than this part of the right answer, rounding has left over of a zero."""
 
@@ -46,12 +48,14 @@ def how_far_off(
     first = wrong[0]
     remark = "" if any_order else size(given.flat[first], right.flat[first])
     if given.ndim > 1 or flat.size > len(ORDINALS):
-        one, several = (
+        right_ones = int(flat.sum())
+        return tr_number(
             "{good} of the {total} entries is right so far.",
             "{good} of the {total} entries are right so far.",
+            right_ones,
+            good=_count(right_ones),
+            total=flat.size,
         )
-        right_ones = int(flat.sum())
-        return tr_number(one, several, right_ones, good=_count(right_ones), total=flat.size)
     good = [tr(ORDINALS[i]) for i, each in enumerate(flat) if each]
     bad = [tr(ORDINALS[i]) for i in wrong]
     which = tr("; the {first} is {how}", first=bad[0], how=remark) if remark else ""
@@ -129,8 +133,7 @@ def _listed(words: list[str]) -> str:
 
 
 def _number(count: int) -> str:
-    words = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
-    return tr(words[count]) if count < len(words) else str(count)
+    return tr(NUMBERS[count]) if count < len(NUMBERS) else str(count)
 
 
 def _count(count: int) -> str:
