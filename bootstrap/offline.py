@@ -85,7 +85,10 @@ def main(arguments: list[str]) -> None:
     options.folder.mkdir(parents=True, exist_ok=True)
     fetch(options.folder, options.system, options.python)
     count = len(list(options.folder.glob("*.whl")))
-    say(f"{options.folder} has {count} wheels; deployment/README.md says how to install from it.")
+    say(
+        f"{options.folder} has {count} wheels. Where there is no network, set PIP_NO_INDEX=1 and "
+        "PIP_FIND_LINKS to this folder before the first 'python3 lab.py'."
+    )
 
 
 if __name__ == "__main__":

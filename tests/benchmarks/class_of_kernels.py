@@ -165,6 +165,13 @@ def report(classes: list[Class], served: Memory) -> str:
         "all kernels at the peak: private": [one.peak for one in classes],
         "processor seconds of one kernel for the chapter": [one.processor for one in classes],
         "seconds until the last kernel was done": [one.wall for one in classes],
+        "**thirty students, a server each: GiB**": [
+            30 * (one.after.proportional / one.kernels + served.proportional) / 1024
+            for one in classes
+        ],
+        "**cores for thirty who all run it at once and wait a minute**": [
+            30 * one.processor / 60 for one in classes
+        ],
     }
     for name, values in rows.items():
         lines.append(f"| {name} | " + " | ".join(f"{value:.0f}" for value in values) + " |")
@@ -173,6 +180,9 @@ def report(classes: list[Class], served: Memory) -> str:
         "",
         f"One JupyterLab server with nothing open: {served.private:.0f} private, "
         f"{served.proportional:.0f} proportional.",
+        "",
+        "The last two rows are reckoned from the others: thirty times the kernel after the chapter",
+        "and a server; thirty times the processor's seconds, by sixty.",
         "",
         f"Machine: {platform.system()} {platform.machine()}, {os.cpu_count()} cores, "
         f"{psutil.virtual_memory().total / 2**30:.0f} GiB; load of a core at the end "
