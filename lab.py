@@ -30,6 +30,9 @@ usage: python3 lab.py [command]
               --paper us-letter   not A4
   student   pack a copy for a class, without solutions, answers and pages for teachers
               a name for the zip file may follow
+  wheels    fetch all packages for computers without a network: "wheels FOLDER"
+              --system windows   not for this computer's system; there are windows, mac, linux
+              --python 3.12      for computers with this Python
   lock      renew environment.txt, and the lists of "site" and "lowest", from pyproject.toml
   release   write what release/release.toml says of this version where it is needed
 """

@@ -62,4 +62,21 @@ def class_report(arguments: list[str]) -> int:
         return abs(process.wait())
 
 
-TEACHING = {"slides": slides, "print": print_, "student": student, "class": class_report}
+def wheels(arguments: list[str]) -> int:
+    """Fetch the packages into a folder, for computers without a network."""
+    if not arguments or arguments[0].startswith("-"):
+        raise Trouble('Say where to put them: "python3 lab.py wheels FOLDER".')
+    set_up()
+    folder, *options = arguments
+    command = [str(PYTHON), "-m", "bootstrap.offline", str(Path(folder).absolute()), *options]
+    with running(command) as process:
+        return abs(process.wait())
+
+
+TEACHING = {
+    "slides": slides,
+    "print": print_,
+    "class": class_report,
+    "student": student,
+    "wheels": wheels,
+}

@@ -23,6 +23,8 @@ KEPT = ROOT / "build/site/executed"
 COPY = ROOT / "build/site/run"
 """A copy of the book to run in: what a notebook writes stays out of the book's own folder."""
 FOLDER = ROOT / "notebooks"
+PUBLISHED = ("", "solutions")
+"""Folders of the book that the site shows."""
 NOT_PUBLISHED = "instructors"
 """Folder of what students should not find, the examination above all."""
 LONGEST = ("08_", "06_")
@@ -42,8 +44,11 @@ def notebooks(folder: Path = FOLDER) -> list[str]:
 
 
 def published(folder: Path = FOLDER) -> list[str]:
-    """Return the names of the notebooks that the site shows: all but the lecturers' own."""
-    return [name for name in notebooks(folder) if not name.startswith(f"{NOT_PUBLISHED}/")]
+    """Return the names of the notebooks that the site shows.
+
+    Not those of lecturers, nor translations: the site's own words are English.
+    """
+    return [name for name in notebooks(folder) if Path(name).parent.name in PUBLISHED]
 
 
 def executed(wanted: Iterable[str] | None = None) -> dict[str, NotebookNode]:

@@ -101,6 +101,19 @@ def write_questions(folder: Path, students: int) -> None:
     write_question_bank(folder, students=students)
 
 
+def write_translation(language: str) -> None:
+    """Bring the catalogue of a language up to date, as "ru", and say what it lacks."""
+    from babel.core import Locale, UnknownLocaleError
+
+    from .translation import update
+
+    try:
+        Locale.parse(language)
+    except (ValueError, UnknownLocaleError):
+        raise SystemExit(f'language: expected a code like "ru", got {language!r}.') from None
+    print(update(language))
+
+
 def main() -> None:
     """Do what the command line says."""
     parser = argparse.ArgumentParser(prog="python -m driftlab.book", description=__doc__)
@@ -116,6 +129,9 @@ def main() -> None:
         "--students", type=int, default=20, help="variants, where students can have their own"
     )
     bank.set_defaults(write=write_questions)
+    words = commands.add_parser("translation", help=write_translation.__doc__)
+    words.add_argument("language", help='its code, as "ru"')
+    words.set_defaults(write=write_translation)
     for name, write, default in (
         ("figures", write_figures, "figures"),
         ("errata", write_errata, "ERRATA.md"),

@@ -27,6 +27,7 @@ from .machinery.exercise import (
 )
 from .machinery.given_numbers import Given
 from .machinery.hints import NO_HELP, Help
+from .machinery.language import ENGLISH, speaking, tr
 from .machinery.progress import Progress
 from .machinery.records import record_of
 
@@ -150,22 +151,28 @@ def judged(number: str | float, answer: Any, progress: Progress, said: Said = NO
     """Return the card that `check` shows; `progress` is what was answered, and takes note of it."""
     name, exercise = _exercise(number)
     is_said = not said.because or progress.are_new(said.because, name, answer)
-    found = exercise.verdict(answer, said if is_said else said._replace(because=""))
+    counted = said if is_said else said._replace(because="")
+    found = exercise.verdict(answer, counted)
     progress.note(name, answer, found)
     chapter = _chapter(name)
     right, count = progress.of(all_exercises(chapter))
     attempts = progress.attempts(name)
-    notes = [] if is_said else ["These are your words on another answer: why this one?"]
+    notes = [] if is_said else [tr("These are your words on another answer: why this one?")]
     if found.right and exercise.kind == "predict":
         notes.append(progress.guess_against(name, answer))
     if said.student and getattr(exercise, "given", None):
-        notes.append(f"Judged with the numbers of {said.student}.")
+        notes.append(tr("Judged with the numbers of {student}.", student=said.student))
     if not isinstance(number, str) and f"{name}0" in all_exercises(chapter):
-        notes.append(f'This is {name}. For the tenth exercise write "{name}0", as text.')
-    done = f"{right} of {count} right in chapter {chapter}"
+        notes.append(
+            tr('This is {number}. For the tenth exercise write "{number}0", as text.', number=name)
+        )
+    so_far = {"right": right, "count": count, "chapter": chapter}
+    done = tr("{right} of {count} right in chapter {chapter}", **so_far)
     if attempts > 1:
-        done = f"attempt {attempts}; {done}"
-    record = record_of(name, answer, found, attempts, said)
+        done = tr("attempt {number}; {done}", number=attempts, done=done)
+    with speaking(ENGLISH):  # a class is counted in one language
+        same = exercise.verdict(answer, counted)
+        record = record_of(name, answer, same, attempts, said)
     return Card(name, found, _help(name), tuple(notes), done, said.because, record)
 
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from .exercise import Exercise, Objection, Said, key_of, rows
 from .given_numbers import GivenNumbers
+from .language import tr
 from .reading import Numbers, UnreadableError, fit, numbers, panel_values, read
 from .sizes import how_far_off
 from .slips import UNITS, find_slip, matches
@@ -93,11 +94,13 @@ class Value(Exercise):
 
     def _read_panel(self, values: Mapping[str, Any]) -> Any:
         if self.from_panel is None:
-            raise UnreadableError("No one setting of a panel is the answer; expected numbers.")
+            raise UnreadableError(tr("No one setting of a panel is the answer; expected numbers."))
         try:
             return self.from_panel(values)
         except KeyError:
-            raise UnreadableError("Expected the panel of this exercise, got another one.") from None
+            raise UnreadableError(
+                tr("Expected the panel of this exercise, got another one.")
+            ) from None
 
 
 @lru_cache(maxsize=256)
@@ -136,32 +139,38 @@ class Choice(Exercise):
 
     def _objection(self, answer: Any, said: Said) -> Objection | None:
         letters = self.letters
-        expected = f"Expected letters from {letters[0]} to {letters[-1]}"
+        ends = {"first": letters[0], "last": letters[-1]}
+        as_letters = tr("Expected letters from {first} to {last}, as text.", **ends)
         if isinstance(answer, np.ndarray):
             answer = answer.ravel().tolist()
         if isinstance(answer, Mapping) or not isinstance(answer, Iterable):
-            raise UnreadableError(f"{expected}, as text.")
+            raise UnreadableError(as_letters)
         words = [answer] if isinstance(answer, str) else list(answer)
         if not all(isinstance(word, str) for word in words):
-            raise UnreadableError(f"{expected}, as text.")
+            raise UnreadableError(as_letters)
         text = " ".join(words).lower().replace("and", " ")
         chosen = sorted({letter for letter in text if letter.isalnum()})
         for letter in chosen:
             if letter not in letters:
-                raise UnreadableError(f"{expected}, found {letter!a}.")
+                found = tr(
+                    "Expected letters from {first} to {last}, found {letter}.",
+                    letter=ascii(letter),
+                    **ends,
+                )
+                raise UnreadableError(found)
         if not chosen:
-            raise UnreadableError(f"{expected}.")
+            raise UnreadableError(tr("Expected letters from {first} to {last}.", **ends))
         misjudged = self._key.right.symmetric_difference(chosen)
         if not misjudged:
             return None
         if not in_words(said.because):
-            return Objection(f"{NOT_ALL} {SAY_WHY}")
+            return Objection(f"{tr(NOT_ALL)} {tr(SAY_WHY)}")
         if len(misjudged) > 1:
-            return Objection("More than one statement is judged otherwise than it should be.")
+            return Objection(tr("More than one statement is judged otherwise than it should be."))
         (letter,) = misjudged
         if letter in self._key.mistakes:
-            return Objection(f"({letter}) {self._key.mistakes[letter]}")
-        return Objection("What you chose is true, and something else is too.")
+            return Objection(f"({letter}) {tr(self._key.mistakes[letter])}")
+        return Objection(tr("What you chose is true, and something else is too."))
 
 
 def in_words(because: str) -> bool:

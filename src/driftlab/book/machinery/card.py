@@ -16,6 +16,7 @@ from typing import Any
 
 from .exercise import Verdict
 from .hints import Help
+from .language import tr
 from .records import MIME
 
 SIGNS = {
@@ -25,6 +26,8 @@ SIGNS = {
     "not answered yet": ("○ Open", "128, 128, 128"),
 }
 """By the first words of a verdict, what the card says, and its colour."""
+
+SECTION = "The section that helps:"
 
 TICKS = {True: "✓", False: "✗"}
 
@@ -60,8 +63,9 @@ class Card:
     record: Mapping[str, Any] = field(default_factory=dict)
 
     def __repr__(self) -> str:
-        lines = [f"Exercise {self.number}: {self.verdict.says}", *self._ticks(), *self._words()]
-        return "\n".join(lines)
+        name = tr("Exercise {number}", number=self.number)
+        says = f"{tr(self.verdict.word)}. {self.verdict.reason}".rstrip()
+        return "\n".join([f"{name}: {says}", *self._ticks(), *self._words()])
 
     def _repr_html_(self) -> str:
         return self.boxed()
@@ -72,8 +76,9 @@ class Card:
     def boxed(self, *, hints: bool = True) -> str:
         """The card in HTML; without hints for a page that has them below it anyway."""
         sign, colour = SIGNS[self.verdict.word]
-        says = self.verdict.says.partition(".")[2].strip()
-        head = f"<b>{sign}</b> &nbsp;Exercise {html.escape(self.number)}"
+        says = self.verdict.reason
+        name = html.escape(tr("Exercise {number}", number=self.number))
+        head = f"<b>{tr(sign)}</b> &nbsp;{name}"
         if self.progress:
             head += f"<span style='float: right; opacity: 0.75'>{html.escape(self.progress)}</span>"
         body = [says, *self._words()] if says else self._words()
@@ -91,11 +96,12 @@ class Card:
         return [" ".join(TICKS[part] for part in row) for row in self.verdict.parts]
 
     def _words(self) -> list[str]:
-        yours = [f"Your words: {self.because}"] if self.because else []
-        model = self.verdict.right and self.help.model
-        if model and self.because:
-            return [*self.notes, *yours, f"The book's words: {model}"]
-        return [*self.notes, *yours, *([f"In words: {model}"] if model else [])]
+        yours = [tr("Your words: {words}", words=self.because)] if self.because else []
+        model = self.verdict.right and tr(self.help.model)
+        if model:
+            whose = tr("The book's words:") if self.because else tr("In words:")
+            return [*self.notes, *yours, f"{whose} {model}"]
+        return [*self.notes, *yours]
 
 
 @dataclass(frozen=True)
@@ -107,19 +113,24 @@ class HintCard:
     rungs: int
 
     def __repr__(self) -> str:
-        shown = [f"Hint {i}: {text}" for i, text in enumerate(self.help.rungs[: self.rungs], 1)]
+        shown = [
+            tr("Hint {count}: {words}", count=i, words=tr(text))
+            for i, text in enumerate(self.help.rungs[: self.rungs], 1)
+        ]
         if self.rungs > len(shown):
-            shown.append(f"The section that helps: {self.help.section}.")
-        return "\n".join([f"Exercise {self.number}", *shown])
+            shown.append(f"{tr(SECTION)} {tr(self.help.section)}.")
+        return "\n".join([tr("Exercise {number}", number=self.number), *shown])
 
     def _repr_html_(self) -> str:
         shown = [
-            f"<b>{name}</b> &nbsp;{in_html(text)}"
-            for name, text in zip(("Nudge", "Idea"), self.help.rungs[: self.rungs], strict=False)
+            f"<b>{name}</b> &nbsp;{in_html(tr(text))}"
+            for name, text in zip(
+                (tr("Nudge"), tr("Idea")), self.help.rungs[: self.rungs], strict=False
+            )
         ]
         if self.rungs > len(shown):
             shown.append(link(self.help))
-        head = f"Exercise {html.escape(self.number)}"
+        head = html.escape(tr("Exercise {number}", number=self.number))
         return boxed([head, *shown], SIGNS["not answered yet"][1])
 
 
@@ -134,20 +145,21 @@ def show(card: Card | HintCard) -> None:
 
 def ladder(help_: Help) -> str:
     """The hints in HTML, each folded into the one before."""
-    steps = zip(("A nudge", "More: the idea"), map(in_html, help_.rungs), strict=True)
+    steps = zip((tr("A nudge"), tr("More: the idea")), map(tr, help_.rungs), strict=True)
     inner = ""
     for name, text in reversed(tuple(steps)):
         inner = (
             f"<details><summary style='cursor: pointer'>{name}</summary>"
-            f"<div style='padding-left: 1em'>{text}{inner}</div></details>"
+            f"<div style='padding-left: 1em'>{in_html(text)}{inner}</div></details>"
         )
     return inner
 
 
 def link(help_: Help) -> str:
     """A link to the section that helps, within the page."""
-    target, name = html.escape(help_.anchor), html.escape(help_.section)
-    return f"The section that helps: <a href='#{target}'>{name}</a>"
+    section = tr(help_.section)
+    anchor = html.escape(section.replace(" ", "-"))
+    return f"{tr(SECTION)} <a href='#{anchor}'>{html.escape(section)}</a>"
 
 
 def in_html(text: str) -> str:
@@ -167,4 +179,4 @@ def boxed(lines: list[str], colour: str) -> str:
 
 
 def _aloud(row: tuple[bool, ...]) -> str:
-    return ", ".join("right" if part else "not yet" for part in row)
+    return ", ".join(tr("right") if part else tr("not yet") for part in row)

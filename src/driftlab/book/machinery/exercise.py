@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .language import tr
 from .reading import SettingError, UnreadableError
 
 KINDS = ("predict", "slide", "explain", "compute")
@@ -45,7 +46,8 @@ class Verdict(NamedTuple):
         None if there is no answer yet.
     says : str
         One or two sentences for the reader. They begin with "right", "not yet", "not readable" or
-        "not answered yet", and a full stop.
+        "not answered yet", in English for programs, and a full stop; what follows is in the
+        language that is spoken.
     parts : tuple of tuple of bool
         Which parts of a list or an array are right, row by row; empty if there is nothing to say
         of parts.
@@ -59,6 +61,11 @@ class Verdict(NamedTuple):
     def word(self) -> str:
         """What the sentences begin with."""
         return self.says.partition(".")[0]
+
+    @property
+    def reason(self) -> str:
+        """What follows the word."""
+        return self.says.partition(".")[2].strip()
 
 
 class NotRightError(AssertionError):
@@ -136,11 +143,11 @@ class Exercise(ABC):
         try:
             objection = self._objection(answer, said)
         except SettingError as error:
-            return Verdict(False, f"not yet. {error}")
+            return Verdict(False, f"not yet. {tr(str(error))}")
         except UnreadableError as error:
-            return Verdict(False, f"not readable. {error}")
+            return Verdict(False, f"not readable. {tr(str(error))}")
         if objection is None:
-            return Verdict(True, f"right. {self.remark}".rstrip())
+            return Verdict(True, f"right. {tr(self.remark)}".rstrip())
         return Verdict(False, f"not yet. {objection.reason}", objection.parts)
 
     @abstractmethod

@@ -16,9 +16,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .exercise import Exercise, Objection, Said, rows
+from .language import tr, tr_number
 from .reading import Numbers, UnreadableError, entries, fit, name, numbers, of_sympy, read, symbols
 from .sizes import common_factor, size
 from .slips import find_slip, matches
+
+EXCHANGED = "Two of the arguments have changed places."
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -74,19 +77,25 @@ class Formula(Exercise):
         """How far a formula is off that shows no slip, at one of the places where it was tried."""
         factor = common_factor(given, right)
         if factor:
-            wrong = "the sign and a constant factor are" if factor < 0 else "a constant factor is"
-            return f"The form is right, {wrong} not."
+            if factor < 0:
+                return tr("The form is right, the sign and a constant factor are not.")
+            return tr("The form is right, a constant factor is not.")
         if parts.ndim and parts.any():
-            return (
-                f"Right {'is' if parts.sum() == 1 else 'are'} {parts.sum()} of {parts.size} parts."
+            return tr_number(
+                "Right is {count} of {total} parts.",
+                "Right are {count} of {total} parts.",
+                int(parts.sum()),
+                total=parts.size,
             )
         at = np.unravel_index(np.argmax(np.abs(given - right)), given.shape)
-        where = "One of those tried: there"
+        where = tr("One of those tried: there")
         if all(np.ndim(value) == 0 for value in self._places[at[0]]):
             pairs = zip(self.arguments, self._places[at[0]], strict=True)
-            where = f"At {', '.join(f'{n} = {value:.3g}' for n, value in pairs)}"
-        part = "it" if right.ndim == 1 else "one of its parts"
-        return f"{where} {part} is {size(given[at], right[at])}."
+            where = tr("At {place}", place=", ".join(f"{n} = {value:.3g}" for n, value in pairs))
+        how = size(given[at], right[at])
+        if right.ndim == 1:
+            return tr("{where} it is {how}.", where=where, how=how)
+        return tr("{where} one of its parts is {how}.", where=where, how=how)
 
     @cached_property
     def _places(self) -> list[tuple[Any, ...]]:
@@ -112,7 +121,7 @@ class Formula(Exercise):
                     values = self._values(
                         lambda *place, order=order: self._key.right(*(place[k] for k in order))
                     )
-                    yield "Two of the arguments have changed places.", values
+                    yield EXCHANGED, values
 
     def _function(self, answer: Any, place: tuple[Any, ...]) -> Callable[..., Any]:
         """The answer, a function, an expression or a constant, as a function."""
@@ -126,17 +135,26 @@ class Formula(Exercise):
         parts = entries(answer)
         if not all(isinstance(part, (sp.Basic, Number)) for part in parts):
             raise UnreadableError(
-                f"Expected an expression or a function of ({names}), got {name(answer)}."
+                tr(
+                    "Expected an expression or a function of ({names}), got {form}.",
+                    names=names,
+                    form=name(answer),
+                )
             )
         found = {symbol for part in parts for symbol in symbols(part)}
         own = {self.aliases.get(str(symbol), str(symbol)): symbol for symbol in found}
         unknown = sorted(own.keys() - set(self.arguments))
         if unknown:
+            others = ", ".join(unknown)
             raise UnreadableError(
-                f"Expected an expression in {names}, found also {', '.join(unknown)}."
+                tr(
+                    "Expected an expression in {names}, found also {others}.",
+                    names=names,
+                    others=others,
+                )
             )
         if own and any(np.ndim(value) for value in place):
-            raise UnreadableError(f"Expected a Python function of ({names}).")
+            raise UnreadableError(tr("Expected a Python function of ({names}).", names=names))
         if isinstance(answer, np.ndarray):
             answer = answer.tolist()
         return sp.lambdify([own.get(n, sp.Symbol(n)) for n in self.arguments], answer)

@@ -14,6 +14,7 @@ import ipywidgets as widgets
 
 from .control import TOOLTIP
 from .kept_guesses import keep, kept_guess
+from .language import tr
 from .puzzle import Answer, Choice, Number, Puzzle, rounded
 from .revealed import CLOSE, revealed
 from .widget_view import widget_view
@@ -43,19 +44,21 @@ class NumberInput:
         slider = {
             "readout": False,
             "layout": {"width": "auto", "max_width": "30em", "margin": "0"},
-            TOOLTIP: f"{question.asks} ({question.unit})",
+            TOOLTIP: f"{tr(question.asks)} ({tr(question.unit)})",
         }
         if question.whole:
-            self.field = widgets.BoundedIntText(**limits, description="Your guess")
+            self.field = widgets.BoundedIntText(**limits, description=tr("Your guess"))
             self.slider = widgets.IntSlider(**limits, **slider)
         else:
-            self.field = widgets.BoundedFloatText(**limits, description="Your guess")
+            self.field = widgets.BoundedFloatText(**limits, description=tr("Your guess"))
             start = question.place(question.start)
             self.slider = widgets.FloatSlider(start, min=0, max=1, step=0.005, **slider)
         self.field.layout = {"width": "14em"}
         self.slider.observe(self._slid, "value")
         self.field.observe(self._typed, "value")
-        typed = widgets.HBox([self.field, widgets.Label(UNITS.get(question.unit, question.unit))])
+        typed = widgets.HBox(
+            [self.field, widgets.Label(tr(UNITS.get(question.unit, question.unit)))]
+        )
         self.widget = widgets.VBox([_text(question.asks), typed, self.slider])
         self._moving = False
         self._touched = False  # where the slider stands at first is nobody's guess
@@ -93,7 +96,9 @@ class ChoiceInput:
     def __init__(self, question: Choice) -> None:
         self.question = question
         self.radio = widgets.RadioButtons(
-            options=question.options, value=None, layout={"width": "max-content"}
+            options=[(tr(words), words) for words in question.options],
+            value=None,
+            layout={"width": "max-content"},
         )
         self.widget = widgets.VBox([_text(question.asks), self.radio])
 
@@ -117,9 +122,10 @@ class GuessControl:
         self.inputs = [
             NumberInput(q) if isinstance(q, Number) else ChoiceInput(q) for q in puzzle.questions
         ]
-        self.button = widgets.Button(description="That is my guess", button_style="primary")
+        self.button = widgets.Button(description=tr("That is my guess"), button_style="primary")
         self.look = widgets.Button(
-            description="Show me", tooltip="See the answer without a guess; that is possible too"
+            description=tr("Show me"),
+            tooltip=tr("See the answer without a guess; that is possible too"),
         )
         self.answer = widgets.HTML()
         self.button.on_click(lambda _: self.take())
@@ -132,14 +138,14 @@ class GuessControl:
         self.widget.add_class(GUESS_CLASS)
         answered, guess = kept_guess(puzzle)
         if answered:
-            self.reveal(guess, "" if guess is None else KEPT)
+            self.reveal(guess, "" if guess is None else tr(KEPT))
             self.widget.children = [self.answer]  # nobody has pressed a button
 
     def take(self) -> None:
         """Keep the guess that the controls show, and show the answer."""
         guess = [each.value for each in self.inputs]
         if None in guess:
-            self.answer.value = f"<p role='alert'>{UNANSWERED}</p>"
+            self.answer.value = f"<p role='alert'>{tr(UNANSWERED)}</p>"
             return
         self.reveal(guess, keep(self.puzzle, guess))  # type: ignore[arg-type]
 
@@ -159,21 +165,22 @@ class GuessControl:
         self.widget.children = [self.buttons, self.answer]
 
     def __repr__(self) -> str:
-        asks = " ".join(question.asks for question in self.puzzle.questions)
-        return f"A guess first: {asks}\n{HOW_TO_SEE}"
+        asks = " ".join(tr(question.asks) for question in self.puzzle.questions)
+        return f"{tr(FIRST)} {asks}\n{tr(HOW_TO_SEE)}"
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
         """The control, and for a page that is not live, the question without the answer."""
-        asks = "".join(f"<li>{html.escape(q.asks)}</li>" for q in self.puzzle.questions)
+        asks = "".join(f"<li>{html.escape(tr(q.asks))}</li>" for q in self.puzzle.questions)
         return {
             **widget_view(self.widget),
-            "text/html": f"<p><b>A guess first.</b></p><ul>{asks}</ul><p>{HOW_TO_SEE}</p>",
+            "text/html": (f"<p><b>{tr(FIRST)}</b></p><ul>{asks}</ul><p>{tr(HOW_TO_SEE)}</p>"),
             "text/plain": repr(self),
         }
 
 
+FIRST = "A guess first:"
 HOW_TO_SEE = "Run this cell in JupyterLab to make your guess; then the answer appears here."
 
 
 def _text(words: str) -> widgets.HTML:
-    return widgets.HTML(f"<div style='{CLOSE}'>{html.escape(words)}</div>")
+    return widgets.HTML(f"<div style='{CLOSE}'>{html.escape(tr(words))}</div>")

@@ -13,6 +13,7 @@ from pathlib import Path
 from tempfile import NamedTemporaryFile
 from typing import Any
 
+from .language import tr
 from .puzzle import Answer, Puzzle
 
 FILE = "guesses.json"
@@ -73,13 +74,16 @@ def keep(puzzle: Puzzle, guess: Sequence[Answer] | None, path: Path | None = Non
         _write(path, {**kept, puzzle.key: value})
     except Foreign:
         in_memory[path, puzzle.key] = value
-        return (
-            f"{FILE} beside this notebook cannot be read as guesses of this book. It stays as it "
-            "is, and this guess is kept until the kernel ends."
+        return tr(
+            "{file} beside this notebook cannot be read as guesses of this book. It stays as "
+            "it is, and this guess is kept until the kernel ends.",
+            file=FILE,
         )
     except OSError:
         in_memory[path, puzzle.key] = value
-        return f"{FILE} cannot be written here; this guess is kept until the kernel ends."
+        return tr(
+            "{file} cannot be written here; this guess is kept until the kernel ends.", file=FILE
+        )
     return ""
 
 

@@ -11,6 +11,7 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
+from .language import tr
 from .sheet import Sheet
 
 PICTURES = ("pdf", "svg", "png")
@@ -44,7 +45,6 @@ def picture_file(
 def how_to_save(panel: str, *, drawn: bool) -> str:
     """Return a line of HTML that says how a panel's picture is kept; `drawn` by Matplotlib."""
     arguments = '"picture.pdf", width=3.5' if drawn else '"picture.svg"'
-    return (
-        f"<p>To keep this picture: <code>panel = {panel}()</code>, and then "
-        f"<code>panel.save({html.escape(arguments)})</code>.</p>"
-    )
+    make, save = f"panel = {panel}()", f"panel.save({html.escape(arguments)})"
+    words = tr("To keep this picture: {make}, and then {save}.")
+    return f"<p>{words.format(make=f'<code>{make}</code>', save=f'<code>{save}</code>')}</p>"

@@ -7,6 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from .language import tr
+
 Answer: TypeAlias = float | str
 """A number in the question's unit, or the chosen words."""
 
@@ -82,7 +84,7 @@ class Number:
         """Return a value with its unit, in three digits."""
         assert not isinstance(value, str)
         number = f"{value:.0f}" if self.whole or abs(value) >= 100 else f"{value:.3g}"
-        return number + ("" if self.unit[:1] in "°′″" else " ") + self.unit
+        return number + ("" if self.unit[:1] in "°′″" else " ") + tr(self.unit)
 
     def allows(self, answer: object) -> bool:
         """Tell whether something that was read is a guess at this question."""
@@ -95,15 +97,19 @@ class Number:
         assert not isinstance(truth, str)
         if self.whole:
             more = round(guess - truth)
-            off = f"{abs(more)} too {'many' if more > 0 else 'few'}" if more else "it exactly"
-            return f"You guessed {off}."
+            if not more:
+                return tr("You guessed it exactly.")
+            if more > 0:
+                return tr("You guessed {count} too many.", count=more)
+            return tr("You guessed {count} too few.", count=-more)
         ratio = guess / truth
         if ratio > 14:
-            return f"You guessed about {written_round(ratio)} times as much."
+            return tr("You guessed about {times} times as much.", times=written_round(ratio))
         if ratio < 1 / 14:
-            return f"It is about {written_round(1 / ratio)} times what you guessed."
+            times = written_round(1 / ratio)
+            return tr("It is about {times} times what you guessed.", times=times)
         nearest = min(PARTS, key=lambda part: abs(math.log(ratio / part)))
-        return f"You guessed {PARTS[nearest]}."
+        return tr("You guessed {part}.", part=tr(PARTS[nearest]))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -126,7 +132,7 @@ class Choice:
 
     def written(self, value: Answer) -> str:
         """Return the words."""
-        return str(value)
+        return tr(str(value))
 
     def allows(self, answer: object) -> bool:
         """Tell whether something that was read is a guess at this question."""
@@ -134,7 +140,9 @@ class Choice:
 
     def how_far(self, guess: Answer, truth: Answer) -> str:
         """Return whether a guess is right, as a sentence."""
-        return "That is what you guessed." if guess == truth else f"You guessed: {guess}."
+        if guess == truth:
+            return tr("That is what you guessed.")
+        return tr("You guessed: {guess}.", guess=self.written(guess))
 
 
 Question: TypeAlias = Number | Choice
@@ -183,7 +191,7 @@ class Puzzle:
     def remark(self, truths: Sequence[Answer]) -> str:
         """Return the sentences under the answer."""
         written = [q.written(truth) for q, truth in zip(self.questions, truths, strict=True)]
-        return self.says.format(*written)
+        return tr(self.says).format(*written)
 
 
 def rounded(value: float, digits: int = 2) -> float:

@@ -13,6 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .language import tr, tr_number
+
 Numbers = NDArray[np.float64] | NDArray[np.complex128]
 
 
@@ -35,23 +37,27 @@ def numbers(value: Any) -> Numbers:
     if of_sympy(value, "MatrixBase"):
         value = value.tolist()
     if any(isinstance(entry, str) for entry in entries(value)):
-        raise UnreadableError("Expected numbers without quotation marks, such as 1.5 or [1, 2].")
+        raise UnreadableError(
+            tr("Expected numbers without quotation marks, such as 1.5 or [1, 2].")
+        )
     try:
         array = np.asarray(value)
     except ValueError:
-        raise UnreadableError("Expected numbers, got rows of unequal length.") from None
+        raise UnreadableError(tr("Expected numbers, got rows of unequal length.")) from None
     if array.dtype == object:
         found = {str(symbol) for entry in array.flat for symbol in symbols(entry)}
         if found:
-            raise UnreadableError(f"Expected numbers, found the symbols {', '.join(found)}.")
+            raise UnreadableError(
+                tr("Expected numbers, found the symbols {symbols}.", symbols=", ".join(found))
+            )
         try:
             array = np.array([complex(entry) for entry in array.flat]).reshape(array.shape)
         except (TypeError, ValueError):
-            raise UnreadableError(f"Expected numbers, got {name(value)}.") from None
+            raise UnreadableError(tr("Expected numbers, got {form}.", form=name(value))) from None
     if array.dtype.kind not in "iufc" or array.size == 0:
-        raise UnreadableError(f"Expected numbers, got {name(value)}.")
+        raise UnreadableError(tr("Expected numbers, got {form}.", form=name(value)))
     if not np.isfinite(array).all():
-        raise UnreadableError("Expected finite numbers, got NaN or infinity.")
+        raise UnreadableError(tr("Expected finite numbers, got NaN or infinity."))
     return array.astype(np.complex128) if np.iscomplex(array).any() else np.real(array) * 1.0
 
 
@@ -89,7 +95,8 @@ def read(reading: Callable[..., Any], *arguments: Any) -> Any:
     except UnreadableError:
         raise
     except Exception as error:
-        raise UnreadableError(f"Your answer raised {type(error).__name__}: {error}") from error
+        words = tr("Your answer raised {error}: {says}", error=type(error).__name__, says=error)
+        raise UnreadableError(words) from error
 
 
 def fit(given: Numbers, right: Numbers) -> Numbers:
@@ -97,7 +104,9 @@ def fit(given: Numbers, right: Numbers) -> Numbers:
     if given.shape != right.shape and given.squeeze().shape == right.shape:
         given = given.squeeze()
     if given.shape != right.shape:
-        raise UnreadableError(f"Expected {form(right)}, got {form(given)}.")
+        raise UnreadableError(
+            tr("Expected {right}, got {given}.", right=form(right), given=form(given))
+        )
     return given
 
 
@@ -122,11 +131,11 @@ def symbols(entry: Any) -> set[Any]:
 
 def form(array: Numbers) -> str:
     if array.ndim == 0:
-        return "one number"
+        return tr("one number")
     if array.ndim == 1:
-        return f"{array.size} numbers in a list"
-    return f"an array of shape {array.shape}"
+        return tr_number("{count} number in a list", "{count} numbers in a list", array.size)
+    return tr("an array of shape {shape}", shape=array.shape)
 
 
 def name(value: Any) -> str:
-    return f"a {type(value).__name__}"
+    return tr("a {type}", type=type(value).__name__)

@@ -42,7 +42,7 @@ def record_of(
         "exercise": number,
         "right": verdict.right,
         "word": verdict.word,
-        "says": verdict.says.partition(".")[2].strip(),
+        "says": verdict.reason,
         "attempt": attempt,
         "answer": None if verdict.right is None else _plain(answer),
         "because": said.because,

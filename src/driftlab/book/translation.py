@@ -1,0 +1,191 @@
+"""Catalogues for translators: ``python -m driftlab.book translation ru``.
+
+What the book says to a reader stands in its code, as ``tr("...")``, or is data of its chapters:
+exercises, hints, puzzles, panels. Both are gathered here into the catalogue of a language, in which
+a translator writes with any editor for gettext, such as Poedit, and the catalogue is compiled.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from hashlib import sha256
+from io import BytesIO
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from .chapters import chapters_with, part_of
+from .exercises import all_exercises, hints_of
+from .machinery.answers import NOT_ALL, SAY_WHY
+from .machinery.card import SECTION, SIGNS
+from .machinery.exercise import key_of
+from .machinery.formulas import EXCHANGED, Formula
+from .machinery.guess import FIRST, HOW_TO_SEE, KEPT, UNANSWERED, UNITS as GUESS_UNITS
+from .machinery.language import DOMAIN, FOLDER
+from .machinery.panel import OWN_VALUES
+from .machinery.puzzle import PARTS, Number
+from .machinery.revealed import WITHOUT_GUESS
+from .machinery.sizes import NUMBERS, ORDINALS
+from .machinery.slips import UNITS
+from .panels import EXPLORERS
+
+KEYWORDS: dict[str, Any] = {"tr": None, "tr_number": (1, 2)}
+"""The functions whose first arguments are to be translated; the second one counts."""
+
+MARK = "translation_of"
+"""Under which key of its metadata a translated cell keeps what it is a translation of."""
+
+
+class Coverage(NamedTuple):
+    """How far a translation has come.
+
+    Attributes
+    ----------
+    translated, total : int
+        Texts of the catalogue.
+    behind : dict of str to tuple of str
+        By notebook of the language, the cells whose English text is another by now.
+    """
+
+    translated: int
+    total: int
+    behind: dict[str, tuple[str, ...]]
+
+    def __str__(self) -> str:
+        lines = [f"{self.translated} of {self.total} texts are translated."]
+        for name, cells in self.behind.items():
+            lines.append(f"{name}: {'behind: ' + ', '.join(cells) if cells else 'up to date'}")
+        return "\n".join(lines)
+
+
+def texts() -> Iterator[tuple[str, str]]:
+    """Yield what the chapters' data say to a reader, each with where it stands."""
+    for number, exercise in all_exercises().items():
+        where = f"exercise {number}"
+        yield from ((exercise.remark, where), *((says, where) for says in _told(exercise)))
+        if unit := getattr(exercise, "unit", ""):
+            yield unit, where
+    for chapter in chapters_with("exercises"):
+        for number, help_ in hints_of(chapter).items():
+            yield from ((text, f"hint {number}") for text in help_)
+    for chapter in chapters_with("puzzle"):
+        puzzle = part_of(chapter, "puzzle").PUZZLE
+        for question in puzzle.questions:
+            own = (question.unit,) if isinstance(question, Number) else question.options
+            yield from ((text, f"puzzle {chapter}") for text in (question.asks, *own))
+        yield puzzle.says, f"puzzle {chapter}"
+    for panel in EXPLORERS:
+        where = f"panel {panel.__name__}"
+        yield from ((text, where) for text in (panel.title, *panel.presets))
+        yield from ((text, where) for text in panel.look_for.values())
+        for control in panel.controls:
+            yield from ((text, where) for text in (control.label, control.group, *control.choices))
+    constants = [*SIGNS, *(sign for sign, _ in SIGNS.values()), *PARTS.values(), WITHOUT_GUESS]
+    constants += [HOW_TO_SEE, KEPT, UNANSWERED, OWN_VALUES, *GUESS_UNITS.values()]
+    constants += [NOT_ALL, SAY_WHY, SECTION, FIRST, EXCHANGED, *NUMBERS, *ORDINALS]
+    constants += [unit for kind in UNITS.values() for unit in kind]
+    yield from ((text, "machinery") for text in constants)
+
+
+def _told(exercise: Any) -> Iterator[str]:
+    """What an exercise says of wrong answers."""
+    mistakes = key_of(exercise).mistakes
+    values = isinstance(exercise, Formula) or hasattr(exercise, "tolerance")
+    yield from (mistakes if values else filter(None, mistakes.values()))
+
+
+def gathered() -> dict[tuple[str, ...], list[str]]:
+    """Return all texts, each with its plural if it counts, and the places where it stands."""
+    from babel.messages.extract import extract_from_file
+
+    found: dict[tuple[str, ...], list[str]] = {}
+    for path in sorted(Path(__file__).parent.rglob("*.py")):
+        where = path.relative_to(Path(__file__).parent).as_posix()
+        for _, message, _, _ in extract_from_file("python", path, keywords=KEYWORDS):
+            found.setdefault((message,) if isinstance(message, str) else message, []).append(where)
+    for text, where in texts():
+        if text.strip():
+            found.setdefault((text,), []).append(where)
+    return found
+
+
+def update(language: str) -> Coverage:
+    """Bring the catalogue of a language up to date, and compile it.
+
+    Parameters
+    ----------
+    language : str
+        Its code, as "ru"; one that is not there yet begins empty.
+
+    Returns
+    -------
+    Coverage
+        How far it has come. Texts that nobody says any more are dropped; of one that has changed
+        a little, the translation is kept and marked as fuzzy, which counts as not translated.
+    """
+    from babel.messages.catalog import Catalog
+    from babel.messages.mofile import write_mo
+    from babel.messages.pofile import read_po, write_po
+
+    path = FOLDER / language / "LC_MESSAGES" / f"{DOMAIN}.po"
+    template = Catalog(project="driftlab", charset="utf-8", fuzzy=False)
+    for message, where in gathered().items():
+        places = [(place.replace(" ", "-"), 0) for place in dict.fromkeys(where)]
+        flags = ["python-brace-format"] if "{" in message[0] else []
+        template.add(message if len(message) > 1 else message[0], locations=places, flags=flags)
+    catalog = Catalog(locale=language, project="driftlab", charset="utf-8", fuzzy=False)
+    if path.exists():
+        catalog = read_po(BytesIO(path.read_bytes()), locale=language, charset="utf-8")
+    catalog.update(template, update_creation_date=False)
+    catalog.obsolete.clear()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    for suffix, write in ((".po", _po(write_po)), (".mo", write_mo)):
+        made = BytesIO()
+        write(made, catalog)
+        path.with_suffix(suffix).write_bytes(made.getvalue())
+    done = sum(bool(m.id) and _is_done(m) for m in catalog)
+    return Coverage(done, len(catalog), behind(language))
+
+
+def _po(write: Any) -> Any:
+    """Write without the date, which would make each catalogue another one."""
+    return lambda file, catalog: write(
+        file, catalog, width=100, omit_header=False, sort_output=True
+    )
+
+
+def _is_done(message: Any) -> bool:
+    words = message.string if isinstance(message.string, tuple) else (message.string,)
+    return all(words) and not message.fuzzy
+
+
+def behind(language: str, notebooks: Path | None = None) -> dict[str, tuple[str, ...]]:
+    """Return the translated cells whose English text has changed since.
+
+    Parameters
+    ----------
+    language : str
+        Its code; the translated notebooks stand in a folder of this name beside the English ones.
+    notebooks : Path, optional
+        Where the English ones are, if not in the project's folder.
+    """
+    home = notebooks or Path(__file__).parents[3] / "notebooks"
+    found = {}
+    for path in sorted((home / language).glob("*.ipynb")):
+        english = {cell["id"]: "".join(cell["source"]) for cell in _cells(home / path.name)}
+        found[f"{language}/{path.name}"] = tuple(
+            cell["id"]
+            for cell in _cells(path)
+            if (of := cell["metadata"].get(MARK)) and of != digest(english.get(cell["id"], ""))
+        )
+    return found
+
+
+def digest(text: str) -> str:
+    """Return what stands for an English text in the metadata of its translation."""
+    return sha256(text.encode()).hexdigest()[:12]
+
+
+def _cells(path: Path) -> list[dict[str, Any]]:
+    cells: list[dict[str, Any]] = json.loads(path.read_text("utf-8"))["cells"]
+    return cells

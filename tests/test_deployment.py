@@ -1,0 +1,96 @@
+"""What the page for a class says is there; which packages are fetched for which computer."""
+
+import json
+import re
+import tomllib
+from pathlib import Path
+
+import lab
+import pytest
+from bootstrap import offline, student, teaching
+from bootstrap.steps import Trouble
+from packaging.specifiers import SpecifierSet
+
+from support import ROOT
+
+FOLDER = ROOT / "deployment"
+PAGE = (FOLDER / "README.md").read_text("utf-8")
+DOCKERFILE = (FOLDER / "Dockerfile").read_text("utf-8")
+COPIED = re.findall(r"^COPY (?:--\S+ )?(.*) \S+$", DOCKERFILE, re.M)
+
+
+def test_the_image_takes_files_that_the_project_and_a_students_copy_have() -> None:
+    names = [name for line in COPIED for name in line.split()]
+    assert {"src", "notebooks", "environment.txt"} <= set(names)
+    for name in names:
+        assert (ROOT / name).exists(), name
+        assert name in student.TAKEN, name
+
+
+def test_the_image_is_sent_what_it_takes() -> None:
+    """What is not in the list of exceptions does not reach Docker."""
+    sent = re.findall(r"^!(\S+)$", (FOLDER / "Dockerfile.dockerignore").read_text("utf-8"), re.M)
+    assert sorted(sent) == sorted(name for line in COPIED for name in line.split())
+
+
+def test_the_image_has_a_python_that_the_book_allows_and_was_tried_with() -> None:
+    [python] = re.findall(r"^FROM python:(3\.\d+)-slim-\w+$", DOCKERFILE, re.M)
+    about = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    assert python in SpecifierSet(about["requires-python"])
+    assert f"Programming Language :: Python :: {python}" in about["classifiers"]
+
+
+def test_a_container_is_open_to_this_computer_and_asks_for_its_token() -> None:
+    ports = re.findall(r"-p (\S*\d)", DOCKERFILE + PAGE)
+    assert set(ports) == {"127.0.0.1:8888:8888"}
+    assert len(ports) == 2
+    command = json.loads(DOCKERFILE.rpartition("\nCMD ")[2])
+    assert not any("token" in part or "password" in part for part in command)
+    assert DOCKERFILE.rindex("\nUSER student") > DOCKERFILE.rindex("\nRUN ")
+
+
+def test_commands_of_the_page_are_commands_of_lab_py() -> None:
+    commands = re.findall(r"python3 lab\.py (\w+)", PAGE)
+    assert {"wheels", "student"} <= set(commands) <= set(lab.COMMANDS)
+
+
+def test_links_of_the_page_lead_somewhere() -> None:
+    for page in FOLDER.glob("*.md"):
+        links = re.findall(r"\]\((?!https?:|#)([^)#\s]+)", page.read_text("utf-8"))
+        assert [link for link in links if not (page.parent / link).exists()] == []
+
+
+@pytest.mark.parametrize(
+    ("system", "some", "none"),
+    [
+        ("windows", {"colorama", "pywinpty"}, {"appnope", "pexpect", "ptyprocess"}),
+        ("mac", {"appnope", "pexpect"}, {"colorama", "pywinpty"}),
+        ("linux", {"pexpect"}, {"appnope", "colorama", "pywinpty"}),
+    ],
+)
+def test_each_system_is_sent_its_own_packages(system: str, some: set, none: set) -> None:
+    markers = {"python_version": "3.12", "python_full_version": "3.12.0"}
+    lines = list(offline.wanted({**markers, **offline.SYSTEMS[system].markers}))
+    names = {line.partition("==")[0] for line in lines}
+    assert names >= some | {"numpy", "jupyterlab", "flit-core"}
+    assert not names & (none | {"overrides"}), "overrides is for Python 3.11"
+    assert all(" --hash=sha256:" in line and ";" not in line for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["--python", "3.13.1", "--system", "linux"], 'wants a version like "3.12", got "3.13.1"'),
+        (["--python", "3.99"], "wants --system, too"),
+    ],
+)
+def test_what_cannot_be_fetched_is_refused(arguments: list[str], says: str, tmp_path: Path) -> None:
+    with pytest.raises(Trouble, match=says):
+        offline.main([str(tmp_path / "wheels"), *arguments])
+    assert not (tmp_path / "wheels").exists()
+
+
+def test_wheels_need_a_folder() -> None:
+    for arguments in ([], ["--system", "windows"]):
+        with pytest.raises(Trouble, match="Say where to put them"):
+            teaching.wheels(arguments)
