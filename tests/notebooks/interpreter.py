@@ -21,6 +21,8 @@ from nbformat.v4 import new_output
 from traitlets import List, Type
 from traitlets.config import Config
 
+from driftlab.book.machinery.language import ENGLISH, speaking
+
 
 class Publisher(DisplayPublisher):
     """Keeps what a cell displays."""
@@ -66,7 +68,8 @@ def interpreter(folder: Path) -> Iterator[Interpreter]:
     """
     config = Config({"HistoryManager": {"enabled": False}})
     path = list(sys.path)
-    with warnings.catch_warnings(), matplotlib.rc_context():
+    # A translated notebook chooses its language for all that comes after it.
+    with warnings.catch_warnings(), matplotlib.rc_context(), speaking(ENGLISH):
         with warnings.catch_warnings():  # IPython's own filters end here
             shell = Interpreter.instance(config=config, ipython_dir=str(folder))
         try:
