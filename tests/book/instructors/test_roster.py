@@ -1,9 +1,10 @@
 """The list of a class is read as platforms and spreadsheets write it."""
 
 import pytest
-from hand_ins import notebook, put
 
 from driftlab.book import class_report
+from driftlab.book.instructors.roster import read_roster
+from hand_ins import notebook, put
 
 
 @pytest.mark.parametrize(
@@ -50,3 +51,38 @@ def test_an_empty_folder_and_a_list_without_names(tmp_path):
         class_report(tmp_path, roster=tmp_path / "r.csv")
     with pytest.raises(ValueError, match=r"^roster: .* cannot be read"):
         class_report(tmp_path, roster=tmp_path / "no.csv")
+
+
+HEADINGS = [
+    "\r\n \r\nname;id number\r\nAda Lovelace;12345\r\n",
+    "sep=;\r\nLast name;First name;ID number\r\nLovelace;Ada;12345\r\n",
+    '"sep=,"\nname,id\nAda Lovelace,12345\n',
+    "Nachname;Vorname;E-Mail-Adresse;Matrikelnummer\nLovelace;Ada;ada@uni.example;12345\n",
+    "Name;Vorname;Matrikelnummer\nLovelace;Ada;12345\n",
+    "Prénom,Nom,Adresse de courriel,Numéro d’identification\nAda,Lovelace,a@u.example,12345\n",
+    "Фамилия;Имя;Номер\nLovelace;Ada;12345\n",
+    "Last name, First name;Email address, private;ID\nLovelace, Ada;a, b;12345\n",
+    "Name, Vorname;Matrikelnummer\nLovelace, Ada;12345\n",
+    "Lovelace, Ada;12345\nMoreau, Jean-Luc;54321\n",
+]
+
+
+@pytest.mark.parametrize("text", HEADINGS, ids=range(len(HEADINGS)))
+def test_headings_and_delimiters_as_platforms_and_spreadsheets_write_them(tmp_path, text):
+    (tmp_path / "roster.csv").write_bytes(text.encode())
+    ada = read_roster(tmp_path / "roster.csv")[0]
+    assert ada.has("12345")
+    assert ada.is_named("Ada Lovelace")
+
+
+def test_one_who_stands_twice_on_the_list_has_one_row(tmp_path):
+    put(tmp_path, {
+        "roster.csv": b"name,id\nAda King,1\nBob,2\nADA KING,1\n",
+        "class/Ada King/03.ipynb": notebook(),
+    })  # fmt: skip
+    report = class_report(tmp_path / "class", roster=tmp_path / "roster.csv")
+    assert [(each.name, each.status("3.1")) for each in report.students] == [
+        ("Ada King", "right"),
+        ("Bob", "absent"),
+    ]
+    assert report.notes == ["Ada King stands on the list more than once, and has one row."]

@@ -15,7 +15,7 @@ from .handed_in import handed_in
 from .report_files import write_report
 from .report_page import fragment
 from .report_text import text_of
-from .roster import read_roster
+from .roster import once, read_roster
 from .students import Student, in_order, students_of
 
 MOST_EXERCISES = 200
@@ -121,14 +121,14 @@ def class_report(folder: str | Path, roster: str | Path | None = None) -> ClassR
         If there is no such folder, or the roster cannot be read.
     """
     where = Path(folder)
-    listed = read_roster(roster) if roster is not None else []
+    listed, repeated = once(read_roster(roster) if roster is not None else [])
     files, notes = handed_in(files_in(where))
     students = in_order(students_of(files), listed)
     exercises, strange = _exercises(students)
     if not students:
         notes.append("Nothing was handed in.")
     return ClassReport(
-        where.name, students, exercises, _slips(students, exercises), notes + strange
+        where.name, students, exercises, _slips(students, exercises), notes + repeated + strange
     )
 
 
