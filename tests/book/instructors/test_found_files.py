@@ -1,12 +1,14 @@
 """Archives, links and folders of strangers are read within bounds, and nobody is lost."""
 
+import json
+import tracemalloc
 import zipfile
 
 import pytest
-from hand_ins import notebook, put, rows, zipped
 
 from driftlab.book import class_report
 from driftlab.book.instructors import found_files
+from hand_ins import notebook, put, rows, zipped
 
 
 @pytest.mark.parametrize(
@@ -36,13 +38,14 @@ def test_archives_in_archives_are_bounded(tmp_path, monkeypatch):
     for _ in range(2):
         inner = zipped({"in.zip": inner})
     put(tmp_path, {"Ada/a.zip": inner, "Bob/b.zip": zipped({"in.zip": inner})})
-    monkeypatch.setattr(found_files, "MOST_FILES", 3)
+    monkeypatch.setattr(found_files, "MOST_FILES_OF_ONE", 3)
     many = zipped({f"{i}.ipynb": notebook() for i in range(5)})
     put(tmp_path, {"Eve/many.zip": many})
     found = rows(tmp_path)
     assert found["Ada"].status("3.1") == "right"
     assert found["Bob"].notes == ["in.zip: Too many archives lie in each other."]
-    assert "more than is unpacked" in " ".join(found["Eve"].notes)
+    bound = "no more than 1024 MB in 3 files are unpacked of an archive"
+    assert bound in " ".join(found["Eve"].notes)
 
 
 def test_an_archive_with_a_password_is_told(tmp_path):
@@ -76,3 +79,30 @@ def test_what_is_neither_folder_nor_archive_is_refused(tmp_path, name):
     put(tmp_path, {"text.txt": b"text"})
     with pytest.raises(ValueError, match=r"^folder: expected a folder with what students"):
         class_report(tmp_path / name)
+
+
+def test_all_that_is_read_in_a_run_has_one_bound(tmp_path, monkeypatch):
+    content = notebook()
+    archive = zipped({"03.ipynb": content})
+    put(tmp_path, {"Ada/03.ipynb": content, "Bob/a.zip": archive, "Eve/03.ipynb": content})
+    put(tmp_path, {"Zoe/a.zip": archive, "Zoe/paper.pdf": b"x" * 2 * len(content)})
+    monkeypatch.setattr(found_files, "MOST_BYTES", 2 * len(content))
+    found = rows(tmp_path)
+    assert [each.status("3.1") for each in found.values()] == [*2 * ["right"], *2 * ["absent"]]
+    for name in ("Eve", "Zoe"):
+        assert found[name].notes[0].startswith("03.ipynb: It was not read, since no more than")
+        assert "are read in one run" in found[name].notes[0]
+
+
+def test_contents_are_not_kept(tmp_path):
+    size = 2**20
+    filled = json.loads(notebook())
+    filled["metadata"] = {"picture": "x" * size}
+    put(tmp_path, {f"{i}/03.ipynb": json.dumps(filled).encode() for i in range(30)})
+    tracemalloc.start()
+    try:
+        assert len(rows(tmp_path)) == 30
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert most < 15 * size

@@ -3,11 +3,11 @@
 import os
 
 import pytest
-from hand_ins import WRONG, notebook, put, rows, zipped
 
 from driftlab.book import class_report
 from driftlab.book.instructors.found_files import Found
 from driftlab.book.instructors.handed_in import handed_in
+from hand_ins import WRONG, notebook, put, rows, zipped
 
 
 @pytest.mark.parametrize(
@@ -156,3 +156,42 @@ def test_the_later_file_counts_whatever_number_stands_behind_its_name(tmp_path):
     put(tmp_path, {"Ada/03.ipynb": notebook(), "Ada/03 (2).ipynb": notebook(WRONG)})
     os.utime(tmp_path / "Ada/03 (2).ipynb", (0, 0))
     assert rows(tmp_path)["Ada"].status("3.1") == "right"
+
+
+@pytest.mark.parametrize("name", ["...", "?", "-", "your name", "<Your Name>", "Name"])
+def test_a_placeholder_is_no_name(tmp_path, name):
+    files = ["drift-lab-answers-name.ipynb", "drift-lab-answers (1).ipynb"]
+    put(tmp_path, {file: notebook(title=f"# Answers of {name}") for file in files})
+    assert set(rows(tmp_path)) == set(files)
+
+
+def test_one_student_alone_with_a_folder_for_each_chapter_is_one(tmp_path):
+    put(tmp_path, {
+        "Ada/chapter 01/a.ipynb": notebook("Exercise 1.1: right."),
+        "Ada/chapter 03/a.ipynb": notebook(),
+    })  # fmt: skip
+    report = class_report(tmp_path)
+    assert [each.name for each in report.students] == ["Ada"]
+    assert report.notes == [
+        'All lies in the folder "Ada", which is taken for one student\'s. '
+        "With a list of the class there is no doubt."
+    ]
+    # Students may be numbered, too: who hands in the same exercise is another.
+    put(tmp_path, {"Ada/chapter 01/b.ipynb": notebook()})
+    assert {each.name for each in class_report(tmp_path).students} == {"chapter 01", "chapter 03"}
+
+
+@pytest.mark.parametrize(
+    ("listed", "names"), [("Ada", ["Ada"]), ("draft\nfinal", ["draft", "final"])]
+)
+def test_a_list_decides_whether_a_folder_around_all_is_a_students(tmp_path, listed, names):
+    put(tmp_path, {
+        "roster.csv": listed.encode(),
+        "class/Ada/draft/a.ipynb": notebook(WRONG),
+        "class/Ada/final/a.ipynb": notebook(),
+    })  # fmt: skip
+    report = class_report(tmp_path / "class", roster=tmp_path / "roster.csv")
+    assert [each.name for each in report.students] == names
+    assert report.notes == []
+    (unclear,) = class_report(tmp_path / "class").notes
+    assert "taken for that of a class of 2" in unclear

@@ -12,6 +12,7 @@ from driftlab.book.machinery.exercise import in_order as numbered
 
 from .found_files import files_in
 from .handed_in import handed_in
+from .own_numbers import compare_numbers
 from .report_files import write_report
 from .report_page import fragment
 from .report_text import text_of
@@ -20,10 +21,6 @@ from .students import Student, in_order, students_of
 
 MOST_EXERCISES = 200
 """That are not the book's: more are no teacher's."""
-
-
-MOST_SLIPS = 50
-"""Of one student in one exercise; the last ones."""
 
 
 class Slip(NamedTuple):
@@ -122,8 +119,9 @@ def class_report(folder: str | Path, roster: str | Path | None = None) -> ClassR
     """
     where = Path(folder)
     listed, repeated = once(read_roster(roster) if roster is not None else [])
-    files, notes = handed_in(files_in(where))
+    files, notes = handed_in(files_in(where), listed)
     students = in_order(students_of(files), listed)
+    compare_numbers(students, listed)
     exercises, strange = _exercises(students)
     if not students:
         notes.append("Nothing was handed in.")
@@ -160,7 +158,7 @@ def _slips(students: list[Student], exercises: list[str]) -> list[Slip]:
     for student in students:
         for number in exercises:
             answer = student.answers.get(number)
-            for says in answer.slips[-MOST_SLIPS:] if answer else ():
+            for says in answer.slips if answer else ():
                 told.setdefault((number, says), []).append(student.name)
     slips = [Slip(number, says, tuple(names)) for (number, says), names in told.items()]
     return sorted(slips, key=lambda slip: (-len(slip.students), numbered(slip.exercise), slip.says))
