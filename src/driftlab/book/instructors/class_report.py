@@ -12,18 +12,15 @@ from driftlab.book.machinery.exercise import in_order as numbered
 
 from .found_files import files_in
 from .handed_in import handed_in
+from .own_numbers import compare_numbers
 from .report_files import write_report
 from .report_page import fragment
 from .report_text import text_of
-from .roster import read_roster
+from .roster import once, read_roster
 from .students import Student, in_order, students_of
 
 MOST_EXERCISES = 200
 """That are not the book's: more are no teacher's."""
-
-
-MOST_SLIPS = 50
-"""Of one student in one exercise; the last ones."""
 
 
 class Slip(NamedTuple):
@@ -121,14 +118,15 @@ def class_report(folder: str | Path, roster: str | Path | None = None) -> ClassR
         If there is no such folder, or the roster cannot be read.
     """
     where = Path(folder)
-    listed = read_roster(roster) if roster is not None else []
-    files, notes = handed_in(files_in(where))
+    listed, repeated = once(read_roster(roster) if roster is not None else [])
+    files, notes = handed_in(files_in(where), listed)
     students = in_order(students_of(files), listed)
+    compare_numbers(students, listed)
     exercises, strange = _exercises(students)
     if not students:
         notes.append("Nothing was handed in.")
     return ClassReport(
-        where.name, students, exercises, _slips(students, exercises), notes + strange
+        where.name, students, exercises, _slips(students, exercises), notes + repeated + strange
     )
 
 
@@ -160,7 +158,7 @@ def _slips(students: list[Student], exercises: list[str]) -> list[Slip]:
     for student in students:
         for number in exercises:
             answer = student.answers.get(number)
-            for says in answer.slips[-MOST_SLIPS:] if answer else ():
+            for says in answer.slips if answer else ():
                 told.setdefault((number, says), []).append(student.name)
     slips = [Slip(number, says, tuple(names)) for (number, says), names in told.items()]
     return sorted(slips, key=lambda slip: (-len(slip.students), numbered(slip.exercise), slip.says))

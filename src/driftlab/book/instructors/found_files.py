@@ -1,8 +1,9 @@
 """All that lies in a folder and in the archives in it, read in memory; nothing is unpacked.
 
-What comes from strangers has bounds: how many files, how large, how deep an archive lies in
-another. Whatever is not read is found all the same, with a sentence that says why, so that nobody
-who handed in something is lost.
+Each notebook is read for what `check` said in it and let go, so that a class does not have to fit
+into memory. What comes from strangers has bounds: how many files, how large, how deep an archive
+lies in another. Whatever is not read is found all the same, with a sentence that says why, so that
+nobody who handed in something is lost.
 """
 
 from __future__ import annotations
@@ -18,10 +19,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from .plain_text import clean
-from .saved_answers import LARGEST
+from .saved_answers import LARGEST, SavedNotebook, saved_answers
 
 MOST_FILES = 20_000
-MOST_BYTES = 2**29
+MOST_BYTES = 4 * 2**30
+"""Of all that is read in a run, from the disk and from archives."""
+MOST_FILES_OF_ONE = 5_000
+MOST_BYTES_OF_ONE = 2**30
+"""Of an archive, so that one leaves something for the others."""
 MOST_FILES_INSIDE = 2_000
 MOST_BYTES_INSIDE = 256 * 2**20
 """Of an archive in an archive."""
@@ -40,15 +45,18 @@ class Found(NamedTuple):
         Folders, archives among them, and the name; "" as the name of an empty folder.
     time : float
         When it was written, in seconds since 1970.
-    content : bytes or None
-        Of a notebook and of `timestamp.txt`; other files are not read.
+    saved : SavedNotebook or None
+        What a notebook says.
+    moment : bytes
+        How `timestamp.txt` begins; other files are not read.
     trouble : str
         Why it could not be read, in one sentence.
     """
 
     parts: tuple[str, ...]
     time: float = 0.0
-    content: bytes | None = None
+    saved: SavedNotebook | None = None
+    moment: bytes = b""
     trouble: str = ""
 
 
@@ -65,17 +73,18 @@ def files_in(place: Path) -> Iterator[Found]:
     ValueError
         If there is neither.
     """
+    budget = Budget(MOST_FILES, MOST_BYTES, "are read in one run")
     if place.is_dir():
-        yield from _walked(place, ())
+        yield from _walked(place, (), budget)
     elif zipfile.is_zipfile(place):
-        yield from _read(place, ())
+        yield from _unzipped(place, (), budget)
     else:
         raise ValueError(
             f"folder: expected a folder with what students handed in, or a zip, got {str(place)!r}."
         )
 
 
-def _walked(folder: Path, parts: tuple[str, ...]) -> Iterator[Found]:
+def _walked(folder: Path, parts: tuple[str, ...], budget: Budget) -> Iterator[Found]:
     if len(parts) > DEEPEST_FOLDER:
         yield Found((*parts, ""), trouble="Too many folders lie in each other.")
         return
@@ -92,51 +101,73 @@ def _walked(folder: Path, parts: tuple[str, ...]) -> Iterator[Found]:
         if entry.is_symlink():
             yield Found(here, trouble="It is a link to another place, which is not followed.")
         elif entry.is_dir():
-            yield from _walked(Path(entry.path), here)
+            yield from _walked(Path(entry.path), here, budget)
         elif not entry.is_file():
             yield Found(here, trouble="It is no ordinary file.")
         else:
-            yield from _read(Path(entry.path), here)
+            yield from _read(Path(entry.path), here, budget)
 
 
-def _read(path: Path, parts: tuple[str, ...]) -> Iterator[Found]:
+def _read(path: Path, parts: tuple[str, ...], budget: Budget) -> Iterator[Found]:
     """Give a file of the disk, or what is in it."""
     name = path.name
     try:
         with path.open("rb") as file:
             if file.read(4) == b"PK\3\4" or name.casefold().endswith(".zip"):
-                yield from _unzipped(path, parts, Budget(MOST_FILES, MOST_BYTES))
+                one = Budget(
+                    MOST_FILES_OF_ONE, MOST_BYTES_OF_ONE, "are unpacked of an archive", budget
+                )
+                yield from _unzipped(path, parts, one)
                 return
             file.seek(0)
-            wanted = is_notebook(name) or name == "timestamp.txt"
-            content = file.read(LARGEST + 1) if wanted else None
-            written = os.fstat(file.fileno()).st_mtime
+            state = os.fstat(file.fileno())
+            if not _is_wanted(name):
+                yield Found(parts, state.st_mtime)
+            elif trouble := budget.spend(min(state.st_size, LARGEST)):
+                yield Found(parts, state.st_mtime, trouble=trouble)
+            else:
+                yield _understood(parts, state.st_mtime, file.read(min(state.st_size, LARGEST) + 1))
     except OSError as error:
         yield Found(parts, trouble=f"It cannot be read ({error.strerror}).")
-        return
-    yield Found(parts, written, content)
+
+
+def _is_wanted(name: str) -> bool:
+    return is_notebook(name) or name == "timestamp.txt"
+
+
+def _understood(parts: tuple[str, ...], written: float, content: bytes) -> Found:
+    """What a file says, without its content."""
+    if parts[-1] == "timestamp.txt":
+        return Found(parts, written, moment=content[:100])
+    try:
+        return Found(parts, written, saved_answers(content))
+    except ValueError as error:
+        return Found(parts, written, trouble=str(error))
 
 
 @dataclass
 class Budget:
-    """How much may still be unpacked; what is inside of another archive counts there as well."""
+    """How much may still be read; what is inside of another archive counts there as well."""
 
     files: int
     size: int
+    what: str
     outer: Budget | None = None
 
-    def spend(self, files: int, size: int) -> bool:
-        """Take it, or say that there is not enough."""
-        budget: Budget | None = self
-        while budget is not None:
-            if budget.files < files or budget.size < size:
-                return False
-            budget = budget.outer
-        budget = self
-        while budget is not None:
-            budget.files, budget.size = budget.files - files, budget.size - size
-            budget = budget.outer
-        return True
+    def __post_init__(self) -> None:
+        self.says = (
+            f"It was not read, since no more than {self.size / 2**20:.0f} MB "
+            f"in {self.files} files {self.what}."
+        )
+
+    def spend(self, size: int) -> str:
+        """Take a file's size, or say why there is not enough."""
+        if self.files < 1 or self.size < size:
+            return self.says
+        if self.outer and (trouble := self.outer.spend(size)):
+            return trouble
+        self.files, self.size = self.files - 1, self.size - size
+        return ""
 
 
 def _unzipped(
@@ -172,10 +203,10 @@ def _member(
         yield Found(parts, when)
     elif trouble := _refused(info, is_archive, depth):
         yield Found(parts, when, trouble=trouble)
-    elif not (is_archive or is_notebook(name) or name == "timestamp.txt"):
+    elif not (is_archive or _is_wanted(name)):
         yield Found(parts, when)
-    elif not budget.spend(1, info.file_size):
-        yield Found(parts, when, trouble="Its archive holds more than is unpacked of one.")
+    elif trouble := budget.spend(info.file_size):
+        yield Found(parts, when, trouble=trouble)
     else:
         try:
             with opened.open(info) as file:
@@ -187,10 +218,15 @@ def _member(
             if depth == DEEPEST:
                 yield Found(parts, when, trouble="Too many archives lie in each other.")
                 return
-            inner = Budget(MOST_FILES_INSIDE, MOST_BYTES_INSIDE, budget)
+            inner = Budget(
+                MOST_FILES_INSIDE,
+                MOST_BYTES_INSIDE,
+                "are unpacked of an archive in another",
+                budget,
+            )
             yield from _unzipped(io.BytesIO(content), parts, inner, depth + 1)
         else:
-            yield Found(parts, when, content)
+            yield _understood(parts, when, content)
 
 
 def _refused(info: zipfile.ZipInfo, is_archive: bool, depth: int) -> str:

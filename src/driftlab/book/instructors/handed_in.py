@@ -13,21 +13,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from datetime import datetime
 from typing import NamedTuple
 
 from driftlab.book.chapters import CHAPTERS
 
 from .found_files import Found
-from .plain_text import clean
+from .plain_text import clean, is_no_name
+from .roster import Listed
+from .wrapping import CANVAS, MOODLE, stem_of, without_wrapping
 
-MOODLE = re.compile(r"(?P<name>[^_]+)_(?P<id>[^_]+)_assignsubmission_[a-z]+_?(?P<file>.*)", re.S)
-CANVAS = re.compile(
-    r"(?:(?:late_)?anon_(?P<anon>[0-9a-z]+)|(?P<name>.+?)(?:_late)?_(?P<id>[0-9]+))"
-    r"_(?P<upload>[0-9]{3,15})_(?P<file>.+)",
-    re.S | re.I,
-)
 CANVAS_AGAIN = re.compile(r"-([0-9]{1,2})(?=\.|$)")
 COPY = re.compile(r" ?\(([0-9]{1,2})\)(?=\.|$)")
 """What browsers put behind the name of a second download."""
@@ -78,13 +74,17 @@ class HandedIn(NamedTuple):
     is_named_inside: bool = False
 
 
-def handed_in(found: Iterable[Found]) -> tuple[list[HandedIn], list[str]]:
-    """Return the files with their students, and sentences on what was left out."""
-    everything, notes = _below_submitted(_without_wrapping(list(found)))
+def handed_in(
+    found: Iterable[Found], listed: Sequence[Listed] = ()
+) -> tuple[list[HandedIn], list[str]]:
+    """Return the files with their students, and sentences on what was left out or is unclear."""
+    inside, unclear = without_wrapping(list(found), listed)
+    everything, notes = _below_submitted(inside)
+    notes += unclear
     times = {
         one.parts[:-1]: moment
         for one in everything
-        if one.parts[-1] == "timestamp.txt" and (moment := _timestamp(one.content)) is not None
+        if one.parts[-1] == "timestamp.txt" and (moment := _timestamp(one.moment)) is not None
     }
     # Whose folder holds nothing but the moment has handed in nothing, and has a row all the same.
     filled = {one.parts[:-1] for one in everything if one.parts[-1] != "timestamp.txt"}
@@ -133,12 +133,12 @@ def _whose(found: Found, moment: float, archives: set[str]) -> HandedIn:
             return HandedIn(person, shown, newness, found)
     first = parts[0]
     if len(parts) > 1:
-        name = _stem(first) if first.casefold().endswith(".zip") else first
+        name = stem_of(first) if first.casefold().endswith(".zip") else first
         return HandedIn(Person(clean(name, 100) or "?"), file, newness, found)
-    stem = COPY.sub("", _stem(first))
+    stem = COPY.sub("", stem_of(first))
     if said := EXPORT.fullmatch(stem):
-        name = (said["name"] or "").replace("-", " ")
-        person = Person(clean(name, 100) or file)
+        name = clean((said["name"] or "").replace("-", " "), 100)
+        person = Person(file if is_no_name(name) else name)
         return HandedIn(person, file, newness, found, is_named_inside=True)
     # Two files of the book's own name are two students', not two downloads of one.
     name = file if stem in ANONYMOUS or stem.isdigit() else clean(stem, 100) or file
@@ -148,11 +148,6 @@ def _whose(found: Found, moment: float, archives: set[str]) -> HandedIn:
 
 def _is_archive(name: str) -> bool:
     return name.casefold().endswith(".zip")
-
-
-def _stem(name: str) -> str:
-    """A name without its endings: "ada.ipynb.zip" is Ada's."""
-    return re.sub(r"(\.(ipynb|zip|json|txt))+$", "", name, flags=re.I)
 
 
 def _below_submitted(found: list[Found]) -> tuple[list[Found], list[str]]:
@@ -168,24 +163,6 @@ def _below_submitted(found: list[Found]) -> tuple[list[Found], list[str]]:
     notes = [f'Only the folder "submitted" is read; {left_out} files lie elsewhere.']
     below = [one._replace(parts=one.parts[one.parts.index("submitted") + 1 :]) for one in inside]
     return below, notes if left_out else []
-
-
-def _without_wrapping(found: list[Found]) -> list[Found]:
-    """Without a folder, or an archive, around the folders of all students.
-
-    What holds one folder only is a student's.
-    """
-
-    def is_wrapped(one: Found) -> bool:
-        return one.parts[0] == found[0].parts[0] and (
-            len(one.parts) > 2 or (len(one.parts) == 2 and bool(CANVAS.fullmatch(one.parts[1])))
-        )
-
-    while all(map(is_wrapped, found)) and len({one.parts[1] for one in found}) > 1:
-        if MOODLE.fullmatch(found[0].parts[0]) or CANVAS.fullmatch(found[0].parts[0]):
-            break
-        found = [one._replace(parts=one.parts[1:]) for one in found]
-    return found
 
 
 def _without_groups(files: list[HandedIn]) -> list[HandedIn]:
@@ -209,9 +186,9 @@ def _without_groups(files: list[HandedIn]) -> list[HandedIn]:
     return [file._replace(person=without(file.person)) for file in files]
 
 
-def _timestamp(content: bytes | None) -> float | None:
+def _timestamp(content: bytes) -> float | None:
     """The moment in a file of nbgrader: "2026-01-30 15:30:10.123456 UTC"."""
-    said = re.match(rb"\s*(\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(?:\.\d{1,6})?)", content or b"")
+    said = re.match(rb"\s*(\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d(?:\.\d{1,6})?)", content)
     try:
         return datetime.fromisoformat(said[1].decode()).timestamp() if said else None
     except (ValueError, OverflowError, OSError):

@@ -52,6 +52,18 @@ def squeezed(name: str) -> str:
     )
 
 
+PLACEHOLDERS = (
+    "name", "yourname", "myname", "fullname", "student", "studentname", "firstnamelastname",
+    "nameofstudent", "todo", "xxx",
+)  # fmt: skip
+"""Squeezed, what stands where a name was to be written."""
+
+
+def is_no_name(text: str) -> bool:
+    """Whether text has neither letters nor digits, or only says that a name belongs here."""
+    return squeezed(text) in ("", *PLACEHOLDERS)
+
+
 def _is_accent(sign: str) -> bool:
     return unicodedata.combining(sign) not in (0, 7, 9)  # 7 and 9: nukta and virama
 

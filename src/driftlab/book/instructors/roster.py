@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from pathlib import Path
 from typing import NamedTuple
 
 from .plain_text import clean, spellings, squeezed
+from .roster_columns import columns
 
-FULL = ("name", "student", "full name", "fullname", "student name")
-FIRST = ("first name", "firstname", "given name")
-LAST = ("last name", "lastname", "surname", "family name")
-IDS = (
-    "id", "id number", "student id", "student number", "number", "sis user id", "sis login id",
-    "username", "login", "email", "email address",
-)  # fmt: skip
+DELIMITERS = "\t;,"
+"""Of two that read equally well the first counts: commas stand in cells, too."""
+EXCEL = re.compile(r'\s*"?sep=([,;\t])"?[,; \t]*(?:\r?\n|$)', re.I)
+"""The line in which spreadsheets are told the delimiter."""
 
 
 class Listed(NamedTuple):
@@ -48,8 +47,9 @@ def read_roster(path: str | Path) -> list[Listed]:
     ----------
     path : path
         A CSV file: commas, semicolons or tabs; UTF-8, UTF-16 or Latin-1. The first line may name
-        the columns, as "name", "student", "first name" and "last name", "id", "email" and so on;
-        else the first column has the names, and a second one numbers.
+        the columns, as "name", "student", "first name" and "last name", "id", "email" and so on,
+        or in German, French or Russian; else the first column has the names, and a second one
+        numbers.
 
     Raises
     ------
@@ -63,18 +63,26 @@ def read_roster(path: str | Path) -> list[Listed]:
             f"roster: {str(path)!r} cannot be read ({error.strerror or error})."
         ) from None
     text = _decoded(content)
-    head = text.splitlines()[0] if text.strip() else ""
-    delimiter = max(",;\t", key=head.count)
     try:
-        lines = list(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter))
+        table = _table(text)
     except csv.Error:
         raise ValueError(f"roster: {str(path)!r} is not a CSV file.") from None
-    table = [[clean(cell, 200) for cell in line] for line in lines]
-    table = [line for line in table if any(line)]
     listed = _listed(table)
     if not listed:
         raise ValueError(f"roster: nobody is on the list {str(path)!r}.")
     return listed
+
+
+def once(listed: list[Listed]) -> tuple[list[Listed], list[str]]:
+    """Return each student once, and sentences on who stood there more often."""
+    kept: dict[tuple[str, ...], Listed] = {}
+    twice: dict[str, None] = {}
+    for one in listed:
+        key = (squeezed(one.name) or one.name, *(part.casefold() for part in one.ids))
+        if kept.setdefault(key, one) is not one:
+            twice[kept[key].name] = None
+    notes = [f"{name} stands on the list more than once, and has one row." for name in twice]
+    return list(kept.values()), notes
 
 
 def _decoded(content: bytes) -> str:
@@ -86,18 +94,35 @@ def _decoded(content: bytes) -> str:
         return content.decode("latin-1")
 
 
+def _table(text: str) -> list[list[str]]:
+    """Return the cells; of several delimiters the one with which the heading makes sense."""
+    told = EXCEL.match(text)
+    candidates, text = (told[1], text[told.end() :]) if told else (DELIMITERS, text)
+    tables = [_cells(text, delimiter) for delimiter in candidates]
+    return max(tables, key=_sense)
+
+
+def _cells(text: str, delimiter: str) -> list[list[str]]:
+    lines = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
+    table = [[clean(cell, 200) for cell in line] for line in lines]
+    return [line for line in table if any(line)]
+
+
+def _sense(table: list[list[str]]) -> tuple[int, int]:
+    """How well a table reads: known headings, as many cells in each line as in the first."""
+    if not table:
+        return 0, 0
+    width = len(table[0])
+    even = sum(len(line) == width for line in table) if width > 1 else 0
+    return sum(map(len, columns(table[0]))), even
+
+
 def _listed(table: list[list[str]]) -> list[Listed]:
     if not table:
         return []
-    head = [cell.casefold() for cell in table[0]]
-    full, first, last = (
-        next((i for i, cell in enumerate(head) if cell in names), None)
-        for names in (FULL, FIRST, LAST)
-    )
-    ids = [i for i, cell in enumerate(head) if cell in IDS]
-    if full is None and first is None and last is None and not ids:
+    names, ids = columns(table[0])
+    if not names and not ids:
         return [_without_head(*line, "") for line in table if line[0]]
-    names = [full] if full is not None else [i for i in (first, last) if i is not None]
     listed = []
     for line in table[1:]:
         cells = dict(enumerate(line))

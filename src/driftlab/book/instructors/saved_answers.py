@@ -23,6 +23,8 @@ NUMBER = re.compile(r"[0-9]{1,3}\.[0-9]{1,3}[a-z]?", re.ASCII)
 MOST_NUMBERS = 1000
 """Exercises of one notebook; the book has fewer than a hundred."""
 MOST_WORDS = 4000
+MOST_SLIPS = 50
+"""Of one exercise; the last ones."""
 MOST_ATTEMPTS = 9999
 
 STATUSES = ("right", "wrong", "error", "open", "not run", "absent")
@@ -60,7 +62,9 @@ class SavedAnswer:
     because : str
         The student's own words.
     student : str
-        The name that the exercise's numbers were asked with.
+        The name that the exercise's numbers were asked with; empty for the book's.
+    is_recorded : bool
+        Whether a record was there; words alone say nothing of the numbers.
     error : str
         The name of the error that kept the answer from being judged.
     """
@@ -70,6 +74,7 @@ class SavedAnswer:
     attempts: int = 0
     because: str = ""
     student: str = ""
+    is_recorded: bool = False
     error: str = ""
 
     def become(self, status: str) -> None:
@@ -141,6 +146,7 @@ class _Told:
     attempt: int = 0
     because: str = ""
     student: str = ""
+    is_recorded: bool = False
 
 
 def _summed(told: list[_Told], error: str | None) -> SavedAnswer:
@@ -153,8 +159,9 @@ def _summed(told: list[_Told], error: str | None) -> SavedAnswer:
         answer.become(_STATUS[one.word])
         answer.because = one.because or answer.because
         answer.student = one.student or answer.student
+        answer.is_recorded |= one.is_recorded
     slips = [one.says for one in judged if _STATUS[one.word] == "wrong"]
-    answer.slips = list(dict.fromkeys(reversed(slips)))[::-1]
+    answer.slips = list(dict.fromkeys(reversed(slips)))[:MOST_SLIPS][::-1]
     counted = {one.attempt for one in judged if one.attempt}
     # Who shows one answer in two cells has tried once; where nothing is counted, each is a try.
     shown = len(counted) + sum(not one.attempt for one in judged)
@@ -204,6 +211,7 @@ def _recorded(record: dict[str, Any]) -> _Told | None:
         attempt if counted and isinstance(attempt, int) else 0,
         clean(record.get("because"), MOST_WORDS),
         clean(record.get("student"), 100),
+        is_recorded=True,
     )
 
 

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from driftlab.book.machinery.exercise import in_order as numbered
-
 from .found_files import is_notebook
 from .handed_in import HandedIn, Person
-from .plain_text import squeezed
+from .plain_text import is_no_name, squeezed
 from .roster import Listed
-from .saved_answers import SavedAnswer, saved_answers
+from .saved_answers import SavedAnswer
 
 MOST_NOTES = 8
-YEAR = re.compile(r"[\s/._-]*[0-9]{2,4}$")
-"""What is put behind a name for other numbers in another year."""
 
 
 @dataclass
@@ -67,17 +62,12 @@ def students_of(files: list[HandedIn]) -> list[Student]:
         person, note = file.person, file.found.trouble
         if not note and file.found.parts[-1] and not is_notebook(file.found.parts[-1]):
             others.setdefault(person.key, []).append(file.file)
-        elif not note and file.found.content is not None:
-            try:
-                saved = saved_answers(file.found.content)
-            except ValueError as error:
-                note = str(error)
-            else:
-                answers = saved.answers
-                if file.is_named_inside and saved.whose:
-                    person = Person(saved.whose)
-                if not answers:
-                    note = "It has no exercise of the book."
+        elif not note and file.found.saved is not None:
+            answers, whose = file.found.saved.answers, file.found.saved.whose
+            if file.is_named_inside and not is_no_name(whose):
+                person = Person(whose)
+            if not answers:
+                note = "It has no exercise of the book."
         _, student, read = found.setdefault(
             person.key, (person, Student(person.name, person.id), [])
         )
@@ -134,27 +124,13 @@ def in_order(students: list[Student], listed: list[Listed]) -> list[Student]:
         if len(mine) == 1:
             student = mine[0]
             left.remove(student)
-            _compare_seeds(student, one)
             student.name, student.id = one.name, one.ids[0] if one.ids else student.id
         else:
             student = Student(one.name, one.ids[0] if one.ids else "")
             student.notes.append("Nothing was handed in under this name.")
         rows.append(student)
     for student in left:
-        _compare_seeds(student, Listed(student.name, (student.id,)))
         if listed:
             student.is_listed = False
             student.notes.append("This name is not on the list.")
     return rows + left
-
-
-def _compare_seeds(student: Student, listed: Listed) -> None:
-    """Say so if numbers were asked in another name than the one they were handed in with."""
-    others: dict[str, list[str]] = {}
-    for number, answer in student.answers.items():
-        asked = YEAR.sub("", answer.student)
-        if asked and not (listed.is_named(asked) or listed.has(asked)):
-            others.setdefault(answer.student, []).append(number)
-    for name, numbers in others.items():
-        which = ", ".join(sorted(numbers, key=numbered))
-        student.notes.append(f"The numbers of {which} were asked in the name {name}.")

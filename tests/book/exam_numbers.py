@@ -1,0 +1,34 @@
+"""What the tests of the examination read from a sheet."""
+
+import re
+
+import numpy as np
+
+from driftlab.book.instructors.examination import exam_paper
+
+EDITIONS = [f"edition {number}" for number in range(25)]
+NUMBER = r"[−-]?\d+(?:\.\d+)?"
+
+
+def questions(edition):
+    paper = exam_paper(edition)
+    return [*paper.compulsory, *paper.by_choice]
+
+
+def question(edition, chapter):
+    (found,) = [each for each in questions(edition) if each.chapter == chapter]
+    return found
+
+
+def values(found):
+    """The numbers that are right, part by part."""
+    return [[answer.value for answer in part.answers] for part in found.parts]
+
+
+def numbers(text):
+    return [float(n.replace("−", "-")) for n in re.findall(NUMBER, text)]
+
+
+def matrix_in(text):
+    (body,) = re.findall(r"\\begin\{pmatrix\}(.*?)\\end\{pmatrix\}", text)
+    return np.array([numbers(row) for row in body.split(r"\\")])

@@ -1,0 +1,108 @@
+"""Archives, links and folders of strangers are read within bounds, and nobody is lost."""
+
+import json
+import tracemalloc
+import zipfile
+
+import pytest
+
+from driftlab.book import class_report
+from driftlab.book.instructors import found_files
+from hand_ins import notebook, put, rows, zipped
+
+
+@pytest.mark.parametrize(
+    ("content", "sentence"),
+    [
+        (b"PK\3\4 nothing", "archive is damaged"),
+        (zipped({"03.ipynb": notebook()})[:-30], "archive is damaged"),
+        (zipped({}), "archive is empty"),
+        (zipped({"/etc/03.ipynb": b""}), "leads out of it"),
+        (zipped({"../../03.ipynb": b""}), "leads out of it"),
+        (zipped({"C:\\03.ipynb": b""}), "leads out of it"),
+        (zipped({"03.ipynb": b" " * (found_files.LARGEST + 1)}), "more than 64 MB"),
+    ],
+    ids=["torn", "cut", "empty", "absolute", "upward", "drive", "bomb"],
+)  # fmt: skip
+def test_archives_that_harm_get_a_sentence_and_a_row(tmp_path, content, sentence):
+    put(tmp_path, {"Ada/work.zip": content, "Bob/03.ipynb": notebook()})
+    found = rows(tmp_path)
+    assert sentence in found["Ada"].notes[0]
+    assert found["Bob"].status("3.1") == "right"
+    there = {path.name for path in tmp_path.rglob("*")}
+    assert there == {"03.ipynb", "Ada", "Bob", "work.zip"}
+
+
+def test_archives_in_archives_are_bounded(tmp_path, monkeypatch):
+    inner = zipped({"03.ipynb": notebook()})
+    for _ in range(2):
+        inner = zipped({"in.zip": inner})
+    put(tmp_path, {"Ada/a.zip": inner, "Bob/b.zip": zipped({"in.zip": inner})})
+    monkeypatch.setattr(found_files, "MOST_FILES_OF_ONE", 3)
+    many = zipped({f"{i}.ipynb": notebook() for i in range(5)})
+    put(tmp_path, {"Eve/many.zip": many})
+    found = rows(tmp_path)
+    assert found["Ada"].status("3.1") == "right"
+    assert found["Bob"].notes == ["in.zip: Too many archives lie in each other."]
+    bound = "no more than 1024 MB in 3 files are unpacked of an archive"
+    assert bound in " ".join(found["Eve"].notes)
+
+
+def test_an_archive_with_a_password_is_told(tmp_path):
+    content = bytearray(zipped({"03.ipynb": notebook()}))
+    content[6] |= 1  # in the head of the file
+    content[content.index(b"PK\1\2") + 8] |= 1  # and in the list
+    put(tmp_path, {"Ada/work.zip": bytes(content)})
+    assert rows(tmp_path)["Ada"].notes == ["03.ipynb: The archive asks for a password."]
+
+
+def test_links_are_not_followed(tmp_path):
+    put(tmp_path, {"out/03.ipynb": notebook(), "class/Bob/03.ipynb": notebook()})
+    (tmp_path / "class" / "Ada").mkdir()
+    try:
+        (tmp_path / "class" / "Ada" / "03.ipynb").symlink_to(tmp_path / "out" / "03.ipynb")
+        (tmp_path / "class" / "Eve").symlink_to(tmp_path / "out")
+    except OSError:
+        pytest.skip("no links here")
+    link = zipfile.ZipInfo("03.ipynb")
+    link.external_attr = 0o120777 << 16
+    put(tmp_path / "class", {"Zoe/a.zip": zipped({link: b"/etc/passwd"})})
+    found = rows(tmp_path / "class")
+    assert found.keys() == {"Ada", "Bob", "Eve", "Zoe"}
+    for name in ("Ada", "Eve", "Zoe"):
+        assert found[name].status("3.1") == "absent"
+        assert found[name].notes[0].endswith("a link to another place, which is not followed.")
+
+
+@pytest.mark.parametrize("name", ["nowhere", "text.txt"])
+def test_what_is_neither_folder_nor_archive_is_refused(tmp_path, name):
+    put(tmp_path, {"text.txt": b"text"})
+    with pytest.raises(ValueError, match=r"^folder: expected a folder with what students"):
+        class_report(tmp_path / name)
+
+
+def test_all_that_is_read_in_a_run_has_one_bound(tmp_path, monkeypatch):
+    content = notebook()
+    archive = zipped({"03.ipynb": content})
+    put(tmp_path, {"Ada/03.ipynb": content, "Bob/a.zip": archive, "Eve/03.ipynb": content})
+    put(tmp_path, {"Zoe/a.zip": archive, "Zoe/paper.pdf": b"x" * 2 * len(content)})
+    monkeypatch.setattr(found_files, "MOST_BYTES", 2 * len(content))
+    found = rows(tmp_path)
+    assert [each.status("3.1") for each in found.values()] == [*2 * ["right"], *2 * ["absent"]]
+    for name in ("Eve", "Zoe"):
+        assert found[name].notes[0].startswith("03.ipynb: It was not read, since no more than")
+        assert "are read in one run" in found[name].notes[0]
+
+
+def test_contents_are_not_kept(tmp_path):
+    size = 2**20
+    filled = json.loads(notebook())
+    filled["metadata"] = {"picture": "x" * size}
+    put(tmp_path, {f"{i}/03.ipynb": json.dumps(filled).encode() for i in range(30)})
+    tracemalloc.start()
+    try:
+        assert len(rows(tmp_path)) == 30
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert most < 15 * size
