@@ -69,12 +69,15 @@ def as_drawn(shown: list[Curve]) -> dict[tuple[int, str], list[Curve]]:
 
 
 def same(curve: Curve, other: Curve) -> bool:
-    """Whether two curves have the same numbers; some tables are rounded, to the fifth digit."""
+    """Whether two curves have the same numbers; some tables are rounded, to the fifth digit.
+
+    What is below 1e-12 everywhere is rounding, and another processor rounds in its own way.
+    """
     for one, two in ((curve.x, other.x), (curve.y, other.y)):
         if one.shape != two.shape:
             return False
         two = np.where(np.isfinite(two), two, np.nan)
-        least = 1e-5 * np.nanmax(np.abs(one), initial=0.0)
+        least = max(1e-12, 1e-5 * np.nanmax(np.abs(one), initial=0.0))
         if not np.allclose(one, two, rtol=0, atol=least, equal_nan=True):
             return False
     return True
