@@ -22,6 +22,7 @@ from .checks import (
     checked_instance,
     error_matrix,
     finite_arrays,
+    keep,
     usual_deviation,
     whole_number,
     within,
@@ -155,7 +156,7 @@ class PriorDeviations:
 
 def _check_sizes(sizes: ImuNoise | PriorDeviations) -> None:
     for field in fields(sizes):
-        usual_deviation(getattr(sizes, field.name), field.name)
+        keep(sizes, **{field.name: usual_deviation(getattr(sizes, field.name), field.name)})
 
 
 def random_imu_errors(

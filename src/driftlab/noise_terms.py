@@ -15,6 +15,7 @@ from scipy.special import zeta
 from .checks import (
     FloatArray,
     checked_generator,
+    keep,
     nonnegative_number,
     positive_array,
     positive_number,
@@ -64,7 +65,7 @@ class NoiseTerms:
 
     def __post_init__(self) -> None:
         for name in TERMS:
-            nonnegative_number(getattr(self, name), name)
+            keep(self, **{name: nonnegative_number(getattr(self, name), name)})
 
     def lines(self, averaging_times: ArrayLike) -> dict[str, FloatArray]:
         """Allan deviation of each term alone.

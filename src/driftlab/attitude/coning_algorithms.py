@@ -26,7 +26,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Literal, get_args
 
-from driftlab.checks import finite_array, one_of, shown, whole_number
+from driftlab.checks import finite_array, keep, one_of, shown, whole_number
 
 from .functional_iteration import FunctionalIteration
 from .own_algorithms import OwnAlgorithm
@@ -86,8 +86,12 @@ class Algorithm:
     starts: tuple[Weights, ...] = ()
 
     def __post_init__(self) -> None:
-        whole_number(self.samples, "samples")
-        whole_number(self.memory, "memory", least=0)
+        keep(
+            self,
+            samples=whole_number(self.samples, "samples"),
+            memory=whole_number(self.memory, "memory", least=0),
+            order=whole_number(self.order, "order"),
+        )
         if self.memory and self.samples > 1:
             raise ValueError(f"memory: expected 0 with several samples a step, got {self.memory}.")
         if not isinstance(self.starts, tuple | list):

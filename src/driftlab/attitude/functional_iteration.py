@@ -17,7 +17,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
-from driftlab.checks import whole_number
+from driftlab.checks import keep, whole_number
 
 WIDEST = 20
 """Increments in a window at most. A polynomial through equally spaced data magnifies their errors
@@ -76,10 +76,11 @@ class FunctionalIteration:
     last_stage: ClassVar[Literal["functional iteration"]] = "functional iteration"
 
     def __post_init__(self) -> None:
-        if whole_number(self.window, "window") > WIDEST:
+        keep(self, window=whole_number(self.window, "window"))
+        if self.window > WIDEST:
             raise ValueError(f"window: expected at most {WIDEST} increments, got {self.window}.")
         if self.iterations is not None:
-            whole_number(self.iterations, "iterations")
+            keep(self, iterations=whole_number(self.iterations, "iterations"))
 
     @property
     def order(self) -> int:

@@ -19,6 +19,7 @@ from driftlab.checks import (
     checked_instance,
     finite_array,
     finite_number,
+    keep,
     one_of,
     positive_number,
     shown,
@@ -95,25 +96,30 @@ class DesignTask:
 
     def __post_init__(self) -> None:
         one_of(self.criterion, CRITERIA, "criterion")
-        object.__setattr__(self, "model", checked_model(self.model))
+        keep(self, model=checked_model(self.model))
         checked_instance(self.noise, ImuNoise, "noise")
         checked_instance(self.prior, PriorDeviations, "prior")
         if not self.noise.reference_velocity > 0:
             raise ValueError(
                 "noise: expected a deviation of the reference velocity above 0, got 0.0 m/s."
             )
-        checked_latitude(finite_number(self.latitude, "latitude"))
-        truth_value(self.two_axes, "two_axes")
-        table_rate(positive_number(self.rate, "rate"), "rate", USUAL_TABLE)
-        turns = whole_number(self.positions, "positions", 2) - 1
+        keep(
+            self,
+            latitude=float(checked_latitude(finite_number(self.latitude, "latitude"))),
+            two_axes=truth_value(self.two_axes, "two_axes"),
+            rate=table_rate(positive_number(self.rate, "rate"), "rate", USUAL_TABLE),
+            positions=whole_number(self.positions, "positions", 2),
+            duration=positive_number(self.duration, "duration"),
+        )
+        turns = self.positions - 1
         angles = self.angles if isinstance(self.angles, tuple | list) else ()
         if not angles or not all(np.isscalar(a) and a in (90, 180, 270, 360) for a in angles):
             raise ValueError(
                 f"angles: expected some of 90, 180, 270, 360, got {shown(self.angles)}."
             )
-        object.__setattr__(self, "angles", tuple(dict.fromkeys(angles)))
+        keep(self, angles=tuple(dict.fromkeys(map(int, angles))))
         turning = turns * np.radians(max(angles)) / self.rate
-        if positive_number(self.duration, "duration") < turning + self.positions:
+        if self.duration < turning + self.positions:
             raise ValueError(
                 f"duration: expected more than {turning + self.positions:g} s, the largest turns "
                 f"and pauses of a second, got {shown(self.duration)}."
@@ -122,7 +128,7 @@ class DesignTask:
             sizes = finite_array(self.requirement, "requirement", self.model.size - 6)
             if sizes.ndim != 1 or not (sizes > 0).all():
                 raise ValueError("requirement: expected positive deviations, got others.")
-            object.__setattr__(self, "requirement", tuple(sizes.tolist()))
+            keep(self, requirement=tuple(sizes.tolist()))
         if len(self._unknown) == 0:
             raise ValueError("prior: expected some sensor error that is unknown, got none.")
 

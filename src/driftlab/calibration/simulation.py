@@ -16,6 +16,7 @@ from driftlab.checks import (
     checked_generator,
     checked_instance,
     finite_number,
+    keep,
     one_of,
     positive_number,
     some_of,
@@ -106,7 +107,7 @@ class TableTrial:
         return error_model_for(self.frame).with_states(*self.states)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "scheme", checked_scheme(self.scheme))
+        keep(self, scheme=checked_scheme(self.scheme))
         checked_instance(self.prior, PriorDeviations, "prior")
         checked_instance(self.noise, ImuNoise, "noise")
         if self.assumed_noise is not None:
@@ -116,13 +117,16 @@ class TableTrial:
             raise ValueError(
                 f"{assumed}: expected a deviation of the reference velocity above 0, got 0.0 m/s."
             )
-        checked_latitude(finite_number(self.latitude, "latitude"))
+        keep(self, latitude=float(checked_latitude(finite_number(self.latitude, "latitude"))))
         one_of(self.frame, ERROR_MODELS, "frame")
-        object.__setattr__(self, "states", some_of(self.states, GROUPS, "states"))
-        whole_number(self.keep, "keep")
-        whole_number(self.passes, "passes")
-        for name in ("sample_interval", "update_interval"):
-            positive_number(getattr(self, name), name)
+        keep(
+            self,
+            states=some_of(self.states, GROUPS, "states"),
+            keep=whole_number(self.keep, "keep"),
+            passes=whole_number(self.passes, "passes"),
+            sample_interval=positive_number(self.sample_interval, "sample_interval"),
+            update_interval=positive_number(self.update_interval, "update_interval"),
+        )
         samples = self.update_interval / self.sample_interval
         if abs(samples / 2 - round(samples / 2)) > 1e-9 * samples:
             raise ValueError(

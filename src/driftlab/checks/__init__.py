@@ -51,5 +51,6 @@ from ._objects import (
     checked_instance as checked_instance,
     checked_path as checked_path,
     checked_text as checked_text,
+    keep as keep,
 )
 from ._words import shown as shown

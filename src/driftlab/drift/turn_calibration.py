@@ -20,6 +20,7 @@ from driftlab.checks import (
     checked_generator,
     error_matrix,
     finite_arrays,
+    keep,
     nonnegative_number,
     nonzero_vectors,
     one_of,
@@ -207,10 +208,13 @@ class TurnExperiment:
     angle_noise: float = 0.0
 
     def __post_init__(self) -> None:
-        whole_number(self.turns, "turns")
-        whole_number(self.steps_per_turn, "steps_per_turn", least=3)
-        one_of(self.step_formula, STEP_FORMULAS, "step_formula")
-        nonnegative_number(self.angle_noise, "angle_noise")
+        keep(
+            self,
+            turns=whole_number(self.turns, "turns"),
+            steps_per_turn=whole_number(self.steps_per_turn, "steps_per_turn", least=3),
+            step_formula=one_of(self.step_formula, STEP_FORMULAS, "step_formula"),
+            angle_noise=nonnegative_number(self.angle_noise, "angle_noise"),
+        )
 
     def error_quaternion(
         self,

@@ -19,6 +19,7 @@ from driftlab.checks import (
     checked_generator,
     finite_array,
     finite_number,
+    keep,
     positive_array,
     positive_number,
     shown,
@@ -69,6 +70,7 @@ class GyroNoise:
             if finite_number(value, field.name) < 0 or not (least or value > 0):
                 kind = "number of at least 0" if least else "positive time"
                 raise ValueError(f"{field.name}: expected a {kind}, got {shown(value)}.")
+            keep(self, **{field.name: finite_number(value, field.name)})
 
     def sampled_every(self, interval: float) -> GyroNoise:
         """Return the same noise with samples farther apart, each a mean over its interval.

@@ -11,6 +11,7 @@ from driftlab.checks import (
     checked_instance,
     finite_array,
     finite_number,
+    keep,
     nonnegative_number,
     positive_number,
     shown,
@@ -91,12 +92,16 @@ class Gyrocompass:
             bias = finite_array(getattr(self, name), name, 3)
             if bias.ndim > 1:
                 raise ValueError(f"{name}: expected shape (3,), got {bias.shape}.")
-            object.__setattr__(self, name, tuple(bias.tolist()))
+            keep(self, **{name: tuple(bias.tolist())})
         checked_instance(self.gyro_noise, GyroNoise, "gyro_noise")
-        nonnegative_number(self.damping, "damping")
-        truth_value(self.log, "log")
-        positive_number(self.alignment_time, "alignment_time")
-        if finite_number(self.log_scale, "log_scale") and not self.log:
+        keep(
+            self,
+            damping=nonnegative_number(self.damping, "damping"),
+            log=truth_value(self.log, "log"),
+            alignment_time=positive_number(self.alignment_time, "alignment_time"),
+            log_scale=finite_number(self.log_scale, "log_scale"),
+        )
+        if self.log_scale and not self.log:
             raise ValueError("log_scale: expected zero without a log, got an error of one.")
 
 

@@ -16,6 +16,7 @@ from driftlab.checks import (
     FloatArray,
     finite_array,
     finite_number,
+    keep,
     nonzero_vectors,
     positive_number,
     shown,
@@ -268,6 +269,11 @@ class FixedAxis(Motion):
 
     def __post_init__(self) -> None:
         _check(self)
+        direction, _ = nonzero_vectors(self.axis, "axis")
+        if direction.ndim != 1:
+            raise ValueError(f"axis: expected shape (3,), got shape {direction.shape}.")
+        # Plain numbers, so that a motion can be compared and be the key of a cache.
+        keep(self, axis=tuple(finite_array(self.axis, "axis", 3).tolist()))
 
     def _attitude(self, time: FloatArray) -> FloatArray:
         angle = self.amplitude * (time + np.sin(2 * np.pi * self.frequency * time))
@@ -292,8 +298,4 @@ class FixedAxis(Motion):
 def _check(motion: Coning | Sway | FixedAxis) -> None:
     for field in fields(motion):
         if field.name != "axis":
-            finite_number(getattr(motion, field.name), field.name)
-        else:
-            direction, _ = nonzero_vectors(getattr(motion, field.name), field.name)
-            if direction.ndim != 1:
-                raise ValueError(f"axis: expected shape (3,), got shape {direction.shape}.")
+            keep(motion, **{field.name: finite_number(getattr(motion, field.name), field.name)})

@@ -14,6 +14,7 @@ from driftlab.checks import (
     FloatArray,
     checked_text,
     finite_number,
+    keep,
     named_or_own,
     positive_number,
     shown,
@@ -67,7 +68,7 @@ class Scheme:
     def __post_init__(self) -> None:
         # Plain numbers and a tuple, so that a scheme can be the key of a cache.
         for name in ("dwell", "rate"):
-            object.__setattr__(self, name, positive_number(getattr(self, name), name))
+            keep(self, **{name: positive_number(getattr(self, name), name)})
         table_rate(self.rate, "rate", USUAL_TABLE)
         checked_text(self.rotations, "rotations")
         words = self.start if isinstance(self.start, tuple | list) else ()
@@ -77,7 +78,7 @@ class Scheme:
                 f"start: expected three of {', '.join(DIRECTIONS)} for x, y, z, right-handed, "
                 f"got {shown(self.start)}."
             )
-        object.__setattr__(self, "start", tuple(self.start))
+        keep(self, start=tuple(self.start))
         self.turns  # noqa: B018  (an invalid word is refused now, not later)
 
     @property

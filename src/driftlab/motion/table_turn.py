@@ -16,6 +16,7 @@ from driftlab.checks import (
     FloatArray,
     finite_array,
     finite_number,
+    keep,
     nonnegative_number,
     nonzero_vectors,
     shown,
@@ -75,19 +76,23 @@ class TableTurn:
     rest: float = 0.0
 
     def __post_init__(self) -> None:
-        table_rate(self.rate, "rate")
-        whole_number(self.turns, "turns")
         if self.latitude is not None:
-            checked_latitude(finite_number(self.latitude, "latitude"))
+            keep(self, latitude=float(checked_latitude(finite_number(self.latitude, "latitude"))))
         direction, _ = nonzero_vectors(self.table_axis, "table_axis")
         if direction.ndim != 1:
             raise ValueError(f"table_axis: expected shape (3,), got shape {direction.shape}.")
-        if abs(finite_number(self.angle_error, "angle_error")) >= np.pi:
+        keep(
+            self,
+            rate=table_rate(self.rate, "rate"),
+            turns=whole_number(self.turns, "turns"),
+            table_axis=tuple(finite_array(self.table_axis, "table_axis", 3).tolist()),
+            angle_error=finite_number(self.angle_error, "angle_error"),
+            **{name: nonnegative_number(getattr(self, name), name) for name in ("ramp", "rest")},
+        )
+        if abs(self.angle_error) >= np.pi:
             raise ValueError(
                 f"angle_error: expected less than half a turn, got {shown(self.angle_error)} rad."
             )
-        for name in ("ramp", "rest"):
-            nonnegative_number(getattr(self, name), name)
         if self.ramp > self._until_braking:
             raise ValueError(
                 f"ramp: expected at most {self._until_braking:.6g} s, in which the turns at the "

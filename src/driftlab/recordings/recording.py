@@ -17,6 +17,7 @@ from driftlab.checks import (
     checked_text,
     finite_array,
     finite_number,
+    keep,
     one_of,
     one_pull,
     positive_number,
@@ -83,9 +84,13 @@ class Recording:
         one_of(self.kind, ("rates", "increments"), "kind")
         for field in ("axes", "name", "source", "licence"):
             checked_text(getattr(self, field), field)
-        positive_number(self.interval, "interval")
+        keep(
+            self,
+            interval=positive_number(self.interval, "interval"),
+            longest_gap=positive_number(self.longest_gap, "longest_gap"),
+        )
         gyro = _rows(self.gyro, "gyro")
-        object.__setattr__(self, "gyro", gyro)
+        keep(self, gyro=gyro)
         if self.accelerometer is not None:
             rows = _rows(self.accelerometer, "accelerometer")
             if len(rows) != len(gyro):
@@ -93,7 +98,7 @@ class Recording:
                     f"accelerometer: expected as many rows as the gyros have, {len(gyro)}, "
                     f"got {len(rows)}."
                 )
-            object.__setattr__(self, "accelerometer", rows)
+            keep(self, accelerometer=rows)
         if self.times is not None:
             times = finite_array(self.times, "times", len(gyro))
             if not (np.diff(times) > 0).all():
@@ -102,15 +107,17 @@ class Recording:
                     f"times: expected stamps that increase, got {times[row]:.10g} s after "
                     f"{times[row - 1]:.10g} s in row {row + 1}."
                 )
-            object.__setattr__(self, "times", times)
+            keep(self, times=times)
         if self.axes:
             checked_axes(self.axes, "axes", "body")
-        if self.latitude is not None and abs(finite_number(self.latitude, "latitude")) > np.pi / 2:
-            raise ValueError(
-                f"latitude: expected rad, at most a quarter turn, got {shown(self.latitude)}."
-            )
+        if self.latitude is not None:
+            keep(self, latitude=finite_number(self.latitude, "latitude"))
+            if abs(self.latitude) > np.pi / 2:
+                raise ValueError(
+                    f"latitude: expected rad, at most a quarter turn, got {shown(self.latitude)}."
+                )
         if self.gravity is not None:
-            one_pull(self.gravity)
+            keep(self, gravity=one_pull(self.gravity))
 
     def __len__(self) -> int:
         return len(self.gyro)
