@@ -31,6 +31,21 @@ def test_no_rotation_changes_nothing():
     np.testing.assert_array_equal(rotate(IDENTITY, vector), vector)
 
 
+@pytest.mark.parametrize("norm", [1e-200, 0.999, 2.0, 1e200])
+@given(quaternions(), vectors())
+def test_a_quaternion_of_another_norm_is_the_same_rotation(norm, q, vector):
+    """As one is that was written down with three decimals."""
+    same = Rotation.from_quat(q)
+    np.testing.assert_allclose(rotate(norm * q, vector), same.apply(vector), rtol=0, atol=BOUND)
+    np.testing.assert_allclose(to_matrix(norm * q), same.as_matrix(), rtol=0, atol=20 * EPS)
+
+
+@pytest.mark.parametrize("function", [lambda q: rotate(q, [1, 0, 0]), to_matrix])
+def test_a_zero_quaternion_is_no_rotation(function):
+    with pytest.raises(ValueError, match=r"^quaternion: expected nonzero quaternions, got a zero"):
+        function([0, 0, 0, 0])
+
+
 @given(quaternions(), vectors())
 def test_rotation_is_scipys(q, vector):
     expected = Rotation.from_quat(q).apply(vector)

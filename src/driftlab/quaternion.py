@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .checks import FloatArray, finite_array, finite_arrays
+from .checks import FloatArray, finite_array, finite_arrays, unit_quaternions
 from .core import quaternion as core
 
 
@@ -79,12 +79,17 @@ def rotate(quaternion: ArrayLike, vector: ArrayLike) -> FloatArray:
     Parameters
     ----------
     quaternion : array_like or Rotation, shape (..., 4)
-        Of unit norm. The conjugate rotates the other way.
+        Of any norm above zero; it is scaled to unit norm. The conjugate rotates the other way.
     vector : array_like, shape (..., 3)
 
     Returns
     -------
     ndarray, shape (..., 3)
+
+    Raises
+    ------
+    ValueError
+        If a quaternion is zero.
 
     Examples
     --------
@@ -93,21 +98,27 @@ def rotate(quaternion: ArrayLike, vector: ArrayLike) -> FloatArray:
     >>> rotate([0, 0, np.sqrt(0.5), np.sqrt(0.5)], [1, 0, 0]).round(3) + 0
     array([0., 1., 0.])
     """
-    return core.rotate(*finite_arrays(quaternion=(quaternion, 4), vector=(vector, 3)))
+    unit = unit_quaternions(quaternion, "quaternion")
+    return core.rotate(*finite_arrays(quaternion=(unit, 4), vector=(vector, 3)))
 
 
 def to_matrix(quaternion: ArrayLike) -> FloatArray:
-    """Matrix of the rotation that a unit quaternion describes.
+    """Matrix of the rotation that a quaternion describes.
 
     Parameters
     ----------
     quaternion : array_like or Rotation, shape (..., 4)
-        Of unit norm.
+        Of any norm above zero; it is scaled to unit norm.
 
     Returns
     -------
     ndarray, shape (..., 3, 3)
         Body components to reference components.
+
+    Raises
+    ------
+    ValueError
+        If a quaternion is zero.
 
     Examples
     --------
@@ -116,7 +127,7 @@ def to_matrix(quaternion: ArrayLike) -> FloatArray:
            [ 0., -1.,  0.],
            [ 0.,  0.,  1.]])
     """
-    return core.to_matrix(finite_array(quaternion, "quaternion", 4))
+    return core.to_matrix(unit_quaternions(quaternion, "quaternion"))
 
 
 def left_matrix(quaternion: ArrayLike) -> FloatArray:
