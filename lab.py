@@ -27,6 +27,7 @@ usage: python3 lab.py [command]
   print     the whole book on paper, a PDF in _print, or "print 03 lab_sheet solutions/03"
               --no-code      only what the cells gave
               --exercises    only the exercises of a chapter, with room to write
+              --edition TEXT only the examination with the numbers of this text, and its scheme
               --paper us-letter   not A4
   student   pack a copy for a class, without solutions, answers and pages for teachers
               a name for the zip file may follow

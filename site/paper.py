@@ -12,7 +12,9 @@ from pathlib import Path, PurePosixPath
 import nbformat
 from nbformat import NotebookNode
 
+import examination
 from addresses import PDF
+from examination import print_examination
 from executed import FOLDER, executed, notebooks
 from pdf.contents import label
 from pdf.make import Look, make_handout, make_pdf
@@ -29,14 +31,22 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="lab.py print", usage="python3 lab.py --help")
     parser.add_argument("names", nargs="*")
     parser.add_argument("--no-code", dest="with_code", action="store_false")
-    parser.add_argument("--exercises", dest="is_sheet", action="store_true")
+    parser.add_argument("--exercises", dest="kind", action="store_const", const="exercises")
+    parser.add_argument("--edition", help="of the examination: the text that its numbers are from")
     parser.add_argument("--paper", choices=("a4", "us-letter"), default="a4")
     options = parser.parse_args(arguments)
-    look = Look(options.paper, options.with_code, options.is_sheet)
+    look = Look(options.paper, options.with_code, options.kind or "notebook")
+    names = options.names
     try:
-        for target in printed([found(name, notebooks()) for name in options.names], look):
+        if options.edition is not None:
+            if names:
+                raise Unfinished("--edition prints the examination alone: name no chapter with it.")
+            targets = print_examination(options.edition, BUILD, PRINTED, options.paper)
+        else:
+            targets = printed([found(name, notebooks()) for name in names], look)
+        for target in targets:
             print(f"Printed: {target.relative_to(ROOT)}")
-    except Unfinished as trouble:
+    except (Unfinished, ValueError) as trouble:
         print(trouble, file=sys.stderr)
         return 1
     return 0
@@ -70,15 +80,20 @@ def printed(names: list[str], look: Look) -> list[Path]:
     Unfinished
         If something cannot be printed.
     """
-    how = "-exercises" if look.is_sheet else "" if look.with_code else "-without-code"
+    how = "-exercises" if look.kind == "exercises" else "" if look.with_code else "-without-code"
     if not names:
-        if look.is_sheet:
+        if look.kind == "exercises":
             raise Unfinished("Name the chapters whose exercises you want, as in: print 03 04.")
         target = PRINTED / f"{PurePosixPath(PDF).stem}{how}.pdf"
         make_pdf(executed(), BUILD, target, look)
         return [target]
+    if examination.NAME in names:
+        raise Unfinished(
+            "The examination is printed as two files, so that the class does not get the scheme: "
+            'print --edition "a term, and a word of your own".'
+        )
     targets = []
-    for name, shown in (sheets(names) if look.is_sheet else executed(names)).items():
+    for name, shown in (sheets(names) if look.kind == "exercises" else executed(names)).items():
         targets.append(PRINTED / f"{label(name)}{how}.pdf")
         make_handout(name, shown, BUILD, targets[-1], look)
     return targets

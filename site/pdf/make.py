@@ -42,16 +42,19 @@ class Look(NamedTuple):
         Its name in Typst, "a4" or "us-letter".
     with_code : bool
         Whether what the cells gave has their code above it.
-    is_sheet : bool
-        Whether the document is a sheet of exercises, to be written on.
+    kind : str
+        A "notebook"; a sheet of "exercises", to be written on; the sheet of an "examination", or
+        the "scheme" for who marks it.
     """
 
     paper: str = "a4"
     with_code: bool = True
-    is_sheet: bool = False
+    kind: str = "notebook"
 
 
 AS_A_BOOK = Look()
+WITHOUT_PART = {"examination": "Examination", "scheme": "Not for the class"}
+"""What stands above a document that belongs to no part of the book."""
 
 
 def make_pdf(
@@ -103,10 +106,14 @@ def make_handout(
     """
     folder = _emptied(build / "print" / label(name))
     part = part_of(name)
-    said = {"part": part.title, "source": part.source, "number": figure_prefix(name)}
-    front = f"{_front(look, **said)}, is-sheet: {str(look.is_sheet).lower()}"
+    title = WITHOUT_PART.get(look.kind, part.title)
+    said = {"kind": look.kind, "part": title, "source": part.source, "number": figure_prefix(name)}
     document = Document(name, _markdown(name, notebook, folder / "pictures", look))
-    blocks = [TEMPLATE, f"#show: handout.with({front})", Book([document]).typst(name)]
+    blocks = [
+        TEMPLATE,
+        f"#show: handout.with({_front(look, **said)})",
+        Book([document]).typst(name),
+    ]
     _compile(folder, blocks, target)
 
 

@@ -13,11 +13,13 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_outp
 sys.path.insert(0, str(Path(__file__).parents[2] / "site"))
 
 import paper
+from examination import print_examination
 from executed import KEPT, notebooks
 from pdf.make import Look, make_handout
 from unfinished import Unfinished
 
 CHAPTER = "03_systematic_drift.ipynb"
+EDITION = "spring, tests"
 LONG = "a_long_name = " + "another_name + " * 5 + "a_last_one"
 WAITS = "Exercise 3.1: not answered yet."
 TEXT = " ".join(["A sentence that is written to fill a page."] * 60)
@@ -61,7 +63,8 @@ def main(folder: Path) -> None:
             sheet = paper.sheets([name])[name]
         except Unfinished:
             continue
-        make(f"sheet-{name[:2]}", sheet, Look(is_sheet=True), name)
+        make(f"sheet-{name[:2]}", sheet, Look(kind="exercises"), name)
+    print_examination(EDITION, folder, folder, "a4")
     print(json.dumps({asked: meant(asked) for asked in ASKED}))
 
 

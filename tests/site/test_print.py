@@ -17,6 +17,7 @@ from test_pdf import SIDES, text_of, words
 from driftlab.book import languages
 from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises, hints_of
+from driftlab.book.instructors.examination import exam_paper
 from executed import FOLDER, notebooks
 from pdf.cells import markdown_of
 from pdf.contents import OUTSIDE, part_of
@@ -31,6 +32,7 @@ CHAPTER = "03_systematic_drift.ipynb"
 LONG = "a_long_name = another_name"
 WAITS = "not answered yet"
 A4, LETTER = (595.3, 841.9), (612, 792)
+CAPITALS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
 FEET = 25
 """Points that stay white above and below on every page."""
 
@@ -197,13 +199,42 @@ def test_a_notebook_is_known_by_how_it_begins(made, asked, name):
     assert made[1][asked].startswith(name)
 
 
-@pytest.mark.parametrize("arguments", [("14",), ("12", "--exercises"), ("--exercises",)])
+def test_the_sheet_of_an_examination_is_printed_without_its_scheme(printed):
+    exam = exam_paper("spring, tests")  # as in print_small.py
+    sheet, scheme = (printed(f"examination-{exam.mark}-{kind}") for kind in ("sheet", "scheme"))
+    on_sheet, on_scheme = (words("".join(texts(document))) for document in (sheet, scheme))
+    found = set()
+    for question in (*exam.compulsory, *exam.by_choice):
+        assert words(question.title) in on_sheet
+        assert words(question.title) in on_scheme
+        answers = [words(str(a)) for part in question.parts for a in part.answers]
+        assert not any(answer in on_sheet for answer in answers)
+        found.update(answer for answer in answers if answer in on_scheme)
+    assert found  # some, without a formula, stand there as they are written
+    assert "Number" in on_sheet
+    assert "scheme" not in on_sheet
+    assert words(f"Marking scheme of sheet {exam.mark}") in on_scheme
+    for document in (sheet, scheme):
+        assert_within_the_margins(document)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("14",),
+        ("12", "--exercises"),
+        ("--exercises",),
+        ("instructors/examination",),
+        ("--edition", " "),
+        ("03", "--edition", "autumn"),
+    ],
+)
 def test_what_cannot_be_printed_is_said_in_one_sentence(made, arguments):
     command = [str(PYTHON), str(ROOT / "site/paper.py"), *arguments]
     done = subprocess.run(command, capture_output=True, encoding="utf-8")
     assert done.returncode == 1
     assert len(done.stderr.splitlines()) == 1
-    assert done.stderr[0].isupper() or done.stderr[0].isdigit()
+    assert done.stderr.startswith(("edition: ", "--edition ")) or done.stderr[0] in CAPITALS
 
 
 def test_what_is_printed_is_ignored_by_git():
