@@ -20,12 +20,13 @@ TAKEN = (
     *("CHANGELOG.md", "CITATION.bib", "CITATION.cff", "ERRATA.md", "LICENSE", "LICENSES"),
     *("environment.txt", "lab.py", "pyproject.toml", "bootstrap", "figures", "notebooks", "src"),
     "release/PYPI.md",  # without it the package cannot be installed
+    *(".binder", "deployment/Dockerfile", "deployment/Dockerfile.dockerignore"),  # for a server
 )
 LEFT_OUT = (
     *("notebooks/solutions", "notebooks/instructors", "notebooks/for_instructors.ipynb"),
     *("notebooks/for_your_course.ipynb", "src/driftlab/book/instructors"),
 )
-KINDS = {"notebooks": ("*.ipynb",), "figures": ("*.svg", "*.csv", "*.md")}
+KINDS = {"notebooks": ("*.ipynb", "ru/*.ipynb"), "figures": ("*.svg", "*.csv", "*.md")}
 """What is taken of folders in which a teacher may have files of another kind, marks say."""
 MODEL = re.compile(r'^model = ("""[\s\S]*?"""|"(?:[^"\\]|\\.)*")\n', re.M)
 """How the book answers in words, in a file of hints."""

@@ -13,6 +13,8 @@ import pytest
 from bootstrap.steps import HOME, Trouble
 from bootstrap.student import LINK, NAME, student_files, without_links, write_student_copy
 
+from driftlab.book import languages
+
 
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -90,6 +92,19 @@ def test_all_that_the_package_is_installed_from_is_in_it() -> None:
         "release/PYPI.md",
         "LICENSES/BSD-3-Clause.txt",
     } <= names
+
+
+def test_all_languages_of_the_book_are_in_it() -> None:
+    names = {name for name, _ in student_files()}
+    for code in languages()[1:]:
+        assert f"src/driftlab/book/languages/{code}/LC_MESSAGES/driftlab.mo" in names
+        assert f"notebooks/{code}/00_start_here.ipynb" in names
+
+
+def test_a_server_can_be_set_up_from_it() -> None:
+    names = {name for name, _ in student_files()}
+    assert {".binder/requirements.txt", ".binder/runtime.txt"} <= names
+    assert {"deployment/Dockerfile", "deployment/Dockerfile.dockerignore"} <= names
 
 
 def test_it_takes_no_files_place(tmp_path: Path) -> None:
