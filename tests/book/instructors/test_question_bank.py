@@ -14,7 +14,7 @@ from driftlab.book.exercises import all_exercises
 from driftlab.book.instructors import question_bank
 from driftlab.book.instructors.moodle_xml import in_html, moodle_xml
 from driftlab.book.instructors.question_bank import NO_TEXT2QTI, NOTEBOOKS, write_question_bank
-from driftlab.book.instructors.questions import questions
+from driftlab.book.instructors.questions import exercise_texts, questions
 from driftlab.book.instructors.quiz_text import fits, quiz_text
 from support import ROOT
 
@@ -54,6 +54,18 @@ def alternatives(question):
             for each in question.iterfind("answer")
         ]
     ]
+
+
+def test_a_question_speaks_to_who_sits_before_a_platform(bank):
+    """There are boxes to tick in place of letters, and the numbers are drawn already."""
+    texts = exercise_texts(NOTEBOOKS)
+    asked = bank[0]
+    assert any("letters" in texts[each.exercise] for each in asked if each.statements)
+    assert any("given(" in texts[each.exercise] for each in asked if each.variant)
+    for each in asked:
+        assert "given(" not in each.text, each.title
+        assert not re.search(r"[Gg]ive (all|the) (their )?letters", each.text), each.title
+        assert not each.text.startswith("\n"), each.title
 
 
 def test_every_exercise_is_asked_or_left_out_for_a_reason(bank):

@@ -21,6 +21,9 @@ MOST_NUMBERS = 6
 
 _HEADING = re.compile(r"### (\d+\.\d+) .*\n+")
 _STATEMENT = re.compile(r"^- \(([a-z])\) (.*)$", re.MULTILINE)
+_BY_LETTER = re.compile(r"\b([Gg])ive (?:all|the) (?:their )?letters\b[^.;]*(?=[.;]\s|[.;]$)")
+_IN_A_NOTEBOOK = re.compile(r"\n\nIn a course, in a notebook, you can have numbers[^\n]*")
+"""What says how to have numbers of one's own: a platform has drawn them already."""
 
 
 class Slip(NamedTuple):
@@ -156,8 +159,12 @@ def _choice(number: str, exercise: Choice, text: str) -> Question:
         )
         for letter, says in _STATEMENT.findall(text)
     )
-    asks = _STATEMENT.sub("", text).strip()
+    asks = _BY_LETTER.sub(_tick, _STATEMENT.sub("", text).strip())
     return Question(number, 0, _signed(number, asks), (), statements, exercise.remark)
+
+
+def _tick(asked: re.Match[str]) -> str:
+    return ("T" if asked[1] == "G" else "t") + "ick all that are true"
 
 
 def _value(number: str, exercise: Value, text: str, variant: int) -> Question:
@@ -175,6 +182,7 @@ def _value(number: str, exercise: Value, text: str, variant: int) -> Question:
         )
         for at in np.ndindex(right.shape)
     )
+    text = _IN_A_NOTEBOOK.sub("", text)
     if variant:
         text = f"{text}\n\n{_own_numbers(exercise, name)}"
     if exercise.unit != "1":
