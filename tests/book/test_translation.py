@@ -1,7 +1,9 @@
 """Other languages: what is said is translated where it is said; what is kept stays English."""
 
+import gettext
 import json
 import re
+from concurrent.futures import ThreadPoolExecutor
 from io import BytesIO
 from string import Formatter
 
@@ -10,14 +12,15 @@ import pytest
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po
 
-from driftlab.book import check, guess, language, languages
+from driftlab.book import check, guess, language, languages, verdict
+from driftlab.book.__main__ import write_translation
 from driftlab.book.exercises import all_exercises, judged
 from driftlab.book.machinery import language as machinery
-from driftlab.book.machinery.exercise import Said
+from driftlab.book.machinery.exercise import NotRightError, Said
 from driftlab.book.machinery.language import FOLDER, speaking, tr, tr_number
 from driftlab.book.machinery.progress import Progress
-from driftlab.book.panels import EXPLORERS
-from driftlab.book.translation import MARK, behind, digest, gathered, update
+from driftlab.book.panels import EXPLORERS, SCENES
+from driftlab.book.translation import MARK, behind, digest, gathered, is_word, update
 from support import ROOT
 
 OTHERS = languages()[1:]
@@ -40,8 +43,14 @@ def catalogue(code):
     return read_po(BytesIO(path.read_bytes()), locale=code, charset="utf-8")
 
 
-def filled(text):
-    return {name for _, name, _, _ in Formatter().parse(text) if name is not None}
+def places(text):
+    """The places that a text names; a conversion or a format would be the code's, not its own."""
+    found = [place for place in Formatter().parse(text) if place[1] is not None]
+    for _, name, form, turn in found:
+        assert re.fullmatch(r"[a-z]+|[0-9]", name), text
+        assert not form, text
+        assert not turn, text
+    return {name for _, name, *_ in found}
 
 
 def test_russian_is_there_and_another_language_is_refused():
@@ -52,10 +61,100 @@ def test_russian_is_there_and_another_language_is_refused():
 
 
 def test_the_environment_says_the_language_until_somebody_does(monkeypatch):
-    monkeypatch.setattr(machinery, "_spoken", {})
+    monkeypatch.setattr(machinery, "_chosen", [])
     monkeypatch.setenv("DRIFTLAB_LANGUAGE", "ru")
     assert tr("not yet") == "пока нет"
     assert language("en") == language() == "en"
+
+
+@pytest.mark.parametrize("said", ["ru_RU.UTF-8", "RU", " ru", "ru@x", "ru-RU"])
+def test_the_environment_may_say_the_language_as_systems_do(said, monkeypatch):
+    monkeypatch.setattr(machinery, "_chosen", [])
+    monkeypatch.setenv("DRIFTLAB_LANGUAGE", said)
+    assert language() == "ru"
+
+
+def test_a_language_of_the_environment_that_is_not_there_is_said_once(monkeypatch):
+    monkeypatch.setattr(machinery, "_chosen", [])
+    monkeypatch.setenv("DRIFTLAB_LANGUAGE", "tlh_KL")
+    with pytest.warns(UserWarning, match="^DRIFTLAB_LANGUAGE=tlh_KL: expected one of en, ru"):
+        assert tr("not yet") == "not yet"
+    assert language() == "en"  # a second warning would be an error
+
+
+@pytest.mark.parametrize("kept", [0, 4, 200, 5000])
+def test_a_broken_catalogue_is_one_sentence_that_says_what_to_do(kept, tmp_path, monkeypatch):
+    whole = (FOLDER / "ru/LC_MESSAGES/driftlab.mo").read_bytes()
+    broken = tmp_path / "ru/LC_MESSAGES/driftlab.mo"
+    broken.parent.mkdir(parents=True)
+    broken.write_bytes(whole[:kept])
+    monkeypatch.setattr(machinery, "FOLDER", tmp_path)
+    with pytest.raises(ValueError, match=r"driftlab\.mo cannot .* driftlab\.book translation ru\."):
+        language("ru")
+    assert language() == "en"
+
+
+def test_threads_speak_the_chosen_language_and_keep_english_records():
+    language("ru")
+    with ThreadPoolExecutor(8) as threads:
+        cards = list(threads.map(lambda n: judged("1.1", [n, n, n], Progress()), range(200)))
+    assert language() == "ru"
+    assert all(repr(card).startswith("Упражнение 1.1: пока нет") for card in cards)
+    assert all(card.record["says"].isascii() for card in cards)
+
+
+def test_another_thread_does_not_hear_what_is_spoken_in_a_block():
+    with speaking("ru"), ThreadPoolExecutor(1) as threads:
+        assert threads.submit(language).result() == "en"
+
+
+@pytest.mark.parametrize(("code", "least"), [("en", 7), ("ru", 7)])
+def test_a_function_is_called_once_for_card_and_record(code, least):
+    seen = []
+
+    def answer(w, m, t):
+        seen.append(w)
+        return [m * w * t, 0, 0] if len(seen) <= least else 1 / 0
+
+    with speaking(code):
+        card = judged("1.5", answer, Progress())
+    assert len(seen) == least
+    assert card.record["word"] == card.verdict.word == "not yet"
+    assert card.record["says"].startswith("That is the false rate times the time.")
+
+
+def test_a_function_that_fails_is_called_once_too():
+    seen = []
+
+    def answer(w, m, t):
+        seen.append(w)
+        raise RuntimeError(f"call {len(seen)}")
+
+    with speaking("ru"):
+        card = judged("1.5", answer, Progress())
+    assert len(seen) == 1
+    assert card.record["says"] == "Your answer raised RuntimeError: call 1"
+
+
+def test_letters_that_come_one_by_one_are_read_once():
+    with speaking("ru"):
+        card = judged("1.3", iter("bce"), Progress())
+    assert card.verdict.right
+    assert card.record["right"]
+
+
+def test_the_error_of_a_strict_check_is_english_throughout():
+    with speaking("ru"), pytest.raises(NotRightError) as wrong:
+        check("1.3", "a", strict=True)
+    assert str(wrong.value).startswith("Exercise 1.3: not yet. At least one statement")
+
+
+@pytest.mark.parametrize("broken", ["{that}", "{}", "{form", "{form.x}", "{form:d}"])
+def test_a_translators_slip_leaves_the_english_text(broken, monkeypatch):
+    words = gettext.NullTranslations()
+    monkeypatch.setattr(words, "gettext", lambda text: broken)
+    monkeypatch.setattr(machinery, "_chosen", [machinery.Spoken("ru", words)])
+    assert tr("Expected numbers, got {form}.", form="a str") == "Expected numbers, got a str."
 
 
 def test_a_text_that_the_catalogue_lacks_stays_english():
@@ -121,18 +220,54 @@ def test_puzzle_and_panel_speak_russian_and_keep_the_names_of_their_values(capsy
     assert capsys.readouterr().out.startswith("Упражнение 1.1: ответа ещё нет.")
 
 
+@pytest.mark.parametrize("panel", [*EXPLORERS[:4], *SCENES], ids=lambda panel: panel.__name__)
+def test_all_that_a_panel_says_is_in_the_catalogue(panel, monkeypatch):
+    asked = set()
+    words = gettext.NullTranslations()
+    monkeypatch.setattr(words, "gettext", lambda text: asked.add(text) or text)
+    monkeypatch.setattr(machinery, "_chosen", [machinery.Spoken("ru", words)])
+    for preset in panel.presets:
+        panel(preset)
+    known = {message.id for message in catalogue("ru")}
+    assert panel.title in asked
+    assert {text for text in asked if is_word(text)} <= known
+
+
+def test_the_scene_of_chapter_1_is_russian_and_its_handle_keeps_its_name():
+    (scene,) = (each for each in SCENES if each.__name__ == "FalseRate")
+    with speaking("ru"):
+        message = scene().view.widget.stage
+    parts = [part for view in message["views"] for part in view["parts"]]
+    assert message["words"]["play"] == "Пуск"
+    assert {part["text"] for part in parts} >= {"ложная скорость", "истинная скорость"}
+    (handle,) = (part for part in parts if part["handle"])
+    assert (handle["handle"], handle["says"]) == ("false rate", "ложная скорость")
+
+
+@pytest.mark.parametrize("code", ["en", "EN", "RU", "en_US", "xx_", "../ru"])
+def test_a_catalogue_is_made_for_a_code_of_another_language_only(code):
+    with pytest.raises(SystemExit, match=r"^language: expected the code of one other than English"):
+        write_translation(code)
+
+
+def test_letters_that_look_alike_are_read_as_they_look():
+    assert verdict("1.3", "b\u0441\u0435").right  # as a Russian keyboard has c and e
+    assert not verdict("1.3", "\u0449").right
+
+
 @pytest.mark.parametrize("code", OTHERS)
-def test_translations_name_the_places_of_the_english_text(code):
+def test_translations_have_the_places_of_the_english_text(code):
     for message in catalogue(code):
         if not message.id:
             continue
         english = message.id if isinstance(message.id, tuple) else (message.id,)
-        places = {"count"}.union(*map(filled, english))
-        if places == {"count"}:
-            continue
         others = message.string if isinstance(message.string, tuple) else (message.string,)
+        every = set().union(*map(places, english))
         for text in filter(None, others):
-            assert filled(text) <= places, message.id
+            if len(english) == 1:
+                assert places(text) == every, message.id
+            else:  # one form may spell the number out: "a power of ten"
+                assert every - {"count", "word"} <= places(text) <= every | {"count"}, message.id
 
 
 @pytest.mark.parametrize("code", OTHERS)

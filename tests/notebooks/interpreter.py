@@ -21,7 +21,7 @@ from nbformat.v4 import new_output
 from traitlets import List, Type
 from traitlets.config import Config
 
-from driftlab.book.machinery.language import ENGLISH, speaking
+from driftlab.book.machinery.language import ENGLISH, language
 
 
 class Publisher(DisplayPublisher):
@@ -68,13 +68,15 @@ def interpreter(folder: Path) -> Iterator[Interpreter]:
     """
     config = Config({"HistoryManager": {"enabled": False}})
     path = list(sys.path)
-    # A translated notebook chooses its language for all that comes after it.
-    with warnings.catch_warnings(), matplotlib.rc_context(), speaking(ENGLISH):
+    before = language()
+    language(ENGLISH)
+    with warnings.catch_warnings(), matplotlib.rc_context():
         with warnings.catch_warnings():  # IPython's own filters end here
             shell = Interpreter.instance(config=config, ipython_dir=str(folder))
         try:
             yield shell
         finally:
+            language(before)  # a translated notebook has chosen its own
             pyplot.close("all")
             shell.restore_sys_module_state()
             Interpreter.clear_instance()

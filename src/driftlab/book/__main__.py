@@ -17,6 +17,7 @@ from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, ex
 from .errata import errata
 from .figures import figure_definitions, measured, not_at_hand, published_paths
 from .machinery.figure_table import as_words, write_table
+from .machinery.language import ENGLISH
 from .machinery.publish import FigureDefinition, PublishedFigure, gallery
 
 PROJECT = Path(__file__).parents[3]
@@ -108,9 +109,13 @@ def write_translation(language: str) -> None:
     from .translation import update
 
     try:
-        Locale.parse(language)
+        known = str(Locale.parse(language)) == language == language.lower() != ENGLISH
     except (ValueError, UnknownLocaleError):
-        raise SystemExit(f'language: expected a code like "ru", got {language!r}.') from None
+        known = False
+    if not known:
+        raise SystemExit(
+            f'language: expected the code of one other than English, like "ru", got {language!r}.'
+        )
     print(update(language))
 
 

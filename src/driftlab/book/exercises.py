@@ -9,6 +9,7 @@ and `card` shows all that, with the chapter's `hints`.
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Iterator
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -27,7 +28,7 @@ from .machinery.exercise import (
 )
 from .machinery.given_numbers import Given
 from .machinery.hints import NO_HELP, Help
-from .machinery.language import ENGLISH, speaking, tr
+from .machinery.language import ENGLISH, language, speaking, tr
 from .machinery.progress import Progress
 from .machinery.records import record_of
 
@@ -144,15 +145,19 @@ def check(
     card = judged(number, answer, PROGRESS, _said(because, student))
     show(card)
     if strict and not card.verdict.right:
-        raise NotRightError(f"Exercise {card.number}: {card.verdict.says}")
+        said = f"{card.record['word']}. {card.record['says']}".rstrip()
+        raise NotRightError(f"Exercise {card.number}: {said}")  # in English, for programs
 
 
 def judged(number: str | float, answer: Any, progress: Progress, said: Said = NOTHING_SAID) -> Card:
     """Return the card that `check` shows; `progress` is what was answered, and takes note of it."""
     name, exercise = _exercise(number)
+    if isinstance(answer, Iterator):
+        answer = list(answer)  # it gives its letters or numbers only once
     is_said = not said.because or progress.are_new(said.because, name, answer)
     counted = said if is_said else said._replace(because="")
-    found = exercise.verdict(answer, counted)
+    heard = exercise.heard(answer)
+    found = same = exercise.verdict(heard, counted)
     progress.note(name, answer, found)
     chapter = _chapter(name)
     right, count = progress.of(all_exercises(chapter))
@@ -170,9 +175,10 @@ def judged(number: str | float, answer: Any, progress: Progress, said: Said = NO
     done = tr("{right} of {count} right in chapter {chapter}", **so_far)
     if attempts > 1:
         done = tr("attempt {number}; {done}", number=attempts, done=done)
-    with speaking(ENGLISH):  # a class is counted in one language
-        same = exercise.verdict(answer, counted)
-        record = record_of(name, answer, same, attempts, said)
+    if language() != ENGLISH:  # a class is counted in one language
+        with speaking(ENGLISH):
+            same = exercise.verdict(heard, counted)
+    record = record_of(name, answer, same, attempts, said)
     return Card(name, found, _help(name), tuple(notes), done, said.because, record)
 
 

@@ -8,7 +8,9 @@ a translator writes with any editor for gettext, such as Poedit, and the catalog
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
+from functools import cache
 from hashlib import sha256
 from io import BytesIO
 from pathlib import Path
@@ -21,13 +23,16 @@ from .machinery.card import SECTION, SIGNS
 from .machinery.exercise import key_of
 from .machinery.formulas import EXCHANGED, Formula
 from .machinery.guess import FIRST, HOW_TO_SEE, KEPT, UNANSWERED, UNITS as GUESS_UNITS
-from .machinery.language import DOMAIN, FOLDER
-from .machinery.panel import OWN_VALUES
+from .machinery.language import DOMAIN, ENGLISH, FOLDER, Filled, speaking
+from .machinery.panel import OWN_VALUES, Explorer
 from .machinery.puzzle import PARTS, Number
+from .machinery.reading import Slider
 from .machinery.revealed import WITHOUT_GUESS
+from .machinery.scene.spoken import words_of
+from .machinery.scene.view import SceneView
 from .machinery.sizes import NUMBERS, ORDINALS
 from .machinery.slips import UNITS
-from .panels import EXPLORERS
+from .panels import EXPLORERS, SCENES
 
 KEYWORDS: dict[str, Any] = {"tr": None, "tr_number": (1, 2)}
 """The functions whose first arguments are to be translated; the second one counts."""
@@ -65,6 +70,8 @@ def texts() -> Iterator[tuple[str, str]]:
         yield from ((exercise.remark, where), *((says, where) for says in _told(exercise)))
         if unit := getattr(exercise, "unit", ""):
             yield unit, where
+        if isinstance(panel := getattr(exercise, "from_panel", None), Slider):
+            yield panel.says, where
     for chapter in chapters_with("exercises"):
         for number, help_ in hints_of(chapter).items():
             yield from ((text, f"hint {number}") for text in help_)
@@ -74,17 +81,38 @@ def texts() -> Iterator[tuple[str, str]]:
             own = (question.unit,) if isinstance(question, Number) else question.options
             yield from ((text, f"puzzle {chapter}") for text in (question.asks, *own))
         yield puzzle.says, f"puzzle {chapter}"
-    for panel in EXPLORERS:
+    for panel in (*EXPLORERS, *SCENES):
         where = f"panel {panel.__name__}"
+        # mypy takes the hash of a panel for that of its class, which has one.
+        yield from ((text, where) for text in shown_by(panel))  # type: ignore[arg-type]
         yield from ((text, where) for text in (panel.title, *panel.presets))
         yield from ((text, where) for text in panel.look_for.values())
         for control in panel.controls:
             yield from ((text, where) for text in (control.label, control.group, *control.choices))
     constants = [*SIGNS, *(sign for sign, _ in SIGNS.values()), *PARTS.values(), WITHOUT_GUESS]
     constants += [HOW_TO_SEE, KEPT, UNANSWERED, OWN_VALUES, *GUESS_UNITS.values()]
-    constants += [NOT_ALL, SAY_WHY, SECTION, FIRST, EXCHANGED, *NUMBERS, *ORDINALS]
+    constants += [NOT_ALL, SAY_WHY, SECTION, FIRST, EXCHANGED, NUMBERS, *ORDINALS]
     constants += [unit for kind in UNITS.values() for unit in kind]
     yield from ((text, "machinery") for text in constants)
+
+
+@cache
+def shown_by(panel: type[Explorer]) -> tuple[str, ...]:
+    """Return the words that stand in a panel when it is built, with any of its presets."""
+    found: dict[str, None] = {}
+    with speaking(ENGLISH):
+        for preset in panel.presets:
+            built = panel(preset)
+            data = built.compute(built.values)
+            found |= dict.fromkeys(built.numbers(data).words())
+            if isinstance(built.view, SceneView):
+                found |= dict.fromkeys(words_of(built.view.stage(data)))
+    return tuple(word for word in found if is_word(word))
+
+
+def is_word(text: str) -> bool:
+    """Whether there is something to translate: no number, sign or single letter."""
+    return not isinstance(text, Filled) and bool(re.search(r"[^\W\d_]{2}", text))
 
 
 def _told(exercise: Any) -> Iterator[str]:
@@ -136,8 +164,12 @@ def update(language: str) -> Coverage:
     catalog = Catalog(locale=language, project="driftlab", charset="utf-8", fuzzy=False)
     if path.exists():
         catalog = read_po(BytesIO(path.read_bytes()), locale=language, charset="utf-8")
-    catalog.update(template, update_creation_date=False)
+    catalog.update(template, no_fuzzy_matching=True, update_creation_date=False)
     catalog.obsolete.clear()
+    catalog.project, catalog.version = "Drift Lab", "book"
+    catalog.last_translator = catalog.language_team = "Drift Lab"
+    catalog.msgid_bugs_address = ""
+    catalog.revision_date = catalog.creation_date
     path.parent.mkdir(parents=True, exist_ok=True)
     for suffix, write in ((".po", _po(write_po)), (".mo", write_mo)):
         made = BytesIO()

@@ -19,6 +19,8 @@ from .sizes import how_far_off
 from .slips import UNITS, find_slip, matches
 
 FEWEST_WORDS = 3
+LOOK_ALIKES = str.maketrans("асе", "ace")
+"""Cyrillic letters that look like Latin ones: who has that keyboard means what is seen."""
 NOT_ALL = "At least one statement is judged otherwise than it should be."
 SAY_WHY = "Say why you judge so, in your own words, and the reply goes into it."
 
@@ -148,13 +150,13 @@ class Choice(Exercise):
         words = [answer] if isinstance(answer, str) else list(answer)
         if not all(isinstance(word, str) for word in words):
             raise UnreadableError(as_letters)
-        text = " ".join(words).lower().replace("and", " ")
+        text = " ".join(words).lower().replace("and", " ").translate(LOOK_ALIKES)
         chosen = sorted({letter for letter in text if letter.isalnum()})
         for letter in chosen:
             if letter not in letters:
                 found = tr(
                     "Expected letters from {first} to {last}, found {letter}.",
-                    letter=ascii(letter),
+                    letter=repr(letter),
                     **ends,
                 )
                 raise UnreadableError(found)

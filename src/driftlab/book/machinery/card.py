@@ -78,13 +78,14 @@ class Card:
         sign, colour = SIGNS[self.verdict.word]
         says = self.verdict.reason
         name = html.escape(tr("Exercise {number}", number=self.number))
-        head = f"<b>{tr(sign)}</b> &nbsp;{name}"
+        head = f"<b>{html.escape(tr(sign))}</b> &nbsp;{name}"
         if self.progress:
             head += f"<span style='float: right; opacity: 0.75'>{html.escape(self.progress)}</span>"
         body = [says, *self._words()] if says else self._words()
         lines = [head, *map(in_html, body)]
+        wide = "style='letter-spacing: 0.3em'"
         lines[1:1] = [
-            f"<span style='letter-spacing: 0.3em' aria-label='{_aloud(row)}'>{ticks}</span>"
+            f"<span {wide} aria-label='{html.escape(_aloud(row))}'>{ticks}</span>"
             for row, ticks in zip(self.verdict.parts, self._ticks(), strict=True)
         ]
         if hints and self.help.is_there and not self.verdict.right:
@@ -123,7 +124,7 @@ class HintCard:
 
     def _repr_html_(self) -> str:
         shown = [
-            f"<b>{name}</b> &nbsp;{in_html(tr(text))}"
+            f"<b>{html.escape(name)}</b> &nbsp;{in_html(tr(text))}"
             for name, text in zip(
                 (tr("Nudge"), tr("Idea")), self.help.rungs[: self.rungs], strict=False
             )
@@ -149,7 +150,7 @@ def ladder(help_: Help) -> str:
     inner = ""
     for name, text in reversed(tuple(steps)):
         inner = (
-            f"<details><summary style='cursor: pointer'>{name}</summary>"
+            f"<details><summary style='cursor: pointer'>{html.escape(name)}</summary>"
             f"<div style='padding-left: 1em'>{in_html(text)}{inner}</div></details>"
         )
     return inner
@@ -159,7 +160,7 @@ def link(help_: Help) -> str:
     """A link to the section that helps, within the page."""
     section = tr(help_.section)
     anchor = html.escape(section.replace(" ", "-"))
-    return f"{tr(SECTION)} <a href='#{anchor}'>{html.escape(section)}</a>"
+    return f"{html.escape(tr(SECTION))} <a href='#{anchor}'>{html.escape(section)}</a>"
 
 
 def in_html(text: str) -> str:

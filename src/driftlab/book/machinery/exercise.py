@@ -150,6 +150,10 @@ class Exercise(ABC):
             return Verdict(True, f"right. {tr(self.remark)}".rstrip())
         return Verdict(False, f"not yet. {objection.reason}", objection.parts)
 
+    def heard(self, answer: Any) -> Any:
+        """Return what can be judged in two languages, and is computed once."""
+        return answer
+
     @abstractmethod
     def _objection(self, answer: Any, said: Said) -> Objection | None:
         """Return None if `answer` is right, else what can be said of it."""

@@ -17,7 +17,18 @@ from numpy.typing import NDArray
 
 from .exercise import Exercise, Objection, Said, rows
 from .language import tr, tr_number
-from .reading import Numbers, UnreadableError, entries, fit, name, numbers, of_sympy, read, symbols
+from .reading import (
+    Numbers,
+    UnreadableError,
+    entries,
+    fit,
+    name,
+    numbers,
+    of_sympy,
+    once,
+    read,
+    symbols,
+)
 from .sizes import common_factor, size
 from .slips import find_slip, matches
 
@@ -59,6 +70,9 @@ class Formula(Exercise):
         self, right: Callable[..., Any], mistakes: Mapping[str, Callable[..., Any]]
     ) -> None:
         self._seal(right, mistakes)
+
+    def heard(self, answer: Any) -> Any:
+        return once(answer) if callable(answer) and not of_sympy(answer, "Basic") else answer
 
     def _objection(self, answer: Any, said: Said) -> Objection | None:
         places, right = self._places, self._values(self._key.right)

@@ -145,7 +145,7 @@ class GuessControl:
         """Keep the guess that the controls show, and show the answer."""
         guess = [each.value for each in self.inputs]
         if None in guess:
-            self.answer.value = f"<p role='alert'>{tr(UNANSWERED)}</p>"
+            self.answer.value = f"<p role='alert'>{html.escape(tr(UNANSWERED))}</p>"
             return
         self.reveal(guess, keep(self.puzzle, guess))  # type: ignore[arg-type]
 
@@ -170,10 +170,11 @@ class GuessControl:
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
         """The control, and for a page that is not live, the question without the answer."""
+        first, how = html.escape(tr(FIRST)), html.escape(tr(HOW_TO_SEE))
         asks = "".join(f"<li>{html.escape(tr(q.asks))}</li>" for q in self.puzzle.questions)
         return {
             **widget_view(self.widget),
-            "text/html": (f"<p><b>{tr(FIRST)}</b></p><ul>{asks}</ul><p>{tr(HOW_TO_SEE)}</p>"),
+            "text/html": f"<p><b>{first}</b></p><ul>{asks}</ul><p>{how}</p>",
             "text/plain": repr(self),
         }
 

@@ -16,6 +16,7 @@ from typing import Any, ClassVar, Protocol
 import ipywidgets as widgets
 
 from .control import Control
+from .control_rows import control_rows, with_class
 from .language import tr
 from .matplotlib_view import MatplotlibView
 from .page import Page
@@ -107,7 +108,7 @@ class Explorer(widgets.VBox):
         self.view.widget.add_class("driftlab-picture")
         self.guide = widgets.HTML()
         self.message = widgets.HTML()
-        self.headline = _with_class(widgets.HTML(), "driftlab-headline")
+        self.headline = with_class(widgets.HTML(), "driftlab-headline")
         self.text = widgets.HTML()
         self.code = widgets.HTML()
         drawn = issubclass(self.picture_class, Picture)
@@ -123,23 +124,25 @@ class Explorer(widgets.VBox):
             widget.observe(self._moved, "value")
         self.preset.observe(self._preset_chosen, "value")
         self.reset.on_click(lambda _: self.set(**opening))
+        rows = [widgets.HBox([self.preset, self.reset])]
+        rows += control_rows(self.controls, self._widgets)
         title = widgets.HTML(f"<h4>{html.escape(tr(self.title))}</h4>")
         work = [
-            _with_class(widgets.VBox([title, self.guide, self.message]), "driftlab-title"),
+            with_class(widgets.VBox([title, self.guide, self.message]), "driftlab-title"),
             # The picture stands above the sliders, so that it does not move away from them.
             self.view.widget,
-            _with_class(
+            with_class(
                 widgets.Box(
                     [
-                        _with_class(widgets.VBox([self.headline, self.text]), "driftlab-results"),
-                        _with_class(widgets.VBox(self._rows()), "driftlab-controls"),
+                        with_class(widgets.VBox([self.headline, self.text]), "driftlab-results"),
+                        with_class(widgets.VBox(rows), "driftlab-controls"),
                     ]
                 ),
                 "driftlab-lower",
             ),
         ]
         super().__init__(
-            [self.page, _with_class(widgets.Box(work), "driftlab-work"), self.code, self.paper]
+            [self.page, with_class(widgets.Box(work), "driftlab-work"), self.code, self.paper]
         )
         self.add_class(PANEL_CLASS)
         self.set(**opening)
@@ -148,25 +151,6 @@ class Explorer(widgets.VBox):
         if issubclass(self.picture_class, Picture):
             return MatplotlibView(self.picture_class(), self.page)
         return self.picture_class()
-
-    def _rows(self) -> list[widgets.Box]:
-        """The controls by group: boxes to tick and lines of text across, sliders in columns."""
-        groups: dict[str, list[Control]] = {}
-        for control in self.controls:
-            groups.setdefault(control.group, []).append(control)
-        across: list[widgets.Box] = [widgets.HBox([self.preset, self.reset])]
-        columns = []
-        for group, members in groups.items():
-            heading = [widgets.HTML(html.escape(tr(group)))] if group else []
-            row = [*heading, *(self._widgets[control.name] for control in members)]
-            if all(control.is_box for control in members):
-                box = widgets.HBox(row, layout={"flex_flow": "row wrap", "align_items": "center"})
-                across.append(_with_class(box, "driftlab-boxes"))
-            elif all(control.examples for control in members):
-                across.append(widgets.VBox(row))
-            else:
-                columns.append(_with_class(widgets.VBox(row), "driftlab-group"))
-        return [*across, _with_class(widgets.HBox(columns), "driftlab-groups")]
 
     @property
     def values(self) -> dict[str, Any]:
@@ -294,9 +278,3 @@ class Explorer(widgets.VBox):
         text = self.page.alt
         instead = still(picture, kind, text, type(self).__name__, self.values)
         display_with_still(self, instead, text)
-
-
-def _with_class(widget: Any, name: str) -> Any:
-    """Return the widget with an HTML class, which page.css looks for."""
-    widget.add_class(name)
-    return widget

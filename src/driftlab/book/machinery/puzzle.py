@@ -191,7 +191,7 @@ class Puzzle:
     def remark(self, truths: Sequence[Answer]) -> str:
         """Return the sentences under the answer."""
         written = [q.written(truth) for q, truth in zip(self.questions, truths, strict=True)]
-        return tr(self.says).format(*written)
+        return tr(self.says, *written)
 
 
 def rounded(value: float, digits: int = 2) -> float:

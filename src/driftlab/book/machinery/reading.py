@@ -6,6 +6,7 @@ of its making.
 
 from __future__ import annotations
 
+import pickle
 import sys
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -67,7 +68,19 @@ def panel_values(answer: Any) -> Mapping[str, Any] | None:
     return values if isinstance(values, Mapping) else None
 
 
-def slider(wanted: str, says: str, **needed: Any) -> Callable[[Mapping[str, Any]], Any]:
+class Slider:
+    """What reads one control of a panel; see `slider`."""
+
+    def __init__(self, wanted: str, says: str, needed: Mapping[str, Any]) -> None:
+        self.wanted, self.says, self.needed = wanted, says, needed
+
+    def __call__(self, values: Mapping[str, Any]) -> Any:
+        if any(values[name] != value for name, value in self.needed.items()):
+            raise SettingError(self.says)
+        return values[self.wanted]
+
+
+def slider(wanted: str, says: str, **needed: Any) -> Slider:
     """Return a function that reads one control of a panel.
 
     Parameters
@@ -79,13 +92,7 @@ def slider(wanted: str, says: str, **needed: Any) -> Callable[[Mapping[str, Any]
     **needed
         Values of other controls without which the answer means nothing.
     """
-
-    def reading(values: Mapping[str, Any]) -> Any:
-        if any(values[name] != value for name, value in needed.items()):
-            raise SettingError(says)
-        return values[wanted]
-
-    return reading
+    return Slider(wanted, says, needed)
 
 
 def read(reading: Callable[..., Any], *arguments: Any) -> Any:
@@ -97,6 +104,25 @@ def read(reading: Callable[..., Any], *arguments: Any) -> Any:
     except Exception as error:
         words = tr("Your answer raised {error}: {says}", error=type(error).__name__, says=error)
         raise UnreadableError(words) from error
+
+
+def once(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a function that is called once with the same values, and then says the same again."""
+    said: dict[bytes, tuple[Any, Exception | None]] = {}
+
+    def again(*values: Any) -> Any:
+        key = pickle.dumps(values)
+        if key not in said:
+            try:
+                said[key] = function(*values), None
+            except Exception as error:
+                said[key] = None, error
+        result, raised = said[key]
+        if raised is not None:
+            raise raised
+        return result
+
+    return again
 
 
 def fit(given: Numbers, right: Numbers) -> Numbers:

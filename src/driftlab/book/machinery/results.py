@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from .language import tr
@@ -32,6 +32,10 @@ class Results(NamedTuple):
     rows: Sequence[tuple[str, ...]]
     columns: Sequence[str] = ()
     note: str = ""
+
+    def words(self) -> Iterator[str]:
+        """All that is said in words."""
+        yield from (self.headline[0], *(name for name, *_ in self.rows), *self.columns, self.note)
 
     def headline_html(self) -> str:
         """The number that matters, large, with its name."""

@@ -11,7 +11,8 @@ from .language import tr, tr_number
 from .reading import Numbers
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
-NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
+NUMBERS = "one two three four five six seven eight nine"
+"""As one text: alone, a word such as "one" may be something else elsewhere."""
 
 ROUNDING = 1e-12
 """What is smaller than this part of the right answer, rounding has left over of a zero."""
@@ -133,7 +134,8 @@ def _listed(words: list[str]) -> str:
 
 
 def _number(count: int) -> str:
-    return tr(NUMBERS[count]) if count < len(NUMBERS) else str(count)
+    words = tr(NUMBERS).split()
+    return words[count - 1] if 1 <= count <= len(words) else str(count)
 
 
 def _count(count: int) -> str:

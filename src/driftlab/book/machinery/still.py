@@ -14,6 +14,7 @@ from typing import Any
 
 from ipywidgets import DOMWidget
 
+from .language import tr
 from .widget_view import widget_view
 
 STILL_CLASS = "driftlab-still"
@@ -55,12 +56,14 @@ def still(
     text = json.dumps(plain_values(values), ensure_ascii=False, allow_nan=False)
     data = html.escape(text, quote=False)
     data = data.replace("'", "&#x27;")
+    stood = html.escape(
+        tr("This is how it stood when its cell was run. Run the cell again to move it.")
+    )
     return (
         f'<style>{STYLE}</style><figure class="{STILL_CLASS}" data-panel="{html.escape(panel)}" '
         f"data-values='{data}' style=\"margin: 0\">"
         f'<img src="{source}" alt="{html.escape(description)}" style="max-width: 100%">'
-        "<figcaption>This is how it stood when its cell was run. Run the cell again to move it."
-        "</figcaption></figure>"
+        f"<figcaption>{stood}</figcaption></figure>"
     )
 
 

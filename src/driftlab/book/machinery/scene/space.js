@@ -71,13 +71,12 @@ class ViewOfSpace {
     this.scene = scene;
     this.root = make(parent, "figure", { class: "dl-view" });
     this.title = make(this.root, "figcaption");
-    const hint = "drag to look around, or use the arrow keys";
     this.svg = make(this.root, "svg", {
       viewBox: `${-VIEW} ${-VIEW} ${2 * VIEW} ${2 * VIEW}`,
       tabindex: 0,
       role: "group",
     });
-    make(this.svg, "title", {}, hint);
+    this.hint = make(this.svg, "title");
     this.svg.addEventListener("pointerdown", (event) => this.pressed(event));
     this.svg.addEventListener("keydown", (event) => this.key(event));
     this.svg.addEventListener("dblclick", () => this.lookFrom(this.home));
@@ -85,7 +84,9 @@ class ViewOfSpace {
 
   update(view) {
     this.title.textContent = view.title;
-    this.svg.setAttribute("aria-label", `${view.title}. Arrow keys look around.`);
+    const { look, keys } = this.scene.stage.words;
+    this.hint.textContent = look;
+    this.svg.setAttribute("aria-label", `${view.title}. ${keys}`);
     const same = this.view && JSON.stringify(this.view.parts.map(looks)) ===
       JSON.stringify(view.parts.map(looks));
     if (!same) this.build(view);
@@ -109,10 +110,10 @@ class ViewOfSpace {
         for (const [name, value] of Object.entries({
           tabindex: 0,
           role: "button",
-          "aria-label": `${part.handle}: drag it, or move it with the arrow keys`,
+          "aria-label": `${part.says}: ${this.scene.stage.words.drag}`,
           "data-handle": part.handle,
         })) element.setAttribute(name, value);
-        make(element, "title", {}, part.handle);
+        make(element, "title", {}, part.says);
       }
       return { element, part };
     });

@@ -15,7 +15,9 @@ import traitlets
 from driftlab.checks import FloatArray
 
 from ..control import Control
+from ..language import tr
 from ..panel import Explorer, Values
+from .spoken import translated
 from .stage import Stage
 from .svg import STYLE, still
 
@@ -66,7 +68,7 @@ class SceneView:
 
     def show(self, data: Any) -> None:
         """Bring the widget up to date."""
-        self._shown = self.stage(data)
+        self._shown = translated(self.stage(data))
         self.widget.stage = self._shown.message()
 
     def still(self) -> tuple[bytes, str]:
@@ -92,7 +94,7 @@ class SceneExplorer(Explorer):
         if self.folded:
             inside = widgets.VBox(others)
             folded = widgets.Accordion([inside], selected_index=None)
-            folded.set_title(0, "Exact values")
+            folded.set_title(0, tr("Exact values"))
             others = [folded]
         return [first, *others]
 
