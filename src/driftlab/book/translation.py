@@ -98,12 +98,13 @@ def texts() -> Iterator[tuple[str, str]]:
 
 @cache
 def shown_by(panel: type[Explorer]) -> tuple[str, ...]:
-    """Return the words that stand in a panel when it is built, with any of its presets."""
+    """Return the words that stand in a panel with any of its presets."""
     found: dict[str, None] = {}
     with speaking(ENGLISH):
-        for preset in panel.presets:
-            built = panel(preset)
-            data = built.compute(built.values)
+        built = panel()
+        starts = {control.name: control.start for control in panel.controls}
+        for preset in panel.presets.values():
+            data = built.compute({**starts, **preset})
             found |= dict.fromkeys(built.numbers(data).words())
             if isinstance(built.view, SceneView):
                 found |= dict.fromkeys(words_of(built.view.stage(data)))

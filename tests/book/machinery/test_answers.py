@@ -194,7 +194,7 @@ def test_slip_is_called_by_its_name(exercise, answer, words):
         (STATEMENT, 2, "Expected letters from a to d, as text."),
         (STATEMENT, {"a": False, "b": True}, "Expected letters from a to d, as text."),
         (STATEMENT, ["b", 4], "Expected letters from a to d, as text."),
-        (STATEMENT, "bс", r"Expected letters from a to d, found '\u0441'."),
+        (STATEMENT, "bщ", r"Expected letters from a to d, found 'щ'."),
         (STATEMENT, "()", "Expected letters from a to d."),
         (QUARTER, 10**400, "OverflowError"),
         (QUARTER, Unwilling(), "RuntimeError: not today"),

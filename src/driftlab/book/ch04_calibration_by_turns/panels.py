@@ -8,6 +8,7 @@ import numpy as np
 
 from driftlab.book.machinery.axis import matrix_code
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.language import tr
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import Results
 from driftlab.checks import FloatArray
@@ -109,7 +110,8 @@ class TurnCalibrationExplorer(Explorer):
         )
 
     def numbers(self, data: TurnEstimates) -> Results:
-        found = data.runs.mean(axis=0)
+        found, count = data.runs.mean(axis=0), len(data.runs)
+        differ = np.ptp(data.runs, axis=0).any()  # without noise they are one and the same
         errors = (found - data.true) / ARC_SECOND
         largest = errors[np.abs(errors).argmax()]
         return Results(
@@ -122,7 +124,7 @@ class TurnCalibrationExplorer(Explorer):
             ],
             (
                 "true, mrad",
-                f"mean of {len(data.runs)}, mrad" if self.values["noise"] else "found, mrad",
+                tr("mean of {count}, mrad", count=count) if differ else "found, mrad",
                 "error, ″",
             ),
         )
