@@ -12,5 +12,6 @@ from .sweeps import (
 )
 from .workers import (
     cluster as cluster,
+    cores as cores,
     processes as processes,
 )

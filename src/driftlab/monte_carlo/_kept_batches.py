@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import driftlab
-from driftlab.checks import checked_path
 
 from ._descriptions import code_of, describe
 
@@ -26,7 +25,7 @@ class KeptBatches:
 
     Parameters
     ----------
-    folder : str or Path
+    folder : Path
         In it, a folder is made for each study, so that many may share one. What is in it is read by
         `pickle`, which runs what it reads: name no folder in which a stranger may write.
     task : callable
@@ -46,7 +45,7 @@ class KeptBatches:
         If the task cannot be described, or the folder cannot be written.
     """
 
-    def __init__(self, folder: str | Path, task: Any, seed: int, batch: int) -> None:
+    def __init__(self, folder: Path, task: Any, seed: int, batch: int) -> None:
         study = {
             "task": describe(task),
             "seed": seed,
@@ -55,13 +54,12 @@ class KeptBatches:
             "code": code_of(task),
         }
         text = json.dumps(study, indent=1, ensure_ascii=False)
-        root = checked_path(folder, "folder")
-        self.folder = root / sha256(text.encode()).hexdigest()[:20]
+        self.folder = folder / sha256(text.encode()).hexdigest()[:20]
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
             self._put("study.json", text.encode())
         except OSError as error:
-            raise ValueError(f"folder: expected one to write in, got {root}: {error}.") from error
+            raise ValueError(f"folder: expected one to write in, got {folder}: {error}.") from error
 
     def read(self, index: int, size: int) -> Any:
         """Return what was kept of a batch, or `MISSING`; a file that is damaged counts as none."""

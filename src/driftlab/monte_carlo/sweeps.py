@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, as_completed
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
 import numpy as np
 
-from driftlab.checks import checked_function, checked_instance, whole_number
+from driftlab.checks import checked_function, checked_instance, checked_path, whole_number
 
 from ._kept_batches import MISSING, KeptBatches
 
@@ -23,17 +23,16 @@ class _Place(NamedTuple):
     """Where the runs are made that say nothing of it themselves."""
 
     executor: Executor | None = None
-    folder: str | Path | None = None
+    folder: Path | None = None
 
 
 NOWHERE = _Place()
 _place: ContextVar[_Place] = ContextVar("driftlab_sweeps", default=NOWHERE)
 
 
-@contextmanager
 def running_on(
     executor: Executor | None = None, *, folder: str | Path | None = None
-) -> Iterator[None]:
+) -> AbstractContextManager[None]:
     """Make all sweeps in a ``with`` block on one executor, and keep them in one folder.
 
     So a study that names neither, as those of the book, goes to as many processors as there are.
@@ -44,10 +43,14 @@ def running_on(
     folder : str or Path, optional
         Both as for `sweep`; what is given there counts.
 
+    Returns
+    -------
+    context manager
+
     Raises
     ------
     ValueError
-        If `executor` is none.
+        If `executor` is none, or `folder` no path.
 
     Examples
     --------
@@ -58,7 +61,12 @@ def running_on(
     """
     if executor is not None:
         checked_instance(executor, Executor, "executor")
-    before = _place.set(_Place(executor, folder))
+    return _running_on(_Place(executor, None if folder is None else checked_path(folder, "folder")))
+
+
+@contextmanager
+def _running_on(place: _Place) -> Iterator[None]:
+    before = _place.set(place)
     try:
         yield
     finally:
@@ -143,7 +151,7 @@ def sweep(
     children = np.random.SeedSequence(root).spawn(len(sizes))
     place = _place.get()
     executor = executor or place.executor
-    where = place.folder if folder is None else folder
+    where = place.folder if folder is None else checked_path(folder, "folder")
     kept = None if where is None else KeptBatches(where, task, root, most)
     results: list[object] = [MISSING] * len(sizes)
 
