@@ -7,6 +7,7 @@ import io
 import shutil
 import sys
 from collections.abc import Iterable, Mapping
+from concurrent.futures import Executor
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -71,10 +72,11 @@ def write_figures_on(
     """Write all figures, the many runs of their studies on all cores or on a cluster."""
     with ExitStack() as places:
         try:
+            pool: Executor | None = None
             if scheduler is not None:
                 pool = places.enter_context(cluster(scheduler))
-            else:
-                pool = places.enter_context(processes(workers)) if workers != 1 else None
+            elif workers != 1:
+                pool = places.enter_context(processes(workers))
         except (ValueError, OSError, ModuleNotFoundError) as error:
             sys.exit(str(error))
         places.enter_context(running_on(pool, folder=keep))
