@@ -15,6 +15,9 @@ usage: python3 lab.py [command]
   lowest    the quick tests with the oldest packages that pyproject.toml allows
               other arguments go to pytest
   figures   rebuild every figure and table of the book
+              --workers N            processes for what takes many runs, else one for each core
+              --scheduler ADDRESS    send those runs to a cluster of dask
+              --keep FOLDER          keep finished runs there, and go on from them
   bench     print how fast the package is, against its peers, which this command fetches
   peers     ask programs of others, which this command fetches, whether they compute the same
   class     report what a class handed in: "class FOLDER", a folder or a zip
@@ -179,9 +182,15 @@ def lowest(arguments: list[str]) -> int:
 
 
 def figures(arguments: list[str]) -> int:
-    expect_none(arguments)
+    """Rebuild every figure and table."""
     set_up()
-    return run("-m", "driftlab.book", "figures")
+    # The folder is seen from where the caller is, and commands run in the project's.
+    before = ["", *arguments]
+    seen = [
+        str(Path(each).absolute()) if last == "--keep" else each
+        for last, each in zip(before, arguments, strict=False)
+    ]
+    return run("-m", "driftlab.book", "figures", *seen)
 
 
 def bench(arguments: list[str]) -> int:
@@ -196,8 +205,8 @@ def peers(arguments: list[str]) -> int:
     """Ask the programs of others whether they compute the same; who is missing is skipped."""
     expect_none(arguments)
     set_up()
-    fetch("bench")
-    fetch("peers")
+    for extra in ("bench", "cluster", "peers"):
+        fetch(extra)
     return run("-m", "pytest", "tests/peers")
 
 

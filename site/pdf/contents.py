@@ -68,6 +68,7 @@ PARTS = (
             "conventions",
             "i_want_to",
             "lab_sheet",
+            "many_runs",
             "for_instructors",
             "for_your_course",
             "solutions/",

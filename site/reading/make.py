@@ -126,8 +126,8 @@ def _contents() -> str:
         for name, part in parts(ROOT).items()
     }
     lists["Start"] = ["chapters", *lists["Start"]]
-    lists["Aside"] = ["i_want_to", "lab_sheet", "solutions/index", "for_instructors"]
-    lists["Aside"] += ["for_your_course"]
+    lists["Aside"] = ["i_want_to", "lab_sheet", "many_runs", "solutions/index"]
+    lists["Aside"] += ["for_instructors", "for_your_course"]
     lists["To look things up"] = ["reference/index", "conventions", "glossary", "ledger/index"]
     lists["To look things up"] += ["gallery/index", "errata", "changes"]
     return "".join(

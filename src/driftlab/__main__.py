@@ -36,12 +36,12 @@ GROUND_FLOOR = (
         "increments",
         "sampled_rates",
         "strapdown",
-        "monte_carlo",
     ),
     *("noise_terms", "allan", "noise_identification"),
 )
 SUBJECTS = (
     *(
+        "monte_carlo",
         "motion",
         "drift",
         "attitude",

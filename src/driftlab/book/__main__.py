@@ -7,11 +7,14 @@ import io
 import shutil
 import sys
 from collections.abc import Iterable, Mapping
+from concurrent.futures import Executor
+from contextlib import ExitStack
 from pathlib import Path
 
 from tqdm import tqdm
 
 import driftlab
+from driftlab.monte_carlo import cluster, processes, running_on
 
 from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, experiment_numbers
 from .errata import errata
@@ -61,6 +64,23 @@ def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | No
     for name, copy, reconstructed, exact in zip(*rows, strict=True):
         print(f"{name:10}{copy:>14}{reconstructed:>18.6e}{exact:>18.6e}")
     print("\nReconstructed with a minus sign before sigma4* (chapter 4).")
+
+
+def write_figures_on(
+    folder: Path, workers: int | None, scheduler: str | None, keep: Path | None
+) -> None:
+    """Write all figures, the many runs of their studies on all cores or on a cluster."""
+    with ExitStack() as places:
+        try:
+            pool: Executor | None = None
+            if scheduler is not None:
+                pool = places.enter_context(cluster(scheduler))
+            elif workers != 1:
+                pool = places.enter_context(processes(workers))
+        except (ValueError, OSError, ModuleNotFoundError) as error:
+            sys.exit(str(error))
+        places.enter_context(running_on(pool, folder=keep))
+        write_figures(folder)
 
 
 def _copy(paths: Iterable[Path], folder: Path) -> None:
@@ -138,10 +158,18 @@ def main() -> None:
     words.add_argument("language", help='its code, as "ru"')
     words.set_defaults(write=write_translation)
     for name, write, default in (
-        ("figures", write_figures, "figures"),
+        ("figures", write_figures_on, "figures"),
         ("errata", write_errata, "ERRATA.md"),
     ):
         command = commands.add_parser(name, help=write.__doc__)
+        if name == "figures":
+            command.add_argument("--workers", type=int, help="processes; one for each core if not")
+            command.add_argument("--scheduler", help="of a cluster of dask: its address")
+            command.add_argument(
+                "--keep",
+                type=Path,
+                help="a folder for finished runs: what is there is not repeated",
+            )
         command.add_argument(
             *("--output", "-o"),
             dest="folder" if name == "figures" else "file",

@@ -1,23 +1,16 @@
-"""Many runs: the same on any executor, and bounds that chi-square numbers keep to."""
+"""Many runs: the same on any executor, in any order."""
 
 import time
 from collections import Counter
-from concurrent.futures import (
-    Executor,
-    Future,
-    ProcessPoolExecutor,
-    ThreadPoolExecutor,
-)
-from multiprocessing import get_context
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from threading import Timer
 
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
-from scipy.stats import binom, chi2, norm
 
 from driftlab.calibration.simulation import TableTrial
-from driftlab.monte_carlo import mean_square_bounds, sweep
+from driftlab.monte_carlo import processes, running_on, sweep
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
 
@@ -118,15 +111,36 @@ def test_trials_in_processes_are_those_of_this_one():
     scheme = Scheme(NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=3.0)
     trial = TableTrial(scheme, sample_interval=0.5, update_interval=3.0)
     expected = sweep(trial.run, 3, seed=1, batch=2)
-    # Started afresh: a fork of a process with threads, as those of BLAS, may hang.
-    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as processes:
-        found = sweep(trial.run, 3, seed=1, batch=2, executor=processes)
+    with processes(1) as pool:
+        found = sweep(trial.run, 3, seed=1, batch=2, executor=pool)
     assert [len(trial.errors) for trial in found] == [2, 1]
     for one, other in zip(found, expected, strict=True):
         np.testing.assert_array_equal(one.errors, other.errors)
         np.testing.assert_array_equal(one.nees, other.nees)
         np.testing.assert_array_equal(one.calibration.covariance, other.calibration.covariance)
         np.testing.assert_array_equal(one.imu_errors.gyro_error, other.imu_errors.gyro_error)
+
+
+def test_a_sweep_that_names_no_executor_runs_where_the_block_says():
+    expected = sweep(draws, 10, seed=5, batch=2)
+    shelf, own = Shelf(5), Shelf(5)
+    with running_on(shelf):
+        found = sweep(draws, 10, seed=5, batch=2)
+        with running_on():
+            here = sweep(draws, 10, seed=5, batch=2)
+        sweep(draws, 10, seed=5, batch=2, executor=own)
+    after = sweep(draws, 10, seed=5, batch=2)
+    assert (len(shelf.futures), len(own.futures)) == (5, 5)
+    for results in (found, here, after):
+        np.testing.assert_array_equal(np.concatenate(results), np.concatenate(expected))
+
+
+def test_what_is_no_executor_is_refused():
+    with (
+        pytest.raises(ValueError, match=r"^executor: expected an Executor, got 4\.$"),
+        running_on(4),
+    ):
+        raise AssertionError
 
 
 # Progress
@@ -198,55 +212,6 @@ def test_failure_here_stops_at_once():
         sweep(task, 10, seed=0, batch=2, progress=ended.append)
     assert calls == [2, 2]
     assert ended == [2]
-
-
-# Bounds of chi-square numbers
-
-
-@given(freedom=st.integers(1, 60), runs=st.integers(1, 1000), confidence=st.floats(0.01, 0.999))
-def test_bounds_keep_equal_tails_outside(freedom, runs, confidence):
-    low, high = mean_square_bounds(freedom, runs, confidence)
-    tail = (1 - confidence) / 2
-    assert chi2.cdf(runs * low, freedom * runs) == pytest.approx(tail, rel=1e-6)
-    assert chi2.sf(runs * high, freedom * runs) == pytest.approx(tail, rel=1e-6)
-    assert (type(low), type(high)) == (float, float)
-
-
-def test_bounds_are_those_of_tables():
-    """Chi-square of 10 degrees: 2.5 % below 3.247 and above 20.483; 0.5 %: 2.156 and 25.188."""
-    assert mean_square_bounds(10, 1) == pytest.approx((3.247, 20.483), abs=5e-4)
-    assert mean_square_bounds(5, 2) == pytest.approx((3.247 / 2, 20.483 / 2), abs=5e-4)
-    assert mean_square_bounds(1, 10, 0.99) == pytest.approx((0.2156, 2.5188), abs=5e-5)
-
-
-def test_bounds_are_nearly_normal_for_many_runs():
-    """The mean of n squares of m components has the mean m and the variance 2 m/n."""
-    low, high = mean_square_bounds(27, 10_000)
-    most = norm.isf(0.025) * np.sqrt(2 * 27 / 10_000)
-    assert (high - low) / 2 == pytest.approx(most, rel=1e-3)
-    # The middle is moved by the third moment: 2/3 of z^2 - 1, over n.
-    assert (high + low) / 2 - 27 == pytest.approx(
-        2 / 3 * (norm.isf(0.025) ** 2 - 1) / 1e4, rel=0.01
-    )
-
-
-def test_simulated_errors_keep_to_the_bounds():
-    rng = np.random.default_rng(6)
-    repeats, freedom, runs = 4000, 3, 20
-    squares = (rng.standard_normal((repeats, runs, freedom)) ** 2).sum(axis=-1)
-    low, high = mean_square_bounds(freedom, runs, 0.9)
-    means = squares.mean(axis=-1)
-    for outside in (means < low, means > high):
-        # 5 % on each side: binomial, with one in a hundred of the tests kept out.
-        assert abs(outside.sum() - 200) <= binom.ppf(0.995, repeats, 0.05) - 200
-
-
-@pytest.mark.parametrize("confidence", [0, 1, -0.5, 1.5, float("nan")])
-def test_confidences_that_are_none_are_refused(confidence):
-    with pytest.raises(
-        ValueError, match=r"^confidence: expected (a number between 0 and 1|finite numbers), got"
-    ):
-        mean_square_bounds(3, 10, confidence)
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,75 @@
+"""``lab.py figures`` sends the many runs of its studies to processes, and keeps them."""
+
+import sys
+
+import numpy as np
+import pytest
+
+import driftlab.book.__main__ as command
+from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.calibration.simulation import TableTrial
+from driftlab.monte_carlo import sweep
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
+
+TASK = TableTrial(
+    Scheme(NINETEEN_POSITIONS.rotations, NINETEEN_POSITIONS.start, dwell=3.0),
+    sample_interval=0.5,
+    update_interval=3.0,
+).run
+
+
+def study():
+    return np.concatenate([batch.nees[:, -1] for batch in sweep(TASK, 4, seed=1, batch=2)])
+
+
+@pytest.fixture
+def drawn(monkeypatch, tmp_path):
+    """What the command computes with some options, of a book with one figure."""
+    found = []
+
+    def compute():
+        found.append(study())
+        return found[-1]
+
+    definition = FigureDefinition(
+        "00-study",
+        compute,
+        draw=lambda nees: "<svg xmlns='http://www.w3.org/2000/svg'/>",
+        columns=None,
+        caption=lambda nees: "Some numbers.",
+    )
+    monkeypatch.setattr(command, "figure_definitions", lambda: {definition.name: definition})
+
+    def run(*options):
+        arguments = ["driftlab.book", "figures", "--output", str(tmp_path / "figures"), *options]
+        monkeypatch.setattr(sys, "argv", arguments)
+        command.main()
+        return found[-1]
+
+    return run
+
+
+def test_processes_change_nothing_and_what_is_kept_is_taken(drawn, tmp_path, monkeypatch):
+    kept = tmp_path / "kept"
+    expected = study()
+    np.testing.assert_array_equal(drawn("--workers", "1"), expected)
+    np.testing.assert_allclose(drawn("--workers", "2", "--keep", str(kept)), expected, rtol=1e-9)
+    assert len(list(kept.glob("*/*.batch"))) == 2
+    monkeypatch.setattr("driftlab.calibration.simulation.random_imu_errors", None)
+    with pytest.raises(TypeError):
+        drawn("--workers", "1")  # no run can be made any more
+    np.testing.assert_allclose(drawn("--workers", "1", "--keep", str(kept)), expected, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        (["--workers", "0"], "count: expected a whole number of at least 1, got 0."),
+        (["--scheduler", "tcp://127.0.0.1:1"], "pip install driftlab[cluster]."),
+    ],
+)
+def test_what_cannot_be_is_said_in_a_sentence(drawn, options, says, monkeypatch):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(SystemExit) as stop:
+        drawn(*options)
+    assert str(stop.value).endswith(says)
