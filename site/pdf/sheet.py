@@ -7,11 +7,12 @@ import re
 from nbformat import NotebookNode
 from nbformat.v4 import new_markdown_cell, new_notebook
 
+from driftlab.book.machinery.exercise import NUMBER
 from pdf.cells import call, typst
 
 SECTION = re.compile(r"## ")
 EXERCISES = "## Exercises"
-EXERCISE = re.compile(r"### \d+\.\d+ (\w+)")
+EXERCISE = re.compile(rf"### {NUMBER.pattern} (\w+)")
 ROOM = {"Compute": 200.0}
 """Points, by the kind of an exercise."""
 LESS_ROOM = 120.0

@@ -8,8 +8,9 @@ from collections.abc import Sequence
 from nbformat import NotebookNode
 
 from addresses import section_label
+from driftlab.book.machinery.exercise import NUMBER
 
-HEADING = re.compile(r"^## ((\d+\.\d+) .+)$", re.M)
+HEADING = re.compile(rf"^## (({NUMBER.pattern}) .+)$", re.M)
 
 
 def solution_label(number: str) -> str:

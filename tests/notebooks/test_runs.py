@@ -33,6 +33,7 @@ from twin import Panel
 
 from driftlab.book.exercises import all_exercises
 from driftlab.book.machinery.answers import Choice
+from driftlab.book.machinery.exercise import NUMBER
 from driftlab.book.machinery.panel import ERROR_CLASS
 from driftlab.book.panels import EXPLORERS
 
@@ -154,7 +155,7 @@ def exercises_of(path: Path) -> dict[str, str]:
 def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
     path, notebook = run.path, run.notebook
     expected = exercises_of(path)
-    asked = re.findall(r"^### ([\d.]+[a-z]?) (\w+)$", markdown(path), flags=re.MULTILINE)
+    asked = re.findall(rf"^### ({NUMBER.pattern}) (\w+)$", markdown(path), flags=re.MULTILINE)
     assert asked == list(expected.items()), (
         'headings such as "### 3.1 Compute" do not agree with EXERCISES of the chapter, number '
         "and kind, in their order"
@@ -162,7 +163,7 @@ def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
     code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
     because = r"because = \.\.\.  # why, in your own words\n"
     checked = re.findall(
-        rf'^answer = \.\.\.\n({because})?check\("([\d.]+[a-z]?)", answer(, because=because)?\)$',
+        rf'^answer = \.\.\.\n({because})?check\("({NUMBER.pattern})", answer(, because=because)?\)$',
         code,
         re.MULTILINE,
     )
@@ -185,10 +186,13 @@ def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
 def test_every_exercise_has_a_solution_that_is_right(run: Run) -> None:
     path, notebook = run.path, run.notebook
     expected = exercises_of(path)
-    headings = re.findall(r"^## ([\d.]+) (\w+)$", markdown(path), flags=re.MULTILINE)
-    assert headings == list(expected.items())
+    headings = re.findall(rf"^## ({NUMBER.pattern}) (\w+)$", markdown(path), flags=re.MULTILINE)
+    assert headings == list(expected.items()), (
+        f'solutions/{path.name} needs a heading such as "## 3.1 Compute" and a worked solution '
+        "for each exercise of the chapter, in their order"
+    )
     printed = [text for cell in notebook.cells for text in printed_by(cell)]
-    assert len(printed) == len(expected)
+    assert len(printed) == len(expected), "each solution ends in one check of its answer"
     for says in printed:
         assert says.startswith("right."), says
 
@@ -198,7 +202,7 @@ def printed_by(cell: NotebookNode) -> list[str]:
     outputs = "\n".join(
         output.get("data", {}).get("text/plain", "") for output in cell.get("outputs", ())
     )
-    return re.findall(r"^Exercise [\d.]+: (.*)$", outputs, flags=re.MULTILINE)
+    return re.findall(rf"^Exercise {NUMBER.pattern}: (.*)$", outputs, flags=re.MULTILINE)
 
 
 @runs_of([START, *CHAPTERS])

@@ -18,6 +18,7 @@ from driftlab.book import languages
 from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises, hints_of
 from driftlab.book.instructors.examination import exam_paper
+from driftlab.book.machinery.exercise import NUMBER
 from executed import FOLDER, notebooks
 from pdf.cells import markdown_of
 from pdf.contents import OUTSIDE, part_of
@@ -155,7 +156,7 @@ def test_a_sheet_has_every_exercise_and_none_of_its_hints(printed, chapter):
 
 def asked_in(notebook) -> dict[str, list[str]]:
     """The plain sentences of each exercise."""
-    begun = ((re.match(r"### (\d+\.\d+) ", cell.source), cell.source) for cell in notebook.cells)
+    begun = ((re.match(rf"### ({NUMBER.pattern}) ", cell.source), cell.source) for cell in notebook.cells)
     return {match[1]: plain(text[match.end() :]) for match, text in begun if match}
 
 

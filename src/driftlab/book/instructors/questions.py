@@ -13,13 +13,13 @@ import numpy as np
 
 from driftlab.book.exercises import all_exercises
 from driftlab.book.machinery.answers import Choice, Value, computed
-from driftlab.book.machinery.exercise import Exercise, key_of
+from driftlab.book.machinery.exercise import NUMBER, Exercise, key_of
 from driftlab.book.machinery.slips import exactness, slips
 
 MOST_NUMBERS = 6
 """What a student may be asked to type in a row."""
 
-_HEADING = re.compile(r"### (\d+\.\d+) .*\n+")
+_HEADING = re.compile(rf"### ({NUMBER.pattern}) .*\n+")
 _STATEMENT = re.compile(r"^- \(([a-z])\) (.*)$", re.MULTILINE)
 _BY_LETTER = re.compile(r"\b([Gg])ive (?:all|the) (?:their )?letters\b[^.;]*(?=[.;]\s|[.;]$)")
 _IN_A_NOTEBOOK = re.compile(r"\n\nIn a course, in a notebook, you can have numbers[^\n]*")

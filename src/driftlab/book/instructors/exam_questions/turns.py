@@ -261,7 +261,7 @@ def table_on_the_earth(draw: Generator) -> Question:
                 ),
             ),
             Part(
-                rf"Each estimate has a standard deviation of {noise}''. Which has your "
+                rf"Each estimate has a standard deviation of ${noise}''$. Which has your "
                 r"$n^T\Sigma n$? Which fault of the table does it not contain?",
                 r"The mean of two: divide by $\sqrt2$. Not contained is whatever turns round with "
                 "the table: one that turns too far by the same part each time looks like a scale "
