@@ -156,7 +156,9 @@ def test_a_sheet_has_every_exercise_and_none_of_its_hints(printed, chapter):
 
 def asked_in(notebook) -> dict[str, list[str]]:
     """The plain sentences of each exercise."""
-    begun = ((re.match(rf"### ({NUMBER.pattern}) ", cell.source), cell.source) for cell in notebook.cells)
+    begun = (
+        (re.match(rf"### ({NUMBER.pattern}) ", cell.source), cell.source) for cell in notebook.cells
+    )
     return {match[1]: plain(text[match.end() :]) for match, text in begun if match}
 
 
