@@ -31,6 +31,9 @@ KINDS = {"notebooks": ("*.ipynb", "ru/*.ipynb"), "figures": ("*.svg", "*.csv", "
 MODEL = re.compile(r'^model = ("""[\s\S]*?"""|"(?:[^"\\]|\\.)*")\n', re.M)
 """How the book answers in words, in a file of hints."""
 MADE = ("__pycache__", ".ipynb_checkpoints", "guesses.json")
+MODELS = ("model_answers.po", "model_answers.mo")
+"""The same in other languages."""
+NEVER = {*MADE, *MODELS}
 LINK = re.compile(r"\[([^\]]*)\]\(([^)\s#]+)(#[^)\s]*)?\)")
 
 
@@ -103,7 +106,7 @@ def _names() -> Iterator[str]:
         inside = chain.from_iterable(map(path.glob, kinds)) if kinds else path.rglob("*")
         for file in [path] if path.is_file() else sorted(inside):
             name = file.relative_to(HOME).as_posix()
-            if file.is_file() and not name.startswith(LEFT_OUT) and not {*file.parts} & {*MADE}:
+            if file.is_file() and not name.startswith(LEFT_OUT) and not {*file.parts} & NEVER:
                 yield name
 
 

@@ -14,6 +14,9 @@ from bootstrap.steps import HOME, Trouble
 from bootstrap.student import LINK, NAME, student_files, without_links, write_student_copy
 
 from driftlab.book import languages
+from driftlab.book.chapters import chapters_with
+from driftlab.book.exercises import hints_of
+from driftlab.book.machinery.language import speaking, tr
 
 
 @pytest.fixture(scope="module")
@@ -125,6 +128,21 @@ def test_the_books_own_words_are_not_in_it_and_hints_are(copy: Path) -> None:
         book = tomllib.loads((HOME / path.relative_to(copy)).read_text("utf-8"))
         assert hints == {n: {k: v for k, v in e.items() if k != "model"} for n, e in book.items()}
         assert any("model" in each for each in book.values())
+
+
+def test_no_file_of_it_has_the_books_own_words_in_any_language(copy: Path) -> None:
+    models = [help_.model for ch in chapters_with("exercises") for help_ in hints_of(ch).values()]
+    said = [*filter(None, models)]
+    for code in languages()[1:]:
+        with speaking(code):
+            said += map(tr, filter(None, models))
+    beginnings = {" ".join(words.split())[:60] for words in said}
+    for path in copy.rglob("*"):
+        if path.is_file():
+            text = " ".join(path.read_text("utf-8", errors="replace").replace('"', "").split())
+            found = [words for words in beginnings if words.replace('"', "") in text]
+            assert not found, path
+    assert len(said) > 50
 
 
 def test_files_that_are_not_the_books_stay_at_home(

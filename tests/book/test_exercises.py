@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import sys
+from fractions import Fraction
 from functools import cache
 from itertools import combinations
 from pathlib import Path
@@ -11,6 +12,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from driftlab import book
 from driftlab.book import exercises
@@ -27,7 +29,7 @@ from driftlab.book.exercises import (
     verdict,
 )
 from driftlab.book.machinery.answers import Choice, Value, computed
-from driftlab.book.machinery.exercise import in_order, key_of
+from driftlab.book.machinery.exercise import NotRightError, in_order, key_of
 from driftlab.book.machinery.formulas import Formula
 from driftlab.book.machinery.hints import Help
 from wrong_answers import WRONG
@@ -38,14 +40,15 @@ VALUES = {n: e for n, e in EXERCISES.items() if isinstance(e, Value)}
 FORMULAS = {n: e for n, e in EXERCISES.items() if isinstance(e, Formula)}
 
 
-WORDS = "Because it looks so."
-"""Without a reason why, a choice is told no more than that it is not right."""
+def words_on(answer):
+    """Why; without, a choice is told no more than that it is not right, and each has its own."""
+    return f"Because it looks so: {answer!r}."
 
 
 @cache
 def replies(number):
     """What the book says to each of the wrong answers."""
-    return [verdict(number, answer, because=WORDS) for answer, _ in WRONG[number]]
+    return [verdict(number, answer, because=words_on(answer)) for answer, _ in WRONG[number]]
 
 
 def test_chapters_have_four_or_more_of_every_kind_in_order():
@@ -109,8 +112,11 @@ def test_choice_names_what_is_wrong_with_every_other_statement(number):
     assert verdict(number, right).right
     for letter, reason in key.mistakes.items():
         says = f"not yet. ({letter}) {reason}"
-        assert verdict(number, right + letter, because=WORDS)[:2] == (False, says)
-    less = verdict(number, right[1:], because=WORDS)
+        assert verdict(number, right + letter, because=words_on(right + letter))[:2] == (
+            False,
+            says,
+        )
+    less = verdict(number, right[1:], because=words_on(right[1:]))
     assert less[:2] == (False, "not yet. What you chose is true, and something else is too.")
 
 
@@ -195,6 +201,79 @@ def test_given_numbers_are_shown_as_code_that_makes_them(number):
         assert names.keys() == numbers.keys()
         for name, value in numbers.items():
             np.testing.assert_array_equal(names[name], value)
+
+
+def test_words_on_one_choice_say_nothing_of_another_for_a_program_either():
+    first, second = (
+        verdict("3.3", letters, because="The same words for each choice.").says
+        for letters in ("adb", "adc")
+    )
+    assert first.startswith("not yet. (b) forgets")
+    assert second.endswith("and the reply goes into it.")
+    assert verdict("3.3", "adb", because="The same words for each choice.").says == first
+
+
+class Unwilling:
+    def __array__(self, *_, **__):
+        raise RuntimeError("not today")
+
+    __str__ = __repr__ = __array__
+
+
+def deep(levels):
+    return [deep(levels - 1)] if levels else 1.0
+
+
+ENDLESS = []
+ENDLESS.append(ENDLESS)
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [10**400, [10**400], Fraction(10**400), Unwilling(), [Unwilling()], deep(900), ENDLESS],
+    ids=["number", "list", "fraction", "object", "objects", "deep", "endless"],
+)
+@pytest.mark.parametrize("number", ["1.1", "3.2", "3.3", "1.5"])
+def test_whatever_is_handed_in_is_judged_and_recorded(number, answer):
+    card = exercises.judged(number, answer, exercises.Progress())
+    assert card.verdict.word == "not readable"
+    assert json.loads(json.dumps(card.record))["word"] == "not readable"
+    assert "not readable" in repr(card)
+
+
+def test_a_function_that_ends_the_program_ends_nothing(capsys):
+    with pytest.raises(NotRightError, match="Your answer raised SystemExit"):
+        check("1.5", lambda w, m, t: sys.exit(0), strict=True)
+
+
+def test_a_rotation_of_scipy_is_a_quaternion():
+    right, _ = computed(EXERCISES["1.4"])
+    assert verdict("1.4", Rotation.from_quat(right)).right
+
+
+@pytest.mark.parametrize(
+    ("name", "same"),
+    [
+        ("Ταΐς", "ΤΑΪΣ"),
+        ("Ada Lovelace", " ada\u200b  LOVELACE"),
+        ("D’Arcy", "d'arcy"),
+        ("Jean‑Luc", "jean-luc"),
+        ("ｋｉｍ", "Kim"),
+    ],
+)
+def test_a_name_is_the_same_however_a_keyboard_has_it(name, same):
+    if name == "Ταΐς":
+        same = name.upper()
+    mine, again = (given("3.4", student=each) for each in (name, same))
+    assert repr(mine).split("\n")[1:] == repr(again).split("\n")[1:]
+    assert given("3.4", student="\ud800")  # half a sign, which no file can hold
+
+
+def test_an_exercise_that_can_never_be_judged_is_refused_at_once():
+    with pytest.raises(ValueError, match=r"^kind: expected one of predict, .*, got 'sums'\.$"):
+        Value(kind="sums", right=lambda: 1.0)
+    with pytest.raises(ValueError, match=r"^right: expected a function that computes .* got 1\.0"):
+        Value(kind="compute", right=1.0)
 
 
 def test_given_refuses_what_has_no_numbers_of_ones_own():

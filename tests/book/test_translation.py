@@ -14,10 +14,17 @@ from babel.messages.pofile import read_po
 
 from driftlab.book import check, guess, language, languages, verdict
 from driftlab.book.__main__ import write_translation
-from driftlab.book.exercises import all_exercises, judged
+from driftlab.book.exercises import all_exercises, hints_of, judged
 from driftlab.book.machinery import language as machinery
 from driftlab.book.machinery.exercise import NotRightError, Said
-from driftlab.book.machinery.language import FOLDER, speaking, tr, tr_number
+from driftlab.book.machinery.language import (
+    DOMAIN,
+    FOLDER,
+    MODELS,
+    speaking,
+    tr,
+    tr_number,
+)
 from driftlab.book.machinery.progress import Progress
 from driftlab.book.panels import EXPLORERS, SCENES
 from driftlab.book.translation import MARK, behind, digest, gathered, is_word, update
@@ -38,8 +45,8 @@ def cells(path):
     return json.loads(path.read_text("utf-8"))["cells"]
 
 
-def catalogue(code):
-    path = FOLDER / code / "LC_MESSAGES/driftlab.po"
+def catalogue(code, domain=DOMAIN):
+    path = FOLDER / code / f"LC_MESSAGES/{domain}.po"
     return read_po(BytesIO(path.read_bytes()), locale=code, charset="utf-8")
 
 
@@ -63,7 +70,7 @@ def test_russian_is_there_and_another_language_is_refused():
 def test_the_environment_says_the_language_until_somebody_does(monkeypatch):
     monkeypatch.setattr(machinery, "_chosen", [])
     monkeypatch.setenv("DRIFTLAB_LANGUAGE", "ru")
-    assert tr("not yet") == "пока нет"
+    assert tr("not yet.") == "пока нет."
     assert language("en") == language() == "en"
 
 
@@ -78,7 +85,7 @@ def test_a_language_of_the_environment_that_is_not_there_is_said_once(monkeypatc
     monkeypatch.setattr(machinery, "_chosen", [])
     monkeypatch.setenv("DRIFTLAB_LANGUAGE", "tlh_KL")
     with pytest.warns(UserWarning, match="^DRIFTLAB_LANGUAGE=tlh_KL: expected one of en, ru"):
-        assert tr("not yet") == "not yet"
+        assert tr("not yet.") == "not yet."
     assert language() == "en"  # a second warning would be an error
 
 
@@ -89,7 +96,7 @@ def test_a_broken_catalogue_is_one_sentence_that_says_what_to_do(kept, tmp_path,
     broken.parent.mkdir(parents=True)
     broken.write_bytes(whole[:kept])
     monkeypatch.setattr(machinery, "FOLDER", tmp_path)
-    with pytest.raises(ValueError, match=r"driftlab\.mo cannot .* driftlab\.book translation ru\."):
+    with pytest.raises(ValueError, match=r"ru cannot be read; .* driftlab\.book translation ru\."):
         language("ru")
     assert language() == "en"
 
@@ -257,7 +264,7 @@ def test_letters_that_look_alike_are_read_as_they_look():
 
 @pytest.mark.parametrize("code", OTHERS)
 def test_translations_have_the_places_of_the_english_text(code):
-    for message in catalogue(code):
+    for message in (*catalogue(code), *catalogue(code, MODELS)):
         if not message.id:
             continue
         english = message.id if isinstance(message.id, tuple) else (message.id,)
@@ -275,17 +282,28 @@ def test_the_catalogue_holds_all_texts_and_is_compiled(code, tmp_path, monkeypat
     kept = FOLDER / code / "LC_MESSAGES"
     target = tmp_path / code / "LC_MESSAGES"
     target.mkdir(parents=True)
-    for suffix in (".po", ".mo"):
-        (target / f"driftlab{suffix}").write_bytes((kept / f"driftlab{suffix}").read_bytes())
+    names = sorted(path.name for path in kept.iterdir())
+    assert names == ["driftlab.mo", "driftlab.po", "model_answers.mo", "model_answers.po"]
+    for name in names:
+        (target / name).write_bytes((kept / name).read_bytes())
     monkeypatch.setattr("driftlab.book.translation.FOLDER", tmp_path)
     coverage = update(code)
-    for suffix in (".po", ".mo"):
-        new, old = (folder / f"driftlab{suffix}" for folder in (target, kept))
+    for name in names:
+        new, old = (folder / name for folder in (target, kept))
         assert new.read_bytes() == old.read_bytes(), "run: python -m driftlab.book translation ru"
-    assert 0 < coverage.translated < coverage.total == len(gathered())
-    made = BytesIO()
-    write_mo(made, catalogue(code))
-    assert made.getvalue() == (kept / "driftlab.mo").read_bytes()
+    assert 0 < coverage.translated < coverage.total == len(gathered()) + len(gathered(MODELS))
+    for domain in (DOMAIN, MODELS):
+        made = BytesIO()
+        write_mo(made, catalogue(code, domain))
+        assert made.getvalue() == (kept / f"{domain}.mo").read_bytes()
+
+
+def test_the_books_own_answers_are_in_a_catalogue_of_their_own():
+    (model,) = (help_.model for n, help_ in hints_of("01").items() if n == "1.2")
+    assert model in {message.id for message in catalogue("ru", MODELS)}
+    assert model not in {message.id for message in catalogue("ru")}
+    with speaking("ru"):
+        assert tr(model) != model
 
 
 @pytest.mark.parametrize("path", RUSSIAN, ids=lambda path: path.stem)

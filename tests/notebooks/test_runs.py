@@ -162,11 +162,8 @@ def test_chapter_asks_its_exercises_and_no_other(run: Run) -> None:
     )
     code = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
     because = r"because = \.\.\.  # why, in your own words\n"
-    checked = re.findall(
-        rf'^answer = \.\.\.\n({because})?check\("({NUMBER.pattern})", answer(, because=because)?\)$',
-        code,
-        re.MULTILINE,
-    )
+    call = rf'check\("({NUMBER.pattern})", answer(, because=because)?\)'
+    checked = re.findall(rf"^answer = \.\.\.\n({because})?{call}$", code, re.MULTILINE)
     assert [number for _, number, _ in checked] == list(expected), (
         "each exercise of the chapter needs a cell that ends in the two lines\n"
         'answer = ...\ncheck("3.1", answer)\nand nothing more in them, comments neither.'

@@ -154,8 +154,8 @@ def judged(number: str | float, answer: Any, progress: Progress, said: Said = NO
     name, exercise = _exercise(number)
     if isinstance(answer, Iterator):
         answer = list(answer)  # it gives its letters or numbers only once
-    is_said = not said.because or progress.are_new(said.because, name, answer)
-    counted = said if is_said else said._replace(because="")
+    counted = progress.counted(said, name, answer)
+    is_said = counted == said
     heard = exercise.heard(answer)
     found = same = exercise.verdict(heard, counted)
     progress.note(name, answer, found)
@@ -253,7 +253,7 @@ def verdict(number: str | float, answer: Any, *, because: str = "", student: str
     It counts among the attempts that `check` shows.
     """
     name, exercise = _exercise(number)
-    found = exercise.verdict(answer, _said(because, student))
+    found = exercise.verdict(answer, PROGRESS.counted(_said(because, student), name, answer))
     PROGRESS.count(name, answer, found)
     return found
 

@@ -23,7 +23,7 @@ from .machinery.card import SECTION, SIGNS
 from .machinery.exercise import key_of
 from .machinery.formulas import EXCHANGED, Formula
 from .machinery.guess import FIRST, HOW_TO_SEE, KEPT, UNANSWERED, UNITS as GUESS_UNITS
-from .machinery.language import DOMAIN, ENGLISH, FOLDER, Filled, speaking
+from .machinery.language import DOMAIN, ENGLISH, FOLDER, MODELS, Filled, speaking
 from .machinery.panel import OWN_VALUES, Explorer
 from .machinery.puzzle import PARTS, Number
 from .machinery.reading import Slider
@@ -74,7 +74,7 @@ def texts() -> Iterator[tuple[str, str]]:
             yield panel.says, where
     for chapter in chapters_with("exercises"):
         for number, help_ in hints_of(chapter).items():
-            yield from ((text, f"hint {number}") for text in help_)
+            yield from ((text, f"hint {number}") for text in help_._replace(model=""))
     for chapter in chapters_with("puzzle"):
         puzzle = part_of(chapter, "puzzle").PUZZLE
         for question in puzzle.questions:
@@ -89,11 +89,19 @@ def texts() -> Iterator[tuple[str, str]]:
         yield from ((text, where) for text in panel.look_for.values())
         for control in panel.controls:
             yield from ((text, where) for text in (control.label, control.group, *control.choices))
-    constants = [*SIGNS, *(sign for sign, _ in SIGNS.values()), *PARTS.values(), WITHOUT_GUESS]
+    constants = [*(f"{word}." for word in SIGNS), *(sign for sign, _ in SIGNS.values())]
+    constants += [*PARTS.values(), WITHOUT_GUESS]
     constants += [HOW_TO_SEE, KEPT, UNANSWERED, OWN_VALUES, *GUESS_UNITS.values()]
     constants += [NOT_ALL, SAY_WHY, SECTION, FIRST, EXCHANGED, NUMBERS, *ORDINALS]
     constants += [unit for kind in UNITS.values() for unit in kind]
     yield from ((text, "machinery") for text in constants)
+
+
+def models() -> Iterator[tuple[str, str]]:
+    """Yield how the book answers in words, each with the exercise."""
+    for chapter in chapters_with("exercises"):
+        for number, help_ in hints_of(chapter).items():
+            yield help_.model, f"exercise {number}"
 
 
 @cache
@@ -123,10 +131,12 @@ def _told(exercise: Any) -> Iterator[str]:
     yield from (mistakes if values else filter(None, mistakes.values()))
 
 
-def gathered() -> dict[tuple[str, ...], list[str]]:
-    """Return all texts, each with its plural if it counts, and the places where it stands."""
+def gathered(domain: str = DOMAIN) -> dict[tuple[str, ...], list[str]]:
+    """Return the texts of a catalogue, each with its plural if it counts, and where it stands."""
     from babel.messages.extract import extract_from_file
 
+    if domain == MODELS:
+        return {(text,): [where] for text, where in models() if text}
     found: dict[tuple[str, ...], list[str]] = {}
     for path in sorted(Path(__file__).parent.rglob("*.py")):
         where = path.relative_to(Path(__file__).parent).as_posix()
@@ -139,7 +149,7 @@ def gathered() -> dict[tuple[str, ...], list[str]]:
 
 
 def update(language: str) -> Coverage:
-    """Bring the catalogue of a language up to date, and compile it.
+    """Bring the catalogues of a language up to date, and compile them.
 
     Parameters
     ----------
@@ -149,16 +159,23 @@ def update(language: str) -> Coverage:
     Returns
     -------
     Coverage
-        How far it has come. Texts that nobody says any more are dropped; of one that has changed
-        a little, the translation is kept and marked as fuzzy, which counts as not translated.
+        How far it has come. Texts that nobody says any more are dropped, and a text that has
+        changed is to be translated anew.
     """
+    both = [_updated(language, domain) for domain in (DOMAIN, MODELS)]
+    done = sum(bool(message.id) and _is_done(message) for each in both for message in each)
+    return Coverage(done, sum(map(len, both)), behind(language))
+
+
+def _updated(language: str, domain: str) -> Any:
+    """Write one catalogue, and return it."""
     from babel.messages.catalog import Catalog
     from babel.messages.mofile import write_mo
     from babel.messages.pofile import read_po, write_po
 
-    path = FOLDER / language / "LC_MESSAGES" / f"{DOMAIN}.po"
+    path = FOLDER / language / "LC_MESSAGES" / f"{domain}.po"
     template = Catalog(project="driftlab", charset="utf-8", fuzzy=False)
-    for message, where in gathered().items():
+    for message, where in gathered(domain).items():
         places = [(place.replace(" ", "-"), 0) for place in dict.fromkeys(where)]
         flags = ["python-brace-format"] if "{" in message[0] else []
         template.add(message if len(message) > 1 else message[0], locations=places, flags=flags)
@@ -176,8 +193,7 @@ def update(language: str) -> Coverage:
         made = BytesIO()
         write(made, catalog)
         path.with_suffix(suffix).write_bytes(made.getvalue())
-    done = sum(bool(m.id) and _is_done(m) for m in catalog)
-    return Coverage(done, len(catalog), behind(language))
+    return catalog
 
 
 def _po(write: Any) -> Any:

@@ -47,7 +47,7 @@ def test_wrong_answer_has_its_reason_a_tick_for_each_part_and_hints_to_unfold():
     assert "✗ Not yet" in page
     assert "The first is 'too' <b>small</b>." in page
     assert [word for word in text.words if re.fullmatch("[✓✗ ]+", word)] == ["✗ ✓", "✓ ✓"]
-    assert "not yet, right" in {a.get("aria-label") for _, a in text.elements}
+    assert "it is not yet, it is right" in {a.get("aria-label") for _, a in text.elements}
     assert [tag for tag, _ in text.elements].count("details") == 2
     assert ("a", {"href": "#The-worst-<axis>-of-2"}) in text.elements
     assert "In words" not in page

@@ -74,7 +74,6 @@ WRONG = {
         (610.6, "time of one position"),
         (888.8, "after half a turn"),
         (748.7, "half of its error"),
-        (-1367, "half goes into the heading, not all"),
         (1088, "change of the drifts counts"),
         (0.339, "asked in s"),
     ],

@@ -98,7 +98,7 @@ def _errors(T: FloatArray, omega: FloatArray, weight: float = 1.0) -> FloatArray
 def _some_triad(rng: np.random.Generator) -> dict[str, FloatArray]:
     """A triad whose series about this axis has a term in mu^3, and one in mu^4."""
     while True:
-        T, omega = (np.round(rng.uniform(-1, 1, shape), 1) for shape in ((3, 3), 3))
+        T, omega = (np.round(rng.uniform(-1, 1, shape), 1) + 0.0 for shape in ((3, 3), 3))
         if 0.4 < np.linalg.norm(omega) < 0.8:
             along, across = np.abs(_along_and_across(T, omega))
             if along > 0.2 and along < across < 1.5 * along:

@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from driftlab.checks import shown
+
 from .exercise import Exercise, Objection, Said, key_of, rows
 from .given_numbers import GivenNumbers
 from .language import tr
@@ -67,6 +69,10 @@ class Value(Exercise):
     def __post_init__(
         self, right: Callable[..., Any], mistakes: Mapping[str, Callable[..., Any]]
     ) -> None:
+        if not callable(right):
+            raise ValueError(
+                f"right: expected a function that computes the answer, got {shown(right)}."
+            )
         self._seal(right, mistakes)
         if not any(self.unit in kind for kind in UNITS.values()):
             raise ValueError(f"unit: expected one of slips.UNITS, got {self.unit!r}")

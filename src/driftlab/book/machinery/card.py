@@ -64,7 +64,7 @@ class Card:
 
     def __repr__(self) -> str:
         name = tr("Exercise {number}", number=self.number)
-        says = f"{tr(self.verdict.word)}. {self.verdict.reason}".rstrip()
+        says = f"{tr(f'{self.verdict.word}.')} {self.verdict.reason}".rstrip()
         return "\n".join([f"{name}: {says}", *self._ticks(), *self._words()])
 
     def _repr_html_(self) -> str:
@@ -180,4 +180,4 @@ def boxed(lines: list[str], colour: str) -> str:
 
 
 def _aloud(row: tuple[bool, ...]) -> str:
-    return ", ".join(tr("right") if part else tr("not yet") for part in row)
+    return ", ".join(tr("it is right") if part else tr("it is not yet") for part in row)

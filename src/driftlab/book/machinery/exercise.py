@@ -130,22 +130,27 @@ class Exercise(ABC):
     """
 
     kind: str
-    remark: str = ""
+    remark: str = field(default="", repr=False)
     _key: Key = field(init=False, repr=False, compare=False)
 
     def _seal(self, right: Any, mistakes: Mapping[str, Any]) -> None:
+        if self.kind not in KINDS:
+            raise ValueError(f"kind: expected one of {', '.join(KINDS)}, got {self.kind!r}.")
         object.__setattr__(self, "_key", Key(right, mistakes))
 
     def verdict(self, answer: Any, said: Said = NOTHING_SAID) -> Verdict:
         """Judge `answer`; ``...`` and None mean that there is none yet."""
-        if is_missing(answer):
-            return Verdict(None, "not answered yet.")
         try:
+            if is_missing(answer):
+                return Verdict(None, "not answered yet.")
             objection = self._objection(answer, said)
         except SettingError as error:
             return Verdict(False, f"not yet. {tr(str(error))}")
         except UnreadableError as error:
             return Verdict(False, f"not readable. {tr(str(error))}")
+        except RecursionError:
+            says = tr("There are too many lists in each other.")
+            return Verdict(False, f"not readable. {says}")
         if objection is None:
             return Verdict(True, f"right. {tr(self.remark)}".rstrip())
         return Verdict(False, f"not yet. {objection.reason}", objection.parts)

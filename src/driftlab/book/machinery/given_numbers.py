@@ -1,4 +1,4 @@
-"""The numbers that an exercise gives: the book's, or some that only one student has.
+"""The numbers that an exercise gives: the book's, or some of a student's own.
 
 A student's are drawn with the name as seed, so that they are the same on every computer and in
 every year; whoever wants others next year puts the year behind the name.
@@ -13,6 +13,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+ALIKE = str.maketrans(dict.fromkeys("’‘ʼ`´", "'") | dict.fromkeys("‐‑–—", "-"))
+"""Apostrophes and hyphens as keyboards and word processors have them."""
 
 
 @dataclass(frozen=True)
@@ -71,14 +74,19 @@ class Given(Mapping[str, Any]):
 
 
 def same_name(student: str) -> str:
-    """Return a student's name without what differs by accident: capitals, blanks, joined signs."""
-    plain = unicodedata.normalize("NFKC", student).casefold()
-    return " ".join(plain.split())
+    """Return a student's name without what differs by accident.
+
+    That is capitals, blanks, joined signs, signs that nobody sees, and the kind of an apostrophe
+    or a hyphen.
+    """
+    seen = "".join(sign for sign in student if unicodedata.category(sign) != "Cf")
+    folded = unicodedata.normalize("NFKC", seen.translate(ALIKE)).casefold()
+    return " ".join(unicodedata.normalize("NFKC", folded).split())
 
 
 def generator(student: str) -> np.random.Generator:
     """Return the generator of random numbers that belongs to a name."""
-    digest = hashlib.sha256(same_name(student).encode()).digest()
+    digest = hashlib.sha256(same_name(student).encode("utf-8", "surrogatepass")).digest()
     return np.random.default_rng(int.from_bytes(digest, "big"))
 
 

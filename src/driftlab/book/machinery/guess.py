@@ -26,6 +26,9 @@ UNITS = {"°": "degrees (°)", "′": "arc minutes (′)", "″": "arc seconds (
 """Units whose signs are too small to stand alone beside a field."""
 
 
+STEP = 0.005
+"""Of a slider, as a part of its length."""
+
 KEPT = "This is the guess that you made first; it is kept in guesses.json."
 
 
@@ -51,8 +54,9 @@ class NumberInput:
             self.slider = widgets.IntSlider(**limits, **slider)
         else:
             self.field = widgets.BoundedFloatText(**limits, description=tr("Your guess"))
-            start = question.place(question.start)
-            self.slider = widgets.FloatSlider(start, min=0, max=1, step=0.005, **slider)
+            # A page moves a slider to the nearest step, which would pass for a guess.
+            start = round(STEP * round(question.place(question.start) / STEP), 9)
+            self.slider = widgets.FloatSlider(start, min=0, max=1, step=STEP, **slider)
         self.field.layout = {"width": "14em"}
         self.slider.observe(self._slid, "value")
         self.field.observe(self._typed, "value")
@@ -69,6 +73,8 @@ class NumberInput:
         return float(self.field.value) if self._touched else None
 
     def _slid(self, change: Any) -> None:
+        if not self._touched and abs(change["new"] - change["old"]) < STEP / 2:
+            return  # a page's own rounding, nobody's move
         self._touched = True
         question = self.question
         value = change["new"]

@@ -13,7 +13,7 @@ from pathlib import Path
 from tempfile import NamedTemporaryFile
 from typing import Any
 
-from .language import tr
+from .language import languages, tr
 from .puzzle import Answer, Puzzle
 
 FILE = "guesses.json"
@@ -35,7 +35,8 @@ def kept_guess(puzzle: Puzzle, path: Path | None = None) -> tuple[bool, list[Ans
     puzzle : Puzzle
         What was asked.
     path : Path, optional
-        The file; ``guesses.json`` in the kernel's folder if not given.
+        The file; ``guesses.json`` in the kernel's folder if not given, and for a translated
+        chapter, whose folder has the name of its language, in the folder of the English ones.
     """
     path = _resolved(path)
     if (path, puzzle.key) in in_memory:
@@ -88,7 +89,9 @@ def keep(puzzle: Puzzle, guess: Sequence[Answer] | None, path: Path | None = Non
 
 
 def _resolved(path: Path | None) -> Path:
-    return (path or Path(FILE)).resolve()  # a link stays a link
+    here = Path.cwd()
+    # A link stays a link.
+    return (path or (here.parent if here.name in languages() else here) / FILE).resolve()
 
 
 def _read(path: Path) -> dict[str, Any]:

@@ -21,6 +21,9 @@ from typing import Any, NamedTuple
 DOMAIN = "driftlab"
 """What the catalogues are called."""
 
+MODELS = "model_answers"
+"""The catalogue of the book's own answers in words, which a student's copy has not."""
+
 ENGLISH = "en"
 
 VARIABLE = "DRIFTLAB_LANGUAGE"
@@ -153,10 +156,11 @@ def _opened(code: str) -> Spoken:
     if code == ENGLISH:
         return Spoken(code, gettext.NullTranslations())
     try:
-        return Spoken(code, gettext.translation(DOMAIN, FOLDER, [code]))
+        words = gettext.translation(DOMAIN, FOLDER, [code])
+        words.add_fallback(gettext.translation(MODELS, FOLDER, [code], fallback=True))
+        return Spoken(code, words)
     except (OSError, ValueError, struct.error) as error:
-        file = FOLDER / code / "LC_MESSAGES" / f"{DOMAIN}.mo"
         raise ValueError(
-            f"{file} cannot be read as a catalogue; "
+            f"The catalogues in {FOLDER / code} cannot be read; "
             f"make it anew: python -m driftlab.book translation {code}."
         ) from error

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from .exercise import Verdict
+from .exercise import Said, Verdict
 from .language import tr
 from .reading import of_sympy, panel_values
 
@@ -54,10 +54,13 @@ class Progress:
             if (digest := _digest(answer)) not in tried:
                 tried.append(digest)
 
-    def are_new(self, words: str, number: str, answer: Any) -> bool:
-        """Whether words on an answer are not those on another one before."""
-        said = self.reasons.setdefault(number, {})
-        return said.setdefault(words, _digest(answer)) == _digest(answer)
+    def counted(self, said: Said, number: str, answer: Any) -> Said:
+        """What was said of an answer, without words that were said of another one before."""
+        if not said.because:
+            return said
+        known = self.reasons.setdefault(number, {})
+        is_new = known.setdefault(said.because, _digest(answer)) == _digest(answer)
+        return said if is_new else said._replace(because="")
 
     def attempts(self, number: str) -> int:
         """How many different answers there were."""
@@ -89,9 +92,16 @@ def as_text(answer: Any) -> str:
         answer = answer.tolist()
     try:
         values = np.asarray(answer, dtype=float)
-    except (TypeError, ValueError):
-        return ", ".join(map(str, answer)) if isinstance(answer, (list, tuple)) else str(answer)
+    except Exception:  # whatever a student's own object raises
+        return ", ".join(map(_word, answer)) if isinstance(answer, list | tuple) else _word(answer)
     return ", ".join(f"{value:.4g}" for value in values.flat)
+
+
+def _word(answer: Any) -> str:
+    try:
+        return str(answer)
+    except Exception:
+        return f"a {type(answer).__name__}"
 
 
 def _digest(answer: Any) -> str:
@@ -103,7 +113,7 @@ def _digest(answer: Any) -> str:
         text = repr(_lines_of(answer.__code__))
     else:
         text = as_text(answer)
-    return hashlib.sha256(text.encode()).hexdigest()[:16]
+    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()[:16]
 
 
 def _lines_of(code: CodeType) -> tuple[Any, ...]:

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from .language import tr, tr_number
 
@@ -37,6 +38,8 @@ def numbers(value: Any) -> Numbers:
     """
     if of_sympy(value, "MatrixBase"):
         value = value.tolist()
+    if isinstance(value, Rotation):
+        value = value.as_quat()  # scalar last, as in this book
     if any(isinstance(entry, str) for entry in entries(value)):
         raise UnreadableError(
             tr("Expected numbers without quotation marks, such as 1.5 or [1, 2].")
@@ -101,21 +104,21 @@ def read(reading: Callable[..., Any], *arguments: Any) -> Any:
         return reading(*arguments)
     except UnreadableError:
         raise
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         words = tr("Your answer raised {error}: {says}", error=type(error).__name__, says=error)
         raise UnreadableError(words) from error
 
 
 def once(function: Callable[..., Any]) -> Callable[..., Any]:
     """Return a function that is called once with the same values, and then says the same again."""
-    said: dict[bytes, tuple[Any, Exception | None]] = {}
+    said: dict[bytes, tuple[Any, BaseException | None]] = {}
 
     def again(*values: Any) -> Any:
         key = pickle.dumps(values)
         if key not in said:
             try:
                 said[key] = function(*values), None
-            except Exception as error:
+            except (Exception, SystemExit) as error:
                 said[key] = None, error
         result, raised = said[key]
         if raised is not None:

@@ -59,7 +59,7 @@ def _plain(answer: Any) -> Any:
         return answer[:LONGEST] if isinstance(answer, str) else answer
     try:
         numbers = np.asarray(answer, dtype=float)
-    except (TypeError, ValueError):
+    except Exception:  # whatever a student's own object raises
         return as_text(answer)[:LONGEST]
     if numbers.size > LONGEST or not np.isfinite(numbers).all():  # JSON has no NaN
         return as_text(answer)[:LONGEST]

@@ -127,9 +127,6 @@ EXERCISES: dict[str, Exercise] = {
             "The turn is not known exactly, and half of its error goes into the heading.": (
                 lambda **box: _waiting(**box, click=0.0)
             ),
-            "Of the turn's error half goes into the heading, not all of it.": (
-                lambda **box: _waiting(**box, click=1.0)
-            ),
             "A change of the drift is shared by both positions: half of it counts.": (
                 lambda **box: _waiting(**box, change=1.0)
             ),

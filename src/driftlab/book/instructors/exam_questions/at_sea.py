@@ -101,8 +101,8 @@ def under_way(draw: Generator) -> Question:
         "10",
         "derive the error of the compass at work",
         8,
-        f"A ship at {degrees}° North makes {knots} knots (1 knot is {knot:.4f} m/s) to the {course}. "
-        "The Earth has the radius 6371 km and turns by 15.04° an hour; "
+        f"A ship at {degrees}° North makes {knots} knots (1 knot is {knot:.4f} m/s) to the "
+        f"{course}. The Earth has the radius 6371 km and turns by 15.04° an hour; "
         f"$g = {shown(float(gravity(latitude)))}$ m/s².",
         (
             Part(
