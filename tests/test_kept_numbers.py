@@ -1,12 +1,14 @@
 """Records compute in double precision and in whole numbers of Python, whatever kind came."""
 
+import copy
 import dataclasses
 import inspect
+import pickle
 
 import numpy as np
 import pytest
 
-from driftlab.attitude.coning_algorithms import Algorithm
+from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.calibration.design_task import DesignTask
 from driftlab.calibration.simulation import TableTrial
@@ -110,3 +112,28 @@ def test_a_motion_does_not_follow_an_array_that_changes():
     axis[0] = 5.0
     assert motion == FixedAxis(0.3, 1.0, (0.0, 0.0, 1.0))
     assert hash(motion) == hash(FixedAxis(0.3, 1.0, (0.0, 0.0, 1.0)))
+
+
+def test_nobody_changes_the_weights_of_an_algorithm():
+    weights = {(np.int8(0), np.int8(1)): np.float32(0.5)}
+    mine = Algorithm("mine", 2, 0, weights, "tangent", 4, ())
+    weights[0, 1] = 9.0
+    assert dict(mine.coning) == {(0, 1): 0.5}
+    assert {type(part) for pair in mine.coning for part in pair} == {int}
+    for each in (mine, CONING_ALGORITHMS["memory-4"]):
+        with pytest.raises(TypeError, match="does not support item assignment"):
+            each.coning[0, 1] = 5.0
+        for copied in (pickle.loads(pickle.dumps(each)), copy.deepcopy(each)):
+            assert copied == each
+            assert hash(copied) == hash(each)
+    assert mine != dataclasses.replace(mine, coning={(0, 1): 0.6})
+
+
+def test_nobody_changes_the_rows_of_a_recording_through_it():
+    rows = np.zeros((3, 3))
+    record = Recording(gyro=rows, accelerometer=rows, interval=0.1, kind="rates")
+    for held in (record.gyro, record.accelerometer, record.part(0, 2).gyro):
+        with pytest.raises(ValueError, match="read-only"):
+            held[0] = 1.0
+    assert np.shares_memory(record.gyro, rows)  # a long log is not copied
+    rows[0] = 1.0  # what the caller has stays the caller's

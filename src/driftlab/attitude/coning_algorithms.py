@@ -22,7 +22,7 @@ must return stands in `own_algorithms`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal, get_args
 
@@ -80,10 +80,10 @@ class Algorithm:
     name: str
     samples: int
     memory: int
-    coning: Weights
+    coning: Weights = field(hash=False)
     last_stage: LastStage
     order: int
-    starts: tuple[Weights, ...] = ()
+    starts: tuple[Weights, ...] = field(default=(), hash=False)
 
     def __post_init__(self) -> None:
         keep(
@@ -118,6 +118,12 @@ class Algorithm:
                 raise ValueError(
                     f"coning: expected places 0 <= i < j < {self.window}, got {(i, j)}."
                 )
+        keep(self, coning=_kept(self.coning), starts=tuple(map(_kept, self.starts)))
+
+    def __reduce__(self) -> tuple[type[Algorithm], tuple[object, ...]]:
+        # Weights that nobody can change cannot be copied as they are.
+        rest = self.last_stage, self.order, tuple(map(dict, self.starts))
+        return Algorithm, (self.name, self.samples, self.memory, dict(self.coning), *rest)
 
     @property
     def window(self) -> int:
@@ -134,6 +140,11 @@ class Algorithm:
         3
         """
         return self.samples + self.memory
+
+
+def _kept(weights: Weights) -> Weights:
+    """The same weights in double precision, which nobody can change."""
+    return MappingProxyType({(int(i), int(j)): float(w) for (i, j), w in weights.items()})
 
 
 CONING_ALGORITHMS: Mapping[str, Algorithm] = MappingProxyType(

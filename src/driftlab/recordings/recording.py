@@ -286,8 +286,10 @@ class Recording:
 
 
 def _rows(value: object, name: str) -> FloatArray:
-    """Rows (n, 3) of a triad, at least one."""
+    """Rows (n, 3) of a triad, at least one; not copied, but nobody changes them here."""
     rows = finite_array(value, name, 3)  # type: ignore[arg-type]
     if rows.ndim != 2:
         raise ValueError(f"{name}: expected shape (n, 3), got shape {rows.shape}.")
+    rows = rows.view()
+    rows.flags.writeable = False
     return rows
