@@ -63,6 +63,35 @@ def test_chapters_have_four_or_more_of_every_kind_in_order():
         assert {EXERCISES[n].kind for n in numbers_of} == set(KINDS)
 
 
+@cache
+def text_of(path):
+    cells = json.loads(path.read_text("utf-8"))["cells"]
+    return "\n\n".join("".join(cell["source"]) for cell in cells)
+
+
+@pytest.mark.parametrize("number", EXERCISES)
+def test_an_exercise_has_all_its_parts(number):
+    chapter, kind = number.split(".")[0].zfill(2), EXERCISES[number].kind.capitalize()
+    (path,) = NOTEBOOKS.glob(f"{chapter}_*.ipynb")
+    help_ = hints_of(chapter).get(number)
+    text, solution = text_of(path), text_of(NOTEBOOKS / "solutions" / path.name)
+    parts = {
+        f'a heading "### {number} {kind}" in {path.name}': f"### {number} {kind}\n"
+        in text_of(path),
+        f'a cell that ends in check("{number}", ...)': f'check("{number}", answer' in text,
+        f'["{number}"] in the chapter\'s hints.toml': help_ is not None,
+        "a model in its hints, which shows how to answer in words": (
+            kind != "Explain" or bool(help_ and help_.model)
+        ),
+        f'a heading "## {number} {kind}" in solutions/{path.name}': (
+            f"## {number} {kind}\n" in solution
+        ),
+        f"wrong answers in tests/book/wrong_answers/ch{chapter}.py": bool(WRONG.get(number)),
+    }
+    missing = [what for what, is_there in parts.items() if not is_there]
+    assert not missing, f"exercise {number} lacks " + "; ".join(missing)
+
+
 @pytest.mark.parametrize("number", EXERCISES)
 @pytest.mark.parametrize("answer", [..., None, "", "?", "...", [1.0, ...]])
 def test_what_is_not_answered_is_neither_right_nor_wrong(number, answer):
