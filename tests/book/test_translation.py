@@ -6,6 +6,7 @@ import re
 from concurrent.futures import ThreadPoolExecutor
 from io import BytesIO
 from string import Formatter
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -27,12 +28,10 @@ from driftlab.book.machinery.language import (
 )
 from driftlab.book.machinery.progress import Progress
 from driftlab.book.panels import EXPLORERS, SCENES
-from driftlab.book.translation import MARK, behind, digest, gathered, is_word, update
+from driftlab.book.translation import gathered, is_word, misplaced, update
 from support import ROOT
 
 OTHERS = languages()[1:]
-NOTEBOOKS = ROOT / "notebooks"
-RUSSIAN = sorted((NOTEBOOKS / "ru").glob("*.ipynb"))
 
 
 @pytest.fixture(autouse=True)
@@ -50,19 +49,10 @@ def catalogue(code, domain=DOMAIN):
     return read_po(BytesIO(path.read_bytes()), locale=code, charset="utf-8")
 
 
-def places(text):
-    """The places that a text names; a conversion or a format would be the code's, not its own."""
-    found = [place for place in Formatter().parse(text) if place[1] is not None]
-    for _, name, form, turn in found:
-        assert re.fullmatch(r"[a-z]+|[0-9]", name), text
-        assert not form, text
-        assert not turn, text
-    return {name for _, name, *_ in found}
-
-
 def test_russian_is_there_and_another_language_is_refused():
-    assert languages() == ("en", "ru")
-    with pytest.raises(ValueError, match=r"code: expected one of en, ru, got 'tlh'"):
+    assert languages()[0] == "en"
+    assert "ru" in languages()
+    with pytest.raises(ValueError, match=r"code: expected one of en, .*ru.*, got 'tlh'"):
         language("tlh")
     assert language() == "en"
 
@@ -200,7 +190,7 @@ def test_a_translated_answer_leaves_the_record_of_an_english_one(number, answer)
 def test_the_hints_of_a_translated_chapter_lead_to_its_own_headings():
     headings = {
         line.lstrip("# ")
-        for path in RUSSIAN
+        for path in (ROOT / "notebooks/ru").glob("*.ipynb")
         for cell in cells(path)
         if cell["cell_type"] == "markdown"
         for line in "".join(cell["source"]).splitlines()
@@ -254,7 +244,7 @@ def test_the_scene_of_chapter_1_is_russian_and_its_handle_keeps_its_name():
 @pytest.mark.parametrize("code", ["en", "EN", "RU", "en_US", "xx_", "../ru"])
 def test_a_catalogue_is_made_for_a_code_of_another_language_only(code):
     with pytest.raises(SystemExit, match=r"^language: expected the code of one other than English"):
-        write_translation(code)
+        write_translation(code, None, [])
 
 
 def test_letters_that_look_alike_are_read_as_they_look():
@@ -264,17 +254,33 @@ def test_letters_that_look_alike_are_read_as_they_look():
 
 @pytest.mark.parametrize("code", OTHERS)
 def test_translations_have_the_places_of_the_english_text(code):
-    for message in (*catalogue(code), *catalogue(code, MODELS)):
-        if not message.id:
-            continue
-        english = message.id if isinstance(message.id, tuple) else (message.id,)
-        others = message.string if isinstance(message.string, tuple) else (message.string,)
-        every = set().union(*map(places, english))
-        for text in filter(None, others):
-            if len(english) == 1:
-                assert places(text) == every, message.id
-            else:  # one form may spell the number out: "a power of ten"
-                assert every - {"count", "word"} <= places(text) <= every | {"count"}, message.id
+    both = (*catalogue(code), *catalogue(code, MODELS))
+    assert list(misplaced(both)) == []
+    for message in both:  # a conversion or a format would be the code's, not the text's
+        for text in message.id if isinstance(message.id, tuple) else (message.id,):
+            for _, name, form, turn in Formatter().parse(text if message.id else ""):
+                assert name is None or re.fullmatch(r"[a-z]+|[0-9]", name), text
+                assert not form, text
+                assert not turn, text
+
+
+@pytest.mark.parametrize(
+    ("english", "translated", "is_right"),
+    [
+        ("at {place}", "{place}", True),
+        ("at {place}", "в {plase}", False),
+        ("at {place}", "в месте", False),
+        ("at {place}", "в {place", False),
+        ("at {place}", "в {place:d}", False),
+        ("nothing", "{place}", False),
+        (("{count} step", "{count} steps"), ("шаг", "{count} шага", "{count} шагов"), True),
+        (("{count} step", "{count} steps"), ("шаг", "{number} шага", "{count} шагов"), False),
+        ("at {place}", "", True),
+    ],
+)
+def test_a_translation_with_other_places_is_told(english, translated, is_right):
+    message = SimpleNamespace(id=english, string=translated)
+    assert bool(list(misplaced([message]))) != is_right
 
 
 @pytest.mark.parametrize("code", OTHERS)
@@ -304,31 +310,6 @@ def test_the_books_own_answers_are_in_a_catalogue_of_their_own():
     assert model not in {message.id for message in catalogue("ru")}
     with speaking("ru"):
         assert tr(model) != model
-
-
-@pytest.mark.parametrize("path", RUSSIAN, ids=lambda path: path.stem)
-def test_a_translated_notebook_has_the_code_of_the_english_one(path):
-    english = {cell["id"]: cell for cell in cells(NOTEBOOKS / path.name)}
-    own = {cell["id"]: cell for cell in cells(path)}
-    assert own.keys() - english.keys() == {"ru-language"}
-    assert [name for name in own if name != "ru-language"] == list(english)
-    for name, cell in english.items():
-        assert own[name]["cell_type"] == cell["cell_type"]
-        if cell["cell_type"] == "code":
-            assert own[name]["source"] == cell["source"]
-        else:
-            assert MARK in own[name]["metadata"]
-    assert 'language("ru")' in "".join(own["ru-language"]["source"])
-
-
-def test_a_cell_whose_english_text_has_changed_is_behind(tmp_path):
-    (tmp_path / "ru").mkdir()
-    new = {"cell_type": "markdown", "id": "a", "metadata": {}, "source": ["Now it is so."]}
-    then = {**new, "metadata": {MARK: digest("It was so.")}, "source": ["Было так."]}
-    now = {**then, "id": "b", "metadata": {MARK: digest("Now it is so.")}}
-    (tmp_path / "01.ipynb").write_text(json.dumps({"cells": [new, {**new, "id": "b"}]}), "utf-8")
-    (tmp_path / "ru/01.ipynb").write_text(json.dumps({"cells": [then, now]}), "utf-8")
-    assert behind("ru", tmp_path) == {"ru/01.ipynb": ("a",)}
 
 
 def test_numbers_are_judged_alike_in_every_language():

@@ -122,10 +122,11 @@ def write_questions(folder: Path, students: int) -> None:
     write_question_bank(folder, students=students)
 
 
-def write_translation(language: str) -> None:
-    """Bring the catalogue of a language up to date, as "ru", and say what it lacks."""
+def write_translation(language: str, begin_with: str | None, done_with: list[str]) -> None:
+    """Bring the catalogue of a language up to date, as "ru", and say how far it has come."""
     from babel.core import Locale, UnknownLocaleError
 
+    from .translated_notebooks import begin, done
     from .translation import update
 
     try:
@@ -134,8 +135,16 @@ def write_translation(language: str) -> None:
         known = False
     if not known:
         raise SystemExit(
-            f'language: expected the code of one other than English, like "ru", got {language!r}.'
+            "language: expected the code of one other than English, without a region, "
+            f'like "ru", got {language!r}.'
         )
+    try:
+        if begin_with is not None:
+            print(f"Begun: {begin(language, begin_with)}")
+    except ValueError as error:
+        raise SystemExit(str(error)) from None
+    if unknown := sorted({*done_with} - {*done(language, done_with)}):
+        raise SystemExit(f"done: expected cells of {language}, got {', '.join(unknown)}.")
     print(update(language))
 
 
@@ -156,6 +165,10 @@ def main() -> None:
     bank.set_defaults(write=write_questions)
     words = commands.add_parser("translation", help=write_translation.__doc__)
     words.add_argument("language", help='its code, as "ru"')
+    words.add_argument("--begin", dest="begin_with", help='copy a notebook to translate, as "02"')
+    words.add_argument(
+        "--done", dest="done_with", nargs="+", default=[], help="ids of cells that are translated"
+    )
     words.set_defaults(write=write_translation)
     for name, write, default in (
         ("figures", write_figures_on, "figures"),

@@ -7,13 +7,12 @@ a translator writes with any editor for gettext, such as Poedit, and the catalog
 
 from __future__ import annotations
 
-import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
-from hashlib import sha256
 from io import BytesIO
 from pathlib import Path
+from string import Formatter
 from typing import Any, NamedTuple
 
 from .chapters import chapters_with, part_of
@@ -33,12 +32,10 @@ from .machinery.scene.view import SceneView
 from .machinery.sizes import NUMBERS, ORDINALS
 from .machinery.slips import UNITS
 from .panels import EXPLORERS, SCENES
+from .translated_notebooks import Standing, standings
 
 KEYWORDS: dict[str, Any] = {"tr": None, "tr_number": (1, 2)}
 """The functions whose first arguments are to be translated; the second one counts."""
-
-MARK = "translation_of"
-"""Under which key of its metadata a translated cell keeps what it is a translation of."""
 
 
 class Coverage(NamedTuple):
@@ -48,18 +45,21 @@ class Coverage(NamedTuple):
     ----------
     translated, total : int
         Texts of the catalogue.
-    behind : dict of str to tuple of str
-        By notebook of the language, the cells whose English text is another by now.
+    misplaced : tuple of str
+        English texts whose translation has other places for values; it is not used.
+    notebooks : dict of str to Standing
+        How each notebook of the language stands beside the English one.
     """
 
     translated: int
     total: int
-    behind: dict[str, tuple[str, ...]]
+    misplaced: tuple[str, ...]
+    notebooks: dict[str, Standing]
 
     def __str__(self) -> str:
         lines = [f"{self.translated} of {self.total} texts are translated."]
-        for name, cells in self.behind.items():
-            lines.append(f"{name}: {'behind: ' + ', '.join(cells) if cells else 'up to date'}")
+        lines += [f"Other places than in the English text: {text}" for text in self.misplaced]
+        lines += [f"{name}: {standing}" for name, standing in self.notebooks.items()]
         return "\n".join(lines)
 
 
@@ -164,7 +164,8 @@ def update(language: str) -> Coverage:
     """
     both = [_updated(language, domain) for domain in (DOMAIN, MODELS)]
     done = sum(bool(message.id) and _is_done(message) for each in both for message in each)
-    return Coverage(done, sum(map(len, both)), behind(language))
+    wrong = tuple(text for each in both for text in misplaced(each))
+    return Coverage(done, sum(map(len, both)), wrong, standings(language))
 
 
 def _updated(language: str, domain: str) -> Any:
@@ -196,6 +197,29 @@ def _updated(language: str, domain: str) -> Any:
     return catalog
 
 
+def misplaced(messages: Iterable[Any]) -> Iterator[str]:
+    """Yield the English texts whose translation has not the places for values that they have."""
+    for message in messages:
+        english = message.id if isinstance(message.id, tuple) else (message.id,)
+        others = message.string if isinstance(message.string, tuple) else (message.string,)
+        every = set().union(*map(_places, english))
+        # One form of a text that counts may spell the number out: "a power of ten".
+        least = every - {"count", "word"} if len(english) > 1 else every
+        for text in filter(None, others if message.id else ()):
+            if not least <= _places(text) <= every | ({"count"} if len(english) > 1 else set()):
+                yield english[0]
+                break
+
+
+def _places(text: str) -> set[str]:
+    """The places that a text names; a conversion or a format is the code's, not the text's."""
+    try:
+        found = [place for place in Formatter().parse(text) if place[1] is not None]
+    except ValueError:
+        return {text}
+    return {"".join(filter(None, place[1:])) for place in found}
+
+
 def _po(write: Any) -> Any:
     """Write without the date, which would make each catalogue another one."""
     return lambda file, catalog: write(
@@ -206,35 +230,3 @@ def _po(write: Any) -> Any:
 def _is_done(message: Any) -> bool:
     words = message.string if isinstance(message.string, tuple) else (message.string,)
     return all(words) and not message.fuzzy
-
-
-def behind(language: str, notebooks: Path | None = None) -> dict[str, tuple[str, ...]]:
-    """Return the translated cells whose English text has changed since.
-
-    Parameters
-    ----------
-    language : str
-        Its code; the translated notebooks stand in a folder of this name beside the English ones.
-    notebooks : Path, optional
-        Where the English ones are, if not in the project's folder.
-    """
-    home = notebooks or Path(__file__).parents[3] / "notebooks"
-    found = {}
-    for path in sorted((home / language).glob("*.ipynb")):
-        english = {cell["id"]: "".join(cell["source"]) for cell in _cells(home / path.name)}
-        found[f"{language}/{path.name}"] = tuple(
-            cell["id"]
-            for cell in _cells(path)
-            if (of := cell["metadata"].get(MARK)) and of != digest(english.get(cell["id"], ""))
-        )
-    return found
-
-
-def digest(text: str) -> str:
-    """Return what stands for an English text in the metadata of its translation."""
-    return sha256(text.encode()).hexdigest()[:12]
-
-
-def _cells(path: Path) -> list[dict[str, Any]]:
-    cells: list[dict[str, Any]] = json.loads(path.read_text("utf-8"))["cells"]
-    return cells
