@@ -8,6 +8,7 @@ import pytest
 from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.filter import calibrate
+from driftlab.calibration.simulation import TableTrial
 from driftlab.imu import NO_ERRORS, ImuErrors, ImuNoise, PriorDeviations, random_imu_errors
 from driftlab.increments import Increments, measure
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
@@ -527,3 +528,13 @@ def test_biases_that_lead_astray_are_told_how_to_do_without():
             update_interval=20.0,
             check=False,
         )
+
+
+def test_what_was_found_can_be_written_in_other_units_without_changing_the_history():
+    table = TableTrial(sample_interval=0.5, update_interval=10.0, states=("lever arms",))
+    calibration = table.run(np.random.default_rng(1)).calibration
+    history = calibration.state.copy()
+    found, higher = calibration.imu_errors, calibration.model.higher_order_errors(history)
+    for part in (*found, higher.lever_arms):
+        part *= 206265.0
+    np.testing.assert_array_equal(calibration.state, history)

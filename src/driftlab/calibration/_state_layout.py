@@ -96,10 +96,10 @@ class StateLayout:
                [13., 14., 11.]])
         """
         middle = 9 + len(self.gyro_basis)
-        return ImuErrors(
-            state[..., 6:9],
+        return ImuErrors(  # nothing of the state itself, which who reads it could change
+            state[..., 6:9].copy(),
             combined(state[..., 9:middle], self.gyro_basis),
-            state[..., middle : middle + 3],
+            state[..., middle : middle + 3].copy(),
             combined(state[..., middle + 3 : self.triad_states], self.accelerometer_basis),
         )
 
@@ -122,7 +122,7 @@ class StateLayout:
         >>> float(late.higher_order_errors(np.arange(31.0)).time_skew)
         30.0
         """
-        return higher.unpacked(state[..., self.triad_states :], self.higher_order)
+        return higher.unpacked(state[..., self.triad_states :].copy(), self.higher_order)
 
     def corrected(
         self, measured: Increments, state: FloatArray, rate_change: FloatArray | None = None

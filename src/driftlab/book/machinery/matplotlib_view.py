@@ -12,12 +12,11 @@ import io
 from typing import Any
 
 import ipywidgets as widgets
-import matplotlib
 from PIL import Image
 
 from .page import Page
 from .picture import Picture
-from .sheet import STYLE
+from .sheet import STYLE, drawn_in
 
 LEAST_RATIO, MOST_RATIO = 1.25, 2.0
 """Pixels of the picture for one of the page: more are sharper, and take longer to compress."""
@@ -82,7 +81,7 @@ class MatplotlibView:
         key = (figure.dpi, limits)
         background = self._backgrounds.pop(key, None)
         if background is None:
-            with matplotlib.rc_context(STYLE):
+            with drawn_in(STYLE):
                 self._canvas.draw()
             background = self._canvas.copy_from_bbox(figure.bbox)
             if len(self._backgrounds) == KEPT:
@@ -95,7 +94,7 @@ class MatplotlibView:
         if self.picture.rescaled:
             self._draw_background()
         canvas.restore_region(self.background)
-        with matplotlib.rc_context(STYLE):
+        with drawn_in(STYLE):
             for artist in self.picture.moving:
                 artist.axes.draw_artist(artist)  # type: ignore[union-attr]
         buffer = io.BytesIO()

@@ -10,7 +10,6 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
 from typing import Any, ClassVar, Generic, Protocol, TypeVar
 
-import matplotlib
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -24,7 +23,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray
 
-from .sheet import SCREEN, Sheet
+from .sheet import SCREEN, Sheet, drawn_in
 
 # Okabe and Ito's colours, orange and sky darkened until their contrast to white is above 3 to 1;
 # each line also has a dash pattern or a marker of its own.
@@ -73,7 +72,7 @@ class Picture(Generic[Data]):
         self.moving: list[Artist] = []
         self.rescaled = False
         self.sheet = sheet
-        with matplotlib.rc_context(sheet.style):
+        with drawn_in(sheet.style):
             self.figure = Figure(figsize=self.size)
             self.build()
             FigureCanvasAgg(self.figure)
@@ -141,7 +140,7 @@ def in_style(draw: Callable[[Data, Sheet], Figure]) -> _Drawing[Data]:
 
     @wraps(draw)
     def styled(data: Data, sheet: Sheet = SCREEN) -> Figure:
-        with matplotlib.rc_context(sheet.style):
+        with drawn_in(sheet.style):
             figure = draw(data, sheet)
         FigureCanvasAgg(figure)
         return figure

@@ -8,11 +8,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import matplotlib
 from matplotlib.figure import Figure
 
 from .language import tr
-from .sheet import Sheet
+from .sheet import Sheet, drawn_in
 
 PICTURES = ("pdf", "svg", "png")
 """Endings of files that hold a picture."""
@@ -37,7 +36,7 @@ def picture_file(
         "png": {"Title": title, "Description": subject},
     }
     buffer = io.BytesIO()
-    with matplotlib.rc_context(sheet.style):
+    with drawn_in(sheet.style):
         figure.savefig(buffer, format=ending, metadata=known[ending])
     return buffer.getvalue()
 

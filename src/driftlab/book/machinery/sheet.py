@@ -7,9 +7,11 @@ side on a screen stand one above the other in a column, and Matplotlib finds the
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.resources import as_file, files
+from threading import RLock
 from typing import Any
 
 import matplotlib
@@ -17,6 +19,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from driftlab.checks import positive_number
+
+_DRAWING = RLock()
+"""Matplotlib has one style for a whole process: threads that draw wait for each other."""
 
 COLUMN, PAGE = 3.5, 7.2
 """Widths of a column and of a page of two columns in most journals, inches."""
@@ -47,6 +52,13 @@ PRINT = matplotlib.RcParams({
     "figure.constrained_layout.w_pad": _BETWEEN,
     "figure.constrained_layout.h_pad": _BETWEEN,
 })  # fmt: skip
+
+
+@contextmanager
+def drawn_in(style: matplotlib.RcParams) -> Iterator[None]:
+    """Draw in a style, while no other thread draws in another."""
+    with _DRAWING, matplotlib.rc_context(style):
+        yield
 
 
 @dataclass(frozen=True)

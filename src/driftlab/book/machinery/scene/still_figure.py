@@ -17,7 +17,7 @@ from matplotlib.text import Text
 
 from driftlab.checks import FloatArray
 
-from ..sheet import Sheet
+from ..sheet import Sheet, drawn_in
 from .look import colour, look
 from .stage import Part, Stage, View
 from .svg import VIEW, arrow_lines, faces_reader, flat_corners, from_behind
@@ -46,7 +46,7 @@ def still_figure(stage: Stage, sheet: Sheet, moments: Sequence[int]) -> Figure:
     across = min(len(shown), 4) if not sheet.narrow else 1 if len(moments) == 1 else 2
     down = -(-len(shown) // across)
     half_width, half_height = np.max([_reaches(view, stage, moments) for view in stage.views], 0)
-    with matplotlib.rc_context(sheet.style):
+    with drawn_in(sheet.style):
         side = min(width / across, MOST if down == 1 else 2.9)
         height = down * (side * half_height / half_width + TITLE)
         figure = Figure(figsize=(width, height), layout="constrained")
