@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po
+from matplotlib.text import Text
 
 from driftlab.book import check, guess, language, languages, verdict
 from driftlab.book.__main__ import write_translation
@@ -318,3 +319,12 @@ def test_numbers_are_judged_alike_in_every_language():
         with speaking("ru"):
             russian = exercise.verdict(right)
         assert russian.word == exercise.verdict(right).word
+
+
+def test_words_inside_the_picture_of_a_panel_are_translated_and_its_marks_stay():
+    with speaking("ru"):
+        view = EXPLORERS[0]().view
+    assert "time, s" in view.words
+    said = {text.get_text() for text in view.picture.figure.findobj(Text)}
+    assert {"время, с", "компоненты", "$\\lambda_{1e}$"} <= said
+    assert not {"time, s", "components"} & said

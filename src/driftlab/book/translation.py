@@ -23,6 +23,7 @@ from .machinery.exercise import key_of
 from .machinery.formulas import EXCHANGED, Formula
 from .machinery.guess import FIRST, HOW_TO_SEE, KEPT, UNANSWERED, UNITS as GUESS_UNITS
 from .machinery.language import DOMAIN, ENGLISH, FOLDER, MODELS, Filled, speaking
+from .machinery.matplotlib_view import MatplotlibView
 from .machinery.panel import OWN_VALUES, Explorer
 from .machinery.puzzle import PARTS, Number
 from .machinery.reading import Slider
@@ -110,6 +111,8 @@ def shown_by(panel: type[Explorer]) -> tuple[str, ...]:
     found: dict[str, None] = {}
     with speaking(ENGLISH):
         built = panel()
+        if isinstance(built.view, MatplotlibView):
+            found |= dict.fromkeys(built.view.words)
         starts = {control.name: control.start for control in panel.controls}
         for preset in panel.presets.values():
             data = built.compute({**starts, **preset})
