@@ -7,7 +7,8 @@ import zipfile
 import pytest
 
 from driftlab.book import class_report
-from driftlab.book.instructors import found_files
+from driftlab.book.instructors import budget
+from driftlab.book.instructors.saved_answers import LARGEST
 from hand_ins import notebook, put, rows, zipped
 
 
@@ -20,7 +21,7 @@ from hand_ins import notebook, put, rows, zipped
         (zipped({"/etc/03.ipynb": b""}), "leads out of it"),
         (zipped({"../../03.ipynb": b""}), "leads out of it"),
         (zipped({"C:\\03.ipynb": b""}), "leads out of it"),
-        (zipped({"03.ipynb": b" " * (found_files.LARGEST + 1)}), "more than 64 MB"),
+        (zipped({"03.ipynb": b" " * (LARGEST + 1)}), "more than 16 MB"),
     ],
     ids=["torn", "cut", "empty", "absolute", "upward", "drive", "bomb"],
 )  # fmt: skip
@@ -38,7 +39,7 @@ def test_archives_in_archives_are_bounded(tmp_path, monkeypatch):
     for _ in range(2):
         inner = zipped({"in.zip": inner})
     put(tmp_path, {"Ada/a.zip": inner, "Bob/b.zip": zipped({"in.zip": inner})})
-    monkeypatch.setattr(found_files, "MOST_FILES_OF_ONE", 3)
+    monkeypatch.setattr(budget, "MOST_FILES_OF_ONE", 3)
     many = zipped({f"{i}.ipynb": notebook() for i in range(5)})
     put(tmp_path, {"Eve/many.zip": many})
     found = rows(tmp_path)
@@ -86,7 +87,7 @@ def test_all_that_is_read_in_a_run_has_one_bound(tmp_path, monkeypatch):
     archive = zipped({"03.ipynb": content})
     put(tmp_path, {"Ada/03.ipynb": content, "Bob/a.zip": archive, "Eve/03.ipynb": content})
     put(tmp_path, {"Zoe/a.zip": archive, "Zoe/paper.pdf": b"x" * 2 * len(content)})
-    monkeypatch.setattr(found_files, "MOST_BYTES", 2 * len(content))
+    monkeypatch.setattr(budget, "MOST_BYTES", 2 * len(content))
     found = rows(tmp_path)
     assert [each.status("3.1") for each in found.values()] == [*2 * ["right"], *2 * ["absent"]]
     for name in ("Eve", "Zoe"):

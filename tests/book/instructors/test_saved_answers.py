@@ -131,7 +131,7 @@ def test_the_title_of_an_export_names_its_student():
         (b"[" * 200_000, "It is nested too deeply for a notebook."),
         (b'{"cells": 3}', "It is not a notebook, whatever its name says."),
         (b"1" * 5000, "It is not a notebook, whatever its name says."),
-        (b" " * (LARGEST + 1), "It is larger than 64 MB."),
+        (b" " * (LARGEST + 1), "It is larger than 16 MB."),
     ],
     ids=["empty", "zeros", "object", "list", "text", "deep", "number", "digits", "huge"],
 )

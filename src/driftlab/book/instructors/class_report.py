@@ -10,7 +10,7 @@ from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises
 from driftlab.book.machinery.exercise import in_order as numbered
 
-from .found_files import files_in
+from .folders import files_in
 from .handed_in import handed_in
 from .own_numbers import compare_numbers
 from .report_files import write_report
