@@ -1,15 +1,18 @@
 """Archives, links and folders of strangers are read within bounds, and nobody is lost."""
 
 import json
+import os
+import struct
 import tracemalloc
 import zipfile
 
 import pytest
 
 from driftlab.book import class_report
-from driftlab.book.instructors import budget
+from driftlab.book.instructors import archives, budget
+from driftlab.book.instructors.folders import MOST_OTHERS, files_in
 from driftlab.book.instructors.saved_answers import LARGEST
-from hand_ins import notebook, put, rows, zipped
+from hand_ins import WRONG, notebook, put, rows, zipped
 
 
 @pytest.mark.parametrize(
@@ -107,3 +110,86 @@ def test_contents_are_not_kept(tmp_path):
     finally:
         tracemalloc.stop()
     assert most < 15 * size
+
+
+def crowded(count):
+    """An archive that is nothing but a list of files which it does not hold."""
+    entry = struct.pack("<4s4B4HL2L5H2L", b"PK\1\2", 20, 0, 20, *[0] * 8, 1, *[0] * 6) + b"a"
+    start, listed = b"PK\3\4", entry * count
+    wide = struct.pack("<4sQ2H2L4Q", b"PK\6\6", 44, 45, 45, 0, 0, count, count, len(listed), 4)
+    where = struct.pack("<4sLQL", b"PK\6\7", 0, 4 + len(listed), 1)
+    end = struct.pack("<4s4H2LH", b"PK\5\6", 0, 0, 2**16 - 1, 2**16 - 1, *[2**32 - 1] * 2, 0)
+    return start + listed + wide + where + end
+
+
+@pytest.mark.parametrize("wrap", [lambda bomb: bomb, lambda bomb: zipped({"in.zip": bomb})])
+def test_a_list_that_is_too_long_is_not_read(tmp_path, monkeypatch, wrap):
+    read = []
+
+    class Entry(zipfile.ZipInfo):
+        def __init__(self, *arguments):
+            read.append(arguments)
+            super().__init__(*arguments)
+
+    put(tmp_path, {"Ada/work.zip": wrap(crowded(100_000)), "Bob/03.ipynb": notebook()})
+    monkeypatch.setattr(zipfile, "ZipInfo", Entry)
+    found = rows(tmp_path)
+    assert "The archive has too many entries to be read." in found["Ada"].notes[0]
+    assert found["Bob"].status("3.1") == "right"
+    assert len(read) <= 1
+
+
+def test_lists_of_many_archives_in_one_are_bounded_together(tmp_path, monkeypatch):
+    inner = crowded(20)
+    monkeypatch.setattr(budget, "MOST_LISTED_OF_ONE", 5000)
+    put(tmp_path, {"Ada/a.zip": zipped({f"{i}.zip": inner for i in range(9)})})
+    notes = " ".join(rows(tmp_path)["Ada"].notes)
+    assert 4 <= notes.count("The archive has too many entries to be read.") < 9
+
+
+def test_a_list_of_just_any_length_is_not_told_by_the_end_of_the_archive(tmp_path, monkeypatch):
+    monkeypatch.setattr(archives, "END", 100)
+    put(tmp_path, {"Ada/a.zip": zipped({f"{i}.ipynb": notebook() for i in range(3)})})
+    assert rows(tmp_path)["Ada"].status("3.1") == "right"
+
+
+def test_of_what_is_not_read_only_some_is_kept(tmp_path):
+    put(tmp_path, {"Ada/a.zip": zipped({f"n/{i}.txt": b"" for i in range(1000)})})
+    found = list(files_in(tmp_path))
+    assert len(found) == MOST_OTHERS
+    said = "Not read, since no notebook: 0.txt, 1.txt, 10.txt and others."
+    assert rows(tmp_path)["Ada"].notes == [said]
+
+
+def test_a_name_that_begins_with_a_dot_hides_nobody(tmp_path):
+    put(tmp_path, {
+        ".Ada/03.ipynb": notebook(), ".dan.ipynb": notebook(),
+        "Bob/.ipynb": notebook(), "Cy/.03.ipynb": notebook(),
+        "Eve/a.zip": zipped({".work/.03.ipynb": notebook(), ".gitignore": b""}),
+        "Ida/.ipynb_checkpoints/03.ipynb": notebook(WRONG), "Ida/.DS_Store": b"",
+        ".DS_Store": b"", "._dan.ipynb": b"", ".gitignore": b"", "__MACOSX/._Ada/x": b"",
+    })  # fmt: skip
+    found = rows(tmp_path)
+    assert set(found) == {".Ada", ".dan", "Bob", "Cy", "Eve", "Ida"}
+    assert {name for name, each in found.items() if each.status("3.1") == "right"} == set(found) - {
+        "Ida"
+    }
+    assert found["Ida"].notes == ["Nothing was handed in."]
+
+
+def test_a_pipe_is_refused_and_not_waited_for(tmp_path):
+    if not hasattr(os, "mkfifo"):
+        pytest.skip("no pipes here")
+    os.mkfifo(tmp_path / "pipe")
+    put(tmp_path, {"class/Ada/03.ipynb": notebook()})
+    with pytest.raises(ValueError, match=r"^folder: expected a folder"):
+        class_report(tmp_path / "pipe")
+    with pytest.raises(ValueError, match=r"^roster: .*pipe' is not a file\.$"):
+        class_report(tmp_path / "class", roster=tmp_path / "pipe")
+
+
+@pytest.mark.parametrize("roster", [False, True])
+def test_a_name_too_long_for_a_disk_is_told_in_a_sentence(tmp_path, roster):
+    where = tmp_path / ("x" * 5000)
+    with pytest.raises(ValueError, match=r"^(folder|roster): [^\n]*\.$"):
+        class_report(*(tmp_path, where) if roster else (where,))

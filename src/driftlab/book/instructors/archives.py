@@ -56,10 +56,10 @@ def unzipped(
     """Give all that is in an archive, in the order of the names."""
     guarded = _Guarded(file, budget)
     try:
-        with zipfile.ZipFile(guarded) as opened:  # type: ignore[call-overload]
+        with zipfile.ZipFile(guarded) as opened:
             guarded.is_open()
             entries = [(_parts(info), i) for i, info in enumerate(opened.infolist())]
-            entries = sorted(entry for entry in entries if not any(map(is_noise, entry[0])))
+            entries = sorted(entry for entry in entries if not _is_noise(entry[0]))
             if not entries:
                 yield Found((*parts, ""), trouble="The archive is empty.")
             for place, (below, i) in enumerate(entries):
@@ -135,6 +135,12 @@ def _parts(info: zipfile.ZipInfo) -> tuple[str, ...]:
     *folders, last = map(_cut, name.replace("\\", "/").split("/"))
     inner = tuple(part for part in folders if part not in ("", ".", "..") and part[1:] != ":")
     return (*inner[:DEEPEST_FOLDER], last if last not in (".", "..") else "")
+
+
+def _is_noise(parts: tuple[str, ...]) -> bool:
+    """Whether a file, or a folder that it lies in, is no student's."""
+    inside = any(is_noise(folder, is_folder=True) for folder in parts[:-1])
+    return inside or is_noise(parts[-1], is_folder=False)
 
 
 def _cut(name: str) -> str:

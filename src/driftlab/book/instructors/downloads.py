@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from .found_files import Found, is_archive
+from .found_files import Found, is_archive, is_notebook
 from .plain_text import clean
 from .report_files import FILES
 from .wrapping import CANVAS, MOODLE
 
-COURSE = ("source", "release", "autograded", "feedback")
+COURSE = ("source", "release", "autograded", "feedback", "gradebook.db", "nbgrader_config.py")
 """What nbgrader has beside the folder "submitted", and no student has handed in."""
 
 
@@ -49,20 +49,22 @@ REPORT = sorted((name,) for name in FILES)
 
 def at_the_top(found: list[Found]) -> Top:
     """Tell downloads of platforms from the folders of students."""
-    found, notes = _below_submitted(found)
+    below, found, notes = _below_submitted(found)
     inside = _by_top(found)
     alike = {top for top, files in inside.items() if _is_a_class(files)}
     folders = {top for top, files in inside.items() if len(files[0].parts) > 1}
     plain = {top for top in folders - alike if not is_platforms(top)}
-    # A student can pack two files in others' names into a folder, but makes no whole class of it.
-    downloads = {top for top in alike if is_archive(top) or not plain}
+    # A student can pack files in others' names, too; so not where students' own things are alike.
+    downloads = {
+        top for top in alike if not (any(map(is_archive, plain)) if is_archive(top) else plain)
+    }
     if plain:
         notes += [
             f'"{clean(top, 100)}" lies beside folders of students, and was taken for a '
             "platform's download of several."
             for top in sorted(downloads)
         ]
-    return Top(found, downloads, notes)
+    return Top(below + found, downloads, notes)
 
 
 def is_platforms(name: str) -> bool:
@@ -79,35 +81,41 @@ def _by_top(found: Iterable[Found]) -> dict[str, list[Found]]:
 
 def _is_a_class(files: list[Found]) -> bool:
     """Whether all in a folder or archive is called as a platform calls it, and is of several."""
-    if is_platforms(files[0].parts[0]):
+    if is_platforms(files[0].parts[0]) or len(files[0].parts) == 1:
         return False  # what a student handed in
     ids = set()
-    for name in {one.parts[1] if len(one.parts) > 1 else "" for one in files}:
-        said = MOODLE.fullmatch(name) or CANVAS.fullmatch(name)
-        if not said:
+    for name, is_read in {(one.parts[1], _is_read(one.parts[1:])) for one in files}:
+        if said := MOODLE.fullmatch(name) or CANVAS.fullmatch(name):
+            ids.add(said["id"])
+        elif is_read:
             return False
-        ids.add(said["id"])
     return len(ids) > 1
 
 
-def _below_submitted(found: list[Found]) -> tuple[list[Found], list[str]]:
-    """What students handed in of a whole course of nbgrader, and other downloads beside it."""
+def _is_read(parts: tuple[str, ...]) -> bool:
+    return len(parts) > 1 or is_notebook(parts[0])
+
+
+def _below_submitted(found: list[Found]) -> tuple[list[Found], list[Found], list[str]]:
+    """What students handed in of a whole course of nbgrader, and what else there is."""
     # At the top, or below one folder around it all: elsewhere it is some student's.
     tops = {one.parts[0] for one in found}
     place = int(len(tops) == 1 and not any(map(is_platforms, tops)))
     if any(_is_submitted(one, 0) for one in found):
         place = 0
     if not any(_is_submitted(one, place) for one in found):
-        return found, []
+        return [], found, []
     beside = [one for one in found if not _is_submitted(one, place)]
     is_course = place == 1 or any(one.parts[0] in COURSE for one in beside)
     # Of a course only this is the students'; else "submitted" is one folder among others.
     others = [one for one in beside if not is_course or any(map(is_platforms, one.parts[:2]))]
-    below = [one._replace(parts=one.parts[place + 1 :]) for one in found if _is_submitted(one, place)]
+    below = [
+        one._replace(parts=one.parts[place + 1 :]) for one in found if _is_submitted(one, place)
+    ]
     notes = []
     if left_out := len(beside) - len(others):
         notes = [f'Only the folder "submitted" is read; {left_out} files lie elsewhere.']
-    return below + others, notes
+    return below, others, notes
 
 
 def _is_submitted(one: Found, place: int) -> bool:

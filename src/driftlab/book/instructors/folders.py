@@ -64,27 +64,25 @@ def _walked(folder: Path, parts: tuple[str, ...], budget: Budget) -> Iterator[Fo
         yield Found((*parts, ""), trouble="Too many folders lie in each other.")
         return
     try:
-        entries = sorted(os.scandir(folder), key=lambda entry: entry.name)
+        entries = [
+            (entry, is_folder)
+            for entry in sorted(os.scandir(folder), key=lambda entry: entry.name)
+            if not is_noise(entry.name, is_folder=(is_folder := entry.is_dir()))
+        ]
     except OSError as error:
         yield Found((*parts, ""), trouble=f"The folder cannot be read ({error.strerror}).")
         return
-    entries = [entry for entry in entries if not is_noise(entry.name)]
     if not entries and parts:
         yield Found((*parts, ""))
-    for entry in entries:
+    for entry, is_folder in entries:
         here = (*parts, entry.name)
-        try:
-            is_folder, is_file = entry.is_dir(), entry.is_file()
-        except OSError as error:
-            yield Found(here, trouble=f"It cannot be read ({error.strerror}).")
-            continue
         if entry.is_symlink():
             yield Found(here, trouble="It is a link to another place, which is not followed.")
         elif is_folder:
             yield from _walked(Path(entry.path), here, budget)
-        elif not is_file:
+        elif not entry.is_file():
             yield Found(here, trouble="It is no ordinary file.")
-        elif not (entry.name.startswith(".") and not is_wanted(entry.name)):
+        else:
             yield from _read(Path(entry.path), here, budget)
 
 

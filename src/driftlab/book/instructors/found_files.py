@@ -58,9 +58,11 @@ def is_wanted(name: str) -> bool:
     return is_notebook(name) or name == "timestamp.txt"
 
 
-def is_noise(name: str) -> bool:
+def is_noise(name: str, *, is_folder: bool) -> bool:
     """Whether something is no student's, such as a Mac's shadows of files, ``._03.ipynb``."""
-    return name in NOISE or name.startswith("._")
+    if name in NOISE or name.startswith("._"):
+        return True
+    return name.startswith(".") and not (is_folder or is_wanted(name) or is_archive(name))
 
 
 def understood(parts: tuple[str, ...], written: float, content: bytes) -> Found:

@@ -59,7 +59,9 @@ def joined(read: list[Read]) -> tuple[dict[str, SavedAnswer], list[str]]:
             answers[number], whence[number] = answer, age
         for old in sorted((by_age[i] for i in replaced), key=lambda each: each.file):
             if old.is_claimed and not new.is_claimed:
-                notes.append(f"{new.file} counts, and not {old.file}, which only names the student.")
+                notes.append(
+                    f"{new.file} counts, and not {old.file}, which only names the student."
+                )
             else:
                 notes.append(f"{new.file} came after {old.file}, and counts.")
         notes += [_stays(by_age[i], new, numbers) for i, numbers in stays.items()]

@@ -132,7 +132,8 @@ def saved_answers(content: bytes) -> SavedNotebook:
             whose = _whose(source)
         if cell.get("cell_type") != "code":
             continue
-        told, error = [], ""
+        told: list[_Told] = []
+        error = ""
         for output in _dicts(cell.get("outputs")):
             told += islice(_told(output), MOST_TOLD - replies - len(told))
             error = clean(output.get("ename"), 60) or error
@@ -237,7 +238,8 @@ def _slip(says: str, answer: object = None) -> str:
     """What shows a slip: of statements that are told alike whatever was chosen, the choice."""
     if not says.startswith((NOT_ALL, NOT_ONE)):
         return says
-    chosen = letters_in(answer[:MOST_CHOSEN]) if isinstance(answer, str) else []
+    text = answer[:MOST_CHOSEN] if isinstance(answer, str) else ""
+    chosen = [letter for letter in letters_in(text) if letter.isascii() and letter.isalpha()]
     return f"Chose {', '.join(chosen)}." if chosen else ""
 
 

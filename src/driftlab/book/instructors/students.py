@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from .found_files import is_notebook
 from .handed_in import HandedIn
 from .newest import Read, joined
-from .plain_text import is_no_name, spellings, squeezed
+from .plain_text import spellings, squeezed
 from .roster import Listed
 from .saved_answers import SavedAnswer
 
@@ -33,8 +33,8 @@ class Student:
         What else there is to know, in sentences.
     is_listed : bool
         Whether the student is on the roster; True if there is none.
-    digests : dict of bytes to str
-        The notebooks by what is the same for the same file.
+    read : list of Read
+        The same notebooks with what they say.
     """
 
     name: str
@@ -43,7 +43,7 @@ class Student:
     files: list[str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     is_listed: bool = True
-    digests: dict[bytes, str] = field(default_factory=dict)
+    read: list[Read] = field(default_factory=list)
 
     def status(self, exercise: str) -> str:
         """One of `saved_answers.STATUSES`."""
@@ -64,7 +64,6 @@ class _Row:
 
     student: Student
     is_claimed: bool
-    read: list[Read] = field(default_factory=list)
     others: list[str] = field(default_factory=list)
 
 
@@ -86,7 +85,7 @@ def students_of(files: list[HandedIn]) -> list[Student]:
         elif found.saved is not None and not found.saved.answers:
             notes.append(f"{file.file}: It has no exercise of the book.")
         elif found.saved is not None:
-            row.read.append(Read(file.file, file.newness, file.is_claimed, found.saved))
+            row.student.read.append(Read(file.file, file.newness, file.is_claimed, found.saved))
     for row in rows.values():
         if row.others:
             more = " and others" if len(row.others) > 3 else ""
@@ -95,7 +94,7 @@ def students_of(files: list[HandedIn]) -> list[Student]:
             )
     students = []
     for row in _with_claims(list(rows.values())):
-        _join(row)
+        _join(row.student)
         students.append(row.student)
     return students
 
@@ -113,19 +112,18 @@ def _with_claims(rows: list[_Row]) -> list[_Row]:
         owners = known.get(name.casefold(), known.get(squeezed(name), []))
         if row.is_claimed and len(owners) == 1:
             owners[0].student.notes += row.student.notes
-            owners[0].read += row.read
+            owners[0].student.read += row.student.read
         else:
             kept.append(row)
     return kept
 
 
-def _join(row: _Row) -> None:
+def _join(student: Student) -> None:
     """Take the newest of what a student handed in, exercise by exercise."""
-    student = row.student
-    student.answers, notes = joined(row.read)
+    student.read.sort(key=lambda each: each.newness)
+    student.answers, notes = joined(student.read)
     student.notes += notes
-    student.files = [one.file for one in sorted(row.read, key=lambda each: each.newness)]
-    student.digests = {one.saved.digest: one.file for one in row.read if one.is_judged}
+    student.files = [one.file for one in student.read]
     if not student.files and not student.notes:
         student.notes.append("Nothing was handed in.")
     if len(student.notes) > MOST_NOTES:
