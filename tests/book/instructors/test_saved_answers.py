@@ -12,6 +12,7 @@ from driftlab.book.instructors.saved_answers import (
     LARGEST,
     MOST_ATTEMPTS,
     MOST_BRACKETS,
+    MOST_CODE,
     MOST_TOLD,
     STATUSES,
     saved_answers,
@@ -240,3 +241,8 @@ def test_a_choice_as_check_judges_it_is_a_slip_of_letters():
     card = judged("3.3", "abd", Progress(), Said(""))
     output = {"output_type": "display_data", "data": card._repr_mimebundle_()}
     assert saved_answers(saved(code("", output))).answers["3.3"].slips == ["Chose a, b, d."]
+
+
+def test_code_beyond_any_notebooks_is_not_searched():
+    cells = [code('check("3.1", 1)'), code(" " * MOST_CODE), code('check("3.2", 1)')]
+    assert set(saved_answers(saved(*cells)).answers) == {"3.1"}

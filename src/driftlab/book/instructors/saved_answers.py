@@ -29,6 +29,8 @@ MOST_NUMBERS = 1000
 """Exercises of one notebook; the book has fewer than a hundred."""
 MOST_TOLD = 2000
 """Replies in one notebook; what comes behind is not read."""
+MOST_CODE = 2 * 2**20
+"""Signs of code that are searched for calls; the book's notebooks have a tenth of it."""
 MOST_WORDS = 4000
 MOST_SLIPS = 50
 """Of one exercise; the last ones."""
@@ -124,7 +126,7 @@ def saved_answers(content: bytes) -> SavedNotebook:
         If this is not a notebook. The message is one sentence, without the name of the file.
     """
     notebook: dict[str, list[_Told]] = {}
-    whose, replies = "", 0
+    whose, replies, code = "", 0, 0
     errors: dict[str, str] = {}
     for cell in _cells(content):
         source = _text(cell.get("source", cell.get("input")))
@@ -142,7 +144,9 @@ def saved_answers(content: bytes) -> SavedNotebook:
             if one.number in notebook or len(notebook) < MOST_NUMBERS:
                 notebook.setdefault(one.number, []).append(one)
         shown = {one.number for one in told}
-        for number in sorted(_called(source))[: MOST_NUMBERS - len(notebook)]:
+        code += len(source)
+        called = _called(source) if code <= MOST_CODE else ()
+        for number in sorted(called)[: MOST_NUMBERS - len(notebook)]:
             notebook.setdefault(number, [])
             if error and number not in shown:
                 errors[number] = error
