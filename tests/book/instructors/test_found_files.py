@@ -9,7 +9,7 @@ import zipfile
 import pytest
 
 from driftlab.book import class_report
-from driftlab.book.instructors import archives, budget
+from driftlab.book.instructors import budget
 from driftlab.book.instructors.folders import MOST_OTHERS, files_in
 from driftlab.book.instructors.saved_answers import LARGEST
 from hand_ins import WRONG, notebook, put, rows, zipped
@@ -112,11 +112,11 @@ def test_contents_are_not_kept(tmp_path):
     assert most < 15 * size
 
 
-def crowded(count):
-    """An archive that is nothing but a list of files which it does not hold."""
+def crowded(count, told=1):
+    """An archive that is nothing but a list of files which it does not hold, nor tells of."""
     entry = struct.pack("<4s4B4HL2L5H2L", b"PK\1\2", 20, 0, 20, *[0] * 8, 1, *[0] * 6) + b"a"
     start, listed = b"PK\3\4", entry * count
-    wide = struct.pack("<4sQ2H2L4Q", b"PK\6\6", 44, 45, 45, 0, 0, count, count, len(listed), 4)
+    wide = struct.pack("<4sQ2H2L4Q", b"PK\6\6", 44, 45, 45, 0, 0, told, told, len(listed), 4)
     where = struct.pack("<4sLQL", b"PK\6\7", 0, 4 + len(listed), 1)
     end = struct.pack("<4s4H2LH", b"PK\5\6", 0, 0, 2**16 - 1, 2**16 - 1, *[2**32 - 1] * 2, 0)
     return start + listed + wide + where + end
@@ -147,10 +147,22 @@ def test_lists_of_many_archives_in_one_are_bounded_together(tmp_path, monkeypatc
     assert 4 <= notes.count("The archive has too many entries to be read.") < 9
 
 
-def test_a_list_of_just_any_length_is_not_told_by_the_end_of_the_archive(tmp_path, monkeypatch):
-    monkeypatch.setattr(archives, "END", 100)
-    put(tmp_path, {"Ada/a.zip": zipped({f"{i}.ipynb": notebook() for i in range(3)})})
-    assert rows(tmp_path)["Ada"].status("3.1") == "right"
+@pytest.mark.parametrize("content", [zipped({}), b"PK\3\4 nothing", crowded(100_000)])
+def test_one_archive_that_cannot_be_read_is_told_in_a_sentence(tmp_path, content):
+    put(tmp_path, {"class.zip": content})
+    with pytest.raises(
+        ValueError, match=r"^folder: .*class.zip' is not read\. The archive [^\n]*$"
+    ):
+        class_report(tmp_path / "class.zip")
+
+
+def test_a_link_to_itself_hides_nobody(tmp_path):
+    put(tmp_path, {"Bob/03.ipynb": notebook()})
+    try:
+        (tmp_path / "loop").symlink_to(tmp_path / "loop")
+    except OSError:
+        pytest.skip("no links here")
+    assert rows(tmp_path)["Bob"].status("3.1") == "right"
 
 
 def test_of_what_is_not_read_only_some_is_kept(tmp_path):

@@ -45,7 +45,7 @@ class _Guarded:
             raise TooMuchListedError
         return self._file.read(END if self._budget and size < 0 else size)
 
-    def is_open(self) -> None:
+    def opened(self) -> None:
         """What is read from now on is files, which are paid for where they are read."""
         self._budget = None
 
@@ -57,7 +57,7 @@ def unzipped(
     guarded = _Guarded(file, budget)
     try:
         with zipfile.ZipFile(guarded) as opened:
-            guarded.is_open()
+            guarded.opened()
             entries = [(_parts(info), i) for i, info in enumerate(opened.infolist())]
             entries = sorted(entry for entry in entries if not _is_noise(entry[0]))
             if not entries:

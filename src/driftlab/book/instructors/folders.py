@@ -41,7 +41,10 @@ def files_in(place: Path) -> Iterator[Found]:
     if starts:
         with starts as file:
             if file.read(2) == b"PK":
-                yield from _without_crowds(unzipped(file, (), of_an_archive(of_a_run())))
+                for one in _without_crowds(unzipped(file, (), of_an_archive(of_a_run()))):
+                    if one.parts == ("",):
+                        raise ValueError(f"folder: {str(place)!r} is not read. {one.trouble}")
+                    yield one
                 return
     raise ValueError(
         f"folder: expected a folder with what students handed in, or a zip, got {str(place)!r}."
@@ -67,7 +70,9 @@ def _walked(folder: Path, parts: tuple[str, ...], budget: Budget) -> Iterator[Fo
         entries = [
             (entry, is_folder)
             for entry in sorted(os.scandir(folder), key=lambda entry: entry.name)
-            if not is_noise(entry.name, is_folder=(is_folder := entry.is_dir()))
+            if not is_noise(
+                entry.name, is_folder=(is_folder := entry.is_dir(follow_symlinks=False))
+            )
         ]
     except OSError as error:
         yield Found((*parts, ""), trouble=f"The folder cannot be read ({error.strerror}).")
@@ -80,7 +85,7 @@ def _walked(folder: Path, parts: tuple[str, ...], budget: Budget) -> Iterator[Fo
             yield Found(here, trouble="It is a link to another place, which is not followed.")
         elif is_folder:
             yield from _walked(Path(entry.path), here, budget)
-        elif not entry.is_file():
+        elif not entry.is_file(follow_symlinks=False):
             yield Found(here, trouble="It is no ordinary file.")
         else:
             yield from _read(Path(entry.path), here, budget)

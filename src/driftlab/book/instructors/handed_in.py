@@ -109,7 +109,9 @@ def _whose(found: Found, moment: float, downloads: set[str]) -> HandedIn:
     newness = (moment, float(copies[1]) if copies else 0.0)
     part = parts[1] if parts[0] in downloads else parts[0]
     if said := MOODLE.fullmatch(part):
-        person = Person(clean(said["name"], 100), clean(said["id"], 40), f"Moodle {said['id']}")
+        person = Person(
+            clean(said["name"], 100) or "?", clean(said["id"], 40), f"Moodle {said['id']}"
+        )
         shown = clean(said["file"], 200) if part == parts[-1] and said["file"] else file
         return HandedIn(person, shown, newness, found)
     if said := CANVAS.fullmatch(part):
@@ -117,7 +119,7 @@ def _whose(found: Found, moment: float, downloads: set[str]) -> HandedIn:
         newness = (float(again[1]) if again else newness[1], float(said["upload"]))
         shown = clean(said["file"], 200) if part == parts[-1] else file
         id_ = said["id"] or said["anon"]
-        person = Person(clean(said["name"] or "Anonymous", 100), id_, f"Canvas {id_}")
+        person = Person(clean(said["name"] or "Anonymous", 100) or "?", id_, f"Canvas {id_}")
         return HandedIn(person, shown, newness, found)
     first = parts[0]
     if len(parts) > 1:
