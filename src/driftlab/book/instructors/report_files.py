@@ -23,7 +23,7 @@ FILES = ("gradebook.csv", "statuses.csv", "slips.csv", "words.csv", "report.html
 BEHIND = re.compile(r"([;\t])(?=[\s\"]*[=+\-@＝＋－＠])")
 """Where spreadsheets of many countries begin a cell, although the file has commas."""
 MARKS = {"right": "1", "wrong": "0", "error": "0", "open": "0"}
-"""In the gradebook; what was not run or not handed in stays blank, for a platform to pass over."""
+"""In the gradebook; what was not run or not handed in stays blank, which is no grade."""
 
 
 def write_report(report: ClassReport, folder: Path) -> Path:
