@@ -57,9 +57,19 @@ def class_report(arguments: list[str]) -> int:
         raise Trouble('Say what to read: "python3 lab.py class FOLDER".')
     set_up()
     # Paths are seen from where the caller is, and commands run in the project's folder.
-    paths = [each if each.startswith("-") else str(Path(each).absolute()) for each in arguments]
+    paths = map(seen_from_here, arguments)
     with running([str(PYTHON), "-m", "driftlab.book", "class", *paths]) as process:
         return abs(process.wait())
+
+
+def seen_from_here(argument: str) -> str:
+    """Return a path, or an option with its path as in "--roster=names.csv", as an absolute one."""
+    if argument.startswith("-o") and len(argument) > 2:
+        return f"-o{Path(argument[2:]).absolute()}"
+    if not argument.startswith("-"):
+        return str(Path(argument).absolute())
+    option, equals, path = argument.partition("=")
+    return f"{option}={Path(path).absolute()}" if equals and path else argument
 
 
 def wheels(arguments: list[str]) -> int:

@@ -909,6 +909,10 @@ def test_the_paths_of_a_class_are_seen_from_where_the_caller_is(
     assert lab.main(["class", "mine", "--roster", "names.csv"]) == 1
     here = Path.cwd()
     assert asked[0][-4:] == ["class", str(here / "mine"), "--roster", str(here / "names.csv")]
+    lab.main(["class", "mine", "--roster=a.csv", "-oout", "--output=b=c"])
+    assert asked[1][-3:] == [
+        f"--roster={here / 'a.csv'}", f"-o{here / 'out'}", f"--output={here / 'b=c'}",
+    ]  # fmt: skip
     with pytest.raises(globals_["Trouble"], match="Say what to read"):
         lab.main(["class"])
 

@@ -108,7 +108,7 @@ def write_class_report(folder: Path, roster: Path | None, output: Path | None) -
         place = folder.resolve()
         name = place.stem if place.is_file() else place.name
         written = report.write(output or place.with_name(f"{name}-report"))
-    except (ValueError, ModuleNotFoundError) as error:
+    except (ValueError, OSError, RuntimeError, ModuleNotFoundError) as error:
         sys.exit(str(error))
     print(f"{report}\n\nWritten: {written}")
 

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 from .chapters import chapters_with, part_of
 from .exercises import all_exercises, hints_of
-from .machinery.answers import NOT_ALL, SAY_WHY
+from .machinery.answers import NOT_ALL, NOT_ONE, SAY_WHY
 from .machinery.card import SECTION, SIGNS
 from .machinery.exercise import key_of
 from .machinery.formulas import EXCHANGED, Formula
@@ -93,7 +93,7 @@ def texts() -> Iterator[tuple[str, str]]:
     constants = [*(f"{word}." for word in SIGNS), *(sign for sign, _ in SIGNS.values())]
     constants += [*PARTS.values(), WITHOUT_GUESS]
     constants += [HOW_TO_SEE, KEPT, UNANSWERED, OWN_VALUES, *GUESS_UNITS.values()]
-    constants += [NOT_ALL, SAY_WHY, SECTION, FIRST, EXCHANGED, NUMBERS, *ORDINALS]
+    constants += [NOT_ALL, NOT_ONE, SAY_WHY, SECTION, FIRST, EXCHANGED, NUMBERS, *ORDINALS]
     constants += [unit for kind in UNITS.values() for unit in kind]
     yield from ((text, "machinery") for text in constants)
 

@@ -1,9 +1,16 @@
 """The list of a class is read as platforms and spreadsheets write it."""
 
+import unicodedata
+
 import pytest
 
 from driftlab.book import class_report
-from driftlab.book.instructors.roster import read_roster
+from driftlab.book.instructors.found_files import Found
+from driftlab.book.instructors.handed_in import handed_in
+from driftlab.book.instructors.own_numbers import compare_numbers
+from driftlab.book.instructors.roster import Listed, read_roster
+from driftlab.book.instructors.same_work import compare_work
+from driftlab.book.instructors.students import in_order, students_of
 from hand_ins import notebook, put
 
 
@@ -86,3 +93,23 @@ def test_one_who_stands_twice_on_the_list_has_one_row(tmp_path):
         ("Bob", "absent"),
     ]
     assert report.notes == ["Ada King stands on the list more than once, and has one row."]
+
+
+def test_time_grows_with_the_class_and_not_with_its_square(monkeypatch):
+    """Counted is how often a name is looked at letter by letter."""
+    looked = []
+    normalize = unicodedata.normalize
+    monkeypatch.setattr(unicodedata, "normalize", lambda *of: looked.append(1) or normalize(*of))
+    counts = []
+    for size in (100, 200):
+        names = [f"Ada{i} Lovelace{i}" for i in range(size)]
+        found = [Found(("class", name, "a.ipynb")) for name in names]
+        listed = [Listed(name) for name in names]
+        looked.clear()
+        files, _ = handed_in(found, listed)
+        students = in_order(students_of(files), listed)
+        compare_numbers(students, listed)
+        compare_work(students)
+        assert [each.name for each in students] == names
+        counts.append(len(looked))
+    assert counts[1] < 2.5 * counts[0]

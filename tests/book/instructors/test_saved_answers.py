@@ -7,13 +7,19 @@ from io import StringIO
 import pytest
 from hypothesis import given, strategies as st
 
-from driftlab.book.exercises import check
+from driftlab.book.exercises import check, judged
 from driftlab.book.instructors.saved_answers import (
     LARGEST,
     MOST_ATTEMPTS,
+    MOST_BRACKETS,
+    MOST_CODE,
+    MOST_TOLD,
     STATUSES,
     saved_answers,
 )
+from driftlab.book.machinery.answers import NOT_ALL, NOT_ONE, SAY_WHY
+from driftlab.book.machinery.exercise import Said
+from driftlab.book.machinery.progress import Progress
 from driftlab.book.machinery.records import MIME
 
 
@@ -131,9 +137,10 @@ def test_the_title_of_an_export_names_its_student():
         (b"[" * 200_000, "It is nested too deeply for a notebook."),
         (b'{"cells": 3}', "It is not a notebook, whatever its name says."),
         (b"1" * 5000, "It is not a notebook, whatever its name says."),
-        (b" " * (LARGEST + 1), "It is larger than 64 MB."),
+        (b'{"cells": [' + b"{}," * MOST_BRACKETS, "It holds more than a notebook does."),
+        (b" " * (LARGEST + 1), "It is larger than 16 MB."),
     ],
-    ids=["empty", "zeros", "object", "list", "text", "deep", "number", "digits", "huge"],
+    ids=["empty", "zeros", "object", "list", "text", "deep", "number", "digits", "crowd", "huge"],
 )
 def test_what_is_not_a_notebook_is_refused_in_a_sentence(content, sentence):
     with pytest.raises(ValueError, match=f"^{sentence}$"):
@@ -205,3 +212,37 @@ def test_a_notebook_of_many_numbers_is_bounded_and_soon_read():
     source = "\n".join(f'check("{number}", 1)' for number in numbers)
     answers = saved_answers(saved(code(source, {"output_type": "error", "ename": "E"}))).answers
     assert len(answers) == 1000
+
+
+@pytest.mark.parametrize("cells", [1, 7])
+def test_replies_of_a_notebook_are_bounded(cells):
+    said = {"text": "Exercise 3.1: not yet. x\n" * MOST_TOLD}
+    answer = saved_answers(saved(*cells * [code("", said)])).answers["3.1"]
+    assert answer.attempts == MOST_TOLD
+
+
+@pytest.mark.parametrize(
+    ("says", "answer", "slip"),
+    [
+        (f"{NOT_ALL} {SAY_WHY}", "ca", "Chose a, c."),
+        (NOT_ALL, "a and с", "Chose a, c."),  # a Cyrillic one
+        (NOT_ONE, "a, <b>=1;", "Chose a, b."),
+        (NOT_ONE, ["a"], ""),
+        (NOT_ONE, None, ""),
+        ("(a) It is not.", "a", "(a) It is not."),
+    ],
+)
+def test_what_was_chosen_is_the_slip_where_all_are_told_the_same(says, answer, slip):
+    output = recorded(says=says, answer=answer)
+    assert saved_answers(saved(code("", output))).answers["3.4"].slips == [slip]
+
+
+def test_a_choice_as_check_judges_it_is_a_slip_of_letters():
+    card = judged("3.3", "abd", Progress(), Said(""))
+    output = {"output_type": "display_data", "data": card._repr_mimebundle_()}
+    assert saved_answers(saved(code("", output))).answers["3.3"].slips == ["Chose a, b, d."]
+
+
+def test_code_beyond_any_notebooks_is_not_searched():
+    cells = [code('check("3.1", 1)'), code(" " * MOST_CODE), code('check("3.2", 1)')]
+    assert set(saved_answers(saved(*cells)).answers) == {"3.1"}

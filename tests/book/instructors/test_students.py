@@ -12,7 +12,7 @@ def test_numbers_that_were_asked_in_another_name_are_told(tmp_path):
     record = {"exercise": "4.6", "word": "right", "student": "bob  BABBAGE", "attempt": 1}
     output = {"data": {"application/vnd.driftlab.exercise+json": record}}
     content = json.dumps({"cells": [{"cell_type": "code", "outputs": [output]}]}).encode()
-    put(tmp_path, {"Ada Lovelace/04.ipynb": content, "Bob Babbage/04.ipynb": content})
+    put(tmp_path, {"Ada Lovelace/04.ipynb": content, "Bob Babbage/04.ipynb": content + b"\n"})
     found = rows(tmp_path)
     assert found["Bob Babbage"].notes == ["Ada Lovelace asked the numbers of 4.6 in the same name."]
     assert found["Ada Lovelace"].notes == [
@@ -40,7 +40,7 @@ def test_a_teachers_exercise_is_a_column_and_a_students_joke_is_none(tmp_path):
     put(tmp_path, {"Ada/x.ipynb": notebook(own), "Bob/x.ipynb": bobs})
     report = class_report(tmp_path)
     assert report.exercises == [*all_exercises("03"), "90.2", "90.10"]
-    assert report.notes[0].startswith("Not in the book, and in one notebook only")
+    assert report.notes[0].startswith("Not in the book, and in the notebooks of one student only")
 
 
 def test_an_exercise_between_two_has_its_column(tmp_path):
@@ -76,13 +76,19 @@ def test_who_has_the_books_numbers_where_others_have_their_own_is_told(tmp_path)
 def test_where_most_have_the_books_numbers_nobody_is_told(tmp_path):
     put(tmp_path, {
         "Ada/a.ipynb": recorded("3.4", "Ada"),
-        "Bob/a.ipynb": recorded("3.4"), "Eve/a.ipynb": recorded("3.4"),
+        "Bob/a.ipynb": recorded("3.4"), "Eve/a.ipynb": recorded("3.4") + b"\n",
         "Zoe/a.ipynb": recorded("3.1", "Zoe"),  # where all have the same numbers
     })  # fmt: skip
     assert not any(each.notes for each in rows(tmp_path).values())
 
 
 def test_a_name_that_was_left_as_it_stood_is_shared_by_nobody(tmp_path):
-    put(tmp_path, {f"{n}/a.ipynb": recorded("3.4", "Your name") for n in ("Ada", "Bob")})
+    put(
+        tmp_path,
+        {
+            "Ada/a.ipynb": recorded("3.4", "Your name"),
+            "Bob/a.ipynb": recorded("3.4", "Your name") + b"\n",
+        },
+    )
     for each in rows(tmp_path).values():
         assert each.notes == ["The numbers of 3.4 were asked in the name Your name."]

@@ -10,13 +10,15 @@ from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises
 from driftlab.book.machinery.exercise import in_order as numbered
 
-from .found_files import files_in
+from .folders import files_in
 from .handed_in import handed_in
 from .own_numbers import compare_numbers
+from .plain_text import clean
 from .report_files import write_report
 from .report_page import fragment
 from .report_text import text_of
 from .roster import once, read_roster
+from .same_work import compare_work
 from .students import Student, in_order, students_of
 
 MOST_EXERCISES = 200
@@ -122,11 +124,16 @@ def class_report(folder: str | Path, roster: str | Path | None = None) -> ClassR
     files, notes = handed_in(files_in(where), listed)
     students = in_order(students_of(files), listed)
     compare_numbers(students, listed)
+    compare_work(students)
     exercises, strange = _exercises(students)
     if not students:
         notes.append("Nothing was handed in.")
     return ClassReport(
-        where.name, students, exercises, _slips(students, exercises), notes + repeated + strange
+        clean(where.absolute().name, 100) or "class",
+        students,
+        exercises,
+        _slips(students, exercises),
+        notes + repeated + strange,
     )
 
 
@@ -144,13 +151,17 @@ def _exercises(students: list[Student]) -> tuple[list[str], list[str]]:
     active = sum(bool(student.answers) for student in students)
     # Anyone can write a number into a notebook; a teacher's exercise was given to several.
     own = {n for n, count in touched.items() if n not in book and (count > 1 or active == 1)}
-    own_sorted = sorted(own, key=numbered)[:MOST_EXERCISES]
-    strange = sorted(touched.keys() - set(book) - set(own_sorted), key=numbered)
+    ranked = sorted(own, key=lambda number: (-touched[number], numbered(number)))
     notes = []
-    if strange:
-        shown = ", ".join(strange[:5]) + (" ..." if len(strange) > 5 else "")
-        notes.append(f"Not in the book, and in one notebook only, so without a column: {shown}.")
-    return book + own_sorted, notes
+    for left_out, why in (
+        (touched.keys() - set(book) - own, "in the notebooks of one student only"),
+        (ranked[MOST_EXERCISES:], f"beyond the {MOST_EXERCISES} that most students have"),
+    ):
+        if left_out:
+            strange = sorted(left_out, key=numbered)
+            shown = ", ".join(strange[:5]) + (" ..." if len(strange) > 5 else "")
+            notes.append(f"Not in the book, and {why}, so without a column: {shown}.")
+    return book + sorted(ranked[:MOST_EXERCISES], key=numbered), notes
 
 
 def _slips(students: list[Student], exercises: list[str]) -> list[Slip]:

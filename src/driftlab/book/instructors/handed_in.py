@@ -7,7 +7,8 @@
 - nbgrader: ``submitted/student/assignment/name``, with ``timestamp.txt`` beside it.
 - The book's web pages: ``drift-lab-answers-ada-lovelace.ipynb``, with the name as it is written in
   the title inside.
-- Else the first folder is the student's, or the archive, or the file is.
+- Else the first folder is the student's, or the archive, or the file is; two of them are one
+  student's only if they are called the same, to the letter.
 """
 
 from __future__ import annotations
@@ -19,8 +20,9 @@ from typing import NamedTuple
 
 from driftlab.book.chapters import CHAPTERS
 
-from .found_files import Found
-from .plain_text import clean, is_no_name
+from .downloads import at_the_top, without_report
+from .found_files import Found, is_archive
+from .plain_text import clean, is_no_name, squeezed
 from .roster import Listed
 from .wrapping import CANVAS, MOODLE, stem_of, without_wrapping
 
@@ -33,7 +35,7 @@ ANONYMOUS = (*(name[2:] for name in CHAPTERS.values()), "drift-lab-answers", "an
 
 
 class Person(NamedTuple):
-    """A student as a platform names one.
+    """A student as a platform, a folder or a file names one.
 
     Attributes
     ----------
@@ -41,15 +43,13 @@ class Person(NamedTuple):
         As it shows.
     id : str
         The platform's number, if it gives one.
+    key : str
+        The same for the same student, as far as the names of folders and files say it.
     """
 
     name: str
     id: str = ""
-
-    @property
-    def key(self) -> str:
-        """The same for the same student."""
-        return f"id {self.id}" if self.id else f"name {self.name.casefold()}"
+    key: str = ""
 
 
 class HandedIn(NamedTuple):
@@ -63,24 +63,27 @@ class HandedIn(NamedTuple):
     newness : tuple
         Of two files with the same exercises the one with the larger counts.
     found : Found
-    is_named_inside : bool
-        Whether a name in the file says better whose it is.
+    is_claimed : bool
+        Whether only a name in the file, or in its own, says whose it is: anybody can write it.
+    trouble : str
+        What is odd about the name, in one sentence.
     """
 
     person: Person
     file: str
     newness: tuple[float, float]
     found: Found
-    is_named_inside: bool = False
+    is_claimed: bool = False
+    trouble: str = ""
 
 
 def handed_in(
     found: Iterable[Found], listed: Sequence[Listed] = ()
 ) -> tuple[list[HandedIn], list[str]]:
     """Return the files with their students, and sentences on what was left out or is unclear."""
-    inside, unclear = without_wrapping(list(found), listed)
-    everything, notes = _below_submitted(inside)
-    notes += unclear
+    inside, reports = without_report(list(found))
+    inside, unclear = without_wrapping(inside, listed)
+    everything, downloads, notes = at_the_top(inside)
     times = {
         one.parts[:-1]: moment
         for one in everything
@@ -88,7 +91,6 @@ def handed_in(
     }
     # Whose folder holds nothing but the moment has handed in nothing, and has a row all the same.
     filled = {one.parts[:-1] for one in everything if one.parts[-1] != "timestamp.txt"}
-    archives = _archives_of_a_class(everything)
     files = []
     for one in everything:
         is_moment = one.parts[-1] == "timestamp.txt" and not one.trouble
@@ -96,73 +98,62 @@ def handed_in(
             continue
         if is_moment and len(one.parts) > 1:
             one = Found((*one.parts[:-1], ""), one.time)
-        files.append(_whose(one, times.get(one.parts[:-1], one.time), archives))
-    return _without_groups(files), notes
+        files.append(_whose(one, times.get(one.parts[:-1], one.time), downloads))
+    return _without_groups(files), reports + notes + unclear
 
 
-def _archives_of_a_class(found: list[Found]) -> set[str]:
-    """Archives in which a platform has put several students; else one is its owner's."""
-    inside: dict[str, set[str]] = {}
-    for one in found:
-        if len(one.parts) > 1 and one.parts[0].casefold().endswith(".zip"):
-            for pattern in (MOODLE, CANVAS):
-                if said := pattern.fullmatch(one.parts[1]):
-                    inside.setdefault(one.parts[0], set()).add(f"{said['id']}")
-    return {archive for archive, students in inside.items() if len(students) > 1}
-
-
-def _whose(found: Found, moment: float, archives: set[str]) -> HandedIn:
+def _whose(found: Found, moment: float, downloads: set[str]) -> HandedIn:
     parts = found.parts
     file = clean(parts[-1] or parts[-2], 200) or "?"
     copies = COPY.search(file)
     newness = (moment, float(copies[1]) if copies else 0.0)
-    # What a student has packed may be called like another's.
-    outer = parts[:2] if parts[0] in archives or not _is_archive(parts[0]) else parts[:1]
-    for place, part in enumerate(outer):
-        if said := MOODLE.fullmatch(part):
-            person = Person(clean(said["name"], 100), clean(said["id"], 40))
-            shown = clean(said["file"], 200) if part == parts[-1] and said["file"] else file
-            return HandedIn(person, shown, newness, found)
-        # Canvas makes no folders, and a report_11_2026_final.ipynb in a student's is none of its.
-        is_outermost = place == 0 or parts[0] in archives
-        if is_outermost and (said := CANVAS.fullmatch(part)):
-            again = CANVAS_AGAIN.search(said["file"])
-            newness = (float(again[1]) if again else newness[1], float(said["upload"]))
-            shown = clean(said["file"], 200) if part == parts[-1] else file
-            person = Person(clean(said["name"] or "Anonymous", 100), said["id"] or said["anon"])
-            return HandedIn(person, shown, newness, found)
+    part = parts[1] if parts[0] in downloads else parts[0]
+    if said := MOODLE.fullmatch(part):
+        person = Person(
+            clean(said["name"], 100) or "?", clean(said["id"], 40), f"Moodle {said['id']}"
+        )
+        shown = clean(said["file"], 200) if part == parts[-1] and said["file"] else file
+        return HandedIn(person, shown, newness, found)
+    if said := CANVAS.fullmatch(part):
+        again = CANVAS_AGAIN.search(said["file"])
+        newness = (float(again[1]) if again else newness[1], float(said["upload"]))
+        shown = clean(said["file"], 200) if part == parts[-1] else file
+        id_ = said["id"] or said["anon"]
+        person = Person(clean(said["name"] or "Anonymous", 100) or "?", id_, f"Canvas {id_}")
+        return HandedIn(person, shown, newness, found)
     first = parts[0]
     if len(parts) > 1:
-        name = stem_of(first) if first.casefold().endswith(".zip") else first
-        return HandedIn(Person(clean(name, 100) or "?"), file, newness, found)
-    stem = COPY.sub("", stem_of(first))
-    if said := EXPORT.fullmatch(stem):
-        name = clean((said["name"] or "").replace("-", " "), 100)
-        person = Person(file if is_no_name(name) else name)
-        return HandedIn(person, file, newness, found, is_named_inside=True)
+        name = stem_of(first) if is_archive(first) else first
+        return HandedIn(Person(clean(name, 100) or "?", key=f"folder {name}"), file, newness, found)
+    return _of_a_file(stem_of(first), file, newness, found)
+
+
+def _of_a_file(full: str, file: str, newness: tuple[float, float], found: Found) -> HandedIn:
+    """Whose a file is that lies in no folder; students choose its name."""
+    stem = COPY.sub("", full)
+    title = found.saved.whose if found.saved and not is_no_name(found.saved.whose) else ""
     # Two files of the book's own name are two students', not two downloads of one.
-    name = file if stem in ANONYMOUS or stem.isdigit() else clean(stem, 100) or file
-    is_nobodys = stem in ANONYMOUS or stem.isdigit()
-    return HandedIn(Person(name), file, newness, found, is_named_inside=is_nobodys)
+    name, key, trouble, is_claimed = file, f"file {full}", "", False
+    if said := EXPORT.fullmatch(stem):
+        in_file = clean((said["name"] or "").replace("-", " "), 100)
+        is_claimed = True
+        if title and (is_no_name(in_file) or _is_same(in_file, title)):
+            name = title
+        elif not is_no_name(in_file):
+            name = in_file
+            trouble = f"The title inside says {title}." if title else ""
+    elif stem in ANONYMOUS or stem.isdigit():
+        name, is_claimed = title or file, bool(title)
+    else:
+        name, key = clean(stem, 100) or file, f"folder {stem}"
+    key = f"claim {name.casefold()}" if is_claimed and name != file else key
+    return HandedIn(Person(name, key=key), file, newness, found, is_claimed, trouble)
 
 
-def _is_archive(name: str) -> bool:
-    return name.casefold().endswith(".zip")
-
-
-def _below_submitted(found: list[Found]) -> tuple[list[Found], list[str]]:
-    """What students handed in of a whole course of nbgrader."""
-    if any(MOODLE.fullmatch(one.parts[0]) or CANVAS.fullmatch(one.parts[0]) for one in found):
-        return found, []
-    # At the top, or below one folder around it all: elsewhere it is some student's.
-    is_wrapped = len({one.parts[0] for one in found}) == 1
-    inside = [one for one in found if "submitted" in one.parts[:-2][: 1 + is_wrapped]]
-    if not inside:
-        return found, []
-    left_out = len(found) - len(inside)
-    notes = [f'Only the folder "submitted" is read; {left_out} files lie elsewhere.']
-    below = [one._replace(parts=one.parts[one.parts.index("submitted") + 1 :]) for one in inside]
-    return below, notes if left_out else []
+def _is_same(in_file: str, title: str) -> bool:
+    """Whether a file is called as the web pages call that of a name; they cut it short."""
+    one, other = squeezed(re.sub(r"(?<=\D) [0-9]{1,2}$", "", in_file)), squeezed(title)
+    return squeezed(in_file) == other or one == other or (len(one) > 25 and other.startswith(one))
 
 
 def _without_groups(files: list[HandedIn]) -> list[HandedIn]:

@@ -107,6 +107,7 @@ def _awkward(rng: random.Random) -> dict[str, dict[str, bytes]]:
     name = "03_systematic_drift.ipynb"
     cells = [_chapter("03", rng) for _ in range(12)]
     before, after = _chapter("03", rng, skill=0.1), _chapter("03", rng, skill=0.9)
+    after.insert(0, {"cell_type": "markdown", "metadata": {}, "source": "Once more."})
     stuck = [*cells[1][:2], _failed("3.3"), *cells[1][3:]]
     twice = [_cell("3.1", WRONG["3.1"][0], Progress()), *_chapter("03", rng, skill=1.0)]
     tag = "<img src=x onerror=alert(1)> =1+1"

@@ -32,14 +32,18 @@ def compare_numbers(students: list[Student], listed: list[Listed]) -> None:
             names.setdefault(number, []).append(name)
             if not is_no_name(name):
                 sharing.setdefault((number, same_name(name)), []).append(student)
+    by_name: dict[str, list[Listed]] = {}
+    for one in listed:
+        by_name.setdefault(one.name, []).append(one)
     for student in students:
         asked = _asked(student)
-        notes = _in_another_name(student, _on_the_list(student, listed))
+        on_the_list = _on_the_list(student, by_name.get(student.name, []))
+        notes = _in_another_name(student, on_the_list)
         shared: dict[str, list[str]] = {}
         for number, name in asked.items():
             others = [s for s in sharing.get((number, same_name(name)), ()) if s is not student]
             if others:
-                shared.setdefault(_some(others), []).append(number)
+                shared.setdefault(some(others), []).append(number)
         notes += [
             f"{who} asked the numbers of {_all(n)} in the same name." for who, n in shared.items()
         ]
@@ -66,9 +70,9 @@ def _asked(student: Student) -> dict[str, str]:
 
 
 def _on_the_list(student: Student, listed: list[Listed]) -> Listed:
-    """Who a row is; its name and first number are those of the list."""
+    """Who a row is of those with its name; its first number is that of the list."""
     for one in listed:
-        if one.name == student.name and (not one.ids or one.ids[0] == student.id):
+        if not one.ids or one.ids[0] == student.id:
             return one
     return Listed(student.name, (student.id,))
 
@@ -86,7 +90,8 @@ def _all(numbers: list[str]) -> str:
     return ", ".join(sorted(numbers, key=in_order))
 
 
-def _some(students: list[Student]) -> str:
+def some(students: list[Student]) -> str:
+    """Several students by their names, which may be many."""
     names = [student.name for student in students]
     more = [f"{len(names) - MOST_NAMES} more"] if len(names) > MOST_NAMES else []
     return " and ".join([*names[:MOST_NAMES], *more])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 import shutil
 import tempfile
 from collections.abc import Iterable
@@ -14,26 +15,24 @@ from .report_page import page
 
 if TYPE_CHECKING:
     from .class_report import ClassReport
+    from .students import Student
 
 FORMULA = ("=", "+", "-", "@", "\t", "\r", "＝", "＋", "－", "＠")
 """A cell that begins so a spreadsheet would compute."""
 FILES = ("gradebook.csv", "statuses.csv", "slips.csv", "words.csv", "report.html")
+BEHIND = re.compile(r"([;\t])(?=[\s\"]*[=+\-@＝＋－＠])")
+"""Where spreadsheets of many countries begin a cell, although the file has commas."""
 MARKS = {"right": "1", "wrong": "0", "error": "0", "open": "0"}
-"""In the gradebook; what was not run or not handed in stays blank, for a platform to pass over."""
+"""In the gradebook; what was not run or not handed in stays blank, which is no grade."""
 
 
 def write_report(report: ClassReport, folder: Path) -> Path:
     """Write all files, or none; see `ClassReport.write`."""
-    if folder.exists() or folder.is_symlink():
-        try:
-            others = sorted({path.name for path in folder.iterdir()} - set(FILES))
-        except OSError:
-            raise ValueError(f"folder: {str(folder)!r} is not a folder.") from None
-        if others:
-            raise ValueError(
-                f"folder: {str(folder)!r} holds other files than a report ({others[0]!r} is one); "
-                "choose another folder."
-            )
+    try:
+        _expect_a_place(folder)
+        folder = folder.resolve()  # a link leads to where the report is
+    except (OSError, RuntimeError) as error:
+        raise _cannot(folder, error) from None
     contents = {name: _csv(rows(report)) for name, rows in TABLES.items()}
     contents["report.html"] = page(report).encode()
     try:
@@ -51,15 +50,31 @@ def write_report(report: ClassReport, folder: Path) -> Path:
         finally:
             shutil.rmtree(new, ignore_errors=True)
     except OSError as error:
-        raise ValueError(
-            f"folder: {str(folder)!r} cannot be written ({error.strerror or error})."
-        ) from None
+        raise _cannot(folder, error) from None
     return folder
+
+
+def _expect_a_place(folder: Path) -> None:
+    """Refuse a folder that holds anything else than a report."""
+    if not folder.exists():
+        return
+    if not folder.is_dir():
+        raise ValueError(f"folder: {str(folder)!r} is not a folder.")
+    if others := sorted({path.name for path in folder.iterdir()} - set(FILES)):
+        raise ValueError(
+            f"folder: {str(folder)!r} holds other files than a report ({others[0]!r} is one); "
+            "choose another folder."
+        )
+
+
+def _cannot(folder: Path, error: Exception) -> ValueError:
+    why = getattr(error, "strerror", None) or error
+    return ValueError(f"folder: {str(folder)!r} cannot be written ({why}).")
 
 
 def defused(cell: object) -> str:
     """Return a cell that a spreadsheet shows and does not compute."""
-    text = str(cell)
+    text = BEHIND.sub(r"\1'", str(cell))
     return f"'{text}" if text.lstrip(" ").startswith(FORMULA) else text
 
 
@@ -76,11 +91,17 @@ def _gradebook(report: ClassReport) -> Iterable[Iterable[object]]:
         yield (
             student.name,
             student.id,
-            student.right(report.exercises),
+            _right(student, report),
             len(report.exercises),
             student.attempts(report.exercises),
             *(MARKS.get(student.status(number), "") for number in report.exercises),
         )
+
+
+def _right(student: Student, report: ClassReport) -> int | str:
+    """How many are right; blank, like the exercises themselves, where there is nothing to mark."""
+    has_any = any(student.status(number) in MARKS for number in report.exercises)
+    return student.right(report.exercises) if has_any else ""
 
 
 def _statuses(report: ClassReport) -> Iterable[Iterable[object]]:

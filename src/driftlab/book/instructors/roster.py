@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import re
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -34,10 +35,15 @@ class Listed(NamedTuple):
         """Whether this is the student's name, whichever of its words comes first."""
         return squeezed(name) in spellings(self.name)
 
+    @property
+    def numbers(self) -> set[str]:
+        """The student's numbers and addresses, and the fronts of those, in small letters."""
+        known = {part.casefold() for one in self.ids for part in (one, one.partition("@")[0])}
+        return known - {""}
+
     def has(self, id_: str) -> bool:
         """Whether this is one of the student's numbers, or the front of an address."""
-        known = {part.casefold() for one in self.ids for part in (one, one.partition("@")[0])}
-        return bool(id_) and id_.casefold() in known
+        return id_.casefold() in self.numbers
 
 
 def read_roster(path: str | Path) -> list[Listed]:
@@ -57,6 +63,8 @@ def read_roster(path: str | Path) -> list[Listed]:
         If it cannot be read, or nobody is on it.
     """
     try:
+        if Path(path).exists() and not Path(path).is_file():
+            raise ValueError(f"roster: {str(path)!r} is not a file.")
         content = Path(path).read_bytes()
     except OSError as error:
         raise ValueError(
@@ -71,6 +79,13 @@ def read_roster(path: str | Path) -> list[Listed]:
     if not listed:
         raise ValueError(f"roster: nobody is on the list {str(path)!r}.")
     return listed
+
+
+def known(listed: Iterable[Listed]) -> Callable[[str], bool]:
+    """Return what tells whether somebody of that name or number is on the list."""
+    names = {spelling for one in listed for spelling in spellings(one.name)}
+    numbers = {number for one in listed for number in one.numbers}
+    return lambda name: squeezed(name) in names or name.casefold() in numbers
 
 
 def once(listed: list[Listed]) -> tuple[list[Listed], list[str]]:

@@ -7,25 +7,36 @@ either by hand.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import islice
 from typing import Any
 
+from driftlab.book.machinery.answers import NOT_ALL, NOT_ONE, letters_in
 from driftlab.book.machinery.records import MIME
 
 from .plain_text import clean
 
-LARGEST = 64 * 2**20
-"""Bytes of a notebook; more is not read."""
+LARGEST = 16 * 2**20
+"""Bytes of a notebook; more is not read. The book's have less than one, with all figures."""
+MOST_BRACKETS = 500_000
+"""Of a notebook; each can become an object that takes a hundred bytes and more."""
 NUMBER = re.compile(r"[0-9]{1,3}\.[0-9]{1,3}[a-z]?", re.ASCII)
 MOST_NUMBERS = 1000
 """Exercises of one notebook; the book has fewer than a hundred."""
+MOST_TOLD = 2000
+"""Replies in one notebook; what comes behind is not read."""
+MOST_CODE = 2 * 2**20
+"""Signs of code that are searched for calls; the book's notebooks have a tenth of it."""
 MOST_WORDS = 4000
 MOST_SLIPS = 50
 """Of one exercise; the last ones."""
 MOST_ATTEMPTS = 9999
+MOST_CHOSEN = 60
+"""Signs of an answer that chooses statements."""
 
 STATUSES = ("right", "wrong", "error", "open", "not run", "absent")
 """What an exercise can be; of several in a notebook the first counts."""
@@ -92,10 +103,13 @@ class SavedNotebook:
         By the exercise's number.
     whose : str
         The name in the title of an export from the web pages.
+    digest : bytes
+        The same for the same file.
     """
 
     answers: dict[str, SavedAnswer]
     whose: str = ""
+    digest: bytes = b""
 
 
 def saved_answers(content: bytes) -> SavedNotebook:
@@ -112,7 +126,7 @@ def saved_answers(content: bytes) -> SavedNotebook:
         If this is not a notebook. The message is one sentence, without the name of the file.
     """
     notebook: dict[str, list[_Told]] = {}
-    whose = ""
+    whose, replies, code = "", 0, 0
     errors: dict[str, str] = {}
     for cell in _cells(content):
         source = _text(cell.get("source", cell.get("input")))
@@ -120,20 +134,24 @@ def saved_answers(content: bytes) -> SavedNotebook:
             whose = _whose(source)
         if cell.get("cell_type") != "code":
             continue
-        told, error = [], ""
+        told: list[_Told] = []
+        error = ""
         for output in _dicts(cell.get("outputs")):
-            told += _told(output)
+            told += islice(_told(output), MOST_TOLD - replies - len(told))
             error = clean(output.get("ename"), 60) or error
+        replies += len(told)
         for one in told:
             if one.number in notebook or len(notebook) < MOST_NUMBERS:
                 notebook.setdefault(one.number, []).append(one)
         shown = {one.number for one in told}
-        for number in sorted(_called(source))[: MOST_NUMBERS - len(notebook)]:
+        code += len(source)
+        called = _called(source) if code <= MOST_CODE else ()
+        for number in sorted(called)[: MOST_NUMBERS - len(notebook)]:
             notebook.setdefault(number, [])
             if error and number not in shown:
                 errors[number] = error
     answers = {number: _summed(told, errors.get(number)) for number, told in notebook.items()}
-    return SavedNotebook(answers, whose)
+    return SavedNotebook(answers, whose, hashlib.sha256(content).digest())
 
 
 @dataclass
@@ -165,7 +183,7 @@ def _summed(told: list[_Told], error: str | None) -> SavedAnswer:
     counted = {one.attempt for one in judged if one.attempt}
     # Who shows one answer in two cells has tried once; where nothing is counted, each is a try.
     shown = len(counted) + sum(not one.attempt for one in judged)
-    answer.attempts = max(shown, *counted, 0)
+    answer.attempts = min(max(shown, *counted, 0), MOST_ATTEMPTS)
     return answer
 
 
@@ -174,6 +192,8 @@ def _cells(content: bytes) -> Iterator[dict[str, Any]]:
         raise ValueError(f"It is larger than {LARGEST // 2**20} MB.")
     if not content.strip(b"\0 \t\r\n"):
         raise ValueError("It is empty.")
+    if content.count(b"{") + content.count(b"[") > MOST_BRACKETS:
+        raise ValueError("It holds more than a notebook does.")
     try:
         # With what an editor has put first, or in two bytes a sign, too; of a letter in another
         # encoding nothing that counts depends.
@@ -189,14 +209,17 @@ def _cells(content: bytes) -> Iterator[dict[str, Any]]:
         yield from _dicts(holder.get("cells"))
 
 
-def _told(output: dict[str, Any]) -> list[_Told]:
+def _told(output: dict[str, Any]) -> Iterator[_Told]:
     data = output.get("data")
     data = data if isinstance(data, dict) else {}
     record = data.get(MIME)
     if isinstance(record, dict) and (told := _recorded(record)):
-        return [told]
+        yield told
+        return
     text = _text(output.get("text")) or _text(data.get("text/plain"))
-    return [_Told(number, word, clean(says)) for number, word, says in _SAID.findall(text)]
+    for said in _SAID.finditer(text):
+        number, word, says = said.groups()
+        yield _Told(number, word, _slip(clean(says)))
 
 
 def _recorded(record: dict[str, Any]) -> _Told | None:
@@ -207,7 +230,7 @@ def _recorded(record: dict[str, Any]) -> _Told | None:
     return _Told(
         number,
         str(word),
-        clean(record.get("says")),
+        _slip(clean(record.get("says")), record.get("answer")),
         attempt if counted and isinstance(attempt, int) else 0,
         clean(record.get("because"), MOST_WORDS),
         clean(record.get("student"), 100),
@@ -215,11 +238,21 @@ def _recorded(record: dict[str, Any]) -> _Told | None:
     )
 
 
+def _slip(says: str, answer: object = None) -> str:
+    """What shows a slip: of statements that are told alike whatever was chosen, the choice."""
+    if not says.startswith((NOT_ALL, NOT_ONE)):
+        return says
+    text = answer[:MOST_CHOSEN] if isinstance(answer, str) else ""
+    chosen = [letter for letter in letters_in(text) if letter.isascii() and letter.isalpha()]
+    return f"Chose {', '.join(chosen)}." if chosen else ""
+
+
 def _called(source: str) -> set[str]:
     """Numbers of the exercises that a cell hands an answer to."""
     code = re.sub(r"#.*", "", source)
     found = set()
-    for double, single, bare in _CALLED.findall(code):
+    for called in _CALLED.finditer(code):
+        double, single, bare = called.groups()
         number = double or single or str(float(bare))
         if NUMBER.fullmatch(number):
             found.add(number)
@@ -228,7 +261,7 @@ def _called(source: str) -> set[str]:
 
 def _whose(source: str) -> str:
     """The name in a title as the web pages export it, where a backslash guards punctuation."""
-    title = re.match(r"# Answers of (.+)", source)
+    title = re.match(r"# Answers of (.{1,400})", source)
     return clean(re.sub(r"\\([!-/:-@\[-`{-~])", r"\1", title[1]), 100) if title else ""
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from .found_files import is_notebook
-from .handed_in import HandedIn, Person
-from .plain_text import is_no_name, squeezed
+from .handed_in import HandedIn
+from .newest import Read, joined
+from .plain_text import spellings, squeezed
 from .roster import Listed
 from .saved_answers import SavedAnswer
 
@@ -31,6 +33,8 @@ class Student:
         What else there is to know, in sentences.
     is_listed : bool
         Whether the student is on the roster; True if there is none.
+    read : list of Read
+        The same notebooks with what they say.
     """
 
     name: str
@@ -39,6 +43,7 @@ class Student:
     files: list[str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     is_listed: bool = True
+    read: list[Read] = field(default_factory=list)
 
     def status(self, exercise: str) -> str:
         """One of `saved_answers.STATUSES`."""
@@ -53,57 +58,72 @@ class Student:
         return sum(self.answers[each].attempts for each in exercises if each in self.answers)
 
 
+@dataclass
+class _Row:
+    """A student, and all that is theirs."""
+
+    student: Student
+    is_claimed: bool
+    others: list[str] = field(default_factory=list)
+
+
 def students_of(files: list[HandedIn]) -> list[Student]:
     """Read all files, and put those of one student together."""
-    found: dict[str, tuple[Person, Student, list[tuple[HandedIn, dict[str, SavedAnswer]]]]] = {}
-    others: dict[str, list[str]] = {}
+    rows: dict[str, _Row] = {}
     for file in files:
-        answers: dict[str, SavedAnswer] = {}
-        person, note = file.person, file.found.trouble
-        if not note and file.found.parts[-1] and not is_notebook(file.found.parts[-1]):
-            others.setdefault(person.key, []).append(file.file)
-        elif not note and file.found.saved is not None:
-            answers, whose = file.found.saved.answers, file.found.saved.whose
-            if file.is_named_inside and not is_no_name(whose):
-                person = Person(whose)
-            if not answers:
-                note = "It has no exercise of the book."
-        _, student, read = found.setdefault(
-            person.key, (person, Student(person.name, person.id), [])
+        person, found = file.person, file.found
+        row = rows.setdefault(
+            person.key, _Row(Student(person.name, person.id), is_claimed=file.is_claimed)
         )
-        if note:
-            student.notes.append(f"{file.file}: {note}")
-        if answers:
-            read.append((file, answers))
-    for key, names in others.items():
-        more = f" and {len(names) - 3} more" if len(names) > 3 else ""
-        found[key][1].notes.append(f"Not read, since no notebook: {', '.join(names[:3])}{more}.")
-    for key, (person, student, read) in list(found.items()):
-        same = [
-            each
-            for each in found.values()
-            if each[0].id and squeezed(each[0].name) == squeezed(person.name)
-        ]
-        # An export or a folder with a name alone belongs to whom the platform knows by that name.
-        if not person.id and len(same) == 1:
-            same[0][1].notes += student.notes
-            same[0][2].extend(read)
-            del found[key]
-    for _, student, read in found.values():
-        _join(student, read)
-    return [student for _, student, _ in found.values()]
+        notes = row.student.notes
+        if file.trouble:
+            notes.append(f"{file.file}: {file.trouble}")
+        if found.trouble:
+            notes.append(f"{file.file}: {found.trouble}")
+        elif found.parts[-1] and not is_notebook(found.parts[-1]):
+            row.others.append(file.file)
+        elif found.saved is not None and not found.saved.answers:
+            notes.append(f"{file.file}: It has no exercise of the book.")
+        elif found.saved is not None:
+            row.student.read.append(Read(file.file, file.newness, file.is_claimed, found.saved))
+    for row in rows.values():
+        if row.others:
+            more = " and others" if len(row.others) > 3 else ""
+            row.student.notes.append(
+                f"Not read, since no notebook: {', '.join(row.others[:3])}{more}."
+            )
+    students = []
+    for row in _with_claims(list(rows.values())):
+        _join(row.student)
+        students.append(row.student)
+    return students
 
 
-def _join(student: Student, read: list[tuple[HandedIn, dict[str, SavedAnswer]]]) -> None:
+def _with_claims(rows: list[_Row]) -> list[_Row]:
+    """Put what belongs to a name alone to whom a platform or a folder knows by that name."""
+    known: dict[str, list[_Row]] = {}
+    for row in rows:
+        if not row.is_claimed:
+            for name in {row.student.name.casefold(), squeezed(row.student.name)} - {""}:
+                known.setdefault(name, []).append(row)
+    kept = []
+    for row in rows:
+        name = row.student.name
+        owners = known.get(name.casefold(), known.get(squeezed(name), []))
+        if row.is_claimed and len(owners) == 1:
+            owners[0].student.notes += row.student.notes
+            owners[0].student.read += row.student.read
+        else:
+            kept.append(row)
+    return kept
+
+
+def _join(student: Student) -> None:
     """Take the newest of what a student handed in, exercise by exercise."""
-    whence: dict[str, str] = {}
-    for file, answers in sorted(read, key=lambda each: each[0].newness):
-        replaced = {whence[number] for number in answers if number in whence}
-        for older in sorted(replaced):
-            student.notes.append(f"{file.file} came after {older}, and counts.")
-        whence |= dict.fromkeys(answers, file.file)
-        student.answers |= answers
-        student.files.append(file.file)
+    student.read.sort(key=lambda each: each.newness)
+    student.answers, notes = joined(student.read)
+    student.notes += notes
+    student.files = [one.file for one in student.read]
     if not student.files and not student.notes:
         student.notes.append("Nothing was handed in.")
     if len(student.notes) > MOST_NOTES:
@@ -113,24 +133,37 @@ def _join(student: Student, read: list[tuple[HandedIn, dict[str, SavedAnswer]]])
 
 def in_order(students: list[Student], listed: list[Listed]) -> list[Student]:
     """Return every student on the list, and then who is not on it; without a list, by name."""
-    left = sorted(students, key=lambda each: (each.name.casefold(), each.id))
-    rows = []
+    by_number: dict[str, list[Student]] = {}
+    by_name: dict[str, list[Student]] = {}
+    for student in students:
+        for number in {student.id.casefold(), student.name.casefold()} - {""}:
+            by_number.setdefault(number, []).append(student)
+        by_name.setdefault(squeezed(student.name), []).append(student)
+    names = Counter(spelling for one in listed for spelling in spellings(one.name))
+    rows: dict[int, Student] = {}
     for one in listed:
         # Two of one name are told apart by numbers, or not at all.
-        alone = sum(other.is_named(one.name) for other in listed) == 1
-        mine = [s for s in left if one.has(s.id) or one.has(s.name)] or [
-            s for s in left if alone and one.is_named(s.name)
-        ]
+        is_alone = names[squeezed(one.name)] == 1
+        mine = _left(by_number, one.numbers, rows) or (
+            _left(by_name, spellings(one.name), rows) if is_alone else []
+        )
         if len(mine) == 1:
             student = mine[0]
-            left.remove(student)
             student.name, student.id = one.name, one.ids[0] if one.ids else student.id
         else:
             student = Student(one.name, one.ids[0] if one.ids else "")
             student.notes.append("Nothing was handed in under this name.")
-        rows.append(student)
-    for student in left:
-        if listed:
-            student.is_listed = False
-            student.notes.append("This name is not on the list.")
-    return rows + left
+        rows[id(student)] = student
+    left = [student for student in students if id(student) not in rows]
+    for student in left if listed else ():
+        student.is_listed = False
+        student.notes.append("This name is not on the list.")
+    return [*rows.values(), *sorted(left, key=lambda each: (each.name.casefold(), each.id))]
+
+
+def _left(
+    known: dict[str, list[Student]], keys: Iterable[str], taken: dict[int, Student]
+) -> list[Student]:
+    """Who is known by one of several keys, each once, and has no row yet."""
+    found = {id(student): student for key in keys for student in known.get(key, ())}
+    return [student for key, student in found.items() if key not in taken]

@@ -14,7 +14,7 @@ from driftlab.book.chapters import CHAPTERS
 
 from .found_files import Found
 from .plain_text import clean
-from .roster import Listed
+from .roster import Listed, known
 
 MOODLE = re.compile(r"(?P<name>[^_]+)_(?P<id>[^_]+)_assignsubmission_[a-z]+_?(?P<file>.*)", re.S)
 CANVAS = re.compile(
@@ -22,6 +22,7 @@ CANVAS = re.compile(
     r"_(?P<upload>[0-9]{3,15})_(?P<file>.+)",
     re.S | re.I,
 )
+ENDING = re.compile(r"\.(?:ipynb|zip|json|txt)\Z", re.I)
 WORK = re.compile(
     r"(?:(?:chapter|ch|week|homework|hw|assignment|problem ?set|ps|sheet|part|lab|exercises?)"
     r"[ ._-]*)?[0-9]{1,2}[a-z]?",
@@ -42,14 +43,15 @@ def without_wrapping(found: list[Found], listed: Sequence[Listed]) -> tuple[list
         )
 
     notes: list[str] = []
+    is_listed = known(listed)
     while all(map(is_wrapped, found)) and len({one.parts[1] for one in found}) > 1:
         outer, inner = found[0].parts[0], sorted({one.parts[1] for one in found})
-        if _is_a_platforms(outer) or _is_listed(outer, listed):
+        if _is_a_platforms(outer) or is_listed(stem_of(outer)):
             break
         is_clear = (
             "submitted" in (outer, *inner)
             or any(map(_is_a_platforms, inner))
-            or any(_is_listed(name, listed) for name in inner)
+            or any(is_listed(stem_of(name)) for name in inner)
         )
         is_one = not is_clear and _is_one_students(found, inner)
         if not is_clear:
@@ -68,11 +70,6 @@ def _is_a_platforms(name: str) -> bool:
     return bool(MOODLE.fullmatch(name) or CANVAS.fullmatch(name))
 
 
-def _is_listed(folder: str, listed: Sequence[Listed]) -> bool:
-    name = stem_of(folder)
-    return any(one.is_named(name) or one.has(name) for one in listed)
-
-
 def _is_one_students(found: list[Found], inner: list[str]) -> bool:
     """Whether folders are called as work is, and no exercise is in two of them."""
     chapters = {name[2:] for name in CHAPTERS.values()}
@@ -87,4 +84,7 @@ def _is_one_students(found: list[Found], inner: list[str]) -> bool:
 
 def stem_of(name: str) -> str:
     """A name without its endings: "ada.ipynb.zip" is Ada's."""
-    return re.sub(r"(\.(ipynb|zip|json|txt))+$", "", name, flags=re.I)
+    end = len(name)
+    while ending := ENDING.search(name, max(end - 6, 0), end):
+        end = ending.start()
+    return name[:end]

@@ -24,6 +24,7 @@ FEWEST_WORDS = 3
 LOOK_ALIKES = str.maketrans("асе", "ace")
 """Cyrillic letters that look like Latin ones: who has that keyboard means what is seen."""
 NOT_ALL = "At least one statement is judged otherwise than it should be."
+NOT_ONE = "More than one statement is judged otherwise than it should be."
 SAY_WHY = "Say why you judge so, in your own words, and the reply goes into it."
 
 
@@ -156,8 +157,7 @@ class Choice(Exercise):
         words = [answer] if isinstance(answer, str) else list(answer)
         if not all(isinstance(word, str) for word in words):
             raise UnreadableError(as_letters)
-        text = " ".join(words).lower().replace("and", " ").translate(LOOK_ALIKES)
-        chosen = sorted({letter for letter in text if letter.isalnum()})
+        chosen = letters_in(" ".join(words))
         for letter in chosen:
             if letter not in letters:
                 found = tr(
@@ -174,11 +174,17 @@ class Choice(Exercise):
         if not in_words(said.because):
             return Objection(f"{tr(NOT_ALL)} {tr(SAY_WHY)}")
         if len(misjudged) > 1:
-            return Objection(tr("More than one statement is judged otherwise than it should be."))
+            return Objection(tr(NOT_ONE))
         (letter,) = misjudged
         if letter in self._key.mistakes:
             return Objection(f"({letter}) {tr(self._key.mistakes[letter])}")
         return Objection(tr("What you chose is true, and something else is too."))
+
+
+def letters_in(text: str) -> list[str]:
+    """The letters of statements, as somebody may list them: "a, c and d"."""
+    plain = text.lower().replace("and", " ").translate(LOOK_ALIKES)
+    return sorted({letter for letter in plain if letter.isalnum()})
 
 
 def in_words(because: str) -> bool:
