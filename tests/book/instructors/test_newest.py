@@ -10,6 +10,10 @@ from hand_ins import notebook, put, rows
 UNRUN = json.dumps(
     {"cells": [{"cell_type": "code", "source": f'check("3.{i}", ...)'} for i in range(1, 7)]}
 ).encode()
+ERROR = {"output_type": "error", "ename": "NameError"}
+FAILED = json.dumps(
+    {"cells": [{"cell_type": "code", "source": 'check("3.2", x)', "outputs": [ERROR]}]}
+).encode()
 DONE = "\n".join(f"Exercise 3.{i}: {'right' if i % 2 else 'not yet'}." for i in range(1, 7))
 
 
@@ -23,10 +27,15 @@ DONE = "\n".join(f"Exercise 3.{i}: {'right' if i % 2 else 'not yet'}." for i in 
             "but has no answer there: 3.2, 3.4 count as in a.ipynb.",
         ),
         (notebook("Exercise 3.2: right."), UNRUN, "but was not run: 3.2 counts as in a.ipynb."),
+        (
+            notebook("Exercise 3.2: right."),
+            FAILED,
+            "but an error came before the answer there: 3.2 counts as in a.ipynb.",
+        ),
         (UNRUN, notebook(DONE), "and counts."),
         (notebook("Exercise 3.1: not answered yet."), UNRUN, "and counts."),
     ],
-    ids=["unrun", "open", "one", "run", "neither"],
+    ids=["unrun", "open", "one", "error", "run", "neither"],
 )  # fmt: skip
 def test_what_was_judged_stays(tmp_path, older, newer, note):
     put(tmp_path, {"Ada/a.ipynb": older, "Ada/b.ipynb": newer})

@@ -40,7 +40,7 @@ class Read(NamedTuple):
 def joined(read: list[Read]) -> tuple[dict[str, SavedAnswer], list[str]]:
     """Return the newest answer to each exercise, and sentences on the others.
 
-    What was judged stays where a newer copy was not run or has no answer; and what lies in a
+    What was judged stays where a newer copy was not run, has an error or no answer; and what lies in a
     student's own folder stays where a file has the student's name in its title alone.
     """
     answers: dict[str, SavedAnswer] = {}
@@ -51,7 +51,7 @@ def joined(read: list[Read]) -> tuple[dict[str, SavedAnswer], list[str]]:
         replaced: set[int] = set()
         stays: dict[int, list[str]] = {}
         for number, answer in new.saved.answers.items():
-            is_less = answer.status in ("not run", "open")
+            is_less = answer.status not in JUDGED
             if number in answers and is_less and answers[number].status in JUDGED:
                 stays.setdefault(whence[number], []).append(number)
                 continue
@@ -70,7 +70,9 @@ def joined(read: list[Read]) -> tuple[dict[str, SavedAnswer], list[str]]:
 
 def _stays(old: Read, new: Read, numbers: list[str]) -> str:
     statuses = {new.saved.answers[number].status for number in numbers}
-    why = "was not run" if statuses == {"not run"} else "has no answer there"
+    why = {"not run": "was not run", "error": "an error came before the answer there"}.get(
+        statuses.pop() if len(statuses) == 1 else "", "has no answer there"
+    )
     count = "counts" if len(numbers) == 1 else "count"
     return f"{new.file} came after {old.file}, but {why}: {span(numbers)} {count} as in {old.file}."
 
