@@ -40,8 +40,8 @@ class Read(NamedTuple):
 def joined(read: list[Read]) -> tuple[dict[str, SavedAnswer], list[str]]:
     """Return the newest answer to each exercise, and sentences on the others.
 
-    What was judged stays where a newer copy was not run, has an error or no answer; and what lies in a
-    student's own folder stays where a file has the student's name in its title alone.
+    What was judged stays where a newer copy was not run, has an error or no answer; and what lies
+    in a student's own folder stays where a file has the student's name in its title alone.
     """
     answers: dict[str, SavedAnswer] = {}
     whence: dict[str, int] = {}
