@@ -1,9 +1,15 @@
 /* Divides what a chapter has for a slide into as many slides as it needs, below each other, then
    starts reveal.js. It measures after formulas and pictures are there, with the fonts of this very
    computer; so what is here fits, whoever shows it. A slide has the shape of the window it was
-   opened in, from 16:9 to 4:3, and is filled to where the number of the slide stands. */
+   opened in, from 16:9 to 4:3, and is filled to where the number of the slide stands. The frames of
+   the speaker view have other shapes, and may lie on another screen; so their address says how high
+   a slide is, and how this window divided the chapter, decision by decision. */
 (async () => {
-  const CANVAS = { width: 1200, height: Math.min(900, Math.max(675, (1200 * innerHeight) / innerWidth)) };
+  const told = new URLSearchParams(location.search);
+  const decisions = told.get("divided")?.split("-").map(Number);
+  const taken = []; // decisions, in their order
+  const ownHeight = Math.round(Math.min(900, Math.max(675, (1200 * innerHeight) / innerWidth)));
+  const CANVAS = { width: 1200, height: Number(told.get("height")) || ownHeight };
   const [WIDTH, HEIGHT, LEAST] = [CANVAS.width - 60, CANVAS.height - 64, 18];
   let counted = 0; // lists and tables that were taken apart
   const HEADINGS = "h1, h2, h3, h4";
@@ -22,11 +28,33 @@
   }
   measure.remove();
   cells.removeAttribute("id");
+  const division = { height: `${CANVAS.height}`, divided: taken.join("-") };
+  const url = `${location.protocol}//${location.host}${location.pathname}?${new URLSearchParams(division)}`;
+  addEventListener("message", told.has("receiver") ? followed : followers);
   await Reveal.initialize({
-    ...CANVAS, margin: 0.01, center: false, hash: true, slideNumber: "c/t",
+    ...CANVAS, margin: 0.01, center: false, hash: true, slideNumber: "c/t", url,
     transition: "none", backgroundTransition: "none", plugins: [RevealNotes],
   });
   document.documentElement.dataset.ready = "yes";
+
+  /* The speaker view says each second that it is there; if this window was opened anew, by F5, its
+     frames still have what was before. */
+  function followers({ data, source }) {
+    if (!/"heartbeat"/.test(data)) return;
+    for (let frame = 0; frame < source.length; frame += 1) source[frame].postMessage(division, "*");
+  }
+  function followed({ data }) {
+    if (!data?.divided || Object.keys(division).every((key) => data[key] === told.get(key))) return;
+    const address = new URL(location);
+    for (const key of Object.keys(division)) address.searchParams.set(key, data[key]);
+    location.replace(address);
+  }
+
+  /* What was measured; in the speaker view, what the other window has measured. */
+  function decided(value) {
+    taken.push(decisions ? decisions[taken.length] : value);
+    return taken.at(-1);
+  }
 
   async function divided(section) {
     let blocks = flat(section);
@@ -83,9 +111,9 @@
     const whole = element.matches("table") ? element : element.querySelector(":scope > table");
     const parts = element.matches("ul, ol") ? [...element.children]
       : whole ? [...whole.querySelectorAll("tbody > tr")] : [];
-    if (parts.length < 2 || (element.offsetHeight < HEIGHT - 90 && !element.matches("ul, ol"))) {
-      return [block];
-    }
+    if (parts.length < 2) return [block];
+    const fits = element.offsetHeight < HEIGHT - 90 && !element.matches("ul, ol");
+    if (decided(fits ? 1 : 0)) return [block];
     counted += 1;
     const found = parts.map((part, number) => {
       const own = whole ? element.cloneNode(true) : element.cloneNode(false);
@@ -116,8 +144,9 @@
       }
     }
     const pages = [];
-    for (let end = blocks.length; end > 0; end = best[end].from) {
-      pages.unshift(blocks.slice(best[end].from, end));
+    for (let end = blocks.length, from; end > 0; end = from) {
+      from = decided(best[end].from);
+      pages.unshift(blocks.slice(from, end));
     }
     const heading = blocks[0]?.element;
     return pages.map((page, number) => section(page, number ? heading : null));

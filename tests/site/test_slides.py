@@ -4,11 +4,13 @@ import os
 import re
 import subprocess
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 
 import nbformat
 import pytest
 from chromium import no_browser
+from served import served
 from visitor import visit
 
 from executed import KEPT
@@ -113,6 +115,66 @@ def test_the_answer_of_a_puzzle_waits_for_a_key_and_its_notes_open_from_a_file(f
     assert "visible" not in answer.get_attribute("class")
     page.keyboard.press("Space")
     assert "visible" in answer.get_attribute("class")
+    assert page.complaints == []
+
+
+PLACE = """() => {
+  const { h, v, f } = Reveal.getIndices();
+  return [h, v ?? 0, f ?? -1, Reveal.getTotalSlides()];
+}"""
+
+
+def agreed(page, frame) -> list[int]:
+    """Where both are, as soon as they are at the same place of the same deck."""
+    for _ in range(60):
+        places = page.evaluate(PLACE), frame.evaluate(PLACE)
+        if places[0] == places[1]:
+            break
+        page.wait_for_timeout(50)
+    assert places[0] == places[1]
+    return places[0]
+
+
+def walked(page, frame, pressed) -> int:
+    """How many key presses lead through the deck, with both windows together at each."""
+    page.evaluate("Reveal.slide(0, 0)")
+    last, steps = agreed(page, frame), 0
+    while not page.evaluate("Reveal.isLastSlide() && !Reveal.availableFragments().next"):
+        pressed.keyboard.press("Space")
+        page.wait_for_function(f"() => String(({PLACE})()) !== '{','.join(map(str, last))}'")
+        last, steps = agreed(page, frame), steps + 1
+    return steps
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(bool(no_browser()), reason=no_browser())
+@pytest.mark.parametrize("way", ["file", "http"])
+def test_the_speaker_view_has_the_slides_of_the_projector(folder, page, way):
+    """Whichever window is driven, and whatever shape it has or comes to have."""
+    path = folder / f"{Path(CHAPTERS['03']).stem}.html"
+    page.set_viewport_size({"width": 1280, "height": 720})
+    with served(folder) if way == "http" else nullcontext() as address:
+        page.goto(f"{address}/{path.name}" if address else path.as_uri())
+        page.wait_for_selector("html[data-ready]", timeout=20000)
+        with page.expect_popup() as popup:
+            page.keyboard.press("s")
+        speaker = popup.value
+        speaker.set_viewport_size({"width": 1100, "height": 760})
+        for name in ("current", "upcoming"):
+            speaker.frame_locator(f"#{name}-slide iframe").locator("html[data-ready]").wait_for()
+        current, upcoming = speaker.frames[1:]
+        total = agreed(page, current)[-1]
+        assert upcoming.evaluate(PLACE)[-1] == total
+        page.set_viewport_size({"width": 1000, "height": 760})
+        assert agreed(page, current)[-1] == total
+        assert walked(page, current, page) == walked(page, current, speaker) >= total - 1
+
+        page.reload()
+        page.wait_for_selector("html[data-ready]", timeout=20000)
+        speaker.frame_locator("#current-slide iframe").locator(
+            f".slide-number-b:text-is('{page.evaluate(PLACE)[-1]}')"
+        ).wait_for()
+        assert agreed(page, speaker.frames[1])[-1] < total
     assert page.complaints == []
 
 
