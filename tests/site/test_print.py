@@ -35,6 +35,8 @@ LONG = "a_long_name = another_name"
 WAITS = "not answered yet"
 A4, LETTER = (595.3, 841.9), (612, 792)
 CAPITALS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+FRAMED = 50, 542
+"""Of a sheet with frames to write in: nothing but the space behind a line hangs over them."""
 FEET = 25
 """Points that stay white above and below on every page."""
 
@@ -68,15 +70,15 @@ def texts(document) -> list[str]:
     return [text_of(page.get_textpage()) for page in document]
 
 
-def assert_within_the_margins(document) -> None:
+def assert_within_the_margins(document, sides=SIDES) -> None:
     for number, page in enumerate(document, 1):
         text = page.get_textpage()
         assert text.count_rects() > 0, number
         for place in range(text.count_rects()):
             left, bottom, right, top = text.get_rect(place)
             what = (number, text.get_text_bounded(left, bottom, right, top))
-            assert SIDES[0] < left, what
-            assert right < SIDES[1], what
+            assert sides[0] < left, what
+            assert right < sides[1], what
             assert bottom > FEET, what
             assert top < page.get_height() - FEET, what
 
@@ -140,7 +142,7 @@ def test_a_whole_chapter_stays_within_the_margins(printed):
 @pytest.mark.parametrize("chapter", sorted(chapters_with("exercises")))
 def test_a_sheet_has_every_exercise_and_none_of_its_hints(printed, chapter):
     document = printed(f"sheet-{chapter}")
-    assert_within_the_margins(document)
+    assert_within_the_margins(document, FRAMED)
     text = words("".join(texts(document)))
     (name,) = (each for each in notebooks() if each.startswith(chapter))
     asked = asked_in(nbformat.read(FOLDER / name, as_version=4))
@@ -223,6 +225,19 @@ def test_the_sheet_of_an_examination_is_printed_without_its_scheme(printed):
     assert words(f"Marking scheme of sheet {exam.mark}") in on_scheme
     for document in (sheet, scheme):
         assert_within_the_margins(document)
+
+
+def test_no_question_of_an_examination_goes_on_overleaf(printed):
+    exam = exam_paper("spring, tests")
+    _, *others = texts(printed(f"examination-{exam.mark}-sheet"))
+    begin = [
+        words(f"{number}. {question.title}")
+        for number, question in enumerate((*exam.compulsory, *exam.by_choice), 1)
+    ]
+    head = words("Inertial navigation: a bent triad and its errors")
+    assert others
+    for page in others:
+        assert words(page).removeprefix(head).startswith(tuple(begin))
 
 
 @pytest.mark.parametrize(
