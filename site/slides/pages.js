@@ -25,8 +25,10 @@
   for (const row of [...cells.children]) {
     for (const section of [...row.children]) section.replaceWith(...(await divided(section)));
     if (!row.children.length) row.remove();
+    else if (isOneLine(row.previousElementSibling)) joinedTo(row, row.previousElementSibling);
   }
   measure.remove();
+  await Promise.all([...cells.querySelectorAll("img")].map((img) => img.decode()));
   cells.removeAttribute("id");
   const division = { height: `${CANVAS.height}`, divided: taken.join("-") };
   const url = `${location.protocol}//${location.host}${location.pathname}?${new URLSearchParams(division)}`;
@@ -189,6 +191,28 @@
     return made;
   }
 
+  /* A row that is nothing but a heading and a paragraph, as where the rest is folded in the book. */
+  function isOneLine(row) {
+    const parts = row?.querySelectorAll(".sheet > *") ?? [];
+    return parts.length === 2 && parts[0].matches("h2") && parts[1].matches("p");
+  }
+
+  /* It stands above what comes next, if there is room. */
+  function joinedTo(row, before) {
+    const [lone, next] = [before, row].map((each) => each.querySelector(".sheet"));
+    const made = next.parentElement;
+    const count = lone.children.length;
+    next.prepend(...lone.children);
+    measure.append(next);
+    const fits = decided(next.offsetHeight <= HEIGHT + 24 ? 1 : 0);
+    made.prepend(next);
+    if (!fits) lone.append(...[...next.children].slice(0, count));
+    else {
+      made.append(...before.querySelectorAll("aside.notes"));
+      before.remove();
+    }
+  }
+
   /* Parts of one list or table that came onto one slide are one again. */
   function joined(own) {
     for (const part of [...own.querySelectorAll(".sheet > *, .fragment > *")]) {
@@ -207,8 +231,52 @@
     measure.append(own);
     if (pictures.length === 1) {
       const [img] = pictures;
-      sized(img, img.offsetHeight + Math.max(0, HEIGHT - own.offsetHeight + 24));
+      const height = img.offsetHeight + Math.max(0, HEIGHT - own.offsetHeight + 24);
+      if (!stacked(img, height)) sized(img, height);
     }
     made.prepend(own);
+  }
+
+  /* A scene of two views with its plot beside them is as wide as the slide before it is high. Where
+     that leaves room, the plot comes below the views, as large as it was, and they get larger. */
+  function stacked(img, height) {
+    const [head, data] = img.src.split(",");
+    if (head !== "data:image/svg+xml;base64" || height < 1.2 * img.offsetHeight) return false;
+    const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+    const scene = new DOMParser().parseFromString(new TextDecoder().decode(bytes), "image/svg+xml");
+    const root = scene.documentElement, parts = [...root.children];
+    const views = parts.filter((part) => part.matches("svg:not(.dl-plot)"));
+    const plots = parts.filter((part) => part.matches(".dl-plot"));
+    if (!root.matches(".dl-scene") || views.length !== 2 || plots.length !== 1) return false;
+
+    const number = (part, name) => Number(part.getAttribute(name));
+    const [wide, high] = ["width", "height"].map((name) => number(root, name));
+    const left = number(plots[0], "x"), down = number(plots[0], "height") + 10;
+    const was = img.offsetWidth / wide;
+    const scale = Math.min(WIDTH / left, (height - down * was) / high);
+    if (scale < 1.08 * was) return false;
+    const beside = parts.filter((part) => number(part, "x") >= left);
+    for (const text of beside.filter((part) => part.matches("text"))) {
+      text.setAttribute("x", number(text, "x") + number(plots[0], "width"));
+      text.setAttribute("y", number(text, "y") - down);
+    }
+    const group = (members, x, y, by) => {
+      const made = scene.createElementNS(root.namespaceURI, "g");
+      made.setAttribute("transform", `translate(${x} ${y}) scale(${by})`);
+      made.append(...members);
+      return made;
+    };
+    const total = scale * high + was * down, margin = (WIDTH - scale * left) / 2;
+    const paper = parts.find((part) => part.matches("rect"));
+    const above = parts.filter((part) => /^(svg|text)$/.test(part.tagName) && !beside.includes(part));
+    root.append(group(above, margin, 0, scale), group(beside, margin - was * left, scale * high, was));
+    for (const part of [root, paper]) {
+      part.setAttribute("width", WIDTH);
+      part.setAttribute("height", total);
+    }
+    root.setAttribute("viewBox", `0 0 ${WIDTH} ${total}`);
+    img.src = `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(scene))}`;
+    [img.style.width, img.style.height] = [`${WIDTH}px`, `${total}px`];
+    return true;
   }
 })();

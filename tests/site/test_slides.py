@@ -178,6 +178,39 @@ def test_the_speaker_view_has_the_slides_of_the_projector(folder, page, way):
     assert page.complaints == []
 
 
+@pytest.mark.browser
+@pytest.mark.skipif(bool(no_browser()), reason=no_browser())
+@pytest.mark.parametrize(("number", "place", "least"), [("03", (3, 1), 400), ("04", (3, 1), 600)])
+def test_a_scene_takes_the_room_below_it(folder, page, number, place, least):
+    """Its two views and their plot, in one row, were 353 high, on slides that are 900 high."""
+    page.set_viewport_size({"width": 1024, "height": 768})
+    opened(page, folder / f"{Path(CHAPTERS[number]).stem}.html")
+    page.evaluate("([h, v]) => Reveal.slide(h, v)", place)
+    (img,) = page.locator("section.present figure:has(.live) img").all()
+    assert img.evaluate("(img) => img.offsetHeight") > least
+    assert (
+        page.locator("section.present .sheet").last.evaluate(
+            "(sheet) => Math.abs(Reveal.getConfig().height - 64 + 24 - sheet.offsetHeight)"
+        )
+        < 3
+    )
+    page.set_viewport_size({"width": 1280, "height": 720})
+    opened(page, folder / f"{Path(CHAPTERS[number]).stem}.html")
+    assert page.locator("figure:has(.live) img[src^='data:image/svg+xml;base64,']").count() > 0
+    assert page.complaints == []
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(bool(no_browser()), reason=no_browser())
+@pytest.mark.parametrize("size", OPENED)
+def test_a_heading_with_one_line_has_no_slide_of_its_own(folder, page, size):
+    page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
+    for number in ("01", "03"):
+        opened(page, folder / f"{Path(CHAPTERS[number]).stem}.html")
+        (slide,) = page.locator("section:not(.stack):has(h2:text-is('Reproduce'))").all()
+        assert slide.locator("h2").all_text_contents() == ["Reproduce", "Exercises"]
+
+
 def source(number: str):
     return nbformat.read(ROOT / "notebooks" / CHAPTERS[number], as_version=4)
 
