@@ -20,7 +20,7 @@ ROOM_FOR_NAME = re.compile(r"\n\nName: _[^\n]*")
 NUMBER = re.compile(r"(?<=^### )(\d+\.) ", re.M)
 """Of a question; with a space of the usual kind behind it the heading would be a list of one."""
 TOGETHER = re.compile(r"^### .*?(?=\n\n### |\Z)", re.M | re.S)
-"""A question, which stands on one page of the sheet; in the scheme half of most pages would be white."""
+"""A question, which stands on one page of the sheet; in the scheme pages would stay half white."""
 
 
 def print_examination(edition: str, build: Path, folder: Path, paper: str) -> list[Path]:
