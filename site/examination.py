@@ -19,8 +19,8 @@ ROOM_FOR_NAME = re.compile(r"\n\nName: _[^\n]*")
 """The printed sheet has lines of its own for it."""
 NUMBER = re.compile(r"(?<=^### )(\d+\.) ", re.M)
 """Of a question; with a space of the usual kind behind it the heading would be a list of one."""
-TOGETHER = re.compile(r"^### .*?(?=\n\n### |\Z)", re.M | re.S)
-"""A question, which stands on one page of the sheet; in the scheme pages would stay half white."""
+QUESTION = re.compile(r"^### .*?(?=\n\n### |\Z)", re.M | re.S)
+PART = re.compile(r"^\*\*\([a-z]\)\*\* .*?(?=\n\n(?:\*\*\(|### )|\Z)", re.M | re.S)
 
 
 def print_examination(edition: str, build: Path, folder: Path, paper: str) -> list[Path]:
@@ -45,8 +45,8 @@ def print_examination(edition: str, build: Path, folder: Path, paper: str) -> li
     exam = exam_paper(edition)
     targets = []
     for kind, name, text in (
-        ("examination", "sheet", TOGETHER.sub(_together, exam.sheet().text)),
-        ("scheme", "scheme", exam.scheme().text),
+        ("examination", "sheet", _together(QUESTION, "1.7em", exam.sheet().text)),
+        ("scheme", "scheme", _together(PART, "auto", exam.scheme().text)),
     ):
         targets.append(folder / f"examination-{exam.mark}-{name}.pdf")
         make_handout(NAME, document(text), build, targets[-1], Look(paper, kind=kind))
@@ -61,6 +61,7 @@ def document(text: str) -> NotebookNode:
     return made
 
 
-def _together(question: re.Match[str]) -> str:
-    begin = typst("#block(breakable: false, above: 1.7em)[")
-    return f"{begin}\n\n{question[0]}\n\n{typst(']')}"
+def _together(what: re.Pattern[str], above: str, text: str) -> str:
+    """Whole questions on a page, or of longer ones at least each part."""
+    begin, end = typst(f"#block(breakable: false, above: {above})["), typst("]")
+    return what.sub(lambda found: f"{begin}\n\n{found[0]}\n\n{end}", text)

@@ -229,7 +229,8 @@ def test_the_sheet_of_an_examination_is_printed_without_its_scheme(printed):
 
 def test_no_question_of_an_examination_goes_on_overleaf(printed):
     exam = exam_paper("spring, tests")
-    _, *others = texts(printed(f"examination-{exam.mark}-sheet"))
+    sheet, scheme = (printed(f"examination-{exam.mark}-{kind}") for kind in ("sheet", "scheme"))
+    _, *others = texts(sheet)
     begin = [
         words(f"{number}. {question.title}")
         for number, question in enumerate((*exam.compulsory, *exam.by_choice), 1)
@@ -238,6 +239,9 @@ def test_no_question_of_an_examination_goes_on_overleaf(printed):
     assert others
     for page in others:
         assert words(page).removeprefix(head).startswith(tuple(begin))
+    head = words(f"Marking scheme of sheet {exam.mark}")
+    for page in texts(scheme)[1:]:
+        assert words(page).removeprefix(head).startswith((*begin, "(b)", "(c)"))
 
 
 @pytest.mark.parametrize(
