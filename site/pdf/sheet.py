@@ -7,6 +7,7 @@ import re
 from nbformat import NotebookNode
 from nbformat.v4 import new_markdown_cell, new_notebook
 
+from driftlab.book.instructors.questions import outside_a_notebook
 from driftlab.book.machinery.exercise import NUMBER
 from pdf.cells import call, typst
 
@@ -41,7 +42,9 @@ def sheet(notebook: NotebookNode) -> NotebookNode | None:
             if begun := EXERCISE.match(cell.source):
                 found += [*end, _words(typst("#block(breakable: false)["))]
                 end = [_words(f"{_room(begun[1], cell.source)}\n\n{typst(']')}")]
-            if cell.cell_type == "markdown" or "answer = ..." in cell.source:
+            if cell.cell_type == "markdown":
+                found.append(_words(outside_a_notebook(cell.source)))
+            elif "answer = ..." in cell.source:
                 found.append(cell)
     if not end:
         return None

@@ -16,6 +16,7 @@ from pathlib import Path
 from nbformat import NotebookNode
 from nbformat.v4 import new_markdown_cell, new_output
 
+from driftlab.book.instructors.questions import outside_a_notebook
 from executed import FOLDER
 
 NOTES: dict[str, str] = tomllib.loads(Path(__file__).with_name("notes.toml").read_text("utf-8"))
@@ -75,7 +76,7 @@ def has_still(cell: NotebookNode) -> bool:
 
 
 def _text(cell: NotebookNode) -> NotebookNode:
-    source = cell.source
+    source = outside_a_notebook(cell.source)
     for left_out in (IN_A_NOTEBOOK, FOLDED_TOO, FOLDING, SOLUTION):
         source = left_out.sub("", source)
     source = PICTURE.sub(_inlined, LINK.sub(r"\1", source))

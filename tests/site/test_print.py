@@ -18,6 +18,7 @@ from driftlab.book import languages
 from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises, hints_of
 from driftlab.book.instructors.examination import exam_paper
+from driftlab.book.instructors.questions import outside_a_notebook
 from driftlab.book.machinery.exercise import NUMBER
 from executed import FOLDER, notebooks
 from pdf.cells import markdown_of
@@ -34,6 +35,8 @@ LONG = "a_long_name = another_name"
 WAITS = "not answered yet"
 A4, LETTER = (595.3, 841.9), (612, 792)
 CAPITALS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+FRAMED = 50, 542
+"""Of a sheet with frames to write in: nothing but the space behind a line hangs over them."""
 FEET = 25
 """Points that stay white above and below on every page."""
 
@@ -67,15 +70,15 @@ def texts(document) -> list[str]:
     return [text_of(page.get_textpage()) for page in document]
 
 
-def assert_within_the_margins(document) -> None:
+def assert_within_the_margins(document, sides=SIDES) -> None:
     for number, page in enumerate(document, 1):
         text = page.get_textpage()
         assert text.count_rects() > 0, number
         for place in range(text.count_rects()):
             left, bottom, right, top = text.get_rect(place)
             what = (number, text.get_text_bounded(left, bottom, right, top))
-            assert SIDES[0] < left, what
-            assert right < SIDES[1], what
+            assert sides[0] < left, what
+            assert right < sides[1], what
             assert bottom > FEET, what
             assert top < page.get_height() - FEET, what
 
@@ -139,7 +142,7 @@ def test_a_whole_chapter_stays_within_the_margins(printed):
 @pytest.mark.parametrize("chapter", sorted(chapters_with("exercises")))
 def test_a_sheet_has_every_exercise_and_none_of_its_hints(printed, chapter):
     document = printed(f"sheet-{chapter}")
-    assert_within_the_margins(document)
+    assert_within_the_margins(document, FRAMED)
     text = words("".join(texts(document)))
     (name,) = (each for each in notebooks() if each.startswith(chapter))
     asked = asked_in(nbformat.read(FOLDER / name, as_version=4))
@@ -159,7 +162,9 @@ def asked_in(notebook) -> dict[str, list[str]]:
     begun = (
         (re.match(rf"### ({NUMBER.pattern}) ", cell.source), cell.source) for cell in notebook.cells
     )
-    return {match[1]: plain(text[match.end() :]) for match, text in begun if match}
+    return {
+        match[1]: plain(outside_a_notebook(text[match.end() :])) for match, text in begun if match
+    }
 
 
 def plain(text: str) -> list[str]:
@@ -173,10 +178,11 @@ def test_a_sheet_is_made_of_questions_and_what_is_given(chapter):
     """The folded models, the worked solutions and what a check says are not in it."""
     (name,) = (each for each in notebooks() if each.startswith(chapter))
     notebook = nbformat.read(FOLDER / name, as_version=4)
-    asked = {cell.source for cell in notebook.cells}
+    asked = {outside_a_notebook(cell.source) for cell in notebook.cells}
     cells = sheet(notebook).cells
     for cell in cells[1:]:
-        assert "solutions/" not in cell.source
+        for not_here in ("solutions/", "numbers of your own", "student=", "the card says"):
+            assert not_here not in cell.source
         assert cell.source in asked or "{=typst}" in cell.source
         if cell.cell_type == "code":
             assert "answer = ..." in cell.source
@@ -219,6 +225,22 @@ def test_the_sheet_of_an_examination_is_printed_without_its_scheme(printed):
     assert words(f"Marking scheme of sheet {exam.mark}") in on_scheme
     for document in (sheet, scheme):
         assert_within_the_margins(document)
+
+
+def test_no_question_of_an_examination_and_no_part_of_its_scheme_goes_on_overleaf(printed):
+    exam = exam_paper("spring, tests")
+    sheet, scheme = (printed(f"examination-{exam.mark}-{kind}") for kind in ("sheet", "scheme"))
+    _, *others = texts(sheet)
+    begin = [
+        words(f"{number}. {question.title}")
+        for number, question in enumerate((*exam.compulsory, *exam.by_choice), 1)
+    ]
+    head = words("Inertial navigation: a bent triad and its errors")
+    assert others
+    for page in others:
+        assert words(page).removeprefix(head).startswith(tuple(begin))
+    for page in texts(scheme)[1:]:
+        assert re.match(rf"Marking scheme of sheet {exam.mark}\s+(\([a-c]\)|\d+\.)\s", page)
 
 
 @pytest.mark.parametrize(

@@ -4,11 +4,13 @@ import os
 import re
 import subprocess
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 
 import nbformat
 import pytest
 from chromium import no_browser
+from served import served
 from visitor import visit
 
 from executed import KEPT
@@ -116,6 +118,95 @@ def test_the_answer_of_a_puzzle_waits_for_a_key_and_its_notes_open_from_a_file(f
     assert page.complaints == []
 
 
+PLACE = """() => {
+  const { h, v, f } = Reveal.getIndices();
+  return [h, v ?? 0, f ?? -1, Reveal.getTotalSlides()];
+}"""
+
+
+def agreed(page, frame) -> list[int]:
+    """Where both are, as soon as they are at the same place of the same deck."""
+    for _ in range(60):
+        places = page.evaluate(PLACE), frame.evaluate(PLACE)
+        if places[0] == places[1]:
+            break
+        page.wait_for_timeout(50)
+    assert places[0] == places[1]
+    return places[0]
+
+
+def walked(page, frame, pressed) -> int:
+    """How many key presses lead through the deck, with both windows together at each."""
+    page.evaluate("Reveal.slide(0, 0)")
+    last, steps = agreed(page, frame), 0
+    while not page.evaluate("Reveal.isLastSlide() && !Reveal.availableFragments().next"):
+        pressed.keyboard.press("Space")
+        page.wait_for_function(f"() => String(({PLACE})()) !== '{','.join(map(str, last))}'")
+        last, steps = agreed(page, frame), steps + 1
+    return steps
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(bool(no_browser()), reason=no_browser())
+@pytest.mark.parametrize("way", ["file", "http"])
+def test_the_speaker_view_has_the_slides_of_the_projector(folder, page, way):
+    """Whichever window is driven, and whatever shape it has or comes to have."""
+    path = folder / f"{Path(CHAPTERS['03']).stem}.html"
+    page.set_viewport_size({"width": 1280, "height": 720})
+    with served(folder) if way == "http" else nullcontext() as address:
+        page.goto(f"{address}/{path.name}" if address else path.as_uri())
+        page.wait_for_selector("html[data-ready]", timeout=20000)
+        with page.expect_popup() as popup:
+            page.keyboard.press("s")
+        speaker = popup.value
+        speaker.set_viewport_size({"width": 1100, "height": 760})
+        for name in ("current", "upcoming"):
+            speaker.frame_locator(f"#{name}-slide iframe").locator("html[data-ready]").wait_for()
+        current, upcoming = speaker.frames[1:]
+        total = agreed(page, current)[-1]
+        assert upcoming.evaluate(PLACE)[-1] == total
+        page.set_viewport_size({"width": 1000, "height": 760})
+        assert agreed(page, current)[-1] == total
+        assert walked(page, current, page) == walked(page, current, speaker) >= total - 1
+
+        page.reload()
+        page.wait_for_selector("html[data-ready]", timeout=20000)
+        speaker.frame_locator("#current-slide iframe").locator(
+            f".slide-number-b:text-is('{page.evaluate(PLACE)[-1]}')"
+        ).wait_for()
+        assert agreed(page, speaker.frames[1])[-1] < total
+    assert page.complaints == []
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(bool(no_browser()), reason=no_browser())
+@pytest.mark.parametrize(("number", "place", "least"), [("03", (3, 1), 400), ("04", (3, 1), 600)])
+def test_a_scene_takes_the_room_below_it(folder, page, number, place, least):
+    """Its two views and their plot, in one row, were 353 high, on slides that are 900 high."""
+    page.set_viewport_size({"width": 1024, "height": 768})
+    opened(page, folder / f"{Path(CHAPTERS[number]).stem}.html")
+    page.evaluate("([h, v]) => Reveal.slide(h, v)", place)
+    high, free = page.evaluate("""() => {
+      const sheet = Reveal.getCurrentSlide().querySelector(".sheet");
+      return [sheet.querySelector("figure:has(.live) img").offsetHeight,
+        Reveal.getConfig().height - 64 + 24 - sheet.offsetHeight];
+    }""")
+    assert high > least
+    assert abs(free) < 3
+    assert page.complaints == []
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(bool(no_browser()), reason=no_browser())
+@pytest.mark.parametrize("size", OPENED)
+def test_a_heading_with_one_line_has_no_slide_of_its_own(folder, page, size):
+    page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
+    for number in ("01", "03"):
+        opened(page, folder / f"{Path(CHAPTERS[number]).stem}.html")
+        (slide,) = page.locator("section:not(.stack):has(h2:text-is('Reproduce'))").all()
+        assert slide.locator("h2").all_text_contents() == ["Reproduce", "Exercises"]
+
+
 def source(number: str):
     return nbformat.read(ROOT / "notebooks" / CHAPTERS[number], as_version=4)
 
@@ -152,6 +243,7 @@ def test_every_cell_on_a_slide_shows_something_and_no_reading_is_left_unfolded(f
     for cell in on_them:
         assert "solutions/" not in cell.source
         assert ".ipynb)" not in cell.source
+        assert "student=" not in cell.source
         assert "For readers of the paper" not in cell.source
         assert "olded" not in cell.source, cell.id
         for output in cell.get("outputs", []):

@@ -57,13 +57,15 @@ def alternatives(question):
 
 
 def test_a_question_speaks_to_who_sits_before_a_platform(bank):
-    """There are boxes to tick in place of letters, and the numbers are drawn already."""
+    """There are boxes to tick in place of letters, numbers are drawn, and there is no card."""
     texts = exercise_texts(NOTEBOOKS)
     asked = bank[0]
     assert any("letters" in texts[each.exercise] for each in asked if each.statements)
     assert any("given(" in texts[each.exercise] for each in asked if each.variant)
+    assert any("the card says" in texts[each.exercise] for each in asked)
     for each in asked:
         assert "given(" not in each.text, each.title
+        assert "the card says" not in each.text, each.title
         assert not re.search(r"[Gg]ive (all|the) (their )?letters", each.text), each.title
         assert not each.text.startswith("\n"), each.title
 

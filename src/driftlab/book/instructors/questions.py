@@ -22,8 +22,10 @@ MOST_NUMBERS = 6
 _HEADING = re.compile(rf"### ({NUMBER.pattern}) .*\n+")
 _STATEMENT = re.compile(r"^- \(([a-z])\) (.*)$", re.MULTILINE)
 _BY_LETTER = re.compile(r"\b([Gg])ive (?:all|the) (?:their )?letters\b[^.;]*(?=[.;]\s|[.;]$)")
-_IN_A_NOTEBOOK = re.compile(r"\n\nIn a course, in a notebook, you can have numbers[^\n]*")
-"""What says how to have numbers of one's own: a platform has drawn them already."""
+_IN_A_NOTEBOOK = re.compile(
+    r"\n\nIn a course, in a notebook, you can have numbers[^\n]*|; the card says it [^.;]*(?=\.)"
+)
+"""How to have numbers of one's own, and what the card of a check does."""
 
 
 class Slip(NamedTuple):
@@ -134,6 +136,14 @@ def exercise_texts(notebooks: Path) -> dict[str, str]:
     return texts
 
 
+def outside_a_notebook(text: str) -> str:
+    """Return the text of an exercise without what is done or said only in a notebook.
+
+    A platform has drawn numbers already, paper draws none, and neither shows a card.
+    """
+    return _IN_A_NOTEBOOK.sub("", text)
+
+
 def _why_not(exercise: Exercise) -> str:
     if exercise.kind == "slide":
         return "it needs its panel"
@@ -159,7 +169,7 @@ def _choice(number: str, exercise: Choice, text: str) -> Question:
         )
         for letter, says in _STATEMENT.findall(text)
     )
-    asks = _BY_LETTER.sub(_tick, _STATEMENT.sub("", text).strip())
+    asks = _BY_LETTER.sub(_tick, _STATEMENT.sub("", outside_a_notebook(text)).strip())
     return Question(number, 0, _signed(number, asks), (), statements, exercise.remark)
 
 
@@ -182,7 +192,7 @@ def _value(number: str, exercise: Value, text: str, variant: int) -> Question:
         )
         for at in np.ndindex(right.shape)
     )
-    text = _IN_A_NOTEBOOK.sub("", text)
+    text = outside_a_notebook(text)
     if variant:
         text = f"{text}\n\n{_own_numbers(exercise, name)}"
     if exercise.unit != "1":
