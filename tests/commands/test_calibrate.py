@@ -1,6 +1,7 @@
 """`calibrate`: the errors that were put into the made-up log, and those that others published."""
 
 import json
+import shlex
 
 import numpy as np
 import pytest
@@ -122,7 +123,7 @@ def test_a_published_unit_is_calibrated_from_its_publisher_s_files(run, tmp_path
         "--format imu-tk --units '1/4778 rad/s,1/415 m/s^2' --zeros 32768,32768 --gravity 9.81744 "
         "--body-axes lower-triangle-accelerometers --json a.json --end 160"
     )
-    code, _, err = run(f"calibrate {files[0]} {files[1]} {words}")
+    code, _, err = run(f"calibrate {shlex.join(map(str, files))} {words}")
     assert (code, err) == (0, "")
     values = json.loads((tmp_path / "a.json").read_text())["values"]
     found = np.array(values["forms"]["imu-tk"]["gyro_T"])

@@ -115,8 +115,13 @@ def cluster(scheduler: str) -> AbstractContextManager[Executor]:
 
     Examples
     --------
-    >>> with cluster("tcp://10.0.0.1:8786") as pool:  # doctest: +SKIP
-    ...     sweep(trial.run, 1_000_000, seed=1, executor=pool, folder="kept")
+    With a scheduler there, ``with cluster("tcp://10.0.0.1:8786") as pool:`` and below it
+    ``sweep(trial.run, 1_000_000, seed=1, executor=pool, folder="kept")``.
+
+    >>> cluster("10.0.0.1")
+    Traceback (most recent call last):
+        ...
+    ValueError: scheduler: expected an address as tcp://10.0.0.1:8786, got '10.0.0.1'.
     """
     address = checked_text(scheduler, "scheduler")
     if "://" not in address:
