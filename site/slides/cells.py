@@ -26,7 +26,7 @@ HEADING = re.compile(r"(#+) ")
 LINK = re.compile(r"(?<!!)\[([^]]*)\]\((?!https?:)[^)\s]*\)")
 PICTURE = re.compile(r"!\[([^]]*)\]\(([^)\s]*\.svg)\)")
 SOLUTION = re.compile(r" The worked \[solutions\]\([^)]*\) are for afterwards\.")
-IN_A_NOTEBOOK = re.compile(r"In a notebook, put your answer .*?unfold if you want them\. ", re.S)
+IN_A_NOTEBOOK = re.compile(r"In a notebook, put your answer .*?may be too coarse\. ", re.S)
 """How to answer an exercise, which a reader needs and a class does not."""
 FOLDED_TOO = re.compile(r"; [^.;]*\bfolded\b[^.;]*(?=\.)")
 FOLDING = re.compile(
