@@ -90,7 +90,7 @@ from bootstrap.steps import (
     say,
     surroundings,
 )
-from bootstrap.teaching import TEACHING, by_site_tools, expect_whole
+from bootstrap.teaching import TEACHING, by_site_tools, expect_whole, seen_from_here
 
 FIRST = "00_start_here.ipynb"
 NO_PEERS = "--ignore=tests/peers"
@@ -184,11 +184,10 @@ def lowest(arguments: list[str]) -> int:
 def figures(arguments: list[str]) -> int:
     """Rebuild every figure and table."""
     set_up()
-    # The folder is seen from where the caller is, and commands run in the project's.
-    before = ["", *arguments]
+    # Of what is said, only this is a path.
     seen = [
-        str(Path(each).absolute()) if last == "--keep" else each
-        for last, each in zip(before, arguments, strict=False)
+        seen_from_here(each) if last == "--keep" or each.startswith("--keep=") else each
+        for last, each in zip(["", *arguments], arguments, strict=False)
     ]
     return run("-m", "driftlab.book", "figures", *seen)
 

@@ -170,28 +170,22 @@ def main() -> None:
         "--done", dest="done_with", nargs="+", default=[], help="ids of cells that are translated"
     )
     words.set_defaults(write=write_translation)
-    for name, write, default in (
-        ("figures", write_figures_on, "figures"),
-        ("errata", write_errata, "ERRATA.md"),
-    ):
-        command = commands.add_parser(name, help=write.__doc__)
-        if name == "figures":
-            command.add_argument("--workers", type=int, help="processes; one for each core if not")
-            command.add_argument("--scheduler", help="of a cluster of dask: its address")
-            command.add_argument(
-                "--keep",
-                type=Path,
-                help="a folder for finished runs: what is there is not repeated",
-            )
+    drawn = commands.add_parser("figures", help=write_figures_on.__doc__)
+    drawn.add_argument("--workers", type=int, help="processes; one for each core if not")
+    drawn.add_argument("--scheduler", help="of a cluster of dask: its address")
+    drawn.add_argument("--keep", type=Path, help="a folder for finished runs, not to be repeated")
+    drawn.set_defaults(write=write_figures_on)
+    wrong = commands.add_parser("errata", help=write_errata.__doc__)
+    wrong.set_defaults(write=write_errata)
+    for command, what, default in ((drawn, "folder", "figures"), (wrong, "file", "ERRATA.md")):
         command.add_argument(
             *("--output", "-o"),
-            dest="folder" if name == "figures" else "file",
+            dest=what,
             type=Path,
             default=PROJECT / default if AT_HOME else None,
             required=not AT_HOME,
             help="where to write it; the project's own place if it is run there",
         )
-        command.set_defaults(write=write)
     options = vars(parser.parse_args())
     options.pop("write")(**options)
 

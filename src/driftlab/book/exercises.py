@@ -154,7 +154,7 @@ def judged(number: str | float, answer: Any, progress: Progress, said: Said = NO
     name, exercise = _exercise(number)
     if isinstance(answer, Iterator):
         answer = list(answer)  # it gives its letters or numbers only once
-    counted = progress.counted(said, name, answer)
+    counted = progress.without_used_words(said, name, answer)
     is_said = counted == said
     heard = exercise.heard(answer)
     found = same = exercise.verdict(heard, counted)
@@ -253,7 +253,8 @@ def verdict(number: str | float, answer: Any, *, because: str = "", student: str
     It counts among the attempts that `check` shows.
     """
     name, exercise = _exercise(number)
-    found = exercise.verdict(answer, PROGRESS.counted(_said(because, student), name, answer))
+    said = PROGRESS.without_used_words(_said(because, student), name, answer)
+    found = exercise.verdict(answer, said)
     PROGRESS.count(name, answer, found)
     return found
 

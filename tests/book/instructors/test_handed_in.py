@@ -14,7 +14,7 @@ from hand_ins import WRONG, notebook, put, rows, zipped
     ("path", "name", "id_", "file"),
     [
         ("Ada L_1234567_assignsubmission_file_/03.ipynb", "Ada L", "1234567", "03.ipynb"),
-        ("Ada Lovelace_12_assignsubmission_file/work/03.ipynb", "Ada Lovelace", "12", "03.ipynb"),
+        ("Ada Lovelace_12_assignsubmission_file/sheet/03.ipynb", "Ada Lovelace", "12", "03.ipynb"),
         ("Ada Lovelace_12_assignsubmission_file_03_x.ipynb", "Ada Lovelace", "12", "03_x.ipynb"),
         ("Participant_77_assignsubmission_file_/a.ipynb", "Participant", "77", "a.ipynb"),
         ("王小明_12_assignsubmission_onlinetext/on.html", "王小明", "12", "on.html"),

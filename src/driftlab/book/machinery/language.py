@@ -162,5 +162,5 @@ def _opened(code: str) -> Spoken:
     except (OSError, ValueError, struct.error) as error:
         raise ValueError(
             f"The catalogues in {FOLDER / code} cannot be read; "
-            f"make it anew: python -m driftlab.book translation {code}."
+            f"make them anew: python -m driftlab.book translation {code}."
         ) from error

@@ -54,7 +54,7 @@ class Progress:
             if (digest := _digest(answer)) not in tried:
                 tried.append(digest)
 
-    def counted(self, said: Said, number: str, answer: Any) -> Said:
+    def without_used_words(self, said: Said, number: str, answer: Any) -> Said:
         """What was said of an answer, without words that were said of another one before."""
         if not said.because:
             return said
