@@ -37,7 +37,7 @@ GROUND_FLOOR = (
         "sampled_rates",
         "strapdown",
     ),
-    *("noise_terms", "allan", "noise_identification"),
+    *("noise_terms", "allan", "noise_identification", "compilation"),
 )
 SUBJECTS = (
     *(

@@ -9,6 +9,8 @@ from typing import Any
 collect_ignore = ["__main__.py", "book"]  # chapters have tests of their own
 if find_spec("sympy") is None:
     collect_ignore.append("symbolic")
+if find_spec("numba") is None:
+    collect_ignore.append("core/_kernels.py")
 
 
 def pytest_configure(config: Any) -> None:

@@ -111,9 +111,18 @@ def integrate(
     array([0.      , 0.      , 0.479426, 0.877583])
     """
     first = unit_quaternions(start, "start")
-    steps = cumulative_product(step_quaternions(increments, algorithm, history=history))
-    finite_arrays(increments=(steps, *steps.shape[-2:]), start=(first, 4))
-    largest = float(np.abs(np.asarray(increments)).max())
+    chosen = attitude_algorithm(algorithm)
+    if isinstance(chosen, AttitudeAlgorithm):
+        rows, past, largest = _checked(increments, chosen, history)
+        one = first.ndim == 1
+        found = core.attitudes(chosen, rows, past, *([first] if one else []))
+    else:
+        rows, one = finite_array(increments, "increments", 3), False
+        largest = _largest(rows)
+        found = cumulative_product(_own_steps(chosen, rows, history))
+    if not one:
+        finite_arrays(increments=(found, *found.shape[-2:]), start=(first, 4))
+        found = multiply(first[..., np.newaxis, :], found)
     if largest > 2 * np.pi:
         warnings.warn(
             f"increments: {largest:.3g} rad between two samples is more than a whole turn. "
@@ -121,7 +130,7 @@ def integrate(
             UnusualWarning,
             stacklevel=2,
         )
-    return multiply(first[..., np.newaxis, :], steps)
+    return found
 
 
 def step_quaternions(
@@ -203,13 +212,33 @@ def step_vectors(
     """
     chosen = attitude_algorithm(algorithm)
     dtype = _checked_word(word)
+    if not isinstance(chosen, AttitudeAlgorithm):
+        rows = _rows(increments)
+        rounded = _in_word(rows, dtype).astype(np.float64)
+        return _cayley_vectors(_own_steps(chosen, rounded, history)).astype(dtype)
+    rows, past, _ = _checked(increments, chosen, history)
+    return core.step_vectors(chosen, _in_word(rows, dtype), past=past)
+
+
+def _rows(increments: ArrayLike) -> FloatArray:
+    """Increments (..., n, 3)."""
     rows = finite_array(increments, "increments")
     if rows.ndim < 2 or rows.shape[-1] != 3:
         raise ValueError(f"increments: expected shape (..., n, 3), got shape {rows.shape}.")
-    if not isinstance(chosen, AttitudeAlgorithm):
-        rounded = _in_word(rows, dtype).astype(np.float64)
-        return _cayley_vectors(_own_steps(chosen, rounded, history)).astype(dtype)
-    largest = float(np.abs(rows).max())
+    return rows
+
+
+def _largest(rows: FloatArray) -> float:
+    """Largest size of a number; two looks are sooner than a copy."""
+    return max(float(rows.max()), -float(rows.min()))
+
+
+def _checked(
+    increments: ArrayLike, chosen: AttitudeAlgorithm, history: ArrayLike | None
+) -> tuple[FloatArray, int, float]:
+    """History and increments in one array, how many are history, and the largest increment."""
+    rows = _rows(increments)
+    largest = _largest(rows)
     if largest >= 2 * np.pi and chosen.last_stage != "rotation vector":
         raise turns_too_far(largest)
     if largest > 1e12:  # not even the rounding of such an angle is small
@@ -227,15 +256,14 @@ def step_vectors(
                 f"increments: expected at least {chosen.window} for {chosen.name}{why}, "
                 f"got {count}."
             )
-        return core.step_vectors(chosen, _in_word(rows, dtype), past=0)
+        return rows, 0, largest
     past = finite_array(history, "history", 3)
     if past.ndim < 2 or past.shape[-2] < chosen.memory:
         raise ValueError(
             f"history: expected shape (..., m, 3) with m at least {chosen.memory} for "
             f"{chosen.name}, got shape {past.shape}."
         )
-    joined = _in_word(_joined(past[..., -chosen.memory :, :], rows), dtype)
-    return core.step_vectors(chosen, joined, past=chosen.memory)
+    return _joined(past[..., -chosen.memory :, :], rows), chosen.memory, largest
 
 
 def _joined(past: FloatArray, rows: FloatArray) -> FloatArray:

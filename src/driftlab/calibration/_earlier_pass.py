@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from driftlab.checks import FloatArray
 from driftlab.core import quaternion
-from driftlab.core.attitude import step_quaternions
+from driftlab.core.attitude import attitudes
 from driftlab.earth import earth_rate
 from driftlab.increments import Increments
 from driftlab.strapdown import ALGORITHM
@@ -35,7 +35,7 @@ def linearization_point(
     that at the end is known best, and the corrected gyros lead back from it."""
     state = about.state[..., -1, :]
     angle = about.model.corrected(measured, state).angle
-    turned = quaternion.cumulative_product(step_quaternions(ALGORITHM, angle))[..., -1, :]
+    turned = attitudes(ALGORITHM, angle)[..., -1, :]
     # In axes that do not turn with the Earth: those of the beginning.
     at_end = quaternion.from_rotation_vector(about.times[-1] * earth_rate(latitude))
     return state, quaternion.multiply(

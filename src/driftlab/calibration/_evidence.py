@@ -14,7 +14,7 @@ from scipy.constants import degree, hour
 
 from driftlab.checks import FloatArray
 from driftlab.core import quaternion
-from driftlab.core.attitude import step_quaternions
+from driftlab.core.attitude import attitudes
 from driftlab.core.carried_gravity import carried_velocity, cone_velocity
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
 from driftlab.imu import ImuNoise, PriorDeviations
@@ -122,7 +122,7 @@ def evidence(increments: Increments) -> Evidence | None:
     force = np.diff(carried, axis=-2, prepend=0.0) / window
     lead = angle.shape[:-2]
     rate = angle.reshape(*lead, -1, 2 * each, 3).sum(axis=-2) / window
-    attitude = quaternion.cumulative_product(step_quaternions(ALGORITHM, angle))
+    attitude = attitudes(ALGORITHM, angle)
     steps = np.linalg.norm(angle, axis=-1)
     return Evidence(
         window,

@@ -9,12 +9,14 @@ from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
 
-from . import functional_iteration
-from .quaternion import from_rotation_vector
+from . import compiled, functional_iteration
+from .quaternion import cumulative_product, from_rotation_vector, multiply
 from .vectors import components_first, components_last, cross
 
 if TYPE_CHECKING:
     from driftlab.attitude.coning_algorithms import Algorithm, AttitudeAlgorithm, Weights
+
+_NO_TURN = np.array([0.0, 0.0, 0.0, 1.0])
 
 
 def rotation_quaternion(k: FloatArray) -> FloatArray:
@@ -25,6 +27,21 @@ def rotation_quaternion(k: FloatArray) -> FloatArray:
     square = np.sum(k**2, axis=-1, keepdims=True)
     quaternion = np.concatenate([-2 * one * k, one**2 - square], axis=-1)
     return quaternion / (one**2 + square)
+
+
+def attitudes(
+    algorithm: AttitudeAlgorithm,
+    increments: FloatArray,
+    past: int = 0,
+    first: FloatArray = _NO_TURN,
+) -> FloatArray:
+    """Attitude (..., m, 4) after each step, `first` (4,) before them; else as `step_vectors`."""
+    if not compiled.on or algorithm.last_stage == "functional iteration":
+        steps = cumulative_product(step_quaternions(algorithm, increments, past))
+        return steps if first is _NO_TURN else multiply(first, steps)
+    found, square = compiled.attitudes(first, algorithm, increments, past)
+    refuse_whole_turns(square)
+    return found
 
 
 def step_quaternions(
@@ -57,8 +74,7 @@ def step_vectors(
     if stage == "rotation vector":
         return components_last(corrected)
     square = (gamma**2).sum(axis=0)
-    if not (square < 4 * np.pi**2).all():
-        raise turns_too_far(float(np.sqrt(square.max())))
+    refuse_whole_turns(float(square.max()))
     if stage == "first iterate":
         return components_last(kind(-1 / 4) * gamma)
     if stage == "tangent":
@@ -69,6 +85,12 @@ def step_vectors(
         # What the second iterate still has and the third removes.
         vectors -= kind(1 / 32) * cross(gamma, coning)
     return components_last(vectors)
+
+
+def refuse_whole_turns(square: float) -> None:
+    """Refuse a step whose sum of increments has this square, where that is too far."""
+    if not square < 4 * np.pi**2:
+        raise turns_too_far(float(np.sqrt(square)))
 
 
 def turns_too_far(angle: float) -> ValueError:

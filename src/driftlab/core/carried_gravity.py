@@ -13,9 +13,9 @@ import numpy as np
 
 from driftlab.checks import FloatArray
 
-from .attitude import step_quaternions
+from .attitude import attitudes
 from .earth import EARTH_RATE
-from .quaternion import cumulative_product, from_rotation_vector, multiply, rotate
+from .quaternion import from_rotation_vector, multiply, rotate
 from .sculling import velocity_of_steps
 from .vectors import cross_matrix, stacked
 
@@ -28,7 +28,7 @@ def carried_velocity(
 ) -> tuple[FloatArray, FloatArray]:
     """Attitude (..., 4) at the end, and integrals (..., m, 3) of the specific force after each
     step, both in the body axes of the start."""
-    attitude = cumulative_product(step_quaternions(algorithm, angle))
+    attitude = attitudes(algorithm, angle)
     start = np.broadcast_to([0.0, 0.0, 0.0, 1.0], (*attitude.shape[:-2], 1, 4))
     before = np.concatenate([start, attitude[..., :-1, :]], axis=-2)
     pushes = rotate(before, velocity_of_steps(algorithm, angle, velocity))

@@ -96,13 +96,17 @@ def _cylindrical(position: FloatArray) -> tuple[FloatArray, ...]:
     """Components x and y, distance from the axis, and z of positions outside the inner Earth."""
     x, y, z = components(position)
     squared = x * x + y * y
-    lowest = float((squared + z * z).min())
-    if lowest < _DEEPEST**2:
+    refuse_inner_earth(float((squared + z * z).min()))
+    return x, y, np.sqrt(squared), z
+
+
+def refuse_inner_earth(square: float) -> None:
+    """Refuse a position with this squared distance from the Earth's centre, if it is too deep."""
+    if square < _DEEPEST**2:
         raise ValueError(
             f"position: expected at least {_DEEPEST:.1e} m from the Earth's centre, "
-            f"got {lowest**0.5:.3g} m."
+            f"got {square**0.5:.3g} m."
         )
-    return x, y, np.sqrt(squared), z
 
 
 def _geodetic(

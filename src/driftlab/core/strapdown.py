@@ -8,7 +8,8 @@ import numpy as np
 
 from driftlab.checks import FloatArray
 
-from .attitude import step_quaternions
+from . import compiled
+from .attitude import attitudes, refuse_whole_turns
 from .earth import (
     EARTH_RATE,
     geodetic,
@@ -16,8 +17,9 @@ from .earth import (
     ground_velocity,
     local_axes,
     position_vector,
+    refuse_inner_earth,
 )
-from .quaternion import conjugate, cumulative_product, multiply, rotate
+from .quaternion import conjugate, multiply, rotate
 from .sculling import velocity_of_steps
 
 if TYPE_CHECKING:
@@ -61,9 +63,17 @@ def navigate(
     hold_altitude: bool = False,
 ) -> Navigation:
     """Carry a state along increments (..., n, 3) by an algorithm that makes a step of two."""
+    size = max(1, int(CHUNK / (2 * interval)))
+    if compiled.on:
+        fields, square, distance = compiled.navigate(
+            start, angle, velocity, interval, algorithm, size, every // 2, hold_altitude
+        )
+        refuse_whole_turns(square)
+        refuse_inner_earth(distance)
+        return Navigation(*fields)
     to_inertial = local_axes(start.latitude, np.zeros_like(start.longitude))
     first = multiply(to_inertial, start.attitude)[..., np.newaxis, :]
-    attitude = multiply(first, cumulative_product(step_quaternions(algorithm, angle)))
+    attitude = multiply(first, attitudes(algorithm, angle))
     before = np.concatenate(
         [np.broadcast_to(first, (*attitude.shape[:-2], 1, 4)), attitude[..., :-1, :]], axis=-2
     )
@@ -71,7 +81,6 @@ def navigate(
     position = position_vector(start.latitude, start.altitude)
     speed = rotate(to_inertial, start.velocity) + ground_velocity(position)
     positions, speeds = np.empty_like(pushes), np.empty_like(pushes)
-    size = max(1, int(CHUNK / (2 * interval)))
     for begin in range(0, pushes.shape[-2], size):
         rows = np.s_[..., begin : begin + size, :]
         positions[rows], speeds[rows] = _fall(position, speed, pushes[rows], 2 * interval)

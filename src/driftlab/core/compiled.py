@@ -1,0 +1,158 @@
+"""Whether arithmetic is compiled, and the way to what `driftlab.core._kernels` compiles.
+
+The functions here take and return what those of the same name in NumPy do. They stand between:
+arrays of any leading axes there, one leading axis and no gaps here.
+"""
+
+from __future__ import annotations
+
+import os
+from functools import cache, lru_cache
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from driftlab.checks import FloatArray
+
+if TYPE_CHECKING:
+    from driftlab.attitude.coning_algorithms import Algorithm
+
+    from .strapdown import Navigation
+
+VARIABLE = "DRIFTLAB_COMPILED"
+"""Of the environment: "1" where arithmetic is compiled. Processes that are started inherit it."""
+
+_STAGES = ("rotation vector", "first iterate", "second iterate", "third iterate", "tangent")
+
+
+def available() -> bool:
+    """Whether Numba is installed."""
+    return find_spec("numba") is not None
+
+
+on = os.environ.get(VARIABLE) == "1" and available()
+
+
+def switch(wanted: bool) -> None:
+    """Compile from now on, or no longer; here and in processes started later."""
+    global on
+    on = wanted
+    os.environ[VARIABLE] = "1" if wanted else "0"
+
+
+@cache
+def _kernels() -> Any:
+    """What is compiled; Numba takes half a second to be loaded."""
+    from . import _kernels
+
+    return _kernels
+
+
+def attitudes(
+    first: FloatArray, algorithm: Algorithm, angle: FloatArray, past: int
+) -> tuple[FloatArray, float]:
+    """Attitudes (..., k, 4) after each step, and the largest square of a gamma."""
+    places, weights, starts = _arrays(algorithm)
+    rows = _runs(angle, angle.shape[:-2])
+    count = (rows.shape[1] - past) // algorithm.samples
+    found = np.empty((len(rows), count, 4))
+    memory, stage = algorithm.memory, _STAGES.index(algorithm.last_stage)
+    largest = _kernels().attitudes(
+        first, rows, algorithm.samples, memory, past, places, weights, starts, stage, found
+    )
+    return found.reshape(*angle.shape[:-2], count, 4), largest
+
+
+def cumulative_product(quaternions: FloatArray) -> FloatArray:
+    """As `driftlab.core.quaternion.cumulative_product`."""
+    rows = _runs(quaternions, quaternions.shape[:-2])
+    found = np.empty(rows.shape)
+    _kernels().cumulative_product(rows, found)
+    return found.reshape(quaternions.shape)
+
+
+def navigate(
+    start: Navigation,
+    angle: FloatArray,
+    velocity: FloatArray,
+    interval: float,
+    algorithm: Algorithm,
+    chunk: int,
+    every: int,
+    hold_altitude: bool,
+) -> tuple[tuple[FloatArray, ...], float, float]:
+    """Fields of the states, the largest square of a gamma and the smallest one of a distance.
+
+    `chunk` and `every` are numbers of steps.
+    """
+    place = start.latitude, start.longitude, start.altitude
+    lead = np.broadcast_shapes(
+        *(each.shape for each in place),
+        *(each.shape[:-1] for each in (start.velocity, start.attitude)),
+        *(each.shape[:-2] for each in (angle, velocity)),
+    )
+    begun = np.empty((*lead, 10))
+    begun[..., 0], begun[..., 1], begun[..., 2] = place
+    begun[..., 3:6], begun[..., 6:] = start.velocity, start.attitude
+    angles, pushes = _runs(angle, lead), _runs(velocity, lead)
+    samples = algorithm.samples
+    places, weights, _ = _arrays(algorithm)
+    count = angles.shape[1] // samples // every
+    begun = begun.reshape(-1, 10)
+    found = np.empty((len(begun), count, 10))
+    stage = _STAGES.index(algorithm.last_stage)
+    largest, lowest = _kernels().navigate(
+        begun, angles, pushes, interval, samples, places, weights, stage, chunk,
+        every, hold_altitude, found,
+    )  # fmt: skip
+    states = found.reshape(*lead, count, 10)
+    fields = *(states[..., i].copy() for i in range(3)), states[..., 3:6].copy()
+    return (*fields, states[..., 6:].copy()), largest, lowest
+
+
+def predict(covariance: FloatArray, transition: FloatArray, noise: FloatArray) -> FloatArray:
+    """As `driftlab.core.kalman.predict`."""
+    lead = _lead(covariance, transition, noise)
+    found = np.empty((*lead, *covariance.shape[-2:]))
+    given = (_runs(each, lead) for each in (covariance, transition, noise))
+    _kernels().predict(*given, _runs(found, lead))
+    return found
+
+
+def correct_covariance(
+    covariance: FloatArray, observation: FloatArray, noise: FloatArray
+) -> tuple[FloatArray, NDArray[Any], NDArray[Any]]:
+    """As `driftlab.core.kalman.correct_covariance`."""
+    lead = _lead(covariance, observation, noise)
+    many, size = observation.shape[-2:]
+    after = np.empty((*lead, size, size))
+    gain, weights = np.empty((*lead, size, many)), np.empty((*lead, many, many))
+    given = (_runs(each, lead) for each in (covariance, observation, noise))
+    if not _kernels().correct(*given, *(_runs(each, lead) for each in (after, gain, weights))):
+        raise np.linalg.LinAlgError("Singular matrix")  # as np.linalg.inv says
+    return after, gain, weights
+
+
+def _lead(*values: FloatArray) -> tuple[int, ...]:
+    """Leading axes of arrays (..., a, b) together; sooner than NumPy where they are alike."""
+    shapes = {each.shape[:-2] for each in values} - {()}
+    return np.broadcast_shapes(*shapes) if len(shapes) > 1 else shapes.pop() if shapes else ()
+
+
+def _runs(values: FloatArray, lead: tuple[int, ...]) -> FloatArray:
+    """Arrays (..., a, b) as (r, a, b) without gaps: one run, or all that the axes come to."""
+    if values.ndim > 2 and values.shape[:-2] != lead:
+        values = np.broadcast_to(values, (*lead, *values.shape[-2:]))
+    return np.ascontiguousarray(values).reshape(-1, *values.shape[-2:])
+
+
+@lru_cache(maxsize=64)
+def _arrays(algorithm: Algorithm) -> tuple[NDArray[np.int64], FloatArray, FloatArray]:
+    """Places (p, 2) of the pairs of a window, their weights (p,) and those of starts (m, p)."""
+    given = [dict(algorithm.coning), *map(dict, algorithm.starts)]
+    pairs = sorted({pair for weights in given for pair in weights}, key=lambda pair: pair[::-1])
+    values = np.array([[weights.get(pair, 0.0) for pair in pairs] for weights in given])
+    places = np.array(pairs, np.int64).reshape(-1, 2)
+    return places, values[0].copy(), values[1:].copy()
