@@ -159,6 +159,16 @@ def test_filter_steps_agree(lead):
     assert (compileds[2] == compileds[2].mT).all()
 
 
+def test_many_innovations_may_meet_one_covariance():
+    rng = np.random.default_rng(6)
+    covariance, observation = np.diag([1.0, 2, 3, 4]), rng.normal(size=(2, 4))
+    seen = rng.normal(size=(5, 2))
+    found = both(lambda: kalman.correct(covariance, seen, observation, np.eye(2)))
+    for plain, fast in zip(*found, strict=True):
+        assert plain.shape == fast.shape
+        np.testing.assert_allclose(fast, plain, rtol=1e-13, atol=1e-15)
+
+
 def test_an_innovation_without_covariance_is_refused_either_way():
     nothing, one_row = np.zeros((3, 3)), np.eye(1, 3)
     for on in (False, True):

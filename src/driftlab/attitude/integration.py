@@ -114,15 +114,15 @@ def integrate(
     chosen = attitude_algorithm(algorithm)
     if isinstance(chosen, AttitudeAlgorithm):
         rows, past, largest = _checked(increments, chosen, history)
-        one = first.ndim == 1
-        found = core.attitudes(chosen, rows, past, *([first] if one else []))
+        if first.ndim > 1:
+            finite_arrays(increments=(rows, *rows.shape[-2:]), start=(first, 4))
+        found = core.attitudes(chosen, rows, past, first)
     else:
-        rows, one = finite_array(increments, "increments", 3), False
+        rows = finite_array(increments, "increments", 3)
         largest = _largest(rows)
-        found = cumulative_product(_own_steps(chosen, rows, history))
-    if not one:
-        finite_arrays(increments=(found, *found.shape[-2:]), start=(first, 4))
-        found = multiply(first[..., np.newaxis, :], found)
+        steps = cumulative_product(_own_steps(chosen, rows, history))
+        finite_arrays(increments=(steps, *steps.shape[-2:]), start=(first, 4))
+        found = multiply(first[..., np.newaxis, :], steps)
     if largest > 2 * np.pi:
         warnings.warn(
             f"increments: {largest:.3g} rad between two samples is more than a whole turn. "

@@ -176,15 +176,15 @@ def attitudes(
     stage: int,
     found: Any,
 ) -> float:
-    """`attitude.attitudes`: from first (4,) along angle (r, n, 3) into found (r, k, 4).
+    """`attitude.attitudes`: from first (r, 1, 4) along angle (r, n, 3) into found (r, k, 4).
 
-    Returns the largest square of a gamma. `starts` (memory, p) has the weights of the first steps
-    at all pairs of places of a window, which `places` then are.
+    The first two have r runs or one for all. `starts` (memory, p) has the weights of the first
+    steps, of the same pairs as `places`. Returns the largest square of a gamma.
     """
     largest = 0.0
-    for run in range(angle.shape[0]):
-        rows = angle[run]
-        q = first[0], first[1], first[2], first[3]
+    for run in range(len(found)):
+        rows, start = angle[run % len(angle)], first[run % len(first), 0]
+        q = start[0], start[1], start[2], start[3]
         for number in range(found.shape[1]):
             begin = past + number * samples
             gamma = _sum(rows, begin, samples)
@@ -441,11 +441,13 @@ def navigate(
 
 
 @compiled
-def predict(covariances: Any, transitions: Any, noises: Any, found: Any) -> None:
-    """`kalman.predict` into found (r, n, n); each of the others has r runs or one for all."""
-    size, moving = found.shape[1], transitions.shape[1]
+def predict(covariances: Any, transitions: Any, noises: Any) -> Any:
+    """`kalman.predict`: covariances (r, n, n); each argument has r runs or one for all."""
+    size, moving = covariances.shape[1], transitions.shape[1]
+    runs = max(len(covariances), len(transitions), len(noises))
+    found = np.empty((runs, size, size))
     rows = np.empty((moving, size))
-    for run in range(len(found)):
+    for run in range(runs):
         covariance = covariances[run % len(covariances)]
         transition = transitions[run % len(transitions)]
         noise = noises[run % len(noises)]
@@ -458,20 +460,20 @@ def predict(covariances: Any, transitions: Any, noises: Any, found: Any) -> None
             for j in range(moving, size):
                 grown[i, j] = rows[i, j]
                 grown[j, i] = rows[i, j]
+    return found
 
 
 @compiled
-def correct(
-    covariances: Any, observations: Any, noises: Any, after: Any, gain: Any, weights: Any
-) -> bool:
-    """`kalman.correct_covariance` into after (r, n, n), gain (r, n, m) and weights (r, m, m).
+def correct_covariance(covariances: Any, observations: Any, noises: Any) -> Any:
+    """`kalman.correct_covariance`: its results with an axis of r runs, and whether all were found.
 
-    Each of the others has r runs or one for all. Says whether all innovations have an invertible
-    covariance.
+    Each argument has r runs or one for all. Not found is the inverse of a singular matrix.
     """
     many, size = observations.shape[1:]
-    seen, spread = np.empty((many, size)), np.empty((many, many))
-    for run in range(len(after)):
+    runs = max(len(covariances), len(observations), len(noises))
+    after, gain = np.empty((runs, size, size)), np.empty((runs, size, many))
+    weights, seen, spread = np.empty((runs, many, many)), np.empty((many, size)), noises[0].copy()
+    for run in range(runs):
         covariance = covariances[run % len(covariances)]
         observation = observations[run % len(observations)]
         noise = noises[run % len(noises)]
@@ -481,7 +483,7 @@ def correct(
             for j in range(many):
                 spread[i, j] = _dot(seen[i], observation[j]) + noise[i, j]
         if not _invert(spread, weights[run]):
-            return False
+            return after, gain, weights, False
         for j in range(size):
             for i in range(many):
                 gain[run, j, i] = _dot(seen[:, j], weights[run, :, i])
@@ -497,7 +499,22 @@ def correct(
                 mean = 0.5 * (corrected[i, j] + corrected[j, i])
                 corrected[i, j] = mean
                 corrected[j, i] = mean
-    return True
+    return after, gain, weights, True
+
+
+@compiled
+def correct(covariances: Any, innovations: Any, observations: Any, noises: Any) -> Any:
+    """`kalman.correct`: its results with an axis of r runs, and whether all were found."""
+    after, gain, weights, whole = correct_covariance(covariances, observations, noises)
+    runs, size, many = gain.shape
+    corrections, nis = np.zeros((runs, size)), np.zeros(runs)
+    for run in range(runs):
+        innovation = innovations[run % len(innovations)]
+        for j in range(many):
+            for i in range(size):
+                corrections[run, i] += gain[run, i, j] * innovation[j]
+            nis[run] += innovation[j] * _dot(weights[run, j], innovation)
+    return corrections, after, nis, whole
 
 
 @inlined

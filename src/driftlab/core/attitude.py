@@ -35,13 +35,17 @@ def attitudes(
     past: int = 0,
     first: FloatArray = _NO_TURN,
 ) -> FloatArray:
-    """Attitude (..., m, 4) after each step, `first` (4,) before them; else as `step_vectors`."""
-    if not compiled.on or algorithm.last_stage == "functional iteration":
-        steps = cumulative_product(step_quaternions(algorithm, increments, past))
-        return steps if first is _NO_TURN else multiply(first, steps)
-    found, square = compiled.attitudes(first, algorithm, increments, past)
-    refuse_whole_turns(square)
-    return found
+    """Attitude (..., m, 4) after each step from `first` (..., 4) on; else as `step_vectors`."""
+    if compiled.on and algorithm.last_stage != "functional iteration":
+        found, square = compiled.attitudes(first, algorithm, increments, past)
+        refuse_whole_turns(square)
+        return found
+    steps = step_quaternions(algorithm, increments, past)
+    lead = np.broadcast_shapes(first.shape[:-1], steps.shape[:-2])
+    if lead != steps.shape[:-2]:
+        steps = np.broadcast_to(steps, (*lead, *steps.shape[-2:])).copy()
+    steps[..., 0, :] = multiply(first, steps[..., 0, :])
+    return cumulative_product(steps)
 
 
 def step_quaternions(

@@ -55,14 +55,15 @@ def attitudes(
 ) -> tuple[FloatArray, float]:
     """Attitudes (..., k, 4) after each step, and the largest square of a gamma."""
     places, weights, starts = _arrays(algorithm)
-    rows = _runs(angle, angle.shape[:-2])
-    count = (rows.shape[1] - past) // algorithm.samples
-    found = np.empty((len(rows), count, 4))
+    lead = _lead(first[..., np.newaxis, :], angle)
+    begun, rows = _runs(first[..., np.newaxis, :], lead), _runs(angle, lead)
+    found = np.empty((*lead, (angle.shape[-2] - past) // algorithm.samples, 4))
     memory, stage = algorithm.memory, _STAGES.index(algorithm.last_stage)
     largest = _kernels().attitudes(
-        first, rows, algorithm.samples, memory, past, places, weights, starts, stage, found
-    )
-    return found.reshape(*angle.shape[:-2], count, 4), largest
+        begun, rows, algorithm.samples, memory, past, places, weights, starts, stage,
+        _runs(found, lead),
+    )  # fmt: skip
+    return found, largest
 
 
 def cumulative_product(quaternions: FloatArray) -> FloatArray:
@@ -115,10 +116,10 @@ def navigate(
 def predict(covariance: FloatArray, transition: FloatArray, noise: FloatArray) -> FloatArray:
     """As `driftlab.core.kalman.predict`."""
     lead = _lead(covariance, transition, noise)
-    found = np.empty((*lead, *covariance.shape[-2:]))
-    given = (_runs(each, lead) for each in (covariance, transition, noise))
-    _kernels().predict(*given, _runs(found, lead))
-    return found
+    found: FloatArray = _kernels().predict(
+        _runs(covariance, lead), _runs(transition, lead), _runs(noise, lead)
+    )
+    return found.reshape(*lead, *covariance.shape[-2:])
 
 
 def correct_covariance(
@@ -126,24 +127,49 @@ def correct_covariance(
 ) -> tuple[FloatArray, NDArray[Any], NDArray[Any]]:
     """As `driftlab.core.kalman.correct_covariance`."""
     lead = _lead(covariance, observation, noise)
+    after, gain, weights, whole = _kernels().correct_covariance(
+        _runs(covariance, lead), _runs(observation, lead), _runs(noise, lead)
+    )
+    if not whole:
+        raise _singular()
     many, size = observation.shape[-2:]
-    after = np.empty((*lead, size, size))
-    gain, weights = np.empty((*lead, size, many)), np.empty((*lead, many, many))
-    given = (_runs(each, lead) for each in (covariance, observation, noise))
-    if not _kernels().correct(*given, *(_runs(each, lead) for each in (after, gain, weights))):
-        raise np.linalg.LinAlgError("Singular matrix")  # as np.linalg.inv says
-    return after, gain, weights
+    return (
+        after.reshape(*lead, size, size),
+        gain.reshape(*lead, size, many),
+        weights.reshape(*lead, many, many),
+    )
+
+
+def correct(
+    covariance: FloatArray, innovation: FloatArray, observation: FloatArray, noise: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """As `driftlab.core.kalman.correct`, one innovation for each covariance."""
+    lead = _lead(covariance, observation, noise)
+    seen = _runs(innovation[..., np.newaxis, :], lead)[:, 0]
+    correction, after, nis, whole = _kernels().correct(
+        _runs(covariance, lead), seen, _runs(observation, lead), _runs(noise, lead)
+    )
+    if not whole:
+        raise _singular()
+    size = covariance.shape[-1]
+    return correction.reshape(*lead, size), after.reshape(*lead, size, size), nis.reshape(lead)[()]
+
+
+def _singular() -> np.linalg.LinAlgError:
+    return np.linalg.LinAlgError("Singular matrix")  # as np.linalg.inv says
 
 
 def _lead(*values: FloatArray) -> tuple[int, ...]:
     """Leading axes of arrays (..., a, b) together; sooner than NumPy where they are alike."""
-    shapes = {each.shape[:-2] for each in values} - {()}
+    shapes = {each.shape[:-2] for each in values if each.ndim > 2}
     return np.broadcast_shapes(*shapes) if len(shapes) > 1 else shapes.pop() if shapes else ()
 
 
 def _runs(values: FloatArray, lead: tuple[int, ...]) -> FloatArray:
     """Arrays (..., a, b) as (r, a, b) without gaps: one run, or all that the axes come to."""
-    if values.ndim > 2 and values.shape[:-2] != lead:
+    if values.ndim == 2:
+        return np.ascontiguousarray(values)[np.newaxis]
+    if values.shape[:-2] != lead:
         values = np.broadcast_to(values, (*lead, *values.shape[-2:]))
     return np.ascontiguousarray(values).reshape(-1, *values.shape[-2:])
 

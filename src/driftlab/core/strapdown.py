@@ -72,8 +72,9 @@ def navigate(
         refuse_inner_earth(distance)
         return Navigation(*fields)
     to_inertial = local_axes(start.latitude, np.zeros_like(start.longitude))
-    first = multiply(to_inertial, start.attitude)[..., np.newaxis, :]
-    attitude = multiply(first, attitudes(algorithm, angle))
+    first = multiply(to_inertial, start.attitude)
+    attitude = attitudes(algorithm, angle, first=first)
+    first = first[..., np.newaxis, :]
     before = np.concatenate(
         [np.broadcast_to(first, (*attitude.shape[:-2], 1, 4)), attitude[..., :-1, :]], axis=-2
     )
