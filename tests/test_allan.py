@@ -6,7 +6,7 @@ import pytest
 from scipy.stats import binom
 
 from driftlab.allan import allan_deviation
-from driftlab.core.allan import covariance, term_variances
+from driftlab.core.allan import covariance, term_variances, variances
 from driftlab.noise_terms import TERMS, NoiseTerms
 
 PURE = {name: NoiseTerms(**{name: 1.0}) for name in TERMS}
@@ -52,6 +52,17 @@ def test_allantools_finds_the_same(name):
     )
     np.testing.assert_allclose(found.averaging_times, taus, rtol=1e-12)
     np.testing.assert_allclose(found.deviation, theirs, rtol=1e-11)
+
+
+@pytest.mark.parametrize("lead", [(), (3,)])
+def test_blocks_of_a_long_record_add_up_to_the_definition(lead):
+    rates = np.random.default_rng(9).normal(size=(*lead, 2**16 + 7))
+    counts = np.array([1, 3, 2**14, 2**15 + 3])
+    turned = np.concatenate([np.zeros((*lead, 1)), np.cumsum(rates, axis=-1)], axis=-1)
+    for count, found in zip(counts, np.moveaxis(variances(rates, counts), -1, 0), strict=True):
+        means = (turned[..., count:] - turned[..., :-count]) / count
+        changes = means[..., count:] - means[..., :-count]
+        np.testing.assert_allclose(found, (changes**2).mean(axis=-1) / 2, rtol=1e-11)
 
 
 def test_rows_are_sensors_of_their_own():

@@ -6,6 +6,7 @@ quantisation, angle random walk, bias instability, rate random walk, rate ramp.
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 from typing import Any
 
@@ -16,20 +17,32 @@ from driftlab.checks import FloatArray
 
 Counts = NDArray[np.int_]
 
+_BLOCK = 2**15  # numbers
 _FREQUENCIES = 2000
 """Places of the integrals over frequency, in equal ratios; more change them by a tenth at most."""
 
 
 def variances(samples: FloatArray, counts: Counts) -> FloatArray:
     """Overlapping Allan variances (..., k) of rates (..., n) for means of k numbers of samples."""
+    *lead, length = samples.shape
+    sums = np.zeros((*lead, length + 1))
     # Without the mean the sums stay small, and keep their digits in long records.
-    sums = np.cumsum(samples - samples.mean(axis=-1, keepdims=True), axis=-1)
-    sums = np.concatenate([np.zeros_like(sums[..., :1]), sums], axis=-1)
-    found = np.empty((*samples.shape[:-1], len(counts)))
+    np.subtract(samples, samples.mean(axis=-1, keepdims=True), out=sums[..., 1:])
+    np.cumsum(sums[..., 1:], axis=-1, out=sums[..., 1:])
+    found = np.zeros((*lead, len(counts)))
+    # Block by block, so that the differences never leave the processor's cache.
+    size = max(_BLOCK // math.prod(lead), 1)
+    room = np.empty((*lead, min(size, length)))
     for i, m in enumerate(counts):
-        step = sums[..., m:] - sums[..., :-m]
-        step = step[..., m:] - step[..., :-m]
-        found[..., i] = np.einsum("...i,...i->...", step, step) / (2.0 * m**2 * step.shape[-1])
+        many = length + 1 - 2 * m
+        for begin in range(0, many, size):
+            end = min(begin + size, many)
+            first, middle, last = (sums[..., begin + k : end + k] for k in (0, m, 2 * m))
+            step = np.subtract(last, middle, out=room[..., : end - begin])
+            step -= middle
+            step += first
+            found[..., i] += np.einsum("...i,...i->...", step, step)
+        found[..., i] /= 2.0 * m**2 * many
     return found
 
 
