@@ -441,80 +441,94 @@ def navigate(
 
 
 @compiled
-def predict(covariances: Any, transitions: Any, noises: Any) -> Any:
-    """`kalman.predict`: covariances (r, n, n); each argument has r runs or one for all."""
-    size, moving = covariances.shape[1], transitions.shape[1]
-    runs = max(len(covariances), len(transitions), len(noises))
-    found = np.empty((runs, size, size))
+def predict(covariance: Any, transition: Any, noise: Any) -> Any:
+    """`kalman.predict` for one filter."""
+    size, moving = covariance.shape[1], transition.shape[0]
     rows = np.empty((moving, size))
+    _multiply(transition, covariance, rows)
+    grown = covariance.copy()
+    for i in range(moving):
+        for j in range(moving):
+            grown[i, j] = _dot(rows[i], transition[j]) + noise[i, j]
+        for j in range(moving, size):
+            grown[i, j] = rows[i, j]
+            grown[j, i] = rows[i, j]
+    return grown
+
+
+@compiled
+def correct_covariance(covariance: Any, observation: Any, noise: Any) -> Any:
+    """`kalman.correct_covariance` for one filter, and whether the matrix to invert was regular."""
+    many, size = observation.shape
+    seen, spread = np.empty((many, size)), noise.copy()
+    gain, weights = np.empty((size, many)), np.empty((many, many))
+    _multiply(observation, covariance, seen)
+    for i in range(many):
+        for j in range(many):
+            spread[i, j] += _dot(seen[i], observation[j])
+    regular = _invert(spread, weights)
+    after = covariance.copy()
+    for i in range(size):
+        for j in range(many):
+            total = 0.0
+            for k in range(many):
+                total += seen[k, i] * weights[k, j]
+            gain[i, j] = total
+        row = after[i]
+        for k in range(many):
+            factor = gain[i, k]
+            for j in range(size):
+                row[j] -= factor * seen[k, j]
+    for i in range(size):
+        for j in range(i):
+            mean = 0.5 * (after[i, j] + after[j, i])
+            after[i, j] = mean
+            after[j, i] = mean
+    return after, gain, weights, regular
+
+
+@compiled
+def correct(covariance: Any, innovation: Any, observation: Any, noise: Any) -> Any:
+    """`kalman.correct` for one filter, and whether the matrix to invert was regular."""
+    after, gain, weights, regular = correct_covariance(covariance, observation, noise)
+    correction = np.zeros(len(gain))
+    nis = 0.0
+    for j in range(len(innovation)):
+        nis += innovation[j] * _dot(weights[j], innovation)
+        for i in range(len(correction)):
+            correction[i] += gain[i, j] * innovation[j]
+    return correction, after, nis, regular
+
+
+@compiled
+def predict_each(covariances: Any, transitions: Any, noises: Any) -> Any:
+    """`predict` for r filters; each argument has r runs or one for all."""
+    runs = max(len(covariances), len(transitions), len(noises))
+    found = np.empty((runs, *covariances.shape[1:]))
     for run in range(runs):
-        covariance = covariances[run % len(covariances)]
-        transition = transitions[run % len(transitions)]
-        noise = noises[run % len(noises)]
-        grown = found[run]
-        _multiply(transition, covariance, rows)
-        grown[:] = covariance
-        for i in range(moving):
-            for j in range(moving):
-                grown[i, j] = _dot(rows[i], transition[j]) + noise[i, j]
-            for j in range(moving, size):
-                grown[i, j] = rows[i, j]
-                grown[j, i] = rows[i, j]
+        found[run] = predict(
+            covariances[run % len(covariances)],
+            transitions[run % len(transitions)],
+            noises[run % len(noises)],
+        )
     return found
 
 
 @compiled
-def correct_covariance(covariances: Any, observations: Any, noises: Any) -> Any:
-    """`kalman.correct_covariance`: its results with an axis of r runs, and whether all were found.
-
-    Each argument has r runs or one for all. Not found is the inverse of a singular matrix.
-    """
-    many, size = observations.shape[1:]
+def correct_covariance_each(covariances: Any, observations: Any, noises: Any) -> Any:
+    """`correct_covariance` for r filters; each argument has r runs or one for all."""
     runs = max(len(covariances), len(observations), len(noises))
+    many, size = observations.shape[1:]
     after, gain = np.empty((runs, size, size)), np.empty((runs, size, many))
-    weights, seen, spread = np.empty((runs, many, many)), np.empty((many, size)), noises[0].copy()
+    weights, regular = np.empty((runs, many, many)), True
     for run in range(runs):
-        covariance = covariances[run % len(covariances)]
-        observation = observations[run % len(observations)]
-        noise = noises[run % len(noises)]
-        corrected = after[run]
-        _multiply(observation, covariance, seen)
-        for i in range(many):
-            for j in range(many):
-                spread[i, j] = _dot(seen[i], observation[j]) + noise[i, j]
-        if not _invert(spread, weights[run]):
-            return after, gain, weights, False
-        for j in range(size):
-            for i in range(many):
-                gain[run, j, i] = _dot(seen[:, j], weights[run, :, i])
-        for i in range(size):
-            row = corrected[i]
-            row[:] = covariance[i]
-            for k in range(many):
-                factor = gain[run, i, k]
-                for j in range(size):
-                    row[j] -= factor * seen[k, j]
-        for i in range(size):
-            for j in range(i):
-                mean = 0.5 * (corrected[i, j] + corrected[j, i])
-                corrected[i, j] = mean
-                corrected[j, i] = mean
-    return after, gain, weights, True
-
-
-@compiled
-def correct(covariances: Any, innovations: Any, observations: Any, noises: Any) -> Any:
-    """`kalman.correct`: its results with an axis of r runs, and whether all were found."""
-    after, gain, weights, whole = correct_covariance(covariances, observations, noises)
-    runs, size, many = gain.shape
-    corrections, nis = np.zeros((runs, size)), np.zeros(runs)
-    for run in range(runs):
-        innovation = innovations[run % len(innovations)]
-        for j in range(many):
-            for i in range(size):
-                corrections[run, i] += gain[run, i, j] * innovation[j]
-            nis[run] += innovation[j] * _dot(weights[run, j], innovation)
-    return corrections, after, nis, whole
+        after[run], gain[run], weights[run], one = correct_covariance(
+            covariances[run % len(covariances)],
+            observations[run % len(observations)],
+            noises[run % len(noises)],
+        )
+        regular = regular and one
+    return after, gain, weights, regular
 
 
 @inlined
@@ -531,10 +545,17 @@ def _multiply(a: Any, b: Any, found: Any) -> None:
 
 @inlined
 def _dot(a: Any, b: Any) -> float:
-    total = 0.0
-    for k in range(len(a)):
-        total += a[k] * b[k]
-    return total
+    """Sum of products; in four parts, none of which waits for the others."""
+    total0, total1, total2, total3 = 0.0, 0.0, 0.0, 0.0
+    whole = len(a) - len(a) % 4
+    for k in range(0, whole, 4):
+        total0 += a[k] * b[k]
+        total1 += a[k + 1] * b[k + 1]
+        total2 += a[k + 2] * b[k + 2]
+        total3 += a[k + 3] * b[k + 3]
+    for k in range(whole, len(a)):
+        total0 += a[k] * b[k]
+    return (total0 + total1) + (total2 + total3)
 
 
 @inlined

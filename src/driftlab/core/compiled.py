@@ -115,11 +115,11 @@ def navigate(
 
 def predict(covariance: FloatArray, transition: FloatArray, noise: FloatArray) -> FloatArray:
     """As `driftlab.core.kalman.predict`."""
+    if covariance.ndim == transition.ndim == noise.ndim == 2:
+        return _kernels().predict(covariance, transition, noise)
     lead = _lead(covariance, transition, noise)
-    found: FloatArray = _kernels().predict(
-        _runs(covariance, lead), _runs(transition, lead), _runs(noise, lead)
-    )
-    return found.reshape(*lead, *covariance.shape[-2:])
+    given = (_runs(each, lead) for each in (covariance, transition, noise))
+    return _kernels().predict_each(*given).reshape(*lead, *covariance.shape[-2:])
 
 
 def correct_covariance(
@@ -127,32 +127,23 @@ def correct_covariance(
 ) -> tuple[FloatArray, NDArray[Any], NDArray[Any]]:
     """As `driftlab.core.kalman.correct_covariance`."""
     lead = _lead(covariance, observation, noise)
-    after, gain, weights, whole = _kernels().correct_covariance(
-        _runs(covariance, lead), _runs(observation, lead), _runs(noise, lead)
-    )
-    if not whole:
+    given = (_runs(each, lead) for each in (covariance, observation, noise))
+    *found, regular = _kernels().correct_covariance_each(*given)
+    if not regular:
         raise _singular()
-    many, size = observation.shape[-2:]
-    return (
-        after.reshape(*lead, size, size),
-        gain.reshape(*lead, size, many),
-        weights.reshape(*lead, many, many),
-    )
+    after, gain, weights = (each.reshape(*lead, *each.shape[1:]) for each in found)
+    return after, gain, weights
 
 
 def correct(
     covariance: FloatArray, innovation: FloatArray, observation: FloatArray, noise: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """As `driftlab.core.kalman.correct`, one innovation for each covariance."""
-    lead = _lead(covariance, observation, noise)
-    seen = _runs(innovation[..., np.newaxis, :], lead)[:, 0]
-    correction, after, nis, whole = _kernels().correct(
-        _runs(covariance, lead), seen, _runs(observation, lead), _runs(noise, lead)
-    )
-    if not whole:
+    """As `driftlab.core.kalman.correct`, for one filter."""
+    *found, regular = _kernels().correct(covariance, innovation, observation, noise)
+    if not regular:
         raise _singular()
-    size = covariance.shape[-1]
-    return correction.reshape(*lead, size), after.reshape(*lead, size, size), nis.reshape(lead)[()]
+    correction, after, nis = found
+    return correction, after, np.array(nis)[()]
 
 
 def _singular() -> np.linalg.LinAlgError:

@@ -35,7 +35,8 @@ def correct(
     covariance: FloatArray, innovation: FloatArray, observation: FloatArray, noise: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Correction, covariance and normalised innovation squared."""
-    if compiled.on and innovation.shape[:-1] == covariance.shape[:-2]:
+    single = innovation.ndim == 1 and covariance.ndim == observation.ndim == noise.ndim == 2
+    if compiled.on and single:
         return compiled.correct(covariance, innovation, observation, noise)
     after, gain, weights = correct_covariance(covariance, observation, noise)
     column = innovation[..., np.newaxis]
