@@ -18,7 +18,10 @@ usage: python3 lab.py [command]
               --workers N            processes for what takes many runs, else one for each core
               --scheduler ADDRESS    send those runs to a cluster of dask
               --keep FOLDER          keep finished runs there, and go on from them
-  bench     print how fast the package is, against its peers, which this command fetches
+  bench     measure how fast the package is, beside its peers, which this command fetches, and
+            a floor in C; write tests/benchmarks/speed.md, or "bench attitude filter" print a part
+              --repeats N    rounds of each row
+              --no-write     print only
   peers     ask programs of others, which this command fetches, whether they compute the same
   class     report what a class handed in: "class FOLDER", a folder or a zip
               --roster FILE     with all names of the class, from a CSV file
@@ -193,11 +196,10 @@ def figures(arguments: list[str]) -> int:
 
 
 def bench(arguments: list[str]) -> int:
-    """Print how fast the package is."""
-    expect_none(arguments)
+    """Measure how fast the package is; without a choice of subjects, renew the page of it."""
     set_up()
     fetch("bench")
-    return run("tests/benchmarks/bench.py")
+    return run("tests/benchmarks/bench.py", *arguments)
 
 
 def peers(arguments: list[str]) -> int:
