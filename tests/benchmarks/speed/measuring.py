@@ -142,10 +142,14 @@ def measure(row: Row, repeats: int = 9, budget: float = 8.0) -> Result:
 
 def _warmed(contender: Contender) -> tuple[int, float | None]:
     """Calls that make one time, and the error; what compiles itself has done so afterwards."""
+    begin = perf_counter()
     result = contender.run()
+    first = perf_counter() - begin
     error = None if contender.error is None else float(contender.error(result))
     del result
-    return max(1, int(_SHORTEST / max(_seconds(contender.run, 1), 1e-7))), error
+    # What is slow at first may have compiled itself, or not; one call makes a time either way.
+    again = first if first > 1 else _seconds(contender.run, 1)
+    return max(1, int(_SHORTEST / max(again, 1e-7))), error
 
 
 def _seconds(run: Callable[[], Any], calls: int) -> float:
