@@ -19,6 +19,8 @@ from speed.page import machine, page
 from speed.plot import write_plot
 from speed.verdicts import verdict
 
+from driftlab.compilation import use_compiled
+
 HERE = Path(__file__).parent
 MODULES = {
     "attitude": "attitude",
@@ -92,6 +94,7 @@ def main() -> None:
     load = os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0
     sys.stdout.reconfigure(line_buffering=True)
     print(machine(load))
+    use_compiled(False)  # but in the rows that say so
     chosen = options.subjects or (*MODULES, "growth")
     found, grown = [], []
     for subject in (name for name in MODULES if name in chosen):

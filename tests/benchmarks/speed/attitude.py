@@ -29,7 +29,7 @@ from driftlab.quaternion import (
 )
 
 from . import floor
-from .contenders import IN_C, Maker, every, floors_here, largest_angle, those_here
+from .contenders import IN_C, Maker, and_compiled, every, floors_here, largest_angle, those_here
 from .measuring import Contender, Row, Target
 
 DEFAULT = "two-step-4"
@@ -57,8 +57,9 @@ def _leaning(phase: np.ndarray) -> np.ndarray:
 def rows() -> Iterator[Row]:
     increments, true = cone(COUNT)
     for name in (DEFAULT, *(name for name in ALGORITHMS if name != DEFAULT)):
-        yield _algorithm(name, increments, true)
-    yield _products()
+        row = _algorithm(name, increments, true)
+        yield from and_compiled(row) if name in CONING_ALGORITHMS else [row]
+    yield from and_compiled(_products())
     yield _from_rates()
 
 
@@ -219,6 +220,7 @@ def _products() -> Row:
         left_out + without,
         (10**6, "a quaternion"),
         "of a component",
+        1e-12,
     )
 
 

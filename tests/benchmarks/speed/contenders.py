@@ -1,13 +1,16 @@
 """Contenders that may be missing: a peer that is not installed, a floor without a compiler."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from importlib.util import find_spec
 
 import numpy as np
 
+from driftlab.compilation import use_compiled
 from driftlab.quaternion import conjugate, multiply, rotation_angle
 
 from . import floor
-from .measuring import Contender
+from .measuring import Contender, Row
 
 Maker = Callable[[], Contender]
 IN_C = "the same in C"
@@ -36,6 +39,30 @@ def floors_here(
     if in_c is not None:
         here.append(Contender(IN_C, in_c, error))
     return here, []
+
+
+def and_compiled(row: Row) -> Iterator[Row]:
+    """The row as it is, and once more with the package's loops compiled, if Numba is here."""
+    if find_spec("numba") is None:
+        sentence = "Compiled loops left out: numba is not installed."
+        yield replace(row, left_out=[*row.left_out, sentence])
+        return
+    yield row
+    ours = replace(row.ours, name="driftlab, compiled", run=compiled(row.ours.run))
+    yield replace(row, title=f"{row.title}, compiled", ours=ours)
+
+
+def compiled(run: Callable[[], object]) -> Callable[[], object]:
+    """The same call with compiled loops, and those alone."""
+
+    def with_loops() -> object:
+        use_compiled()
+        try:
+            return run()
+        finally:
+            use_compiled(False)
+
+    return with_loops
 
 
 def largest_angle(found: np.ndarray, true: np.ndarray) -> float:

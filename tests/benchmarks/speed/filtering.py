@@ -12,7 +12,7 @@ from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion import NINETEEN_POSITIONS
 
 from . import floor
-from .contenders import IN_C, floors_here, those_here
+from .contenders import IN_C, and_compiled, floors_here, those_here
 from .measuring import Contender, Row, Target
 
 
@@ -61,7 +61,7 @@ def rows() -> Iterator[Row]:
         ("predict and correct, as `calibrate` calls them", core),
         ("predict and correct, with all arguments checked", kalman),
     ):
-        yield Row(
+        row = Row(
             "filter",
             title,
             Contender("driftlab", _ours(module, steps), error),
@@ -73,6 +73,7 @@ def rows() -> Iterator[Row]:
             "of the covariance, in units of the deviations",
             1e-10,
         )
+        yield from and_compiled(row)
 
 
 def _ours(module: ModuleType, steps: Steps) -> Callable[[], np.ndarray]:

@@ -12,7 +12,7 @@ from driftlab.motion import NINETEEN_POSITIONS, Scheme, Trajectory, table_trajec
 from driftlab.strapdown import Navigation, at_rest, navigate
 
 from . import floor
-from .contenders import IN_C, floors_here, largest_angle, those_here
+from .contenders import IN_C, and_compiled, floors_here, largest_angle, those_here
 from .measuring import Contender, Row, Target
 
 LATITUDE, INTERVAL = np.radians(37.5), 0.01
@@ -49,7 +49,7 @@ def rows() -> Iterator[Row]:
         peers, left_out = those_here({"pyins": pyins})
         in_c = partial(floor.navigate, start, INTERVAL, angle, velocity)
         floors, without = floors_here(np.hstack([angle, velocity]), in_c, error)
-        yield Row(
+        row = Row(
             "navigation",
             f"{INTERVAL * len(angle):.0f} s at {1 / INTERVAL:.0f} Hz; error of the {quantity}",
             Contender("driftlab", partial(navigate, start, increments), error),
@@ -60,6 +60,7 @@ def rows() -> Iterator[Row]:
             error_in=unit,
             rounding=1e-10 if quantity == "attitude" else 1e-6,
         )
+        yield from and_compiled(row)
 
 
 def _pyins(record: Trajectory, quantity: str) -> Contender:
