@@ -87,6 +87,11 @@ def tell_growth(growth: Growth) -> None:
     )
 
 
+def write(found: list[Result], grown: list[Growth], load: float) -> None:
+    write_plot(found, grown, HERE / "speed.svg")
+    (HERE / "speed.md").write_text(page(found, grown, load), "utf-8", newline="\n")
+
+
 def main() -> None:
     options = arguments()
     # What peers' compilers and tables say of themselves would stand between the lines.
@@ -97,17 +102,19 @@ def main() -> None:
     use_compiled(False)  # but in the rows that say so
     chosen = options.subjects or (*MODULES, "growth")
     found, grown = [], []
+    whole = not options.subjects and not options.no_write
     for subject in (name for name in MODULES if name in chosen):
         for result in results(subject, options.repeats):
             tell(result)
             found.append(result)
+        if whole:  # so that an interruption leaves what was measured
+            write(found, grown, load)
     if "growth" in chosen:
         for growth in growths(options.repeats):
             tell_growth(growth)
             grown.append(growth)
-    if not options.subjects and not options.no_write:
-        write_plot(found, grown, HERE / "speed.svg")
-        (HERE / "speed.md").write_text(page(found, grown, load), "utf-8", newline="\n")
+    if whole:
+        write(found, grown, load)
         print(f"Written: {HERE / 'speed.md'} and speed.svg.")
     if "browser" in chosen:
         import_module("speed.browser").latencies()

@@ -60,7 +60,10 @@ def page(results: list[Result], growths: list[Growth], load: float) -> str:
             parts.append(_alone(together))
         else:
             parts += [_compared(result) for result in together]
-    parts.append(_growth(growths))
+    parts.append(_growth(growths) if growths else "")
+    there = {result.row.subject for result in results}
+    if absent := [name.lower() for key, name in _SUBJECTS.items() if key not in there]:
+        parts.append(f"This run was interrupted. Not measured: {', '.join(absent)}.")
     return "\n".join(parts).rstrip() + "\n"
 
 
