@@ -77,6 +77,8 @@ def frames_of(page: Page, picture: Locator, *acts: Callable[[], object]) -> list
     session.send("Page.stopScreencast")
     session.detach()
     images = [Image.open(io.BytesIO(data)) for data in recorded]
+    for image in images:
+        image.draft("L", image.size)  # decodes no colours
     sizes = {image.size for image in images}
     # Pages of a window share its size: one that was opened meanwhile may have changed it.
     assert sizes == {tuple(page.viewport_size.values())}, f"frames of {sizes} are not the page"

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from notebook_page import PATIENCE
+from notebook_page import PATIENCE, wait_until
 from PIL import Image
 
 from driftlab.book.machinery.control import Control
@@ -202,6 +202,11 @@ class PanelPage:
         self.panel.get_by_role("combobox", name="preset").select_option(label=name)
         self.settle()
 
+    def begin_with(self, name: str, values: dict[str, Any]) -> None:
+        """Choose a preset, and wait for its values only: its picture may come later."""
+        self.panel.get_by_role("combobox", name="preset").select_option(label=name)
+        wait_until(self.page, lambda: self.values() == values, f"the values of {name}")
+
     def reset(self) -> None:
         self.panel.get_by_role("button", name="Reset").click()
         self.settle()
@@ -241,7 +246,7 @@ class PanelPage:
         mouse = self.page.mouse
 
         def to(place: float) -> None:
-            mouse.move(place, y, steps=8)
+            mouse.move(place, y, steps=4)
             self.settle()
 
         def take() -> None:
