@@ -13,6 +13,7 @@ import pytest
 from chromium import no_browser
 from interpreter import run_here
 from nbclient import NotebookClient
+from nbclient.output_widget import OutputWidget
 from nbconvert import SlidesExporter
 from nbformat import NotebookNode
 from notebook_page import SCREENS, NotebookPage
@@ -53,8 +54,21 @@ class Run(NamedTuple):
     page: NotebookPage | None = None
 
 
+class SilentOutput(OutputWidget):
+    """Keeps what is written into an Output widget and tells the kernel nothing of it.
+
+    What is sent while the answer of a cell is awaited can cost its arrival, and the client then
+    sits out its whole time (nbclient issue 312).
+    """
+
+    def send(self, *arguments: object, **options: object) -> None:
+        pass
+
+
 def run_in_kernel(notebook: NotebookNode) -> NotebookNode:
-    NotebookClient(notebook, timeout=TIMEOUT, resources={"metadata": {"path": FOLDER}}).execute()
+    client = NotebookClient(notebook, timeout=TIMEOUT, resources={"metadata": {"path": FOLDER}})
+    client.widget_registry = {"@jupyter-widgets/output": {"OutputModel": SilentOutput}}
+    client.execute()
     return notebook
 
 
