@@ -5,7 +5,6 @@ from itertools import combinations
 from pathlib import Path
 
 import pytest
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.legend import Legend
 from matplotlib.text import Text
@@ -39,7 +38,7 @@ def drawn_words(figure: Figure, monkeypatch: pytest.MonkeyPatch) -> list[tuple[T
     figure.dpi = 100
     with monkeypatch.context() as patch:
         patch.setattr(Text, "draw", recorded)
-        FigureCanvasAgg(figure).draw()  # finds the layout before it draws any words
+        figure.draw_without_rendering()  # finds the layout before it comes to any words
     return found
 
 
