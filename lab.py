@@ -9,7 +9,7 @@ usage: python3 lab.py [command]
               --original     open the book itself, for authors
   fresh     bring clean notebooks and put yours aside: all, or "fresh 03" for chapter 03
   test      check the project: ruff, mypy, import-linter and pytest
-              --quick        leave out browsers, chapters and whole set-ups
+              --quick        leave out browsers, chapters, whole set-ups and long studies
               --site         only the site that "site" built, in _site or where DRIFTLAB_SITE says
               other arguments go to pytest, which then runs alone
   lowest    the quick tests with the oldest packages that pyproject.toml allows
@@ -108,7 +108,8 @@ OF_DIFFERENT_AGE = [
     # The page's stand-in has what ipywidgets 8 has; a slider of 7 has no tooltip.
     "--deselect=tests/site/test_widgets_standin.py::test_shows_the_same",
 ]
-QUICK = ["--hypothesis-profile=quick", NO_PEERS, "-m", "not browser and not kernel and not setup"]
+LONG = ("browser", "kernel", "setup", "slow")
+QUICK = ["--hypothesis-profile=quick", NO_PEERS, "-m", " and ".join(f"not {mark}" for mark in LONG)]
 
 
 def run(*arguments: str) -> int:

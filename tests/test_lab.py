@@ -748,7 +748,7 @@ def test_test_quick_leaves_out_what_is_slow(checks: SimpleNamespace) -> None:
         "--hypothesis-profile=quick",
         "--ignore=tests/peers",
         "-m",
-        "not browser and not kernel and not setup",
+        "not browser and not kernel and not setup and not slow",
     ]
     assert checks.ran[0] == ["-m", "ruff", "check"]
 

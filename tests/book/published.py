@@ -1,6 +1,7 @@
 """The published figures, each computed once for all tests of a process.
 
-What belongs to one figure is one group of tests, so that only one of several processes computes it.
+What belongs to one figure is one group of tests, so that only one of several processes computes it,
+and is left to the tests that are not quick: all of them together take minutes.
 """
 
 from functools import cache
@@ -30,7 +31,7 @@ def computed(name: str) -> PublishedFigure:
 def of_figure(name: str) -> Any:
     """Name of a figure as a test's parameter, which puts the test into the figure's group."""
     group = SHARED.get(name, f"figure-{name}")
-    return pytest.param(name, id=name, marks=pytest.mark.xdist_group(group))
+    return pytest.param(name, id=name, marks=[pytest.mark.xdist_group(group), pytest.mark.slow])
 
 
 def published(*names: str) -> pytest.MarkDecorator:

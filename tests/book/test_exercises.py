@@ -205,6 +205,7 @@ GIVING = [n for n, e in EXERCISES.items() if getattr(e, "given", None)]
 STUDENTS = [f"student {i}" for i in range(30)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", GIVING)
 def test_students_have_numbers_of_their_own_and_mistakes_told_apart(number):
     exercise, answers = EXERCISES[number], []

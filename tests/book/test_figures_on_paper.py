@@ -93,6 +93,7 @@ def test_no_words_collide(
     assert not found, "; ".join(found)
 
 
+@pytest.mark.slow
 @every_panel
 def test_no_words_of_a_panels_picture_collide(
     panel_class: type[Explorer], monkeypatch: pytest.MonkeyPatch
@@ -122,6 +123,7 @@ def test_the_test_sees_words_that_collide(monkeypatch: pytest.MonkeyPatch) -> No
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ending", "begins"), [("pdf", b"%PDF"), ("svg", b"<?xml"), ("png", b"\x89PNG")]
 )

@@ -49,6 +49,7 @@ def drawn(monkeypatch, tmp_path):
     return run
 
 
+@pytest.mark.slow
 def test_processes_change_nothing_and_what_is_kept_is_taken(drawn, tmp_path, monkeypatch):
     kept = tmp_path / "kept"
     expected = study()

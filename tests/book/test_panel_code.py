@@ -134,6 +134,7 @@ def test_the_code_of_no_panel_is_forgotten() -> None:
     assert tested == {explorer.__name__ for explorer in EXPLORERS}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "expected", "tolerance"),
     [pytest.param(*case, id=case[0], marks=pytest.mark.xdist_group(case[0])) for case in CASES],
@@ -172,6 +173,7 @@ def test_code_of_the_laboratory_of_schemes_names_what_is_unobservable() -> None:
     assert all(words in printed for words in unobservable.split("; "))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("panel_class", "name"),
     [

@@ -90,11 +90,13 @@ def combine(panel: Explorer, count: int = 12) -> None:
         exec(panel.call(panel.values), {})
 
 
+@pytest.mark.slow
 @every_panel
 def test_every_control_sweeps_to_both_ends_and_back(panel_class: type[Explorer]) -> None:
     sweep(opened(panel_class))
 
 
+@pytest.mark.slow
 @every_panel
 def test_any_combination_gives_a_picture_numbers_and_code_that_runs(
     panel_class: type[Explorer],
@@ -102,6 +104,7 @@ def test_any_combination_gives_a_picture_numbers_and_code_that_runs(
     combine(opened(panel_class))
 
 
+@pytest.mark.slow
 @every_panel
 def test_numbers_beside_the_picture_are_the_package_s_own(panel_class: type[Explorer]) -> None:
     panel = opened(panel_class)

@@ -33,6 +33,7 @@ PURE_NUMBERS = {
 }
 
 
+@pytest.mark.slow
 @every_panel
 def test_reset_and_presets(panel_class: type[Explorer]) -> None:
     panel = opened(panel_class)
@@ -45,6 +46,7 @@ def test_reset_and_presets(panel_class: type[Explorer]) -> None:
     assert panel.preset.value == next(iter(panel.presets))
 
 
+@pytest.mark.slow
 @every_panel
 def test_picture_is_the_static_figure(panel_class: type[Explorer]) -> None:
     """Drawn move by move or all at once: the same pixels, and the same size."""
@@ -117,6 +119,7 @@ def test_every_preset_says_what_to_look_for(panel_class: type[Explorer]) -> None
     assert OWN_VALUES in panel.guide.value
 
 
+@pytest.mark.slow
 @every_panel
 def test_results_keep_their_rows_and_their_units(panel_class: type[Explorer]) -> None:
     """Nothing moves below them, and no number has a power of ten by e."""

@@ -52,6 +52,7 @@ def same(one: Any, two: Any) -> bool:
     return one == two
 
 
+@pytest.mark.slow
 @every_scene
 def test_sound_at_all_presets_and_at_the_ends_of_all_controls(scene_class) -> None:
     scene = opened(scene_class)
@@ -159,6 +160,7 @@ def test_a_handle_beyond_a_slider_stops_at_its_end() -> None:
     )
 
 
+@pytest.mark.slow
 @every_scene
 def test_a_key_moves_each_handle_though_a_step_of_its_slider_is_larger(scene_class) -> None:
     """By half a degree, as the arrow keys do with Shift: in some direction, and that way."""

@@ -219,6 +219,7 @@ def test_puzzle_and_panel_speak_russian_and_keep_the_names_of_their_values(capsy
     assert capsys.readouterr().out.startswith("Упражнение 1.1: ответа ещё нет.")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("panel", [*EXPLORERS[:4], *SCENES], ids=lambda panel: panel.__name__)
 def test_all_that_a_panel_says_is_in_the_catalogue(panel, monkeypatch):
     asked = set()
@@ -285,6 +286,7 @@ def test_a_translation_with_other_places_is_told(english, translated, is_right):
     assert bool(list(misplaced([message]))) != is_right
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("code", OTHERS)
 def test_the_catalogue_holds_all_texts_and_is_compiled(code, tmp_path, monkeypatch):
     kept = FOLDER / code / "LC_MESSAGES"

@@ -287,5 +287,5 @@ class PanelPage:
     def screenshot(self, path: Path) -> None:
         """Keep the page as it is with the panel at its top."""
         self._element.evaluate("panel => panel.scrollIntoView({ block: 'start' })")
-        self.settle(frames=20)
+        self.settle(frames=8)
         self.page.screenshot(path=path)

@@ -163,6 +163,7 @@ def sentence_of(run):
     return str(caught.value)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("slip", "place"), [(slip, k) for k, slip in enumerate(SLIPS)])
 def test_slip_is_named(slip, place):
     change, words = SLIPS[slip]
@@ -320,6 +321,7 @@ def test_innovations_are_the_roots_of_their_squares():
     np.testing.assert_allclose(np.sum(found.innovations**2, axis=-1), found.nis, rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_a_calibration_without_innovations_cannot_be_tested():
     none = np.zeros((1, 27))
     empty = Calibration(ERROR_MODELS["averaged"], none[0], none, none, none, none, none[0])

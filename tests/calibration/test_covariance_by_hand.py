@@ -30,6 +30,7 @@ def test_the_other_analysis_imports_nothing_of_the_package() -> None:
     assert {name.split(".")[0] for name in imported} == {"numpy", "scipy"}
 
 
+@pytest.mark.slow
 def test_filter_states_the_deviations_that_follow_without_the_package() -> None:
     trial = TableTrial(sample_interval=0.1)
     assert trial.latitude == LATITUDE

@@ -83,6 +83,7 @@ DOUBTS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("slip", DOUBTS)
 def test_slip_is_named(slip):
     told, words = DOUBTS[slip]

@@ -288,6 +288,7 @@ def three_passes(record):
     return found
 
 
+@pytest.mark.slow
 @every_frame
 def test_second_pass_takes_away_the_second_order_and_a_third_finds_nothing_more(
     three_passes, frame

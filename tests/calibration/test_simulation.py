@@ -173,6 +173,7 @@ def test_trial_is_consistent_elsewhere_with_other_axes_and_rotations(frame, lati
     assert low < trial.calibration.nis.sum() < high
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("frame", ["averaged", "lower triangle"])
 def test_second_pass_is_consistent_however_bent_the_units_are(frame):
     """Units bent by 400 arc seconds: one pass is far too sure of itself, two are not."""
@@ -218,6 +219,7 @@ def badly_installed():
     }
 
 
+@pytest.mark.slow
 def test_averaged_axes_keep_second_order_smaller_than_triangles(badly_installed):
     """The paper's remark on its axes: what a linear filter leaves out is less in them.
 

@@ -173,6 +173,7 @@ def test_a_folder_that_is_none_is_refused(tmp_path):
         sweep(lambda rng, runs: runs, 4, seed=1, folder=tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="there a process cannot be killed like this")
 @pytest.mark.parametrize("where", ["here", "in processes"])
 def test_killed_at_any_moment_and_started_again_it_is_the_same(where, tmp_path):

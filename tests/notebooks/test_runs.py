@@ -105,6 +105,8 @@ def runs_of(paths: list[Path]) -> pytest.MarkDecorator:
         marks = [pytest.mark.xdist_group(f"notebook-{name}")]
         if path in READERS:
             marks += [pytest.mark.kernel, pytest.mark.filterwarnings("ignore::DeprecationWarning")]
+        else:
+            marks.append(pytest.mark.slow)
         return pytest.param(path, id=name, marks=marks)
 
     heaviest_first = sorted(paths, key=lambda path: path.name[:2] not in HEAVY)

@@ -5,6 +5,7 @@
 
 import json
 import os
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from urllib.request import urlopen
@@ -27,6 +28,18 @@ KEPT = BUILD / "live"
 def site() -> Path:
     """Folder of the built site."""
     return site_or_skip()
+
+
+@pytest.fixture(scope="session")
+def site_python(site) -> Path:
+    """Python that has the site's tools, as lab.py lays it beside this one.
+
+    What is made with them takes minutes, and is tried when the site is.
+    """
+    python = Path(os.environ.get("DRIFTLAB_SITE_PYTHON", f"{sys.prefix}-site/bin/python"))
+    if not python.exists():
+        pytest.skip("the site's tools are not there; 'python3 lab.py site' brings them")
+    return python
 
 
 @pytest.fixture(scope="session")

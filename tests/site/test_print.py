@@ -2,10 +2,8 @@
 
 import ctypes
 import json
-import os
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import nbformat
@@ -27,8 +25,6 @@ from pdf.sheet import sheet
 from support import ROOT
 
 pytestmark = pytest.mark.xdist_group("site-print")
-PYTHON = Path(os.environ.get("DRIFTLAB_SITE_PYTHON", f"{sys.prefix}-site/bin/python"))
-"""Of the environment that has Typst, as lab.py lays it beside this one."""
 CHAPTER = "03_systematic_drift.ipynb"
 # What print_small.py puts into its notebooks.
 LONG = "a_long_name = another_name"
@@ -42,12 +38,10 @@ FEET = 25
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory) -> tuple[Path, dict[str, str]]:
+def made(site_python, tmp_path_factory) -> tuple[Path, dict[str, str]]:
     """Folder of what was printed, and what names mean."""
-    if not PYTHON.exists():
-        pytest.skip("'python3 lab.py print' has not run in this folder: it brings what is needed")
     folder = tmp_path_factory.mktemp("printed")
-    command = [str(PYTHON), str(Path(__file__).with_name("print_small.py")), str(folder)]
+    command = [str(site_python), str(Path(__file__).with_name("print_small.py")), str(folder)]
     done = subprocess.run(command, capture_output=True, encoding="utf-8")
     assert done.returncode == 0, done.stderr
     return folder, json.loads(done.stdout)
@@ -254,8 +248,8 @@ def test_no_question_of_an_examination_and_no_part_of_its_scheme_goes_on_overlea
         ("03", "--edition", "autumn"),
     ],
 )
-def test_what_cannot_be_printed_is_said_in_one_sentence(made, arguments):
-    command = [str(PYTHON), str(ROOT / "site/paper.py"), *arguments]
+def test_what_cannot_be_printed_is_said_in_one_sentence(site_python, arguments):
+    command = [str(site_python), str(ROOT / "site/paper.py"), *arguments]
     done = subprocess.run(command, capture_output=True, encoding="utf-8")
     assert done.returncode == 1
     assert len(done.stderr.splitlines()) == 1

@@ -1,9 +1,7 @@
 """Slides stand alone, fit every projector, show each proof, and have a lecturer's notes."""
 
-import os
 import re
 import subprocess
-import sys
 from contextlib import nullcontext
 from pathlib import Path
 
@@ -54,14 +52,11 @@ ALL_SLIDES = """() => Reveal.getSlides().map((slide) => {
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory) -> Path:
+def folder(site_python, tmp_path_factory) -> Path:
     """All slides, with and without code."""
-    python = Path(os.environ.get("DRIFTLAB_SITE_PYTHON", f"{sys.prefix}-site/bin/python"))
-    if not python.exists():
-        pytest.skip("the site's tools are not there; 'python3 lab.py slides' brings them")
     folder = tmp_path_factory.mktemp("slides")
     script = Path(__file__).with_name("build_slides.py")
-    subprocess.run([python, script, folder, *CHAPTERS.values()], check=True)
+    subprocess.run([site_python, script, folder, *CHAPTERS.values()], check=True)
     return folder
 
 

@@ -25,6 +25,7 @@ def standin() -> dict:
     return json.loads(told.stdout)
 
 
+@pytest.mark.slow
 @with_scenes
 @pytest.mark.xdist_group("standin")
 def test_shows_the_same(standin, panel_class):

@@ -2,7 +2,6 @@
 
 import os
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -11,18 +10,16 @@ from served import served
 from live.versions import ROOT
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("site-without-node")]
-PYTHON = Path(os.environ.get("DRIFTLAB_SITE_PYTHON", f"{sys.prefix}-site/bin/python"))
-"""Of the environment that has Sphinx, as lab.py lays it beside this one."""
 CHAPTER = "03_systematic_drift"
 
 
 @pytest.fixture(scope="module")
-def built(site, tmp_path_factory) -> tuple[Path, str]:
+def built(site_python, tmp_path_factory) -> tuple[Path, str]:
     """The site, and what its build said."""
-    if not PYTHON.exists() or not (ROOT / f"build/site/executed/{CHAPTER}.ipynb").exists():
+    if not (ROOT / f"build/site/executed/{CHAPTER}.ipynb").exists():
         pytest.skip("'python3 lab.py site' has not run in this folder: it has what is needed here")
     folder = tmp_path_factory.mktemp("without-node")
-    command = [str(PYTHON), str(Path(__file__).with_name("build_small.py")), str(folder)]
+    command = [str(site_python), str(Path(__file__).with_name("build_small.py")), str(folder)]
     nothing = {**os.environ, "PATH": str(folder)}
     done = subprocess.run(command, capture_output=True, encoding="utf-8", env=nothing)
     assert done.returncode == 0, done.stderr

@@ -221,6 +221,7 @@ def test_a_later_report_takes_the_place_of_an_earlier_one(report, tmp_path):
     assert (folder / "thesis.txt").exists()
 
 
+@pytest.mark.slow
 def test_the_command_writes_beside_the_folder(place):
     command = [sys.executable, "-m", "driftlab.book", "class"]
     done = subprocess.run(

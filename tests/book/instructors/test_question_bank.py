@@ -172,6 +172,7 @@ def test_text2qti_reads_the_quiz_of_a_class():
             assert choices == [one.true for one in each.statements]
 
 
+@pytest.mark.slow
 def test_no_two_variants_are_the_same():
     variants = [each for each in questions(NOTEBOOKS, students=60)[0] if each.variant]
     assert len({each.text for each in variants}) == len(variants)
@@ -179,6 +180,7 @@ def test_no_two_variants_are_the_same():
     assert 20 < sum(each.exercise == "4.6" for each in variants) < 60
 
 
+@pytest.mark.slow
 def test_files_of_the_command(tmp_path):
     command = [sys.executable, "-m", "driftlab.book", "questions", tmp_path / "bank"]
     done = subprocess.run(

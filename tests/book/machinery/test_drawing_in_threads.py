@@ -2,6 +2,8 @@
 
 from concurrent.futures import ThreadPoolExecutor
 
+import pytest
+
 import driftlab
 
 
@@ -10,6 +12,7 @@ def drawn(task) -> bytes:
     return driftlab.figure(name).save(path, width=width).read_bytes()
 
 
+@pytest.mark.slow
 def test_figures_of_two_styles_drawn_at_once_are_those_drawn_alone(tmp_path):
     kinds = [("03-drift-history", 3.5), ("03-drift-history", None), ("02-roots", 7.2)]
     alone = {kind: drawn((*kind, tmp_path / "alone.svg")) for kind in kinds}

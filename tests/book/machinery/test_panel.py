@@ -186,6 +186,7 @@ def test_any_widget_can_draw_for_an_explorer() -> None:
     assert panel.page.alt == f"shining. {OWN_VALUES} brightness: 3"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ending", "begins"), [("pdf", b"%PDF"), ("svg", b"<?xml"), ("png", b"\x89PNG")]
 )
