@@ -32,22 +32,27 @@ sys.modules.setdefault("rfc3987_syntax", None)
 # The groups that take longest, the longest first: begun last, one of them would run alone. A page
 # leaves the processor alone half of the time, so what only computes stands between the pages.
 HEAVY = (
+    "CapstoneExplorer",
     "notebook-08_system_calibration.ipynb",
     "book",
-    "CapstoneExplorer",
+    "GyrocompassExplorer",
+    "TurnCalibrationExplorer",
+    "notebook-10_gyrocompass_at_work.ipynb",
+    "browser-faults",
     "CalibrationRunExplorer",
     "notebook-06_picard_algorithms.ipynb",
+    "DriftExplorer",
     "lab",
-    "GyrocompassExplorer",
-    "figure-08-filter-consistency",
-    "TurnCalibrationExplorer",
+    "AlgorithmLaboratoryExplorer",
     "AlignmentBudgetExplorer",
-    "calibration/test_simulation",
+    "notebook-09_aligning_a_gyrocompass.ipynb",
+    "TypeTestExplorer",
+    "MissionExplorer",
     "notebook-04_calibration_by_turns.ipynb",
-    "notebook-11_one_triad.ipynb",
-    "calibration/test_filter",
-    "ObservabilityExplorer",
+    "standin",
     "figure-08-in-place-claim",
+    "AllanExplorer",
+    "ObservabilityExplorer",
 )
 
 

@@ -8,10 +8,13 @@ from pathlib import Path
 import pytest
 from standin_report import report
 
-from grouped import with_scenes
+from driftlab.book.panels import EXPLORERS, SCENES
 from support import ROOT
 
 IN_PLACE = ROOT / "site/in_place"
+
+# All of them, of whichever panel: the report is made in one of several processes.
+pytestmark = pytest.mark.xdist_group("standin")
 
 
 @pytest.fixture(scope="module")
@@ -26,19 +29,16 @@ def standin() -> dict:
 
 
 @pytest.mark.slow
-@with_scenes
-@pytest.mark.xdist_group("standin")
+@pytest.mark.parametrize("panel_class", [*EXPLORERS, *SCENES], ids=lambda each: each.__name__)
 def test_shows_the_same(standin, panel_class):
     expected = json.loads(json.dumps(report(panel_class())))
     assert standin["reports"][panel_class.__name__] == expected
 
 
-@pytest.mark.xdist_group("standin")
 def test_needs_no_symbols_and_no_notebook(standin):
     assert standin["wrong"] == []
 
 
-@pytest.mark.xdist_group("standin")
 def test_a_link_with_a_name_that_no_control_has_is_refused():
     code = """
 import sys
