@@ -35,6 +35,7 @@ def test_shows_the_same(standin, panel_class):
     assert standin["reports"][panel_class.__name__] == expected
 
 
+@pytest.mark.slow
 def test_needs_no_symbols_and_no_notebook(standin):
     assert standin["wrong"] == []
 
