@@ -22,6 +22,7 @@ from .checks import (
     finite_arrays,
     finite_number,
     shown,
+    speed_of_body,
     truth_value,
     unit_quaternions,
     whole_number,
@@ -35,6 +36,7 @@ __all__ = ["Navigation", "at_rest", "checked_interval", "last_of", "navigate"]
 
 ALGORITHM = CONING_ALGORITHMS["two-step-4"]
 """The attitude algorithm of the navigation; its step is a pair of increments."""
+_HIGHEST = 1e9  # m: past the Moon
 _LONGEST = 20.0  # s: interval for which the fixed point still converges quickly
 
 
@@ -158,6 +160,7 @@ def navigate(
     start = _checked(start)
     interval, angle, velocity = checked_increments(increments)
     seconds = checked_interval(interval)
+    speed_of_body(velocity, "increments.velocity")
     count = angle.shape[-2]
     if count % 2:
         raise ValueError(f"increments: expected an even number of rows, got {count}.")
@@ -208,4 +211,10 @@ def _checked(state: Navigation) -> Navigation:
         velocity=(state.velocity, 3),
         attitude=(unit_quaternions(state.attitude, "attitude"), 4),
     )
+    if not np.abs(altitude).max() <= _HIGHEST:  # the inner Earth is refused on the way
+        raise ValueError(
+            f"altitude: expected m, at most {_HIGHEST:g} in size, got {altitude.min():g} to "
+            f"{altitude.max():g}."
+        )
+    speed_of_body(velocity, "velocity")
     return Navigation(checked_latitude(latitude), longitude, altitude, velocity, attitude)

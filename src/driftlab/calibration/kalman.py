@@ -179,7 +179,8 @@ def nees(errors: ArrayLike, covariance: ArrayLike) -> FloatArray:
     Raises
     ------
     ValueError
-        If shapes do not fit, or a number is not finite.
+        If shapes do not fit, a number is not finite, or the covariance of the states that count
+        has no inverse.
 
     References
     ----------
@@ -199,7 +200,17 @@ def nees(errors: ArrayLike, covariance: ArrayLike) -> FloatArray:
     counted = np.flatnonzero(variances.reshape(-1, size).any(axis=0))
     error = error[..., counted]
     block = stated[..., counted[:, np.newaxis], counted]
-    return np.vecdot(error, np.linalg.solve(block, error[..., np.newaxis])[..., 0])
+    try:
+        with np.errstate(over="ignore", invalid="ignore"):  # refused below
+            found = np.vecdot(error, np.linalg.solve(block, error[..., np.newaxis])[..., 0])
+    except np.linalg.LinAlgError:
+        found = np.array(np.inf)
+    if not np.isfinite(found).all():
+        raise ValueError(
+            "covariance: expected one with an inverse where variances are not zero, got one "
+            "without."
+        )
+    return found
 
 
 def _size(covariance: ArrayLike) -> int:

@@ -45,6 +45,8 @@ def record_of_table(
     places = {triad: _places(table, wanted, triad) for triad, wanted in columns.items()}
     scales = _scales(table, places, units)
     offsets = finite_array(zeros, "zeros", 2)
+    if offsets.ndim > 1:
+        raise ValueError(f"zeros: expected shape (2,), got shape {offsets.shape}.")
     stamp, size = _stamp_column(table, time, interval, rate)
     indices = [index for triad in places.values() for index, _ in triad]
     numbers = table.numbers(indices if size is None else [*indices, stamp])
