@@ -10,6 +10,7 @@ from ._arrays import (
     SMALLEST_DIVISOR as SMALLEST_DIVISOR,
     ComplexArray as ComplexArray,
     FloatArray as FloatArray,
+    common_leading_axes as common_leading_axes,
     finite_array as finite_array,
     finite_arrays as finite_arrays,
     nonzero_vectors as nonzero_vectors,
