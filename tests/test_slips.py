@@ -31,8 +31,6 @@ LET_THROUGH = {
     *("integrate.history", "step_quaternions.history", "step_vectors.history"),  # not always used
     "convert_attitude_error.true_attitude",
     *("Algorithm.name", "Algorithm.order", "FunctionalIteration.name", "Recording.longest_gap"),
-    *("NominalReadings.gyro_scale", "NominalReadings.gyro_zero"),
-    *("NominalReadings.accelerometer_scale", "NominalReadings.accelerometer_zero"),
 }
 MAY_BE_EMPTY = ("rests", "axes")
 
