@@ -21,7 +21,7 @@ UNKNOWN = {
 }
 IN_WORDS = {"integrate_in_word", "step_vectors", "step_in_word"}  # which are asked for
 VIEWS = {"Increments.part", "Recording.part", "Recording.between"}  # as of a slice
-# What is made of the arguments, and is told by its own name.
+# What is made of an argument that is far too large, and is told by its own name.
 TRIADS = ("gyro_matrix", "gyro_offset", "accelerometer_matrix", "accelerometer_offset")
 ALSO_TOLD = {
     **{f"{name}Matrices": TRIADS for name in ("Psins", "Ros", "Kalibr", "Imucal", "ImuTk")},

@@ -14,8 +14,9 @@ from doors import Door
 from driftlab.checks import LARGEST_NUMBER
 from support import replaced
 
+# Places of rows, which no fraction can be.
+WHOLE = {"rests"}
 # Records that a user fills; others come from the package, and are taken as they are.
-WHOLE = {"rests", "averaging_counts"}
 MADE_BY_HAND = {"Gains", "ImuErrors", "Increments", "LevelFrame", "Navigation"}
 
 
@@ -159,7 +160,7 @@ def _pair(slot: Slot, what: str, double: Any, other: Any) -> tuple[Change, Chang
 
 # What is no number
 
-# "infinite" is documented, or rows are counted as in a slice, or any number of digits is a seed.
+# Documented: no limit, rows counted as in a slice, a seed of any number of digits.
 TAKEN = {
     *(("heading_tolerance", what) for what in ("infinite", "just too large")),
     *((name, "endless") for name in ("seed", "begin", "end")),
@@ -202,7 +203,7 @@ def no_numbers(slot: Slot) -> Iterator[Change]:
 # Other numbers
 
 
-# Integrated in steps, of which the first turns many times tell how long it takes.
+# Where a large number asks for as many steps.
 ENDLESS = {"integrate_riccati.times"}
 
 
