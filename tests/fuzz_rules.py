@@ -29,6 +29,10 @@ ALSO_TOLD = {
     "static_causes": ("increments",),
     "simulate_compass": ("increments", "gains"),
     "table_heading_error": ("angular_rate",),
+    # A log is called by its name.
+    "read_csv": ("phone: gyro",),
+    "from_dataframe": ("recording: gyro",),
+    "read_imu_tk": ("gyro: gyro", "gyro: accelerometer"),
 }
 PLAIN = (int, float, complex, str, bytes, bool, type(None))
 

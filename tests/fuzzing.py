@@ -69,7 +69,7 @@ def slots(door: Door) -> list[Slot]:
         if hasattr(value, "_fields"):
             fields = zip(value._fields, value, strict=True)
             found += [(f"{name}.{field}", "ArrayLike", each) for field, each in fields]
-        elif "FloatArray" not in said:  # which is checked already
+        elif "FloatArray" not in said or door.name == "Recording":  # else it is checked already
             found.append((name, said, value))
     kinds = ((name, _kind(name, said, value), value) for name, said, value in found)
     return [Slot(door, name, kind, value) for name, kind, value in kinds if kind]
@@ -91,7 +91,9 @@ def _kind(name: str, said: str, value: Any) -> str:
         return ""
     if array.size == 0 or array.dtype.kind not in "fiu":
         return ""
-    if "ArrayLike" not in parts:
+    if not any(
+        word in said for word in ("ArrayLike", "FloatArray", "tuple[float", "Sequence[float")
+    ):
         return ""
     return "rows" if array.dtype.kind in "iu" and name in WHOLE else "array"
 

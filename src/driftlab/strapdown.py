@@ -174,13 +174,14 @@ def navigate(
     if count % 2:
         raise ValueError(f"increments: expected an even number of rows, got {count}.")
     truth_value(hold_altitude, "hold_altitude")
-    if whole_number(every, "every", least=2) % 2 or count % every:
+    each = whole_number(every, "every", least=2)
+    if each % 2 or count % each:
         raise ValueError(
             f"every: expected an even divisor of the number of increments, {count}, "
             f"got {shown(every)}."
         )
     return core.navigate(
-        start, angle, velocity, seconds, ALGORITHM, every=every, hold_altitude=hold_altitude
+        start, angle, velocity, seconds, ALGORITHM, every=each, hold_altitude=hold_altitude
     )
 
 

@@ -82,6 +82,8 @@ def read_imu_tk(
     scales = gyro_unit(units[0]), accelerometer_unit(units[1])
     checked_kind(scales)
     offsets = finite_array(zeros, "zeros", 2)
+    if offsets.ndim > 1:
+        raise ValueError(f"zeros: expected shape (2,), got shape {offsets.shape}.")
     longest_gap = checked_longest_gap(longest_gap)
     tables = read_table(gyro_path), read_table(accelerometer_path)
     for table in tables:
