@@ -55,9 +55,8 @@ class NominalReadings:
                 )
             if field.name.endswith("scale"):
                 positive_array(array, field.name)
-            own = array.copy()
-            own.setflags(write=False)  # all who use these readings share it
-            keep(self, **{field.name: own[()]})
+            plain = array.tolist()  # so that readings can be compared, and nobody changes them
+            keep(self, **{field.name: tuple(plain) if array.ndim else plain})
 
     def imu_errors(
         self,
