@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from doors import CORES, Door, doors
-from fuzz_rules import answered, compared, refused
+from fuzz_rules import answered, arrays, compared, refused
 from fuzzing import Change, no_numbers, other_numbers, same_numbers, slots
 from support import helper_modules
 
@@ -108,6 +108,19 @@ def nth(changes, number):
     """One of a few changes, counted round."""
     known = list(changes)
     return known[number % len(known)]
+
+
+def test_nobody_changes_a_constant():
+    """Whoever writes into one would change the answers of all others."""
+    public = {
+        f"{module.__name__}.{name}": value
+        for module in helper_modules()
+        for name, value in vars(module).items()
+        if name.isupper() and not name.startswith("_")
+    }
+    found = [place for name, value in public.items() for place in arrays(value, name)]
+    assert len(found) > 5
+    assert [name for name, array in found if array.flags.writeable] == []
 
 
 def slot_of(call, **arguments):
