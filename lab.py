@@ -18,6 +18,7 @@ usage: python3 lab.py [command]
               --workers N            processes for what takes many runs, else one for each core
               --scheduler ADDRESS    send those runs to a cluster of dask
               --keep FOLDER          keep finished runs there, and go on from them
+              --compare              write nothing, but say which numbers differ from those here
   bench     measure how fast the package is, beside its peers, which this command fetches, and
             a floor in C; write tests/benchmarks/speed.md, or "bench attitude filter" print a part
               --repeats N    rounds of each row
