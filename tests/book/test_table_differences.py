@@ -26,7 +26,7 @@ def test_the_same_tables_differ_in_nothing() -> None:
         (["1.00000000001", "2", "1e-6"], 1e-11 / 2, True),  # of the largest of curve a
         (["1", "2", "1.00001e-6"], 1e-5 / 1.00001, False),  # curve b is small by itself
         (["1", "2", "1.0000001e-6"], 1e-7 / 1.0000001, True),  # but what is left of it is nothing
-        (["1", "2.0000001", "1e-6"], 5e-8, False),
+        (["1", "2.000001", "1e-6"], 5e-7, False),
         (["1.0", "2", "1e-6"], 0.0, True),
     ],
 )

@@ -1,8 +1,9 @@
 """How the numbers of a table differ from those of another: not at all, in last digits, or really.
 
 Twelve digits are written. Processors differ in how many numbers they multiply at once, and in what
-order they add them, so other machines may round the last few digits otherwise; and what is left
-when nearly equal numbers are subtracted, as an entry of a matrix that should be zero, earlier.
+order they add them, so other machines may round the last few digits otherwise; and earlier what is
+left when nearly equal numbers are subtracted, as an entry of a matrix that should be zero, or a
+heading after a filter of hundreds of steps.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ import numpy as np
 from .curve_rows import Words, numbers
 from .figure_table import read_table
 
-ROUNDING = 1e-8
+ROUNDING = 1e-7
 """Numbers are the same, but for rounding, to this of themselves or of their curve's largest."""
 RESIDUE = 1e-12
 """What is smaller than this is nothing but rounding."""
