@@ -64,6 +64,7 @@ def test_a_package_with_other_contents_is_not_installed(
 
 
 def test_what_jupyterlab_cannot_write_is_named(copied: Path) -> None:
+    (copied / "nowhere").write_text("", "utf-8")
     done = run(copied, "open", "--no-browser", JUPYTER_RUNTIME_DIR=str(copied / "nowhere"))
     assert done.code == 1
     assert "nowhere" in done.complained

@@ -7,7 +7,9 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
 
@@ -57,7 +59,7 @@ class LabApp:
 
     @classmethod
     def initialize_server(cls, argv):
-        open(os.path.join(os.environ.get("JUPYTER_RUNTIME_DIR", "."), "jupyter.new"), "w").close()
+        os.makedirs(os.environ["JUPYTER_RUNTIME_DIR"], exist_ok=True)
         cls.io_loop = cls
         return cls
 
@@ -69,7 +71,7 @@ class LabApp:
 """
 
 
-PARTS = ("environment", "steps", "copies", "beside", "release", "server")
+PARTS = ("environment", "steps", "copies", "beside", "places", "release", "server")
 
 
 def load(folder: Path) -> SimpleNamespace:
@@ -129,6 +131,32 @@ def make_tiny(folder: Path) -> Path:
     (folder / "src/zmq.py").write_text("def has(feature):\n    return True\n", "utf-8")
     (folder / "environment.txt").write_text(load(folder).environment.lock_line(), "utf-8")
     return folder
+
+
+def without_folders_of_its_own() -> dict[str, str]:
+    """The variables of this process but those that lead programs to folders beside HOME."""
+    places = ("JUPYTER", "XDG_", "IPYTHONDIR", "MPLCONFIGDIR")
+    return {name: value for name, value in os.environ.items() if not name.startswith(places)}
+
+
+def comes_true(condition: Callable[[], object], seconds: float = 60) -> bool:
+    """Wait until a condition holds; tell whether it did."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.02)
+    return False
+
+
+def is_alive(process: int) -> bool:
+    """Tell whether a process runs; one that has ended and that nobody asked for does not."""
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    state = Path(f"/proc/{process}/stat")
+    return not state.exists() or state.read_text().rpartition(")")[2].split()[0] != "Z"
 
 
 def listed(folder: Path, lines: str) -> Path:
