@@ -75,10 +75,10 @@ from bootstrap.copies import BOOK, bring_clean, bring_copies
 from bootstrap.environment import (
     ENVIRONMENT,
     PYPROJECT,
-    is_whole,
     lock_line,
     pins,
     project,
+    runs,
     set_up,
     write,
 )
@@ -137,7 +137,7 @@ def open_book(arguments: list[str]) -> int:
     try:
         set_up()
     except NoPackages as trouble:
-        if not is_whole():
+        if not runs():
             raise
         say(f"{trouble}\nMeanwhile the book opens with the packages of the last set-up.")
     folder = BOOK if options.original else bring_copies()

@@ -78,7 +78,7 @@ def serve(notebook: str, port: int, browser: bool) -> None:
     # In a session of its own Ctrl-C does not reach the server, which would end in disorder from
     # that and our request together.
     own = {"DRIFTLAB_TOKEN": secrets.token_hex(24), "DRIFTLAB_STYLE": str(JUPYTER / "custom")}
-    environment = surroundings(**own, **own_places())
+    environment = {**surroundings(), **own, **own_places()}
     stdin = None if os.name == "nt" else subprocess.PIPE
     with running(command, env=environment, stdin=stdin, start_new_session=True) as server:
         try:

@@ -71,7 +71,7 @@ class LabApp:
 """
 
 
-PARTS = ("environment", "steps", "copies", "beside", "places", "release", "server")
+PARTS = ("environment", "steps", "copies", "beside", "places", "records", "release", "server")
 
 
 def load(folder: Path) -> SimpleNamespace:
