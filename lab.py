@@ -46,6 +46,7 @@ usage: python3 lab.py [command]
 """
 
 import argparse
+import errno
 import io
 import os
 import platform
@@ -75,16 +76,17 @@ from bootstrap.copies import BOOK, bring_clean, bring_copies
 from bootstrap.environment import (
     ENVIRONMENT,
     PYPROJECT,
-    is_whole,
     lock_line,
     pins,
     project,
+    runs,
     set_up,
     write,
 )
 from bootstrap.release import version, written
 from bootstrap.server import serve
 from bootstrap.steps import (
+    DISK_FULL,
     HOME,
     PYTHON,
     NoPackages,
@@ -136,7 +138,7 @@ def open_book(arguments: list[str]) -> int:
     try:
         set_up()
     except NoPackages as trouble:
-        if not is_whole():
+        if not runs():
             raise
         say(f"{trouble}\nMeanwhile the book opens with the packages of the last set-up.")
     folder = BOOK if options.original else bring_copies()
@@ -303,7 +305,17 @@ if __name__ == "__main__":
         if isinstance(stream, io.TextIOWrapper):  # a terminal may lack letters of our path
             stream.reconfigure(errors="backslashreplace")
     try:
-        sys.exit(main(sys.argv[1:]))
+        code = main(sys.argv[1:])
+        if sys.stdout:
+            sys.stdout.flush()
+        sys.exit(code)
+    except OSError as error:
+        if not sys.stdout or error.errno not in (errno.EPIPE, errno.ENOSPC):
+            raise
+        # What is printed finds no place, or no reader, as of "lab.py --help | head". Python would
+        # try once more at the end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(DISK_FULL if error.errno == errno.ENOSPC else 1)
     except Trouble as trouble:
         sys.exit(str(trouble))
     except KeyboardInterrupt:

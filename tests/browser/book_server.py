@@ -52,10 +52,6 @@ def book_server(folder: Path) -> Iterator[Server]:
     book = root / "notebooks"
     serve_copies(book)
     shutil.copytree(FOLDER.parent / "figures", root / "figures")  # chapters show some by name
-    # Whether JupyterLab should be built anew is found out with node, at each opening of a page.
-    quiet = {"buildCheck": False}
-    (folder / "config/labconfig").mkdir(parents=True)
-    (folder / "config/labconfig/page_config.json").write_text(json.dumps(quiet), "utf-8")
     widgets = folder / "settings/@jupyter-widgets/jupyterlab-manager"
     widgets.mkdir(parents=True)
     # A notebook that is saved tells what its widgets show.
@@ -88,7 +84,7 @@ def book_server(folder: Path) -> Iterator[Server]:
     log = folder / "server.log"
     with log.open("wb") as output:
         server = subprocess.Popen(
-            command, env=environment, stdin=subprocess.DEVNULL, stdout=output, stderr=output
+            command, env=environment, stdin=subprocess.PIPE, stdout=output, stderr=output
         )
     try:
         wait_for(server, f"{address}/api/status", token, log)
@@ -100,6 +96,7 @@ def book_server(folder: Path) -> Iterator[Server]:
         except subprocess.TimeoutExpired:  # it waits for kernels that nobody needs any more
             server.kill()
             server.wait()
+        server.stdin.close()
 
 
 def serve_copies(folder: Path) -> None:
