@@ -196,10 +196,10 @@ def test_bad_records_are_refused_by_name(arguments, words):
         allan_deviation(*arguments)
 
 
-@pytest.mark.parametrize("size", [1e-150, 1e-61, 1e61, 1e150, 1e200])
+@pytest.mark.parametrize("size", [1e-150, 1e-61])
 def test_samples_of_a_size_that_cannot_be_are_refused(size):
     rates = np.random.default_rng(0).normal(size=(2, 100)) * [[1.0], [size]]
-    with pytest.raises(ValueError, match=r"^samples: expected deviations between 1e-60 and 1e60"):
+    with pytest.raises(ValueError, match=r"^samples: expected deviations of at least 1e-60"):
         allan_deviation(rates, 0.1)
 
 

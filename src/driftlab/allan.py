@@ -172,12 +172,10 @@ def allan_deviation(
     if averaging_times is not None:
         counts = _whole_counts(averaging_times, step, length)
         grid = np.union1d(grid, counts)  # the noise is known by all of them
-    with np.errstate(over="ignore"):  # refused below
-        all_variances = core.variances(rates, grid)
+    all_variances = core.variances(rates, grid)
     sizes = np.sqrt(all_variances[all_variances > 0])
-    if sizes.size and not 1e-60 < sizes.min() <= sizes.max() < 1e60:
-        ends = f"{sizes.min():.3g} to {sizes.max():.3g}"
-        raise ValueError(f"samples: expected deviations between 1e-60 and 1e60, got {ends}.")
+    if sizes.size and sizes.min() < 1e-60:
+        raise ValueError(f"samples: expected deviations of at least 1e-60, got {sizes.min():.3g}.")
     freedom = np.empty_like(all_variances)
     for index in np.ndindex(rates.shape[:-1]):
         freedom[index] = degrees_of_freedom(all_variances[index], grid, length, step)

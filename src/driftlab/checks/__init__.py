@@ -6,6 +6,7 @@ what stands behind it checks nothing.
 """
 
 from ._arrays import (
+    LARGEST_NUMBER as LARGEST_NUMBER,
     ComplexArray as ComplexArray,
     FloatArray as FloatArray,
     finite_array as finite_array,

@@ -12,6 +12,10 @@ from ._words import named_in, shown, with_article
 FloatArray = NDArray[np.float64]
 ComplexArray = NDArray[np.complexfloating[Any, Any]]
 
+LARGEST_NUMBER = 1e50
+"""Largest size of a number that is computed with, in any unit. No quantity comes near, and up to
+the sixth power nothing overflows."""
+
 
 def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     """Return a value as a float64 array of finite numbers, or refuse it in one sentence.
@@ -34,8 +38,8 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     Raises
     ------
     ValueError
-        If `value` is not real and numeric, is empty, has other last axes, or holds NaN, infinity or
-        masked values.
+        If `value` is not real and numeric, is empty, has other last axes, or holds NaN, infinity,
+        masked values or numbers larger than `LARGEST_NUMBER`.
 
     Examples
     --------
@@ -45,8 +49,28 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     Traceback (most recent call last):
         ...
     ValueError: rate: expected shape (..., 3), got shape (2,).
+    >>> finite_array([0, -1e60], "rate")
+    Traceback (most recent call last):
+        ...
+    ValueError: rate: expected numbers of at most 1e+50 in size, got -1e+60.
     """
-    expected = f"shape (..., {', '.join(map(str, shape))})" if shape else "real numbers"
+    array = value if type(value) is np.ndarray else _as_array(value, name, shape)
+    if array.dtype.kind not in "fiu":
+        got = _object(value) or f"dtype {array.dtype}"
+        raise ValueError(f"{name}: expected real numbers, got {got}.")
+    if shape and array.shape[-len(shape) :] != shape:
+        raise ValueError(f"{name}: expected {_expected(shape)}, got shape {array.shape}.")
+    if array.size == 0:
+        raise ValueError(f"{name}: expected at least one value, got an empty array.")
+    # Both ends tell NaN and infinity as well, without another array; a NaN is at both of them.
+    least, most = float(array.min()), float(array.max())
+    if not -LARGEST_NUMBER <= least <= most <= LARGEST_NUMBER:
+        raise ValueError(f"{name}: expected {_what_is_wrong(array)}.")
+    return array.astype(np.float64, copy=False)
+
+
+def _as_array(value: ArrayLike, name: str, shape: tuple[int, ...]) -> NDArray[Any]:
+    """Make an array of what is none, or what NumPy knows as a kind of array."""
     if shape[-1:] == (4,):  # by its method, lest SciPy be loaded for those who do without
         as_quat = getattr(value, "as_quat", None)
         value = as_quat() if as_quat is not None else value
@@ -54,22 +78,23 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     if any(np.ma.is_masked(each) for each in masked if isinstance(each, np.ma.MaskedArray)):
         raise ValueError(f"{name}: expected all values to be there, got masked ones.")
     try:
-        array = np.asarray(value)
+        return np.asarray(value)
     except ValueError:  # NumPy's error for lists of unequal length
         got = _object(value) or "rows of unequal length"
-        raise ValueError(f"{name}: expected {expected}, got {got}.") from None
-    if array.dtype.kind not in "fiu":
-        got = _object(value) or f"dtype {array.dtype}"
-        raise ValueError(f"{name}: expected real numbers, got {got}.")
-    if shape and array.shape[-len(shape) :] != shape:
-        raise ValueError(f"{name}: expected {expected}, got shape {array.shape}.")
-    if array.size == 0:
-        raise ValueError(f"{name}: expected at least one value, got an empty array.")
-    array = array.astype(np.float64, copy=False)
-    if not np.isfinite(array).all():
-        count = array.size - np.count_nonzero(np.isfinite(array))
-        raise ValueError(f"{name}: expected finite numbers, got {count} NaN or infinite.")
-    return array
+        raise ValueError(f"{name}: expected {_expected(shape)}, got {got}.") from None
+
+
+def _expected(shape: tuple[int, ...]) -> str:
+    return f"shape (..., {', '.join(map(str, shape))})" if shape else "real numbers"
+
+
+def _what_is_wrong(array: NDArray[Any]) -> str:
+    """Words for numbers that are not finite, or else too large."""
+    if count := array.size - np.count_nonzero(np.isfinite(array)):
+        return f"finite numbers, got {count} NaN or infinite"
+    worst = max(array.min(), array.max(), key=abs)
+    said = np.format_float_scientific(worst, precision=3, trim="-")  # of any word, too
+    return f"numbers of at most {LARGEST_NUMBER:g} in size, got {said}"
 
 
 def _object(value: object) -> str:

@@ -7,7 +7,7 @@ import operator
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import finite_array
+from ._arrays import LARGEST_NUMBER, finite_array
 from ._words import shown
 
 _MOST = 2**31 - 1
@@ -39,6 +39,8 @@ def finite_number(value: ArrayLike, name: str) -> float:
     >>> finite_number(np.array(2), "interval")
     2.0
     """
+    if type(value) is float and -LARGEST_NUMBER <= value <= LARGEST_NUMBER:
+        return value
     number = finite_array(value, name)
     if number.ndim:
         raise ValueError(f"{name}: expected one number, got shape {number.shape}.")
