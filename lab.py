@@ -14,6 +14,7 @@ usage: python3 lab.py [command]
               other arguments go to pytest, which then runs alone
   lowest    the quick tests with the oldest packages that pyproject.toml allows
               other arguments go to pytest
+  newest    the same with the newest packages that it allows, brought anew each time
   figures   rebuild every figure and table of the book
               --workers N            processes for what takes many runs, else one for each core
               --scheduler ADDRESS    send those runs to a cluster of dask
@@ -70,6 +71,7 @@ from bootstrap.beside import (
     SITE_HEAD,
     SITE_LIST,
     apart,
+    of_today,
     without,
 )
 from bootstrap.copies import BOOK, bring_clean, bring_copies
@@ -111,6 +113,7 @@ OF_DIFFERENT_AGE = [
     # The page's stand-in has what ipywidgets 8 has; a slider of 7 has no tooltip.
     "--deselect=tests/site/test_widgets_standin.py::test_shows_the_same",
 ]
+NEWEST_EXTRAS = ("book", "cluster", "compiled", "lab", "test", "dev")
 LONG = ("browser", "kernel", "setup", "slow")
 QUICK = ["--hypothesis-profile=quick", NO_PEERS, "-m", " and ".join(f"not {mark}" for mark in LONG)]
 
@@ -181,7 +184,16 @@ def test(arguments: list[str]) -> int:
 
 def lowest(arguments: list[str]) -> int:
     """Run the quick tests in an environment of the oldest packages that are allowed."""
-    python = apart(LOWEST_LIST)
+    return quick_tests(apart(LOWEST_LIST), arguments)
+
+
+def newest(arguments: list[str]) -> int:
+    """Run the quick tests in an environment of the newest packages that are allowed."""
+    return quick_tests(of_today(NEWEST_EXTRAS), arguments)
+
+
+def quick_tests(python: Path, arguments: list[str]) -> int:
+    """Run the quick tests, or some of them, in an environment whose packages are of another age."""
     asked = [*QUICK, *OF_DIFFERENT_AGE, *(arguments or AT_ONCE)]
     around = surroundings(python.parents[1])
     with running([str(python), "-m", "pytest", *asked], env=around) as process:
@@ -275,6 +287,7 @@ COMMANDS = {
     "fresh": fresh,
     "test": test,
     "lowest": lowest,
+    "newest": newest,
     "figures": figures,
     "bench": bench,
     "peers": peers,
