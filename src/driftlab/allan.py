@@ -166,7 +166,7 @@ def allan_deviation(
         )
     if length < 3:
         raise ValueError(f"samples: expected shape (..., n), n at least 3, got {rates.shape}.")
-    probability(confidence, "confidence")
+    confidence = probability(confidence, "confidence")
     grid = np.round(np.geomspace(1, max(1, length // _LONGEST), _GRID)).astype(int)
     counts = grid = np.unique(grid)
     if averaging_times is not None:
@@ -189,7 +189,8 @@ def allan_deviation(
 def _whole_counts(averaging_times: ArrayLike, interval: float, length: int) -> core.Counts:
     """Numbers of samples (k,) in averaging times (k,)."""
     times = np.atleast_1d(positive_array(averaging_times, "averaging_times"))
-    counts = np.round(times / interval).astype(int)
+    # More than the record has are all alike too many, and may be more than a whole number holds.
+    counts = np.round(np.minimum(times / interval, length)).astype(int)
     if times.ndim > 1 or counts.min() < 1 or counts.max() > length // 2:
         raise ValueError(
             f"averaging_times: expected shape (k,), from {interval:g} s to half of the record, "

@@ -85,8 +85,8 @@ def at_rest(
     )
     checked_latitude(latitude)
     leading = np.broadcast_shapes(*(a.shape for a in place[:3]), place[3].shape[:-1])
-    latitude, longitude, altitude = (np.broadcast_to(a, leading)[()] for a in place[:3])
-    still, body = np.zeros((*leading, 3)), np.broadcast_to(place[3], (*leading, 4))
+    latitude, longitude, altitude = (np.broadcast_to(a, leading).copy()[()] for a in place[:3])
+    still, body = np.zeros((*leading, 3)), np.broadcast_to(place[3], (*leading, 4)).copy()
     return Navigation(latitude, longitude, altitude, still, body)
 
 

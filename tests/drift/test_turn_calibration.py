@@ -55,7 +55,7 @@ def test_3_3_recovers_a_drift_along_the_axis(turns, n, fraction):
     )
 
 
-@given(n=directions(), factor=st.sampled_from([-1.0, 1e-200, -3.0, 1e200]))
+@given(n=directions(), factor=st.sampled_from([-1.0, 1e-200, -3.0, 1e49]))
 def test_3_3_does_not_see_sign_or_size_of_the_error(n, factor):
     error = from_rotation_vector([0.3, -0.5, 0.8])
     expected = turn_estimate(error, n)

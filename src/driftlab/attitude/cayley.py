@@ -14,7 +14,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, nonzero_vectors, shown, unit_quaternions
+from driftlab.checks import (
+    FloatArray,
+    chosen_number,
+    finite_array,
+    nonzero_vectors,
+    unit_quaternions,
+)
 from driftlab.core.attitude import rotation_quaternion as core_rotation_quaternion
 from driftlab.core.quaternion import pure, right_matrix
 from driftlab.core.vectors import norms
@@ -221,6 +227,4 @@ def shadow(vector: ArrayLike) -> FloatArray:
 
 
 def _checked(dimension: int) -> int:
-    if not isinstance(dimension, int) or dimension not in (3, 4):
-        raise ValueError(f"dimension: expected 3 or 4, got {shown(dimension)}.")
-    return dimension
+    return chosen_number(dimension, (3, 4), "dimension")

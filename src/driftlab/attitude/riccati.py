@@ -28,6 +28,8 @@ That is far enough from 1.2 that rounding cannot cause a second switch at once.
 """
 
 
+_LEAST_TOLERANCE = 100 * float(np.finfo(float).eps)
+"""Less is asked of SciPy's integrators in vain, and they say so in a warning."""
 _LIMIT = 1e6
 """Without the shadow switch, an integration ends where the vector has become this long."""
 
@@ -121,8 +123,9 @@ def integrate_riccati(
         Whether to continue with the shadow of k whenever k becomes longer than `SWITCH`. Otherwise
         the integration ends where k tends to infinity, at a whole turn.
     tolerance : float
-        Relative and absolute tolerance of the integrator, SciPy's DOP853. Its steps are never
-        longer than the widest gap of `times`, so that it does not miss what the rate does between.
+        Relative and absolute tolerance of the integrator, SciPy's DOP853, at least 2.3e-14. Its
+        steps are never longer than the widest gap of `times`, so that it does not miss what the
+        rate does between.
 
     Returns
     -------
@@ -147,7 +150,11 @@ def integrate_riccati(
     array([ 0.,  0.,  0., -1.])
     """
     checked_function(rate, "rate", "the time")
-    positive_number(tolerance, "tolerance")
+    tolerance = positive_number(tolerance, "tolerance")
+    if tolerance < _LEAST_TOLERANCE:
+        raise ValueError(
+            f"tolerance: expected at least {_LEAST_TOLERANCE:.2g}, got {shown(tolerance)}."
+        )
     grid = finite_array(times, "times")
     if grid.ndim != 1 or len(grid) < 2 or not np.all(np.diff(grid) > 0):
         raise ValueError(f"times: expected at least two increasing times (m,), got {shown(times)}.")

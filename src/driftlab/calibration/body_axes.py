@@ -56,7 +56,10 @@ def attitude_error(computed: ArrayLike, true: ArrayLike) -> FloatArray:
     >>> attitude_error([0, 0, -0.5e-3, 1], [0, 0, 0, 1]).round(6)
     array([-0.   , -0.   ,  0.001])
     """
-    computed, true = finite_arrays(computed=(computed, 4), true=(true, 4))
+    computed, true = finite_arrays(
+        computed=(unit_quaternions(computed, "computed"), 4),
+        true=(unit_quaternions(true, "true"), 4),
+    )
     return -to_rotation_vector(multiply(computed, conjugate(true)))
 
 
@@ -91,9 +94,10 @@ def imu_errors_in_frame(imu_errors: ImuErrors, frame: str | None) -> tuple[ImuEr
     """
     errors = checked_imu_errors(imu_errors)
     if frame is None:
-        return imu_errors, np.broadcast_to(np.eye(3), errors.gyro_error.shape)
-    turn = body_frame_rotation(imu_errors.gyro_error, imu_errors.accelerometer_error, frame)
-    return _turned(imu_errors, turn), turn
+        own = ImuErrors(*(array.copy() for array in errors))
+        return own, np.broadcast_to(np.eye(3), errors.gyro_error.shape).copy()
+    turn = body_frame_rotation(errors.gyro_error, errors.accelerometer_error, frame)
+    return _turned(errors, turn), turn
 
 
 def imu_errors_in_accelerometer_axes(
@@ -132,14 +136,16 @@ def imu_errors_in_accelerometer_axes(
     one_of(zeros, ("above", "below"), "zeros")
     if zeros == "above":
         return imu_errors_in_frame(imu_errors, "accelerometers")
-    checked_imu_errors(imu_errors)
-    turn = body_frame_rotation(imu_errors.accelerometer_error, frame="lower triangle")
-    return _turned(imu_errors, turn), turn
+    errors = checked_imu_errors(imu_errors)
+    turn = body_frame_rotation(errors.accelerometer_error, frame="lower triangle")
+    return _turned(errors, turn), turn
 
 
 def _turned(imu_errors: ImuErrors, turn: FloatArray) -> ImuErrors:
-    """Both triads in rotated body axes."""
-    return imu_errors._replace(
-        gyro_error=change_body_frame(imu_errors.gyro_error, turn),
-        accelerometer_error=change_body_frame(imu_errors.accelerometer_error, turn),
+    """Both triads in rotated body axes; nothing is shared with what was given."""
+    return ImuErrors(
+        imu_errors.gyro_bias.copy(),
+        change_body_frame(imu_errors.gyro_error, turn),
+        imu_errors.accelerometer_bias.copy(),
+        change_body_frame(imu_errors.accelerometer_error, turn),
     )

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from driftlab.checks import FloatArray, checked_instance, finite_number, shown
+from driftlab.checks import FloatArray, checked_instance, positive_number, shown
 from driftlab.core import kalman
 from driftlab.imu import ImuNoise, PriorDeviations
 
@@ -129,10 +129,11 @@ def _covariances(
     """Covariance (size, size) before the first step and after each one."""
     checked_linearized(linearized)
     checked_instance(noise, ImuNoise, "noise")
-    if not (finite_number(update, "update") > 0 and noise.reference_velocity > 0):
+    seconds = positive_number(update, "update")
+    if not noise.reference_velocity > 0:
         raise ValueError(
-            "update, reference_velocity: expected a positive time and a positive velocity noise, "
-            f"got {shown(update)} s and {noise.reference_velocity!r} m/s."
+            "noise: expected a deviation of the reference velocity above 0, "
+            f"got {shown(noise.reference_velocity)} m/s."
         )
     checked_instance(prior, PriorDeviations, "prior")
     covariance = linearized.model.covariance(prior, linearized.start)
@@ -140,7 +141,7 @@ def _covariances(
     rows = linearized.transitions[:, :6]  # the sensor errors are constant
     added = process_noise(noise, rows[:, 3:, :3], linearized.durations)
     observed = np.eye(3, linearized.model.size, 3)  # the velocity
-    variances = noise.reference_velocity**2 * update / linearized.durations
+    variances = noise.reference_velocity**2 * seconds / linearized.durations
     spreads = variances[:, np.newaxis, np.newaxis] * np.eye(3)
     for matrix, more, spread in zip(rows, added, spreads, strict=True):
         covariance = kalman.predict(covariance, matrix, more)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array
+from driftlab.checks import FloatArray, finite_array, keep, positive_array
 from driftlab.imu import ImuErrors, checked_imu_errors
 
 
@@ -46,6 +46,19 @@ class NominalReadings:
     accelerometer_scale: ArrayLike = 1.0
     accelerometer_zero: ArrayLike = 0.0
 
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            array = finite_array(getattr(self, field.name), field.name)
+            if array.shape not in ((), (3,)):
+                raise ValueError(
+                    f"{field.name}: expected shape () or (3,), got shape {array.shape}."
+                )
+            if field.name.endswith("scale"):
+                positive_array(array, field.name)
+            own = array.copy()
+            own.setflags(write=False)  # all who use these readings share it
+            keep(self, **{field.name: own[()]})
+
     def imu_errors(
         self,
         gyro_matrix: ArrayLike,
@@ -83,7 +96,7 @@ class NominalReadings:
         >>> float(errors.gyro_error[0, 0].round(3))
         0.1
         """
-        gyro_scale, gyro_zero, scale, zero = self._checked()
+        gyro_scale, gyro_zero, scale, zero = self._threes()
         gyro = gyro_scale[:, np.newaxis] * finite_array(gyro_matrix, "gyro_matrix", 3, 3)
         accelerometer = scale[:, np.newaxis] * finite_array(
             accelerometer_matrix, "accelerometer_matrix", 3, 3
@@ -131,7 +144,7 @@ class NominalReadings:
                [0., 2., 0.],
                [0., 0., 2.]]), array([7., 7., 7.]))
         """
-        gyro_scale, gyro_zero, scale, zero = self._checked()
+        gyro_scale, gyro_zero, scale, zero = self._threes()
         imu_errors = checked_imu_errors(imu_errors)
         return (
             (np.eye(3) + imu_errors.gyro_error) / gyro_scale[:, np.newaxis],
@@ -140,17 +153,9 @@ class NominalReadings:
             imu_errors.accelerometer_bias / scale + zero,
         )
 
-    def _checked(self) -> list[FloatArray]:
+    def _threes(self) -> list[FloatArray]:
         """Scales and zeros, three each."""
-        arrays = []
-        for name in ("gyro_scale", "gyro_zero", "accelerometer_scale", "accelerometer_zero"):
-            array = finite_array(getattr(self, name), name)
-            if array.shape not in ((), (3,)):
-                raise ValueError(f"{name}: expected shape () or (3,), got shape {array.shape}.")
-            if name.endswith("scale") and not (array > 0).all():
-                raise ValueError(f"{name}: expected numbers above zero, got {array.min():g}.")
-            arrays.append(np.broadcast_to(array, 3))
-        return arrays
+        return [np.broadcast_to(getattr(self, field.name), 3) for field in fields(self)]
 
 
 SI_READINGS = NominalReadings()

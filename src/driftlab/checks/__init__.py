@@ -7,6 +7,7 @@ what stands behind it checks nothing.
 
 from ._arrays import (
     LARGEST_NUMBER as LARGEST_NUMBER,
+    SMALLEST_DIVISOR as SMALLEST_DIVISOR,
     ComplexArray as ComplexArray,
     FloatArray as FloatArray,
     finite_array as finite_array,
@@ -38,6 +39,7 @@ from ._magnitudes import (
 )
 from ._names import named_or_own as named_or_own, one_of as one_of, some_of as some_of
 from ._numbers import (
+    chosen_number as chosen_number,
     finite_number as finite_number,
     nonnegative_number as nonnegative_number,
     positive_number as positive_number,

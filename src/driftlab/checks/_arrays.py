@@ -15,6 +15,8 @@ ComplexArray = NDArray[np.complexfloating[Any, Any]]
 LARGEST_NUMBER = 1e50
 """Largest size of a number that is computed with, in any unit. No quantity comes near, and up to
 the sixth power nothing overflows."""
+SMALLEST_DIVISOR = 1 / LARGEST_NUMBER
+"""Smallest of the numbers that must be above zero, times for instance: they divide."""
 
 
 def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
@@ -93,8 +95,7 @@ def _what_is_wrong(array: NDArray[Any]) -> str:
     if count := array.size - np.count_nonzero(np.isfinite(array)):
         return f"finite numbers, got {count} NaN or infinite"
     worst = max(array.min(), array.max(), key=abs)
-    said = np.format_float_scientific(worst, precision=3, trim="-")  # of any word, too
-    return f"numbers of at most {LARGEST_NUMBER:g} in size, got {said}"
+    return f"numbers of at most {LARGEST_NUMBER:g} in size, got {shown(worst)}"
 
 
 def _object(value: object) -> str:
@@ -265,7 +266,7 @@ def positive_array(value: ArrayLike, name: str) -> FloatArray:
     Raises
     ------
     ValueError
-        If a number is zero or less, or as for `finite_array`.
+        If a number is zero or less, or less than `SMALLEST_DIVISOR`, or as for `finite_array`.
 
     Examples
     --------
@@ -277,8 +278,10 @@ def positive_array(value: ArrayLike, name: str) -> FloatArray:
     ValueError: averaging_times: expected numbers above 0, got -2.
     """
     array = finite_array(value, name)
-    if array.min() <= 0:
-        raise ValueError(f"{name}: expected numbers above 0, got {array.min():g}.")
+    least = float(array.min())
+    if least < SMALLEST_DIVISOR:
+        limit = "above 0" if least <= 0 else f"of at least {SMALLEST_DIVISOR:g}"
+        raise ValueError(f"{name}: expected numbers {limit}, got {least:g}.")
     return array
 
 
@@ -308,7 +311,7 @@ def whole_pairs(value: ArrayLike, name: str) -> NDArray[np.int_]:
     ValueError: rests: expected whole numbers of shape (m, 2), got [(0, 100), 200].
     """
     try:
-        pairs = np.asarray(value)
+        pairs = np.array(None) if np.ma.is_masked(value) else np.asarray(value)
     except ValueError:  # lists of unequal length
         pairs = np.array(None)
     if pairs.size == 0 and pairs.ndim:

@@ -7,7 +7,7 @@ import operator
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import LARGEST_NUMBER, finite_array
+from ._arrays import LARGEST_NUMBER, SMALLEST_DIVISOR, finite_array
 from ._words import shown
 
 _MOST = 2**31 - 1
@@ -65,7 +65,7 @@ def positive_number(value: ArrayLike, name: str) -> float:
     Raises
     ------
     ValueError
-        If `value` is not above zero, or as for `finite_number`.
+        If `value` is not above zero, is less than `SMALLEST_DIVISOR`, or as for `finite_number`.
 
     Examples
     --------
@@ -75,9 +75,12 @@ def positive_number(value: ArrayLike, name: str) -> float:
     ValueError: interval: expected a positive number, got -1.
     """
     number = finite_number(value, name)
-    # Below the smallest normal number its reciprocal overflows.
-    if number < np.finfo(float).tiny:
+    if number <= 0:
         raise ValueError(f"{name}: expected a positive number, got {shown(value)}.")
+    if number < SMALLEST_DIVISOR:
+        raise ValueError(
+            f"{name}: expected a number of at least {SMALLEST_DIVISOR:g}, got {shown(value)}."
+        )
     return number
 
 
@@ -191,6 +194,47 @@ def whole_number(value: int, name: str, least: int = 1, most: int | None = _MOST
         )
     if most is not None and number > most:
         raise ValueError(f"{name}: expected a whole number of at most {most}, got {shown(value)}.")
+    return number
+
+
+def chosen_number(value: int, numbers: tuple[int, ...], name: str) -> int:
+    """Return a value as an int, refusing everything but one of a few whole numbers.
+
+    Parameters
+    ----------
+    value : int
+        The number; a truth value is refused.
+    numbers : tuple of int
+        Those that are known.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    int
+        The number.
+
+    Raises
+    ------
+    ValueError
+        If `value` is anything else.
+
+    Examples
+    --------
+    >>> chosen_number(np.int8(4), (3, 4), "dimension")
+    4
+    >>> chosen_number(5, (3, 4), "dimension")
+    Traceback (most recent call last):
+        ...
+    ValueError: dimension: expected 3 or 4, got 5.
+    """
+    try:
+        number = None if isinstance(value, bool | np.bool) else operator.index(value)
+    except TypeError:
+        number = None
+    if number is None or number not in numbers:
+        known = " or ".join(map(str, numbers))
+        raise ValueError(f"{name}: expected {known}, got {shown(value)}.")
     return number
 
 

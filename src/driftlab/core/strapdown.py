@@ -71,7 +71,7 @@ def navigate(
         refuse_whole_turns(square)
         refuse_inner_earth(distance)
         return Navigation(*fields)
-    to_inertial = local_axes(start.latitude, np.zeros_like(start.longitude))
+    to_inertial = local_axes(start.latitude, np.zeros_like(start.latitude))
     first = multiply(to_inertial, start.attitude)
     attitude = attitudes(algorithm, angle, first=first)
     first = first[..., np.newaxis, :]
@@ -81,7 +81,11 @@ def navigate(
     pushes = rotate(before, velocity_of_steps(algorithm, angle, velocity))
     position = position_vector(start.latitude, start.altitude)
     speed = rotate(to_inertial, start.velocity) + ground_velocity(position)
-    positions, speeds = np.empty_like(pushes), np.empty_like(pushes)
+    # One of the parts alone may have leading axes; what does not depend on it is computed once.
+    lead = np.broadcast_shapes(
+        pushes.shape[:-2], position.shape[:-1], speed.shape[:-1], start.longitude.shape
+    )
+    positions, speeds = np.empty((2, *lead, *pushes.shape[-2:]))
     for begin in range(0, pushes.shape[-2], size):
         rows = np.s_[..., begin : begin + size, :]
         positions[rows], speeds[rows] = _fall(position, speed, pushes[rows], 2 * interval)
@@ -93,18 +97,18 @@ def navigate(
     found = _to_local(positions[chosen], speeds[chosen], attitude[chosen], start.longitude, times)
     if not hold_altitude:
         return found
-    height = np.broadcast_to(start.altitude[..., np.newaxis], found.altitude.shape)
+    height = np.broadcast_to(start.altitude[..., np.newaxis], found.altitude.shape).copy()
     return found._replace(altitude=height, velocity=found.velocity * np.array([1.0, 1.0, 0.0]))
 
 
 def last_of(states: Navigation) -> Navigation:
-    """Return the last state (...) of a row of states (..., n)."""
+    """Return the last state (...) of a row of states (..., n), which need not be kept for it."""
     return Navigation(
-        states.latitude[..., -1],
-        states.longitude[..., -1],
-        states.altitude[..., -1],
-        states.velocity[..., -1, :],
-        states.attitude[..., -1, :],
+        states.latitude[..., -1].copy(),
+        states.longitude[..., -1].copy(),
+        states.altitude[..., -1].copy(),
+        states.velocity[..., -1, :].copy(),
+        states.attitude[..., -1, :].copy(),
     )
 
 

@@ -38,7 +38,9 @@ class Move(NamedTuple):
 
 def moves(rows: FloatArray, rests: ArrayLike) -> Iterator[Move]:
     """Yield the moves of a record in order; rests of a steady turn do not part them."""
-    stops = _without_steady_turns(rows, _checked_rests(rests, len(rows)))
+    stops = _checked_rests(rests, len(rows))
+    if len(stops):  # of none there is no usual rate
+        stops = _without_steady_turns(rows, stops)
     for first, second in pairwise(stops):
         begin, end = int(first.sum()) // 2, int(second.sum()) // 2
         still = np.concatenate([rows[_middle(*rest)] for rest in (first, second)]).mean(axis=0)

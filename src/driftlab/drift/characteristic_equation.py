@@ -8,10 +8,10 @@ from numpy.typing import ArrayLike
 from driftlab.checks import (
     ComplexArray,
     FloatArray,
+    chosen_number,
     error_matrix,
     finite_arrays,
     nonzero_vectors,
-    shown,
     truth_value,
 )
 from driftlab.core.quaternion import left_matrix, pure, right_matrix
@@ -134,8 +134,7 @@ def asymptotic_roots(rate: ArrayLike, triad_error: ArrayLike, *, order: int = 1)
     >>> print(f"{exact_roots([0, 0, 1], [0.01, 0, 1])[2].imag:.3e}")
     5.000e-05
     """
-    if not isinstance(order, int) or isinstance(order, bool) or order not in (1, 2):
-        raise ValueError(f"order: expected 1 or 2, got {shown(order)}.")
+    order = chosen_number(order, (1, 2), "order")
     rate, triad_error = finite_arrays(rate=(rate, 3), triad_error=(triad_error, 3, 3))
     error_matrix(triad_error, "triad_error")
     direction, norm = nonzero_vectors(rate, "rate")

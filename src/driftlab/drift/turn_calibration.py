@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import (
+    SMALLEST_DIVISOR,
     FloatArray,
     checked_generator,
     error_matrix,
@@ -163,7 +164,7 @@ def earth_offset(
     latitude, rate, axis = finite_arrays(
         latitude=(latitude,), table_rate=(table_rate,), table_axis=(table_axis, 3)
     )
-    if not rate.all():
+    if not (np.abs(rate) >= SMALLEST_DIVISOR).all():
         raise ValueError("table_rate: expected rates that are not zero, got 0.")
     a, _ = nonzero_vectors(axis, "table_axis")
     return np.einsum("...i,...i->...", earth_rate(checked_latitude(latitude)), a) / rate

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_arrays, usual_deviation
+from driftlab.checks import FloatArray, finite_arrays, positive_array, usual_deviation
 from driftlab.earth import EARTH_RATE, checked_latitude, gravity
 
 from .contradictions import NOTHING_KNOWN
@@ -161,9 +161,7 @@ def _checked(
 ) -> list[FloatArray]:
     place, time, *rest = finite_arrays(latitude=(latitude,), duration=(duration,), **others)
     checked_latitude(place)
-    if not time.min() > 0:
-        raise ValueError(f"duration: expected positive times, got {time.min():g}.")
-    return [place, time, *rest]
+    return [place, positive_array(time, "duration"), *rest]
 
 
 def _deviations(**values: float) -> list[float]:

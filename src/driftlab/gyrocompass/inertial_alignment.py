@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.checks import FloatArray, finite_arrays, nonnegative_number, one_pull
+from driftlab.checks import FloatArray, finite_arrays, nonnegative_number, one_pull, positive_array
 from driftlab.core import carried_gravity as core
 from driftlab.core.quaternion import multiply, rotate
 from driftlab.core.velocity_noise import FEWEST_WINDOWS, STEPS_A_WINDOW, mean_deviation
@@ -257,13 +257,13 @@ def inertial_alignment_deviation(
     """
     place, time = finite_arrays(latitude=(latitude,), duration=(duration,))
     checked_latitude(place)
-    if not time.min() > 0:
-        raise ValueError(f"duration: expected positive times, got {time.min():g}.")
+    positive_array(time, "duration")
     walk = nonnegative_number(angle_random_walk, "angle_random_walk")
     sway = nonnegative_number(velocity_noise, "velocity_noise")
     pull = normal_gravity(place) if gravity is None else one_pull(gravity)
     _, by_velocity, _, by_walk = _DENSITIES
-    variance = by_walk * walk**2 / time + by_velocity * (sway / pull) ** 2 / time**5
+    with np.errstate(over="ignore"):  # of hardly any time nothing is known
+        variance = by_walk * walk**2 / time + by_velocity * (sway / pull) ** 2 / time**5
     return np.minimum(np.sqrt(variance) / (EARTH_RATE * np.cos(place)), NOTHING_KNOWN)
 
 

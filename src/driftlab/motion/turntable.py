@@ -12,14 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import (
-    FloatArray,
-    finite_number,
-    positive_number,
-    shown,
-    unit_quaternions,
-    whole_number,
-)
+from driftlab.checks import FloatArray, finite_number, one_quaternion, positive_number, whole_number
 from driftlab.core.quaternion import conjugate, from_rotation_vector, multiply, rotate
 from driftlab.core.vectors import left_jacobian
 from driftlab.earth import checked_latitude, earth_rate, gravity, gravity_north
@@ -142,11 +135,11 @@ def table_trajectory(
     row = segments(scheme, whole_number(multiple_of, "multiple_of") * seconds)
     earth = earth_rate(place)
     force = _force(place, finite_number(altitude, "altitude"))
-    parts = [_sense(segment, earth, force, interval) for segment in row]
+    parts = [_sense(segment, earth, force, seconds) for segment in row]
     angles, velocities, attitudes = (np.concatenate(part) for part in zip(*parts, strict=True))
     first = row[0].attitude[np.newaxis]
     return _at_one_place(
-        Increments(float(interval), angles, velocities), np.concatenate([first, attitudes]), place
+        Increments(seconds, angles, velocities), np.concatenate([first, attitudes]), place
     )
 
 
@@ -197,18 +190,13 @@ def static_trajectory(
     >>> print(np.degrees(still.increments.angle[0]).round(3))  # one hour of the Earth's rotation
     [ 0.    13.026  7.521]
     """
-    seconds = finite_number(interval, "interval")
-    stood = unit_quaternions(attitude, "attitude")
-    if seconds <= 0 or stood.ndim != 1:
-        raise ValueError(
-            "interval, attitude: expected a positive time and one attitude (4,), "
-            f"got {shown(interval)} s and shape {stood.shape}."
-        )
+    seconds = positive_number(interval, "interval")
+    stood = one_quaternion(attitude, "attitude")
     up_axis = np.array([0.0, 0.0, 1.0])
     standing = Segment(up_axis, 0.0, whole_number(count, "count") * seconds, stood)
     place = float(checked_latitude(finite_number(latitude, "latitude")))
     force = _force(place, finite_number(altitude, "altitude"))
-    turned, pushed, attitudes = _sense(standing, earth_rate(place), force, interval)
+    turned, pushed, attitudes = _sense(standing, earth_rate(place), force, seconds)
     return _at_one_place(
         Increments(seconds, turned, pushed),
         np.concatenate([standing.attitude[np.newaxis], attitudes]),

@@ -191,14 +191,15 @@ class Recording:
         """
         first, last = finite_number(begin, "begin"), finite_number(end, "end")
         if self.times is None:
-            rows = np.ceil(np.array([first, last]) / self.interval - 1e-6).astype(int)
+            places = np.ceil(np.array([first, last]) / self.interval - 1e-6)
+            rows = np.clip(places, 0, len(self)).astype(int)  # others fit in no whole number
         else:
             rows = np.searchsorted(self.times - self.times[0], [first, last])
         start, stop = np.clip(rows, 0, len(self))
         if start >= stop:
             raise ValueError(
                 f"begin, end: expected times of the record, which has {self.duration:g} s, "
-                f"with a sample between them, got {shown(begin)} and {end!r}."
+                f"with a sample between them, got {shown(begin)} and {shown(end)}."
             )
         return self.part(int(start), int(stop))
 
