@@ -217,7 +217,11 @@ def settle() -> None:
             text = script.read_bytes()
             settled = text.replace(os.fsencode(stamp["folder"]), os.fsencode(VENV))
             if settled != text:
-                script.write_bytes(settled)
+                # Of a script that is half written the next start would not know what is missing.
+                half = script.with_name(script.name + ".new")
+                half.write_bytes(settled)
+                shutil.copymode(script, half)
+                half.replace(script)
     write(VENV / STAMP, json.dumps({**stamp, "folder": str(VENV)}))
 
 

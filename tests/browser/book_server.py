@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 import nbformat
 from nbformat import NotebookNode
+from no_network import block_kernels
 from notebook_page import PATIENCE
 from pages import FOLDER, NOTEBOOKS
 
@@ -46,7 +47,7 @@ def book_server(folder: Path) -> Iterator[Server]:
     """Serve copies of all chapters from `folder`.
 
     Settings, workspaces and runtime files of the server lie in `folder` as well, and none of the
-    user's is read or written.
+    user's is read or written. Kernels have no network.
     """
     root = folder / "book"
     book = root / "notebooks"
@@ -56,6 +57,7 @@ def book_server(folder: Path) -> Iterator[Server]:
     widgets.mkdir(parents=True)
     # A notebook that is saved tells what its widgets show.
     (widgets / "plugin.jupyterlab-settings").write_text(json.dumps({"saveState": True}), "utf-8")
+    block_kernels(folder / "ipython")
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
