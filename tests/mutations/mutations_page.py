@@ -16,7 +16,9 @@ HERE = Path(__file__).parent
 REASONS = HERE / "survivors.toml"
 PAGE = HERE / "mutations.md"
 SAME = ("equivalent", "speed")
-"""First words of a reason: nothing that is promised changes, or only time and memory do."""
+"""First words of a reason: nothing changes, or only time and memory do."""
+IMMATERIAL = "immaterial"
+"""First word of a reason: something changes of which nothing is promised."""
 _PACKAGES = ("numpy", "scipy", "hypothesis", "pytest")
 _HEAD = """# What the tests notice when the package is broken
 
@@ -25,19 +27,25 @@ Written by `python3 lab.py mutate`, never by hand. {machine}
 Each break changes one place of one module: a sign, an operator, a constant (by one, or by 1 %), \
 a comparison or its boundary, two arguments, a function for its neighbour (sine and cosine, least \
 and greatest, any and all), a condition turned round, a `not` dropped. Texts, errors, annotations \
-and decorators are left alone. Breaks are drawn at random with a seed, so a share is an estimate: \
-of {all} breaks in {modules} modules. Against each ran the quick tests that execute the broken \
-line, until one failed; which is not said here, and figures and chapters, whose tests take \
-longer, did not run. A break that made a test hang counts as caught ({hung} of them).
+and decorators are left alone. Breaks are drawn at random with a seed, so that a share is an \
+estimate for all that could be broken. Against each break run the quick tests that execute its \
+line, until one fails; figures and chapters, whose tests take longer, are not asked. A break \
+that makes a test hang counts as caught ({hung} of them).
 
-**{caught} of {all} breaks were caught, {share}.** Of those that survived, {same} do what the \
-unbroken line does, or change only time and memory, for the reason that stands beside each: \
-**{caught} of the {other} others were caught, {share_other}.** {left} are left.
+| | |
+| --- | --: |
+| breaks, in {modules} modules | {all} |
+| caught | {caught} |
+| **share caught, of all** | **{share}** |
+| survived and change nothing, or only time and memory | {same} |
+| **share caught, of those that change something** | **{share_other}** |
+| survived and change something of which nothing is promised | {immaterial} |
+| survived otherwise: holes in the tests | {left} |
 """
 _FOOT = """
 A survivor *without a test* stands in a line that no quick test executes; against one *with more \
-tests* not all tests that execute its line ran, since there are many. Reasons are kept in \
-[survivors.toml](survivors.toml) and were written by hand.
+tests* not all that execute its line ran, since there are many. Reasons were written by hand, in \
+[survivors.toml](survivors.toml).
 """
 
 
@@ -62,24 +70,26 @@ def page(modules: Iterable[Kept], known: dict[tuple[str, str, str], str]) -> str
     tried = [each for kept in modules for each in kept.tried]
     survived = [each for each in tried if not each.failed]
     same = [each for each in survived if is_same(each, known)]
-    count, caught = len(tried), len(tried) - len(survived)
+    immaterial = [each for each in survived if _first_word(each, known) == IMMATERIAL]
+    left = [each for each in survived if each not in same and each not in immaterial]
+    caught = len(tried) - len(survived)
     text = [
         _HEAD.format(
             machine=machine(),
-            all=count,
             modules=sum(bool(kept.tried) for kept in modules),
             hung=sum(each.failed == HUNG for each in tried),
+            all=len(tried),
             caught=caught,
-            share=share(caught, count),
+            share=share(caught, len(tried)),
             same=len(same),
-            other=count - len(same),
-            share_other=share(caught, count - len(same)),
-            left=len(survived) - len(same),
+            share_other=share(caught, len(tried) - len(same)),
+            immaterial=len(immaterial),
+            left=len(left),
         ),
         _table(modules, known),
     ]
-    left = [each for each in survived if not is_same(each, known)]
     text += ["## Survivors that change something\n", *_listed(left, known), _FOOT]
+    text += ["## Survivors that change what is not promised\n", *_listed(immaterial, known)]
     text += ["## Survivors that change nothing\n", *_listed(same, known)]
     if not_tried := [kept for kept in modules if kept.broken_before or not kept.tried]:
         text += ["## Not tried\n", *(f"- `{kept.module}`: {_why_not(kept)}" for kept in not_tried)]
@@ -87,7 +97,12 @@ def page(modules: Iterable[Kept], known: dict[tuple[str, str, str], str]) -> str
 
 
 def is_same(each: Tried, known: dict[tuple[str, str, str], str]) -> bool:
-    return reason(each, known).split(":")[0] in SAME
+    """Whether a reason says that a break changes nothing."""
+    return _first_word(each, known) in SAME
+
+
+def _first_word(each: Tried, known: dict[tuple[str, str, str], str]) -> str:
+    return reason(each, known).split(":")[0]
 
 
 def reason(each: Tried, known: dict[tuple[str, str, str], str]) -> str:

@@ -139,8 +139,8 @@ def test_survivors_that_change_nothing_are_counted_apart():
         ("core.part", "a", "d"): "hole: not yet",
     }
     text = page([module], known)
-    assert "1 of 3 breaks were caught, 33.3 %" in text
-    assert "1 of the 2 others were caught, 50.0 %" in text
+    assert "| **share caught, of all** | **33.3 %** |" in text
+    assert "| **share caught, of those that change something** | **50.0 %** |" in text
     assert "| `core.part` | 3 | 1 | 33.3 % | 1 | 1 | 50.0 % |" in text
     assert text.index("hole: not yet") < text.index("equivalent: c is a")
     assert "no reason given yet" in page([module], {})
