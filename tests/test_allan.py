@@ -3,7 +3,7 @@
 import allantools
 import numpy as np
 import pytest
-from scipy.stats import binom
+from scipy.stats import binom, chi2
 
 from driftlab.allan import allan_deviation
 from driftlab.core.allan import covariance, term_variances, variances
@@ -165,7 +165,27 @@ def test_intervals_hold_the_truth_as_often_as_they_say(name):
     assert (held <= [high, high, high, runs]).all()
 
 
+@pytest.mark.parametrize("confidence", [0.5, 0.95])
+def test_an_interval_leaves_the_same_chance_on_both_sides(confidence):
+    found = allan_deviation(np.random.default_rng(6).normal(size=500), 1.0, confidence=confidence)
+    ends = np.array([found.lower, found.upper])
+    freedom = found.degrees_of_freedom
+    chances = chi2.cdf(freedom * (found.deviation / ends) ** 2, freedom)
+    np.testing.assert_allclose(chances[0], (1 + confidence) / 2, rtol=1e-9)
+    np.testing.assert_allclose(chances[1], (1 - confidence) / 2, rtol=1e-9)
+
+
 # Edges and refusals
+
+
+@pytest.mark.parametrize("length", [20, 21])
+def test_times_go_to_half_of_the_record(length):
+    rates = np.random.default_rng(7).normal(size=length)
+    found = allan_deviation(rates, 0.1, [0.1, 1.0])
+    halves = [rates[i + 10 : i + 20].mean() - rates[i : i + 10].mean() for i in range(length - 19)]
+    assert found.deviation[1] == pytest.approx(np.sqrt(np.mean(np.square(halves)) / 2))
+    with pytest.raises(ValueError, match=r"averaging_times: .* to half of the record, 1 s"):
+        allan_deviation(rates, 0.1, [1.1])
 
 
 def test_a_silent_sensor_has_no_deviation():

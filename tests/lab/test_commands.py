@@ -84,6 +84,13 @@ def test_peers_are_fetched_within_the_pins_and_asked(
     assert capsys.readouterr().out == ""
 
 
+def test_breaking_the_package_fetches_what_it_needs(checks: SimpleNamespace) -> None:
+    assert checks.lab.main(["mutate", "core.earth", "--breaks", "5"]) == 0
+    fetched, broken = checks.ran
+    assert "coverage" in {word.split()[0] for word in fetched}
+    assert broken == ["tests/mutations/mutate.py", "core.earth", "--breaks", "5"]
+
+
 def test_test_leaves_out_the_peers(checks: SimpleNamespace) -> None:
     checks.lab.main(["test"])
     assert checks.ran[-1][-1] == "--ignore=tests/peers"
