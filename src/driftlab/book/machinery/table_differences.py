@@ -3,7 +3,8 @@
 Twelve digits are written. Processors differ in how many numbers they multiply at once, and in what
 order they add them, so other machines may round the last few digits otherwise; and earlier what is
 left when nearly equal numbers are subtracted, as an entry of a matrix that should be zero, or a
-heading after a filter of hundreds of steps.
+heading after a filter of hundreds of steps. A column that is written to a few decimals differs by
+one in the last of them where a number lies between two.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .curve_rows import Words, numbers
+from .curve_rows import Words, numbers, rounding
 from .figure_table import read_table
 
 ROUNDING = 1e-7
@@ -82,13 +83,14 @@ def _size(first: list[str], second: list[str], curves: np.ndarray) -> tuple[floa
     if np.any((np.array(first) != np.array(second)) & ~finite):
         return np.inf, False
     largest, allowed = 0.0, True
+    last_digit = 2 * max(rounding(first), rounding(second))
     for curve in np.unique(curves):
         a, b = (values[(curves == curve) & finite] for values in (here, there))
         if a.size:
             size = max(float(np.max(np.abs(a))), float(np.max(np.abs(b))))
             off = np.abs(a - b)
             largest = max(largest, float(off.max()) / size if size else 0.0)
-            least = max(RESIDUE, ROUNDING * size)
+            least = max(RESIDUE, ROUNDING * size, last_digit)
             allowed &= bool(np.all(off <= least + ROUNDING * np.abs(a)))
     return largest, allowed
 
