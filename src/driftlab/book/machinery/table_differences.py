@@ -83,7 +83,7 @@ def _size(first: list[str], second: list[str], curves: np.ndarray) -> tuple[floa
     if np.any((np.array(first) != np.array(second)) & ~finite):
         return np.inf, False
     largest, allowed = 0.0, True
-    last_digit = 2 * max(rounding(first), rounding(second))
+    last_digit = 2 * min(rounding(first), rounding(second))
     for curve in np.unique(curves):
         a, b = (values[(curves == curve) & finite] for values in (here, there))
         if a.size:
