@@ -94,6 +94,13 @@ def fixed(function, **arguments):
     return update_wrapper(partial(function, **arguments), function)
 
 
+def navigate(**parts):
+    """`strapdown.navigate` of the parts of its records, by the names that sentences give them."""
+    begun = [parts[f"start.{field}"] for field in strapdown.Navigation._fields]
+    rows = increments.Increments(0.1, parts["increments.angle"], parts["increments.velocity"])
+    return strapdown.navigate(strapdown.Navigation(*begun), rows)
+
+
 # Each function with good arguments that have no leading axes.
 CASES = {
     quaternion.multiply: {"first": Q, "second": P},
@@ -297,6 +304,15 @@ CASES = {
     conventions.mirror_heading: {"heading": TIME},
     conventions.scalar_first: {"quaternion": Q},
     conventions.scalar_last: {"quaternion": Q},
+    navigate: {
+        "start.latitude": LATITUDE,
+        "start.longitude": PITCH,
+        "start.altitude": 100 * TIME,
+        "start.velocity": np.array([3.0, -20.0, 0.5]),
+        "start.attitude": Q,
+        "increments.angle": 0.01 * INCREMENTS,
+        "increments.velocity": np.array([0.1, 0.2, 0.98]) + 0.01 * INCREMENTS,
+    },
     fixed(vehicle.smooth_step, begin=0.5, duration=3.0): {"times": TIME},
 }
 # Tested where they belong.
@@ -315,7 +331,6 @@ APART = {
     earth.gravitation,
     # Their arguments and answers are records of several arrays.
     strapdown.at_rest,
-    strapdown.navigate,
     turntable.static_trajectory,
     vectors.left_jacobian,
     vectors.wrap_angle,
@@ -387,6 +402,9 @@ WITHOUT_AXES = (
     "north_error",
     "latitude_error",
     "longitude_error",
+    "start.latitude",
+    "start.longitude",
+    "start.altitude",
 )
 # To have no history is not bad, gravity is known where none is given, and some errors need no
 # attitude.

@@ -539,7 +539,7 @@ GOOD = {
         ),
         (
             {"start": GOOD["start"]._replace(latitude=np.array(np.nan))},
-            "latitude: expected finite numbers",
+            r"start\.latitude: expected finite numbers",
         ),
     ],
     ids=lambda case: case if isinstance(case, str) else "",
@@ -580,7 +580,7 @@ def test_states_are_refused_by_the_name_of_the_field(field):
     good = at_rest(0.8, [0, 0, 0, 1])
     record = static_trajectory([0, 0, 0, 1], 0.8, 0.1, 20)
     bad = good._replace(**{field: np.nan * getattr(good, field)})
-    with pytest.raises(ValueError, match=f"^{field}: expected finite numbers"):
+    with pytest.raises(ValueError, match=rf"^start\.{field}: expected finite numbers"):
         navigate(bad, record.increments)
     plain = good._replace(latitude=0.8, longitude=0.0, altitude=0.0)
     assert navigate(plain, record.increments).latitude.shape == (10,)
@@ -606,3 +606,44 @@ def test_leading_axes_of_one_kind_of_increments_hold_for_both(runs, alone):
             np.testing.assert_allclose(
                 np.broadcast_to(all_runs, (runs, *one.shape))[run], one, rtol=0, atol=1e-9
             )
+
+
+def test_speeds_and_heights_that_nothing_has_are_refused():
+    good, record = at_rest(0.8, [0, 0, 0, 1]), static_trajectory([0, 0, 0, 1], 0.8, 0.1, 20)
+    with pytest.raises(ValueError, match=r"^start\.altitude: expected m, at most 1e\+09 in size"):
+        navigate(good._replace(altitude=np.array(1e10)), record.increments)
+    with pytest.raises(ValueError, match=r"^start\.velocity: expected m/s, slower than light, got"):
+        navigate(good._replace(velocity=np.array([0.0, -4e8, 0.0])), record.increments)
+    fast = record.increments._replace(velocity=np.full((20, 3), 4e8))
+    with pytest.raises(ValueError, match=r"^increments\.velocity: expected m/s, slower than light"):
+        navigate(good, fast)
+
+
+@pytest.mark.parametrize("part", ["altitude", "velocity", "longitude", "attitude", "latitude"])
+@pytest.mark.parametrize("hold_altitude", [False, True])
+def test_one_part_of_the_start_alone_may_have_leading_axes(part, hold_altitude):
+    record = static_trajectory([0, 0, 0, 1], 0.8, 0.5, 200)  # more than a chunk
+    good = at_rest(0.8, [0, 0, 0, 1])
+    some = np.stack([getattr(good, part), getattr(good, part) + 0.01])
+    together = navigate(
+        good._replace(**{part: some}), record.increments, every=20, hold_altitude=hold_altitude
+    )
+    for index, each in enumerate(some):
+        alone = navigate(
+            good._replace(**{part: each}), record.increments, every=20, hold_altitude=hold_altitude
+        )
+        for many, one in zip(together, alone, strict=True):
+            assert many.shape == (2, *one.shape)
+            np.testing.assert_allclose(many[index], one, rtol=1e-12, atol=1e-12)
+
+
+def test_states_are_no_windows():
+    latitude, attitude = np.array([0.8, 0.9]), np.array([0.0, 0.0, 0.0, 1.0])
+    start = at_rest(latitude, attitude)
+    assert not any(np.shares_memory(part, latitude) for part in start)
+    assert not any(np.shares_memory(part, attitude) for part in start)
+    start.altitude[0] = 5.0  # each is one's own, and may be written
+    assert start.altitude[1] == 0.0
+    states = navigate(start, static_trajectory([0, 0, 0, 1], 0.8, 0.1, 20).increments)
+    for end, row in zip(last_of(states), states, strict=True):
+        assert not np.shares_memory(end, row)

@@ -19,9 +19,12 @@ from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 
 from .checks import (
     checked_instance,
+    common_leading_axes,
+    finite_array,
     finite_arrays,
     finite_number,
     shown,
+    speed_of_body,
     truth_value,
     unit_quaternions,
     whole_number,
@@ -35,6 +38,7 @@ __all__ = ["Navigation", "at_rest", "checked_interval", "last_of", "navigate"]
 
 ALGORITHM = CONING_ALGORITHMS["two-step-4"]
 """The attitude algorithm of the navigation; its step is a pair of increments."""
+_HIGHEST = 1e9  # m: past the Moon
 _LONGEST = 20.0  # s: interval for which the fixed point still converges quickly
 
 
@@ -102,10 +106,10 @@ def navigate(
     Parameters
     ----------
     start : Navigation
-        State before the first increment, leading axes (...).
+        State before the first increment, leading axes (...); those of each part broadcast.
     increments : Increments
-        Arrays of shape (..., n, 3), over intervals of at most 20 s. They must be true integrals, as
-        from integrating sensors.
+        Arrays of shape (..., n, 3), whose leading axes broadcast against those of the start, over
+        intervals of at most 20 s. They must be true integrals, as from integrating sensors.
     every : int
         Number of increments between two results; even, because a step is made of two, and a divisor
         of n.
@@ -158,6 +162,14 @@ def navigate(
     start = _checked(start)
     interval, angle, velocity = checked_increments(increments)
     seconds = checked_interval(interval)
+    speed_of_body(velocity, "increments.velocity")
+    common_leading_axes(
+        **{
+            f"start.{name}": part.shape[: part.ndim - (name in ("velocity", "attitude"))]
+            for name, part in start._asdict().items()
+        },
+        **{"increments.angle": angle.shape[:-2], "increments.velocity": velocity.shape[:-2]},
+    )
     count = angle.shape[-2]
     if count % 2:
         raise ValueError(f"increments: expected an even number of rows, got {count}.")
@@ -201,11 +213,15 @@ def checked_interval(interval: float) -> float:
 def _checked(state: Navigation) -> Navigation:
     """Return the state as arrays, refusing what is not one by the name of the field."""
     checked_instance(state, Navigation, "start")
-    latitude, longitude, altitude, velocity, attitude = finite_arrays(
-        latitude=(state.latitude,),
-        longitude=(state.longitude,),
-        altitude=(state.altitude,),
-        velocity=(state.velocity, 3),
-        attitude=(unit_quaternions(state.attitude, "attitude"), 4),
-    )
+    latitude = finite_array(state.latitude, "start.latitude")
+    longitude = finite_array(state.longitude, "start.longitude")
+    altitude = finite_array(state.altitude, "start.altitude")
+    velocity = finite_array(state.velocity, "start.velocity", 3)
+    attitude = unit_quaternions(state.attitude, "start.attitude")
+    if not np.abs(altitude).max() <= _HIGHEST:  # the inner Earth is refused on the way
+        raise ValueError(
+            f"start.altitude: expected m, at most {_HIGHEST:g} in size, got {altitude.min():g} to "
+            f"{altitude.max():g}."
+        )
+    speed_of_body(velocity, "start.velocity")
     return Navigation(checked_latitude(latitude), longitude, altitude, velocity, attitude)

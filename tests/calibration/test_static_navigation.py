@@ -355,13 +355,10 @@ def test_attitudes_of_any_size_and_either_sign_will_do():
 @pytest.mark.parametrize(
     ("name", "bad"),
     [
-        ("interval", 0.0),
-        ("interval", -1.0),
         ("interval", 61.0),
         ("output_interval", 0.5),
         ("output_interval", 61.0),
         ("duration", 59.0),
-        ("duration", -60.0),
     ],
 )
 def test_times_that_do_not_fit_into_each_other_are_refused(name, bad):
@@ -378,6 +375,9 @@ def test_times_that_do_not_fit_into_each_other_are_refused(name, bad):
 @pytest.mark.parametrize(
     ("name", "bad", "words"),
     [
+        ("interval", 0.0, r"a positive number, got 0\.0"),
+        ("interval", -1.0, r"a positive number, got -1\.0"),
+        ("duration", -60.0, r"a positive number, got -60\.0"),
         ("interval", np.nan, "finite numbers, got 1 NaN or infinite"),
         ("output_interval", np.nan, "finite numbers, got 1 NaN or infinite"),
         ("duration", np.inf, "finite numbers, got 1 NaN or infinite"),

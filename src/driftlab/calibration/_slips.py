@@ -163,6 +163,10 @@ def _other_units(told: Told, expected: Expected) -> Iterator[Slip]:
             yield Slip(0, name, told._replace(increments=increments), size)
 
 
+_NO_FORCE = 1e-12
+"""As a part of gravity: no interval explains less."""
+
+
 def _rescaled(told: Told, expected: Expected) -> Iterator[tuple[str, Increments]]:
     """What the increments may have been meant to be."""
     interval, angle, velocity = told.increments
@@ -180,7 +184,7 @@ def _rescaled(told: Told, expected: Expected) -> Iterator[tuple[str, Increments]
         if words and "interval" not in gyro and max(a, 1 / a, b, 1 / b) > 1 + _SIZE:
             yield " and ".join(words), Increments(interval, angle / a, velocity / b)
     # Biases push up in one position and down in another.
-    if abs(ratio - 1) > max(BEYOND * expected.prior.scale, 1e-4):
+    if abs(ratio - 1) > max(BEYOND * expected.prior.scale, 1e-4) and ratio > _NO_FORCE:
         name = _interval_slip(interval, ratio)
         yield name, Increments(ratio * interval, angle, velocity)
     if ratio < _SIZE or ratio > 1 / _SIZE:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from threading import Lock
 from types import MappingProxyType
 
 import numpy as np
@@ -35,6 +36,7 @@ from ._triad_bases import (
     units,
 )
 
+_ONE_AT_A_TIME = Lock()
 LOCAL_AXES = ("East", "North", "Up")
 
 
@@ -90,7 +92,10 @@ class ErrorModel(StateLayout):
         (37, 'accelerometer lever arm xx', 'accelerometer time skew')
         """
         chosen = higher.checked_groups((*self.higher_order, *groups))
-        return self if chosen == self.higher_order else _with_states(self, chosen)
+        if chosen == self.higher_order:
+            return self
+        with _ONE_AT_A_TIME:  # models are told apart as objects; two threads would make two of one
+            return _with_states(self, chosen)
 
     def reduction(self, attitude: ArrayLike) -> FloatArray:
         """Matrix from all 30 states, in any body axes, to the states of this model.

@@ -14,6 +14,7 @@ from driftlab.checks import (
     checked_instance,
     finite_number,
     shown,
+    speed_of_body,
     truth_value,
     unit_quaternions,
     whole_number,
@@ -178,6 +179,7 @@ def calibrate(
         )
     truth_value(check, "check")
     measured = checked_increments(increments)
+    speed_of_body(measured.velocity, "increments.velocity")
     attitude = unit_quaternions(start, "start")
     interval = checked_interval(measured.interval)
     ends, reference = updates(
@@ -188,7 +190,8 @@ def calibrate(
             "noise: expected a deviation of the reference velocity above 0, "
             f"got {shown(noise.reference_velocity)} m/s."
         )
-    whole_number(keep, "keep")
+    speed_of_body(reference, "reference_velocity")
+    keep = whole_number(keep, "keep")
     lead = np.broadcast_shapes(
         measured.angle.shape[:-2],
         measured.velocity.shape[:-2],

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_array, finite_arrays
+from driftlab.checks import FloatArray, common_leading_axes, finite_array
 from driftlab.core import kalman
 
 
@@ -81,16 +81,15 @@ def predict(covariance: ArrayLike, transition: ArrayLike, noise: ArrayLike) -> F
     array([[5., 2.],
            [2., 1.]])
     """
-    size = _size(covariance)
-    moving = _rows(transition, "transition", size)
+    before, size = _square(covariance)
+    moved, moving = _rows(transition, "transition", size)
     if moving > size:
         raise ValueError(f"transition: expected at most {size} rows, got {moving}.")
-    arrays = finite_arrays(
-        covariance=(covariance, size, size),
-        transition=(transition, moving, size),
-        noise=(noise, moving, moving),
+    added = finite_array(noise, "noise", moving, moving)
+    common_leading_axes(
+        covariance=before.shape[:-2], transition=moved.shape[:-2], noise=added.shape[:-2]
     )
-    return kalman.predict(*arrays)
+    return kalman.predict(before, moved, added)
 
 
 def correct(
@@ -143,16 +142,18 @@ def correct(
     array([[0.833, 0.333],
            [0.333, 0.333]])
     """
-    size = _size(covariance)
-    measured = _rows(observation, "observation", size)
-    arrays = finite_arrays(
-        covariance=(covariance, size, size),
-        innovation=(innovation, measured),
-        observation=(observation, measured, size),
-        noise=(noise, measured, measured),
+    before, size = _square(covariance)
+    seen, measured = _rows(observation, "observation", size)
+    news = finite_array(innovation, "innovation", measured)
+    spread = finite_array(noise, "noise", measured, measured)
+    common_leading_axes(
+        covariance=before.shape[:-2],
+        innovation=news.shape[:-1],
+        observation=seen.shape[:-2],
+        noise=spread.shape[:-2],
     )
     try:
-        return Update(*kalman.correct(*arrays))
+        return Update(*kalman.correct(before, news, seen, spread))
     except np.linalg.LinAlgError:
         raise ValueError(
             "noise: expected an innovation with a spread in every direction, got H P H^T + R "
@@ -179,7 +180,8 @@ def nees(errors: ArrayLike, covariance: ArrayLike) -> FloatArray:
     Raises
     ------
     ValueError
-        If shapes do not fit, or a number is not finite.
+        If shapes do not fit, a number is not finite, or the covariance of the states that count
+        has no inverse.
 
     References
     ----------
@@ -193,26 +195,39 @@ def nees(errors: ArrayLike, covariance: ArrayLike) -> FloatArray:
     >>> float(nees([2.0, 3.0, 0.0], np.diag([1.0, 9.0, 0.0])))
     5.0
     """
-    size = _size(covariance)
-    error, stated = finite_arrays(errors=(errors, size), covariance=(covariance, size, size))
+    stated, size = _square(covariance)
+    error = finite_array(errors, "errors", size)
+    common_leading_axes(errors=error.shape[:-1], covariance=stated.shape[:-2])
     variances = np.einsum("...ii->...i", stated)
     counted = np.flatnonzero(variances.reshape(-1, size).any(axis=0))
     error = error[..., counted]
     block = stated[..., counted[:, np.newaxis], counted]
-    return np.vecdot(error, np.linalg.solve(block, error[..., np.newaxis])[..., 0])
+    try:
+        with np.errstate(over="ignore", invalid="ignore"):  # refused below
+            found = np.vecdot(error, np.linalg.solve(block, error[..., np.newaxis])[..., 0])
+    except np.linalg.LinAlgError:
+        found = np.array(np.inf)
+    if not np.isfinite(found).all():
+        raise ValueError(
+            "covariance: expected one with an inverse where variances are not zero, got one "
+            "without."
+        )
+    return found
 
 
-def _size(covariance: ArrayLike) -> int:
-    """Number of states, refusing what is not square."""
-    shape = finite_array(covariance, "covariance").shape
+def _square(covariance: ArrayLike) -> tuple[FloatArray, int]:
+    """A covariance as an array, and its number of states, refusing what is not square."""
+    array = finite_array(covariance, "covariance")
+    shape = array.shape
     if len(shape) < 2 or shape[-1] != shape[-2]:
         raise ValueError(f"covariance: expected shape (..., size, size), got shape {shape}.")
-    return shape[-1]
+    return array, shape[-1]
 
 
-def _rows(matrix: ArrayLike, name: str, size: int) -> int:
-    """Number of rows, refusing what has none or is not made for so many states."""
-    shape = finite_array(matrix, name).shape
+def _rows(matrix: ArrayLike, name: str, size: int) -> tuple[FloatArray, int]:
+    """A matrix as an array, and its number of rows, refusing what is not of so many states."""
+    array = finite_array(matrix, name)
+    shape = array.shape
     if len(shape) < 2 or shape[-1] != size:
         raise ValueError(f"{name}: expected shape (..., rows, {size}), got shape {shape}.")
-    return shape[-2]
+    return array, shape[-2]

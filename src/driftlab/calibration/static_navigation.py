@@ -7,14 +7,23 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, checked_instance, finite_number, shown, unit_quaternions
-from driftlab.earth import curvature_radii
+from driftlab.checks import (
+    FloatArray,
+    checked_instance,
+    finite_number,
+    positive_number,
+    shown,
+    unit_quaternions,
+)
+from driftlab.earth import checked_latitude, curvature_radii
 from driftlab.imu import ImuErrors, ImuNoise
 from driftlab.increments import compensate, measure
 from driftlab.motion.turntable import static_trajectory
 from driftlab.strapdown import at_rest, navigate
 
 from .body_axes import attitude_error
+
+_MOST_INTERVALS = 2**31 - 1
 
 
 class StaticNavigationErrors(NamedTuple):
@@ -117,17 +126,29 @@ def navigate_static(
     >>> round(float(np.abs(errors.position).max()), -2)
     26800.0
     """
-    seconds = finite_number(interval, "interval")
-    output = finite_number(output_interval, "output_interval")
-    if not 0 < seconds <= output <= finite_number(duration, "duration"):
+    seconds, output, whole = (
+        positive_number(value, name)
+        for name, value in (
+            ("interval", interval),
+            ("output_interval", output_interval),
+            ("duration", duration),
+        )
+    )
+    latitude = float(checked_latitude(finite_number(latitude, "latitude")))
+    if not seconds <= output <= whole:
         raise ValueError(
             "interval, output_interval, duration: expected positive times, each at least as long "
             f"as the one before, got {shown(interval)}, {shown(output_interval)}, "
             f"{shown(duration)} s."
         )
+    if whole > _MOST_INTERVALS * seconds:
+        raise ValueError(
+            f"duration: expected at most {_MOST_INTERVALS} intervals of {shown(interval)} s, got "
+            f"{shown(duration)} s."
+        )
     # An even number of increments for each result.
     each = 2 * max(1, round(output / seconds / 2))
-    count = each * max(1, round(duration / (each * seconds)))
+    count = each * max(1, round(whole / (each * seconds)))
     true = static_trajectory(attitude, latitude, seconds, count)
     checked_instance(estimated, ImuErrors, "estimated")
     compensated = compensate(measure(true.increments, imu_errors, noise, rng), estimated)

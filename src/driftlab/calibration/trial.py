@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, checked_instance
+from driftlab.checks import FloatArray, checked_instance, finite_array
 from driftlab.higher_order_errors import (
     NO_HIGHER_ORDER_ERRORS,
     HigherOrderErrors,
@@ -111,6 +111,12 @@ def estimation_errors(
     model = checked_instance(calibration, Calibration, "calibration").model
     if higher_order is not None:
         checked_higher_order_errors(higher_order)
+    shape, count = finite_array(attitude, "attitude", 4).shape, calibration.state.shape[-2]
+    if shape != (count, 4):
+        raise ValueError(
+            f"attitude: expected shape ({count}, 4), one for each of the calibration's times, got "
+            f"shape {shape}."
+        )
     true, turn = imu_errors_in_frame(imu_errors, model.frame)
     errors = model.state(true, higher_order)[..., np.newaxis, :] - calibration.state
     true_attitude = attitude_of_axes(attitude, turn[..., np.newaxis, :, :])

@@ -237,15 +237,50 @@ def finite_arrays(**arguments: tuple[ArrayLike, *tuple[int, ...]]) -> list[Float
     """
     arrays = [finite_array(value, name, *shape) for name, (value, *shape) in arguments.items()]
     depths = [len(shape) for _, *shape in arguments.values()]
-    leading = [a.shape[: a.ndim - depth] for a, depth in zip(arrays, depths, strict=True)]
+    common_leading_axes(
+        **{
+            name: array.shape[: array.ndim - depth]
+            for name, array, depth in zip(arguments, arrays, depths, strict=True)
+        }
+    )
+    return arrays
+
+
+def common_leading_axes(**leading: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the axes to which the leading axes of several arguments broadcast.
+
+    Parameters
+    ----------
+    **leading : tuple of int
+        Under the name of each argument its leading axes.
+
+    Returns
+    -------
+    tuple of int
+
+    Raises
+    ------
+    ValueError
+        If they do not broadcast.
+
+    Examples
+    --------
+    >>> common_leading_axes(rate=(3, 1), time=(2,))
+    (3, 2)
+    >>> common_leading_axes(rate=(3,), time=(2,))
+    Traceback (most recent call last):
+    ValueError: rate, time: expected leading axes that broadcast, got (3,) and (2,).
+    """
+    different = set(leading.values())
+    if len(different) == 1:  # sooner than NumPy
+        return different.pop()
     try:
-        np.broadcast_shapes(*leading)
+        return np.broadcast_shapes(*different)
     except ValueError:
         raise ValueError(
-            f"{', '.join(arguments)}: expected leading axes that broadcast, "
-            f"got {' and '.join(map(str, leading))}."
+            f"{', '.join(leading)}: expected leading axes that broadcast, "
+            f"got {' and '.join(map(str, leading.values()))}."
         ) from None
-    return arrays
 
 
 def positive_array(value: ArrayLike, name: str) -> FloatArray:

@@ -28,6 +28,8 @@ GRAVITY_RANGE = (1.2, 50.0)
 _ON_EARTH, _LOCAL = 9.80665, 0.05
 """m/s^2: standard gravity, and by how much that of places on the Earth differs from it."""
 _FOOT = 0.3048
+LIGHT = 299792458.0
+"""m/s: nothing that is navigated moves faster, or gains so much from one sample to the next."""
 TWO_TURNS = 4 * np.pi
 """rad: where an angle of a body is more likely one in degrees."""
 
@@ -139,6 +141,39 @@ def within(
         )
     if abs(worst) > usual:
         warnings.warn(f"{name}: {worst:g} {unit} is much: {slip}", UnusualWarning, stacklevel=4)
+    return array
+
+
+def speed_of_body(array: FloatArray, name: str) -> FloatArray:
+    """Return velocities or their increments, refusing those that no body has.
+
+    Parameters
+    ----------
+    array : ndarray
+        Finite numbers, m/s.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    ndarray
+        `array` itself.
+
+    Raises
+    ------
+    ValueError
+        If one is faster than light.
+
+    Examples
+    --------
+    >>> speed_of_body(np.array([0.0, -3e9]), "velocity")
+    Traceback (most recent call last):
+    ValueError: velocity: expected m/s, slower than light, got -3e+09.
+    """
+    least, most = float(array.min()), float(array.max())
+    if max(-least, most) > LIGHT:
+        worst = most if most > -least else least
+        raise ValueError(f"{name}: expected m/s, slower than light, got {worst:g}.")
     return array
 
 

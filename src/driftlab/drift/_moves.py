@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, shown, whole_pairs
+from driftlab.checks import FloatArray, shown, whole_pairs, within
 
 _TOLERANCE = 0.05
 """By which part of a turn a move may miss whole turns about an axis, along it and across."""
@@ -38,6 +38,7 @@ class Move(NamedTuple):
 
 def moves(rows: FloatArray, rests: ArrayLike) -> Iterator[Move]:
     """Yield the moves of a record in order; rests of a steady turn do not part them."""
+    within(rows, "increments", 2 * np.pi, "rad", "is it in degrees?")
     stops = _checked_rests(rests, len(rows))
     if len(stops):  # of none there is no usual rate
         stops = _without_steady_turns(rows, stops)

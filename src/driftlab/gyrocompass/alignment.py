@@ -10,7 +10,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_arrays, nonzero_vectors, positive_number
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    finite_arrays,
+    nonzero_vectors,
+    positive_number,
+)
 from driftlab.core.vectors import norms
 from driftlab.earth import (
     EARTH_RATE,
@@ -22,7 +28,7 @@ from driftlab.earth import (
 from driftlab.frames import pitch_and_roll, refuse_vertical
 
 from .alignment_results import Alignment, AlignmentErrors
-from .contradictions import checked_tolerance, rate_contradiction, warn_of_contradiction
+from .contradictions import _contradiction, checked_tolerance, warn_of_contradiction
 
 _LEAST_COLATITUDE = np.radians(0.1)
 
@@ -145,7 +151,10 @@ def align(
     right = turn[..., 1] * np.sin(roll) + turn[..., 2] * np.cos(roll)
     scale = EARTH_RATE if unit is None else unit * size
     told = unit is not None
-    seen = rate_contradiction(scale * across, scale * upward, latitude, size_known=told)
+    known = finite_array(latitude, "latitude") if latitude is not None else None
+    if known is not None:
+        checked_latitude(known)
+    seen = _contradiction(scale * across, scale * upward, known, told)
     warn_of_contradiction(seen, tolerance, "angular_rate", latitude)
     found = np.broadcast_arrays(
         np.arctan2(right, forward),
@@ -161,8 +170,9 @@ def align(
 
 
 def _refuse_exchanged(rate: FloatArray, force: FloatArray) -> None:
-    like_gravity = np.abs(np.log(rate / EQUATOR_GRAVITY)) < np.log(1.1)
-    if like_gravity.all() and (np.abs(np.log(force / EARTH_RATE)) < np.log(2)).all():
+    # Differences of logarithms, because the quotient of a small rate may be none.
+    like_gravity = np.abs(np.log(rate) - np.log(EQUATOR_GRAVITY)) < np.log(1.1)
+    if like_gravity.all() and (np.abs(np.log(force) - np.log(EARTH_RATE)) < np.log(2)).all():
         raise ValueError(
             "angular_rate, specific_force: expected a rate and then a force, got sizes of "
             f"{rate.flat[0]:.3g} and {force.flat[0]:.3g}, as of the two exchanged."

@@ -138,6 +138,13 @@ def rate_contradiction(
     level, up, place = known["level_rate"], known.get("up_rate"), known.get("latitude")
     if place is not None:
         checked_latitude(place)
+    return _contradiction(level, up, place, size_known)
+
+
+def _contradiction(
+    level: FloatArray, up: FloatArray | None, place: FloatArray | None, size_known: bool
+) -> RateContradiction:
+    """What `rate_contradiction` returns, of numbers that are checked, or made of such."""
     excess = turned = NOT_KNOWN
     earth_level = np.minimum(level, EARTH_RATE) if place is None else EARTH_RATE * np.cos(place)
     seen = [NOT_KNOWN]

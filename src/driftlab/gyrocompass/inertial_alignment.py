@@ -31,6 +31,8 @@ from driftlab.increments import Increments, checked_increments
 
 from .contradictions import NOTHING_KNOWN
 
+_NO_FORCE = 1e-30
+"""Velocity increments that are all smaller, m/s, have no direction left in double."""
 _ALGORITHM = CONING_ALGORITHMS["two-step-4"]
 _FEWEST = 2 * STEPS_A_WINDOW * (FEWEST_WINDOWS + 1)
 _DENSITIES: FloatArray = np.array([100800.0, 1120.0, 280 / 11, 700 / 429])
@@ -173,6 +175,8 @@ def align_in_inertial_frame(increments: Increments, latitude: ArrayLike) -> Iner
     if count < _FEWEST:
         raise ValueError(f"increments: expected at least {_FEWEST}, got {count}.")
     angle, velocity = angle[..., count % 2 :, :], velocity[..., count % 2 :, :]
+    if np.abs(velocity).max(axis=(-2, -1)).min() < _NO_FORCE:
+        _refuse_other_units(np.zeros(()), place)
     turn, carried = core.carried_velocity(_ALGORITHM, angle, velocity)
     part = np.arange(1, count // 2 + 1) / (count // 2)
     duration = seconds * (count - count % 2)

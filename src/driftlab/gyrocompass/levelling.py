@@ -247,7 +247,8 @@ def propagate_level_frame(
     seconds, angle, velocity = checked_increments(increments)
     k1, k2 = loop_gains(gains, seconds)
     count = angle.shape[-2]
-    if count % whole_number(every, "every"):
+    every = whole_number(every, "every")
+    if count % every:
         raise ValueError(
             f"every: expected a divisor of the number of increments, {count}, got {shown(every)}."
         )

@@ -17,15 +17,21 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray, finite_arrays, unit_quaternions
+from driftlab.checks import (
+    FloatArray,
+    finite_array,
+    finite_arrays,
+    positive_number,
+    unit_quaternions,
+)
 from driftlab.core.quaternion import to_matrix
 from driftlab.frames import from_euler_angles
 
 from .alignment import align
 from .contradictions import (
     InconsistentAlignmentWarning,
+    _contradiction,
     checked_tolerance,
-    rate_contradiction,
 )
 
 _LEAST = float(np.sin(np.radians(2.5)) ** 2)
@@ -218,12 +224,13 @@ def align_in_positions(
     up, accelerometer_bias, force_residual = parted(force)
     # A bias along the axis of the turn stays in the rate, and would be warned of.
     found = align(earth, up, latitude=latitude, rate_unit=rate_unit, heading_tolerance=np.inf)
-    unit = rate_unit or 1.0
+    unit = 1.0 if rate_unit is None else positive_number(rate_unit, "rate_unit")
     doubt = found.heading_doubt
     if unseen.any():
         known = rate_unit is not None
         level = unit * found.level_rate
-        doubt = rate_contradiction(level, latitude=latitude, size_known=known).heading_doubt
+        place = None if latitude is None else finite_array(latitude, "latitude")
+        doubt = _contradiction(level, None, place, known).heading_doubt
     # Of what is seen worst, as the mean of the noise of one reading.
     least = np.sqrt(count * np.where(unseen, 1.0, sizes).min(axis=-1))
     scatter = np.arcsin(np.minimum(rate_residual / (found.level_rate * least), 1.0))

@@ -19,6 +19,7 @@ from driftlab.checks import (
     checked_instance,
     finite_number,
     positive_number,
+    shown,
     whole_number,
 )
 from driftlab.earth import EARTH_RATE, gravity
@@ -31,6 +32,7 @@ from .type_test_compass import FINE, Gyrocompass, Steps, checked_steps
 from .type_test_limits import LIMITS, TypeTest
 
 _MOST_LATITUDE = np.radians(85.0)
+_FASTEST = 100.0  # m/s: nearly 200 knots
 _BETWEEN, _BAND = 30 * minute, 0.7 * degree  # three readings at such times, in such a band: settled
 _READINGS, _APART = 10, 20 * minute  # of a settle point
 _MOUNTINGS = np.radians(np.arange(0.0, 360.0, 15.0)).tolist()
@@ -105,6 +107,10 @@ def marine_type_test(
         raise ValueError(
             "latitude: expected at most 85 degrees from the equator, "
             f"got {place:.6g} rad, that is {np.degrees(place):.6g} degrees."
+        )
+    if way > _FASTEST:
+        raise ValueError(
+            f"speed: expected m/s, at most {_FASTEST:g}, got {shown(speed)}: is it in knots?"
         )
     fine = checked_steps(steps)
     count = whole_number(starts, "starts", least=2)

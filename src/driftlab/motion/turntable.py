@@ -21,6 +21,8 @@ from driftlab.increments import Increments
 from .scheme import Scheme, checked_scheme
 from .trajectory import Trajectory
 
+_MOST = 2**31 - 1  # samples of a segment
+
 
 class Segment(NamedTuple):
     """One pause or rotation of the table, with a constant rate against the Earth.
@@ -147,7 +149,13 @@ def _sense(
     segment: Segment, earth: FloatArray, force: FloatArray, interval: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Increments (n, 3) and (n, 3), and attitudes (n, 4) after them, of one segment."""
-    count = round(segment.duration / interval)
+    count = segment.duration / interval
+    if count > _MOST:
+        raise ValueError(
+            f"interval: expected at most {_MOST} samples of {segment.duration:g} s, "
+            f"got {interval:g} s."
+        )
+    count = round(count)
     angles = segment.rate * interval * np.arange(count + 1)
     attitude = multiply(
         segment.attitude, from_rotation_vector(angles[:, np.newaxis] * segment.axis)

@@ -9,7 +9,7 @@ import numpy as np
 from driftlab.checks import checked_text, finite_array, positive_number, shown, some_of
 
 from ._table_columns import TableColumns
-from ._time_stamps import spacing_of_stamps
+from ._time_stamps import checked_longest_gap, spacing_of_stamps
 from ._unit_spellings import spelled
 from .guards import RULES, without_doubts
 from .recording import Recording
@@ -45,6 +45,8 @@ def record_of_table(
     places = {triad: _places(table, wanted, triad) for triad, wanted in columns.items()}
     scales = _scales(table, places, units)
     offsets = finite_array(zeros, "zeros", 2)
+    if offsets.ndim > 1:
+        raise ValueError(f"zeros: expected shape (2,), got shape {offsets.shape}.")
     stamp, size = _stamp_column(table, time, interval, rate)
     indices = [index for triad in places.values() for index, _ in triad]
     numbers = table.numbers(indices if size is None else [*indices, stamp])
@@ -53,9 +55,7 @@ def record_of_table(
         signs = np.array([sign for _, sign in triad])
         triads.append(scale.size * signs * (numbers[:, 3 * i : 3 * i + 3] - offsets[i]))
     longest = (
-        ANY_GAP
-        if "gap" in some_of(allow, RULES, "allow")
-        else positive_number(longest_gap, "longest_gap")
+        ANY_GAP if "gap" in some_of(allow, RULES, "allow") else checked_longest_gap(longest_gap)
     )
     times = None
     if time is None:

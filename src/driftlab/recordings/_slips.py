@@ -139,5 +139,5 @@ def gyro_factors(kind: Kind, interval: float) -> dict[str, float]:
 
 
 def _named(factor: float, slips: dict[str, float]) -> str:
-    close = [slip for slip, one in slips.items() if abs(np.log(factor / one)) < np.log(_CLOSE)]
+    close = [slip for slip, one in slips.items() if one / _CLOSE < factor < one * _CLOSE]
     return f": {', or '.join(close)}?" if close else "."

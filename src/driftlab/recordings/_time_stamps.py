@@ -8,7 +8,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, finite_number, shown
+
+
+def checked_longest_gap(value: float) -> float:
+    """The argument `longest_gap`: how many usual intervals, at least one."""
+    number = finite_number(value, "longest_gap")
+    if number < 1:
+        raise ValueError(
+            f"longest_gap: expected a number of usual intervals, at least 1, got {shown(value)}."
+        )
+    return number
 
 
 def spacing_of_stamps(

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from driftlab.checks import checked_path, finite_array, positive_number, shown
+from driftlab.checks import checked_path, finite_array, shown
 
 from ._record_of_table import checked_kind
 from ._text_table import read_table
-from ._time_stamps import spacing_of_stamps
+from ._time_stamps import checked_longest_gap, spacing_of_stamps
 from .guards import without_doubts
 from .recording import Recording
 from .units import accelerometer_unit, gyro_unit
@@ -82,7 +82,7 @@ def read_imu_tk(
     scales = gyro_unit(units[0]), accelerometer_unit(units[1])
     checked_kind(scales)
     offsets = finite_array(zeros, "zeros", 2)
-    longest_gap = positive_number(longest_gap, "longest_gap")
+    longest_gap = checked_longest_gap(longest_gap)
     tables = read_table(gyro_path), read_table(accelerometer_path)
     for table in tables:
         if table.width != 4:

@@ -27,6 +27,8 @@ from driftlab.checks import (
 from driftlab.increments import Increments
 from driftlab.sampled_rates import increments_from_rates
 
+from ._time_stamps import checked_longest_gap
+
 Kind = Literal["rates", "increments"]
 
 
@@ -87,7 +89,7 @@ class Recording:
         keep(
             self,
             interval=positive_number(self.interval, "interval"),
-            longest_gap=positive_number(self.longest_gap, "longest_gap"),
+            longest_gap=checked_longest_gap(self.longest_gap),
         )
         gyro = _rows(self.gyro, "gyro")
         keep(self, gyro=gyro)

@@ -1,0 +1,171 @@
+"""Every public function gets numbers as they come: in other forms, of other sizes, or none at all.
+
+It answers rightly or refuses in one sentence that names the argument. It never answers NaN without
+saying so in its docstring, lets no warning of NumPy through, changes no argument, and keeps no
+window into one. `doors` has the right calls, `fuzzing` what is changed in them, `fuzz_rules` what
+holds of each.
+"""
+
+import re
+from itertools import islice
+
+import numpy as np
+import pytest
+from hypothesis import given, settings, strategies as st
+
+from doors import CORES, Door, doors
+from fuzz_rules import answered, compared, refused
+from fuzzing import Change, no_numbers, other_numbers, same_numbers, slots
+from support import helper_modules
+
+# Calls that take a hundredth of a second or more are made with a few of the changes only.
+LONG = {
+    *("DesignTask.value", "design_scheme", "calibrate_by_poses", "fit_noise_terms", "calibrate"),
+    *("align_in_inertial_frame", "fit_gyro_noise", "TableTrial.run", "marine_type_test"),
+    *("allan_deviation", "integrate_riccati", "navigate_static", "stripped_observability"),
+    *("covariance_analysis", "deviation_history", "read_csv", "ferraris_sections"),
+}
+QUICK = settings.default.max_examples < 60
+every_module = pytest.mark.parametrize(
+    "module", helper_modules(), ids=lambda module: module.__name__[9:]
+)
+
+
+def some(changes, door: Door):
+    """All changes of a call, or a few: every third in the quick tests, ever others of long ones."""
+    step = (3 if QUICK else 1) * (8 if door.name in LONG else 1)
+    return islice(changes, sum(map(ord, door.name)) % step, None, step)
+
+
+def checked_doors(module):
+    """Doors of a module that look at what they are given."""
+    return [door for door in doors(module) if door.name not in CORES]
+
+
+def told(complaints):
+    """Complaints with the changes that they are about."""
+    return "\n".join(f"{change}: {what}" for change, what in complaints)
+
+
+@every_module
+def test_the_same_numbers_in_another_form_have_the_same_answer(module):
+    """Of any real word, layout or owner; each is computed with in double."""
+    complaints = [
+        (other, complaint)
+        for door in checked_doors(module)
+        for double, other in some((p for slot in slots(door) for p in same_numbers(slot)), door)
+        for complaint in compared(double, other)
+    ]
+    assert not complaints, told(complaints)
+
+
+@every_module
+def test_what_is_no_number_is_refused_by_name(module):
+    """NaN, infinite, too large, complex, true or false, masked, text, or another object."""
+    complaints = [
+        (change, complaint)
+        for door in checked_doors(module)
+        for change in some((each for slot in slots(door) for each in no_numbers(slot)), door)
+        for complaint in refused(change)
+    ]
+    assert not complaints, told(complaints)
+
+
+@every_module
+def test_any_numbers_are_answered_or_refused_in_a_sentence(module):
+    """Of any size and shape, subnormal and empty ones among them."""
+    choices = {
+        door.name: [slot for slot in slots(door) if next(other_numbers(slot, 0, 0), None)]
+        for door in checked_doors(module)
+    }
+    choices = {name: found for name, found in choices.items() if found}
+    if not choices:
+        return
+
+    def drawn(name):
+        return st.sampled_from(choices[name]).flatmap(
+            lambda slot: st.builds(
+                lambda exponent, place, which: nth(other_numbers(slot, exponent, place), which),
+                st.integers(-330, 50),
+                st.integers(0, 99),
+                st.integers(0, 17),
+            )
+        )
+
+    for name in choices:
+        count = settings.default.max_examples // (10 if name in LONG else 2)
+
+        @settings(max_examples=max(count, 2))
+        @given(drawn(name))
+        def holds(change):
+            complaints = answered(change)
+            assert not complaints, told((change, each) for each in complaints)
+
+        holds()
+
+
+def nth(changes, number):
+    """One of a few changes, counted round."""
+    known = list(changes)
+    return known[number % len(known)]
+
+
+def slot_of(call, **arguments):
+    """The only slot of a made-up door."""
+    call.__annotations__ = dict.fromkeys(arguments, "ArrayLike")
+    (slot,) = slots(Door(call.__name__, call, arguments))
+    return slot
+
+
+RIGHT = np.array([3.0, 4.0])
+
+
+@pytest.mark.parametrize(
+    ("call", "what"),
+    [
+        (lambda rate: rate, r"answer is a window into \['rate'\]"),
+        (lambda rate: np.float32(rate), "returns float32 in its answer"),
+        (lambda rate: np.log(rate - 3), "leaks RuntimeWarning: divide by zero"),
+        (lambda rate: rate * np.nan, r"returns \[nan nan\] in its answer"),
+        (lambda rate: rate.sort() or rate.fill(0.0), "has changed an argument"),
+        (lambda rate: rate @ np.ones(3), "ValueError: 'matmul: "),
+        (lambda rate: [][1], "IndexError: 'list index"),
+    ],
+)
+def test_a_function_that_breaks_the_rules_is_seen(call, what):
+    slot = slot_of(call, rate=RIGHT)
+    complaints = answered(Change(slot, "as it is", RIGHT.copy()))
+    assert [each for each in complaints if re.match(what, each)]
+
+
+def test_a_function_that_takes_what_is_no_number_is_seen():
+    slot = slot_of(lambda rate: None, rate=RIGHT)
+    assert all(refused(change) == ["is accepted"] for change in no_numbers(slot))
+
+    def other(rate):
+        raise ValueError("rates: expected others, got these.")
+
+    found = refused(next(no_numbers(slot_of(other, rate=RIGHT))))
+    assert [each for each in found if "refused as another's" in each]
+
+
+def test_a_function_that_computes_in_the_word_it_is_given_is_seen():
+    slot = slot_of(lambda rate: float(np.sum(np.asarray(rate) / 3)), rate=RIGHT)
+    seen = {other.what for double, other in same_numbers(slot) if compared(double, other)}
+    assert {"as float16", "as float32"} <= seen
+    assert "as int64" not in seen
+    kept = np.zeros(2)
+    slot = slot_of(lambda rate: kept, rate=RIGHT)
+    assert all(
+        "is a window into what the next answer has" in " ".join(compared(*pair))
+        for pair in same_numbers(slot)
+    )
+
+
+def test_slots_are_found_in_every_module_that_computes():
+    """Without slots the tests above would try nothing."""
+    found = {module: sum(len(slots(door)) for door in doors(module)) for module in helper_modules()}
+    assert sum(map(bool, found.values())) > 50
+    assert sum(found.values()) > 400
+    names = {slot.name for module in found for door in doors(module) for slot in slots(door)}
+    assert {"start.latitude", "increments.angle", "imu_errors.gyro_bias", "interval"} <= names
