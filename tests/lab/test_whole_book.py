@@ -132,7 +132,8 @@ def test_the_book_opens_on_a_machine_that_never_saw_it(tmp_path: Path) -> None:
                 assert "Stopping ..." in last
                 assert "Traceback" not in last
             assert not list((tmp_path / "runtime").glob("jpserver-*"))
-    assert not (tmp_path / "home").exists()
+    # pip asks rustc, where there is one, for its version, and that may begin a folder of its own.
+    assert {path.name for path in (tmp_path / "home").glob("*")} <= {".rustup"}
 
 
 def cache_of_pip() -> str:
