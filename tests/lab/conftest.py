@@ -17,7 +17,7 @@ def tiny(tmp_path: Path) -> Path:
 @pytest.fixture(scope="session")
 def two_starts(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[SimpleNamespace]]:
     """A tiny project, and what its first two starts said, which were at the same time."""
-    folder = make_tiny(tmp_path_factory.mktemp("finished") / "Übung 2")
+    folder = make_tiny(tmp_path_factory.mktemp("finished") / "Übung #2, лаб 漢字")
     outputs = []
     threads = [
         threading.Thread(target=lambda: outputs.append(run(folder, "figures", **NO_INDEX)))

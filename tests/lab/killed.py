@@ -10,6 +10,7 @@ import json
 import os
 import shutil
 import signal
+import subprocess
 import sys
 import traceback
 from collections.abc import Callable
@@ -24,6 +25,19 @@ CHANGES = {
 WRITES = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC
 CHAPTER = "03_drift.ipynb"
 NEWER = json.dumps({"cells": [], "metadata": {"of": "a newer book"}})
+MOMENTS = {"first": 50, "update of the packages": 50, "move": 10}
+"""Kills that there are at least: with none the tests below would say nothing."""
+NOTEBOOK = {
+    "cells": [
+        {
+            **{"cell_type": "code", "execution_count": None, "id": "sum", "metadata": {}},
+            **{"outputs": [], "source": ["2 + 2"]},
+        }
+    ],
+    "metadata": {"kernelspec": {"display_name": "Python 3", "name": "python3"}},
+    "nbformat": 4,
+    "nbformat_minor": 5,
+}
 
 
 def kill_at(moment: int, folder: Path) -> None:
@@ -214,6 +228,17 @@ def do(project: Project, acts: list[str], moment: int = 0) -> None:
         kill_at(moment, project.folder)
     for act in acts:
         getattr(project, act)()
+
+
+def killed(tiny: Path, phase: str, python: str = sys.executable) -> dict:
+    """Run this file on a tiny project, and return what it prints."""
+    (tiny / "notebooks" / CHAPTER).write_text(json.dumps(NOTEBOOK), "utf-8")
+    call = [python, __file__, str(tiny), phase]
+    done = subprocess.run(call, capture_output=True, encoding="utf-8", timeout=300)
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout)
+    assert len(told["left"]) >= MOMENTS.get(phase, 5)
+    return told
 
 
 if __name__ == "__main__":

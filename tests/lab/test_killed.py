@@ -2,40 +2,14 @@
 
 import json
 import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
-from killed import CHAPTER, PHASES
+from killed import CHAPTER, PHASES, killed
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="Windows has no fork")
 STARTED = [phase for phase in PHASES if "save" not in phase]
-MOMENTS = {"first": 50, "update of the packages": 50, "move": 10}
-"""Kills that there are at least: with none the tests below would say nothing."""
-NOTEBOOK = {
-    "cells": [
-        {
-            **{"cell_type": "code", "execution_count": None, "id": "sum", "metadata": {}},
-            **{"outputs": [], "source": ["2 + 2"]},
-        }
-    ],
-    "metadata": {"kernelspec": {"display_name": "Python 3", "name": "python3"}},
-    "nbformat": 4,
-    "nbformat_minor": 5,
-}
 ANSWERS = ("my answer", "my better answer")
-
-
-def killed(tiny: Path, phase: str) -> dict:
-    """What killed.py tells of a phase."""
-    (tiny / "notebooks" / CHAPTER).write_text(json.dumps(NOTEBOOK), "utf-8")
-    call = [sys.executable, str(Path(__file__).with_name("killed.py")), str(tiny), phase]
-    done = subprocess.run(call, capture_output=True, encoding="utf-8", timeout=300)
-    assert done.returncode == 0, done.stderr
-    told = json.loads(done.stdout)
-    assert len(told["left"]) >= MOMENTS.get(phase, 5)
-    return told
 
 
 def answer_in(text: str) -> str:

@@ -1,12 +1,13 @@
 """Settings and variables of the user that would mislead pip, Python or Jupyter do not."""
 
+import re
 import sys
 import zipfile
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from tiny_project import ROOT, listed, load, make_wheel, run
+from tiny_project import NO_INDEX, ROOT, listed, load, make_wheel, run
 
 pytestmark = pytest.mark.xdist_group("lab")
 
@@ -44,6 +45,63 @@ def test_variables_that_mislead_pip_do_nothing(
     modules.environment.set_up()
     assert any(copied.glob(".venv/**/sixth_sense.py"))
     assert not (tmp_path / "elsewhere").exists()
+
+
+@pytest.fixture(scope="session")
+def misleading(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str | None]:
+    """Variables of strangers and of an environment that is active; no HOME and no programs."""
+    folder = tmp_path_factory.mktemp("misleading")
+    for name in ("driftlab", "jupyterlab", "pip", "zmq"):
+        (folder / f"{name}.py").write_text("raise SystemExit('a stranger')\n", "utf-8")
+    return {
+        "PYTHONPATH": str(folder),
+        "PYTHONHOME": sys.base_prefix,
+        "VIRTUAL_ENV": str(folder),
+        "CONDA_PREFIX": str(folder),
+        "CONDA_DEFAULT_ENV": "base",
+        "PIP_REQUIRE_VIRTUALENV": "1",
+        "HOME": None,
+        "USERPROFILE": None,
+        "PATH": "",
+    }
+
+
+VARIABLES = ("PYTHONPATH", "PYTHONHOME", "VIRTUAL_ENV", "CONDA_PREFIX", "HOME", "PATH")
+
+
+@pytest.mark.parametrize("name", VARIABLES)
+def test_a_variable_misleads_no_command(
+    finished: Path, misleading: dict[str, str | None], name: str
+) -> None:
+    """Without a PATH there is no git, either."""
+    done = run(finished, "figures", **NO_INDEX, **{name: misleading[name]})
+    assert (done.code, done.complained, done.said.strip()) == (0, "", "figures drawn")
+
+
+def test_a_home_that_cannot_be_made_stops_nothing(copied: Path) -> None:
+    """The book opens, from its own places, and brings clean notebooks."""
+    nowhere = str(copied / "lab.py" / "home")
+    for arguments in (["--no-browser"], ["fresh"]):
+        done = run(copied, *arguments, **NO_INDEX, HOME=nowhere, XDG_CACHE_HOME=None)
+        assert (done.code, done.complained) == (0, "")
+
+
+@pytest.mark.setup
+def test_a_set_up_is_not_misled(tiny: Path, misleading: dict[str, str | None]) -> None:
+    done = run(tiny, "figures", **NO_INDEX, **misleading)
+    assert (done.code, done.complained) == (0, "")
+    assert done.said.endswith("figures drawn\n")
+    assert run(tiny, "--no-browser", **NO_INDEX).code == 0
+
+
+def test_inside_another_environment_it_is_made_from_the_python_below(finished: Path) -> None:
+    """The tests' Python belongs to one; when that goes, the book's stays."""
+    settings = dict(
+        re.findall(r"^([\w-]+) = (.*)$", (finished / ".venv/pyvenv.cfg").read_text("utf-8"), re.M)
+    )
+    assert settings["include-system-site-packages"] == "false"
+    if sys.prefix != sys.base_prefix:
+        assert not Path(settings["home"]).is_relative_to(sys.prefix)
 
 
 def test_python_may_keep_what_it_has_compiled(monkeypatch: pytest.MonkeyPatch) -> None:

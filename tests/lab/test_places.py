@@ -2,6 +2,7 @@
 
 import json
 import os
+import socket
 import subprocess
 import sys
 import urllib.request
@@ -49,13 +50,33 @@ def places_of_a_kernel(connection_file: Path) -> list[str]:
     return reply["user_expressions"]["places"]["data"]["text/plain"].strip("'").split("|")
 
 
+def seen_by_others(token: str) -> list[str]:
+    """The command lines, and of kernels the environments too, that have the token."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            line = (process / "cmdline").read_text("utf-8", "replace")
+            around = (process / "environ").read_text("utf-8", "replace")
+        except OSError:
+            continue  # it has ended, or is of another user
+        if token in line or ("ipykernel" in line and token in around):
+            found.append(line)
+    return found
+
+
 @pytest.mark.kernel
 @pytest.mark.skipif(os.name == "nt", reason="SIGKILL is not of Windows")
 @pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")
-def test_home_stays_empty_and_a_killed_lab_py_takes_jupyterlab_along(tmp_path: Path) -> None:
-    """A notebook is opened and saved, and a kernel runs."""
+@pytest.mark.parametrize("there_is_a_home", [True, False])
+def test_home_stays_empty_and_a_killed_lab_py_takes_jupyterlab_along(
+    tmp_path: Path, there_is_a_home: bool
+) -> None:
+    """A notebook is opened and saved, and a kernel runs; nobody else gets at them."""
     folder, home = make_tiny(tmp_path / "book"), tmp_path / "home"
-    home.mkdir()
+    if there_is_a_home:
+        home.mkdir()
+    else:
+        home.write_text("a file, so that there can be none", "utf-8")
     environment = {**without_folders_of_its_own(), "HOME": str(home)}
     call = [sys.executable, "-c", OPEN, str(folder)]
     with subprocess.Popen(call, env=environment, stdout=subprocess.PIPE, text=True) as process:
@@ -69,12 +90,15 @@ def test_home_stays_empty_and_a_killed_lab_py_takes_jupyterlab_along(tmp_path: P
             runtime = folder / ".jupyter/runtime"
             places = places_of_a_kernel(runtime / f"kernel-{kernel['id']}.json")
             (running,) = runtime.glob("jpserver-*.json")
+            assert seen_by_others(token.partition("=")[2]) == []
+            with pytest.raises(OSError):  # noqa: PT011 - refused or without a route, by system
+                socket.create_connection(("127.0.0.2", int(address.rpartition(":")[2])), timeout=5)
         finally:
             process.kill()
         server = json.loads(running.read_text("utf-8"))["pid"]
         assert comes_true(lambda: not is_alive(server))
     assert not running.exists(), "JupyterLab did not end in order"
-    assert [*home.iterdir()] == []
+    assert not there_is_a_home or [*home.iterdir()] == []
     assert {Path(place).parent for place in places} == {folder / ".jupyter"}
     assert (folder / ".jupyter/data/nbsignatures.db").exists()
 

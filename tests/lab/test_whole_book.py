@@ -8,6 +8,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import threading
 import urllib.error
 import urllib.request
@@ -81,8 +82,8 @@ def ask(url: str, token: str = "", method: str = "GET") -> object:
 @pytest.mark.setup
 @pytest.mark.xdist_group("book")
 def test_the_book_opens_on_a_machine_that_never_saw_it(tmp_path: Path) -> None:
-    """It is even started twice at once, and all that can mislead it is there."""
-    folder = copy_of_the_project(tmp_path / "Дрейф lab")
+    """It is even started twice at once, all that can mislead it is there, and a HOME is not."""
+    folder = copy_of_the_project(tmp_path / "Дрейф #1, lab")
     for name in ("config", "misleading", "stranger/kernels/python3"):
         (tmp_path / name).mkdir(parents=True)
     (tmp_path / "misleading/jupyterlab.py").write_text("1 / 0\n", "utf-8")
@@ -97,6 +98,11 @@ def test_the_book_opens_on_a_machine_that_never_saw_it(tmp_path: Path) -> None:
         "JUPYTER_PREFER_ENV_PATH": "0",
         "IPYTHONDIR": str(tmp_path / "ipython"),
         "PYTHONPATH": str(tmp_path / "misleading"),
+        "PYTHONHOME": sys.base_prefix,
+        "VIRTUAL_ENV": str(tmp_path / "misleading"),
+        "CONDA_PREFIX": str(tmp_path / "misleading"),
+        "HOME": str(tmp_path / "home"),
+        "PIP_CACHE_DIR": cache_of_pip(),  # the one thing that is kept elsewhere
     }
     with opened(folder, **variables) as process, opened(folder, **variables) as second:
         base, token = address_of(process)
@@ -126,6 +132,13 @@ def test_the_book_opens_on_a_machine_that_never_saw_it(tmp_path: Path) -> None:
                 assert "Stopping ..." in last
                 assert "Traceback" not in last
             assert not list((tmp_path / "runtime").glob("jpserver-*"))
+    # pip asks rustc, where there is one, for its version, and that may begin a folder of its own.
+    assert {path.name for path in (tmp_path / "home").glob("*")} <= {".rustup"}
+
+
+def cache_of_pip() -> str:
+    asked = [sys.executable, "-m", "pip", "cache", "dir"]
+    return subprocess.run(asked, capture_output=True, text=True, check=True).stdout.strip()
 
 
 def path_of_the_package(connection_file: Path) -> Path:

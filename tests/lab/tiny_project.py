@@ -12,6 +12,7 @@ import zipfile
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
 NO_INDEX = {  # a port where nobody listens, whatever pip is configured to use otherwise
@@ -59,7 +60,8 @@ class LabApp:
 
     @classmethod
     def initialize_server(cls, argv):
-        os.makedirs(os.environ["JUPYTER_RUNTIME_DIR"], exist_ok=True)
+        if "JUPYTER_RUNTIME_DIR" in os.environ:
+            os.makedirs(os.environ["JUPYTER_RUNTIME_DIR"], exist_ok=True)
         cls.io_loop = cls
         return cls
 
@@ -101,15 +103,27 @@ def command(folder: Path, *arguments: str) -> list[str]:
     return [sys.executable, str(folder / "lab.py"), *arguments]
 
 
-def run(folder: Path, *arguments: str, **variables: str) -> SimpleNamespace:
-    """Run lab.py from a directory that is not its own; no traceback may appear."""
+def run(folder: Path, *arguments: str, **variables: str | None) -> SimpleNamespace:
+    """Run lab.py from a directory that is not its own; no traceback may appear.
+
+    Variables are set besides those of this process; None takes one away.
+    """
+    return run_as(command(folder, *arguments), **variables)
+
+
+def run_as(
+    called: list[str], options: dict[str, Any] | None = None, **variables: str | None
+) -> SimpleNamespace:
+    """Run lab.py by a command line of one's own, and with options of subprocess."""
+    environment = {**os.environ, **variables}
     done = subprocess.run(
-        command(folder, *arguments),
+        called,
         cwd=ROOT.anchor,
-        env={**os.environ, **variables},
+        env={name: value for name, value in environment.items() if value is not None},
         capture_output=True,
         encoding="utf-8",
         timeout=900,
+        **(options or {}),
     )
     assert "Traceback" not in done.stderr, done.stderr
     return SimpleNamespace(code=done.returncode, said=done.stdout, complained=done.stderr.strip())
