@@ -4,8 +4,8 @@ Of the breaks of a module (break_part.py) a seeded sample is drawn. Each is run 
 process, which imports the package with that one break from memory; the tests that execute the
 broken lines run first, and the first failure ends it. Finished breaks are kept in a folder and
 are not run again while the module stays as it is; with --again those that survived without a
-reason in survivors.toml are, after new tests. Without modules named, all, and tests/mutations/mutations.md is written anew from all that
-is kept. Linux and macOS only: it forks.
+reason in survivors.toml are, after new tests. Without modules named, all, and
+tests/mutations/mutations.md is written anew from all that is kept. Linux and macOS only: it forks.
 
 Why not mutmut or cosmic-ray? cosmic-ray 8.7 writes each break into the source and starts a new
 pytest, which takes ten times as long here, and breaks neither arguments nor functions; mutmut 3.8
