@@ -672,6 +672,15 @@ def test_whole_turn_in_a_step_is_refused_where_k_is_infinite(name):
         integrate(above, name)
 
 
+@with_cayley
+def test_increment_of_a_whole_turn_is_refused_though_it_comes_back_within_the_step(name):
+    """Between the samples it may have turned round at any time: nothing could be said."""
+    rows = np.zeros((6, 3))
+    rows[:, 1] = np.tile([6.3, -6.3], 3)
+    with pytest.raises(ValueError, match=r"^increments: expected less than a whole turn a step"):
+        integrate(rows, name)
+
+
 @with_rotation_vector
 def test_whole_turns_in_a_step_are_nothing_to_a_rotation_vector(name):
     samples = CONING_ALGORITHMS[name].samples

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Container
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -77,11 +78,12 @@ class Kept:
         each = Tried(**told)
         self._tried[each.place] = each
 
-    def has(self, change: Break, *, again: bool = False) -> bool:
-        """Whether a break needs no run; `again` asks for those that survived."""
-        place = change.start, change.end, change.new
-        each = self._tried.get(place)
-        return each is not None and (bool(each.failed) or not again or place in self._fresh)
+    def has(self, change: Break, *, again: bool, known: Container[tuple[str, str, str]]) -> bool:
+        """Whether a break needs no run; `again` asks for survivors without a known reason."""
+        each = self._tried.get((change.start, change.end, change.new))
+        if each is None or each.failed or not again or each.place in self._fresh:
+            return each is not None
+        return (each.module, each.before, each.after) in known
 
     def add(self, each: Tried) -> None:
         self._tried[each.place] = each

@@ -3,9 +3,9 @@
 Of the breaks of a module (break_part.py) a seeded sample is drawn. Each is run in a forked
 process, which imports the package with that one break from memory; the tests that execute the
 broken lines run first, and the first failure ends it. Finished breaks are kept in a folder and
-are not run again while the module stays as it is; with --again those that survived are, after new
-tests. Without modules named, all, and tests/mutations/mutations.md is written anew from all that
-is kept. Linux and macOS only: it forks.
+are not run again while the module stays as it is; with --again those that survived without a
+reason in survivors.toml are, after new tests. Without modules named, all, and
+tests/mutations/mutations.md is written anew from all that is kept. Linux and macOS only: it forks.
 
 Why not mutmut or cosmic-ray? cosmic-ray 8.7 writes each break into the source and starts a new
 pytest, which takes ten times as long here, and breaks neither arguments nor functions; mutmut 3.8
@@ -33,7 +33,7 @@ from break_part import Break, breaks, broken_code
 from broken_run import run_broken
 from clean_run import run_clean
 from kept_breaks import HUNG, Kept, Tried, digest
-from mutations_page import write_page
+from mutations_page import REASONS, reasons, write_page
 from numerical_parts import numerical_parts, path_of
 from quietly import ARGUMENTS, PACKAGE, ROOT, compile_elsewhere, end, forked
 from tests_of_lines import FileOfTests, covered, plan, record_of, test_files
@@ -64,7 +64,7 @@ def arguments(given: list[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=0, help="another one draws other breaks")
     parser.add_argument("--workers", type=int, default=1, help="processes")
     parser.add_argument("--patience", type=float, default=PATIENCE, help="seconds for one break")
-    parser.add_argument("--again", action="store_true", help="run what survived once more")
+    parser.add_argument("--again", action="store_true", help="run what survived without a reason")
     parser.add_argument("--page", action="store_true", help="only write the page from what is kept")
     parser.add_argument("--folder", type=Path, default=FOLDER, help="where results are kept")
     options = parser.parse_args(given)
@@ -185,9 +185,10 @@ def tasks_of(module: str, options: argparse.Namespace, kept: Kept) -> Iterator[T
     """Breaks of a module that are still to be run; none if its tests fail without any."""
     source = path_of(module).read_text("utf-8")
     found = covered(path_of(module), options.folder)
+    known = reasons(REASONS)
     sound = not found
     for change, code in sample(module, source, options.seed, options.breaks):
-        if kept.has(change, again=options.again):
+        if kept.has(change, again=options.again, known=known):
             continue
         chosen, complete = plan(found, change.lines, options.patience)
         task = Task(module, change, code, chosen, complete)

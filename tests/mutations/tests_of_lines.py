@@ -49,10 +49,12 @@ def test_files() -> list[str]:
     return [path.relative_to(ROOT).as_posix() for path in found if path.stem not in _APART]
 
 
+@cache
 def record_of(tests: str, folder: Path) -> tuple[Path, Path]:
     """Where the clean run of a file keeps coverage's data and its times.
 
-    The name changes with the package, with the file and with what tests share.
+    The name changes with the package, with the file and with what tests share, as they stood
+    when it was asked for first: a file may be written while breaks are run.
     """
     told = hashlib.sha256(_package_digest() + (ROOT / tests).read_bytes()).hexdigest()[:16]
     name = f"{tests.removeprefix('tests/').removesuffix('.py').replace('/', '.')}-{told}"
