@@ -31,8 +31,6 @@ LET_THROUGH = {
     *("integrate.history", "step_quaternions.history", "step_vectors.history"),  # not always used
     "convert_attitude_error.true_attitude",
     *("Algorithm.name", "Algorithm.order", "FunctionalIteration.name", "Recording.longest_gap"),
-    *("NominalReadings.gyro_scale", "NominalReadings.gyro_zero"),
-    *("NominalReadings.accelerometer_scale", "NominalReadings.accelerometer_zero"),
 }
 MAY_BE_EMPTY = ("rests", "axes")
 
@@ -262,6 +260,65 @@ def calibrate(**changes):
         (lambda: dl.gyrocompass.initial_level_frame(0.5), "alignment: .* from align"),
         (lambda: dl.fit_noise_terms(np.ones(9)), "allan: .* from allan_deviation"),
         (lambda: Increments(1.0, np.eye(3), np.eye(3)).part(0.5, 2), "begin: expected a whole"),
+        (
+            lambda: dl.attitude.integrate_riccati(lambda time: np.ones(3), [0, 1], tolerance=1e-20),
+            r"tolerance: expected at least 2\.2e-14, got 1e-20",
+        ),
+        (
+            lambda: dl.attitude.cayley_vector([0, 0, 0, 1], dimension=np.int8(5)),
+            "dimension: expected 3 or 4, got 5",
+        ),
+        (
+            lambda: dl.calibration.kalman.nees([1.0, 1.0], np.ones((2, 2))),
+            "covariance: expected one with an inverse where variances are not zero",
+        ),
+        (
+            lambda: dl.calibration.NominalReadings(gyro_scale=np.nan),
+            "gyro_scale: expected finite numbers, got 1 NaN",
+        ),
+        (
+            lambda: dl.calibration.NominalReadings(accelerometer_scale=[1, 0, 1]),
+            "accelerometer_scale: expected numbers above 0, got 0",
+        ),
+        (
+            lambda: ERROR_MODELS["averaged"].imu_errors(np.full(27, np.nan)),
+            "state: expected finite numbers, got 27 NaN",
+        ),
+        (
+            lambda: dl.drift.hand_turns(np.full((90, 3), 90.0), 0.1, [[0, 20], [40, 60]]),
+            "increments: expected rad, at most 6.283 in size, got 90: is it in degrees",
+        ),
+        (
+            lambda: dl.drift.hand_turns(
+                np.zeros((90, 3)), 0.1, np.ma.array([[0, 20], [40, 60]], mask=[[0, 0], [0, 1]])
+            ),
+            r"rests: expected whole numbers of shape \(m, 2\), got",
+        ),
+        (
+            lambda: dl.gyrocompass.marine_type_test(dl.gyrocompass.Gyrocompass(), 0.9, speed=140.0),
+            r"speed: expected m/s, at most 100, got 140\.0: is it in knots",
+        ),
+        (lambda: LOG.between(1e44, 1e45), "begin, end: expected times of the record"),
+        (
+            lambda: Recording(np.eye(3), None, 0.1, "rates", longest_gap=0.5),
+            "longest_gap: expected a number of usual intervals, at least 1, got 0.5",
+        ),
+        (
+            lambda: table_trajectory(SCHEME, LATITUDE, 1e-20),
+            "interval: expected at most 2147483647 samples of 10 s, got 1e-20 s",
+        ),
+        (
+            lambda: dl.drift.earth_offset(0.9, [1e-300, 1.0]),
+            "table_rate: expected rates of at least 1e-50 in size, got 1e-300",
+        ),
+        (
+            lambda: dl.gyrocompass.GyroNoise().allan_deviation(1e-60),
+            "averaging_times: expected numbers of at least 1e-50, got 1e-60",
+        ),
+        (
+            lambda: dl.align([1, 2, 3], [0, 1e60, 0]),
+            r"specific_force: expected numbers of at most 1e\+50 in size, got 1e\+60",
+        ),
     ],
 )
 def test_named_slip_is_told_what_would_be_right(slip, sentence):

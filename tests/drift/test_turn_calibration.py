@@ -432,7 +432,9 @@ def test_earth_offset_by_hand():
 
 
 def test_earth_offset_of_a_table_at_rest_is_refused():
-    with pytest.raises(ValueError, match=r"^table_rate: expected rates that are not zero, got 0"):
+    with pytest.raises(
+        ValueError, match=r"^table_rate: expected rates of at least 1e-50 in size, got 0"
+    ):
         earth_offset(0.7, [0.1, 0.0])
 
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from driftlab.checks import FloatArray
+from driftlab.checks import FloatArray, finite_array
 from driftlab.higher_order_errors import NO_HIGHER_ORDER_ERRORS, HigherOrderErrors
 from driftlab.imu import ImuErrors
 from driftlab.increments import Increments, without_errors
@@ -70,12 +71,12 @@ class StateLayout:
         """
         return 12 + len(self.gyro_basis) + len(self.accelerometer_basis)
 
-    def imu_errors(self, state: FloatArray) -> ImuErrors:
+    def imu_errors(self, state: ArrayLike) -> ImuErrors:
         """Sensor errors that a state vector describes.
 
         Parameters
         ----------
-        state : ndarray, shape (..., size)
+        state : array_like, shape (..., size)
             Its attitude and velocity errors are ignored.
 
         Returns
@@ -95,6 +96,10 @@ class StateLayout:
                [12., 10., 14.],
                [13., 14., 11.]])
         """
+        return self._imu_errors(finite_array(state, "state", self.size))
+
+    def _imu_errors(self, state: FloatArray) -> ImuErrors:
+        """`imu_errors` of a state that is computed, whatever has become of it."""
         middle = 9 + len(self.gyro_basis)
         return ImuErrors(  # nothing of the state itself, which who reads it could change
             state[..., 6:9].copy(),
@@ -103,12 +108,12 @@ class StateLayout:
             combined(state[..., middle + 3 : self.triad_states], self.accelerometer_basis),
         )
 
-    def higher_order_errors(self, state: FloatArray) -> HigherOrderErrors:
+    def higher_order_errors(self, state: ArrayLike) -> HigherOrderErrors:
         """Return what a state vector says of the errors of higher order.
 
         Parameters
         ----------
-        state : ndarray, shape (..., size)
+        state : array_like, shape (..., size)
 
         Returns
         -------
@@ -122,6 +127,9 @@ class StateLayout:
         >>> float(late.higher_order_errors(np.arange(31.0)).time_skew)
         30.0
         """
+        return self._higher_order_errors(finite_array(state, "state", self.size))
+
+    def _higher_order_errors(self, state: FloatArray) -> HigherOrderErrors:
         return higher.unpacked(state[..., self.triad_states :].copy(), self.higher_order)
 
     def corrected(
@@ -149,8 +157,8 @@ class StateLayout:
         >>> FULL.corrected(biased, bias).angle
         array([[0.75, 1.  , 1.  ]])
         """
-        more = self.higher_order_errors(state) if self.higher_order else None
-        return without_errors(measured, self.imu_errors(state), more, rate_change)
+        more = self._higher_order_errors(state) if self.higher_order else None
+        return without_errors(measured, self._imu_errors(state), more, rate_change)
 
     def state(
         self, imu_errors: ImuErrors, higher_order: HigherOrderErrors | None = None

@@ -103,4 +103,4 @@ class Calibration(NamedTuple):
         >>> bool(np.allclose(found.imu_errors.gyro_bias, TYPICAL_ERRORS.gyro_bias))
         True
         """
-        return self.model.imu_errors(self.state[..., -1, :])
+        return self.model._imu_errors(self.state[..., -1, :])

@@ -164,8 +164,11 @@ def earth_offset(
     latitude, rate, axis = finite_arrays(
         latitude=(latitude,), table_rate=(table_rate,), table_axis=(table_axis, 3)
     )
-    if not (np.abs(rate) >= SMALLEST_DIVISOR).all():
-        raise ValueError("table_rate: expected rates that are not zero, got 0.")
+    if np.abs(rate).min() < SMALLEST_DIVISOR:
+        least = rate.flat[np.abs(rate).argmin()]
+        raise ValueError(
+            f"table_rate: expected rates of at least {SMALLEST_DIVISOR:g} in size, got {least:g}."
+        )
     a, _ = nonzero_vectors(axis, "table_axis")
     return np.einsum("...i,...i->...", earth_rate(checked_latitude(latitude)), a) / rate
 
