@@ -86,6 +86,7 @@ def test_the_book_opens_with_it_where_nothing_can_be_fetched(
     assert "Meanwhile the book opens with" in capsys.readouterr().out
 
 
+@pytest.mark.setup
 def test_what_was_unlike_its_record_from_the_beginning_is_no_damage(
     modules: SimpleNamespace, damaged: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
