@@ -63,6 +63,9 @@ def one_by_one(g):
 WAYS = {
     "integrate": lambda one: integrate(ROWS, one, start=[0.0, 0.6, 0.0, 0.8]),
     "integrate, several runs": lambda one: integrate(RUNS, one),
+    "integrate, several runs and starts": lambda one: integrate(
+        RUNS, one, start=[[0.0, 0.6, 0.0, 0.8], [1.0, 0.0, 0.0, 0.0]]
+    ),
     "integrate, history": lambda one: integrate(ROWS[2:], one, history=ROWS[:2]),
     "step_quaternions": lambda one: step_quaternions(ROWS, one),
     "coning_drift": lambda one: coning_drift(one, [[0.01], [0.4]], [1.0, -5.0, 9.0], 0.01),
