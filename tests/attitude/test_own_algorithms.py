@@ -324,6 +324,10 @@ WRONG = {
     "NaN": (lambda g: pair(g) * np.nan, "what <lambda> returned: expected finite numbers, got 36"),
     "nothing": (lambda g: None, "what <lambda> returned: expected real numbers"),
     "too long": (lambda g: 1.1 * attitudes(g), "quaternions of length 1 from <lambda>, got one of"),
+    "one too long": (
+        lambda g: attitudes(g) * np.where(np.arange(12) == 3, 1.1, 1.0)[:, np.newaxis],
+        r"quaternions of length 1 from <lambda>, got one of 1\.1\.",
+    ),
 }
 
 
