@@ -165,6 +165,7 @@ def test_names_are_keys_and_cannot_be_replaced():
     assert [*ALGORITHMS] == [*CONING_ALGORITHMS, "functional-iteration"]
     assert all(ALGORITHMS[name] is CONING_ALGORITHMS[name] for name in CONING_ALGORITHMS)
     assert attitude_algorithm("memory-4") is CONING_ALGORITHMS["memory-4"]
+    assert len({*CONING_ALGORITHMS.values()}) == len(CONING_ALGORITHMS)  # weights hinder no set
     assert attitude_algorithm("memory-4").window == 3
     with pytest.raises(TypeError, match="does not support item assignment"):
         ALGORITHMS["memory-4"] = None
@@ -195,6 +196,7 @@ def test_algorithm_of_ones_own(rows):
             "starts: expected one for each of 2 increments of memory, got 1",
         ),
         ({"coning": {(1, 0): 0.5}}, r"coning: expected places 0 <= i < j < 2, got \(1, 0\)"),
+        ({"coning": {(1, 1): 0.5}}, r"coning: expected places 0 <= i < j < 2, got \(1, 1\)"),
         ({"coning": {(0, 2): 0.5}}, r"coning: expected places 0 <= i < j < 2, got \(0, 2\)"),
         (
             {"samples": 1, "memory": 1, "starts": ({(0, 2): 0.5},)},
