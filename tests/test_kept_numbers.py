@@ -11,6 +11,7 @@ import pytest
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.calibration.design_task import DesignTask
+from driftlab.calibration.nominal_readings import NominalReadings
 from driftlab.calibration.simulation import TableTrial
 from driftlab.drift.turn_calibration import TurnExperiment
 from driftlab.gyrocompass.noise import GyroNoise
@@ -38,7 +39,7 @@ TOLD = {
     FunctionalIteration: {"name": "mine", "window": 4, "iterations": 2},
     TableTrial: {"sample_interval": 0.0625},
     **{kind: {} for kind in (DesignTask, TurnExperiment, GyroNoise, Gyrocompass)},
-    **{kind: {} for kind in (ImuNoise, PriorDeviations, NoiseTerms)},
+    **{kind: {} for kind in (ImuNoise, NominalReadings, PriorDeviations, NoiseTerms)},
 }
 """What has no default, in numbers that single precision has exactly."""
 

@@ -57,7 +57,7 @@ class NominalReadings:
                 positive_array(array, field.name)
             own = array.copy()
             own.setflags(write=False)  # all who use these readings share it
-            keep(self, **{field.name: own[()]})
+            keep(self, **{field.name: own if own.ndim else float(own)})
 
     def imu_errors(
         self,
