@@ -14,14 +14,21 @@ usage: python3 lab.py [command]
               other arguments go to pytest, which then runs alone
   lowest    the quick tests with the oldest packages that pyproject.toml allows
               other arguments go to pytest
+  newest    the same with the newest packages that it allows, brought anew each time
   figures   rebuild every figure and table of the book
               --workers N            processes for what takes many runs, else one for each core
               --scheduler ADDRESS    send those runs to a cluster of dask
               --keep FOLDER          keep finished runs there, and go on from them
+              --compare              write nothing, but say which numbers differ from those here
   bench     measure how fast the package is, beside its peers, which this command fetches, and
             a floor in C; write tests/benchmarks/speed.md, or "bench attitude filter" print a part
               --repeats N    rounds of each row
               --no-write     print only
+  mutate    break each numerical module in places drawn at random and see whether the tests
+            notice (Linux, macOS); write tests/mutations/mutations.md, or "mutate core.quaternion"
+              --breaks N     of each module, else 40; what has run is kept and not run again
+              --seed S       draw others
+              --workers N    processes
   peers     ask programs of others, which this command fetches, whether they compute the same
   class     report what a class handed in: "class FOLDER", a folder or a zip
               --roster FILE     with all names of the class, from a CSV file
@@ -45,6 +52,7 @@ usage: python3 lab.py [command]
 """
 
 import argparse
+import errno
 import io
 import os
 import platform
@@ -68,22 +76,24 @@ from bootstrap.beside import (
     SITE_HEAD,
     SITE_LIST,
     apart,
+    of_today,
     without,
 )
 from bootstrap.copies import BOOK, bring_clean, bring_copies
 from bootstrap.environment import (
     ENVIRONMENT,
     PYPROJECT,
-    is_whole,
     lock_line,
     pins,
     project,
+    runs,
     set_up,
     write,
 )
 from bootstrap.release import version, written
 from bootstrap.server import serve
 from bootstrap.steps import (
+    DISK_FULL,
     HOME,
     PYTHON,
     NoPackages,
@@ -108,6 +118,7 @@ OF_DIFFERENT_AGE = [
     # The page's stand-in has what ipywidgets 8 has; a slider of 7 has no tooltip.
     "--deselect=tests/site/test_widgets_standin.py::test_shows_the_same",
 ]
+NEWEST_EXTRAS = ("book", "cluster", "compiled", "lab", "test", "dev")
 LONG = ("browser", "kernel", "setup", "slow")
 QUICK = ["--hypothesis-profile=quick", NO_PEERS, "-m", " and ".join(f"not {mark}" for mark in LONG)]
 
@@ -135,7 +146,7 @@ def open_book(arguments: list[str]) -> int:
     try:
         set_up()
     except NoPackages as trouble:
-        if not is_whole():
+        if not runs():
             raise
         say(f"{trouble}\nMeanwhile the book opens with the packages of the last set-up.")
     folder = BOOK if options.original else bring_copies()
@@ -178,7 +189,16 @@ def test(arguments: list[str]) -> int:
 
 def lowest(arguments: list[str]) -> int:
     """Run the quick tests in an environment of the oldest packages that are allowed."""
-    python = apart(LOWEST_LIST)
+    return quick_tests(apart(LOWEST_LIST), arguments)
+
+
+def newest(arguments: list[str]) -> int:
+    """Run the quick tests in an environment of the newest packages that are allowed."""
+    return quick_tests(of_today(NEWEST_EXTRAS), arguments)
+
+
+def quick_tests(python: Path, arguments: list[str]) -> int:
+    """Run the quick tests, or some of them, in an environment whose packages are of another age."""
     asked = [*QUICK, *OF_DIFFERENT_AGE, *(arguments or AT_ONCE)]
     around = surroundings(python.parents[1])
     with running([str(python), "-m", "pytest", *asked], env=around) as process:
@@ -201,6 +221,13 @@ def bench(arguments: list[str]) -> int:
     set_up()
     fetch("bench")
     return run("tests/benchmarks/bench.py", *arguments)
+
+
+def mutate(arguments: list[str]) -> int:
+    """Break the package in many places; see whether its tests notice."""
+    set_up()
+    fetch("mutations")
+    return run("tests/mutations/mutate.py", *arguments)
 
 
 def peers(arguments: list[str]) -> int:
@@ -272,8 +299,10 @@ COMMANDS = {
     "fresh": fresh,
     "test": test,
     "lowest": lowest,
+    "newest": newest,
     "figures": figures,
     "bench": bench,
+    "mutate": mutate,
     "peers": peers,
     "site": site,
     **TEACHING,
@@ -302,7 +331,17 @@ if __name__ == "__main__":
         if isinstance(stream, io.TextIOWrapper):  # a terminal may lack letters of our path
             stream.reconfigure(errors="backslashreplace")
     try:
-        sys.exit(main(sys.argv[1:]))
+        code = main(sys.argv[1:])
+        if sys.stdout:
+            sys.stdout.flush()
+        sys.exit(code)
+    except OSError as error:
+        if not sys.stdout or error.errno not in (errno.EPIPE, errno.ENOSPC):
+            raise
+        # What is printed finds no place, or no reader, as of "lab.py --help | head". Python would
+        # try once more at the end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(DISK_FULL if error.errno == errno.ENOSPC else 1)
     except Trouble as trouble:
         sys.exit(str(trouble))
     except KeyboardInterrupt:

@@ -1,13 +1,15 @@
 """Makes environments besides ``.venv``, each from a list of pinned packages.
 
 The site's sees all that ``.venv`` has, and holds what one command adds: so the site is built with
-the very packages that the tests run with, and ``.venv`` stays as its list says. The one of the
-oldest packages sees nothing of ``.venv``, and has the book's own package besides.
+the very packages that the tests run with, and ``.venv`` stays as its list says. Those of the
+oldest and of the newest packages see nothing of ``.venv``, and have the book's own package besides.
+The newest have no list: it would be old tomorrow.
 """
 
 import hashlib
 import json
 import re
+import subprocess
 from pathlib import Path
 
 from bootstrap.environment import PYPROJECT, STAMP, alone, make_venv, site_packages, write
@@ -36,6 +38,21 @@ def beside(listed: Path) -> Path:
 def apart(listed: Path) -> Path:
     """Return the Python of an environment with the packages of a list and the book's own."""
     return _python(listed, listed.stem, sees_venv=False)
+
+
+def of_today(extras: tuple[str, ...]) -> Path:
+    """Return the Python of an environment with what is newest today, of all dependencies."""
+    folder = VENV.with_name(f"{VENV.name}-newest")
+    python = folder / BIN / PYTHON_NAME
+    with alone():
+        say("Bringing the newest packages ...")
+        make_venv(folder)
+        options = ["--no-input", "--only-binary=:all:", "--progress-bar=off"]
+        what = f".[{','.join(extras)}]"
+        run_step([str(python), "-m", "pip", "install", *options, "--editable", what])
+    told = [str(python), "-m", "pip", "list", "--format=freeze"]
+    say(", ".join(subprocess.run(told, check=True, capture_output=True, text=True).stdout.split()))
+    return python
 
 
 def _python(listed: Path, name: str, sees_venv: bool) -> Path:

@@ -98,6 +98,7 @@ def bring_clean(beginnings: list[str]) -> None:
     with alone():
         for copy in copies:
             if copy.state in (State.KEPT, State.BEHIND):
+                mend_save(copy.path)
                 aside = free_name(copy.path)
                 copy.path.rename(aside)
                 say(f"{copy.short}: yours is now {aside.relative_to(HOME)}.")
@@ -186,6 +187,21 @@ def place(copy: Copy) -> None:
                 raise Trouble(f"{what} and run this again.") from error
             copy.path.with_name(copy.path.name + ".new").unlink(missing_ok=True)
             raise
+
+
+def mend_save(path: Path) -> None:
+    """Bring back what was there before a save that was cut off.
+
+    JupyterLab, killed while it saves, leaves it under this name. It mends so itself when it opens
+    the notebook; under another name it would not.
+    """
+    before = path.with_name(f".~{path.name}")
+    if before.is_file():
+        try:
+            json.loads(path.read_text("utf-8"))
+        except (OSError, ValueError):
+            path.replace(path.with_name(f"{path.name}.invalid"))
+            before.rename(path)
 
 
 def free_name(path: Path) -> Path:

@@ -24,6 +24,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
+from bootstrap.records import unlike_records
 from bootstrap.steps import (
     BIN,
     DISK_FULL,
@@ -80,7 +81,16 @@ def read_stamp() -> dict[str, Any]:
 
 
 def is_whole() -> bool:
-    """Tell whether the environment has all that was installed, and its Python runs."""
+    """Tell whether the environment has all that was installed, each file of it, and runs."""
+    if not runs():
+        return False
+    # What was unlike its record from the beginning, for whatever reason, would be so again.
+    unlike = unlike_records(site_packages(VENV), VENV / BIN)
+    return set(unlike) <= set(read_stamp().get("unlike") or [])
+
+
+def runs() -> bool:
+    """Tell whether the environment has its packages, if not all of each, and its Python runs."""
     contents = read_stamp().get("contents")
     if not contents or not all((VENV / name).exists() for name in contents):
         return False
@@ -149,7 +159,9 @@ def build() -> None:
         run_step([*pip, "--no-build-isolation", "--editable", "."])
         there = (path.relative_to(new).as_posix() for path in site_packages(new).iterdir())
         contents = [name for name in there if not name.endswith("__pycache__")]
-        write(new / STAMP, json.dumps({**wanted_stamp(), "folder": str(new), "contents": contents}))
+        stamp = {**wanted_stamp(), "folder": str(new), "contents": contents}
+        unlike = unlike_records(site_packages(new), new / BIN)
+        write(new / STAMP, json.dumps({**stamp, "unlike": unlike}))
         if VENV.exists():
             VENV.rename(old)
         try:
@@ -205,7 +217,11 @@ def settle() -> None:
             text = script.read_bytes()
             settled = text.replace(os.fsencode(stamp["folder"]), os.fsencode(VENV))
             if settled != text:
-                script.write_bytes(settled)
+                # Of a script that is half written the next start would not know what is missing.
+                half = script.with_name(script.name + ".new")
+                half.write_bytes(settled)
+                shutil.copymode(script, half)
+                half.replace(script)
     write(VENV / STAMP, json.dumps({**stamp, "folder": str(VENV)}))
 
 

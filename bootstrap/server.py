@@ -2,7 +2,9 @@
 
 import os
 import secrets
+import subprocess
 
+from bootstrap.places import own_places
 from bootstrap.steps import HOME, JUPYTER, PYTHON, VENV, Trouble, running, say, surroundings
 
 # The token travels in the environment because other users can read command lines. It becomes
@@ -11,8 +13,15 @@ from bootstrap.steps import HOME, JUPYTER, PYTHON, VENV, Trouble, running, say, 
 # the computer. The book's matrices are small: threads for them only get in the way of the browser.
 # The address is printed from the server's loop, hence when it listens. Only the server itself can
 # say where its custom.css is; other than by this line that would be the user's own folder.
+# Its standard input is a pipe that lab.py holds and never writes to: it closes when lab.py is gone,
+# killed or not, and nobody would know the address any more. (A console of Windows ends both.)
 SERVER = """\
-import os, sys, zmq
+import os, signal, sys, threading, zmq
+def end_with_lab_py():
+    os.read(0, 1)
+    os.kill(os.getpid(), signal.SIGTERM)
+if os.name != "nt":
+    threading.Thread(target=end_with_lab_py, daemon=True).start()
 from jupyterlab.labapp import LabApp
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 token = os.environ.pop("DRIFTLAB_TOKEN")
@@ -55,6 +64,8 @@ def serve(notebook: str, port: int, browser: bool) -> None:
         f"--ServerApp.open_browser={browser}",
         f"--LabApp.default_url=/lab/tree/{notebook}",
         "--LabApp.custom_css=True",
+        # There are none; looking for them would start npm and others, which leave files in HOME.
+        "--LanguageServerManager.autodetect=False",
         # Not WARN: that alarms beginners with "not trusted" at each opening of a clean notebook.
         "--ServerApp.log_level=ERROR",
         "--LabApp.log_level=ERROR",
@@ -66,10 +77,10 @@ def serve(notebook: str, port: int, browser: bool) -> None:
     say("Starting JupyterLab ...")
     # In a session of its own Ctrl-C does not reach the server, which would end in disorder from
     # that and our request together.
-    environment = surroundings(
-        DRIFTLAB_TOKEN=secrets.token_hex(24), DRIFTLAB_STYLE=str(JUPYTER / "custom")
-    )
-    with running(command, env=environment, start_new_session=True) as server:
+    own = {"DRIFTLAB_TOKEN": secrets.token_hex(24), "DRIFTLAB_STYLE": str(JUPYTER / "custom")}
+    environment = {**surroundings(), **own, **own_places()}
+    stdin = None if os.name == "nt" else subprocess.PIPE
+    with running(command, env=environment, stdin=stdin, start_new_session=True) as server:
         try:
             code = abs(server.wait())
         except KeyboardInterrupt:

@@ -40,6 +40,20 @@ SYMPTOMS = {  # in the output of a failed step; the first that is found counts
     ),
 }
 
+# A step of the set-up starts others: venv starts ensurepip, pip builds. This runs it in a group of
+# their own and ends them all, should lab.py ask for it or be gone: its end of the pipe then closes.
+TOGETHER = """\
+import os, signal, subprocess, sys, threading
+def end(*_):
+    os.killpg(0, signal.SIGKILL)
+def end_with_lab_py():
+    os.read(0, 1)
+    end()
+signal.signal(signal.SIGTERM, end)
+threading.Thread(target=end_with_lab_py, daemon=True).start()
+sys.exit(abs(subprocess.call(sys.argv[1:], stdin=subprocess.DEVNULL)))
+"""
+
 
 class Trouble(Exception):
     """An expected problem, told to the user in one sentence."""
@@ -99,8 +113,12 @@ def run_step(command: list[str]) -> str:
     """
     pipe: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
     pipe.update(stdin=subprocess.DEVNULL, encoding="utf-8", errors="replace")
+    step = command
+    if os.name != "nt":
+        step = [sys.executable, "-I", "-S", "-c", TOGETHER, *command]
+        pipe.update(stdin=subprocess.PIPE, start_new_session=True)
     output = ""
-    with LOG.open("w", encoding="utf-8") as log, running(command, **pipe) as process:
+    with LOG.open("w", encoding="utf-8") as log, running(step, **pipe) as process:
         for line in process.stdout or ():
             output += line
             print(line, end="", file=log, flush=True)
@@ -118,7 +136,7 @@ def run_step(command: list[str]) -> str:
 
 def show(text: str) -> None:
     """Put `text` on the last line of a terminal, where the next text takes its place."""
-    if sys.stdout.isatty():
+    if sys.stdout and sys.stdout.isatty():
         width = shutil.get_terminal_size().columns - 1
         print(f"\r{text:{width}.{width}}\r", end="", flush=True)
 

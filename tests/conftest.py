@@ -56,6 +56,9 @@ HEAVY = (
 )
 
 
+TESTS = Path(__file__).parent
+
+
 def group_of(item: pytest.Item) -> str:
     """Name of the group of a test, empty if it is alone."""
     mark = item.get_closest_marker("xdist_group")
@@ -67,7 +70,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Group what is left by files, and begin with what takes longest."""
     for item in items:
         if not group_of(item):
-            name = item.path.relative_to(Path(__file__).parent).with_suffix("").as_posix()
+            # Examples in src may be tried along with tests.
+            name = Path(os.path.relpath(item.path, TESTS)).with_suffix("").as_posix()
             item.add_marker(pytest.mark.xdist_group(name))
     ranks = {name: rank for rank, name in enumerate(HEAVY)}
     items.sort(key=lambda item: ranks.get(group_of(item), len(HEAVY)))

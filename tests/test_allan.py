@@ -3,10 +3,11 @@
 import allantools
 import numpy as np
 import pytest
-from scipy.stats import binom
+from scipy.stats import binom, chi2
 
 from driftlab.allan import allan_deviation
 from driftlab.core.allan import covariance, term_variances, variances
+from driftlab.core.noise_identification import degrees_of_freedom
 from driftlab.noise_terms import TERMS, NoiseTerms
 
 PURE = {name: NoiseTerms(**{name: 1.0}) for name in TERMS}
@@ -152,6 +153,52 @@ def test_degrees_of_freedom_are_the_handbook_s_or_somewhat_fewer(name):
     assert (ratio[2:5] > 0.85).all()
 
 
+def test_flicker_noise_is_flat_from_the_first_averaging_time_on():
+    rates = PURE["bias_instability"].samples(2**19, 1.0, np.random.default_rng(3))
+    found = variances(rates, np.array([1, 2, 4]))
+    # The shares by which n samples miss the variance of m, about.
+    bounds = 4.9 * np.sqrt(np.array([2, 3, 5]) / 2**19)
+    assert (np.abs(found / (2 * np.log(2) / np.pi) - 1) < bounds).all()
+
+
+POWERS = dict(zip(TERMS, (-1.0, -0.5, 0.0, 0.5, 1.0), strict=True))
+"""Rates of a term go with this power of the unit of time."""
+
+
+@pytest.mark.parametrize("name", TERMS)
+def test_samples_follow_the_unit_of_time(name):
+    whole, part = (PURE[name].samples(9, step, np.random.default_rng(2), 3) for step in (1.0, 0.25))
+    np.testing.assert_allclose(part, 0.25 ** POWERS[name] * whole, rtol=1e-13)
+
+
+def test_covariance_of_the_variances_does_not_depend_on_the_unit_of_time():
+    counts, powers = np.array([1, 4, 16]), np.array(list(POWERS.values()))
+    squares = np.array([2.0, 3.0, 5.0, 0.7, 1e-3])
+    whole = covariance(squares, counts, 100, 1.0)
+    part = covariance(0.25 ** (-2 * powers) * squares, counts, 100, 0.25)
+    np.testing.assert_allclose(part, whole, rtol=1e-12)
+
+
+@pytest.mark.parametrize("ramp", [0.0, 0.3])
+def test_covariance_of_the_variances_is_that_of_many_records(ramp):
+    runs, counts = 20_000, np.array([1, 2, 5])
+    noise = NoiseTerms(angle_random_walk=1.0, rate_ramp=ramp)
+    found = variances(noise.samples(100, 1.0, np.random.default_rng(8), runs), counts)
+    expected = covariance(np.array([0.0, 1.0, 0.0, 0.0, ramp**2]), counts, 100, 1.0)
+    # Frequencies are summed up, for which some percent are allowed.
+    np.testing.assert_allclose(np.cov(found.T), expected, rtol=0.06)
+
+
+@pytest.mark.parametrize("name", TERMS[:4])
+def test_degrees_of_freedom_of_exact_variances_are_those_of_their_term(name):
+    counts = np.array([1, 3, 10, 40])
+    exact = term_variances(0.5 * counts)[:, TERMS.index(name)]
+    squares = np.array([float(term == name) for term in TERMS])
+    deviations = np.sqrt(np.diagonal(covariance(squares, counts, 500, 0.5)))
+    found = degrees_of_freedom(exact, counts, 500, 0.5)
+    np.testing.assert_allclose(found, 2 * (exact / deviations) ** 2, rtol=1e-2)
+
+
 @pytest.mark.parametrize("name", ["quantisation", "angle_random_walk", "rate_random_walk"])
 def test_intervals_hold_the_truth_as_often_as_they_say(name):
     runs, confidence, times = 100, 0.683, np.array([1.0, 4.0, 20.0, 100.0])
@@ -165,13 +212,36 @@ def test_intervals_hold_the_truth_as_often_as_they_say(name):
     assert (held <= [high, high, high, runs]).all()
 
 
+@pytest.mark.parametrize("confidence", [0.5, 0.95])
+def test_an_interval_leaves_the_same_chance_on_both_sides(confidence):
+    found = allan_deviation(np.random.default_rng(6).normal(size=500), 1.0, confidence=confidence)
+    ends = np.array([found.lower, found.upper])
+    freedom = found.degrees_of_freedom
+    chances = chi2.cdf(freedom * (found.deviation / ends) ** 2, freedom)
+    np.testing.assert_allclose(chances[0], (1 + confidence) / 2, rtol=1e-9)
+    np.testing.assert_allclose(chances[1], (1 - confidence) / 2, rtol=1e-9)
+
+
 # Edges and refusals
+
+
+@pytest.mark.parametrize("length", [20, 21])
+def test_times_go_to_half_of_the_record(length):
+    rates = np.random.default_rng(7).normal(size=length)
+    found = allan_deviation(rates, 0.1, [0.1, 1.0])
+    halves = [rates[i + 10 : i + 20].mean() - rates[i : i + 10].mean() for i in range(length - 19)]
+    assert found.deviation[1] == pytest.approx(np.sqrt(np.mean(np.square(halves)) / 2))
+    with pytest.raises(ValueError, match=r"averaging_times: .* to half of the record, 1 s"):
+        allan_deviation(rates, 0.1, [1.1])
 
 
 def test_a_silent_sensor_has_no_deviation():
     found = allan_deviation(np.full(50, 0.3), 0.1)
     assert not found.deviation.any()
     assert not found.upper.any()
+    counts = found.averaging_times / 0.1
+    # Those of a random walk, as if the noise were too small to be seen.
+    np.testing.assert_allclose(found.degrees_of_freedom, np.maximum((50 - 2 * counts) / counts, 1))
 
 
 def test_three_samples_are_enough():

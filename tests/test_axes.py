@@ -70,6 +70,12 @@ def test_two_changes_are_one_and_back_is_back(first, second, third, vector):
     np.testing.assert_array_equal(convert_vectors(halfway, second, first), vector)
 
 
+@pytest.mark.parametrize("new", ["FLU", "BRU", "RFU"])
+def test_no_zero_gets_a_minus_sign(new):
+    assert not np.signbit(convert_vectors(np.zeros(3), "FRD", new)).any()
+    assert not np.signbit(convert_matrix(np.zeros((3, 3)), "FRD", new)).any()
+
+
 @few
 @given(body_axes, body_axes, matrices(1.0), vectors())
 def test_a_matrix_does_the_same_to_a_vector(old, new, matrix, vector):

@@ -94,6 +94,11 @@ def test_unit_vectors_and_norms_at_every_scale(vector, exponent):
     )
 
 
+def test_norms_are_right_beside_others_of_any_size():
+    vectors = np.array([[0.0, 3e-200, 4e-200], [3.0, 0.0, 4.0], [4e200, 3e200, 0.0]])
+    np.testing.assert_allclose(norms(vectors), [5e-200, 5.0, 5e200], rtol=4 * EPS)
+
+
 def test_smallest_number_is_not_zero():
     unit, norm = nonzero_vectors([0, 5e-324, 0], "vector")
     np.testing.assert_array_equal(unit, [0, 1, 0])

@@ -69,6 +69,10 @@ def test_error_of_part_one_becomes_that_of_part_three():
     assert order_of(gap) > 1.9
 
 
+def test_no_zero_gets_a_minus_sign():
+    assert not np.signbit(convert_attitude_error(np.zeros(3), "groves", "phi")).any()
+
+
 def test_error_of_an_alignment_has_groves_sign():
     body, latitude = random_quaternions(seed=3), 0.9
     rate, force = static_imu(body, latitude)

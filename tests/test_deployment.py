@@ -5,12 +5,12 @@ import re
 import tomllib
 from pathlib import Path
 
-import lab
 import pytest
 from bootstrap import offline, student, teaching
 from bootstrap.steps import Trouble
 from packaging.specifiers import SpecifierSet
 
+import lab
 from support import ROOT
 
 FOLDER = ROOT / "deployment"

@@ -94,6 +94,10 @@ def test_default_noise_and_spread_in_engineering_units():
     assert prior.accelerometer_bias / g * 1e6 == pytest.approx(300)
     assert prior.scale * 1e6 == pytest.approx(100)
     assert prior.installation / ARC_SECOND == pytest.approx(40)
+    assert prior.lever_arm == 0.03
+    assert prior.time_skew == 0.001
+    assert prior.accelerometer_quadratic * g**2 == pytest.approx(10e-6 * g)
+    assert prior.gyro_g_sensitivity * g / HOURLY == pytest.approx(0.1)
 
 
 def test_typical_unit_is_one_that_the_spread_can_draw():

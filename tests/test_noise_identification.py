@@ -76,6 +76,33 @@ def test_units_are_whatever_the_samples_have():
         assert small.upper_bounds[name] == pytest.approx(1e-9 * bound, rel=1e-2)
 
 
+def test_deviations_and_misfit_follow_from_the_covariance_and_the_variances():
+    found = allan_deviation(MIXED.samples(2000, 1.0, np.random.default_rng(11)), 1.0)
+    fit = fit_noise_terms(found)
+    assert len(fit.deviations) > 1
+    for name, deviation in fit.deviations.items():
+        place, term = TERMS.index(name), getattr(fit.terms, name)
+        # A term is the root of its square.
+        assert 2 * term * deviation == pytest.approx(np.sqrt(fit.covariance[place, place]))
+    ratios = (found.deviation / fit.terms.deviation(found.averaging_times)) ** 2
+    rest = (ratios - 1) * np.sqrt(found.degrees_of_freedom / 2)
+    assert fit.misfit == pytest.approx(np.sqrt(np.mean(rest**2)))
+
+
+def test_terms_follow_the_unit_of_time():
+    rates = MIXED.samples(2000, 1.0, np.random.default_rng(11))
+    once, shorter = (fit_noise_terms(allan_deviation(rates, step)) for step in (1.0, 0.1))
+    powers = dict(zip(TERMS, (1.0, 0.5, 0.0, -0.5, -1.0), strict=True))
+    assert once.deviations.keys() == shorter.deviations.keys()
+    for name, deviation in once.deviations.items():
+        scale = 0.1 ** powers[name]
+        assert getattr(shorter.terms, name) == pytest.approx(scale * getattr(once.terms, name))
+        assert shorter.deviations[name] == pytest.approx(scale * deviation)
+    for name, bound in once.upper_bounds.items():
+        assert shorter.upper_bounds[name] == pytest.approx(0.1 ** powers[name] * bound, rel=1e-2)
+    assert shorter.misfit == pytest.approx(once.misfit)
+
+
 def test_one_averaging_time_six_times_is_one():
     rates = MIXED.samples(500, 0.1, np.random.default_rng(12))
     found = allan_deviation(rates, 0.1, [0.1] * 6)

@@ -148,6 +148,11 @@ def test_rates_that_make_no_increments_are_refused(arguments, words):
         increments_from_rates(**(good | arguments))
 
 
+def test_one_interval_may_be_all_of_the_time():
+    found = increments_from_rates(np.ones((9, 3)), 8.0, times=np.arange(9.0))
+    np.testing.assert_allclose(found, 8 * np.ones((1, 3)), rtol=1e-13)
+
+
 def test_dates_and_times_are_seconds_since_the_first():
     rates = CONE.rate(np.arange(200) / 100)
     times = np.datetime64("2026-05-01T12:00:00.000", "ms") + 10 * np.arange(200)

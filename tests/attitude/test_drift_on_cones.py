@@ -4,6 +4,7 @@ import mpmath
 import numpy as np
 import pytest
 
+from driftlab.attitude._swing import largest_change
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.drift_on_cones import coning_drift, step_drift
 from driftlab.attitude.integration import integrate
@@ -193,3 +194,26 @@ def test_a_whole_turn_a_step_is_refused_where_k_is_infinite():
 def test_unknown_algorithm_is_refused():
     with pytest.raises(ValueError, match=r"^algorithm: expected one of picard-1, "):
         coning_drift("euler", 0.1, 1, 0.1)
+
+
+@pytest.mark.parametrize("lean", [0.0, 0.2, 1.0, 1.5, 2.0, 3.0, np.pi])
+@pytest.mark.parametrize("size", [0.3, 2.0, 4.0, 6.0])
+@pytest.mark.parametrize("drift", [-0.4, 0.0, 0.9])
+def test_an_error_about_a_leaning_axis_swings_as_the_turning_itself_shows(lean, size, drift):
+    """The part of a rotation about an axis, while it goes on about another one, step by step."""
+    turned = np.linspace(0, 2 * np.pi, 20_001)
+    before, after = (
+        2 * np.unwrap(np.arctan2(np.cos(lean) * np.sin(angle / 2), np.cos(angle / 2)))
+        for angle in (turned, turned + size)
+    )
+    begin = 2 * np.arctan2(np.cos(lean) * np.sin(size / 2), np.cos(size / 2))
+    even = np.copysign(size, np.cos(lean))
+    after += 2 * np.pi * np.round((begin - after[0]) / (2 * np.pi))
+    expected = np.abs(drift + after - before - even).max()
+    found = largest_change(np.array(drift), np.array(size), np.array(size * np.cos(lean)))
+    assert found == pytest.approx(expected, abs=1e-6)
+
+
+def test_a_step_that_does_not_turn_changes_the_error_by_its_drift():
+    drift = np.array([-0.5, 0.25])
+    np.testing.assert_array_equal(largest_change(drift, np.zeros(2), np.zeros(2)), np.abs(drift))

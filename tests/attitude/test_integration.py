@@ -165,6 +165,7 @@ def test_names_are_keys_and_cannot_be_replaced():
     assert [*ALGORITHMS] == [*CONING_ALGORITHMS, "functional-iteration"]
     assert all(ALGORITHMS[name] is CONING_ALGORITHMS[name] for name in CONING_ALGORITHMS)
     assert attitude_algorithm("memory-4") is CONING_ALGORITHMS["memory-4"]
+    assert len({*CONING_ALGORITHMS.values()}) == len(CONING_ALGORITHMS)  # weights hinder no set
     assert attitude_algorithm("memory-4").window == 3
     with pytest.raises(TypeError, match="does not support item assignment"):
         ALGORITHMS["memory-4"] = None
@@ -195,6 +196,7 @@ def test_algorithm_of_ones_own(rows):
             "starts: expected one for each of 2 increments of memory, got 1",
         ),
         ({"coning": {(1, 0): 0.5}}, r"coning: expected places 0 <= i < j < 2, got \(1, 0\)"),
+        ({"coning": {(1, 1): 0.5}}, r"coning: expected places 0 <= i < j < 2, got \(1, 1\)"),
         ({"coning": {(0, 2): 0.5}}, r"coning: expected places 0 <= i < j < 2, got \(0, 2\)"),
         (
             {"samples": 1, "memory": 1, "starts": ({(0, 2): 0.5},)},
@@ -670,6 +672,15 @@ def test_whole_turn_in_a_step_is_refused_where_k_is_infinite(name):
         r"infinite, got 6\.28 rad\.$",
     ):
         integrate(above, name)
+
+
+@with_cayley
+def test_increment_of_a_whole_turn_is_refused_though_it_comes_back_within_the_step(name):
+    """Between the samples it may have turned round at any time: nothing could be said."""
+    rows = np.zeros((6, 3))
+    rows[:, 1] = np.tile([6.3, -6.3], 3)
+    with pytest.raises(ValueError, match=r"^increments: expected less than a whole turn a step"):
+        integrate(rows, name)
 
 
 @with_rotation_vector

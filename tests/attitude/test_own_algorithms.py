@@ -63,6 +63,9 @@ def one_by_one(g):
 WAYS = {
     "integrate": lambda one: integrate(ROWS, one, start=[0.0, 0.6, 0.0, 0.8]),
     "integrate, several runs": lambda one: integrate(RUNS, one),
+    "integrate, several runs and starts": lambda one: integrate(
+        RUNS, one, start=[[0.0, 0.6, 0.0, 0.8], [1.0, 0.0, 0.0, 0.0]]
+    ),
     "integrate, history": lambda one: integrate(ROWS[2:], one, history=ROWS[:2]),
     "step_quaternions": lambda one: step_quaternions(ROWS, one),
     "coning_drift": lambda one: coning_drift(one, [[0.01], [0.4]], [1.0, -5.0, 9.0], 0.01),
@@ -321,6 +324,10 @@ WRONG = {
     "NaN": (lambda g: pair(g) * np.nan, "what <lambda> returned: expected finite numbers, got 36"),
     "nothing": (lambda g: None, "what <lambda> returned: expected real numbers"),
     "too long": (lambda g: 1.1 * attitudes(g), "quaternions of length 1 from <lambda>, got one of"),
+    "one too long": (
+        lambda g: attitudes(g) * np.where(np.arange(12) == 3, 1.1, 1.0)[:, np.newaxis],
+        r"quaternions of length 1 from <lambda>, got one of 1\.1\.",
+    ),
 }
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from scipy.integrate import quad
+from scipy.linalg import expm
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm
 from driftlab.attitude.sculling import sculling_correction, step_velocities
@@ -26,6 +27,24 @@ def test_sculling_is_the_dual_part_of_coning(name):
     expected = coning(g + v) - coning(g) - coning(v)
     found = sculling_correction(g, v, algorithm)
     np.testing.assert_allclose(found, np.broadcast_to(expected, found.shape), atol=1e-14)
+
+
+@pytest.mark.parametrize("name", WITHOUT_MEMORY)
+def test_a_step_turns_its_velocity_evenly_and_adds_the_sculling(name):
+    """As if rate and force were constant, and the sculling came evenly, too."""
+    algorithm = COMPARED[name]
+    g = 0.01 * np.random.default_rng(5).normal(size=(algorithm.samples, 3))
+    g -= g.mean(axis=0)  # all that is left of the rotation is the coning
+    v = np.random.default_rng(6).normal(size=(algorithm.samples, 3))
+    p = sum(
+        (weight * np.cross(g[i], g[j]) for (i, j), weight in algorithm.coning.items()), np.zeros(3)
+    )
+    sculling = sculling_correction(g, v, algorithm)[0]
+    turning = np.zeros((4, 4))
+    turning[:3, :3] = np.cross(p, np.eye(3)).T
+    turning[:3, 3] = v.sum(axis=0)
+    expected = expm(turning)[:3, 3] + sculling + np.cross(p, sculling) / 2
+    np.testing.assert_allclose(step_velocities(g, v, algorithm)[0], expected, rtol=0, atol=1e-14)
 
 
 @pytest.mark.parametrize("name", ["two-step-4", "four, polynomial"])
@@ -87,5 +106,8 @@ def test_what_cannot_be_is_refused():
         step_velocities(rows, rows, "memory-4")
     with pytest.raises(ValueError, match=r"^angle: expected .* multiple of 3 for rotation-v"):
         sculling_correction(rows, rows, "rotation-vector-3")
+    for name in ("picard-1", "rotation-vector-2"):
+        with pytest.raises(ValueError, match=r"^angle: expected shape .*, got shape \(3,\)\.$"):
+            sculling_correction(rows[0], rows[0], name)
     with pytest.raises(ValueError, match=r"^velocity: expected"):
         step_velocities(rows, rows[:2], CONING_ALGORITHMS["two-step-4"])

@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 import nbformat
 from nbformat import NotebookNode
+from no_network import block_kernels
 from notebook_page import PATIENCE
 from pages import FOLDER, NOTEBOOKS
 
@@ -46,20 +47,17 @@ def book_server(folder: Path) -> Iterator[Server]:
     """Serve copies of all chapters from `folder`.
 
     Settings, workspaces and runtime files of the server lie in `folder` as well, and none of the
-    user's is read or written.
+    user's is read or written. Kernels have no network.
     """
     root = folder / "book"
     book = root / "notebooks"
     serve_copies(book)
     shutil.copytree(FOLDER.parent / "figures", root / "figures")  # chapters show some by name
-    # Whether JupyterLab should be built anew is found out with node, at each opening of a page.
-    quiet = {"buildCheck": False}
-    (folder / "config/labconfig").mkdir(parents=True)
-    (folder / "config/labconfig/page_config.json").write_text(json.dumps(quiet), "utf-8")
     widgets = folder / "settings/@jupyter-widgets/jupyterlab-manager"
     widgets.mkdir(parents=True)
     # A notebook that is saved tells what its widgets show.
     (widgets / "plugin.jupyterlab-settings").write_text(json.dumps({"saveState": True}), "utf-8")
+    block_kernels(folder / "ipython")
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
@@ -88,7 +86,7 @@ def book_server(folder: Path) -> Iterator[Server]:
     log = folder / "server.log"
     with log.open("wb") as output:
         server = subprocess.Popen(
-            command, env=environment, stdin=subprocess.DEVNULL, stdout=output, stderr=output
+            command, env=environment, stdin=subprocess.PIPE, stdout=output, stderr=output
         )
     try:
         wait_for(server, f"{address}/api/status", token, log)
@@ -100,6 +98,7 @@ def book_server(folder: Path) -> Iterator[Server]:
         except subprocess.TimeoutExpired:  # it waits for kernels that nobody needs any more
             server.kill()
             server.wait()
+        server.stdin.close()
 
 
 def serve_copies(folder: Path) -> None:

@@ -187,6 +187,13 @@ def test_refusals(function, arguments, sentence):
         function(*arguments)
 
 
+def test_each_of_several_motions_must_close():
+    open_motion = np.zeros((len(WAY) + 1, 3))
+    open_motion[0, 0] = 1e-3
+    with pytest.raises(ValueError, match=r"got one that ends 0\.001 rad from where it began"):
+        drift_per_motion([closed(WAY), open_motion], SHAPE)
+
+
 def test_tolerance_is_the_callers():
     coarse = cone(0.5, samples=36)
     with pytest.raises(ValueError, match="expected a motion that closes"):

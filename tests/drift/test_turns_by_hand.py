@@ -29,6 +29,13 @@ def record(*moves):
     return np.concatenate(parts), np.array(rests)
 
 
+def test_a_rest_may_begin_where_the_last_ends():
+    rows, rests = record(turned(0, 0, 1.0))
+    first, second = rests
+    (found,) = hand_turns(rows, 0.1, [[0, 20], [20, first[1]], second])
+    assert (found.axis, found.turns, found.begin, found.end) == (2, 1, 30, 160)
+
+
 def test_finds_turns_and_leaves_out_other_moves():
     moves = turned(0, 0, 1.01), turned(0, 0.25, 0), turned(-2.02, 0, 0), turned(0.7, 0, 0.7)
     rows, rests = record(*moves)

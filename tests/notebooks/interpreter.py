@@ -18,6 +18,7 @@ from IPython.core.interactiveshell import InteractiveShell
 from matplotlib import pyplot
 from nbformat import NotebookNode
 from nbformat.v4 import new_output
+from no_network import no_network
 from traitlets import List, Type
 from traitlets.config import Config
 
@@ -85,7 +86,7 @@ def interpreter(folder: Path) -> Iterator[Interpreter]:
 
 def run_here(notebook: NotebookNode, folder: Path) -> NotebookNode:
     """Run the cells one after the other; raise the first error that a cell does not catch."""
-    with interpreter(folder) as shell:
+    with interpreter(folder) as shell, no_network():
         for cell in notebook.cells:
             if cell.cell_type != "code":
                 continue

@@ -1,7 +1,7 @@
 """Every notebook runs from a clean start and hides no error, and its panels live.
 
 What readers read is run where they read it, in JupyterLab in a browser, and saved; without a
-browser in a kernel. All other notebooks are run in the process of the tests.
+browser in a kernel. All other notebooks are run in the process of the tests. None has a network.
 """
 
 import re
@@ -16,6 +16,7 @@ from nbclient import NotebookClient
 from nbclient.output_widget import OutputWidget
 from nbconvert import SlidesExporter
 from nbformat import NotebookNode
+from no_network import line_for_a_kernel
 from notebook_page import SCREENS, NotebookPage
 from pages import (
     CHAPTERS,
@@ -68,6 +69,7 @@ class SilentOutput(OutputWidget):
 def run_in_kernel(notebook: NotebookNode) -> NotebookNode:
     client = NotebookClient(notebook, timeout=TIMEOUT, resources={"metadata": {"path": FOLDER}})
     client.widget_registry = {"@jupyter-widgets/output": {"OutputModel": SilentOutput}}
+    client.extra_arguments = [f"--IPKernelApp.exec_lines={line_for_a_kernel()}"]
     client.execute()
     return notebook
 

@@ -10,6 +10,8 @@ from collections.abc import Iterable, Mapping
 from concurrent.futures import Executor
 from contextlib import ExitStack
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
 
 from tqdm import tqdm
 
@@ -22,6 +24,7 @@ from .figures import figure_definitions, measured, not_at_hand, published_paths
 from .machinery.figure_table import as_words, write_table
 from .machinery.language import ENGLISH
 from .machinery.publish import FigureDefinition, PublishedFigure, gallery
+from .machinery.table_differences import Difference, folder_differences
 
 PROJECT = Path(__file__).parents[3]
 AT_HOME = (PROJECT / "lab.py").is_file()
@@ -81,6 +84,30 @@ def write_figures_on(
             sys.exit(str(error))
         places.enter_context(running_on(pool, folder=keep))
         write_figures(folder)
+
+
+def write_figures_or_compare(compare: bool, folder: Path, **where: Any) -> None:
+    """Write all figures, or compare their numbers with those that are published."""
+    if not compare:
+        write_figures_on(folder, **where)
+        return
+    with TemporaryDirectory() as anew:
+        write_figures_on(Path(anew), **where)
+        found = folder_differences(folder, Path(anew))
+        count = len([*folder.glob("*.csv")])
+    print(f"\n{told(found, count)}")
+    if not all(each.only_rounding for differences in found.values() for each in differences):
+        sys.exit(1)
+
+
+def told(found: Mapping[str, list[Difference]], count: int) -> str:
+    """Return what two folders of so many tables say of each other."""
+    lines = [f"{count - len(found)} of {count} tables are the same to the last digit."]
+    for name, differences in found.items():
+        rounding = all(each.only_rounding for each in differences)
+        lines.append(f"{name}: {'last digits, by rounding' if rounding else 'OTHER NUMBERS'}")
+        lines += [f"  {each}" for each in differences]
+    return "\n".join(lines)
 
 
 def _copy(paths: Iterable[Path], folder: Path) -> None:
@@ -174,7 +201,10 @@ def main() -> None:
     drawn.add_argument("--workers", type=int, help="processes; one for each core if not")
     drawn.add_argument("--scheduler", help="of a cluster of dask: its address")
     drawn.add_argument("--keep", type=Path, help="a folder for finished runs, not to be repeated")
-    drawn.set_defaults(write=write_figures_on)
+    drawn.add_argument(
+        "--compare", action="store_true", help="write nothing, but say which numbers differ"
+    )
+    drawn.set_defaults(write=write_figures_or_compare)
     wrong = commands.add_parser("errata", help=write_errata.__doc__)
     wrong.set_defaults(write=write_errata)
     for command, what, default in ((drawn, "folder", "figures"), (wrong, "file", "ERRATA.md")):

@@ -25,9 +25,11 @@ def three_digits(value: float) -> str:
 
 
 def angle(radians: float) -> str:
-    """An angle in degrees, minutes or seconds, by its size."""
+    """An angle in degrees, minutes or seconds, by its size; none below the rounding of a double."""
     if np.isnan(radians):
         return ABSENT
+    if abs(radians) < 2.0**-52:
+        return "0″"
     seconds = 3600 * np.degrees(radians)
     for unit, sign in ((3600, "°"), (60, "′")):
         if abs(seconds) >= unit:

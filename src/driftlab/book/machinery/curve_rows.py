@@ -140,7 +140,7 @@ class Finder:
         for name, words in table.items():
             values = numbers(words)
             if values is not None:
-                self._columns[name] = _Column(values, _rounding(words))
+                self._columns[name] = _Column(values, rounding(words))
             whole = values is None or bool(np.all(values == np.round(values)))
             if whole and len(set(words)) <= min(_MOST_KEYS, max(len(words) - 1, 1)):
                 keys[name] = np.array(words)
@@ -250,7 +250,7 @@ class _Levels:
             yield dict(zip(names, words, strict=True)), chosen
 
 
-def _rounding(words: list[str]) -> float:
+def rounding(words: list[str]) -> float:
     """Half the last digit of a column that is rounded to some decimals; 0 for whole numbers."""
     exponents = [Decimal(word).as_tuple().exponent for word in words if word]
     last = min((each for each in exponents if isinstance(each, int)), default=0)

@@ -5,8 +5,8 @@ from scipy.constants import arcminute, arcsecond, degree
 
 from .results import ABSENT
 
-ROUNDING = 1e-18
-"""An angle below, rad, is what a computer leaves of zero."""
+ROUNDING = float(np.finfo(float).eps)
+"""An angle below, rad, is what a computer leaves of zero: a quaternion has no finer steps."""
 SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -37,8 +37,8 @@ def angle_text(angle: float) -> str:
 
     Examples
     --------
-    >>> [angle_text(x) for x in (0.05, 0.001, 1e-5, 1e-13, float("nan"))]
-    ['2.86°', '3.44′', '2.06″', '2.06·10⁻⁸″', '–']
+    >>> [angle_text(x) for x in (0.05, 0.001, 1e-5, 1e-13, 1e-17, float("nan"))]
+    ['2.86°', '3.44′', '2.06″', '2.06·10⁻⁸″', '0″', '–']
     """
     if np.isnan(angle):
         return ABSENT

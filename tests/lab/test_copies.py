@@ -9,8 +9,7 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
-
-from test_lab import ROOT, load, make_tiny
+from tiny_project import ROOT, load, make_tiny
 
 CHAPTER = "03_drift.ipynb"
 TODAY = r"\.\d{4}-\d{2}-\d{2}"

@@ -1,0 +1,118 @@
+"""How the numbers of a table differ from those of another: not at all, in last digits, or really.
+
+Twelve digits are written. Processors differ in how many numbers they multiply at once, and in what
+order they add them, so other machines may round the last few digits otherwise; and earlier what is
+left when nearly equal numbers are subtracted, as an entry of a matrix that should be zero, or a
+heading after a filter of hundreds of steps. A column that is written to a few decimals differs by
+one in the last of them where a number lies between two.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from .curve_rows import Words, numbers, rounding
+from .figure_table import read_table
+
+ROUNDING = 1e-7
+"""Numbers are the same, but for rounding, to this of themselves or of their curve's largest."""
+RESIDUE = 1e-12
+"""What is smaller than this is nothing but rounding."""
+
+
+class Difference(NamedTuple):
+    """How a column differs from the same column elsewhere.
+
+    Attributes
+    ----------
+    column : str
+        Its name.
+    written_otherwise, entries : int
+        How many of its entries are written otherwise, of how many.
+    largest : float
+        Largest difference, in units of the largest number of the same curve; infinite if words
+        differ, or a number stands where the other has none.
+    only_rounding : bool
+        Whether all of it may come from another processor.
+    """
+
+    column: str
+    written_otherwise: int
+    entries: int
+    largest: float
+    only_rounding: bool
+
+    def __str__(self) -> str:
+        if np.isinf(self.largest):
+            return f"{self.column}: {self.written_otherwise} of {self.entries} entries are others"
+        size = f"at most {self.largest:.0e} of the largest"
+        return f"{self.column}: {self.written_otherwise} of {self.entries} numbers, {size}"
+
+
+def table_differences(first: Words, second: Words) -> list[Difference]:
+    """Return what differs between two tables as a CSV holds them, column by column.
+
+    Raises
+    ------
+    ValueError
+        If they have other columns, or of other lengths.
+    """
+    sizes = [{name: len(column) for name, column in table.items()} for table in (first, second)]
+    if sizes[0] != sizes[1]:
+        raise ValueError(f"Tables: expected the same columns and rows, got {sizes[0]}, {sizes[1]}.")
+    curves = np.asarray(first.get("curve", [""] * max(sizes[0].values())))
+    found = []
+    for name, column in first.items():
+        other = second[name]
+        count = sum(a != b for a, b in zip(column, other, strict=True))
+        if count:
+            largest, allowed = _size(column, other, curves)
+            found.append(Difference(name, count, len(column), largest, allowed))
+    return found
+
+
+def _size(first: list[str], second: list[str], curves: np.ndarray) -> tuple[float, bool]:
+    """Largest difference, curve by curve in units of its largest number, and if it is rounding."""
+    here, there = numbers(first), numbers(second)
+    if here is None or there is None:
+        return np.inf, False
+    finite = np.isfinite(here) & np.isfinite(there)
+    if np.any((np.array(first) != np.array(second)) & ~finite):
+        return np.inf, False
+    largest, allowed = 0.0, True
+    last_digit = 2 * min(rounding(first), rounding(second))
+    for curve in np.unique(curves):
+        a, b = (values[(curves == curve) & finite] for values in (here, there))
+        if a.size:
+            size = max(float(np.max(np.abs(a))), float(np.max(np.abs(b))))
+            off = np.abs(a - b)
+            largest = max(largest, float(off.max()) / size if size else 0.0)
+            least = max(RESIDUE, ROUNDING * size, last_digit)
+            allowed &= bool(np.all(off <= least + ROUNDING * np.abs(a)))
+    return largest, allowed
+
+
+def folder_differences(first: Path, second: Path) -> dict[str, list[Difference]]:
+    """Return the tables of two folders that differ, by name, and how.
+
+    Raises
+    ------
+    ValueError
+        If they do not hold the same tables, or one has other columns or rows.
+    """
+    names = [{path.name for path in folder.glob("*.csv")} for folder in (first, second)]
+    if not names[0] or names[0] != names[1]:
+        missing = ", ".join(sorted(names[0] ^ names[1])) or "no table at all"
+        raise ValueError(f"Folders: expected the same tables in both, got {missing} in one only.")
+    found = {}
+    for name in sorted(names[0]):
+        try:
+            differences = table_differences(*(read_table(f / name)[1] for f in (first, second)))
+        except ValueError as error:
+            raise ValueError(f"{name}: {error}") from None
+        if differences:
+            found[name] = differences
+    return found

@@ -1,0 +1,47 @@
+"""No answer is run, and none becomes a part of the page that shows what `check` thinks of it."""
+
+import pytest
+
+from driftlab.book.exercises import all_exercises, judged
+from driftlab.book.machinery.card import Card
+from driftlab.book.machinery.exercise import Said
+from driftlab.book.machinery.progress import Progress
+from hostile import CODE, MARKUP, TEXTS, Elements, Hostile, all_that_runs
+
+ANSWERS = {
+    **{f"text {number}": text for number, text in enumerate(TEXTS, 1)},
+    "texts": list(TEXTS),
+    "names": {text: text for text in TEXTS},
+    "object": Hostile(),
+    "objects": [1.0, Hostile()],
+}
+ELEMENTS = {"div", "span", "b", "code", "details", "summary", "a"}
+
+
+@pytest.mark.parametrize("answer", ANSWERS.values(), ids=ANSWERS)
+def test_an_answer_is_neither_run_nor_shown_as_markup(answer: object) -> None:
+    for number in all_exercises():
+        with all_that_runs() as seen:
+            card = judged(number, answer, Progress(), Said(because=MARKUP, student=CODE))
+            assert_harmless(card)
+        assert seen == [], number
+        assert card.verdict.right is not True
+
+
+def assert_harmless(card: Card) -> None:
+    elements = Elements(card._repr_html_())
+    assert elements.names <= ELEMENTS, card
+    assert elements.acts == [], card
+
+
+def test_what_would_run_is_seen() -> None:
+    """The tests here can fail."""
+    with all_that_runs() as seen:
+        eval(compile(CODE.replace("system", "fspath"), "answer", "eval"))
+    assert [event.partition(" ")[0] for event in seen] == ["compile", "exec"]
+    with all_that_runs() as seen:
+        __import__("os").system("true")
+    assert len(seen) == 1
+    elements = Elements(MARKUP)
+    assert elements.names == {"img", "script"}
+    assert [name for name, _ in elements.acts] == ["src", "onerror"]

@@ -1,0 +1,52 @@
+"""Which packages lab.py brings: the lists agree with pyproject.toml and with each other."""
+
+import re
+
+from packaging.requirements import Requirement
+from tiny_project import ROOT, load
+
+
+def test_environment_txt_was_written_from_the_present_pyproject_toml() -> None:
+    line = load(ROOT).environment.lock_line()
+    assert line in (ROOT / "environment.txt").read_text("utf-8"), "run 'python3 lab.py lock'"
+
+
+def test_environment_txt_pins_every_package_with_hashes_and_names_no_index() -> None:
+    text = (ROOT / "environment.txt").read_text("utf-8")
+    pin = r"[a-z0-9-]+==[^ \n]+( ; [^\\\n]+)?( \\\n    --hash=sha256:[0-9a-f]{64})+"
+    assert re.fullmatch(rf"(#.*\n)*({pin}\n)+", text)
+    pins = load(ROOT).environment.pins()
+    assert len(pins) == text.count("==") - text.count(" == ")
+    assert "ipywidgets==8.1.8" in pins  # 8.1.9 draws nothing in VS Code
+
+
+def test_the_library_needs_numpy_and_scipy_only() -> None:
+    needs = load(ROOT).environment.project()["project"]["dependencies"]
+    assert [need.split()[0] for need in needs] == ["numpy", "scipy"]
+
+
+def test_the_list_of_the_oldest_packages_begins_where_pyproject_toml_does() -> None:
+    """`python3 lab.py lowest` would else try something newer than what is allowed."""
+    about = load(ROOT).environment.project()["project"]
+    wanted = [*about["dependencies"], *about["optional-dependencies"]["book"]]
+    listed = (ROOT / "bootstrap/lowest.txt").read_text("utf-8")
+    for need in map(Requirement, wanted):
+        (floor,) = (one.version for one in need.specifier if one.operator == ">=")
+        pinned = re.search(rf"^{need.name}==([^\s;]+)", listed, re.MULTILINE)[1]
+        assert need.specifier.contains(pinned)
+        assert f"{pinned}.".startswith(f"{floor}."), need
+
+
+def test_binder_pins_what_environment_txt_pins_and_no_jupyter() -> None:
+    """Binder's own JupyterLab and Notebook go together; another JupyterLab would part them."""
+    lines = (ROOT / ".binder/requirements.txt").read_text("utf-8").splitlines()
+    *pins, package = (line for line in lines if not line.startswith("#"))
+    assert package == "-e .[book]"
+    assert set(pins) <= set(load(ROOT).environment.pins())
+    assert {pin.partition("==")[0] for pin in pins} >= {"numpy", "scipy", "matplotlib", "sympy"}
+    assert "jupyter" not in "".join(pins)
+    about = load(ROOT).environment.project()["project"]
+    assert "jupyterlab" not in "".join(about["optional-dependencies"]["book"])
+    python = (ROOT / ".binder/runtime.txt").read_text("utf-8").strip()
+    tried = "Programming Language :: Python :: " + python.removeprefix("python-")
+    assert tried in about["classifiers"]

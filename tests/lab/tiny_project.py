@@ -1,0 +1,206 @@
+"""A project so small that lab.py sets it up in seconds, and how tests run lab.py in it."""
+
+import hashlib
+import importlib
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+import time
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[2]
+NO_INDEX = {  # a port where nobody listens, whatever pip is configured to use otherwise
+    "PIP_INDEX_URL": "http://127.0.0.1:9/simple",
+    "PIP_EXTRA_INDEX_URL": "",
+    "PIP_FIND_LINKS": "",
+    "PIP_CONFIG_FILE": os.devnull,
+}
+# A project that lab.py can set up in seconds and without a network: no packages, a build backend
+# that makes by hand what flit makes of the real one, and a JupyterLab that ends at once.
+TINY_PYPROJECT = """\
+[build-system]
+requires = []
+build-backend = "backend"
+backend-path = ["."]
+
+[project]
+name = "driftlab"
+version = "0"
+
+[tool]
+"""
+TINY_BACKEND = """\
+import zipfile
+
+def build_editable(folder, config_settings=None, metadata_directory=None):
+    name = "driftlab-0-py3-none-any.whl"
+    with zipfile.ZipFile(folder + "/" + name, "w") as wheel:
+        wheel.writestr("driftlab.pth", "replaced by lab.py")
+        head = "driftlab-0.dist-info/"
+        wheel.writestr(head + "METADATA", "Metadata-Version: 2.1\\nName: driftlab\\nVersion: 0\\n")
+        wheel.writestr(head + "WHEEL", "Wheel-Version: 1.0\\nTag: py3-none-any\\n"
+                                       "Root-Is-Purelib: true\\n")
+        wheel.writestr(head + "RECORD", "")
+    return name
+"""
+TINY_JUPYTERLAB = """\
+import os
+
+class LabApp:
+    port, default_url = 8888, "/lab"
+
+    class web_app:
+        settings = {"static_custom_path": []}
+
+    @classmethod
+    def initialize_server(cls, argv):
+        if "JUPYTER_RUNTIME_DIR" in os.environ:
+            os.makedirs(os.environ["JUPYTER_RUNTIME_DIR"], exist_ok=True)
+        cls.io_loop = cls
+        return cls
+
+    def add_callback(act):
+        act()
+
+    def start():
+        pass
+"""
+
+
+PARTS = ("environment", "steps", "copies", "beside", "places", "records", "release", "server")
+
+
+def load(folder: Path) -> SimpleNamespace:
+    """Import lab.py of a folder and what it consists of; no other folder's is mixed in."""
+    before = taken_out_of_memory()
+    sys.path.insert(0, str(folder))
+    try:
+        spec = importlib.util.spec_from_file_location("lab", folder / "lab.py")
+        lab = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(lab)
+        parts = {name: importlib.import_module(f"bootstrap.{name}") for name in PARTS}
+    finally:
+        while str(folder) in sys.path:
+            sys.path.remove(str(folder))
+        taken_out_of_memory()
+        sys.modules.update(before)
+    return SimpleNamespace(lab=lab, **parts)
+
+
+def taken_out_of_memory() -> dict[str, ModuleType]:
+    """Let Python forget the modules of lab.py."""
+    names = [name for name in sys.modules if name.partition(".")[0] == "bootstrap"]
+    return {name: sys.modules.pop(name) for name in names}
+
+
+def command(folder: Path, *arguments: str) -> list[str]:
+    return [sys.executable, str(folder / "lab.py"), *arguments]
+
+
+def run(folder: Path, *arguments: str, **variables: str | None) -> SimpleNamespace:
+    """Run lab.py from a directory that is not its own; no traceback may appear.
+
+    Variables are set besides those of this process; None takes one away.
+    """
+    return run_as(command(folder, *arguments), **variables)
+
+
+def run_as(
+    called: list[str], options: dict[str, Any] | None = None, **variables: str | None
+) -> SimpleNamespace:
+    """Run lab.py by a command line of one's own, and with options of subprocess."""
+    environment = {**os.environ, **variables}
+    done = subprocess.run(
+        called,
+        cwd=ROOT.anchor,
+        env={name: value for name, value in environment.items() if value is not None},
+        capture_output=True,
+        encoding="utf-8",
+        timeout=900,
+        **(options or {}),
+    )
+    assert "Traceback" not in done.stderr, done.stderr
+    return SimpleNamespace(code=done.returncode, said=done.stdout, complained=done.stderr.strip())
+
+
+def make_tiny(folder: Path) -> Path:
+    (folder / "src/driftlab").mkdir(parents=True)
+    (folder / "src/jupyterlab").mkdir()
+    (folder / "notebooks").mkdir()
+    (folder / "notebooks/00_start_here.ipynb").write_text('{"cells": [], "metadata": {}}', "utf-8")
+    shutil.copy(ROOT / "lab.py", folder)
+    shutil.copytree(
+        ROOT / "bootstrap", folder / "bootstrap", ignore=shutil.ignore_patterns("__pycache__")
+    )
+    (folder / "pyproject.toml").write_text(TINY_PYPROJECT, "utf-8")
+    (folder / "backend.py").write_text(TINY_BACKEND, "utf-8")
+    (folder / "src/driftlab/book.py").write_text("print('figures drawn')\n", "utf-8")
+    (folder / "src/jupyterlab/labapp.py").write_text(TINY_JUPYTERLAB, "utf-8")
+    (folder / "src/zmq.py").write_text("def has(feature):\n    return True\n", "utf-8")
+    (folder / "environment.txt").write_text(load(folder).environment.lock_line(), "utf-8")
+    return folder
+
+
+def without_folders_of_its_own() -> dict[str, str]:
+    """The variables of this process but those that lead programs to folders beside HOME."""
+    places = ("JUPYTER", "XDG_", "IPYTHONDIR", "MPLCONFIGDIR")
+    return {name: value for name, value in os.environ.items() if not name.startswith(places)}
+
+
+def comes_true(condition: Callable[[], object], seconds: float = 60) -> bool:
+    """Wait until a condition holds; tell whether it did."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.02)
+    return False
+
+
+def is_alive(process: int) -> bool:
+    """Tell whether a process runs; one that has ended and that nobody asked for does not."""
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    state = Path(f"/proc/{process}/stat")
+    return not state.exists() or state.read_text().rpartition(")")[2].split()[0] != "Z"
+
+
+def listed(folder: Path, lines: str) -> Path:
+    """Add lines to environment.txt."""
+    with (folder / "environment.txt").open("a", encoding="utf-8") as file:
+        file.write(lines)
+    return folder
+
+
+def make_wheel(folder: Path) -> str:
+    """Put the package sixth-sense into a folder; return its line of environment.txt."""
+    path = folder / "sixth_sense-1.0-py3-none-any.whl"
+    head = "sixth_sense-1.0.dist-info/"
+    with zipfile.ZipFile(path, "w") as wheel:
+        wheel.writestr("sixth_sense.py", "")
+        wheel.writestr(
+            head + "METADATA", "Metadata-Version: 2.1\nName: sixth_sense\nVersion: 1.0\n"
+        )
+        wheel.writestr(
+            head + "WHEEL", "Wheel-Version: 1.0\nTag: py3-none-any\nRoot-Is-Purelib: true\n"
+        )
+        wheel.writestr(head + "RECORD", "")
+    digest = hashlib.sha256(path.read_bytes()).hexdigest()
+    return f"sixth-sense==1.0 ; python_version > '3' \\\n    --hash=sha256:{digest}\n"
+
+
+def copy_of(folder: Path, copy: Path) -> Path:
+    """Copy a project or its environment; packages, which nobody writes to, are linked."""
+
+    def copy_file(source: str, target: str) -> None:
+        (os.link if "site-packages" in source else shutil.copy2)(source, target)
+
+    return shutil.copytree(folder, copy, symlinks=True, copy_function=copy_file)

@@ -1,0 +1,163 @@
+"""The page of what was broken, what the tests caught, and what survived and why."""
+
+import os
+import platform
+import tomllib
+from collections import defaultdict
+from collections.abc import Iterable
+from datetime import date
+from importlib.metadata import version
+from pathlib import Path
+
+from kept_breaks import HUNG, Kept, Tried, digest
+from numerical_parts import numerical_parts, path_of
+
+HERE = Path(__file__).parent
+REASONS = HERE / "survivors.toml"
+PAGE = HERE / "mutations.md"
+SAME = ("equivalent", "speed")
+"""First words of a reason: nothing changes, or only time and memory do."""
+IMMATERIAL = "immaterial"
+"""First word of a reason: something changes of which nothing is promised."""
+_PACKAGES = ("numpy", "scipy", "hypothesis", "pytest")
+_HEAD = """# What the tests notice when the package is broken
+
+Written by `python3 lab.py mutate`, never by hand. {machine}
+
+Each break changes one place of one module: a sign, an operator, a constant (by one, or by 1 %), \
+a comparison or its boundary, two arguments, a function for its neighbour (sine and cosine, least \
+and greatest, any and all), a condition turned round, a `not` dropped. Texts, errors, annotations \
+and decorators are left alone. Breaks are drawn at random with a seed, so that a share is an \
+estimate for all that could be broken. Against each break run the quick tests that execute its \
+line, until one fails; figures and chapters, whose tests take longer, are not asked. A break \
+that makes a test hang counts as caught ({hung} of them).
+
+| | |
+| --- | --: |
+| breaks, in {modules} modules | {all} |
+| caught | {caught} |
+| **share caught, of all** | **{share}** |
+| survived and change nothing, or only time and memory | {same} |
+| **share caught, of those that change something** | **{share_other}** |
+| survived and change something of which nothing is promised | {immaterial} |
+| survived otherwise: holes in the tests | {left} |
+"""
+_FOOT = """
+A survivor *without a test* stands in a line that no quick test executes; against one *with more \
+tests* not all that execute its line ran, since there are many. Reasons were written by hand, in \
+[survivors.toml](survivors.toml).
+"""
+
+
+def write_page(folder: Path) -> None:
+    """Write the page from the breaks that are kept in a folder."""
+    kept = [Kept(folder, name, digest(path_of(name))) for name in numerical_parts()]
+    PAGE.write_text(page(kept, reasons(REASONS)), "utf-8", newline="\n")
+
+
+def reasons(path: Path) -> dict[tuple[str, str, str], str]:
+    """Why a break survives, by its module, the line before and the line after."""
+    found = {}
+    for entry in tomllib.loads(path.read_text("utf-8")).get("survivor", ()):
+        for after in entry["after"]:
+            found[entry["module"], entry["before"], after] = entry["reason"]
+    return found
+
+
+def page(modules: Iterable[Kept], known: dict[tuple[str, str, str], str]) -> str:
+    """The whole page in Markdown."""
+    modules = list(modules)
+    tried = [each for kept in modules for each in kept.tried]
+    survived = [each for each in tried if not each.failed]
+    same = [each for each in survived if is_same(each, known)]
+    immaterial = [each for each in survived if _first_word(each, known) == IMMATERIAL]
+    left = [each for each in survived if each not in same and each not in immaterial]
+    caught = len(tried) - len(survived)
+    text = [
+        _HEAD.format(
+            machine=machine(),
+            modules=sum(bool(kept.tried) for kept in modules),
+            hung=sum(each.failed == HUNG for each in tried),
+            all=len(tried),
+            caught=caught,
+            share=share(caught, len(tried)),
+            same=len(same),
+            share_other=share(caught, len(tried) - len(same)),
+            immaterial=len(immaterial),
+            left=len(left),
+        ),
+        _table(modules, known),
+    ]
+    text += ["## Survivors that change something\n", *_listed(left, known), _FOOT]
+    text += ["## Survivors that change what is not promised\n", *_listed(immaterial, known)]
+    text += ["## Survivors that change nothing\n", *_listed(same, known)]
+    if not_tried := [kept for kept in modules if kept.broken_before or not kept.tried]:
+        text += ["## Not tried\n", *(f"- `{kept.module}`: {_why_not(kept)}" for kept in not_tried)]
+    return "\n".join(text).rstrip("\n") + "\n"
+
+
+def is_same(each: Tried, known: dict[tuple[str, str, str], str]) -> bool:
+    """Whether a reason says that a break changes nothing."""
+    return _first_word(each, known) in SAME
+
+
+def _first_word(each: Tried, known: dict[tuple[str, str, str], str]) -> str:
+    return reason(each, known).split(":")[0]
+
+
+def reason(each: Tried, known: dict[tuple[str, str, str], str]) -> str:
+    return known.get((each.module, each.before, each.after), "no reason given yet")
+
+
+def share(part: int, whole: int) -> str:
+    """A share that never reads 100 % where something is missing."""
+    return f"{int(1000 * part / whole) / 10:.1f} %" if whole else "none"
+
+
+def machine() -> str:
+    versions = ", ".join(f"{name} {version(name)}" for name in _PACKAGES)
+    return (
+        f"{date.today().isoformat()}, {platform.system()} on {platform.machine()}, "
+        f"{os.cpu_count()} cores, Python {platform.python_version()}, {versions}."
+    )
+
+
+def _table(modules: list[Kept], known: dict[tuple[str, str, str], str]) -> str:
+    rows = [
+        "| module | breaks | caught | share | survive, the same | survive | share of others |",
+        "| --- | --: | --: | --: | --: | --: | --: |",
+    ]
+    for kept in modules:
+        count, survived = len(kept.tried), kept.survived
+        if not count:
+            continue
+        same = sum(is_same(each, known) for each in survived)
+        caught = count - len(survived)
+        rows.append(
+            f"| `{kept.module}` | {count} | {caught} | {share(caught, count)} | {same} "
+            f"| {len(survived) - same} | {share(caught, count - same)} |"
+        )
+    return "\n".join(rows) + "\n"
+
+
+def _listed(survived: list[Tried], known: dict[tuple[str, str, str], str]) -> list[str]:
+    by_module = defaultdict(list)
+    for each in survived:
+        by_module[each.module].append(each)
+    lines = []
+    for module, group in by_module.items():
+        lines.append(f"### {module}\n")
+        for each in group:
+            told = reason(each, known)
+            tests = "" if each.tests else ", without a test"
+            more = "" if each.complete else ", with more tests"
+            lines.append(f"- line {each.line}, {each.kind}{tests}{more}: {told}")
+            lines += ["  ```diff", f"  - {each.before}", f"  + {each.after}", "  ```"]
+        lines.append("")
+    return lines
+
+
+def _why_not(kept: Kept) -> str:
+    if kept.broken_before:
+        return f"{kept.broken_before} fails without a break"
+    return "nothing in it could be broken, or it was left out"
