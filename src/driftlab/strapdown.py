@@ -126,7 +126,8 @@ def navigate(
     Raises
     ------
     ValueError
-        If shapes do not fit, n is odd or not a multiple of `every`, or the start is at a pole.
+        If shapes do not fit, n is odd or not a multiple of `every`, the start is at a pole, inside
+        the Earth or past the Moon, or something is faster than light.
 
     See Also
     --------

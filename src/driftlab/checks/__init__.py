@@ -13,13 +13,15 @@ from ._arrays import (
     common_leading_axes as common_leading_axes,
     finite_array as finite_array,
     finite_arrays as finite_arrays,
-    nonzero_vectors as nonzero_vectors,
-    one_quaternion as one_quaternion,
     positive_array as positive_array,
-    unit_quaternions as unit_quaternions,
     whole_pairs as whole_pairs,
 )
 from ._deviations import usual_deviation as usual_deviation
+from ._directions import (
+    nonzero_vectors as nonzero_vectors,
+    one_quaternion as one_quaternion,
+    unit_quaternions as unit_quaternions,
+)
 from ._error_matrices import (
     LARGEST_SCALE as LARGEST_SCALE,
     error_matrix as error_matrix,
