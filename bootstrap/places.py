@@ -14,14 +14,18 @@ PLACES = {
     "MPLCONFIGDIR": "matplotlib",  # a list of the computer's fonts
 }
 """Variables, and the folders in OWN they name; ~/.jupyter stays, it has the user's settings."""
+SECRET = ("JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR")
+"""Where keys lie: of kernels, cookies and trusted notebooks."""
 
 
 def own_places() -> dict[str, str]:
     """Return the variables that keep files in OWN, but those that the user has set.
 
-    None, if nobody but the user can be kept out of there, as on most sticks, or if it is another
-    user's: keys of kernels lie there. What is in HOME is used then, as without this.
+    None, if others cannot be kept out of there, as on most sticks, or if it is another user's.
+    What is in HOME is used then, as it is on Windows for what is secret: whom a folder there is
+    open to is not found out.
     """
+    used = {name: str(OWN / folder) for name, folder in PLACES.items()}
     try:
         OWN.mkdir(exist_ok=True)
         if os.name != "nt":
@@ -31,4 +35,6 @@ def own_places() -> dict[str, str]:
                 return {}
     except OSError:
         return {}
-    return {name: str(OWN / folder) for name, folder in PLACES.items() if name not in os.environ}
+    if os.name == "nt":
+        used = {name: folder for name, folder in used.items() if name not in SECRET}
+    return {name: folder for name, folder in used.items() if name not in os.environ}

@@ -32,6 +32,8 @@ def test_neither_solutions_nor_pages_for_teachers_are_in_it(copy: Path) -> None:
     names = {path.relative_to(copy).as_posix() for path in copy.rglob("*")}
     assert {"lab.py", "notebooks/03_systematic_drift.ipynb", "LICENSE"} <= names
     assert not [n for n in names if re.search(r"solutions|instructors|^tests|^site|\.pyc$", n)]
+    # Whoever unpacks a newer one over the folder keeps all answers, and what is set up.
+    assert not [n for n in names if re.search(r"^my-book|^\.venv|^\.jupyter|guesses\.json$", n)]
     written = "\n".join(
         path.read_text("utf-8") for path in copy.rglob("*") if path.suffix in (".ipynb", ".md")
     )

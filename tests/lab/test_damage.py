@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import pytest
 from tiny_project import ROOT, load
 
+pytestmark = pytest.mark.xdist_group("lab")
 RECORD = """\
 sixth/__init__.py,sha256=ab,3
 "sixth/a, b.so",sha256=ab,5

@@ -13,7 +13,7 @@ pytestmark = [
     pytest.mark.xdist_group("lab"),
     pytest.mark.skipif(os.name == "nt", reason="a console of Windows ends them"),
 ]
-ENDS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL]
+ENDS = ["SIGINT", "SIGTERM", "SIGHUP", "SIGKILL"]
 # It leaves the number of its process and waits for a stop, as JupyterLab does.
 WAITING_JUPYTERLAB = """
 def start():
@@ -54,8 +54,8 @@ def numbers_in(folder: Path) -> list[int]:
     return [int(word) for word in (folder / "number").read_text("utf-8").split()]
 
 
-@pytest.mark.parametrize("end", [signal.SIGTERM, signal.SIGKILL], ids=lambda end: end.name)
-def test_jupyterlab_ends_in_order(copied: Path, end: signal.Signals) -> None:
+@pytest.mark.parametrize("end", ["SIGTERM", "SIGKILL"])
+def test_jupyterlab_ends_in_order(copied: Path, end: str) -> None:
     load(copied).environment.set_up()  # it was moved
     with (copied / "src/jupyterlab/labapp.py").open("a", encoding="utf-8") as file:
         file.write(WAITING_JUPYTERLAB)
@@ -63,7 +63,7 @@ def test_jupyterlab_ends_in_order(copied: Path, end: signal.Signals) -> None:
     with subprocess.Popen(call, stdout=subprocess.PIPE, encoding="utf-8") as process:
         (server,) = numbers_in(copied)
         assert is_alive(server)
-        process.send_signal(end)
+        process.send_signal(getattr(signal, end))
         try:
             assert comes_true(lambda: not is_alive(server), 20)
         finally:
@@ -72,8 +72,8 @@ def test_jupyterlab_ends_in_order(copied: Path, end: signal.Signals) -> None:
         assert "in order" in process.stdout.read()
 
 
-@pytest.mark.parametrize("end", ENDS, ids=lambda end: end.name)
-def test_a_step_ends_with_all_that_it_started(tiny: Path, end: signal.Signals) -> None:
+@pytest.mark.parametrize("end", ENDS)
+def test_a_step_ends_with_all_that_it_started(tiny: Path, end: str) -> None:
     """The lock is free when lab.py is gone: whoever starts next is alone."""
     steps = tiny / "steps.py"
     steps.write_text(STEPS, "utf-8")
@@ -81,7 +81,7 @@ def test_a_step_ends_with_all_that_it_started(tiny: Path, end: signal.Signals) -
     with subprocess.Popen([sys.executable, "-c", code], stderr=subprocess.DEVNULL) as process:
         numbers = numbers_in(tiny)
         assert all(map(is_alive, numbers))
-        process.send_signal(end)
+        process.send_signal(getattr(signal, end))
         process.wait(20)
         try:
             assert comes_true(lambda: not any(map(is_alive, numbers)), 5)

@@ -147,7 +147,11 @@ def test_lists_of_many_archives_in_one_are_bounded_together(tmp_path, monkeypatc
     assert 4 <= notes.count("The archive has too many entries to be read.") < 9
 
 
-@pytest.mark.parametrize("content", [zipped({}), b"PK\3\4 nothing", crowded(100_000)])
+@pytest.mark.parametrize(
+    "content",
+    [zipped({}), b"PK\3\4 nothing", crowded(100_000)],
+    ids=["empty", "broken", "crowded"],  # or pytest would write out five megabytes as a name
+)
 def test_one_archive_that_cannot_be_read_is_told_in_a_sentence(tmp_path, content):
     put(tmp_path, {"class.zip": content})
     with pytest.raises(

@@ -4,6 +4,7 @@ import json
 import math
 import os
 import re
+from dataclasses import replace
 
 import nbformat
 import numpy as np
@@ -125,6 +126,25 @@ def test_first_guess_stays(empty_folder):
     assert "you <b>10 m</b>" in again.answer.value
     assert "that you made first" in again.answer.value
     assert os.listdir(empty_folder) == [FILE]  # nothing is left of the writing
+
+
+def test_who_is_killed_while_a_guess_is_written_has_those_before(empty_folder, monkeypatch):
+    class Killed(BaseException):
+        pass
+
+    def killed(*_):
+        raise Killed
+
+    keep(PUZZLE, [10.0, "left"])
+    before = (empty_folder / FILE).read_bytes()
+    another = replace(PUZZLE, chapter="04")
+    with monkeypatch.context() as at_the_end:
+        at_the_end.setattr(os, "replace", killed)
+        with pytest.raises(Killed):
+            keep(another, [20.0, "left"])
+    assert (empty_folder / FILE).read_bytes() == before
+    keep(another, [20.0, "left"])
+    assert [kept_guess(one)[1][0] for one in (PUZZLE, another)] == [10.0, 20.0]
 
 
 def test_looking_without_a_guess_is_said_and_kept():
