@@ -224,6 +224,13 @@ def test_only_whole_turns(function, turns):
 def test_error_of_no_rotation_at_all_is_refused():
     with pytest.raises(ValueError, match=r"^error_quaternion: expected nonzero quaternions"):
         turn_estimate(np.zeros(4), [1, 0, 0])
+    with pytest.raises(ValueError, match=r"^error_quaternion: expected nonzero quaternions"):
+        turn_estimate([[0, 0, 0, 1], [0, 0, 0, 0]], [1, 0, 0])
+
+
+def test_one_error_of_half_a_turn_across_the_axis_is_refused_among_others():
+    with pytest.raises(ValueError, match=r"^error_quaternion: .*, got half a turn across\.$"):
+        turn_estimate([[0, 0, 0, 1], [0, 1, 0, 0]], [1, 0, 0])
 
 
 @pytest.mark.parametrize(

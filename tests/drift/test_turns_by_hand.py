@@ -4,9 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.stats import t
 
 from driftlab.drift.missed_stops import near_turns
-from driftlab.drift.turns_by_hand import HandTurn, fit_hand_turns, hand_turns
+from driftlab.drift.turns_by_hand import HandTurn, HandTurnFit, fit_hand_turns, hand_turns
 
 REST = np.zeros((40, 3))
 
@@ -93,6 +94,15 @@ def test_rests_tell_the_bias_along_and_take_out_the_square_of_that_across(bias):
     assert np.allclose(fit.offset, 10 * bias[2], rtol=1e-12)
     assert fit.degrees_of_freedom == 0
     assert np.isnan(fit.stop_deviation)
+
+
+@pytest.mark.parametrize("confidence", [0.5, 0.99])
+def test_intervals_are_those_of_student(confidence):
+    sigma, offset = np.array([2e-3, 5e-3]), np.array([1e-5, 3e-5])
+    fit = HandTurnFit((0, 2), np.zeros(2), np.zeros(2), sigma, offset, 0.01, 5)
+    for found, deviation in zip(fit.half_widths(confidence), (sigma, offset), strict=True):
+        low, high = t.interval(confidence, 5, 0.0, deviation)
+        np.testing.assert_allclose([-found, found], [low, high], rtol=1e-9)
 
 
 STOP = 0.003

@@ -296,6 +296,13 @@ def test_words_are_sign_angle_and_axis():
     np.testing.assert_allclose([a for _, a in turns], np.radians([90, -12.25, 720]), rtol=EPS)
 
 
+def test_a_word_has_ten_turns_at_most():
+    _, angle = Scheme("-3600X").turns[0]
+    assert angle == pytest.approx(-20 * np.pi)
+    with pytest.raises(ValueError, match=r"^rotations: .* at most 3600 degrees .*'-3600\.5X'\.$"):
+        Scheme("-3600.5X")
+
+
 def test_scheme_cannot_be_changed():
     with pytest.raises(FrozenInstanceError):
         MIXED.dwell = 1.0

@@ -3,7 +3,8 @@
 A break is a change of a few letters in one place, so the page can show the line before and after.
 Left alone is what calculates nothing: texts and all that is raised, annotations, decorators,
 ``__repr__`` and ``__str__``, f-strings, imports, blocks for type checkers, the `stacklevel` of a
-warning, and the `strict` of a `zip`, which only guards.
+warning, and the `strict` of a `zip`, which only guards. Left alone is also what surely does the
+same: the two arguments of a maximum, the two axes that are swapped, the -1 of a reshape.
 """
 
 import ast
@@ -29,6 +30,10 @@ _COMPARISONS: dict[type[ast.cmpop], tuple[str, tuple[str, ...]]] = {
     ast.GtE: (">=", (">", "<")), ast.Eq: ("==", ("!=",)), ast.NotEq: ("!=", ("==",)),
     ast.Is: ("is", ("is not",)), ast.IsNot: ("is not", ("is",)),
     ast.In: ("in", ("not in",)), ast.NotIn: ("not in", ("in",)),
+}  # fmt: skip
+_SYMMETRIC = {
+    "max", "min", "maximum", "minimum", "hypot", "union1d", "vecdot", "broadcast_shapes",
+    "logical_and", "logical_or", "add",
 }  # fmt: skip
 _UNTOUCHED_ARGUMENTS = {"stacklevel", "strict"}
 _UNTOUCHED_FUNCTIONS = {"__repr__", "__str__"}
@@ -290,11 +295,29 @@ class _Finder(ast.NodeVisitor):
         self.visit(node.value)
 
     def visit_Call(self, node: ast.Call) -> None:
+        name = getattr(node.func, "attr", getattr(node.func, "id", ""))
         for first, second in zip(node.args, node.args[1:], strict=False):
+            if name in _SYMMETRIC or (name == "swapaxes" and second is not node.args[1]):
+                continue
+            if name == "einsum" and first is node.args[1] and _same_indices(node.args[0]):
+                continue
             # An array where a name belongs fails at once and would only please the count.
             if not any(isinstance(each, ast.Starred) or _is_text(each) for each in (first, second)):
                 self._swap("swapped arguments", first, second)
-        self.generic_visit(node)
+        for part in (node.func, *node.keywords):
+            self.visit(part)
+        for argument in node.args:
+            # Any negative number stands for what is left, not only -1.
+            if name != "reshape" or not isinstance(argument, ast.UnaryOp):
+                self.visit(argument)
+
+
+def _same_indices(subscripts: ast.expr) -> bool:
+    """Whether an einsum treats its first two arrays alike."""
+    if not isinstance(subscripts, ast.Constant) or not isinstance(subscripts.value, str):
+        return False
+    first, second, *_ = [*subscripts.value.split("->")[0].split(","), ""]
+    return first == second
 
 
 def _is_text(node: ast.expr) -> bool:

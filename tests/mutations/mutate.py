@@ -14,8 +14,8 @@ calculate here. Neither draws a sample. What coverage.py does well is left to it
 """
 
 import argparse
+import hashlib
 import json
-import random
 import sys
 import time
 from collections.abc import Iterator
@@ -29,7 +29,7 @@ from types import CodeType
 from typing import NamedTuple
 
 import pytest
-from break_part import Break, breaks, broken_code
+from break_part import Break, breaks, broken_code, line_before_and_after
 from broken_run import run_broken
 from clean_run import run_clean
 from kept_breaks import HUNG, Kept, Tried, digest
@@ -79,9 +79,13 @@ def arguments(given: list[str] | None = None) -> argparse.Namespace:
 
 def sample(module: str, source: str, seed: int, most: int) -> Iterator[tuple[Break, CodeType]]:
     """So many breaks that do something else; a larger sample begins with the smaller one."""
-    drawn = breaks(source)
-    random.Random(f"{seed} {module}").shuffle(drawn)
-    for change in drawn:
+
+    def place(change: Break) -> bytes:
+        # By what the line says, so that a change elsewhere draws no others.
+        said = line_before_and_after(source, change)
+        return hashlib.sha256(repr((seed, module, change.kind, *said)).encode()).digest()
+
+    for change in sorted(breaks(source), key=place):
         code = broken_code(source, change, str(path_of(module)))
         if code is not None:
             yield change, code

@@ -13,7 +13,7 @@ from hypothesis import Phase, settings
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "src/driftlab"
-LONG = ("browser", "kernel", "setup", "slow")
+LONG = ("browser", "kernel", "setup")
 ARGUMENTS = (
     *("-q", "--tb=no", "--assert=plain", "-p", "no:cacheprovider", "-p", "no:xdist"),
     *("--hypothesis-profile=mutations", "-m", " and ".join(f"not {mark}" for mark in LONG)),

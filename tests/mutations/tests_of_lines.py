@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from coverage import CoverageData
-from quietly import PACKAGE, ROOT
+from quietly import ARGUMENTS, PACKAGE, ROOT
 
 TESTS = ROOT / "tests"
 # These look at the door, the files of the project and whole notebooks, not at numbers.
@@ -64,7 +64,7 @@ def record_of(tests: str, folder: Path) -> tuple[Path, Path]:
 @cache
 def _package_digest() -> bytes:
     shared = [TESTS / "conftest.py", TESTS / "support.py"]
-    read = hashlib.sha256()
+    read = hashlib.sha256(repr(ARGUMENTS).encode())
     for path in (*sorted(PACKAGE.rglob("*.py")), *shared):
         read.update(path.read_bytes())
     return read.digest()
