@@ -207,6 +207,9 @@ def no_numbers(slot: Slot) -> Iterator[Change]:
 
 # Where a large number asks for as many steps.
 ENDLESS = {"integrate_riccati.times"}
+# Powers of ten by which a duration or an interval asks for more steps than can be, and is refused;
+# with less it would be answered, and take as long.
+TOO_MANY = 12
 
 
 def _one(value: np.ndarray, place: int, number: float) -> np.ndarray:
@@ -245,6 +248,8 @@ def other_numbers(slot: Slot, exponent: int, place: int) -> Iterator[Change]:
         return
     if f"{slot.door.name}.{slot.name}" in ENDLESS:
         exponent = min(exponent, 0)
+    if slot.kind == "number" and exponent:
+        exponent = max(abs(exponent), TOO_MANY) * (1 if exponent > 0 else -1)
     scaled = _scaled(right, exponent)
     if slot.kind == "number":
         for number in (0.0, -0.0, -right, 5e-324, LARGEST_NUMBER, float(scaled), right + place):
