@@ -78,6 +78,18 @@ def test_a_variable_misleads_no_command(
     assert (done.code, done.complained, done.said.strip()) == (0, "", "figures drawn")
 
 
+def test_what_lab_py_starts_belongs_to_its_own_environment(
+    tiny: Path, misleading: dict[str, str | None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("PYTHONPATH", "PYTHONHOME", "VIRTUAL_ENV", "PATH"):
+        monkeypatch.setenv(name, str(misleading[name]))
+    steps = load(tiny).steps
+    around = steps.surroundings()
+    assert not {"PYTHONPATH", "PYTHONHOME"} & around.keys()
+    assert around["VIRTUAL_ENV"] == str(tiny / ".venv")
+    assert around["PATH"] == str(tiny / ".venv" / steps.BIN)
+
+
 def test_a_home_that_cannot_be_made_stops_nothing(copied: Path) -> None:
     """The book opens, from its own places, and brings clean notebooks."""
     nowhere = str(copied / "lab.py" / "home")
