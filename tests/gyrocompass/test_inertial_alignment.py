@@ -274,6 +274,7 @@ def test_wahbas_rotation_is_scipys():
     given, wanted = rng.standard_normal((2, 7, 20, 3))
     weights = rng.uniform(size=20)
     found = wahba_rotation(given, wanted, weights)
+    assert (found[:, 3] > 0).all()  # of the two quaternions of a rotation always the same
     for one, first, second in zip(found, given, wanted, strict=True):
         peer, _ = Rotation.align_vectors(second, first, weights)
         assert (Rotation.from_quat(one) * peer.inv()).magnitude() < 1e-7
