@@ -232,7 +232,7 @@ def test_times_go_to_half_of_the_record(length):
     halves = [rates[i + 10 : i + 20].mean() - rates[i : i + 10].mean() for i in range(length - 19)]
     assert found.deviation[1] == pytest.approx(np.sqrt(np.mean(np.square(halves)) / 2))
     with pytest.raises(ValueError, match=r"averaging_times: .* to half of the record, 1 s"):
-        allan_deviation(rates, 0.1, [1.1])
+        allan_deviation(rates, 0.1, [0.1, 1.1])
 
 
 def test_a_silent_sensor_has_no_deviation():

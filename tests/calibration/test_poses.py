@@ -146,6 +146,19 @@ def test_derivatives_are_those_of_the_residuals():
             np.testing.assert_allclose(exact[:, k], slope, rtol=1e-6, atol=coning)
 
 
+def test_a_move_is_compared_across_gravity_as_it_is_felt_afterwards():
+    true, rows = by_hand(moves=5)
+    model = PoseModel(poses_of(log(true), rows))
+    force = model.poses.force[model.poses.open + 1]
+    across = np.concatenate([model._planes, unit_vectors(force)[:, np.newaxis]], axis=1)
+    squares = across @ np.swapaxes(across, 1, 2)
+    np.testing.assert_allclose(squares, np.broadcast_to(np.eye(3), squares.shape), atol=1e-14)
+
+
+def unit_vectors(vectors):
+    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
+
+
 RUNS = 30
 
 

@@ -274,6 +274,7 @@ def test_wahbas_rotation_is_scipys():
     given, wanted = rng.standard_normal((2, 7, 20, 3))
     weights = rng.uniform(size=20)
     found = wahba_rotation(given, wanted, weights)
+    assert (found[:, 3] > 0).all()  # of the two quaternions of a rotation always the same
     for one, first, second in zip(found, given, wanted, strict=True):
         peer, _ = Rotation.align_vectors(second, first, weights)
         assert (Rotation.from_quat(one) * peer.inv()).magnitude() < 1e-7
@@ -297,6 +298,20 @@ def test_windows_are_blind_to_a_parabola_and_know_white_velocity():
     assert np.allclose(-np.linalg.slogdet(inverses)[1], log_determinants)
     assert (mixtures > 0).all()
     assert np.isfinite(mean_deviation(np.zeros((2000, 2)), _DENSITIES))
+
+
+def test_windows_know_the_covariance_of_each_noise():
+    """White samples, differenced or summed up, as the means under the windows show them."""
+    steps = 1800
+    blind, inverses, _, mixtures = _mixtures(8)
+    windows = blind.T @ _windows(np.eye(steps), 8)
+    sums = np.tril(np.ones((steps, steps))) / steps
+    ways = steps * np.diff(np.eye(steps + 1), axis=0), np.eye(steps), sums, sums @ sums
+    kinds = np.stack([steps * (windows @ way) @ (windows @ way).T for way in ways])
+    expected = np.tensordot(mixtures, kinds, 1)
+    missed = np.linalg.norm(np.linalg.inv(inverses) - expected, axis=(1, 2))
+    # Windows of so few points as are used know the roughest of them to some percent.
+    assert (missed < 0.03 * np.linalg.norm(expected, axis=(1, 2))).all()
 
 
 # Contract
