@@ -9,12 +9,12 @@ from scipy.constants import degree, g, hour, micro
 
 import covariance_by_hand
 from covariance_by_hand import ARC_SECOND, LATITUDE, deviations
-from driftlab.calibration.covariance import covariance_analysis
+from driftlab.calibration.covariance import covariance_analysis, deviation_history
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.simulation import TableTrial
 from driftlab.imu import ImuNoise, PriorDeviations
-from driftlab.motion.scheme import NINETEEN_POSITIONS
+from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
 AVERAGED = ERROR_MODELS["averaged"]
 
@@ -63,3 +63,11 @@ def test_deviations_are_those_that_a_third_hand_found() -> None:
         np.testing.assert_allclose(found[states] / unit, values, rtol=0, atol=5.001e-4)
     biases = found[6:9] / (degree / hour)
     assert 0.00765 < biases.min() < biases.max() < 0.00825
+
+
+def test_what_is_measured_almost_exactly_has_no_deviation_that_is_no_number():
+    """Its variance is then of the size of the rounding, and may be negative."""
+    turns = Scheme("+90Y +90Y +90Y", ("Up", "East", "North"))
+    linearized = linearize_along(turns, 0.7, ERROR_MODELS["averaged"])
+    history = deviation_history(linearized, ImuNoise(), PriorDeviations(), update=1e-50)
+    assert np.isfinite(history).all()

@@ -120,7 +120,8 @@ def deviation_history(
            [100.,   7.]])
     """
     steps = _covariances(linearized, noise, prior, update)
-    return np.sqrt([np.diag(covariance) for covariance in steps])
+    # What is measured almost exactly has a variance of the size of the rounding, of either sign.
+    return np.sqrt([np.maximum(np.diag(covariance), 0.0) for covariance in steps])
 
 
 def _covariances(
