@@ -171,6 +171,16 @@ def test_samples_follow_the_unit_of_time(name):
     np.testing.assert_allclose(part, 0.25 ** POWERS[name] * whole, rtol=1e-13)
 
 
+def test_samples_are_means_over_an_interval():
+    ramp = NoiseTerms(rate_ramp=2.0).samples(3, 0.5, np.random.default_rng(1))
+    np.testing.assert_array_equal(ramp, [0.5, 1.5, 2.5])
+    # The mean of a walk has a third of the variance of its end.
+    runs = 400_000
+    walks = PURE["rate_random_walk"].samples(2, 0.5, np.random.default_rng(1), runs)
+    variance = np.mean(walks**2, axis=0)
+    np.testing.assert_allclose(variance, [0.5 / 3, 0.5 * 4 / 3], rtol=4.9 * np.sqrt(2 / runs))
+
+
 def test_covariance_of_the_variances_does_not_depend_on_the_unit_of_time():
     counts, powers = np.array([1, 4, 16]), np.array(list(POWERS.values()))
     squares = np.array([2.0, 3.0, 5.0, 0.7, 1e-3])

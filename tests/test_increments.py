@@ -197,6 +197,16 @@ def test_what_is_no_row_of_increments_is_refused_by_name(bad, words):
             refusing(GOOD._replace(**bad))
 
 
+@pytest.mark.parametrize("name", ["gyro_error", "accelerometer_error"])
+def test_nothing_is_taken_out_of_a_flat_triad(name):
+    errors = UNIT._replace(**{name: np.diag([0.0, 0.0, 1.0])})
+    twice = compensate(measure(GOOD, errors), errors)
+    np.testing.assert_allclose(twice.angle, GOOD.angle, rtol=0, atol=1e-14)
+    words = f"^{name}: expected a triad I \\+ K that spans space, got a flat one"
+    with pytest.raises(ValueError, match=words):
+        compensate(GOOD, UNIT._replace(**{name: -np.diag([0.0, 0.0, 1.0])}))
+
+
 def test_a_bare_tuple_is_refused():
     """Two arrays without their interval would otherwise be taken for an interval and an array."""
     with pytest.raises(

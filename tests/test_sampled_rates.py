@@ -153,6 +153,13 @@ def test_one_interval_may_be_all_of_the_time():
     np.testing.assert_allclose(found, 8 * np.ones((1, 3)), rtol=1e-13)
 
 
+def test_a_time_that_is_none_is_refused():
+    times = np.datetime64("2026-05-01T12:00:00") + np.arange(9)
+    times[4] = np.datetime64("NaT")
+    with pytest.raises(ValueError, match=r"^times: expected "):
+        increments_from_rates(np.ones((9, 3)), 1.0, times=times)
+
+
 def test_dates_and_times_are_seconds_since_the_first():
     rates = CONE.rate(np.arange(200) / 100)
     times = np.datetime64("2026-05-01T12:00:00.000", "ms") + 10 * np.arange(200)

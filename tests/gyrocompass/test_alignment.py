@@ -294,6 +294,8 @@ def test_a_vertical_body_has_no_heading_error():
         alignment_errors(0.0, np.pi / 2, LATITUDE, GYRO_BIAS, ACCELEROMETER_BIAS)
     with pytest.raises(ValueError, match=r"^pitch: expected at most 89.9 degrees"):
         heading_error_of_attitude([1e-3, 0, 0], 0.0, -np.pi / 2)
+    with pytest.raises(ValueError, match=r"^pitch: expected at most 89.9 degrees.* got 90"):
+        heading_error_of_attitude([1e-3, 0, 0], 0.0, [0.1, np.pi / 2, -0.3])
 
 
 def test_a_body_that_outruns_the_earth_has_no_compass():
