@@ -6,6 +6,7 @@ import hashlib
 import json
 from collections.abc import Iterable
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 from typing import NamedTuple
 
@@ -46,6 +47,8 @@ class Covered(NamedTuple):
 def test_files() -> list[str]:
     """Files of tests that numbers of the package can fail."""
     found = [path for folder in _FOLDERS for path in sorted((TESTS / folder).glob("test_*.py"))]
+    if find_spec("numba"):
+        found.append(TESTS / "peers/test_compiled.py")
     return [path.relative_to(ROOT).as_posix() for path in found if path.stem not in _APART]
 
 

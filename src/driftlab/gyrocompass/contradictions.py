@@ -18,6 +18,7 @@ from driftlab.checks import FloatArray, finite_arrays, shown, truth_value
 from driftlab.earth import EARTH_RATE, checked_latitude
 
 NOT_KNOWN = np.array(np.nan)
+NOT_KNOWN.setflags(write=False)
 NOTHING_KNOWN = np.pi / np.sqrt(3)
 """Standard deviation of a heading of which nothing is known, rad: 104 degrees."""
 _DEG_PER_HOUR = np.radians(1) / 3600
