@@ -8,6 +8,7 @@ import pytest
 from scipy.constants import arcsecond, degree, g, hour, micro
 
 from driftlab.calibration import FULL, InnovationTest
+from driftlab.calibration._doubt import LARGE_BIAS, TAKE_THE_MEAN, _advice
 from driftlab.calibration._evidence import Evidence, Expected, evidence, thinned
 from driftlab.calibration._innovations import (
     beyond_prior,
@@ -15,6 +16,7 @@ from driftlab.calibration._innovations import (
     normalised_innovations,
     second_order,
 )
+from driftlab.calibration._judge import Judge, Told
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
@@ -264,3 +266,68 @@ def test_second_order_is_the_square_of_the_largest_error_over_the_least_deviatio
     state[:, -1, scale[2]] = [1e-3, -3e-3]
     state[:, 0] = 1.0  # of the beginning nothing counts
     assert second_order(passes(state, deviations)) == pytest.approx(9e-6 / 4e-6)
+
+
+# The judge's latitude and advice
+
+
+class LinearJudge(Judge):
+    """One whose filter has innovations that are linear in the latitude."""
+
+    true, slope, rest = 0.5, np.array([[3.0, 0.0, 4.0]]), np.array([[0.8, 5.0, -0.6]])
+    steps = (1e-3, 0.1)
+
+    def _run(self, other, model, deviation, longest):
+        found = self.slope * (other.latitude - self.true) + self.rest
+        return None, SimpleNamespace(innovations=found)
+
+
+def judge(kind):
+    return kind(Told(None, UNTURNED, 0.0), None, np.zeros(1), None, None, FULL, None)
+
+
+@pytest.mark.parametrize("latitude", [0.45, 0.5, 0.55])
+def test_latitude_is_that_of_the_least_innovations(latitude):
+    found, deviation = judge(LinearJudge).latitude(Told(None, UNTURNED, latitude))
+    assert found == pytest.approx(0.5, abs=1e-9)
+    assert deviation == pytest.approx(1 / 5)
+
+
+@pytest.mark.parametrize("latitude", [-1.5707, 1.5707])
+def test_latitude_is_sought_away_from_the_pole_and_a_tenth_of_a_radian_at_a_time(latitude):
+    tried = []
+
+    class Near(LinearJudge):
+        def _run(self, other, *rest):
+            tried.append(other.latitude)
+            return super()._run(other, *rest)
+
+    found, _ = judge(Near).latitude(Told(None, UNTURNED, latitude))
+    assert found == pytest.approx(latitude + (0.1 if latitude < 0 else -0.1))
+    assert max(np.abs(tried)) == abs(latitude)
+
+
+def test_a_latitude_that_shows_in_nothing_is_not_known():
+    class Blind(LinearJudge):
+        slope = np.zeros((1, 3))
+
+    assert judge(Blind).latitude(Told(None, UNTURNED, 0.3)) == (0.3, np.inf)
+
+
+@pytest.mark.parametrize(
+    ("slips", "certain", "words"),
+    [
+        (["a?", "b"], None, ": a; or b?"),
+        ([], ["c?"], ": c?"),
+        (["a"], ["c?", "d?"], ": c; and d; and a?"),
+        ([], None, "; no slip is known that explains it. Are the errors larger than"),
+    ],
+)
+def test_advice_has_what_is_certain_first(slips, certain, words):
+    assert _advice(PriorDeviations(), slips, certain).startswith(words)
+
+
+@pytest.mark.parametrize("share", [0.99, 1.01])
+def test_advice_for_large_biases_is_the_mean_of_two_senses(share):
+    prior = SimpleNamespace(gyro_bias=share * LARGE_BIAS)
+    assert (TAKE_THE_MEAN in _advice(prior, [])) == (share > 1)
