@@ -17,10 +17,19 @@ from driftlab.calibration._innovations import (
     second_order,
 )
 from driftlab.calibration._judge import Judge, Told
+from driftlab.calibration._other_starts import headed, levelled, other_starts
+from driftlab.calibration._slips import _ORDERS, _interval_slip, _turned
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
-from driftlab.quaternion import conjugate, from_rotation_vector, rotate
+from driftlab.quaternion import (
+    conjugate,
+    from_rotation_vector,
+    multiply,
+    rotate,
+    to_matrix,
+    to_rotation_vector,
+)
 
 LATITUDE = 0.7
 UNTURNED = np.array([0.0, 0.0, 0.0, 1.0])
@@ -331,3 +340,88 @@ def test_advice_has_what_is_certain_first(slips, certain, words):
 def test_advice_for_large_biases_is_the_mean_of_two_senses(share):
     prior = SimpleNamespace(gyro_bias=share * LARGE_BIAS)
     assert (TAKE_THE_MEAN in _advice(prior, [])) == (share > 1)
+
+
+# Likely slips
+
+
+def test_other_meanings_of_a_start_that_come_to_the_same_are_told_together():
+    attitude = from_rotation_vector([0.3, -0.4, 1.0])
+    found = dict(other_starts(attitude))
+    x, y, z, w = attitude
+    np.testing.assert_allclose(found["start: scalar first"], [y, z, w, x])
+    np.testing.assert_allclose(
+        found["start: from East, North, Up to the body"], conjugate(attitude)
+    )
+    # North, East, Down and East, North, Up differ by a half turn, North, Up, East by a third.
+    for name, columns in {"North, East, Down": [1, 0, 2], "North, Up, East": [2, 0, 1]}.items():
+        other = to_matrix(found[f"start: body to {name}"])
+        meant = to_matrix(attitude)[columns]
+        if name.endswith("Down"):
+            meant[2] *= -1
+        np.testing.assert_allclose(other, meant, atol=1e-12)
+    # A half turn is its own inverse, and so is what it becomes.
+    half_turn = dict(other_starts(np.array([1.0, 0.0, 0.0, 0.0])))
+    assert list(half_turn) == [
+        "start: scalar first, or scalar first, and from East, North, Up to the body",
+        "start: body to North, East, Down",
+        "start: body to North, Up, East",
+    ]
+
+
+def test_a_start_is_levelled_and_headed_by_what_is_felt():
+    true = from_rotation_vector([0.0, 0.0, 0.5])
+    wrong = from_rotation_vector([0.2, -0.1, 0.0])
+    seen = still(np.zeros(3), np.zeros(3))
+    seen = seen._replace(
+        force=rotate(conjugate(true), seen.force), rate=rotate(conjugate(true), seen.rate)
+    )
+    level = levelled(multiply(wrong, true), seen)
+    up_again = rotate(level, seen.force[0])
+    np.testing.assert_allclose(up_again / np.linalg.norm(up_again), [0, 0, 1], atol=1e-12)
+    start = headed(level, seen, LATITUDE, expected_of())
+    turn = to_rotation_vector(multiply(start, conjugate(true)))
+    assert np.abs(turn[:2]).max() < 1e-3
+    assert abs(turn[2]) <= np.radians(1.01)
+
+
+@pytest.mark.parametrize(
+    ("interval", "ratio", "words"),
+    [
+        (10.0, 1.05e-3, "interval: milliseconds taken for seconds"),
+        (1e4, 0.95e-6, "interval: microseconds taken for seconds"),
+        (0.1, 2.0, "0.2 s instead of 0.1 s, by gravity, or accelerometers with that error of sca"),
+        (0.1, 0.5, "0.05 s instead of 0.1 s, by gravity, or accelerometers with that error of s"),
+        (0.1, 1 - 3.1e-7 * 2000, "by gravity, or a place 2000 m high"),
+        (0.1, 1 - 3.1e-7 * 9100, "accelerometers with that error of scale"),
+        (0.1, 1 + 1e-4, "accelerometers with that error of scale"),
+    ],
+)
+def test_an_interval_that_gravity_contradicts_is_explained(interval, ratio, words):
+    assert words in _interval_slip(interval, ratio)
+
+
+@pytest.mark.parametrize(
+    ("turn", "words"),
+    [
+        ([0.0, 0.0, -5.0], "a heading wrong by 5 degrees"),
+        ([0.3, 0.3, 5.0], "a heading wrong by 5 degrees"),
+        ([3.0, 0.0, 4.0], "an attitude wrong by 5 degrees"),
+    ],
+)
+def test_a_wrong_start_is_one_of_heading_where_it_hardly_tilts(turn, words):
+    assert _turned(np.array(turn)) == f"start: {words}"
+
+
+def test_orders_are_all_signed_permutations_but_none_at_all():
+    names, matrices = zip(*_ORDERS, strict=True)
+    assert len(set(names)) == len(matrices) == 47
+    assert len({matrix.tobytes() for matrix in matrices}) == 47
+    for name, matrix in _ORDERS:
+        assert ("left-handed" in name) == (np.linalg.det(matrix) < 0)
+        axes = dict(zip("xyz", np.eye(3), strict=True))
+        words = name.split(" would be right")[0].split(", ")
+        rows = [axes[word[-1]] * (-1 if word[0] == "-" else 1) for word in words]
+        np.testing.assert_array_equal(matrix, rows)
+        flipped = np.array_equal(matrix, np.diag([1, -1, -1]))
+        assert ("forward, right, down" in name) == flipped
