@@ -252,6 +252,7 @@ def test_a_silent_sensor_has_no_deviation():
     counts = found.averaging_times / 0.1
     # Those of a random walk, as if the noise were too small to be seen.
     np.testing.assert_allclose(found.degrees_of_freedom, np.maximum((50 - 2 * counts) / counts, 1))
+    assert allan_deviation(np.full(50, 0.3), 0.1, [2.5]).degrees_of_freedom == 1
 
 
 def test_three_samples_are_enough():

@@ -130,6 +130,20 @@ def test_nobody_changes_the_weights_of_an_algorithm():
     assert mine != dataclasses.replace(mine, coning={(0, 1): 0.6})
 
 
+def arrays_in(value):
+    """All arrays that a constant holds."""
+    if isinstance(value, np.ndarray):
+        return [value]
+    return [each for part in value for each in arrays_in(part)] if isinstance(value, tuple) else []
+
+
+@pytest.mark.parametrize("module", helper_modules(), ids=lambda module: module.__name__)
+def test_nobody_changes_a_constant_through_an_array(module):
+    for name, value in vars(module).items():
+        if name.isupper() and not name.startswith("_"):
+            assert not any(each.flags.writeable for each in arrays_in(value)), name
+
+
 def test_nobody_changes_the_rows_of_a_recording_through_it():
     rows = np.zeros((3, 3))
     record = Recording(gyro=rows, accelerometer=rows, interval=0.1, kind="rates")

@@ -540,6 +540,8 @@ def test_without_the_switch_it_ends_before_a_whole_turn():
     # The arc tangent divides errors of k by 1 + |k|^2 again.
     angles = -4 * np.arctan(solution.vector @ AXIS)
     np.testing.assert_allclose(angles, solution.time, rtol=0, atol=INTEGRATED)
+    turned = from_rotation_vector(solution.time[:, np.newaxis] * AXIS)
+    np.testing.assert_allclose(solution.attitude, turned, rtol=0, atol=INTEGRATED)
 
 
 @pytest.mark.parametrize("turns", [0.4, 1.0, 7.3])

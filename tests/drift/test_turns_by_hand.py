@@ -84,6 +84,15 @@ def test_steady_part_of_a_turn_is_no_rest():
     assert hand_turns(rows, 0.1, with_steady) == hand_turns(rows, 0.1, rests)
 
 
+def test_the_hand_is_still_at_work_at_the_ends_of_a_rest():
+    rows, rests = record(turned(0, 0, 1.0), turned(0, 0, -1.0))
+    for begin, end in rests:
+        rows[begin : begin + 10] += [0.0, 0.0, 1e-3]
+        rows[end - 10 : end] -= [0.0, 0.0, 2e-3]
+    found = hand_turns(rows, 0.1, rests)
+    assert np.allclose([each.rest_rate for each in found], 0.0, rtol=0, atol=1e-15)
+
+
 @pytest.mark.parametrize("bias", [[0.0, 0.0, 0.002], [1e-3, -8e-4, 5e-4]])
 def test_rests_tell_the_bias_along_and_take_out_the_square_of_that_across(bias):
     rows, rests = record(turned(0, 0, 1.0), turned(0, 0, -1.0))

@@ -295,6 +295,9 @@ def test_windows_are_blind_to_a_parabola_and_know_white_velocity():
     times = np.linspace(0, 1, 2000, endpoint=False)
     parabola = np.stack([times**2, 1 - times], axis=-1)
     assert np.abs(blind.T @ _windows(parabola, 16)).max() < 1e-12
+    # Each is a mean about its middle.
+    means = _windows(np.arange(170)[:, np.newaxis] + 0.5, 16)
+    np.testing.assert_allclose(means[:, 0], 10.0 * np.arange(1, 17), rtol=1e-13)
     assert np.allclose(-np.linalg.slogdet(inverses)[1], log_determinants)
     assert (mixtures > 0).all()
     assert np.isfinite(mean_deviation(np.zeros((2000, 2)), _DENSITIES))

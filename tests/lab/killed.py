@@ -165,6 +165,9 @@ PHASES: dict[str, tuple[list[str], str, dict[str, list[str]]]] = {
 """What comes before, what is killed, and what the next start does; there may be several."""
 
 
+LEFT_OUT = (".setup.", "bootstrap/", "src/")
+
+
 def files(folder: Path) -> dict[str, str]:
     """What is in a folder; where it lies, and names of processes, are left out."""
     found = {}
@@ -172,7 +175,7 @@ def files(folder: Path) -> dict[str, str]:
         name = path.relative_to(folder).as_posix()
         if path.is_symlink():
             found[name] = os.readlink(path)
-        elif path.is_file() and not name.startswith((".setup.", "bootstrap/", "src/")):
+        elif path.is_file() and path.suffix != ".pyc" and not name.startswith(LEFT_OUT):
             found[name] = path.read_text("utf-8").replace(str(folder), "HERE")
     return found
 

@@ -18,7 +18,7 @@ import hashlib
 import json
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from importlib import import_module
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection, wait
@@ -123,7 +123,7 @@ def bring_in(folder: Path) -> None:
             continue
 
 
-def list_imported(tests: list[str], listed: Path) -> None:
+def list_imported(tests: Sequence[str], listed: Path) -> None:
     pytest.main([*ARGUMENTS, "--collect-only", *tests])
     own = ("driftlab", "tests", "conftest", "support", "__")
     names = []

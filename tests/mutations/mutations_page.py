@@ -31,8 +31,8 @@ and decorators are left alone. Breaks are drawn at random with a seed, so that a
 estimate for all that could be broken. Against each break run those tests of the package's \
 subjects that execute its line, until one fails; the tests of the book, its figures, panels and \
 chapters, are not asked. A break that makes a test hang counts as caught ({hung} of them). Some \
-tests were written for what \
-had survived before, so a run with another `--seed` is the fairer question.
+tests were written for what had survived before, so a run with another `--seed` is the fairer \
+question.
 
 | | |
 | --- | --: |
@@ -45,10 +45,9 @@ had survived before, so a run with another `--seed` is the fairer question.
 | survived otherwise: holes in the tests | {left} |
 """
 _FOOT = """
-A survivor *without a test* stands in a line that none of these tests executes; against \
-one *with more tests* not all that execute its line ran, since there are many. \
-Reasons were written by hand, in \
-[survivors.toml](survivors.toml).
+A survivor *without a test* stands in a line that none of these tests executes; against one \
+*with more tests* not all that execute its line ran, since there are many. Reasons were written \
+by hand, in [survivors.toml](survivors.toml).
 """
 
 

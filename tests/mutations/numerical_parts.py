@@ -8,10 +8,10 @@ _FOLDERS = (
     "", "core", "attitude", "drift", "motion", "calibration", "gyrocompass", "monte_carlo",
     "checks", "recordings",
 )  # fmt: skip
-# What is compiled is tried beside its peers, by tests that are not run here. The others know of
+# Numba keeps compiled kernels and would take those of the unbroken source. The others know of
 # publishers, files and names, or carry runs to other processes, which would not see a break.
 _APART = {
-    "core._kernels", "core.compiled", "compilation", "conftest", "monte_carlo.workers",
+    "core._kernels", "compilation", "conftest", "monte_carlo.workers",
     "monte_carlo._kept_batches", "recordings.catalogue", "recordings.publishers",
     "checks._names", "checks._words",
 }  # fmt: skip

@@ -6,6 +6,7 @@ import hashlib
 import json
 from collections.abc import Iterable
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 from typing import NamedTuple
 
@@ -43,10 +44,14 @@ class Covered(NamedTuple):
     """Tests that execute a line; "" stands for the import."""
 
 
-def test_files() -> list[str]:
-    """Files of tests that numbers of the package can fail."""
+@cache
+def test_files() -> tuple[str, ...]:
+    """Files of tests that numbers of the package can fail, as there were at the beginning."""
     found = [path for folder in _FOLDERS for path in sorted((TESTS / folder).glob("test_*.py"))]
-    return [path.relative_to(ROOT).as_posix() for path in found if path.stem not in _APART]
+    if find_spec("numba"):
+        found.append(TESTS / "peers/test_compiled.py")
+    paths = [path for path in found if path.stem not in _APART]
+    return tuple(path.relative_to(ROOT).as_posix() for path in paths)
 
 
 @cache
