@@ -15,6 +15,7 @@ import ipywidgets as widgets
 from .control import TOOLTIP
 from .kept_guesses import keep, kept_guess
 from .language import tr
+from .one_at_a_time import one_at_a_time
 from .puzzle import Answer, Choice, Number, Puzzle, rounded
 from .revealed import CLOSE, revealed
 from .widget_view import widget_view
@@ -72,6 +73,7 @@ class NumberInput:
         """The guess, in the question's unit; None before there is one."""
         return float(self.field.value) if self._touched else None
 
+    @one_at_a_time
     def _slid(self, change: Any) -> None:
         if not self._touched and abs(change["new"] - change["old"]) < STEP / 2:
             return  # a page's own rounding, nobody's move
@@ -82,6 +84,7 @@ class NumberInput:
             value = rounded(question.low * (question.high / question.low) ** value)
         self._move(self.field, value)
 
+    @one_at_a_time
     def _typed(self, change: Any) -> None:
         self._touched = True
         value = change["new"]
@@ -147,6 +150,7 @@ class GuessControl:
             self.reveal(guess, "" if guess is None else tr(KEPT))
             self.widget.children = [self.answer]  # nobody has pressed a button
 
+    @one_at_a_time
     def take(self) -> None:
         """Keep the guess that the controls show, and show the answer."""
         guess = [each.value for each in self.inputs]

@@ -18,6 +18,7 @@ from matplotlib.text import Text
 from PIL import Image
 
 from .language import tr
+from .one_at_a_time import one_at_a_time
 from .page import Page
 from .picture import Picture
 from .sheet import STYLE, drawn_in
@@ -88,6 +89,7 @@ class MatplotlibView:
         self.picture.figure.dpi = ratio * self._dpi
         self.picture.rescaled = True  # nothing has been drawn at this size yet
 
+    @one_at_a_time
     def _ratio_told(self, _: Any) -> None:
         self._take_ratio()
         if self.widget.value:

@@ -19,6 +19,7 @@ from .control import Control
 from .control_rows import control_rows, with_class
 from .language import tr
 from .matplotlib_view import MatplotlibView
+from .one_at_a_time import one_at_a_time
 from .page import Page
 from .picture import Picture
 from .picture_file import PICTURES, ending_of, how_to_save, picture_file
@@ -161,6 +162,7 @@ class Explorer(widgets.VBox):
             for name, widget in self._widgets.items()
         }
 
+    @one_at_a_time
     def set(self, **values: Any) -> None:
         """Set some controls and redraw once.
 
@@ -216,11 +218,13 @@ class Explorer(widgets.VBox):
         path.write_bytes(picture)
         return path
 
+    @one_at_a_time
     def _moved(self, _: Any = None) -> None:
         if not self._setting:
             self._name_preset()
             self.redraw()
 
+    @one_at_a_time
     def _preset_chosen(self, change: Any) -> None:
         if change["new"] and not self._setting:
             self.set(**self._presets[change["new"]])

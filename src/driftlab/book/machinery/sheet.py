@@ -11,7 +11,6 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.resources import as_file, files
-from threading import RLock
 from typing import Any
 
 import matplotlib
@@ -20,8 +19,7 @@ from matplotlib.figure import Figure
 
 from driftlab.checks import positive_number
 
-_DRAWING = RLock()
-"""Matplotlib has one style for a whole process: threads that draw wait for each other."""
+from .one_at_a_time import ONE_AT_A_TIME
 
 COLUMN, PAGE = 3.5, 7.2
 """Widths of a column and of a page of two columns in most journals, inches."""
@@ -57,7 +55,7 @@ PRINT = matplotlib.RcParams({
 @contextmanager
 def drawn_in(style: matplotlib.RcParams) -> Iterator[None]:
     """Draw in a style, while no other thread draws in another."""
-    with _DRAWING, matplotlib.rc_context(style):
+    with ONE_AT_A_TIME, matplotlib.rc_context(style):
         yield
 
 

@@ -16,6 +16,7 @@ from driftlab.checks import FloatArray
 
 from ..control import Control
 from ..language import tr
+from ..one_at_a_time import one_at_a_time
 from ..panel import Explorer, Values
 from .spoken import translated
 from .stage import Stage
@@ -113,6 +114,7 @@ class SceneExplorer(Explorer):
         """
         raise NotImplementedError
 
+    @one_at_a_time
     def _asked(self, _: Any, message: dict[str, Any], __: Any) -> None:
         try:
             values = self.dragged(message["handle"], np.array(message["direction"], float))
