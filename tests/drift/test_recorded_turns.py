@@ -188,7 +188,7 @@ def test_one_of_several_records_that_is_cut_is_refused_and_told():
 def test_rows_that_are_left_over_turn_the_body_at_the_end():
     phase = 0.7 * np.arange(37)
     across = 0.02 * np.stack([np.cos(phase), np.sin(phase), np.zeros(37)], axis=-1)
-    rows = across + [0.0, 0.0, 2 * np.pi / 37]
+    rows = across + np.array([0.0, 0.0, 2 * np.pi / 37])
     end = multiply(integrate(rows[:36], "two-step-4")[-1], from_rotation_vector(rows[36]))
     found = recorded_turn_estimate(rows, [0, 0, 1], 1, "two-step-4")
     assert found == pytest.approx(float(turn_estimate(end, [0, 0, 1])), abs=1e-14)
