@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from scipy.constants import arcsecond, degree, g, hour, micro
+from scipy.stats import chi2
 
 from driftlab.calibration import FULL, InnovationTest
 from driftlab.calibration._doubt import LARGE_BIAS, TAKE_THE_MEAN, _advice
@@ -19,6 +20,7 @@ from driftlab.calibration._innovations import (
 from driftlab.calibration._judge import Judge, Told
 from driftlab.calibration._other_starts import headed, levelled, other_starts
 from driftlab.calibration._slips import _ORDERS, _interval_slip, _turned
+from driftlab.calibration._told_noise import _random_walk, _unit
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
@@ -177,7 +179,8 @@ def test_nothing_is_said_of_turns_by_more_than_a_right_angle_in_an_interval_and_
     rows[7, 1] = 1.6
     assert evidence(Increments(0.1, rows, rows)) is None
     assert evidence(Increments(0.1, np.zeros((3, 3)), np.zeros((3, 3)))) is None
-    assert evidence(Increments(0.1, np.zeros((4, 3)), np.zeros((4, 3)))) is not None
+    few = evidence(Increments(0.1, np.zeros((2, 4, 3)), np.zeros((2, 4, 3))))
+    np.testing.assert_array_equal(few.rest, np.zeros((2, 2)))  # of so few, none is called a rest
 
 
 @pytest.mark.parametrize(
@@ -425,3 +428,47 @@ def test_orders_are_all_signed_permutations_but_none_at_all():
         np.testing.assert_array_equal(matrix, rows)
         flipped = np.array_equal(matrix, np.diag([1, -1, -1]))
         assert ("forward, right, down" in name) == flipped
+
+
+# Noise as it is seen in rests
+
+
+def resting(rows, each, blocks, size):
+    """Increments whose blocks in each window differ by plus and minus a size about a mean."""
+    pattern = np.where(np.arange(blocks) % 2, -1.0, 1.0).repeat(each // blocks) * blocks / each
+    window = np.zeros((each, 3))
+    window[: len(pattern), 1] = size * pattern
+    return np.tile(window, (rows, 1)) + np.array([3e-4, 0.0, 0.0])
+
+
+@pytest.mark.parametrize("each", [8, 9, 3])
+def test_white_noise_is_that_of_blocks_in_windows_that_rest(each):
+    blocks = 4 if each >= 4 else each
+    part, freedom = each // blocks, 3 * (blocks - 1)
+    rows = resting(40, each, blocks, 1e-5)
+    rest = np.arange(40) < 20
+    rows[20 * each :] += np.random.default_rng(1).normal(size=(20 * each, 3))  # turns: not asked
+    shown = SimpleNamespace(rest=rest, window=0.1 * each)
+    sums = rows[:each][: blocks * part].reshape(blocks, part, 3).sum(axis=1)
+    square = float(np.sum((sums - sums.mean(axis=0)) ** 2))
+    expected = np.sqrt(square / chi2.ppf(0.5, freedom) / (part * 0.1))
+    assert _random_walk(rows, shown, 0.1) == pytest.approx(expected, rel=1e-9)
+    for count in (1, 2, 3, 4, 5, 6, 10):
+        shown.rest = np.arange(40) < count
+        assert (_random_walk(rows, shown, 0.1) is None) == (count * freedom < 30)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "words"),
+    [
+        (1.25 * np.pi / 180, ": degrees for radians, or degrees/sqrt(h) for degrees/sqrt(s)?"),
+        (np.pi / 180 / 1.25, ": degrees for radians, or degrees/sqrt(h) for degrees/sqrt(s)?"),
+        (1.25 * np.pi / 180 / 60, ": degrees/sqrt(h) for rad/sqrt(s)?"),
+        (np.pi / 180 / 60 / 1.25, ": degrees/sqrt(h) for rad/sqrt(s)?"),
+        (1.35 * np.pi / 180, ""),
+        (np.pi / 180 / 1.35, ""),
+        (1.0, ""),
+    ],
+)
+def test_noise_that_is_wrong_by_a_unit_of_angle_is_told(ratio, words):
+    assert _unit(ratio) == words

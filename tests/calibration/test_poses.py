@@ -10,6 +10,7 @@ import pytest
 from driftlab.attitude import attitude_algorithm, integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
 from driftlab.calibration import FULL, InconsistentWarning
+from driftlab.calibration._rest_noise import _row_variance, noise_of_rests
 from driftlab.calibration.body_axes import imu_errors_in_frame
 from driftlab.calibration.poses import POSE_AXES, calibrate_by_poses
 from driftlab.core.poses import UNKNOWNS, PoseModel, Poses
@@ -218,6 +219,43 @@ def test_residuals_are_as_large_as_noise_makes_them(noise):
     for total, freedom in zip(squares, freedoms, strict=True):
         low, high = chi_bounds(round(freedom))
         assert low < total / freedom < high
+
+
+def test_variance_of_rows_is_that_of_their_means():
+    samples = np.random.default_rng(3).standard_normal((100, 3)) * [1.0, 2.0, 3.0]
+    rows, width = [(0, 42), (50, 90), (92, 97)], 4
+    found, colour = _row_variance(samples, rows, width)
+    squares = [samples[b:e].var(axis=0) * (e - b) for b, e in rows]
+    white = np.sum(squares, axis=0) / (41 + 39 + 4)
+    # Ten means in each of the first two rests; of the last there is one only.
+    means = [samples[b : b + 40].reshape(10, 4, 3).mean(axis=1) for b, _ in rows[:2]]
+    slow = 4 * sum(each.var(axis=0, ddof=1) for each in means) / 2
+    np.testing.assert_allclose(found, slow, rtol=1e-12)
+    assert colour == pytest.approx(slow.sum() / white.sum())
+    found, colour = _row_variance(samples, rows, 50)
+    np.testing.assert_allclose(found, white, rtol=1e-12)
+    assert np.isnan(colour)
+
+
+def test_variances_are_those_of_means_and_of_turns():
+    true, rows = by_hand(moves=3)
+    noisy = measure(true, NO_ERRORS, NOISE, np.random.default_rng(4))
+    poses, found = poses_of(log(true), rows), []
+    lengths = np.array([[e - b] for b, e in rows])
+    for kind, share in (("increments", 1.0), ("rates", RATE)):
+        record = Recording(share * noisy.angle, share * noisy.velocity, 1 / RATE, kind)
+        told, colour = noise_of_rests(record, rows, poses, NOISE)
+        np.testing.assert_allclose(told.force, 1e-3**2 * RATE / lengths * np.ones(3))
+        np.testing.assert_allclose(told.rate, 1e-4**2 * RATE / lengths * np.ones(3))
+        np.testing.assert_allclose(told.move, 1e-4**2 / RATE * np.diff(poses.edges))
+        assert told.earth == pytest.approx(EARTH_RATE**2 / 3)
+        assert np.isnan(colour).all()
+        found.append(noise_of_rests(record, rows, poses)[0])
+        # Two means in each of four rests, of three axes: a chi-square with 12 degrees or more.
+        assert 0.3 < np.mean(found[-1].force / told.force) < 2.5
+        assert 0.3 < np.mean(found[-1].rate / told.rate) < 2.5
+    for one, other in zip(*found, strict=True):
+        np.testing.assert_allclose(one, other, rtol=1e-10)
 
 
 def test_noise_of_the_rests_is_noise_enough():

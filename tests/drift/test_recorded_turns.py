@@ -4,14 +4,16 @@ import numpy as np
 import pytest
 from scipy.constants import arcsecond, degree, hour
 
+from driftlab.attitude import integrate
 from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.systematic_drift import drift_coefficient
-from driftlab.drift.turn_calibration import earth_offset, exact_turn_estimate
+from driftlab.drift.turn_calibration import earth_offset, exact_turn_estimate, turn_estimate
 from driftlab.drift.weighing_designs import YATES_AXES, fit_turns, weighing
 from driftlab.earth import EARTH_RATE
 from driftlab.imu import NO_ERRORS, ImuNoise
 from driftlab.increments import measure
 from driftlab.motion.table_turn import TableTurn
+from driftlab.quaternion import from_rotation_vector, multiply
 from support import order_of
 
 BOTH = np.array([1.0, -1.0])
@@ -174,6 +176,27 @@ def test_a_record_of_something_else_is_refused(change, axis, turns, sentence):
     record = TableTurn(RATE, latitude=SARATOV).increments([1, 1, 0], 720).angle
     with pytest.raises(ValueError, match=f"^increments: expected angles in rad .*{sentence}"):
         recorded_turn_estimate(change(record), axis, turns)
+
+
+def test_one_of_several_records_that_is_cut_is_refused_and_told():
+    record = TableTurn(RATE, latitude=SARATOV).increments([1, 1, 0], 720).angle
+    several = np.stack([record, 0.93 * record, record])
+    with pytest.raises(ValueError, match=r"^increments: expected angles .* axis, got 0\.930"):
+        recorded_turn_estimate(several, [1, 1, 0])
+
+
+def test_rows_that_are_left_over_turn_the_body_at_the_end():
+    phase = 0.7 * np.arange(37)
+    across = 0.02 * np.stack([np.cos(phase), np.sin(phase), np.zeros(37)], axis=-1)
+    rows = across + np.array([0.0, 0.0, 2 * np.pi / 37])
+    end = multiply(integrate(rows[:36], "two-step-4")[-1], from_rotation_vector(rows[36]))
+    found = recorded_turn_estimate(rows, [0, 0, 1], 1, "two-step-4")
+    assert found == pytest.approx(float(turn_estimate(end, [0, 0, 1])), abs=1e-14)
+
+
+def test_rows_as_many_as_an_algorithm_needs_are_enough():
+    rows = [[0, 0, np.pi], [0, 0, np.pi]]
+    assert recorded_turn_estimate(rows, [0, 0, 1], 1, "rotation-vector-2") == pytest.approx(0)
 
 
 def test_the_default_is_exact_for_few_rows():

@@ -194,7 +194,7 @@ def test_2_2_misses_by_the_next_order(order):
     assert order_of(error) == pytest.approx(order + 1, abs=0.03)
 
 
-@pytest.mark.parametrize("order", [0, 3, "2"])
+@pytest.mark.parametrize("order", [0, 3, "2", 1.0, True])
 def test_unknown_order_is_refused(order):
     with pytest.raises(ValueError, match=r"^order: expected 1 or 2, got "):
         asymptotic_roots(RATE, BENT, order=order)

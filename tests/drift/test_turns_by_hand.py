@@ -150,6 +150,28 @@ def test_deviations_are_those_of_many_repetitions(senses):
     assert abs(np.mean(inside) - 0.95) < 5 * np.sqrt(0.95 * 0.05 / count)
 
 
+def test_each_axis_costs_two_degrees_of_freedom():
+    stops = STOP * np.random.default_rng(5).normal(size=5)
+    first = chain(stops, np.array([1, -1, 1, -1]))
+    later = chain(stops, np.array([1, -1, 2, -1]), axis=2)
+    later = [replace(turn, begin=turn.begin + 10, end=turn.end + 10) for turn in later]
+    fit = fit_hand_turns([*first, *later])
+    assert fit.axes == (0, 2)
+    assert fit.degrees_of_freedom == 4
+    alone = [fit_hand_turns(turns) for turns in (first, later)]
+    np.testing.assert_allclose(fit.sigma, [each.sigma[0] for each in alone])
+    # The scatter is that of all together.
+    squares = [each.stop_deviation**2 for each in alone]
+    assert fit.stop_deviation == pytest.approx(np.sqrt(np.mean(squares)))
+
+
+def test_turns_may_take_less_than_a_second():
+    quick = [
+        replace(turn, seconds=turn.seconds / 20) for turn in chain(np.zeros(3), np.array([1, -1]))
+    ]
+    assert fit_hand_turns(quick).sigma == pytest.approx(0.01, abs=0.01)
+
+
 @pytest.mark.parametrize(
     ("rests", "sentence"),
     [

@@ -432,6 +432,8 @@ def test_unit_that_stands_senses_gravity_and_the_turning_earth(q, latitude, inte
         atol=32 * EPS * 9.9 * interval,
     )
     np.testing.assert_allclose(record.attitude, np.tile(q, (count + 1, 1)), rtol=0, atol=4 * EPS)
+    np.testing.assert_array_equal(record.latitude, np.full(count + 1, latitude))
+    np.testing.assert_array_equal(record.velocity, np.zeros((count + 1, 2)))
 
 
 @pytest.mark.parametrize("place", [{}, {"altitude": 30.0}], ids=["sea level", "30 m"])

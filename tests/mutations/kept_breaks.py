@@ -55,7 +55,6 @@ class Kept:
         self.module = module
         self.broken_before = ""
         self._tried: dict[tuple[int, int, str], Tried] = {}
-        self._fresh: set[tuple[int, int, str]] = set()
         if self._path.exists():
             for line in self._path.read_text("utf-8").splitlines():
                 self._read(json.loads(line))
@@ -78,16 +77,18 @@ class Kept:
         each = Tried(**told)
         self._tried[each.place] = each
 
-    def has(self, change: Break, *, again: bool, known: Container[tuple[str, str, str]]) -> bool:
-        """Whether a break needs no run; `again` asks for survivors without a known reason."""
+    def has(self, change: Break) -> bool:
+        """Whether a break has been run."""
+        return (change.start, change.end, change.new) in self._tried
+
+    def survived_unexplained(self, change: Break, known: Container[tuple[str, str, str]]) -> bool:
+        """Whether a break survived, and nobody has said why."""
         each = self._tried.get((change.start, change.end, change.new))
-        if each is None or each.failed or not again or each.place in self._fresh:
-            return each is not None
-        return (each.module, each.before, each.after) in known
+        told = each is not None and (each.module, each.before, each.after) in known
+        return each is not None and not each.failed and not told
 
     def add(self, each: Tried) -> None:
         self._tried[each.place] = each
-        self._fresh.add(each.place)
         self.broken_before = ""
         self._write(asdict(each))
         if not each.failed:

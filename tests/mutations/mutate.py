@@ -3,8 +3,8 @@
 Of the breaks of a module (break_part.py) a seeded sample is drawn. Each is run in a forked
 process, which imports the package with that one break from memory; the tests that execute the
 broken lines run first, and the first failure ends it. Finished breaks are kept in a folder and
-are not run again while the module stays as it is; with --again those that survived without a
-reason in survivors.toml are, after new tests. Without modules named, all, and
+are not run again while the module stays as it is; with --again those, and only those, that
+survived without a reason in survivors.toml are, after new tests. Without modules named, all, and
 tests/mutations/mutations.md is written anew from all that is kept. Linux and macOS only: it forks.
 
 Why not mutmut or cosmic-ray? cosmic-ray 8.7 writes each break into the source and starts a new
@@ -20,6 +20,7 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from importlib import import_module
+from itertools import islice
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
@@ -64,7 +65,9 @@ def arguments(given: list[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=0, help="another one draws other breaks")
     parser.add_argument("--workers", type=int, default=1, help="processes")
     parser.add_argument("--patience", type=float, default=PATIENCE, help="seconds for one break")
-    parser.add_argument("--again", action="store_true", help="run what survived without a reason")
+    parser.add_argument(
+        "--again", action="store_true", help="run only what survived without a reason"
+    )
     parser.add_argument("--page", action="store_true", help="only write the page from what is kept")
     parser.add_argument("--folder", type=Path, default=FOLDER, help="where results are kept")
     options = parser.parse_args(given)
@@ -77,21 +80,17 @@ def arguments(given: list[str] | None = None) -> argparse.Namespace:
     return options
 
 
-def sample(module: str, source: str, seed: int, most: int) -> Iterator[tuple[Break, CodeType]]:
+def sample(module: str, source: str, options: argparse.Namespace) -> list[Break]:
     """So many breaks that do something else; a larger sample begins with the smaller one."""
 
     def place(change: Break) -> bytes:
         # By what the line says, so that a change elsewhere draws no others.
         said = line_before_and_after(source, change)
-        return hashlib.sha256(repr((seed, module, change.kind, *said)).encode()).digest()
+        return hashlib.sha256(repr((options.seed, module, change.kind, *said)).encode()).digest()
 
-    for change in sorted(breaks(source), key=place):
-        code = broken_code(source, change, str(path_of(module)))
-        if code is not None:
-            yield change, code
-            most -= 1
-            if not most:
-                return
+    path = str(path_of(module))
+    drawn = sorted(breaks(source), key=place)
+    return list(islice((each for each in drawn if broken_code(source, each, path)), options.breaks))
 
 
 def run_files(folder: Path, workers: int) -> None:
@@ -191,9 +190,12 @@ def tasks_of(module: str, options: argparse.Namespace, kept: Kept) -> Iterator[T
     found = covered(path_of(module), options.folder)
     known = reasons(REASONS)
     sound = not found
-    for change, code in sample(module, source, options.seed, options.breaks):
-        if kept.has(change, again=options.again, known=known):
-            continue
+    if options.again:
+        drawn = [each for each in breaks(source) if kept.survived_unexplained(each, known)]
+    else:
+        drawn = [each for each in sample(module, source, options) if not kept.has(each)]
+    for change in drawn:
+        code = broken_code(source, change, str(path_of(module)))
         chosen, complete = plan(found, change.lines, options.patience)
         task = Task(module, change, code, chosen, complete)
         if not chosen:

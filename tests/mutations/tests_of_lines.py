@@ -25,6 +25,9 @@ _FOLDERS = (
 )  # fmt: skip
 
 
+_LONG = 2.0
+
+
 class FileOfTests(NamedTuple):
     """Tests of a file in the order in which they are to run, with their processor times."""
 
@@ -125,6 +128,8 @@ def plan(
             names = set().union(*(each.lines.get(line, ()) for line in span))
             direct.append(_part(each, each.seconds.keys() & names))
             others.append(_part(each, each.seconds.keys() - names))
+    # Files whose tests take long wait, so that patience lasts for as many as may be.
+    direct.sort(key=lambda part: sum(part.seconds.values()) > _LONG)
     chosen = []
     for part in (*direct, *others):
         if not part.seconds:
