@@ -429,7 +429,7 @@ GOOD = {"recording": log(TRUE), "rests": ROWS, "gravity": GRAVITY, "noise": NOIS
         ({"rests": [*ROWS, (10**6, 10**6 + 9)]}, "^rests: expected rows in order"),
         ({"body_axes": "mine"}, "^body_axes: expected one of averaged, .*, got 'mine'"),
         ({"closed": [(3, 2)]}, "^closed: expected pairs of rests 0 to 14, the earlier"),
-        ({"closed": [(0, 99)]}, "^closed: expected pairs"),
+        ({"closed": [(0, 15)]}, "^closed: expected pairs"),
         ({"noise": 1.0}, "^noise: expected an ImuNoise"),
         ({"prior": 1.0}, "^prior: expected a PriorDeviations"),
         ({"prior": PriorDeviations(scale=0.0)}, "^prior: expected deviations above zero"),
