@@ -61,6 +61,12 @@ def test_impossible_loops_are_refused(arguments: dict[str, object], words: str) 
         level_loop(**{"gains": schuler_gains(), "gravity": GRAVITY, **arguments})  # type: ignore[arg-type]
 
 
+def test_without_noise_nothing_is_left_open() -> None:
+    assert settled_deviation(0.0, 0.02) == 0
+    with pytest.raises(ValueError, match=r"^angle_random_walk: expected a number of at least 0"):
+        settled_deviation(-1e-9, 0.02)
+
+
 @pytest.mark.parametrize("log", [False, True])
 def test_responses_solve_the_equations_of_the_loop(log: bool) -> None:
     """Tilt and integral turn as gravity, drift and the ship's way make them, one swing at a time.
