@@ -242,6 +242,15 @@ def test_last_window_is_moved_back_until_it_is_full(count):
     assert errors(SWAY, NAME, 0.02, count).max() < 1e-12
 
 
+def test_several_runs_that_do_not_fill_their_last_window_are_as_one_by_one():
+    rows = np.stack([SWAY.increments(0.01, 2 * WINDOW + 3), SWAY.increments(0.02, 2 * WINDOW + 3)])
+    runs = np.stack([rows, 0.5 * rows, -rows])
+    found = step_vectors(runs, NAME)
+    assert found.shape == runs.shape
+    for place in np.ndindex(3, 2):
+        np.testing.assert_array_equal(found[place], step_vectors(runs[place], NAME))
+
+
 def test_many_windows_go_in_blocks():
     rows = SWAY.increments(0.01, 12 * 1300)
     found = step_vectors(rows, NAME)

@@ -6,9 +6,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from scipy.constants import arcsecond, degree, g, hour, micro
-from scipy.stats import chi2
+from scipy.stats import chi2, norm
 
-from driftlab.calibration import FULL, InnovationTest
+from driftlab.calibration import FULL, Calibration, InnovationTest
 from driftlab.calibration._doubt import LARGE_BIAS, TAKE_THE_MEAN, _advice
 from driftlab.calibration._evidence import Evidence, Expected, evidence, thinned
 from driftlab.calibration._innovations import (
@@ -21,6 +21,7 @@ from driftlab.calibration._judge import Judge, Told
 from driftlab.calibration._other_starts import headed, levelled, other_starts
 from driftlab.calibration._slips import _ORDERS, _interval_slip, _turned
 from driftlab.calibration._told_noise import _random_walk, _unit
+from driftlab.calibration.consistency import CONFIDENCE, innovation_test
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments
@@ -472,3 +473,32 @@ def test_white_noise_is_that_of_blocks_in_windows_that_rest(each):
 )
 def test_noise_that_is_wrong_by_a_unit_of_angle_is_told(ratio, words):
     assert _unit(ratio) == words
+
+
+# Bounds of the innovations' tests
+
+
+def kept(rows):
+    """A calibration of which only the innovations are asked."""
+    nothing = np.zeros(1)
+    return Calibration(FULL, *[nothing] * 6, rows)
+
+
+@pytest.mark.parametrize("count", [2, 40])
+def test_bounds_are_quantiles_of_chi_square_and_of_the_normal(count):
+    rows = np.random.default_rng(3).normal(size=(count, 3))
+    test, chance = innovation_test(kept(rows)), CONFIDENCE
+    assert test.squares == pytest.approx(np.mean(rows**2))
+    low, high = chi2.interval(chance, 3 * count)
+    assert (test.lower, test.upper) == pytest.approx((low / (3 * count), high / (3 * count)))
+    assert test.mean == pytest.approx(np.sum(rows.mean(axis=0) ** 2) * count / 3)
+    assert test.mean_upper == pytest.approx(chi2.ppf(chance, 3) / 3)
+    assert test.correlation == pytest.approx(np.sum(rows[1:] * rows[:-1]) / np.sum(rows**2))
+    assert test.correlation_bound == pytest.approx(norm.interval(chance)[1] / np.sqrt(3 * count))
+    assert innovation_test(kept(np.zeros((2, 3)))).correlation == 0
+
+
+def test_without_innovations_nothing_is_tested():
+    with pytest.raises(ValueError, match=r"^calibration: expected the innovations of some updates"):
+        innovation_test(kept(np.zeros((0, 3))))
+    assert Calibration._field_defaults["innovations"].shape == (0, 3)

@@ -404,7 +404,7 @@ def test_poles_and_bad_numbers_are_refused():
             Increments(0.2, np.stack([rows.angle] * 2), np.stack([rows.velocity] * 3)), LATITUDE
         )
     with pytest.raises(ValueError, match="duration: expected numbers above 0, got 0"):
-        inertial_alignment_deviation(LATITUDE, 0.0, WALK)
+        inertial_alignment_deviation(LATITUDE, [0.0, 60.0], WALK)
     with pytest.raises(ValueError, match="angle_random_walk: expected a number of at least 0"):
         inertial_alignment_deviation(LATITUDE, 10.0, -WALK)
     with pytest.raises(ValueError, match="velocity_noise: expected a number of at least 0"):

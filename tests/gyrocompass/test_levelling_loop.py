@@ -59,3 +59,35 @@ def test_only_an_untuned_loop_with_a_log_feels_the_acceleration() -> None:
 def test_impossible_loops_are_refused(arguments: dict[str, object], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         level_loop(**{"gains": schuler_gains(), "gravity": GRAVITY, **arguments})  # type: ignore[arg-type]
+
+
+def test_without_noise_nothing_is_left_open() -> None:
+    assert settled_deviation(0.0, 0.02) == 0
+    with pytest.raises(ValueError, match=r"^angle_random_walk: expected a number of at least 0"):
+        settled_deviation(-1e-9, 0.02)
+
+
+@pytest.mark.parametrize("log", [False, True])
+def test_responses_solve_the_equations_of_the_loop(log: bool) -> None:
+    """Tilt and integral turn as gravity, drift and the ship's way make them, one swing at a time.
+
+    The horizon turns by k1 f and the integral r, which grows by k2 f, with f what is felt: g times
+    the tilt, the accelerometer's error, the ship's acceleration, which the log explains to k1.
+    """
+    (k1, k2), g, radius = Gains(3e-3, 4e-5), 9.8, 5e4
+    loop = level_loop(Gains(k1, k2), g, log=log, radius=radius)
+    swings = np.array([1e-3, 0.02, 0.5])
+    for place, swing in enumerate(swings):
+        s = 1j * swing
+        equations = np.array([[s + k1 * g, 1], [-k2 * g, s]])
+        way = 1 / (radius * s)  # rate of the local level for an acceleration
+        for response, inputs, told in (
+            (loop.gyro_bias, [-1, 0], 0),
+            (loop.accelerometer_bias, [-k1, k2], 0),
+            (loop.acceleration, [way - (0 if log else k1), k2], way),
+            (loop.log_error, [k1 * s if log else 0, 0], 1 / radius if log else 0),
+        ):
+            tilt, integral = np.linalg.solve(equations, np.array(inputs, complex))
+            found = response(swings)
+            np.testing.assert_allclose(found.tilt[place], tilt, rtol=1e-9, atol=1e-15)
+            np.testing.assert_allclose(found.rate[place], told - integral, rtol=1e-9, atol=1e-15)

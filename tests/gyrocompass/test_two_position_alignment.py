@@ -295,6 +295,6 @@ def test_deviations_refuse_what_has_no_meaning():
     with pytest.raises(ValueError, match="gyro_bias: expected a number of at least 0, got -1"):
         alignment_deviation(LATITUDE, 60.0, 1e-7, gyro_bias=-1.0)
     with pytest.raises(ValueError, match="duration: expected numbers above 0, got 0"):
-        alignment_deviation(LATITUDE, 0.0, 1e-7)
+        alignment_deviation(LATITUDE, [60.0, 0.0], 1e-7)
     with pytest.raises(ValueError, match="latitude: expected at most"):
         two_position_deviation(np.pi / 2, 60.0, 1e-7)
