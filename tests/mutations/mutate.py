@@ -7,8 +7,8 @@ are not run again while the module stays as it is; with --again those, and only 
 survived without a reason in survivors.toml are, after new tests. Without modules named, all, and
 tests/mutations/mutations.md is written anew from all that is kept. Linux and macOS only: it forks.
 
-Why not mutmut or cosmic-ray? cosmic-ray 8.7 writes each break into the source and starts a new
-pytest, which takes ten times as long here, and breaks neither arguments nor functions; mutmut 3.8
+Why not mutmut or cosmic-ray? cosmic-ray 8.7 writes each break into the source, starts a new
+pytest for it, and breaks neither arguments nor functions; mutmut 3.8
 leaves properties, other decorated functions, and constants of modules alone, many of which
 calculate here. Neither draws a sample. What coverage.py does well is left to it.
 """
