@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
 
 # At rest the kernel owes no answer, and some frames in a row find the panel as it was: ipywidgets
-# holds a move back while the kernel works on the one before.
+# holds a move back while the kernel works on the one before. No frames are asked for while it works.
 SETTLE = """async (panel, [frames, patience]) => {
   const image = panel.querySelector("img");
   const place = () => Object.values(panel.getBoundingClientRect().toJSON());
@@ -29,6 +29,7 @@ SETTLE = """async (panel, [frames, patience]) => {
   let before, same = 0;
   while (same < frames) {
     if (performance.now() > end) throw new Error("the panel does not come to rest");
+    if (window.unanswered.size) await new Promise(resolve => setTimeout(resolve, 10));
     await new Promise(requestAnimationFrame);
     same = !window.unanswered.size && image.complete && state() === before ? same + 1 : 0;
     before = state();
