@@ -109,7 +109,8 @@ FIRST = "00_start_here.ipynb"
 NO_PEERS = "--ignore=tests/peers"
 SITE = "_site"
 # The longest groups first, as tests/conftest.py orders them, not those of the most tests.
-AT_ONCE = ["-n", "2", "--dist", "loadgroup", "--no-loadscope-reorder", "--durations=10"]
+# Two processors are busy with three of them: one waits for the browser half of the time.
+AT_ONCE = ["-n", "3", "--dist", "loadgroup", "--no-loadscope-reorder", "--durations=10"]
 # Packages of different age deprecate each other's ways, which is not the book's affair; what it
 # calls itself must not be deprecated in the newest. A widget that takes no such argument is.
 OF_DIFFERENT_AGE = [

@@ -57,9 +57,9 @@ def collisions(figure: Figure, words: list[tuple[Text, Bbox]]) -> Iterator[str]:
         if not slanted and overlap(a, b):
             yield f"{one.get_text()!r} and {two.get_text()!r} overlap"
     for legend in figure.findobj(Legend):
-        inside = {id(text) for text in legend.findobj(Text)}
+        inside, frame = {id(text) for text in legend.findobj(Text)}, legend.get_window_extent()
         for text, box in words:
-            if id(text) not in inside and overlap(box, legend.get_window_extent()):
+            if id(text) not in inside and overlap(box, frame):
                 yield f"{text.get_text()!r} and a legend overlap"
 
 
