@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
 
 # At rest the kernel owes no answer, and some frames in a row find the panel as it was: ipywidgets
-# holds a move back while the kernel works on the one before. No frames are asked for while it works.
+# holds a move back while the kernel works on the one before. Until then no frames are asked for.
 SETTLE = """async (panel, [frames, patience]) => {
   const image = panel.querySelector("img");
   const place = () => Object.values(panel.getBoundingClientRect().toJSON());
