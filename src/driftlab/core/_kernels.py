@@ -473,11 +473,12 @@ def predict(covariance: Any, transition: Any, noise: Any) -> Any:
     rows = np.empty((moving, size))
     _multiply(transition, covariance, rows)
     grown = covariance.copy()
+    grown[:moving] = rows
     for i in range(moving):
         for j in range(moving):
             grown[i, j] = _dot(rows[i], transition[j]) + noise[i, j]
-        for j in range(moving, size):
-            grown[i, j] = rows[i, j]
+    for j in range(moving, size):
+        for i in range(moving):
             grown[j, i] = rows[i, j]
     return grown
 
@@ -500,16 +501,15 @@ def correct_covariance(covariance: Any, observation: Any, noise: Any) -> Any:
             for k in range(many):
                 total += seen[k, i] * weights[k, j]
             gain[i, j] = total
+        # One half, and the other is as large: rounding cannot part them.
         row = after[i]
         for k in range(many):
             factor = gain[i, k]
-            for j in range(size):
+            for j in range(i + 1):
                 row[j] -= factor * seen[k, j]
     for i in range(size):
         for j in range(i):
-            mean = 0.5 * (after[i, j] + after[j, i])
-            after[i, j] = mean
-            after[j, i] = mean
+            after[j, i] = after[i, j]
     return after, gain, weights, regular
 
 

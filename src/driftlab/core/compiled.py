@@ -139,11 +139,10 @@ def correct(
     covariance: FloatArray, innovation: FloatArray, observation: FloatArray, noise: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """As `driftlab.core.kalman.correct`, for one filter."""
-    *found, regular = _kernels().correct(covariance, innovation, observation, noise)
+    correction, after, nis, regular = _kernels().correct(covariance, innovation, observation, noise)
     if not regular:
         raise _singular()
-    correction, after, nis = found
-    return correction, after, np.array(nis)[()]
+    return correction, after, np.float64(nis)
 
 
 def _singular() -> np.linalg.LinAlgError:

@@ -35,8 +35,8 @@ def correct(
     covariance: FloatArray, innovation: FloatArray, observation: FloatArray, noise: FloatArray
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Correction, covariance and normalised innovation squared."""
-    matrices = covariance, observation, noise
-    if compiled.on and innovation.ndim == 1 and all(each.ndim == 2 for each in matrices):
+    one = innovation.ndim == 1 and covariance.ndim == observation.ndim == noise.ndim == 2
+    if compiled.on and one:
         return compiled.correct(covariance, innovation, observation, noise)
     after, gain, weights = correct_covariance(covariance, observation, noise)
     column = innovation[..., np.newaxis]
