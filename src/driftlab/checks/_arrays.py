@@ -18,6 +18,9 @@ the sixth power nothing overflows."""
 SMALLEST_DIVISOR = 1 / LARGEST_NUMBER
 """Smallest of the numbers that must be above zero, times for instance: they divide."""
 
+_DOUBLE = np.dtype(np.float64)
+_SMALL = LARGEST_NUMBER**2
+
 
 def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     """Return a value as a float64 array of finite numbers, or refuse it in one sentence.
@@ -64,7 +67,10 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
         raise ValueError(f"{name}: expected {_expected(shape)}, got shape {array.shape}.")
     if array.size == 0:
         raise ValueError(f"{name}: expected at least one value, got an empty array.")
-    # Both ends tell NaN and infinity as well, without another array; a NaN is at both of them.
+    # A small sum of squares tells all in one look, of a NaN as well, which is not small.
+    if array.dtype == _DOUBLE and array.flags.c_contiguous and np.vdot(array, array) <= _SMALL:
+        return array
+    # So do both ends, without another array; a NaN is at both of them.
     least, most = float(array.min()), float(array.max())
     if not -LARGEST_NUMBER <= least <= most <= LARGEST_NUMBER:
         raise ValueError(f"{name}: expected {_what_is_wrong(array)}.")
