@@ -33,7 +33,7 @@ def test_test_checks_everything_and_ends_with_pytest(
         "pytest",
     ]
     assert any("importlinter" in " ".join(command) for command in checks.ran) == configured
-    assert checks.ran[-1][2:6] == ["-n", "2", "--dist", "loadgroup"]
+    assert checks.ran[-1][2:6] == ["-n", "3", "--dist", "loadgroup"]
     assert "--durations=10" in checks.ran[-1]
     assert re.fullmatch(r"mypy failed; \d+ min \d+ s in all\n", capsys.readouterr().out)
 

@@ -183,11 +183,7 @@ def whole_number(value: int, name: str, least: int = 1, most: int | None = _MOST
         ...
     ValueError: turns: expected a whole number of at least 1, got 2.5.
     """
-    try:
-        # NumPy 2.0 takes its own truth values for whole numbers, with a warning.
-        number = None if isinstance(value, bool | np.bool) else operator.index(value)
-    except TypeError:
-        number = None
+    number = _whole(value)
     if number is None or number < least:
         raise ValueError(
             f"{name}: expected a whole number of at least {least}, got {shown(value)}."
@@ -228,10 +224,7 @@ def chosen_number(value: int, numbers: tuple[int, ...], name: str) -> int:
         ...
     ValueError: dimension: expected 3 or 4, got 5.
     """
-    try:
-        number = None if isinstance(value, bool | np.bool) else operator.index(value)
-    except TypeError:
-        number = None
+    number = _whole(value)
     if number is None or number not in numbers:
         known = " or ".join(map(str, numbers))
         raise ValueError(f"{name}: expected {known}, got {shown(value)}.")
@@ -244,7 +237,7 @@ def row_number(value: int, name: str) -> int:
     Parameters
     ----------
     value : int
-        The place.
+        The place; a truth value is refused.
     name : str
         Name of the argument, for the sentence.
 
@@ -265,12 +258,12 @@ def row_number(value: int, name: str) -> int:
         ...
     ValueError: begin: expected a whole number, the place of a row, got 2.5.
     """
-    try:
-        return operator.index(value)
-    except TypeError:
+    number = _whole(value)
+    if number is None:
         raise ValueError(
             f"{name}: expected a whole number, the place of a row, got {shown(value)}."
-        ) from None
+        )
+    return number
 
 
 def truth_value(value: object, name: str) -> bool:
@@ -303,3 +296,12 @@ def truth_value(value: object, name: str) -> bool:
     if not isinstance(value, bool | np.bool):
         raise ValueError(f"{name}: expected True or False, got {shown(value)}.")
     return bool(value)
+
+
+def _whole(value: object) -> int | None:
+    """A whole number as an int, and nothing for what is none, of which truth values are."""
+    try:
+        # NumPy 2.0 takes its own truth values for whole numbers, with a warning.
+        return None if isinstance(value, bool | np.bool) else operator.index(value)  # type: ignore[arg-type]
+    except TypeError:
+        return None

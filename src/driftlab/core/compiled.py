@@ -137,7 +137,7 @@ def correct_covariance(
 
 def correct(
     covariance: FloatArray, innovation: FloatArray, observation: FloatArray, noise: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
+) -> tuple[FloatArray, FloatArray, Any]:
     """As `driftlab.core.kalman.correct`, for one filter."""
     correction, after, nis, regular = _kernels().correct(covariance, innovation, observation, noise)
     if not regular:
