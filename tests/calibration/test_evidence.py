@@ -340,7 +340,7 @@ def test_advice_has_what_is_certain_first(slips, certain, words):
     assert _advice(PriorDeviations(), slips, certain).startswith(words)
 
 
-@pytest.mark.parametrize("share", [0.99, 1.01])
+@pytest.mark.parametrize("share", [0.99, 1.0, 1.01])
 def test_advice_for_large_biases_is_the_mean_of_two_senses(share):
     prior = SimpleNamespace(gyro_bias=share * LARGE_BIAS)
     assert (TAKE_THE_MEAN in _advice(prior, [])) == (share > 1)

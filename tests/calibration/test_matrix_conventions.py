@@ -247,6 +247,15 @@ def test_realsense_writes_its_matrix_column_by_column():
 
 
 EYE, ZERO = np.eye(3), np.zeros(3)
+
+
+def test_gyros_that_imu_calib_knows_no_matrix_of_lose_their_bias_only():
+    bias = np.array([0.01, -0.02, 0.03])
+    found = RosMatrices(0.9 * EYE, ZERO, bias).imu_errors
+    np.testing.assert_array_equal(found.gyro_error, np.zeros((3, 3)))
+    np.testing.assert_array_equal(found.gyro_bias, bias)
+
+
 SENTENCES = {
     "counts taken for SI": (
         lambda: ImuTkMatrices(EYE, 0.0024 * EYE, ZERO, EYE, EYE, ZERO).imu_errors,
