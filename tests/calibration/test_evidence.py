@@ -175,6 +175,15 @@ def test_means_are_those_of_the_axes_of_the_start():
     assert seen.way[-1] == pytest.approx(way, rel=1e-4)
 
 
+def test_a_body_that_turns_slowly_feels_the_same_in_each_window_and_rests_in_it():
+    rate = np.repeat([1e-5, 1.5e-3], 2000)[:, np.newaxis] * [0.0, 0.0, 1.0]
+    force = np.broadcast_to([0.0, 0.0, 9.0], rate.shape)
+    seen = evidence(Increments(0.1, 0.1 * rate, 0.1 * force))
+    np.testing.assert_allclose(seen.force, [[0.0, 0.0, 9.0]] * len(seen.force), rtol=0, atol=1e-9)
+    begin, end = seen.elapsed[:-1], seen.elapsed[1:]
+    np.testing.assert_array_equal(seen.rest, (end <= 200.01) | (begin >= 199.99))
+
+
 def test_nothing_is_said_of_turns_by_more_than_a_right_angle_in_an_interval_and_of_few_rows():
     rows = np.zeros((50, 3))
     rows[7, 1] = 1.6
@@ -318,6 +327,22 @@ def test_latitude_is_sought_away_from_the_pole_and_a_tenth_of_a_radian_at_a_time
     found, _ = judge(Near).latitude(Told(None, UNTURNED, latitude))
     assert found == pytest.approx(latitude + (0.1 if latitude < 0 else -0.1))
     assert max(np.abs(tried)) == abs(latitude)
+
+
+def test_the_judge_adds_up_to_small_turns_and_measures_every_ten_seconds():
+    """A turn of 0.001 rad every 10 ms: a tenth of a second comes before a turn of 0.02 rad."""
+    handed = []
+
+    def calibrate(rows, reference, **_):
+        handed.append((rows.interval, len(reference)))
+        raise ValueError
+
+    rows, ends = np.full((8000, 3), [0.0, 0.0, 1e-3]), np.arange(200, 8001, 200)
+    told = Told(Increments(0.01, rows, rows), UNTURNED, 0.5)
+    velocity = np.zeros((len(ends), 3))
+    judged = Judge(told, velocity, ends, PriorDeviations(), ImuNoise(), FULL, calibrate)
+    assert judged.steps == (ImuNoise().reference_velocity, 0.1)
+    assert handed == [(pytest.approx(0.1), 8)]
 
 
 def test_a_latitude_that_shows_in_nothing_is_not_known():

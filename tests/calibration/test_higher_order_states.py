@@ -75,6 +75,7 @@ def test_effects_of_states_are_what_their_errors_feel():
         np.testing.assert_allclose((rows @ state).reshape(5, 3), expected, rtol=0, atol=1e-12)
     jump = higher.effects(GROUPS, np.ones(5), 0 * angle, 0 * velocity, change)[1]
     np.testing.assert_array_equal(higher.of_a_jump(GROUPS, change).reshape(15, 22), jump)
+    np.testing.assert_array_equal(higher.of_a_jump(GROUPS, change[0]), jump[:3])
 
 
 def test_growth_is_that_of_the_nonlinear_navigation():
