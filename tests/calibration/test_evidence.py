@@ -382,6 +382,7 @@ def test_other_meanings_of_a_start_that_come_to_the_same_are_told_together():
     np.testing.assert_allclose(
         found["start: from East, North, Up to the body"], conjugate(attitude)
     )
+    np.testing.assert_allclose(np.linalg.norm(list(found.values()), axis=-1), 1.0, rtol=1e-14)
     # North, East, Down and East, North, Up differ by a half turn, North, Up, East by a third.
     for name, columns in {"North, East, Down": [1, 0, 2], "North, Up, East": [2, 0, 1]}.items():
         other = to_matrix(found[f"start: body to {name}"])
@@ -398,9 +399,13 @@ def test_other_meanings_of_a_start_that_come_to_the_same_are_told_together():
     ]
 
 
-def test_a_start_is_levelled_and_headed_by_what_is_felt():
-    true = from_rotation_vector([0.0, 0.0, 0.5])
-    wrong = from_rotation_vector([0.2, -0.1, 0.0])
+@pytest.mark.parametrize("degrees", [-33.0, 11.5, 28.6, 179.0])
+@pytest.mark.parametrize("tilt", [[0.0, 0.0, 0.0], [1.0, -0.5, 0.2]])
+def test_a_start_is_levelled_and_headed_by_what_is_felt(tilt, degrees):
+    true = from_rotation_vector(tilt)
+    wrong = multiply(
+        from_rotation_vector([0.2, -0.1, 0.0]), from_rotation_vector([0, 0, np.radians(degrees)])
+    )
     seen = still(np.zeros(3), np.zeros(3))
     seen = seen._replace(
         force=rotate(conjugate(true), seen.force), rate=rotate(conjugate(true), seen.rate)

@@ -6,10 +6,11 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from scipy import optimize
 
 from driftlab.attitude import attitude_algorithm, integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
-from driftlab.calibration import FULL, InconsistentWarning
+from driftlab.calibration import FULL, InconsistentWarning, _pose_fit
 from driftlab.calibration._rest_noise import _row_variance, noise_of_rests
 from driftlab.calibration.body_axes import imu_errors_in_frame
 from driftlab.calibration.pose_results import Consistency
@@ -287,17 +288,27 @@ def test_what_noise_does_not_explain_is_added_and_said():
     assert not test.holds
     # Its square is estimated from the 5 or so degrees of freedom that 15 rests leave.
     assert 0.02 / 4 < test.excess < 0.02 * 4
+    # With the excess added, next to which the noise is small, the squares are as many as freedoms.
+    squares = np.sum(found.force_residuals**2) / test.excess**2
+    assert squares == pytest.approx(test.freedom, rel=0.03)
     assert "not noise alone" in found.why
 
 
-def test_what_is_left_is_told_in_sentences():
+def test_what_is_left_is_told_in_sentences(monkeypatch):
     true, rows = by_hand()
     record = log(measure(true, unit(3), NOISE, np.random.default_rng(7)))
+    tried = []
+
+    def least_squares(*given, **options):
+        tried.append(optimize.least_squares(*given, **options))
+        return tried[-1]
+
+    monkeypatch.setattr(_pose_fit, "least_squares", least_squares)
     found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE)
+    assert found.iterations == sum(each.nfev for each in tried)
     assert found.longest_move == pytest.approx((MOVE + 4) / RATE)
     assert found.earth_turn == pytest.approx(EARTH_RATE * found.longest_move)
     assert isinstance(found.iterations, int)
-    assert found.iterations >= 1
     first, second, third, earth = found.why.split("\n")
     for line, word, values, name in (
         (first, "Gravity at rest", found.force_residuals, "m/s^2"),

@@ -57,6 +57,11 @@ def test_rows_are_drawn_evenly_from_those_that_a_table_can_do(two_axes):
     # A count of 200 is good to 14; five standard deviations.
     assert (np.abs(shares - 1) < 0.36).all()
     assert MOVES.on_two_axes(starts, rows).all() == two_axes
+    # Of two axes either has half of the turns, and keeps all five of them once in 16; of three
+    # axes once in 81. The counts are good to 17 and to 8.
+    axes = MOVES.axes[rows]
+    alone = (axes == axes[:, :1]).all(axis=1).sum()
+    assert abs(alone - (4800 / 16 if two_axes else 4800 / 81)) < (85 if two_axes else 40)
     each = np.array([np.bincount(turns, minlength=12) for turns in rows.T]) / 400
     assert (np.abs(each - 1) < 0.4).all()
 
