@@ -73,7 +73,8 @@ def test_two_changes_are_one_and_back_is_back(first, second, third, vector):
 @pytest.mark.parametrize("new", ["FLU", "BRU", "RFU"])
 def test_no_zero_gets_a_minus_sign(new):
     assert not np.signbit(convert_vectors(np.zeros(3), "FRD", new)).any()
-    assert not np.signbit(convert_matrix(np.zeros((3, 3)), "FRD", new)).any()
+    for zero in (0.0, -0.0):
+        assert not np.signbit(convert_matrix(np.full((3, 3), zero), "FRD", new)).any()
 
 
 @few

@@ -38,6 +38,15 @@ def test_solid_angle_does_not_depend_on_axes_first_corner_or_length():
     assert solid_angle(corners[::-1]) == pytest.approx(-expected, abs=100 * EPS)
 
 
+def test_a_polygon_through_all_corners_of_a_cube():
+    walk = [0, 1, 3, 2, 6, 7, 5, 4]
+    corners = np.array([[1 - 2 * (place >> bit & 1) for bit in range(3)] for place in walk])
+    turned = rotate(random_quaternions(4, seed=3)[:, np.newaxis], corners.astype(float))
+    # Three faces of six on the left, and as many on the right: either sign will do.
+    for found in (solid_angle(corners), solid_angle(turned)):
+        np.testing.assert_allclose(np.abs(found), 2 * np.pi, rtol=0, atol=100 * EPS)
+
+
 X, Y, Z = np.eye(3)
 
 

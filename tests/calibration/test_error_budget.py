@@ -48,6 +48,12 @@ def test_variances_add_and_deviations_scale():
     assert thrice.radial_error_rate == pytest.approx(3 * one.radial_error_rate)
 
 
+def test_distances_of_several_missions():
+    position = np.array([[[3.0, 4.0], [5.0, 12.0]], [[8.0, 15.0], [0.0, 7.0]]])
+    errors = MissionErrors(np.array([60.0, 120.0]), position, np.zeros((2, 2)))
+    np.testing.assert_array_equal(errors.distance, [[5.0, 13.0], [17.0, 7.0]])
+
+
 def test_one_certain_cause_has_the_size_of_its_curve():
     causes = np.linspace(1e-8, 2e-8, 12)
     errors = mission_errors(TIMES, LATITUDE, np.outer(causes, causes))

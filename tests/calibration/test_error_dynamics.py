@@ -37,6 +37,18 @@ EARTH_RADIUS = 6.378e6
 # Growth: against the nonlinear mechanisation
 
 
+def test_a_rate_that_is_not_said_to_change_does_not():
+    model = ERROR_MODELS["averaged"].with_states("lever arms")
+    rng = np.random.default_rng(4)
+    increments = Increments(0.01, *(1e-2 * rng.standard_normal((2, 4, 3))))
+    level = np.tile([0.0, 0.0, 0.0, 1.0], (3, 1))
+    free = free_transition(0.6, 0.04)
+    np.testing.assert_array_equal(
+        transition_of_increments(model, free, level, increments),
+        transition_of_increments(model, free, level, increments, np.zeros((4, 3))),
+    )
+
+
 TURNS = Scheme("+40X -30Z +50Y", ("North", "West", "Up"), dwell=0.02, rate=np.radians(30))
 TURNED = np.radians(120)
 

@@ -13,7 +13,7 @@ from driftlab.calibration.covariance import covariance_analysis
 from driftlab.calibration.design_task import CRITERIA, DesignTask
 from driftlab.calibration.error_model import FULL
 from driftlab.calibration.linearization import linearize_along
-from driftlab.calibration.scheme_design import design_scheme
+from driftlab.calibration.scheme_design import _neighbours, design_scheme
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import EIGHTEEN_ROTATIONS, NINETEEN_POSITIONS, SCHEMES, Scheme
 from driftlab.motion.turntable import segments
@@ -129,6 +129,36 @@ def test_a_design_is_never_worse_than_what_it_began_with(two_axes):
     assert [climb.after for climb in design.climbs] == sorted(c.after for c in design.climbs)
     assert in_time(begin, task).rotations in {climb.begin.rotations for climb in design.climbs}
     assert design.tried > 20
+
+
+def test_all_schemes_that_are_tried_are_counted(monkeypatch):
+    judged, values = [], DesignTask.values
+
+    def counting(task, covariances):
+        found = values(task, covariances)
+        judged.append(found.size)
+        return found
+
+    monkeypatch.setattr(DesignTask, "values", counting)
+    begin = Scheme("+180X -90Y -90Y +90X +90X", ("Up", "East", "North"))
+    design = design_scheme(SMALL, np.random.default_rng(2), draws=20, climbs=1, begin=begin)
+    assert design.tried == sum(judged)
+
+
+def test_neighbours_differ_in_one_turn_in_the_order_or_in_the_start():
+    moves = rows_of(SMALL).moves
+    turns = np.array([0, 1, 1])
+    found = {(start, *row.tolist()) for start, row in _neighbours(moves, 5, turns)}
+    count = len(moves.words)
+    one = {(5, *np.where(np.arange(3) == place, other, turns).tolist())
+           for place in range(3) for other in range(count)}  # fmt: skip
+    orders = {(5, 1, 0, 1), (5, 1, 1, 0)}
+    starts = {(start, 0, 1, 1) for start in range(24)}
+    assert (one | orders | starts) - found == {(5, 0, 1, 1)}
+    # The others keep later turns in the room.
+    exchanged = {(5, *moves.exchanged(5, turns, place, other).tolist())
+                 for place in range(3) for other in range(count)}  # fmt: skip
+    assert found <= one | orders | starts | exchanged
 
 
 def test_no_other_row_of_two_turns_is_better():

@@ -37,7 +37,6 @@ from .linearization import checked_model
 
 CRITERIA = ("worst", "mean", "volume")
 """What a design can make small: see `DesignTask`."""
-_FASTEST = 2 * np.pi
 
 
 @dataclass(frozen=True)
