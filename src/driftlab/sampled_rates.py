@@ -142,7 +142,10 @@ def _seconds(times: ArrayLike) -> ArrayLike:
     """Dates and times, or spans of time, as seconds since the first; others as they are."""
     kind = getattr(getattr(times, "dtype", None), "kind", "")  # of an array, or of a Series
     array = np.asarray(times) if kind in ("m", "M") else np.empty(0)
-    if not array.size or np.isnat(array).any():
+    if not array.size:
         return times
+    if np.isnat(array).any():
+        row = int(np.argmax(np.isnat(array)))
+        raise ValueError(f"times: expected a time for each sample, got none in row {row + 1}.")
     # First the difference: of the seconds since 1970 the fractions are lost.
     return (array - array.flat[0]).astype("timedelta64[ns]").astype(float) * 1e-9
