@@ -136,6 +136,12 @@ def test_without_them_increments_are_what_they_were():
     np.testing.assert_array_equal(plain.angle, same.angle)
 
 
+def test_the_unit_without_them_cannot_be_bent():
+    for field in NO_HIGHER_ORDER_ERRORS:
+        with pytest.raises(ValueError, match="read-only"):
+            field[...] = 1.0
+
+
 def test_leading_axes_are_units():
     true = table_trajectory(Scheme("+40Y", dwell=1.0), 0.7, 0.1).increments
     units = BENT._replace(time_skew=np.array([0.0, 1e-3]))

@@ -47,6 +47,16 @@ def test_quarter_of_the_sphere_begun_at_any_corner(shift):
     assert solid_angle(np.roll([X, Y, -X, Z], shift, axis=0)) == pytest.approx(np.pi, abs=8 * EPS)
 
 
+@pytest.mark.parametrize("shift", range(9))
+def test_a_way_along_the_edges_of_a_cube_leaves_three_faces(shift):
+    """All eight corners, and the middle of the first face, which takes a quarter of it away."""
+    up, down = [[1, 1, 1], [-1, 1, 1], [-1, -1, 1], [1, -1, 1]], [1, 1, -1]
+    way = [up[0], [0, 0, 1], *up[1:], *(np.array(corner) * down for corner in up[::-1])]
+    face = 4 * np.pi / 6
+    found = solid_angle(np.roll(way, shift, axis=0))
+    assert found == pytest.approx(3 * face - face / 4, abs=16 * EPS)
+
+
 @pytest.mark.parametrize("near", [1e-4, 1e-8, 1e-12, 1e-15])
 def test_corners_that_are_nearly_opposite_cost_no_digits(near):
     # Shifting a corner along the circle on which it lies changes no area.

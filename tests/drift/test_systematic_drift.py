@@ -401,6 +401,13 @@ def test_exact_principal_drifts_are_the_singular_values_less_one(triad_error):
     np.testing.assert_allclose(at_axes, coefficients, rtol=0, atol=1e3 * EPS)
 
 
+def test_each_of_many_triads_has_its_own_exact_principal_drifts():
+    triads = np.stack([BENT, BENT @ BENT - 2 * BENT])
+    coefficients, _ = principal_drifts(triads, exact=True)
+    singular = np.linalg.svd(np.eye(3) + triads, compute_uv=False)[:, ::-1]
+    np.testing.assert_allclose(coefficients, singular - 1, rtol=0, atol=16 * EPS)
+
+
 def test_exact_and_first_order_principal_drifts_part_at_second_order():
     shape = np.array([[0.2, 1, 0.5], [-0.4, 0, 0.8], [1, 0.3, -0.6]])
 
