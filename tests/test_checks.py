@@ -9,10 +9,13 @@ import pytest
 from hypothesis import given, strategies as st
 
 from driftlab.checks import (
+    UnusualWarning,
     checked_generator,
     checked_instance,
+    error_matrix,
     finite_array,
     finite_number,
+    linear_error_matrix,
     nonzero_vectors,
     unit_quaternions,
     whole_number,
@@ -169,10 +172,22 @@ def test_a_thing_of_its_kind_is_returned():
     assert checked_generator(np.int64(7)).uniform() == np.random.default_rng(7).uniform()
 
 
+def test_zero_is_a_seed():
+    assert checked_generator(0).uniform() == np.random.default_rng(0).uniform()
+
+
 @pytest.mark.parametrize("seed", [None, -1, True, 1.0, np.random.RandomState(1)])
 def test_noise_is_drawn_from_a_generator_only(seed):
     with pytest.raises(ValueError, match=r"^rng: expected a numpy Generator to draw the noise"):
         checked_generator(seed)
+
+
+def test_one_whole_matrix_among_many_is_refused():
+    several = np.stack([np.zeros((3, 3)), np.eye(3)])
+    with pytest.raises(ValueError, match=r"^triad_error: .* is it the whole matrix I \+ M\? Sub"):
+        error_matrix(several, "triad_error")
+    with pytest.warns(UnusualWarning, match=r"^matrix: .* If so, subtract the identity"):
+        linear_error_matrix(several, "matrix")
 
 
 @pytest.mark.parametrize(

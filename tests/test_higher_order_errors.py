@@ -136,10 +136,10 @@ def test_without_them_increments_are_what_they_were():
     np.testing.assert_array_equal(plain.angle, same.angle)
 
 
-def test_none_of_them_stays_none():
-    for array in NO_HIGHER_ORDER_ERRORS:
+def test_the_unit_without_them_cannot_be_bent():
+    for field in NO_HIGHER_ORDER_ERRORS:
         with pytest.raises(ValueError, match="read-only"):
-            array[...] = 1.0
+            field[...] = 1.0
 
 
 def test_leading_axes_are_units():

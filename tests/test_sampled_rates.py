@@ -156,7 +156,8 @@ def test_one_interval_may_be_all_of_the_time():
 def test_a_time_that_is_none_is_refused():
     times = np.datetime64("2026-05-01T12:00:00") + np.arange(9)
     times[4] = np.datetime64("NaT")
-    with pytest.raises(ValueError, match=r"^times: expected a time in each row, .* in row 4\.$"):
+    words = r"^times: expected a time for each sample, got none in row 5\.$"
+    with pytest.raises(ValueError, match=words):
         increments_from_rates(np.ones((9, 3)), 1.0, times=times)
 
 

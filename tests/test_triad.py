@@ -52,6 +52,13 @@ def test_parts_are_diagonal_symmetric_and_skew(matrix):
     np.testing.assert_array_equal(skew, -skew.T)
 
 
+def test_each_of_many_matrices_has_its_own_parts():
+    together = decompose(np.stack([BENT, OTHER]))
+    for k, matrix in enumerate([BENT, OTHER]):
+        for found, expected in zip(together, decompose(matrix), strict=True):
+            np.testing.assert_array_equal(found[k], expected)
+
+
 @given(vectors(1.0), vectors(1.0), vectors(1.0))
 def test_any_three_such_matrices_are_the_parts_of_their_sum(diagonal, pairs, vector):
     x, y, z = pairs

@@ -144,9 +144,8 @@ def _seconds(times: ArrayLike) -> ArrayLike:
     array = np.asarray(times) if kind in ("m", "M") else np.empty(0)
     if not array.size:
         return times
-    missing = np.isnat(array)
-    if missing.any():
-        row = int(np.argmax(missing))
-        raise ValueError(f"times: expected a time in each row, got none (NaT) in row {row}.")
+    if np.isnat(array).any():
+        row = int(np.argmax(np.isnat(array)))
+        raise ValueError(f"times: expected a time for each sample, got none in row {row + 1}.")
     # First the difference: of the seconds since 1970 the fractions are lost.
     return (array - array.flat[0]).astype("timedelta64[ns]").astype(float) * 1e-9

@@ -545,7 +545,7 @@ GOOD = {
             "^gains, increments.interval: expected",
         ),
         ({"azimuth_rate": 0.9}, "^azimuth_rate: expected rad/s near U .* got 0.9. Is it a lat"),
-        ({"azimuth_rate": [0.0, 0.0, 7.5, 0.0]}, "^azimuth_rate: .* got 7.5"),
+        ({"azimuth_rate": [0.0, 0.0, 7.5, 0.0]}, "^azimuth_rate: .* got 7.5. Is it a latitude"),
         (
             {"azimuth_rate": 7e-3, "increments.interval": 20.0},
             "^azimuth_rate: expected rad/s that turn the horizon by at most",

@@ -204,7 +204,9 @@ def test_allan_deviation_is_that_of_the_samples():
 # Fit
 
 
-@kinds
+@pytest.mark.parametrize(
+    "noise", [MIXED, WHITE, SLOW, ROUNDED, replace(SLOW, quantisation=40.0)], ids=repr
+)
 def test_a_fit_finds_the_noise_again(noise):
     """From its own curve, to the digits of the search, and from a record to its scatter."""
     rates = noise.samples(100, np.random.default_rng(9))

@@ -147,6 +147,11 @@ def test_radius_and_gravity_count_as_schulers_frequency():
 # Refusals
 
 
+def test_gyros_without_noise_leave_none():
+    assert settled_deviation(0.0, 0.02) == 0
+    assert not swing_deviation(0.0, [0.0, 3600.0], GRAVITY).any()
+
+
 def test_times_and_noise_that_are_not_finite_are_refused():
     with pytest.raises(ValueError, match=r"^time: expected finite numbers, got 1 NaN"):
         swing_deviation(WALK, [0.0, np.nan], GRAVITY)

@@ -36,6 +36,21 @@ def run(compass: Gyrocompass, latitude: float = LATITUDE, **kwargs: float) -> di
     return marine_type_test(compass, latitude, steps=COARSE, **kwargs).measured
 
 
+def test_a_compass_of_which_nothing_is_told_has_no_errors() -> None:
+    ideal = Gyrocompass()
+    assert ideal.gyro_bias == ideal.accelerometer_bias == NONE
+    assert ideal.gyro_noise.white == ideal.gyro_noise.slow == ideal.gyro_noise.quantisation == 0
+    assert ideal.damping == ideal.log_scale == 0
+
+
+def test_fine_steps_meet_the_moments_at_which_a_manoeuvre_begins_and_swings_turn() -> None:
+    steps = Steps()
+    for step in (steps.speed, steps.turn):
+        assert REST % step == 0
+    for period in (6.0, 10.0, 15.0):
+        assert period % steps.sea == 0
+
+
 def test_limits_are_the_numbers_of_the_resolutions() -> None:
     angles = {"settle point": 0.75, "scatter": 0.25, "repeatability": 0.25, "steady way": 0.25}
     for name, size in {**angles, "sea": 1.0}.items():

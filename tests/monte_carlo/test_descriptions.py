@@ -1,11 +1,13 @@
 """A task is told from every other one, and known again in every process."""
 
+import importlib
 import subprocess
 import sys
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import partial
 from typing import NamedTuple
+from zipfile import ZipFile
 
 import numpy as np
 import pytest
@@ -112,3 +114,36 @@ def test_the_code_of_a_task_is_that_of_its_modules(tmp_path, monkeypatch):
     module.write_text("def run(rng, runs):\n    return 2\n")
     assert code_of(partial(my_study_of_code.run, 2)) != first
     assert describe(my_study_of_code.run) == "my_study_of_code.run"
+
+
+BOTH = """from typing import NamedTuple
+class Pair(NamedTuple):
+    first: int
+def run(rng, runs, told=None):
+    return helper()
+def helper():
+    return {number}
+"""
+
+
+@pytest.mark.parametrize("task", ["run", "Pair(1)", "partial(run, told=Pair(1))", "[Pair(1)]"])
+def test_what_else_stands_in_the_module_of_a_task_is_its_code(task, tmp_path, monkeypatch):
+    """A function, or the class of a tuple with names, may call whatever stands beside it."""
+    monkeypatch.syspath_prepend(tmp_path)
+    name = f"my_{tmp_path.name}"
+    (tmp_path / f"{name}.py").write_text(BOTH.format(number=1))
+    given = eval(task, {**vars(importlib.import_module(name)), "partial": partial})
+    first = code_of(given)
+    (tmp_path / f"{name}.py").write_text(BOTH.format(number=2))
+    assert code_of(given) != first
+
+
+def test_the_code_of_a_task_in_an_archive_is_its_own_text(tmp_path, monkeypatch):
+    found = []
+    for number in (1, 2):
+        name = f"my_study_in_an_archive_{number}"
+        with ZipFile(tmp_path / f"{number}.zip", "w") as archive:
+            archive.writestr(f"{name}.py", f"def run(rng, runs):\n    return {number}\n")
+        monkeypatch.syspath_prepend(tmp_path / f"{number}.zip")
+        found.append(code_of(importlib.import_module(name).run))
+    assert found[0] != found[1]

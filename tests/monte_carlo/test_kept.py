@@ -71,7 +71,9 @@ def batches(folder: Path) -> list[Path]:
 def test_what_was_kept_is_not_made_again(tmp_path):
     expected = sweep(counted, 10, seed=1, batch=3)
     first, found = calls_of(10, seed=1, batch=3, folder=tmp_path)
+    written = [path.stat().st_mtime_ns for path in batches(tmp_path)]
     again, known = calls_of(10, seed=1, batch=3, folder=tmp_path)
+    assert [path.stat().st_mtime_ns for path in batches(tmp_path)] == written
     assert (first, again) == (4, 0)
     for results in (found, known):
         np.testing.assert_array_equal(np.concatenate(results), np.concatenate(expected))

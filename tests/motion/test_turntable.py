@@ -16,6 +16,7 @@ from driftlab.motion.scheme import (
     NINETEEN_POSITIONS,
     SCHEMES,
     Scheme,
+    checked_scheme,
 )
 from driftlab.motion.turntable import segments, static_trajectory, table_trajectory
 from driftlab.quaternion import from_rotation_vector, multiply
@@ -510,3 +511,10 @@ def test_schemes_of_other_kinds_are_refused():
     for start in (3, [["Up"], 1, 2]):
         with pytest.raises(ValueError, match=r"start: expected three of East, West, .*got"):
             Scheme("+90X", start)
+
+
+def test_a_scheme_may_be_called_by_its_name():
+    for name, scheme in SCHEMES.items():
+        assert checked_scheme(name) is scheme
+    with pytest.raises(ValueError, match=r"^plan: expected a Scheme .* \(19 positions, .*got '9'"):
+        checked_scheme("9", "plan")

@@ -169,6 +169,16 @@ def test_many_innovations_may_meet_one_covariance():
         np.testing.assert_allclose(fast, plain, rtol=1e-13, atol=1e-15)
 
 
+def test_one_innovation_may_meet_many_covariances():
+    rng = np.random.default_rng(7)
+    covariance = np.arange(1.0, 6)[:, np.newaxis, np.newaxis] * np.diag([1.0, 2, 3, 4])
+    observation, seen = rng.normal(size=(2, 4)), rng.normal(size=2)
+    found = both(lambda: kalman.correct(covariance, seen, observation, np.eye(2)))
+    for plain, fast in zip(*found, strict=True):
+        assert plain.shape == fast.shape
+        np.testing.assert_allclose(fast, plain, rtol=1e-13, atol=1e-15)
+
+
 def test_an_innovation_without_covariance_is_refused_either_way():
     nothing, one_row = np.zeros((3, 3)), np.eye(1, 3)
     for on in (False, True):
