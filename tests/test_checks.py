@@ -190,6 +190,13 @@ def test_one_whole_matrix_among_many_is_refused():
         linear_error_matrix(several, "matrix")
 
 
+def test_a_diagonal_two_fifths_from_one_is_warned_of():
+    for diagonal in (0.6, 1.399):
+        with pytest.warns(UnusualWarning, match="is it the whole matrix"):
+            error_matrix(diagonal * np.eye(3), "triad_error", scale=4.0)
+    error_matrix(0.599 * np.eye(3), "triad_error")
+
+
 @pytest.mark.parametrize(
     "part", ["arrays", "error_matrices", "magnitudes", "numbers", "objects", "words", "deviations"]
 )

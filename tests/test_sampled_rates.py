@@ -85,6 +85,13 @@ def test_a_lost_sample_is_bridged_if_the_caller_allows_it():
     assert np.abs(found - true).max() < 2**6 * whole
 
 
+def test_a_gap_may_be_just_so_long():
+    """One lost sample of whole seconds leaves a gap of two."""
+    times, rates = np.delete(np.arange(10.0), 5), np.ones((9, 3))
+    found = increments_from_rates(rates, 1.0, times=times, longest_gap=2.0)
+    np.testing.assert_allclose(found, np.ones((9, 3)), rtol=1e-12)
+
+
 def test_noise_is_magnified_at_the_ends_and_averaged_in_the_middle():
     """Weights of all samples in all increments, one sample at a time."""
     one_by_one = np.repeat(np.eye(61)[..., np.newaxis], 3, axis=-1)

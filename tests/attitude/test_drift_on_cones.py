@@ -188,6 +188,8 @@ def test_a_whole_turn_a_step_is_refused_where_k_is_infinite():
     words = "^half_angle, frequency, sample_interval: expected less than a whole turn a step, "
     with pytest.raises(ValueError, match=words):
         coning_drift("two-step-4", 2.0, 1.0, [0.1, 0.6])
+    with pytest.raises(ValueError, match=words):
+        coning_drift("picard-1", np.pi, 1.0, 0.5)  # just a whole turn
     assert np.isfinite(coning_drift("rotation-vector-2", 2.0, 1.0, 0.8))
 
 

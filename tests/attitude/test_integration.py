@@ -1,5 +1,6 @@
 """The attitude algorithms: their formulas, their orders, how they start, and their coning drift."""
 
+import warnings
 from itertools import pairwise
 
 import numpy as np
@@ -15,6 +16,7 @@ from driftlab.attitude.coning_algorithms import (
     attitude_algorithm,
 )
 from driftlab.attitude.integration import integrate, step_quaternions, step_vectors
+from driftlab.checks import UnusualWarning
 from driftlab.motion.profiles import Coning, FixedAxis, Sway
 from driftlab.quaternion import (
     conjugate,
@@ -726,6 +728,17 @@ def test_weights_that_are_no_numbers_are_refused():
 def test_a_list_is_no_algorithm():
     with pytest.raises(ValueError, match=r"^algorithm: expected one of picard-1, .* got \['a'\]"):
         integrate(np.ones((2, 3)), ["a"])
+
+
+def test_one_whole_turn_between_samples_is_nothing_unusual():
+    """The warning is of more than that, as degrees are."""
+    whole = [[0.0, 0.0, 2 * np.pi], [0.3, 0.0, 0.0]]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", UnusualWarning)
+        found = integrate(whole, "rotation-vector-2")[-1]
+    np.testing.assert_allclose(np.linalg.norm(found), 1, rtol=0, atol=4 * EPS)
+    with pytest.warns(UnusualWarning, match="6.29 rad between two samples is more than a whole"):
+        integrate([[0.0, 0.0, 6.29], [0.3, 0.0, 0.0]], "rotation-vector-2")
 
 
 def test_angles_that_cannot_be_angles_are_refused():

@@ -104,6 +104,19 @@ def test_right_run_is_not_doubted_nor_by_the_judge(increments, model):
     assert judge.steps is None
 
 
+def test_the_judge_looks_last_with_the_noise_that_was_told():
+    def contradicted(rows, reference, *, noise, **told):
+        if noise.reference_velocity > NOISE.reference_velocity:
+            return calibrate(rows, reference, noise=noise, **told)
+        raise ValueError("as if nothing fitted")
+
+    ends = np.arange(200, len(PLAIN.angle), 200)
+    told = Told(PLAIN, TABLE.attitude[0], LATITUDE)
+    still, prior = np.zeros((len(ends), 3)), PriorDeviations()
+    judge = Judge(told, still, ends, prior, NOISE, MODEL, contradicted)
+    assert judge.steps == (NOISE.reference_velocity, 0.02)
+
+
 def test_only_slips_beyond_the_prior_are_named():
     """An interval wrong by 2e-4 is two deviations of a scale; a start wrong by as much is right."""
     calibrate(**arguments(PLAIN._replace(interval=0.010002)))

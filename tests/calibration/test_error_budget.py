@@ -12,7 +12,7 @@ from driftlab.calibration.error_budget import (
     mission_errors,
 )
 from driftlab.calibration.error_model import ERROR_MODELS
-from driftlab.calibration.static_error_curves import static_causes, static_errors
+from driftlab.calibration.static_error_curves import STATIC_CAUSES, static_causes, static_errors
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import align
 from driftlab.imu import NO_ERRORS, PriorDeviations
@@ -138,6 +138,15 @@ def test_budget_of_a_calibration_is_that_of_its_kinds():
     ]
     assert rates[0] < rates[1] < rates[2] < 3 * rates[0]
     assert whole.distance[-1] / nautical_mile > 100
+
+
+@pytest.mark.parametrize("turn", [2 * np.pi, -2 * np.pi])
+def test_a_whole_turn_after_the_alignment_leaves_what_the_scale_makes_of_it(turn):
+    left = mission_causes(MODEL, LEVEL, 0.1, turn) - mission_causes(MODEL, LEVEL, 0.1)
+    scale, up = MODEL.names.index("gyro scale z"), STATIC_CAUSES.index("attitude Up")
+    assert abs(left[up, scale]) == pytest.approx(2 * np.pi)
+    left[up, scale] = 0.0
+    np.testing.assert_allclose(left, 0, atol=1e-12)
 
 
 def test_bad_arguments_are_refused_by_name():

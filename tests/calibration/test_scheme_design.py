@@ -242,6 +242,14 @@ def test_a_scheme_that_takes_too_long_is_refused():
         DesignTask(positions=2, duration=200.0).value(EIGHTEEN_ROTATIONS)
 
 
+def test_pauses_may_be_short_but_not_nothing():
+    task = DesignTask(positions=2, rate=np.pi / 20)  # so a quarter turn takes ten seconds
+    scheme = Scheme("+90X +180X")
+    assert replace(task, duration=30.3).value(scheme) > 0
+    with pytest.raises(ValueError, match=r"^scheme: expected turns and pauses in 30 s, got"):
+        replace(task, duration=30.0).value(scheme)
+
+
 def test_other_kinds_are_refused():
     with pytest.raises(ValueError, match=r"^task: expected"):
         design_scheme(NINETEEN_POSITIONS, np.random.default_rng(1))

@@ -169,6 +169,7 @@ def test_the_sense_is_read_from_the_record():
         (lambda rows: rows, [1, 1, 0], 2, r"to 2 within 0\.1, .* got 1: "),
         (lambda rows: rows[:670], [1, 1, 0], 1, r"got 0\.9309: .* or a record that is cut\?$"),
         (lambda rows: rows, [1, 1, 0.1], 1, r"at most 0\.05 turns across .* got 0\.07.*: another"),
+        (lambda rows: np.tile(rows, (16, 1))[:-361], [1, 1, 0], 15, r"within 0\.5, .* got 15\.5: "),
         (lambda rows: np.tile(rows, (16, 1)), [1, 1, 0], 15, r"to 15 within 0\.5, .* got 16\."),
     ],
 )

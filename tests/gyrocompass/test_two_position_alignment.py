@@ -1,5 +1,7 @@
 """Alignment in several positions: exactness, deviations in closed form, refusals."""
 
+from inspect import signature
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -285,6 +287,22 @@ def test_where_nothing_is_known_the_deviation_is_that_of_any_heading():
     assert alignment_deviation(LATITUDE, 300.0, 0.003) == nothing
     assert two_position_deviation(LATITUDE, 300.0, 0.003) == nothing
     assert inertial_alignment_deviation(LATITUDE, 300.0, 0.003) == nothing
+
+
+def test_two_positions_are_doubted_from_where_one_is():
+    tolerances = [
+        signature(function).parameters["heading_tolerance"].default
+        for function in (align, align_in_positions)
+    ]
+    assert tolerances[0] == tolerances[1]
+
+
+def test_two_positions_may_be_little_more_than_five_degrees_apart():
+    apart = np.radians([5.01, 354.99])
+    found = two_position_deviation(LATITUDE, 60.0, 1e-7, apart)
+    assert found[0] == pytest.approx(found[1], rel=1e-9)
+    with pytest.raises(ValueError, match=r"turn_angle: .* more than 5 degrees .* got 4\.99 deg"):
+        two_position_deviation(LATITUDE, 60.0, 1e-7, np.radians(4.99))
 
 
 def test_deviations_refuse_what_has_no_meaning():

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.constants import degree, g, hour, knot, milli
+from scipy.constants import degree, g, hour, knot, milli, minute
 
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
 from driftlab.gyrocompass import (
@@ -25,6 +25,7 @@ from driftlab.gyrocompass._type_test_ways import (
     turning,
 )
 from driftlab.gyrocompass.type_test import _change_of_speed, _heading_errors, _turn, _turned
+from driftlab.gyrocompass.type_test_compass import checked_steps
 
 LATITUDE = np.radians(51.5)
 BIAS = 0.05 * degree / hour
@@ -49,6 +50,14 @@ def test_fine_steps_meet_the_moments_at_which_a_manoeuvre_begins_and_swings_turn
         assert REST % step == 0
     for period in (6.0, 10.0, 15.0):
         assert period % steps.sea == 0
+    # At the quay it is read in whole intervals: three times in half hours, then every 20 minutes.
+    for read in (30 * minute, 20 * minute):
+        for size in (steps.quay, COARSE.quay):
+            assert read % size == 0
+
+
+def test_a_minute_at_sea_is_enough() -> None:
+    assert checked_steps(Steps(rolling=60.0)).rolling == 60.0
 
 
 def test_limits_are_the_numbers_of_the_resolutions() -> None:

@@ -518,3 +518,11 @@ def test_a_scheme_may_be_called_by_its_name():
         assert checked_scheme(name) is scheme
     with pytest.raises(ValueError, match=r"^plan: expected a Scheme .* \(19 positions, .*got '9'"):
         checked_scheme("9", "plan")
+
+
+def test_a_table_may_turn_once_a_second_and_no_faster():
+    assert Scheme("+90X", rate=2 * np.pi).rate == 2 * np.pi
+    with pytest.raises(
+        ValueError, match=r"^rate: expected rad/s, at most 6\.283, got 6\.29: is it"
+    ):
+        Scheme("+90X", rate=6.29)
