@@ -326,6 +326,7 @@ def test_what_is_left_is_told_in_sentences(monkeypatch):
         (3.0, 0.0, "degrees of freedom: less than noise."),
         (7.0, 0.0, "Chi-square 7, 4 to 9 expected of noise with 6 degrees of freedom: noise."),
         (7.0, 0.02, "degrees of freedom: not noise alone, 0.02 were added to its deviation."),
+        (30.0, 0.0, "degrees of freedom: more than noise."),
     ],
 )
 def test_a_test_of_noise_says_what_it_found(chi_square, excess, words):

@@ -68,7 +68,9 @@ class Consistency(NamedTuple):
         )
         if self.excess:
             return f"{text}: not noise alone, {self.excess:.3g} were added to its deviation."
-        return f"{text}: {'noise' if self.holds else 'less than noise'}."
+        if self.holds:
+            return f"{text}: noise."
+        return f"{text}: {'more' if self.chi_square > self.upper else 'less'} than noise."
 
 
 @dataclass(frozen=True, eq=False)
