@@ -286,10 +286,12 @@ def test_passage_takes_as_long_as_the_scheme(scheme):
 
 def test_steps_are_no_shorter_than_need_be():
     """Ten seconds of a pause, 30 degrees of a rotation, at least four of each."""
-    way = linearize_along(Scheme("+180X +90X", dwell=5 * linearization._STEP), LATITUDE)
-    pause = [linearization._STEP] * 5
+    way = linearize_along(Scheme("+180X +90X", dwell=50.0), LATITUDE)
+    pause = [10.0] * 5
     expected = [*pause, *[3.0] * 6, *pause, *[2.25] * 4, *pause]
     np.testing.assert_allclose(way.durations, expected, rtol=1e-12)
+    way = linearize_along(Scheme("", dwell=50.1), LATITUDE)
+    np.testing.assert_allclose(way.durations, [50.1 / 6] * 6, rtol=1e-12)
 
 
 @pytest.mark.parametrize("model", [FULL, *ERROR_MODELS.values()], ids=["all", *ERROR_MODELS])

@@ -11,6 +11,7 @@ from scipy import optimize
 from driftlab.attitude import attitude_algorithm, integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
 from driftlab.calibration import FULL, InconsistentWarning, _pose_fit
+from driftlab.calibration._pose_fit import KINDS, fit_poses
 from driftlab.calibration._rest_noise import _row_variance, noise_of_rests
 from driftlab.calibration.body_axes import imu_errors_in_frame
 from driftlab.calibration.pose_results import Consistency
@@ -288,10 +289,47 @@ def test_what_noise_does_not_explain_is_added_and_said():
     assert not test.holds
     # Its square is estimated from the 5 or so degrees of freedom that 15 rests leave.
     assert 0.02 / 4 < test.excess < 0.02 * 4
-    # With the excess added, next to which the noise is small, the squares are as many as freedoms.
-    squares = np.sum(found.force_residuals**2) / test.excess**2
-    assert squares == pytest.approx(test.freedom, rel=0.03)
     assert "not noise alone" in found.why
+
+
+def test_with_what_is_missing_the_noise_explains_the_residuals():
+    """Told the excess of each kind beside its noise, the fit finds the same, and nothing missing:
+    chi-square is the number of degrees of freedom. The excess is good to a thousandth."""
+    true, rows = by_hand()
+    rng = np.random.default_rng(5)
+    measured = measure(true, unit(4), NOISE, rng)
+    angle, velocity = measured.angle.copy(), measured.velocity.copy()
+    for begin, end in rows:
+        velocity[begin - 2 : end + 2] += 0.02 / RATE * rng.standard_normal(3)
+        angle[begin - 2 : end + 2] += 1e-3 / RATE * rng.standard_normal(3)
+    for (_, end), (begin, _) in pairwise(rows):
+        angle[end + 2 : begin - 2] += 0.02 / MOVE * rng.standard_normal(3)
+    record = log(measured._replace(angle=angle, velocity=velocity))
+    poses = poses_of(record, rows)._replace(velocity=None)
+    told, _ = noise_of_rests(record, rows, poses, NOISE)
+    found = fit_poses(poses, told)
+    excess = [found.consistency[kind].excess for kind in KINDS]
+    assert min(excess) > 0
+    more = told._replace(
+        force=told.force + excess[0] ** 2,
+        move=told.move + excess[1] ** 2,
+        rate=told.rate + excess[2] ** 2,
+    )
+    again = fit_poses(poses, more)
+    for test in again.consistency.values():
+        assert test.chi_square == pytest.approx(test.freedom, rel=3e-3)
+        assert test.excess == 0
+    free = found.covariance.diagonal() > 0
+    sizes = np.sqrt(found.covariance.diagonal()[free])
+    np.testing.assert_allclose(
+        found.unknowns[free] / sizes, again.unknowns[free] / sizes, rtol=0, atol=1e-3
+    )
+    np.testing.assert_allclose(
+        found.covariance[np.ix_(free, free)] / np.outer(sizes, sizes),
+        again.covariance[np.ix_(free, free)] / np.outer(sizes, sizes),
+        rtol=0,
+        atol=1e-3,
+    )
 
 
 def test_what_is_left_is_told_in_sentences(monkeypatch):
@@ -365,8 +403,6 @@ def test_one_closed_turn_is_larins_estimate_to_first_order(axis):
         found = calibrate_by_poses(
             record, rows, gravity=GRAVITY, noise=NOISE, prior=WIDE, closed=[(0, 1)]
         )
-        # A turn that closes is told once, and not by gravity as well.
-        assert len(found.turn_residuals) == 1
         way = record.gyro[rows[0][1] : rows[1][0]]
         estimate = turn_estimate(integrate(way, "memory-4")[-1], n)
         return abs(n @ found.imu_errors.gyro_error @ n - estimate)
@@ -392,6 +428,15 @@ def test_closed_paths_over_several_moves_add_what_gravity_does_not_show():
     assert len(with_path.turn_residuals) == len(without.turn_residuals) + 1
     wrong = (with_path.imu_errors.gyro_error - truth) / with_path.deviations.gyro_error
     assert largest(wrong) < 4.9
+
+
+def test_a_move_counts_by_gravity_unless_it_alone_is_a_closed_path():
+    whole = [[0, 0, 2 * np.pi], [2 * np.pi, 0, 0]]
+    true, rows = moved([*whole, *np.random.default_rng(2).uniform(-2.5, 2.5, (10, 3))])
+    record = log(measure(true, unit(4), NOISE, np.random.default_rng(9)))
+    for closed, count in (((), 12), ([(0, 1)], 12), ([(0, 2)], 13), ([(0, 1), (0, 2)], 13)):
+        found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE, closed=closed)
+        assert len(found.turn_residuals) == count
 
 
 def test_too_few_poses_leave_numbers_in_the_dark():

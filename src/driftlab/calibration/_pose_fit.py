@@ -159,7 +159,7 @@ class _Weights:
         self.sizes = None if sizes is None else sizes[free]
         self.kinds = (model.rests, model.moves, model.rates)
         model.face(unknowns)
-        none = Variances(0 * variances.force, 0 * variances.rate, 0 * variances.move, 0.0)
+        none = Variances._make(map(np.zeros_like, variances))
         self._noise = model.covariance(unknowns, variances)
         self._units = [
             model.covariance(unknowns, none._replace(force=none.force + 1)),
