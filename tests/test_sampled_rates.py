@@ -168,6 +168,34 @@ def test_a_time_that_is_none_is_refused():
         increments_from_rates(np.ones((9, 3)), 1.0, times=times)
 
 
+def test_times_in_sentences_are_counted_from_the_first():
+    times = np.datetime64("2026-05-01T12:00:00") + np.arange(9)
+    with pytest.raises(ValueError, match=r"got -1 after 0 in row 2\.$"):
+        increments_from_rates(np.ones((9, 3)), 1.0, times=times[::-1])
+    with pytest.raises(ValueError, match=r"^times: expected shape \(\.\.\., 9\), got shape \(1,\)"):
+        increments_from_rates(np.ones((9, 3)), 1.0, times=times[:1])
+
+
+def test_masked_dates_are_refused_like_other_masked_times():
+    times = np.datetime64("2026-05-01T12:00:00") + np.arange(9)
+    with pytest.raises(ValueError, match=r"^times: expected all values to be there, got masked"):
+        increments_from_rates(
+            np.ones((9, 3)), 1.0, times=np.ma.array(times, mask=np.arange(9) == 4)
+        )
+
+
+def test_times_of_a_zone_are_moments_as_well():
+    pandas = pytest.importorskip("pandas")
+    times = pandas.Series(pandas.date_range("2026-05-01", periods=9, freq="s", tz="Asia/Tokyo"))
+    rates = np.random.default_rng(3).normal(size=(9, 3))
+    np.testing.assert_allclose(
+        increments_from_rates(rates, 1.0, times=times),
+        increments_from_rates(rates, 1.0, times=np.arange(9.0)),
+        rtol=0,
+        atol=1e-14,
+    )
+
+
 def test_dates_and_times_are_seconds_since_the_first():
     rates = CONE.rate(np.arange(200) / 100)
     times = np.datetime64("2026-05-01T12:00:00.000", "ms") + 10 * np.arange(200)

@@ -141,7 +141,11 @@ def _sample_times(times: ArrayLike, count: int, longest_gap: float, interval: fl
 def _seconds(times: ArrayLike) -> ArrayLike:
     """Dates and times, or spans of time, as seconds since the first; others as they are."""
     kind = getattr(getattr(times, "dtype", None), "kind", "")  # of an array, or of a Series
-    array = np.asarray(times) if kind in ("m", "M") else np.empty(0)
+    if kind not in ("m", "M") or np.ma.is_masked(times):
+        return times
+    array = np.asarray(times)
+    if array.dtype.kind == "O":  # times of a zone, which NumPy knows as those of Greenwich
+        array = np.asarray(times, "datetime64[ns]")
     if not array.size:
         return times
     if np.isnat(array).any():

@@ -100,6 +100,12 @@ def test_sculling_drifts_with_the_order_of_coning(name, order):
         assert np.log2(errors[0] / errors[1]) == pytest.approx(2, abs=0.1)
 
 
+def test_one_sample_a_step_along_the_axis_of_the_turn_is_left_as_it_is():
+    rows = np.full((4, 3), 0.01)
+    np.testing.assert_allclose(step_velocities(rows, rows, "picard-1"), rows, rtol=1e-14)
+    np.testing.assert_array_equal(sculling_correction(rows, rows, "picard-1"), np.zeros((4, 3)))
+
+
 def test_what_cannot_be_is_refused():
     rows = np.zeros((4, 3))
     with pytest.raises(ValueError, match=r"^algorithm: expected one without memory, got memory-4"):

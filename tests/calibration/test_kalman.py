@@ -230,6 +230,12 @@ def test_measurement_that_does_not_fit_is_refused(changes, words):
         correct(**{"covariance": np.eye(4)} | MEASURED | changes)
 
 
+def test_a_spread_that_is_singular_but_for_rounding_is_refused():
+    """The second row is three times the first, and nothing is noise."""
+    with pytest.raises(ValueError, match=r"^noise: expected .* spread .* without an inverse"):
+        correct(np.eye(2), [1.0, 1.0], [[0.1, 0.7], [0.3, 2.1]], np.zeros((2, 2)))
+
+
 def test_measurement_without_any_spread_is_refused():
     with pytest.raises(
         ValueError, match=r"^noise: expected .* spread .*, got .* without an inverse"

@@ -439,6 +439,13 @@ def test_a_move_counts_by_gravity_unless_it_alone_is_a_closed_path():
         assert len(found.turn_residuals) == count
 
 
+def test_accelerometers_that_are_dead_are_told():
+    true, rows = by_hand()
+    record = log(true._replace(velocity=np.zeros_like(true.velocity)))
+    with pytest.raises(ValueError, match=r"^rests: expected accelerometers that feel .* in rest 0"):
+        calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE)
+
+
 def test_too_few_poses_leave_numbers_in_the_dark():
     true, rows = moved([[0.5, 0, 0], [0, 0, 1.0], [-0.4, 0, 0]])
     record = log(measure(true, unit(4), NOISE, np.random.default_rng(1)))

@@ -74,6 +74,19 @@ def test_attitudes_agree(algorithm, size):
             assert_attitudes_agree(plain, fast)
 
 
+def test_of_a_covariance_both_halves_count():
+    rng = np.random.default_rng(12)
+    half = rng.normal(size=(5, 5))
+    covariance, observation = half @ half.T, rng.normal(size=(2, 5))
+    lopsided = covariance + np.triu(rng.normal(size=(5, 5)), 1)
+    for given in (covariance, lopsided):
+        plain, fast = both(
+            lambda given=given: kalman.correct(given, np.ones(2), observation, np.eye(2))
+        )
+        for one, other in zip(plain, fast, strict=True):
+            np.testing.assert_allclose(other, one, rtol=0, atol=1e-12)
+
+
 def test_any_layout_of_increments_will_do():
     rows = np.random.default_rng(2).uniform(-0.1, 0.1, (3, 60, 2))
     strange = np.asfortranarray(rows).transpose(2, 1, 0)[:, ::-1]

@@ -263,7 +263,8 @@ def _checked(
             f"history: expected shape (..., m, 3) with m at least {chosen.memory} for "
             f"{chosen.name}, got shape {past.shape}."
         )
-    return _joined(past[..., -chosen.memory :, :], rows), chosen.memory, largest
+    past = past[..., -chosen.memory :, :]
+    return _joined(past, rows), chosen.memory, max(largest, _largest(past))
 
 
 def _joined(past: FloatArray, rows: FloatArray) -> FloatArray:

@@ -99,7 +99,13 @@ def _row_variance(
 
 def warn_of_gravity(poses: Poses) -> None:
     """Warn if the accelerometers at rest show another gravity; biases push up here, down there."""
-    found = float(np.median(np.linalg.norm(poses.force, axis=-1)))
+    sizes = np.linalg.norm(poses.force, axis=-1)
+    if not sizes.all():
+        raise ValueError(
+            "rests: expected accelerometers that feel gravity at each rest, got zeros in rest "
+            f"{int(np.argmin(sizes))}."
+        )
+    found = float(np.median(sizes))
     if not 1 / _GRAVITY_FACTOR < found / poses.gravity < _GRAVITY_FACTOR:
         warnings.warn(
             f"gravity: expected what the accelerometers show at rest within a factor of "

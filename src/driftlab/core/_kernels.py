@@ -501,15 +501,16 @@ def correct_covariance(covariance: Any, observation: Any, noise: Any) -> Any:
             for k in range(many):
                 total += seen[k, i] * weights[k, j]
             gain[i, j] = total
-        # One half, and the other is as large: rounding cannot part them.
         row = after[i]
         for k in range(many):
             factor = gain[i, k]
-            for j in range(i + 1):
+            for j in range(size):
                 row[j] -= factor * seen[k, j]
     for i in range(size):
         for j in range(i):
-            after[j, i] = after[i, j]
+            mean = 0.5 * (after[i, j] + after[j, i])
+            after[i, j] = mean
+            after[j, i] = mean
     return after, gain, weights, regular
 
 
