@@ -124,8 +124,10 @@ def sweep(
     -----
     A batch is kept for its task, its seed, the size of batches and the code that the task runs:
     this package without its book, NumPy and SciPy by their versions, and the modules in which the
-    functions and classes of the task stand. What was kept of another study, or by other code, is
-    never taken, so many studies may share a folder; ``study.json`` says which has which part of it.
+    functions and classes of the task stand. What was kept of another study, or by other code of
+    these, is never taken, so many studies may share a folder; ``study.json`` says which has which
+    part of it. Modules that those only import, and globals that are changed, are not seen: take
+    another folder then.
     The task must therefore be a function of a module, a method of a dataclass, or a
     `functools.partial` of these, with numbers, texts and arrays in it.
 
