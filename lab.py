@@ -171,7 +171,7 @@ def test(arguments: list[str]) -> int:
         if not (HOME / os.environ.setdefault("DRIFTLAB_SITE", SITE)).is_dir():
             raise Trouble("There is no site to test; 'python3 lab.py site' builds it.")
         paths = [argument for argument in chosen if (HOME / argument.split("::")[0]).exists()]
-        # Pages that compute wait for nothing: as many as there are processors.
+        # Pages that compute seldom wait: two processors have enough of two.
         at_once = [*AT_ONCE, "-n", "2"]
         return run("-m", "pytest", *at_once, *chosen, *(() if paths else ["tests/site"]))
     if chosen:

@@ -69,7 +69,7 @@ def integrate(
     Warns
     -----
     UnusualWarning
-        If an increment is more than a whole turn.
+        If an increment, or one of the history that counts, is more than a whole turn.
 
     See Also
     --------

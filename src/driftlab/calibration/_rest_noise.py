@@ -98,7 +98,10 @@ def _row_variance(
 
 
 def warn_of_gravity(poses: Poses) -> None:
-    """Warn if the accelerometers at rest show another gravity; biases push up here, down there."""
+    """Warn if the accelerometers at rest show another gravity, and refuse such as show none.
+
+    The median counts, for biases push up in one rest and down in another.
+    """
     sizes = np.linalg.norm(poses.force, axis=-1)
     if not sizes.all():
         raise ValueError(

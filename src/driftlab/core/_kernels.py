@@ -96,7 +96,7 @@ def _of_cayley_vector(k: Any) -> Any:
         size = max(abs(x), abs(y), abs(z))
         x, y, z, one = x / size, y / size, z / size, 1 / size
         square = x * x + y * y + z * z
-    # One division, which takes longer than all the rest.
+    # One division and products by it: a division takes as long as several of them.
     share = 1 / (one * one + square)
     twice = -2 * one * share
     return twice * x, twice * y, twice * z, (one * one - square) * share
