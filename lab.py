@@ -15,7 +15,7 @@ usage: python3 lab.py [command]
   lowest    the quick tests with the oldest packages that pyproject.toml allows
               other arguments go to pytest
   newest    the same with the newest packages that it allows, brought anew each time
-  figures   rebuild every figure and table of the book
+  figures   rebuild every figure and table of the book, or "figures 03 10-operating-formula" these
               --workers N            processes for what takes many runs, else one for each core
               --scheduler ADDRESS    send those runs to a cluster of dask
               --keep FOLDER          keep finished runs there, and go on from them
@@ -209,7 +209,7 @@ def quick_tests(python: Path, arguments: list[str]) -> int:
 
 
 def figures(arguments: list[str]) -> int:
-    """Rebuild every figure and table."""
+    """Rebuild every figure and table, or some."""
     set_up()
     # Of what is said, only this is a path.
     seen = [
@@ -222,14 +222,16 @@ def figures(arguments: list[str]) -> int:
 def bench(arguments: list[str]) -> int:
     """Measure how fast the package is; without a choice of subjects, renew the page of it."""
     set_up()
-    fetch("bench")
+    if not asks_for_help(arguments):
+        fetch("bench")
     return run("tests/benchmarks/bench.py", *arguments)
 
 
 def mutate(arguments: list[str]) -> int:
     """Break the package in many places; see whether its tests notice."""
     set_up()
-    fetch("mutations")
+    if not asks_for_help(arguments):
+        fetch("mutations")
     return run("tests/mutations/mutate.py", *arguments)
 
 
@@ -240,6 +242,10 @@ def peers(arguments: list[str]) -> int:
     for extra in ("bench", "cluster", "compiled", "peers"):
         fetch(extra)
     return run("-m", "pytest", "tests/peers")
+
+
+def asks_for_help(arguments: list[str]) -> bool:
+    return bool({"-h", "--help"} & {*arguments})
 
 
 def fetch(extra: str) -> None:

@@ -1,10 +1,11 @@
 """The switch for compiled loops; what they compute is compared in tests/peers/test_compiled.py."""
 
 import os
+import warnings
 
 import pytest
 
-from driftlab import use_compiled
+from driftlab import is_compiled, use_compiled
 from driftlab.core import compiled
 
 
@@ -28,10 +29,47 @@ def test_the_switch_tells_processes_that_are_started_later(monkeypatch):
     monkeypatch.setattr(compiled, "available", lambda: True)
     for on in (True, False):
         use_compiled(on)
-        assert compiled.on is on
+        assert is_compiled() is on
         assert os.environ[compiled.VARIABLE] == str(int(on))
 
 
 def test_what_is_no_truth_value_is_refused():
     with pytest.raises(ValueError, match=r"^on: expected True or False"):
         use_compiled("yes")
+
+
+@pytest.mark.parametrize(
+    ("said", "installed", "compiles", "warned"),
+    [
+        (None, True, False, None),
+        ("", True, False, None),
+        ("0", True, False, None),
+        ("1", True, True, None),
+        ("1", False, False, r"^DRIFTLAB_COMPILED is 1, but numba is not installed: pip install"),
+        ("true", True, False, r"^DRIFTLAB_COMPILED: expected 0 or 1, got 'true'"),
+        ("yes", False, False, r"^DRIFTLAB_COMPILED: expected 0 or 1, got 'yes'"),
+    ],
+)
+def test_what_the_environment_asks_for_is_done_or_a_warning_says_why_not(
+    said, installed, compiles, warned, monkeypatch
+):
+    monkeypatch.setattr(compiled, "available", lambda: installed)
+    if said is None:
+        monkeypatch.delenv(compiled.VARIABLE)
+    else:
+        monkeypatch.setenv(compiled.VARIABLE, said)
+    if warned is None:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            assert compiled._asked() is compiles
+    else:
+        with pytest.warns(UserWarning, match=warned):
+            assert compiled._asked() is compiles
+
+
+def test_a_report_can_say_what_computed(monkeypatch):
+    monkeypatch.setattr(compiled, "version", lambda name: f"9.9 of {name}")
+    monkeypatch.setattr(compiled, "on", False)
+    assert compiled.arithmetic() == "NumPy"
+    monkeypatch.setattr(compiled, "on", True)
+    assert compiled.arithmetic() == "Numba 9.9 of numba"

@@ -14,7 +14,7 @@ from __future__ import annotations
 from .checks import truth_value
 from .core import compiled
 
-__all__ = ["use_compiled"]
+__all__ = ["is_compiled", "use_compiled"]
 
 
 def use_compiled(on: bool = True) -> None:
@@ -36,6 +36,7 @@ def use_compiled(on: bool = True) -> None:
 
     See Also
     --------
+    is_compiled : Whether they are.
     driftlab.attitude.integrate : Attitude from increments.
     driftlab.strapdown.navigate : Velocity and position as well.
     driftlab.monte_carlo.sweep : Many runs on all processors.
@@ -60,3 +61,25 @@ def use_compiled(on: bool = True) -> None:
             name="numba",
         )
     compiled.switch(on)
+
+
+def is_compiled() -> bool:
+    """Whether the longest loops are compiled now.
+
+    Returns
+    -------
+    bool
+        True after `use_compiled`, or where ``DRIFTLAB_COMPILED=1`` was set when the package was
+        imported and Numba is installed. Where it was set in vain, a warning has said why.
+
+    See Also
+    --------
+    use_compiled : The switch.
+
+    Examples
+    --------
+    >>> use_compiled(False)
+    >>> is_compiled()
+    False
+    """
+    return compiled.on

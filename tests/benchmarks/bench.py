@@ -42,7 +42,9 @@ SUBJECTS = (*MODULES, "growth", "browser")
 def arguments(given: list[str] | None = None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="lab.py bench", description=__doc__)
     parser.add_argument("subjects", nargs="*", metavar="subject", help=", ".join(SUBJECTS))
-    parser.add_argument("--repeats", type=int, default=9, help="rounds of each row")
+    parser.add_argument(
+        "--repeats", type=int, default=9, help="rounds of each row, else %(default)s"
+    )
     parser.add_argument("--no-write", action="store_true", help="print only")
     options = parser.parse_args(given)
     if unknown := [name for name in options.subjects if name not in SUBJECTS]:

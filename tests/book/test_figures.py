@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from driftlab.book import figures
-from driftlab.book.__main__ import write_figures
+from driftlab.book.__main__ import write_gallery
 from driftlab.book.machinery.curve_rows import numbers
 from driftlab.book.machinery.figure_table import as_words, read_table
 from driftlab.book.machinery.publish import PublishedFigure, gallery
@@ -98,7 +98,7 @@ def test_a_rebuild_writes_every_entry_the_gallery_and_larins_numbers(tmp_path: P
         for name, each in figures.figure_definitions().items()
         if name in ("00-frames", "05-cayley-map")
     }
-    write_figures(tmp_path, definitions)
+    write_gallery(tmp_path, definitions)
     assert {path.name for path in tmp_path.iterdir()} == {
         "00-frames.svg",
         "05-cayley-map.svg",
@@ -129,7 +129,7 @@ def test_without_its_recording_a_figure_is_restored_and_its_files_are_kept(
     shown, caption = figures.figure(name), published_captions()[name]
     assert shown.caption == f"{caption} {figures.not_at_hand(definition)}"
     assert "github.com/mad-lab-fau/imucal was not at hand" in shown.caption
-    write_figures(tmp_path, {name: definition})
+    write_gallery(tmp_path, {name: definition})
     for path in PUBLISHED.glob(f"{name}.*"):
         assert (tmp_path / path.name).read_bytes() == path.read_bytes()
     assert (tmp_path / "README.md").read_text(encoding="utf-8") == gallery({name: caption})

@@ -66,11 +66,23 @@ def test_processes_change_nothing_and_what_is_kept_is_taken(drawn, tmp_path, mon
     ("options", "says"),
     [
         (["--workers", "0"], "count: expected a whole number of at least 1, got 0."),
+        (["01"], "among 00-study; got 01."),
+        (["--keep", "{file}/kept"], "Not a directory: '{file}/kept'"),
         (["--scheduler", "tcp://127.0.0.1:1"], "pip install driftlab[cluster]."),
     ],
 )
-def test_what_cannot_be_is_said_in_a_sentence(drawn, options, says, monkeypatch):
+def test_what_cannot_be_is_said_in_a_sentence_before_anything_is_made(
+    drawn, options, says, monkeypatch, tmp_path
+):
     monkeypatch.setitem(sys.modules, "distributed", None)
+    file = tmp_path / "file"
+    file.write_text("mine")
     with pytest.raises(SystemExit) as stop:
-        drawn(*options)
-    assert str(stop.value).endswith(says)
+        drawn(*(option.format(file=file) for option in options))
+    assert str(stop.value).endswith(says.format(file=file))
+    assert not (tmp_path / "figures").exists()
+
+
+def test_some_are_written_alone(drawn, tmp_path):
+    drawn("--workers", "1", "00", "00-study")
+    assert [path.name for path in (tmp_path / "figures").iterdir()] == ["00-study.svg"]

@@ -37,10 +37,10 @@ WRITE = """
 import locale, sys
 from pathlib import Path
 locale.setlocale(locale.LC_ALL, "")
-from driftlab.book.__main__ import write_figures
+from driftlab.book.__main__ import write_gallery
 from driftlab.book.figures import figure_definitions
 every = figure_definitions()
-write_figures(Path(sys.argv[1]), {name: every[name] for name in sys.argv[2:]})
+write_gallery(Path(sys.argv[1]), {name: every[name] for name in sys.argv[2:]})
 """
 
 

@@ -78,3 +78,14 @@ def test_two_folders_are_told_apart_table_by_table(tmp_path: Path) -> None:
         "rounded.csv: last digits, by rounding",
         "  x: 1 of 3 numbers, at most 1e-11 of the largest",
     ]
+
+
+def test_of_two_folders_some_tables_may_be_compared_alone(tmp_path: Path) -> None:
+    here, there = tmp_path / "here", tmp_path / "there"
+    for folder in (here, there):
+        folder.mkdir()
+        write_table(folder / "some.csv", TABLE, [])
+    write_table(here / "more.csv", TABLE, [])
+    assert folder_differences(here, there, {"some.csv"}) == {}
+    with pytest.raises(ValueError, match="got no table at all in one only"):
+        folder_differences(here, there, set())

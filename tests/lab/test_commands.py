@@ -91,6 +91,16 @@ def test_breaking_the_package_fetches_what_it_needs(checks: SimpleNamespace) -> 
     assert broken == ["tests/mutations/mutate.py", "core.earth", "--breaks", "5"]
 
 
+@pytest.mark.parametrize("command", ["bench", "mutate"])
+@pytest.mark.parametrize("option", ["-h", "--help"])
+def test_who_asks_for_help_fetches_nothing(
+    command: str, option: str, checks: SimpleNamespace
+) -> None:
+    assert checks.lab.main([command, option]) == 0
+    [asked] = checks.ran
+    assert asked[1:] == [option]
+
+
 def test_test_leaves_out_the_peers(checks: SimpleNamespace) -> None:
     checks.lab.main(["test"])
     assert checks.ran[-1][-1] == "--ignore=tests/peers"

@@ -15,7 +15,7 @@ from hypothesis import given, strategies as st
 from scipy.spatial.transform import Rotation
 
 from driftlab.calibration.simulation import TableTrial
-from driftlab.monte_carlo._descriptions import code_of, describe
+from driftlab.monte_carlo._descriptions import _own_modules, code_of, describe
 
 
 class Kind(Enum):
@@ -71,7 +71,7 @@ def test_how_an_array_lies_in_memory_does_not_matter():
 def test_it_is_the_same_in_another_process():
     lines = (
         "from driftlab.calibration.simulation import TableTrial\n"
-        "from driftlab.monte_carlo._descriptions import code_of, describe\n"
+        "from driftlab.monte_carlo._descriptions import _own_modules, code_of, describe\n"
         "task = TableTrial(states=('lever arms',)).run\n"
         "print(describe(task), describe({'b', 'a', 'c'}), code_of(task))"
     )
@@ -136,6 +136,36 @@ def test_what_else_stands_in_the_module_of_a_task_is_its_code(task, tmp_path, mo
     first = code_of(given)
     (tmp_path / f"{name}.py").write_text(BOTH.format(number=2))
     assert code_of(given) != first
+
+
+IMPORTS = ["import {0}", "from {0} import number", "import {0} as other", "from {0} import Kind"]
+
+
+@pytest.mark.parametrize("line", IMPORTS)
+def test_a_module_of_ones_own_that_a_task_imports_is_its_code(line, tmp_path, monkeypatch):
+    """However it is imported, over two steps as well; another one beside it is not."""
+    monkeypatch.syspath_prepend(tmp_path)
+    names = [f"{each}_{tmp_path.name}" for each in ("task", "middle", "helper", "stranger")]
+    task, middle, helper, stranger = (tmp_path / f"{name}.py" for name in names)
+    task.write_text(f"from {names[1]} import go_on\ndef run(rng, runs):\n    return go_on()\n")
+    middle.write_text(f"import math\n{line.format(names[2])}\ndef go_on():\n    return 1\n")
+    defined = "class Kind: pass\ndef number(): return {}\n"
+    helper.write_text(defined.format(1))
+    stranger.write_text(defined.format(1))
+    importlib.import_module(names[3])
+    run = importlib.import_module(names[0]).run
+    first = code_of(run)
+    stranger.write_text(defined.format(2))
+    assert code_of(run) == first
+    helper.write_text(defined.format(2))
+    assert code_of(run) != first
+
+
+def test_libraries_are_not_read():
+    """Their number is in their version; to read them would take long."""
+    own = _own_modules({__name__, "json", "numpy", "driftlab.triad"})
+    assert __name__ in own
+    assert not any(name.partition(".")[0] in {"json", "numpy", "driftlab"} for name in own)
 
 
 def test_the_code_of_a_task_in_an_archive_is_its_own_text(tmp_path, monkeypatch):

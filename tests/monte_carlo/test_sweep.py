@@ -237,3 +237,13 @@ def test_numbers_that_make_no_sense_are_refused_by_name(name, bad, least):
         ValueError, match=rf"^{name}: expected a whole number of at least {least}, got {bad!r}\.$"
     ):
         sweep(never, **arguments)
+
+
+def test_what_other_processes_cannot_be_given_is_refused_in_a_sentence():
+    def within(rng, runs):
+        return runs
+
+    with processes(1) as pool:
+        for task in (within, lambda rng, runs: runs):
+            with pytest.raises(ValueError, match=r"^task: expected, for other processes, a func"):
+                sweep(task, 4, seed=1, executor=pool)

@@ -1,7 +1,11 @@
 """Processes of this computer: as many as asked, one thread each, none in a browser."""
 
 import os
+import signal
+import subprocess
 import sys
+from contextlib import suppress
+from select import select
 
 import pytest
 
@@ -23,6 +27,44 @@ def test_as_many_as_there_are_cores_if_not_said():
     with processes() as pool:
         cores = getattr(os, "sched_getaffinity", lambda _: range(os.cpu_count()))(0)
         assert pool._max_workers == len(cores)
+
+
+AT_WORK = """
+import os, time
+from driftlab.monte_carlo import processes, sweep
+
+def task(rng, runs):
+    os.write(1, b"begun")
+    time.sleep(600)
+
+if __name__ == "__main__":
+    with processes(2) as pool:
+        sweep(task, 2, seed=1, batch=1, executor=pool)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there a process cannot be killed like this")
+@pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGKILL])
+def test_they_end_with_the_process_that_started_them_even_where_it_is_killed(how, tmp_path):
+    """All of them hold the standard output; when it ends, none of them lives any more."""
+    script = tmp_path / "study.py"
+    script.write_text(AT_WORK)
+    process = subprocess.Popen(
+        [sys.executable, str(script)],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
+        stdout=subprocess.PIPE,
+        start_new_session=True,
+    )
+    try:
+        assert process.stdout.read(10) == b"begunbegun"
+        process.send_signal(how)
+        assert select([process.stdout], [], [], 20)[0]
+        assert process.stdout.read() == b""
+    finally:
+        with suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        process.stdout.close()
 
 
 @pytest.mark.parametrize("count", [0, -1, 1.5, "two"])

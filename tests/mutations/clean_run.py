@@ -4,15 +4,20 @@ A file runs in a process of its own, so that nothing that another file's tests h
 kept hides which lines its tests need. What ran when the file was imported has the context "".
 """
 
+from __future__ import annotations
+
 import json
 import resource
 from collections.abc import Iterator
 from pathlib import Path
 from time import process_time
+from typing import TYPE_CHECKING
 
 import pytest
-from coverage import Coverage
 from quietly import ARGUMENTS, PACKAGE
+
+if TYPE_CHECKING:
+    from coverage import Coverage
 
 
 class Watch:
@@ -46,6 +51,8 @@ class Watch:
 
 def run_clean(tests: str, data: Path, times: Path) -> None:
     """Run a file of tests; write coverage's data, and the times of the tests that passed."""
+    from coverage import Coverage  # fetched by lab.py, but not for --help
+
     coverage = Coverage(data_file=str(data), include=[f"{PACKAGE}/*"], config_file=False)
     watch = Watch(coverage)
     begun = process_time()

@@ -40,6 +40,7 @@ from quietly import ARGUMENTS, PACKAGE, ROOT, compile_elsewhere, end, forked
 from tests_of_lines import FileOfTests, covered, plan, record_of, test_files
 
 FOLDER = ROOT / ".mutations"
+"""Of the first seed; another one has its own, so that a page shows one sample."""
 BREAKS = 40
 PATIENCE = 40.0
 """Processor time of a clean run of the tests that one break is given."""
@@ -61,16 +62,30 @@ class Task(NamedTuple):
 def arguments(given: list[str] | None = None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="lab.py mutate", description=__doc__)
     parser.add_argument("modules", nargs="*", metavar="module", help='such as "core.quaternion"')
-    parser.add_argument("--breaks", type=int, default=BREAKS, help="of each module")
-    parser.add_argument("--seed", type=int, default=0, help="another one draws other breaks")
-    parser.add_argument("--workers", type=int, default=1, help="processes")
-    parser.add_argument("--patience", type=float, default=PATIENCE, help="seconds for one break")
+    parser.add_argument(
+        "--breaks", type=int, default=BREAKS, help="of each module, else %(default)s"
+    )
+    parser.add_argument(
+        "--seed", type=int, default=0, help="%(default)s, or another one, which draws other breaks"
+    )
+    parser.add_argument("--workers", type=int, default=1, help="processes, else %(default)s")
+    parser.add_argument(
+        "--patience", type=float, default=PATIENCE, help="seconds for one break, else %(default)s"
+    )
     parser.add_argument(
         "--again", action="store_true", help="run only what survived without a reason"
     )
     parser.add_argument("--page", action="store_true", help="only write the page from what is kept")
-    parser.add_argument("--folder", type=Path, default=FOLDER, help="where results are kept")
+    parser.add_argument(
+        "--folder",
+        type=Path,
+        help=f"where results are kept, else {FOLDER.name}, with another seed {FOLDER.name}-SEED",
+    )
     options = parser.parse_args(given)
+    if options.folder is None:
+        options.folder = FOLDER.with_name(
+            FOLDER.name + (f"-{options.seed}" if options.seed else "")
+        )
     names = numerical_parts()
     if unknown := [name for name in options.modules if name not in names]:
         parser.error(f"expected modules among {', '.join(names)}; got {', '.join(unknown)}")
@@ -226,7 +241,7 @@ def main() -> None:
                 try_all(tasks_of(module, options, kept), kept, options.workers)
                 print(kept.summary())
     if options.page or not options.modules:
-        write_page(options.folder)
+        write_page(options.folder, options.seed)
         print("Written: tests/mutations/mutations.md.")
 
 

@@ -1,14 +1,16 @@
 """The page of what was broken, what the tests caught, and what survived and why."""
 
+import math
 import os
 import platform
 import tomllib
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Mapping, Sequence
 from datetime import date
 from importlib.metadata import version
 from pathlib import Path
 
+from break_part import breaks
 from kept_breaks import HUNG, Kept, Tried, digest
 from numerical_parts import numerical_parts, path_of
 
@@ -27,12 +29,12 @@ Written by `python3 lab.py mutate`, never by hand. {machine}
 Each break changes one place of one module: a sign, an operator, a constant (by one, or by 1 %), \
 a comparison or its boundary, two arguments, a function for its neighbour (sine and cosine, least \
 and greatest, any and all), a condition turned round, a `not` dropped. Texts, errors, annotations \
-and decorators are left alone. Breaks are drawn at random with a seed, so that a share is an \
-estimate for all that could be broken. Against each break run those tests of the package's \
-subjects that execute its line, until one fails; the tests of the book, its figures, panels and \
-chapters, are not asked. A break that makes a test hang counts as caught ({hung} of them). Some \
-tests were written for what had survived before, so a run with another `--seed` is the fairer \
-question.
+and decorators are left alone. In all {modules} modules {places} breaks are possible; of each \
+module {least} to {most} were drawn at random (seed {seed}). Against each break run those tests of \
+the package's subjects that execute its line, until one fails or their time is over; the tests of \
+the book, its figures, panels and chapters, are not asked. A break that makes a test hang counts \
+as caught ({hung} of them). Some tests were written for what survived with seed 0, so another seed \
+is the fairer question.
 
 | | |
 | --- | --: |
@@ -43,18 +45,23 @@ question.
 | **share caught, of those that change something** | **{share_other}** |
 | survived and change something of which nothing is promised | {immaterial} |
 | survived otherwise: holes in the tests | {left} |
+| **share caught, with each module counted by all that could be broken in it** | **{estimate}** |
+| the same, of those that change something | {estimate_other} |
+
+The last two rows are estimates for all {places} breaks, with two standard errors; what the \
+sample says of small modules counts less there than in the rows above.
 """
-_FOOT = """
-A survivor *without a test* stands in a line that none of these tests executes; against one \
-*with more tests* not all that execute its line ran, since there are many. Reasons were written \
-by hand, in [survivors.toml](survivors.toml).
+_KEY = """Of a survivor *in no tested line* none of these tests executes the line; *not against \
+all tests* says that those which execute it take longer together than a break is given, and the \
+rest did not run. Reasons were written by hand, in [survivors.toml](survivors.toml).
 """
 
 
-def write_page(folder: Path) -> None:
+def write_page(folder: Path, seed: int) -> None:
     """Write the page from the breaks that are kept in a folder."""
     kept = [Kept(folder, name, digest(path_of(name))) for name in numerical_parts()]
-    PAGE.write_text(page(kept, reasons(REASONS)), "utf-8", newline="\n")
+    possible = {name: len(breaks(path_of(name).read_text("utf-8"))) for name in numerical_parts()}
+    PAGE.write_text(page(kept, reasons(REASONS), possible, seed), "utf-8", newline="\n")
 
 
 def reasons(path: Path) -> dict[tuple[str, str, str], str]:
@@ -66,10 +73,15 @@ def reasons(path: Path) -> dict[tuple[str, str, str], str]:
     return found
 
 
-def page(modules: Iterable[Kept], known: dict[tuple[str, str, str], str]) -> str:
-    """The whole page in Markdown."""
-    modules = list(modules)
-    tried = [each for kept in modules for each in kept.tried]
+def page(
+    kept_modules: Sequence[Kept],
+    known: dict[tuple[str, str, str], str],
+    possible: Mapping[str, int],
+    seed: int,
+) -> str:
+    """The whole page in Markdown; `possible` are the numbers of breaks of which some were drawn."""
+    drawn = [kept for kept in kept_modules if kept.tried]
+    tried = [each for kept in drawn for each in kept.tried]
     survived = [each for each in tried if not each.failed]
     same = [each for each in survived if is_same(each, known)]
     immaterial = [each for each in survived if _first_word(each, known) == IMMATERIAL]
@@ -78,7 +90,13 @@ def page(modules: Iterable[Kept], known: dict[tuple[str, str, str], str]) -> str
     text = [
         _HEAD.format(
             machine=machine(),
-            modules=sum(bool(kept.tried) for kept in modules),
+            modules=len(drawn),
+            places=sum(possible[kept.module] for kept in drawn),
+            least=min(len(kept.tried) for kept in drawn),
+            most=max(len(kept.tried) for kept in drawn),
+            seed=seed,
+            estimate=_estimate(drawn, possible, set()),
+            estimate_other=_estimate(drawn, possible, {id(each) for each in same}),
             hung=sum(each.failed == HUNG for each in tried),
             all=len(tried),
             caught=caught,
@@ -88,12 +106,12 @@ def page(modules: Iterable[Kept], known: dict[tuple[str, str, str], str]) -> str
             immaterial=len(immaterial),
             left=len(left),
         ),
-        _table(modules, known),
+        _table(drawn, known),
     ]
-    text += ["## Survivors that change something\n", *_listed(left, known), _FOOT]
+    text += ["## Survivors that change something\n", _KEY, *_listed(left, known)]
     text += ["## Survivors that change what is not promised\n", *_listed(immaterial, known)]
     text += ["## Survivors that change nothing\n", *_listed(same, known)]
-    if not_tried := [kept for kept in modules if kept.broken_before or not kept.tried]:
+    if not_tried := [kept for kept in kept_modules if kept.broken_before or not kept.tried]:
         text += ["## Not tried\n", *(f"- `{kept.module}`: {_why_not(kept)}" for kept in not_tried)]
     return "\n".join(text).rstrip("\n") + "\n"
 
@@ -113,7 +131,29 @@ def reason(each: Tried, known: dict[tuple[str, str, str], str]) -> str:
 
 def share(part: int, whole: int) -> str:
     """A share that never reads 100 % where something is missing."""
-    return f"{int(1000 * part / whole) / 10:.1f} %" if whole else "none"
+    if not whole:
+        return "none"
+    return f"{100.0 if part == whole else min(99.9, 100 * part / whole):.1f} %"
+
+
+def _estimate(modules: list[Kept], possible: Mapping[str, int], left_out: set[int]) -> str:
+    """Share caught of all that is possible: a mean over strata, with two standard errors."""
+    everything = mean = variance = 0.0
+    for kept in modules:
+        drawn = [each for each in kept.tried if id(each) not in left_out]
+        if not drawn:
+            continue
+        # Of what is possible, as many are left out as of what was drawn.
+        places = possible[kept.module] * len(drawn) / len(kept.tried)
+        caught = sum(bool(each.failed) for each in drawn) / len(drawn)
+        # As if one more had been drawn that may be either: a stratum without a survivor has error.
+        doubt = (caught * len(drawn) + 0.5) / (len(drawn) + 1)
+        rest = max(0.0, 1 - len(drawn) / places)
+        everything += places
+        mean += places * caught
+        variance += places**2 * doubt * (1 - doubt) / len(drawn) * rest
+    error = 2 * math.sqrt(variance) / everything
+    return f"{100 * mean / everything:.1f} ± {100 * error:.1f} %"
 
 
 def machine() -> str:
@@ -131,8 +171,6 @@ def _table(modules: list[Kept], known: dict[tuple[str, str, str], str]) -> str:
     ]
     for kept in modules:
         count, survived = len(kept.tried), kept.survived
-        if not count:
-            continue
         same = sum(is_same(each, known) for each in survived)
         caught = count - len(survived)
         rows.append(
@@ -151,8 +189,8 @@ def _listed(survived: list[Tried], known: dict[tuple[str, str, str], str]) -> li
         lines.append(f"### {module}\n")
         for each in group:
             told = reason(each, known)
-            tests = "" if each.tests else ", without a test"
-            more = "" if each.complete else ", with more tests"
+            tests = "" if each.tests else ", in no tested line"
+            more = "" if each.complete else ", not against all tests"
             lines.append(f"- line {each.line}, {each.kind}{tests}{more}: {told}")
             lines += ["  ```diff", f"  - {each.before}", f"  + {each.after}", "  ```"]
         lines.append("")

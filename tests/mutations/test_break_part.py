@@ -143,10 +143,33 @@ def test_survivors_that_change_nothing_are_counted_apart():
         ("core.part", "a", "c"): "equivalent: c is a",
         ("core.part", "a", "d"): "hole: not yet",
     }
-    text = page([module], known)
+    text = page([module], known, {"core.part": 30}, 0)
     assert "| **share caught, of all** | **33.3 %** |" in text
     assert "| **share caught, of those that change something** | **50.0 %** |" in text
     assert "| `core.part` | 3 | 1 | 33.3 % | 1 | 1 | 50.0 % |" in text
     assert text.index("hole: not yet") < text.index("equivalent: c is a")
-    assert "no reason given yet" in page([module], {})
-    assert share(2999, 3000) == "99.9 %"
+    assert "no reason given yet" in page([module], {}, {"core.part": 30}, 0)
+    assert [share(*each) for each in ((2999, 3000), (2, 3), (7, 7))] == [
+        "99.9 %",
+        "66.7 %",
+        "100.0 %",
+    ]
+
+
+def test_a_large_module_counts_more_in_the_estimate_for_all():
+    """Of two in ten of the one half is caught, of two in thirty of the other all."""
+
+    def tried(module: str, place: int, failed: str) -> Tried:
+        return Tried(module, "sign", 3, "a", "b", (place, 1, "b"), failed, 9, True, 0.1)
+
+    one = OneModule(tried("core.one", 0, "test"), tried("core.one", 1, ""))
+    other = OneModule(tried("core.other", 0, "test"), tried("core.other", 1, "test"))
+    one.module, other.module = "core.one", "core.other"
+    text = page([one, other], {}, {"core.one": 10, "core.other": 30}, 7)
+    assert "2 to 2 were drawn at random (seed 7)" in text
+    assert "In all 2 modules 40 breaks are possible" in text
+    expected = (10 * 0.5 + 30 * 1.0) / 40
+    halves = 10**2 * 0.25 / 2 * (1 - 2 / 10)
+    wholes = 30**2 * (2.5 / 3) * (0.5 / 3) / 2 * (1 - 2 / 30)
+    error = 2 * (halves + wholes) ** 0.5 / 40
+    assert f"**{100 * expected:.1f} ± {100 * error:.1f} %**" in text

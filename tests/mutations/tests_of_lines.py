@@ -8,10 +8,12 @@ from collections.abc import Iterable
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from coverage import CoverageData
 from quietly import ARGUMENTS, PACKAGE, ROOT
+
+if TYPE_CHECKING:
+    from coverage import CoverageData
 
 TESTS = ROOT / "tests"
 # These look at the door, the files of the project and whole notebooks, not at numbers.
@@ -98,17 +100,23 @@ def covered(path: Path, folder: Path) -> list[Covered]:
     return [found for _, found in sorted(ranked, key=lambda each: each[0])]
 
 
-def _lines(data: Path, path: Path) -> dict[int, set[str]]:
+def _read(data: Path) -> CoverageData:
+    from coverage import CoverageData  # fetched by lab.py, but not for --help
+
     read = CoverageData(str(data))
     read.read()
+    return read
+
+
+def _lines(data: Path, path: Path) -> dict[int, set[str]]:
+    read = _read(data)
     return {line: set(names) for line, names in read.contexts_by_lineno(str(path)).items()}
 
 
 @cache
 def _all_lines(data: Path) -> int:
     """How many lines of the package a file of tests executes, but when it is imported."""
-    read = CoverageData(str(data))
-    read.read()
+    read = _read(data)
     read.set_query_contexts(["::"])  # names of tests have it
     return sum(len(read.lines(file) or ()) for file in read.measured_files())
 

@@ -6,7 +6,7 @@ import argparse
 import io
 import shutil
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Executor
 from contextlib import ExitStack
 from pathlib import Path
@@ -38,15 +38,21 @@ LARIN_NOTE = [
 ]
 
 
-def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | None = None) -> None:
-    """Write all figures, their numbers and the gallery; print Larin's numbers.
+def write_gallery(folder: Path, definitions: Mapping[str, FigureDefinition]) -> None:
+    """Write figures, their numbers and the page that shows them; print Larin's numbers."""
+    captions = write_figures(folder, definitions)
+    (folder / "README.md").write_text(gallery(captions), encoding="utf-8", newline="\n")
+    write_larin_numbers(folder)
+
+
+def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition]) -> dict[str, str]:
+    """Write figures and their numbers; return their captions.
 
     A figure whose recording is not at hand keeps its published files.
     """
     folder.mkdir(parents=True, exist_ok=True)
     captions, kept = {}, []
-    chosen = figure_definitions() if definitions is None else definitions
-    for name, definition in tqdm(chosen.items(), unit="figure"):
+    for name, definition in tqdm(definitions.items(), unit="figure"):
         missing = not_at_hand(definition)
         data = measured(name) if missing else definition.compute()
         captions[name] = definition.caption(data)
@@ -55,12 +61,16 @@ def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | No
             _copy(published_paths(name), folder)
         else:
             PublishedFigure(definition, data, definition.parameters).write(folder)
+    if kept:
+        print(f"\nKept as published, because their recordings are not at hand: {', '.join(kept)}.")
+    return captions
+
+
+def write_larin_numbers(folder: Path) -> None:
+    """Write Larin's seven numbers, and print them."""
     table = experiment_numbers()
     numbers = as_words({"name": NAMES, **table})
     write_table(folder / "04-larin-numbers.csv", numbers, LARIN_NOTE)
-    (folder / "README.md").write_text(gallery(captions), encoding="utf-8", newline="\n")
-    if kept:
-        print(f"\nKept as published, because their recordings are not at hand: {', '.join(kept)}.")
     print(f"\nLarin's numbers, written to {folder / '04-larin-numbers.csv'}:\n")
     print(f"{'':10}{'the copy':>14}{'reconstructed':>18}{'exact method':>18}")
     rows = (NAMES, IN_THE_COPY, table["reconstructed"], table["exact"])
@@ -70,11 +80,17 @@ def write_figures(folder: Path, definitions: Mapping[str, FigureDefinition] | No
 
 
 def write_figures_on(
-    folder: Path, workers: int | None, scheduler: str | None, keep: Path | None
+    folder: Path,
+    chosen: Mapping[str, FigureDefinition] | None,
+    workers: int | None,
+    scheduler: str | None,
+    keep: Path | None,
 ) -> None:
-    """Write all figures, the many runs of their studies on all cores or on a cluster."""
+    """Write all figures, or some, the many runs of their studies on all cores or on a cluster."""
     with ExitStack() as places:
         try:
+            if keep is not None:
+                keep.mkdir(parents=True, exist_ok=True)
             pool: Executor | None = None
             if scheduler is not None:
                 pool = places.enter_context(cluster(scheduler))
@@ -83,21 +99,46 @@ def write_figures_on(
         except (ValueError, OSError, ModuleNotFoundError) as error:
             sys.exit(str(error))
         places.enter_context(running_on(pool, folder=keep))
-        write_figures(folder)
+        if chosen is None:
+            write_gallery(folder, figure_definitions())
+        else:
+            write_figures(folder, chosen)
 
 
-def write_figures_or_compare(compare: bool, folder: Path, **where: Any) -> None:
-    """Write all figures, or compare their numbers with those that are published."""
+def write_figures_or_compare(
+    compare: bool, folder: Path, beginnings: list[str], **where: Any
+) -> None:
+    """Write all figures of the book, or some, or compare their numbers with those published."""
+    chosen = figures_that_begin(beginnings) if beginnings else None
     if not compare:
-        write_figures_on(folder, **where)
+        write_figures_on(folder, chosen, **where)
         return
     with TemporaryDirectory() as anew:
-        write_figures_on(Path(anew), **where)
-        found = folder_differences(folder, Path(anew))
-        count = len([*folder.glob("*.csv")])
-    print(f"\n{told(found, count)}")
+        write_figures_on(Path(anew), chosen, **where)
+        tables = {path.name for path in Path(anew).glob("*.csv")}
+        try:
+            found = folder_differences(folder, Path(anew), tables if beginnings else None)
+        except ValueError as error:
+            sys.exit(str(error))
+    print(f"\n{told(found, len(tables))}")
     if not all(each.only_rounding for differences in found.values() for each in differences):
         sys.exit(1)
+
+
+def figures_that_begin(beginnings: list[str]) -> dict[str, FigureDefinition]:
+    """Return the figures whose names begin in one of these ways, as "03" or "03-drift-map"."""
+    every = figure_definitions()
+    if strange := [each for each in beginnings if not any(map(_begins(each), every))]:
+        sys.exit(
+            f"figures: expected names, or how they begin, among {', '.join(every)}; "
+            f"got {', '.join(strange)}."
+        )
+    chosen = {name for each in beginnings for name in filter(_begins(each), every)}
+    return {name: definition for name, definition in every.items() if name in chosen}
+
+
+def _begins(beginning: str) -> Callable[[str], bool]:
+    return lambda name: name.startswith(beginning)
 
 
 def told(found: Mapping[str, list[Difference]], count: int) -> str:
@@ -197,7 +238,10 @@ def main() -> None:
         "--done", dest="done_with", nargs="+", default=[], help="ids of cells that are translated"
     )
     words.set_defaults(write=write_translation)
-    drawn = commands.add_parser("figures", help=write_figures_on.__doc__)
+    drawn = commands.add_parser("figures", help=write_figures_or_compare.__doc__)
+    drawn.add_argument(
+        "beginnings", nargs="*", metavar="name", help='as "03", or "03-drift-map"; all if none'
+    )
     drawn.add_argument("--workers", type=int, help="processes; one for each core if not")
     drawn.add_argument("--scheduler", help="of a cluster of dask: its address")
     drawn.add_argument("--keep", type=Path, help="a folder for finished runs, not to be repeated")

@@ -7,7 +7,9 @@ arrays of any leading axes there, one leading axis and no gaps here.
 from __future__ import annotations
 
 import os
+import warnings
 from functools import cache, lru_cache
+from importlib.metadata import version
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +24,8 @@ if TYPE_CHECKING:
     from .strapdown import Navigation
 
 VARIABLE = "DRIFTLAB_COMPILED"
-"""Of the environment: "1" where arithmetic is compiled. Processes that are started inherit it."""
+"""Of the environment: "1" where arithmetic is compiled, else "0" or not set. Processes that are
+started inherit it."""
 
 _STAGES = ("rotation vector", "first iterate", "second iterate", "third iterate", "tangent")
 
@@ -32,7 +35,28 @@ def available() -> bool:
     return find_spec("numba") is not None
 
 
-on = os.environ.get(VARIABLE) == "1" and available()
+def _asked() -> bool:
+    """Whether the environment asks for it, and it can be had; if not, a warning says why."""
+    asked = os.environ.get(VARIABLE, "")
+    if asked not in ("", "0", "1"):
+        warnings.warn(
+            f"{VARIABLE}: expected 0 or 1, got {asked!r}; nothing is compiled.", stacklevel=2
+        )
+    elif asked == "1" and not available():
+        warnings.warn(
+            f"{VARIABLE} is 1, but numba is not installed: pip install driftlab[compiled] brings "
+            "it. Nothing is compiled.",
+            stacklevel=2,
+        )
+    return asked == "1" and available()
+
+
+on = _asked()
+
+
+def arithmetic() -> str:
+    """What computes, as "NumPy" or "Numba 0.62.1"; it decides on last digits."""
+    return f"Numba {version('numba')}" if on else "NumPy"
 
 
 def switch(wanted: bool) -> None:

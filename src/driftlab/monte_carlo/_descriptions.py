@@ -10,7 +10,8 @@ from enum import Enum
 from functools import cache, partial
 from hashlib import sha256
 from pathlib import Path
-from types import BuiltinFunctionType, FunctionType, MethodType
+from sysconfig import get_paths
+from types import BuiltinFunctionType, FunctionType, MethodType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,8 @@ import driftlab
 from driftlab.checks import shown
 
 PACKAGE = Path(driftlab.__file__).parent
+LIBRARIES = tuple({Path(get_paths()[kind]) for kind in ("stdlib", "purelib", "platlib")})
+"""Where Python's own modules are, and those that are installed."""
 
 
 def describe(value: Any) -> str:
@@ -108,8 +111,10 @@ def _of_named(thing: Any) -> str:
 def code_of(task: Any) -> str:
     """Return the SHA-256 of the code that a task runs, as far as it is known.
 
-    That is this package without its book, NumPy and SciPy by their versions, and the modules in
-    which the functions and classes of the task stand; a function of a notebook by its own text.
+    That is this package without its book, NumPy and SciPy by their versions, the modules in which
+    the functions and classes of the task stand, and those of your own that these import; a function
+    of a notebook by its own text. What is installed otherwise, imported within a function, or
+    changed in memory is not seen.
 
     Examples
     --------
@@ -118,9 +123,36 @@ def code_of(task: Any) -> str:
     64
     """
     digest = sha256(_package().encode())
-    for text in sorted({_text(thing) for thing in _named_in(task)}):
+    things = list(_named_in(task))
+    helpers = _own_modules({thing.__module__ for thing in things})
+    for text in sorted({_text(thing) for thing in things} | {_file(name) for name in helpers}):
         digest.update(text)
     return digest.hexdigest()
+
+
+def _own_modules(names: set[str]) -> set[str]:
+    """Modules of the user's, and all that they know of such: themselves, or something in them."""
+    found: set[str] = set()
+    left = {name for name in names if _is_own(name)}
+    while left:
+        found.add(name := left.pop())
+        known = vars(sys.modules[name]).values()
+        places = {
+            each.__name__ if isinstance(each, ModuleType) else getattr(each, "__module__", None)
+            for each in known
+        }
+        left |= {each for each in places if isinstance(each, str) and _is_own(each)} - found
+    return found
+
+
+def _is_own(name: str) -> bool:
+    """Whether a module was written by the user: in no library, nor in this package."""
+    file = getattr(sys.modules.get(name), "__file__", None)
+    return (
+        bool(file)
+        and name.partition(".")[0] != "driftlab"
+        and not any(Path(file).is_relative_to(library) for library in LIBRARIES)
+    )
 
 
 @cache
@@ -155,11 +187,17 @@ def _named_in(value: Any) -> Iterator[Any]:
 
 def _text(thing: Any) -> bytes:
     """The text of the module of a function or class; of what is no module's, its own."""
-    module = sys.modules.get(thing.__module__)
-    file = getattr(module, "__file__", None)
-    if file and Path(file).suffix == ".py" and Path(file).is_file():
-        return Path(file).read_bytes()
+    if text := _file(thing.__module__):
+        return text
     try:
         return inspect.getsource(thing).encode()
     except (OSError, TypeError):
         return b""  # compiled, or built in
+
+
+def _file(name: str) -> bytes:
+    """The text of a module; empty if it has none, as one in an archive."""
+    file = getattr(sys.modules.get(name), "__file__", None)
+    if file and Path(file).suffix == ".py" and Path(file).is_file():
+        return Path(file).read_bytes()
+    return b""

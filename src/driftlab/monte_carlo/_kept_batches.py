@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import driftlab
+from driftlab.core import compiled
 
 from ._descriptions import code_of, describe
 
@@ -31,8 +32,8 @@ class KeptBatches:
     task : callable
         See `describe`.
     seed, batch : int
-        With the task, and with the code that it runs, they say which study it is: what was kept for
-        another, or by another version of the code, is never taken.
+        With the task, with the code that it runs, and with NumPy or Numba, they say which study it
+        is: what was kept for another, or by another version of the code, is never taken.
 
     Attributes
     ----------
@@ -52,6 +53,7 @@ class KeptBatches:
             "batch": batch,
             "driftlab": driftlab.__version__,
             "code": code_of(task),
+            "arithmetic": compiled.arithmetic(),
         }
         text = json.dumps(study, indent=1, ensure_ascii=False)
         self.folder = folder / sha256(text.encode()).hexdigest()[:20]

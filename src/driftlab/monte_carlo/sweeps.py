@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import pickle
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, as_completed
+from concurrent.futures import Executor, ProcessPoolExecutor, as_completed
 from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 from pathlib import Path
@@ -11,7 +12,13 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
-from driftlab.checks import checked_function, checked_instance, checked_path, whole_number
+from driftlab.checks import (
+    checked_function,
+    checked_instance,
+    checked_path,
+    shown,
+    whole_number,
+)
 
 from ._kept_batches import MISSING, KeptBatches
 
@@ -117,17 +124,19 @@ def sweep(
     Raises
     ------
     ValueError
-        If `runs`, `batch` or `seed` is not a whole number in its range, or if `folder` is given and
-        cannot be written, or `task` cannot be told from others.
+        If `runs`, `batch` or `seed` is not a whole number in its range, if `folder` is given and
+        cannot be written, or `task` cannot be told from others, or if `executor` has processes of
+        its own and `task` cannot be sent to them.
 
     Notes
     -----
     A batch is kept for its task, its seed, the size of batches and the code that the task runs:
-    this package without its book, NumPy and SciPy by their versions, and the modules in which the
-    functions and classes of the task stand. What was kept of another study, or by other code of
-    these, is never taken, so many studies may share a folder; ``study.json`` says which has which
-    part of it. Modules that those only import, and globals that are changed, are not seen: take
-    another folder then.
+    this package without its book, NumPy and SciPy by their versions, Numba if it compiles, the
+    modules in which the functions and classes of the task stand, and those of your own that these
+    import. What was kept of another study, or by other code of these, is never taken, so many
+    studies may share a folder; ``study.json`` says which has which part of it. Not seen are other
+    installed packages, what is imported within a function, and a global that is changed in memory:
+    take another folder then.
     The task must therefore be a function of a module, a method of a dataclass, or a
     `functools.partial` of these, with numbers, texts and arrays in it.
 
@@ -153,6 +162,8 @@ def sweep(
     children = np.random.SeedSequence(root).spawn(len(sizes))
     place = _place.get()
     executor = executor or place.executor
+    if isinstance(executor, ProcessPoolExecutor):
+        _sendable(task)
     where = place.folder if folder is None else checked_path(folder, "folder")
     kept = None if where is None else KeptBatches(where, task, root, most)
     results: list[object] = [MISSING] * len(sizes)
@@ -182,3 +193,14 @@ def sweep(
         for future in futures:  # a failure or an interruption leaves no batch waiting
             future.cancel()
     return results  # type: ignore[return-value]
+
+
+def _sendable(task: object) -> None:
+    """Refuse what another process cannot be given; a lambda, or a function within another."""
+    try:
+        pickle.dumps(task)
+    except Exception as error:
+        raise ValueError(
+            "task: expected, for other processes, a function of a module, a method of an object of "
+            f"such a class or a partial of these, got {shown(task)}: {error}"
+        ) from error

@@ -8,7 +8,8 @@ import warnings
 from collections.abc import Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import AbstractContextManager, contextmanager
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
+from threading import Thread
 
 from driftlab.checks import checked_text, shown, whole_number
 
@@ -34,7 +35,7 @@ def processes(count: int | None = None) -> AbstractContextManager[Executor | Non
     context manager
         Of a `concurrent.futures.Executor`, for `sweep` or `running_on`. Each process is started
         afresh and imports what the task needs, so a script has its own calls below
-        ``if __name__ == "__main__":``.
+        ``if __name__ == "__main__":``. They end with this process, even where it is killed.
 
     Raises
     ------
@@ -63,12 +64,24 @@ def _processes(count: int) -> Iterator[Executor | None]:
     os.environ.update({name: "1" for name, value in before.items() if value is None})
     try:
         # Not forked: a copy of a process with threads, as those of BLAS, may hang.
-        with ProcessPoolExecutor(count, mp_context=get_context("spawn")) as pool:
+        spawned = get_context("spawn")
+        with ProcessPoolExecutor(count, spawned, initializer=_end_with_parent) as pool:
             yield pool
     finally:
         for name, value in before.items():
             if value is None:
                 os.environ.pop(name, None)
+
+
+def _end_with_parent() -> None:
+    """Let a process end with the one that started it; killed, that one could not say a word."""
+
+    def wait() -> None:
+        if parent := parent_process():
+            parent.join()
+            os._exit(1)
+
+    Thread(target=wait, daemon=True).start()
 
 
 def cores() -> int:

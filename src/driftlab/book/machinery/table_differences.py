@@ -9,6 +9,7 @@ one in the last of them where a number lies between two.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from pathlib import Path
 from typing import NamedTuple
 
@@ -95,8 +96,10 @@ def _size(first: list[str], second: list[str], curves: np.ndarray) -> tuple[floa
     return largest, allowed
 
 
-def folder_differences(first: Path, second: Path) -> dict[str, list[Difference]]:
-    """Return the tables of two folders that differ, by name, and how.
+def folder_differences(
+    first: Path, second: Path, chosen: Collection[str] | None = None
+) -> dict[str, list[Difference]]:
+    """Return the tables of two folders that differ, by name, and how; all, or those chosen.
 
     Raises
     ------
@@ -104,6 +107,8 @@ def folder_differences(first: Path, second: Path) -> dict[str, list[Difference]]
         If they do not hold the same tables, or one has other columns or rows.
     """
     names = [{path.name for path in folder.glob("*.csv")} for folder in (first, second)]
+    if chosen is not None:
+        names = [found & {*chosen} for found in names]
     if not names[0] or names[0] != names[1]:
         missing = ", ".join(sorted(names[0] ^ names[1])) or "no table at all"
         raise ValueError(f"Folders: expected the same tables in both, got {missing} in one only.")
