@@ -148,11 +148,9 @@ def _own_modules(names: set[str]) -> set[str]:
 def _is_own(name: str) -> bool:
     """Whether a module was written by the user: in no library, nor in this package."""
     file = getattr(sys.modules.get(name), "__file__", None)
-    return (
-        bool(file)
-        and name.partition(".")[0] != "driftlab"
-        and not any(Path(file).is_relative_to(library) for library in LIBRARIES)
-    )
+    if not file or name.partition(".")[0] == "driftlab":
+        return False
+    return not any(Path(file).is_relative_to(library) for library in LIBRARIES)
 
 
 @cache
