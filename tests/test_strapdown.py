@@ -1,5 +1,6 @@
 """Strapdown navigation against the navigation equations, closed forms and the turntable."""
 
+import warnings
 from types import SimpleNamespace
 
 import numpy as np
@@ -8,6 +9,7 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 from driftlab.attitude.sculling import step_velocities
+from driftlab.checks import UnusualWarning
 from driftlab.core import strapdown as core
 from driftlab.earth import EARTH_RATE, curvature_radii, earth_rate, gravity, gravity_north
 from driftlab.increments import Increments
@@ -547,6 +549,26 @@ GOOD = {
 def test_bad_input_is_refused_by_name(bad, words):
     with pytest.raises(ValueError, match=f"^{words}"):
         navigate(**replaced(GOOD, bad))
+
+
+@pytest.mark.parametrize("interval", [0.001, 0.01, 0.5])
+@pytest.mark.parametrize("runs", [(), (3,)])
+def test_of_increments_that_gravity_does_not_make_a_warning_says_so(interval, runs):
+    """At rest, on the Moon and in a turn of 5 g it does; exchanged, or of accelerations, not."""
+    turned = np.broadcast_to(interval * earth_rate(0.8), (*runs, 4, 3))
+    up = np.broadcast_to(np.array([0.6, 0.0, 0.8]), (*runs, 4, 3))
+    start = at_rest(0.8, UNTURNED)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for force in (1.201, 9.8, 49.999):
+            navigate(start, Increments(interval, turned, force * interval * up))
+    for force in (1.199, 50.001, 0.0):
+        pushed = force * interval * up
+        with pytest.warns(UnusualWarning, match=r"^increments\.velocity: .* where gravity") as seen:
+            navigate(start, Increments(interval, turned, pushed))
+        assert seen[0].filename == __file__
+    with pytest.warns(UnusualWarning, match="not an angle"):
+        navigate(start, Increments(interval, 0.1 * interval * up, turned))
 
 
 def test_states_that_cannot_be_are_refused():

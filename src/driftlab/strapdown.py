@@ -24,6 +24,7 @@ from .checks import (
     finite_arrays,
     finite_number,
     shown,
+    specific_force,
     speed_of_body,
     truth_value,
     unit_quaternions,
@@ -129,6 +130,12 @@ def navigate(
         If shapes do not fit, n is odd or not a multiple of `every`, the start is at a pole, inside
         the Earth or past the Moon, or something is faster than light.
 
+    Warns
+    -----
+    UnusualWarning
+        If the increments of velocity are not such as gravity makes, 1.2 to 50 m/s^2 on the average:
+        they may have been exchanged with the angles, or be accelerations. In free fall it is meant.
+
     See Also
     --------
     at_rest : A state to start from.
@@ -181,6 +188,7 @@ def navigate(
             f"every: expected an even divisor of the number of increments, {count}, "
             f"got {shown(every)}."
         )
+    specific_force(velocity, seconds, "increments.velocity")
     return core.navigate(
         start, angle, velocity, seconds, ALGORITHM, every=each, hold_altitude=hold_altitude
     )

@@ -140,6 +140,7 @@ def test_navigations_agree(every, hold_altitude):
         np.testing.assert_allclose(other, one, rtol=0, atol=size, err_msg=name)
 
 
+@pytest.mark.filterwarnings("ignore::driftlab.checks.UnusualWarning")  # it falls freely
 def test_a_fall_into_the_earth_is_refused_in_the_same_words():
     falling = Increments(10.0, np.zeros((200, 3)), np.zeros((200, 3)))
     messages = []

@@ -36,6 +36,7 @@ from ._magnitudes import (
     UnusualWarning as UnusualWarning,
     one_pull as one_pull,
     pull_of_gravity as pull_of_gravity,
+    specific_force as specific_force,
     speed_of_body as speed_of_body,
     table_rate as table_rate,
     turned_angle as turned_angle,

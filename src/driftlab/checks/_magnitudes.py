@@ -253,6 +253,46 @@ def one_pull(value: object, name: str = "gravity") -> float:
     return float(pull_of_gravity(np.array(number), name))
 
 
+def specific_force(velocity: FloatArray, interval: float, name: str) -> FloatArray:
+    """Return increments of velocity, warning if they are not such as gravity alone makes.
+
+    Parameters
+    ----------
+    velocity : ndarray
+        Finite numbers of shape (..., n, 3), m/s.
+    interval : float
+        Time of each, s.
+    name : str
+        Name of the argument, for the sentence.
+
+    Returns
+    -------
+    ndarray
+        `velocity` itself.
+
+    Warns
+    -----
+    UnusualWarning
+        If their root mean square is not an acceleration of 1.2 to 50 m/s^2: at rest it is gravity,
+        under way more or less. What falls freely, as a satellite, has none.
+
+    Examples
+    --------
+    >>> specific_force(np.array([[0.0, 0.0, 0.0981]]), 0.01, "velocity")
+    array([[0.    , 0.    , 0.0981]])
+    """
+    root_mean_square = np.sqrt(np.mean(velocity**2) * 3) / interval
+    least, most = GRAVITY_RANGE
+    if not least <= root_mean_square <= most:
+        warnings.warn(
+            f"{name}: {root_mean_square:.2g} m/s^2 on the average, where gravity alone is 9.8. "
+            f"Expected m/s, gained over {interval:g} s, not m/s^2, and not an angle.",
+            UnusualWarning,
+            stacklevel=3,
+        )
+    return velocity
+
+
 def turned_angle(array: FloatArray, name: str) -> FloatArray:
     """Return the angles of a body, warning of those that look like degrees.
 
