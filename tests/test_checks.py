@@ -2,6 +2,7 @@
 
 import doctest
 import re
+from datetime import timedelta
 from importlib import import_module
 
 import numpy as np
@@ -44,7 +45,12 @@ def test_float64_is_not_copied():
         ([1j], (), "value: expected real numbers, got dtype complex128."),
         ([True], (), "value: expected real numbers, got dtype bool."),
         (["1"], (), "value: expected real numbers, got dtype <U1."),
-        (None, (), "value: expected real numbers, got dtype object."),
+        (None, (), "value: expected real numbers, got None."),
+        ("0.01", (), "value: expected real numbers, got '0.01'."),
+        (True, (), "value: expected real numbers, got True."),
+        (timedelta(seconds=1), (), "value: expected real numbers, got a timedelta."),
+        (np.timedelta64(10, "ms"), (), "value: expected real numbers, got 10 milliseconds."),
+        ([None], (), "value: expected real numbers, got dtype object."),
         (
             np.ma.array([1.0, 2.0], mask=[False, True]),
             (),

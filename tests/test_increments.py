@@ -213,3 +213,9 @@ def test_a_bare_tuple_is_refused():
         ValueError, match=r"^increments: expected an Increments.*velocity.*, got a tuple\.$"
     ):
         checked_increments((GOOD.angle, GOOD.velocity))
+
+
+@pytest.mark.parametrize("interval", [0.0, -1.0, None, "0.01", np.timedelta64(10, "ms")])
+def test_a_mean_rate_is_over_a_time(interval):
+    with pytest.raises(ValueError, match=r"^increments\.interval: expected"):
+        _ = Increments(interval, np.ones((2, 3)), np.ones((2, 3))).mean_rate

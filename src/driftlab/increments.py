@@ -67,12 +67,18 @@ class Increments(NamedTuple):
         ndarray, shape (..., n, 3)
             Body axes, rad/s.
 
+        Raises
+        ------
+        ValueError
+            As for `checked_increments`.
+
         Examples
         --------
         >>> Increments(0.5, np.array([[0.0, 0.0, 0.1]]), np.zeros((1, 3))).mean_rate
         array([[0. , 0. , 0.2]])
         """
-        return self.angle / self.interval
+        interval, angle, _ = checked_increments(self)
+        return angle / interval
 
     def part(self, begin: int, end: int) -> Increments:
         """Return the increments of some of the intervals.

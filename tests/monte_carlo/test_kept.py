@@ -181,6 +181,8 @@ def test_a_folder_that_is_none_is_refused(tmp_path):
     with pytest.raises(ValueError, match=r"^folder: expected one to write in, got .*file"):
         sweep(draws, 4, seed=1, folder=taken)
     assert taken.read_text() == "mine"
+    with pytest.raises(ValueError, match=r"^folder: expected a path, got ''"):
+        sweep(draws, 4, seed=1, folder="")
     with pytest.raises(ValueError, match=r"^task: expected, to be kept, functions .*<lambda>"):
         sweep(lambda rng, runs: runs, 4, seed=1, folder=tmp_path)
 

@@ -214,6 +214,8 @@ WRONG = {
         {"time": "when"},
         "row 2: expected a date and time, got none",
     ),
+    "no columns": ({}, {"rate": 1.0}, "^frame: expected rows of numbers, got an empty table"),
+    "no rows": ({n: [] for n in COLUMNS}, {"rate": 1.0}, "^frame: expected rows of numbers, got"),
     "ragged": (COLUMNS | {"t": [1, 2]}, {"rate": 1.0}, r"equal length, got shape \(2,\) for 't'"),
 }
 

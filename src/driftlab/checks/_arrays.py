@@ -61,7 +61,7 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     """
     array = value if type(value) is np.ndarray else _as_array(value, name, shape)
     if array.dtype.kind not in "fiu":
-        got = _object(value) or f"dtype {array.dtype}"
+        got = _object(value) or (f"dtype {array.dtype}" if array.ndim else shown(value))
         raise ValueError(f"{name}: expected real numbers, got {got}.")
     if shape and array.shape[-len(shape) :] != shape:
         raise ValueError(f"{name}: expected {_expected(shape)}, got shape {array.shape}.")

@@ -177,17 +177,17 @@ def checked_path(value: object, name: str) -> Path:
     Raises
     ------
     ValueError
-        If it is neither text nor a path.
+        If it is neither text nor a path, or an empty text, which would be this folder.
 
     Examples
     --------
     >>> checked_path(["a.csv", "b.csv"], "path")
     Traceback (most recent call last):
-    ValueError: path: expected the path of a file, got ['a.csv', 'b.csv'].
+    ValueError: path: expected a path, got ['a.csv', 'b.csv'].
     """
-    if isinstance(value, str | os.PathLike):
+    if isinstance(value, str | os.PathLike) and value != "":
         return Path(value)
-    raise ValueError(f"{name}: expected the path of a file, got {shown(value)}.")
+    raise ValueError(f"{name}: expected a path, got {shown(value)}.")
 
 
 def checked_text(value: object, name: str) -> str:

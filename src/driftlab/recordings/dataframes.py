@@ -77,8 +77,8 @@ def from_dataframe(
     Raises
     ------
     ValueError
-        If `frame` is no table; a cell is empty, masked, NaN or no number; a column's name says one
-        unit and its attribute another; and as for `read_csv`.
+        If `frame` is no table, or empty; a cell is empty, masked, NaN or no number; a column's name
+        says one unit and its attribute another; and as for `read_csv`.
 
     See Also
     --------
@@ -228,6 +228,8 @@ def _table_of(frame: Any, title: str) -> tuple[_FrameTable, int | None]:
         names.append(name)
         values.append(array)
         units.append("iso" if array.dtype.kind in "mM" else unit)
+    if not width or not len(values[0]):
+        raise ValueError("frame: expected rows of numbers, got an empty table.")
     table = _FrameTable(title, tuple(names), tuple(units), width, tuple(values))
     return table, None if index is None else width
 
