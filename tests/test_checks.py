@@ -8,6 +8,7 @@ from importlib import import_module
 import numpy as np
 import pytest
 from hypothesis import given, strategies as st
+from scipy.spatial.transform import Rotation
 
 from driftlab.checks import (
     UnusualWarning,
@@ -18,8 +19,11 @@ from driftlab.checks import (
     finite_number,
     linear_error_matrix,
     nonzero_vectors,
+    speed_of_body,
+    turned_angle,
     unit_quaternions,
     whole_number,
+    whole_pairs,
 )
 from driftlab.core.vectors import norms
 from support import EPS, directions
@@ -32,9 +36,38 @@ def test_real_numbers_become_float64(dtype):
     np.testing.assert_array_equal(array, [1, 2, 3])
 
 
-def test_float64_is_not_copied():
-    value = np.arange(3.0)
+@pytest.mark.parametrize(
+    "value",
+    [np.arange(3.0), np.arange(6.0)[::2], np.ones((3, 2)).T, np.full(3, 1e40)],
+    ids=["plain", "with gaps", "turned", "large"],
+)
+def test_float64_is_not_copied(value):
     assert finite_array(value, "value") is value
+
+
+def test_a_rotation_stands_for_its_quaternion():
+    half = Rotation.from_rotvec([0.0, 0.0, np.pi])
+    np.testing.assert_allclose(finite_array(half, "start", 4), [0, 0, 1, 0], atol=EPS)
+
+
+@pytest.mark.parametrize("nothing", [[], np.zeros((0, 2)), np.zeros((0, 5))])
+def test_no_pairs_are_a_table_of_two_columns(nothing):
+    assert whole_pairs(nothing, "rests").shape == (0, 2)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_light_itself_is_not_faster_than_light(sign):
+    light = sign * np.array([0.0, 299792458.0])
+    assert speed_of_body(light, "velocity") is light
+    with pytest.raises(ValueError, match=r"^velocity: expected m/s, slower than light, got -?2.99792e"):
+        speed_of_body(np.nextafter(light, sign * np.inf), "velocity")
+
+
+@pytest.mark.parametrize("degrees", [13.0, -13.0])
+def test_one_angle_of_many_turns_is_warned_of(degrees):
+    angles = np.array([0.1, degrees, 0.2])
+    with pytest.warns(UnusualWarning, match=f"^heading: {degrees:g} rad is 2.1 turns"):
+        assert turned_angle(angles, "heading") is angles
 
 
 @pytest.mark.parametrize(

@@ -65,6 +65,18 @@ def test_deviations_are_those_that_a_third_hand_found() -> None:
     assert 0.00765 < biases.min() < biases.max() < 0.00825
 
 
+def test_the_velocity_is_seen_each_second_if_nothing_is_said_and_never_without_noise():
+    turns = Scheme("+90Y", ("Up", "East", "North"))
+    linearized = linearize_along(turns, 0.7, AVERAGED)
+    known = linearized, ImuNoise(), PriorDeviations()
+    for analysis in (covariance_analysis, deviation_history):
+        np.testing.assert_array_equal(analysis(*known), analysis(*known, update=1.0))
+        with pytest.raises(
+            ValueError, match=r"^noise: expected a deviation .* above 0, got 0\.0 m"
+        ):
+            analysis(linearized, ImuNoise(reference_velocity=0.0), PriorDeviations())
+
+
 def test_what_is_measured_almost_exactly_has_no_deviation_that_is_no_number():
     """Its variance is then of the size of the rounding, and may be negative."""
     turns = Scheme("+90Y +90Y +90Y", ("Up", "East", "North"))

@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 
+from driftlab.calibration._updates import updates
 from driftlab.calibration.body_axes import attitude_error, attitude_of_axes, imu_errors_in_frame
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.calibration.filter import calibrate
@@ -437,6 +438,7 @@ def test_attitudes_of_any_size_and_either_sign_are_one_start(brief):
 # Refusals
 
 
+EXACT = ImuNoise(reference_velocity=0.0)
 GOOD = {
     "increments": Increments(0.25, np.full((24, 3), 1e-6), np.full((24, 3), [0.0, 0.0, 2.45])),
     "reference_velocity": np.zeros((4, 3)),
@@ -462,6 +464,12 @@ def test_updates_that_do_not_halve_evenly_are_refused(shape):
     ):
         calibrate(**GOOD | {"reference_velocity": np.zeros(shape)})
     calibrate(**GOOD | {"reference_velocity": np.zeros((12, 3)), "check": False})
+
+
+def test_a_table_that_stands_is_looked_at_each_second_if_nothing_is_said():
+    ends, velocities = updates(4000, 0.001, None, None, None)
+    assert list(ends) == [1000, 2000, 3000, 4000]
+    np.testing.assert_array_equal(velocities, np.zeros((4, 3)))
 
 
 NOT_FINITE = "finite numbers, got 1 NaN or infinite"
@@ -503,6 +511,7 @@ def with_nan(name):
         ("model", "average", r"an ErrorModel or the name of one \(averaged, .*, got 'average'\.$"),
         ("prior", 1e-4, r"a PriorDeviations, got 0\.0001\.$"),
         ("noise", None, r"an ImuNoise, got None\.$"),
+        ("noise", EXACT, r"a deviation of the reference velocity above 0, got 0\.0 m/s\.$"),
         ("keep", 0, "a whole number of at least 1, got 0"),
         ("keep", 2.0, "a whole number of at least 1, got 2.0"),
         ("increments.velocity", np.ones((20, 3)), "as many as increments.angle"),

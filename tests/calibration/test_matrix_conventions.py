@@ -311,3 +311,20 @@ def test_a_ros_calibration_leaves_the_gyros_axes_alone_unless_told():
     np.testing.assert_array_equal(found.gyro_error, np.zeros((3, 3)))
     for one, other in zip(found, told, strict=True):
         np.testing.assert_array_equal(one, other)
+
+
+@pytest.mark.parametrize("sensor", [0, 1, 2])
+def test_each_sensor_reads_a_fifth_to_five_times_its_nominal_value(sensor):
+    for gain in (0.2, 5.0):
+        matrix = np.diag(np.where(np.arange(3) == sensor, gain, 1.0))
+        found = NominalReadings().imu_errors(matrix, ZERO, EYE, ZERO)
+        assert found.gyro_error[sensor, sensor] == gain - 1
+        for beyond in (np.nextafter(gain, gain**9), -gain):
+            matrix[sensor, sensor] = beyond
+            for name, args in (
+                ("gyro", (matrix, ZERO, EYE, ZERO)),
+                ("accelerometer", (EYE, ZERO, matrix, ZERO)),
+            ):
+                words = f"^{name}_matrix: expected sensors that read 0.2 to 5 times"
+                with pytest.raises(ValueError, match=words):
+                    NominalReadings().imu_errors(*args)

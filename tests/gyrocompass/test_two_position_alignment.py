@@ -204,6 +204,15 @@ def test_a_turn_that_was_not_made_is_warned_of(made, told, place, words):
     told_wrongly(made, made, latitude=place)
 
 
+def test_of_many_units_one_whose_readings_do_not_fit_is_warned_of():
+    attitude = from_euler_angles(HEADING, 0.0, 0.0)
+    turned = np.stack([about_up(0, 90, 180), about_up(0, 90, 170)])
+    rates, forces = static_imu(multiply(attitude, turned), LATITUDE)
+    with pytest.warns(InconsistentAlignmentWarning, match="readings that do not fit each other"):
+        align_in_positions(rates, forces, turned[0])
+    np.testing.assert_allclose(align_in_positions(rates, forces, turned).heading, HEADING)
+
+
 def test_a_turn_of_170_degrees_told_as_180_stays_unseen_as_the_notes_say():
     off, found = told_wrongly([170], [180], latitude=LATITUDE)
     assert abs(off) == pytest.approx(5.0, abs=0.01)
@@ -263,10 +272,23 @@ def test_leading_axes_broadcast_and_the_first_turn_need_not_be_none():
     assert np.allclose(found.gyro_bias[:, [0, 2]], GYRO_BIAS[[0, 2]], rtol=0, atol=1e-13)
 
 
+def test_each_unit_may_have_turns_of_its_own():
+    attitude = from_euler_angles(np.array([0.3, -2.0]), 0.1, 0.0)
+    tilted = from_rotation_vector([1.2, 0.5, 0.3])
+    turns = np.stack([about_up(30, 200, 280), multiply(tilted, about_up(0, 100, 250))])
+    rate, force = readings(attitude[:, np.newaxis], turns)
+    found = align_in_positions(rate, force, turns)
+    for i in range(2):
+        alone = align_in_positions(rate[i], force[i], turns[i])
+        assert abs(alone.heading - found.heading[i]) < 1e-12
+        np.testing.assert_allclose(alone.gyro_bias, found.gyro_bias[i], rtol=0, atol=1e-15)
+
+
 @pytest.mark.parametrize(
     ("change", "words"),
     [
         ({"turn": about_up(0)}, "turn: expected at least two positions, got 1"),
+        ({"turn": about_up(0)[0]}, "turn: expected at least two positions, got 1"),
         ({"turn": about_up(0, 4)}, "turn: expected a turn by more than 5 degrees .* got 4"),
         ({"turn": about_up(0, 90, 180)}, r"angular_rate: expected shape \(\.\.\., 3, 3\)"),
         ({"specific_force": np.ones((2, 2))}, r"specific_force: expected shape"),

@@ -24,7 +24,13 @@ from driftlab.gyrocompass._type_test_ways import (
     speeding_up,
     turning,
 )
-from driftlab.gyrocompass.type_test import _change_of_speed, _heading_errors, _turn, _turned
+from driftlab.gyrocompass.type_test import (
+    _at_its_worst,
+    _change_of_speed,
+    _heading_errors,
+    _turn,
+    _turned,
+)
 from driftlab.gyrocompass.type_test_compass import checked_steps
 
 LATITUDE = np.radians(51.5)
@@ -171,6 +177,24 @@ def test_how_the_compass_is_mounted_does_not_matter() -> None:
     mounted = Gyrocompass(gyro_bias=(-BIAS * np.sin(turned), 0.0, BIAS * np.cos(turned)))
     found, expected = run(mounted), run(TO_THE_EAST)
     assert found == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize("latitude", [0.0, 0.6, -1.2])
+def test_at_its_worst_all_lasting_errors_look_to_the_east(latitude: float) -> None:
+    """What leans by E east turns the heading as a drift of U sin(latitude) E would."""
+    rng = np.random.default_rng(3)
+    for gyro, accelerometer in rng.normal(size=(20, 2, 3)) * [[[1e-7], [1e-2]]]:
+        drifting = Gyrocompass(gyro_bias=tuple(gyro), accelerometer_bias=tuple(accelerometer))
+
+        def effect(compass: Gyrocompass) -> np.ndarray:
+            lean = np.array(compass.accelerometer_bias) / gravity(latitude)
+            across = np.array(compass.gyro_bias) - EARTH_RATE * np.sin(latitude) * lean
+            return across / EARTH_RATE
+
+        north, _, east = effect(_at_its_worst(drifting, latitude))
+        assert abs(north) < 1e-12 * east
+        size = np.hypot(*effect(drifting)[[0, 2]])
+        assert east == pytest.approx(size, rel=1e-12)
 
 
 def test_the_first_reading_has_the_noise_of_the_alignment() -> None:

@@ -4,7 +4,8 @@ A break is a change of a few letters in one place, so the page can show the line
 Left alone is what calculates nothing: texts and all that is raised, annotations, decorators,
 ``__repr__`` and ``__str__``, f-strings, imports, blocks for type checkers, the `stacklevel` of a
 warning, and the `strict` of a `zip`, which only guards. Left alone is also what surely does the
-same: the two arguments of a maximum, the two axes that are swapped, the -1 of a reshape.
+same: the two arguments of a maximum, the two axes that are swapped, the -1 of a reshape, the sign
+of a difference whose size is taken.
 """
 
 import ast
@@ -35,6 +36,7 @@ _SYMMETRIC = {
     "max", "min", "maximum", "minimum", "hypot", "union1d", "vecdot", "broadcast_shapes",
     "logical_and", "logical_or", "add",
 }  # fmt: skip
+_SIZES = {"abs", "absolute", "fabs", "norm", "norms", "hypot"}
 _UNTOUCHED_ARGUMENTS = {"stacklevel", "strict"}
 _UNTOUCHED_FUNCTIONS = {"__repr__", "__str__"}
 
@@ -114,6 +116,7 @@ class _Finder(ast.NodeVisitor):
         for line in self._raw.splitlines(keepends=True):
             self._starts.append(self._starts[-1] + len(line))
         self._lines = (1, 1)
+        self._sign_is_lost: set[ast.AST] = set()
         self.found: list[Break] = []
 
     def visit_body(self, statements: list[ast.stmt]) -> None:
@@ -237,10 +240,12 @@ class _Finder(ast.NodeVisitor):
     def visit_BinOp(self, node: ast.BinOp) -> None:
         if not _is_text(node.left):
             old, new = _OPERATORS.get(type(node.op), ("", ""))
+            if isinstance(node.op, ast.Pow) and _is_difference(node.left) and _is_two(node.right):
+                self._sign_is_lost.add(node.left)
             if old and (place := self._between(node.left, node.right, old)):
                 kind = "sign" if old in "+-" else "operator"
                 self._note(kind, *place, new)
-                if isinstance(node.op, _TURNED_ROUND):
+                if isinstance(node.op, _TURNED_ROUND) and node not in self._sign_is_lost:
                     self._turn_round(node)
         self.generic_visit(node)
 
@@ -296,6 +301,8 @@ class _Finder(ast.NodeVisitor):
 
     def visit_Call(self, node: ast.Call) -> None:
         name = getattr(node.func, "attr", getattr(node.func, "id", ""))
+        if name in _SIZES:
+            self._sign_is_lost |= {each for each in node.args if _is_difference(each)}
         for first, second in zip(node.args, node.args[1:], strict=False):
             if name in _SYMMETRIC or (name == "swapaxes" and second is not node.args[1]):
                 continue
@@ -318,6 +325,14 @@ def _same_indices(subscripts: ast.expr) -> bool:
         return False
     first, second, *_ = [*subscripts.value.split("->")[0].split(","), ""]
     return first == second
+
+
+def _is_difference(node: ast.expr) -> bool:
+    return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub)
+
+
+def _is_two(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and node.value == 2
 
 
 def _is_text(node: ast.expr) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Container
+from collections.abc import Container, Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -41,15 +41,19 @@ class Tried:
         source = path_of(module).read_text("utf-8")
         before, after = line_before_and_after(source, change)
         return cls(
-            module, change.kind, change.line, before, after, (change.start, change.end, change.new),
-            failed, tests, complete, round(seconds, 2),
+            module, change.kind, change.line, before, after, _place(change), failed,
+            tests, complete, round(seconds, 2),
         )  # fmt: skip
 
 
 class Kept:
-    """The breaks of a module as it stands now; of one that was run twice, the last."""
+    """The breaks of a module as it stands now; of one that was run twice, the last.
 
-    def __init__(self, folder: Path, module: str, source: str) -> None:
+    Only `possible` ones: of an older run may be some that are none any more.
+    """
+
+    def __init__(self, folder: Path, module: str, source: str, possible: Iterable[Break]) -> None:
+        self._possible = {_place(each) for each in possible}
         self._path = folder / f"{module}.jsonl"
         self._source = source
         self.module = module
@@ -75,15 +79,16 @@ class Kept:
             return
         told["place"] = tuple(told["place"])
         each = Tried(**told)
-        self._tried[each.place] = each
+        if each.place in self._possible:
+            self._tried[each.place] = each
 
     def has(self, change: Break) -> bool:
         """Whether a break has been run."""
-        return (change.start, change.end, change.new) in self._tried
+        return _place(change) in self._tried
 
     def survived_unexplained(self, change: Break, known: Container[tuple[str, str, str]]) -> bool:
         """Whether a break survived, and nobody has said why."""
-        each = self._tried.get((change.start, change.end, change.new))
+        each = self._tried.get(_place(change))
         told = each is not None and (each.module, each.before, each.after) in known
         return each is not None and not each.failed and not told
 
@@ -106,6 +111,10 @@ class Kept:
     def summary(self) -> str:
         count = len(self.tried)
         return f"{self.module}: {count - len(self.survived)} of {count} breaks caught"
+
+
+def _place(change: Break) -> tuple[int, int, str]:
+    return change.start, change.end, change.new
 
 
 def digest(path: Path) -> str:

@@ -237,7 +237,8 @@ def main() -> None:
             bring_in(options.folder)
             run_files(options.folder, options.workers)
             for module in chosen:
-                kept = Kept(options.folder, module, digest(path_of(module)))
+                path = path_of(module)
+                kept = Kept(options.folder, module, digest(path), breaks(path.read_text("utf-8")))
                 try_all(tasks_of(module, options, kept), kept, options.workers)
                 print(kept.summary())
     if options.page or not options.modules:

@@ -59,8 +59,11 @@ rest did not run. Reasons were written by hand, in [survivors.toml](survivors.to
 
 def write_page(folder: Path, seed: int) -> None:
     """Write the page from the breaks that are kept in a folder."""
-    kept = [Kept(folder, name, digest(path_of(name))) for name in numerical_parts()]
-    possible = {name: len(breaks(path_of(name).read_text("utf-8"))) for name in numerical_parts()}
+    kept, possible = [], {}
+    for name in numerical_parts():
+        every = breaks(path_of(name).read_text("utf-8"))
+        kept.append(Kept(folder, name, digest(path_of(name)), every))
+        possible[name] = len(every)
     PAGE.write_text(page(kept, reasons(REASONS), possible, seed), "utf-8", newline="\n")
 
 

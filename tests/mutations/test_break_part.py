@@ -18,6 +18,8 @@ def after(source: str, kind: str | None = None) -> set[str]:
     [
         ("a + b", {"a - b"}),
         ("a - b", {"a + b", "((b) - (a))"}),
+        ("abs(a - b)", {"abs(a + b)"}),
+        ("(a - b) ** 2", {"(a + b) ** 2", "(a - b) * 2", "(a - b) ** 3", "((2) ** (a - b))"}),
         ("-a", {"a"}),
         ("a * b", {"a / b"}),
         ("a / b", {"a * b", "((b) / (a))"}),

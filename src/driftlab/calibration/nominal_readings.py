@@ -102,7 +102,7 @@ class NominalReadings:
         )
         for name, triad in (("gyro", gyro), ("accelerometer", accelerometer)):
             gains = np.einsum("...ii->...i", triad)
-            if not ((gains > 0.2) & (gains < 5)).all():
+            if not ((gains >= 0.2) & (gains <= 5)).all():
                 worst = gains.flat[np.argmax(np.abs(np.log(np.clip(gains, 1e-9, None))))]
                 raise ValueError(
                     f"{name}_matrix: expected sensors that read 0.2 to 5 times their nominal "
