@@ -59,7 +59,9 @@ def test_no_pairs_are_a_table_of_two_columns(nothing):
 def test_light_itself_is_not_faster_than_light(sign):
     light = sign * np.array([0.0, 299792458.0])
     assert speed_of_body(light, "velocity") is light
-    with pytest.raises(ValueError, match=r"^velocity: expected m/s, slower than light, got -?2.99792e"):
+    with pytest.raises(
+        ValueError, match=r"^velocity: expected m/s, slower than light, got -?2.99792e"
+    ):
         speed_of_body(np.nextafter(light, sign * np.inf), "velocity")
 
 

@@ -43,7 +43,7 @@ def shown(request, notebook: NotebookPage) -> Panel:
 def panel(shown: Panel, notebook: NotebookPage) -> Iterator[Panel]:
     """The panel as its cell has made it; at the end nothing may have gone wrong anywhere."""
     yield shown
-    shown.reset()
+    shown.shown.reset()
     assert notebook.all_trouble() == []
 
 
@@ -57,14 +57,14 @@ def smaller_screen(notebook: NotebookPage) -> Iterator[None]:
 
 @every_panel
 def test_opens_with_picture_and_numbers(panel: Panel) -> None:
-    assert panel.shown.values() == panel.twin.values
+    assert panel.shown.values() == panel.start
     panel.assert_agrees()
 
 
 @every_panel
 def test_a_screen_reader_is_told_what_there_is(panel: Panel) -> None:
-    shown, twin = panel
-    assert shown.image.get_attribute("alt") == twin.page.alt
+    shown, twin = panel.shown, panel.twin
+    assert shown.image.get_attribute("alt") == panel.expected(panel.start).alt
     for control in twin.controls:
         element = shown.element(control)
         assert element.count() == 1
@@ -76,7 +76,7 @@ def test_a_screen_reader_is_told_what_there_is(panel: Panel) -> None:
 
 @every_panel
 def test_a_number_can_be_typed_over_a_readout(panel: Panel) -> None:
-    shown, twin = panel
+    shown, twin = panel.shown, panel.twin
     control = next(c for c in twin.controls if c.is_slider and not c.stops)
     near = control.low + control.step
     # Enter takes it and so does leaving; a decimal comma is a point.
@@ -96,7 +96,7 @@ def test_a_number_can_be_typed_over_a_readout(panel: Panel) -> None:
 def test_keys_in_a_panel_are_no_commands_of_jupyterlab(
     panel: Panel, notebook: NotebookPage
 ) -> None:
-    shown, twin = panel
+    shown, twin = panel.shown, panel.twin
     slider = next(control for control in twin.controls if control.is_slider)
     before = notebook.cells()
     shown.press(slider, "x", "b", "d", "d", "Enter", "Escape")
@@ -109,7 +109,7 @@ def test_keys_in_a_panel_are_no_commands_of_jupyterlab(
 
 @every_panel
 def test_every_preset_and_reset(panel: Panel) -> None:
-    shown, twin = panel
+    shown, twin = panel.shown, panel.twin
     at_first = shown.picture()
     for name, values in twin._presets.items():
         shown.choose_preset(name)
@@ -171,7 +171,7 @@ def try_from_all_presets(
 
     From the first preset all of them; from the others those that have changed no picture so far.
     """
-    shown, twin = panel
+    shown, twin = panel.shown, panel.twin
     idle = list(controls)
     for preset, values in twin._presets.items():
         if not idle:
@@ -207,7 +207,7 @@ def test_sliders_of_every_kind_obey_the_mouse(panel: Panel) -> None:
 
 @every_panel
 def test_tab_reaches_every_control_and_shows_where_it_is(panel: Panel) -> None:
-    shown, twin = panel
+    shown, twin = panel.shown, panel.twin
     shown.panel.get_by_role("combobox", name="preset").focus()
     waiting = {shown.name(control) for control in twin.controls}
     unmarked = []
@@ -224,7 +224,7 @@ def test_tab_reaches_every_control_and_shows_where_it_is(panel: Panel) -> None:
 
 @every_panel
 def test_picture_is_never_blank_and_stays_in_its_place(panel: Panel) -> None:
-    shown, twin = panel
+    shown, twin = panel.shown, panel.twin
     slider = next(control for control in twin.controls if control.is_slider)
     shown.bring_into_sight(slider)
     frames = []
@@ -241,7 +241,7 @@ def test_picture_is_never_blank_and_stays_in_its_place(panel: Panel) -> None:
 @every_panel
 @pytest.mark.usefixtures("smaller_screen")
 def test_nothing_is_cut_off_on_a_smaller_screen(panel: Panel) -> None:
-    shown, twin = panel
+    shown, twin = panel.shown, panel.twin
     for preset in twin.presets:
         shown.choose_preset(preset)
         assert shown.cut_off() == [], preset

@@ -250,7 +250,7 @@ def look_at(chapter: NotebookPage, place: Place) -> None:
     """Fail unless a panel is right, fits into the screen, and obeys a key."""
     chapter.show_cell(place.cell)
     panel = Panel.on(chapter.page, place)
-    assert panel.shown.values() == panel.twin.values
+    assert panel.shown.values() == panel.start
     panel.assert_agrees()
     SCREENSHOTS.mkdir(exist_ok=True)
     for screen in SCREENS:
