@@ -33,6 +33,8 @@ from .contenders import IN_C, Maker, and_compiled, every, floors_here, largest_a
 from .measuring import Contender, Row, Target
 
 DEFAULT = "two-step-4"
+BESIDE_PEERS = (DEFAULT, "picard-1")
+"""What one has without a choice, and what multiplies the increments as they are, as most peers."""
 INTERVAL, HALF_ANGLE, FREQUENCY = 0.01, np.radians(1.0), 5.0
 COUNT = 10**6 - 10**6 % 12
 _SOME = 12_000
@@ -73,7 +75,7 @@ def _algorithm(name: str, increments: np.ndarray, true: np.ndarray) -> Row:
     if name in CONING_ALGORITHMS:
         in_c = partial(floor.attitude, increments, name)
     floors, without = floors_here(increments, in_c, error)
-    peers, left_out = those_here(_peers(increments, true)) if name == DEFAULT else ([], [])
+    peers, left_out = those_here(_peers(increments, true)) if name in BESIDE_PEERS else ([], [])
     if name not in CONING_ALGORITHMS:
         without.append("It is products with matrices, for which C would call what NumPy calls.")
     return Row(

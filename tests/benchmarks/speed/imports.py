@@ -36,19 +36,20 @@ def rows() -> Iterator[Row]:
     left_out = [
         f"{name} left out: it is not installed." for name, found in here.items() if not found
     ]
+    # Peers load all that they have; `import driftlab` alone loads nothing before it is asked for.
     yield Row(
         "import",
-        "`import driftlab`, in a fresh Python",
-        Contender("driftlab", partial(_fresh, "import driftlab")),
+        f"`{_USED}`, in a fresh Python",
+        Contender("driftlab", partial(_fresh, _USED)),
         peers,
         floors,
         [],
         left_out,
     )
-    for title, code in ((f"`{_USED}`", _USED), ("`import driftlab.book`", "import driftlab.book")):
+    for code in ("import driftlab", "import driftlab.book"):
         yield Row(
             "import",
-            f"{title}, in a fresh Python",
+            f"`{code}`, in a fresh Python",
             Contender("driftlab", partial(_fresh, code)),
             floor=floors,
         )
