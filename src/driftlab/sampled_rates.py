@@ -129,10 +129,10 @@ def _sample_times(times: ArrayLike, count: int, longest_gap: float, interval: fl
             "are they in milliseconds, microseconds or nanoseconds? Multiply by 1e-3, 1e-6 or 1e-9."
         )
     longest = int(np.argmax(steps))
-    if steps[longest] > longest_gap * np.median(steps):
+    if round(float(steps[longest] / usual), 9) > longest_gap:
         raise ValueError(
             f"times: expected no gap longer than {longest_gap:g} times the usual "
-            f"{np.median(steps):.6g} s (longest_gap), got {steps[longest]:.6g} s after the time "
+            f"{usual:.6g} s (longest_gap), got {steps[longest]:.6g} s after the time "
             f"{moments[longest]:.10g}."
         )
     return moments - moments[0]

@@ -8,7 +8,9 @@ from hypothesis import given, strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
 from driftlab.recordings import read_csv
+from driftlab.recordings._text_form import header
 from driftlab.recordings._text_table import read_table
+from driftlab.recordings._time_stamps import spacing_of_stamps
 
 GYRO, FORCE = ("gyr_x", "gyr_y", "gyr_z"), ("acc_x", "acc_y", "acc_z")
 UNITS = ("rad/s", "m/s^2")
@@ -304,6 +306,84 @@ def test_a_file_that_ends_inside_a_number_is_refused(log):
     rows[-1] = rows[-1][:-2]
     refused(log, "log.csv, line 31: expected a last cell of 5 characters or more", [HEADER, *rows])
     assert len(log([HEADER, *rows, ""], allow=["dead"])) == 30
+
+
+@pytest.mark.parametrize("shortest", [3, 4, 5])
+def test_a_last_cell_as_short_as_that_of_any_other_line_is_no_part_of_a_number(log, shortest):
+    """Last cells of 4 to 7 characters, and at the end, without an end of line, one of another."""
+    rows = [f"{i},0.125,0.{i:03d},0.375,0.5,0.5,9.8{'0' * (1 + i % 4)}" for i in range(28)]
+    rows.append("28,0.125,0.028,0.375,0.5,0.5,9.8000"[: shortest - 6])
+    if shortest < 4:
+        refused(log, "line 30: expected a last cell of 4 characters or more", [HEADER, *rows])
+    else:
+        assert len(log([HEADER, *rows], allow=["dead"])) == 29
+
+
+@pytest.mark.parametrize("delimiter", [",", ";", "\t", " "])
+def test_two_numbers_in_a_line_are_a_table_and_one_is_none(tmp_path, delimiter):
+    path = tmp_path / "log.csv"
+    path.write_text("\n".join(delimiter.join(row) for row in (("t", "w"), "12", "34", "")))
+    table = read_table(path)
+    assert (table.names, table.width) == (("t", "w"), 2)
+    assert_array_equal(table.numbers([0, 1]), [[1, 2], [3, 4]])
+    path.write_text("w\n1\n3\n")
+    with pytest.raises(ValueError, match=r"^log.csv: expected lines of numbers, got none in 3"):
+        read_table(path)
+
+
+@pytest.mark.parametrize(
+    ("lines", "names", "units"),
+    [
+        (["t,wx,ok"], ["t", "wx", "ok"], ["", "", ""]),
+        (["t [ms],wx (rad/s),ok"], ["t", "wx", "ok"], ["ms", "rad/s", ""]),
+        (["my,own,log", "t,wx,ok", "ms,,"], ["t", "wx", "ok"], ["ms", "", ""]),
+        (["s,g,mg", "ms,,"], ["s", "g", "mg"], ["ms", "", ""]),  # units as names
+        (["ms,,"], ["", "", ""], ["ms", "", ""]),
+        (["a log", "[ms],(rad/s),(g)"], ["", "", ""], ["ms", "rad/s", "g"]),
+        (["t [ms],wx"], ["t", "wx", ""], ["ms", "", ""]),  # lines of numbers end with a comma
+        (["t,wx,ok", "ms,rad/s"], ["t", "wx", "ok"], ["ms", "rad/s", ""]),
+        (["t"], [], ["", "", ""]),
+        (["t,wx,ok,more"], [], ["", "", ""]),
+        ([], [], ["", "", ""]),
+    ],
+)
+def test_names_and_units_of_three_columns_come_from_one_or_two_lines(lines, names, units):
+    assert header(lines, ",", 3) == (tuple(names), tuple(units))
+
+
+def test_a_delimiter_after_the_last_number_makes_no_other_columns(log):
+    read = log([HEADER, *(f"{row}," for row in ROWS)])
+    assert_array_equal(read.accelerometer[:, 2], [9.7, 9.8, 9.9])
+
+
+@pytest.mark.parametrize("rate", [102.4, 119.0, 256.0, 400.0, 416.0, 600.0])
+def test_equal_steps_that_were_rounded_to_milliseconds_have_the_rate_they_had(rate):
+    stamps = np.round(np.arange(1000) / rate, 3)
+    interval, times = spacing_of_stamps(stamps, 1.5, "row {}".format)
+    assert (times, 1 / interval) == (None, pytest.approx(rate, rel=1e-5))
+
+
+@pytest.mark.parametrize(
+    ("steps", "mean"),
+    [
+        ([10, 10, 10], 10),
+        ([10, 9, 10], 29 / 3),
+        ([2, 3, 2], 7 / 3),
+        ([10, 10, 16], None),
+        ([10, 10, 20], None),
+        ([10, 11, 9], None),  # three sizes
+        ([10, 10, 9] * 100 + [10, 10, 10] * 100, None),  # two rates, off a line
+    ],
+)
+def test_stamps_of_two_steps_are_kept_unless_a_lost_digit_explains_them(steps, mean):
+    stamps = np.cumsum([0, *steps * 9]) / 1000
+    interval, times = spacing_of_stamps(stamps, 2.0, "row {}".format)
+    if mean is None:
+        assert_array_equal(times, stamps)
+        assert interval == np.median(steps) / 1000
+    else:
+        # The first and the last step bend a line that is fitted to so few of them.
+        assert (times, interval) == (None, pytest.approx(mean / 1000, rel=1e-3))
 
 
 def test_of_many_columns_the_nearest_are_named(log):

@@ -5,6 +5,8 @@ from functools import cache
 
 import numpy as np
 import pytest
+from scipy.constants import foot
+from scipy.spatial.transform import Rotation
 
 from driftlab.motion.profiles import Coning
 from driftlab.recordings import (
@@ -16,6 +18,8 @@ from driftlab.recordings import (
     gravity_turns,
     longest_run,
 )
+from driftlab.recordings.guards import force_factors, gyro_factors
+from driftlab.recordings.units import ACCELEROMETER_UNITS, GYRO_UNITS
 from support import recording_or_skip
 
 DEGREE, G = np.pi / 180, 9.80665
@@ -170,12 +174,59 @@ def cone(scale, rate=100.0, seconds=60.0):
     return Recording(gyro, force, 1 / rate, "rates")
 
 
-@pytest.mark.parametrize("factor", [1.0, 1.25, 2.0, 57.3, 1 / 57.3, 0.01, 100.0])
+@pytest.mark.parametrize(
+    "factor", [1.0, 1.25, 1.33, 1 / 1.33, 1.5, 1 / 1.5, 2.0, 57.3, 1 / 57.3, 0.01, 100.0]
+)
 def test_the_factor_of_a_known_motion_is_found(factor):
     found = gravity_turns(cone(factor))
     assert found.factor * factor == pytest.approx(1, rel=0.05)
     named = {doubt.rule for doubt in doubts(cone(factor))} - {"rate"}
-    assert named == (set() if factor in (1.0, 1.25) else {"turning"})
+    less_than_half_way_to_two = abs(np.log2(factor)) < 1 / 2
+    assert named == (set() if less_than_half_way_to_two else {"turning"})
+
+
+def nods(about, strength, rate=100.0):
+    """A unit that is turned to and fro about body axes within a quarter of a second each, between
+    rests of as long; the gyros show so many times the rates."""
+    rows = round(0.25 * rate)
+    turn = 1 - np.cos(2 * np.pi * (np.arange(rows) + 0.5) / rows)
+    gyro = np.zeros((len(about), 2, 2, rows, 3))
+    for index, axis in enumerate(about):
+        gyro[index, :, 1, :, axis] = rate / rows * turn * [[1], [-1]]
+    gyro = np.concatenate([gyro.reshape(-1, 3), np.zeros((rows, 3))])
+    angles = (np.cumsum(gyro, axis=0) - gyro / 2) / rate
+    force = Rotation.from_rotvec(angles).inv().apply(np.full(3, G / np.sqrt(3)))
+    return Recording(gyro * strength, force, 1 / rate, "rates")
+
+
+@pytest.mark.parametrize("ratio", [1.9, 2.1, 2.9])
+def test_an_order_that_changes_less_is_right_if_it_leaves_less_than_twice_as_much(ratio):
+    """Of turns of one size, a share p about z and half of the others about x and y each, gyros
+    that show 1 + d, 1 - d and -1 times the rate explain (1 - 2p)^2 / (1 + (1 - p) d^2), and with
+    the other sign of z 1 / (1 + (1 - p) d^2)."""
+    about = [0, 1] * 5 + [2]
+    p = about.count(2) / len(about)
+    # (1 - (1 - 2p)^2 best) / (1 - best) is the ratio.
+    best = (ratio - 1) / (ratio - (1 - 2 * p) ** 2)
+    d = np.sqrt((1 / best - 1) / (1 - p))
+    found = gravity_turns(nods(about, [1 + d, 1 - d, -1]))
+    right = 1 if ratio < 2 else -1
+    assert (found.order == np.diag([1, 1, right])).all()
+    share = best if right < 0 else best * (1 - 2 * p) ** 2
+    assert found.explained == pytest.approx(share, rel=1e-6)
+
+
+@pytest.mark.parametrize("about", [[0, 1, 2], [0, 1], [2, 2, 2, 0], [0, 1, 2] * 7])
+def test_what_is_needed_comes_by_chance_in_one_record_of_a_thousand(about):
+    found = gravity_turns(nods(about, 1.0))
+    turns = 2 * len(about)
+    if turns < 5:
+        assert found is None
+        return
+    assert (found.turns, found.explained) == (turns, pytest.approx(1))
+    tries, components = 48 / 2, 2 * turns
+    chance = tries * (1 - found.needed) ** ((components - 1) / 2)
+    assert chance == pytest.approx(1e-3)
 
 
 def test_gyros_that_have_nothing_to_do_with_it_explain_nothing():
@@ -225,3 +276,96 @@ def test_gravity_that_is_told_is_what_the_force_is_held_against():
     on_mars = Recording(gyro, noise + np.array([0.0, 0.0, 3.71]), 0.01, "rates", gravity=3.71)
     assert doubts(on_mars) == ()
     assert [doubt.rule for doubt in doubts(replace(on_mars, gravity=None))] == ["force"]
+
+
+INTERVAL = 0.02
+MEANT_AND_TAKEN = {
+    "g taken for m/s^2": ("g", "m/s^2"),
+    "m/s^2 taken for g": ("m/s^2", "g"),
+    "mg taken for m/s^2": ("mg", "m/s^2"),
+    "increments of velocity for specific force": ("m/s", "m/s^2"),
+    "increments in g*s for specific force": ("g*s", "m/s^2"),
+    "specific force taken for increments": ("m/s^2", "m/s"),
+    "specific force in g taken for increments": ("g", "m/s"),
+    "specific force in mg taken for increments": ("mg", "m/s"),
+    "g*s taken for m/s": ("g*s", "m/s"),
+    "m/s taken for g*s": ("m/s", "g*s"),
+    "degrees taken for radians": ("deg", "rad"),
+    "radians taken for degrees": ("rad", "deg"),
+    "mrad taken for rad": ("mrad", "rad"),
+    "an hour taken for a second": ("deg/h", "deg/s"),
+    "increments taken for rates": ("rad", "rad/s"),
+    "increments in degrees taken for rates in radians": ("deg", "rad/s"),
+    "rates taken for increments": ("rad/s", "rad"),
+    "rates in degrees taken for increments in radians": ("deg/s", "rad"),
+}
+OTHER_FACTORS = {
+    "feet taken for metres": 1 / foot,
+    "twice as long an interval": {force_factors: 2.0, gyro_factors: 0.5},
+    "half as long an interval": {force_factors: 0.5, gyro_factors: 2.0},
+}
+
+
+@pytest.mark.parametrize("kind", ["rates", "increments"])
+@pytest.mark.parametrize("factors", [force_factors, gyro_factors])
+def test_a_slip_of_units_makes_numbers_too_large_by_the_quotient_of_the_units(factors, kind):
+    for name, found in factors(kind, INTERVAL).items():
+        if name in MEANT_AND_TAKEN:
+            (one, meant), (other, taken) = (
+                (GYRO_UNITS | ACCELEROMETER_UNITS)[unit] for unit in MEANT_AND_TAKEN[name]
+            )
+            spans = (one == "increments") - (other == "increments")
+            assert found == pytest.approx(taken / meant * INTERVAL**spans), name
+        else:
+            other = OTHER_FACTORS[name]
+            assert found == (other[factors] if isinstance(other, dict) else pytest.approx(other))
+
+
+@pytest.mark.parametrize(("told", "right"), [(2.0, "half"), (0.5, "twice")])
+def test_the_interval_that_would_be_right_is_named_as_a_multiple_of_the_told_one(told, right):
+    moved = cone(1.0)
+    assert doubts(moved) == ()
+    (found,) = doubts(replace(moved, interval=told * moved.interval))
+    assert (found.rule, f": {right} as long an interval?" in str(found)) == ("turning", True)
+    still = Recording(np.zeros((9, 3)), np.full((9, 3), G / 50 / np.sqrt(3)), 1 / 50, "increments")
+    assert doubts(still) == ()
+    (found,) = doubts(replace(still, interval=told * still.interval))
+    assert (found.rule, f": {right} as long an interval?" in str(found)) == ("force", True)
+
+
+@pytest.mark.parametrize("kind", ["rates", "increments"])
+@pytest.mark.parametrize(
+    ("rate", "interval", "rules"),
+    [(-40.0, 0.01, ["rate"]), (30.0, 0.125, ["half turn"]), (40.0, 0.1, ["rate", "half turn"])],
+)
+def test_one_sample_that_cannot_be_is_enough(rate, interval, rules, kind):
+    gyro = np.zeros((9, 3))
+    gyro[4, 1] = rate * (1 if kind == "rates" else interval)
+    found = {doubt.rule: doubt.size for doubt in doubts(Recording(gyro, None, interval, kind))}
+    sizes = {"rate": abs(rate), "half turn": abs(rate) * interval}
+    assert found == pytest.approx({rule: sizes[rule] for rule in rules})
+
+
+@pytest.mark.parametrize("unit", [1.0, 0.1, 0.01])
+@pytest.mark.parametrize(("last", "gap"), [(7, False), (7.01, True), (8, True)])
+def test_a_step_of_one_and_a_half_is_no_gap_and_more_is(last, gap, unit):
+    times = unit * np.array([0, 2, 4, last, last + 2])
+    recording = Recording(np.ones((5, 3)), None, 2 * unit, "rates", times)
+    measured = [(doubt.rule, doubt.size, doubt.threshold) for doubt in doubts(recording)]
+    if gap:
+        assert measured == [("gap", pytest.approx((last - 4) / 2), 1.5)]
+        with pytest.raises(ValueError, match=r"^times: expected no gap longer than 1\.5 times"):
+            recording.angles()
+    else:
+        assert measured == []
+        assert np.ptp(recording.angles()) < 1e-12 * unit
+
+
+@pytest.mark.parametrize("span", [0.5, 1.0, 2.0])
+def test_a_clipped_channel_is_told_whatever_its_span(span):
+    swing = np.minimum(np.sin(np.arange(1000) / 20), 0.5)
+    channel = (swing - swing.min()) / np.ptp(swing) * span
+    others = np.random.default_rng(2).standard_normal((2, 1000))
+    (found,) = doubts(Recording(np.stack([channel, *others], axis=1), None, 0.01, "rates"))
+    assert np.ptp(channel) == span
+    assert (found.rule, str(found)[:7]) == ("clipped", "gyro x:")

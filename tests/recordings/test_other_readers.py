@@ -48,6 +48,22 @@ def test_what_is_no_log_of_imu_tk_is_refused(read, changes, words):
         read(**changes)
 
 
+def stamped(stamps):
+    """Two files of a unit that lies still, with these stamps."""
+    return {
+        "accelerometer": [f"{stamp} 0 0 9800" for stamp in stamps],
+        "gyro": [f"{stamp} 5 5 5" for stamp in stamps],
+    }
+
+
+def test_a_step_of_one_and_a_half_is_no_gap_for_imu_tk_and_more_is(read):
+    assert_allclose(read(**stamped([3, 5, 7, 10, 11])).times, [0, 2, 4, 7, 8])
+    words = r"^gyro\.mat, line 4: expected no gap longer than 1\.5 times .* got 3\.01 s since"
+    with pytest.raises(ValueError, match=words):
+        read(**stamped([3, 5, 7, 10.01, 11.01]))
+    assert len(read(**stamped([3, 5, 7, 10.01, 11.01]), longest_gap=1.6, allow=["gap"])) == 5
+
+
 def test_pulses_of_psins_become_increments(tmp_path):
     path = tmp_path / "ring.imu"
     path.write_text("\n".join(PSINS))

@@ -1,5 +1,6 @@
 """Rests: found where they are, with their reasons, in simulated logs and in published ones."""
 
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -81,6 +82,29 @@ def test_a_log_that_never_rests_is_warned_of(kind):
         rests(replace(lively, accelerometer=force))
 
 
+@pytest.mark.parametrize("kind", ["rates", "increments"])
+@pytest.mark.parametrize("share", [0.995, 1.005])
+@pytest.mark.parametrize(
+    ("triad", "most", "unit"), [("gyro", 0.1, "rad/s"), ("accelerometer", 1.0, "m/s^2")]
+)
+def test_a_quietest_window_is_warned_of_if_it_scatters_by_more_than_sensors_do(
+    triad, most, unit, share, kind
+):
+    """Of samples a and -a by turns each window has the deviation a."""
+    span = 1.0 if kind == "rates" else 0.01
+    still = log(rows=400, kind=kind)
+    rows = np.zeros((400, 3))
+    rows[:, 1] = share * most * span * (-1.0) ** np.arange(400)
+    shaken = replace(still, **{triad: rows})
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        found = rests(shaken)
+    assert getattr(found, f"{triad}_noise") == pytest.approx(share * most * span)
+    assert [one.category for one in caught] == [UnusualWarning] * (share > 1)
+    words = f"recording.{triad}: expected a moment of rest, where samples scatter by less than"
+    assert all(str(one.message).startswith(f"{words} {most:g} {unit}, got") for one in caught)
+
+
 def test_other_multiples_are_told():
     found = rests(log((800, 1000)))
     assert found.alternatives == ((10.0, 2), (40.0, 2))
@@ -109,11 +133,55 @@ def test_a_record_that_is_none_is_refused():
         rests(np.zeros((300, 3)))
 
 
-def test_a_triad_that_hangs_is_refused():
-    gyro = NOISE * np.random.default_rng(1).standard_normal((1000, 3)) + 0.3
-    gyro[400:700] = gyro[400]
-    with pytest.raises(ValueError, match=r"^recording.gyro: expected noise .* 100 equal rows"):
+@pytest.mark.parametrize("offset", [0.0, 0.3, -0.7])
+@pytest.mark.parametrize("move", [0.0, 1.0, 10.0, 100.0])
+@pytest.mark.parametrize("begin", [400, 433])
+def test_a_triad_that_hangs_is_refused_whatever_it_showed_before(offset, move, begin):
+    gyro = NOISE * np.random.default_rng(1).standard_normal((1000, 3)) + offset
+    gyro[200:350, 1] += move * np.sin(np.linspace(0, np.pi, 150))
+    gyro[begin : begin + 300] = gyro[begin]
+    words = rf"^recording.gyro: expected noise .* 100 equal rows from row {begin}:"
+    with pytest.raises(ValueError, match=words):
         rests(Recording(gyro, None, 0.01, "rates"))
+
+
+@pytest.mark.parametrize(("share", "told"), [(0.995, False), (1.005, True)])
+def test_noise_is_told_down_to_a_thousand_millionth_of_the_largest_sample(share, told):
+    gyro = np.zeros((600, 3))
+    gyro[:, 0] = share * 1e-9 * (-1.0) ** np.arange(600)
+    gyro[150:250, 1] = -np.sin(np.linspace(0, np.pi, 100))
+    gyro[200, 1] = -1
+    log = Recording(gyro, None, 0.01, "rates")
+    if told:
+        assert rests(log).gyro_noise == pytest.approx(share * 1e-9, rel=1e-9)
+    else:
+        with pytest.raises(ValueError, match=r"^recording.gyro: expected noise in every window"):
+            rests(log)
+
+
+@pytest.mark.parametrize("force", [True, False])
+@pytest.mark.parametrize("window", [1.0, 0.5, 0.37, 0.04])
+def test_noise_and_loudest_windows_are_those_of_the_rows_one_by_one(window, force):
+    """A rest that is shorter than a window is as loud as the one about its middle."""
+    recording = log((800, 1000), (1140, 1300), (1362, 1500), force=force)
+    found = rests(recording, window=window, trim=window / 2, shortest=0.03)
+    width = round(window / recording.interval)
+    scatter, noises = np.zeros(len(recording) - width + 1), []
+    for triad in (recording.gyro, recording.accelerometer)[: 1 + force]:
+        windows = np.lib.stride_tricks.sliding_window_view(triad, width, axis=0)
+        deviation = np.sqrt(windows.var(axis=-1).sum(axis=-1))
+        noises.append(deviation.min())
+        scatter = np.maximum(scatter, deviation / noises[-1])
+        if len(noises) == 1:
+            assert found.quietest == np.argmin(deviation) + width // 2
+    assert [found.gyro_noise, found.accelerometer_noise][: len(noises)] == pytest.approx(noises)
+    loudest = [
+        scatter[begin : end - width + 1].max()
+        if end - begin >= width
+        else scatter[(begin + end) // 2 - width // 2]
+        for begin, end in found.rows
+    ]
+    assert found.loudest == pytest.approx(loudest)
 
 
 @pytest.mark.parametrize(

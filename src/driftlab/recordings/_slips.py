@@ -95,8 +95,8 @@ def force_factors(kind: Kind, interval: float) -> dict[str, float]:
         "specific force in mg taken for increments": 1000 / (g * interval),
         "g*s taken for m/s": 1 / g,
         "m/s taken for g*s": g,
-        "half as long an interval": 2.0,
-        "twice as long an interval": 0.5,
+        "twice as long an interval": 2.0,
+        "half as long an interval": 0.5,
     }
 
 

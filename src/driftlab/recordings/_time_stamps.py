@@ -67,7 +67,7 @@ def spacing_of_stamps(
         )
     usual = float(np.median(steps))
     longest = int(np.argmax(steps))
-    if steps[longest] > longest_gap * usual:
+    if round(float(steps[longest] / usual), 9) > longest_gap:  # 0.003 is more than 1.5 * 0.002
         raise ValueError(
             f"{place(longest + 1)}: expected no gap longer than {longest_gap:g} times the usual "
             f"{usual:.6g} s (longest_gap), got {steps[longest]:.6g} s since the line before; "
@@ -76,7 +76,7 @@ def spacing_of_stamps(
     # Of rounded stamps the steps have two sizes, one last digit apart, and the stamps lie within
     # that digit of a line.
     sizes = np.unique(np.round(steps / usual, 9))
-    if len(sizes) <= 2 and np.ptp(sizes) < 0.5:  # no lost sample
+    if len(sizes) <= 2 and np.ptp(sizes) <= 0.5:  # no lost sample
         rows = np.arange(len(stamps))
         slope, first = np.polyfit(rows, stamps, 1)
         if np.abs(stamps - first - slope * rows).max() < usual * (np.ptp(sizes) + 1e-6):

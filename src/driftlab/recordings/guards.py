@@ -197,7 +197,7 @@ def _size_doubts(recording: Recording) -> Iterator[Doubt]:
         )
     if recording.times is not None and len(recording) > 2:
         steps = np.diff(recording.times)
-        row, longest = int(np.argmax(steps)), float(steps.max() / np.median(steps))
+        row, longest = int(np.argmax(steps)), round(float(steps.max() / np.median(steps)), 9)
         if longest > _LONGEST_GAP:
             yield Doubt(
                 "gap",

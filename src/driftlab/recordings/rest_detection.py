@@ -12,7 +12,6 @@ import warnings
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import uniform_filter1d
 
 from driftlab.checks import (
     FloatArray,
@@ -274,13 +273,16 @@ def rests(
 
 def _windowed_deviation(rows: FloatArray, width: int, name: str) -> FloatArray:
     """Root of the summed variances of a triad in each window that fits, by its first row."""
-    centred = rows - rows.mean(axis=0)
-    mean, square = (
-        uniform_filter1d(values, width, axis=0)[width // 2 : len(rows) - (width - 1) // 2]
-        for values in (centred, centred**2)
-    )
-    deviation = np.sqrt(np.maximum((square - mean**2).sum(axis=1), 0.0))
-    # Sums that run along a record leave rounding where a triad repeats one number.
+    # A window is the end of one block and the beginning of the next. Sums that ran along the whole
+    # record would bring the rounding of large samples into windows that have none of them.
+    count = len(rows) - width + 1
+    blocks = np.concatenate([rows, np.zeros((-len(rows) % width, 3))]).reshape(-1, width, 3)
+    mean, square = (part[:, ::-1].reshape(-1, 3)[:count] for part in _growing(blocks[:, ::-1]))
+    next_mean, next_square = (part.reshape(-1, 3)[width - 1 :][:count] for part in _growing(blocks))
+    beyond = np.arange(count)[:, np.newaxis] % width  # rows in the next block
+    between = beyond * (width - beyond) / width * (next_mean - mean) ** 2
+    square = square + np.where(beyond > 0, next_square, 0.0) + between
+    deviation = np.sqrt(np.maximum(square.sum(axis=1) / width, 0.0))
     if not deviation.min() > _SILENT * np.abs(rows).max():
         row = int(np.argmin(deviation))
         raise ValueError(
@@ -288,6 +290,14 @@ def _windowed_deviation(rows: FloatArray, width: int, name: str) -> FloatArray:
             f"{row}: a sensor that hangs, or one too coarse to show its noise in so short a window?"
         )
     return deviation
+
+
+def _growing(blocks: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Means of the first 1, 2, ... rows of each block (m, n, 3), and sums of squares about them."""
+    off = blocks - blocks[:, :1]
+    rows = np.arange(1.0, blocks.shape[1] + 1)[:, np.newaxis]
+    mean = np.cumsum(off, axis=1) / rows
+    return blocks[:, :1] + mean, np.cumsum(off**2, axis=1) - rows * mean**2
 
 
 def _warn_if_never_still(recording: Recording, noise: dict[str, float]) -> None:
