@@ -503,7 +503,7 @@ def test_scheme_that_leaves_errors_unobservable_is_warned_of_by_name():
         ("sample_interval", -0.05, r"a positive number, got -0\.05\.$"),
         ("sample_interval", np.inf, "finite numbers, got 1 NaN or infinite"),
         ("update_interval", 0, r"a positive number, got 0\.$"),
-        ("update_interval", "1", "real numbers, got dtype <U1"),
+        ("update_interval", "1", "real numbers, got '1'"),
         ("update_interval", 0.05, r"an even number of samples, got 1 of 0\.05 s\.$"),
         ("update_interval", 0.15, r"an even number of samples, got 3 of 0\.05 s\.$"),
         ("scheme", "+90X", r"a Scheme such as .* or the name of one .*, got '\+90X'\.$"),
