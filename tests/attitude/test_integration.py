@@ -677,6 +677,16 @@ def test_whole_turn_in_a_step_is_refused_where_k_is_infinite(name):
 
 
 @with_cayley
+def test_one_whole_turn_among_many_steps_and_runs_is_refused(name):
+    rows = np.full((2, 24, 3), 1e-3)
+    samples = CONING_ALGORITHMS[name].samples
+    rows[1, 12 : 12 + samples] = [0.0, 6.3 / samples, 0.0]
+    with pytest.raises(ValueError, match=r"^increments: expected less than a whole turn a step"):
+        integrate(rows, name)
+    assert np.isfinite(integrate(rows[0], name)).all()
+
+
+@with_cayley
 def test_increment_of_a_whole_turn_is_refused_though_it_comes_back_within_the_step(name):
     """Between the samples it may have turned round at any time: nothing could be said."""
     rows = np.zeros((6, 3))
