@@ -106,7 +106,7 @@ def test_another_study_takes_nothing_of_it(changed, tmp_path):
 
 def test_other_code_takes_nothing_of_it(tmp_path, monkeypatch):
     calls_of(10, seed=1, batch=3, folder=tmp_path)
-    monkeypatch.setattr("driftlab.monte_carlo._descriptions._package", lambda: "another")
+    monkeypatch.setattr("driftlab.monte_carlo._code._package", lambda: "another")
     assert calls_of(10, seed=1, batch=3, folder=tmp_path)[0] == 4
 
 

@@ -9,6 +9,7 @@ from select import select
 
 import pytest
 
+from driftlab.core import compiled
 from driftlab.monte_carlo import cluster, processes, sweep
 from driftlab.monte_carlo.workers import THREADS
 
@@ -41,6 +42,47 @@ if __name__ == "__main__":
     with processes(2) as pool:
         sweep(task, 2, seed=1, batch=1, executor=pool)
 """
+
+
+def which(rng, runs):
+    return compiled.arithmetic()
+
+
+def test_they_compile_if_the_process_that_sends_the_runs_does(monkeypatch):
+    pytest.importorskip("numba")
+    monkeypatch.setattr(compiled, "on", False)
+    monkeypatch.setenv(compiled.VARIABLE, "0")
+    with processes(1) as pool:
+        found = []
+        for on in (False, True, False):
+            monkeypatch.setattr(compiled, "on", on)
+            found += sweep(which, 1, seed=0, executor=pool)
+            assert found[-1] == compiled.arithmetic()
+    assert found[0] == found[2] == "NumPy" != found[1]
+
+
+NOT_SENT = """
+from driftlab.monte_carlo import processes, sweep
+def task(rng, runs):
+    return 1
+with processes(1) as pool:
+    try:
+        sweep(task, 2, seed=1, executor=pool)
+    except ValueError as error:
+        print(error)
+"""
+
+
+def test_a_task_that_was_typed_is_refused_before_it_is_sent():
+    done = subprocess.run(
+        [sys.executable, "-c", NOT_SENT],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
+        capture_output=True,
+        text=True,
+    )
+    assert done.stdout.startswith("task: expected, for other processes, a function of a module")
+    assert done.stdout.endswith("task of a notebook or prompt\n")
+    assert done.stderr == ""
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there a process cannot be killed like this")

@@ -13,7 +13,8 @@ from typing import Any
 import driftlab
 from driftlab.core import compiled
 
-from ._descriptions import code_of, describe
+from ._code import code_of
+from ._descriptions import describe
 
 MISSING = object()
 """What is read where there is no whole batch."""

@@ -19,7 +19,10 @@ from driftlab.checks import (
     shown,
     whole_number,
 )
+from driftlab.compilation import use_compiled
+from driftlab.core import compiled
 
+from ._code import names_of_no_file
 from ._kept_batches import MISSING, KeptBatches
 
 Result = TypeVar("Result")
@@ -133,10 +136,11 @@ def sweep(
     A batch is kept for its task, its seed, the size of batches and the code that the task runs:
     this package without its book, NumPy and SciPy by their versions, Numba if it compiles, the
     modules in which the functions and classes of the task stand, and those of your own that these
-    import. What was kept of another study, or by other code of these, is never taken, so many
-    studies may share a folder; ``study.json`` says which has which part of it. Not seen are other
-    installed packages, what is imported within a function, and a global that is changed in memory:
-    take another folder then.
+    import; of what stands in a notebook its code and what that names. What was kept of another
+    study, or by other code of these, is never taken, so many studies may share a folder;
+    ``study.json`` says which has which part of it. Not seen are other installed packages, files
+    that a task reads, and a global of a module that is changed in memory: take another folder then.
+    Wherever the calls run, they are compiled if they would be here.
     The task must therefore be a function of a module, a method of a dataclass, or a
     `functools.partial` of these, with numbers, texts and arrays in it.
 
@@ -185,7 +189,8 @@ def sweep(
         for index in left:
             done(index, task(generators[index], sizes[index]))
         return results  # type: ignore[return-value]
-    futures = {executor.submit(task, generators[k], sizes[k]): k for k in left}
+    compile_it = compiled.on
+    futures = {executor.submit(_call, compile_it, task, generators[k], sizes[k]): k for k in left}
     try:
         for future in as_completed(futures):
             done(futures[future], future.result())
@@ -195,12 +200,22 @@ def sweep(
     return results  # type: ignore[return-value]
 
 
+def _call(compile_it: bool, task: Task[Result], rng: np.random.Generator, runs: int) -> Result:
+    """Call a task where it was sent, with NumPy or Numba as in the process that sent it."""
+    if compiled.on != compile_it:
+        use_compiled(compile_it)
+    return task(rng, runs)
+
+
 def _sendable(task: object) -> None:
-    """Refuse what another process cannot be given; a lambda, or a function within another."""
+    """Refuse what another process cannot be given: a lambda, or what stands in a notebook."""
     try:
         pickle.dumps(task)
+        reason = ", ".join(f"{name} of a notebook or prompt" for name in names_of_no_file(task))
     except Exception as error:
+        reason = str(error)
+    if reason:
         raise ValueError(
             "task: expected, for other processes, a function of a module, a method of an object of "
-            f"such a class or a partial of these, got {shown(task)}: {error}"
-        ) from error
+            f"such a class or a partial of these, got {shown(task)}: {reason}"
+        )
