@@ -86,6 +86,7 @@ def test_one_angle_of_many_turns_is_warned_of(degrees):
         (timedelta(seconds=1), (), "value: expected real numbers, got a timedelta."),
         (np.timedelta64(10, "ms"), (), "value: expected real numbers, got 10 milliseconds."),
         ([None], (), "value: expected real numbers, got dtype object."),
+        (np.array(1j), (), "value: expected real numbers, got dtype complex128."),
         (
             np.ma.array([1.0, 2.0], mask=[False, True]),
             (),

@@ -571,6 +571,17 @@ def test_of_increments_that_gravity_does_not_make_a_warning_says_so(interval, ru
         navigate(start, Increments(interval, 0.1 * interval * up, turned))
 
 
+@pytest.mark.parametrize(("factor", "said"), [(1e-3, "0.0098"), (100.0, "9.8e[+]02")])
+def test_one_run_of_many_that_gravity_does_not_make_is_warned_of(factor, said):
+    pushed = np.tile([0.0, 0.0, 0.098], (10, 4, 1))
+    pushed[7] *= factor
+    increments = Increments(0.01, np.zeros((10, 4, 3)), pushed)
+    with pytest.warns(
+        UnusualWarning, match=rf"^increments\.velocity: {said} m/s\^2 on the average"
+    ):
+        navigate(at_rest(0.8, UNTURNED), increments)
+
+
 def test_states_that_cannot_be_are_refused():
     with pytest.raises(ValueError, match=r"^latitude: expected at most 89\.9 degrees"):
         at_rest([0.5, -np.pi / 2], UNTURNED)

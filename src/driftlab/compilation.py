@@ -69,8 +69,8 @@ def is_compiled() -> bool:
     Returns
     -------
     bool
-        True after `use_compiled`, or where ``DRIFTLAB_COMPILED=1`` was set when the package was
-        imported and Numba is installed. Where it was set in vain, a warning has said why.
+        True after `use_compiled`, or where ``DRIFTLAB_COMPILED=1`` was set when this was first
+        asked or needed, and Numba is installed. Where it is set in vain, a warning says why.
 
     See Also
     --------

@@ -129,7 +129,7 @@ def _sample_times(times: ArrayLike, count: int, longest_gap: float, interval: fl
             "are they in milliseconds, microseconds or nanoseconds? Multiply by 1e-3, 1e-6 or 1e-9."
         )
     longest = int(np.argmax(steps))
-    if round(float(steps[longest] / usual), 9) > longest_gap:
+    if steps[longest] / usual > longest_gap * (1 + 1e-9):  # for all that rounding does
         raise ValueError(
             f"times: expected no gap longer than {longest_gap:g} times the usual "
             f"{usual:.6g} s (longest_gap), got {steps[longest]:.6g} s after the time "

@@ -66,7 +66,7 @@ def test_processes_change_nothing_and_what_is_kept_is_taken(drawn, tmp_path, mon
     ("options", "says"),
     [
         (["--workers", "0"], "count: expected a whole number of at least 1, got 0."),
-        (["01"], "among 00-study; got 01."),
+        (["01"], "among 00-study, 04-larin-numbers; got 01."),
         (["--keep", "{file}/kept"], "Not a directory: '{file}/kept'"),
         (["--scheduler", "tcp://127.0.0.1:1"], "pip install driftlab[cluster]."),
     ],
@@ -86,3 +86,17 @@ def test_what_cannot_be_is_said_in_a_sentence_before_anything_is_made(
 def test_some_are_written_alone(drawn, tmp_path):
     drawn("--workers", "1", "00", "00-study")
     assert [path.name for path in (tmp_path / "figures").iterdir()] == ["00-study.svg"]
+
+
+def test_what_is_only_a_picture_has_nothing_to_compare(drawn, tmp_path, capsys):
+    drawn("--workers", "1", "--compare", "00")
+    assert capsys.readouterr().out.endswith("there are no numbers to compare.\n")
+    assert not (tmp_path / "figures").exists()
+
+
+def test_larins_numbers_are_a_table_of_chapter_04(drawn, tmp_path, monkeypatch):
+    drawn("--workers", "1", "00")
+    monkeypatch.setattr(sys, "argv", [*sys.argv[:-1], "04"])
+    command.main()
+    names = {path.name for path in (tmp_path / "figures").iterdir()}
+    assert names == {"00-study.svg", "04-larin-numbers.csv"}

@@ -36,7 +36,8 @@ _SYMMETRIC = {
     "max", "min", "maximum", "minimum", "hypot", "union1d", "vecdot", "broadcast_shapes",
     "logical_and", "logical_or", "add",
 }  # fmt: skip
-_SIZES = {"abs", "absolute", "fabs", "norm", "norms", "hypot"}
+_SIZES = {"abs": 1, "absolute": 1, "fabs": 1, "norm": 1, "norms": 1, "hypot": 2}
+"""Of how many first arguments only the size counts."""
 _UNTOUCHED_ARGUMENTS = {"stacklevel", "strict"}
 _UNTOUCHED_FUNCTIONS = {"__repr__", "__str__"}
 
@@ -301,8 +302,8 @@ class _Finder(ast.NodeVisitor):
 
     def visit_Call(self, node: ast.Call) -> None:
         name = getattr(node.func, "attr", getattr(node.func, "id", ""))
-        if name in _SIZES:
-            self._sign_is_lost |= {each for each in node.args if _is_difference(each)}
+        measured = node.args[: _SIZES.get(name, 0)]
+        self._sign_is_lost |= {each for each in measured if _is_difference(each)}
         for first, second in zip(node.args, node.args[1:], strict=False):
             if name in _SYMMETRIC or (name == "swapaxes" and second is not node.args[1]):
                 continue

@@ -3,6 +3,7 @@
 import math
 import os
 import platform
+import sys
 import tomllib
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
@@ -64,6 +65,8 @@ def write_page(folder: Path, seed: int) -> None:
         every = breaks(path_of(name).read_text("utf-8"))
         kept.append(Kept(folder, name, digest(path_of(name)), every))
         possible[name] = len(every)
+    if not any(each.tried for each in kept):
+        sys.exit(f"Nothing is kept in {folder}: there is no page to write.")
     PAGE.write_text(page(kept, reasons(REASONS), possible, seed), "utf-8", newline="\n")
 
 

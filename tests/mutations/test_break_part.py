@@ -5,7 +5,8 @@ from types import CodeType
 import pytest
 from break_part import Break, breaks, broken, broken_code, line_before_and_after, same_code
 from kept_breaks import Tried
-from mutations_page import page, share
+from mutations_page import REASONS, page, reasons, share
+from numerical_parts import path_of
 
 
 def after(source: str, kind: str | None = None) -> set[str]:
@@ -19,6 +20,7 @@ def after(source: str, kind: str | None = None) -> set[str]:
         ("a + b", {"a - b"}),
         ("a - b", {"a + b", "((b) - (a))"}),
         ("abs(a - b)", {"abs(a + b)"}),
+        ("norm(a, b - c)", {"norm(b - c, a)", "norm(a, b + c)", "norm(a, ((c) - (b)))"}),
         ("(a - b) ** 2", {"(a + b) ** 2", "(a - b) * 2", "(a - b) ** 3", "((2) ** (a - b))"}),
         ("-a", {"a"}),
         ("a * b", {"a / b"}),
@@ -175,3 +177,13 @@ def test_a_large_module_counts_more_in_the_estimate_for_all():
     wholes = 30**2 * (2.5 / 3) * (0.5 / 3) / 2 * (1 - 2 / 30)
     error = 2 * (halves + wholes) ** 0.5 / 40
     assert f"**{100 * expected:.1f} ± {100 * error:.1f} %**" in text
+
+
+def test_each_reason_is_for_a_break_that_is_possible():
+    """One of a line that has changed since, or that is broken no more, would only be in the way."""
+    possible = {}
+    for module, before, after in reasons(REASONS):
+        if module not in possible:
+            source = path_of(module).read_text("utf-8")
+            possible[module] = {line_before_and_after(source, each) for each in breaks(source)}
+        assert (before, after) in possible[module], module

@@ -149,14 +149,21 @@ def test_a_triad_that_hangs_is_refused_whatever_it_showed_before(offset, move, b
 def test_noise_is_told_down_to_a_thousand_millionth_of_the_largest_sample(share, told):
     gyro = np.zeros((600, 3))
     gyro[:, 0] = share * 1e-9 * (-1.0) ** np.arange(600)
-    gyro[150:250, 1] = -np.sin(np.linspace(0, np.pi, 100))
-    gyro[200, 1] = -1
+    gyro[:, 1] = -1
     log = Recording(gyro, None, 0.01, "rates")
     if told:
         assert rests(log).gyro_noise == pytest.approx(share * 1e-9, rel=1e-9)
     else:
         with pytest.raises(ValueError, match=r"^recording.gyro: expected noise in every window"):
             rests(log)
+
+
+@pytest.mark.parametrize("begin", [0, 1500, 2900])
+def test_a_large_sample_elsewhere_does_not_hide_the_noise(begin):
+    gyro = 1e-7 * np.random.default_rng(1).standard_normal((3000, 3))
+    gyro[begin : begin + 50] += 200.0
+    found = rests(Recording(gyro, None, 0.01, "rates"))
+    assert 1e-7 < found.gyro_noise < np.sqrt(3) * 1e-7
 
 
 @pytest.mark.parametrize("force", [True, False])

@@ -29,6 +29,7 @@ from .machinery.table_differences import Difference, folder_differences
 PROJECT = Path(__file__).parents[3]
 AT_HOME = (PROJECT / "lab.py").is_file()
 """Is this the project's folder? An installed package has no place of its own to write to."""
+LARIN_NUMBERS = "04-larin-numbers"
 LARIN_NOTE = [
     "04-larin-numbers: the seven numbers of Larin's experiment as the copy has them, by the method "
     "without error of integration, and reconstructed. Without unit.",
@@ -70,8 +71,8 @@ def write_larin_numbers(folder: Path) -> None:
     """Write Larin's seven numbers, and print them."""
     table = experiment_numbers()
     numbers = as_words({"name": NAMES, **table})
-    write_table(folder / "04-larin-numbers.csv", numbers, LARIN_NOTE)
-    print(f"\nLarin's numbers, written to {folder / '04-larin-numbers.csv'}:\n")
+    write_table(folder / f"{LARIN_NUMBERS}.csv", numbers, LARIN_NOTE)
+    print(f"\nLarin's numbers, written to {folder / LARIN_NUMBERS}.csv:\n")
     print(f"{'':10}{'the copy':>14}{'reconstructed':>18}{'exact method':>18}")
     rows = (NAMES, IN_THE_COPY, table["reconstructed"], table["exact"])
     for name, copy, reconstructed, exact in zip(*rows, strict=True):
@@ -81,7 +82,7 @@ def write_larin_numbers(folder: Path) -> None:
 
 def write_figures_on(
     folder: Path,
-    chosen: Mapping[str, FigureDefinition] | None,
+    chosen: Mapping[str, FigureDefinition | None] | None,
     workers: int | None,
     scheduler: str | None,
     keep: Path | None,
@@ -101,8 +102,10 @@ def write_figures_on(
         places.enter_context(running_on(pool, folder=keep))
         if chosen is None:
             write_gallery(folder, figure_definitions())
-        else:
-            write_figures(folder, chosen)
+            return
+        write_figures(folder, {name: each for name, each in chosen.items() if each is not None})
+        if LARIN_NUMBERS in chosen:
+            write_larin_numbers(folder)
 
 
 def write_figures_or_compare(
@@ -116,6 +119,9 @@ def write_figures_or_compare(
     with TemporaryDirectory() as anew:
         write_figures_on(Path(anew), chosen, **where)
         tables = {path.name for path in Path(anew).glob("*.csv")}
+        if not tables:
+            print("\nThese are pictures only: there are no numbers to compare.")
+            return
         try:
             found = folder_differences(folder, Path(anew), tables if beginnings else None)
         except ValueError as error:
@@ -125,9 +131,12 @@ def write_figures_or_compare(
         sys.exit(1)
 
 
-def figures_that_begin(beginnings: list[str]) -> dict[str, FigureDefinition]:
-    """Return the figures whose names begin in one of these ways, as "03" or "03-drift-map"."""
-    every = figure_definitions()
+def figures_that_begin(beginnings: list[str]) -> dict[str, FigureDefinition | None]:
+    """Return the figures whose names begin in one of these ways, as "03" or "03-drift-map".
+
+    Larin's numbers are a table without a figure.
+    """
+    every: dict[str, FigureDefinition | None] = {**figure_definitions(), LARIN_NUMBERS: None}
     if strange := [each for each in beginnings if not any(map(_begins(each), every))]:
         sys.exit(
             f"figures: expected names, or how they begin, among {', '.join(every)}; "

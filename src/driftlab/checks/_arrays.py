@@ -61,7 +61,8 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
     """
     array = value if type(value) is np.ndarray else _as_array(value, name, shape)
     if array.dtype.kind not in "fiu":
-        got = _object(value) or (f"dtype {array.dtype}" if array.ndim else shown(value))
+        one = array.ndim == 0 and not isinstance(value, np.ndarray)
+        got = _object(value) or (shown(value) if one else f"dtype {array.dtype}")
         raise ValueError(f"{name}: expected real numbers, got {got}.")
     if shape and array.shape[-len(shape) :] != shape:
         raise ValueError(f"{name}: expected {_expected(shape)}, got shape {array.shape}.")

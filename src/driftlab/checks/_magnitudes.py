@@ -273,20 +273,21 @@ def specific_force(velocity: FloatArray, interval: float, name: str) -> FloatArr
     Warns
     -----
     UnusualWarning
-        If their root mean square is not an acceleration of 1.2 to 50 m/s^2: at rest it is gravity,
-        under way more or less. What falls freely, as a satellite, has none.
+        If the root mean square of a run is not an acceleration of 1.2 to 50 m/s^2: at rest it is
+        gravity, under way more or less. What falls freely, as a satellite, has none.
 
     Examples
     --------
     >>> specific_force(np.array([[0.0, 0.0, 0.0981]]), 0.01, "velocity")
     array([[0.    , 0.    , 0.0981]])
     """
-    root_mean_square = np.sqrt(np.mean(velocity**2) * 3) / interval
-    least, most = GRAVITY_RANGE
-    if not least <= root_mean_square <= most:
+    squares = np.vecdot(velocity, velocity).mean(axis=-1)
+    least, most = (force * interval for force in GRAVITY_RANGE)
+    if not least**2 <= squares.min() <= squares.max() <= most**2:
+        worst = squares.max() if squares.max() > most**2 else squares.min()
         warnings.warn(
-            f"{name}: {root_mean_square:.2g} m/s^2 on the average, where gravity alone is 9.8. "
-            f"Expected m/s, gained over {interval:g} s, not m/s^2, and not an angle.",
+            f"{name}: {np.sqrt(worst) / interval:.2g} m/s^2 on the average, where gravity alone is "
+            f"9.8. Expected m/s, gained over {interval:g} s, not m/s^2, and not an angle.",
             UnusualWarning,
             stacklevel=3,
         )

@@ -185,8 +185,9 @@ def checked_path(value: object, name: str) -> Path:
     Traceback (most recent call last):
     ValueError: path: expected a path, got ['a.csv', 'b.csv'].
     """
-    if isinstance(value, str | os.PathLike) and value != "":
-        return Path(value)
+    path = os.fspath(value) if isinstance(value, str | os.PathLike) else None
+    if isinstance(path, str) and path:
+        return Path(path)
     raise ValueError(f"{name}: expected a path, got {shown(value)}.")
 
 

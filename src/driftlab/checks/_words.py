@@ -48,7 +48,8 @@ def shown(value: object) -> str:
     kind = type(value)
     plain = isinstance(value, np.generic) or kind in (type(None), bool, float, complex, str, bytes)
     if kind is int or plain or (kind in (tuple, list, dict, set) and _is_short(value)):
-        text = str(value) if isinstance(value, np.generic) else _written(value)
+        number = isinstance(value, np.generic) and not isinstance(value, str | bytes)
+        text = str(value) if number else _written(value)
         if len(text) <= _LONGEST:
             return text
         return f"{text[: _LONGEST - 3]}..." if plain else with_article(kind.__name__)

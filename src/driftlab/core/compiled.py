@@ -36,13 +36,22 @@ def available() -> bool:
 
 
 def _asked() -> bool:
-    """Whether the environment asks for it, and it can be had; if not, a warning says why."""
+    """Whether the environment asks for it, and it can be had; if not, a warning says why.
+
+    Of a process that another one started, that one has said it.
+    """
     asked = os.environ.get(VARIABLE, "")
-    if asked not in ("", "0", "1"):
+    if asked in ("", "0"):
+        return False
+    from multiprocessing import parent_process
+
+    if parent_process():
+        return asked == "1" and available()
+    if asked != "1":
         warnings.warn(
             f"{VARIABLE}: expected 0 or 1, got {asked!r}; nothing is compiled.", stacklevel=2
         )
-    elif asked == "1" and not available():
+    elif not available():
         warnings.warn(
             f"{VARIABLE} is 1, but numba is not installed: pip install driftlab[compiled] brings "
             "it. Nothing is compiled.",

@@ -12,6 +12,7 @@ import warnings
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.ndimage import maximum_filter1d
 
 from driftlab.checks import (
     FloatArray,
@@ -25,7 +26,7 @@ from driftlab.checks import (
 from .recording import Kind, Recording
 
 _SILENT = 1e-9
-"""Deviation, relative to the largest sample, below which a triad cannot tell rest from motion."""
+"""Deviation, relative to the largest sample of a window, that does not tell rest from motion."""
 _LOUDEST = {"gyro": (0.1, "rad/s"), "accelerometer": (1.0, "m/s^2")}
 """Root of the summed variances of a triad, of rates: more than the noise of any, and about what a
 running engine shakes into one."""
@@ -283,8 +284,10 @@ def _windowed_deviation(rows: FloatArray, width: int, name: str) -> FloatArray:
     between = beyond * (width - beyond) / width * (next_mean - mean) ** 2
     square = square + np.where(beyond > 0, next_square, 0.0) + between
     deviation = np.sqrt(np.maximum(square.sum(axis=1) / width, 0.0))
-    if not deviation.min() > _SILENT * np.abs(rows).max():
-        row = int(np.argmin(deviation))
+    largest = maximum_filter1d(np.abs(rows).max(axis=1), width)[width // 2 :][:count]
+    silent = deviation <= _SILENT * largest
+    if silent.any():
+        row = int(np.argmax(silent))
         raise ValueError(
             f"recording.{name}: expected noise in every window, got {width} equal rows from row "
             f"{row}: a sensor that hangs, or one too coarse to show its noise in so short a window?"
