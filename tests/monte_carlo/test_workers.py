@@ -11,6 +11,7 @@ import pytest
 
 from driftlab.core import compiled
 from driftlab.monte_carlo import cluster, processes, sweep
+from driftlab.monte_carlo.sweeps import _call
 from driftlab.monte_carlo.workers import THREADS
 
 
@@ -44,21 +45,19 @@ if __name__ == "__main__":
 """
 
 
-def which(rng, runs):
-    return compiled.arithmetic()
+ARITHMETIC = "__import__('driftlab.core.compiled').core.compiled.arithmetic()"
 
 
 def test_they_compile_if_the_process_that_sends_the_runs_does(monkeypatch):
     pytest.importorskip("numba")
-    monkeypatch.setattr(compiled, "on", False)
     monkeypatch.setenv(compiled.VARIABLE, "0")
     with processes(1) as pool:
-        found = []
         for on in (False, True, False):
             monkeypatch.setattr(compiled, "on", on)
-            found += sweep(which, 1, seed=0, executor=pool)
-            assert found[-1] == compiled.arithmetic()
-    assert found[0] == found[2] == "NumPy" != found[1]
+            # What `sweep` sends; a process finds no function of this module.
+            told = pool.submit(_call, on, eval, ARITHMETIC, {}).result()
+            assert told == compiled.arithmetic()
+            assert told.startswith("Numba") == on
 
 
 NOT_SENT = """

@@ -213,9 +213,9 @@ def test_times_that_are_not_finite_are_refused(motion, bad):
     [
         (np.nan, "finite numbers, got 1 NaN or infinite"),
         (np.inf, "finite numbers, got 1 NaN or infinite"),
-        ("0.1", "real numbers, got dtype <U3"),
+        ("0.1", "real numbers, got '0.1'"),
         ([0.1, 0.2], r"one number, got shape \(2,\)"),
-        (None, "real numbers, got dtype object"),
+        (None, "real numbers, got None"),
     ],
     ids=["NaN", "infinite", "text", "several", "none"],
 )

@@ -88,7 +88,7 @@ def test_own_values_are_not_called_a_preset() -> None:
         ({"sise": 0.1}, "values: expected names from shape, size, azimuth, elevation, got sise"),
         ({"size": 0.9}, "size: expected one of 0.0001, .*, 0.5, got 0.9"),
         ({"elevation": 91}, "elevation: expected a number from -90.0 to 90.0, got 91"),
-        ({"elevation": "up"}, "elevation: expected real numbers, got dtype"),
+        ({"elevation": "up"}, "elevation: expected real numbers, got 'up'"),
         ({"elevation": np.nan}, "elevation: expected finite numbers"),
         ({"shape": "round"}, "shape: expected one of symmetric, skew.* got 'round'"),
     ],
