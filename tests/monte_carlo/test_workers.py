@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+from concurrent.futures import BrokenExecutor
 from contextlib import suppress
 from select import select
 
@@ -58,6 +59,22 @@ def test_they_compile_if_the_process_that_sends_the_runs_does(monkeypatch):
             told = pool.submit(_call, on, eval, ARITHMETIC, {}).result()
             assert told == compiled.arithmetic()
             assert told.startswith("Numba") == on
+
+
+class Lost:
+    """A task that ends the process which it reaches."""
+
+    def __call__(self, rng, runs):
+        raise AssertionError
+
+    def __reduce__(self):
+        return os._exit, (1,)
+
+
+def test_where_a_process_is_lost_a_note_says_what_may_be_missing():
+    with pytest.raises(BrokenExecutor) as lost, processes(1) as pool:
+        sweep(Lost(), 1, seed=0, executor=pool)
+    assert "below if __name__ == '__main__':" in lost.value.__notes__[0]
 
 
 NOT_SENT = """

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pickle
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, ProcessPoolExecutor, as_completed
+from concurrent.futures import BrokenExecutor, Executor, ProcessPoolExecutor, as_completed
 from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 from pathlib import Path
@@ -194,6 +194,12 @@ def sweep(
     try:
         for future in as_completed(futures):
             done(futures[future], future.result())
+    except BrokenExecutor as broken:
+        broken.add_note(
+            "A process ended before its runs did. In a script, what starts processes stands below "
+            "if __name__ == '__main__':. If it does, memory may have run out."
+        )
+        raise
     finally:
         for future in futures:  # a failure or an interruption leaves no batch waiting
             future.cancel()
