@@ -16,7 +16,7 @@ from driftlab.increments import Increments
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 from driftlab.motion.turntable import static_trajectory, table_trajectory
 from driftlab.quaternion import multiply, pure, rotate
-from driftlab.strapdown import Navigation, at_rest, last_of, navigate
+from driftlab.strapdown import Navigation, at_rest, checked_interval, last_of, navigate
 from support import EPS, order_of, random_quaternions, replaced, same_rotation
 
 RADIUS = 6.4e6  # m, about the Earth's
@@ -580,6 +580,19 @@ def test_one_run_of_many_that_gravity_does_not_make_is_warned_of(factor, said):
         UnusualWarning, match=rf"^increments\.velocity: {said} m/s\^2 on the average"
     ):
         navigate(at_rest(0.8, UNTURNED), increments)
+
+
+def test_of_many_places_one_past_the_moon_is_refused():
+    start = at_rest(0.8, UNTURNED)._replace(altitude=np.array([0.0, 1e10]))
+    with pytest.raises(ValueError, match=r"^start\.altitude: expected m, .* got 0 to 1e\+10"):
+        navigate(start, GOOD["increments"])
+
+
+def test_no_time_is_no_interval():
+    assert checked_interval(20.0) == 20.0
+    for interval in (0.0, -0.1, 20.1):
+        with pytest.raises(ValueError, match=r"^increments\.interval: expected a positive time of"):
+            checked_interval(interval)
 
 
 def test_states_that_cannot_be_are_refused():

@@ -236,6 +236,20 @@ def test_a_spread_that_is_singular_but_for_rounding_is_refused():
         correct(np.eye(2), [1.0, 1.0], [[0.1, 0.7], [0.3, 2.1]], np.zeros((2, 2)))
 
 
+def test_of_many_filters_one_without_a_spread_is_refused():
+    one = np.eye(2), np.ones(1), np.array([[1.0, 0.0]]), np.array([[1.0]])
+    covariance = np.stack([one[0], np.zeros((2, 2))])
+    noise = np.stack([one[3], -one[3]])
+    with pytest.raises(ValueError, match=r"^noise: expected an innovation with a spread"):
+        correct(covariance, one[1], one[2], noise)
+
+
+def test_noise_of_other_runs_is_refused():
+    run = np.tile(np.eye(2), (4, 1, 1)), np.ones(1), np.array([[1.0, 0.0]])
+    with pytest.raises(ValueError, match=r"noise: expected leading axes that broadcast"):
+        correct(*run, np.ones((3, 1, 1)))
+
+
 def test_measurement_without_any_spread_is_refused():
     with pytest.raises(
         ValueError, match=r"^noise: expected .* spread .*, got .* without an inverse"

@@ -325,6 +325,6 @@ def test_each_sensor_reads_a_fifth_to_five_times_its_nominal_value(sensor):
                 ("gyro", (matrix, ZERO, EYE, ZERO)),
                 ("accelerometer", (EYE, ZERO, matrix, ZERO)),
             ):
-                words = f"^{name}_matrix: expected sensors that read 0.2 to 5 times"
-                with pytest.raises(ValueError, match=words):
+                words = "expected sensors that read 0.2 to 5 times their nominal value, got"
+                with pytest.raises(ValueError, match=f"^{name}_matrix: {words} {beyond:.3g} times"):
                     NominalReadings().imu_errors(*args)

@@ -5,12 +5,14 @@ import subprocess
 import sys
 import textwrap
 from functools import partial
+from types import ModuleType
 from zipfile import ZipFile
 
 import pytest
 
 from driftlab.calibration.simulation import TableTrial
-from driftlab.monte_carlo._code import _add_module, code_of
+from driftlab.monte_carlo import _code
+from driftlab.monte_carlo._code import _add_module, code_of, names_of_no_file
 
 
 @pytest.fixture
@@ -180,6 +182,15 @@ def test_in_an_archive_it_is_its_own(folder):
     assert found[0] == found[1] != found[2]
 
 
+def test_of_this_package_all_counts_but_its_book(tmp_path, monkeypatch):
+    monkeypatch.setattr(_code, "PACKAGE", tmp_path)
+    seen = set()
+    for change, count in (("core/earth", 1), ("book/panels", 1), ("core/earth", 2), ("imu", 3)):
+        write(tmp_path, **{change.replace("/", "__"): f"A = {len(seen)}\n"})
+        seen.add(_code._package.__wrapped__())
+        assert len(seen) == count, change
+
+
 TYPED = """
 from dataclasses import dataclass
 import helper
@@ -200,6 +211,43 @@ from driftlab.monte_carlo._code import code_of
 exec(sys.argv[1], globals())
 print(code_of(task), code_of(Study(1).run))
 """
+
+
+PARTS = """
+class Task:
+    def plain(self, rng, runs): return {0}
+    @property
+    def told(self): return {1}
+    @staticmethod
+    def alone(x): return {2}
+    @classmethod
+    def of(cls, x): return {3}
+    def deep(self): return [x * {4} for x in range(3)]
+    def usual(self, x={5}, *, y={6}): return x
+"""
+
+
+def test_of_a_class_that_was_typed_each_method_counts(monkeypatch):
+    module = ModuleType("typed")
+    monkeypatch.setitem(sys.modules, "typed", module)
+
+    def found(*numbers):
+        exec(PARTS.format(*numbers), vars(module))
+        return code_of(module.Task)
+
+    first = found(*range(10, 17))
+    assert found(*range(10, 17)) == first
+    for place in range(7):
+        changed = [number + 100 * (number == place + 10) for number in range(10, 17)]
+        assert found(*changed) != first, place
+
+
+def test_what_was_typed_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "__main__", ModuleType("__main__"))
+    exec("def run(rng, runs): pass", typed := {"__name__": "__main__"})
+    assert names_of_no_file(partial(typed["run"], told=write)) == ["run"]
+    sys.modules["__main__"].__file__ = "study.py"
+    assert names_of_no_file(typed["run"]) == []
 
 
 def test_of_what_was_typed_it_is_what_it_does_and_names(folder):

@@ -74,6 +74,21 @@ def test_attitudes_agree(algorithm, size):
             assert_attitudes_agree(plain, fast)
 
 
+def test_many_filters_may_share_a_noise_or_a_transition():
+    rng = np.random.default_rng(5)
+    half = rng.normal(size=(4, 5, 5))
+    covariances, transitions = half @ half.mT, rng.normal(size=(4, 2, 5))
+    noises = np.array([[1.0, 0.1], [0.1, 2.0]]) * rng.uniform(1, 2, (4, 1, 1))
+    for given in (
+        (covariances, transitions, noises[0]),
+        (covariances, transitions[0], noises),
+        (covariances[0], transitions, noises),
+        (covariances[0], transitions[0], noises[0]),
+    ):
+        plain, fast = both(lambda given=given: kalman.predict(*given))
+        np.testing.assert_allclose(fast, plain, rtol=1e-13, atol=1e-13)
+
+
 def test_of_a_covariance_both_halves_count():
     rng = np.random.default_rng(12)
     half = rng.normal(size=(5, 5))
