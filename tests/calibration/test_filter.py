@@ -472,6 +472,12 @@ def test_a_table_that_stands_is_looked_at_each_second_if_nothing_is_said():
     np.testing.assert_array_equal(velocities, np.zeros((4, 3)))
 
 
+def test_one_velocity_for_the_whole_record_is_one_update():
+    ends, velocities = updates(24, 0.25, np.zeros((1, 3)), None, None)
+    assert list(ends) == [24]
+    assert velocities.shape == (1, 3)
+
+
 NOT_FINITE = "finite numbers, got 1 NaN or infinite"
 
 
