@@ -175,7 +175,8 @@ def test_a_block_may_say_the_folder(tmp_path):
     assert len(batches(tmp_path / "of the block")) == len(batches(tmp_path / "own")) == 2
 
 
-def test_a_folder_that_is_none_is_refused(tmp_path):
+def test_a_folder_that_is_none_is_refused(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # where an empty path would lead to
     taken = tmp_path / "file"
     taken.write_text("mine")
     with pytest.raises(ValueError, match=r"^folder: expected one to write in, got .*file"):
