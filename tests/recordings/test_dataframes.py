@@ -227,8 +227,10 @@ def test_a_wrong_table_is_refused_in_a_sentence(slip):
         from_dataframe(frame, **(GIVEN | changes))
 
 
-def test_a_channel_of_two_dimensions_is_refused():
+@pytest.mark.parametrize("changed", [["gx"], [*COLUMNS]], ids=["one", "all"])
+def test_a_channel_of_two_dimensions_is_refused(changed):
     frame = Dataset(COLUMNS, DATES)
-    frame.data_vars["gx"].dims = ("time", "axis")
+    for name in changed:
+        frame.data_vars[name].dims = ("time", "axis")
     with pytest.raises(ValueError, match="variables have one dimension, the same for all"):
         from_dataframe(frame, **GIVEN)

@@ -369,3 +369,14 @@ def test_a_clipped_channel_is_told_whatever_its_span(span):
     (found,) = doubts(Recording(np.stack([channel, *others], axis=1), None, 0.01, "rates"))
     assert np.ptp(channel) == span
     assert (found.rule, str(found)[:7]) == ("clipped", "gyro x:")
+
+
+@pytest.mark.parametrize("kind", ["rates", "increments"])
+@pytest.mark.parametrize("factor", [1 / 1000, 1000.0])
+def test_the_size_of_a_force_that_is_none_is_that_over_gravity(kind, factor):
+    step = 0.02
+    force = np.tile([0.0, 0.0, factor * G * (step if kind == "increments" else 1.0)], (100, 1))
+    force += 1e-6 * np.random.default_rng(1).standard_normal(force.shape) * np.abs(force).max()
+    recording = Recording(np.zeros((100, 3)), force, step, kind, gravity=G)
+    [doubt] = [doubt for doubt in doubts(recording) if doubt.rule == "force"]
+    assert doubt.size == pytest.approx(factor, rel=1e-5)

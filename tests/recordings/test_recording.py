@@ -7,6 +7,7 @@ import pytest
 from numpy.testing import assert_array_equal
 
 from driftlab.recordings import Recording
+from driftlab.recordings._time_stamps import seconds_since_first
 
 ROWS = np.arange(15.0).reshape(5, 3)
 EVEN, UNEVEN = 0.25 * np.arange(5), np.array([0.0, 0.25, 0.375, 0.75, 1.0])
@@ -38,3 +39,10 @@ def test_the_rows_between_are_those_since_the_first_stamp_without_the_end(stamps
     for begin, end in [(0.8, 0.9), (2.0, 3.0), (-2.0, 0.0), (0.5, 0.25)]:
         with pytest.raises(ValueError, match=r"^begin, end: expected times of the record, which"):
             whole.between(begin, end)
+
+
+def test_moments_count_from_the_first():
+    moments = np.array(
+        ["2024-05-01T12:00", "2024-05-01T12:01", "2024-05-02T12:00"], "datetime64[m]"
+    )
+    np.testing.assert_allclose(seconds_since_first(moments), [0.0, 60.0, 86400.0], rtol=1e-15)

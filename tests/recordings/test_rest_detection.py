@@ -213,3 +213,10 @@ def test_a_parked_car_rests_for_most_of_the_time():
     begin, end = (row * 0.01 for row in found.rows[longest])
     assert begin < 1050
     assert end > 1490
+
+
+def test_what_was_asked_for_stands_in_the_answer():
+    asked = {"window": 0.5, "multiple": 12.0, "trim": 0.25, "shortest": 0.75}
+    found = rests(log(), **asked)
+    assert {name: getattr(found, name) for name in asked} == asked
+    assert [multiple for multiple, _ in found.alternatives] == [6.0, 24.0]
