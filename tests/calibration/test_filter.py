@@ -472,6 +472,12 @@ def test_a_table_that_stands_is_looked_at_each_second_if_nothing_is_said():
     np.testing.assert_array_equal(velocities, np.zeros((4, 3)))
 
 
+def test_half_an_interval_after_the_start_is_a_time_of_a_reference():
+    ends, velocities = updates(8, 0.25, [[1.0, 2.0, 3.0]] * 2, [0.125, 2.0], None)
+    assert list(ends) == [2, 8]
+    np.testing.assert_array_equal(velocities, [[1.0, 2.0, 3.0]] * 2)
+
+
 NOT_FINITE = "finite numbers, got 1 NaN or infinite"
 
 
