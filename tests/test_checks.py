@@ -27,6 +27,7 @@ from driftlab.checks import (
     whole_pairs,
 )
 from driftlab.core.vectors import norms
+from driftlab.triad import decompose, triad_matrix
 from support import EPS, directions
 
 
@@ -263,6 +264,32 @@ def test_a_diagonal_two_fifths_from_one_is_warned_of():
         with pytest.warns(UnusualWarning, match="is it the whole matrix"):
             error_matrix(diagonal * np.eye(3), "triad_error", scale=4.0)
     error_matrix(0.599 * np.eye(3), "triad_error")
+
+
+@pytest.mark.parametrize(
+    ("scale", "row", "column"), [(1.0, 0, 1), (4.0, 0, 1), (1.0, 2, 2), (4.0, 2, 2)]
+)
+def test_one_entry_that_is_larger_than_usual_is_warned_of(scale, row, column):
+    several = np.zeros((2, 3, 3))
+    several[1, row, column] = -(scale if row == column else 1.0)
+    error_matrix(several, "triad_error", scale)
+    several *= 1.001
+    with pytest.warns(UnusualWarning, match=f"^triad_error: an entry is {several.min():g}, and"):
+        error_matrix(several, "triad_error", scale)
+
+
+@pytest.mark.parametrize(
+    ("asked", "matrix"),
+    [
+        (triad_matrix, 0.7 * np.eye(3)),
+        (triad_matrix, np.diag([1.1, 0.0], 1)),
+        (decompose, np.eye(3)),
+    ],
+)
+def test_a_warning_of_a_matrix_points_to_who_hands_it_in(asked, matrix):
+    with pytest.warns(UnusualWarning, match="^(triad_error|matrix): ") as seen:
+        asked(matrix)
+    assert [warning.filename for warning in seen] == [__file__]
 
 
 @pytest.mark.parametrize(

@@ -153,6 +153,14 @@ def test_leading_axes_are_units():
         np.testing.assert_allclose(together.velocity[k], alone.velocity, rtol=0, atol=8 * EPS)
 
 
+@pytest.mark.parametrize("field", HigherOrderErrors._fields)
+def test_one_kind_of_error_alone_may_be_that_of_several_units(field):
+    several = np.stack([getattr(BENT, field)] * 2)
+    found = checked_higher_order_errors(BENT._replace(**{field: several}))
+    for part, one in zip(found, BENT, strict=True):
+        np.testing.assert_array_equal(part, np.stack([one] * 2))
+
+
 @pytest.mark.parametrize(
     ("change", "words"),
     [

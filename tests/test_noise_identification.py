@@ -5,6 +5,7 @@ import pytest
 from scipy.stats import binom
 
 from driftlab.allan import allan_deviation
+from driftlab.core.noise_identification import Points, upper_bound
 from driftlab.noise_identification import fit_noise_terms
 from driftlab.noise_terms import TERMS, NoiseTerms
 from support import chi_bounds
@@ -65,6 +66,20 @@ def test_terms_that_are_not_sought_are_zero():
     fit = fit_noise_terms(found, ["angle_random_walk"])
     assert fit.terms == NoiseTerms(angle_random_walk=fit.terms.angle_random_walk)
     assert fit.upper_bounds == {}
+
+
+def test_an_unseen_term_is_smaller_than_its_bound_with_95_percent():
+    found = allan_deviation(MIXED.samples(500, 1.0, np.random.default_rng(11)), 1.0)
+    fit = fit_noise_terms(found)
+    counts = np.round(found.averaging_times / found.interval).astype(int)
+    points = Points(
+        found.deviation**2, found.degrees_of_freedom, counts, found.count, found.interval
+    )
+    squares = np.square([getattr(fit.terms, name) for name in TERMS])
+    assert fit.upper_bounds
+    for name, bound in fit.upper_bounds.items():
+        expected = upper_bound(points, squares, TERMS.index(name), 0.95)
+        assert bound**2 == pytest.approx(expected, rel=1e-12)
 
 
 def test_units_are_whatever_the_samples_have():

@@ -665,6 +665,14 @@ def test_speeds_and_heights_that_nothing_has_are_refused():
         navigate(good, fast)
 
 
+def test_the_largest_height_that_is_named_is_one():
+    record = static_trajectory([0, 0, 0, 1], 0.8, 0.1, 2)
+    found = navigate(
+        at_rest(0.8, [0, 0, 0, 1], altitude=1e9), record.increments, hold_altitude=True
+    )
+    assert found.altitude[0] == 1e9
+
+
 @pytest.mark.parametrize("part", ["altitude", "velocity", "longitude", "attitude", "latitude"])
 @pytest.mark.parametrize("hold_altitude", [False, True])
 def test_one_part_of_the_start_alone_may_have_leading_axes(part, hold_altitude):

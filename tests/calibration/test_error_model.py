@@ -71,6 +71,13 @@ def test_names_say_what_the_states_are(model):
 
 
 @every_model
+def test_the_bases_of_a_model_cannot_be_changed(model):
+    for basis in (model.gyro_basis, model.accelerometer_basis):
+        with pytest.raises(ValueError, match="read-only"):
+            basis[...] = 0.0
+
+
+@every_model
 def test_model_has_no_state_that_its_axes_exclude(model):
     gyro, accelerometer = model.gyro_basis, model.accelerometer_basis
     assert len(gyro) + len(accelerometer) == model.size - 12

@@ -12,6 +12,7 @@ from driftlab.calibration import FULL, Calibration, InnovationTest
 from driftlab.calibration._doubt import LARGE_BIAS, TAKE_THE_MEAN, _advice
 from driftlab.calibration._evidence import Evidence, Expected, evidence, thinned
 from driftlab.calibration._innovations import (
+    BEYOND,
     beyond_prior,
     contradiction,
     normalised_innovations,
@@ -19,7 +20,7 @@ from driftlab.calibration._innovations import (
 )
 from driftlab.calibration._judge import Judge, Told
 from driftlab.calibration._other_starts import headed, levelled, other_starts
-from driftlab.calibration._slips import _ORDERS, _interval_slip, _turned
+from driftlab.calibration._slips import _ORDERS, _interval_slip, _rescaled, _turned
 from driftlab.calibration._told_noise import _random_walk, _unit
 from driftlab.calibration.consistency import CONFIDENCE, innovation_test
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
@@ -186,8 +187,9 @@ def test_a_body_that_turns_slowly_feels_the_same_in_each_window_and_rests_in_it(
 
 def test_nothing_is_said_of_turns_by_more_than_a_right_angle_in_an_interval_and_of_few_rows():
     rows = np.zeros((50, 3))
-    rows[7, 1] = 1.6
+    rows[7, 1] = 1.001 * np.pi / 2
     assert evidence(Increments(0.1, rows, rows)) is None
+    assert evidence(Increments(0.1, rows / 1.002, rows)) is not None
     assert evidence(Increments(0.1, np.zeros((3, 3)), np.zeros((3, 3)))) is None
     few = evidence(Increments(0.1, np.zeros((2, 4, 3)), np.zeros((2, 4, 3))))
     np.testing.assert_array_equal(few.rest, np.zeros((2, 2)))  # of so few, none is called a rest
@@ -445,6 +447,21 @@ def test_an_interval_that_gravity_contradicts_is_explained(interval, ratio, word
 )
 def test_a_wrong_start_is_one_of_heading_where_it_hardly_tilts(turn, words):
     assert _turned(np.array(turn)) == f"start: {words}"
+
+
+@pytest.mark.parametrize(("scale", "bound"), [(0.0, 1e-4), (1e-3, BEYOND * 1e-3)])
+@pytest.mark.parametrize("sense", [-1, 1])
+def test_only_an_interval_that_gravity_contradicts_is_another_one(scale, bound, sense):
+    angle, up = np.zeros((4, 3)), np.tile([0.0, 0.0, 0.1 * GRAVITY], (4, 1))
+
+    def intervals(ratio):
+        told = Told(Increments(0.1, angle, ratio * up), UNTURNED, LATITUDE)
+        tried = _rescaled(told, expected_of(scale=scale))
+        return [other.interval for name, other in tried if name.startswith("interval")]
+
+    assert intervals(1.0) == intervals(1 + 0.99 * sense * bound) == []
+    assert intervals(0.0) == []  # of no force at all nothing is known
+    assert intervals(1 + 1.01 * sense * bound) == pytest.approx([0.1 + 0.101 * sense * bound])
 
 
 def test_orders_are_all_signed_permutations_but_none_at_all():

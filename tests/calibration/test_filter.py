@@ -478,6 +478,16 @@ def test_one_velocity_for_the_whole_record_is_one_update():
     assert velocities.shape == (1, 3)
 
 
+def test_half_an_interval_after_the_start_is_a_time_of_a_reference():
+    ends, velocities = updates(8, 0.25, [[1.0, 2.0, 3.0]] * 2, [0.125, 2.0], None)
+    assert list(ends) == [2, 8]
+    np.testing.assert_array_equal(velocities, [[1.0, 2.0, 3.0]] * 2)
+    with pytest.raises(
+        ValueError, match=r"from half an interval, 0\.125 s, to 2 s, got .* 0\.12 to"
+    ):
+        updates(8, 0.25, None, [0.12, 2.0], None)
+
+
 NOT_FINITE = "finite numbers, got 1 NaN or infinite"
 
 

@@ -7,7 +7,10 @@ import pytest
 from hypothesis import given, strategies as st
 from scipy.linalg import block_diag, solve
 
+from driftlab.calibration._condensed_steps import condensed_steps
+from driftlab.calibration.error_dynamics import process_noise
 from driftlab.calibration.kalman import correct, nees, predict
+from driftlab.imu import ImuNoise
 from support import EPS
 
 systems = given(seed=st.integers(0, 2**32 - 1), size=st.integers(1, 30), measured=st.integers(1, 4))
@@ -255,3 +258,26 @@ def test_measurement_without_any_spread_is_refused():
         ValueError, match=r"^noise: expected .* spread .*, got .* without an inverse"
     ):
         correct(**{"covariance": np.zeros((4, 4))} | MEASURED | {"noise": np.zeros((2, 2))})
+
+
+@pytest.mark.parametrize("lead", [(), (2,), (2, 4)], ids=str)
+def test_condensed_steps_predict_and_correct_as_those_one_after_the_other(lead):
+    """The velocity is seen at the end of each; one step alone, or rows of them."""
+    rng, size = np.random.default_rng(7), 8
+    noise = ImuNoise(1e-4, 1e-4, 2e-4)
+    root = 1e-4 * rng.standard_normal((*lead, size, size))
+    covariance = root @ root.mT
+    steps, expected = [], covariance
+    for _ in range(2):
+        growth = np.broadcast_to(np.eye(size), (*lead, size, size)).copy()
+        growth[..., :6, :] += 0.3 * rng.standard_normal((*lead, 6, size))
+        seconds = rng.uniform(0.5, 2.0, lead)
+        steps.append(condensed_steps(growth, seconds, noise, update=3.0))
+        added = np.zeros((*lead, size, size))
+        added[..., :6, :6] = process_noise(noise, growth[..., 3:6, :3], seconds)
+        error = 3.0 * noise.reference_velocity**2 / seconds[..., np.newaxis, np.newaxis] * np.eye(3)
+        predicted = growth @ expected @ growth.mT + added
+        expected = correct(predicted, np.zeros(3), np.eye(3, size, 3), error).covariance
+    first, second = steps
+    np.testing.assert_allclose(second.after(first.after(covariance)), expected, rtol=1e-10)
+    np.testing.assert_allclose(first.then(second).after(covariance), expected, rtol=1e-10)

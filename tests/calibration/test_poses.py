@@ -7,6 +7,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from scipy import optimize
+from scipy.spatial.transform import Rotation
 
 from driftlab.attitude import attitude_algorithm, integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
@@ -16,7 +17,7 @@ from driftlab.calibration._rest_noise import _row_variance, noise_of_rests
 from driftlab.calibration.body_axes import imu_errors_in_frame
 from driftlab.calibration.pose_results import Consistency
 from driftlab.calibration.poses import POSE_AXES, calibrate_by_poses
-from driftlab.core.poses import UNKNOWNS, PoseModel, Poses
+from driftlab.core.poses import UNKNOWNS, PoseModel, Poses, Variances
 from driftlab.core.quaternion import conjugate
 from driftlab.drift import turn_estimate
 from driftlab.earth import EARTH_RATE
@@ -148,6 +149,21 @@ def test_derivatives_are_those_of_the_residuals():
             behind[k] -= step
             slope = (model.residuals(ahead) - model.residuals(behind)) / (2 * step)
             np.testing.assert_allclose(exact[:, k], slope, rtol=1e-6, atol=coning)
+
+
+def test_the_earths_rate_is_one_vector_as_the_moves_have_turned_the_unit():
+    """What it does to the rates at two rests differs by the turn between them."""
+    turns = np.array([[0.0, 0.0, 0.4], [0.0, 0.7, 0.0], [1.1, 0.0, 0.0]])
+    increments, rows = moved(turns)
+    model, none = PoseModel(poses_of(log(increments), rows)), np.zeros((len(rows), 3))
+    found = model.covariance(np.zeros(UNKNOWNS), Variances(none, none, np.zeros(len(turns)), 2.0))
+    ahead = [np.eye(3)]
+    for turn in turns:
+        ahead.append(ahead[-1] @ Rotation.from_rotvec(turn).as_matrix())
+    into_body = np.concatenate(np.swapaxes(ahead, 1, 2))
+    expected = 2.0 * into_body @ into_body.T
+    # As far as the integration of the moves is exact.
+    np.testing.assert_allclose(found[model.rates, model.rates], expected, rtol=0, atol=1e-8)
 
 
 def test_a_move_is_compared_across_gravity_as_it_is_felt_afterwards():
@@ -330,6 +346,14 @@ def test_with_what_is_missing_the_noise_explains_the_residuals():
         rtol=0,
         atol=1e-3,
     )
+
+
+def test_the_longest_move_is_that_of_them_all():
+    true, rows = by_hand()
+    begin, end = rows[3]
+    rows = [*rows[:3], (begin + 10, end), *rows[4:]]
+    found = calibrate_by_poses(log(measure(true, unit(3))), rows, gravity=GRAVITY, noise=NOISE)
+    assert found.longest_move == pytest.approx((MOVE + 4 + 10) / RATE)
 
 
 def test_what_is_left_is_told_in_sentences(monkeypatch):

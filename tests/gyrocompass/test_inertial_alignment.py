@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from driftlab.core.carried_gravity import cone_velocity, earth_turn, wahba_rotation
-from driftlab.core.velocity_noise import _mixtures, _windows, mean_deviation
+from driftlab.core.velocity_noise import MOST_WINDOWS, _mixtures, _windows, mean_deviation
 from driftlab.earth import EARTH_RATE
 from driftlab.frames import from_euler_angles, navigation_frame_rate, to_euler_angles
 from driftlab.gyrocompass.alignment import align, alignment_attitude_error
@@ -315,6 +315,14 @@ def test_windows_know_the_covariance_of_each_noise():
     missed = np.linalg.norm(np.linalg.inv(inverses) - expected, axis=(1, 2))
     # Windows of so few points as are used know the roughest of them to some percent.
     assert (missed < 0.03 * np.linalg.norm(expected, axis=(1, 2))).all()
+
+
+@pytest.mark.parametrize("kind", range(4))
+def test_a_record_backwards_is_as_uncertain(kind):
+    """Each of the noises is as likely in either order of time."""
+    level = np.random.default_rng(10).standard_normal((5, 10 * (MOST_WINDOWS + 1), 2))
+    found, backwards = (mean_deviation(rows, np.eye(4)[kind]) for rows in (level, level[:, ::-1]))
+    np.testing.assert_allclose(backwards, found, rtol=1e-9)
 
 
 # Contract

@@ -224,6 +224,22 @@ def test_a_fit_finds_the_noise_again(noise):
             assert getattr(found, name) == pytest.approx(getattr(noise, name), rel=0.02), name
 
 
+@pytest.mark.parametrize("size", [1e-20, 1e-6, 1.0, 1e6, 1e20])
+def test_a_fit_finds_three_parts_in_any_unit_of_the_rates(size):
+    noise = GyroNoise(size, 30 * size, correlation_time=20.0, interval=0.05, quantisation=size / 50)
+    times = np.geomspace(0.05, 50.0, 25)
+    record = replace(
+        allan_deviation(np.zeros(100), noise.interval),
+        averaging_times=times,
+        deviation=noise.allan_deviation(times),
+        degrees_of_freedom=np.full(25, 100.0),
+    )
+    found = fit_gyro_noise(record)
+    for field in fields(GyroNoise):
+        expected = getattr(noise, field.name)
+        assert getattr(found, field.name) == pytest.approx(expected, rel=1e-4, abs=0), field.name
+
+
 def test_rounding_is_missed_by_a_fit_without_it():
     noise = GyroNoise(0.01, 0.0, interval=0.1, quantisation=1.0)
     record = allan_deviation(noise.samples(20_000, np.random.default_rng(10)), 0.1)

@@ -76,6 +76,14 @@ def test_limits_are_the_numbers_of_the_resolutions() -> None:
     assert [name for name, limit in LIMITS.items() if not limit.read] == ["sea"]
 
 
+@pytest.mark.parametrize("latitude", [0.0, -1.2])
+def test_what_uses_a_limit_up_passes_and_what_goes_beyond_fails(latitude: float) -> None:
+    used = {name: limit.at(latitude) for name, limit in LIMITS.items()}
+    assert TypeTest(latitude, used).passed == dict.fromkeys(LIMITS, True)
+    beyond = {name: (1 + 1e-12) * size for name, size in used.items()}
+    assert TypeTest(latitude, beyond).passed == dict.fromkeys(LIMITS, False)
+
+
 @pytest.mark.parametrize("latitude", [0.0, 45.0, 75.0, -60.0])
 def test_a_drift_takes_the_same_share_at_every_latitude(
     latitude: float,

@@ -109,6 +109,17 @@ def test_a_long_sample_is_the_sum_of_short_ones(settings, samples):
         np.testing.assert_allclose(long, summed, rtol=0, atol=max(bound, 1e-12))
 
 
+def test_the_longest_piece_of_a_turn_is_exact_to_rounding():
+    """A sample in which the table turns by 4/pi: from the vertical, what the integrals give."""
+    angle = 4 / np.pi
+    turn = TableTurn(TEN, latitude=LATITUDE, rest=(8 * angle - 2 * np.pi) / TEN)
+    found = turn.increments([0, 0, 1], 8).angle[0]
+    assert turn.duration / 8 * TEN == pytest.approx(angle)
+    level = earth_rate(LATITUDE)[1] / TEN
+    expected = level * np.array([1 - np.cos(angle), np.sin(angle)])
+    np.testing.assert_allclose(found[:2], expected, rtol=0, atol=4 * EPS * level)
+
+
 def test_without_the_earth_there_is_the_turn_alone():
     found = TableTurn(-TEN, turns=3).increments([[0, 3, 4], [1, 0, 0]], 60)
     expected = -6 * np.pi / 60 * np.array([[0, 0.6, 0.8], [1, 0, 0]])

@@ -78,8 +78,9 @@ def _nearest_pairs(count: int, interval: float, reference_times: ArrayLike) -> N
     end = interval * count
     if times.ndim != 1 or times.min() < interval / 2 or times.max() > end + interval:
         raise ValueError(
-            f"reference_times: expected times (k,) since the start, above 0 and up to {end:g} s, "
-            f"got shape {times.shape}, {times.min():g} to {times.max():g} s."
+            "reference_times: expected times (k,) since the start, from half an interval, "
+            f"{interval / 2:g} s, to {end:g} s, got shape {times.shape}, {times.min():g} to "
+            f"{times.max():g} s."
         )
     ends = np.clip(2 * np.round(times / (2 * interval)).astype(int), 2, count - count % 2)
     if (np.diff(ends) <= 0).any():

@@ -78,7 +78,8 @@ def calibrate(
         too large, see `innovation_test`.
     reference_times : array_like, shape (updates,), optional
         When the reference velocities were measured, s since the start; they may lie as they like.
-        The filter looks at the end of the nearest pair of increments, at most one increment away.
+        The filter looks at the end of the nearest pair of increments, at most one increment away,
+        or two at the ends of the record.
         What comes after the last of them has no reference and is not used; a warning says so if it
         is longer than the longest time between two.
     update_interval : float, optional
