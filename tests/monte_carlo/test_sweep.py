@@ -1,5 +1,7 @@
 """Many runs: the same on any executor, in any order."""
 
+import subprocess
+import sys
 import time
 from collections import Counter
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
@@ -258,3 +260,26 @@ def test_what_other_processes_cannot_be_given_is_refused_in_a_sentence():
         for task in (within, lambda rng, runs: runs):
             with pytest.raises(ValueError, match=r"^task: expected, for other processes, a func"):
                 sweep(task, 4, seed=1, executor=pool)
+
+
+def test_without_processes_of_its_own_python_is_asked_for_none(monkeypatch):
+    """As in a browser, where the module of the pool cannot be imported."""
+    monkeypatch.setattr(sys, "platform", "emscripten")
+    monkeypatch.setitem(sys.modules, "concurrent.futures.process", None)
+    with ThreadPoolExecutor(2) as threads:
+        assert sweep(lambda rng, runs: runs, 25, seed=1, executor=threads) == [10, 10, 5]
+    done = subprocess.run(
+        [sys.executable, "-c", WITHOUT],
+        env={"PYTHONPATH": ":".join(filter(None, sys.path))},
+        capture_output=True,
+        text=True,
+    )
+    assert (done.stdout, done.stderr) == ("[10, 10, 5]\n", "")
+
+
+WITHOUT = """
+import sys
+sys.modules["concurrent.futures.process"] = sys.modules["_multiprocessing"] = None
+from driftlab.monte_carlo import sweep
+print(sweep(lambda rng, runs: runs, 25, seed=1))
+"""

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pickle
+import sys
 from collections.abc import Callable, Iterator
-from concurrent.futures import BrokenExecutor, Executor, ProcessPoolExecutor, as_completed
+from concurrent.futures import BrokenExecutor, Executor, as_completed
 from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 from pathlib import Path
@@ -166,7 +167,7 @@ def sweep(
     children = np.random.SeedSequence(root).spawn(len(sizes))
     place = _place.get()
     executor = executor or place.executor
-    if isinstance(executor, ProcessPoolExecutor):
+    if executor is not None and _has_processes(executor):
         _sendable(task)
     where = place.folder if folder is None else checked_path(folder, "folder")
     kept = None if where is None else KeptBatches(where, task, root, most)
@@ -204,6 +205,15 @@ def sweep(
         for future in futures:  # a failure or an interruption leaves no batch waiting
             future.cancel()
     return results  # type: ignore[return-value]
+
+
+def _has_processes(executor: Executor) -> bool:
+    """Whether it is Python's pool of processes, which a browser's Python cannot even import."""
+    if sys.platform == "emscripten":
+        return False
+    from concurrent.futures import ProcessPoolExecutor
+
+    return isinstance(executor, ProcessPoolExecutor)
 
 
 def _call(compile_it: bool, task: Task[Result], rng: np.random.Generator, runs: int) -> Result:
