@@ -26,6 +26,7 @@ from fuzz_rules import leaves
 THREADS = 8
 # Of compiled loops, which `peers/test_compiled` runs, and of single runs in processes.
 APART = {"driftlab.core.compiled"}
+NEED_NUMBA = tuple(f"driftlab.core.{name}" for name in ("_jit", "_kernels", "_filter_kernels"))
 
 
 @cache
@@ -33,7 +34,7 @@ def caches() -> dict[str, Any]:
     """Every function outside the book that keeps what it has returned."""
     found = {}
     for module in walk_packages(driftlab.__path__, "driftlab."):
-        if module.name.startswith(("driftlab.book", "driftlab.core._kernels")):
+        if module.name.startswith(("driftlab.book", *NEED_NUMBA)):
             continue
         for name, thing in vars(import_module(module.name)).items():
             if hasattr(thing, "cache_clear") and thing.__module__ == module.name:

@@ -10,7 +10,7 @@ collect_ignore = ["__main__.py", "book"]  # chapters have tests of their own
 if find_spec("sympy") is None:
     collect_ignore.append("symbolic")
 if find_spec("numba") is None:
-    collect_ignore.append("core/_kernels.py")
+    collect_ignore += ["core/_jit.py", "core/_kernels.py", "core/_filter_kernels.py"]
 
 
 def pytest_configure(config: Any) -> None:

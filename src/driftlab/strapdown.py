@@ -23,8 +23,8 @@ from .checks import (
     finite_array,
     finite_arrays,
     finite_number,
+    increments_of_velocity,
     shown,
-    specific_force,
     speed_of_body,
     truth_value,
     unit_quaternions,
@@ -188,7 +188,7 @@ def navigate(
             f"every: expected an even divisor of the number of increments, {count}, "
             f"got {shown(every)}."
         )
-    specific_force(velocity, seconds, "increments.velocity")
+    increments_of_velocity(velocity, seconds, "increments.velocity")
     return core.navigate(
         start, angle, velocity, seconds, ALGORITHM, every=each, hold_altitude=hold_altitude
     )

@@ -11,9 +11,9 @@ _FOLDERS = (
 # Numba keeps compiled kernels and would take those of the unbroken source. The others know of
 # publishers, files and names, or carry runs to other processes, which would not see a break.
 _APART = {
-    "core._kernels", "compilation", "conftest", "monte_carlo.workers",
-    "monte_carlo._kept_batches", "recordings.catalogue", "recordings.publishers",
-    "checks._names", "checks._words",
+    "core._jit", "core._kernels", "core._filter_kernels", "compilation", "conftest",
+    "monte_carlo.workers", "monte_carlo._kept_batches", "recordings.catalogue",
+    "recordings.publishers", "checks._names", "checks._words",
 }  # fmt: skip
 
 

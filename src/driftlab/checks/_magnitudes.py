@@ -253,7 +253,7 @@ def one_pull(value: object, name: str = "gravity") -> float:
     return float(pull_of_gravity(np.array(number), name))
 
 
-def specific_force(velocity: FloatArray, interval: float, name: str) -> FloatArray:
+def increments_of_velocity(velocity: FloatArray, interval: float, name: str) -> FloatArray:
     """Return increments of velocity, warning if they are not such as gravity alone makes.
 
     Parameters
@@ -278,7 +278,7 @@ def specific_force(velocity: FloatArray, interval: float, name: str) -> FloatArr
 
     Examples
     --------
-    >>> specific_force(np.array([[0.0, 0.0, 0.0981]]), 0.01, "velocity")
+    >>> increments_of_velocity(np.array([[0.0, 0.0, 0.0981]]), 0.01, "velocity")
     array([[0.    , 0.    , 0.0981]])
     """
     squares = np.vecdot(velocity, velocity).mean(axis=-1)

@@ -1,4 +1,4 @@
-"""Whether arithmetic is compiled, and the way to what `driftlab.core._kernels` compiles.
+"""Whether arithmetic is compiled, and the way to what is compiled.
 
 The functions here take and return what those of the same name in NumPy do. They stand between:
 arrays of any leading axes there, one leading axis and no gaps here.
@@ -77,10 +77,18 @@ def switch(wanted: bool) -> None:
 
 @cache
 def _kernels() -> Any:
-    """What is compiled; Numba takes half a second to be loaded."""
+    """Compiled attitude and navigation; Numba takes half a second to be loaded."""
     from . import _kernels
 
     return _kernels
+
+
+@cache
+def _filters() -> Any:
+    """Compiled steps of a filter."""
+    from . import _filter_kernels
+
+    return _filter_kernels
 
 
 def attitudes(
@@ -149,10 +157,10 @@ def navigate(
 def predict(covariance: FloatArray, transition: FloatArray, noise: FloatArray) -> FloatArray:
     """As `driftlab.core.kalman.predict`."""
     if covariance.ndim == transition.ndim == noise.ndim == 2:
-        return _kernels().predict(covariance, transition, noise)
+        return _filters().predict(covariance, transition, noise)
     lead = _lead(covariance, transition, noise)
     given = (_runs(each, lead) for each in (covariance, transition, noise))
-    return _kernels().predict_each(*given).reshape(*lead, *covariance.shape[-2:])
+    return _filters().predict_each(*given).reshape(*lead, *covariance.shape[-2:])
 
 
 def correct_covariance(
@@ -161,7 +169,7 @@ def correct_covariance(
     """As `driftlab.core.kalman.correct_covariance`."""
     lead = _lead(covariance, observation, noise)
     given = (_runs(each, lead) for each in (covariance, observation, noise))
-    *found, regular = _kernels().correct_covariance_each(*given)
+    *found, regular = _filters().correct_covariance_each(*given)
     if not regular:
         raise _singular()
     after, gain, weights = (each.reshape(*lead, *each.shape[1:]) for each in found)
@@ -172,7 +180,7 @@ def correct(
     covariance: FloatArray, innovation: FloatArray, observation: FloatArray, noise: FloatArray
 ) -> tuple[FloatArray, FloatArray, Any]:
     """As `driftlab.core.kalman.correct`, for one filter."""
-    correction, after, nis, regular = _kernels().correct(covariance, innovation, observation, noise)
+    correction, after, nis, regular = _filters().correct(covariance, innovation, observation, noise)
     if not regular:
         raise _singular()
     return correction, after, np.float64(nis)

@@ -67,7 +67,7 @@ def spacing_of_stamps(
         )
     usual = float(np.median(steps))
     longest = int(np.argmax(steps))
-    if steps[longest] / usual > longest_gap * (1 + 1e-9):  # 0.003 is more than 1.5 * 0.002
+    if steps[longest] / usual > longest_gap * (1 + 1e-9):  # in doubles 0.003 > 1.5 * 0.002
         raise ValueError(
             f"{place(longest + 1)}: expected no gap longer than {longest_gap:g} times the usual "
             f"{usual:.6g} s (longest_gap), got {steps[longest]:.6g} s since the line before; "
