@@ -2,6 +2,7 @@
 
 import pytest
 
+from driftlab.book.machinery.matplotlib_view import MatplotlibView
 from driftlab.book.machinery.publish import PublishedFigure
 from published import computed
 
@@ -10,3 +11,12 @@ from published import computed
 def figure(request: pytest.FixtureRequest) -> PublishedFigure:
     """The figure that `published` names."""
     return computed(request.param)
+
+
+@pytest.fixture
+def no_pixels(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Panels bring their pictures up to date and do not draw them, which takes longest.
+
+    A panel that is `opened` afterwards draws.
+    """
+    monkeypatch.setattr(MatplotlibView, "_jpeg", lambda view: b"")

@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -122,8 +121,7 @@ def test_a_figure_is_drawn_with_other_parameters(name: str, tmp_path: Path) -> N
     assert all(f"{parameter}=" in call for parameter in VARIATIONS[name])
     for drawn in (figure.on_screen, figure.definition.draw(figure.data, Sheet(COLUMN))):
         if isinstance(drawn, Figure):
-            drawn.set_dpi(50)
-            FigureCanvasAgg(drawn).draw()
+            drawn.draw_without_rendering()
     if figure.definition.columns:
         path = figure.save(tmp_path / "numbers.csv")
         assert read_table(path)[1] != read_table(PUBLISHED / f"{name}.csv")[1]

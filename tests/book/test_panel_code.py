@@ -135,6 +135,7 @@ def test_the_code_of_no_panel_is_forgotten() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("no_pixels")
 @pytest.mark.parametrize(
     ("name", "expected", "tolerance"),
     [pytest.param(*case, id=case[0], marks=pytest.mark.xdist_group(case[0])) for case in CASES],
@@ -174,6 +175,7 @@ def test_code_of_the_laboratory_of_schemes_names_what_is_unobservable() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("no_pixels")
 @pytest.mark.parametrize(
     ("panel_class", "name"),
     [

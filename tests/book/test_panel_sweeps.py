@@ -105,12 +105,10 @@ def test_any_combination_gives_a_picture_numbers_and_code_that_runs(
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("no_pixels")
 @every_panel
-def test_numbers_beside_the_picture_are_the_package_s_own(
-    panel_class: type[Explorer], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_numbers_beside_the_picture_are_the_package_s_own(panel_class: type[Explorer]) -> None:
     panel = opened(panel_class)
-    monkeypatch.setattr(panel.view, "show", lambda data: None)  # takes longer than the numbers
     rng = random.Random(11)
     for preset in panel.presets:
         panel.preset.value = preset

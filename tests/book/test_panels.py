@@ -34,6 +34,7 @@ PURE_NUMBERS = {
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("no_pixels")
 @every_panel
 def test_reset_and_presets(panel_class: type[Explorer]) -> None:
     panel = opened(panel_class)
@@ -101,6 +102,7 @@ def test_a_slider_shows_every_step_it_makes(panel_class: type[Explorer]) -> None
             assert step == pytest.approx(widget.step), widget.description
 
 
+@pytest.mark.usefixtures("no_pixels")
 @every_panel
 def test_every_preset_says_what_to_look_for(panel_class: type[Explorer]) -> None:
     """One line each, short enough to stay one, so that nothing below it moves."""
@@ -120,6 +122,7 @@ def test_every_preset_says_what_to_look_for(panel_class: type[Explorer]) -> None
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("no_pixels")
 @every_panel
 def test_results_keep_their_rows_and_their_units(panel_class: type[Explorer]) -> None:
     """Nothing moves below them, and no number has a power of ten by e."""

@@ -220,6 +220,7 @@ def test_puzzle_and_panel_speak_russian_and_keep_the_names_of_their_values(capsy
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("no_pixels")
 @pytest.mark.parametrize("panel", [*EXPLORERS[:4], *SCENES], ids=lambda panel: panel.__name__)
 def test_all_that_a_panel_says_is_in_the_catalogue(panel, monkeypatch):
     asked = set()

@@ -57,6 +57,11 @@ def book_server(folder: Path) -> Iterator[Server]:
     widgets.mkdir(parents=True)
     # A notebook that is saved tells what its widgets show.
     (widgets / "plugin.jupyterlab-settings").write_text(json.dumps({"saveState": True}), "utf-8")
+    notebooks = folder / "settings/@jupyterlab/notebook-extension"
+    notebooks.mkdir(parents=True)
+    # A page holds the cells that are near, which takes a browser half of the time to show; what
+    # else there is comes into it as a reader scrolls.
+    (notebooks / "tracker.jupyterlab-settings").write_text('{"windowingMode": "full"}', "utf-8")
     block_kernels(folder / "ipython")
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))

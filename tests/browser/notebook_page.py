@@ -95,6 +95,19 @@ SHOW_CELL = """async (index) => {
   await notebook.scrollToItem(index, "start");
 }"""
 
+# A screen at a time, each of which is painted before the next.
+READ_THROUGH = """async () => {
+  const notebook = window.jupyterapp.shell.currentWidget.content;
+  const place = notebook.outerNode;
+  const frame = () => new Promise(requestAnimationFrame);
+  for (let top = 0, screens = 1; ; top += place.clientHeight, screens += 1) {
+    place.scrollTop = top;
+    await frame();
+    await frame();
+    if (top + place.clientHeight >= place.scrollHeight - 1) return screens;
+  }
+}"""
+
 CELLS_NOT_RUN = """() => window.jupyterapp.shell.currentWidget.content.widgets
   .filter(({ model }) => model.type === "code" && model.executionCount === null)
   .map(({ model }) => model.id)"""
@@ -189,6 +202,10 @@ class NotebookPage:
     def show_cell(self, index: int) -> None:
         """Scroll to a cell; JupyterLab keeps only what is near in the page."""
         self.page.evaluate(SHOW_CELL, index)
+
+    def read_through(self) -> int:
+        """Scroll from the first cell to the last; return the number of screens."""
+        return int(self.page.evaluate(READ_THROUGH))
 
     def show_files(self, wanted: bool) -> None:
         """Show or hide the list of files on the left."""

@@ -3,6 +3,7 @@
 Imports are shared by all notebooks that are run so; names are not.
 """
 
+import atexit
 import contextlib
 import io
 import sys
@@ -74,6 +75,8 @@ def interpreter(folder: Path) -> Iterator[Interpreter]:
     with warnings.catch_warnings(), matplotlib.rc_context():
         with warnings.catch_warnings():  # IPython's own filters end here
             shell = Interpreter.instance(config=config, ipython_dir=str(folder))
+        # At the end of the process each shell would collect garbage for a second.
+        atexit.unregister(shell.atexit_operations)
         try:
             yield shell
         finally:

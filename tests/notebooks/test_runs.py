@@ -78,6 +78,7 @@ def run_in_browser(page: NotebookPage, name: str, notebook: NotebookNode) -> Not
     page.server.add_notebook(name, notebook)
     page.open(name)
     page.run_all()
+    page.read_through()
     return page.saved()
 
 
