@@ -11,11 +11,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.stats import chi2
 
 from .checks import FloatArray, finite_array, positive_array, positive_number, probability
 from .core import allan as core
 from .core.noise_identification import degrees_of_freedom
+from .core.quantiles import chi_squared_quantile
 
 _GRID = 30
 """Averaging times, if none are given."""
@@ -181,7 +181,9 @@ def allan_deviation(
         freedom[index] = degrees_of_freedom(all_variances[index], grid, length, step)
     chosen = np.searchsorted(grid, counts)
     variances, freedom = all_variances[..., chosen], freedom[..., chosen]
-    tails = chi2.ppf([[(1 + confidence) / 2], [(1 - confidence) / 2]], freedom.reshape(1, -1))
+    tails = chi_squared_quantile(
+        [[(1 + confidence) / 2], [(1 - confidence) / 2]], freedom.reshape(1, -1)
+    )
     low, high = np.sqrt(variances * freedom / tails.reshape(2, *freedom.shape))
     return AllanDeviation(step * counts, np.sqrt(variances), low, high, freedom, step, length)
 

@@ -8,11 +8,11 @@ import numpy as np
 from scipy.constants import g
 from scipy.linalg import solve_triangular
 from scipy.optimize import brentq, least_squares
-from scipy.stats import chi2
 
 from driftlab.checks import FloatArray, checked_instance
 from driftlab.core import poses as core
 from driftlab.core.poses import PoseModel, Poses, Variances
+from driftlab.core.quantiles import chi_squared_quantile
 from driftlab.core.vectors import norms
 from driftlab.imu import PriorDeviations
 
@@ -201,9 +201,11 @@ class _Weights:
             excess = self.excess.copy()
             excess[index] = 0.0
             rows = _divided(self._root(excess), residuals)[self.kinds[index]]
-            bounds = chi2.ppf([0.025, 0.975], freedom) if freedom > 0.5 else (np.nan, np.nan)
+            low, high = np.nan, np.nan
+            if freedom > 0.5:
+                low, high = chi_squared_quantile([0.025, 0.975], freedom)
             squares = float((rows**2).sum())
-            tests.append(Consistency(squares, freedom, float(bounds[0]), float(bounds[1]), 0.0))
+            tests.append(Consistency(squares, freedom, float(low), float(high), 0.0))
         return tests
 
     def missing(self, free: FloatArray, wanted: list[bool]) -> FloatArray:

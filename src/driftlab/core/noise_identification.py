@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy.optimize import nnls
-from scipy.stats import norm
+from scipy.special import ndtri
 
 from driftlab.checks import FloatArray
 
@@ -95,7 +95,7 @@ def upper_bound(points: Points, squares: FloatArray, term: int, probability: flo
     than by the normal quantile, in deviations that it would have itself.
     """
     variance, _, counts, length, interval = points
-    quantile, bound = float(norm.ppf(probability)), 0.0
+    quantile, bound = float(ndtri(probability)), 0.0
     curves = term_variances(interval * counts)
     columns = [*np.flatnonzero(squares), term]
     for _ in range(_ROUNDS):

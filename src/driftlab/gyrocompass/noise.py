@@ -12,7 +12,6 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import degree, hour
-from scipy.signal import lfilter
 
 from driftlab.checks import (
     FloatArray,
@@ -130,6 +129,8 @@ class GyroNoise:
         draws = source.standard_normal(size)
         # The first value has the spread of all; later ones forget it little by little.
         draws[..., 1:] *= np.sqrt(1 - kept**2)
+        from scipy.signal import lfilter  # takes half a second to be loaded
+
         slow = lfilter([1.0], [1.0, -kept], draws, axis=-1)
         noise: FloatArray = self.slow * slow + self.white * source.standard_normal(size)
         if self.quantisation:

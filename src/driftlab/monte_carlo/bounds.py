@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.stats import chi2
 
 from driftlab.checks import probability, whole_number
+from driftlab.core.quantiles import chi_squared_quantile
 
 
 def mean_square_bounds(freedom: int, runs: int, confidence: float = 0.95) -> tuple[float, float]:
@@ -42,5 +42,5 @@ def mean_square_bounds(freedom: int, runs: int, confidence: float = 0.95) -> tup
     """
     inside, many = probability(confidence, "confidence"), whole_number(runs, "runs")
     tails = np.array([1 - inside, 1 + inside]) / 2
-    low, high = chi2.ppf(tails, float(whole_number(freedom, "freedom")) * many) / many
+    low, high = chi_squared_quantile(tails, float(whole_number(freedom, "freedom")) * many) / many
     return float(low), float(high)

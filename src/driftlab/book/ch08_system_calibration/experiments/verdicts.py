@@ -3,7 +3,6 @@
 from typing import NamedTuple
 
 import numpy as np
-from scipy.stats import binomtest
 
 from driftlab.checks import FloatArray
 
@@ -31,6 +30,8 @@ class Verdict(NamedTuple):
 
 def verdict(ratios: FloatArray) -> Verdict:
     """Count the units for which the averaged axes did better, from ratios (units,)."""
+    from scipy.stats import binomtest  # takes half a second to be loaded
+
     better = int((ratios < 1).sum())
     test = binomtest(better, len(ratios))
     interval = test.proportion_ci(0.95, "exact")

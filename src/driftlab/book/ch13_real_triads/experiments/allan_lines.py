@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy.constants import arcsecond
-from scipy.signal import coherence, welch
 
 from driftlab.allan import AllanDeviation, allan_deviation
 from driftlab.checks import FloatArray, finite_array, positive_number
@@ -121,6 +120,8 @@ def allan_lines(
     RecordingUnavailable
         If a recording is not at hand.
     """
+    from scipy.signal import coherence, welch  # take half a second to be loaded
+
     still = _rest(CHEAP, cheap_rest, "cheap_rest")
     cheap = still.gyro[:, 2], still.interval
     quiet = _rest(DEAR, dear_rest, "dear_rest")

@@ -4,7 +4,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.stats import chi2, f, pearsonr
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.checks import FloatArray, finite_array
@@ -14,6 +13,7 @@ from driftlab.core.carried_gravity import (
     earth_turn,
     wahba_rotation,
 )
+from driftlab.core.quantiles import chi_squared_quantile
 from driftlab.core.quaternion import multiply
 from driftlab.frames import to_euler_angles
 from driftlab.gyrocompass.alignment import align
@@ -196,7 +196,7 @@ def spread(headings: FloatArray) -> Spread:
     values = middle + wrap_angle(headings - middle)
     freedom = len(values) - 1
     deviation = float(values.std(ddof=1))
-    low, high = deviation * np.sqrt(freedom / chi2.ppf([0.975, 0.025], freedom))
+    low, high = deviation * np.sqrt(freedom / chi_squared_quantile([0.975, 0.025], freedom))
     return Spread(float(values.mean()), deviation, float(np.ptp(values)), float(low), float(high))
 
 
@@ -213,6 +213,8 @@ def chance_of_ratio(first: float, second: float, freedom: int) -> float:
     freedom : int
         Values of each sample, less one.
     """
+    from scipy.stats import f  # takes half a second to be loaded
+
     ratio = max(first / second, second / first) ** 2
     return float(2 * f.sf(ratio, freedom, freedom))
 
@@ -223,5 +225,7 @@ def chance_of_paired_ratio(first: FloatArray, second: FloatArray) -> float:
     The covariance of sums and differences is the difference of the variances, whatever the two have
     in common. Pairs are normal, and as many as the headings (n,) of each.
     """
+    from scipy.stats import pearsonr  # takes half a second to be loaded
+
     pairs = wrap_angle(np.stack([first, second]) - first[0])
     return float(pearsonr(pairs[0] + pairs[1], pairs[0] - pairs[1]).pvalue)
