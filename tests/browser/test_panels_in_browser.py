@@ -161,12 +161,11 @@ def keys_for(control: Control) -> list[tuple[str, object]]:
 def press(shown: PanelPage, control: Control) -> None:
     """Press the keys of a control, and fail unless each leads to the value that it must.
 
-    They come faster than the pictures. Of a kind the first takes all keys, the others two.
+    They come faster than the pictures.
     """
     element = shown.element(control)
     element.focus()
-    every_key = control in first_of_each_kind(shown.explorer_class.controls)
-    for key, value in keys_for(control)[: None if every_key else 2]:
+    for key, value in keys_for(control):
         if control.examples:
             element.fill(value)
         shown.page.keyboard.press(key)
