@@ -92,7 +92,11 @@ def test_threads_find_the_same(name, hasty_threads):
     assert alone
     for answer in at_once(CALLS[name]):
         for (place, one), (_, other) in zip(alone, leaves(answer), strict=True):
-            np.testing.assert_array_equal(one, other, err_msg=place)
+            if np.asarray(one).dtype.kind == "f":
+                # With NumPy 2.0 the last digits depend on where in memory an array lies.
+                np.testing.assert_allclose(one, other, rtol=1e-9, atol=1e-12, err_msg=place)
+            else:
+                np.testing.assert_array_equal(one, other, err_msg=place)
 
 
 def test_threads_are_given_the_same_model(hasty_threads):
