@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-settings.register_profile("driftlab", derandomize=True, deadline=None, max_examples=40)
+settings.register_profile("driftlab", derandomize=True, deadline=None, max_examples=60)
 settings.register_profile("quick", settings.get_profile("driftlab"), max_examples=20)
 settings.load_profile("driftlab")
 

@@ -17,7 +17,7 @@ FIRST_PLACES = {place.explorer: place for place in reversed(PLACES)}
 
 
 RECORDED = ["CapstoneExplorer", "DriftExplorer", "GyrocompassExplorer"]
-"""One with axes that stay and the two that compute longest: a picture changes alike in all."""
+"""A quick one and the two that compute longest: a picture is exchanged alike in all."""
 
 
 def panels(*names: str) -> pytest.MarkDecorator:

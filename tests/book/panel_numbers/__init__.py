@@ -52,15 +52,17 @@ def assert_shown(panel: str, values: Values, shown: Rows) -> None:
 
 PLAIN = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 TINY = re.compile(r"([\d.]+)·10(⁻[⁷⁸⁹]|⁻¹.)″")
-"""An angle below 1e-6 seconds of arc: what is left of it is rounding."""
+"""A small angle; of it 1e-9 seconds of arc, some twenty roundings of a radian, are rounding."""
 
 
 def assert_same_text(shown: str, expected: str, name: str) -> None:
     """Fail unless two texts differ by rounding only."""
-    rounding = [TINY.fullmatch(text) for text in (shown, expected)]
-    if all(rounding):
-        sizes = [float(f"{each[1]}e{each[2].translate(PLAIN)}") for each in rounding if each]
-        assert 0.9 < sizes[0] / sizes[1] < 1.1, f"{name}: {shown}, expected {expected}"
+    ours, theirs = TINY.fullmatch(shown), TINY.fullmatch(expected)
+    if ours and theirs:
+        sizes = [float(f"{each[1]}e{each[2].translate(PLAIN)}") for each in (ours, theirs)]
+        last = 10.0 ** (int(theirs[2].translate(PLAIN)) - len(theirs[1].partition(".")[2]))
+        allowed = max(1.01 * last, 1e-9)
+        assert abs(sizes[0] - sizes[1]) < allowed, f"{name}: {shown}, expected {expected}"
         return
     assert re.sub(NUMBER, "#", shown) == re.sub(NUMBER, "#", expected), f"{name}: {shown}"
     pairs = zip(re.findall(NUMBER, shown), re.findall(NUMBER, expected), strict=True)
