@@ -23,7 +23,7 @@ from driftlab.drift.characteristic_equation import asymptotic_roots
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.systematic_drift import drift_per_turn
 from grouped import opened
-from panel_numbers import NUMBER, results_of
+from panel_numbers import NUMBER, results_of, seconds_of
 from panel_numbers.ch02 import SHAPES
 from panel_numbers.ch04 import turn_calibration
 from panel_numbers.ch05 import cayley_map
@@ -82,13 +82,6 @@ def worst_errors(values: Values) -> list[float]:
         for name, text in algorithm_laboratory(values)
         if name.endswith("largest error") and text != ABSENT
     ]
-
-
-def seconds_of(text: str) -> float:
-    """Seconds of arc that an angle of a panel stands for."""
-    number, _, power = text[:-1].partition("·10")
-    raised = "".join("-0123456789"["⁻⁰¹²³⁴⁵⁶⁷⁸⁹".index(digit)] for digit in power)
-    return float(number) * 10.0 ** int(raised or 0) * {"°": 3600, "′": 60, "″": 1}[text[-1]]
 
 
 def estimate(values: Values) -> float:

@@ -59,8 +59,8 @@ def book_server(folder: Path) -> Iterator[Server]:
     (widgets / "plugin.jupyterlab-settings").write_text(json.dumps({"saveState": True}), "utf-8")
     notebooks = folder / "settings/@jupyterlab/notebook-extension"
     notebooks.mkdir(parents=True)
-    # A page holds the cells that are near, which takes a browser half of the time to show; what
-    # else there is comes into it as a reader scrolls.
+    # A page shows the cells that are near, and the browser has half of the work. It is not what
+    # JupyterLab does by itself, which hides the others but keeps them.
     (notebooks / "tracker.jupyterlab-settings").write_text('{"windowingMode": "full"}', "utf-8")
     block_kernels(folder / "ipython")
     with socket.socket() as probe:

@@ -100,11 +100,10 @@ READ_THROUGH = """async () => {
   const notebook = window.jupyterapp.shell.currentWidget.content;
   const place = notebook.outerNode;
   const frame = () => new Promise(requestAnimationFrame);
-  for (let top = 0, screens = 1; ; top += place.clientHeight, screens += 1) {
+  for (let top = 0; top < place.scrollHeight; top += place.clientHeight) {
     place.scrollTop = top;
     await frame();
     await frame();
-    if (top + place.clientHeight >= place.scrollHeight - 1) return screens;
   }
 }"""
 
@@ -203,9 +202,9 @@ class NotebookPage:
         """Scroll to a cell; JupyterLab keeps only what is near in the page."""
         self.page.evaluate(SHOW_CELL, index)
 
-    def read_through(self) -> int:
-        """Scroll from the first cell to the last; return the number of screens."""
-        return int(self.page.evaluate(READ_THROUGH))
+    def read_through(self) -> None:
+        """Scroll from the first cell to the last."""
+        self.page.evaluate(READ_THROUGH)
 
     def show_files(self, wanted: bool) -> None:
         """Show or hide the list of files on the left."""

@@ -1,4 +1,4 @@
-"""Quantiles, by `scipy.special`: to load the same from `scipy.stats` takes half a second."""
+"""Quantiles, by `scipy.special`: to load the same from `scipy.stats` takes longer."""
 
 from __future__ import annotations
 

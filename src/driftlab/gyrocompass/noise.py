@@ -129,7 +129,7 @@ class GyroNoise:
         draws = source.standard_normal(size)
         # The first value has the spread of all; later ones forget it little by little.
         draws[..., 1:] *= np.sqrt(1 - kept**2)
-        from scipy.signal import lfilter  # takes half a second to be loaded
+        from scipy.signal import lfilter  # takes a third of a second to be loaded
 
         slow = lfilter([1.0], [1.0, -kept], draws, axis=-1)
         noise: FloatArray = self.slow * slow + self.white * source.standard_normal(size)

@@ -248,7 +248,7 @@ def _hidden_from_damping(wanted: FloatArray, gains: Gains, interval: float) -> F
     be k1 (W - a) + k2 ∫W dt. Hence k1 c + k2 ∫c dt = k1 a: c is a through a high-pass filter, here
     in the steps in which `propagate_level_frame` sums.
     """
-    from scipy.signal import lfilter  # takes half a second to be loaded
+    from scipy.signal import lfilter  # takes a third of a second to be loaded
 
     k1, k2 = gains
     now = k1 + 0.5 * interval * k2

@@ -50,19 +50,24 @@ def assert_shown(panel: str, values: Values, shown: Rows) -> None:
         assert_same_text(text, right, name)
 
 
-PLAIN = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-TINY = re.compile(r"([\d.]+)·10(⁻[⁷⁸⁹]|⁻¹.)″")
+def seconds_of(text: str) -> float:
+    """Seconds of arc that an angle of a panel stands for."""
+    number, _, power = text[:-1].partition("·10")
+    raised = "".join("-0123456789"["⁻⁰¹²³⁴⁵⁶⁷⁸⁹".index(digit)] for digit in power)
+    return float(number) * 10.0 ** int(raised or 0) * {"°": 3600, "′": 60, "″": 1}[text[-1]]
+
+
+TINY = re.compile(r"[\d.]+·10⁻([⁷⁸⁹]|¹.)″")
 """A small angle; of it 1e-9 seconds of arc, some twenty roundings of a radian, are rounding."""
 
 
 def assert_same_text(shown: str, expected: str, name: str) -> None:
     """Fail unless two texts differ by rounding only."""
-    ours, theirs = TINY.fullmatch(shown), TINY.fullmatch(expected)
-    if ours and theirs:
-        sizes = [float(f"{each[1]}e{each[2].translate(PLAIN)}") for each in (ours, theirs)]
-        last = 10.0 ** (int(theirs[2].translate(PLAIN)) - len(theirs[1].partition(".")[2]))
-        allowed = max(1.01 * last, 1e-9)
-        assert abs(sizes[0] - sizes[1]) < allowed, f"{name}: {shown}, expected {expected}"
+    if TINY.fullmatch(shown) and TINY.fullmatch(expected):
+        number = expected.partition("·")[0]
+        last = seconds_of(expected) / float(number) / 10 ** len(number.partition(".")[2])
+        gap = abs(seconds_of(shown) - seconds_of(expected))
+        assert gap < max(1.01 * last, 1e-9), f"{name}: {shown}, expected {expected}"
         return
     assert re.sub(NUMBER, "#", shown) == re.sub(NUMBER, "#", expected), f"{name}: {shown}"
     pairs = zip(re.findall(NUMBER, shown), re.findall(NUMBER, expected), strict=True)

@@ -120,7 +120,7 @@ def allan_lines(
     RecordingUnavailable
         If a recording is not at hand.
     """
-    from scipy.signal import coherence, welch  # take half a second to be loaded
+    from scipy.signal import coherence, welch  # take a third of a second to be loaded
 
     still = _rest(CHEAP, cheap_rest, "cheap_rest")
     cheap = still.gyro[:, 2], still.interval

@@ -213,7 +213,7 @@ def chance_of_ratio(first: float, second: float, freedom: int) -> float:
     freedom : int
         Values of each sample, less one.
     """
-    from scipy.stats import f  # takes half a second to be loaded
+    from scipy.stats import f  # takes a third of a second to be loaded
 
     ratio = max(first / second, second / first) ** 2
     return float(2 * f.sf(ratio, freedom, freedom))
@@ -225,7 +225,7 @@ def chance_of_paired_ratio(first: FloatArray, second: FloatArray) -> float:
     The covariance of sums and differences is the difference of the variances, whatever the two have
     in common. Pairs are normal, and as many as the headings (n,) of each.
     """
-    from scipy.stats import pearsonr  # takes half a second to be loaded
+    from scipy.stats import pearsonr  # takes a third of a second to be loaded
 
     pairs = wrap_angle(np.stack([first, second]) - first[0])
     return float(pearsonr(pairs[0] + pairs[1], pairs[0] - pairs[1]).pvalue)
