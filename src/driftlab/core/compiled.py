@@ -77,7 +77,7 @@ def switch(wanted: bool) -> None:
 
 @cache
 def _kernels() -> Any:
-    """Compiled attitude and navigation; Numba takes a third of a second to be loaded."""
+    """Compiled attitude and navigation; Numba takes half a second to be loaded."""
     from . import _kernels
 
     return _kernels
