@@ -24,11 +24,6 @@ usage: python3 lab.py [command]
             a floor in C; write tests/benchmarks/speed.md, or "bench attitude filter" print a part
               --repeats N    rounds of each row
               --no-write     print only
-  mutate    break each numerical module in places drawn at random and see whether the tests
-            notice (Linux, macOS); write tests/mutations/mutations.md, or "mutate core.quaternion"
-              --breaks N     of each module, else 40; what has run is kept and not run again
-              --seed S       draw others
-              --workers N    processes
   peers     ask programs of others, which this command fetches, whether they compute the same
   class     report what a class handed in: "class FOLDER", a folder or a zip
               --roster FILE     with all names of the class, from a CSV file
@@ -227,14 +222,6 @@ def bench(arguments: list[str]) -> int:
     return run("tests/benchmarks/bench.py", *arguments)
 
 
-def mutate(arguments: list[str]) -> int:
-    """Break the package in many places; see whether its tests notice."""
-    set_up()
-    if not asks_for_help(arguments):
-        fetch("mutations")
-    return run("tests/mutations/mutate.py", *arguments)
-
-
 def peers(arguments: list[str]) -> int:
     """Ask the programs of others whether they compute the same; who is missing is skipped."""
     expect_none(arguments)
@@ -311,7 +298,6 @@ COMMANDS = {
     "newest": newest,
     "figures": figures,
     "bench": bench,
-    "mutate": mutate,
     "peers": peers,
     "site": site,
     **TEACHING,

@@ -84,19 +84,9 @@ def test_peers_are_fetched_within_the_pins_and_asked(
     assert capsys.readouterr().out == ""
 
 
-def test_breaking_the_package_fetches_what_it_needs(checks: SimpleNamespace) -> None:
-    assert checks.lab.main(["mutate", "core.earth", "--breaks", "5"]) == 0
-    fetched, broken = checks.ran
-    assert "coverage" in {word.split()[0] for word in fetched}
-    assert broken == ["tests/mutations/mutate.py", "core.earth", "--breaks", "5"]
-
-
-@pytest.mark.parametrize("command", ["bench", "mutate"])
 @pytest.mark.parametrize("option", ["-h", "--help"])
-def test_who_asks_for_help_fetches_nothing(
-    command: str, option: str, checks: SimpleNamespace
-) -> None:
-    assert checks.lab.main([command, option]) == 0
+def test_who_asks_for_help_fetches_nothing(option: str, checks: SimpleNamespace) -> None:
+    assert checks.lab.main(["bench", option]) == 0
     [asked] = checks.ran
     assert asked[1:] == [option]
 
