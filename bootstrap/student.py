@@ -26,14 +26,11 @@ LEFT_OUT = (
     *("notebooks/solutions", "notebooks/instructors", "notebooks/for_instructors.ipynb"),
     *("notebooks/for_your_course.ipynb", "src/driftlab/book/instructors"),
 )
-KINDS = {"notebooks": ("*.ipynb", "ru/*.ipynb"), "figures": ("*.svg", "*.csv", "*.md")}
+KINDS = {"notebooks": ("*.ipynb",), "figures": ("*.svg", "*.csv", "*.md")}
 """What is taken of folders in which a teacher may have files of another kind, marks say."""
 MODEL = re.compile(r'^model = ("""[\s\S]*?"""|"(?:[^"\\]|\\.)*")\n', re.M)
 """How the book answers in words, in a file of hints."""
-MADE = ("__pycache__", ".ipynb_checkpoints", "guesses.json")
-MODELS = ("model_answers.po", "model_answers.mo")
-"""The same in other languages."""
-NEVER = {*MADE, *MODELS}
+NEVER = {"__pycache__", ".ipynb_checkpoints", "guesses.json"}
 LINK = re.compile(r"\[([^\]]*)\]\(([^)\s#]+)(#[^)\s]*)?\)")
 
 

@@ -44,10 +44,7 @@ def notebooks(folder: Path = FOLDER) -> list[str]:
 
 
 def published(folder: Path = FOLDER) -> list[str]:
-    """Return the names of the notebooks that the site shows.
-
-    Not those of lecturers, nor translations: the site's own words are English.
-    """
+    """Return the names of the notebooks that the site shows, not those of lecturers."""
     return [name for name in notebooks(folder) if Path(name).parent.name in PUBLISHED]
 
 

@@ -13,10 +13,8 @@ import pytest
 from bootstrap.steps import HOME, Trouble
 from bootstrap.student import LINK, NAME, student_files, without_links, write_student_copy
 
-from driftlab.book import languages
 from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import hints_of
-from driftlab.book.machinery.language import speaking, tr
 
 
 @pytest.fixture(scope="module")
@@ -99,13 +97,6 @@ def test_all_that_the_package_is_installed_from_is_in_it() -> None:
     } <= names
 
 
-def test_all_languages_of_the_book_are_in_it() -> None:
-    names = {name for name, _ in student_files()}
-    for code in languages()[1:]:
-        assert f"src/driftlab/book/languages/{code}/LC_MESSAGES/driftlab.mo" in names
-        assert f"notebooks/{code}/00_start_here.ipynb" in names
-
-
 def test_a_server_can_be_set_up_from_it() -> None:
     names = {name for name, _ in student_files()}
     assert {".binder/requirements.txt", ".binder/runtime.txt"} <= names
@@ -132,12 +123,9 @@ def test_the_books_own_words_are_not_in_it_and_hints_are(copy: Path) -> None:
         assert any("model" in each for each in book.values())
 
 
-def test_no_file_of_it_has_the_books_own_words_in_any_language(copy: Path) -> None:
+def test_no_file_of_it_has_the_books_own_words(copy: Path) -> None:
     models = [help_.model for ch in chapters_with("exercises") for help_ in hints_of(ch).values()]
     said = [*filter(None, models)]
-    for code in languages()[1:]:
-        with speaking(code):
-            said += map(tr, filter(None, models))
     beginnings = {" ".join(words.split())[:60] for words in said}
     for path in copy.rglob("*"):
         if path.is_file():

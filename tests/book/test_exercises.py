@@ -271,6 +271,17 @@ def test_whatever_is_handed_in_is_judged_and_recorded(number, answer):
     assert "not readable" in repr(card)
 
 
+def test_letters_that_come_one_by_one_are_read_once():
+    card = exercises.judged("1.3", iter("bce"), exercises.Progress())
+    assert card.verdict.right
+    assert card.record["right"]
+
+
+def test_letters_that_look_alike_are_read_as_they_look():
+    assert verdict("1.3", "b\u0441\u0435").right  # as a Russian keyboard has c and e
+    assert not verdict("1.3", "\u0449").right
+
+
 def test_a_function_that_ends_the_program_ends_nothing(capsys):
     with pytest.raises(NotRightError, match="Your answer raised SystemExit"):
         check("1.5", lambda w, m, t: sys.exit(0), strict=True)

@@ -23,8 +23,6 @@ from no_network import no_network
 from traitlets import List, Type
 from traitlets.config import Config
 
-from driftlab.book.machinery.language import ENGLISH, language
-
 
 class Publisher(DisplayPublisher):
     """Keeps what a cell displays."""
@@ -70,8 +68,6 @@ def interpreter(folder: Path) -> Iterator[Interpreter]:
     """
     config = Config({"HistoryManager": {"enabled": False}})
     path = list(sys.path)
-    before = language()
-    language(ENGLISH)
     with warnings.catch_warnings(), matplotlib.rc_context():
         with warnings.catch_warnings():  # IPython's own filters end here
             shell = Interpreter.instance(config=config, ipython_dir=str(folder))
@@ -80,7 +76,6 @@ def interpreter(folder: Path) -> Iterator[Interpreter]:
         try:
             yield shell
         finally:
-            language(before)  # a translated notebook has chosen its own
             pyplot.close("all")
             shell.restore_sys_module_state()
             Interpreter.clear_instance()

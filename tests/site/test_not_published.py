@@ -6,7 +6,6 @@ import re
 import pytest
 
 from colab import make_colab
-from driftlab.book import languages
 from executed import FOLDER, NOT_PUBLISHED, notebooks, published
 from pdf.contents import PARTS, chosen
 
@@ -14,9 +13,7 @@ from pdf.contents import PARTS, chosen
 def test_the_examination_is_there_to_be_printed_and_not_among_the_pages():
     assert "instructors/examination.ipynb" in notebooks()
     assert set(notebooks()) - set(published()) == {
-        path.relative_to(FOLDER).as_posix()
-        for folder in (NOT_PUBLISHED, *languages()[1:])
-        for path in (FOLDER / folder).rglob("*.ipynb")
+        path.relative_to(FOLDER).as_posix() for path in (FOLDER / NOT_PUBLISHED).rglob("*.ipynb")
     }
 
 

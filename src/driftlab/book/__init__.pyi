@@ -61,7 +61,6 @@ from .ledger import (
     paper_table as paper_table,
     summary_table as summary_table,
 )
-from .machinery.language import language as language, languages as languages
 from .machinery.table import Table as Table
 from .puzzles import (
     guess as guess,

@@ -22,7 +22,6 @@ from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, ex
 from .errata import errata
 from .figures import figure_definitions, measured, not_at_hand, published_paths
 from .machinery.figure_table import as_words, write_table
-from .machinery.language import ENGLISH
 from .machinery.publish import FigureDefinition, PublishedFigure, gallery
 from .machinery.table_differences import Difference, folder_differences
 
@@ -199,32 +198,6 @@ def write_questions(folder: Path, students: int) -> None:
     write_question_bank(folder, students=students)
 
 
-def write_translation(language: str, begin_with: str | None, done_with: list[str]) -> None:
-    """Bring the catalogue of a language up to date, as "ru", and say how far it has come."""
-    from babel.core import Locale, UnknownLocaleError
-
-    from .translated_notebooks import begin, done
-    from .translation import update
-
-    try:
-        known = str(Locale.parse(language)) == language == language.lower() != ENGLISH
-    except (ValueError, UnknownLocaleError):
-        known = False
-    if not known:
-        raise SystemExit(
-            "language: expected the code of one other than English, without a region, "
-            f'like "ru", got {language!r}.'
-        )
-    try:
-        if begin_with is not None:
-            print(f"Begun: {begin(language, begin_with)}")
-    except ValueError as error:
-        raise SystemExit(str(error)) from None
-    if unknown := sorted({*done_with} - {*done(language, done_with)}):
-        raise SystemExit(f"done: expected cells of {language}, got {', '.join(unknown)}.")
-    print(update(language))
-
-
 def main() -> None:
     """Do what the command line says."""
     parser = argparse.ArgumentParser(prog="python -m driftlab.book", description=__doc__)
@@ -240,13 +213,6 @@ def main() -> None:
         "--students", type=int, default=20, help="variants, where students can have their own"
     )
     bank.set_defaults(write=write_questions)
-    words = commands.add_parser("translation", help=write_translation.__doc__)
-    words.add_argument("language", help='its code, as "ru"')
-    words.add_argument("--begin", dest="begin_with", help='copy a notebook to translate, as "02"')
-    words.add_argument(
-        "--done", dest="done_with", nargs="+", default=[], help="ids of cells that are translated"
-    )
-    words.set_defaults(write=write_translation)
     drawn = commands.add_parser("figures", help=write_figures_or_compare.__doc__)
     drawn.add_argument(
         "beginnings", nargs="*", metavar="name", help='as "03", or "03-drift-map"; all if none'

@@ -28,7 +28,6 @@ from .machinery.exercise import (
 )
 from .machinery.given_numbers import Given
 from .machinery.hints import NO_HELP, Help
-from .machinery.language import ENGLISH, language, speaking, tr
 from .machinery.progress import Progress
 from .machinery.records import record_of
 
@@ -146,7 +145,7 @@ def check(
     show(card)
     if strict and not card.verdict.right:
         said = f"{card.record['word']}. {card.record['says']}".rstrip()
-        raise NotRightError(f"Exercise {card.number}: {said}")  # in English, for programs
+        raise NotRightError(f"Exercise {card.number}: {said}")
 
 
 def judged(number: str | float, answer: Any, progress: Progress, said: Said = NOTHING_SAID) -> Card:
@@ -156,29 +155,22 @@ def judged(number: str | float, answer: Any, progress: Progress, said: Said = NO
         answer = list(answer)  # it gives its letters or numbers only once
     counted = progress.without_used_words(said, name, answer)
     is_said = counted == said
-    heard = exercise.heard(answer)
-    found = same = exercise.verdict(heard, counted)
+    found = exercise.verdict(answer, counted)
     progress.note(name, answer, found)
     chapter = _chapter(name)
     right, count = progress.of(all_exercises(chapter))
     attempts = progress.attempts(name)
-    notes = [] if is_said else [tr("These are your words on another answer: why this one?")]
+    notes = [] if is_said else ["These are your words on another answer: why this one?"]
     if found.right and exercise.kind == "predict":
         notes.append(progress.guess_against(name, answer))
     if said.student and getattr(exercise, "given", None):
-        notes.append(tr("Judged with the numbers of {student}.", student=said.student))
+        notes.append(f"Judged with the numbers of {said.student}.")
     if not isinstance(number, str) and f"{name}0" in all_exercises(chapter):
-        notes.append(
-            tr('This is {number}. For the tenth exercise write "{number}0", as text.', number=name)
-        )
-    so_far = {"right": right, "count": count, "chapter": chapter}
-    done = tr("{right} of {count} right in chapter {chapter}", **so_far)
+        notes.append(f'This is {name}. For the tenth exercise write "{name}0", as text.')
+    done = f"{right} of {count} right in chapter {chapter}"
     if attempts > 1:
-        done = tr("attempt {number}; {done}", number=attempts, done=done)
-    if language() != ENGLISH:  # a class is counted in one language
-        with speaking(ENGLISH):
-            same = exercise.verdict(heard, counted)
-    record = record_of(name, answer, same, attempts, said)
+        done = f"attempt {attempts}; {done}"
+    record = record_of(name, answer, found, attempts, said)
     return Card(name, found, _help(name), tuple(notes), done, said.because, record)
 
 

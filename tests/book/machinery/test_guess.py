@@ -82,15 +82,6 @@ def test_a_page_that_moves_a_slider_to_its_nearest_step_has_guessed_nothing(empt
     assert control.inputs[0].value is not None
 
 
-def test_a_translated_chapter_keeps_its_guesses_with_the_others(empty_folder, monkeypatch):
-    (empty_folder / "ru").mkdir()
-    monkeypatch.chdir(empty_folder / "ru")
-    guessed()
-    assert (empty_folder / FILE).exists()
-    monkeypatch.chdir(empty_folder)
-    assert kept_guess(PUZZLE) == (True, [10.0, "right"])
-
-
 def test_guess_and_truth_stand_beside_each_other():
     control = guessed()
     answer = control.answer.value

@@ -8,7 +8,6 @@ import numpy as np
 
 from driftlab.book.machinery.axis import axis_code, axis_of, axis_values
 from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.language import tr
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import ABSENT, Results
 from driftlab.book.machinery.scene.solids import box, circle, frame_of_box, pin
@@ -55,9 +54,7 @@ class FalseRateView(SceneView):
             seconds=9.0,
             tracks={"body": data.attitude, "ghost": data.apparent},
             views=(
-                View(
-                    tr("false rate × {factor}, ghost not magnified", factor=MAGNIFIED), bodies(data)
-                ),
+                View(f"false rate × {MAGNIFIED}, ghost not magnified", bodies(data)),
                 error_view(data),
             ),
             plots=(Plot("the computer is wrong by, °", tuple(curves), 0.0, largest),),
@@ -99,7 +96,7 @@ def error_view(data: ErrorInSpace) -> View:
     growing = 0.45 * data.added / max(float(np.linalg.norm(data.added[0])), 1e-12)
     start = np.zeros_like(tip)
     return View(
-        tr("the error as a vector; ring: {size}°", size=ring),
+        f"the error as a vector; ring: {ring}°",
         (
             Part("line", circle([0, 0, 1], RING), "rule"),
             Part("line", np.array([[0, 0, -0.5], [0, 0, RING]]), "axis"),
@@ -161,7 +158,7 @@ class FalseRate(SceneExplorer):
                 ("largest on the way", angle_text(first.max())),
                 ("false rate × time of the turn", angle_text(naive) if len(one) else ABSENT),
                 (
-                    tr("error after {seconds} s", seconds=f"{data.time[-1]:.0f}"),
+                    f"error after {data.time[-1]:.0f} s",
                     angle_text(data.angle[-1]),
                 ),
             ],

@@ -10,7 +10,6 @@ from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
 from driftlab.book.machinery.formulas import Formula
 from driftlab.book.machinery.given_numbers import GivenNumbers
-from driftlab.book.machinery.language import tr
 from driftlab.book.machinery.reading import SettingError
 from driftlab.checks import FloatArray
 from driftlab.drift.characteristic_equation import asymptotic_roots, exact_roots
@@ -50,10 +49,10 @@ def _first_order_largest() -> FloatArray:
 def _one_of_two(values: Mapping[str, Any]) -> FloatArray:
     """What the panel shows is one azimuth, and two are asked: say whether it is one of them."""
     if values["shape"] != "x leans to axis 2 only":
-        raise SettingError(tr("Choose the shape `x leans to axis 2 only`."))
+        raise SettingError("Choose the shape `x leans to axis 2 only`.")
     if values["azimuth"] % 180:
-        raise SettingError(tr("At this azimuth the rows `exact` and `first order` differ."))
-    raise SettingError(tr("Here first order is exact. Find the other azimuth too, and give both."))
+        raise SettingError("At this azimuth the rows `exact` and `first order` differ.")
+    raise SettingError("Here first order is exact. Find the other azimuth too, and give both.")
 
 
 @cache

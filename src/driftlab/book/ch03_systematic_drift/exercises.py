@@ -10,7 +10,6 @@ from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import Exercise
 from driftlab.book.machinery.formulas import Formula
 from driftlab.book.machinery.given_numbers import GivenNumbers
-from driftlab.book.machinery.language import tr
 from driftlab.book.machinery.reading import SettingError
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray
@@ -68,7 +67,7 @@ def _largest_drift(symmetric: FloatArray) -> float:
 def _shown(values: Mapping[str, Any]) -> float:
     """Drift a turn, in arc minutes, of a panel that is set to the axis of the exercise."""
     if (values["azimuth"], values["elevation"]) != (45.0, 35.0):
-        raise SettingError(tr("Set the azimuth to 45 degrees and the elevation to 35."))
+        raise SettingError("Set the azimuth to 45 degrees and the elevation to 35.")
     places = itertools.product((1, 2, 3), repeat=2)
     triad_error = 1e-3 * np.reshape([values[f"m{i}{j}"] for i, j in places], (3, 3))
     axis = direction_from_angles(*np.radians([45.0, 35.0]))

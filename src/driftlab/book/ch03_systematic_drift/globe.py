@@ -7,7 +7,6 @@ from typing import ClassVar
 import numpy as np
 
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values, matrix_code
-from driftlab.book.machinery.language import tr
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import globe
@@ -55,21 +54,13 @@ class GlobeOfAxesView(SceneView):
             tracks={"block": attitude, "ghost": from_rotation_vector(factor * data.error)},
             views=(
                 View(
-                    tr(
-                        "all axes: full colour, {size}′ a turn",
-                        size=f"{arcmin(data.full_colour):.3g}",
-                    ),
+                    f"all axes: full colour, {arcmin(data.full_colour):.3g}′ a turn",
                     (*globe_parts(data), *way_parts(data.axes)),
                     azimuth=AZIMUTH,
                     reach=1.4,
                 ),
                 View(
-                    tr(
-                        "after {count} turns: bent × {gyros}, error × {error}",
-                        count=data.turns,
-                        gyros=f"{data.exaggeration:g}",
-                        error=factor,
-                    ),
+                    f"after {data.turns} turns: bent × {data.exaggeration:g}, error × {factor}",
                     (
                         *block_parts(data.triad, "block"),
                         Part("line", AXIS_LENGTH * ends, "axis"),
@@ -91,7 +82,7 @@ class GlobeOfAxesView(SceneView):
             ),
             readouts=(
                 Readout("left after one turn", exact, 3, "′"),
-                Readout(tr("after {count} turns", count=data.turns), data.turns * exact, 3, "′"),
+                Readout(f"after {data.turns} turns", data.turns * exact, 3, "′"),
             ),
         )
 

@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike
 
 from driftlab.book.ch00_start_here.puzzle import LEANING
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values, matrix_code
-from driftlab.book.machinery.language import tr
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.spans import reach, span
@@ -55,11 +54,7 @@ class TurningBlockView(SceneView):
             tracks={"block": attitude, "ghost": ghost},
             views=(
                 View(
-                    tr(
-                        "gyros bent × {gyros}, error × {error}",
-                        gyros=f"{data.exaggeration:g}",
-                        error=factor,
-                    ),
+                    f"gyros bent × {data.exaggeration:g}, error × {factor}",
                     (
                         *block_parts(data.triad, "block"),
                         *axis_parts(data.direction, "block"),
@@ -162,7 +157,7 @@ class TurningBlock(SceneExplorer):
             ("left after one turn", angle_text(data.exact_per_turn)),
             [
                 ("to first order", angle_text(data.first_order_per_turn)),
-                (tr("after {count} turns", count=TURNS), angle_text(TURNS * data.exact_per_turn)),
+                (f"after {TURNS} turns", angle_text(TURNS * data.exact_per_turn)),
                 ("about the worst axis, a turn", angle_text(data.worst_per_turn)),
             ],
         )

@@ -8,7 +8,6 @@ import numpy as np
 
 from driftlab.book.machinery.axis import matrix_code
 from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.language import tr
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import Results
 from driftlab.checks import FloatArray
@@ -124,7 +123,7 @@ class TurnCalibrationExplorer(Explorer):
             ],
             (
                 "true, mrad",
-                tr("mean of {count}, mrad", count=count) if differ else "found, mrad",
+                f"mean of {count}, mrad" if differ else "found, mrad",
                 "error, ″",
             ),
         )

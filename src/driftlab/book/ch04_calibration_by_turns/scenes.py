@@ -22,7 +22,6 @@ from driftlab.book.ch03_systematic_drift.controls import (
 from driftlab.book.ch03_systematic_drift.experiments import EXAGGERATION
 from driftlab.book.machinery.axis import matrix_code
 from driftlab.book.machinery.control import Control
-from driftlab.book.machinery.language import tr
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import circle
@@ -84,7 +83,7 @@ class MountingsView(SceneView):
             tracks={"block": data.attitude, "ghost": ghost},
             views=(
                 View(
-                    tr("gyros bent × {gyros}, error × {error}", gyros=EXAGGERATION, error=factor),
+                    f"gyros bent × {EXAGGERATION}, error × {factor}",
                     (
                         *table_parts(),
                         *block_parts(gyros(data), "block"),
@@ -99,11 +98,7 @@ class MountingsView(SceneView):
                 Readout("error about the axis", np.degrees(along) * 60, 2, "′"),
                 *(
                     Readout(
-                        tr(
-                            "{name} found, true {value}",
-                            name=name,
-                            value=f"{1e3 * sigma:.2f}".replace("-", "−"),
-                        ),
+                        f"{name} found, true {1e3 * sigma:.2f}".replace("-", "−"),
                         np.where(moments >= end, 1e3 * estimate, np.nan),
                         3,
                         " mrad",

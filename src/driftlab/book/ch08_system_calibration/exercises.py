@@ -11,7 +11,6 @@ import numpy as np
 from driftlab.book.machinery.answers import Choice, Value
 from driftlab.book.machinery.exercise import NOTHING_SAID, Exercise, Objection, Said, Verdict
 from driftlab.book.machinery.formulas import Formula
-from driftlab.book.machinery.language import tr
 from driftlab.book.machinery.reading import UnreadableError
 from driftlab.calibration.error_model import ERROR_MODELS
 from driftlab.checks import FloatArray
@@ -69,7 +68,7 @@ def _compared(scheme: Scheme) -> tuple[float, str]:
     turning = _duration(scheme) - scheme.positions * scheme.dwell
     pause = (_duration(NINETEEN_POSITIONS) - turning) / scheme.positions
     if pause < 1:
-        raise UnreadableError(tr("The turns alone take longer than all the nineteen positions."))
+        raise UnreadableError("The turns alone take longer than all the nineteen positions.")
     timed = replace(scheme, dwell=pause)
     ratios = _deviations(timed, ImuNoise()) / _deviations(NINETEEN_POSITIONS, ImuNoise())
     worst = 6 + int(ratios[6:].argmax())
@@ -97,39 +96,27 @@ class _Positions(Exercise):
             return found
         ratio, name = _compared(_scheme(answer))
         return found._replace(
-            says=f"{found.says} "
-            + tr(
-                "The worst of yours is {name}: {ratio} times the deviation.",
-                name=name,
-                ratio=f"{ratio:.1f}",
-            )
+            says=f"{found.says} The worst of yours is {name}: {ratio:.1f} times the deviation."
         )
 
     def _objection(self, answer: Any, said: Said) -> Objection | None:
         scheme = _scheme(answer)
         if scheme.positions != self.positions:
             return Objection(
-                tr(
-                    "This scheme has {count} positions: one more than there are rotations.",
-                    count=scheme.positions,
-                )
+                f"This scheme has {scheme.positions} positions: one more than there are rotations."
             )
         try:
             unobservable = table_observability(scheme, MODEL).descriptions
         except ValueError as error:
             raise UnreadableError(str(error)) from None
         if unobservable:
-            return Objection(tr("Unobservable stay {states}.", states="; ".join(unobservable)))
+            return Objection(f"Unobservable stay {'; '.join(unobservable)}.")
         ratio, name = _compared(scheme)
         if ratio > self.most:
             return Objection(
-                tr(
-                    "Nothing stays unobservable. But {name} has {ratio} times the deviation that "
-                    "the nineteen positions reach. Ask which pair of positions, or which turn, "
-                    "would show it.",
-                    name=name,
-                    ratio=f"{ratio:.0f}",
-                )
+                f"Nothing stays unobservable. But {name} has {ratio:.0f} times the deviation that "
+                "the nineteen positions reach. Ask which pair of positions, or which turn, "
+                "would show it."
             )
         return None
 
@@ -139,7 +126,7 @@ def _scheme(answer: Any) -> Scheme:
     if isinstance(answer, Scheme):
         return answer
     if not isinstance(answer, str):
-        raise UnreadableError(tr("Expected a Scheme, or its rotations as text."))
+        raise UnreadableError("Expected a Scheme, or its rotations as text.")
     try:
         return Scheme(answer)
     except ValueError as error:

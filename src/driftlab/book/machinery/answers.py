@@ -15,7 +15,6 @@ from driftlab.checks import shown
 
 from .exercise import Exercise, Objection, Said, key_of, rows
 from .given_numbers import GivenNumbers
-from .language import tr
 from .reading import Numbers, UnreadableError, fit, numbers, panel_values, read
 from .sizes import how_far_off
 from .slips import UNITS, find_slip, matches
@@ -103,13 +102,11 @@ class Value(Exercise):
 
     def _read_panel(self, values: Mapping[str, Any]) -> Any:
         if self.from_panel is None:
-            raise UnreadableError(tr("No one setting of a panel is the answer; expected numbers."))
+            raise UnreadableError("No one setting of a panel is the answer; expected numbers.")
         try:
             return self.from_panel(values)
         except KeyError:
-            raise UnreadableError(
-                tr("Expected the panel of this exercise, got another one.")
-            ) from None
+            raise UnreadableError("Expected the panel of this exercise, got another one.") from None
 
 
 @lru_cache(maxsize=256)
@@ -148,37 +145,31 @@ class Choice(Exercise):
 
     def _objection(self, answer: Any, said: Said) -> Objection | None:
         letters = self.letters
-        ends = {"first": letters[0], "last": letters[-1]}
-        as_letters = tr("Expected letters from {first} to {last}, as text.", **ends)
+        expected = f"Expected letters from {letters[0]} to {letters[-1]}"
         if isinstance(answer, np.ndarray):
             answer = answer.ravel().tolist()
         if isinstance(answer, Mapping) or not isinstance(answer, Iterable):
-            raise UnreadableError(as_letters)
+            raise UnreadableError(f"{expected}, as text.")
         words = [answer] if isinstance(answer, str) else list(answer)
         if not all(isinstance(word, str) for word in words):
-            raise UnreadableError(as_letters)
+            raise UnreadableError(f"{expected}, as text.")
         chosen = letters_in(" ".join(words))
         for letter in chosen:
             if letter not in letters:
-                found = tr(
-                    "Expected letters from {first} to {last}, found {letter}.",
-                    letter=repr(letter),
-                    **ends,
-                )
-                raise UnreadableError(found)
+                raise UnreadableError(f"{expected}, found {letter!r}.")
         if not chosen:
-            raise UnreadableError(tr("Expected letters from {first} to {last}.", **ends))
+            raise UnreadableError(f"{expected}.")
         misjudged = self._key.right.symmetric_difference(chosen)
         if not misjudged:
             return None
         if not in_words(said.because):
-            return Objection(f"{tr(NOT_ALL)} {tr(SAY_WHY)}")
+            return Objection(f"{NOT_ALL} {SAY_WHY}")
         if len(misjudged) > 1:
-            return Objection(tr(NOT_ONE))
+            return Objection(NOT_ONE)
         (letter,) = misjudged
         if letter in self._key.mistakes:
-            return Objection(f"({letter}) {tr(self._key.mistakes[letter])}")
-        return Objection(tr("What you chose is true, and something else is too."))
+            return Objection(f"({letter}) {self._key.mistakes[letter]}")
+        return Objection("What you chose is true, and something else is too.")
 
 
 def letters_in(text: str) -> list[str]:

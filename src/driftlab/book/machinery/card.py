@@ -16,7 +16,6 @@ from typing import Any
 
 from .exercise import Verdict
 from .hints import Help
-from .language import tr
 from .records import MIME
 
 SIGNS = {
@@ -63,8 +62,8 @@ class Card:
     record: Mapping[str, Any] = field(default_factory=dict)
 
     def __repr__(self) -> str:
-        name = tr("Exercise {number}", number=self.number)
-        says = f"{tr(f'{self.verdict.word}.')} {self.verdict.reason}".rstrip()
+        name = f"Exercise {self.number}"
+        says = f"{self.verdict.word}. {self.verdict.reason}".rstrip()
         return "\n".join([f"{name}: {says}", *self._ticks(), *self._words()])
 
     def _repr_html_(self) -> str:
@@ -77,8 +76,8 @@ class Card:
         """The card in HTML; without hints for a page that has them below it anyway."""
         sign, colour = SIGNS[self.verdict.word]
         says = self.verdict.reason
-        name = html.escape(tr("Exercise {number}", number=self.number))
-        head = f"<b>{html.escape(tr(sign))}</b> &nbsp;{name}"
+        name = html.escape(f"Exercise {self.number}")
+        head = f"<b>{html.escape(sign)}</b> &nbsp;{name}"
         if self.progress:
             head += f"<span style='float: right; opacity: 0.75'>{html.escape(self.progress)}</span>"
         body = [says, *self._words()] if says else self._words()
@@ -97,11 +96,10 @@ class Card:
         return [" ".join(TICKS[part] for part in row) for row in self.verdict.parts]
 
     def _words(self) -> list[str]:
-        yours = [tr("Your words: {words}", words=self.because)] if self.because else []
-        model = self.verdict.right and tr(self.help.model)
-        if model:
-            whose = tr("The book's words:") if self.because else tr("In words:")
-            return [*self.notes, *yours, f"{whose} {model}"]
+        yours = [f"Your words: {self.because}"] if self.because else []
+        if self.verdict.right and self.help.model:
+            whose = "The book's words:" if self.because else "In words:"
+            return [*self.notes, *yours, f"{whose} {self.help.model}"]
         return [*self.notes, *yours]
 
 
@@ -114,24 +112,19 @@ class HintCard:
     rungs: int
 
     def __repr__(self) -> str:
-        shown = [
-            tr("Hint {count}: {words}", count=i, words=tr(text))
-            for i, text in enumerate(self.help.rungs[: self.rungs], 1)
-        ]
+        shown = [f"Hint {i}: {text}" for i, text in enumerate(self.help.rungs[: self.rungs], 1)]
         if self.rungs > len(shown):
-            shown.append(f"{tr(SECTION)} {tr(self.help.section)}.")
-        return "\n".join([tr("Exercise {number}", number=self.number), *shown])
+            shown.append(f"{SECTION} {self.help.section}.")
+        return "\n".join([f"Exercise {self.number}", *shown])
 
     def _repr_html_(self) -> str:
         shown = [
-            f"<b>{html.escape(name)}</b> &nbsp;{in_html(tr(text))}"
-            for name, text in zip(
-                (tr("Nudge"), tr("Idea")), self.help.rungs[: self.rungs], strict=False
-            )
+            f"<b>{html.escape(name)}</b> &nbsp;{in_html(text)}"
+            for name, text in zip(("Nudge", "Idea"), self.help.rungs[: self.rungs], strict=False)
         ]
         if self.rungs > len(shown):
             shown.append(link(self.help))
-        head = html.escape(tr("Exercise {number}", number=self.number))
+        head = html.escape(f"Exercise {self.number}")
         return boxed([head, *shown], SIGNS["not answered yet"][1])
 
 
@@ -146,7 +139,7 @@ def show(card: Card | HintCard) -> None:
 
 def ladder(help_: Help) -> str:
     """The hints in HTML, each folded into the one before."""
-    steps = zip((tr("A nudge"), tr("More: the idea")), map(tr, help_.rungs), strict=True)
+    steps = zip(("A nudge", "More: the idea"), help_.rungs, strict=True)
     inner = ""
     for name, text in reversed(tuple(steps)):
         inner = (
@@ -158,9 +151,8 @@ def ladder(help_: Help) -> str:
 
 def link(help_: Help) -> str:
     """A link to the section that helps, within the page."""
-    section = tr(help_.section)
-    anchor = html.escape(section.replace(" ", "-"))
-    return f"{html.escape(tr(SECTION))} <a href='#{anchor}'>{html.escape(section)}</a>"
+    anchor = html.escape(help_.section.replace(" ", "-"))
+    return f"{html.escape(SECTION)} <a href='#{anchor}'>{html.escape(help_.section)}</a>"
 
 
 def in_html(text: str) -> str:
@@ -180,4 +172,4 @@ def boxed(lines: list[str], colour: str) -> str:
 
 
 def _aloud(row: tuple[bool, ...]) -> str:
-    return ", ".join(tr("it is right") if part else tr("it is not yet") for part in row)
+    return ", ".join("it is right" if part else "it is not yet" for part in row)

@@ -8,8 +8,6 @@ import ipywidgets as widgets
 
 from driftlab.checks import finite_array
 
-from .language import tr
-
 STOPS_CLASS = "driftlab-stops"
 """HTML class of a slider with stops; the script in the page looks for it."""
 TOOLTIP = "tooltip" if hasattr(widgets.DOMWidget, "tooltip") else "description_tooltip"
@@ -69,13 +67,13 @@ class Control:
     @property
     def full_name(self) -> str:
         """Label with the group: what hovering shows, and what a screen reader says."""
-        return f"{tr(self.group)}: {tr(self.label)}" if self.group else tr(self.label)
+        return f"{self.group}: {self.label}" if self.group else self.label
 
     def widget(self) -> widgets.ValueWidget:
         """Make the widget: a slider (whole-numbered if `start` is), a menu, a box or a text."""
         common = {
             "value": self.start,
-            "description": tr(self.label),
+            "description": self.label,
             TOOLTIP: self.full_name,
             "style": {"description_width": "9.5em"},
             "layout": {"width": "auto"},
@@ -88,9 +86,7 @@ class Control:
             # Taken when the reader presses Enter or leaves the line, not at each letter.
             return widgets.Text(continuous_update=False, **common)
         if self.choices:
-            return widgets.Dropdown(
-                options=[(tr(choice), choice) for choice in self.choices], **common
-            )
+            return widgets.Dropdown(options=self.choices, **common)
         if self.stops:
             options = [(f"{stop:g}", stop) for stop in self.stops]
             slider = widgets.SelectionSlider(options=options, **common)

@@ -9,7 +9,6 @@ from typing import Any
 import ipywidgets as widgets
 
 from .control import Control
-from .language import tr
 
 
 def control_rows(
@@ -26,7 +25,7 @@ def control_rows(
     across: list[widgets.Box] = []
     columns = []
     for group, members in groups.items():
-        heading = [widgets.HTML(html.escape(tr(group)))] if group else []
+        heading = [widgets.HTML(html.escape(group))] if group else []
         row = [*heading, *(by_name[control.name] for control in members)]
         if all(control.is_box for control in members):
             box = widgets.HBox(row, layout={"flex_flow": "row wrap", "align_items": "center"})

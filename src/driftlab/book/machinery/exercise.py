@@ -17,7 +17,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .language import tr
 from .reading import SettingError, UnreadableError
 
 KINDS = ("predict", "slide", "explain", "compute")
@@ -46,8 +45,7 @@ class Verdict(NamedTuple):
         None if there is no answer yet.
     says : str
         One or two sentences for the reader. They begin with "right", "not yet", "not readable" or
-        "not answered yet", in English for programs, and a full stop; what follows is in the
-        language that is spoken.
+        "not answered yet", for programs, and a full stop.
     parts : tuple of tuple of bool
         Which parts of a list or an array are right, row by row; empty if there is nothing to say
         of parts.
@@ -145,19 +143,14 @@ class Exercise(ABC):
                 return Verdict(None, "not answered yet.")
             objection = self._objection(answer, said)
         except SettingError as error:
-            return Verdict(False, f"not yet. {tr(str(error))}")
+            return Verdict(False, f"not yet. {error}")
         except UnreadableError as error:
-            return Verdict(False, f"not readable. {tr(str(error))}")
+            return Verdict(False, f"not readable. {error}")
         except RecursionError:
-            says = tr("There are too many lists in each other.")
-            return Verdict(False, f"not readable. {says}")
+            return Verdict(False, "not readable. There are too many lists in each other.")
         if objection is None:
-            return Verdict(True, f"right. {tr(self.remark)}".rstrip())
+            return Verdict(True, f"right. {self.remark}".rstrip())
         return Verdict(False, f"not yet. {objection.reason}", objection.parts)
-
-    def heard(self, answer: Any) -> Any:
-        """Return what can be judged in two languages, and is computed once."""
-        return answer
 
     @abstractmethod
     def _objection(self, answer: Any, said: Said) -> Objection | None:

@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .exercise import Exercise, Objection, Said, rows
-from .language import tr, tr_number
 from .reading import (
     Numbers,
     UnreadableError,
@@ -25,7 +24,6 @@ from .reading import (
     name,
     numbers,
     of_sympy,
-    once,
     read,
     symbols,
 )
@@ -71,9 +69,6 @@ class Formula(Exercise):
     ) -> None:
         self._seal(right, mistakes)
 
-    def heard(self, answer: Any) -> Any:
-        return once(answer) if callable(answer) and not of_sympy(answer, "Basic") else answer
-
     def _objection(self, answer: Any, said: Said) -> Objection | None:
         places, right = self._places, self._values(self._key.right)
         function = read(self._function, answer, places[0])
@@ -92,24 +87,20 @@ class Formula(Exercise):
         factor = common_factor(given, right)
         if factor:
             if factor < 0:
-                return tr("The form is right, the sign and a constant factor are not.")
-            return tr("The form is right, a constant factor is not.")
+                return "The form is right, the sign and a constant factor are not."
+            return "The form is right, a constant factor is not."
         if parts.ndim and parts.any():
-            return tr_number(
-                "Right is {count} of {total} parts.",
-                "Right are {count} of {total} parts.",
-                int(parts.sum()),
-                total=parts.size,
-            )
+            verb = "is" if parts.sum() == 1 else "are"
+            return f"Right {verb} {parts.sum()} of {parts.size} parts."
         at = np.unravel_index(np.argmax(np.abs(given - right)), given.shape)
-        where = tr("One of those tried: there")
+        where = "One of those tried: there"
         if all(np.ndim(value) == 0 for value in self._places[at[0]]):
             pairs = zip(self.arguments, self._places[at[0]], strict=True)
-            where = tr("At {place}", place=", ".join(f"{n} = {value:.3g}" for n, value in pairs))
+            where = f"At {', '.join(f'{n} = {value:.3g}' for n, value in pairs)}"
         how = size(given[at], right[at])
         if right.ndim == 1:
-            return tr("{where} it is {how}.", where=where, how=how)
-        return tr("{where} one of its parts is {how}.", where=where, how=how)
+            return f"{where} it is {how}."
+        return f"{where} one of its parts is {how}."
 
     @cached_property
     def _places(self) -> list[tuple[Any, ...]]:
@@ -149,26 +140,16 @@ class Formula(Exercise):
         parts = entries(answer)
         if not all(isinstance(part, (sp.Basic, Number)) for part in parts):
             raise UnreadableError(
-                tr(
-                    "Expected an expression or a function of ({names}), got {form}.",
-                    names=names,
-                    form=name(answer),
-                )
+                f"Expected an expression or a function of ({names}), got {name(answer)}."
             )
         found = {symbol for part in parts for symbol in symbols(part)}
         own = {self.aliases.get(str(symbol), str(symbol)): symbol for symbol in found}
         unknown = sorted(own.keys() - set(self.arguments))
         if unknown:
             others = ", ".join(unknown)
-            raise UnreadableError(
-                tr(
-                    "Expected an expression in {names}, found also {others}.",
-                    names=names,
-                    others=others,
-                )
-            )
+            raise UnreadableError(f"Expected an expression in {names}, found also {others}.")
         if own and any(np.ndim(value) for value in place):
-            raise UnreadableError(tr("Expected a Python function of ({names}).", names=names))
+            raise UnreadableError(f"Expected a Python function of ({names}).")
         if isinstance(answer, np.ndarray):
             answer = answer.tolist()
         return sp.lambdify([own.get(n, sp.Symbol(n)) for n in self.arguments], answer)

@@ -14,7 +14,6 @@ import ipywidgets as widgets
 
 from .control import TOOLTIP
 from .kept_guesses import keep, kept_guess
-from .language import tr
 from .one_at_a_time import one_at_a_time
 from .puzzle import Answer, Choice, Number, Puzzle, rounded
 from .revealed import CLOSE, revealed
@@ -48,22 +47,20 @@ class NumberInput:
         slider = {
             "readout": False,
             "layout": {"width": "auto", "max_width": "30em", "margin": "0"},
-            TOOLTIP: f"{tr(question.asks)} ({tr(question.unit)})",
+            TOOLTIP: f"{question.asks} ({question.unit})",
         }
         if question.whole:
-            self.field = widgets.BoundedIntText(**limits, description=tr("Your guess"))
+            self.field = widgets.BoundedIntText(**limits, description="Your guess")
             self.slider = widgets.IntSlider(**limits, **slider)
         else:
-            self.field = widgets.BoundedFloatText(**limits, description=tr("Your guess"))
+            self.field = widgets.BoundedFloatText(**limits, description="Your guess")
             # A page moves a slider to the nearest step, which would pass for a guess.
             start = round(STEP * round(question.place(question.start) / STEP), 9)
             self.slider = widgets.FloatSlider(start, min=0, max=1, step=STEP, **slider)
         self.field.layout = {"width": "14em"}
         self.slider.observe(self._slid, "value")
         self.field.observe(self._typed, "value")
-        typed = widgets.HBox(
-            [self.field, widgets.Label(tr(UNITS.get(question.unit, question.unit)))]
-        )
+        typed = widgets.HBox([self.field, widgets.Label(UNITS.get(question.unit, question.unit))])
         self.widget = widgets.VBox([_text(question.asks), typed, self.slider])
         self._moving = False
         self._touched = False  # where the slider stands at first is nobody's guess
@@ -105,7 +102,7 @@ class ChoiceInput:
     def __init__(self, question: Choice) -> None:
         self.question = question
         self.radio = widgets.RadioButtons(
-            options=[(tr(words), words) for words in question.options],
+            options=question.options,
             value=None,
             layout={"width": "max-content"},
         )
@@ -131,10 +128,10 @@ class GuessControl:
         self.inputs = [
             NumberInput(q) if isinstance(q, Number) else ChoiceInput(q) for q in puzzle.questions
         ]
-        self.button = widgets.Button(description=tr("That is my guess"), button_style="primary")
+        self.button = widgets.Button(description="That is my guess", button_style="primary")
         self.look = widgets.Button(
-            description=tr("Show me"),
-            tooltip=tr("See the answer without a guess; that is possible too"),
+            description="Show me",
+            tooltip="See the answer without a guess; that is possible too",
         )
         self.answer = widgets.HTML()
         self.button.on_click(lambda _: self.take())
@@ -147,7 +144,7 @@ class GuessControl:
         self.widget.add_class(GUESS_CLASS)
         answered, guess = kept_guess(puzzle)
         if answered:
-            self.reveal(guess, "" if guess is None else tr(KEPT))
+            self.reveal(guess, "" if guess is None else KEPT)
             self.widget.children = [self.answer]  # nobody has pressed a button
 
     @one_at_a_time
@@ -155,7 +152,7 @@ class GuessControl:
         """Keep the guess that the controls show, and show the answer."""
         guess = [each.value for each in self.inputs]
         if None in guess:
-            self.answer.value = f"<p role='alert'>{html.escape(tr(UNANSWERED))}</p>"
+            self.answer.value = f"<p role='alert'>{html.escape(UNANSWERED)}</p>"
             return
         self.reveal(guess, keep(self.puzzle, guess))  # type: ignore[arg-type]
 
@@ -175,13 +172,13 @@ class GuessControl:
         self.widget.children = [self.buttons, self.answer]
 
     def __repr__(self) -> str:
-        asks = " ".join(tr(question.asks) for question in self.puzzle.questions)
-        return f"{tr(FIRST)} {asks}\n{tr(HOW_TO_SEE)}"
+        asks = " ".join(question.asks for question in self.puzzle.questions)
+        return f"{FIRST} {asks}\n{HOW_TO_SEE}"
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, Any]:
         """The control, and for a page that is not live, the question without the answer."""
-        first, how = html.escape(tr(FIRST)), html.escape(tr(HOW_TO_SEE))
-        asks = "".join(f"<li>{html.escape(tr(q.asks))}</li>" for q in self.puzzle.questions)
+        first, how = html.escape(FIRST), html.escape(HOW_TO_SEE)
+        asks = "".join(f"<li>{html.escape(q.asks)}</li>" for q in self.puzzle.questions)
         return {
             **widget_view(self.widget),
             "text/html": f"<p><b>{first}</b></p><ul>{asks}</ul><p>{how}</p>",
@@ -194,4 +191,4 @@ HOW_TO_SEE = "Run this cell in JupyterLab to make your guess; then the answer ap
 
 
 def _text(words: str) -> widgets.HTML:
-    return widgets.HTML(f"<div style='{CLOSE}'>{html.escape(tr(words))}</div>")
+    return widgets.HTML(f"<div style='{CLOSE}'>{html.escape(words)}</div>")

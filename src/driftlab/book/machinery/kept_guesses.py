@@ -13,7 +13,6 @@ from pathlib import Path
 from tempfile import NamedTemporaryFile
 from typing import Any
 
-from .language import languages, tr
 from .puzzle import Answer, Puzzle
 
 FILE = "guesses.json"
@@ -35,8 +34,7 @@ def kept_guess(puzzle: Puzzle, path: Path | None = None) -> tuple[bool, list[Ans
     puzzle : Puzzle
         What was asked.
     path : Path, optional
-        The file; ``guesses.json`` in the kernel's folder if not given, and for a translated
-        chapter, whose folder has the name of its language, in the folder of the English ones.
+        The file; ``guesses.json`` in the kernel's folder if not given.
     """
     path = _resolved(path)
     if (path, puzzle.key) in in_memory:
@@ -75,23 +73,18 @@ def keep(puzzle: Puzzle, guess: Sequence[Answer] | None, path: Path | None = Non
         _write(path, {**kept, puzzle.key: value})
     except Foreign:
         in_memory[path, puzzle.key] = value
-        return tr(
-            "{file} beside this notebook cannot be read as guesses of this book. It stays as "
-            "it is, and this guess is kept until the kernel ends.",
-            file=FILE,
+        return (
+            f"{FILE} beside this notebook cannot be read as guesses of this book. It stays as "
+            "it is, and this guess is kept until the kernel ends."
         )
     except OSError:
         in_memory[path, puzzle.key] = value
-        return tr(
-            "{file} cannot be written here; this guess is kept until the kernel ends.", file=FILE
-        )
+        return f"{FILE} cannot be written here; this guess is kept until the kernel ends."
     return ""
 
 
 def _resolved(path: Path | None) -> Path:
-    here = Path.cwd()
-    # A link stays a link.
-    return (path or (here.parent if here.name in languages() else here) / FILE).resolve()
+    return (path or Path(FILE)).resolve()  # a link stays a link
 
 
 def _read(path: Path) -> dict[str, Any]:

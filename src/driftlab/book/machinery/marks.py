@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import html
 
-from .language import tr
 from .puzzle import Number
 
 LABEL = "position: absolute; white-space: nowrap; line-height: 1.3"
@@ -40,13 +39,13 @@ def marks(question: Number, guess: float | None, truth: float) -> str:
                 f"opacity: 0.75'><small>{written_tick(tick)}</small></div>"
             )
     # The diamonds differ in their filling and in their words, and stand on different sides.
-    parts.append(_mark(question, truth, tr("it is"), top="2.65em", filled=True, label_top="3.4em"))
-    says = tr("The answer {truth}", truth=question.written(truth))
+    parts.append(_mark(question, truth, "it is", top="2.65em", filled=True, label_top="3.4em"))
+    says = f"The answer {question.written(truth)}"
     if guess is not None:
-        parts.append(_mark(question, guess, tr("you"), top="1.45em", filled=False, label_top="0"))
-        says += " " + tr("and your guess {guess}", guess=question.written(guess))
-    ends = {"low": question.written(question.low), "high": question.written(question.high)}
-    says += " " + tr("on a scale from {low} to {high}", **ends)
+        parts.append(_mark(question, guess, "you", top="1.45em", filled=False, label_top="0"))
+        says += f" and your guess {question.written(guess)}"
+    low, high = question.written(question.low), question.written(question.high)
+    says += f" on a scale from {low} to {high}"
     return (
         f"<div role='img' aria-label='{html.escape(says, quote=True)}' "
         "style='position: relative; height: 6.2em; margin: 0.3em 2.5em; max-width: 34em'>"

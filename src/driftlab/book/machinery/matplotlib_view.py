@@ -9,15 +9,11 @@ output area to flicker or to swallow an error.
 from __future__ import annotations
 
 import io
-import re
 from typing import Any
 
 import ipywidgets as widgets
-from matplotlib.figure import Figure
-from matplotlib.text import Text
 from PIL import Image
 
-from .language import tr
 from .one_at_a_time import one_at_a_time
 from .page import Page
 from .picture import Picture
@@ -26,26 +22,8 @@ from .sheet import STYLE, drawn_in
 LEAST_RATIO, MOST_RATIO = 1.25, 2.0
 """Pixels of the picture for one of the page: more are sharper, and take longer to compress."""
 
-_FORMULA = re.compile(r"\$[^$]*\$")
-
 KEPT = 8
 """Backgrounds that a view keeps: a slider may move to and fro over a step of the axes."""
-
-
-def words_in(figure: Figure) -> list[Text]:
-    """What a picture says in words, before it is drawn: no formula alone, and no mark of an axis.
-
-    Those are written anew at each drawing.
-    """
-    marks = {
-        id(mark)
-        for axes in figure.axes
-        for axis in (axes.xaxis, axes.yaxis)
-        for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks())
-        for mark in (tick.label1, tick.label2)
-    }
-    found = [text for text in figure.findobj(Text) if text.get_text() and id(text) not in marks]
-    return [text for text in found if not _FORMULA.fullmatch(text.get_text())]
 
 
 class MatplotlibView:
@@ -62,17 +40,11 @@ class MatplotlibView:
     picture : Picture
     widget : Image
         To be placed in the panel.
-    words : tuple of str
-        What the picture says at first, in English.
     """
 
     def __init__(self, picture: Picture[Any], page: Page) -> None:
         self.picture = picture
         self._page = page
-        words = words_in(picture.figure)
-        self.words = tuple(text.get_text() for text in words)
-        for text in words:
-            text.set_text(tr(text.get_text()))
         for artist in picture.moving:
             artist.set_animated(True)
         canvas: Any = picture.figure.canvas  # Matplotlib says nothing of the types of its methods

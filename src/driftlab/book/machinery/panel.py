@@ -17,7 +17,6 @@ import ipywidgets as widgets
 
 from .control import Control
 from .control_rows import control_rows, with_class
-from .language import tr
 from .matplotlib_view import MatplotlibView
 from .one_at_a_time import one_at_a_time
 from .page import Page
@@ -115,19 +114,17 @@ class Explorer(widgets.VBox):
         drawn = issubclass(self.picture_class, Picture)
         self.paper = widgets.HTML(how_to_save(type(self).__name__, drawn=drawn))
         self.preset = widgets.Dropdown(
-            options=[(tr("own values"), ""), *((tr(name), name) for name in self._presets)],
-            description=tr("preset"),
+            options=[("own values", ""), *((name, name) for name in self._presets)],
+            description="preset",
         )
-        self.reset = widgets.Button(
-            description=tr("Reset"), tooltip=tr("Back to the values at the start")
-        )
+        self.reset = widgets.Button(description="Reset", tooltip="Back to the values at the start")
         for widget in self._widgets.values():
             widget.observe(self._moved, "value")
         self.preset.observe(self._preset_chosen, "value")
         self.reset.on_click(lambda _: self.set(**opening))
         rows = [widgets.HBox([self.preset, self.reset])]
         rows += control_rows(self.controls, self._widgets)
-        title = widgets.HTML(f"<h4>{html.escape(tr(self.title))}</h4>")
+        title = widgets.HTML(f"<h4>{html.escape(self.title)}</h4>")
         work = [
             with_class(widgets.VBox([title, self.guide, self.message]), "driftlab-title"),
             # The picture stands above the sliders, so that it does not move away from them.
@@ -237,7 +234,7 @@ class Explorer(widgets.VBox):
         self.preset.value = name
         self._setting = False
         self._looking = self.look_for.get(name, "") if name else OWN_VALUES
-        self.guide.value = f"<p class='driftlab-guide'>{html.escape(tr(self._looking))}</p>"
+        self.guide.value = f"<p class='driftlab-guide'>{html.escape(self._looking)}</p>"
 
     def redraw(self) -> None:
         """Compute and show the picture, the numbers and the code for the present values."""
@@ -253,7 +250,7 @@ class Explorer(widgets.VBox):
             data = self.compute(values)
         except ValueError as refusal:
             reason = html.escape(str(refusal))
-            excuse = tr("No picture for these values; the one below is the last.")
+            excuse = "No picture for these values; the one below is the last."
             self._say(f"<p role='alert' class='driftlab-guide'>{excuse} {reason}</p>")
             self._tell(self._results.blank())
             self.code.value = ""
@@ -267,8 +264,8 @@ class Explorer(widgets.VBox):
 
     def _tell(self, results: Results) -> None:
         self.headline.value, self.text.value = results.headline_html(), results.table_html()
-        headline = f"{tr(results.headline[0])}: {results.headline[1]}"
-        self.page.alt = f"{tr(self.title)}. {tr(self._looking)} {headline}"
+        headline = f"{results.headline[0]}: {results.headline[1]}"
+        self.page.alt = f"{self.title}. {self._looking} {headline}"
 
     def _say(self, message: str) -> None:
         """Show a sentence in place of what to look for; with none, that again."""

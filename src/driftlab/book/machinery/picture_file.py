@@ -10,7 +10,6 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
-from .language import tr
 from .sheet import Sheet, drawn_in
 
 PICTURES = ("pdf", "svg", "png")
@@ -45,5 +44,4 @@ def how_to_save(panel: str, *, drawn: bool) -> str:
     """Return a line of HTML that says how a panel's picture is kept; `drawn` by Matplotlib."""
     arguments = '"picture.pdf", width=3.5' if drawn else '"picture.svg"'
     make, save = f"panel = {panel}()", f"panel.save({html.escape(arguments)})"
-    words = tr("To keep this picture: {make}, and then {save}.")
-    return f"<p>{words.format(make=f'<code>{make}</code>', save=f'<code>{save}</code>')}</p>"
+    return f"<p>To keep this picture: <code>{make}</code>, and then <code>{save}</code>.</p>"

@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 
 from .exercise import Said, Verdict
-from .language import tr
 from .reading import of_sympy, panel_values
 
 
@@ -70,8 +69,8 @@ class Progress:
         """A sentence about the first guess, now that a right answer is there."""
         guess, right = self.guesses[number], as_text(answer)
         if guess == right:
-            return tr("You had it at the first guess.")
-        return tr("Your first guess was {guess}, the answer is {right}.", guess=guess, right=right)
+            return "You had it at the first guess."
+        return f"Your first guess was {guess}, the answer is {right}."
 
     def next_rung(self, number: str, last: int) -> int:
         """How many hints to show, one more than the last time."""

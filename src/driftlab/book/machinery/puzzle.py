@@ -7,8 +7,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from .language import tr
-
 Answer: TypeAlias = float | str
 """A number in the question's unit, or the chosen words."""
 
@@ -84,7 +82,7 @@ class Number:
         """Return a value with its unit, in three digits."""
         assert not isinstance(value, str)
         number = f"{value:.0f}" if self.whole or abs(value) >= 100 else f"{value:.3g}"
-        return number + ("" if self.unit[:1] in "°′″" else " ") + tr(self.unit)
+        return number + ("" if self.unit[:1] in "°′″" else " ") + self.unit
 
     def allows(self, answer: object) -> bool:
         """Tell whether something that was read is a guess at this question."""
@@ -98,18 +96,18 @@ class Number:
         if self.whole:
             more = round(guess - truth)
             if not more:
-                return tr("You guessed it exactly.")
+                return "You guessed it exactly."
             if more > 0:
-                return tr("You guessed {count} too many.", count=more)
-            return tr("You guessed {count} too few.", count=-more)
+                return f"You guessed {more} too many."
+            return f"You guessed {-more} too few."
         ratio = guess / truth
         if ratio > 14:
-            return tr("You guessed about {times} times as much.", times=written_round(ratio))
+            return f"You guessed about {written_round(ratio)} times as much."
         if ratio < 1 / 14:
             times = written_round(1 / ratio)
-            return tr("It is about {times} times what you guessed.", times=times)
+            return f"It is about {times} times what you guessed."
         nearest = min(PARTS, key=lambda part: abs(math.log(ratio / part)))
-        return tr("You guessed {part}.", part=tr(PARTS[nearest]))
+        return f"You guessed {PARTS[nearest]}."
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -132,7 +130,7 @@ class Choice:
 
     def written(self, value: Answer) -> str:
         """Return the words."""
-        return tr(str(value))
+        return str(value)
 
     def allows(self, answer: object) -> bool:
         """Tell whether something that was read is a guess at this question."""
@@ -141,8 +139,8 @@ class Choice:
     def how_far(self, guess: Answer, truth: Answer) -> str:
         """Return whether a guess is right, as a sentence."""
         if guess == truth:
-            return tr("That is what you guessed.")
-        return tr("You guessed: {guess}.", guess=self.written(guess))
+            return "That is what you guessed."
+        return f"You guessed: {self.written(guess)}."
 
 
 Question: TypeAlias = Number | Choice
@@ -191,7 +189,7 @@ class Puzzle:
     def remark(self, truths: Sequence[Answer]) -> str:
         """Return the sentences under the answer."""
         written = [q.written(truth) for q, truth in zip(self.questions, truths, strict=True)]
-        return tr(self.says, *written)
+        return self.says.format(*written)
 
 
 def rounded(value: float, digits: int = 2) -> float:

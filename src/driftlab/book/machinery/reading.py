@@ -6,7 +6,6 @@ of its making.
 
 from __future__ import annotations
 
-import pickle
 import sys
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -14,8 +13,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
-
-from .language import tr, tr_number
 
 Numbers = NDArray[np.float64] | NDArray[np.complex128]
 
@@ -41,27 +38,23 @@ def numbers(value: Any) -> Numbers:
     if isinstance(value, Rotation):
         value = value.as_quat()  # scalar last, as in this book
     if any(isinstance(entry, str) for entry in entries(value)):
-        raise UnreadableError(
-            tr("Expected numbers without quotation marks, such as 1.5 or [1, 2].")
-        )
+        raise UnreadableError("Expected numbers without quotation marks, such as 1.5 or [1, 2].")
     try:
         array = np.asarray(value)
     except ValueError:
-        raise UnreadableError(tr("Expected numbers, got rows of unequal length.")) from None
+        raise UnreadableError("Expected numbers, got rows of unequal length.") from None
     if array.dtype == object:
         found = {str(symbol) for entry in array.flat for symbol in symbols(entry)}
         if found:
-            raise UnreadableError(
-                tr("Expected numbers, found the symbols {symbols}.", symbols=", ".join(found))
-            )
+            raise UnreadableError(f"Expected numbers, found the symbols {', '.join(found)}.")
         try:
             array = np.array([complex(entry) for entry in array.flat]).reshape(array.shape)
         except (TypeError, ValueError):
-            raise UnreadableError(tr("Expected numbers, got {form}.", form=name(value))) from None
+            raise UnreadableError(f"Expected numbers, got {name(value)}.") from None
     if array.dtype.kind not in "iufc" or array.size == 0:
-        raise UnreadableError(tr("Expected numbers, got {form}.", form=name(value)))
+        raise UnreadableError(f"Expected numbers, got {name(value)}.")
     if not np.isfinite(array).all():
-        raise UnreadableError(tr("Expected finite numbers, got NaN or infinity."))
+        raise UnreadableError("Expected finite numbers, got NaN or infinity.")
     return array.astype(np.complex128) if np.iscomplex(array).any() else np.real(array) * 1.0
 
 
@@ -105,27 +98,8 @@ def read(reading: Callable[..., Any], *arguments: Any) -> Any:
     except UnreadableError:
         raise
     except (Exception, SystemExit) as error:
-        words = tr("Your answer raised {error}: {says}", error=type(error).__name__, says=error)
+        words = f"Your answer raised {type(error).__name__}: {error}"
         raise UnreadableError(words) from error
-
-
-def once(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a function that is called once with the same values, and then says the same again."""
-    said: dict[bytes, tuple[Any, BaseException | None]] = {}
-
-    def again(*values: Any) -> Any:
-        key = pickle.dumps(values)
-        if key not in said:
-            try:
-                said[key] = function(*values), None
-            except (Exception, SystemExit) as error:
-                said[key] = None, error
-        result, raised = said[key]
-        if raised is not None:
-            raise raised
-        return result
-
-    return again
 
 
 def fit(given: Numbers, right: Numbers) -> Numbers:
@@ -133,9 +107,7 @@ def fit(given: Numbers, right: Numbers) -> Numbers:
     if given.shape != right.shape and given.squeeze().shape == right.shape:
         given = given.squeeze()
     if given.shape != right.shape:
-        raise UnreadableError(
-            tr("Expected {right}, got {given}.", right=form(right), given=form(given))
-        )
+        raise UnreadableError(f"Expected {form(right)}, got {form(given)}.")
     return given
 
 
@@ -160,11 +132,11 @@ def symbols(entry: Any) -> set[Any]:
 
 def form(array: Numbers) -> str:
     if array.ndim == 0:
-        return tr("one number")
+        return "one number"
     if array.ndim == 1:
-        return tr_number("{count} number in a list", "{count} numbers in a list", array.size)
-    return tr("an array of shape {shape}", shape=array.shape)
+        return f"{array.size} {'number' if array.size == 1 else 'numbers'} in a list"
+    return f"an array of shape {array.shape}"
 
 
 def name(value: Any) -> str:
-    return tr("a {type}", type=type(value).__name__)
+    return f"a {type(value).__name__}"

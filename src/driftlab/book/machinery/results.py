@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
-
-from .language import tr
 
 ABSENT = "–"
 """What stands where a value does not exist."""
@@ -33,30 +31,24 @@ class Results(NamedTuple):
     columns: Sequence[str] = ()
     note: str = ""
 
-    def words(self) -> Iterator[str]:
-        """All that is said in words."""
-        yield from (self.headline[0], *(name for name, *_ in self.rows), *self.columns, self.note)
-
     def headline_html(self) -> str:
         """The number that matters, large, with its name."""
         name, value = self.headline
-        return f"<span>{html.escape(tr(name))}</span> <b>{_value(value)}</b>"
+        return f"<span>{html.escape(name)}</span> <b>{_value(value)}</b>"
 
     def table_html(self) -> str:
         """All others as a table with header cells."""
         head = ""
         if self.columns:
-            titles = "".join(
-                f"<th scope='col'>{html.escape(tr(title))}</th>" for title in self.columns
-            )
+            titles = "".join(f"<th scope='col'>{html.escape(title)}</th>" for title in self.columns)
             head = f"<thead><tr><th></th>{titles}</tr></thead>"
         body = "".join(
-            f"<tr><th scope='row'>{html.escape(tr(name))}</th>"
+            f"<tr><th scope='row'>{html.escape(name)}</th>"
             + "".join(f"<td>{_value(value)}</td>" for value in values)
             + "</tr>"
             for name, *values in self.rows
         )
-        note = f"<p>{html.escape(tr(self.note))}</p>" if self.note else ""
+        note = f"<p>{html.escape(self.note)}</p>" if self.note else ""
         return f"<table>{head}<tbody>{body}</tbody></table>{note}"
 
     def blank(self) -> Results:

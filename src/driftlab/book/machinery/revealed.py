@@ -5,7 +5,6 @@ from __future__ import annotations
 import html
 from collections.abc import Sequence
 
-from .language import tr
 from .marks import marks
 from .puzzle import Answer, Number, Puzzle
 
@@ -29,13 +28,13 @@ def revealed(puzzle: Puzzle, guess: Sequence[Answer] | None, note: str) -> str:
     lines = []
     for number, (question, truth) in enumerate(zip(puzzle.questions, truths, strict=True)):
         own = None if guess is None else guess[number]
-        found = f"{html.escape(tr(question.asks))} <b>{html.escape(question.written(truth))}</b>."
+        found = f"{html.escape(question.asks)} <b>{html.escape(question.written(truth))}</b>."
         far = "" if own is None else html.escape(question.how_far(own, truth))
         lines.append(f"<p style='{CLOSE}'>{found} {far}</p>")
         if isinstance(question, Number):
             lines.append(marks(question, own, truth))  # type: ignore[arg-type]
     lines.append(f"<p style='{CLOSE}'>{html.escape(puzzle.remark(truths))}</p>")
-    note = " ".join(filter(None, [tr(WITHOUT_GUESS) if guess is None else "", note]))
+    note = " ".join(filter(None, [WITHOUT_GUESS if guess is None else "", note]))
     if note:
         lines.append(f"<p style='{CLOSE}'><small>{html.escape(note)}</small></p>")
     # An alert is read out when it appears; of a region that is put in anew with its text most

@@ -7,12 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .language import tr, tr_number
 from .reading import Numbers
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth")
-NUMBERS = "one two three four five six seven eight nine"
-"""As one text: alone, a word such as "one" may be something else elsewhere."""
+NUMBERS = ("one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
 
 ROUNDING = 1e-12
 """What is smaller than this part of the right answer, rounding has left over of a zero."""
@@ -36,13 +34,13 @@ def how_far_off(
         return _sentence(size(given[()], right[()]))
     if not any_order:
         if _same(np.sort_complex(given.ravel()), np.sort_complex(right.ravel())):
-            return tr("The numbers are right, their order is not.")
+            return "The numbers are right, their order is not."
         factor = common_factor(given, right)
         if factor:
             how = size(factor, 1.0)
             if given.size == 2:
-                return tr("Both are {how}: one common factor.", how=how)
-            return tr("All are {how}: one common factor.", how=how)
+                return f"Both are {how}: one common factor."
+            return f"All are {how}: one common factor."
     right = np.where(np.abs(right) < 1e-9 * np.abs(right).max(), 0, right)  # all but rounding
     flat = parts.ravel()
     wrong = [i for i, good in enumerate(flat) if not good]
@@ -50,62 +48,42 @@ def how_far_off(
     remark = "" if any_order else size(given.flat[first], right.flat[first])
     if given.ndim > 1 or flat.size > len(ORDINALS):
         right_ones = int(flat.sum())
-        return tr_number(
-            "{good} of the {total} entries is right so far.",
-            "{good} of the {total} entries are right so far.",
-            right_ones,
-            good=_count(right_ones),
-            total=flat.size,
-        )
-    good = [tr(ORDINALS[i]) for i, each in enumerate(flat) if each]
-    bad = [tr(ORDINALS[i]) for i in wrong]
-    which = tr("; the {first} is {how}", first=bad[0], how=remark) if remark else ""
+        are = "is" if right_ones == 1 else "are"
+        return f"{_count(right_ones)} of the {flat.size} entries {are} right so far."
+    good = [ORDINALS[i] for i, each in enumerate(flat) if each]
+    bad = [ORDINALS[i] for i in wrong]
+    which = f"; the {bad[0]} is {remark}" if remark else ""
     if not good and flat.size == 2:
-        return tr("Neither of the two is right yet{which}.", which=which)
+        return f"Neither of the two is right yet{which}."
     if not good:
-        return tr("None of the {total} is right yet{which}.", total=_number(flat.size), which=which)
-    named = {"good": _listed(good), "bad": _listed(bad)}
+        return f"None of the {_number(flat.size)} is right yet{which}."
+    said = f"The {_listed(good)} {'is' if len(good) == 1 else 'are'} right"
     if len(bad) == 1 and remark:
-        return tr_number(
-            "The {good} is right. The {bad} is {how}.",
-            "The {good} are right. The {bad} is {how}.",
-            len(good), how=remark, **named,
-        )  # fmt: skip
-    return tr_number(
-        "The {good} is right, the {bad} not yet{which}.",
-        "The {good} are right, the {bad} not yet{which}.",
-        len(good), which=which, **named,
-    )  # fmt: skip
+        return f"{said}. The {bad[0]} is {remark}."
+    return f"{said}, the {_listed(bad)} not yet{which}."
 
 
 def size(given: Any, right: Any) -> str:
     """Say how one number misses another: "too large", "too small, by about a power of ten"."""
     if np.iscomplex(given) and not np.iscomplex(right):
-        return tr("not a real number")
+        return "not a real number"
     if np.iscomplex(given) or np.iscomplex(right):
-        return tr("not the right complex number")
+        return "not the right complex number"
     given, right = float(np.real(given)), float(np.real(right))
     if right == 0 or given == 0:
-        return tr("too large") if given > right else tr("too small")
+        return "too large" if given > right else "too small"
     ratio = abs(given / right)
     if ratio < ROUNDING:
-        return tr("practically zero, nothing but rounding")
-    large = tr("too large") if ratio > 1 else tr("too small")
+        return "practically zero, nothing but rounding"
+    large = "too large" if ratio > 1 else "too small"
     decades = abs(np.log10(ratio))
     if decades > 0.8:
         count = round(float(decades))
-        large = tr_number(
-            "{large}, by about a power of ten",
-            "{large}, by about {word} powers of ten",
-            count, large=large, word=_number(count),
-        )  # fmt: skip
+        powers = "a power" if count == 1 else f"{_number(count)} powers"
+        large = f"{large}, by about {powers} of ten"
     if given * right < 0:
-        return (
-            tr("of the wrong sign")
-            if 0.5 < ratio < 2
-            else tr("of the wrong sign and {large}", large=large)
-        )
-    return large if right > 0 else tr("of the right sign, but its size is {large}", large=large)
+        return "of the wrong sign" if 0.5 < ratio < 2 else f"of the wrong sign and {large}"
+    return large if right > 0 else f"of the right sign, but its size is {large}"
 
 
 def common_factor(given: Numbers, right: Numbers) -> float | None:
@@ -130,13 +108,12 @@ def _sentence(words: str) -> str:
 def _listed(words: list[str]) -> str:
     if len(words) == 1:
         return words[0]
-    return tr("{several} and {last}", several=", ".join(words[:-1]), last=words[-1])
+    return f"{', '.join(words[:-1])} and {words[-1]}"
 
 
 def _number(count: int) -> str:
-    words = tr(NUMBERS).split()
-    return words[count - 1] if 1 <= count <= len(words) else str(count)
+    return NUMBERS[count - 1] if 1 <= count <= len(NUMBERS) else str(count)
 
 
 def _count(count: int) -> str:
-    return tr("None") if count == 0 else _number(count).capitalize()
+    return "None" if count == 0 else _number(count).capitalize()

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import arcminute, arcsecond, degree, hour, micro, minute
 
-from .language import tr
 from .reading import Numbers
 
 UNITS: dict[str, dict[str, float]] = {
@@ -80,12 +79,10 @@ def find_slip(
     if agree(right, tolerance):
         return None
 
-    told = [(tr(says), value) for says, value in mistakes]
-
     def candidates() -> Iterator[tuple[str, Numbers]]:
-        yield from told
+        yield from mistakes
         yield from slips(right, unit=unit, quaternion=quaternion)
-        yield from _two_slips(told, unit)
+        yield from _two_slips(mistakes, unit)
 
     for says, value in candidates():
         if agree(value, tolerance * exactness(right, value)):
@@ -94,7 +91,7 @@ def find_slip(
     # no more than ten times, or four digits.
     most = np.maximum(10 * tolerance, 1e-4 * np.abs(right).max())
     if not any_order and agree(right, np.clip(0.02 * np.abs(right), 2 * tolerance, most)):
-        return tr("Close: more digits are needed, a finer look, or a small term that was left out.")
+        return "Close: more digits are needed, a finer look, or a small term that was left out."
     return ""
 
 
@@ -114,43 +111,40 @@ def slips(
     yield from _units(right, unit)
     if quaternion:
         yield (
-            tr("The scalar stands first; in this book it is the last of the four."),
+            "The scalar stands first; in this book it is the last of the four.",
             np.roll(right, 1, axis=-1),
         )
         conjugate = right * [-1, -1, -1, 1]
-        opposite = tr("This is the opposite rotation: look at the order of the two factors.")
+        opposite = "This is the opposite rotation: look at the order of the two factors."
         yield opposite, conjugate
         yield (
-            tr("This is the opposite rotation, with the scalar first; in this book it is last."),
+            "This is the opposite rotation, with the scalar first; in this book it is last.",
             np.roll(conjugate, 1, axis=-1),
         )
     yield (
-        tr("The sign is reversed: look at the order of a product, or at what is taken from what."),
+        "The sign is reversed: look at the order of a product, or at what is taken from what.",
         (-right),
     )
     if unit in UNITS["angle"]:
         yield from _other_angles(right, UNITS["angle"][unit])
     if unit == "1" and np.all(right != 0):
-        yield tr("This is the reciprocal: look at what is divided by what."), 1 / right
+        yield "This is the reciprocal: look at what is divided by what.", 1 / right
     if unit == "1" and right.ndim == 0 and 0 < right < 1:
-        yield tr("This is the rest, the share of those that are not meant."), 1 - right
+        yield "This is the rest, the share of those that are not meant.", 1 - right
     if right.ndim == 2:
-        yield tr("The rows are exchanged."), right[::-1]
+        yield "The rows are exchanged.", right[::-1]
         if right.shape[0] == right.shape[1]:
-            yield tr("This is the transpose."), right.T
+            yield "This is the transpose.", right.T
 
 
 def _two_slips(mistakes: Sequence[tuple[str, Numbers]], unit: str) -> Iterator[tuple[str, Numbers]]:
     """A mistake of the exercise's own that is besides in another unit, or in another order."""
     for says, value in mistakes:
         for also, other in _units(value, unit):
-            yield tr("{also} And in the right unit: {says}", also=also, says=says), other
+            yield f"{also} And in the right unit: {says}", other
         if value.ndim == 1:
             yield (
-                tr(
-                    "The order is not the one that is asked. And in the right order: {says}",
-                    says=says,
-                ),
+                f"The order is not the one that is asked. And in the right order: {says}",
                 value[::-1],
             )
 
@@ -158,20 +152,18 @@ def _two_slips(mistakes: Sequence[tuple[str, Numbers]], unit: str) -> Iterator[t
 def _other_angles(right: NDArray[Any], unit: float) -> Iterator[tuple[str, NDArray[Any]]]:
     # Of one number among zeros the half may be another of the numbers that one looks for.
     if right.ndim == 0 or np.count_nonzero(right) > 1:
-        halved = tr("A factor of two too much or too little: look for an angle and its half.")
+        halved = "A factor of two too much or too little: look for an angle and its half."
         yield halved, 2 * right
         yield halved, right / 2
     for turn in np.array([np.pi / 2, np.pi, 2 * np.pi]) / unit:
         yield (
-            tr(
-                "You have the other part of a right angle, of a half turn or of a whole one. From "
-                "where is the angle counted?"
-            ),
+            "You have the other part of a right angle, of a half turn or of a whole one. From "
+            "where is the angle counted?",
             turn - right,
         )
     whole = 2 * np.pi / unit
     for turns in (1, -1):
-        same = tr("A whole turn more or less makes no difference to an attitude.")
+        same = "A whole turn more or less makes no difference to an attitude."
         yield same, right + turns * whole
 
 
@@ -180,9 +172,9 @@ def _units(right: NDArray[Any], unit: str) -> Iterator[tuple[str, NDArray[Any]]]
     for other, size in kind.items():
         if other != unit:
             wanted, got = map(_in_unit, (unit, other))
-            says = tr("The answer is asked {wanted}; this is {got}.", wanted=wanted, got=got)
+            says = f"The answer is asked {wanted}; this is {got}."
             yield says, right * kind[unit] / size
 
 
 def _in_unit(unit: str) -> str:
-    return tr("as a pure number") if unit == "1" else tr("in {unit}", unit=tr(unit))
+    return "as a pure number" if unit == "1" else f"in {unit}"

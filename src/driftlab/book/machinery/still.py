@@ -14,7 +14,6 @@ from typing import Any
 
 from ipywidgets import DOMWidget
 
-from .language import tr
 from .widget_view import widget_view
 
 STILL_CLASS = "driftlab-still"
@@ -57,7 +56,7 @@ def still(
     data = html.escape(text, quote=False)
     data = data.replace("'", "&#x27;")
     stood = html.escape(
-        tr("This is how it stood when its cell was run. Run the cell again to move it.")
+        "This is how it stood when its cell was run. Run the cell again to move it."
     )
     return (
         f'<style>{STYLE}</style><figure class="{STILL_CLASS}" data-panel="{html.escape(panel)}" '

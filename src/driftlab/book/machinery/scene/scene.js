@@ -13,7 +13,7 @@ class Scene {
     this.table = make(side, "table", { class: "dl-readouts" });
     const bar = make(root, "div", { class: "dl-bar" });
     this.button = make(bar, "button", { type: "button" });
-    this.slider = make(bar, "input", { type: "range", min: 0, step: 1 });
+    this.slider = make(bar, "input", { type: "range", min: 0, step: 1, "aria-label": "time" });
     this.clock = make(bar, "output");
     this.views = [];
     this.plots = [];
@@ -50,8 +50,7 @@ class Scene {
 
   take() {
     this.stage = unpack(this.model.get("stage"));
-    const { views, plots, readouts, times, words } = this.stage;
-    this.slider.setAttribute("aria-label", words.time);
+    const { views, plots, readouts, times } = this.stage;
     this.slider.max = times.length - 1;
     fit(this.views, views, () => new ViewOfSpace(this.viewsBox, this));
     fit(this.plots, plots, () => new PlotOfTime(this.plotsBox, this));
@@ -78,7 +77,7 @@ class Scene {
   }
 
   draw() {
-    const { times, timeUnit, readouts, words } = this.stage;
+    const { times, timeUnit, readouts } = this.stage;
     this.moment = Math.min(this.moment, times.length - 1);
     const k = this.moment;
     for (const each of [...this.views, ...this.plots]) each.draw(k);
@@ -92,9 +91,8 @@ class Scene {
     this.clock.textContent = `${times[k].toFixed(range > 30 ? 1 : 2)} ${timeUnit}`;
     this.slider.value = k;
     this.slider.setAttribute("aria-valuetext", this.clock.textContent);
-    const { play, pause, again } = words;
-    const next = k === times.length - 1 ? `↺ ${again}` : `▶ ${play}`;
-    this.button.textContent = this.playing ? `❚❚ ${pause}` : next;
+    const next = k === times.length - 1 ? "↺ Again" : "▶ Play";
+    this.button.textContent = this.playing ? "❚❚ Pause" : next;
   }
 
   play() {

@@ -76,7 +76,7 @@ class ViewOfSpace {
       tabindex: 0,
       role: "group",
     });
-    this.hint = make(this.svg, "title");
+    make(this.svg, "title", {}, "drag to look around, or use the arrow keys");
     this.svg.addEventListener("pointerdown", (event) => this.pressed(event));
     this.svg.addEventListener("keydown", (event) => this.key(event));
     this.svg.addEventListener("dblclick", () => this.lookFrom(this.home));
@@ -84,9 +84,7 @@ class ViewOfSpace {
 
   update(view) {
     this.title.textContent = view.title;
-    const { look, keys } = this.scene.stage.words;
-    this.hint.textContent = look;
-    this.svg.setAttribute("aria-label", `${view.title}. ${keys}`);
+    this.svg.setAttribute("aria-label", `${view.title}. Arrow keys look around.`);
     const same = this.view && JSON.stringify(this.view.parts.map(looks)) ===
       JSON.stringify(view.parts.map(looks));
     if (!same) this.build(view);
@@ -110,10 +108,10 @@ class ViewOfSpace {
         for (const [name, value] of Object.entries({
           tabindex: 0,
           role: "button",
-          "aria-label": `${part.says}: ${this.scene.stage.words.drag}`,
+          "aria-label": `${part.handle}: drag it, or move it with the arrow keys`,
           "data-handle": part.handle,
         })) element.setAttribute(name, value);
-        make(element, "title", {}, part.says);
+        make(element, "title", {}, part.handle);
       }
       return { element, part };
     });

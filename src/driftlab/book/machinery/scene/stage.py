@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 from driftlab.checks import FloatArray
 
 from .spans import ticks_between
-from .spoken import page_words
 
 GROUND = -1e6
 """The `lift` of what everything else stands on: it is drawn first."""
@@ -44,8 +43,6 @@ class Part:
         A colour of its own, for a face whose colour is a number.
     handle : str
         Name under which a dot can be dragged, over a sphere about the origin; "" if it cannot.
-    says : str
-        What its handle is called in the language that is spoken; the handle's name if empty.
     lift : float
         By how much it is drawn as if it were nearer to the reader, so that a line on a surface is
         not covered by the faces beside it.
@@ -60,7 +57,6 @@ class Part:
     text: str = ""
     fill: str = ""
     handle: str = ""
-    says: str = ""
     lift: float = 0.0
     since: int = 0
 
@@ -234,7 +230,6 @@ class Stage:
             "timeUnit": self.time_unit,
             "timeTicks": ticks_between(self.times[0], self.times[-1], 6),
             "seconds": self.seconds,
-            "words": page_words(),
             "tracks": {name: _packed(track) for name, track in self.tracks.items()},
             "views": [
                 {
@@ -252,7 +247,6 @@ class Stage:
                             "text": part.text,
                             "fill": part.fill,
                             "handle": part.handle,
-                            "says": part.says or part.handle,
                             "lift": part.nearness,
                             "since": part.since,
                         }

@@ -15,10 +15,8 @@ import traitlets
 from driftlab.checks import FloatArray
 
 from ..control import Control
-from ..language import tr
 from ..one_at_a_time import one_at_a_time
 from ..panel import Explorer, Values
-from .spoken import translated
 from .stage import Stage
 from .svg import STYLE, still
 
@@ -69,7 +67,7 @@ class SceneView:
 
     def show(self, data: Any) -> None:
         """Bring the widget up to date."""
-        self._shown = translated(self.stage(data))
+        self._shown = self.stage(data)
         self.widget.stage = self._shown.message()
 
     def still(self) -> tuple[bytes, str]:
@@ -95,7 +93,7 @@ class SceneExplorer(Explorer):
         if self.folded:
             inside = widgets.VBox(others)
             folded = widgets.Accordion([inside], selected_index=None)
-            folded.set_title(0, tr("Exact values"))
+            folded.set_title(0, "Exact values")
             others = [folded]
         return [first, *others]
 
