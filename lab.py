@@ -1,56 +1,12 @@
 #!/usr/bin/env python3
-"""The one door to Drift Lab: ``python3 lab.py`` sets everything up and opens the book.
-
-usage: python3 lab.py [command]
-
-  open      set up what is missing and open your copy of the book (so does no command at all)
-              --no-browser   only print the address
-              --port N       use this port
-              --original     open the book itself, for authors
-  fresh     bring clean notebooks and put yours aside: all, or "fresh 03" for chapter 03
-  test      check the project: ruff, mypy, import-linter and pytest
-              --quick        leave out browsers, chapters, whole set-ups and long studies
-              --site         only the site that "site" built, in _site or where DRIFTLAB_SITE says
-              other arguments go to pytest, which then runs alone
-  lowest    the quick tests with the oldest packages that pyproject.toml allows
-              other arguments go to pytest
-  newest    the same with the newest packages that it allows, brought anew each time
-  figures   rebuild every figure and table of the book, or "figures 03 10-operating-formula" these
-              --workers N            processes for what takes many runs, else one for each core
-              --scheduler ADDRESS    send those runs to a cluster of dask
-              --keep FOLDER          keep finished runs there, and go on from them
-              --compare              write nothing, but say which numbers differ from those here
-  bench     measure how fast the package is, beside its peers, which this command fetches, and
-            a floor in C; write tests/benchmarks/speed.md, or "bench attitude filter" print a part
-              --repeats N    rounds of each row
-              --no-write     print only
-  peers     ask programs of others, which this command fetches, whether they compute the same
-  class     report what a class handed in: "class FOLDER", a folder or a zip
-              --roster FILE     with all names of the class, from a CSV file
-              --output FOLDER   where to write it, else beside FOLDER
-  site      build the book as web pages that are alive, and as a PDF, in _site
-              --self-contained FOLDER   with all of Pyodide, from its distribution in a folder
-  slides    make slides that need no network in _slides: all, or "slides 03 10" for chapters
-              --code         show the code, too
-  print     the whole book on paper, a PDF in _print, or "print 03 lab_sheet solutions/03"
-              --no-code      only what the cells gave
-              --exercises    only the exercises of a chapter, with room to write
-              --edition TEXT only the examination with the numbers of this text, and its scheme
-              --paper us-letter   not A4
-  student   pack a copy for a class, without solutions, answers and pages for teachers
-              a name for the zip file may follow
-  wheels    fetch all packages for computers without a network: "wheels FOLDER"
-              --system windows   not for this computer's system; there are windows, mac, linux
-              --python 3.12      for computers with this Python
-  lock      renew environment.txt, and the lists of "site" and "lowest", from pyproject.toml
-  release   write what release/release.toml says of this version where it is needed
-"""
+"""Set up Drift Lab and open the book: ``python3 lab.py``."""
 
 import argparse
 import errno
 import io
 import os
 import platform
+import re
 import socket
 import sys
 import time
@@ -101,6 +57,74 @@ from bootstrap.steps import (
 from bootstrap.teaching import TEACHING, by_site_tools, expect_whole, seen_from_here
 
 FIRST = "00_start_here.ipynb"
+HEAD = """\
+Drift Lab: an interactive textbook on how gyro misalignments become errors.
+
+usage: python3 lab.py [COMMAND]     (on Windows: py lab.py [COMMAND])
+
+"""
+TAIL = """
+python3 lab.py help COMMAND       shows the options of a command
+python3 lab.py help developers    shows the others, also those for a class
+docs/commands.md                  has all of this on one page
+"""
+FIRST_STEPS = """\
+  open      set up what is missing and open your copy of the book (the default)
+              --no-browser   only print the address
+              --port N       use this port
+              --original     open the book itself, for authors
+  fresh     make clean copies of all notebooks, keep yours ("fresh 03": of one)
+  test      check that everything works on your computer
+              --quick        leave out browsers, chapters, set-ups, long studies
+              --site         only the site that "site" built, in _site or in
+                             the folder that DRIFTLAB_SITE names
+              other arguments go to pytest, which then runs alone
+  figures   rebuild all figures and tables ("figures 03": those of a chapter)
+              "figures 10-operating-formula" rebuilds one figure
+              --workers N           processes for studies of many runs;
+                                    one per core if this is not given
+              --scheduler ADDRESS   send those runs to a dask cluster
+              --keep FOLDER         keep finished runs, and continue from them
+              --compare             write nothing; list numbers that differ
+  print     make a PDF of the whole book in _print ("print 03": of a chapter)
+              "print 03 lab_sheet solutions/03" prints these notebooks
+              --no-code      only the results of the cells
+              --exercises    only the exercises of a chapter, with room to write
+              --edition TEXT only the examination with the numbers that belong
+                             to this text, and its marking scheme
+              --paper us-letter   instead of A4
+  slides    make slides that need no network ("slides 03": of a chapter)
+              they are written to _slides
+              --code         show the code as well
+"""
+OTHERS = """\
+For a class
+
+  student   pack a copy for students, without solutions and teachers' pages
+              a name for the zip file may follow
+  class     report what a class handed in: "class FOLDER", a folder or a zip
+              --roster FILE     all names of the class, from a CSV file
+              --output FOLDER   where to write; else next to what is read
+  site      build the book as a live web site and as a PDF, in _site
+              --self-contained FOLDER   with Pyodide from this folder
+  wheels    download all packages for use without a network: "wheels FOLDER"
+              --system windows   for another system: windows, mac or linux
+              --python 3.12      for another version of Python
+
+For developers
+
+  lowest    run the quick tests with the oldest packages that are allowed
+  newest    run the quick tests with the newest packages that are allowed
+  bench     measure the speed, next to other packages and C; write speed.md
+              "bench attitude filter" prints these subjects only
+              --repeats N    rounds of each row
+              --no-write     print only
+  peers     download programs of others and compare their results with ours
+  lock      renew all lists of packages from pyproject.toml
+  release   write the facts of release/release.toml where they are needed
+"""
+ENTRY = re.compile(r"^  (\w+) .*\n(?: {14}.*\n)*", re.MULTILINE)
+"""A command in these texts: its first line, then its options, which are indented further."""
 NO_PEERS = "--ignore=tests/peers"
 SITE = "_site"
 # The longest groups first, as tests/conftest.py orders them, not those of the most tests.
@@ -127,7 +151,7 @@ def run(*arguments: str) -> int:
 
 def open_book(arguments: list[str]) -> int:
     """Open the first notebook in JupyterLab, which stays open until it is told to stop."""
-    parser = argparse.ArgumentParser(prog="lab.py open", usage="python3 lab.py --help")
+    parser = argparse.ArgumentParser(prog="lab.py open", usage="python3 lab.py help open")
     parser.add_argument("--no-browser", action="store_true")
     parser.add_argument("--port", type=int, default=0)  # 0: any, chosen by the system
     parser.add_argument("--original", action="store_true")
@@ -306,16 +330,31 @@ COMMANDS = {
 }
 
 
+def help_text(subject: str = "") -> str:
+    """Return the help on six commands to begin with, on the others ("developers"), or on one."""
+    if not subject:
+        lines = [entry[0].splitlines()[0] for entry in ENTRY.finditer(FIRST_STEPS)]
+        return HEAD + "\n".join([*lines, TAIL])
+    entries = {entry[1]: entry[0] for entry in ENTRY.finditer(FIRST_STEPS + OTHERS)}
+    if subject not in {"developers", *entries}:
+        raise no_command(subject)
+    return OTHERS if subject == "developers" else entries[subject]
+
+
+def no_command(name: str) -> Trouble:
+    return Trouble(f'There is no command "{name}"; there are {", ".join(COMMANDS)}.')
+
+
 def main(arguments: list[str]) -> int:
     """Do what the command line says and return the exit code."""
     if arguments[:1] in (["-h"], ["--help"], ["help"]):
-        print(__doc__, end="")
+        print(help_text(*arguments[1:2]), end="")
         return 0
     if not arguments or arguments[0].startswith("-"):
         arguments = ["open", *arguments]
     command, *rest = arguments
     if command not in COMMANDS:
-        raise Trouble(f'There is no command "{command}"; there are {", ".join(COMMANDS)}.')
+        raise no_command(command)
     expect_whole(command)
     return COMMANDS[command](rest)
 
@@ -333,7 +372,7 @@ if __name__ == "__main__":
     except OSError as error:
         if not sys.stdout or error.errno not in (errno.EPIPE, errno.ENOSPC):
             raise
-        # What is printed finds no place, or no reader, as of "lab.py --help | head". Python would
+        # What is printed finds no place, or no reader, as of "lab.py help | head". Python would
         # try once more at the end.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(DISK_FULL if error.errno == errno.ENOSPC else 1)

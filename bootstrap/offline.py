@@ -73,7 +73,7 @@ def wanted(markers: dict[str, str]) -> Iterator[str]:
 
 
 def main(arguments: list[str]) -> None:
-    parser = argparse.ArgumentParser(prog="lab.py wheels", usage="python3 lab.py --help")
+    parser = argparse.ArgumentParser(prog="lab.py wheels", usage="python3 lab.py help wheels")
     parser.add_argument("folder", type=Path)
     parser.add_argument("--system", choices=SYSTEMS, default="")
     parser.add_argument("--python", default=VERSION)

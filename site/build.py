@@ -31,7 +31,7 @@ SITE = ROOT / "_site"
 
 def main(arguments: list[str]) -> int:
     """Make the site; the exit code."""
-    parser = argparse.ArgumentParser(prog="lab.py site", usage="python3 lab.py --help")
+    parser = argparse.ArgumentParser(prog="lab.py site", usage="python3 lab.py help site")
     parser.add_argument("--self-contained", type=Path, metavar="FOLDER")
     distribution: Path | None = parser.parse_args(arguments).self_contained
     made = BUILD / "html"

@@ -28,7 +28,7 @@ PRINTED = ROOT / "_print"
 
 def main(arguments: list[str]) -> int:
     """Print what the command line says; the exit code."""
-    parser = argparse.ArgumentParser(prog="lab.py print", usage="python3 lab.py --help")
+    parser = argparse.ArgumentParser(prog="lab.py print", usage="python3 lab.py help print")
     parser.add_argument("names", nargs="*")
     parser.add_argument("--no-code", dest="with_code", action="store_false")
     parser.add_argument("--exercises", dest="kind", action="store_const", const="exercises")

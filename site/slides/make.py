@@ -28,7 +28,7 @@ NO_SLIDES = "12"
 
 def main(arguments: list[str]) -> int:
     """Make the slides of some chapters; the exit code."""
-    parser = argparse.ArgumentParser(prog="lab.py slides", usage="python3 lab.py --help")
+    parser = argparse.ArgumentParser(prog="lab.py slides", usage="python3 lab.py help slides")
     parser.add_argument("chapters", nargs="*")
     parser.add_argument("--code", action="store_true")
     options = parser.parse_args(arguments)

@@ -4,17 +4,43 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from types import SimpleNamespace
+from types import ModuleType, SimpleNamespace
 
 import pytest
 from tiny_project import ROOT, load
 
 
-def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:
+def said(lab: ModuleType, capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
+    assert lab.main([*arguments]) == 0
+    return capsys.readouterr().out
+
+
+def test_the_first_help_is_of_six_commands_and_fits_a_screen(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     lab = load(ROOT).lab
-    assert lab.main(["--help"]) == 0
-    said = capsys.readouterr().out
-    assert all(f"\n  {name} " in said for name in lab.COMMANDS)
+    first = said(lab, capsys, "--help")
+    assert said(lab, capsys, "help") == said(lab, capsys, "-h") == first
+    assert re.findall(r"^  (\w+) ", first, re.MULTILINE) == [
+        *("open", "fresh", "test", "figures", "print", "slides")
+    ]
+    for page in (first, said(lab, capsys, "help", "developers")):
+        lines = page.splitlines()
+        assert len(lines) <= 24
+        assert max(map(len, lines)) < 80
+
+
+def test_help_knows_every_command_once(capsys: pytest.CaptureFixture[str]) -> None:
+    lab = load(ROOT).lab
+    pages = said(lab, capsys, "help") + said(lab, capsys, "help", "developers")
+    assert sorted(re.findall(r"^  (\w+) ", pages, re.MULTILINE)) == sorted(lab.COMMANDS)
+    for name in lab.COMMANDS:
+        first, *options = said(lab, capsys, "help", name).splitlines()
+        assert first.startswith(f"  {name} ")
+        assert first in pages
+        assert all(line.startswith(14 * " ") for line in options)
+    with pytest.raises(Exception, match='There is no command "nothing"; there are open, '):
+        lab.main(["help", "nothing"])
 
 
 @pytest.mark.parametrize("configured", [True, False])

@@ -52,7 +52,7 @@ of_all_new = pytest.mark.parametrize(
 def test_a_new_python_shows_the_help(version: Version) -> None:
     done = started(version, "--help")
     assert (done.code, done.complained) == (0, "")
-    assert done.said.startswith("The one door to Drift Lab")
+    assert done.said.startswith("Drift Lab: ")
 
 
 @of_all_new
