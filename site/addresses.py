@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import posixpath
 import re
+from pathlib import Path
 from urllib.parse import unquote
 
+DOCS = [f"docs/{path.stem}" for path in sorted(Path(__file__).parents[1].glob("docs/*.md"))]
+"""Pages for users: every Markdown file in docs, under its own name."""
 PAGES = {"ERRATA.md": "errata", "README.md": "index", "figures/README.md": "gallery/index"}
+PAGES |= {f"{name}.md": name for name in DOCS}
 """Pages of files that are no notebooks; a notebook's page has its name."""
 LINK = re.compile(r"\]\((?!https?:)([^)\s]+)\)")
 """The second half of a link or picture in Markdown, if it leads to something of the project."""
@@ -31,9 +35,9 @@ def file_of(path: str, notebook: str) -> str:
     path : str
         As the link has it, without what follows a "#"; "" is the notebook itself.
     notebook : str
-        The notebook with the link, seen from the book's folder.
+        The notebook with the link, seen from the book's folder: "../docs/using.md" for a page.
     """
-    own = posixpath.join("notebooks", notebook)
+    own = posixpath.normpath(posixpath.join("notebooks", notebook))
     return posixpath.normpath(posixpath.join(posixpath.dirname(own), path)) if path else own
 
 

@@ -19,7 +19,7 @@ def with_links(text: str, notebook: str) -> str:
     ----------
     text : str
     notebook : str
-        The notebook's name, seen from the book's folder.
+        The notebook's name, seen from the book's folder: "../docs/using.md" for a page.
     """
 
     def led(match: re.Match[str]) -> str:
@@ -36,8 +36,10 @@ def with_links(text: str, notebook: str) -> str:
 def _place(path: str, notebook: str) -> str:
     """What Sphinx calls a file that a notebook names; what is beside the notebook stays there."""
     file = file_of(path, notebook)
-    if file.startswith("notebooks/"):
+    if not path:
         return path
+    if file.startswith("notebooks/"):
+        return f"/{file.removeprefix('notebooks/')}" if notebook.startswith("../") else path
     is_figure = file.startswith("figures/") and file.endswith((".svg", ".csv"))
     return f"/gallery/{basename(file)}" if is_figure else f"/{page_of(file)}.md"
 

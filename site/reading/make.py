@@ -14,7 +14,9 @@ from pathlib import Path
 from nbformat import NotebookNode
 from sphinx.cmd.build import main as sphinx
 
+from addresses import DOCS, PAGES, file_of
 from reading.api_pages import api_pages
+from reading.links import with_links
 from reading.notebook_pages import NotebookPages, notebook_pages
 from reading.overview import chapters_page, text_of
 from reading.papers import ledger_pages
@@ -33,6 +35,8 @@ LIVE_ONLY = re.compile(r"^% live\n(.*?)^% end\n", re.M | re.S)
 """What the first page says of the live book alone."""
 PDF_SIZE = "{size}"
 """Where the first page says how large the PDF is."""
+WHOLE_LINK = re.compile(r"\[([^\]]*)\]\((?!https?:)([^)#\s]+)[^)\s]*\)")
+"""A link in Markdown to something of the project: its words and its file."""
 MATHJAX = ("tex-chtml.js", "input/tex/extensions", "output/chtml/fonts")
 """What the pages need of MathJax, of the 40 MB that it has."""
 
@@ -112,11 +116,24 @@ def pages(book: NotebookPages, live: bool, pdf_size: int) -> dict[str, str]:
     found["errata.md"] = (ROOT / "ERRATA.md").read_text("utf-8")
     found["gallery/index.md"] = _gallery(book.figures)
     found["changes.md"] = (ROOT / "CHANGELOG.md").read_text("utf-8")
+    found |= {f"{name}.md": docs_page(name) for name in DOCS}
     solved = sorted(Path(name).stem for name in book.texts if name.startswith("solutions/"))
     found["solutions/index.md"] = f"# Solutions\n\n{SOLUTIONS}\n{contents(solved)}"
     front = LIVE_ONLY.sub(r"\1" if live else "", (HERE / "index.md").read_text("utf-8"))
     found["index.md"] = front.replace(PDF_SIZE, f"{pdf_size / 1e6:.0f} MB") + _contents()
     return found
+
+
+def docs_page(name: str) -> str:
+    """Return a page of docs; a link to a file that the site has not is its words alone."""
+    page = f"../{name}.md"
+
+    def kept(link: re.Match[str]) -> str:
+        file = file_of(link[2], page)
+        there = file in PAGES or file.startswith(("notebooks/", "figures/"))
+        return link[0] if there else link[1]
+
+    return with_links(WHOLE_LINK.sub(kept, (ROOT / f"{name}.md").read_text("utf-8")), page)
 
 
 def _contents() -> str:
@@ -126,6 +143,7 @@ def _contents() -> str:
         for name, part in parts(ROOT).items()
     }
     lists["Start"] = ["chapters", *lists["Start"]]
+    lists["Using it"] = DOCS
     lists["Aside"] = ["i_want_to", "lab_sheet", "many_runs", "solutions/index"]
     lists["Aside"] += ["for_instructors", "for_your_course"]
     lists["To look things up"] = ["reference/index", "conventions", "glossary", "ledger/index"]

@@ -25,14 +25,12 @@ def chapters_page(root: Path) -> str:
 def _chapter(root: Path, chapter: Chapter) -> str:
     """A chapter of the table in the README; what the notebook says of itself tells more."""
     words = words_of(root / "notebooks" / f"{chapter.page}.ipynb")
-    summary = re.search(r"^\*([^*].*)\*$", words[0], re.M)
-    subject = summary[1] if summary else f"{chapter.more.lstrip(': ').capitalize()}."
-    origin = f" From {chapter.source}." if chapter.source else ""
+    (subject,) = re.findall(r"^\*([^*].*)\*$", words[0], re.M)
     entries = [entry for entry in ledger_entries() if entry.chapter == chapter.number]
     there = {entry.section: place_label(entry) for entry in entries}
     sections = sorted(there.items(), key=lambda item: "\n".join(words).index(f"# {item[0]}\n"))
     lines = [f"## [{chapter.number} {chapter.name}]({chapter.page}.ipynb)\n", f"{subject}\n"]
-    lines.append(f"{chapter.minutes} minutes with its exercises.{origin}\n")
+    lines.append(f"{chapter.minutes} minutes with its exercises.\n")
     for section, label in sections:
         found = [entry for entry in entries if entry.section == section]
         lines += [f"- [{section}](#{label}): {_derived(found)}"]

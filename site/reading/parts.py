@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from itertools import groupby
 from pathlib import Path
 from typing import NamedTuple
 
 ROW = re.compile(
-    r"^\| (\d\d) \| \[([^\]]+)\]\(notebooks/([^)]*)\.ipynb\)(.*?) \| (\d+) \|(.*?)\|$", re.M
+    r"^\| (\d\d) \| \[([^\]]+)\]\(notebooks/([^)]*)\.ipynb\) \| [^|]+ \| (\d+) \|$", re.M
 )
-"""A chapter in the table of README.md: number, name, page, more, minutes, source."""
-NAMES = {"": "Start", "all four": "All four papers", "published recordings": "Recordings"}
-"""Names of parts that are of no one paper, by what the table has as their source."""
+"""A chapter in the table of README.md: number, name, page, minutes."""
+PARTS = {
+    "Start": ("00",),
+    "Part I: Larin": ("01", "02", "03", "04"),
+    "Part II: Perelyaev and Chelnokov": ("05", "06"),
+    "Part III: Wu and others": ("07", "08"),
+    "Part IV: Plotnikov and others": ("09", "10"),
+    "All four papers": ("11", "12"),
+    "Recordings": ("13",),
+}
+"""Numbers of the chapters of each part: one paper is one part."""
 
 
 class Chapter(NamedTuple):
@@ -22,25 +29,18 @@ class Chapter(NamedTuple):
     number: str
     name: str
     page: str
-    more: str
     minutes: str
-    source: str
 
 
 def chapters(root: Path) -> tuple[Chapter, ...]:
     """Return the chapters in their order."""
-    rows = ROW.findall((root / "README.md").read_text("utf-8"))
-    return tuple(Chapter(*(cell.strip() for cell in row)) for row in rows)
+    return tuple(Chapter(*row) for row in ROW.findall((root / "README.md").read_text("utf-8")))
 
 
 def parts(root: Path) -> dict[str, list[Chapter]]:
-    """Return the chapters of each part by its name: what comes from one paper is one part."""
-    found: dict[str, list[Chapter]] = {}
-    numerals = iter(("I", "II", "III", "IV"))
-    for source, group in groupby(chapters(root), lambda chapter: chapter.source.partition(",")[0]):
-        name = NAMES[source] if source in NAMES else f"Part {next(numerals)}: {source}"
-        found[name] = list(group)
-    return found
+    """Return the chapters of each part by its name."""
+    known = {chapter.number: chapter for chapter in chapters(root)}
+    return {name: [known[number] for number in numbers] for name, numbers in PARTS.items()}
 
 
 def contents(names: Sequence[str], *options: str) -> str:

@@ -6,8 +6,9 @@ from urllib.parse import unquote
 
 import pytest
 
-from addresses import file_of, page_of
+from addresses import DOCS, LINK, file_of, page_of
 from reading.links import with_links
+from reading.make import docs_page
 from requests_of import requests_of
 
 
@@ -20,6 +21,7 @@ from requests_of import requests_of
         ("../ERRATA.md", "/errata.md"),
         ("../README.md", "/index.md"),
         ("../figures/README.md", "/gallery/index.md"),
+        ("../docs/using.md#As-a-web-site", "/docs/using.md#as-a-web-site"),
         ("../figures/03-drift-map.svg", "/gallery/03-drift-map.svg"),
         ("https://example.org/a.ipynb", "https://example.org/a.ipynb"),
         ("picture.svg", "picture.svg"),
@@ -38,6 +40,20 @@ def test_links_of_solutions_begin_in_their_folder():
     assert file_of("../03_x.ipynb", name) == "notebooks/03_x.ipynb"
     assert page_of(file_of("", name)) == "solutions/02_x"
     assert page_of(file_of("../../figures/README.md", name)) == "gallery/index"
+
+
+def test_links_of_pages_for_users_begin_in_their_folder():
+    text = "[a](commands.md#x) [b](../notebooks/02_x.ipynb) ![c](../figures/p.svg) [d](#E) `e`"
+    assert with_links(text, "../docs/using.md") == (
+        "[a](/docs/commands.md#x) [b](/02_x.ipynb) ![c](/gallery/p.svg) [d](#e) `e`"
+    )
+
+
+def test_pages_for_users_link_to_nothing_that_the_site_has_not():
+    for name in DOCS:
+        for link in LINK.findall(docs_page(name)):
+            assert link.startswith(("/", "#")), (name, link)
+    assert "deployment/README.md is for a class" in docs_page("docs/platforms")
 
 
 def test_names_in_the_notebooks_lead_to_the_reference():

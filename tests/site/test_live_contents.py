@@ -13,6 +13,7 @@ def test_links_out_of_the_book_lead_to_the_site():
     assert with_links(text, "02_x.ipynb") == (
         "[a](#site/errata.html) [b](#site/gallery/index.html#x) ![c](figures/p.svg) [d](03_x.ipynb)"
     )
+    assert with_links("[a](../docs/using.md)", "02_x.ipynb") == "[a](#site/docs/using.html)"
 
 
 def test_every_notebook_is_live_and_links_to_what_is_there(tmp_path):
