@@ -18,7 +18,8 @@ README = "release/STUDENT.md"
 """What stands in the copy as README.md."""
 TAKEN = (
     *("CHANGELOG.md", "CITATION.bib", "CITATION.cff", "ERRATA.md", "LICENSE", "LICENSES"),
-    *("environment.txt", "lab.py", "pyproject.toml", "bootstrap", "figures", "notebooks", "src"),
+    *("environment.txt", "lab.py", "pyproject.toml", "bootstrap", "docs"),
+    *("figures", "notebooks", "src"),
     "release/PYPI.md",  # without it the package cannot be installed
     *(".binder", "deployment/Dockerfile", "deployment/Dockerfile.dockerignore"),  # for a server
 )

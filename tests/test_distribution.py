@@ -114,7 +114,7 @@ def about(wheel: Path) -> Message:
 
 
 def test_the_source_distribution_holds_the_whole_project(built: Built) -> None:
-    for name in ("ERRATA.md", "CITATION.cff", "lab.py", "tests/support.py", "figures/README.md"):
+    for name in ("ERRATA.md", "CITATION.cff", "lab.py", "tests/support.py", "docs/using.md"):
         assert name in built.names
     if (ROOT / ".git").exists():
         listing = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]

@@ -43,7 +43,7 @@ def test_neither_solutions_nor_pages_for_teachers_are_in_it(copy: Path) -> None:
 
 
 def test_every_link_leads_to_something_in_it(copy: Path) -> None:
-    for path in [*copy.rglob("*.ipynb"), *copy.glob("*.md"), *copy.glob("figures/*.md")]:
+    for path in [*copy.rglob("*.ipynb"), *copy.glob("*.md"), *copy.glob("*/*.md")]:
         text = path.read_text("utf-8")
         for link in LINK.finditer(text):
             if ":" not in link[2] and not link[1].startswith("\\"):
