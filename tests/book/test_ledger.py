@@ -180,6 +180,7 @@ def test_unknown_chapter_or_paper_is_refused(call, sentence):
 
 def test_no_verdict_is_passed_on_a_print_that_nobody_has_seen():
     files = [ROOT / "README.md", ROOT / "ERRATA.md", ROOT / "figures" / "README.md"]
+    files += [*(ROOT / "docs").glob("*.md")]
     files += [*(ROOT / "notebooks").rglob("*.ipynb"), *(ROOT / "src").rglob("*.toml")]
     for path in files:
         text = path.read_text(encoding="utf-8")

@@ -109,7 +109,7 @@ def test_no_text_counts_on_colours(path: Path) -> None:
     assert not re.findall(words, markdown(path), flags=re.IGNORECASE)
 
 
-@pytest.mark.parametrize("path", [*PAGES, *ROOT.glob("*.md"), *ROOT.glob("figures/*.md")])
+@pytest.mark.parametrize("path", [*PAGES, *ROOT.glob("*.md"), *ROOT.glob("*/*.md")])
 def test_no_bare_bar_in_a_formula_of_a_table(path: Path) -> None:
     """There it ends the cell, everywhere but in JupyterLab."""
     rows = re.findall(r"^ *\|.*$", markdown(path), flags=re.MULTILINE)
@@ -120,7 +120,7 @@ def test_no_bare_bar_in_a_formula_of_a_table(path: Path) -> None:
 def test_formulas_write_fonts_as_every_reader_of_them_knows() -> None:
     r"""Also those that code composes: ``\rm`` is old, and pandoc does not read it."""
     sources = [path for kind in ("py", "toml") for path in ROOT.glob(f"src/**/*.{kind}")]
-    for path in [*sources, *PAGES, *ROOT.glob("*.md")]:
+    for path in [*sources, *PAGES, *ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]:
         text = path.read_text(encoding="utf-8")
         assert re.findall(r"\\(?:rm|sf|bf|it|cal)\b.{9}", text) == [], path
 
