@@ -1,4 +1,4 @@
-"""Arrays of finite real numbers, of the shape that is wanted."""
+"""Arrays of finite real numbers with the expected last axes, vectors and quaternions included."""
 
 from __future__ import annotations
 
@@ -23,41 +23,10 @@ _SMALL = LARGEST_NUMBER**2
 
 
 def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
-    """Return a value as a float64 array of finite numbers, or refuse it in one sentence.
+    """Return a value as a float64 array of finite numbers whose last axes have the lengths `shape`.
 
-    Parameters
-    ----------
-    value : array_like
-        Real numbers. Where quaternions are expected, with a last axis of 4, also a `Rotation` of
-        SciPy, of one rotation or of a stack with any axes.
-    name : str
-        Name of the argument, for the sentence.
-    *shape : int
-        Required lengths of the last axes. Leading axes are free; without `shape` any shape goes.
-
-    Returns
-    -------
-    ndarray
-        `value` as float64, not copied if it is a float64 array already.
-
-    Raises
-    ------
-    ValueError
-        If `value` is not real and numeric, is empty, has other last axes, or holds NaN, infinity,
-        masked values or numbers larger than `LARGEST_NUMBER`.
-
-    Examples
-    --------
-    >>> finite_array([1, 2, 3], "rate", 3)
-    array([1., 2., 3.])
-    >>> finite_array([1, 2], "rate", 3)
-    Traceback (most recent call last):
-        ...
-    ValueError: rate: expected shape (..., 3), got shape (2,).
-    >>> finite_array([0, -1e60], "rate")
-    Traceback (most recent call last):
-        ...
-    ValueError: rate: expected numbers of at most 1e+50 in size, got -1e+60.
+    A float64 array is not copied. A SciPy `Rotation` is accepted where the last axis is 4. With no
+    `shape`, any shape is allowed.
     """
     array = value if type(value) is np.ndarray else _as_array(value, name, shape)
     if array.dtype.kind not in "fiu":
@@ -79,7 +48,7 @@ def finite_array(value: ArrayLike, name: str, *shape: int) -> FloatArray:
 
 
 def _as_array(value: ArrayLike, name: str, shape: tuple[int, ...]) -> NDArray[Any]:
-    """Make an array of what is none, or what NumPy knows as a kind of array."""
+    """Return a value that is not a plain array as one, `Rotation` and masked array included."""
     if shape[-1:] == (4,):  # by its method, lest SciPy be loaded for those who do without
         as_quat = getattr(value, "as_quat", None)
         value = as_quat() if as_quat is not None else value
@@ -98,7 +67,7 @@ def _expected(shape: tuple[int, ...]) -> str:
 
 
 def _what_is_wrong(array: NDArray[Any]) -> str:
-    """Words for numbers that are not finite, or else too large."""
+    """Say how many numbers are not finite or, if none, which is too large."""
     if count := array.size - np.count_nonzero(np.isfinite(array)):
         return f"finite numbers, got {count} NaN or infinite"
     worst = max(array.min(), array.max(), key=abs)
@@ -106,34 +75,15 @@ def _what_is_wrong(array: NDArray[Any]) -> str:
 
 
 def _object(value: object) -> str:
-    """Words for an object that holds arrays, and for which of them may be meant; else nothing."""
+    """Describe an object that holds arrays and name them; return an empty string for others."""
     hint = named_in(value, "FloatArray")
     return f"{with_article(type(value).__name__)}{hint}" if hint else ""
 
 
 def finite_arrays(**arguments: tuple[ArrayLike, *tuple[int, ...]]) -> list[FloatArray]:
-    """Check several arguments by `finite_array`, and that their leading axes broadcast.
+    """Check several arguments with `finite_array` and that their leading axes broadcast.
 
-    Parameters
-    ----------
-    **arguments : tuple
-        Under the name of each argument its value and then the required lengths of its last axes.
-
-    Returns
-    -------
-    list of ndarray
-        The values as float64 arrays, in the order given. They are not broadcast.
-
-    Raises
-    ------
-    ValueError
-        If the leading axes do not broadcast, or as for `finite_array`.
-
-    Examples
-    --------
-    >>> rate, time = finite_arrays(rate=([1, 2, 3], 3), time=([0, 1],))
-    >>> rate.shape, time.shape
-    ((3,), (2,))
+    Each is given as `name=(value, *lengths of its last axes)`. The results are not broadcast.
     """
     arrays = [finite_array(value, name, *shape) for name, (value, *shape) in arguments.items()]
     depths = [len(shape) for _, *shape in arguments.values()]
@@ -147,30 +97,7 @@ def finite_arrays(**arguments: tuple[ArrayLike, *tuple[int, ...]]) -> list[Float
 
 
 def common_leading_axes(**leading: tuple[int, ...]) -> tuple[int, ...]:
-    """Return the axes to which the leading axes of several arguments broadcast.
-
-    Parameters
-    ----------
-    **leading : tuple of int
-        Under the name of each argument its leading axes.
-
-    Returns
-    -------
-    tuple of int
-
-    Raises
-    ------
-    ValueError
-        If they do not broadcast.
-
-    Examples
-    --------
-    >>> common_leading_axes(rate=(3, 1), time=(2,))
-    (3, 2)
-    >>> common_leading_axes(rate=(3,), time=(2,))
-    Traceback (most recent call last):
-    ValueError: rate, time: expected leading axes that broadcast, got (3,) and (2,).
-    """
+    """Return the shape to which the leading axes of several arguments broadcast."""
     different = set(leading.values())
     if len(different) == 1:  # sooner than NumPy
         return different.pop()
@@ -184,34 +111,7 @@ def common_leading_axes(**leading: tuple[int, ...]) -> tuple[int, ...]:
 
 
 def positive_array(value: ArrayLike, name: str) -> FloatArray:
-    """Return a value as a float64 array of numbers above zero, or refuse it in one sentence.
-
-    Parameters
-    ----------
-    value : array_like, shape (...)
-        The numbers.
-    name : str
-        Name of the argument, for the sentence.
-
-    Returns
-    -------
-    ndarray, shape (...)
-        `value` as float64.
-
-    Raises
-    ------
-    ValueError
-        If a number is zero or less, or less than `SMALLEST_DIVISOR`, or as for `finite_array`.
-
-    Examples
-    --------
-    >>> positive_array([1, 2], "averaging_times")
-    array([1., 2.])
-    >>> positive_array([1, -2], "averaging_times")
-    Traceback (most recent call last):
-        ...
-    ValueError: averaging_times: expected numbers above 0, got -2.
-    """
+    """Return a value as a float64 array of numbers no smaller than `SMALLEST_DIVISOR`."""
     array = finite_array(value, name)
     least = float(array.min())
     if least < SMALLEST_DIVISOR:
@@ -221,29 +121,9 @@ def positive_array(value: ArrayLike, name: str) -> FloatArray:
 
 
 def whole_pairs(value: ArrayLike, name: str) -> NDArray[np.int_]:
-    """Return pairs of whole numbers, as of rows where something begins and ends.
+    """Return pairs of integers, shape (m, 2), such as the first and last rows of intervals.
 
-    Parameters
-    ----------
-    value : array_like of int, shape (m, 2)
-        The pairs; none if it is empty.
-    name : str
-        Name of the argument, for the sentence.
-
-    Returns
-    -------
-    ndarray of int, shape (m, 2)
-
-    Raises
-    ------
-    ValueError
-        If it is anything else.
-
-    Examples
-    --------
-    >>> whole_pairs([(0, 100), 200], "rests")
-    Traceback (most recent call last):
-    ValueError: rests: expected whole numbers of shape (m, 2), got [(0, 100), 200].
+    An empty value gives an array of shape (0, 2).
     """
     try:
         pairs = np.array(None) if np.ma.is_masked(value) else np.asarray(value)
@@ -254,3 +134,34 @@ def whole_pairs(value: ArrayLike, name: str) -> NDArray[np.int_]:
     if pairs.ndim != 2 or pairs.shape[1] != 2 or pairs.dtype.kind not in "iu":
         raise ValueError(f"{name}: expected whole numbers of shape (m, 2), got {shown(value)}.")
     return pairs
+
+
+def nonzero_vectors(value: ArrayLike, name: str) -> tuple[FloatArray, FloatArray]:
+    """Return the unit vectors and the lengths of vectors (..., 3), none of which is zero."""
+    vectors = finite_array(value, name, 3)
+    # Dividing by the largest entry first keeps the squares clear of underflow and overflow.
+    largest = np.abs(vectors).max(axis=-1, keepdims=True)
+    if not largest.all():
+        raise ValueError(f"{name}: expected nonzero vectors, got a zero vector.")
+    vectors = vectors / largest
+    norms = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return vectors / norms, (norms * largest)[..., 0]
+
+
+def unit_quaternions(value: ArrayLike, name: str) -> FloatArray:
+    """Return quaternions (..., 4), none of which is zero, scaled to unit norm."""
+    quaternions = finite_array(value, name, 4)
+    # Dividing by the largest entry first, as for vectors.
+    largest = np.abs(quaternions).max(axis=-1, keepdims=True)
+    if not largest.all():
+        raise ValueError(f"{name}: expected nonzero quaternions, got a zero quaternion.")
+    quaternions = quaternions / largest
+    return quaternions / np.linalg.norm(quaternions, axis=-1, keepdims=True)
+
+
+def one_quaternion(value: ArrayLike, name: str) -> FloatArray:
+    """Return a single nonzero quaternion (4,) scaled to unit norm."""
+    quaternion = unit_quaternions(value, name)
+    if quaternion.ndim != 1:
+        raise ValueError(f"{name}: expected one quaternion (4,), got shape {quaternion.shape}.")
+    return quaternion

@@ -1,17 +1,18 @@
-"""Sizes that are hardly meant, and the slip of the unit behind most of them.
+"""Sizes that are hardly meant, and the mistaken unit behind most of them.
 
-What is only unusual, as degrees taken for radians may be, is warned of and let through. Refused is
-what the functions behind the door are not for, whatever instrument has it.
+An unusual size, such as that of degrees taken for radians, is let through with an `UnusualWarning`.
+A size for which the functions behind the door are not made is refused, whatever instrument has it.
 """
 
 from __future__ import annotations
 
 import warnings
+from typing import NamedTuple
 
 import numpy as np
 
 from ._arrays import FloatArray
-from ._numbers import finite_number
+from ._values import finite_number, nonnegative_number
 
 FASTEST_TABLE = 200.0
 """rad/s: a turn in 31 ms, three samples at 100 Hz; numbers of degrees a second are often larger."""
@@ -32,6 +33,41 @@ LIGHT = 299792458.0
 """m/s: nothing that is navigated moves faster, or gains so much from one sample to the next."""
 TWO_TURNS = 4 * np.pi
 """rad: where an angle of a body is more likely one in degrees."""
+LARGEST_ERROR = 1.0
+"""Largest entry of an error matrix: with more, a gyro feels more across its axis than along it."""
+LARGEST_SCALE = 4.0
+"""Largest scale error of a unit whose readings were given another nominal scale than they have."""
+_NEAR_ONE, _PERHAPS_ONE = 0.2, 0.4
+"""Within the first of one, all three diagonal entries are taken for those of I + M; within the
+second they may be. A triad that reads double is possible where its nominal scale is another: the
+range of a gyro set to twice what one thought, say."""
+_WHOLE = (
+    "expected the matrix M of measured = (I + M) true, got a diagonal near one: "
+    "is it the whole matrix I + M?"
+)
+
+
+class _Usual(NamedTuple):
+    most: float
+    unit: str
+    likely: str
+
+
+# A bias of 0.1 may be that of a phone in rad/s: only the largest are certain to be in another unit.
+_USUAL = {
+    # About 0.1 deg/s and 2 mg per root hertz: many times what a phone has.
+    "angle_random_walk": _Usual(2e-3, "rad/√s", "deg/√h were meant, np.radians({0:g}) / 60"),
+    "velocity_random_walk": _Usual(
+        2e-2, "(m/s)/√s", "m/s/√h were meant, {0:g} / 60; of µg/√Hz, {0:g}e-6 * 9.81"
+    ),
+    "attitude": _Usual(1.0, "rad", "arc minutes were meant, np.radians({0:g} / 60)"),
+    "gyro_bias": _Usual(LARGEST_GYRO_BIAS, "rad/s", "deg/h were meant, np.radians({0:g}) / 3600"),
+    "accelerometer_bias": _Usual(
+        LARGEST_ACCELEROMETER_BIAS, "m/s^2", "mg were meant, {0:g}e-3 * 9.81"
+    ),
+    "scale": _Usual(1.0, "parts of the scale", "ppm were meant, {0:g}e-6"),
+    "installation": _Usual(1.0, "rad", "arc seconds were meant, np.radians({0:g} / 3600)"),
+}
 
 
 class UnusualWarning(UserWarning):
@@ -43,37 +79,9 @@ class UnusualWarning(UserWarning):
 
 
 def table_rate(value: object, name: str, most: float = FASTEST_TABLE) -> float:
-    """Return the rate of a turntable, refusing what none has and warning of what few have.
+    """Return the rate of a turntable, rad/s, of either sign and at most `most` in size.
 
-    Parameters
-    ----------
-    value : float
-        Rate, rad/s, of either sign.
-    name : str
-        Name of the argument, for the sentence.
-    most : float
-        Largest size allowed, rad/s.
-
-    Returns
-    -------
-    float
-        The rate.
-
-    Raises
-    ------
-    ValueError
-        If it is zero or too large, or as for `finite_number`.
-
-    Warns
-    -----
-    UnusualWarning
-        If it is more than a turn a second.
-
-    Examples
-    --------
-    >>> table_rate(360.0, "rate")
-    Traceback (most recent call last):
-    ValueError: rate: expected rad/s, at most 200, got 360: is it in degrees? np.radians(360).
+    A rate above one turn per second gives an `UnusualWarning`.
     """
     number = finite_number(value, name)  # type: ignore[arg-type]  # it refuses the rest itself
     if number == 0:
@@ -96,43 +104,9 @@ def table_rate(value: object, name: str, most: float = FASTEST_TABLE) -> float:
 def within(
     array: FloatArray, name: str, most: float, unit: str, slip: str, usual: float = np.inf
 ) -> FloatArray:
-    """Return an array whose entries are at most so large, refusing others with the likely slip.
+    """Return an array whose entries are at most `most` in size.
 
-    Parameters
-    ----------
-    array : ndarray
-        Finite numbers.
-    name : str
-        Name of the argument, for the sentence.
-    most : float
-        Largest size allowed.
-    unit : str
-        Of the numbers.
-    slip : str
-        The question at the end of the sentence.
-    usual : float
-        Largest size that is let through without a warning.
-
-    Returns
-    -------
-    ndarray
-        `array` itself.
-
-    Raises
-    ------
-    ValueError
-        If an entry is larger.
-
-    Warns
-    -----
-    UnusualWarning
-        If an entry is larger than `usual`.
-
-    Examples
-    --------
-    >>> within(np.array([90.0]), "pitch", np.pi, "rad", "is it in degrees?")
-    Traceback (most recent call last):
-    ValueError: pitch: expected rad, at most 3.142 in size, got 90: is it in degrees?
+    `slip` names the likely mistake. An entry above `usual` gives an `UnusualWarning`.
     """
     worst = array.flat[np.abs(array).argmax()]
     if abs(worst) > most:
@@ -145,31 +119,7 @@ def within(
 
 
 def speed_of_body(array: FloatArray, name: str) -> FloatArray:
-    """Return velocities or their increments, refusing those that no body has.
-
-    Parameters
-    ----------
-    array : ndarray
-        Finite numbers, m/s.
-    name : str
-        Name of the argument, for the sentence.
-
-    Returns
-    -------
-    ndarray
-        `array` itself.
-
-    Raises
-    ------
-    ValueError
-        If one is faster than light.
-
-    Examples
-    --------
-    >>> speed_of_body(np.array([0.0, -3e9]), "velocity")
-    Traceback (most recent call last):
-    ValueError: velocity: expected m/s, slower than light, got -3e+09.
-    """
+    """Return velocities or velocity increments, m/s, none of which is faster than light."""
     least, most = float(array.min()), float(array.max())
     if max(-least, most) > LIGHT:
         worst = most if most > -least else least
@@ -178,35 +128,9 @@ def speed_of_body(array: FloatArray, name: str) -> FloatArray:
 
 
 def pull_of_gravity(array: FloatArray, name: str = "gravity") -> FloatArray:
-    """Return gravity itself, refusing what is no planet's, as a number of g.
+    """Return magnitudes of gravity, m/s^2, all within `GRAVITY_RANGE`.
 
-    Parameters
-    ----------
-    array : ndarray
-        Finite numbers, m/s^2.
-    name : str
-        Name of the argument, for the sentence.
-
-    Returns
-    -------
-    ndarray
-        `array` itself.
-
-    Raises
-    ------
-    ValueError
-        If a number is out of `GRAVITY_RANGE`.
-
-    Warns
-    -----
-    UnusualWarning
-        If it is gravity on the Earth in feet.
-
-    Examples
-    --------
-    >>> pull_of_gravity(np.array([9.81, 1.0]))
-    Traceback (most recent call last):
-    ValueError: gravity: expected m/s^2, 1.2 to 50, got 1: is it in g?
+    The Earth's gravity in ft/s^2 gives an `UnusualWarning`.
     """
     least, most = GRAVITY_RANGE
     if array.min() < least or array.max() > most:
@@ -224,62 +148,16 @@ def pull_of_gravity(array: FloatArray, name: str = "gravity") -> FloatArray:
 
 
 def one_pull(value: object, name: str = "gravity") -> float:
-    """Return gravity as a float, refusing everything but one number that a planet has.
-
-    Parameters
-    ----------
-    value : float
-        m/s^2.
-    name : str
-        Name of the argument, for the sentence.
-
-    Returns
-    -------
-    float
-        The number.
-
-    Raises
-    ------
-    ValueError
-        As for `pull_of_gravity` and `finite_number`.
-
-    Examples
-    --------
-    >>> one_pull(1.0)
-    Traceback (most recent call last):
-    ValueError: gravity: expected m/s^2, 1.2 to 50, got 1: is it in g?
-    """
+    """Return a single magnitude of gravity, m/s^2, within `GRAVITY_RANGE`."""
     number = finite_number(value, name)  # type: ignore[arg-type]  # it refuses the rest itself
     return float(pull_of_gravity(np.array(number), name))
 
 
 def increments_of_velocity(velocity: FloatArray, interval: float, name: str) -> FloatArray:
-    """Return increments of velocity, warning if they are not such as gravity alone makes.
+    """Return velocity increments, (..., n, 3) in m/s, each gained over one `interval`, s.
 
-    Parameters
-    ----------
-    velocity : ndarray
-        Finite numbers of shape (..., n, 3), m/s.
-    interval : float
-        Time of each, s.
-    name : str
-        Name of the argument, for the sentence.
-
-    Returns
-    -------
-    ndarray
-        `velocity` itself.
-
-    Warns
-    -----
-    UnusualWarning
-        If the root mean square of a run is not an acceleration of 1.2 to 50 m/s^2: at rest it is
-        gravity, under way more or less. What falls freely, as a satellite, has none.
-
-    Examples
-    --------
-    >>> increments_of_velocity(np.array([[0.0, 0.0, 0.0981]]), 0.01, "velocity")
-    array([[0.    , 0.    , 0.0981]])
+    An acceleration, as the root mean square of a run, outside `GRAVITY_RANGE` gives an
+    `UnusualWarning`: under way it is about gravity, and only a body in free fall has none.
     """
     squares = np.vecdot(velocity, velocity).mean(axis=-1)
     least, most = (force * interval for force in GRAVITY_RANGE)
@@ -295,30 +173,7 @@ def increments_of_velocity(velocity: FloatArray, interval: float, name: str) -> 
 
 
 def turned_angle(array: FloatArray, name: str) -> FloatArray:
-    """Return the angles of a body, warning of those that look like degrees.
-
-    Parameters
-    ----------
-    array : ndarray
-        Finite numbers, rad.
-    name : str
-        Name of the argument, for the sentence.
-
-    Returns
-    -------
-    ndarray
-        `array` itself.
-
-    Warns
-    -----
-    UnusualWarning
-        If one is more than two turns.
-
-    Examples
-    --------
-    >>> turned_angle(np.array(0.5), "heading")
-    array(0.5)
-    """
+    """Return angles, rad; one of more than two turns gives an `UnusualWarning`."""
     if np.abs(array).max() > TWO_TURNS:
         worst = array.flat[np.abs(array).argmax()]
         warnings.warn(
@@ -328,3 +183,59 @@ def turned_angle(array: FloatArray, name: str) -> FloatArray:
             stacklevel=4,
         )
     return array
+
+
+def usual_deviation(value: object, name: str) -> float:
+    """Return a standard deviation or random walk, in SI units and radians, that is zero or more.
+
+    A value larger than instruments usually have gives an `UnusualWarning`. The limit follows from
+    `name`, such as "gyro_bias"; a quantity that is not in `_USUAL` has none.
+    """
+    number = nonnegative_number(value, name)  # type: ignore[arg-type]  # it refuses the rest itself
+    usual = _USUAL.get(name)
+    if usual is not None and number > usual.most:
+        warnings.warn(
+            f"{name}: {number:g} {usual.unit} is more than instruments usually have. "
+            f"If {usual.likely.format(number)}.",
+            UnusualWarning,
+            stacklevel=4,
+        )
+    return number
+
+
+def error_matrix(matrix: FloatArray, name: str, scale: float = LARGEST_ERROR) -> FloatArray:
+    """Return the error matrix M of a triad, refusing the whole matrix I + M.
+
+    A large entry gives an `UnusualWarning`. `scale` is the largest usual diagonal entry; above one
+    a triad may well read double, so the whole matrix gives that warning as well.
+    """
+    if scale <= LARGEST_ERROR and _is_whole(matrix):
+        raise ValueError(f"{name}: {_WHOLE} Subtract the identity.")
+    if _is_whole(matrix, _PERHAPS_ONE):
+        warnings.warn(f"{name}: {_WHOLE} If so, subtract the identity.", UnusualWarning, 3)
+    excess = np.abs(matrix) / (LARGEST_ERROR + (scale - LARGEST_ERROR) * np.eye(3))
+    if excess.max() > 1:
+        warnings.warn(
+            f"{name}: an entry is {matrix.flat[excess.argmax()]:g}, and they are rad or parts of "
+            "the scale. If mrad, ppm or arc seconds were meant, multiply by 1e-3, 1e-6 or "
+            "scipy.constants.arcsecond.",
+            UnusualWarning,
+            stacklevel=3,
+        )
+    return matrix
+
+
+def linear_error_matrix(matrix: FloatArray, name: str) -> FloatArray:
+    """Return an error matrix on which the result depends linearly.
+
+    Such a result is right in any unit of the matrix and even for the whole matrix I + M, which
+    gives an `UnusualWarning`.
+    """
+    if _is_whole(matrix):
+        warnings.warn(f"{name}: {_WHOLE} If so, subtract the identity.", UnusualWarning, 3)
+    return matrix
+
+
+def _is_whole(matrix: FloatArray, near: float = _NEAR_ONE) -> bool:
+    diagonal = np.einsum("...ii->...i", matrix)
+    return bool((np.abs(diagonal - 1) <= near).all(axis=-1).any())

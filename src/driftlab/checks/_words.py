@@ -17,30 +17,7 @@ def with_article(noun: str) -> str:
 
 
 def shown(value: object) -> str:
-    """Say what came, in a few words on one line.
-
-    Parameters
-    ----------
-    value : object
-        Anything.
-
-    Returns
-    -------
-    str
-        Short values as Python writes them, of others the kind and the shape or length.
-
-    Examples
-    --------
-    >>> for value in (2.5, "averaged", ("NED", "ENU"), np.eye(3), dict, range(3), len):
-    ...     print(shown(value))
-    2.5
-    'averaged'
-    ('NED', 'ENU')
-    an array of shape (3, 3)
-    the class dict
-    a range
-    the function len
-    """
+    """Return a short value as Python writes it; for others, their class and shape or name."""
     if isinstance(value, type):
         return f"the class {value.__name__}"
     if isinstance(value, np.ndarray):
@@ -59,27 +36,10 @@ def shown(value: object) -> str:
 
 
 def named_in(value: object, kind: str) -> str:
-    """Say which part of one of the package's objects is what was wanted in its place.
+    """Name the parts of one of the package's objects that are of class `kind`.
 
-    Parameters
-    ----------
-    value : object
-        Anything; its class says what its fields, properties and methods without arguments are.
-    kind : str
-        Name of the class that was wanted, "FloatArray" for arrays.
-
-    Returns
-    -------
-    str
-        The end of a sentence: ": hand in its increments()", say; nothing if no part is.
-
-    Examples
-    --------
-    >>> from driftlab.increments import Increments
-    >>> named_in(Increments(1.0, np.zeros((2, 3)), np.zeros((2, 3))), "FloatArray")
-    ': hand in one of its arrays: angle, velocity, mean_rate'
-    >>> named_in(3.0, "FloatArray")
-    ''
+    The result ends a sentence, such as ": hand in its increments()"; it is empty if there is no
+    such part. For arrays, `kind` is "FloatArray".
     """
     found = [
         name
@@ -95,7 +55,7 @@ def named_in(value: object, kind: str) -> str:
 
 
 def _annotations(kind: type) -> Iterator[tuple[str, object]]:
-    """What fields, properties and methods without arguments are said to be; of our own classes."""
+    """Yield names and types of fields, properties and methods without arguments of our classes."""
     if not kind.__module__.startswith("driftlab"):
         return
     yield from getattr(kind, "__annotations__", {}).items()
@@ -107,7 +67,7 @@ def _annotations(kind: type) -> Iterator[tuple[str, object]]:
 
 
 def _is_short(values: object) -> bool:
-    """Is a container one of a few plain values, whose text is short and on one line?"""
+    """Return whether a container holds only plain values, whose text is short and on one line."""
     inside = values.items() if isinstance(values, dict) else values
     assert isinstance(inside, Iterable)
     plain = (type(None), bool, int, float, complex, str, bytes)
