@@ -1,4 +1,7 @@
-"""Every public thing of the helper is explained in numpydoc's form; functions show an example."""
+"""Names at the doors are explained in numpydoc's form, functions with an example.
+
+All else has a plain sentence at most: checks, cores, private modules and functions.
+"""
 
 import doctest
 import inspect
@@ -22,10 +25,13 @@ OPTIONS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
 
 
 def public_things():
-    """Public functions, classes and their methods and properties by dotted name."""
+    """Functions, classes and their methods and properties at the doors by dotted name."""
     for module in MODULES:
         for name, thing in vars(module).items():
-            if name.startswith("_") or getattr(thing, "__module__", None) != module.__name__:
+            if (
+                name.startswith(("_", "checked_"))
+                or getattr(thing, "__module__", None) != module.__name__
+            ):
                 continue
             if not (inspect.isfunction(thing) or inspect.isclass(thing)):
                 continue

@@ -4,20 +4,7 @@ from importlib.util import find_spec
 
 
 def require_extra(part: str, *packages: str) -> None:
-    """Refuse to go on where packages of the extra "book" are missing.
-
-    Parameters
-    ----------
-    part : str
-        What needs them: "driftlab.symbolic".
-    *packages : str
-        Names under which they are imported.
-
-    Raises
-    ------
-    ModuleNotFoundError
-        If one of them is not installed.
-    """
+    """Raise `ModuleNotFoundError` if packages of the extra "book" that `part` needs are missing."""
     missing = [package for package in packages if find_spec(package) is None]
     if missing:
         raise ModuleNotFoundError(

@@ -18,15 +18,7 @@ from typing import Any
 def attach(
     package: str, file: str
 ) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
-    """Return ``__getattr__``, ``__dir__`` and ``__all__`` of a package (PEP 562).
-
-    Parameters
-    ----------
-    package : str
-        Its ``__name__``.
-    file : str
-        Its ``__file__``; the stub lies beside it.
-    """
+    """Return ``__getattr__``, ``__dir__`` and ``__all__`` of a package with a stub (PEP 562)."""
     stub = ast.parse(Path(file).with_suffix(".pyi").read_text(encoding="utf-8"))
     homes = {
         alias.asname or alias.name: (node.module, alias.name)

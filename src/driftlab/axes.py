@@ -222,30 +222,7 @@ def _quaternion(pair: tuple[str, str], name: str) -> FloatArray:
 
 
 def checked_axes(axes: str, name: str, kind: str | None = None) -> str:
-    """Return the name of axes unchanged, refusing what is none.
-
-    Parameters
-    ----------
-    axes : str
-        Three letters, as "NED" or "FRD".
-    name : str
-        Name of the argument, for the sentence.
-    kind : {"body", "local"}, optional
-        What they must be axes of; either if not given.
-
-    Returns
-    -------
-    str
-        The same letters.
-
-    Examples
-    --------
-    >>> checked_axes("FRD", "axes")
-    'FRD'
-    >>> checked_axes("NED", "axes", "body")
-    Traceback (most recent call last):
-    ValueError: axes: expected body axes such as 'FRD', got 'NED', which are local axes.
-    """
+    """Return the name of axes, such as "NED", which must be of `kind` if one is given."""
     found, _ = _directions(axes, name)
     if kind is not None and found != kind:
         raise ValueError(

@@ -47,22 +47,7 @@ _BEYOND_POLE = 1.6
 
 
 def checked_latitude(latitude: ArrayLike) -> FloatArray:
-    """Return latitudes as an array, refusing the poles, where East and North are not defined.
-
-    Parameters
-    ----------
-    latitude : array_like, shape (...)
-        rad.
-
-    Returns
-    -------
-    ndarray, shape (...)
-
-    Examples
-    --------
-    >>> checked_latitude([0.0, 1.5])
-    array([0. , 1.5])
-    """
+    """Return latitudes, rad, refusing the poles, where East and North are not defined."""
     values = finite_array(latitude, "latitude")
     worst = float(np.abs(values).max())
     if worst > _NEAREST_TO_POLE:
@@ -81,22 +66,7 @@ def _any_latitude(latitude: FloatArray) -> FloatArray:
 
 
 def checked_gravity(gravity: FloatArray) -> FloatArray:
-    """Return gravity itself, refusing what is no planet's, as a number of g.
-
-    Parameters
-    ----------
-    gravity : ndarray, shape (...)
-        m/s^2.
-
-    Returns
-    -------
-    ndarray, shape (...)
-
-    Examples
-    --------
-    >>> checked_gravity(np.array([9.8, 9.83]))
-    array([9.8 , 9.83])
-    """
+    """Return magnitudes of gravity, m/s^2, refusing those of no planet, such as a number in g."""
     return pull_of_gravity(gravity)
 
 

@@ -70,24 +70,7 @@ for _array in NO_HIGHER_ORDER_ERRORS:
 
 
 def checked_higher_order_errors(higher_order: HigherOrderErrors) -> HigherOrderErrors:
-    """Return higher-order errors as arrays, refusing wrong shapes and NaN by name.
-
-    Parameters
-    ----------
-    higher_order : HigherOrderErrors
-        Its fields may be anything that NumPy makes an array of.
-
-    Returns
-    -------
-    HigherOrderErrors
-        Float64 arrays, their leading axes broadcast to each other.
-
-    Examples
-    --------
-    >>> late = NO_HIGHER_ORDER_ERRORS._replace(time_skew=[0.0, 1e-3])
-    >>> checked_higher_order_errors(late).lever_arms.shape
-    (2, 3, 3)
-    """
+    """Return higher-order errors as arrays whose leading axes are broadcast to each other."""
     checked_instance(higher_order, HigherOrderErrors, "higher_order")
     arms, skew, quadratic, sensitivity = finite_arrays(
         lever_arms=(higher_order.lever_arms, 3, 3),

@@ -199,28 +199,7 @@ def random_imu_errors(
 
 
 def checked_imu_errors(imu_errors: ImuErrors) -> ImuErrors:
-    """Return a unit as arrays with common leading axes, refusing wrong shapes and NaN by name.
-
-    Parameters
-    ----------
-    imu_errors : ImuErrors
-        Its fields may be anything that NumPy makes an array of.
-
-    Returns
-    -------
-    ImuErrors
-        Float64 arrays, their leading axes broadcast to each other.
-
-    Raises
-    ------
-    ValueError
-        If a field has another shape or is not finite.
-
-    Examples
-    --------
-    >>> checked_imu_errors(NO_ERRORS._replace(gyro_bias=np.zeros((5, 3)))).gyro_error.shape
-    (5, 3, 3)
-    """
+    """Return the errors of a unit as arrays whose leading axes are broadcast to each other."""
     checked_instance(imu_errors, ImuErrors, "imu_errors")
     checked = finite_arrays(
         gyro_bias=(imu_errors.gyro_bias, 3),

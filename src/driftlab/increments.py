@@ -103,32 +103,9 @@ class Increments(NamedTuple):
 
 
 def checked_increments(increments: Increments) -> Increments:
-    """Return increments as arrays of floats, refusing what cannot be increments.
+    """Return increments as arrays, as many velocities as angles, over a positive interval.
 
-    Parameters
-    ----------
-    increments : Increments
-        Its fields may be anything that NumPy makes an array of.
-
-    Returns
-    -------
-    Increments
-        Float64 arrays; their leading axes are not broadcast.
-
-    Raises
-    ------
-    ValueError
-        If there is no axis of n intervals, n is not the same in both arrays, a number is not
-        finite, or the interval is not positive.
-
-    Examples
-    --------
-    >>> checked_increments(Increments(0.1, [[0, 0, 1]], [[0, 0, 9]])).velocity.shape
-    (1, 3)
-    >>> checked_increments(Increments(0.1, np.zeros((2, 3)), np.zeros((3, 3))))
-    Traceback (most recent call last):
-        ...
-    ValueError: increments.velocity: expected as many as increments.angle, 2, got 3.
+    Their leading axes are not broadcast.
     """
     checked_instance(increments, Increments, "increments")
     seconds = positive_number(increments.interval, "increments.interval")

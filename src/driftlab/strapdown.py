@@ -195,22 +195,7 @@ def navigate(
 
 
 def checked_interval(interval: float) -> float:
-    """Return the interval of increments, refusing one for which a navigation would not settle.
-
-    Parameters
-    ----------
-    interval : float
-        s.
-
-    Returns
-    -------
-    float
-
-    Examples
-    --------
-    >>> checked_interval(0.01)
-    0.01
-    """
+    """Return the interval of increments, s, refusing one too long for the navigation to settle."""
     seconds = finite_number(interval, "interval")
     if not 0 < seconds <= _LONGEST:
         raise ValueError(

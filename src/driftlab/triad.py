@@ -125,25 +125,7 @@ def triad_matrix(triad_error: ArrayLike) -> FloatArray:
 
 
 def checked_triad(triad_error: FloatArray) -> FloatArray:
-    """Return I + M, refusing sensitive axes that do not span space.
-
-    Parameters
-    ----------
-    triad_error : ndarray, shape (..., 3, 3)
-        Matrix M of all errors of the triad, without unit.
-
-    Returns
-    -------
-    ndarray, shape (..., 3, 3)
-
-    Examples
-    --------
-    >>> checked_triad(np.diag([0.0, 0.0, -1.0]))
-    Traceback (most recent call last):
-        ...
-    ValueError: triad_error: expected three sensitive axes that span space, got a singular triad
-    matrix I + M.
-    """
+    """Return I + M, (..., 3, 3), refusing sensitive axes that do not span space."""
     triad: FloatArray = np.eye(3) + triad_error
     # Errors whose squares add up to less than 1/4 leave singular values above 1/2.
     large = np.einsum("...ij,...ij->...", triad_error, triad_error) > 0.25

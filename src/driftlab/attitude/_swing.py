@@ -21,22 +21,7 @@ def largest_change(drift: FloatArray, size: FloatArray, along: FloatArray) -> Fl
 
 
 def half_a_turn(found: float) -> ValueError:
-    """The refusal of an error whose growth cannot be told from one the other way.
-
-    Parameters
-    ----------
-    found : float
-        Change of the error about the cone's axis in a step, rad.
-
-    Returns
-    -------
-    ValueError
-
-    Examples
-    --------
-    >>> print(str(half_a_turn(3.5))[-42:])
-    less than half a turn a step, got 3.5 rad.
-    """
+    """Return the refusal of an error that changes by half a turn or more, `found` rad, per step."""
     return ValueError(
         "half_angle, frequency, sample_interval: expected a cone on which the algorithm's error "
         f"about the axis changes by less than half a turn a step, got {found:.3g} rad."

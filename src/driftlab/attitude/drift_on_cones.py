@@ -134,27 +134,10 @@ def coning_drift(
 def checked_cone(
     half_angle: ArrayLike, frequency: ArrayLike, sample_interval: ArrayLike
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Half angle of a cone, the angle it goes round by in a sample, and the sample's interval.
+    """Return the half angle of a cone, the angle it turns in one sample, and the sample interval.
 
-    Parameters
-    ----------
-    half_angle, frequency, sample_interval : array_like, shape (...)
-        rad, Hz, s; as in `coning_drift`.
-
-    Returns
-    -------
-    half_angle, sample_angle, sample_interval : ndarray, shape (...)
-        rad, rad, s.
-
-    Raises
-    ------
-    ValueError
-        If an interval is not positive, or a half angle is larger than pi.
-
-    Examples
-    --------
-    >>> [float(value.round(3)) for value in checked_cone(0.1, 10.0, 0.01)]
-    [0.1, 0.628, 0.01]
+    The angles are in rad, the frequency in Hz, the interval in s. An interval that is not
+    positive and a half angle above pi are refused.
     """
     angle, rate, interval = finite_arrays(
         half_angle=(half_angle,), frequency=(frequency,), sample_interval=(sample_interval,)

@@ -83,20 +83,10 @@ def _through(matrix: FloatArray, carried: FloatArray) -> FloatArray:
 def condensed_steps(
     transitions: FloatArray, durations: FloatArray, noise: ImuNoise, update: float = 1.0
 ) -> Condensed:
-    """One step, or an array of them: errors grow, noise is added, the velocity is seen.
+    """Return steps (...) in which errors grow, noise is added and the velocity is measured.
 
-    Parameters
-    ----------
-    transitions : ndarray, shape (..., n, n)
-    durations : ndarray, shape (...)
-        s.
-    noise : ImuNoise
-    update : float
-        Time between two measurements of the velocity, s; those of a step count as one at its end.
-
-    Returns
-    -------
-    Condensed
+    The velocity is measured every `update` seconds; the measurements of a step of the given
+    duration, s, count as one at its end.
     """
     size = transitions.shape[-1]
     carried = transitions[..., :6, :]

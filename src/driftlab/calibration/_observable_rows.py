@@ -11,34 +11,12 @@ ZERO = 1e-9
 
 
 def observable_rows(rates: FloatArray, seen: FloatArray) -> FloatArray:
-    """Orthonormal basis of all that H, H F, H F^2, ... can show of a constant system.
+    """Return an orthonormal basis (r, n) of all that H, H F, H F^2, ... show of a constant system.
 
-    Parameters
-    ----------
-    rates : ndarray, shape (n, n)
-        The matrix F; its states in comparable sizes.
-    seen : ndarray, shape (m, n)
-        The matrix H.
-
-    Returns
-    -------
-    ndarray, shape (r, n)
-        Rows across each other, of unit length; r is the rank of the local observability matrix.
-
-    Notes
-    -----
-    Instead of powers, which run away in size, each round multiplies only the directions that are
-    new by F, and keeps what sticks out of those found before. The first round that finds nothing
-    is the last: no higher power adds anything. What sticks out counts as nothing below 1e-9 of the
-    largest rate at which the round's directions change.
-
-    Examples
-    --------
-    A mass that nothing pushes: its position shows its velocity, but not the other way round.
-
-    >>> moves = np.array([[0.0, 1.0], [0.0, 0.0]])
-    >>> [len(observable_rows(moves, np.eye(2)[[i]])) for i in range(2)]
-    [2, 1]
+    The states of F (n, n) are in comparable sizes; r is the rank of the observability matrix.
+    Powers of F would run away in size. Instead, each round multiplies only the new directions
+    by F and keeps the part that is orthogonal to those found before, if it is above 1e-9 of the
+    largest rate at which the round's directions change. A round that finds nothing is the last.
     """
     found = np.zeros((0, rates.shape[1]))
     new = seen

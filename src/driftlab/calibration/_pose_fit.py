@@ -63,32 +63,11 @@ def fit_poses(
     prior: PriorDeviations | None = None,
     gyro_bias: FloatArray | None = None,
 ) -> PoseFit:
-    """Least squares for the unknowns of the poses, with deviations that their residuals allow.
+    """Fit the unknowns of the poses by least squares, with deviations scaled to the residuals.
 
-    Parameters
-    ----------
-    poses : driftlab.core.poses.Poses
-        Rests, and the increments between them.
-    variances : driftlab.core.poses.Variances
-        Of the noise.
-    prior : PriorDeviations, optional
-        Sizes of the unknowns, if they are known.
-    gyro_bias : ndarray, shape (3,), optional
-        rad/s, if it is known.
-
-    Returns
-    -------
-    PoseFit
-        Estimates, covariance, residuals and tests.
-
-    Raises
-    ------
-    ValueError
-        If the poses leave unknowns in the dark and there is no prior, or the fit does not settle.
-
-    Examples
-    --------
-    See `driftlab.calibration.poses.calibrate_by_poses`.
+    `prior` holds the sizes of the unknowns and `gyro_bias`, rad/s, the gyro biases, where
+    known. Poses that leave unknowns undetermined without a prior, and a fit that does not
+    settle, are refused.
     """
     model = PoseModel(poses)
     unknowns = np.zeros(core.UNKNOWNS)

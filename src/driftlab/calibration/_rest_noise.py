@@ -28,30 +28,12 @@ def noise_of_rests(
     poses: Poses,
     noise: ImuNoise | None = None,
 ) -> tuple[Variances, tuple[float, float]]:
-    """Variances of the means over the rests and of the turns between them.
+    """Return variances of the rests' means and of the turns between them, and their colour.
 
-    Parameters
-    ----------
-    recording : Recording
-        With accelerometers.
-    rows : list of (int, int)
-        First row of each rest, and the first after it.
-    poses : driftlab.core.poses.Poses
-        Made of the same.
-    noise : ImuNoise, optional
-        White noise to use instead of the rests' own.
-
-    Returns
-    -------
-    variances : driftlab.core.poses.Variances
-        Of means that are as good as those over half a second let expect; and of the Earth's rate,
-        about whose direction nothing is known.
-    colour : (float, float)
-        Of gyros and accelerometers: variance of these means, as a multiple of that of white noise.
-
-    Examples
-    --------
-    See `driftlab.calibration.poses.calibrate_by_poses`.
+    Each rest has its first row and the first row after it in `rows`. `noise` is used instead of
+    the rests' own white noise. The colour, of gyros and accelerometers, is the variance of
+    means over half a second as a multiple of white noise. The direction of the Earth's rate is
+    taken as unknown.
     """
     assert recording.accelerometer is not None
     interval = poses.interval

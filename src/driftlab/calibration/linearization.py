@@ -57,59 +57,12 @@ class LinearizedErrors(NamedTuple):
 
 
 def checked_model(model: ErrorModel | str) -> ErrorModel:
-    """Return an error model, or the one that a name in `ERROR_MODELS` stands for.
-
-    Parameters
-    ----------
-    model : ErrorModel or str
-        An error model, or a key of `ERROR_MODELS`.
-
-    Returns
-    -------
-    ErrorModel
-
-    Raises
-    ------
-    ValueError
-        If it is neither.
-
-    Examples
-    --------
-    >>> checked_model("averaged").size
-    27
-    >>> checked_model("27 states")
-    Traceback (most recent call last):
-    ValueError: model: expected an ErrorModel or the name of one (averaged, upper triangle,
-    lower triangle, accelerometers, averaged accelerometers), got '27 states'.
-    """
+    """Return an error model, or the one that a name in `ERROR_MODELS` stands for."""
     return named_or_own(model, ErrorModel, ERROR_MODELS, "model")
 
 
 def checked_linearized(linearized: LinearizedErrors) -> LinearizedErrors:
-    """Return linearized errors unchanged, refusing anything else, as a scheme.
-
-    Parameters
-    ----------
-    linearized : LinearizedErrors
-        What is to be checked.
-
-    Returns
-    -------
-    LinearizedErrors
-        The same object.
-
-    Raises
-    ------
-    ValueError
-        If it is something else.
-
-    Examples
-    --------
-    >>> checked_linearized("19 positions")
-    Traceback (most recent call last):
-    ValueError: linearized: expected what linearize_along(scheme, latitude) returns, got
-    '19 positions'.
-    """
+    """Return linearized errors, refusing anything else, such as a scheme."""
     if not isinstance(linearized, LinearizedErrors):
         raise ValueError(
             "linearized: expected what linearize_along(scheme, latitude) returns, "

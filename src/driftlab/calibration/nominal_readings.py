@@ -162,51 +162,14 @@ SI_READINGS = NominalReadings()
 
 
 def checked_inverse(matrix: FloatArray, name: str) -> FloatArray:
-    """Return the inverses of matrices, refusing singular ones by name.
-
-    Parameters
-    ----------
-    matrix : ndarray, shape (..., 3, 3)
-        Of finite numbers.
-    name : str
-        Name of the argument, for the sentence.
-
-    Returns
-    -------
-    ndarray, shape (..., 3, 3)
-
-    Examples
-    --------
-    >>> checked_inverse(np.zeros((3, 3)), "gyro_T")
-    Traceback (most recent call last):
-        ...
-    ValueError: gyro_T: expected a matrix with an inverse, got a singular one.
-    """
+    """Return the inverses of matrices (..., 3, 3), refusing a singular one by name."""
     if not (np.linalg.cond(matrix) < 1e12).all():
         raise ValueError(f"{name}: expected a matrix with an inverse, got a singular one.")
     return np.linalg.inv(matrix).astype(np.float64, copy=False)
 
 
 def checked_zeros(**effects: ArrayLike) -> None:
-    """Refuse what a matrix and a bias for each triad cannot say.
-
-    Parameters
-    ----------
-    **effects : array_like
-        By name; all zero if the program knows nothing of them.
-
-    Returns
-    -------
-    None
-
-    Examples
-    --------
-    >>> checked_zeros(gyroscopes_A=np.zeros((3, 3)), rx_i=[0.0, 0.02, 0.0])
-    Traceback (most recent call last):
-        ...
-    ValueError: rx_i: expected zeros, because ImuErrors has no place for it, got up to 0.02; take
-    its effect out of the readings first, or give zeros and live with it.
-    """
+    """Refuse effects, given by name, that a matrix and a bias for each triad cannot represent."""
     for name, effect in effects.items():
         size = np.abs(finite_array(effect, name)).max()
         if size > 0:

@@ -121,13 +121,7 @@ def numbers(text: str) -> tuple[float, ...]:
 
 
 def recording_of(options: argparse.Namespace) -> Recording:
-    """Read the log as the options say it is.
-
-    Raises
-    ------
-    ValueError
-        If an option is missing, or the log is not what they say.
-    """
+    """Read the log as the options describe it."""
     _check(options)
     place = {
         "axes": options.axes,
@@ -144,13 +138,7 @@ def recording_of(options: argparse.Namespace) -> Recording:
 
 
 def allowed_doubts(recording: Recording, options: argparse.Namespace) -> tuple[str, ...]:
-    """What speaks against a log and is let through, for a warning.
-
-    Raises
-    ------
-    ValueError
-        If something is not let through.
-    """
+    """Return, for a warning, the doubts about a log that the options let through; refuse others."""
     allow = options.allow
     if unknown := [rule for rule in allow if rule not in RULES]:
         raise ValueError(f"--allow: expected some of {', '.join(RULES)}, got {unknown[0]}.")

@@ -20,13 +20,10 @@ from .origin import Origin
 
 
 def checked_outputs(logs: Sequence[Path], outputs: Mapping[str, Path | None], force: bool) -> None:
-    """Refuse outputs that would overwrite something, before anything is computed.
+    """Refuse outputs before anything is computed.
 
-    Raises
-    ------
-    ValueError
-        If a file is there and nobody said `force`, two outputs are one file, one of them is the
-        log, or a folder is missing.
+    Refused are a file that exists without `force`, one file named twice, the log itself, and a
+    missing folder.
     """
     taken: dict[Path, str] = {}
     for option, path in outputs.items():
@@ -47,14 +44,9 @@ def checked_outputs(logs: Sequence[Path], outputs: Mapping[str, Path | None], fo
 
 
 def write(path: Path, text: str, force: bool) -> None:
-    """Write a text with the same bytes on every system: the whole of it, or none.
+    """Write a text completely or not at all, with the same bytes on every system.
 
-    It is written beside its place and then moved there, so that a full disk spoils nothing.
-
-    Raises
-    ------
-    OSError
-        With the file's name.
+    It is written next to its place and then moved there, so that a full disk spoils nothing.
     """
     whole = path.resolve()
     exists, device = whole.exists(), whole.exists() and not whole.is_file()

@@ -38,12 +38,7 @@ class NoMatplotlib(RuntimeError):
 
 
 def checked_matplotlib() -> None:
-    """Refuse to begin where nothing can be drawn.
-
-    Raises
-    ------
-    NoMatplotlib
-    """
+    """Raise `NoMatplotlib` before anything is computed, if nothing can be drawn."""
     if find_spec("matplotlib") is None:
         raise NoMatplotlib(
             "--report: expected Matplotlib to draw the plots, got none; install it by "

@@ -50,12 +50,9 @@ class Spread(NamedTuple):
 
 
 def aligned(recording: Recording) -> Spread:
-    """Alignment of a record by its means, with deviations from its stretches.
+    """Align a record by its means, with deviations from its stretches.
 
-    Raises
-    ------
-    ValueError
-        If it has too few rows.
+    A record with too few rows is refused.
     """
     if len(recording) < STRETCHES:
         raise ValueError(f"log: expected at least {STRETCHES} rows, got {len(recording)}.")

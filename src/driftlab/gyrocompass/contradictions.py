@@ -172,22 +172,7 @@ def _contradiction(
 
 
 def checked_tolerance(value: object) -> float:
-    """Return the argument `heading_tolerance` as a float, refusing what is no positive number.
-
-    Parameters
-    ----------
-    value : object
-        How far a heading may be off without a word, rad; infinity for no warning.
-
-    Returns
-    -------
-    float
-
-    Examples
-    --------
-    >>> checked_tolerance(np.inf)
-    inf
-    """
+    """Return `heading_tolerance`, rad, a positive number; infinity means no warning."""
     array = np.asarray(value) if np.isscalar(value) or isinstance(value, np.ndarray) else None
     if array is None or array.dtype.kind not in "fiu" or array.ndim or not array > 0:
         raise ValueError(

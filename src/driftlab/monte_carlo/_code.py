@@ -31,16 +31,10 @@ INSTALLED = {"site-packages", "dist-packages"}
 def code_of(task: Any) -> str:
     """Return the SHA-256 of the code that a task runs, as far as it is known.
 
-    That is this package without its book, NumPy and SciPy by their versions; the modules of your
-    own in which the functions and classes of the task stand, and those that they import, wherever
-    they do. Of what stands in no file, as in a notebook, it is its byte code, and that and the
-    values of what it names. Not seen is what is installed otherwise, and what is changed in memory.
-
-    Examples
-    --------
-    >>> from driftlab.motion import Coning
-    >>> len(code_of(Coning(0.5, 2.0).attitude))
-    64
+    It covers this package without its book; NumPy and SciPy by their versions; and your own
+    modules that define the functions and classes of the task, with all that they import. Code
+    in no file, as in a notebook, counts by its byte code and the values that it names. Other
+    installed packages and changes in memory are not seen.
     """
     found: dict[str, bytes] = {}
     for thing in _named_in(task):

@@ -17,30 +17,12 @@ from driftlab.checks import shown
 
 
 def describe(value: Any) -> str:
-    """Return an exact description of a task, or of what it is made of.
+    """Return an exact description of a task or of its parts; any changed bit changes it.
 
-    Parameters
-    ----------
-    value : object
-        A function of a module, a method of a dataclass or NamedTuple, a `functools.partial` of
-        these; and in them numbers, texts, arrays, and tuples, lists, sets and mappings of such.
-
-    Returns
-    -------
-    str
-        Two that differ in any bit of any number have different ones. An array is named by the
-        SHA-256 of its bytes.
-
-    Raises
-    ------
-    ValueError
-        If something cannot be described so, as a lambda, or an object that only lives here.
-
-    Examples
-    --------
-    >>> from driftlab.motion import Coning
-    >>> describe(Coning(0.5, 2.0).attitude)
-    'driftlab.motion.profiles.Coning(half_angle=0.5, frequency=2.0).attitude'
+    A task is a function of a module, a method of a dataclass or NamedTuple, or a
+    `functools.partial` of these. Its parts are numbers, texts, arrays, which are named by their
+    SHA-256, and tuples, lists, sets and mappings of them. Anything else, such as a lambda, is
+    refused.
     """
     if isinstance(value, np.ndarray | np.generic):
         return _of_array(np.asarray(value))

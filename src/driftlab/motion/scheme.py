@@ -197,31 +197,5 @@ SCHEMES = MappingProxyType({"19 positions": NINETEEN_POSITIONS, "18 rotations": 
 
 
 def checked_scheme(scheme: Scheme | str, name: str = "scheme") -> Scheme:
-    """Return a scheme, or the one that a name in `SCHEMES` stands for.
-
-    Parameters
-    ----------
-    scheme : Scheme or str
-        A scheme, or a key of `SCHEMES`.
-    name : str
-        Name of the argument, for the sentence.
-
-    Returns
-    -------
-    Scheme
-
-    Raises
-    ------
-    ValueError
-        If it is neither.
-
-    Examples
-    --------
-    >>> checked_scheme("19 positions") is NINETEEN_POSITIONS
-    True
-    >>> checked_scheme("+90X")
-    Traceback (most recent call last):
-    ValueError: scheme: expected a Scheme such as Scheme('+90X -90X') or the name of one
-    (19 positions, 18 rotations), got '+90X'.
-    """
+    """Return a scheme, or the one that a name in `SCHEMES` stands for."""
     return named_or_own(scheme, Scheme, SCHEMES, name, "such as Scheme('+90X -90X')")

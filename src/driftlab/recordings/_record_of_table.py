@@ -86,22 +86,7 @@ def record_of_table(
 
 
 def checked_kind(scales: Sequence[Unit]) -> None:
-    """Refuse rates beside increments.
-
-    Parameters
-    ----------
-    scales : sequence of Unit
-        Of the gyros, and of the accelerometers if there are any.
-
-    Raises
-    ------
-    ValueError
-        If they are of two kinds.
-
-    Examples
-    --------
-    >>> checked_kind([gyro_unit("deg"), accelerometer_unit("m/s")])
-    """
+    """Refuse rates of one triad with increments of the other."""
     if len({scale.kind for scale in scales}) > 1:
         words = {"rates": "rates", "increments": "increments over each interval"}
         raise ValueError(

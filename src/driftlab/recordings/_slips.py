@@ -12,73 +12,23 @@ _CLOSE = 1.25
 
 
 def force_slips(factor: float, recording: Recording) -> str:
-    """Name the slips that make specific force too large by about a factor.
+    """Name the mistakes that make specific force too large by about a factor.
 
-    Parameters
-    ----------
-    factor : float
-        Found over expected.
-    recording : Recording
-        Its kind and interval matter.
-
-    Returns
-    -------
-    str
-        The end of a sentence: a colon and the slips, or nothing but the full stop.
-
-    Examples
-    --------
-    >>> still = Recording(np.zeros((9, 3)), np.ones((9, 3)), 0.01, "rates")
-    >>> force_slips(0.1, still)
-    ': g taken for m/s^2?'
+    The result ends a sentence: a colon and the mistakes, or the full stop alone.
     """
     return _named(factor, force_factors(recording.kind, recording.interval))
 
 
 def gyro_slips(factor: float, recording: Recording) -> str:
-    """Name the slips that make angular rates or angles too large by about a factor.
+    """Name the mistakes that make angular rates or angles too large by about a factor.
 
-    Parameters
-    ----------
-    factor : float
-        Found over expected.
-    recording : Recording
-        Its kind and interval matter.
-
-    Returns
-    -------
-    str
-        As of `force_slips`.
-
-    Examples
-    --------
-    >>> log = Recording(np.zeros((9, 3)), None, 0.02, "rates")
-    >>> gyro_slips(0.0199, log), gyro_slips(7.0, log)
-    (': radians taken for degrees, or increments taken for rates?', '.')
+    The result ends a sentence, as for `force_slips`.
     """
     return _named(factor, gyro_factors(recording.kind, recording.interval))
 
 
 def force_factors(kind: Kind, interval: float) -> dict[str, float]:
-    """Factors by which slips make specific force, or its increments, too large.
-
-    Parameters
-    ----------
-    kind : {"rates", "increments"}
-        What the numbers are taken for.
-    interval : float
-        s.
-
-    Returns
-    -------
-    dict of str to float
-        Under what was taken for what.
-
-    Examples
-    --------
-    >>> force_factors("increments", 0.01)["specific force taken for increments"]
-    100.0
-    """
+    """Return the factors by which mistakes enlarge specific force or its increments, by mistake."""
     g = STANDARD_GRAVITY
     if kind == "rates":
         return {
@@ -101,25 +51,7 @@ def force_factors(kind: Kind, interval: float) -> dict[str, float]:
 
 
 def gyro_factors(kind: Kind, interval: float) -> dict[str, float]:
-    """Factors by which slips make angular rates or angles too large.
-
-    Parameters
-    ----------
-    kind : {"rates", "increments"}
-        What the numbers are taken for.
-    interval : float
-        s.
-
-    Returns
-    -------
-    dict of str to float
-        Under what was taken for what.
-
-    Examples
-    --------
-    >>> round(gyro_factors("rates", 0.01)["degrees taken for radians"], 1)
-    57.3
-    """
+    """Return the factors by which mistakes enlarge angular rates or angles, by mistake."""
     degree = float(np.degrees(1.0))
     factors = {
         "degrees taken for radians": degree,

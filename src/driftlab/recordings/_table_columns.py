@@ -48,33 +48,11 @@ class TableColumns(ABC):
         """Where a row stands, counted from 0, for a sentence."""
 
     def column(self, wanted: str | int, argument: str = "columns") -> tuple[int, int]:
-        """Return the place of a column, and its sign.
+        """Return the index of a column, counted from 0, and its sign, 1 or -1.
 
-        Parameters
-        ----------
-        wanted : str or int
-            Its name, or its number counted from 1; a minus before either changes the sign.
-        argument : str
-            Name of the argument that asks for it, for the sentence.
-
-        Returns
-        -------
-        index, sign : int
-            The place counted from 0; 1 or -1.
-
-        Raises
-        ------
-        ValueError
-            If there is no such column, or more than one; also if digits are the name of one column
-            and the number of another.
-
-        Examples
-        --------
-        >>> from pathlib import Path
-        >>> from driftlab.recordings._text_table import TextTable
-        >>> table = TextTable(Path("log.csv"), ("t", "wx", "wy"), ("", "", ""), [], 2, ",", 3)
-        >>> table.column("-wx"), table.column(3), table.column("-3")
-        ((1, -1), (2, 1), (2, -1))
+        `wanted` is its name or its number, counted from 1; a minus before either changes
+        the sign. A column that is missing or ambiguous is refused, also if digits are the
+        name of one column and the number of another.
         """
         text = str(wanted).strip()
         for name, sign in ((text, 1), (without_mark(text), 1), (text[1:].strip(), -1)):

@@ -22,19 +22,7 @@ _SEVERAL_NUMBERS = re.compile(rf"({NUMBER.pattern})(\s+({NUMBER.pattern}))+", re
 def decoded(content: bytes) -> str:
     """Return the text of a file, with one kind of line end.
 
-    Parameters
-    ----------
-    content : bytes
-        UTF-8 with or without its mark, UTF-16 with it, or else Latin-1.
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> decoded(b"wx [\\xb0/s]\\r\\n1\\r\\n")
-    'wx [°/s]\\n1\\n'
+    It is UTF-8 with or without a byte order mark, UTF-16 with one, or else Latin-1.
     """
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         text = content.decode("utf-16")
@@ -47,22 +35,9 @@ def decoded(content: bytes) -> str:
 
 
 def number_delimiter(line: str) -> str | None:
-    """Return what stands between the numbers of a line.
+    """Return the delimiter between the numbers of a line, "" for blanks; None if it has no numbers.
 
-    Parameters
-    ----------
-    line : str
-        Among its numbers there may be a date, a label, or nothing.
-
-    Returns
-    -------
-    str or None
-        Semicolon, tab, comma, or nothing at all for blanks; None if these are no numbers.
-
-    Examples
-    --------
-    >>> number_delimiter("0,5;1,5"), number_delimiter("0,5 1,5"), number_delimiter("wx;wy")
-    (';', '', None)
+    Other cells of the line may be dates or labels, or empty.
     """
     for delimiter in (";", "\t", ",", ""):
         cells = split_cells(line, delimiter or None)
@@ -75,49 +50,14 @@ def number_delimiter(line: str) -> str | None:
 
 
 def split_cells(line: str, delimiter: str | None) -> list[str]:
-    """Return the cells of a line, without quotes.
-
-    Parameters
-    ----------
-    line : str
-        A comma in quotes is part of its cell.
-    delimiter : str or None
-        Between cells; None are blanks.
-
-    Returns
-    -------
-    list of str
-
-    Examples
-    --------
-    >>> split_cells('1, "2,5"', ",")
-    ['1', '2,5']
-    """
+    """Return the cells of a line without quotes; a comma in quotes is part of its cell."""
     if '"' in line and delimiter == ",":
         return [cell.strip(' "') for cell in re.split(r',(?=(?:[^"]*"[^"]*")*[^"]*$)', line)]
     return [cell.strip(' "') for cell in line.split(delimiter)]
 
 
 def names_like(wanted: str, names: Sequence[str]) -> str:
-    """Return names of columns for a sentence: all of few, of many the nearest.
-
-    Parameters
-    ----------
-    wanted : str
-        What was asked for and is not there.
-    names : sequence of str
-        Of all columns; empty if the file has no header.
-
-    Returns
-    -------
-    str
-        With an "or" at the end, unless it is empty.
-
-    Examples
-    --------
-    >>> names_like("wz", ("wx", "wy"))
-    'wx, wy, or '
-    """
+    """Return all of a few names of columns, or the most similar of many, to begin a sentence."""
     if not any(names):
         return ""
     if len(names) <= FEW:
@@ -127,47 +67,17 @@ def names_like(wanted: str, names: Sequence[str]) -> str:
 
 
 def without_mark(line: str) -> str:
-    """Return a line, or the name of its first column, without the mark of a comment.
-
-    Parameters
-    ----------
-    line : str
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> without_mark("%time,x"), without_mark("// t")
-    ('time,x', 't')
-    """
+    """Return a line, or the name of its first column, without the mark of a comment."""
     return re.sub(r"^(%|#|//)+\s*", "", line)
 
 
 def header(
     lines: list[str], delimiter: str | None, width: int
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return names and units of columns, from the last one or two lines before the numbers.
+    """Return names and units of columns from the last one or two lines before the numbers.
 
-    Parameters
-    ----------
-    lines : list of str
-        All before the numbers.
-    delimiter : str or None
-        Between cells; None are blanks.
-    width : int
-        Cells in a line of numbers.
-
-    Returns
-    -------
-    names, units : tuple of str
-        Of all columns, "" where there is none; no names at all if no line has so many cells.
-
-    Examples
-    --------
-    >>> header(["# log", "t [ms],wx"], ",", 2), header(["t,wx", "ms,deg/s"], ",", 2)
-    ((('t', 'wx'), ('ms', '')), (('t', 'wx'), ('ms', 'deg/s')))
+    Both have `width` entries, "" where there is none. If no line has so many cells, there are
+    no names.
     """
     units = ("",) * width
     for line in reversed([line for line in lines if line]):
@@ -186,34 +96,9 @@ def header(
 
 
 def refuse_cut(path: Path, lines: list[str], number: int, delimiter: str | None) -> None:
-    """Refuse a last line whose last cell may be a part of a number.
+    """Refuse a last line whose last cell is shorter than all others, perhaps a number cut off.
 
     Many programs leave out the last end of line, so that alone is no sign.
-
-    Parameters
-    ----------
-    path : Path
-        Of the file, for the sentence.
-    lines : list of str
-        Those with numbers.
-    number : int
-        In the file of the last of them.
-    delimiter : str or None
-        Between cells; None are blanks.
-
-    Raises
-    ------
-    ValueError
-        If the last cell of the last line is shorter than that of any other of many lines.
-
-    Examples
-    --------
-    >>> refuse_cut(  # doctest: +NORMALIZE_WHITESPACE
-    ...     Path("log.csv"), ["1,0.25"] * 20 + ["1,0.2"], 21, ","
-    ... )
-    Traceback (most recent call last):
-    ValueError: log.csv, line 21: expected a last cell of 4 characters or more, as in all other
-    lines, or an end of line after it, got '1,0.2': is the file cut off?
     """
     *sizes, last = (len(line.rsplit(delimiter, 1)[-1]) for line in lines if line)
     if len(sizes) >= MANY and last < min(sizes):

@@ -65,32 +65,7 @@ class TextTable(TableColumns):
         return self.path.name
 
     def numbers(self, columns: Sequence[int]) -> FloatArray:
-        """Return some columns, all of whose cells must be finite numbers.
-
-        Parameters
-        ----------
-        columns : sequence of int
-            Their places, counted from 0.
-
-        Returns
-        -------
-        ndarray, shape (n, k)
-
-        Raises
-        ------
-        ValueError
-            If a line has another number of cells, or one of these cells is no finite number.
-
-        Examples
-        --------
-        >>> table = TextTable(Path("log.csv"), (), (), ["1;2", "", "3;x"], 1, ";", 2)
-        >>> table.numbers([0])
-        array([[1.],
-               [3.]])
-        >>> table.numbers([1])
-        Traceback (most recent call last):
-        ValueError: log.csv, line 3: expected a number in column 2, got 'x'.
-        """
+        """Return columns, given by their indices, all of whose cells must be finite numbers."""
         rows: FloatArray | None = None
         fault = ""
         if {len(line.split(self.delimiter)) for line in self.lines if line} <= {self.width}:
@@ -118,47 +93,11 @@ class TextTable(TableColumns):
         return values - values[0]
 
     def texts(self, column: int) -> list[str]:
-        """Return a column as text.
-
-        Parameters
-        ----------
-        column : int
-            Its place, counted from 0.
-
-        Returns
-        -------
-        list of str
-
-        Examples
-        --------
-        >>> TextTable(Path("log.csv"), (), (), ["12:00:00.1,5"], 1, ",", 2).texts(0)
-        ['12:00:00.1']
-        """
+        """Return a column, given by its index, as text."""
         return [self.cells(line)[column] for line in self.lines if line]
 
     def moments(self, column: int) -> FloatArray:
-        """Return a column of dates and times of one time zone as seconds since the first.
-
-        Parameters
-        ----------
-        column : int
-            Its place, counted from 0.
-
-        Returns
-        -------
-        ndarray, shape (n,)
-
-        Raises
-        ------
-        ValueError
-            If a cell is no date and time.
-
-        Examples
-        --------
-        >>> lines = ["2024-05-01T12:00:00Z,5", "2024-05-01T12:00:00.25Z,6"]
-        >>> TextTable(Path("log.csv"), (), (), lines, 1, ",", 2).moments(0)
-        array([0.  , 0.25])
-        """
+        """Return a column of dates and times of one time zone as seconds since the first."""
         dates = []
         for row, text in enumerate(self.texts(column)):
             match = _DATE.fullmatch(text)
@@ -171,43 +110,12 @@ class TextTable(TableColumns):
         return seconds_since_first(np.array(dates, "datetime64[ns]"))
 
     def place(self, row: int) -> str:
-        """Return where a row stands, for a sentence.
-
-        Parameters
-        ----------
-        row : int
-            Counted from 0.
-
-        Returns
-        -------
-        str
-            The file's name, and the number of the line counted from 1, as editors do.
-
-        Examples
-        --------
-        >>> TextTable(Path("log.csv"), (), (), ["1,2", "", "3,4"], 5, ",", 2).place(1)
-        'log.csv, line 7'
-        """
+        """Return the file's name and the line of a row, counted from 1 as in an editor."""
         line = [i for i, line in enumerate(self.lines) if line][row]
         return f"{self.path.name}, line {self.first_line + line}"
 
     def cells(self, line: str) -> list[str]:
-        """Return the cells of a line.
-
-        Parameters
-        ----------
-        line : str
-            One of `lines`.
-
-        Returns
-        -------
-        list of str
-
-        Examples
-        --------
-        >>> TextTable(Path("log.csv"), (), (), [], 1, ",", 2).cells("1, 2")
-        ['1', '2']
-        """
+        """Return the cells of a line."""
         return split_cells(line, self.delimiter)
 
     def _refuse(self, columns: Sequence[int], fault: str) -> None:
@@ -235,34 +143,10 @@ class TextTable(TableColumns):
 def read_table(path: str | Path) -> TextTable:
     """Find the numbers in a text file: its header, its delimiter and its decimal sign.
 
-    Parameters
-    ----------
-    path : str or Path
-        Cells between commas, semicolons, tabs or blanks, with decimal points, or with decimal
-        commas if the delimiter is another. Lines that begin with %, # or // are comments, and so is
-        what follows a % or # in a line of numbers.
-
-    Returns
-    -------
-    TextTable
-        Decimal commas have become points in its lines, and quotes and comments are gone.
-
-    Raises
-    ------
-    ValueError
-        If no line has two numbers or more, or the file seems to end inside a number.
-    OSError
-        If the file cannot be read.
-
-    Examples
-    --------
-    >>> from tempfile import TemporaryDirectory
-    >>> with TemporaryDirectory() as folder:
-    ...     log = Path(folder, "log.csv")
-    ...     _ = log.write_text("# my log\\nt [ms];wx [deg/s]\\n0;0,5\\n10;0,75\\n")
-    ...     table = read_table(log)
-    >>> table.names, table.units, table.lines
-    (('t', 'wx'), ('ms', 'deg/s'), ['0;0.5', '10;0.75'])
+    Cells are separated by commas, semicolons, tabs or blanks. Decimal commas, if the delimiter
+    is not a comma, become points. Lines that begin with %, # or // are comments, and so is the
+    rest of a line of numbers after % or #. A file without numbers, or cut off inside one, is
+    refused.
     """
     path = Path(path)
     text = decoded(path.read_bytes())

@@ -24,36 +24,11 @@ def checked_longest_gap(value: float) -> float:
 def spacing_of_stamps(
     stamps: FloatArray, longest_gap: float, place: Callable[[int], str]
 ) -> tuple[float, FloatArray | None]:
-    """Return the interval of some samples, and their times if they are not equally spaced.
+    """Return the interval of samples, s, and their times if they are not equally spaced.
 
-    Parameters
-    ----------
-    stamps : ndarray, shape (n,)
-        Since the first, s; at least two.
-    longest_gap : float
-        Longest step that is let through, in usual (median) steps.
-    place : callable
-        Says where a row stands, for the sentences: "log.csv, line 5" for row 3, say.
-
-    Returns
-    -------
-    interval : float
-        s; the usual step, or the mean one of stamps that were rounded.
-    times : ndarray, shape (n,), or None
-        The stamps. None if they are those of equal steps, rounded to their last digit: a logger
-        of 102.4 Hz that writes milliseconds gives steps of 9 and of 10 ms, and has neither.
-
-    Raises
-    ------
-    ValueError
-        If there is one stamp only, stamps do not increase, or a step is too long.
-
-    Examples
-    --------
-    >>> stamps = np.round(np.arange(2000) / 102.4, 3)
-    >>> interval, times = spacing_of_stamps(stamps, 1.5, lambda row: f"line {row + 2}")
-    >>> round(1 / interval, 3), times
-    (102.4, None)
+    Stamps that are equal steps rounded to their last digit have no times of their own: a logger
+    of 102.4 Hz that writes milliseconds has steps of 9 and 10 ms. Refused are a single stamp,
+    stamps that do not increase, and a step longer than `longest_gap` median steps.
     """
     if len(stamps) < 2:
         raise ValueError(f"{place(0)}: expected two time stamps at least, got one.")
@@ -85,21 +60,6 @@ def spacing_of_stamps(
 
 
 def seconds_since_first(moments: NDArray[Any]) -> FloatArray:
-    """Return dates and times as seconds since the first of them.
-
-    Parameters
-    ----------
-    moments : ndarray, shape (n,)
-        Of a dtype of NumPy for dates and times, or for spans of time.
-
-    Returns
-    -------
-    ndarray, shape (n,)
-
-    Examples
-    --------
-    >>> seconds_since_first(np.array(["2024-05-01T12:00", "2024-05-01T12:01"], "datetime64[m]"))
-    array([ 0., 60.])
-    """
+    """Return NumPy's dates and times, or spans of time, as seconds since the first."""
     # First the difference: of the seconds since 1970 the fractions are lost.
     return (moments - moments[0]).astype("timedelta64[ns]").astype(float) * 1e-9

@@ -23,22 +23,7 @@ _SPELLINGS = (
 
 
 def spelled(text: str) -> str:
-    """Return a unit's name as the tables of `driftlab.recordings.units` have it.
-
-    Parameters
-    ----------
-    text : str
-        As anybody writes it; what is no unit comes out as nonsense.
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> spelled("°/sec") == spelled("dps") == "deg/s"
-    True
-    """
+    """Return a unit's name as the tables of `driftlab.recordings.units` spell it."""
     name = re.sub(r"\s+", "", text.strip().lower())
     for pattern, usual in _SPELLINGS:
         name = re.sub(pattern, usual, name)
