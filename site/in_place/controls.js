@@ -19,13 +19,6 @@ const KINDS = {
   HBox: (model, ends) => box(model, "in-place-row", ends),
   Box: (model, ends) => box(model, "in-place-box", ends),
 
-  Accordion(model, ends) {
-    const folds = model.get("children").map((child, i) =>
-      make("details", { open: model.get("selected_index") === i },
-        make("summary", {}, model.get("titles")[i]), show(child, ends)));
-    return make("div", {}, ...folds);
-  },
-
   HTML(model) {
     const element = make("div", { className: "in-place-html" });
     follow(model, "value", (value) => {

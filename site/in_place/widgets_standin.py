@@ -249,17 +249,6 @@ class HBox(Box):
     """Widgets beside each other."""
 
 
-class Accordion(Box):
-    """Widgets that are folded, each behind its title."""
-
-    titles = Tuple().tag(sync=True)
-    selected_index = Int(None, allow_none=True).tag(sync=True)
-
-    def set_title(self, index: int, title: str) -> None:
-        """Name what is folded, each after those before it."""
-        self.titles = (*self.titles[:index], title)
-
-
 class AnyWidget(DOMWidget):
     """A widget that brings its own script; the page runs it as it is."""
 

@@ -20,7 +20,7 @@ from driftlab.book.ch13_real_triads.experiments import (
     WAYS,
 )
 from driftlab.book.ch13_real_triads.experiments.five_units import authors_rests
-from driftlab.book.ch13_real_triads.experiments.publishers_numbers import published_gyro_bias
+from driftlab.book.ch13_real_triads.experiments.publishers_numbers import _FIVE_GYROS
 from driftlab.book.machinery.figure_table import read_table
 from driftlab.earth import EARTH_RATE
 from support import ROOT, recording_or_skip
@@ -184,7 +184,7 @@ def test_rounded_biases_are_what_the_table_leaves_too_much(five):
 
 
 def test_the_table_rounds_gyro_biases_to_a_thousandth():
-    biases = np.array([published_gyro_bias(unit) for unit in range(len(UNITS))])
+    biases = np.radians([_FIVE_GYROS[f"b_{axis}"] for axis in "xyz"])
     steps = biases / BIAS_STEP
     # Its third digit after the point, of a degree, is 0.0175 of such a step.
     assert np.abs(steps - steps.round()).max() < 0.5 * 0.0175 + 1e-3

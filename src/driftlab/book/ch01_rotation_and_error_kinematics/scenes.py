@@ -122,7 +122,6 @@ class FalseRate(SceneExplorer):
         Control("elevation", "elevation, °", 0.0, -90.0, 90.0, 1.0, group="false rate"),
         Control("rate", "about the third axis, °/s", SPIN, stops=RATES, group="true rate"),
     )
-    folded = True
     presets: ClassVar = {
         "Across the true rate": {},
         "Along the true rate": {"elevation": 90.0},

@@ -154,7 +154,6 @@ class GlobeOfAxes(SceneExplorer):
     title = "A globe of axes: about which one does the block drift?"
     picture_class = GlobeOfAxesView
     controls = (*TRIAD_ERROR_CONTROLS, *AXIS_CONTROLS)
-    folded = True
     presets: ClassVar = {
         "The first block": {
             **TRIADS["Symmetric triad"], "azimuth": 0.0, "elevation": 0.0

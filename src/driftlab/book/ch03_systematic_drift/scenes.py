@@ -122,7 +122,6 @@ class TurningBlock(SceneExplorer):
     title = "A block on a turntable, and where its computer believes it to be"
     picture_class = TurningBlockView
     controls = (*TRIAD_ERROR_CONTROLS, *AXIS_CONTROLS)
-    folded = True
     presets: ClassVar = {
         "The puzzle": TRIADS["One gyro leans"],
         "About the third edge": {

@@ -190,7 +190,6 @@ class FourMountings(SceneExplorer):
             "earth", "Earth under the table", "none", choices=("none", "turning"), group="table"
         ),
     )
-    folded = True
     presets: ClassVar = {
         "A bent triad": {"m12": 1.5, "m31": 1.0, "m23": -1.0},
         "Larin's triad": triad_error_values(LARIN_TRIAD),

@@ -153,7 +153,6 @@ class LampAndShadow(SceneExplorer):
         ),
         *AXIS_CONTROLS,
     )  # fmt: skip
-    folded = True
     presets: ClassVar = {
         "One vector only": {"switch": float("inf")},
         "Step over at 1.2": {},

@@ -140,7 +140,6 @@ class TwoTables(SceneExplorer):
     title = "One unit, two laboratories"
     picture_class = LaboratoriesView
     controls = (*ENTRIES, *BRACKET)
-    folded = True
     presets: ClassVar = {
         "The puzzle": {
             **{c.name: SplitExplorer.presets["Typical unit"][c.name] for c in ENTRIES},

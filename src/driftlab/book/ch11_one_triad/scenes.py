@@ -155,7 +155,6 @@ class TurningShip(SceneExplorer):
     title = "A ship that turns, with one bent triad on board"
     picture_class = TurningShipView
     controls = _controls()
-    folded = True
     presets: ClassVar = {
         "The puzzle": CapstoneExplorer.presets["The puzzle"],
         "A whole turn": {**CapstoneExplorer.presets["The puzzle"], "turn": 360.0},

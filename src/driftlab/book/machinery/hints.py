@@ -29,11 +29,6 @@ class Help(NamedTuple):
     model: str = ""
 
     @property
-    def anchor(self) -> str:
-        """Where in the page the section begins, as Jupyter names it."""
-        return self.section.replace(" ", "-")
-
-    @property
     def rungs(self) -> tuple[str, str]:
         """The steps of the ladder below the section itself."""
         return self.nudge, self.idea

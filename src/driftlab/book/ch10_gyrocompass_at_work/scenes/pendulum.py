@@ -111,7 +111,6 @@ class SchulerPendulum(SceneExplorer):
 
     title = "Schuler's pendulum: a platform that keeps level on its way round the Earth"
     picture_class = PendulumView
-    folded = True
     controls = (
         Control("tilt", "tilt at the start, ′", 1.0, -2.0, 2.0, 0.1, group="platform"),
         Control("tuning", "tuning k₂R", 1.0, stops=(0.95, 1.0, 1.05, 1.25, 1.6, 2.0),

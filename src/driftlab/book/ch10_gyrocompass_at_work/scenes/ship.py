@@ -235,7 +235,6 @@ class ShipUnderWay(SceneExplorer):
 
     title = "A ship under way, and what its compass shows"
     picture_class = ShipUnderWayView
-    folded = True
     controls = (
         Control("speed", "speed, m/s", SPEED, 0.0, 15.0, 0.5, group="ship"),
         Control("course", "course to West, °", 0.0, -180.0, 180.0, 5.0, group="ship"),

@@ -118,11 +118,6 @@ def imu_calib_triads(unit: int) -> tuple[Triad, Triad]:
     )
 
 
-def published_gyro_bias(unit: int) -> FloatArray:
-    """Gyro bias (3,) of a unit as the table has it, before the turn by epsilon, rad/s."""
-    return _column({name: row[unit] for name, row in _FIVE_GYROS.items()}, "b", degree)
-
-
 _TABLES = (_FIVE_ACCELEROMETERS, _FIVE_GYROS)
 
 

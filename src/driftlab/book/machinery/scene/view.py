@@ -8,7 +8,6 @@ from math import copysign
 from typing import Any, ClassVar
 
 import anywidget
-import ipywidgets as widgets
 import numpy as np
 import traitlets
 
@@ -79,23 +78,12 @@ class SceneExplorer(Explorer):
     """A panel whose picture is a scene; a handle in it moves the sliders, and they move it."""
 
     picture_class: ClassVar[type[SceneView]]
-    folded: ClassVar[bool] = False
-    """Whether the sliders wait behind a line to click, because the handles do the same."""
 
     def __init__(
         self, preset: str | None = None, *, presets: Mapping[str, Values] | None = None
     ) -> None:
         super().__init__(preset, presets=presets)
         self.view.widget.on_msg(self._asked)
-
-    def _rows(self) -> list[widgets.Box]:
-        first, *others = super()._rows()
-        if self.folded:
-            inside = widgets.VBox(others)
-            folded = widgets.Accordion([inside], selected_index=None)
-            folded.set_title(0, "Exact values")
-            others = [folded]
-        return [first, *others]
 
     def redraw(self) -> None:
         self.view.widget.busy = True
