@@ -17,23 +17,7 @@ Arrays = TypeVar("Arrays", bound=tuple[Any, ...])
 
 
 def to_columns(data: Any) -> dict[str, Any]:
-    """Columns ``array``, ``index``, ``value`` of a named tuple of numbers and arrays.
-
-    Parameters
-    ----------
-    data : named tuple
-        Its fields are numbers or arrays of numbers, none of them empty.
-
-    Examples
-    --------
-    >>> from typing import NamedTuple
-    >>> class Found(NamedTuple):
-    ...     mean: float
-    ...     parts: FloatArray
-    >>> table = to_columns(Found(2.0, np.array([[1.0, 3.0]])))
-    >>> table["array"], table["index"]
-    (['mean', 'parts', 'parts'], ['', '0 0', '0 1'])
-    """
+    """Return columns ``array``, ``index``, ``value`` of a named tuple of numbers and arrays."""
     names, indices, values = [], [], []
     for name, field in data._asdict().items():
         for index, value in np.ndenumerate(np.asarray(field, float)):
@@ -44,23 +28,10 @@ def to_columns(data: Any) -> dict[str, Any]:
 
 
 def from_columns(kind: Callable[..., Arrays]) -> Callable[[Mapping[str, Sequence[str]]], Arrays]:
-    """Return the function that reads the columns of `to_columns` back.
+    """Return the function that reads the columns of `to_columns` back into a named tuple.
 
-    Other columns may stand beside them, and be longer: rows that name no array are passed over.
-
-    Parameters
-    ----------
-    kind : type of named tuple
-        Each of its fields becomes an array, a single number one without axes.
-
-    Examples
-    --------
-    >>> from typing import NamedTuple
-    >>> class Found(NamedTuple):
-    ...     parts: FloatArray
-    >>> columns = {"array": ["parts"] * 2, "index": ["0 0", "0 1"], "value": ["1", "3"]}
-    >>> from_columns(Found)(columns).parts
-    array([[1., 3.]])
+    Each field becomes an array, a single number one without axes. Other, longer columns may be
+    in the table: rows that name no array are passed over.
     """
 
     def restore(table: Mapping[str, Sequence[str]]) -> Arrays:

@@ -157,15 +157,7 @@ class GuessControl:
         self.reveal(guess, keep(self.puzzle, guess))  # type: ignore[arg-type]
 
     def reveal(self, guess: Sequence[Answer] | None, note: str) -> None:
-        """Show the answers beside a guess.
-
-        Parameters
-        ----------
-        guess : sequence of float or str, or None
-            An answer for each question; None if there was no guess.
-        note : str
-            What is to be said of its keeping, if anything.
-        """
+        """Show the answers next to a guess, if there was one, and a note on whether it was kept."""
         self.answer.value = revealed(self.puzzle, guess, note)
         self.button.disabled = self.look.disabled = True
         # The answer takes the place of the questions. The buttons stay: one of them has the focus.

@@ -29,12 +29,7 @@ class Foreign(Exception):
 def kept_guess(puzzle: Puzzle, path: Path | None = None) -> tuple[bool, list[Answer] | None]:
     """Return whether a puzzle was answered, and its guess; None if only the answer was looked at.
 
-    Parameters
-    ----------
-    puzzle : Puzzle
-        What was asked.
-    path : Path, optional
-        The file; ``guesses.json`` in the kernel's folder if not given.
+    Without a `path` the file is ``guesses.json`` in the kernel's folder.
     """
     path = _resolved(path)
     if (path, puzzle.key) in in_memory:
@@ -51,14 +46,7 @@ def kept_guess(puzzle: Puzzle, path: Path | None = None) -> tuple[bool, list[Ans
 def keep(puzzle: Puzzle, guess: Sequence[Answer] | None, path: Path | None = None) -> str:
     """Keep the first guess at a puzzle; return a sentence if it could not be written.
 
-    Parameters
-    ----------
-    puzzle : Puzzle
-        What was asked.
-    guess : sequence of float or str, or None
-        An answer for each question; None if the answer was looked at without a guess.
-    path : Path, optional
-        As for `kept_guess`.
+    The guess is None if the answer was looked at first; `path` is that of `kept_guess`.
     """
     path = _resolved(path)
     answered, _ = kept_guess(puzzle, path)

@@ -12,15 +12,7 @@ MANY = 5
 
 
 def marks(question: Number, guess: float | None, truth: float) -> str:
-    """Return the scale of a question with the truth below it and the guess, if any, above.
-
-    Parameters
-    ----------
-    question : Number
-        Whose scale it is.
-    guess, truth : float
-        In the question's unit.
-    """
+    """Return the scale of a question with the truth below it and the guess, if any, above."""
     # From the top: words and diamond of the guess, the line, diamond and words of the truth, the
     # numbers of the scale. A label's small letters stand inside, or its em would be another.
     line = "position: absolute; left: 0; right: 0; top: 2.3em; border-top: 2px solid currentColor"

@@ -77,17 +77,7 @@ class Slider:
 
 
 def slider(wanted: str, says: str, **needed: Any) -> Slider:
-    """Return a function that reads one control of a panel.
-
-    Parameters
-    ----------
-    wanted : str
-        Name of the control.
-    says : str
-        What to say if the others are not set as needed.
-    **needed
-        Values of other controls without which the answer means nothing.
-    """
+    """Return a reader of one control; it `says` so if other controls are not as needed."""
     return Slider(wanted, says, needed)
 
 

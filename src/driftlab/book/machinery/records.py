@@ -23,21 +23,7 @@ LONGEST = 500
 def record_of(
     number: str, answer: Any, verdict: Verdict, attempt: int, said: Said
 ) -> dict[str, Any]:
-    """Return the record of one answer, which JSON can hold.
-
-    Parameters
-    ----------
-    number : str
-        The exercise's number.
-    answer
-        As it was handed to `check`.
-    verdict : Verdict
-        What was thought of it.
-    attempt : int
-        How many different answers there were until now.
-    said : Said
-        What the student said beside it.
-    """
+    """Return the record of one answer, which JSON can hold."""
     return {
         "exercise": number,
         "right": verdict.right,

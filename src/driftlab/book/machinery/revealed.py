@@ -13,17 +13,7 @@ WITHOUT_GUESS = "You looked without a guess, so none is kept for this puzzle."
 
 
 def revealed(puzzle: Puzzle, guess: Sequence[Answer] | None, note: str) -> str:
-    """Return the answers beside a guess.
-
-    Parameters
-    ----------
-    puzzle : Puzzle
-        What was asked.
-    guess : sequence of float or str, or None
-        An answer for each question; None if there was no guess.
-    note : str
-        What is to be said of its keeping, if anything.
-    """
+    """Return the answers next to a guess, if there was one, and a note on whether it was kept."""
     truths = puzzle.truths()
     lines = []
     for number, (question, truth) in enumerate(zip(puzzle.questions, truths, strict=True)):

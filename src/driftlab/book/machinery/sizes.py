@@ -21,14 +21,7 @@ def how_far_off(
 ) -> str:
     """Say of a wrong answer which parts are right, and of the others whether they are too large.
 
-    Parameters
-    ----------
-    given, right : ndarray
-        The answer and what is right, of one shape.
-    parts : ndarray of bool
-        Which parts of the answer are right, of the same shape.
-    any_order : bool
-        The parts may come in any order, so that nothing is said of the size of one of them.
+    With `any_order`, nothing is said of the size of a single part.
     """
     if given.ndim == 0:
         return _sentence(size(given[()], right[()]))

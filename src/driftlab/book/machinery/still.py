@@ -34,21 +34,9 @@ def still(
 ) -> str:
     """Return HTML with a picture and the sentence that says how to have the live one.
 
-    The figure says which panel it is of, and with which values: a page that can run Python by
-    itself makes the panel live in its place.
-
-    Parameters
-    ----------
-    picture : bytes
-        The file of the picture.
-    kind : str
-        What kind of file it is, such as "jpeg" or "svg+xml".
-    description : str
-        What the picture shows, for those who do not see it.
-    panel : str
-        Name of the panel's class.
-    values : mapping
-        The values of all its controls, by name.
+    `kind` is that of the file, such as "jpeg" or "svg+xml". The figure says which panel it is
+    of, and with which values: a page that can run Python by itself makes the panel live in its
+    place.
     """
     source = f"data:image/{kind};base64,{base64.b64encode(picture).decode()}"
     # JSON is full of double quotes, so the attribute stands between single ones.
@@ -75,16 +63,7 @@ def plain_values(values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def display_with_still(widget: DOMWidget, picture: str, description: str) -> None:
-    """Show a widget, and a picture of it wherever it does not live.
-
-    Parameters
-    ----------
-    widget : DOMWidget
-    picture : str
-        What `still` returns.
-    description : str
-        What the picture shows, for those who do not see it.
-    """
+    """Show a widget, and, wherever it does not live, the picture that `still` returns."""
     from IPython.display import display  # where a page shows nothing so, panels do without it
 
     live = {**widget_view(widget), "text/plain": description}

@@ -16,13 +16,7 @@ def degrees_text(angle: float) -> str:
 
 
 def number_text(value: float) -> str:
-    """Return a number to three digits; a power of ten only for what is small or large indeed.
-
-    Examples
-    --------
-    >>> [number_text(x) for x in (0.0123, 104.2, 6502.0, 3.21e-7, 0.0)]
-    ['0.0123', '104', '6500', '3.21·10⁻⁷', '0']
-    """
+    """Return a number to three digits; a power of ten only for what is small or large indeed."""
     mantissa, exponent = f"{value:.2e}".split("e")
     power = int(exponent)
     if value == 0:
@@ -33,13 +27,7 @@ def number_text(value: float) -> str:
 
 
 def angle_text(angle: float) -> str:
-    """Return an angle, rad, to three digits in degrees, minutes or seconds of arc.
-
-    Examples
-    --------
-    >>> [angle_text(x) for x in (0.05, 0.001, 1e-5, 1e-13, 1e-17, float("nan"))]
-    ['2.86°', '3.44′', '2.06″', '2.06·10⁻⁸″', '0″', '–']
-    """
+    """Return an angle, rad, to three digits in degrees, minutes or seconds of arc."""
     if np.isnan(angle):
         return ABSENT
     if abs(angle) < ROUNDING:

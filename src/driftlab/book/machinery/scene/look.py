@@ -18,17 +18,8 @@ ELEMENTS = {"dot": "circle", "label": "text"}
 def look(kind: str, style: str) -> dict[str, Any]:
     """Return how a part looks on a light page, as ``scene.css`` has it.
 
-    Parameters
-    ----------
-    kind, style : str
-        Of the part.
-
-    Returns
-    -------
-    dict
-        "stroke", "fill": colours, "none" for no line or no filling; "width": of the line, and
-        "dashes": lengths of its strokes and gaps, in units of the view; "alpha": of the filling;
-        "bold", for a label.
+    "stroke" and "fill" are colours or "none"; "width" and "dashes" are those of the line, in
+    units of the view; "alpha" is that of the filling; "bold" is for a label.
     """
     element = ELEMENTS.get(kind, "path")
     rules = _rules()

@@ -29,17 +29,9 @@ def scene_figure(
 ) -> FigureDefinition:
     """Return the definition of a figure that plays the views of a scene again and again.
 
-    Parameters
-    ----------
-    name : str
-        File name without ending; begins with the chapter's number.
-    compute : callable
-        The scene's experiment, with the published values of its parameters as defaults.
-    view : type of SceneView
-    shows : str
-        One sentence or more; what is magnified is added to them.
-    on_paper : callable
-        Data to the moment that a paper shows.
+    `compute` is the scene's experiment, with the published values as defaults; `shows` is its
+    caption, to which the magnification is added; `on_paper` returns the moment that a paper
+    shows.
     """
 
     def draw(data: Any, sheet: Sheet = SCREEN) -> Figure | str:

@@ -80,15 +80,7 @@ def circle(normal: ArrayLike, radius: float = 1.0, height: float = 0.0) -> Float
 
 
 def globe(colours: list[list[str]], style: str = "globe", radius: float = 1.0) -> tuple[Part, ...]:
-    """Return the faces of a globe, row by row from the South pole, columns from -180° eastwards.
-
-    Parameters
-    ----------
-    colours : list of list of str
-        Colour of each face.
-    style : str
-    radius : float
-    """
+    """Return the faces of a globe, row by row from the South pole, columns from -180° eastwards."""
     rows, columns = len(colours), len(colours[0])
     elevation = np.linspace(-np.pi / 2, np.pi / 2, rows + 1)
     azimuth = np.linspace(-np.pi, np.pi, columns + 1)

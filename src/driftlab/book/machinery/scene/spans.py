@@ -19,14 +19,9 @@ def reach(values: FloatArray) -> tuple[float, float]:
 
 
 def span(values: FloatArray, least: float = 0.0) -> tuple[float, float]:
-    """Return a round span of zero and all values: of one side where hardly any are on the other.
+    """Return a round span of zero and all finite values, one-sided if hardly any are on one side.
 
-    Parameters
-    ----------
-    values : ndarray
-        NaN counts for nothing.
-    least : float
-        It reaches at least so far, or smaller values would look large.
+    It reaches at least to `least`, so that smaller values do not look large.
     """
     low, high = reach(np.append(values, least))
     known = values[np.isfinite(values)]

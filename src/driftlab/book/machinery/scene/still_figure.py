@@ -31,15 +31,9 @@ MARGIN = 9.0
 
 
 def still_figure(stage: Stage, sheet: Sheet, moments: Sequence[int]) -> Figure:
-    """Return a stage on paper: for each moment its views, two panels beside each other in a column.
+    """Return a stage on paper, in a column two panels beside each other: for each moment its views.
 
-    Parameters
-    ----------
-    stage : Stage
-    sheet : Sheet
-        A column or a page.
-    moments : sequence of int
-        Which moments are shown; if there are several, each says when it is.
+    If there are several moments, each says when it is.
     """
     width = sheet.width or 0.0
     shown = list(product(moments, stage.views))
