@@ -58,11 +58,6 @@ def assert_unobservable(way, found, expected):
     assert angles.max() < 1e-6
 
 
-def projector(rows):
-    """Orthogonal projector on the span of independent rows."""
-    return np.linalg.pinv(rows) @ rows
-
-
 def unit_states(model, *names):
     """Rows with a one at each of the named states."""
     return np.eye(model.size)[[model.names.index(name) for name in names]]

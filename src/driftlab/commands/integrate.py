@@ -88,7 +88,7 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
     step("integrate")
     flight = flown(recording, options.algorithm, options.start, options.still)
     euler = euler_angles(flight.attitude)
-    tables, sentences = [_end_table(flight, euler)], _in_words(flight, recording)
+    tables, sentences = [_end_table(euler)], _in_words(flight, recording)
     values: dict[str, Any] = {}
     if options.closed:
         table, values, words = _closing(flight)
@@ -167,7 +167,7 @@ def euler_angles(attitude: FloatArray) -> FloatArray:
     return np.stack([heading, book.pitch, book.roll], axis=-1) + 0.0
 
 
-def _end_table(flight: Flight, euler: FloatArray) -> Table:
+def _end_table(euler: FloatArray) -> Table:
     names = ("heading, from North to East", "pitch", "roll")
     rows = [
         (name, written(np.degrees(begin), digits=6), written(np.degrees(end), digits=6), "deg")

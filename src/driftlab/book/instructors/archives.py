@@ -86,7 +86,7 @@ def _member(
     when = _time(info)
     if not name:
         yield Found(parts, when)
-    elif trouble := _refused(info, name, depth):
+    elif trouble := _refused(info, name):
         yield Found(parts, when, trouble=trouble)
     elif not (is_archive(name) or is_wanted(name)):
         yield Found(parts, when)
@@ -109,7 +109,7 @@ def _member(
             yield understood(parts, when, content)
 
 
-def _refused(info: zipfile.ZipInfo, last: str, depth: int) -> str:
+def _refused(info: zipfile.ZipInfo, last: str) -> str:
     """Why a file of an archive is not even opened."""
     name = info.filename.replace("\\", "/")
     if name.startswith("/") or ".." in name.split("/") or name[1:2] == ":":

@@ -122,7 +122,7 @@ class _Column(NamedTuple):
         same = off <= _DIGITS * size + rounding
         return same | (~np.isfinite(self.values) & np.isnan(drawn))
 
-    def has_ends_of(self, drawn: FloatArray, log: bool) -> bool:
+    def has_ends_of(self, drawn: FloatArray) -> bool:
         """Whether the first and the last of the drawn numbers are there at all."""
         size = np.nanmax(np.abs(drawn), initial=0.0)
         least = _DIGITS * size + min(self.rounding, _ROUNDED * size)
@@ -149,9 +149,9 @@ class Finder:
     def rows(self, curve: Curve, axes: Axes) -> Rows | None:
         """Return where a curve is, in the simplest of the ways there are."""
         log_x, log_y = (getattr(axes, f"get_{axis}scale")() == "log" for axis in "xy")
-        across, up = self._candidates(curve.x, log_x), self._candidates(curve.y, log_y)
+        across, up = self._candidates(curve.x), self._candidates(curve.y)
         if curve.x.size and curve.y.size:
-            up |= self._candidates(-curve.y, log_y, mirrored=True)
+            up |= self._candidates(-curve.y, mirrored=True)
         pairs = [(x, y) for x in across for y in up if x != y]
         # Any number may be found somewhere: a level has a column of nothing else.
         level = {curve.x.size, curve.y.size} == {0, 1}
@@ -180,9 +180,7 @@ class Finder:
                     break
         return (names[0], names[1], names[2]) if len(names) == 3 else None
 
-    def _candidates(
-        self, drawn: FloatArray, log: bool, mirrored: bool = False
-    ) -> dict[str, _Column]:
+    def _candidates(self, drawn: FloatArray, mirrored: bool = False) -> dict[str, _Column]:
         """Columns that may hold a coordinate, by name; none with a name where it has no numbers."""
         if not drawn.size:
             return {"": _Column(drawn, 0.0)}
@@ -191,7 +189,7 @@ class Finder:
             if mirrored
             else each
             for name, each in self._columns.items()
-            if each.has_ends_of(drawn, log)
+            if each.has_ends_of(drawn)
         }
 
     def _best(self, found: list[Rows], curve: Curve) -> Rows | None:
@@ -213,7 +211,7 @@ class Finder:
         n = len(curve.y)
         if not n or n != len(curve.x) or not np.allclose(curve.y, np.arange(1, n + 1) / n):
             return None
-        for name, column in self._candidates(curve.x, log).items():
+        for name, column in self._candidates(curve.x).items():
             for where, chosen in (group for level in self._levels for group in level):
                 values = np.sort(column.values[chosen])
                 values = values[np.isfinite(values)]
