@@ -13,6 +13,8 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from limits import at_most, limit_of
+
 settings.register_profile("driftlab", derandomize=True, deadline=None, max_examples=60)
 settings.register_profile("quick", settings.get_profile("driftlab"), max_examples=20)
 settings.load_profile("driftlab")
@@ -57,6 +59,22 @@ HEAVY = (
 
 
 TESTS = Path(__file__).parent
+STDERR = pytest.StashKey[int]()
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Note where errors are printed, as long as nothing is captured."""
+    config.stash[STDERR] = os.dup(sys.__stderr__.fileno())
+
+
+@pytest.hookimpl(wrapper=True)
+def limited(item: pytest.Item) -> Iterator[None]:
+    """Let no test wait without an end, nor what is set up before it or taken down after it."""
+    with at_most(limit_of(item), item.config.stash[STDERR]):
+        return (yield)
+
+
+pytest_runtest_setup = pytest_runtest_call = pytest_runtest_teardown = limited
 
 
 def group_of(item: pytest.Item) -> str:

@@ -76,7 +76,7 @@ def at_once(call: Callable[[], Any]) -> list[Any]:
     """Answers of a call that several threads make with nothing kept yet."""
     for kept in caches().values():
         kept.cache_clear()
-    start = Barrier(THREADS)
+    start = Barrier(THREADS, timeout=60)
 
     def made(_: int) -> Any:
         start.wait()

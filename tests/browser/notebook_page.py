@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import nbformat
 
@@ -19,6 +19,12 @@ if TYPE_CHECKING:
 
 PATIENCE = 180
 """Seconds before a page counts as hung, on a machine that is busy with other things as well."""
+
+FRAME = """new Promise(painted => {
+  requestAnimationFrame(painted);
+  setTimeout(painted, 500);
+})"""
+"""The next frame, or half a second: a page behind another may never be painted."""
 
 PATIENCE_WITH_A_CELL = 600
 """The same for one cell; as long as one after the other finishes, a notebook may take any time."""
@@ -96,16 +102,14 @@ SHOW_CELL = """async (index) => {
 }"""
 
 # A screen at a time, each of which is painted before the next.
-READ_THROUGH = """async () => {
-  const notebook = window.jupyterapp.shell.currentWidget.content;
-  const place = notebook.outerNode;
-  const frame = () => new Promise(requestAnimationFrame);
-  for (let top = 0; top < place.scrollHeight; top += place.clientHeight) {
+READ_THROUGH = f"""async () => {{
+  const place = window.jupyterapp.shell.currentWidget.content.outerNode;
+  for (let top = 0; top < place.scrollHeight; top += place.clientHeight) {{
     place.scrollTop = top;
-    await frame();
-    await frame();
-  }
-}"""
+    await {FRAME};
+    await {FRAME};
+  }}
+}}"""
 
 CELLS_NOT_RUN = """() => window.jupyterapp.shell.currentWidget.content.widgets
   .filter(({ model }) => model.type === "code" && model.executionCount === null)
@@ -115,7 +119,15 @@ SHUT_DOWN = """async () => {
   await window.jupyterapp?.shell.currentWidget?.sessionContext?.shutdown();
 }"""
 
-NEXT_FRAME = "() => new Promise(requestAnimationFrame)"
+
+def answer(page: Page, script: str, argument: Any = None, patience: float = PATIENCE) -> Any:
+    """Call a function in a page and wait for what it promises, but not for ever.
+
+    `Page.evaluate` has no end. It does for what answers at once.
+    """
+    whole = f"async argument => [await ({script})(argument)]"  # a list, for an empty answer is one
+    found = page.wait_for_function(whole, arg=argument, timeout=1000 * patience, polling=100)
+    return found.json_value()[0]
 
 
 def wait_until(page: Page, condition: Callable[[], bool], what: str) -> None:
@@ -127,7 +139,7 @@ def wait_until(page: Page, condition: Callable[[], bool], what: str) -> None:
     while not condition():
         if time.monotonic() > end:
             raise TimeoutError(f"waited {PATIENCE} seconds for {what}")
-        page.evaluate(NEXT_FRAME)
+        page.evaluate(FRAME)
 
 
 @dataclass
@@ -168,17 +180,17 @@ class NotebookPage:
         self.page.bring_to_front()
         path = f"{self.server.folder.name}/{notebook}"
         if self.page.url.startswith(self.server.address):
-            self.page.evaluate(REPLACE, path)
+            answer(self.page, REPLACE, path)
             self.trouble.clear()
         else:
             url = f"{self.server.address}/lab/tree/{path}?token={self.server.token}&reset"
             self.page.goto(url, wait_until="domcontentloaded")
         self.page.wait_for_selector(".jp-Notebook-ExecutionIndicator[data-status=idle]")
-        self.page.evaluate(LISTEN)
+        answer(self.page, LISTEN)
 
     def saved(self) -> NotebookNode:
         """Save the notebook as a reader does, and read the file."""
-        return nbformat.read(self.server.folder.parent / self.page.evaluate(SAVE), as_version=4)
+        return nbformat.read(self.server.folder.parent / answer(self.page, SAVE), as_version=4)
 
     def show(self, code: str) -> None:
         """Let a notebook of one cell show the output of some code, with no trouble so far."""
@@ -200,11 +212,13 @@ class NotebookPage:
 
     def show_cell(self, index: int) -> None:
         """Scroll to a cell; JupyterLab keeps only what is near in the page."""
-        self.page.evaluate(SHOW_CELL, index)
+        self.page.bring_to_front()
+        answer(self.page, SHOW_CELL, index)
 
     def read_through(self) -> None:
-        """Scroll from the first cell to the last."""
-        self.page.evaluate(READ_THROUGH)
+        """Scroll from the first cell to the last, as fast as they are painted."""
+        self.page.bring_to_front()
+        answer(self.page, READ_THROUGH)
 
     def show_files(self, wanted: bool) -> None:
         """Show or hide the list of files on the left."""
@@ -256,7 +270,7 @@ class NotebookPage:
 
     def close(self) -> None:
         """End the kernel, if there is one, and close the page."""
-        self.page.evaluate(SHUT_DOWN)
+        answer(self.page, SHUT_DOWN)
         self.page.close()
 
 

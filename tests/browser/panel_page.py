@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from notebook_page import PATIENCE, wait_until
+from notebook_page import FRAME, PATIENCE, wait_until
 from PIL import Image
 
 from driftlab.book.machinery.control import Control
@@ -21,20 +21,20 @@ if TYPE_CHECKING:
 
 # At rest the kernel owes no answer, and some frames in a row find the panel as it was: ipywidgets
 # holds a move back while the kernel works on the one before. Until then no frames are asked for.
-SETTLE = """async (panel, [frames, patience]) => {
+SETTLE = f"""async (panel, [frames, patience]) => {{
   const image = panel.querySelector("img");
   const place = () => Object.values(panel.getBoundingClientRect().toJSON());
   const state = () => [image.src, panel.textContent, ...place()].join();
   const end = performance.now() + 1000 * patience;
   let before, same = 0;
-  while (same < frames) {
+  while (same < frames) {{
     if (performance.now() > end) throw new Error("the panel does not come to rest");
     if (window.unanswered.size) await new Promise(resolve => setTimeout(resolve, 10));
-    await new Promise(requestAnimationFrame);
+    await {FRAME};
     same = !window.unanswered.size && image.complete && state() === before ? same + 1 : 0;
     before = state();
-  }
-}"""
+  }}
+}}"""
 
 PICTURE = """async (panel) => {
   const bytes = await (await fetch(panel.querySelector("img").src)).bytes();
@@ -136,6 +136,7 @@ class PanelPage:
         self.panel = page.locator(f".{PANEL_CLASS}").filter(has=heading).first
         self.image = self.panel.locator("img")
         self.image.wait_for()
+        page.bring_to_front()
         # The element itself: to find it again by its title takes longer than most questions to it.
         self._element = self.panel.element_handle()
         self.settle()

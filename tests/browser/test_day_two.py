@@ -2,7 +2,7 @@
 
 import pytest
 from nbformat.sign import NotebookNotary
-from notebook_page import NotebookPage
+from notebook_page import NotebookPage, answer
 from pages import LEDGER, notebook_of
 
 from driftlab.book.machinery.still import STILL_CLASS
@@ -33,7 +33,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser-faults")]
 
 def test_a_copy_that_was_only_opened_has_nothing_to_save(chapter_page: NotebookPage) -> None:
     chapter_page.open(LEDGER.name)
-    chapter_page.page.evaluate(ANSWERED)
+    answer(chapter_page.page, ANSWERED)
     assert not chapter_page.page.evaluate(DIRTY)
     # The settings and the style that lab.py brings are there too.
     assert max(chapter_page.page.evaluate(WIDTHS)) <= 46
@@ -44,7 +44,7 @@ def test_a_copy_that_was_only_opened_has_nothing_to_save(chapter_page: NotebookP
 def test_a_still_stands_where_the_widget_is_gone(chapter_page: NotebookPage) -> None:
     page, server = chapter_page.page, chapter_page.server
     chapter_page.open(server.add_notebook("day_one.ipynb", notebook_of(SHOW)))
-    page.evaluate(ANSWERED)
+    answer(page, ANSWERED)
     assert page.evaluate(DIRTY)  # it lacks the language; so the test above would see that
     chapter_page.run_all()
     page.locator(".widget-html").wait_for()

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from notebook_page import NotebookPage, wait_until
+from notebook_page import FRAME, NotebookPage, wait_until
 
 from driftlab.book.machinery.scene.stage import Stage, View
 from driftlab.book.machinery.scene.svg import flat_corners, part_path, still
@@ -23,16 +23,16 @@ DRAWN = """scene => scene.views.map(view => view.drawn.map(({ element }) => [
   element.getAttribute("cy") ?? element.getAttribute("y"), element.getAttribute("visibility"),
 ]))"""
 TABLE = "scene => [...scene.table.rows].map(row => [...row.cells].map(cell => cell.textContent))"
-PLAY = """async scene => {
+PLAY = f"""async scene => {{
   scene.goTo(0);
   scene.play();
   const before = scene.moment, start = performance.now();
-  while (scene.moment === before && performance.now() - start < 5000) {
-    await new Promise(requestAnimationFrame);
-  }
+  while (scene.moment === before && performance.now() - start < 5000) {{
+    await {FRAME};
+  }}
   scene.pause();
   return [before, scene.moment];
-}"""
+}}"""
 TOLERANCE = 0.011
 """Both sides round to two decimals, and a tie may go either way."""
 

@@ -61,10 +61,11 @@ def test_a_file_is_written_whole_or_not_at_all(tmp_path, monkeypatch):
 def test_of_a_pipe_the_bytes_that_were_read_are_hashed(run, example_log, tmp_path):
     os.mkfifo(tmp_path / "pipe")
     content = example_log.read_bytes()[:100_000].rpartition(b"\n")[0] + b"\n"
-    writer = threading.Thread(target=(tmp_path / "pipe").write_bytes, args=(content,))
+    write = (tmp_path / "pipe").write_bytes
+    writer = threading.Thread(target=write, args=(content,), daemon=True)
     writer.start()
     code, _, err = run(f"integrate pipe {OPTIONS} --json found.json")
-    writer.join()
+    writer.join(60)
     assert (code, err) == (0, "")
     found = json.loads((tmp_path / "found.json").read_text())
     assert found["origin"]["files"] == [["pipe", hashlib.sha256(content).hexdigest()]]

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from in_place_page import page_of
+from notebook_page import answer
 
 from driftlab.book.machinery.panel import Explorer
 from driftlab.book.machinery.still import plain_values
@@ -108,4 +109,4 @@ def ask(page, call: str, *args: object) -> object:
       const python = await import(`${location.origin}/in_place/python.js`);
       return python.ask(call, args);
     }"""
-    return page.evaluate(script, [call, args])
+    return answer(page, script, [call, args], patience=PATIENCE / 1000)

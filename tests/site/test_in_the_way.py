@@ -7,6 +7,7 @@ import subprocess
 import pytest
 from in_place_page import page_of
 from lively import PATIENCE, at_rest, awaken, figure_of, show, values_of
+from notebook_page import answer
 
 from driftlab.book import CapstoneExplorer, DriftExplorer
 from support import ROOT
@@ -72,7 +73,7 @@ def test_two_links_at_once_make_one_panel(page, address):
     show(page, address, DriftExplorer(), link="#panel=DriftExplorer&azimuth=-30")
     page.wait_for_function("window.workers[0]?.asked.length")
     page.evaluate("location.hash = 'panel=DriftExplorer&azimuth=40'")
-    page.evaluate("new Promise((done) => setTimeout(done, 100))")
+    page.wait_for_timeout(100)
     page.evaluate(OPENED)
     page.wait_for_function("workers[0].asked.length === 2")
     asked = page.evaluate("workers[0].asked.map(({ call, args }) => [call, args.at(-1).azimuth])")
@@ -97,7 +98,7 @@ def test_what_a_stopped_python_had_still_to_say_is_not_heard(page, address):
       begun.onmessage({ data: { id, result: "of the new one" } });
       return [await first, await second];
     }"""
-    assert page.evaluate(script) == ["Stopped", "of the new one"]
+    assert answer(page, script) == ["Stopped", "of the new one"]
 
 
 RUNTIME = """
@@ -134,14 +135,14 @@ def test_what_did_not_come_is_named_and_comes_when_the_network_is_back(page, add
       return answer.catch(({ kind, message }) => [kind, message]);
     }"""
     if missing != "probe.py":
-        assert page.evaluate(asked, []) == "", "it has begun"
+        assert answer(page, asked, []) == "", "it has begun"
     page.route(f"**/{missing}", lambda route: route.abort())
-    kind, message = page.evaluate(asked, ["sympy"])
+    kind, message = answer(page, asked, ["sympy"])
     assert kind == "NotFetched"
     assert message.startswith(f"{missing} could not be fetched from 127.0.0.1")
     page.unroute(f"**/{missing}")
     say(missing, '{"packages": {}}')
-    assert page.evaluate(asked, ["sympy"]) == "sympy"
+    assert answer(page, asked, ["sympy"]) == "sympy"
 
 
 def test_a_move_made_while_a_link_is_refused_is_sent_all_the_same(page, address):
@@ -168,7 +169,7 @@ def test_a_move_made_while_a_link_is_refused_is_sent_all_the_same(page, address)
       await done();
       return [asked.map(({ call, args }) => [call, args[1]]), said];
     }"""
-    asked, said = page.evaluate(script)
+    asked, said = answer(page, script)
     assert asked == [["panels.set", {"azimuth": "west"}], ["panels.move", [[1, "value", 7]]]]
     assert said == [True, False, "No."], "and what was refused is the last word"
 
@@ -184,7 +185,7 @@ def test_with_the_end_of_python_nothing_waits_to_start_it_again(page, address):
     page.evaluate(link.format(40))
     page.wait_for_function("workers[0].asked.length === 2")
     page.evaluate(link.format(50))
-    page.evaluate("new Promise((done) => setTimeout(done, 100))")
+    page.wait_for_timeout(100)
     page.get_by_role("button", name="Stop").click()
     page.locator(".in-place-note", has_text="Python was stopped").wait_for()
     assert page.evaluate("workers.length") == 1

@@ -7,6 +7,7 @@ import json
 import shutil
 
 import pytest
+from notebook_page import answer
 from served import linked, served
 
 from live.lite import MARK, mark
@@ -55,18 +56,18 @@ def opened(page, marks):
 def test_a_copy_follows_the_book_until_one_writes_in_it(opened, page, marks):
     texts = json.loads(marks.read_text("utf-8"))
     opened(CHAPTER)
-    page.evaluate(SAVE, [CHAPTER, ""])
-    page.evaluate(SAVE, [OWN, "mine = 'Straße'"])
-    kept = page.evaluate(KEPT)
+    answer(page, SAVE, [CHAPTER, ""])
+    answer(page, SAVE, [OWN, "mine = 'Straße'"])
+    kept = answer(page, KEPT)
     assert kept.keys() == {CHAPTER, OWN}
     for path, notebook in kept.items():
         assert notebook["metadata"][MARK] == texts[path], "JupyterLab keeps the mark"
         assert (mark(notebook["cells"]) == texts[path]) is (path == CHAPTER)
     assert "has changed since you began" not in opened(OWN)
-    assert page.evaluate(KEPT).keys() == {CHAPTER, OWN}, "the book has not changed"
+    assert answer(page, KEPT).keys() == {CHAPTER, OWN}, "the book has not changed"
     marks.write_text(json.dumps(dict.fromkeys(texts, "0")), "utf-8")
     assert "has changed since you began with it. What is yours stays" in opened(OWN)
-    left = page.evaluate(KEPT)
+    left = answer(page, KEPT)
     assert left.keys() == {OWN}
     assert "mine = 'Straße'" in ["".join(cell["source"]) for cell in left[OWN]["cells"]]
     assert "has changed since you began" not in opened(CHAPTER)
@@ -74,7 +75,7 @@ def test_a_copy_follows_the_book_until_one_writes_in_it(opened, page, marks):
 
 def test_without_the_marks_every_copy_stays(opened, page, marks):
     opened(CHAPTER)
-    page.evaluate(SAVE, [CHAPTER, ""])
+    answer(page, SAVE, [CHAPTER, ""])
     marks.unlink()
     opened(CHAPTER)
-    assert page.evaluate(KEPT).keys() == {CHAPTER}
+    assert answer(page, KEPT).keys() == {CHAPTER}

@@ -11,6 +11,7 @@ from pathlib import Path
 from urllib.parse import quote
 
 import pytest
+from notebook_page import PATIENCE_WITH_A_CELL, answer
 
 from driftlab import __version__
 
@@ -95,8 +96,8 @@ def test_chapters_run_to_their_end(live, page):
     """One after the other in one browser, which has fetched all with the first."""
     for name in CHAPTERS:
         live(name)
-        assert page.evaluate(READY, LONG), name
-        cells = page.evaluate(RUN)
+        assert answer(page, READY, LONG, patience=LONG / 500), name
+        cells = answer(page, RUN, patience=PATIENCE_WITH_A_CELL)
         ran = [cell for cell in cells if cell["cell_type"] == "code"]
         for cell in ran:
             for output in cell["outputs"]:
@@ -167,8 +168,8 @@ def test_work_is_kept_under_the_version_and_comes_home_in_a_zip(live, page, addr
     page.wait_for_function(
         "window.jupyterapp?.shell?.currentWidget?.context?.isReady", timeout=LONG
     )
-    page.evaluate(WRITE, "mine = 'Straße'")
-    page.evaluate(OLD, b64encode(PICTURE).decode())
+    answer(page, WRITE, "mine = 'Straße'")
+    answer(page, OLD, b64encode(PICTURE).decode())
     names = page.evaluate("indexedDB.databases().then((all) => all.map(({ name }) => name))")
     assert f"Drift Lab {__version__}" in names
     page.on("dialog", lambda dialog: dialog.accept())  # "Leave the page?"

@@ -18,7 +18,7 @@ from live.own_wheels import figures_wheel
 from live.versions import ROOT, VERSIONS, older, pin, wheel_pins
 from unfinished import Unfinished
 
-pytestmark = pytest.mark.xdist_group("site-lock")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("site-lock")]
 CDN = VERSIONS["pyodide"]["distribution"]
 DIGESTS = VERSIONS["pyodide"]["sha256"]
 

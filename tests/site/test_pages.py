@@ -18,7 +18,7 @@ def test_every_page_fits_the_screen_and_sets_its_formulas(site, address, page):
         page.goto(f"{address}/{name}")
         if page.locator(".math").count():
             page.wait_for_function("document.querySelector('mjx-container') !== null")
-            page.evaluate("MathJax.startup.promise")
+            page.wait_for_function("MathJax.startup.promise.then(() => true)")
         if (site / "in_place").exists():  # forms come by themselves, and fetch no Python
             for room in page.locator("div.exercise[data-exercise]").all():
                 room.locator("form").first.wait_for(state="attached")
@@ -36,7 +36,7 @@ def test_a_page_from_a_disk_reads_without_complaint(site, page, name):
     page.goto((site / name).as_uri())
     if page.locator(".math").count():
         page.wait_for_function("document.querySelector('mjx-container') !== null")
-        page.evaluate("MathJax.startup.promise")
+        page.wait_for_function("MathJax.startup.promise.then(() => true)")
     assert page.complaints == []
 
 
@@ -93,7 +93,7 @@ def test_a_place_that_is_asked_for_stays_in_view(site, address, page, hash_, see
     page.route("**/worker.js", lambda route: route.abort())  # only where the page stands
     page.goto(f"{address}/03_systematic_drift.html#{hash_}")
     page.wait_for_function("document.querySelector('mjx-container') !== null")
-    page.evaluate("MathJax.startup.promise")
+    page.wait_for_function("MathJax.startup.promise.then(() => true)")
     top = f"document.querySelector('{seen}').getBoundingClientRect().top"
     page.wait_for_function(f"{top} >= 0 && {top} < 200")
     page.mouse.wheel(0, -3000)

@@ -1,6 +1,7 @@
 """Previews of what links lead to."""
 
 import pytest
+from notebook_page import FRAME, answer
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("site-landing")]
 TO_EQUATION = "article a[href='#eq-larin-1-4']"
@@ -14,13 +15,13 @@ PLACES = [
     ("i_want_to", TO_FUNCTION, "dt"),
 ]
 
-STANDS = """async link => {
-  for (let frames = 0, before; frames < 20; frames += 1) {
-    await new Promise(requestAnimationFrame);
-    const { top } = link.getBoundingClientRect();
+STANDS = f"""async link => {{
+  for (let frames = 0, before; frames < 20; frames += 1) {{
+    await {FRAME};
+    const {{ top }} = link.getBoundingClientRect();
     if (top !== before) [frames, before] = [0, top];
-  }
-}"""
+  }}
+}}"""
 """Wait until a link stands: what moves it from under the pointer takes its card away."""
 
 
@@ -38,10 +39,10 @@ def boxes(page, link) -> tuple[dict, dict]:
 def test_a_card_shows_what_stands_there(address, page, name, selector, has, width):
     page.set_viewport_size({"width": width, "height": 800})
     page.goto(f"{address}/{name}.html")
-    page.evaluate("window.MathJax?.startup?.promise")
+    answer(page, "async () => void (await window.MathJax?.startup?.promise)")
     link = page.locator(selector).locator("visible=true").first
     link.scroll_into_view_if_needed()
-    link.evaluate(STANDS)
+    answer(page, STANDS, link.element_handle())
     link.hover()
     card = page.locator(".preview[data-ready]")
     card.wait_for()

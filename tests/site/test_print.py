@@ -23,7 +23,7 @@ from pdf.contents import OUTSIDE, part_of
 from pdf.sheet import sheet
 from support import ROOT
 
-pytestmark = pytest.mark.xdist_group("site-print")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("site-print")]
 CHAPTER = "03_systematic_drift.ipynb"
 # What print_small.py puts into its notebooks.
 LONG = "a_long_name = another_name"

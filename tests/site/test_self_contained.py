@@ -16,7 +16,7 @@ from live.make import BUILD
 from live.packages import make_packages
 from unfinished import Unfinished
 
-pytestmark = pytest.mark.xdist_group("site-lock")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("site-lock")]
 
 
 @pytest.mark.parametrize("spoilt", ["missing", "other"])

@@ -16,7 +16,7 @@ from slides.cells import NOTES, on_slides
 from slides.make import chapters, main
 from support import ROOT
 
-pytestmark = pytest.mark.xdist_group("site-slides")
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("site-slides")]
 CHAPTERS = chapters()
 DEFINITIONS = {"08-one-step-of-the-filter-ten-lines"}
 """Cells that print nothing: their code is what they show, asked for or not."""

@@ -23,7 +23,7 @@ def threads_that_take_turns_often() -> Iterator[None]:
 def test_a_panel_moved_in_two_threads_shows_what_its_controls_say() -> None:
     panel, alone = DriftExplorer(), DriftExplorer()
     sliders = [control for control in panel.controls if control.is_slider][:2]
-    begin = Barrier(2)
+    begin = Barrier(2, timeout=60)
 
     def move(control) -> None:
         begin.wait()
