@@ -6,31 +6,31 @@ import warnings
 import pytest
 
 from driftlab import is_compiled, use_compiled
-from driftlab.core import compiled
+from driftlab.core import loops
 
 
 @pytest.fixture(autouse=True)
 def _as_before(monkeypatch):
-    monkeypatch.setattr(compiled, "on", compiled.on)
-    monkeypatch.setenv(compiled.VARIABLE, "0")
+    monkeypatch.setattr(loops, "on", loops.on)
+    monkeypatch.setenv(loops.VARIABLE, "0")
 
 
 def test_without_numba_one_sentence_says_how_to_get_it(monkeypatch):
-    monkeypatch.setattr(compiled, "available", lambda: False)
+    monkeypatch.setattr(loops, "available", lambda: False)
     with pytest.raises(
         ModuleNotFoundError, match=r"^use_compiled needs numba.*driftlab\[compiled\]"
     ):
         use_compiled()
-    assert not compiled.on
+    assert not loops.on
     use_compiled(False)
 
 
 def test_the_switch_tells_processes_that_are_started_later(monkeypatch):
-    monkeypatch.setattr(compiled, "available", lambda: True)
+    monkeypatch.setattr(loops, "available", lambda: True)
     for on in (True, False):
         use_compiled(on)
         assert is_compiled() is on
-        assert os.environ[compiled.VARIABLE] == str(int(on))
+        assert os.environ[loops.VARIABLE] == str(int(on))
 
 
 def test_what_is_no_truth_value_is_refused():
@@ -53,23 +53,23 @@ def test_what_is_no_truth_value_is_refused():
 def test_what_the_environment_asks_for_is_done_or_a_warning_says_why_not(
     said, installed, compiles, warned, monkeypatch
 ):
-    monkeypatch.setattr(compiled, "available", lambda: installed)
+    monkeypatch.setattr(loops, "available", lambda: installed)
     if said is None:
-        monkeypatch.delenv(compiled.VARIABLE)
+        monkeypatch.delenv(loops.VARIABLE)
     else:
-        monkeypatch.setenv(compiled.VARIABLE, said)
+        monkeypatch.setenv(loops.VARIABLE, said)
     if warned is None:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            assert compiled._asked() is compiles
+            assert loops._asked() is compiles
     else:
         with pytest.warns(UserWarning, match=warned):
-            assert compiled._asked() is compiles
+            assert loops._asked() is compiles
 
 
 def test_a_report_can_say_what_computed(monkeypatch):
-    monkeypatch.setattr(compiled, "version", lambda name: f"9.9 of {name}")
-    monkeypatch.setattr(compiled, "on", False)
-    assert compiled.arithmetic() == "NumPy"
-    monkeypatch.setattr(compiled, "on", True)
-    assert compiled.arithmetic() == "Numba 9.9 of numba"
+    monkeypatch.setattr(loops, "version", lambda name: f"9.9 of {name}")
+    monkeypatch.setattr(loops, "on", False)
+    assert loops.arithmetic() == "NumPy"
+    monkeypatch.setattr(loops, "on", True)
+    assert loops.arithmetic() == "Numba 9.9 of numba"

@@ -12,7 +12,7 @@ alone. The first call of each compiles it, for seconds; what was compiled is kep
 from __future__ import annotations
 
 from .checks import truth_value
-from .core import compiled
+from .core import loops
 
 __all__ = ["is_compiled", "use_compiled"]
 
@@ -54,13 +54,13 @@ def use_compiled(on: bool = True) -> None:
     >>> use_compiled(False)
     """
     truth_value(on, "on")
-    if on and not compiled.available():
+    if on and not loops.available():
         raise ModuleNotFoundError(
             "use_compiled needs numba, not installed here: pip install driftlab[compiled] "
             "brings it.",
             name="numba",
         )
-    compiled.switch(on)
+    loops.switch(on)
 
 
 def is_compiled() -> bool:
@@ -82,4 +82,4 @@ def is_compiled() -> bool:
     >>> is_compiled()
     False
     """
-    return compiled.on
+    return loops.on

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .checks import FloatArray, finite_array, finite_arrays, unit_quaternions
-from .core import quaternion as core
+from .core import loops, quaternion as core
 
 
 def multiply(first: ArrayLike, second: ArrayLike) -> FloatArray:
@@ -257,4 +257,4 @@ def cumulative_product(quaternions: ArrayLike) -> FloatArray:
     quaternions = finite_array(quaternions, "quaternions", 4)
     if quaternions.ndim < 2:
         raise ValueError(f"quaternions: expected shape (..., n, 4), got shape {quaternions.shape}.")
-    return core.cumulative_product(quaternions)
+    return loops.cumulative_product(quaternions)

@@ -30,14 +30,14 @@ from .checks import (
     unit_quaternions,
     whole_number,
 )
-from .core import strapdown as core
+from .core import loops
 from .core.strapdown import Navigation, last_of
 from .earth import checked_latitude
 from .increments import Increments, checked_increments
 
 __all__ = ["Navigation", "at_rest", "checked_interval", "last_of", "navigate"]
 
-ALGORITHM = CONING_ALGORITHMS["two-step-4"]
+ALGORITHM = CONING_ALGORITHMS["two-step-4"].steps
 """The attitude algorithm of the navigation; its step is a pair of increments."""
 _HIGHEST = 1e9  # m: past the Moon
 _LONGEST = 20.0  # s: interval for which the fixed point still converges quickly
@@ -189,7 +189,7 @@ def navigate(
             f"got {shown(every)}."
         )
     increments_of_velocity(velocity, seconds, "increments.velocity")
-    return core.navigate(
+    return loops.navigate(
         start, angle, velocity, seconds, ALGORITHM, every=each, hold_altitude=hold_altitude
     )
 

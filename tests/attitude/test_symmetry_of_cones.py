@@ -85,7 +85,7 @@ def test_random_algorithm_of_third_order_drifts_with_the_fourth(seed, half_angle
     def error(x):
         """What a step turns wrong, along the tilt axis and across it."""
         rows = window(half_angle, x, m, algorithm.memory)
-        found = step_quaternions(algorithm, rows, algorithm.memory)[0]
+        found = step_quaternions(algorithm.steps, rows, algorithm.memory)[0]
         true = multiply(conjugate(motion.attitude(0)), motion.attitude(m * x))
         wrong = to_rotation_vector(multiply(conjugate(true), found))
         return abs(wrong[0]), np.linalg.norm(wrong[1:])
@@ -151,7 +151,7 @@ def test_the_form_with_one_factor_wobbles_with_the_third_order_and_drifts_with_t
     algorithm, motion = COMPARED["four, one factor"], Coning(1.0, 1 / (2 * np.pi))
 
     def wobble(x):
-        found = step_quaternions(algorithm, window(1.0, x, 4, 0))[0]
+        found = step_quaternions(algorithm.steps, window(1.0, x, 4, 0))[0]
         true = multiply(conjugate(motion.attitude(0)), motion.attitude(4 * x))
         return rotation_angle(multiply(conjugate(true), found)) / x
 

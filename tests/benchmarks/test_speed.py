@@ -23,7 +23,7 @@ from speed.measuring import (
 from speed.verdicts import ahead_of, is_met, verdict
 
 from driftlab.attitude import CONING_ALGORITHMS, integrate
-from driftlab.core import kalman
+from driftlab.core import loops
 from driftlab.increments import Increments
 from driftlab.quaternion import cumulative_product
 from driftlab.strapdown import at_rest, navigate
@@ -223,8 +223,8 @@ class TestFloor:
         )  # fmt: skip
         after = steps.covariance
         for transition in steps.transitions:
-            after = kalman.predict(after, transition, steps.noise)
-            correction, after, _ = kalman.correct(
+            after = loops.predict(after, transition, steps.noise)
+            correction, after, _ = loops.correct(
                 after, steps.innovation, steps.observation, steps.observation_noise
             )
         found = floor.filter_steps(*steps)

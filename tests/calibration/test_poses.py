@@ -9,7 +9,7 @@ import pytest
 from scipy import optimize
 from scipy.spatial.transform import Rotation
 
-from driftlab.attitude import attitude_algorithm, integrate
+from driftlab.attitude import CONING_ALGORITHMS, integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
 from driftlab.calibration import FULL, InconsistentWarning, _pose_fit
 from driftlab.calibration._pose_fit import KINDS, fit_poses
@@ -129,7 +129,7 @@ def poses_of(record, rows, closed=()):
         GRAVITY,
         np.array(closed, int).reshape(-1, 2),
         np.setdiff1d(np.arange(len(rows) - 1), [i for i, j in closed if j == i + 1]),
-        attitude_algorithm("memory-4"),
+        CONING_ALGORITHMS["memory-4"].steps,
     )
 
 

@@ -112,7 +112,7 @@ def test_other_code_takes_nothing_of_it(tmp_path, monkeypatch):
 
 def test_what_numba_compiled_is_not_taken_for_what_numpy_computes(tmp_path, monkeypatch):
     calls_of(10, seed=1, batch=3, folder=tmp_path)
-    monkeypatch.setattr("driftlab.core.compiled.arithmetic", lambda: "Numba 9.9")
+    monkeypatch.setattr("driftlab.core.loops.arithmetic", lambda: "Numba 9.9")
     assert calls_of(10, seed=1, batch=3, folder=tmp_path)[0] == 4
     told = {
         json.loads(study.read_text("utf-8"))["arithmetic"] for study in tmp_path.glob("*/*.json")

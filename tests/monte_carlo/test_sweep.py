@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from driftlab.calibration.simulation import TableTrial
-from driftlab.core import compiled
+from driftlab.core import loops
 from driftlab.monte_carlo import processes, running_on, sweep, sweeps
 from driftlab.motion.scheme import NINETEEN_POSITIONS, Scheme
 
@@ -246,7 +246,7 @@ def test_numbers_that_make_no_sense_are_refused_by_name(name, bad, least):
 def test_a_run_is_compiled_where_it_goes_if_it_would_be_where_it_comes_from(here, monkeypatch):
     switched = []
     monkeypatch.setattr(sweeps, "use_compiled", switched.append)
-    monkeypatch.setattr(compiled, "on", here)
+    monkeypatch.setattr(loops, "on", here)
     for there in (False, True):
         assert sweeps._call(there, draws, np.random.default_rng(1), 2).shape == (2, 3)
     assert switched == [not here]

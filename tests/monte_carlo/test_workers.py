@@ -10,7 +10,7 @@ from select import select
 
 import pytest
 
-from driftlab.core import compiled
+from driftlab.core import loops
 from driftlab.monte_carlo import cluster, processes, sweep
 from driftlab.monte_carlo.sweeps import _call
 from driftlab.monte_carlo.workers import THREADS
@@ -46,18 +46,18 @@ if __name__ == "__main__":
 """
 
 
-ARITHMETIC = "__import__('driftlab.core.compiled').core.compiled.arithmetic()"
+ARITHMETIC = "__import__('driftlab.core.loops').core.loops.arithmetic()"
 
 
 def test_they_compile_if_the_process_that_sends_the_runs_does(monkeypatch):
     pytest.importorskip("numba")
-    monkeypatch.setenv(compiled.VARIABLE, "0")
+    monkeypatch.setenv(loops.VARIABLE, "0")
     with processes(1) as pool:
         for on in (False, True, False):
-            monkeypatch.setattr(compiled, "on", on)
+            monkeypatch.setattr(loops, "on", on)
             # What `sweep` sends; a process finds no function of this module.
             told = pool.submit(_call, on, eval, ARITHMETIC, {}).result()
-            assert told == compiled.arithmetic()
+            assert told == loops.arithmetic()
             assert told.startswith("Numba") == on
 
 

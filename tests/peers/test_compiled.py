@@ -12,7 +12,7 @@ from driftlab import use_compiled
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm
 from driftlab.attitude.integration import integrate
 from driftlab.calibration.simulation import TableTrial
-from driftlab.core import compiled, kalman
+from driftlab.core import loops
 from driftlab.earth import earth_rate, gravity
 from driftlab.increments import Increments
 from driftlab.motion.scheme import Scheme
@@ -85,7 +85,7 @@ def test_many_filters_may_share_a_noise_or_a_transition():
         (covariances[0], transitions, noises),
         (covariances[0], transitions[0], noises[0]),
     ):
-        plain, fast = both(lambda given=given: kalman.predict(*given))
+        plain, fast = both(lambda given=given: loops.predict(*given))
         np.testing.assert_allclose(fast, plain, rtol=1e-13, atol=1e-13)
 
 
@@ -96,7 +96,7 @@ def test_of_a_covariance_both_halves_count():
     lopsided = covariance + np.triu(rng.normal(size=(5, 5)), 1)
     for given in (covariance, lopsided):
         plain, fast = both(
-            lambda given=given: kalman.correct(given, np.ones(2), observation, np.eye(2))
+            lambda given=given: loops.correct(given, np.ones(2), observation, np.eye(2))
         )
         for one, other in zip(plain, fast, strict=True):
             np.testing.assert_allclose(other, one, rtol=0, atol=1e-12)
@@ -176,8 +176,8 @@ def test_filter_steps_agree(lead):
     seen = rng.normal(size=(*lead, 3))
 
     def step():
-        predicted = kalman.predict(covariance, transition, noise)
-        return predicted, *kalman.correct(predicted, seen, observation, np.eye(3))
+        predicted = loops.predict(covariance, transition, noise)
+        return predicted, *loops.correct(predicted, seen, observation, np.eye(3))
 
     numpys, compileds = both(step)
     for plain, fast in zip(numpys, compileds, strict=True):
@@ -192,7 +192,7 @@ def test_many_innovations_may_meet_one_covariance():
     rng = np.random.default_rng(6)
     covariance, observation = np.diag([1.0, 2, 3, 4]), rng.normal(size=(2, 4))
     seen = rng.normal(size=(5, 2))
-    found = both(lambda: kalman.correct(covariance, seen, observation, np.eye(2)))
+    found = both(lambda: loops.correct(covariance, seen, observation, np.eye(2)))
     for plain, fast in zip(*found, strict=True):
         assert plain.shape == fast.shape
         np.testing.assert_allclose(fast, plain, rtol=1e-13, atol=1e-15)
@@ -202,7 +202,7 @@ def test_one_innovation_may_meet_many_covariances():
     rng = np.random.default_rng(7)
     covariance = np.arange(1.0, 6)[:, np.newaxis, np.newaxis] * np.diag([1.0, 2, 3, 4])
     observation, seen = rng.normal(size=(2, 4)), rng.normal(size=2)
-    found = both(lambda: kalman.correct(covariance, seen, observation, np.eye(2)))
+    found = both(lambda: loops.correct(covariance, seen, observation, np.eye(2)))
     for plain, fast in zip(*found, strict=True):
         assert plain.shape == fast.shape
         np.testing.assert_allclose(fast, plain, rtol=1e-13, atol=1e-15)
@@ -213,13 +213,13 @@ def test_an_innovation_without_covariance_is_refused_either_way():
     for on in (False, True):
         use_compiled(on)
         with pytest.raises(np.linalg.LinAlgError, match="Singular matrix"):
-            kalman.correct_covariance(nothing, one_row, np.zeros((1, 1)))
+            loops.correct_covariance(nothing, one_row, np.zeros((1, 1)))
 
 
 def test_the_largest_pivot_is_taken():
     # Without exchange of rows the first pivot would be zero.
     noise = np.array([[0.0, 2.0, 0.0], [2.0, 0.0, 1.0], [0.0, 1.0, 5.0]])
-    plain, fast = both(lambda: kalman.correct_covariance(np.zeros((4, 4)), np.eye(3, 4), noise)[2])
+    plain, fast = both(lambda: loops.correct_covariance(np.zeros((4, 4)), np.eye(3, 4), noise)[2])
     np.testing.assert_allclose(fast, plain, rtol=1e-14, atol=1e-15)
     np.testing.assert_allclose(fast @ noise, np.eye(3), atol=1e-15)
 
@@ -235,10 +235,10 @@ def test_whole_calibrations_agree(runs):
 
 
 def test_processes_that_are_started_later_compile_too():
-    code = "from driftlab.core import compiled; print(compiled.on)"
+    code = "from driftlab.core import loops; print(loops.on)"
     for on in (True, False):
         use_compiled(on)
         asked = [sys.executable, "-c", code]
         found = subprocess.run(asked, capture_output=True, text=True, check=True, env=os.environ)
         assert found.stdout.strip() == str(on)
-    assert compiled.on is False
+    assert loops.on is False

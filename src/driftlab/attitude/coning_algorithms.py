@@ -23,10 +23,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
+from operator import itemgetter
 from types import MappingProxyType
 from typing import Literal, get_args
 
+import numpy as np
+
 from driftlab.checks import finite_array, keep, one_of, shown, whole_number
+from driftlab.core.coning import ConingSteps
 
 from .functional_iteration import FunctionalIteration
 from .own_algorithms import OwnAlgorithm
@@ -140,6 +145,19 @@ class Algorithm:
         3
         """
         return self.samples + self.memory
+
+    @cached_property
+    def steps(self) -> ConingSteps:
+        """The same in arrays, for `driftlab.core`."""
+        given = (self.coning, *self.starts)
+        pairs = sorted(dict.fromkeys(pair for each in given for pair in each), key=itemgetter(1))
+        weights = np.array([[each.get(pair, 0.0) for pair in pairs] for each in given])
+        places = np.array(pairs, np.int64).reshape(-1, 2)
+        for array in (weights, places):
+            array.setflags(write=False)
+        return ConingSteps(
+            self.samples, self.memory, self.last_stage, places, weights[0], weights[1:]
+        )
 
 
 def _kept(weights: Weights) -> Weights:

@@ -15,12 +15,8 @@ from numpy.typing import ArrayLike
 from driftlab.checks import FloatArray, finite_arrays
 from driftlab.core.attitude import step_quaternions
 from driftlab.core.coning import cone_increments
-from driftlab.core.quaternion import (
-    cumulative_product,
-    from_rotation_vector,
-    multiply,
-    to_rotation_vector,
-)
+from driftlab.core.loops import cumulative_product
+from driftlab.core.quaternion import from_rotation_vector, multiply, to_rotation_vector
 from driftlab.core.vectors import norms
 
 from ._swing import half_a_turn, largest_change
@@ -161,7 +157,7 @@ def _drift_of_step(chosen: AttitudeAlgorithm, angle: FloatArray, x: FloatArray) 
             "half_angle, frequency, sample_interval: expected less than a whole turn a step, where "
             f"the vector k is infinite, got {turned.max():.3g} rad."
         )
-    steps = step_quaternions(chosen, increments, past=chosen.memory)
+    steps = step_quaternions(chosen.steps, increments, past=chosen.memory)
     # One step, or all of a window that is computed as a whole.
     count = chosen.window - chosen.memory
     turned_in_all = cumulative_product(steps)[..., -1, :]

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from driftlab.checks import keep, whole_number
+from driftlab.core.functional_iteration import WindowSteps
 
 WIDEST = 20
 """Increments in a window at most. A polynomial through equally spaced data magnifies their errors
@@ -97,3 +98,8 @@ class FunctionalIteration:
         (4, 6)
         """
         return self.window + 2 - self.window % 2
+
+    @property
+    def steps(self) -> WindowSteps:
+        """The same as numbers, for `driftlab.core`."""
+        return WindowSteps(self.window, self.iterations)

@@ -18,7 +18,8 @@ from driftlab.checks import (
 )
 from driftlab.core import attitude as core
 from driftlab.core.attitude import rotation_quaternion, turns_too_far
-from driftlab.core.quaternion import cumulative_product, from_rotation_vector, multiply
+from driftlab.core.loops import attitudes, cumulative_product
+from driftlab.core.quaternion import from_rotation_vector, multiply
 
 from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, attitude_algorithm
 from .own_algorithms import OwnAlgorithm, own_steps
@@ -116,7 +117,7 @@ def integrate(
         rows, past, largest = _checked(increments, chosen, history)
         if first.ndim > 1:
             finite_arrays(increments=(rows, *rows.shape[-2:]), start=(first, 4))
-        found = core.attitudes(chosen, rows, past, first)
+        found = attitudes(chosen.steps, rows, past, first)
     else:
         rows = finite_array(increments, "increments", 3)
         largest = _largest(rows)
@@ -217,7 +218,7 @@ def step_vectors(
         rounded = _in_word(rows, dtype).astype(np.float64)
         return _cayley_vectors(_own_steps(chosen, rounded, history)).astype(dtype)
     rows, past, _ = _checked(increments, chosen, history)
-    return core.step_vectors(chosen, _in_word(rows, dtype), past=past)
+    return core.step_vectors(chosen.steps, _in_word(rows, dtype), past=past)
 
 
 def _rows(increments: ArrayLike) -> FloatArray:

@@ -7,9 +7,9 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, whole_number
 from driftlab.core.coning import cone_increments
+from driftlab.core.loops import cumulative_product
 from driftlab.core.quaternion import (
     conjugate,
-    cumulative_product,
     from_rotation_vector,
     multiply,
     to_rotation_vector,

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_array, finite_arrays
 from driftlab.core import sculling as core
+from driftlab.core.coning import ConingSteps
 
 from .coning_algorithms import Algorithm, coning_algorithm
 
@@ -90,7 +91,7 @@ def step_velocities(
 
 def _checked(
     angle: ArrayLike, velocity: ArrayLike, algorithm: str | Algorithm
-) -> tuple[Algorithm, FloatArray, FloatArray]:
+) -> tuple[ConingSteps, FloatArray, FloatArray]:
     chosen = coning_algorithm(algorithm)
     if chosen.memory:
         raise ValueError(f"algorithm: expected one without memory, got {chosen.name}.")
@@ -102,4 +103,4 @@ def _checked(
             f"{chosen.name}, got shape {angles.shape}."
         )
     finite_arrays(angle=(angles, count, 3), velocity=(velocities, count, 3))
-    return chosen, angles, velocities
+    return chosen.steps, angles, velocities

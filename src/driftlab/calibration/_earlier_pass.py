@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from driftlab.checks import FloatArray
 from driftlab.core import quaternion
-from driftlab.core.attitude import attitudes
+from driftlab.core.loops import attitudes
 from driftlab.earth import earth_rate
 from driftlab.increments import Increments
 from driftlab.strapdown import ALGORITHM

@@ -14,8 +14,8 @@ from scipy.constants import degree, hour
 
 from driftlab.checks import FloatArray
 from driftlab.core import quaternion
-from driftlab.core.attitude import attitudes
 from driftlab.core.carried_gravity import carried_velocity, cone_velocity
+from driftlab.core.loops import attitudes
 from driftlab.earth import EARTH_RATE, earth_rate, gravity
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.increments import Increments

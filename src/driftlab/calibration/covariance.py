@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from driftlab.checks import FloatArray, checked_instance, positive_number, shown
-from driftlab.core import kalman
+from driftlab.core import loops
 from driftlab.imu import ImuNoise, PriorDeviations
 
 from .error_dynamics import process_noise
@@ -145,6 +145,6 @@ def _covariances(
     variances = noise.reference_velocity**2 * seconds / linearized.durations
     spreads = variances[:, np.newaxis, np.newaxis] * np.eye(3)
     for matrix, more, spread in zip(rows, added, spreads, strict=True):
-        covariance = kalman.predict(covariance, matrix, more)
-        covariance, _, _ = kalman.correct_covariance(covariance, observed, spread)
+        covariance = loops.predict(covariance, matrix, more)
+        covariance, _, _ = loops.correct_covariance(covariance, observed, spread)
         yield covariance

@@ -19,8 +19,8 @@ from driftlab.checks import (
     unit_quaternions,
     whole_number,
 )
-from driftlab.core import kalman, quaternion
-from driftlab.core.strapdown import last_of, navigate
+from driftlab.core import loops, quaternion
+from driftlab.core.strapdown import last_of
 from driftlab.earth import checked_latitude
 from driftlab.higher_order_errors import rate_changes
 from driftlab.imu import ImuNoise, PriorDeviations
@@ -250,16 +250,16 @@ def _filtered(door: Door, model: ErrorModel, keep: int, about: Calibration | Non
     for k, (end, each) in enumerate(zip(ends.tolist(), lengths.tolist(), strict=True)):
         change = None if changes is None else changes[..., end - each : end, :]
         true = model.corrected(measured.part(end - each, end), state, change)
-        way = navigate(now, true.angle, true.velocity, true.interval, ALGORITHM)
+        way = loops.navigate(now, true.angle, true.velocity, true.interval, ALGORITHM)
         attitudes = np.concatenate([now.attitude[..., np.newaxis, :], way.attitude], axis=-2)
         growth = transition_of_increments(model, free[each], attitudes, true, change)
         arrived = last_of(way)
         mean = (growth @ mean[..., np.newaxis])[..., 0]
         added = process_noise(noise, growth[..., 3:6, :3], np.asarray(each * interval))
-        covariance = kalman.predict(covariance, growth[..., :6, :], added)
+        covariance = loops.predict(covariance, growth[..., :6, :], added)
         innovation = arrived.velocity - reference[..., k, :] - mean[..., 3:6]
         seen.append((innovation, covariance[..., 3:6, 3:6]))
-        correction, covariance, nis = kalman.correct(covariance, innovation, observed, spread)
+        correction, covariance, nis = loops.correct(covariance, innovation, observed, spread)
         mean = mean + correction
         found = state + mean
         found[..., :6] = 0.0

@@ -312,5 +312,5 @@ def _poses(
         gravity,
         np.array(closed, int).reshape(-1, 2),
         np.setdiff1d(np.arange(len(rows) - 1), at_once),
-        algorithm,
+        algorithm.steps,
     )

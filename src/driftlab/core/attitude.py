@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from itertools import groupby
+from operator import itemgetter
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
 
-from . import compiled, functional_iteration
+from . import functional_iteration
+from .coning import ConingSteps
+from .functional_iteration import WindowSteps
 from .quaternion import cumulative_product, from_rotation_vector, multiply
 from .vectors import components_first, components_last, cross
 
-if TYPE_CHECKING:
-    from driftlab.attitude.coning_algorithms import Algorithm, AttitudeAlgorithm, Weights
-
-_NO_TURN = np.array([0.0, 0.0, 0.0, 1.0])
+NO_TURN = np.array([0.0, 0.0, 0.0, 1.0])
 
 
 def rotation_quaternion(k: FloatArray) -> FloatArray:
@@ -30,42 +32,38 @@ def rotation_quaternion(k: FloatArray) -> FloatArray:
 
 
 def attitudes(
-    algorithm: AttitudeAlgorithm,
+    algorithm: ConingSteps | WindowSteps,
     increments: FloatArray,
     past: int = 0,
-    first: FloatArray = _NO_TURN,
+    first: FloatArray = NO_TURN,
+    product: Callable[[FloatArray], FloatArray] = cumulative_product,
 ) -> FloatArray:
     """Attitude (..., m, 4) after each step from `first` (..., 4) on; else as `step_vectors`."""
-    if compiled.on and algorithm.last_stage != "functional iteration":
-        found, square = compiled.attitudes(first, algorithm, increments, past)
-        refuse_whole_turns(square)
-        return found
     steps = step_quaternions(algorithm, increments, past)
     lead = np.broadcast_shapes(first.shape[:-1], steps.shape[:-2])
     if lead != steps.shape[:-2]:
         steps = np.broadcast_to(steps, (*lead, *steps.shape[-2:])).copy()
     steps[..., 0, :] = multiply(first, steps[..., 0, :])
-    return cumulative_product(steps)
+    return product(steps)
 
 
 def step_quaternions(
-    algorithm: AttitudeAlgorithm, increments: FloatArray, past: int = 0
+    algorithm: ConingSteps | WindowSteps, increments: FloatArray, past: int = 0
 ) -> FloatArray:
     """Rotation (..., m, 4) over each step; arguments as in `step_vectors`."""
     vectors = step_vectors(algorithm, increments, past)
-    if algorithm.last_stage == "rotation vector":
+    if isinstance(algorithm, ConingSteps) and algorithm.last_stage == "rotation vector":
         return from_rotation_vector(vectors)
     return rotation_quaternion(vectors)
 
 
 def step_vectors(
-    algorithm: AttitudeAlgorithm, increments: NDArray[Any], past: int = 0
+    algorithm: ConingSteps | WindowSteps, increments: NDArray[Any], past: int = 0
 ) -> NDArray[Any]:
     """Vector (..., m, 3) of each step: k, or the rotation vector; of the increments (..., n, 3) the
     first `past` are history."""
-    if algorithm.last_stage == "functional iteration":
-        window, iterations = algorithm.window, algorithm.iterations
-        return functional_iteration.step_vectors(increments, window, iterations)
+    if isinstance(algorithm, WindowSteps):
+        return functional_iteration.step_vectors(increments, *algorithm)
     kind, m = increments.dtype.type, algorithm.samples
     # Components first, so that everything but a cross product is plain arithmetic.
     rows = np.ascontiguousarray(components_first(increments))
@@ -73,7 +71,7 @@ def step_vectors(
         gamma, coning = rows[..., past:], _coning_with_memory(algorithm, rows, past)
     else:
         places = [rows[..., i::m] for i in range(m)]
-        gamma, coning = sum(places[1:], places[0]), _weighted(algorithm.coning, places)
+        gamma, coning = sum(places[1:], places[0]), _weighted(algorithm.products(), places)
     stage, corrected = algorithm.last_stage, gamma + coning
     if stage == "rotation vector":
         return components_last(corrected)
@@ -105,25 +103,24 @@ def turns_too_far(angle: float) -> ValueError:
     )
 
 
-def _weighted(weights: Weights, places: list[NDArray[Any]]) -> NDArray[Any]:
+def _weighted(products: list[tuple[int, int, float]], places: list[NDArray[Any]]) -> NDArray[Any]:
     """Sum of weight * g_i × g_j, where `places` holds the g (3, ...) at each place of the window.
 
     Cross products with a common right factor are summed before they are multiplied out.
     """
     kind = places[0].dtype.type
     total = np.zeros_like(places[0])
-    for j in sorted({j for _, j in weights}):
-        left = sum(kind(weight) * places[i] for (i, k), weight in weights.items() if k == j)
-        total += cross(left, places[j])
+    for j, those in groupby(products, key=itemgetter(1)):
+        total += cross(sum(kind(weight) * places[i] for i, _, weight in those), places[j])
     return total
 
 
-def _coning_with_memory(algorithm: Algorithm, rows: NDArray[Any], past: int) -> NDArray[Any]:
+def _coning_with_memory(algorithm: ConingSteps, rows: NDArray[Any], past: int) -> NDArray[Any]:
     """Coning correction (3, ..., n) of an algorithm whose step is one increment."""
-    last = rows.shape[-1] - algorithm.memory
-    coning = _weighted(algorithm.coning, [rows[..., i : last + i] for i in range(algorithm.window)])
+    window, last = range(algorithm.memory + 1), rows.shape[-1] - algorithm.memory
+    coning = _weighted(algorithm.products(), [rows[..., i : last + i] for i in window])
     if past:
         return coning
-    first = [rows[..., i : i + 1] for i in range(algorithm.window)]
-    starts = [_weighted(weights, first) for weights in algorithm.starts]
+    first = [rows[..., i : i + 1] for i in window]
+    starts = [_weighted(algorithm.products(i), first) for i in range(algorithm.memory)]
     return np.concatenate([*starts, coning], axis=-1)

@@ -7,24 +7,20 @@ velocity that the body would have gained; in the second the turning Earth gives 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from driftlab.checks import FloatArray
 
-from .attitude import attitudes
+from .coning import ConingSteps
 from .earth import EARTH_RATE
+from .loops import attitudes
 from .quaternion import from_rotation_vector, multiply, rotate
 from .sculling import velocity_of_steps
 from .vectors import cross_matrix, stacked
 
-if TYPE_CHECKING:
-    from driftlab.attitude.coning_algorithms import Algorithm
-
 
 def carried_velocity(
-    algorithm: Algorithm, angle: FloatArray, velocity: FloatArray
+    algorithm: ConingSteps, angle: FloatArray, velocity: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Attitude (..., 4) at the end, and integrals (..., m, 3) of the specific force after each
     step, both in the body axes of the start."""

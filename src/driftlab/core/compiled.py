@@ -1,117 +1,53 @@
-"""Whether arithmetic is compiled, and the way to what is compiled.
+"""The loops of `driftlab.core.loops` by Numba.
 
-The functions here take and return what those of the same name in NumPy do. They stand between:
-arrays of any leading axes there, one leading axis and no gaps here.
+They take and return what those of the same name in NumPy do, arrays of any leading axes; the
+kernels have one leading axis and no gaps.
 """
 
 from __future__ import annotations
 
-import os
-import warnings
-from functools import cache, lru_cache
-from importlib.metadata import version
-from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
 
-if TYPE_CHECKING:
-    from driftlab.attitude.coning_algorithms import Algorithm
-
-    from .strapdown import Navigation
-
-VARIABLE = "DRIFTLAB_COMPILED"
-"""Of the environment: "1" where arithmetic is compiled, else "0" or not set. Processes that are
-started inherit it."""
+from . import _filter_kernels, _kernels, attitude, kalman
+from .coning import ConingSteps
+from .earth import refuse_inner_earth
+from .functional_iteration import WindowSteps
+from .strapdown import Navigation, steps_at_once
 
 _STAGES = ("rotation vector", "first iterate", "second iterate", "third iterate", "tangent")
 
 
-def available() -> bool:
-    """Whether Numba is installed."""
-    return find_spec("numba") is not None
-
-
-def _asked() -> bool:
-    """Whether the environment asks for it, and it can be had; if not, a warning says why.
-
-    Of a process that another one started, that one has said it.
-    """
-    asked = os.environ.get(VARIABLE, "")
-    if asked in ("", "0"):
-        return False
-    from multiprocessing import parent_process
-
-    if parent_process():
-        return asked == "1" and available()
-    if asked != "1":
-        warnings.warn(
-            f"{VARIABLE}: expected 0 or 1, got {asked!r}; nothing is compiled.", stacklevel=2
-        )
-    elif not available():
-        warnings.warn(
-            f"{VARIABLE} is 1, but numba is not installed: pip install driftlab[compiled] brings "
-            "it. Nothing is compiled.",
-            stacklevel=2,
-        )
-    return asked == "1" and available()
-
-
-on = _asked()
-
-
-def arithmetic() -> str:
-    """What computes, as "NumPy" or "Numba 0.62.1"; it decides on last digits."""
-    return f"Numba {version('numba')}" if on else "NumPy"
-
-
-def switch(wanted: bool) -> None:
-    """Compile from now on, or no longer; here and in processes started later."""
-    global on
-    on = wanted
-    os.environ[VARIABLE] = "1" if wanted else "0"
-
-
-@cache
-def _kernels() -> Any:
-    """Compiled attitude and navigation; Numba takes half a second to be loaded."""
-    from . import _kernels
-
-    return _kernels
-
-
-@cache
-def _filters() -> Any:
-    """Compiled steps of a filter."""
-    from . import _filter_kernels
-
-    return _filter_kernels
-
-
 def attitudes(
-    first: FloatArray, algorithm: Algorithm, angle: FloatArray, past: int
-) -> tuple[FloatArray, float]:
-    """Attitudes (..., k, 4) after each step, and the largest square of a gamma."""
-    places, weights, starts = _arrays(algorithm)
-    lead = _lead(first[..., np.newaxis, :], angle)
-    begun, rows = _runs(first[..., np.newaxis, :], lead), _runs(angle, lead)
-    found = np.empty((*lead, (angle.shape[-2] - past) // algorithm.samples, 4))
-    memory, stage = algorithm.memory, _STAGES.index(algorithm.last_stage)
-    largest = _kernels().attitudes(
-        begun, rows, algorithm.samples, memory, past, places, weights, starts, stage,
-        _runs(found, lead),
+    algorithm: ConingSteps | WindowSteps,
+    increments: FloatArray,
+    past: int = 0,
+    first: FloatArray = attitude.NO_TURN,
+) -> FloatArray:
+    """As `driftlab.core.attitude.attitudes`."""
+    if isinstance(algorithm, WindowSteps):
+        return attitude.attitudes(algorithm, increments, past, first, cumulative_product)
+    lead = _lead(first[..., np.newaxis, :], increments)
+    begun, rows = _runs(first[..., np.newaxis, :], lead), _runs(increments, lead)
+    found = np.empty((*lead, (increments.shape[-2] - past) // algorithm.samples, 4))
+    stage = _STAGES.index(algorithm.last_stage)
+    largest = _kernels.attitudes(
+        begun, rows, algorithm.samples, algorithm.memory, past, algorithm.pairs,
+        algorithm.weights, algorithm.starts, stage, _runs(found, lead),
     )  # fmt: skip
-    return found, largest
+    attitude.refuse_whole_turns(largest)
+    return found
 
 
 def cumulative_product(quaternions: FloatArray) -> FloatArray:
     """As `driftlab.core.quaternion.cumulative_product`."""
     rows = _runs(quaternions, quaternions.shape[:-2])
     found = np.empty(rows.shape)
-    _kernels().cumulative_product(rows, found)
+    _kernels.cumulative_product(rows, found)
     return found.reshape(quaternions.shape)
 
 
@@ -120,15 +56,12 @@ def navigate(
     angle: FloatArray,
     velocity: FloatArray,
     interval: float,
-    algorithm: Algorithm,
-    chunk: int,
-    every: int,
-    hold_altitude: bool,
-) -> tuple[tuple[FloatArray, ...], float, float]:
-    """Fields of the states, the largest square of a gamma and the smallest one of a distance.
-
-    `chunk` and `every` are numbers of steps.
-    """
+    algorithm: ConingSteps,
+    *,
+    every: int = 2,
+    hold_altitude: bool = False,
+) -> Navigation:
+    """As `driftlab.core.strapdown.navigate`."""
     place = start.latitude, start.longitude, start.altitude
     lead = np.broadcast_shapes(
         *(each.shape for each in place),
@@ -139,28 +72,30 @@ def navigate(
     begun[..., 0], begun[..., 1], begun[..., 2] = place
     begun[..., 3:6], begun[..., 6:] = start.velocity, start.attitude
     angles, pushes = _runs(angle, lead), _runs(velocity, lead)
-    samples = algorithm.samples
-    places, weights, _ = _arrays(algorithm)
-    count = angles.shape[1] // samples // every
+    count = angles.shape[1] // every
     begun = begun.reshape(-1, 10)
     found = np.empty((len(begun), count, 10))
     stage = _STAGES.index(algorithm.last_stage)
-    largest, lowest = _kernels().navigate(
-        begun, angles, pushes, interval, samples, places, weights, stage, chunk,
-        every, hold_altitude, found,
+    largest, lowest = _kernels.navigate(
+        begun, angles, pushes, interval, algorithm.samples, algorithm.pairs, algorithm.weights,
+        stage, steps_at_once(interval), every // 2, hold_altitude, found,
     )  # fmt: skip
+    attitude.refuse_whole_turns(largest)
+    refuse_inner_earth(lowest)
     states = found.reshape(*lead, count, 10)
-    fields = *(states[..., i].copy() for i in range(3)), states[..., 3:6].copy()
-    return (*fields, states[..., 6:].copy()), largest, lowest
+    latitude, longitude, altitude = (states[..., i].copy() for i in range(3))
+    return Navigation(
+        latitude, longitude, altitude, states[..., 3:6].copy(), states[..., 6:].copy()
+    )
 
 
 def predict(covariance: FloatArray, transition: FloatArray, noise: FloatArray) -> FloatArray:
     """As `driftlab.core.kalman.predict`."""
     if covariance.ndim == transition.ndim == noise.ndim == 2:
-        return _filters().predict(covariance, transition, noise)
+        return _filter_kernels.predict(covariance, transition, noise)
     lead = _lead(covariance, transition, noise)
     given = (_runs(each, lead) for each in (covariance, transition, noise))
-    return _filters().predict_each(*given).reshape(*lead, *covariance.shape[-2:])
+    return _filter_kernels.predict_each(*given).reshape(*lead, *covariance.shape[-2:])
 
 
 def correct_covariance(
@@ -169,7 +104,7 @@ def correct_covariance(
     """As `driftlab.core.kalman.correct_covariance`."""
     lead = _lead(covariance, observation, noise)
     given = (_runs(each, lead) for each in (covariance, observation, noise))
-    *found, regular = _filters().correct_covariance_each(*given)
+    *found, regular = _filter_kernels.correct_covariance_each(*given)
     if not regular:
         raise _singular()
     after, gain, weights = (each.reshape(*lead, *each.shape[1:]) for each in found)
@@ -179,8 +114,12 @@ def correct_covariance(
 def correct(
     covariance: FloatArray, innovation: FloatArray, observation: FloatArray, noise: FloatArray
 ) -> tuple[FloatArray, FloatArray, Any]:
-    """As `driftlab.core.kalman.correct`, for one filter."""
-    correction, after, nis, regular = _filters().correct(covariance, innovation, observation, noise)
+    """As `driftlab.core.kalman.correct`."""
+    if not (innovation.ndim == 1 and covariance.ndim == observation.ndim == noise.ndim == 2):
+        return kalman.correct(covariance, innovation, observation, noise, correct_covariance)
+    correction, after, nis, regular = _filter_kernels.correct(
+        covariance, innovation, observation, noise
+    )
     if not regular:
         raise _singular()
     return correction, after, np.float64(nis)
@@ -203,13 +142,3 @@ def _runs(values: FloatArray, lead: tuple[int, ...]) -> FloatArray:
     if values.shape[:-2] != lead:
         values = np.broadcast_to(values, (*lead, *values.shape[-2:]))
     return np.ascontiguousarray(values).reshape(-1, *values.shape[-2:])
-
-
-@lru_cache(maxsize=64)
-def _arrays(algorithm: Algorithm) -> tuple[NDArray[np.int64], FloatArray, FloatArray]:
-    """Places (p, 2) of the pairs of a window, their weights (p,) and those of starts (m, p)."""
-    given = [dict(algorithm.coning), *map(dict, algorithm.starts)]
-    pairs = sorted({pair for weights in given for pair in weights}, key=lambda pair: pair[::-1])
-    values = np.array([[weights.get(pair, 0.0) for pair in pairs] for weights in given])
-    places = np.array(pairs, np.int64).reshape(-1, 2)
-    return places, values[0].copy(), values[1:].copy()

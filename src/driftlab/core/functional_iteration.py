@@ -23,6 +23,13 @@ _MOST_ITERATIONS = 60  # where they settle at all, half of them will do
 _WINDOWS_AT_ONCE = 512  # few enough to stay in the processor's cache
 
 
+class WindowSteps(NamedTuple):
+    """Functional iteration over windows of so many increments, so often or until it settles."""
+
+    window: int
+    iterations: int | None
+
+
 class Tables(NamedTuple):
     """Matrices of a window of N increments, with n nodes."""
 

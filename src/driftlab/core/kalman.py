@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
-
-from . import compiled
 
 
 def predict(covariance: FloatArray, transition: FloatArray, noise: FloatArray) -> FloatArray:
@@ -18,8 +17,6 @@ def predict(covariance: FloatArray, transition: FloatArray, noise: FloatArray) -
     In a batch of 200 filters with 27 states six rows take a tenth of the time of all; one filter
     alone does not notice.
     """
-    if compiled.on:
-        return compiled.predict(covariance, transition, noise)
     moving = transition.shape[-2]
     rows = transition @ covariance
     block = rows @ transition.mT + noise
@@ -31,19 +28,6 @@ def predict(covariance: FloatArray, transition: FloatArray, noise: FloatArray) -
     return predicted
 
 
-def correct(
-    covariance: FloatArray, innovation: FloatArray, observation: FloatArray, noise: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Correction, covariance and normalised innovation squared."""
-    one = innovation.ndim == 1 and covariance.ndim == observation.ndim == noise.ndim == 2
-    if compiled.on and one:
-        return compiled.correct(covariance, innovation, observation, noise)
-    after, gain, weights = correct_covariance(covariance, observation, noise)
-    column = innovation[..., np.newaxis]
-    weighted = (weights @ column)[..., 0]
-    return (gain @ column)[..., 0], after, np.vecdot(innovation, weighted)
-
-
 def correct_covariance(
     covariance: FloatArray, observation: FloatArray, noise: FloatArray
 ) -> tuple[FloatArray, NDArray[Any], NDArray[Any]]:
@@ -51,10 +35,22 @@ def correct_covariance(
 
     They do not depend on what was measured. `covariance` must be symmetric; what comes out is.
     """
-    if compiled.on:
-        return compiled.correct_covariance(covariance, observation, noise)
     seen = observation @ covariance
     weights = np.linalg.inv(seen @ observation.mT + noise)
     gain = seen.mT @ weights
     after = covariance - gain @ seen
     return 0.5 * (after + after.mT), gain, weights
+
+
+def correct(
+    covariance: FloatArray,
+    innovation: FloatArray,
+    observation: FloatArray,
+    noise: FloatArray,
+    gained: Callable[..., tuple[FloatArray, NDArray[Any], NDArray[Any]]] = correct_covariance,
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Correction, covariance and normalised innovation squared."""
+    after, gain, weights = gained(covariance, observation, noise)
+    column = innovation[..., np.newaxis]
+    weighted = (weights @ column)[..., 0]
+    return (gain @ column)[..., 0], after, np.vecdot(innovation, weighted)

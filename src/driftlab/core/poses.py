@@ -8,24 +8,17 @@ by row; their bias; and what specific force adds to it, a matrix G, row by row.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from driftlab.checks import FloatArray
 
 from .attitude import step_quaternions
-from .quaternion import (
-    conjugate,
-    cumulative_product,
-    multiply,
-    to_matrix,
-    to_rotation_vector,
-)
+from .coning import ConingSteps
+from .loops import cumulative_product
+from .quaternion import conjugate, multiply, to_matrix, to_rotation_vector
 from .vectors import cross_matrix, left_jacobian, norms
-
-if TYPE_CHECKING:
-    from driftlab.attitude.coning_algorithms import AttitudeAlgorithm
 
 LOWER = np.tril_indices(3)
 FORCE, FORCE_BIAS = np.s_[0:6], np.s_[6:9]
@@ -53,7 +46,7 @@ class Poses(NamedTuple):
     gravity: float
     closed: np.ndarray
     open: np.ndarray
-    algorithm: AttitudeAlgorithm
+    algorithm: ConingSteps
 
 
 class Variances(NamedTuple):
@@ -81,7 +74,7 @@ def matrices(
 
 
 def path_integrals(
-    algorithm: AttitudeAlgorithm,
+    algorithm: ConingSteps,
     angle: FloatArray,
     inverse: FloatArray,
     sources: Sequence[FloatArray],

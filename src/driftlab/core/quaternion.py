@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
 
-from . import compiled
 from .vectors import components, norms
 
 
@@ -102,8 +101,6 @@ def cumulative_product(quaternions: FloatArray) -> FloatArray:
     and one more product puts each block after those before it. So nearly all of the work is
     NumPy's, on arrays of sqrt(n), with two quaternion products an element.
     """
-    if compiled.on:
-        return compiled.cumulative_product(quaternions)
     rows = quaternions.reshape(-1, *quaternions.shape[-2:]).swapaxes(0, 1)
     first, second = rows[..., 3] + 1j * rows[..., 2], rows[..., 0] + 1j * rows[..., 1]
     _scan(first, second)

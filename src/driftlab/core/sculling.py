@@ -2,27 +2,25 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from driftlab.checks import FloatArray
 
+from .coning import ConingSteps
 from .vectors import components_first, components_last, cross
-
-if TYPE_CHECKING:
-    from driftlab.attitude.coning_algorithms import Algorithm
 
 
 def sculling_correction(
-    algorithm: Algorithm, angle: FloatArray, velocity: FloatArray
+    algorithm: ConingSteps, angle: FloatArray, velocity: FloatArray
 ) -> FloatArray:
     """Sculling correction (..., n // samples, 3); see `velocity_of_steps`."""
     angles, velocities = _places(algorithm, angle, velocity)
     return components_last(_sculling(algorithm, angles, velocities))
 
 
-def velocity_of_steps(algorithm: Algorithm, angle: FloatArray, velocity: FloatArray) -> FloatArray:
+def velocity_of_steps(
+    algorithm: ConingSteps, angle: FloatArray, velocity: FloatArray
+) -> FloatArray:
     """Velocity increments (..., n // samples, 3) of steps, in the body axes at the start of each.
 
     With g_i, v_i the increments of a step, p = sum of g + coning correction is its rotation vector
@@ -32,7 +30,7 @@ def velocity_of_steps(algorithm: Algorithm, angle: FloatArray, velocity: FloatAr
     """
     angles, velocities = _places(algorithm, angle, velocity)
     coning = sum(
-        (weight * cross(angles[i], angles[j]) for (i, j), weight in algorithm.coning.items()),
+        (weight * cross(angles[i], angles[j]) for i, j, weight in algorithm.products()),
         np.zeros_like(angles[0]),
     )
     p = sum(angles[1:], angles[0]) + coning
@@ -45,7 +43,7 @@ def velocity_of_steps(algorithm: Algorithm, angle: FloatArray, velocity: FloatAr
 
 
 def _places(
-    algorithm: Algorithm, angle: FloatArray, velocity: FloatArray
+    algorithm: ConingSteps, angle: FloatArray, velocity: FloatArray
 ) -> tuple[list[FloatArray], list[FloatArray]]:
     """Increments (3, ..., n // samples) at each place of a step."""
     # Components first, so that everything but a cross product is plain arithmetic; broadcast
@@ -57,12 +55,12 @@ def _places(
 
 
 def _sculling(
-    algorithm: Algorithm, angles: list[FloatArray], velocities: list[FloatArray]
+    algorithm: ConingSteps, angles: list[FloatArray], velocities: list[FloatArray]
 ) -> FloatArray:
     return sum(
         (
             weight * (cross(angles[i], velocities[j]) + cross(velocities[i], angles[j]))
-            for (i, j), weight in algorithm.coning.items()
+            for i, j, weight in algorithm.products()
         ),
         np.zeros_like(angles[0]),
     )

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from driftlab.checks import FloatArray
 
-from . import compiled
-from .attitude import attitudes, refuse_whole_turns
+from .attitude import attitudes
+from .coning import ConingSteps
 from .earth import (
     EARTH_RATE,
     geodetic,
@@ -17,13 +17,9 @@ from .earth import (
     ground_velocity,
     local_axes,
     position_vector,
-    refuse_inner_earth,
 )
 from .quaternion import conjugate, multiply, rotate
 from .sculling import velocity_of_steps
-
-if TYPE_CHECKING:
-    from driftlab.attitude.coning_algorithms import Algorithm
 
 CHUNK = 40.0
 """Seconds of motion over which the fixed point on gravitation runs at once."""
@@ -57,20 +53,13 @@ def navigate(
     angle: FloatArray,
     velocity: FloatArray,
     interval: float,
-    algorithm: Algorithm,
+    algorithm: ConingSteps,
     *,
     every: int = 2,
     hold_altitude: bool = False,
 ) -> Navigation:
     """Carry a state along increments (..., n, 3) by an algorithm that makes a step of two."""
-    size = max(1, int(CHUNK / (2 * interval)))
-    if compiled.on:
-        fields, square, distance = compiled.navigate(
-            start, angle, velocity, interval, algorithm, size, every // 2, hold_altitude
-        )
-        refuse_whole_turns(square)
-        refuse_inner_earth(distance)
-        return Navigation(*fields)
+    size = steps_at_once(interval)
     to_inertial = local_axes(start.latitude, np.zeros_like(start.latitude))
     first = multiply(to_inertial, start.attitude)
     attitude = attitudes(algorithm, angle, first=first)
@@ -99,6 +88,11 @@ def navigate(
         return found
     height = np.broadcast_to(start.altitude[..., np.newaxis], found.altitude.shape).copy()
     return found._replace(altitude=height, velocity=found.velocity * np.array([1.0, 1.0, 0.0]))
+
+
+def steps_at_once(interval: float) -> int:
+    """Steps of two increments of this interval in a `CHUNK`."""
+    return max(1, int(CHUNK / (2 * interval)))
 
 
 def last_of(states: Navigation) -> Navigation:

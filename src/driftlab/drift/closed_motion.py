@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, error_matrix, finite_array, positive_number
+from driftlab.core.loops import cumulative_product
 from driftlab.core.quaternion import (
     conjugate,
-    cumulative_product,
     from_rotation_vector,
     multiply,
     rotate,

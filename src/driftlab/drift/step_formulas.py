@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray, finite_array, one_of
-from driftlab.core.quaternion import cumulative_product
+from driftlab.core.loops import cumulative_product
 from driftlab.quaternion import from_rotation_vector
 
 StepFormula = Callable[[ArrayLike], FloatArray]

@@ -33,7 +33,7 @@ from .contradictions import NOTHING_KNOWN
 
 _NO_FORCE = 1e-30
 """Velocity increments that are all smaller, m/s, have no direction left in double."""
-_ALGORITHM = CONING_ALGORITHMS["two-step-4"]
+_ALGORITHM = CONING_ALGORITHMS["two-step-4"].steps
 _FEWEST = 2 * STEPS_A_WINDOW * (FEWEST_WINDOWS + 1)
 _DENSITIES: FloatArray = np.array([100800.0, 1120.0, 280 / 11, 700 / 429])
 """Integrals from 0 to 1 of the squares of the third, second and first derivative of the bell

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import driftlab
-from driftlab.core import compiled
+from driftlab.core import loops
 
 from ._code import code_of
 from ._descriptions import describe
@@ -54,7 +54,7 @@ class KeptBatches:
             "batch": batch,
             "driftlab": driftlab.__version__,
             "code": code_of(task),
-            "arithmetic": compiled.arithmetic(),
+            "arithmetic": loops.arithmetic(),
         }
         text = json.dumps(study, indent=1, ensure_ascii=False)
         self.folder = folder / sha256(text.encode()).hexdigest()[:20]

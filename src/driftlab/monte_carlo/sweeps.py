@@ -21,7 +21,7 @@ from driftlab.checks import (
     whole_number,
 )
 from driftlab.compilation import use_compiled
-from driftlab.core import compiled
+from driftlab.core import loops
 
 from ._code import names_of_no_file
 from ._kept_batches import MISSING, KeptBatches
@@ -190,7 +190,7 @@ def sweep(
         for index in left:
             done(index, task(generators[index], sizes[index]))
         return results  # type: ignore[return-value]
-    compile_it = compiled.on
+    compile_it = loops.on
     futures = {executor.submit(_call, compile_it, task, generators[k], sizes[k]): k for k in left}
     try:
         for future in as_completed(futures):
@@ -218,7 +218,7 @@ def _has_processes(executor: Executor) -> bool:
 
 def _call(compile_it: bool, task: Task[Result], rng: np.random.Generator, runs: int) -> Result:
     """Call a task where it was sent, with NumPy or Numba as in the process that sent it."""
-    if compiled.on != compile_it:
+    if loops.on != compile_it:
         use_compiled(compile_it)
     return task(rng, runs)
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from driftlab.calibration import ERROR_MODELS, covariance_analysis, kalman, linearize_along
-from driftlab.core import kalman as core
+from driftlab.core import loops as core
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion import NINETEEN_POSITIONS
 

@@ -170,7 +170,7 @@ def two_velocities(increments: Increments, latitude: float) -> FloatArray:
     positions.
     """
     interval, angle, velocity = increments
-    turn, carried = carried_velocity(CONING_ALGORITHMS["two-step-4"], angle, velocity)
+    turn, carried = carried_velocity(CONING_ALGORITHMS["two-step-4"].steps, angle, velocity)
     count = carried.shape[-2]
     times = 2 * interval * np.array([count // 2, count])
     cone = cone_velocity(np.array(latitude), times)

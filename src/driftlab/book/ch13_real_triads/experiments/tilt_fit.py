@@ -17,7 +17,8 @@ from numpy.linalg import inv, norm
 from scipy.spatial.transform import Rotation
 
 from driftlab.checks import FloatArray
-from driftlab.core.quaternion import cumulative_product, from_rotation_vector
+from driftlab.core.loops import cumulative_product
+from driftlab.core.quaternion import from_rotation_vector
 from driftlab.core.vectors import cross_matrix, transform
 from driftlab.recordings.recording import Recording
 
