@@ -8,9 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from driftlab.calibration._row_covariances import rows_of
 from driftlab.calibration.covariance import covariance_analysis
-from driftlab.calibration.design_task import CRITERIA, DesignTask
+from driftlab.calibration.design_task import CRITERIA, DesignTask, rows_of
 from driftlab.calibration.error_model import FULL
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.scheme_design import _neighbours, design_scheme

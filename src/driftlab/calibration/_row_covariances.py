@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache, reduce
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -21,9 +21,6 @@ from ._condensed_steps import Condensed, condensed_steps
 from ._table_moves import STARTS, IntArray, Row, TableMoves
 from .error_model import ErrorModel
 from .linearization import linearize_along
-
-if TYPE_CHECKING:
-    from .design_task import DesignTask
 
 
 @dataclass(frozen=True)
@@ -133,15 +130,8 @@ class RowCovariances:
         return Condensed(*(np.stack(arrays, axis=1) for arrays in zip(*turns, strict=True)))
 
 
-def rows_of(task: DesignTask) -> RowCovariances:
-    """Rows of turns that a task allows, with what they show."""
-    return _row_covariances(
-        task.angles, task.duration, task.rate, task.latitude, task.model, task.noise, task.prior
-    )
-
-
 @lru_cache(maxsize=4)
-def _row_covariances(
+def row_covariances(
     angles: tuple[int, ...],
     duration: float,
     rate: float,

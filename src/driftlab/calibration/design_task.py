@@ -31,7 +31,7 @@ from driftlab.earth import checked_latitude
 from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import Scheme
 
-from ._row_covariances import rows_of
+from ._row_covariances import RowCovariances, row_covariances
 from .error_model import ERROR_MODELS, ErrorModel
 from .linearization import checked_model
 
@@ -241,3 +241,16 @@ class DesignTask:
     def _unknown(self) -> NDArray[np.int_]:
         """Places of the sensor errors that count: what is known before needs no scheme."""
         return np.flatnonzero(self._before)
+
+
+def rows_of(task: DesignTask) -> RowCovariances:
+    """Rows of turns that a task allows, with what they show."""
+    return row_covariances(
+        task.angles,
+        task.duration,
+        rate=task.rate,
+        latitude=task.latitude,
+        model=task.model,
+        noise=task.noise,
+        prior=task.prior,
+    )

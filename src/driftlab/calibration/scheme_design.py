@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from driftlab.checks import FloatArray, checked_generator, checked_instance, shown, whole_number
 from driftlab.motion.scheme import Scheme, checked_scheme
 
-from ._row_covariances import RowCovariances, rows_of
+from ._row_covariances import RowCovariances
 from ._table_moves import IntArray, Row, TableMoves
-from .design_task import DesignTask
+from .design_task import DesignTask, rows_of
 
 _GAIN = 1e-6  # relative: less is no gain, so that all processors take the same way
 _BLOCK = 48  # schemes that are tried at once

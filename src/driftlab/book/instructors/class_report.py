@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
 
 from driftlab.book.chapters import chapters_with
 from driftlab.book.exercises import all_exercises
 from driftlab.book.machinery.exercise import in_order as numbered
 
+from .class_results import ClassResults, Slip
 from .folders import files_in
 from .handed_in import handed_in
 from .own_numbers import compare_numbers
@@ -25,25 +24,7 @@ MOST_EXERCISES = 200
 """That are not the book's: more are no teacher's."""
 
 
-class Slip(NamedTuple):
-    """What several students were told of the same wrong answer.
-
-    Attributes
-    ----------
-    exercise : str
-    says : str
-        As `check` said it; empty if it did not know the slip.
-    students : tuple of str
-        Their names.
-    """
-
-    exercise: str
-    says: str
-    students: tuple[str, ...]
-
-
-@dataclass(frozen=True)
-class ClassReport:
+class ClassReport(ClassResults):
     """What a class handed in; the last line of a notebook cell shows it, `print` as text.
 
     Attributes
@@ -60,12 +41,6 @@ class ClassReport:
     notes : list of str
         What concerns nobody alone.
     """
-
-    folder: str
-    students: list[Student]
-    exercises: list[str]
-    slips: list[Slip]
-    notes: list[str]
 
     def __str__(self) -> str:
         return text_of(self)

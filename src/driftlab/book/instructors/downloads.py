@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from .found_files import Found, is_archive, is_notebook
+from .found_files import REPORT, Found, is_archive, is_notebook
 from .plain_text import clean
-from .report_files import FILES
 from .wrapping import CANVAS, MOODLE
 
 COURSE = ("source", "release", "autograded", "feedback", "gradebook.db", "nbgrader_config.py")
@@ -38,13 +37,13 @@ def without_report(found: list[Found]) -> tuple[list[Found], list[str]]:
     """Return all but an earlier report that was written into the folder itself."""
     inside = _by_top(found)
     reports = sorted(
-        top for top, files in inside.items() if sorted(one.parts[1:] for one in files) == REPORT
+        top for top, files in inside.items() if sorted(one.parts[1:] for one in files) == _OF_REPORT
     )
     notes = [f'The folder "{clean(top, 100)}" is an earlier report.' for top in reports]
     return [one for one in found if one.parts[0] not in reports], notes
 
 
-REPORT = sorted((name,) for name in FILES)
+_OF_REPORT = sorted((name,) for name in REPORT)
 
 
 def at_the_top(found: list[Found]) -> Top:

@@ -17,6 +17,8 @@ NOISE = (
     ".Spotlight-V100", ".TemporaryItems", ".fseventsd",
 )  # fmt: skip
 """What systems and programs leave behind, and nobody hands in."""
+REPORT = ("gradebook.csv", "statuses.csv", "slips.csv", "words.csv", "report.html")
+"""The files of a report; one may have been written into the folder that is read."""
 
 
 class Found(NamedTuple):

@@ -9,24 +9,21 @@ import shutil
 import tempfile
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from .class_results import ClassResults
+from .found_files import REPORT
 from .report_page import page
-
-if TYPE_CHECKING:
-    from .class_report import ClassReport
-    from .students import Student
+from .students import Student
 
 FORMULA = ("=", "+", "-", "@", "\t", "\r", "＝", "＋", "－", "＠")
 """A cell that begins so a spreadsheet would compute."""
-FILES = ("gradebook.csv", "statuses.csv", "slips.csv", "words.csv", "report.html")
 BEHIND = re.compile(r"([;\t])(?=[\s\"]*[=+\-@＝＋－＠])")
 """Where spreadsheets of many countries begin a cell, although the file has commas."""
 MARKS = {"right": "1", "wrong": "0", "error": "0", "open": "0"}
 """In the gradebook; what was not run or not handed in stays blank, which is no grade."""
 
 
-def write_report(report: ClassReport, folder: Path) -> Path:
+def write_report(report: ClassResults, folder: Path) -> Path:
     """Write all files, or none; see `ClassReport.write`."""
     try:
         _expect_a_place(folder)
@@ -60,7 +57,7 @@ def _expect_a_place(folder: Path) -> None:
         return
     if not folder.is_dir():
         raise ValueError(f"folder: {str(folder)!r} is not a folder.")
-    if others := sorted({path.name for path in folder.iterdir()} - set(FILES)):
+    if others := sorted({path.name for path in folder.iterdir()} - set(REPORT)):
         raise ValueError(
             f"folder: {str(folder)!r} holds other files than a report ({others[0]!r} is one); "
             "choose another folder."
@@ -85,7 +82,7 @@ def _csv(rows: Iterable[Iterable[object]]) -> bytes:
     return text.getvalue().encode("utf-8-sig")
 
 
-def _gradebook(report: ClassReport) -> Iterable[Iterable[object]]:
+def _gradebook(report: ClassResults) -> Iterable[Iterable[object]]:
     yield ("student", "id", "right", "of", "attempts", *report.exercises)
     for student in report.students:
         yield (
@@ -98,13 +95,13 @@ def _gradebook(report: ClassReport) -> Iterable[Iterable[object]]:
         )
 
 
-def _right(student: Student, report: ClassReport) -> int | str:
+def _right(student: Student, report: ClassResults) -> int | str:
     """How many are right; blank, like the exercises themselves, where there is nothing to mark."""
     has_any = any(student.status(number) in MARKS for number in report.exercises)
     return student.right(report.exercises) if has_any else ""
 
 
-def _statuses(report: ClassReport) -> Iterable[Iterable[object]]:
+def _statuses(report: ClassResults) -> Iterable[Iterable[object]]:
     yield ("student", "id", *report.exercises, "files", "notes")
     for student in report.students:
         yield (
@@ -116,13 +113,13 @@ def _statuses(report: ClassReport) -> Iterable[Iterable[object]]:
         )
 
 
-def _slips(report: ClassReport) -> Iterable[Iterable[object]]:
+def _slips(report: ClassResults) -> Iterable[Iterable[object]]:
     yield ("exercise", "slip", "students", "who")
     for slip in report.slips:
         yield slip.exercise, slip.says, len(slip.students), "; ".join(slip.students)
 
 
-def _words(report: ClassReport) -> Iterable[Iterable[object]]:
+def _words(report: ClassResults) -> Iterable[Iterable[object]]:
     yield ("exercise", "student", "id", "status", "words")
     for number in report.exercises:
         for student in report.students:

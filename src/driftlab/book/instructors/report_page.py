@@ -7,18 +7,16 @@ import hashlib
 from collections.abc import Iterator
 from html import escape
 from importlib.resources import files
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from .class_report import ClassReport
-    from .students import Student
+from .class_results import ClassResults
+from .students import Student
 
 SIGNS = {"right": "✓", "wrong": "✗", "error": "!", "open": "○", "not run": "–", "absent": ""}
 BAR = 160
 """Pixels of the longest bar."""
 
 
-def page(report: ClassReport) -> str:
+def page(report: ClassResults) -> str:
     """Return a page that stands alone; its policy lets no script run and asks for nothing."""
     style = _style("report_tables.css") + _style("report_page.css")
     digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()
@@ -35,7 +33,7 @@ def page(report: ClassReport) -> str:
     )
 
 
-def fragment(report: ClassReport) -> str:
+def fragment(report: ClassResults) -> str:
     """Return the tables for a notebook."""
     style = _style("report_tables.css")
     return f'<div class="class-report"><style>{style}</style>\n{_tables(report)}</div>'
@@ -45,11 +43,11 @@ def _style(name: str) -> str:
     return (files(__package__) / name).read_text("utf-8")
 
 
-def _tables(report: ClassReport) -> str:
+def _tables(report: ClassResults) -> str:
     return "\n".join([*_students(report), *_notes(report), *_slips(report), *_words(report)]) + "\n"
 
 
-def _students(report: ClassReport) -> Iterator[str]:
+def _students(report: ClassResults) -> Iterator[str]:
     signs = " ".join(
         f'<span class="key"><span class="cell {_class(status)}">{sign}</span> {status}</span>'
         for status, sign in SIGNS.items()
@@ -93,7 +91,7 @@ def _class(status: str) -> str:
     return status.replace(" ", "-")
 
 
-def _slips(report: ClassReport) -> Iterator[str]:
+def _slips(report: ClassResults) -> Iterator[str]:
     yield "<h2>Map of slips</h2>"
     if not report.slips:
         yield "<p>No notebook shows a wrong answer.</p>"
@@ -119,7 +117,7 @@ def _slips(report: ClassReport) -> Iterator[str]:
     yield "</tbody></table>"
 
 
-def _words(report: ClassReport) -> Iterator[str]:
+def _words(report: ClassResults) -> Iterator[str]:
     said = [
         (number, student, answer)
         for number in report.exercises
@@ -141,7 +139,7 @@ def _words(report: ClassReport) -> Iterator[str]:
         yield "</dl>"
 
 
-def _notes(report: ClassReport) -> Iterator[str]:
+def _notes(report: ClassResults) -> Iterator[str]:
     notes = [escape(note) for note in report.notes]
     notes += [
         f"<bdi>{escape(student.name)}</bdi>: <bdi>{escape(note)}</bdi>"

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from .class_results import ClassResults
 from .plain_text import padded, width
-
-if TYPE_CHECKING:
-    from .class_report import ClassReport
 
 SIGNS = {"right": "+", "wrong": "x", "error": "!", "open": "o", "not run": "?", "absent": "."}
 LEGEND = "+ right  x wrong  ! error  o open  ? not run  . absent"
@@ -15,7 +11,7 @@ WIDEST = 28
 MOST_SLIPS = 12
 
 
-def text_of(report: ClassReport) -> str:
+def text_of(report: ClassResults) -> str:
     """Return one row a student, what could not be read, and the slips."""
     columns = min(WIDEST, max([width(each.name) for each in report.students], default=0) + 2)
     chapters: dict[str, list[str]] = {}
