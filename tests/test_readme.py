@@ -1,4 +1,4 @@
-"""What README and the pages for users say runs: examples, commands and their options, links."""
+"""What README and other pages say runs: examples, commands and their options, links."""
 
 import re
 import shlex
@@ -13,7 +13,7 @@ from support import ROOT, printed_numbers
 
 README = ROOT / "README.md"
 DOCS = sorted((ROOT / "docs").glob("*.md"))
-PAGES = [*ROOT.glob("*.md"), *DOCS, *(ROOT / "release").rglob("*.md")]
+PAGES = [*ROOT.glob("*.md"), *DOCS, *ROOT.glob("deployment/*.md"), *ROOT.glob("release/**/*.md")]
 WITH_EXAMPLES = [README, ROOT / "release/PYPI.md", *DOCS]
 EXAMPLE = re.compile(r"^```python\n(.*?)^```$(?:\n\n^```\n(.*?)^```$)?", re.DOTALL | re.MULTILINE)
 """Python code, and what it prints if the next block shows that."""
