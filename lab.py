@@ -130,6 +130,8 @@ SITE = "_site"
 # The longest groups first, as tests/conftest.py orders them, not those of the most tests.
 # Two processors are busy with three of them: one waits for the browser half of the time.
 AT_ONCE = ["-n", "3", "--dist", "loadgroup", "--no-loadscope-reorder", "--durations=10"]
+# A process that dies takes its test to the next one, which dies of it too.
+AT_ONCE += ["--max-worker-restart=2"]
 # Packages of different age deprecate each other's ways, which is not the book's affair; what it
 # calls itself must not be deprecated in the newest. A widget that takes no such argument is.
 OF_DIFFERENT_AGE = [

@@ -23,6 +23,10 @@ settings.load_profile("driftlab")
 # and the threads of several processes would wait for each other. NumPy is not imported yet.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+# What tests start says all in UTF-8, and reads the scripts that they write, on Windows too.
+if os.name == "nt":
+    os.environ.setdefault("PYTHONUTF8", "1")
+
 # Kernels of notebooks run in other folders.
 if folder := os.environ.get("DRIFTLAB_RECORDINGS"):
     os.environ["DRIFTLAB_RECORDINGS"] = str(Path(folder).absolute())

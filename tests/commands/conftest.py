@@ -1,5 +1,6 @@
 """Commands run in this process; a made-up log, written once, in a folder of its own."""
 
+import os
 import shlex
 
 import pytest
@@ -21,7 +22,8 @@ def run(capsys, tmp_path, monkeypatch):
 
     def running(line, *more):
         try:
-            code = main([*shlex.split(line), *map(str, more)])
+            words = shlex.split(line.replace(os.sep, "/"))  # it takes backslashes for its own
+            code = main([*words, *map(str, more)])
         except SystemExit as stop:  # argparse's own
             code = stop.code
         printed = capsys.readouterr()

@@ -102,7 +102,7 @@ def test_a_task_that_was_typed_is_refused_before_it_is_sent():
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there a process cannot be killed like this")
-@pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGKILL])
+@pytest.mark.parametrize("how", ["SIGTERM", "SIGKILL"])  # Windows has no SIGKILL to name
 def test_they_end_with_the_process_that_started_them_even_where_it_is_killed(how, tmp_path):
     """All of them hold the standard output; when it ends, none of them lives any more."""
     script = tmp_path / "study.py"
@@ -115,7 +115,7 @@ def test_they_end_with_the_process_that_started_them_even_where_it_is_killed(how
     )
     try:
         assert process.stdout.read(10) == b"begunbegun"
-        process.send_signal(how)
+        process.send_signal(getattr(signal, how))
         assert select([process.stdout], [], [], 20)[0]
         assert process.stdout.read() == b""
     finally:
