@@ -26,9 +26,7 @@ from fuzz_rules import leaves
 THREADS = 8
 # Of compiled loops, which `peers/test_compiled` runs, and of single runs in processes.
 APART = {"driftlab.core.loops"}
-NEED_NUMBA = tuple(
-    f"driftlab.core.{name}" for name in ("_jit", "_kernels", "_filter_kernels", "compiled")
-)
+NEED_NUMBA = tuple(f"driftlab.core.{name}" for name in ("_kernels", "_filter_kernels", "compiled"))
 
 
 @cache

@@ -17,9 +17,9 @@ from driftlab.checks import (
     unit_quaternions,
 )
 from driftlab.core import attitude as core
-from driftlab.core.attitude import rotation_quaternion, turns_too_far
+from driftlab.core.attitude import turns_too_far
 from driftlab.core.loops import attitudes, cumulative_product
-from driftlab.core.quaternion import from_rotation_vector, multiply
+from driftlab.core.quaternion import multiply
 
 from .coning_algorithms import AnyAlgorithm, AttitudeAlgorithm, attitude_algorithm
 from .own_algorithms import OwnAlgorithm, own_steps
@@ -166,10 +166,8 @@ def step_quaternions(
     chosen = attitude_algorithm(algorithm)
     if not isinstance(chosen, AttitudeAlgorithm):
         return _own_steps(chosen, finite_array(increments, "increments", 3), history)
-    vectors = step_vectors(increments, chosen, history=history)
-    if chosen.last_stage == "rotation vector":
-        return from_rotation_vector(vectors)
-    return rotation_quaternion(vectors)
+    rows, past, _ = _checked(increments, chosen, history)
+    return core.step_quaternions(chosen.steps, rows, past)
 
 
 def step_vectors(

@@ -130,18 +130,8 @@ class RowCovariances:
         return Condensed(*(np.stack(arrays, axis=1) for arrays in zip(*turns, strict=True)))
 
 
-@lru_cache(maxsize=4)
-def row_covariances(
-    angles: tuple[int, ...],
-    duration: float,
-    rate: float,
-    latitude: float,
-    model: ErrorModel,
-    noise: ImuNoise,
-    prior: PriorDeviations,
-) -> RowCovariances:
-    """One object for each setting: its pieces are dear, and its settings cannot change."""
-    return RowCovariances(TableMoves(angles), duration, rate, latitude, model, noise, prior)
+row_covariances = lru_cache(maxsize=4)(RowCovariances)
+"""One object for each setting: its pieces are dear, and its settings cannot change."""
 
 
 def _chosen(steps: Condensed, index: Any) -> Condensed:

@@ -32,6 +32,7 @@ from driftlab.imu import ImuNoise, PriorDeviations
 from driftlab.motion.scheme import Scheme
 
 from ._row_covariances import RowCovariances, row_covariances
+from ._table_moves import TableMoves
 from .error_model import ERROR_MODELS, ErrorModel
 from .linearization import checked_model
 
@@ -246,11 +247,6 @@ class DesignTask:
 def rows_of(task: DesignTask) -> RowCovariances:
     """Rows of turns that a task allows, with what they show."""
     return row_covariances(
-        task.angles,
-        task.duration,
-        rate=task.rate,
-        latitude=task.latitude,
-        model=task.model,
-        noise=task.noise,
-        prior=task.prior,
-    )
+        moves=TableMoves(task.angles), duration=task.duration, rate=task.rate,
+        latitude=task.latitude, model=task.model, noise=task.noise, prior=task.prior,
+    )  # fmt: skip

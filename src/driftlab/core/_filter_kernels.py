@@ -1,4 +1,4 @@
-"""Steps of a Kalman filter, as `driftlab.core.compiled` compiles them: one number at a time.
+"""Steps of a Kalman filter, as Numba compiles them: one number at a time.
 
 Each goes through the formulas of a function of `driftlab.core.kalman` in the same order, so that
 the two differ by rounding alone. Arrays are C-contiguous doubles; the caller sees to that.
@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ._jit import compiled, inlined
+from ._kernels import compiled, inlined
 
 
 @compiled

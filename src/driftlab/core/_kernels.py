@@ -1,4 +1,4 @@
-"""Attitude and navigation, as `driftlab.core.compiled` compiles them: one number at a time.
+"""Attitude and navigation, as Numba compiles them: one number at a time.
 
 Each kernel goes through the formulas of a function in NumPy in the same order, so that the two
 differ by rounding alone; the docstring names that function, and its comments hold here as well.
@@ -14,8 +14,8 @@ import math
 from typing import Any
 
 import numpy as np
+from numba import njit
 
-from ._jit import compiled, inlined
 from .earth import (
     _BEND,
     _CURVATURE,
@@ -30,6 +30,11 @@ from .earth import (
     SEMI_MAJOR_AXIS,
 )
 from .strapdown import _SETTLED
+
+# Without `fastmath` nothing is reordered; divisions by zero give infinity, as in NumPy; other
+# threads go on meanwhile; and what was compiled once is kept on the disk.
+compiled = njit(cache=True, error_model="numpy", nogil=True)
+inlined = njit(cache=True, error_model="numpy", nogil=True, inline="always")
 
 ROTATION_VECTOR, FIRST, SECOND, THIRD, TANGENT = range(5)
 """Last stages of an algorithm, see `driftlab.attitude.coning_algorithms.LastStage`."""
