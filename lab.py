@@ -125,7 +125,6 @@ For developers
 """
 ENTRY = re.compile(r"^  (\w+) .*\n(?: {14}.*\n)*", re.MULTILINE)
 """A command in these texts: its first line, then its options, which are indented further."""
-NO_PEERS = "--ignore=tests/peers"
 SITE = "_site"
 # The longest groups first, as tests/conftest.py orders them, not those of the most tests.
 # Two processors are busy with three of them: one waits for the browser half of the time.
@@ -142,7 +141,7 @@ OF_DIFFERENT_AGE = [
 ]
 NEWEST_EXTRAS = ("book", "cluster", "compiled", "lab", "test", "dev")
 LONG = ("browser", "kernel", "setup", "slow")
-QUICK = ["--hypothesis-profile=quick", NO_PEERS, "-m", " and ".join(f"not {mark}" for mark in LONG)]
+QUICK = ["--hypothesis-profile=quick", "-m", " and ".join(f"not {mark}" for mark in LONG)]
 
 
 def run(*arguments: str) -> int:
@@ -203,7 +202,7 @@ def test(arguments: list[str]) -> int:
         linter = "from importlinter.cli import lint_imports_command; lint_imports_command()"
         checks["import-linter"] = ["-c", linter]
     # pytest comes last so that its summary closes the output.
-    checks["pytest"] = ["-m", "pytest", *AT_ONCE, *(marks or [NO_PEERS])]
+    checks["pytest"] = ["-m", "pytest", *AT_ONCE, *marks]
     codes = {name: run(*command) for name, command in checks.items()}
     failed = [name for name, code in codes.items() if code]
     minutes, seconds = divmod(round(time.monotonic() - begun), 60)
@@ -245,7 +244,7 @@ def bench(arguments: list[str]) -> int:
     set_up()
     if not asks_for_help(arguments):
         fetch("bench")
-    return run("tests/benchmarks/bench.py", *arguments)
+    return run("benchmarks/bench.py", *arguments)
 
 
 def peers(arguments: list[str]) -> int:
@@ -254,7 +253,7 @@ def peers(arguments: list[str]) -> int:
     set_up()
     for extra in ("bench", "cluster", "compiled", "peers"):
         fetch(extra)
-    return run("-m", "pytest", "tests/peers")
+    return run("-m", "pytest", "benchmarks")
 
 
 def asks_for_help(arguments: list[str]) -> bool:

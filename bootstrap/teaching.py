@@ -11,7 +11,8 @@ from bootstrap.steps import HOME, PYTHON, Trouble, running
 from bootstrap.student import NAME, write_student_copy
 
 NEEDS = {
-    **dict.fromkeys(("test", "lowest", "bench", "peers"), "tests"),
+    **dict.fromkeys(("test", "lowest"), "tests"),
+    **dict.fromkeys(("bench", "peers"), "benchmarks"),
     **dict.fromkeys(("site", "slides", "print"), "site"),
     **dict.fromkeys(("class", "student"), "src/driftlab/book/instructors"),
     "release": "release/release.toml",

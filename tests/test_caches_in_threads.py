@@ -24,7 +24,7 @@ from driftlab.noise_identification import fit_noise_terms
 from fuzz_rules import leaves
 
 THREADS = 8
-# Of compiled loops, which `peers/test_compiled` runs, and of single runs in processes.
+# Of compiled loops, which `benchmarks/peers/test_compiled` runs, and of single runs in processes.
 APART = {"driftlab.core.loops"}
 NEED_NUMBA = tuple(f"driftlab.core.{name}" for name in ("_kernels", "_filter_kernels", "compiled"))
 

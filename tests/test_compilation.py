@@ -1,4 +1,4 @@
-"""The switch for compiled loops; what they compute is compared in tests/peers/test_compiled.py."""
+"""The switch for compiled loops; benchmarks/peers/test_compiled.py compares what they compute."""
 
 import os
 import warnings

@@ -66,9 +66,8 @@ def test_test_checks_everything_and_ends_with_pytest(
 
 def test_test_quick_leaves_out_what_is_slow(checks: SimpleNamespace) -> None:
     checks.lab.main(["test", "--quick"])
-    assert checks.ran[-1][-4:] == [
+    assert checks.ran[-1][-3:] == [
         "--hypothesis-profile=quick",
-        "--ignore=tests/peers",
         "-m",
         "not browser and not kernel and not setup and not slow",
     ]
@@ -93,7 +92,7 @@ def test_the_benchmark_fetches_its_peers_and_goes_on_without(
     peers = {"python-ins", "ahrs", "numpy-quaternion", "filterpy", "navtk"}
     assert peers <= {word.split()[0] for word in fetched}
     assert any(word.startswith("numpy==") for word in fetched)  # the pins stay
-    assert measured == ["tests/benchmarks/bench.py", "filter", "--repeats", "5"]
+    assert measured == ["benchmarks/bench.py", "filter", "--repeats", "5"]
     assert capsys.readouterr().out == "Going on without the packages to compare with.\n"
 
 
@@ -106,7 +105,7 @@ def test_peers_are_fetched_within_the_pins_and_asked(
     for command, name in zip(fetched, of_each, strict=True):
         assert name in {word.split()[0] for word in command}
         assert any(word.startswith("numpy==") for word in command)  # the pins stay
-    assert asked == ["-m", "pytest", "tests/peers"]
+    assert asked == ["-m", "pytest", "benchmarks"]
     assert capsys.readouterr().out == ""
 
 
@@ -115,11 +114,6 @@ def test_who_asks_for_help_fetches_nothing(option: str, checks: SimpleNamespace)
     assert checks.lab.main(["bench", option]) == 0
     [asked] = checks.ran
     assert asked[1:] == [option]
-
-
-def test_test_leaves_out_the_peers(checks: SimpleNamespace) -> None:
-    checks.lab.main(["test"])
-    assert checks.ran[-1][-1] == "--ignore=tests/peers"
 
 
 def test_the_paths_of_a_class_are_seen_from_where_the_caller_is(

@@ -1,4 +1,4 @@
-"""Tables in memory, by stand-ins with the protocols of pandas and xarray; tests/peers has these."""
+"""Tables in memory, by stand-ins for those of pandas and xarray, which benchmarks/peers has."""
 
 from datetime import UTC, datetime, timedelta, timezone
 

@@ -15,7 +15,6 @@ from driftlab.book.instructors import question_bank
 from driftlab.book.instructors.moodle_xml import in_html, moodle_xml
 from driftlab.book.instructors.question_bank import NO_TEXT2QTI, NOTEBOOKS, write_question_bank
 from driftlab.book.instructors.questions import exercise_texts, questions
-from driftlab.book.instructors.quiz_text import fits, quiz_text
 from support import ROOT
 
 NUMBER = r"-?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?"
@@ -148,28 +147,6 @@ def test_variants_show_their_numbers(bank, moodle):
     assert "The unit is arc seconds." in text
     for name, value in numbers.items():
         assert f"<code>{name}</code>: <code>{value}</code>" in text
-
-
-def test_text2qti_reads_the_quiz_of_a_class():
-    package = pytest.importorskip("text2qti.quiz", reason="text2qti is not installed.")
-    from text2qti.config import Config
-
-    plain = [each for each in questions(NOTEBOOKS, students=30)[0] if fits(each)]
-    quiz = package.Quiz(quiz_text(plain), config=Config(), source_name="quiz")
-    read = {}
-    for part in quiz.questions_and_delims:
-        if isinstance(part, package.Question):
-            read[part.title_raw] = part
-    for each in plain:
-        count = len(each.numbers)
-        for which, number in enumerate(each.numbers, start=1):
-            one = read[each.title + (f", number {which} of {count}" if count > 1 else "")]
-            low, high = float(one.numerical_min_html_xml), float(one.numerical_max_html_xml)
-            assert low <= number.right <= high
-            assert high - low == pytest.approx(2 * number.tolerance, rel=0.1)
-        if each.statements:
-            choices = [one.correct for one in read[each.title].choices]
-            assert choices == [one.true for one in each.statements]
 
 
 @pytest.mark.slow

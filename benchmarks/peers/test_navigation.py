@@ -1,7 +1,4 @@
-"""pyins' own test flights through `navigate`, and its Earth and Kalman step beside ours."""
-
-from types import ModuleType
-from typing import Any
+"""pyins' own test flights, its Earth and its Kalman step beside ours; navtk's static alignment."""
 
 import numpy as np
 import pytest
@@ -9,17 +6,36 @@ from scipy.spatial.transform import Rotation
 
 from driftlab import earth
 from driftlab.calibration import kalman
+from driftlab.frames import from_euler_angles
+from driftlab.gyrocompass import align
 from driftlab.increments import Increments
+from driftlab.motion import static_imu
 from driftlab.strapdown import Navigation, navigate
 
+FETCH = '"python3 lab.py peers" fetches it.'
 NED = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1]])
 """From North, East, Down to East, North, Up, and back."""
+DOWN = np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]])
+"""Forward, up, right to forward, right, down; and North, Up, East to North, East, Down."""
 STATIONARY = {"metres": (1e-3, 1e-3, 1e-2), "metres a second": (1e-6, 1e-6, 1e-5), "degrees": 1e-8}
 SINE = {"metres": (0.1, 0.1, 3.0), "metres a second": (1e-3, 1e-3, 1e-2), "degrees": 1e-6}
 """What pyins' own tests allow pyins, for East, North and Up: `test_strapdown.py` of 1.0.1."""
 
 
-def states(pyins: ModuleType, table: Any) -> Navigation:
+@pytest.fixture(scope="module")
+def pyins():
+    """pyins, the package python-ins by N. Mayorov, which compiles itself when it is imported."""
+    package = pytest.importorskip("pyins", reason=f"python-ins is not installed: {FETCH}")
+    import pyins.earth
+    import pyins.kalman
+    import pyins.sim
+    import pyins.transform
+    import pyins.util  # noqa: F401
+
+    return package
+
+
+def states(pyins, table) -> Navigation:
     """A table of pyins' states in our axes and units."""
     turned = NED @ pyins.transform.mat_from_rph(table[pyins.util.RPH_COLS].to_numpy(float))
     return Navigation(
@@ -31,10 +47,10 @@ def states(pyins: ModuleType, table: Any) -> Navigation:
     )
 
 
-def errors(pyins: ModuleType, trajectory: Any, imu: Any, interval: float) -> dict[str, Any]:
-    """Largest errors of our navigation along pyins' increments."""
-    true = states(pyins, trajectory)
-    steps = imu.to_numpy()[1:]  # the first row is what came before the start
+def assert_flies(pyins, flight, interval: float, allowed: dict, part: float = 1.0) -> None:
+    """Our navigation along pyins' increments errs by a part of what is allowed."""
+    true = states(pyins, flight[0])
+    steps = flight[1].to_numpy()[1:]  # the first row is what came before the start
     start = Navigation(*(part[0] for part in true))
     found = navigate(start, Increments(interval, steps[:, :3], steps[:, 3:]))
     true = Navigation(*(part[2::2] for part in true))
@@ -45,53 +61,47 @@ def errors(pyins: ModuleType, trajectory: Any, imu: Any, interval: float) -> dic
         found.altitude - true.altitude,
     ]
     turned = Rotation.from_quat(true.attitude).inv() * Rotation.from_quat(found.attitude)
-    return {
+    errors = {
         "metres": np.abs(places).max(axis=1),
         "metres a second": np.abs(found.velocity - true.velocity).max(axis=0),
         "degrees": np.degrees(turned.magnitude().max()),
     }
+    for name, error in errors.items():
+        assert np.all(error < part * np.array(allowed[name])), name
 
 
-def test_an_hour_at_rest(pyins: ModuleType) -> None:
+def test_an_hour_at_rest(pyins):
     times = 0.1 * np.arange(36001)
     place, turned = np.tile([55.0, 37.0, 0.0], (36001, 1)), np.tile([-5.0, 10, 110], (36001, 1))
-    trajectory, imu = pyins.sim.generate_imu(times, place, turned, sensor_type="increment")
-    found = errors(pyins, trajectory, imu, 0.1)
-    for name, allowed in STATIONARY.items():
-        assert np.all(found[name] < allowed), name
+    flight = pyins.sim.generate_imu(times, place, turned, sensor_type="increment")
+    assert_flies(pyins, flight, 0.1, STATIONARY)
 
 
-def test_ten_minutes_of_a_velocity_that_swings(pyins: ModuleType) -> None:
+def test_ten_minutes_of_a_velocity_that_swings(pyins):
     """To a hundredth of what pyins asks of itself in an hour."""
-    trajectory, imu = pyins.sim.generate_sine_velocity_motion(
+    flight = pyins.sim.generate_sine_velocity_motion(
         1e-2, 600.01, [55, 37, 0], [5, -3, 0], velocity_change_amplitude=[1, 1, 0],
         sensor_type="increment",
     )  # fmt: skip
-    found = errors(pyins, trajectory, imu, 1e-2)
-    for name, allowed in SINE.items():
-        assert np.all(100 * found[name] < allowed), name
+    assert_flies(pyins, flight, 1e-2, SINE, part=0.01)
 
 
-def test_the_same_earth(pyins: ModuleType) -> None:
+def test_the_same_earth(pyins):
     degrees = np.linspace(-89.0, 89.0, 25)
     latitude = np.radians(degrees)
     along, across, _ = pyins.earth.principal_radii(degrees, 0.0)
     np.testing.assert_allclose(earth.curvature_radii(latitude), (along, across), rtol=1e-14)
-    np.testing.assert_allclose(
-        earth.earth_rate(latitude), pyins.earth.rate_n(degrees) @ NED.T, atol=1e-18
-    )
+    theirs = pyins.earth.rate_n(degrees) @ NED.T
+    np.testing.assert_allclose(earth.earth_rate(latitude), theirs, atol=1e-18)
     # Their linear term in the height leaves out the flattening and the Earth's turn, ours does not:
     # 2 h/a (f + m) of gravity, 2.2e-7 at 100 m. So the flights above are level, at the surface.
-    np.testing.assert_allclose(
-        earth.gravity(latitude), pyins.earth.gravity(degrees, 0.0), rtol=1e-14
-    )
-    np.testing.assert_allclose(
-        earth.gravity(latitude, 100.0), pyins.earth.gravity(degrees, 100.0), rtol=3e-7
-    )
+    for height, within in ((0.0, 1e-14), (100.0, 3e-7)):
+        theirs = pyins.earth.gravity(degrees, height)
+        np.testing.assert_allclose(earth.gravity(latitude, height), theirs, rtol=within)
 
 
 @pytest.mark.parametrize("measured", [1, 3])
-def test_the_same_kalman_step(pyins: ModuleType, measured: int) -> None:
+def test_the_same_kalman_step(pyins, measured):
     rng = np.random.default_rng(measured)
     root, noise_root = rng.standard_normal((9, 9)), rng.standard_normal((measured, measured))
     before, noise = root @ root.T, noise_root @ noise_root.T + np.eye(measured)
@@ -101,3 +111,17 @@ def test_the_same_kalman_step(pyins: ModuleType, measured: int) -> None:
     np.testing.assert_allclose(ours.correction, state, rtol=1e-9, atol=1e-12)
     np.testing.assert_allclose(ours.covariance, after, rtol=1e-9, atol=1e-10)
     assert ours.nis == pytest.approx(normalised @ normalised, rel=1e-10)
+
+
+def test_navtk_aligns_units_with_errors_alike():
+    navtk = pytest.importorskip("navtk.inertial", reason=f"navtk is not installed: {FETCH}")
+    rng = np.random.default_rng(9)
+    for _ in range(50):
+        heading, roll = rng.uniform(-np.pi, np.pi, 2)
+        attitude = from_euler_angles(heading, rng.uniform(-1.4, 1.4), roll)
+        rate, force = static_imu(attitude, rng.uniform(-1.3, 1.3))
+        rate = rate + 1e-6 * rng.standard_normal(3)
+        force = force + 1e-2 * rng.standard_normal(3)
+        theirs = navtk.quaternion_static_alignment(DOWN @ force, DOWN @ rate)
+        found = Rotation.from_quat(align(rate, force, heading_tolerance=np.inf).attitude)
+        np.testing.assert_allclose(DOWN @ found.as_matrix() @ DOWN.T, theirs, atol=1e-12)

@@ -19,7 +19,6 @@ from driftlab.book import given
 from driftlab.drift import earth_offset
 
 UV = [sys.executable, "-m", "uv", "tool", "run", "--quiet", "--from", "nbgrader==0.9.5"]
-NAME = 'student = "your name"'
 GRADEBOOK = """\
 import json
 from nbgrader.api import Gradebook
@@ -30,7 +29,6 @@ with Gradebook("sqlite:///gradebook.db") as book:
         for one in handed_in
     }))
 """
-
 ASKED = ("largest_drift = ...", "map_values = ...", "earth = ...")
 MARKED = {  # with the points for it
     "strict": (
@@ -62,23 +60,23 @@ def earth_of(student: str) -> float:
     return float(np.degrees(offset)) * 3600
 
 
-CLASS = {
-    "ada": {
-        "answer-strict": "largest_drift = 129.6",
-        "answer-in-parts": "map_values = [1, 1, -1, 0, 0, 0.5]",
-        "answer-own-numbers": f"earth = {earth_of('Ada')}",
-    },
-    "bob": {  # two thirds of the drift; four of six values; the numbers of the book
-        "answer-strict": "largest_drift = 86.4",
-        "answer-in-parts": "map_values = [1, -1, -1, 0, 0, 0]",
-        "answer-own-numbers": f"earth = {earth_of('')}",
-    },
-    "cyd": {  # does not answer, but knows Python
-        "answer-strict": "def check(*_, **__): ...\n\n\nlargest_drift = 1",
-        "answer-in-parts": "map_values = ...",
-    },
+CLASS = {  # what each student types where nbgrader has put its three lines
+    "ada": [
+        "largest_drift = 129.6",
+        "map_values = [1, 1, -1, 0, 0, 0.5]",
+        f"earth = {earth_of('Ada')}",
+    ],
+    "bob": [  # two thirds of the drift; four of six values; the numbers of the book
+        "largest_drift = 86.4",
+        "map_values = [1, -1, -1, 0, 0, 0]",
+        f"earth = {earth_of('')}",
+    ],
+    "cyd": [  # does not answer, but knows Python
+        "def check(*_, **__): ...\n\n\nlargest_drift = 1",
+        "map_values = ...",
+        "earth = ...",
+    ],
 }
-"""What each student types where nbgrader has put its three lines."""
 MARKS = {"ada": [5, 6, 4], "bob": [0, 4, 0], "cyd": [0, 0, 0]}
 
 
@@ -93,9 +91,8 @@ def test_marks_of_right_wrong_and_missing_answers(tmp_path: Path) -> None:
     for who, typed in CLASS.items():
         notebook = nbformat.reads(sheet, 4)
         notebook.cells[0].source = f"student = {who.title()!r}"
-        for cell in notebook.cells:
-            name = cell.metadata.get("nbgrader", {}).get("grade_id", "")
-            cell.source = typed.get(name, cell.source)
+        for cell, source in zip(notebook.cells[1::2], typed, strict=True):
+            cell.source = source
         folder = tmp_path / "submitted" / who / "sheet"
         folder.mkdir(parents=True)
         nbformat.write(notebook, folder / "problem.ipynb")
@@ -111,33 +108,25 @@ def prepare(course: Path) -> None:
     command = [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"]
     kernel.write_text(json.dumps({"argv": command, "display_name": "book", "language": "python"}))
     (course / "nbgrader_config.py").write_text("c = get_config()\n")
-    cells = [new_code_cell(NAME)]
+    cells = [new_code_cell('student = "your name"')]
+    every = {"schema_version": 3, "task": False, "grade": False, "solution": False, "locked": False}
     for (name, (code, points)), line in zip(MARKED.items(), ASKED, strict=True):
-        cells += [marked(f"answer-{name}", line, solution=True)]
-        cells += [marked(name, code, grade=True, locked=True, points=points)]
+        answer = every | {"grade_id": f"answer-{name}", "solution": True}
+        test = every | {"grade_id": name, "grade": True, "locked": True, "points": points}
+        cells.append(new_code_cell(line, metadata={"nbgrader": answer}))
+        cells.append(new_code_cell(code, metadata={"nbgrader": test}))
     notebook = new_notebook(cells=cells)
     notebook.metadata.kernelspec = {"name": "book", "display_name": "book", "language": "python"}
     (course / "source/sheet").mkdir(parents=True)
     nbformat.write(notebook, course / "source/sheet/problem.ipynb")
 
 
-def marked(name: str, code: str, **kind: object) -> nbformat.NotebookNode:
-    """A cell that nbgrader knows."""
-    every = {"schema_version": 3, "task": False, "grade": False, "solution": False}
-    marks = {**every, "locked": False, "grade_id": name, **kind}
-    return new_code_cell(code, metadata={"nbgrader": marks})
-
-
 def ask(course: Path, *command: str) -> subprocess.CompletedProcess[str]:
     """Run a program of nbgrader's environment in the folder of the course."""
-    surroundings = {
-        **os.environ,
-        "JUPYTER_PATH": str(course / "jupyter"),
-        "PYTHONPATH": str(Path(driftlab.__file__).parents[1]),
-    }
-    return subprocess.run(
-        [*UV, *command], capture_output=True, encoding="utf-8", cwd=course, env=surroundings
-    )
+    package = str(Path(driftlab.__file__).parents[1])
+    around = {**os.environ, "JUPYTER_PATH": str(course / "jupyter"), "PYTHONPATH": package}
+    asked = [*UV, *command]
+    return subprocess.run(asked, capture_output=True, encoding="utf-8", cwd=course, env=around)
 
 
 def done(course: Path, *command: str) -> str:

@@ -4,10 +4,8 @@
    attitudes are multiplied up one by one, and gravitation is found step by step. */
 
 #include <math.h>
-#include <string.h>
 
-enum stage { FIRST, SECOND, THIRD, TANGENT, ROTATION_VECTOR };
-static inline __attribute__((always_inline)) void cross(const double *a, const double *b, double *c)
+static inline void cross(const double *a, const double *b, double *c)
 {
     c[0] = a[1] * b[2] - a[2] * b[1];
     c[1] = a[2] * b[0] - a[0] * b[2];
@@ -34,46 +32,45 @@ static inline void rotate(const double *q, const double *v, double *out)
     for (int i = 0; i < 3; i++) out[i] = v[i] + q[3] * t[i] + u[i];
 }
 
-void copy(long count, const double *from, double *to) { memcpy(to, from, count * sizeof *to); }
+/* Attitude from increments: the last stage, the two algorithms, and their products. */
 
-/* Attitude from increments. What describes the algorithm is constant where this is called. */
-
-static inline __attribute__((always_inline)) void step(
-    const double *window, const double *last, int samples, int pairs, const int *places,
-    const double *weights, enum stage stage, double *q)
+static inline void cayley(const double *k, double *q)
 {
-    double gamma[3] = {0, 0, 0}, coning[3] = {0, 0, 0}, f[3], k[3], c[3];
-    for (int j = 0; j < samples; j++)
-        for (int i = 0; i < 3; i++) gamma[i] += last[3 * j + i];
-    for (int p = 0; p < pairs; p++) {
-        cross(window + 3 * places[2 * p], window + 3 * places[2 * p + 1], c);
-        for (int i = 0; i < 3; i++) coning[i] += weights[p] * c[i];
-    }
-    for (int i = 0; i < 3; i++) f[i] = gamma[i] + coning[i];
-    if (stage == ROTATION_VECTOR) {
-        double half = 0.5 * sqrt(square(f));
-        double scale = half > 0 ? 0.5 * sin(half) / half : 0.5;
-        for (int i = 0; i < 3; i++) q[i] = scale * f[i];
-        q[3] = cos(half);
-        return;
-    }
-    if (stage == FIRST) {
-        for (int i = 0; i < 3; i++) k[i] = -0.25 * gamma[i];
-    } else if (stage == TANGENT) {
-        double scale = -0.25 - square(f) / 192;
-        for (int i = 0; i < 3; i++) k[i] = scale * f[i];
-    } else {
-        double cubic = square(gamma) / 192;
-        for (int i = 0; i < 3; i++) k[i] = -0.25 * f[i] - cubic * gamma[i];
-        if (stage == SECOND) {
-            cross(gamma, coning, c);
-            for (int i = 0; i < 3; i++) k[i] -= c[i] / 32;
-        }
-    }
     double norm = square(k), scale = 1 / (1 + norm);
     for (int i = 0; i < 3; i++) q[i] = -2 * k[i] * scale;
     q[3] = (1 - norm) * scale;
 }
+
+static inline void picard_1(const double *g, double *q)
+{
+    double k[3];
+    for (int i = 0; i < 3; i++) k[i] = -0.25 * g[i];
+    cayley(k, q);
+}
+
+static inline void two_step_4(const double *g, double *q)
+{
+    double f[3], k[3], coning[3];
+    cross(g, g + 3, coning);
+    for (int i = 0; i < 3; i++) f[i] = g[i] + g[3 + i] + 2.0 / 3 * coning[i];
+    double scale = -0.25 - square(f) / 192;
+    for (int i = 0; i < 3; i++) k[i] = scale * f[i];
+    cayley(k, q);
+}
+
+#define ATTITUDE(algorithm, samples) \
+    void attitude_##algorithm(long steps, const double *g, double *q) \
+    { \
+        double now[4] = {0, 0, 0, 1}, turn[4]; \
+        for (long s = 0; s < steps; s++) { \
+            algorithm(g + 3 * samples * s, turn); \
+            multiply(now, turn, now); \
+            for (int i = 0; i < 4; i++) q[4 * s + i] = now[i]; \
+        } \
+    }
+
+ATTITUDE(picard_1, 1)
+ATTITUDE(two_step_4, 2)
 
 /* Navigation: see driftlab.core.strapdown and driftlab.core.earth. */
 
@@ -141,8 +138,7 @@ void navigate(
     long steps, double interval, const double *angle, const double *velocity, const double *start,
     double *found)
 {
-    const int places[] = {0, 1};
-    const double weights[] = {2.0 / 3}, pi = 3.14159265358979323846;
+    const double pi = 3.14159265358979323846;
     double e2 = FLAT * (2 - FLAT), sine = sin(start[0]), cosine = cos(start[0]), dt = 2 * interval;
     double across = MAJOR / sqrt(1 - e2 * sine * sine), axes[4], q[4], turn[4], push[3];
     double x[3], v[3], g[3], next[3], there[3];
@@ -158,7 +154,7 @@ void navigate(
         double pushed[3];
         push_of_pair(here, velocity + 6 * s, push);
         rotate(q, push, pushed);
-        step(here, here, 2, 1, places, weights, TANGENT, turn);
+        two_step_4(here, turn);
         multiply(q, turn, q);
         /* The trapezoid rule for both sums; its gravitation is at the place that the old one gives,
            a hair away. */

@@ -1,0 +1,1 @@
+"""How fast the package is beside other packages and beside the same arithmetic in C."""
