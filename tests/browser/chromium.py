@@ -1,4 +1,4 @@
-"""A headless Chromium for tests and benchmarks, or one sentence that says how to get it."""
+"""A headless Chromium for tests, or one sentence that says how to get it."""
 
 import os
 import shutil

@@ -70,25 +70,6 @@ FOCUSED_NAME = """() => {
   return element.ariaLabel ?? element.labels?.[0]?.innerText ?? "";
 }"""
 
-# From the key to the first chance to do something after another picture has been painted.
-TIME_MOVE = """place => {
-  const old = place.querySelector("img").src;
-  let pressed;
-  const note = event => { pressed = event.timeStamp; };
-  place.addEventListener("keydown", note, { capture: true, once: true });
-  window.moved = new Promise((resolve) => {
-    const observer = new MutationObserver(async () => {
-      const image = place.querySelector("img");
-      if (!image || image.src === old) return;
-      observer.disconnect();
-      await image.decode();
-      requestAnimationFrame(() => setTimeout(() => resolve(performance.now() - pressed)));
-    });
-    observer.observe(place, { attributes: true, childList: true, subtree: true });
-    setTimeout(() => { observer.disconnect(); resolve(null); }, 3000);
-  });
-}"""
-
 # Text wider than its box, and boxes that stick out of the panel or the panel out of the cell.
 CUT_OFF = """panel => {
   const found = [];
@@ -107,15 +88,6 @@ CUT_OFF = """panel => {
   }
   return found;
 }"""
-
-
-def time_of_move(handle: Locator, place: Locator, key: str) -> float | None:
-    """Milliseconds from a key on a handle to a new picture in `place`; None if none comes."""
-    handle.focus()
-    place.evaluate(TIME_MOVE)
-    handle.page.keyboard.press(key)
-    took = handle.page.evaluate("window.moved")
-    return None if took is None else float(took)
 
 
 class PanelPage:
