@@ -2,10 +2,12 @@
 
 import hashlib
 import importlib.util
+import os
 import re
 import shlex
 
 import numpy as np
+import pytest
 
 from driftlab.commands import plots, progress
 from driftlab.commands.example import OPTIONS
@@ -16,6 +18,7 @@ from driftlab.commands.report import page
 EVIL = "<script>alert('x')</script>\" onload=\"y"
 
 
+@pytest.mark.skipif(os.name == "nt", reason="no file has such a name on Windows")
 def test_the_page_of_a_log_asks_for_nothing_and_takes_its_words_for_text(
     run, example_log, tmp_path
 ):
