@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from driftlab.calibration.covariance import covariance_analysis
-from driftlab.calibration.design_task import CRITERIA, DesignTask, rows_of
+from driftlab.calibration.design_task import CRITERIA, DesignTask
 from driftlab.calibration.error_model import FULL
 from driftlab.calibration.linearization import linearize_along
 from driftlab.calibration.scheme_design import _neighbours, design_scheme
@@ -47,7 +47,7 @@ def analysed(scheme, task):
 def test_pieces_are_the_covariance_analysis(task):
     """Variances fall by seven decades, and each way loses digits in its own places."""
     for scheme in SCHEMES.values():
-        rows = rows_of(task)
+        rows = task._rows
         found = rows.after([rows.row(scheme)])[0]
         expected = analysed(scheme, task)
         sizes = np.sqrt(np.diag(expected))
@@ -92,12 +92,12 @@ def test_a_table_with_two_axes_turns_about_one_of_the_body_and_a_level_one(schem
         for inner in range(3)
         for outer in range(2)
     )
-    start, row = rows_of(SMALL).moves.row(scheme)
-    assert rows_of(SMALL).moves.on_two_axes(np.array([start]), row[np.newaxis]).tolist() == [True]
+    start, row = SMALL._rows.moves.row(scheme)
+    assert SMALL._rows.moves.on_two_axes(np.array([start]), row[np.newaxis]).tolist() == [True]
 
 
 def test_a_table_with_two_axes_cannot_do_everything():
-    moves = rows_of(SMALL).moves
+    moves = SMALL._rows.moves
     for words in ("+90X +90Y +90Z +90X", "+90Z +90Y +90X"):
         start, row = moves.row(Scheme(words))
         assert moves.on_two_axes(np.array([start]), row[np.newaxis]).tolist() == [False]
@@ -145,7 +145,7 @@ def test_all_schemes_that_are_tried_are_counted(monkeypatch):
 
 
 def test_neighbours_differ_in_one_turn_in_the_order_or_in_the_start():
-    moves = rows_of(SMALL).moves
+    moves = SMALL._rows.moves
     turns = np.array([0, 1, 1])
     found = {(start, *row.tolist()) for start, row in _neighbours(moves, 5, turns)}
     count = len(moves.words)
@@ -164,7 +164,7 @@ def test_no_other_row_of_two_turns_is_better():
     """Few enough to try them all: the search finds the best of 24 starts and 36 rows."""
     task = DesignTask("mean", positions=3, angles=(90,), two_axes=False)
     words = [f"{sign}90{axis}" for axis in "XYZ" for sign in "+-"]
-    starts = [rows_of(task).scheme(i, np.array([0, 0])).start for i in range(24)]
+    starts = [task._rows.scheme(i, np.array([0, 0])).start for i in range(24)]
     best = min(
         task.value(Scheme(f"{first} {second}", start))
         for start in starts

@@ -196,7 +196,7 @@ class DesignTask:
         >>> round(task.value(EIGHTEEN_ROTATIONS), 4)
         0.0244
         """
-        rows = rows_of(self)
+        rows = self._rows
         return float(self.values(rows.after([rows.row(scheme)]))[0])
 
     def random_schemes(self, rng: np.random.Generator | int, count: int) -> list[Scheme]:
@@ -220,7 +220,7 @@ class DesignTask:
         >>> one.positions
         4
         """
-        rows = rows_of(self)
+        rows = self._rows
         drawn = rows.moves.drawn(
             checked_generator(rng),
             whole_number(count, "count"),
@@ -228,6 +228,14 @@ class DesignTask:
             self.two_axes,
         )
         return [rows.scheme(start, row) for start, row in zip(*drawn, strict=True)]
+
+    @property
+    def _rows(self) -> RowCovariances:
+        """Rows of turns that the task allows, with what they show."""
+        return row_covariances(
+            moves=TableMoves(self.angles), duration=self.duration, rate=self.rate,
+            latitude=self.latitude, model=self.model, noise=self.noise, prior=self.prior,
+        )  # fmt: skip
 
     @cached_property
     def _sizes(self) -> FloatArray:
@@ -242,11 +250,3 @@ class DesignTask:
     def _unknown(self) -> NDArray[np.int_]:
         """Places of the sensor errors that count: what is known before needs no scheme."""
         return np.flatnonzero(self._before)
-
-
-def rows_of(task: DesignTask) -> RowCovariances:
-    """Rows of turns that a task allows, with what they show."""
-    return row_covariances(
-        moves=TableMoves(task.angles), duration=task.duration, rate=task.rate,
-        latitude=task.latitude, model=task.model, noise=task.noise, prior=task.prior,
-    )  # fmt: skip

@@ -13,7 +13,7 @@ from driftlab.motion.scheme import Scheme, checked_scheme
 
 from ._row_covariances import RowCovariances
 from ._table_moves import IntArray, Row, TableMoves
-from .design_task import DesignTask, rows_of
+from .design_task import DesignTask
 
 _GAIN = 1e-6  # relative: less is no gain, so that all processors take the same way
 _BLOCK = 48  # schemes that are tried at once
@@ -129,7 +129,7 @@ def design_scheme(
     """
     checked_instance(task, DesignTask, "task")
     count = whole_number(climbs, "climbs")
-    trials, turns = rows_of(task), task.positions - 1
+    trials, turns = task._rows, task.positions - 1
     number, moves = whole_number(draws, "draws"), trials.moves
     source = checked_generator(rng)
     starts, rows = moves.drawn(source, number, turns, task.two_axes)
