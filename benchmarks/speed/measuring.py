@@ -1,7 +1,8 @@
 """Times of several contenders, taken in turn, and their ratios.
 
 Each round runs all contenders of a row once, one after the other: a disturbance of the machine
-affects all of them, and the ratio of two times of one round hardly moves.
+affects all of them, and the ratio of two times of one round hardly moves. asv, pyperf and
+pytest-benchmark time each subject by itself, and compare no errors.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -167,6 +168,8 @@ def copy_of(data: np.ndarray) -> Maker:
 
 
 def in_c(run: Callable[[], Any], error: Callable[[Any], float]) -> Maker:
+    """The same in C, left out where nothing compiles it."""
+
     def make() -> Contender:
         floor.library()
         return Contender(IN_C, run, error)

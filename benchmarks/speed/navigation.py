@@ -65,6 +65,7 @@ def by_pyins(attitude: np.ndarray, increments: np.ndarray, **options: Any) -> Ca
 
 
 def attitudes_of_pyins(way: Any) -> Rotation:
+    """Attitudes of a table of pyins, from forward, right, down to North, East, Down."""
     from pyins import transform, util
 
     return Rotation.from_matrix(transform.mat_from_rph(way[util.RPH_COLS]))

@@ -70,11 +70,11 @@ def tables(results: list[Result | Alone]) -> list[str]:
     """Tables in Markdown, one for each row that was compared, or one for all that were not."""
     compared = [_compared(each) for each in results if isinstance(each, Result)]
     alone = [each for each in results if isinstance(each, Alone)]
-    lines = ["| | median | 95 % below | at most |", "| --- | ---: | ---: | ---: |"]
+    lines = ["| | median | wanted at most | 95 % below |", "| --- | ---: | ---: | ---: |"]
     for each in alone:
         middle, late = np.percentile(each.seconds, [50, 95])
-        cells = (each.title, time(middle), time(late) if each.seconds.size > 1 else "")
-        lines.append(f"| {' | '.join(cells)} | {time(each.most)} |")
+        end = time(late) if each.seconds.size > 1 else ""
+        lines.append(f"| {each.title} | {time(middle)} | {time(each.most)} | {end} |")
     return [*compared, *(["\n".join(lines) + "\n"] if alone else [])]
 
 
