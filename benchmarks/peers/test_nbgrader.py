@@ -125,8 +125,9 @@ def ask(course: Path, *command: str) -> subprocess.CompletedProcess[str]:
     """Run a program of nbgrader's environment in the folder of the course."""
     package = str(Path(driftlab.__file__).parents[1])
     around = {**os.environ, "JUPYTER_PATH": str(course / "jupyter"), "PYTHONPATH": package}
-    asked = [*UV, *command]
-    return subprocess.run(asked, capture_output=True, encoding="utf-8", cwd=course, env=around)
+    return subprocess.run(
+        [*UV, *command], capture_output=True, encoding="utf-8", cwd=course, env=around, timeout=900
+    )
 
 
 def done(course: Path, *command: str) -> str:

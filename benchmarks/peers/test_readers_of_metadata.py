@@ -16,11 +16,14 @@ UV = [sys.executable, "-m", "uv", "tool", "run", "--quiet", "--from"]
 
 def ask(package: str, *command: object) -> str:
     """What a command of a package prints; skipped where the package cannot be had."""
-    there = subprocess.run([*UV, package, "python", "-c", ""], capture_output=True, cwd=ROOT)
-    if there.returncode:
+
+    def run(*words: str) -> subprocess.CompletedProcess[str]:
+        asked = [*UV, package, *words]
+        return subprocess.run(asked, capture_output=True, encoding="utf-8", cwd=ROOT, timeout=900)
+
+    if run("python", "-c", "").returncode:
         pytest.skip(f"{package} cannot be fetched.")
-    asked = [*UV, package, *map(str, command)]
-    done = subprocess.run(asked, capture_output=True, encoding="utf-8", cwd=ROOT)
+    done = run(*map(str, command))
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 
