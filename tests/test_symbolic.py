@@ -11,7 +11,10 @@ from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.attitude.integration import step_quaternions, step_vectors
 from driftlab.drift import error_kinematics
 from driftlab.vectors import cross_matrix
+from support import EPS
 
+# Quaternions of length one, after some dozen operations in two orders.
+STEP = 8 * EPS
 RATE, MEASURED = np.array([0.3, -0.2, 0.7]), np.array([0.31, -0.25, 0.6])
 ATTITUDE = np.array([0.1, -0.5, 0.3, 0.8])
 
@@ -140,7 +143,7 @@ def test_program_computes_the_step(name: str) -> None:
         history=increments[: algorithm.memory] if algorithm.memory else None,
     )[0]
     found = [values[symbol] for symbol, _ in program[-4:]]
-    np.testing.assert_allclose(found, expected, rtol=0, atol=4e-16)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=STEP)
 
 
 def test_another_last_stage_is_refused() -> None:
@@ -168,9 +171,9 @@ def test_last_stages_err_at_the_fifth_power_of_a_step(stage: str, fifth: float) 
     step = symbolic.run_program(program, halves)
     found = 2 * np.arctan2(np.linalg.norm(step[:, :3], axis=-1), step[:, 3]) - angles
     # The seventh power follows, with a factor below 1/100.
-    assert np.all(np.abs(found - fifth * angles**5) <= 0.01 * angles**7 + 2e-16)
+    assert np.all(np.abs(found - fifth * angles**5) <= 0.01 * angles**7 + 2 * EPS)
     if stage != "series":
-        np.testing.assert_allclose(np.linalg.norm(step, axis=-1), 1, rtol=0, atol=4e-16)
+        np.testing.assert_allclose(np.linalg.norm(step, axis=-1), 1, rtol=0, atol=STEP)
 
 
 @pytest.mark.parametrize("name", CONING_ALGORITHMS)
@@ -180,7 +183,7 @@ def test_carried_out_program_is_the_step_of_the_package(name: str) -> None:
     found = symbolic.run_program(symbolic.step_program(algorithm), rows)
     past = rows[:, : algorithm.memory] if algorithm.memory else None
     expected = step_quaternions(rows[:, algorithm.memory :], name, history=past)[:, 0]
-    np.testing.assert_allclose(found, expected, rtol=0, atol=4e-16)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=STEP)
 
 
 def test_operations_are_counted() -> None:

@@ -165,12 +165,13 @@ def test_exact_step_does_not_drift_and_a_wrong_one_by_what_it_turns_too_far(half
     motion = Coning(half_angle, 1.0)
     step = multiply(conjugate(motion.attitude(0)), motion.attitude(step_angle / (2 * np.pi)))
     angles = np.array(half_angle), np.array(step_angle)
-    assert step_drift(step, *angles) == pytest.approx(0, abs=8 * EPS)
+    # Differences of angles of up to a turn.
+    assert step_drift(step, *angles) == pytest.approx(0, abs=32 * EPS)
     # An error about the cone's axis, which leans in the body by the half angle.
     axis = np.array([0, np.sin(half_angle), np.cos(half_angle)])
     for error in (1e-9, -0.2):
         wrong = multiply(from_rotation_vector(error * axis), step)
-        assert step_drift(wrong, *angles) == pytest.approx(error, abs=8 * EPS)
+        assert step_drift(wrong, *angles) == pytest.approx(error, abs=32 * EPS)
 
 
 @pytest.mark.parametrize("interval", [0.0, -1e-3])

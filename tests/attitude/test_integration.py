@@ -147,7 +147,9 @@ def test_step_with_increments_of_earlier_steps(name, formula, starts, rows):
 @given(rows=rows_of_increments)
 def test_rotation_of_a_step_is_that_of_its_vector(name, rows):
     method = from_rotation_vector if name in ROTATION_VECTOR else rotation_quaternion
-    np.testing.assert_array_equal(step_quaternions(rows, name), method(step_vectors(rows, name)))
+    expected = method(step_vectors(rows, name))
+    # Rows that lie otherwise in memory may have another sine.
+    np.testing.assert_allclose(step_quaternions(rows, name), expected, rtol=0, atol=4 * EPS)
 
 
 @every_algorithm
@@ -505,7 +507,8 @@ def test_history_broadcasts(name, leading, past):
 @pytest.mark.parametrize("name", [name for name in CONING_ALGORITHMS if name not in MEMORY])
 def test_history_of_an_algorithm_without_memory_is_not_looked_at(name):
     rows = increments(6)
-    np.testing.assert_array_equal(integrate(rows, name, history="none"), integrate(rows, name))
+    found = integrate(rows, name, history="none")
+    np.testing.assert_allclose(found, integrate(rows, name), rtol=0, atol=4 * EPS)
 
 
 @every_algorithm

@@ -54,7 +54,8 @@ def test_a_way_along_the_edges_of_a_cube_leaves_three_faces(shift):
     way = [up[0], [0, 0, 1], *up[1:], *(np.array(corner) * down for corner in up[::-1])]
     face = 4 * np.pi / 6
     found = solid_angle(np.roll(way, shift, axis=0))
-    assert found == pytest.approx(3 * face - face / 4, abs=16 * EPS)
+    # A sum of ten angles of up to half a turn.
+    assert found == pytest.approx(3 * face - face / 4, abs=10 * 4 * EPS)
 
 
 @pytest.mark.parametrize("near", [1e-4, 1e-8, 1e-12, 1e-15])
@@ -111,4 +112,4 @@ def test_drift_of_a_sample_is_the_area_swept_too_little(degrees, sample_angle):
     computed, true = swept_in_a_sample(half_angle, sample_angle)
     drift = coning_drift(PLAIN, half_angle, sample_angle / (2 * np.pi), 1.0)
     # Twenty nodes integrate an arc to rounding; that of the axis in the middle is 1/a times it.
-    assert computed - true == pytest.approx(drift, abs=4 * EPS / half_angle)
+    assert computed - true == pytest.approx(drift, abs=16 * EPS / half_angle)

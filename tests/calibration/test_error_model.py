@@ -116,14 +116,15 @@ def test_states_and_units_have_leading_axes(model):
         one = model.imu_errors(many[index])
         for together, alone in zip(imu_errors, one, strict=True):
             np.testing.assert_allclose(together[index], alone, rtol=0, atol=4 * EPS)
-        np.testing.assert_allclose(found[index], model.state(one), rtol=0, atol=4 * EPS)
+        # Sums of a few numbers of up to 3.
+        np.testing.assert_allclose(found[index], model.state(one), rtol=0, atol=16 * EPS)
     # Fields of a unit may have leading axes of their own.
     mixed = imu_errors._replace(accelerometer_error=imu_errors.accelerometer_error[1, 2])
     middle = 12 + len(model.gyro_basis)
     expected = many.copy()
     expected[..., middle:] = many[1, 2, middle:]
     expected[..., :6] = 0
-    np.testing.assert_allclose(model.state(mixed), expected, rtol=0, atol=4 * EPS)
+    np.testing.assert_allclose(model.state(mixed), expected, rtol=0, atol=16 * EPS)
 
 
 @pytest.mark.parametrize("name", ["", "Averaged", "all", None])
@@ -143,7 +144,7 @@ def test_both_triads_turned_with_the_attitude_are_no_error_at_all(model, q):
     unobservable = FULL.state(ImuErrors(nothing, turns, nothing, turns))
     unobservable[:, :3] = Rotation.from_quat(q).apply(np.eye(3))
     reduction = model.reduction(q)
-    np.testing.assert_allclose(reduction @ unobservable.T, 0, atol=8 * EPS)
+    np.testing.assert_allclose(reduction @ unobservable.T, 0, atol=len(reduction) * EPS)
     # Nothing else is nothing: neither the attitude nor a single triad turned alone.
     assert np.linalg.svd(reduction, compute_uv=False)[-1] > 0.1
 

@@ -344,7 +344,10 @@ def test_history_keeps_each_so_many_updates_and_the_last(brief):
         found = calibrated(brief, SMALL, keep=keep)
         rows = np.array(kept) - 1
         for name in ("times", "state", "covariance", "attitude", "velocity", "deviations"):
-            np.testing.assert_array_equal(getattr(found, name), getattr(every, name)[rows])
+            # Other histories lie elsewhere in memory, so they may be added up in another order.
+            np.testing.assert_allclose(
+                getattr(found, name), getattr(every, name)[rows], rtol=1e-12, err_msg=name
+            )
         np.testing.assert_array_equal(found.nis, every.nis)
 
 
@@ -352,7 +355,7 @@ def test_history_says_one_thing_in_several_ways(nothing):
     model = ERROR_MODELS["averaged"]
     assert nothing.model is model
     variances = np.diagonal(nothing.covariance, axis1=-2, axis2=-1)
-    np.testing.assert_array_equal(nothing.deviations, np.sqrt(variances))
+    np.testing.assert_allclose(nothing.deviations, np.sqrt(variances), rtol=4 * EPS)
     for one, other in zip(nothing.imu_errors, model.imu_errors(nothing.state[-1]), strict=True):
         np.testing.assert_array_equal(one, other)
     # What was found of attitude and velocity is in them, not in the state.

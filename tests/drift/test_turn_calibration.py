@@ -277,7 +277,7 @@ def test_variance_factors_one_by_weighing_three_quarters_by_least_squares():
     weights = weighing(np.eye(4)).T
     np.testing.assert_array_equal(np.diag(weights @ weights.T), 1)
     inverse = np.linalg.pinv(np.vstack([np.eye(3), np.ones(3)]))
-    np.testing.assert_allclose(np.diag(inverse @ inverse.T), 0.75, rtol=4 * EPS)
+    np.testing.assert_allclose(np.diag(inverse @ inverse.T), 0.75, rtol=16 * EPS)
 
 
 def test_weighing_halves_the_variance_of_three_less_an_empty_pan():
@@ -296,7 +296,7 @@ def test_variance_of_the_weighing_on_larins_axes():
     weights = weighing(np.eye(4) * [1, 1, 1, 1.5]).T
     np.testing.assert_allclose((weights**2).sum(axis=1), 21 / 16, rtol=4 * EPS)
     variances = np.diag(fit_turns(np.zeros(4), YATES_AXES, "common").covariance)[:3]
-    np.testing.assert_allclose(variances, 2, rtol=16 * EPS)
+    np.testing.assert_allclose(variances, 2, rtol=64 * EPS)  # the inverse of a 4 x 4 matrix
 
 
 @given(four_numbers)

@@ -12,7 +12,10 @@ from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.earth import gravity
 from published import published
 from saratov import GRAVITY, HOURLY, LATITUDE, LEVEL_RATE
-from support import chi_bounds, largest, order_of
+from support import EPS, chi_bounds, largest, order_of
+
+ROUNDED = 32 * EPS
+"""Angles of up to a turn, and what they add up to, are rounded by this."""
 
 
 @published("09-alignment-budget")
@@ -44,11 +47,11 @@ def test_the_budget_of_one_heading_is_on_the_curve_of_all(figure: PublishedFigur
     for heading in data.headings[::9]:
         here = alignments.alignment_budget(heading=heading)
         place = np.flatnonzero(data.headings == heading)
-        np.testing.assert_allclose(here.bars[-2], data.first_order[place], rtol=0, atol=1e-15)
-        np.testing.assert_allclose(here.bars[-1], data.exact[place], rtol=0, atol=1e-15)
+        np.testing.assert_allclose(here.bars[-2], data.first_order[place], rtol=0, atol=ROUNDED)
+        np.testing.assert_allclose(here.bars[-1], data.exact[place], rtol=0, atol=ROUNDED)
         # Sensors that turn with the body have the same errors of pitch and roll everywhere.
-        assert here.pitch == pytest.approx(data.pitch, abs=1e-15)
-        assert here.roll == pytest.approx(data.roll, abs=1e-15)
+        assert here.pitch == pytest.approx(data.pitch, abs=ROUNDED)
+        assert here.roll == pytest.approx(data.roll, abs=ROUNDED)
 
 
 @published("09-alignment-budget")
@@ -90,7 +93,7 @@ def test_each_term_goes_with_its_angle(figure: PublishedFigure) -> None:
     grid = alignments.GRIDS["heading"]
     assert np.ptp(east) == np.ptp(by_latitude) == 0
     for term, wave in ((by_cosine, np.cos(grid)), (by_sine, np.sin(grid))):
-        np.testing.assert_allclose(term, largest(term) * np.sign(term @ wave) * wave, atol=1e-15)
+        np.testing.assert_allclose(term, largest(term) * np.sign(term @ wave) * wave, atol=ROUNDED)
     tangent = np.tan(alignments.GRIDS["pitch"])
     for k in (1, 2):
         term = data.terms["pitch"][:, k]

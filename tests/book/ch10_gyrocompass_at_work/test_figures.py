@@ -13,7 +13,7 @@ from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.gyrocompass.trials import most_range_over_deviation
 from published import published
 from saratov import GRAVITY, HOURLY, LEVEL_RATE, SCHULER
-from support import chi_bounds, largest, range_distribution
+from support import EPS, chi_bounds, largest, range_distribution
 
 # Restarts
 
@@ -145,7 +145,7 @@ def test_without_noise_a_unit_has_one_characteristic() -> None:
     for name, steepest in (("heading", 1.0), ("pitch", np.tan(np.pi / 3)), ("roll", 1.0)):
         errors = trial.errors[name]
         assert errors.shape == (200, 3, 25)
-        assert np.ptp(errors, axis=1).max() < 1e-15
+        assert np.ptp(errors, axis=1).max() < 32 * EPS  # differences of angles of up to a turn
         expected = np.array([at_work.table_and_unit(trial, unit)[name] for unit in range(200)])
         gap = np.abs(errors[:, 0] - expected).max(axis=-1)
         assert (gap < 2 * (1 + steepest**2) * size**2).all()
