@@ -45,9 +45,26 @@ def test_a_column_of_few_decimals_may_differ_in_the_last() -> None:
     assert not found.only_rounding
 
 
+def test_a_residue_is_measured_by_the_largest_of_its_unit() -> None:
+    """The sum of angles of a hundred, zero but for rounding, and one that is not."""
+    angles = {"swing_arcmin": ["150", "-150"]}
+    for left, only_rounding in (("1e-11", True), ("1e-9", False)):
+        for name, allowed in (("sum_arcmin, exact", only_rounding), ("sum_m", False)):
+            here, there = ({**angles, name: [text, "0"]} for text in ("0", left))
+            (found,) = table_differences(here, there)
+            assert found.only_rounding is allowed
+
+
+def test_a_gap_may_stand_for_zero() -> None:
+    table = {"error": ["1e-3", ""]}
+    for least, only_rounding in (("2e-16", True), ("2e-9", False)):
+        (found,) = table_differences(table, {"error": ["1e-3", least]})
+        assert found.only_rounding is only_rounding
+
+
 @pytest.mark.parametrize(
     "columns",
-    [{"curve": ["a", "b", "b"]}, {"y": ["3", "0", "inf"]}, {"y": ["3", "", "-inf"]}],
+    [{"curve": ["a", "b", "b"]}, {"y": ["3", "1e-9", "inf"]}, {"y": ["3", "", "-inf"]}],
 )
 def test_other_words_and_gaps_are_no_rounding(columns) -> None:
     (found,) = table_differences(TABLE, changed(**columns))

@@ -294,7 +294,7 @@ def test_body_axes_point_where_the_start_says(start):
 def test_words_are_sign_angle_and_axis():
     turns = Scheme(" +90Y  -12.25x\n+720Z ").turns
     np.testing.assert_array_equal([axis for axis, _ in turns], np.eye(3)[[1, 0, 2]])
-    np.testing.assert_allclose([a for _, a in turns], np.radians([90, -12.25, 720]), rtol=EPS)
+    np.testing.assert_allclose([a for _, a in turns], np.radians([90, -12.25, 720]), rtol=4 * EPS)
 
 
 def test_a_word_has_ten_turns_at_most():
@@ -445,7 +445,7 @@ def test_standing_is_the_first_pause_of_a_scheme(place):
     for one in (record.increments.velocity[:4], alone.increments.velocity):
         np.testing.assert_allclose(one, np.tile(up, (4, 1)), rtol=0, atol=8 * EPS * 4.9)
     np.testing.assert_allclose(
-        alone.increments.angle, record.increments.angle[:4], rtol=0, atol=EPS * 7.3e-5
+        alone.increments.angle, record.increments.angle[:4], rtol=0, atol=8 * EPS * 7.3e-5
     )
 
 

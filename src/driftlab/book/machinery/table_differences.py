@@ -21,7 +21,10 @@ from .figure_table import read_table
 ROUNDING = 1e-7
 """Numbers are the same, but for rounding, to this of themselves or of their curve's largest."""
 RESIDUE = 1e-12
-"""What is smaller than this is nothing but rounding."""
+"""What is smaller than this is nothing but rounding: of one, or of the largest number of its unit.
+
+On a logarithmic scale zero has no place, so there a gap stands for it.
+"""
 
 
 class Difference(NamedTuple):
@@ -70,16 +73,33 @@ def table_differences(first: Words, second: Words) -> list[Difference]:
         other = second[name]
         count = sum(a != b for a, b in zip(column, other, strict=True))
         if count:
-            largest, allowed = _size(column, other, curves)
+            same_unit = [first[each] for each in first if _unit(each) == _unit(name)]
+            residue = RESIDUE * max(1.0, *map(_largest, same_unit))
+            largest, allowed = _size(column, other, curves, residue)
             found.append(Difference(name, count, len(column), largest, allowed))
     return found
 
 
-def _size(first: list[str], second: list[str], curves: np.ndarray) -> tuple[float, bool]:
+def _unit(name: str) -> str:
+    """Unit of a column, by its name: "arcmin" of "swing_arcmin" and of "cone_arcmin, exact"."""
+    return name.split(",")[0].rpartition("_")[2]
+
+
+def _largest(column: list[str]) -> float:
+    """The largest number of a column, 0 if it has none."""
+    values = numbers(column)
+    return 0.0 if values is None else float(np.max(np.abs(values[np.isfinite(values)]), initial=0))
+
+
+def _size(
+    first: list[str], second: list[str], curves: np.ndarray, residue: float
+) -> tuple[float, bool]:
     """Largest difference, curve by curve in units of its largest number, and if it is rounding."""
     here, there = numbers(first), numbers(second)
     if here is None or there is None:
         return np.inf, False
+    for values, other in ((here, there), (there, here)):
+        values[np.isnan(values) & (np.abs(other) < residue)] = 0.0
     finite = np.isfinite(here) & np.isfinite(there)
     if np.any((np.array(first) != np.array(second)) & ~finite):
         return np.inf, False
@@ -91,7 +111,7 @@ def _size(first: list[str], second: list[str], curves: np.ndarray) -> tuple[floa
             size = max(float(np.max(np.abs(a))), float(np.max(np.abs(b))))
             off = np.abs(a - b)
             largest = max(largest, float(off.max()) / size if size else 0.0)
-            least = max(RESIDUE, ROUNDING * size, last_digit)
+            least = max(residue, ROUNDING * size, last_digit)
             allowed &= bool(np.all(off <= least + ROUNDING * np.abs(a)))
     return largest, allowed
 
