@@ -184,8 +184,8 @@ def from_rotation_vector(rotation_vector: ArrayLike) -> FloatArray:
 
     Examples
     --------
-    >>> from_rotation_vector([0, 0, np.pi])
-    array([0.000000e+00, 0.000000e+00, 1.000000e+00, 6.123234e-17])
+    >>> from_rotation_vector([0, 0, np.pi / 3]).round(4)
+    array([0.   , 0.   , 0.5  , 0.866])
     """
     return core.from_rotation_vector(finite_array(rotation_vector, "rotation_vector", 3))
 
