@@ -79,8 +79,13 @@ def same(curve: Curve, other: Curve, panel: list[Curve]) -> bool:
         if one.shape != two.shape:
             return False
         two = np.where(np.isfinite(two), two, np.nan)
-        of_panel = max(largest_number(getattr(each, axis)) for each in panel)
-        least = max(1e-12, 1e-12 * of_panel, 1e-5 * largest_number(one))
+        residue = 1e-12 * max(1.0, *(largest_number(getattr(each, axis)) for each in panel))
+        # On a logarithmic scale a gap stands for zero.
+        one, two = (
+            np.where(np.isnan(a) & (np.abs(b) < residue), 0.0, a)
+            for a, b in ((one, two), (two, one))
+        )
+        least = max(residue, 1e-5 * largest_number(one))
         if not np.allclose(one, two, rtol=0, atol=least, equal_nan=True):
             return False
     return True
