@@ -12,51 +12,27 @@ APPARENT_ANGLE = 0.35
 
 
 class Arrows(NamedTuple):
-    """Three arrows from the origin.
-
-    Attributes
-    ----------
-    labels : tuple of str
-    tips : ndarray, shape (3, 3)
-        Rows in the coordinates East, North, Up.
-    """
+    """Three arrows from the origin."""
 
     labels: tuple[str, str, str]
-    tips: FloatArray
+    tips: FloatArray  # (3, 3), rows in the coordinates East, North, Up
 
 
 class Arc(NamedTuple):
-    """A positive rotation.
-
-    Attributes
-    ----------
-    label : str
-    points : ndarray, shape (m, 3)
-        From the start of the rotation to its end, in the coordinates East, North, Up.
-    """
+    """A positive rotation."""
 
     label: str
+    # (m, 3), from the start of the rotation to its end, in the coordinates East, North, Up
     points: FloatArray
 
 
 class Frame(NamedTuple):
-    """One frame of reference, or a pair of them.
-
-    Attributes
-    ----------
-    title : str
-    arrows : Arrows
-        The axes.
-    turned : Arrows or None
-        The axes of a second frame that is turned from the first.
-    arcs : list of Arc
-        The sign of a positive angle.
-    """
+    """One frame of reference, or a pair of them."""
 
     title: str
-    arrows: Arrows
-    turned: Arrows | None
-    arcs: list[Arc]
+    arrows: Arrows  # the axes
+    turned: Arrows | None  # the axes of a second frame that is turned from the first
+    arcs: list[Arc]  # the sign of a positive angle
 
 
 def paper_frames() -> list[Frame]:

@@ -25,30 +25,14 @@ MOMENTS = 301
 
 
 class ErrorMotion(NamedTuple):
-    """Error quaternion over time.
+    """Error quaternion over time."""
 
-    Attributes
-    ----------
-    time : ndarray, shape (m,)
-        s.
-    exact : ndarray, shape (m, 4)
-        Error quaternion in closed form.
-    integrated_time : ndarray, shape (n,)
-        The integrator's own steps, s.
-    integrated : ndarray, shape (n, 4)
-        Error quaternion as integrated.
-    tolerance : float
-        Of the integrator.
-    turn : float
-        How long a whole turn of the body takes, s; infinity if it stands still.
-    """
-
-    time: FloatArray
-    exact: FloatArray
-    integrated_time: FloatArray
-    integrated: FloatArray
-    tolerance: float
-    turn: float
+    time: FloatArray  # (m,), s
+    exact: FloatArray  # (m, 4), error quaternion in closed form
+    integrated_time: FloatArray  # (n,), the integrator's own steps, s
+    integrated: FloatArray  # (n, 4), error quaternion as integrated
+    tolerance: float  # of the integrator
+    turn: float  # how long a whole turn of the body takes, s; infinity if it stands still
 
     @property
     def angle(self) -> FloatArray:
@@ -68,17 +52,7 @@ def error_motion(
     duration: float = DURATION,
     tolerance: float = 1e-2,
 ) -> ErrorMotion:
-    """Solve (1.4) from [0, 0, 0, 1], in closed form and with a Runge-Kutta integrator.
-
-    Parameters
-    ----------
-    rate, measured_rate : array_like, shape (3,)
-        Constant rates, rad/s.
-    duration : float
-        Length of the history in s, above 0.
-    tolerance : float
-        Relative and absolute tolerance of `scipy.integrate.solve_ivp` (RK45), above 0.
-    """
+    """Solve (1.4) from [0, 0, 0, 1], in closed form and with a Runge-Kutta integrator."""
     for name, value in (("duration", duration), ("tolerance", tolerance)):
         if not finite_array(value, name) > 0:
             raise ValueError(f"{name}: expected a number above 0, got {value!r}.")
@@ -98,44 +72,22 @@ def error_motion(
 
 
 def integration_error(motion: ErrorMotion, rate: ArrayLike, measured_rate: ArrayLike) -> FloatArray:
-    """Distance (n,) of the integrated quaternion from the exact one at the integrator's steps.
-
-    Parameters
-    ----------
-    motion : ErrorMotion
-    rate, measured_rate : array_like, shape (3,)
-        The rates of the motion, rad/s.
-    """
+    """Distance (n,) of the integrated quaternion from the exact one at the integrator's steps."""
     exact = error_quaternion(rate, measured_rate, motion.integrated_time)
     return np.linalg.norm(motion.integrated - exact, axis=-1)
 
 
 class ErrorInSpace(NamedTuple):
-    """A body, where its computer believes it to be, and the rotation between them, over time.
+    """A body, where its computer believes it to be, and the rotation between them, over time."""
 
-    Attributes
-    ----------
-    time : ndarray, shape (m,)
-        s.
-    attitude, apparent : ndarray, shape (m, 4)
-        True and computed attitude, body to reference.
-    vector : ndarray, shape (m, 3)
-        Rotation vector from the one to the other, in reference axes, rad.
-    added : ndarray, shape (m, 3)
-        False rate in reference axes, rad/s: what, to first order, changes the vector.
-    angle : ndarray, shape (m,)
-        Of the error, rad.
-    turn : float
-        Time of a whole turn, s; infinite without a rate.
-    """
-
-    time: FloatArray
-    attitude: FloatArray
-    apparent: FloatArray
-    vector: FloatArray
+    time: FloatArray  # (m,), s
+    attitude: FloatArray  # (m, 4), true, body to reference
+    apparent: FloatArray  # (m, 4), computed, body to reference
+    vector: FloatArray  # (m, 3), rotation vector from the one to the other, in reference axes, rad
+    # (m, 3), false rate in reference axes, rad/s: what, to first order, changes the vector
     added: FloatArray
-    angle: FloatArray
-    turn: float
+    angle: FloatArray  # (m,), of the error, rad
+    turn: float  # time of a whole turn, s; infinite without a rate
 
     @property
     def whole_turns(self) -> NDArray[np.intp]:
@@ -148,15 +100,7 @@ class ErrorInSpace(NamedTuple):
 def error_in_space(
     rate: ArrayLike, false_rate: ArrayLike, duration: float = DURATION
 ) -> ErrorInSpace:
-    """Follow a body under a constant rate, and a computer that adds a false one, from [0, 0, 0, 1].
-
-    Parameters
-    ----------
-    rate, false_rate : array_like, shape (3,)
-        In body axes, rad/s. The computer integrates their sum.
-    duration : float
-        s, above 0.
-    """
+    """Follow a body at a constant rate, and a computer that adds a false one, from [0, 0, 0, 1]."""
     if not finite_array(duration, "duration") > 0:
         raise ValueError(f"duration: expected a number above 0, got {duration!r}.")
     omega, false = finite_array(rate, "rate", 3), finite_array(false_rate, "false_rate", 3)

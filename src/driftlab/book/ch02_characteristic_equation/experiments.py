@@ -26,40 +26,20 @@ FORMULAS = ("exact", "first order, (2.2)", "with the next term", "(2.1) as the c
 
 
 class Roots(NamedTuple):
-    """Roots by every formula of `FORMULAS`, in units of the rate.
+    """Roots by every formula of `FORMULAS`, in units of the rate."""
 
-    Attributes
-    ----------
-    size : float
-        mu.
-    roots : ndarray, shape (formula, 4)
-        At `size`, in the order of `driftlab.drift.characteristic_equation.exact_roots`.
-    sizes : ndarray, shape (m,)
-        Sizes mu of the branches.
-    branches : ndarray, shape (formula, m, 2)
-        Imaginary part of the fast and of the slow root at `sizes`.
-    """
-
-    size: float
+    size: float  # mu
+    # (formula, 4), at `size`, in the order of `driftlab.drift.characteristic_equation.exact_roots`
     roots: ComplexArray
-    sizes: FloatArray
+    sizes: FloatArray  # (m,), sizes mu of the branches
+    # (formula, m, 2), imaginary part of the fast and of the slow root at `sizes`
     branches: FloatArray
 
 
 def characteristic_roots(
     size: float = 0.1, shape: ArrayLike = SYMMETRIC, direction: ArrayLike = OBLIQUE_AXIS
 ) -> Roots:
-    """Roots by every formula for M = size * shape, and their course over `SIZES`.
-
-    Parameters
-    ----------
-    size : float
-        mu, at least 0.
-    shape : array_like, shape (3, 3)
-        T, for instance with a largest entry of one.
-    direction : array_like, shape (3,)
-        Axis of the rotation in body axes.
-    """
+    """Roots by every formula for M = size * shape, and their course over `SIZES`."""
     direction, _ = nonzero_vectors(direction, "direction")
     shape = finite_array(shape, "shape", 3, 3)
     size = float(finite_array(size, "size"))

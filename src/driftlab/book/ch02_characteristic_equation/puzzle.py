@@ -12,12 +12,9 @@ SPIN = 2 * np.pi / 6
 
 
 def comes_round(false_rate: list[float]) -> float:
-    """Hours until the slow motion of the error has made a whole turn.
+    """Hours until the slow error motion has made a turn.
 
-    Parameters
-    ----------
-    false_rate : list of float
-        What the triad adds to the rate about axis 3, in parts of it.
+    `false_rate` is relative to the rate about axis 3.
     """
     rate = np.array([0, 0, SPIN])
     slow = np.abs(exact_roots(rate, rate + SPIN * np.array(false_rate))).min()

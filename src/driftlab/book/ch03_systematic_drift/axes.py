@@ -26,48 +26,26 @@ FULL_COLOUR = 2e-3
 
 
 class AxisTour(NamedTuple):
-    """An axis that goes round a great circle, and what turns about it leave.
+    """An axis that goes round a great circle, and what turns about it leave."""
 
-    Attributes
-    ----------
-    way : ndarray, shape (m,)
-        How far it has gone, 0 to 2 pi.
-    axes : ndarray, shape (m, 3)
-        Unit axis of the turns; the first is the chosen one.
-    first_order, exact : ndarray, shape (m,)
-        Drift angle in one turn about it, rad.
-    error : ndarray, shape (m, 3)
-        Rotation vector from R to B after `turns` turns about it, rad, exact.
-    coefficient : ndarray, shape (12, 24)
-        Drift coefficient in the middle of each face of a globe of axes, from the South pole and
-        from -180 degrees on.
-    no_drift : ndarray, shape (2, p, 3) or (0, p, 3)
-        Both halves of the cone of axes with no drift to first order, closed; none if there is none.
-    principal : ndarray, shape (3,)
-        Principal coefficients, rising.
-    principal_axes : ndarray, shape (3, 3)
-        Their unit axes as rows.
-    triad : ndarray, shape (3, 3)
-        Sensitive axes as rows, bent `exaggeration` times too much.
-    exaggeration : float
-    turns : int
-    full_colour : float
-        Drift coefficient that has the full colour on the globe.
-    """
-
-    way: FloatArray
-    axes: FloatArray
-    first_order: FloatArray
-    exact: FloatArray
+    way: FloatArray  # (m,), how far it has gone, 0 to 2 pi
+    axes: FloatArray  # (m, 3), unit axis of the turns; the first is the chosen one
+    first_order: FloatArray  # (m,), drift angle in one turn about it, rad
+    exact: FloatArray  # (m,), the same, exact
+    # (m, 3), rotation vector from R to B after `turns` turns about it, rad, exact
     error: FloatArray
+    # (12, 24), drift coefficient in the middle of each face of a globe of axes, from the South pole
+    # and from -180 degrees on
     coefficient: FloatArray
+    # (2, p, 3) or (0, p, 3), both halves of the cone of axes with no drift to first order, closed;
+    # none if there is none
     no_drift: FloatArray
-    principal: FloatArray
-    principal_axes: FloatArray
-    triad: FloatArray
+    principal: FloatArray  # (3,), principal coefficients, rising
+    principal_axes: FloatArray  # (3, 3), their unit axes as rows
+    triad: FloatArray  # (3, 3), sensitive axes as rows, bent `exaggeration` times too much
     exaggeration: float
     turns: int
-    full_colour: float
+    full_colour: float  # drift coefficient that has the full colour on the globe
 
 
 def axis_tour(
@@ -77,21 +55,7 @@ def axis_tour(
     exaggeration: float = EXAGGERATION,
     full_colour: float = FULL_COLOUR,
 ) -> AxisTour:
-    """Take the axis of the turns from where it is through the worst axis, and once round.
-
-    Parameters
-    ----------
-    triad_error : array_like, shape (3, 3)
-        M, dimensionless.
-    direction : array_like, shape (3,)
-        Axis of the turns in body axes at first; only its direction counts.
-    turns : int
-        Whole turns about each axis, after which the block is shown.
-    exaggeration : float
-        How many times too large the triad's error is drawn.
-    full_colour : float
-        Drift coefficient that has the full colour on the globe.
-    """
+    """Take the axis of the turns from where it is through the worst axis, and once round."""
     count = whole_number(turns, "turns")
     factor = positive_number(exaggeration, "exaggeration")
     full = positive_number(full_colour, "full_colour")
@@ -127,22 +91,11 @@ def axis_tour(
 
 
 def axes_without_drift(triad_error: ArrayLike, points: int = 145) -> FloatArray:
-    """Unit axes about which a triad does not drift to first order: a cone, in two halves.
+    """Unit axes (2, points, 3) without drift to first order: a cone, in two halves.
 
-    Its axis is the principal axis whose coefficient has a sign of its own. If the middle one is
+    There are none, (0, points, 3), if all axes drift one way or if none drifts. The axis of the
+    cone is the principal axis whose coefficient has a sign of its own; if the middle coefficient is
     zero, the cone has become two planes.
-
-    Parameters
-    ----------
-    triad_error : array_like, shape (3, 3)
-        M, dimensionless.
-    points : int
-        On either half, the last one being the first again.
-
-    Returns
-    -------
-    ndarray, shape (2, points, 3) or (0, points, 3)
-        None if all axes drift one way, or if none drifts.
     """
     principal, axes = principal_drifts(finite_array(triad_error, "triad_error", 3, 3))
     count = whole_number(points, "points", least=4)

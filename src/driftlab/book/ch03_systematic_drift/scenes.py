@@ -102,17 +102,7 @@ def turning_block(
     direction: ArrayLike = (1.0, 1.0, 0.0),
     exaggeration: float = EXAGGERATION,
 ) -> DriftHistory:
-    """Error of a bent triad in as many moments as the block is shown in; see `drift_history`.
-
-    Parameters
-    ----------
-    triad_error : array_like, shape (3, 3)
-        M, dimensionless.
-    direction : array_like, shape (3,)
-        Axis of the turns in body axes; only its direction counts.
-    exaggeration : float
-        How many times too large the triad's error is drawn.
-    """
+    """Error of a bent triad in as many moments as the block is shown in; see `drift_history`."""
     return drift_history(triad_error, direction, SAMPLES, exaggeration=exaggeration)
 
 

@@ -53,25 +53,13 @@ identity, and (3.3) then takes that vector as it stands. 3/2 gives the sum of th
 
 
 class Reconstruction(NamedTuple):
-    """One set of assumptions and the seven numbers that follow from it.
+    """One set of assumptions and the seven numbers that follow from it."""
 
-    Attributes
-    ----------
-    triad, step_formula : str
-        Names in `TRIADS` and `STEP_FORMULAS`.
-    steps : int
-        Steps in the turn.
-    sum_factor : str
-        Name in `SUM_FACTORS`.
-    values : ndarray, shape (7,)
-        In the order of `NAMES`.
-    """
-
-    triad: str
-    step_formula: str
-    steps: int
-    sum_factor: str
-    values: FloatArray
+    triad: str  # name in `TRIADS`
+    step_formula: str  # name in `STEP_FORMULAS`
+    steps: int  # steps in the turn
+    sum_factor: str  # name in `SUM_FACTORS`
+    values: FloatArray  # (7,), in the order of `NAMES`
 
     @property
     def agrees(self) -> list[bool]:
@@ -127,14 +115,10 @@ def reconstruct(
 
 
 def seven_numbers(estimates: ArrayLike, sum_factor: ArrayLike) -> FloatArray:
-    """The numbers (..., 7) of the experiment, in the order of `NAMES`.
+    """The numbers (..., 7) of the experiment in the order of `NAMES` from estimates (..., 4).
 
-    Parameters
-    ----------
-    estimates : array_like, shape (..., 4)
-        Turn estimates about the axes of `driftlab.drift.weighing_designs.YATES_AXES`.
-    sum_factor : array_like, shape (...)
-        What multiplies l^T n4 before the arc tangent, as in `SUM_FACTORS`.
+    The turns are about `driftlab.drift.weighing_designs.YATES_AXES`. The sum factor multiplies
+    l^T n4 before the arc tangent.
     """
     estimates, factor = finite_arrays(estimates=(estimates, 4), sum_factor=(sum_factor,))
     fourth = np.arctan(factor * np.tan(np.pi * estimates[..., 3])) / np.pi
@@ -144,13 +128,9 @@ def seven_numbers(estimates: ArrayLike, sum_factor: ArrayLike) -> FloatArray:
 
 
 def experiment_numbers() -> dict[str, FloatArray]:
-    """The seven numbers, (7,) each, in the order of `NAMES`.
+    """The seven numbers (7,) in the order of `NAMES`: of the copy, exact and reconstructed.
 
-    Returns
-    -------
-    dict
-        "copy"; "exact", the method itself without integration error, with the corrected (3.5);
-        "reconstructed", the assumptions of `reconstruct`.
+    "exact" is the method itself without integration error, with the corrected (3.5).
     """
     starred = exact_turn_estimate(YATES_AXES, LARIN_TRIAD)
     starred[3] *= 1.5

@@ -24,10 +24,7 @@ LESS, SAME, OTHER_SIGN, NOTHING = (
 def seeming_error(rate: float) -> float:
     """Angle that the first two gyros seem to miss of a right angle, arc seconds.
 
-    Parameters
-    ----------
-    rate : float
-        Of the table, rad/s; negative is clockwise.
+    A negative rate (rad/s) is clockwise.
     """
     record = TableTurn(rate, latitude=LATITUDE).increments(AXIS, samples=360)
     # A turn estimates half of what the two axes miss.

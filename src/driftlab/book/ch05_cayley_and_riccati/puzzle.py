@@ -19,10 +19,7 @@ HISTORY, ANGLE_AND_AXIS, ONLY_NUMBERS, NEVER = (
 def three_numbers(angle: float) -> np.ndarray:
     """The vector part of a quaternion over one plus its scalar part, with the sign changed.
 
-    Parameters
-    ----------
-    angle : float
-        Of the rotation, degrees.
+    The angle of the rotation is in degrees.
     """
     quaternion = from_rotation_vector(np.radians(angle) * AXIS)
     return -quaternion[:3] / (1 + quaternion[3])

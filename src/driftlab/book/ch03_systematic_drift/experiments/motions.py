@@ -35,16 +35,7 @@ def closed_motions(
 
     A whole turn; a tumble of quarter turns about axis 1 and axis 3 by turns, three times; one round
     of a cone; a swing to and fro about one axis. The turn and the swing are about the axis of the
-    greatest drift coefficient of a triad.
-
-    Parameters
-    ----------
-    increments : int
-        Of each motion; a multiple of six.
-    triad_error : array_like, shape (3, 3)
-        M, dimensionless.
-    half_angle : float
-        Of the cone and of the swing, rad.
+    greatest drift coefficient. The number of increments is a multiple of six.
     """
     count = whole_number(increments, "increments", least=6)
     if count % 6:
@@ -62,40 +53,18 @@ def closed_motions(
 
 
 class MotionHistory(NamedTuple):
-    """Error of a triad over one closed motion, made several times.
+    """Error of a triad over one closed motion, made several times."""
 
-    Attributes
-    ----------
-    motions : ndarray, shape (m,)
-        How far the body has come, in motions.
-    angle : ndarray, shape (m,)
-        Of the rotation from R to B, rad.
-    track : ndarray, shape (m, 3)
-        Third body axis, in the body axes at the start.
-    first_order : float
-        Drift angle in one motion, rad.
-    """
-
-    motions: FloatArray
-    angle: FloatArray
-    track: FloatArray
-    first_order: float
+    motions: FloatArray  # (m,), how far the body has come, in motions
+    angle: FloatArray  # (m,), of the rotation from R to B, rad
+    track: FloatArray  # (m, 3), third body axis, in the body axes at the start
+    first_order: float  # drift angle in one motion, rad
 
 
 def motion_histories(
     triad_error: ArrayLike = LARIN_TRIAD, half_angle: float = SWING, repeats: int = REPEATS
 ) -> dict[str, MotionHistory]:
-    """Exact error of a triad over each of the `closed_motions`, with the drift of first order.
-
-    Parameters
-    ----------
-    triad_error : array_like, shape (3, 3)
-        M, dimensionless.
-    half_angle : float
-        Of the cone and of the swing, rad.
-    repeats : int
-        How often each motion is made.
-    """
+    """Exact error of a triad over each of the `closed_motions`, with the drift of first order."""
     count = whole_number(repeats, "repeats")
     histories = {}
     for name, once in closed_motions(360, triad_error, half_angle).items():

@@ -30,42 +30,19 @@ ACROSS: FloatArray = np.array([1.0, -1, 0]) / np.sqrt(2)
 
 
 class DriftHistory(NamedTuple):
-    """Error over the turns, as the rotation vector from R to B.
+    """Error over the turns, as the rotation vector from R to B."""
 
-    Attributes
-    ----------
-    turns : ndarray, shape (m,)
-        How far the body has turned, in turns.
-    error : ndarray, shape (m, 3)
-        Rotation vector, rad.
-    whole_turns : ndarray, shape (n,)
-        Counted from 0.
-    snapshots : ndarray, shape (n, 3)
-        `error` once a turn, rad.
-    direction : ndarray, shape (3,)
-        Unit axis of the turns.
-    triad : ndarray, shape (3, 3)
-        Sensitive axes as rows, bent `exaggeration` times too much.
-    exaggeration : float
-    worst_axis : ndarray, shape (3,)
-        Unit axis with the largest drift in size.
-    first_order_per_turn, exact_per_turn : float
-        Drift angle in one turn about `direction`, rad.
-    worst_per_turn : float
-        Drift angle in one turn about `worst_axis`, rad.
-    """
-
-    turns: FloatArray
-    error: FloatArray
-    whole_turns: FloatArray
-    snapshots: FloatArray
-    direction: FloatArray
-    triad: FloatArray
+    turns: FloatArray  # (m,), how far the body has turned, in turns
+    error: FloatArray  # (m, 3), rotation vector, rad
+    whole_turns: FloatArray  # (n,), counted from 0
+    snapshots: FloatArray  # (n, 3), `error` once a turn, rad
+    direction: FloatArray  # (3,), unit axis of the turns
+    triad: FloatArray  # (3, 3), sensitive axes as rows, bent `exaggeration` times too much
     exaggeration: float
-    worst_axis: FloatArray
-    first_order_per_turn: float
-    exact_per_turn: float
-    worst_per_turn: float
+    worst_axis: FloatArray  # (3,), unit axis with the largest drift in size
+    first_order_per_turn: float  # drift angle in one turn about `direction`, rad
+    exact_per_turn: float  # the same, exact
+    worst_per_turn: float  # drift angle in one turn about `worst_axis`, rad
 
 
 def drift_history(
@@ -75,20 +52,7 @@ def drift_history(
     turns: int = TURNS,
     exaggeration: float = EXAGGERATION,
 ) -> DriftHistory:
-    """Error of a bent triad over some turns at a constant rate, exact; Larin (2.3).
-
-    Parameters
-    ----------
-    triad_error : array_like, shape (3, 3)
-        M, dimensionless.
-    direction : array_like, shape (3,)
-        Axis of the turns in body axes; only its direction counts.
-    samples_per_turn : int
-    turns : int
-        Whole turns.
-    exaggeration : float
-        How many times too large the triad's error is drawn.
-    """
+    """Error of a bent triad over some turns at a constant rate, exact; Larin (2.3)."""
     samples = whole_number(samples_per_turn, "samples_per_turn")
     count = whole_number(turns, "turns")
     factor = positive_number(exaggeration, "exaggeration")
@@ -116,30 +80,17 @@ def drift_history(
 
 
 class DriftBySymmetry(NamedTuple):
-    """Drift angle in one turn of a symmetric, a skew and a mixed deformation.
+    """Drift angle in one turn of a symmetric, a skew and a mixed deformation."""
 
-    Attributes
-    ----------
-    sizes : ndarray, shape (m,)
-        Size of the deformation, dimensionless.
-    symmetric, skew : ndarray, shape (m,)
-        Of the size times the one and the other matrix, each about its axis, without sign, rad.
-    mixing : ndarray, shape (p,)
-        Mixing angle, rad.
-    mixed : ndarray, shape (p,)
-        Of ``mixed_size * (cos(mixing) * symmetric + sin(mixing) * skew)`` about the axis of the
-        symmetric one, rad.
-    first_order : ndarray, shape (p,)
-        The same to first order, rad.
-    mixed_size : float
-    """
-
-    sizes: FloatArray
+    sizes: FloatArray  # (m,), size of the deformation, dimensionless
+    # (m,), of the size times the symmetric matrix, about its axis, without sign, rad
     symmetric: FloatArray
-    skew: FloatArray
-    mixing: FloatArray
+    skew: FloatArray  # (m,), the same of the skew matrix
+    mixing: FloatArray  # (p,), mixing angle, rad
+    # (p,), of ``mixed_size * (cos(mixing) * symmetric + sin(mixing) * skew)`` about the axis of the
+    # symmetric one, rad
     mixed: FloatArray
-    first_order: FloatArray
+    first_order: FloatArray  # (p,), the same to first order, rad
     mixed_size: float
 
 
@@ -153,15 +104,6 @@ def drift_by_symmetry(
     """Exact drift a turn against the size of either part, and of mixtures of one size.
 
     Only the symmetric part drifts to first order; Larin, remark after (2.4).
-
-    Parameters
-    ----------
-    mixed_size : float
-        Size of the mixtures, dimensionless.
-    symmetric, skew : array_like, shape (3, 3)
-        The two deformations, of size one, equal to their transpose and to minus their transpose.
-    symmetric_axis, skew_axis : array_like, shape (3,)
-        Axes of the turns; as published those of the largest drift. Only their directions count.
     """
     size = positive_number(mixed_size, "mixed_size")
     even = finite_array(symmetric, "symmetric", 3, 3)
@@ -187,37 +129,17 @@ def drift_by_symmetry(
 
 
 class DriftMap(NamedTuple):
-    """First-order drift coefficient on a grid of directions.
+    """First-order drift coefficient on a grid of directions."""
 
-    Attributes
-    ----------
-    azimuth : ndarray, shape (m,)
-        Of the axis of rotation, rad.
-    elevation : ndarray, shape (n,)
-        Likewise, rad.
-    coefficient : ndarray, shape (n, m)
-        Drift rate in units of the turn rate.
-    principal : ndarray, shape (3,)
-        Principal coefficients, rising.
-    axes : ndarray, shape (3, 3)
-        Their unit axes as rows.
-    """
-
-    azimuth: FloatArray
-    elevation: FloatArray
-    coefficient: FloatArray
-    principal: FloatArray
-    axes: FloatArray
+    azimuth: FloatArray  # (m,), of the axis of rotation, rad
+    elevation: FloatArray  # (n,), likewise, rad
+    coefficient: FloatArray  # (n, m), drift rate in units of the turn rate
+    principal: FloatArray  # (3,), principal coefficients, rising
+    axes: FloatArray  # (3, 3), their unit axes as rows
 
 
 def drift_map(triad_error: ArrayLike = LARIN_TRIAD) -> DriftMap:
-    """Drift coefficient for every axis of rotation, and its extremes; Larin (2.2), before (2.6).
-
-    Parameters
-    ----------
-    triad_error : array_like, shape (3, 3)
-        M, dimensionless.
-    """
+    """Drift coefficient for every axis of rotation, and its extremes; Larin (2.2), before (2.6)."""
     azimuth = np.radians(np.linspace(-180, 180, 121))
     elevation = np.radians(np.linspace(-90, 90, 61))
     axes = direction_from_angles(azimuth, elevation[:, np.newaxis])

@@ -30,17 +30,10 @@ NOISY_TURN = TurnExperiment(step_formula="taylor-4", angle_noise=ANGLE_NOISE)
 
 
 class Plan(NamedTuple):
-    """About which axes to turn, and how to combine the estimates.
+    """About which axes to turn, and how to combine the estimates."""
 
-    Attributes
-    ----------
-    axes : ndarray, shape (m, 3)
-    method : str
-        "yates", or what `driftlab.drift.weighing_designs.fit_turns` calls `scale`.
-    """
-
-    axes: FloatArray
-    method: str
+    axes: FloatArray  # (m, 3)
+    method: str  # "yates", or what `driftlab.drift.weighing_designs.fit_turns` calls `scale`
 
 
 PLANS = {
@@ -53,23 +46,12 @@ PLANS = {
 
 
 class TurnEstimates(NamedTuple):
-    """True and estimated [sigma1, sigma2, sigma3].
+    """True and estimated [sigma1, sigma2, sigma3]."""
 
-    Attributes
-    ----------
-    true : ndarray, shape (3,)
-    runs : ndarray, shape (repeats, 3)
-        Estimates; all the same if there is no noise.
-    axes : ndarray, shape (m, 3)
-        Axes of the turns.
-    angle_noise : float
-        rad a turn and gyro.
-    """
-
-    true: FloatArray
-    runs: FloatArray
-    axes: FloatArray
-    angle_noise: float
+    true: FloatArray  # (3,)
+    runs: FloatArray  # (repeats, 3), estimates; all the same if there is no noise
+    axes: FloatArray  # (m, 3), axes of the turns
+    angle_noise: float  # rad a turn and gyro
 
 
 def turn_estimates(
@@ -85,24 +67,8 @@ def turn_estimates(
 ) -> TurnEstimates:
     """Calibrate one triad several times (once, if there is no noise).
 
-    Parameters
-    ----------
-    triad_error : array_like, shape (3, 3)
-    plan : str
-        A name in `PLANS`.
-    experiment : TurnExperiment
-        Turns, steps, step formula and noise.
-    seed : int
-        Of the noise.
-    table : TableTurn, optional
-        How a table makes the turns, and how many; without one they are Larin's, in inertial
-        space.
-    senses : {"one", "both"}
-        Whether to turn as the table says only, or also the other way, and take the mean.
-    gyro_bias : float
-        Of each gyro, rad/s. It needs a table, for a turn without a time has no rate.
-    repeats : int
-        Runs.
+    Without a table the turns are Larin's, in inertial space, and there is no gyro bias. With
+    `senses="both"` the table turns both ways, and the mean is taken.
     """
     count = whole_number(repeats, "repeats")
     triad_error = finite_array(triad_error, "triad_error", 3, 3)
@@ -149,30 +115,17 @@ def _on_table(
 
 
 def yates_sigma(estimates: ArrayLike, sum_factor: float = AS_DERIVED) -> FloatArray:
-    """[sigma1, sigma2, sigma3] (..., 3) by Yates's weighing of turns about Larin's four axes.
+    """[sigma1, sigma2, sigma3] (..., 3) by Yates's weighing of Larin's four turns (..., 4).
 
-    Parameters
-    ----------
-    estimates : array_like, shape (..., 4)
-        Turn estimates about `driftlab.drift.weighing_designs.YATES_AXES`.
-    sum_factor : float
-        What multiplies the fourth of them to give the sum of the sigmas.
+    The sum factor multiplies the fourth estimate to give the sum of the sigmas.
     """
     return weighing(finite_array(estimates, "estimates", 4) * [1, 1, 1, sum_factor])
 
 
 def triad_error(sigma: ArrayLike, skew: float = 0.0, scale: float = 0.0) -> FloatArray:
-    """Triad error (3, 3) of a triad with given non-orthogonality.
+    """Triad error (3, 3) of a triad with the non-orthogonality [sigma1, sigma2, sigma3].
 
-    Parameters
-    ----------
-    sigma : array_like, shape (3,)
-        [sigma1, sigma2, sigma3]: entries (1, 2), (1, 3), (2, 3) of the symmetric part.
-    skew : float
-        Largest entry of the skew part, which is shaped like that of Larin's triad: a rotation of
-        the whole triad about (1, 1, 0).
-    scale : float
-        Scale-factor error common to the three gyros.
+    `skew` is the largest entry of the skew part, a rotation of the whole triad about (1, 1, 0).
     """
     s1, s2, s3 = finite_array(sigma, "sigma", 3)
     symmetric = np.array([[scale, s1, s2], [s1, scale, s3], [s2, s3, scale]])

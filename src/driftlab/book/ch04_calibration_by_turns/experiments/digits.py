@@ -15,30 +15,16 @@ CHOSEN_BY = {"sigma1*": "step formula", "sigma4*": "factor of sigma4*"}
 
 
 class LarinDigits(NamedTuple):
-    """For each triad, step formula and number of steps, the best forming of sigma4*.
+    """For each triad, step formula and number of steps, the best forming of sigma4*."""
 
-    Attributes
-    ----------
-    labels : list of str
-        Triad and step formula of each row.
-    agrees : ndarray, shape (steps, row, 7)
-        1 where all digits of a number agree with the copy, 0 where they do not.
-    counts : ndarray of int, shape (7,)
-        How many of all candidates give each number, whichever way they form sigma4*.
-    candidates : int
-        How many there are.
-    steps : tuple of int
-        Numbers of steps in the turn.
-    texts : tuple of str
-        The seven numbers, digit for digit.
-    """
-
-    labels: list[str]
+    labels: list[str]  # triad and step formula of each row
+    # (steps, row, 7), 1 where all digits of a number agree with the copy, 0 where they do not
     agrees: FloatArray
+    # (7,), how many of all candidates give each number, whichever way they form sigma4*
     counts: NDArray[np.int64]
-    candidates: int
-    steps: tuple[int, ...]
-    texts: tuple[str, ...]
+    candidates: int  # how many there are
+    steps: tuple[int, ...]  # numbers of steps in the turn
+    texts: tuple[str, ...]  # the seven numbers, digit for digit
 
     @property
     def winners(self) -> int:
@@ -54,15 +40,7 @@ class LarinDigits(NamedTuple):
 def larin_digits(
     texts: tuple[str, ...] = SIGN_RESTORED, steps: tuple[int, ...] = STEPS
 ) -> LarinDigits:
-    """Run all candidates; of those that differ in the forming of sigma4* alone, keep the best.
-
-    Parameters
-    ----------
-    texts : tuple of str
-        The seven numbers, digit for digit: as in the copy but for a sign, if nothing else is said.
-    steps : tuple of int
-        Numbers of steps in the turn that are tried.
-    """
+    """Run all candidates; of those that differ in the forming of sigma4* alone, keep the best."""
     if len(texts) != len(NAMES) or not all(NUMBER.fullmatch(str(text)) for text in texts):
         raise ValueError(
             f"texts: expected {len(NAMES)} numbers such as {SIGN_RESTORED[0]!r}, got {texts!r}."

@@ -28,25 +28,15 @@ FACTORS = (0.8, 1.7)
 
 
 class FreeNumbers(NamedTuple):
-    """Where each of the seven numbers comes out, for each reading of the triad.
+    """Where each of the seven numbers comes out, for each reading of the triad."""
 
-    Attributes
-    ----------
-    step_error : ndarray, shape (m,)
-        Angle error of the integrator in a hundredth of a turn, rad.
-    bounds : ndarray, shape (triad, 2, 7, m)
-        Lowest and highest factor between the two of `factors` with which a number comes out,
-        rounded or cut off; NaN where none does.
-    formulas : dict of str to float
-        Angle error of the step formulas that lie in the range of `step_error`, rad.
-    factors : tuple of float
-        Lowest and highest factor that is looked at.
-    """
-
-    step_error: FloatArray
+    step_error: FloatArray  # (m,), angle error of the integrator in a hundredth of a turn, rad
+    # (triad, 2, 7, m), lowest and highest factor between the two of `factors` with which a number
+    # comes out, rounded or cut off; NaN where none does
     bounds: FloatArray
+    # angle error of the step formulas that lie in the range of `step_error`, rad
     formulas: dict[str, float]
-    factors: tuple[float, float]
+    factors: tuple[float, float]  # lowest and highest factor that is looked at
 
     def extent(self, triad: int) -> list[str]:
         """Where each number comes out for one reading: "everywhere", "nowhere" or "in part"."""
@@ -61,15 +51,7 @@ class FreeNumbers(NamedTuple):
 def free_numbers(
     largest_step_error: float = LARGEST_STEP_ERROR, factors: tuple[float, float] = FACTORS
 ) -> FreeNumbers:
-    """Bounds of the factor over the error of a step, for each reading of the triad.
-
-    Parameters
-    ----------
-    largest_step_error : float
-        Angle error of one step up to which is looked, rad.
-    factors : tuple of float
-        Lowest and highest factor that is looked at, above 0.
-    """
+    """Bounds of the factor over the error of a step, for each reading of the triad."""
     largest = positive_number(largest_step_error, "largest_step_error")
     low, high = (positive_number(factor, "factors") for factor in factors)
     if not low < high:
@@ -92,21 +74,9 @@ def step_error(formula: str) -> float:
 def factor_bounds(
     triad: str, step_error: ArrayLike, within: tuple[float, float] = FACTORS
 ) -> FloatArray:
-    """Factors with which each of the seven numbers comes out, rounded or cut off.
+    """Lowest and highest factor (2, 7, m) with which each number comes out; NaN where none does.
 
-    Parameters
-    ----------
-    triad : str
-        A reading in `driftlab.book.ch04_calibration_by_turns.experiment_numbers.TRIADS`.
-    step_error : array_like, shape (m,)
-        Angle error of the integrator in a hundredth of a turn, rad.
-    within : tuple of float
-        The factors that are looked at.
-
-    Returns
-    -------
-    ndarray, shape (2, 7, m)
-        Lowest and highest factor; NaN where the number does not come out with any.
+    `step_error` (m,) is the angle error of the integrator in a hundredth of a turn, rad.
     """
     own = STEPS_IN_TURN * finite_array(step_error, "step_error") / (2 * np.pi)
     estimates = exact_turn_estimate(YATES_AXES, triad_reading(triad)) + own[..., np.newaxis]

@@ -31,59 +31,32 @@ PERIOD = SAMPLES + RESTS + MOVES
 
 
 class Mountings(NamedTuple):
-    """Four turns, each followed by a rest in which the body is mounted for the next one, if any.
+    """Four turns, each followed by a rest in which the body is mounted for the next one, if any."""
 
-    Attributes
-    ----------
-    time : ndarray, shape (m,)
-        s; the body turns at an even rate.
-    attitude : ndarray, shape (m, 4)
-        Body to laboratory, whose third axis is that of the table.
-    error : ndarray, shape (m, 3)
-        Rotation vector from the body to where its computer believes it to be, in body axes, rad.
-        The computer starts anew with each mounting; in between the error is zero.
-    vectors : ndarray, shape (4, m, 3)
-        The same of each mounting by itself in laboratory axes, rad: zero before it, and after it
-        what its turn has left.
-    added : ndarray, shape (m, 3)
-        False rate in laboratory axes as a fraction of the table's rate; zero while it rests.
-    mounting : ndarray of int, shape (m,)
-        0 to 3.
-    turning : ndarray of bool, shape (m,)
-        Whether there is a turn, or the rest after it: the error is one of a turn.
-    ends : ndarray of int, shape (4,)
-        Moments at which the turns end.
-    estimates : ndarray, shape (4,)
-        Turn estimates about `driftlab.drift.weighing_designs.YATES_AXES`.
-    expected : ndarray, shape (4,)
-        What they are to first order in inertial space, n^T M n.
-    sigma : ndarray, shape (3,)
-        True [sigma1, sigma2, sigma3].
-    triad_error : ndarray, shape (3, 3)
-    """
-
-    time: FloatArray
-    attitude: FloatArray
+    time: FloatArray  # (m,), s; the body turns at an even rate
+    attitude: FloatArray  # (m, 4), body to laboratory, whose third axis is that of the table
+    # (m, 3), rotation vector from the body to where its computer believes it to be, in body axes,
+    # rad. The computer starts anew with each mounting; in between the error is zero
     error: FloatArray
+    # (4, m, 3), the same of each mounting by itself in laboratory axes, rad: zero before it, and
+    # after it what its turn has left
     vectors: FloatArray
+    # (m, 3), false rate in laboratory axes as a fraction of the table's rate; zero while it rests
     added: FloatArray
-    mounting: NDArray[np.integer]
+    mounting: NDArray[np.integer]  # (m,), 0 to 3
+    # (m,), whether there is a turn, or the rest after it: the error is one of a turn
     turning: NDArray[np.bool_]
-    ends: NDArray[np.integer]
-    estimates: FloatArray
-    expected: FloatArray
-    sigma: FloatArray
-    triad_error: FloatArray
+    ends: NDArray[np.integer]  # (4,), moments at which the turns end
+    estimates: FloatArray  # (4,), turn estimates about `driftlab.drift.weighing_designs.YATES_AXES`
+    expected: FloatArray  # (4,), what they are to first order in inertial space, n^T M n
+    sigma: FloatArray  # (3,), true [sigma1, sigma2, sigma3]
+    triad_error: FloatArray  # (3, 3)
 
 
 def mountings(triad_error: ArrayLike, table: TableTurn) -> Mountings:
     """Turn a triad about Larin's four axes, and follow its computer; Larin (3.3).
 
-    Parameters
-    ----------
-    triad_error : array_like, shape (3, 3)
-    table : TableTurn
-        It makes one even turn, counter-clockwise, about an upright axis.
+    The table makes one even turn, counter-clockwise, about an upright axis.
     """
     bent = finite_array(triad_error, "triad_error", 3, 3)
     if table != TableTurn(abs(table.rate), latitude=table.latitude):

@@ -36,36 +36,18 @@ SAMPLES = 72
 
 @dataclass(frozen=True)
 class RealTable:
-    """Where and how the turns are made, and how large the errors are: one standard deviation each.
+    """Where and how the turns are made, and the size of the errors: one standard deviation each."""
 
-    Attributes
-    ----------
-    rate : float
-        Of the table, rad/s; a turn about each axis.
-    latitude : float
-        rad.
-    gyro_bias : float
-        Of each gyro, rad/s.
-    common_scale, gyro_scale : float
-        Scale-factor error of all gyros, and of each one besides.
-    overshoot, stopping : float
-        Angle by which the table goes too far in every turn, and at random in each, rad.
-    mounting, tilt : float
-        Of the body's axis on the table, each time it is mounted, and of the table's axis, rad.
-    angle_random_walk : float
-        rad/sqrt(s).
-    """
-
-    rate: float = 10 * degree
-    latitude: float = 37.5 * degree
-    gyro_bias: float = 0.3 * degree / hour
-    common_scale: float = 30 * micro
-    gyro_scale: float = 5 * micro
-    overshoot: float = 5 * arcsecond
-    stopping: float = 1 * arcsecond
-    mounting: float = 1 * arcminute
-    tilt: float = 1 * arcminute
-    angle_random_walk: float = 0.005 * degree / float(np.sqrt(hour))
+    rate: float = 10 * degree  # of the table, rad/s; a turn about each axis
+    latitude: float = 37.5 * degree  # rad
+    gyro_bias: float = 0.3 * degree / hour  # of each gyro, rad/s
+    common_scale: float = 30 * micro  # scale-factor error of all gyros
+    gyro_scale: float = 5 * micro  # of each gyro besides
+    overshoot: float = 5 * arcsecond  # angle by which the table goes too far in every turn, rad
+    stopping: float = 1 * arcsecond  # random part of it, rad
+    mounting: float = 1 * arcminute  # of the body's axis on the table, each time it is mounted, rad
+    tilt: float = 1 * arcminute  # of the table's axis, rad
+    angle_random_walk: float = 0.005 * degree / float(np.sqrt(hour))  # rad/sqrt(s)
 
     @property
     def triad(self) -> FloatArray:
@@ -74,51 +56,24 @@ class RealTable:
 
 
 class Budget(NamedTuple):
-    """Root mean square error of the three sigmas to first order, by source and way.
+    """Root mean square error of the three sigmas to first order, by source and way."""
 
-    Attributes
-    ----------
-    sizes : dict of str to str
-        The sources, and how large each is assumed to be.
-    effects : ndarray, shape (source, way)
-        rad.
-    total : ndarray, shape (way,)
-        In quadrature, rad.
-    """
-
-    sizes: dict[str, str]
-    effects: FloatArray
-    total: FloatArray
+    sizes: dict[str, str]  # the sources, and how large each is assumed to be
+    effects: FloatArray  # (source, way), rad
+    total: FloatArray  # (way,), in quadrature, rad
 
 
 class RealTableErrors(NamedTuple):
-    """Budget against simulation.
+    """Budget against simulation."""
 
-    Attributes
-    ----------
-    rates : ndarray, shape (m,)
-        Table rates, rad/s.
-    expected : ndarray, shape (m, way)
-        Total of the budget, rad.
-    simulated_rates : ndarray, shape (r,)
-        rad/s.
-    simulated, half_width : ndarray, shape (r, way)
-        Root mean square error over the runs, and half of its 95 % interval, rad.
-    budget : Budget
-        At the rate of the table.
-    runs : int
-    rate : float
-        Of the table, rad/s.
-    """
-
-    rates: FloatArray
-    expected: FloatArray
-    simulated_rates: FloatArray
-    simulated: FloatArray
-    half_width: FloatArray
-    budget: Budget
+    rates: FloatArray  # (m,), table rates, rad/s
+    expected: FloatArray  # (m, way), total of the budget, rad
+    simulated_rates: FloatArray  # (r,), rad/s
+    simulated: FloatArray  # (r, way), root mean square error over the runs, rad
+    half_width: FloatArray  # (r, way), half of its 95 % interval, rad
+    budget: Budget  # at the rate of the table
     runs: int
-    rate: float
+    rate: float  # of the table, rad/s
 
 
 def sigmas_by_way(estimates: FloatArray) -> FloatArray:
@@ -225,17 +180,7 @@ def real_table(
     seed: int = SEED,
     table: RealTable = RealTable(),
 ) -> RealTableErrors:
-    """Budget over the table's rate, and simulations of the whole at three rates.
-
-    Parameters
-    ----------
-    runs : int
-        Calibrations simulated at each rate.
-    seed : int
-        Of all errors and the noise.
-    table : RealTable
-        Where and how the turns are made; its rate is that of the budget.
-    """
+    """Budget over the table's rate, and simulations of the whole at three rates."""
     count = whole_number(runs, "runs", least=2)
     rng = np.random.default_rng(seed)
     rates = np.array([1, 1.5, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100]) * degree

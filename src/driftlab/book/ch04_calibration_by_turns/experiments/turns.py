@@ -19,35 +19,17 @@ SEED = 1987
 
 
 class TurnBias(NamedTuple):
-    """Errors of the estimate of sigma2, dimensionless.
+    """Errors of the estimate of sigma2, dimensionless."""
 
-    Attributes
-    ----------
-    steps : ndarray, shape (m,)
-        Integration steps in the turn.
-    by_formula : ndarray, shape (formula, m)
-        Size of the error with each step formula of `FORMULAS`, no noise.
-    bias : float
-        Size of the bias of the method itself, one turn.
-    turns : ndarray, shape (n,)
-        Whole turns k.
-    noise : ndarray, shape (n,)
-        Standard deviation over the runs, with exact steps.
-    expected_noise : ndarray, shape (n,)
-        The same in closed form.
-    runs : int
-    bias_by_turns : ndarray, shape (n,)
-        Size of the bias of the method for k turns.
-    """
-
-    steps: FloatArray
+    steps: FloatArray  # (m,), integration steps in the turn
+    # (formula, m), size of the error with each step formula of `FORMULAS`, no noise
     by_formula: FloatArray
-    bias: float
-    turns: FloatArray
-    noise: FloatArray
-    expected_noise: FloatArray
+    bias: float  # size of the bias of the method itself, one turn
+    turns: FloatArray  # (n,), whole turns k
+    noise: FloatArray  # (n,), standard deviation over the runs, with exact steps
+    expected_noise: FloatArray  # (n,), the same in closed form
     runs: int
-    bias_by_turns: FloatArray
+    bias_by_turns: FloatArray  # (n,), size of the bias of the method for k turns
 
 
 def turn_bias(
@@ -56,18 +38,7 @@ def turn_bias(
     seed: int = SEED,
     angle_noise: float = ANGLE_NOISE,
 ) -> TurnBias:
-    """Error of the turn estimate about (1, 0, 1) against the steps a turn and the turns k.
-
-    Parameters
-    ----------
-    triad_error : array_like, shape (3, 3)
-    runs : int
-        For each number of turns.
-    seed : int
-        Of the noise.
-    angle_noise : float
-        rad a turn and gyro.
-    """
+    """Error of the turn estimate about (1, 0, 1) against the steps a turn and the turns k."""
     count = whole_number(runs, "runs", least=2)
     size = positive_number(angle_noise, "angle_noise")
     steps = np.array([6, 8, 12, 16, 24, 32, 48, 64, 100, 160, 240, 360])
@@ -93,15 +64,7 @@ def turn_bias(
 
 
 def estimate_errors(triad_error: ArrayLike, step_formula: str, steps: ArrayLike) -> FloatArray:
-    """Error (m,) of the estimate of sigma2 after one turn of each number of `steps` (m,).
-
-    Parameters
-    ----------
-    triad_error : array_like, shape (3, 3)
-    step_formula : str
-        A name in `driftlab.drift.step_formulas.STEP_FORMULAS`.
-    steps : array_like of int, shape (m,)
-    """
+    """Error (m,) of the estimate of sigma2 after one turn of each number of `steps` (m,)."""
     found = [
         TurnExperiment(1, int(count), step_formula).estimate(PAIR_AXES[1], triad_error)
         for count in np.asarray(steps)
@@ -110,26 +73,11 @@ def estimate_errors(triad_error: ArrayLike, step_formula: str, steps: ArrayLike)
 
 
 def method_bias(triad_error: ArrayLike, turns: int = 1) -> float:
-    """Error of the estimate of sigma2 that no number of steps removes; Larin (3.3).
-
-    Parameters
-    ----------
-    triad_error : array_like, shape (3, 3)
-    turns : int
-        Whole turns k.
-    """
+    """Error of the estimate of sigma2 that no number of steps removes; Larin (3.3)."""
     exact = exact_turn_estimate(PAIR_AXES[1], triad_error, turns)
     return float(exact - drift_coefficient(PAIR_AXES[1], triad_error))
 
 
 def expected_noise(turns: ArrayLike, angle_noise: float = ANGLE_NOISE) -> FloatArray:
-    """Standard deviation (...) of the turn estimate: angle_noise / (2 pi sqrt(k)).
-
-    Parameters
-    ----------
-    turns : array_like, shape (...)
-        Whole turns k.
-    angle_noise : float
-        rad a turn and gyro.
-    """
+    """Standard deviation (...) of the turn estimate: angle_noise / (2 pi sqrt(k))."""
     return angle_noise / (2 * np.pi * np.sqrt(turns))

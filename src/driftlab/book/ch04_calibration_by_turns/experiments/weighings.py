@@ -34,26 +34,13 @@ OFFSET = 10e-6
 
 
 class WeighingDesigns(NamedTuple):
-    """Root mean square error of sigma1, sigma2, sigma3 together, in units of the noise.
+    """Root mean square error of sigma1, sigma2, sigma3 together, in units of the noise."""
 
-    Attributes
-    ----------
-    measured : ndarray, shape (2, method)
-        Without and with the offset, by the methods of `METHODS`.
-    half_width : ndarray, shape (2, method)
-        Of a 95 % interval of `measured`.
-    expected : ndarray, shape (2, method)
-        Closed form of the same.
-    runs : int
-    offset : float
-        In units of the noise.
-    """
-
-    measured: FloatArray
-    half_width: FloatArray
-    expected: FloatArray
+    measured: FloatArray  # (2, method), without and with the offset, by the methods of `METHODS`
+    half_width: FloatArray  # (2, method), of a 95 % interval of `measured`
+    expected: FloatArray  # (2, method), closed form of the same
     runs: int
-    offset: float
+    offset: float  # in units of the noise
 
 
 def weighing_designs(
@@ -63,20 +50,7 @@ def weighing_designs(
     noise: float = NOISE,
     offset: float = OFFSET,
 ) -> WeighingDesigns:
-    """Monte Carlo over white noise on each turn estimate, equal for all axes.
-
-    Parameters
-    ----------
-    runs : int
-    seed : int
-        Of the noise.
-    sigma : array_like, shape (3,)
-        True sigma1, sigma2, sigma3.
-    noise : float
-        Standard deviation of each turn estimate.
-    offset : float
-        Common to all turn estimates.
-    """
+    """Monte Carlo over white noise on each turn estimate, equal for all axes."""
     count = whole_number(runs, "runs", least=2)
     sigmas, size = finite_array(sigma, "sigma", 3), positive_number(noise, "noise")
     common = finite_number(offset, "offset")

@@ -23,41 +23,21 @@ TOLERANCES = (1e-5, 1e-7, 1e-9, 1e-11)
 
 
 class RiccatiTurns(NamedTuple):
-    """The Riccati equation over some turns; times in s, the body turns once a second.
+    """The Riccati equation over some turns; times in s, the body turns once a second."""
 
-    Attributes
-    ----------
-    miss : float
-        How far the attitude passes from a whole turn, rad; the first of `misses`.
-    ended : RiccatiSolution
-        About a fixed axis, without the shadow switch.
-    plain, switched : RiccatiSolution
-        Past the singularity by `miss`, without the switch and with it.
-    fixed_times : ndarray, shape (f,)
-        Of the integrator with a fixed step, s.
-    fixed_errors : ndarray, shape (2, f)
-        Its error of attitude, without the switch and with it, rad.
-    misses : ndarray, shape (n,)
-        rad.
-    evaluations : ndarray, shape (2, n, tolerance)
-        Of the rate, by an integrator with a variable step, without the switch and with it.
-    worst : ndarray, shape (2, n, tolerance)
-        Its largest error of attitude, rad.
-    turns, steps : int
-        Whole turns, and steps a turn of the integrator with a fixed step.
-    """
-
-    miss: float
-    ended: RiccatiSolution
-    plain: RiccatiSolution
-    switched: RiccatiSolution
-    fixed_times: FloatArray
-    fixed_errors: FloatArray
-    misses: FloatArray
+    miss: float  # how far the attitude passes from a whole turn, rad; the first of `misses`
+    ended: RiccatiSolution  # about a fixed axis, without the shadow switch
+    plain: RiccatiSolution  # past the singularity by `miss`, without the switch
+    switched: RiccatiSolution  # the same with the switch
+    fixed_times: FloatArray  # (f,), of the integrator with a fixed step, s
+    fixed_errors: FloatArray  # (2, f), its error of attitude, without the switch and with it, rad
+    misses: FloatArray  # (n,), rad
+    # (2, n, tolerance), of the rate, by an integrator with a variable step, without the switch and
+    # with it
     evaluations: FloatArray
-    worst: FloatArray
+    worst: FloatArray  # (2, n, tolerance), its largest error of attitude, rad
     turns: int
-    steps: int
+    steps: int  # a turn, of the integrator with a fixed step
 
 
 class _TwoSpins(NamedTuple):
@@ -88,18 +68,8 @@ def riccati_turns(
 ) -> RiccatiTurns:
     """Integrate (1.10) through some turns that pass the singular attitude at some distances.
 
-    With and without the shadow switch; with a fixed step, and with a variable one.
-
-    Parameters
-    ----------
-    misses : tuple of float
-        One or two: how far from a whole turn the attitude passes at the end of the first turn, rad.
-    turns : int
-        Whole turns.
-    steps : int
-        A turn, of the integrator with a fixed step.
-    tolerances : tuple of float
-        Of the integrator with a variable step.
+    With and without the shadow switch; with a fixed step, and with a variable one. There are one or
+    two distances.
     """
     distances = [positive_number(each, "misses") for each in misses]
     if len(distances) not in (1, 2):

@@ -24,54 +24,25 @@ MOMENTS = 361  # of two turns
 
 
 class CayleyMap(NamedTuple):
-    """Cayley vectors of a rotation as their component along the axis; None where one is infinite.
+    """Cayley vectors of a rotation as components along its axis; None where one is infinite."""
 
-    Attributes
-    ----------
-    angle : float
-        phi, rad.
-    axis : ndarray, shape (3,)
-        Unit axis.
-    along_3 : float or None
-        -tan(phi/2), of the vector of dimension 3.
-    along_4 : float or None
-        -tan(phi/4), of the vector of dimension 4.
-    shadow : float or None
-        cot(phi/4), of the vector of dimension 4 of the quaternion with the other sign.
-    distance_3, distance_4 : float
-        To the nearest angle where the vector of dimension 3, or 4, is infinite, rad.
-    turned : ndarray, shape (3, 3)
-        The turned body axes in the reference frame, as rows.
-    angles : ndarray, shape (m,)
-        Angles of the curves, rad.
-    curves : ndarray, shape (3, m)
-        The three components over `angles`.
-    """
-
-    angle: float
-    axis: FloatArray
-    along_3: float | None
-    along_4: float | None
+    angle: float  # phi, rad
+    axis: FloatArray  # (3,), unit axis
+    along_3: float | None  # -tan(phi/2), of the vector of dimension 3
+    along_4: float | None  # -tan(phi/4), of the vector of dimension 4
+    # cot(phi/4), of the vector of dimension 4 of the quaternion with the other sign
     shadow: float | None
-    distance_3: float
-    distance_4: float
-    turned: FloatArray
-    angles: FloatArray
-    curves: FloatArray
+    distance_3: float  # to the nearest angle where the vector of dimension 3 is infinite, rad
+    distance_4: float  # the same of dimension 4
+    turned: FloatArray  # (3, 3), the turned body axes in the reference frame, as rows
+    angles: FloatArray  # (m,), angles of the curves, rad
+    curves: FloatArray  # (3, m), the three components over `angles`
 
 
 def cayley_map(
     angle: float = float(np.radians(EXAMPLE)), axis: ArrayLike = OBLIQUE_AXIS
 ) -> CayleyMap:
-    """Both Cayley vectors of one rotation, and those of all angles; (1.2), (1.3).
-
-    Parameters
-    ----------
-    angle : float
-        rad, from -2 pi to 2 pi.
-    axis : array_like, shape (3,)
-        Only its direction counts.
-    """
+    """Both Cayley vectors of one rotation, and those of all angles; (1.2), (1.3)."""
     direction, _ = nonzero_vectors(axis, "axis")
     phi = float(finite_array(angle, "angle"))
     if abs(phi) > 2 * np.pi:
@@ -112,26 +83,14 @@ def cayley_curves() -> FloatArray:
 
 
 class ShadowSteps(NamedTuple):
-    """Cayley vectors of dimension 4 over two turns about an axis, and which of two is used.
+    """Cayley vectors of dimension 4 over two turns about an axis, and which of two is used."""
 
-    Attributes
-    ----------
-    angle : ndarray, shape (m,)
-        phi, from 0 to 4 pi, rad.
-    axis : ndarray, shape (3,)
-    attitude : ndarray, shape (m, 4)
-        Quaternion of phi: minus one after a turn, one again after two.
-    heights : ndarray, shape (2, m)
-        tan(phi/4) of the quaternion, and of the one with the other sign; NaN where infinite.
-    used : ndarray of int, shape (m,)
-        Row of `heights` in use: the other one as soon as it is longer than `switch`.
-    switch : float
-    """
-
-    angle: FloatArray
-    axis: FloatArray
-    attitude: FloatArray
+    angle: FloatArray  # (m,), phi, from 0 to 4 pi, rad
+    axis: FloatArray  # (3,)
+    attitude: FloatArray  # (m, 4), quaternion of phi: minus one after a turn, one again after two
+    # (2, m), tan(phi/4) of the quaternion, and of the one with the other sign; NaN where infinite
     heights: FloatArray
+    # (m,), row of `heights` in use: the other one as soon as it is longer than `switch`
     used: NDArray[np.integer]
     switch: float
 
@@ -155,12 +114,8 @@ class ShadowSteps(NamedTuple):
 def shadow_steps(axis: ArrayLike, switch: float = SWITCH) -> ShadowSteps:
     """Follow a Cayley vector and its shadow through two turns; (1.3), (1.9).
 
-    Parameters
-    ----------
-    axis : array_like, shape (3,)
-        Only its direction counts.
-    switch : float
-        Length at which a computer steps over to the shadow, at least 1; it may be infinite.
+    The switch is the length at which a computer changes to the shadow, at least 1; it may be
+    infinite.
     """
     if not switch >= 1:
         raise ValueError(f"switch: expected a length of at least 1, got {switch!r}.")
