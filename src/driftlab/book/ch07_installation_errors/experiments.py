@@ -43,105 +43,53 @@ MISALIGNMENT_SIZES: FloatArray = np.logspace(-5, -1, 17)
 
 
 class SplitTriad(NamedTuple):
-    """An error matrix and its parts.
+    """An error matrix and its parts."""
 
-    Attributes
-    ----------
-    parts : ndarray, shape (4, 3, 3)
-        The whole, scale, non-orthogonality, misalignment.
-    vector : ndarray, shape (3,)
-        The misalignment as a small rotation, rad.
-    """
-
-    parts: FloatArray
-    vector: FloatArray
+    parts: FloatArray  # (4, 3, 3), the whole, scale, non-orthogonality, misalignment
+    vector: FloatArray  # (3,), the misalignment as a small rotation, rad
 
 
 class PlaneSplit(NamedTuple):
-    """Angles by which an x and a y gyro lean in a plane, positive from x to y, rad.
+    """Angles by which an x and a y gyro lean in a plane, positive from x to y, rad."""
 
-    Attributes
-    ----------
-    whole : ndarray, shape (2,)
-    misalignment, non_orthogonality : ndarray, shape (2,)
-        Its two parts: the same angle for both gyros, and opposite ones.
-    """
-
-    whole: FloatArray
-    misalignment: FloatArray
-    non_orthogonality: FloatArray
+    whole: FloatArray  # (2,)
+    misalignment: FloatArray  # (2,), its part that is the same for both gyros
+    non_orthogonality: FloatArray  # (2,), its part that is opposite
 
 
 class PlaneAxes(NamedTuple):
-    """Angles in a plane, counted from the given axes x and y, positive from x to y, rad.
+    """Angles in a plane, counted from the given axes x and y, positive from x to y, rad."""
 
-    Attributes
-    ----------
-    gyros, accelerometers : ndarray, shape (2,)
-        Of the x and of the y instrument.
-    usual : float
-        Of the usual body axes, x along the x gyro.
-    averaged : float
-        Of the averaged body axes.
-    """
-
-    gyros: FloatArray
-    accelerometers: FloatArray
-    usual: float
-    averaged: float
+    gyros: FloatArray  # (2,), of the x and of the y gyro
+    accelerometers: FloatArray  # (2,), of the x and of the y accelerometer
+    usual: float  # of the usual body axes, x along the x gyro
+    averaged: float  # of the averaged body axes
 
 
 class EquivalentStart(NamedTuple):
-    """A misaligned unit against an ideal one that starts wrong.
+    """A misaligned unit against an ideal one that starts wrong."""
 
-    Attributes
-    ----------
-    times : ndarray, shape (n,)
-        s.
-    tilts : ndarray, shape (4, n)
-        Attitude error of scale, of non-orthogonality, of misalignment, and what the total
-        derivative says of the last, rad.
-    speeds : ndarray, shape (4, n)
-        Velocity error if the gyros are turned, the accelerometers, both, both with the start, m/s.
-    sizes : ndarray, shape (m,)
-        Misalignments, rad.
-    left : ndarray, shape (3, m)
-        What the first order leaves over at the end: attitude of a skew triad and of a turned one,
-        rad; velocity of two skew ones, m/s.
-    """
-
-    times: FloatArray
+    times: FloatArray  # (n,), s
+    # (4, n), attitude error of scale, of non-orthogonality, of misalignment, and what the total
+    # derivative says of the last, rad
     tilts: FloatArray
+    # (4, n), velocity error if the gyros are turned, the accelerometers, both, both with the start,
+    # m/s
     speeds: FloatArray
-    sizes: FloatArray
+    sizes: FloatArray  # (m,), misalignments, rad
+    # (3, m), what the first order leaves over at the end: attitude of a skew triad and of a turned
+    # one, rad; velocity of two skew ones, m/s
     left: FloatArray
 
 
 def error_matrix_parts(gyro_error: ArrayLike = TYPICAL_ERRORS.gyro_error) -> SplitTriad:
-    """Take an error matrix apart; Wu (7)-(15).
-
-    Parameters
-    ----------
-    gyro_error : array_like, shape (3, 3)
-        K, dimensionless.
-
-    Raises
-    ------
-    ValueError
-        If `gyro_error` is not a finite matrix (3, 3).
-    """
+    """Take an error matrix apart; Wu (7)-(15)."""
     whole = finite_array(gyro_error, "gyro_error", 3, 3)
     return SplitTriad(np.stack([whole, *decompose(whole)]), misalignment_vector(whole))
 
 
 def plane_split(gyros: ArrayLike = (0.30, 0.10)) -> PlaneSplit:
-    """Take the installation errors of two gyros in a plane apart; Wu Fig. 1, (43), (44).
-
-    Parameters
-    ----------
-    gyros : array_like, shape (2,)
-        Angles by which the x and the y gyro lean, positive from x to y, rad.
-    """
+    """Take the installation errors of two gyros in a plane apart; Wu Fig. 1, (43), (44)."""
     x, y = whole = finite_array(gyros, "gyros", 2)
     parts = decompose(np.array([[0, x, 0], [-y, 0, 0], [0, 0, 0]]))
     # Row x leans to y by its entry, and row y to x by its own, which is the other way round.
@@ -155,13 +103,7 @@ def plane_split(gyros: ArrayLike = (0.30, 0.10)) -> PlaneSplit:
 def plane_body_axes(
     gyros: ArrayLike = (0.30, 0.10), accelerometers: ArrayLike = (0.20, -0.12)
 ) -> PlaneAxes:
-    """Compute both choices of body axes in a plane; Wu Fig. 2, (43), (44).
-
-    Parameters
-    ----------
-    gyros, accelerometers : array_like, shape (2,)
-        Angles by which the x and the y instrument lean, positive from x to y, rad.
-    """
+    """Compute both choices of body axes in a plane; Wu Fig. 2, (43), (44)."""
     x, y = leaning = finite_array(gyros, "gyros", 2)
     triad = np.array([[np.cos(x), np.sin(x), 0], [-np.sin(y), np.cos(y), 0], [0, 0, 1]])
     usual, averaged = (
@@ -179,19 +121,7 @@ def equivalent_start(
     latitude: float = TABLE_LATITUDE,
     direction: ArrayLike = MISALIGNMENT_DIRECTION,
 ) -> EquivalentStart:
-    """Run units with installation errors through a scheme; Wu (16)-(36), not linearised.
-
-    Parameters
-    ----------
-    gyro_error : array_like, shape (3, 3)
-        Of the unit whose errors are followed in time, dimensionless.
-    scheme : Scheme
-        Of the turntable.
-    latitude : float
-        Of the table, rad.
-    direction : array_like, shape (3,)
-        Axis of the misalignments of all sizes; only its direction counts.
-    """
+    """Run units with installation errors through a scheme; Wu (16)-(36), not linearised."""
     whole = finite_array(gyro_error, "gyro_error", 3, 3)
     about, _ = nonzero_vectors(direction, "direction")
     place = finite_number(latitude, "latitude")
@@ -225,14 +155,7 @@ def equivalent_start(
 
 
 def inertial_attitude(motion: Trajectory, start: FloatArray) -> FloatArray:
-    """Attitude (n, 4) of an ideal unit against axes that do not turn with the Earth.
-
-    Parameters
-    ----------
-    motion : Trajectory
-    start : ndarray, shape (4,)
-        Attitude that the computer starts with.
-    """
+    """Attitude (n, 4) of an ideal unit against axes that do not turn with the Earth."""
     return integrate(motion.increments.angle, "two-step-4", start=start)
 
 

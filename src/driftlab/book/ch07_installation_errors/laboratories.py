@@ -12,48 +12,24 @@ from driftlab.triad import decompose
 
 
 class TwoLaboratories(NamedTuple):
-    """What the second laboratory reports while the unit is turned in its mounting.
+    """What the second laboratory reports while the unit is turned in its mounting."""
 
-    Attributes
-    ----------
-    share : ndarray, shape (m,)
-        Part of the bracket's rotation, 0 as in laboratory A, to 1.
-    gyro_error : ndarray, shape (3, 3)
-        K in laboratory A.
-    bracket : ndarray, shape (3,)
-        By how much the table's axes are turned against those of A in the end, rad.
-    reported : ndarray, shape (m, 3, 3)
-        K of the same gyros in laboratory B.
-    misalignment : ndarray, shape (m, 3)
-        Of `reported`, about x, y, z, rad.
-    non_orthogonality : ndarray, shape (m, 3)
-        Of `reported`, xy, xz, yz, rad.
-    lack_of_square : ndarray, shape (m, 3)
-        By how much the angles of the sensitive axes xy, xz, yz lack of a right angle, rad, exact.
-    """
-
-    share: FloatArray
-    gyro_error: FloatArray
+    share: FloatArray  # (m,), part of the bracket's rotation, 0 as in laboratory A, to 1
+    gyro_error: FloatArray  # (3, 3), K in laboratory A
+    # (3,), by how much the table's axes are turned against those of A in the end, rad
     bracket: FloatArray
-    reported: FloatArray
-    misalignment: FloatArray
-    non_orthogonality: FloatArray
+    reported: FloatArray  # (m, 3, 3), K of the same gyros in laboratory B
+    misalignment: FloatArray  # (m, 3), of `reported`, about x, y, z, rad
+    non_orthogonality: FloatArray  # (m, 3), of `reported`, xy, xz, yz, rad
+    # (m, 3), by how much the angles of the sensitive axes xy, xz, yz lack of a right angle, rad,
+    # exact
     lack_of_square: FloatArray
 
 
 def two_laboratories(
     gyro_error: ArrayLike, bracket: ArrayLike, moments: int = 181
 ) -> TwoLaboratories:
-    """Turn a unit in its mounting by and by, and let it be measured all along; Wu (37)-(42).
-
-    Parameters
-    ----------
-    gyro_error : array_like, shape (3, 3)
-        K in laboratory A.
-    bracket : array_like, shape (3,)
-        By how much the table's axes are turned against those of A in the end, rad.
-    moments : int
-    """
+    """Turn a unit in its mounting by and by, and let it be measured all along; Wu (37)-(42)."""
     in_a = finite_array(gyro_error, "gyro_error", 3, 3)
     turned = finite_array(bracket, "bracket", 3)
     share = np.linspace(0.0, 1.0, moments)

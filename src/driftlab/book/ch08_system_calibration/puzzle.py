@@ -12,13 +12,7 @@ STANDING_STILL = Scheme("", dwell=2400.0)
 
 
 def found_by(scheme: Scheme) -> float:
-    """How many unknowns a scheme of rotations tells.
-
-    Parameters
-    ----------
-    scheme : Scheme
-        What the table does.
-    """
+    """How many unknowns a scheme of rotations tells."""
     linear = linearize_along(scheme, np.radians(37.5), MODEL)
     return float(MODEL.size - len(unobservable_subspace(linear).directions))
 

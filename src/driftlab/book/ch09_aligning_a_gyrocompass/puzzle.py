@@ -17,13 +17,7 @@ NO_MATTER = "it is the same everywhere"
 
 
 def heading_error(latitude: float) -> float:
-    """By how much a level box that points North errs, arc minutes.
-
-    Parameters
-    ----------
-    latitude : float
-        Degrees.
-    """
+    """Heading error of a level box that points North, arc minutes, at a latitude in degrees."""
     rate, force = static_imu(from_euler_angles(0.0, 0.0, 0.0), np.radians(latitude))
     return float(abs(align(rate + DRIFT, force).heading)) / arcminute
 

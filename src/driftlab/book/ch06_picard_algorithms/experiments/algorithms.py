@@ -43,55 +43,28 @@ ORDER_MOTIONS: dict[str, Motion] = {
 
 
 class AlgorithmLaboratory(NamedTuple):
-    """Errors of attitude algorithms on one motion.
+    """Errors of attitude algorithms on one motion."""
 
-    Attributes
-    ----------
-    names : tuple of str
-        The algorithms.
-    rate : int
-        Sample rate of the histories, Hz.
-    times : list of ndarray, shape (n,)
-        For each algorithm, the ends of its steps, s.
-    histories : list of ndarray, shape (n,)
-        For each algorithm, the angle of its error at these times, rad; NaN where functional
-        iteration refuses increments that no polynomial fits.
-    rates : ndarray, shape (m,)
-        Sample rates, Hz.
-    worst : ndarray, shape (algorithm, m)
-        Largest error during the motion at each sample rate, rad; NaN as above.
-    rounding : float
-        An error below it is not told from rounding, rad.
-    """
-
-    names: tuple[str, ...]
-    rate: int
-    times: list[FloatArray]
+    names: tuple[str, ...]  # the algorithms
+    rate: int  # sample rate of the histories, Hz
+    times: list[FloatArray]  # (n,) each, for each algorithm, the ends of its steps, s
+    # (n,) each, for each algorithm, the angle of its error at these times, rad; NaN where
+    # functional iteration refuses increments that no polynomial fits
     histories: list[FloatArray]
-    rates: FloatArray
+    rates: FloatArray  # (m,), sample rates, Hz
+    # (algorithm, m), largest error during the motion at each sample rate, rad; NaN as above
     worst: FloatArray
-    rounding: float
+    rounding: float  # an error below it is not told from rounding, rad
 
 
 class AlgorithmOrders(NamedTuple):
-    """Largest errors and orders of algorithms on several motions.
+    """Largest errors and orders of algorithms on several motions."""
 
-    Attributes
-    ----------
-    rates : ndarray, shape (m,)
-        Sample rates, Hz.
-    worst : ndarray, shape (motion, algorithm, m)
-        Largest error during the motion, rad.
-    orders : list of list of float or None
-        Fitted order by motion and algorithm; None where rounding hides it.
-    names, motions : tuple of str
-        The algorithms, and the motions.
-    """
-
-    rates: FloatArray
-    worst: FloatArray
+    rates: FloatArray  # (m,), sample rates, Hz
+    worst: FloatArray  # (motion, algorithm, m), largest error during the motion, rad
+    # fitted order by motion and algorithm; None where rounding hides it
     orders: list[list[float | None]]
-    names: tuple[str, ...]
+    names: tuple[str, ...]  # the algorithms
     motions: tuple[str, ...]
 
 
@@ -105,26 +78,7 @@ def algorithm_errors(
 ) -> AlgorithmLaboratory:
     """Compute the errors of attitude algorithms on a motion of `DURATION` seconds.
 
-    Parameters
-    ----------
-    motion : Motion
-    rate : int
-        Sample rate of the histories in Hz, one of `rates`.
-    algorithms : mapping or iterable
-        Algorithms by name, or names, as in `driftlab.attitude.named_algorithms`.
-    rates : sequence of int
-        Sample rates at which the largest error is computed, Hz.
-    short_word : bool
-        Compute in words of 32 bits.
-
-    Returns
-    -------
-    AlgorithmLaboratory
-
-    Raises
-    ------
-    ValueError
-        If `rate` is not one of `rates`, or an algorithm is not known.
+    `rate` (Hz) is one of `rates`; with `short_word` the arithmetic has words of 32 bits.
     """
     if rate not in rates:
         raise ValueError(f"rate: expected one of {', '.join(map(str, rates))} Hz, got {rate!r}.")
@@ -211,19 +165,7 @@ def algorithm_orders(
 ) -> AlgorithmOrders:
     """Measure the orders of algorithms on several motions of `DURATION` seconds.
 
-    Parameters
-    ----------
-    algorithms : mapping or iterable
-        Algorithms by name, or names, as in `driftlab.attitude.named_algorithms`:
-        ``{"mine": my_function, "two-step-4": "two-step-4"}``.
-    motions : mapping
-        Motions by name.
-    sample_rates : sequence of int
-        Rising, Hz; the increments must make whole steps.
-
-    Returns
-    -------
-    AlgorithmOrders
+    The sample rates (Hz) rise, and their increments must make whole steps.
     """
     chosen = named_algorithms(algorithms)
     if not isinstance(motions, Mapping):

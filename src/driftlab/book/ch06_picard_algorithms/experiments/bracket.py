@@ -27,29 +27,15 @@ MOST_MOMENTS = 480
 
 
 class BracketRun(NamedTuple):
-    """`ROUNDS` rounds on a cone, and what two computers make of the same increments.
+    """`ROUNDS` rounds on a cone, and what two computers make of the same increments."""
 
-    Attributes
-    ----------
-    times : ndarray, shape (m,)
-        s.
-    in_a_sample : int
-        Moments.
-    places : ndarray of int, shape (m,)
-        Where in `area.circle` the run is at each moment.
-    sums_only, with_pairs : ndarray, shape (m,)
-        Error about the axis of the cone, rad, of the last result of `picard-1` and of `two-step-4`.
-    area : ConingArea
-        One round.
-    motion : Coning
-    """
-
-    times: FloatArray
-    in_a_sample: int
-    places: NDArray[np.integer]
+    times: FloatArray  # (m,), s
+    in_a_sample: int  # moments
+    places: NDArray[np.integer]  # (m,), where in `area.circle` the run is at each moment
+    # (m,), error of `picard-1` about the axis of the cone, by its last result, rad
     sums_only: FloatArray
-    with_pairs: FloatArray
-    area: ConingArea
+    with_pairs: FloatArray  # (m,), the same of `two-step-4`
+    area: ConingArea  # one round
     motion: Coning
 
 
@@ -58,12 +44,7 @@ def bracket_run(
 ) -> BracketRun:
     """Run the bracket for `ROUNDS` rounds, and compute its attitude in two ways.
 
-    Parameters
-    ----------
-    half_angle : float
-        Of the cone, rad.
-    rate : float
-        Samples a second; an even number of samples, four at least, must make a round.
+    An even number of samples, four at least, must make a round.
     """
     motion = Coning(positive_number(half_angle, "half_angle"), BRACKET.frequency)
     samples = round(positive_number(rate, "rate") / motion.frequency)
@@ -87,42 +68,19 @@ def bracket_run(
 
 
 class SquareOfTurns(NamedTuple):
-    """A body that makes four small turns about two of its axes by turns, there and back.
+    """A body that makes four small turns about two of its axes by turns, there and back."""
 
-    Attributes
-    ----------
-    turns : ndarray, shape (m,)
-        0 to 4, how many turns it has made.
-    summed : ndarray, shape (m, 2)
-        Sum of its increments about the two axes, rad: the way round the square.
-    attitude : ndarray, shape (m, 4)
-        From the body to where it began.
-    vector : ndarray, shape (m, 3)
-        Rotation vector of `attitude`, rad.
-    area : ndarray, shape (m,)
-        That the way has gone round as seen from its start, rad².
-    tips : ndarray, shape (m, 3, 3)
-        The three body axes, as rows.
-    """
-
-    turns: FloatArray
+    turns: FloatArray  # (m,), 0 to 4, how many turns it has made
+    # (m, 2), sum of its increments about the two axes, rad: the way round the square
     summed: FloatArray
-    attitude: FloatArray
-    vector: FloatArray
-    area: FloatArray
-    tips: FloatArray
+    attitude: FloatArray  # (m, 4), from the body to where it began
+    vector: FloatArray  # (m, 3), rotation vector of `attitude`, rad
+    area: FloatArray  # (m,), that the way has gone round as seen from its start, rad²
+    tips: FloatArray  # (m, 3, 3), the three body axes, as rows
 
 
 def square_of_turns(first: float, second: float, samples: int = 75) -> SquareOfTurns:
-    """Turn a body about axis 1, about axis 2, back about axis 1, and back about axis 2.
-
-    Parameters
-    ----------
-    first, second : float
-        By how much about either axis, rad.
-    samples : int
-        Moments in a turn.
-    """
+    """Turn a body about axis 1, about axis 2, back about axis 1, and back about axis 2."""
     sides = np.array([finite_number(first, "first"), finite_number(second, "second")])
     corners = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]) * sides
     turns = np.arange(4 * samples + 1) / samples

@@ -14,39 +14,18 @@ CORNERS = 4096
 
 
 class ClosedCone(NamedTuple):
-    """One round of a body whose third axis describes a closed cone.
+    """One round of a body whose third axis describes a closed cone."""
 
-    Attributes
-    ----------
-    axis : ndarray, shape (n, 3)
-        The third body axis in reference axes, all along the round.
-    summed : float
-        Integral of the rate about that axis, rad: what the gyro along it sums up.
-    solid_angle : float
-        Inside the cone, positive to the left of the way.
-    """
-
-    axis: FloatArray
-    summed: float
-    solid_angle: float
+    axis: FloatArray  # (n, 3), the third body axis in reference axes, all along the round
+    summed: float  # integral of the rate about that axis, rad: what the gyro along it sums up
+    solid_angle: float  # inside the cone, positive to the left of the way
 
 
 def closed_cone(first: float, second: float, loops: int = 1) -> ClosedCone:
     """Take a body round a cone that is not round, and back.
 
-    Its rotation vector runs round an ellipse in the plane of the first two axes or, if it has more
-    loops about the second axis than about the first, a Lissajous figure.
-
-    Parameters
-    ----------
-    first, second : float
-        Largest rotation about each of the axes, rad.
-    loops : int
-        Swings about the second axis in one about the first.
-
-    Returns
-    -------
-    ClosedCone
+    Its rotation vector runs round an ellipse in the plane of the first two axes or, with several
+    loops about the second axis in one about the first, a Lissajous figure.
     """
     phase = 2 * np.pi * np.arange(CORNERS) / CORNERS
     swing = np.stack([first * np.cos(phase), second * np.sin(loops * phase), 0 * phase], axis=-1)
@@ -60,23 +39,11 @@ def closed_cone(first: float, second: float, loops: int = 1) -> ClosedCone:
 
 
 def swept_in_a_sample(half_angle: float, sample_angle: float) -> tuple[float, float]:
-    """Solid angles that the third axis sweeps in one sample on a cone: computed, and true.
+    """Solid angles that the third axis sweeps in one sample on a cone, computed and true, sr.
 
-    The computer takes each increment for a rotation about a fixed axis, so that its third axis runs
-    along a row of small arcs. Each is seen from the axis about which the computed attitude goes
-    round: from there all are alike.
-
-    Parameters
-    ----------
-    half_angle : float
-        Of the cone, rad, less than a right angle.
-    sample_angle : float
-        By which the cone goes round in a sample, rad.
-
-    Returns
-    -------
-    computed, true : float
-        Steradians; their difference is the drift of a sample.
+    Their difference is the drift of a sample. The computer takes each increment for a rotation
+    about a fixed axis, so that its third axis runs along a row of small arcs. Each is seen from the
+    axis about which the computed attitude goes round: from there all are alike.
     """
     third = np.array([0.0, 0.0, 1.0])
     sample = np.asarray(sample_angle)

@@ -40,74 +40,35 @@ class ConingArea(NamedTuple):
     """One round on a cone, as the integral of the rate across the cone's axis sees it.
 
     Areas are in units of the square of the circle's radius.
-
-    Attributes
-    ----------
-    samples : int
-        Increments in one round.
-    cone : ndarray, shape (m, 3)
-        Third body axis, in the axes of the cone, all along the round.
-    circle : ndarray, shape (m, 2)
-        Integral of the rate across the cone's axis, rad.
-    corners : ndarray, shape (samples + 1, 2)
-        The same, summed from increments, rad.
-    circle_area, polygon_area : float
-        Areas inside these two.
-    paired_area : float
-        Area that the increments give if two thirds of γ1 × γ2 are added for each pair.
-    radius : float
-        Of the circle, rad.
     """
 
-    samples: int
-    cone: FloatArray
-    circle: FloatArray
-    corners: FloatArray
-    circle_area: float
-    polygon_area: float
+    samples: int  # increments in one round
+    cone: FloatArray  # (m, 3), third body axis, in the axes of the cone, all along the round
+    circle: FloatArray  # (m, 2), integral of the rate across the cone's axis, rad
+    corners: FloatArray  # (samples + 1, 2), the same, summed from increments, rad
+    circle_area: float  # inside `circle`
+    polygon_area: float  # inside `corners`
+    # area that the increments give if two thirds of γ1 × γ2 are added for each pair
     paired_area: float
-    radius: float
+    radius: float  # of the circle, rad
 
 
 class ConingDrift(NamedTuple):
-    """Sizes of the drift on a cone, by algorithm; NaN where one refuses so few samples a round.
+    """Sizes of the drift on a cone, by algorithm; NaN where one refuses so few samples a round."""
 
-    Attributes
-    ----------
-    names : tuple of str
-        The algorithms.
-    half_angle, frequency, sample_rate : float
-        Of the cone, rad and Hz, and of the gyros, Hz: what is not varied.
-    frequencies : ndarray, shape (m,)
-        Coning frequencies, Hz.
-    by_frequency : ndarray, shape (algorithm, m)
-        Drift at these frequencies, measured over many steps, rad/s.
-    rates : ndarray, shape (n,)
-        Sample rates, Hz.
-    by_rate : ndarray, shape (algorithm, n)
-        Drift at these sample rates, measured, rad/s.
-    fine_frequencies : ndarray, shape (p,)
-        Hz.
-    formula_by_frequency : ndarray, shape (algorithm, p)
-        Drift by the closed formula, rad/s.
-    fine_rates : ndarray, shape (q,)
-        Hz.
-    formula_by_rate : ndarray, shape (algorithm, q)
-        Drift by the closed formula, rad/s.
-    """
-
-    names: tuple[str, ...]
-    half_angle: float
-    frequency: float
-    sample_rate: float
-    frequencies: FloatArray
+    names: tuple[str, ...]  # the algorithms
+    half_angle: float  # of the cone, rad
+    frequency: float  # of the cone where the sample rate varies, Hz
+    sample_rate: float  # of the gyros where the frequency varies, Hz
+    frequencies: FloatArray  # (m,), coning frequencies, Hz
+    # (algorithm, m), drift at these frequencies, measured over many steps, rad/s
     by_frequency: FloatArray
-    rates: FloatArray
-    by_rate: FloatArray
-    fine_frequencies: FloatArray
-    formula_by_frequency: FloatArray
-    fine_rates: FloatArray
-    formula_by_rate: FloatArray
+    rates: FloatArray  # (n,), sample rates, Hz
+    by_rate: FloatArray  # (algorithm, n), drift at these sample rates, measured, rad/s
+    fine_frequencies: FloatArray  # (p,), Hz
+    formula_by_frequency: FloatArray  # (algorithm, p), drift by the closed formula, rad/s
+    fine_rates: FloatArray  # (q,), Hz
+    formula_by_rate: FloatArray  # (algorithm, q), drift by the closed formula, rad/s
 
 
 def coning_area(samples: int = 8, half_angle: float = DRAWN_HALF_ANGLE) -> ConingArea:
@@ -115,24 +76,8 @@ def coning_area(samples: int = 8, half_angle: float = DRAWN_HALF_ANGLE) -> Conin
 
     On a cone the integral of the rate runs round a circle. What the rotations add up to about the
     cone's axis is the area inside, to the second power of the half angle. A computer that knows
-    only the sums of the increments sees a polygon in its place, and misses the slivers between the
-    two.
-
-    Parameters
-    ----------
-    samples : int
-        Increments in one round, an even number.
-    half_angle : float
-        Of the cone, rad, between zero and a right angle; a narrow one is not to be seen.
-
-    Returns
-    -------
-    ConingArea
-
-    Raises
-    ------
-    ValueError
-        If `samples` is odd or less than four, or `half_angle` is not between these.
+    only the sums of an even number of increments sees a polygon instead, and misses the slivers
+    between the two.
     """
     if whole_number(samples, "samples", least=4) % 2:
         raise ValueError(f"samples: expected an even number, got {samples}.")
@@ -177,24 +122,7 @@ def drift_by_frequency_and_rate(
     frequency: float = BRACKET.frequency,
     sample_rate: float = BRACKET_SAMPLE_RATE,
 ) -> ConingDrift:
-    """Compute the drift of algorithms over coning frequencies and over sample rates.
-
-    Parameters
-    ----------
-    algorithms : mapping or iterable
-        Algorithms by name, or names, as in `driftlab.attitude.named_algorithms`:
-        ``{"mine": my_function, "two-step-4": "two-step-4"}``.
-    half_angle : float
-        Of the cone, rad.
-    frequency : float
-        Of the cone whose sample rate is varied, Hz.
-    sample_rate : float
-        At which cones of all frequencies are sampled, Hz.
-
-    Returns
-    -------
-    ConingDrift
-    """
+    """Compute the drift of algorithms over coning frequencies and over sample rates."""
     chosen = named_algorithms(algorithms)
     angle = positive_number(half_angle, "half_angle")
     cone, rate = (

@@ -7,19 +7,10 @@ from driftlab.checks import FloatArray
 
 
 def weights_by_distance(samples: int) -> FloatArray:
-    """Total weights of the cross products at distance 1, 2, ... that suit a narrow cone best.
+    """Weights of the cross products at distance 1, 2, ... that suit a narrow cone best.
 
     The drift is a series of odd powers of the angle x between two samples, from the third on;
     samples - 1 weights make as many of its terms vanish.
-
-    Parameters
-    ----------
-    samples : int
-        Increments m in a step.
-
-    Returns
-    -------
-    ndarray, shape (samples - 1,)
     """
     distance, power = np.arange(1.0, samples), np.arange(3.0, 2 * samples, 2)[:, np.newaxis]
     # 4 sin²(x/2) sin(dx) = 2 sin(dx) - sin((d+1)x) - sin((d-1)x) is to be (mx - sin(mx))/2.
@@ -28,18 +19,7 @@ def weights_by_distance(samples: int) -> FloatArray:
 
 
 def weights_of_polynomial(samples: int) -> Weights:
-    """Weights that give half the integral of γ×ω exactly if the rate is a polynomial.
-
-    Parameters
-    ----------
-    samples : int
-        Increments in a step, and coefficients of the polynomial.
-
-    Returns
-    -------
-    Mapping
-        Weights of the cross products by places.
-    """
+    """Weights that give half the integral of γ×ω exactly if the rate is a polynomial."""
     powers = np.arange(1.0, samples + 1)  # of time, in the integral of each term of the rate
     pieces = np.diff(np.linspace(0, 1, samples + 1)[:, np.newaxis] ** powers, axis=0) / powers
     p, q = np.meshgrid(powers, powers, indexing="ij")

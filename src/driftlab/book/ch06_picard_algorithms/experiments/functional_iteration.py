@@ -56,40 +56,20 @@ NOISY_RUNS = 16
 
 
 class WindowErrors(NamedTuple):
-    """Errors by algorithm; NaN where one refuses.
+    """Errors by algorithm; NaN where one refuses."""
 
-    Attributes
-    ----------
-    names : tuple of str
-        The algorithms: those with cross products, then a window of each width.
-    cone : Coning
-    rate : float
-        Sample rate of the noisy runs, Hz.
-    noisy_count, runs : int
-        Increments of a noisy run, and how many runs.
-    samples : ndarray, shape (m,)
-        Samples a round.
-    drifts : ndarray, shape (algorithm, m)
-        Size of the drift on `cone`, rad/s.
-    sizes : ndarray, shape (s,)
-        Standard deviations of the noise of an increment, rad.
-    noisy : ndarray, shape (algorithm, s)
-        Error of the attitude after `noisy_count` increments of `cone` with white noise; root mean
-        square of the runs, rad.
-    added_up : ndarray, shape (s,)
-        What the white noise of three gyros adds up to on the average, rad.
-    """
-
-    names: tuple[str, ...]
+    names: tuple[str, ...]  # the algorithms: those with cross products, then a window of each width
     cone: Coning
-    rate: float
-    noisy_count: int
-    runs: int
-    samples: FloatArray
-    drifts: FloatArray
-    sizes: FloatArray
+    rate: float  # sample rate of the noisy runs, Hz
+    noisy_count: int  # increments of a noisy run
+    runs: int  # noisy runs
+    samples: FloatArray  # (m,), samples a round
+    drifts: FloatArray  # (algorithm, m), size of the drift on `cone`, rad/s
+    sizes: FloatArray  # (s,), standard deviations of the noise of an increment, rad
+    # (algorithm, s), error of the attitude after `noisy_count` increments of `cone` with white
+    # noise; root mean square of the runs, rad
     noisy: FloatArray
-    added_up: FloatArray
+    added_up: FloatArray  # (s,), what the white noise of three gyros adds up to on the average, rad
 
 
 def window_errors(
@@ -101,24 +81,7 @@ def window_errors(
     runs: int = NOISY_RUNS,
     seed: int = 6,
 ) -> WindowErrors:
-    """Try windows of several widths: with few samples and many, and with noise.
-
-    Parameters
-    ----------
-    algorithms : mapping or iterable
-        What stands beside functional iteration: algorithms by name, or names, as in
-        `driftlab.attitude.named_algorithms`.
-    windows : sequence of int
-        Increments in a window of functional iteration.
-    half_angle, frequency : float
-        Of the cone, rad and Hz.
-    sample_rate : float
-        Of the noisy runs, Hz.
-    runs : int
-        With noise.
-    seed : int
-        Of the noise, which is the same for all algorithms.
-    """
+    """Try windows of several widths: with few samples and many, and with noise."""
     chosen: dict[str, AnyAlgorithm] = {**named_algorithms(algorithms)}
     chosen |= {f"window of {n}": FunctionalIteration(f"window of {n}", n) for n in windows}
     cone = Coning(
@@ -162,15 +125,7 @@ def turned_by_fit(window: FloatArray) -> float:
 
 
 def window_noise_growth(window: int, sample_angle: float) -> NoiseGrowth:
-    """Growth of the variance across a steady turn, as of `driftlab.attitude.noise_growth`.
-
-    Parameters
-    ----------
-    window : int
-        Increments in a window.
-    sample_angle : float
-        Turn of the body in a sample, rad.
-    """
+    """Growth of the variance across a steady turn, as of `driftlab.attitude.noise_growth`."""
     size, count = 1e-6, 4 * window
     rows = np.tile([0.0, 0.0, sample_angle], (count, 1))
     shifted = rows + size * np.eye(count)[..., np.newaxis] * [1.0, 0.0, 0.0]
@@ -217,12 +172,8 @@ PRECESSION_SECONDS = 1e4
 def precession(times: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Attitude (m, 4) and reference rate (m, 3), rad/s, of an orbit that precesses and nods.
 
-    It is the motion of numpy-quaternion's own test of its `integrate_angular_velocity`.
-
-    Parameters
-    ----------
-    times : ndarray, shape (m,)
-        s, up to `PRECESSION_SECONDS`.
+    It is the motion of numpy-quaternion's own test of its `integrate_angular_velocity`, up to
+    `PRECESSION_SECONDS`.
     """
     orbit, slow = 2 * np.pi * np.array([100, 10]) / PRECESSION_SECONDS
     opening, nodding = np.pi / 8, np.pi / 40
@@ -246,12 +197,7 @@ def precession(times: FloatArray) -> tuple[FloatArray, FloatArray]:
 def precession_error(count: int, degree: int) -> float:
     """Largest error on `precession` from so many sampled rates, by functional iteration, rad.
 
-    Parameters
-    ----------
-    count : int
-        Intervals between the samples.
-    degree : int
-        Of the spline that makes increments of the rates.
+    A spline of the given degree makes increments of the rates.
     """
     times = np.linspace(0.0, PRECESSION_SECONDS, count + 1)
     attitude, rate = precession(times)
@@ -262,13 +208,7 @@ def precession_error(count: int, degree: int) -> float:
 
 
 def precession_error_of_peer(count: int) -> float:
-    """Do the same as numpy-quaternion does it: a cubic spline of the rates, and an integrator.
-
-    Parameters
-    ----------
-    count : int
-        Intervals between the samples.
-    """
+    """Do the same as numpy-quaternion does it: a cubic spline of the rates, and an integrator."""
     times = np.linspace(0.0, PRECESSION_SECONDS, count + 1)
     attitude, rate = precession(times)
     spline = CubicSpline(times, rate)

@@ -48,52 +48,25 @@ by the fourth power of this less."""
 
 
 class LastStageErrors(NamedTuple):
-    """Errors and costs, by last stage in the order of `COMPARED_STAGES`.
+    """Errors and costs, by last stage in the order of `COMPARED_STAGES`."""
 
-    Attributes
-    ----------
-    samples_a_round : int
-        Increments while the cone goes round once.
-    half_angles : ndarray, shape (m,)
-        Of the cones, rad.
-    drifts : ndarray, shape (stage, m)
-        Drift in one round of the cone, rad.
-    step_angles : ndarray, shape (n,)
-        rad.
-    fixed_axis : ndarray, shape (stage, n)
-        Error of the angle of one such step about a fixed axis, rad.
-    stretched : ndarray, shape (stage, n)
-        Length of that step's quaternion, less one.
-    random : ndarray, shape (kind, stage, motion)
-        Error of the attitude at the end of random motions, by kind as in `RANDOM_KINDS`, rad.
-    costs : tuple of int
-        Operations of a step.
-    """
-
-    samples_a_round: int
-    half_angles: FloatArray
-    drifts: FloatArray
-    step_angles: FloatArray
+    samples_a_round: int  # increments while the cone goes round once
+    half_angles: FloatArray  # (m,), of the cones, rad
+    drifts: FloatArray  # (stage, m), drift in one round of the cone, rad
+    step_angles: FloatArray  # (n,), rad
+    # (stage, n), error of the angle of one such step about a fixed axis, rad
     fixed_axis: FloatArray
-    stretched: FloatArray
+    stretched: FloatArray  # (stage, n), length of that step's quaternion, less one
+    # (kind, stage, motion), error of the attitude at the end of random motions, by kind as in
+    # `RANDOM_KINDS`, rad
     random: FloatArray
-    costs: tuple[int, ...]
+    costs: tuple[int, ...]  # operations of a step
 
 
 def last_stage_errors(
     samples_a_round: int = SAMPLES_A_ROUND, motions: int = RANDOM_MOTIONS, seed: int = 6
 ) -> LastStageErrors:
-    """Try the last stages on cones, about a fixed axis and on random motions; count operations.
-
-    Parameters
-    ----------
-    samples_a_round : int
-        Increments while the cone goes round once.
-    motions : int
-        Random motions of each kind.
-    seed : int
-        Of the random motions.
-    """
+    """Try the last stages on cones, about a fixed axis and on random motions; count operations."""
     samples = whole_number(samples_a_round, "samples_a_round", least=3)
     count = whole_number(motions, "motions")
     rng = np.random.default_rng(seed)
@@ -117,16 +90,7 @@ def last_stage_errors(
 
 
 def stage_drift(stage: str, half_angles: FloatArray, samples_a_round: int) -> FloatArray:
-    """Drift (...) in one round of cones of given half angles (...), rad.
-
-    Parameters
-    ----------
-    stage : str
-        One of `driftlab.symbolic.LAST_STAGES`.
-    half_angles : ndarray, shape (...)
-        rad.
-    samples_a_round : int
-    """
+    """Drift (...) in one round of cones of given half angles (...), rad."""
     sample = np.asarray(2 * np.pi / samples_a_round)
     middle = sample * (np.arange(PAIR.samples) + 0.5)
     increments = cone_increments(half_angles[..., np.newaxis], sample, middle)

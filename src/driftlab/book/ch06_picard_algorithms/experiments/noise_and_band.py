@@ -36,70 +36,31 @@ RUNS = 12
 
 
 class NoiseAndBand(NamedTuple):
-    """Share of the coning that is missed, and errors after some time on a cone, with its floors.
-
-    Attributes
-    ----------
-    cone : Coning
-    quantum : float
-        Last digit of the gyros, rad.
-    angle_random_walk : float
-        Of the gyros, rad/√s.
-    seconds : float
-        After which errors are read, s.
-    samples : ndarray, shape (m,)
-        In one round of the cone.
-    missed : dict of ndarray, shape (m,)
-        By algorithm: `missed_part` at so many samples, without sign.
-    first_terms : dict of ndarray, shape (m,)
-        By algorithm: the first term of the series of the same.
-    rates : ndarray, shape (n,)
-        Sample rates, Hz.
-    drifted : dict of ndarray, shape (n,)
-        By algorithm: error from coning at these rates, rad.
-    cut_off, carried : ndarray, shape (n,)
-        Error of `two-step-4` from rounding alone: the remainder is lost, or it is carried over to
-        the next increment. Root mean square of all runs, about the axis of the cone, rad.
-    fine_rates : ndarray, shape (p,)
-        Sample rates of the curves, Hz.
-    fine_drifted : dict of ndarray, shape (p,)
-        As `drifted`.
-    expected : ndarray, shape (p,)
-        What `carried` is expected to be, rad.
-    white : float
-        Standard deviation of what white noise adds up to, rad.
-    """
+    """Share of the coning that is missed, and errors after some time on a cone, with its floors."""
 
     cone: Coning
-    quantum: float
-    angle_random_walk: float
-    seconds: float
-    samples: FloatArray
+    quantum: float  # last digit of the gyros, rad
+    angle_random_walk: float  # of the gyros, rad/√s
+    seconds: float  # after which errors are read, s
+    samples: FloatArray  # (m,), in one round of the cone
+    # (m,) each, by algorithm: `missed_part` at so many samples, without sign
     missed: dict[str, FloatArray]
+    # (m,) each, by algorithm: the first term of the series of the same
     first_terms: dict[str, FloatArray]
-    rates: FloatArray
-    drifted: dict[str, FloatArray]
+    rates: FloatArray  # (n,), sample rates, Hz
+    drifted: dict[str, FloatArray]  # (n,) each, by algorithm: error from coning at these rates, rad
+    # (n,), error of `two-step-4` about the axis of the cone if the remainder of rounding is lost,
+    # root mean square of all runs, rad
     cut_off: FloatArray
-    carried: FloatArray
-    fine_rates: FloatArray
-    fine_drifted: dict[str, FloatArray]
-    expected: FloatArray
-    white: float
+    carried: FloatArray  # (n,), the same if it is carried over to the next increment
+    fine_rates: FloatArray  # (p,), sample rates of the curves, Hz
+    fine_drifted: dict[str, FloatArray]  # (p,) each, as `drifted`
+    expected: FloatArray  # (p,), what `carried` is expected to be, rad
+    white: float  # standard deviation of what white noise adds up to, rad
 
 
 def missed_part(algorithm: Algorithm, samples_a_round: FloatArray) -> FloatArray:
-    """Part of a narrow cone's coning that an algorithm misses.
-
-    Parameters
-    ----------
-    algorithm : Algorithm
-    samples_a_round : ndarray, shape (...)
-
-    Returns
-    -------
-    ndarray, shape (...)
-        Drift over the whole rate of coning, negative if too little is corrected.
-    """
+    """Part of a narrow cone's coning rate left as drift, negative if too little is corrected."""
     x = 2 * np.pi / samples_a_round
     step = algorithm.samples * x
     found = sum(
@@ -120,30 +81,9 @@ def rounding_error(
     runs: int = RUNS,
     seed: int = 6,
 ) -> FloatArray:
-    """Errors about the axis of a cone that rounding of the increments makes.
+    """Errors (runs,) about the axis of a cone that rounding of the increments makes, rad.
 
-    Parameters
-    ----------
-    algorithm : str or Algorithm or FunctionalIteration or callable
-        As for `driftlab.attitude.integrate`.
-    rate : float
-        Sample rate, Hz.
-    carry : bool
-        As in `rounded`.
-    cone : Coning
-    quantum : float
-        Last digit, rad.
-    seconds : float
-        After which the error is read, s.
-    runs : int
-        Each begins with another remainder in the counter. Without a carry all are alike.
-    seed : int
-        Of these remainders.
-
-    Returns
-    -------
-    ndarray, shape (runs,)
-        rad.
+    With a carry each run begins with another remainder in the counter; without it all are alike.
     """
     start = np.random.default_rng(seed).uniform(0, quantum, (runs, 3))
     # An even number, for steps of two samples.
@@ -160,24 +100,10 @@ def carried_floor(
     """What rounding with a carry is expected to leave on a cone after some time, rad.
 
     Rounding stands in the sums at the start and at the end. Between, each sum is off by a part of
-    the last digit, with a standard deviation of its twelfth's root; it counts by how far the
-    cone's axis moves in the body in a sample, g. The motion repeats, and so does its rounding: each
-    of n values comes back in each of R rounds, and in each once on the way there and once on the
-    way back. So the errors add up as R√(2n), and not as the root of their number.
-
-    Parameters
-    ----------
-    rate : ndarray, shape (...)
-        Sample rate, Hz.
-    quantum : float
-        rad.
-    cone : Coning
-    seconds : float
-        s.
-
-    Returns
-    -------
-    ndarray, shape (...)
+    the last digit, with a standard deviation of its twelfth's root; it counts by how far the cone's
+    axis moves in the body in a sample, g. The motion repeats, and so does its rounding: each of n
+    values comes back in each of R rounds, and in each once on the way there and once on the way
+    back. So the errors add up as R√(2n), and not as the root of their number.
     """
     samples = rate / cone.frequency
     moved = 2 * np.sin(cone.half_angle) * np.sin(np.pi / samples)
@@ -194,23 +120,7 @@ def noise_and_band(
     runs: int = RUNS,
     seed: int = 6,
 ) -> NoiseAndBand:
-    """Compute the share of the coning that each algorithm misses, and the floors under it.
-
-    Parameters
-    ----------
-    half_angle, frequency : float
-        Of the cone, rad and Hz.
-    quantum : float
-        Last digit of the gyros, rad.
-    angle_random_walk : float
-        White noise of the gyros, rad/√s.
-    seconds : float
-        After which the errors are read, s.
-    runs : int
-        Runs with rounding, each with other remainders at the start.
-    seed : int
-        Of these remainders.
-    """
+    """Compute the share of the coning that each algorithm misses, and the floors under it."""
     cone = Coning(
         positive_number(half_angle, "half_angle"), positive_number(frequency, "frequency")
     )
@@ -255,11 +165,7 @@ def noise_and_band(
 def first_term(samples: int, x: FloatArray) -> FloatArray:
     """First term of the part that is missed with so many samples a step, Ignagni's.
 
-    Parameters
-    ----------
-    samples : int
-    x : ndarray, shape (...)
-        Angle by which the cone goes round in a sample, rad.
+    The cone goes round by x (rad) in a sample.
     """
     m = samples
     return np.asarray(factorial(m) / (2.0**m * factorial2(2 * m + 1)) * x ** (2 * m))

@@ -15,22 +15,9 @@ WAVE_RATE = 0.5
 def random_increments(
     rng: np.random.Generator, motions: int, count: int, interval: float, turning: float = 0.0
 ) -> FloatArray:
-    """Integrals of random body rates over equal intervals.
+    """Integrals (motions, count, 3) of random body rates over equal intervals, rad.
 
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-    motions, count : int
-        How many motions, and increments of each.
-    interval : float
-        s.
-    turning : float
-        Standard deviation of each component of a constant rate that is added, rad/s.
-
-    Returns
-    -------
-    ndarray, shape (motions, count, 3)
-        rad.
+    `turning` is the standard deviation of each component of a constant rate that is added, rad/s.
     """
     shape = (motions, 1, WAVES, 3)
     lowest, highest = np.log(FREQUENCIES)

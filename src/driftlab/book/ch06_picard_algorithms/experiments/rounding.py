@@ -10,21 +10,8 @@ def rounded(
 ) -> FloatArray:
     """Increments (..., n, 3) as whole multiples of a quantum.
 
-    Parameters
-    ----------
-    increments : ndarray, shape (n, 3)
-        rad.
-    quantum : float
-        rad.
-    start : ndarray, shape (..., 3)
-        Angle that stands in the counter at the start, rad.
-    carry : bool
-        Whether what is cut off counts for the next increment, as in a counter that runs on;
-        otherwise each increment is rounded by itself.
-
-    Returns
-    -------
-    ndarray, shape (..., n, 3)
+    The counter begins with the angle `start` (..., 3). With `carry` what is cut off counts for the
+    next increment, as in a counter that runs on; otherwise each increment is rounded by itself.
     """
     if not carry:
         return np.broadcast_to(

@@ -13,21 +13,11 @@ from driftlab.quaternion import from_rotation_vector, rotate
 
 
 class Sculling(NamedTuple):
-    """A swing about the first axis, and a force along the body's second, in step with it.
+    """A swing about the first axis, and a force along the body's second, in step with it."""
 
-    Attributes
-    ----------
-    swing : float
-        Amplitude of the swing, rad.
-    force : float
-        Amplitude of the specific force, m/s².
-    frequency : float
-        Of both, Hz.
-    """
-
-    swing: float
-    force: float
-    frequency: float
+    swing: float  # amplitude of the swing, rad
+    force: float  # amplitude of the specific force, m/s²
+    frequency: float  # of both, Hz
 
     @property
     def mean_force(self) -> float:

@@ -18,15 +18,6 @@ def random_algorithm(rng: np.random.Generator) -> Algorithm:
 
     The weights of the cross products are random but for one condition: a rate that is linear in
     time must be integrated to third order.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-
-    Returns
-    -------
-    Algorithm
-        Of three to five samples a step, or of two to four increments of memory.
     """
     with_memory, window = bool(rng.integers(2)), int(rng.integers(3, 6))
     samples = 1 if with_memory else window
@@ -45,18 +36,7 @@ def random_algorithm(rng: np.random.Generator) -> Algorithm:
 
 
 def drift_orders(algorithm: Algorithm, half_angles: FloatArray) -> FloatArray:
-    """Powers of the step with which an algorithm's drift on cones grows.
-
-    Parameters
-    ----------
-    algorithm : Algorithm
-    half_angles : ndarray, shape (n,)
-        rad.
-
-    Returns
-    -------
-    ndarray, shape (n,)
-    """
+    """Powers (n,) of the step with which an algorithm's drift on cones (n half angles) grows."""
     # A tenth of a radian round the cone in all increments that one step looks at, and half of it.
     interval = np.array([[0.1], [0.05]]) / algorithm.window / (2 * np.pi)
     coarse, fine = np.abs(coning_drift(algorithm, half_angles, 1.0, interval))

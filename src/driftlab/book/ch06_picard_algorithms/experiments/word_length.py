@@ -62,42 +62,24 @@ WORD_STARTS = 24
 
 
 class ShortWord(NamedTuple):
-    """Errors of attitude by arithmetic in float32.
+    """Errors of attitude by arithmetic in float32."""
 
-    Attributes
-    ----------
-    motions : tuple of str
-        Of `WORD_MOTIONS`.
-    angles : ndarray, shape (motion, m)
-        Angle of a step, rms over the run, rad.
-    errors : ndarray, shape (arithmetic, motion, update, m)
-        Error of the attitude after all steps, its length divided out, rms over the starts, rad; in
-        the orders of `ARITHMETICS`, `motions` and `UPDATES`.
-    stretched : ndarray, shape (motion, update, m)
-        Relative error of the quaternion's length, rms over the starts, without mending.
-    steps, starts : int
-        Steps of a run, and attitudes at the start.
-    """
-
-    motions: tuple[str, ...]
-    angles: FloatArray
+    motions: tuple[str, ...]  # of `WORD_MOTIONS`
+    angles: FloatArray  # (motion, m), angle of a step, rms over the run, rad
+    # (arithmetic, motion, update, m), error of the attitude after all steps, its length divided
+    # out, rms over the starts, rad; in the orders of `ARITHMETICS`, `motions` and `UPDATES`
     errors: FloatArray
+    # (motion, update, m), relative error of the quaternion's length, rms over the starts, without
+    # mending
     stretched: FloatArray
-    steps: int = WORD_STEPS
-    starts: int = WORD_STARTS
+    steps: int = WORD_STEPS  # of a run
+    starts: int = WORD_STARTS  # attitudes at the start
 
 
 class Gain(NamedTuple):
-    """How many times smaller the error is with 1 - l0, over a range of step angles.
+    """How many times smaller the error is with 1 - l0, over a range of step angles."""
 
-    Attributes
-    ----------
-    mean : float
-        Geometric mean.
-    least, most : float
-    """
-
-    mean: float
+    mean: float  # geometric mean
     least: float
     most: float
 
@@ -105,18 +87,7 @@ class Gain(NamedTuple):
 def advice_gain(
     data: ShortWord, arithmetic: str, motion: str, other: Update, *, above: bool
 ) -> Gain:
-    """Compare the update with 1 - l0 with another one.
-
-    Parameters
-    ----------
-    data : ShortWord
-    arithmetic, motion : str
-        Of `ARITHMETICS` and of the study's motions.
-    other : str
-        Of `driftlab.attitude.UPDATES`.
-    above : bool
-        Whether at steps above `STORED_AS_ONE`, or at those below.
-    """
+    """Compare the update with 1 - l0 with another one, at steps above or below `STORED_AS_ONE`."""
     i, j = list(ARITHMETICS).index(arithmetic), data.motions.index(motion)
     errors = data.errors[i, j]
     gains = errors[UPDATES.index(other)] / errors[UPDATES.index("complement")]
@@ -131,19 +102,7 @@ def short_word_errors(
     starts: int = WORD_STARTS,
     seed: int = 2014,
 ) -> ShortWord:
-    """Integrate motions at many sample rates, in 32 bits and in 64.
-
-    Parameters
-    ----------
-    motions : sequence of str
-        Of `WORD_MOTIONS`; the first axis of the results goes through them.
-    steps : int
-        After which the attitude is compared.
-    starts : int
-        Attitudes at the start, over which the errors are averaged.
-    seed : int
-        Of the attitudes at the start, and of the random motions.
-    """
+    """Integrate motions at many sample rates, in 32 bits and in 64."""
     for name in motions:
         if name not in WORD_MOTIONS:
             raise ValueError(f"motions: expected some of {', '.join(WORD_MOTIONS)}, got {name!r}.")

@@ -23,24 +23,15 @@ FRAMES = {"averaged": "averaged axes", "upper triangle": "usual axes"}
 
 
 class InPlaceErrors(NamedTuple):
-    """Errors of a unit at rest.
+    """Errors of a unit at rest."""
 
-    Attributes
-    ----------
-    latitude : float
-        rad.
-    runs : dict of (str, str) to StaticNavigationErrors
-        By choice of body axes in `FRAMES` and by start in `STARTS`.
-    curves : dict of (str, str) to StaticNavigationErrors
-        The same in closed form, from what the calibration of each run left over and its start.
-    slow : ndarray, shape (k, 7)
-        What the first of these curves is without Schuler's and Foucault's swing: a constant, a
-        line, and the terms of 24 hours.
-    """
-
-    latitude: float
+    latitude: float  # rad
+    # by choice of body axes in `FRAMES` and by start in `STARTS`
     runs: dict[tuple[str, str], StaticNavigationErrors]
+    # the same in closed form, from what the calibration of each run left over and its start
     curves: dict[tuple[str, str], StaticNavigationErrors]
+    # (k, 7), what the first of these curves is without Schuler's and Foucault's swing: a constant,
+    # a line, and the terms of 24 hours
     slow: FloatArray
 
     def gap(self, key: tuple[str, str]) -> FloatArray:
@@ -55,21 +46,7 @@ def errors_at_rest(
     latitude: float = TABLE_LATITUDE,
     seed: int = SEED,
 ) -> InPlaceErrors:
-    """Calibrate a unit with two choices of body axes, and let it navigate at rest with either.
-
-    Parameters
-    ----------
-    imu_errors : ImuErrors
-        True errors of the unit.
-    scheme : Scheme
-        Of the table that calibrates it.
-    duration : float
-        Of navigating, s.
-    latitude : float
-        Of the table, rad.
-    seed : int
-        Of the noise of the calibration.
-    """
+    """Calibrate a unit with two choices of body axes, and let it navigate at rest with either."""
     found = {
         frame: trial_of(frame, imu_errors, scheme, latitude, seed).calibration.imu_errors
         for frame in FRAMES

@@ -42,54 +42,25 @@ def unit_of(name: str) -> tuple[float, str]:
 
 
 class CalibrationRun(NamedTuple):
-    """History of one sensor error; all values in SI units.
+    """History of one sensor error; all values in SI units."""
 
-    Attributes
-    ----------
-    name : str
-        As the error model calls it.
-    times : ndarray, shape (k,)
-        s.
-    estimate : ndarray, shape (k,)
-    true : float
-    before : float
-        Standard deviation before the calibration.
-    deviation : ndarray, shape (k,)
-        Standard deviation that the filter states.
-    shown : int
-        Index of the moment whose numbers are wanted.
-    """
-
-    name: str
-    times: FloatArray
-    estimate: FloatArray
+    name: str  # as the error model calls it
+    times: FloatArray  # (k,), s
+    estimate: FloatArray  # (k,)
     true: float
-    before: float
-    deviation: FloatArray
-    shown: int
+    before: float  # standard deviation before the calibration
+    deviation: FloatArray  # (k,), standard deviation that the filter states
+    shown: int  # index of the moment whose numbers are wanted
 
 
 class CalibrationErrors(NamedTuple):
-    """Histories of all sensor errors, in states of the averaged axes and SI units.
-
-    Attributes
-    ----------
-    names : tuple of str
-    positions : int
-        Pauses of the scheme.
-    times : ndarray, shape (k,)
-        s.
-    errors : ndarray, shape (k, 21)
-        True value less estimate.
-    deviations : ndarray, shape (k, 21)
-        Standard deviations that the filter states.
-    """
+    """Histories of all sensor errors, in states of the averaged axes and SI units."""
 
     names: tuple[str, ...]
-    positions: int
-    times: FloatArray
-    errors: FloatArray
-    deviations: FloatArray
+    positions: int  # pauses of the scheme
+    times: FloatArray  # (k,), s
+    errors: FloatArray  # (k, 21), true value less estimate
+    deviations: FloatArray  # (k, 21), standard deviations that the filter states
 
 
 @lru_cache(maxsize=8)
@@ -122,19 +93,7 @@ def calibration_history(
 ) -> CalibrationRun:
     """Return the history of one sensor error in the calibration of the typical unit.
 
-    Parameters
-    ----------
-    parameter : str
-        One of `PARAMETERS`.
-    frame : str
-        Choice of body axes, one that the gyros fix.
-    minute : float
-        The history's moment nearest to it is `CalibrationRun.shown`, minutes.
-
-    Raises
-    ------
-    ValueError
-        If `parameter` is not one of `PARAMETERS`.
+    The gyros must fix the body axes; the moment nearest to `minute` is the one that is `shown`.
     """
     if parameter not in PARAMETERS:
         raise ValueError(f"parameter: expected one of {', '.join(PARAMETERS)}, got {parameter!r}.")
@@ -163,20 +122,7 @@ def calibration_errors(
     latitude: float = TABLE_LATITUDE,
     seed: int = SEED,
 ) -> CalibrationErrors:
-    """Return the histories of all sensor errors in one calibration by the filter of 27 states.
-
-    Parameters
-    ----------
-    imu_errors : ImuErrors
-        True errors of the unit.
-    scheme : Scheme
-    frame : str
-        Choice of body axes, one of `driftlab.body_frames.BODY_FRAMES`.
-    latitude : float
-        Of the table, rad.
-    seed : int
-        Of the noise, and of the table's error in setting up.
-    """
+    """Return the histories of all sensor errors in one calibration by the filter of 27 states."""
     found = trial_of(frame, imu_errors, scheme, latitude, seed)
     calibration = found.calibration
     return CalibrationErrors(

@@ -30,24 +30,12 @@ SEED = 2018
 
 
 class Case(NamedTuple):
-    """One set-up of the study.
+    """One set-up of the study."""
 
-    Attributes
-    ----------
-    scheme : str
-        One of `driftlab.motion.scheme.SCHEMES`, here with short pauses.
-    size : float
-        Spread of the installation errors, arc seconds.
-    frame : str
-        Choice of body axes.
-    passes : int
-        Over the record.
-    """
-
-    scheme: str
-    size: float
-    frame: str
-    passes: int
+    scheme: str  # one of `driftlab.motion.scheme.SCHEMES`, here with short pauses
+    size: float  # spread of the installation errors, arc seconds
+    frame: str  # choice of body axes
+    passes: int  # over the record
 
 
 def cases(sizes: Sequence[float] = SIZES) -> tuple[Case, ...]:
@@ -66,14 +54,9 @@ CASES = cases()
 
 
 class ChoiceOfAxes(NamedTuple):
-    """Squared errors of the 27 states at the end, normalised; 1 is what they should be.
+    """Squared errors of the 27 states at the end, normalised; 1 is what they should be."""
 
-    Attributes
-    ----------
-    squares : dict of Case to ndarray, shape (units,) or (2 units,)
-    """
-
-    squares: Mapping[Case, FloatArray]
+    squares: Mapping[Case, FloatArray]  # (units,) or (2 units,) each
 
     @property
     def sizes(self) -> tuple[float, ...]:
@@ -105,15 +88,7 @@ def choice_of_axes(
 ) -> ChoiceOfAxes:
     """Run the whole study: some four minutes.
 
-    Parameters
-    ----------
-    units : int
-        In each case, at least two; twice as many where there is most to see.
-    sizes : sequence of float
-        Spreads of the installation errors, rad.
-    dwell : float
-        Pauses of both schemes, s.
-    seed : int
+    `sizes` are in rad. Where there is most to see there are twice as many units.
     """
     units = whole_number(units, "units", least=2)
     bent = [round(positive_number(size, "sizes") / arcsecond, 6) for size in sorted(sizes)]
@@ -129,20 +104,7 @@ def choice_of_axes(
 def normalised_errors(
     case: Case, units: int, dwell: float = QUICK_TRIAL.scheme.dwell, seed: int = SEED
 ) -> FloatArray:
-    """Calibrate random units, and return for each the mean over the states of the squared errors.
-
-    Parameters
-    ----------
-    case : Case
-    units : int
-    dwell : float
-        Pauses of the scheme, s.
-    seed : int
-
-    Returns
-    -------
-    ndarray, shape (units,)
-    """
+    """Mean squared normalised error of the states of random units after calibration, (units,)."""
     table = quick_trial(case.scheme, case.size, dwell)
     trial = replace(table, frame=case.frame, passes=case.passes)
     found = sweep(trial.run, units, seed=seed, batch=BATCH)

@@ -29,17 +29,7 @@ QUICK_TRIAL = TableTrial(
 def quick_trial(
     scheme: str, installation: float, dwell: float = QUICK_TRIAL.scheme.dwell
 ) -> TableTrial:
-    """Return `QUICK_TRIAL` on a scheme, for units that are bent more or less.
-
-    Parameters
-    ----------
-    scheme : str
-        One of `driftlab.motion.scheme.SCHEMES`.
-    installation : float
-        Spread of the installation errors, arc seconds.
-    dwell : float
-        Pauses, s.
-    """
+    """Return `QUICK_TRIAL` on a scheme, for a spread of installation errors in arc seconds."""
     return replace(
         QUICK_TRIAL,
         scheme=replace(SCHEMES[scheme], dwell=dwell),
@@ -48,41 +38,19 @@ def quick_trial(
 
 
 class FilterConsistency(NamedTuple):
-    """Means over the runs, divided by what they should be.
+    """Means over the runs, divided by what they should be."""
 
-    Attributes
-    ----------
-    runs, size : int
-        Calibrations, and states of the filter.
-    times : ndarray, shape (k,)
-        s.
-    states : ndarray, shape (k,)
-        Squared normalised errors of all states.
-    state_bounds : tuple of float
-        Between them lie 95 % of the values.
-    innovation_times : ndarray, shape (u,)
-        s.
-    innovations : ndarray, shape (u,)
-        Squared normalised innovations.
-    innovation_bounds : tuple of float
-    innovation_mean : float
-        Over all times as well.
-    innovation_mean_bounds : tuple of float
-    inside : float
-        Part of the innovations inside their bounds.
-    """
-
-    runs: int
-    size: int
-    times: FloatArray
-    states: FloatArray
-    state_bounds: tuple[float, float]
-    innovation_times: FloatArray
-    innovations: FloatArray
+    runs: int  # calibrations
+    size: int  # states of the filter
+    times: FloatArray  # (k,), s
+    states: FloatArray  # (k,), squared normalised errors of all states
+    state_bounds: tuple[float, float]  # between them lie 95 % of the values
+    innovation_times: FloatArray  # (u,), s
+    innovations: FloatArray  # (u,), squared normalised innovations
     innovation_bounds: tuple[float, float]
-    innovation_mean: float
+    innovation_mean: float  # over all times as well
     innovation_mean_bounds: tuple[float, float]
-    inside: float
+    inside: float  # part of the innovations inside their bounds
 
 
 def filter_consistency(
@@ -92,18 +60,9 @@ def filter_consistency(
     assumed_noise: ImuNoise | None = None,
     seed: int = SEED,
 ) -> FilterConsistency:
-    """Calibrate random units again and again, and compare the errors with what the filter states.
+    """Calibrate random units repeatedly, and compare the errors with what the filter states.
 
-    Parameters
-    ----------
-    runs : int
-        Calibrations that are followed over time.
-    scheme : Scheme
-    noise : ImuNoise
-        Of the simulation.
-    assumed_noise : ImuNoise, optional
-        What the filter takes it for; the same if not given.
-    seed : int
+    The filter assumes the noise of the simulation unless `assumed_noise` is given.
     """
     table = TableTrial(
         scheme, noise=noise, assumed_noise=assumed_noise,

@@ -37,43 +37,24 @@ UNITS = 100
 
 
 class TriedScheme(NamedTuple):
-    """A scheme in the time of the nineteen positions, and what is expected after it.
+    """A scheme in the time of the nineteen positions, and what is expected after it."""
 
-    Attributes
-    ----------
-    kind : str
-        "published", "designed" or "random".
-    name : str
-    scheme : Scheme
-    criteria : ndarray, shape (3,)
-        As `CRITERIA`.
-    ratios : ndarray, shape (21,)
-        Deviations of the sensor errors over those after the nineteen positions.
-    """
-
-    kind: str
+    kind: str  # "published", "designed" or "random"
     name: str
     scheme: Scheme
-    criteria: FloatArray
+    criteria: FloatArray  # (3,), as `CRITERIA`
+    # (21,), deviations of the sensor errors over those after the nineteen positions
     ratios: FloatArray
 
 
 class DesignedSchemes(NamedTuple):
-    """All schemes that were tried, and units that were calibrated on two of them.
+    """All schemes that were tried, and units that were calibrated on two of them."""
 
-    Attributes
-    ----------
-    schemes : list of TriedScheme
-        The published ones first, then the designs, then the random ones.
-    errors : dict of str to ndarray, shape (units, 21)
-        Errors of the sensor errors found by the filter, over the deviation that is expected after
-        the nineteen positions; by the name of the scheme. The same units on both.
-    nees : dict of str to ndarray, shape (units,)
-        Squared normalised errors of the 27 states at the end, over 27.
-    """
-
-    schemes: list[TriedScheme]
+    schemes: list[TriedScheme]  # the published ones first, then the designs, then the random ones
+    # (units, 21) each, errors of the sensor errors found by the filter, over the deviation that is
+    # expected after the nineteen positions; by the name of the scheme. The same units on both
     errors: dict[str, FloatArray]
+    # (units,) each, squared normalised errors of the 27 states at the end, over 27
     nees: dict[str, FloatArray]
 
     def named(self, name: str) -> TriedScheme:
@@ -115,22 +96,7 @@ def designed_schemes(
 ) -> DesignedSchemes:
     """Search for schemes, draw random ones, and calibrate units on the best: some minutes.
 
-    Parameters
-    ----------
-    random_schemes : int
-        Random rows on two axes, the background.
-    draws, climbs : int
-        Of each search, as for `driftlab.calibration.design_scheme`.
-    units : int
-        Simulated units that go through the filter on the nineteen positions and on the design, at
-        least two.
-    positions : int
-        Pauses of the rows that are designed or drawn.
-    duration : float
-        Of every scheme, s.
-    latitude : float
-        Of the table, rad.
-    seed : int
+    `draws` and `climbs` are those of `driftlab.calibration.design_scheme`.
     """
     rng = np.random.default_rng(whole_number(seed, "seed", least=0))
     tasks = {

@@ -36,41 +36,20 @@ SEED = 345
 
 
 class Comparison(NamedTuple):
-    """One comparison of the averaged axes with a rival.
+    """One comparison of the averaged axes with a rival."""
 
-    Attributes
-    ----------
-    scheme : str
-        One of `driftlab.motion.scheme.SCHEMES`, here with short pauses.
-    size : float
-        Spread of the installation errors, arc seconds.
-    rival : str
-        Choice of body axes, one of `TRIANGLES`.
-    start : str
-        One of `ALL_STARTS`.
-    quantity : str
-        One of `QUANTITIES`.
-    """
-
-    scheme: str
-    size: float
-    rival: str
-    start: str
-    quantity: str
+    scheme: str  # one of `driftlab.motion.scheme.SCHEMES`, here with short pauses
+    size: float  # spread of the installation errors, arc seconds
+    rival: str  # choice of body axes, one of `TRIANGLES`
+    start: str  # one of `ALL_STARTS`
+    quantity: str  # one of `QUANTITIES`
 
 
 class InPlaceClaim(NamedTuple):
-    """Error with averaged axes over that with a rival's.
+    """Error with averaged axes over that with a rival's."""
 
-    Attributes
-    ----------
-    duration : float
-        Of navigating, s.
-    ratios : dict of Comparison to ndarray, shape (units,)
-    """
-
-    duration: float
-    ratios: Mapping[Comparison, FloatArray]
+    duration: float  # of navigating, s
+    ratios: Mapping[Comparison, FloatArray]  # (units,) each
 
     @property
     def sizes(self) -> tuple[float, ...]:
@@ -96,17 +75,7 @@ def error_ratios_at_rest(
 ) -> InPlaceClaim:
     """Calibrate random units on both schemes, and let them navigate: about a minute.
 
-    Parameters
-    ----------
-    units : int
-        How many, in each case.
-    sizes : sequence of float
-        Spreads of the installation errors, rad.
-    duration : float
-        Of navigating, s; at least 300.
-    dwell : float
-        Pauses of both schemes, s.
-    seed : int
+    `sizes` are in rad, and the duration is at least 300 s.
     """
     ratios: dict[Comparison, FloatArray] = {}
     for scheme in SCHEMES:
@@ -129,22 +98,8 @@ def error_ratios(
 ) -> dict[Comparison, FloatArray]:
     """Compare averaged axes with rivals on the same data, from all starts and in all quantities.
 
-    Parameters
-    ----------
-    scheme : str
-    size : float
-        See `Comparison`.
-    rivals : sequence of str
-        Choices of body axes, of `TRIANGLES`.
-    units : int
-        Random units with installation errors of this size.
-    duration, dwell, seed : float, float, int
-        As for `error_ratios_at_rest`.
-
-    Returns
-    -------
-    dict of Comparison to ndarray, shape (units,)
-        Root mean square errors with averaged axes over those with the rival's.
+    Each ratio (units,) is the root mean square error with averaged axes over that with the rival's.
+    `size` is in arc seconds.
     """
     table = quick_trial(scheme, size, dwell)
     averaged, *others = (

@@ -16,24 +16,13 @@ from .designed_schemes import expected_covariance
 
 
 class LeftOut(NamedTuple):
-    """One thing that is left out.
-
-    Attributes
-    ----------
-    name, assumed : str
-        What it is, and what is taken for granted of it.
-    state : str
-        Beginning of the name of the states that would take it up.
-    size : float
-        Of the bias that it makes there, in the states' units.
-    stated : float
-        Largest standard deviation that the filter of 27 states has for them, nineteen positions.
-    """
+    """One thing that is left out."""
 
     name: str
-    assumed: str
-    state: str
-    size: float
+    assumed: str  # what is taken for granted of it
+    state: str  # beginning of the name of the states that would take it up
+    size: float  # of the bias that it makes there, in the states' units
+    # largest standard deviation that the filter of 27 states has for them, nineteen positions
     stated: float
 
     @property

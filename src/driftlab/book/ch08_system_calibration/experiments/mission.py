@@ -14,28 +14,15 @@ DAY = 86400.0
 
 
 class Mission(NamedTuple):
-    """Errors of a unit at rest, and the parts that they are made of.
+    """Errors of a unit at rest, and the parts that they are made of."""
 
-    Attributes
-    ----------
-    times : ndarray, shape (k,)
-        s.
-    position : ndarray, shape (k, 2)
-        East and North, m.
-    slow : ndarray, shape (k, 2)
-        The same without Schuler's swing.
-    heading : ndarray, shape (k,)
-        rad.
-    parts : ndarray, shape (12, 4)
-        Position by cause, m: the distance at the end, how far a line leads in a day, and the
-        amplitudes of the terms of 24 hours and of Schuler's swing; of an ellipse, the root of the
-        sum of squares of its half axes.
-    """
-
-    times: FloatArray
-    position: FloatArray
-    slow: FloatArray
-    heading: FloatArray
+    times: FloatArray  # (k,), s
+    position: FloatArray  # (k, 2), East and North, m
+    slow: FloatArray  # (k, 2), the same without Schuler's swing
+    heading: FloatArray  # (k,), rad
+    # (12, 4), position by cause, m: the distance at the end, how far a line leads in a day, and the
+    # amplitudes of the terms of 24 hours and of Schuler's swing; of an ellipse, the root of the sum
+    # of squares of its half axes
     parts: FloatArray
 
     @property
@@ -56,14 +43,7 @@ class Mission(NamedTuple):
 def mission(causes: Sequence[float], latitude: float, duration: float) -> Mission:
     """Let a unit with these causes of error rest.
 
-    Parameters
-    ----------
-    causes : sequence of float
-        In the order of `STATIC_CAUSES`, SI units.
-    latitude : float
-        rad; not a pole.
-    duration : float
-        s.
+    They are in the order of `STATIC_CAUSES`, SI units.
     """
     times = np.linspace(0.0, duration, POINTS)
     modes = static_error_modes(latitude)

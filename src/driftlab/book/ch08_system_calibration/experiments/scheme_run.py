@@ -21,34 +21,17 @@ MOMENTS = 12
 
 
 class SchemeRun(NamedTuple):
-    """A scheme at n moments: as many in a turn as in a pause, though a pause is much longer.
+    """A scheme at n moments: as many in a turn as in a pause, though a pause is much longer."""
 
-    Attributes
-    ----------
-    place : ndarray, shape (n,)
-        In the row of positions: k in the middle of pause k, k + 1/2 in the middle of the turn that
-        follows it.
-    minutes : ndarray, shape (n,)
-        Since the start.
-    attitude : ndarray, shape (n, 4)
-        Body to East, North, Up.
-    doings : tuple of str
-        What the table does, pause or turn, one after the other.
-    doing : ndarray of int, shape (n,)
-        Which of `doings` it is.
-    names : tuple of str
-        Of the 27 states in averaged axes.
-    deviations : ndarray, shape (n, 27)
-        Expected standard deviations of the states, SI units.
-    """
-
+    # (n,), in the row of positions: k in the middle of pause k, k + 1/2 in the middle of the turn
+    # that follows it
     place: FloatArray
-    minutes: FloatArray
-    attitude: FloatArray
-    doings: tuple[str, ...]
-    doing: NDArray[np.integer]
-    names: tuple[str, ...]
-    deviations: FloatArray
+    minutes: FloatArray  # (n,), since the start
+    attitude: FloatArray  # (n, 4), body to East, North, Up
+    doings: tuple[str, ...]  # what the table does, pause or turn, one after the other
+    doing: NDArray[np.integer]  # (n,), which of `doings` it is
+    names: tuple[str, ...]  # of the 27 states in averaged axes
+    deviations: FloatArray  # (n, 27), expected standard deviations of the states, SI units
 
 
 @lru_cache(maxsize=8)
@@ -57,10 +40,6 @@ def scheme_run(scheme: Scheme = NINETEEN_POSITIONS) -> SchemeRun:
 
     The unit has the typical spread of errors, the sensors the typical noise. The last runs are
     kept.
-
-    Parameters
-    ----------
-    scheme : Scheme
     """
     way = linearize_along(scheme, TABLE_LATITUDE, ERROR_MODELS["averaged"])
     known = deviation_history(way, ImuNoise(), PriorDeviations())

@@ -25,58 +25,28 @@ TYPICAL_NOISE = ImuNoise()
 
 
 class SchemeDirections(NamedTuple):
-    """For each scheme, Up in body axes over time.
-
-    Attributes
-    ----------
-    names : list of str
-    schemes : list of Scheme
-    times : list of ndarray, shape (n,)
-        s.
-    up : list of ndarray, shape (n, 3)
-    """
+    """For each scheme, Up in body axes over time."""
 
     names: list[str]
     schemes: list[Scheme]
-    times: list[FloatArray]
-    up: list[FloatArray]
+    times: list[FloatArray]  # (n,) each, s
+    up: list[FloatArray]  # (n, 3) each
 
 
 class TableObservability(NamedTuple):
-    """What one scheme shows of the states of one error model.
+    """What one scheme shows of the states of one error model."""
 
-    Attributes
-    ----------
-    names : tuple of str
-        Of the states.
-    positions : int
-        Pauses of the scheme.
-    eigenvalues : ndarray, shape (size,)
-        Of the Gramian, ascending, relative to the largest.
-    unobservable : int
-        How many of them are zero.
-    descriptions : list of str
-        Which directions they belong to.
-    before, after : ndarray, shape (size,)
-        Standard deviations of the states known before the scheme and expected after it, SI.
-    """
-
-    names: tuple[str, ...]
-    positions: int
-    eigenvalues: FloatArray
-    unobservable: int
-    descriptions: list[str]
-    before: FloatArray
-    after: FloatArray
+    names: tuple[str, ...]  # of the states
+    positions: int  # pauses of the scheme
+    eigenvalues: FloatArray  # (size,), of the Gramian, ascending, relative to the largest
+    unobservable: int  # how many of them are zero
+    descriptions: list[str]  # which directions they belong to
+    before: FloatArray  # (size,), standard deviations of the states known before the scheme, SI
+    after: FloatArray  # (size,), expected after it, SI
 
 
 def up_in_body_axes(schemes: Sequence[Scheme] = tuple(SCHEMES.values())) -> SchemeDirections:
-    """Compute which way is up in the body along rotation schemes, once a second.
-
-    Parameters
-    ----------
-    schemes : sequence of Scheme
-    """
+    """Compute which way is up in the body along rotation schemes, once a second."""
     times, up = [], []
     for scheme in schemes:
         attitude = table_trajectory(scheme, 0.0, 1.0).attitude
@@ -98,17 +68,7 @@ def states_on_a_table(
     noise: ImuNoise = TYPICAL_NOISE,
     latitude: float = TABLE_LATITUDE,
 ) -> TableObservability:
-    """Follow the error equations along a scheme, with all 30 states or those of some body axes.
-
-    Parameters
-    ----------
-    scheme : Scheme
-    frame : str, optional
-        Choice of body axes, one of `driftlab.body_frames.BODY_FRAMES`; all 30 states if not given.
-    noise : ImuNoise
-    latitude : float
-        Of the table, rad.
-    """
+    """Follow the error equations along a scheme, with all 30 states or those of some body axes."""
     checked_instance(scheme, Scheme, "scheme")
     checked_instance(noise, ImuNoise, "noise")
     model = FULL if frame is None else error_model_for(frame)
@@ -121,26 +81,7 @@ def table_observability(
     noise: ImuNoise | None = None,
     latitude: float = TABLE_LATITUDE,
 ) -> TableObservability:
-    """Follow the error equations of a model along a scheme; units have the typical spread.
-
-    Parameters
-    ----------
-    scheme : Scheme
-    model : ErrorModel
-    noise : ImuNoise, optional
-        The typical one if not given.
-    latitude : float
-        Of the table, rad.
-
-    Returns
-    -------
-    TableObservability
-
-    Raises
-    ------
-    ValueError
-        If `latitude` is not a number, or `model` is not an error model.
-    """
+    """Follow the error equations of a model along a scheme; units have the typical spread."""
     way, unobservable = _followed(scheme, finite_number(latitude, "latitude"), checked_model(model))
     prior = PriorDeviations()
     covariance = covariance_analysis(way, ImuNoise() if noise is None else noise, prior)

@@ -26,42 +26,27 @@ TABLE = TableTrial(sample_interval=0.1, keep=10**6)
 
 
 class SizeEffect(NamedTuple):
-    """Calibrations of units whose accelerometers are not at the point that the table turns about.
+    """Calibrations of units with accelerometers away from the point that the table turns about."""
 
-    Attributes
-    ----------
-    arm : float
-        m.
-    rates : ndarray, shape (rates,)
-        Of the table, rad/s; the middle one is drawn.
-    sizes : ndarray, shape (sizes,)
-        Arms, m.
-    ratios : ndarray, shape (2, 21)
-        Errors of the sensor states of the typical unit with `arm`, on the nineteen positions, in
-        stated deviations: by the filter of 27 states, and by one that has the arms as states.
-    innovations : ndarray, shape (2,)
-        Mean squared normalised innovation in these two runs; 1 is what it should be.
-    squares : ndarray, shape (schemes, rates, sizes)
-        Expected squared errors of the 21 sensor states, normalised; 1 is what they should be.
-    noticed : ndarray, shape (schemes, rates, sizes)
-        Expected mean squared normalised innovation; 1 is what it should be.
-    worst : ndarray, shape (schemes, rates, sizes)
-        Largest error of an accelerometer bias that the arms make, in stated deviations.
-    bias : ndarray, shape (schemes, rates, sizes)
-        The same in m/s^2.
-    updates : ndarray, shape (schemes, rates)
-        How many innovations of three components a calibration has.
-    """
-
-    arm: float
-    rates: FloatArray
-    sizes: FloatArray
+    arm: float  # m
+    rates: FloatArray  # (rates,), of the table, rad/s; the middle one is drawn
+    sizes: FloatArray  # (sizes,), arms, m
+    # (2, 21), errors of the sensor states of the typical unit with `arm`, on the nineteen
+    # positions, in stated deviations: by the filter of 27 states, and by one that has the arms as
+    # states
     ratios: FloatArray
+    # (2,), mean squared normalised innovation in these two runs; 1 is what it should be
     innovations: FloatArray
+    # (schemes, rates, sizes), expected squared errors of the 21 sensor states, normalised; 1 is
+    # what they should be
     squares: FloatArray
+    # (schemes, rates, sizes), expected mean squared normalised innovation; 1 is what it should be
     noticed: FloatArray
+    # (schemes, rates, sizes), largest error of an accelerometer bias that the arms make, in stated
+    # deviations
     worst: FloatArray
-    bias: FloatArray
+    bias: FloatArray  # (schemes, rates, sizes), the same in m/s^2
+    # (schemes, rates), how many innovations of three components a calibration has
     updates: FloatArray
 
     @property
@@ -96,19 +81,10 @@ def size_effect(
     dwell: float = TABLE.scheme.dwell,
     seed: int = SEED,
 ) -> SizeEffect:
-    """Run all of it: a minute.
+    """Calibrate units with lever arms on tables of several rates: about a minute.
 
-    Parameters
-    ----------
-    arm : float
-        Of each accelerometer on its own axis in the typical unit, m.
-    sizes : sequence of float
-        Arms of the units without other errors, m.
-    rates : sequence of float
-        Of the table, rad/s.
-    dwell : float
-        Pauses of the table, s.
-    seed : int
+    `arm` is that of each accelerometer of the typical unit, on its own axis; `sizes` are arms of
+    units without other errors.
     """
     arm = positive_number(arm, "arm")
     trials = [unit_with_arms(states, arm, dwell, seed) for states in ((), ("lever arms",))]

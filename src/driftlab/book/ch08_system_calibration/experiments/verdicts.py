@@ -8,24 +8,15 @@ from driftlab.checks import FloatArray
 
 
 class Verdict(NamedTuple):
-    """How often the averaged axes did better.
-
-    Attributes
-    ----------
-    better, units : int
-    interval : tuple of float
-        Of 95 %, for the part of units that does better (Clopper and Pearson).
-    chance : float
-        Probability that equal methods would be as far from one half: the sign test, on both sides.
-    median : float
-        Of the ratios.
-    """
+    """How often the averaged axes did better."""
 
     better: int
     units: int
+    # of 95 %, for the part of units that does better (Clopper and Pearson)
     interval: tuple[float, float]
+    # probability that equal methods would be as far from one half: the sign test, on both sides
     chance: float
-    median: float
+    median: float  # of the ratios
 
 
 def verdict(ratios: FloatArray) -> Verdict:

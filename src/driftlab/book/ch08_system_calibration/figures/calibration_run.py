@@ -20,22 +20,12 @@ BOTTOMS = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5)
 
 
 class Pause(NamedTuple):
-    """A pause of the table, and the rotation after it.
+    """A pause of the table, and the rotation after it."""
 
-    Attributes
-    ----------
-    begin, end : float
-        Minutes.
-    up : str
-        Body axis that points up, with its sign.
-    rotation : str
-        Word of the scheme; empty after the last pause.
-    """
-
-    begin: float
-    end: float
-    up: str
-    rotation: str
+    begin: float  # minutes
+    end: float  # minutes
+    up: str  # body axis that points up, with its sign
+    rotation: str  # word of the scheme; empty after the last pause
 
 
 @cache

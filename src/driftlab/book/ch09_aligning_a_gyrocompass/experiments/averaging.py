@@ -45,43 +45,21 @@ becomes 0.01, and with a rounding that makes 0.5 of it, 0.02. From 23 to 42 samp
 
 
 class AveragingWindow(NamedTuple):
-    """Standard deviation of the heading over many alignments, by window and white noise.
+    """Standard deviation of the heading over many alignments, by window and white noise."""
 
-    Attributes
-    ----------
-    white : ndarray, shape (2,)
-        White noise of a sample, rad/s.
-    slow : float
-        Deviation of the slow part, rad/s.
-    windows : ndarray, shape (n,)
-        Lengths of the mean, samples.
-    simulated, formula : ndarray, shape (2, n)
-        rad; a row for each white noise.
-    white_alone : ndarray, shape (2, n)
-        The formula without a slow part, rad.
-    rival_simulated, rival_formula : ndarray, shape (2, n)
-        With the noise of `rival_noise`, rad.
-    moving_average, rival_window : int
-        Windows that are marked, samples.
-    averaged, rival_averaged : ndarray, shape (2,)
-        What these two leave of the noise, rad/s.
-    runs : int
-        Number of simulated alignments.
-    """
-
-    white: FloatArray
-    slow: float
-    windows: FloatArray
-    simulated: FloatArray
-    formula: FloatArray
-    white_alone: FloatArray
-    rival_simulated: FloatArray
-    rival_formula: FloatArray
-    moving_average: int
-    rival_window: int
-    averaged: FloatArray
-    rival_averaged: FloatArray
-    runs: int
+    white: FloatArray  # (2,), white noise of a sample, rad/s
+    slow: float  # deviation of the slow part, rad/s
+    windows: FloatArray  # (n,), lengths of the mean, samples
+    simulated: FloatArray  # (2, n), rad; a row for each white noise
+    formula: FloatArray  # (2, n), likewise
+    white_alone: FloatArray  # (2, n), the formula without a slow part, rad
+    rival_simulated: FloatArray  # (2, n), with the noise of `rival_noise`, rad
+    rival_formula: FloatArray  # (2, n), likewise
+    moving_average: int  # window that is marked, samples
+    rival_window: int  # likewise
+    averaged: FloatArray  # (2,), what `moving_average` leaves of the noise, rad/s
+    rival_averaged: FloatArray  # (2,), what `rival_window` leaves of it, rad/s
+    runs: int  # number of simulated alignments
 
 
 def gyro_noise(white: float, slow: float = SLOW) -> GyroNoise:
@@ -107,21 +85,7 @@ def heading_spread_by_window(
 ) -> AveragingWindow:
     """Align many times with means of the gyros over windows of several lengths.
 
-    Parameters
-    ----------
-    white : array_like, shape (2,)
-        Deviation of a sample of a quiet and of a noisy gyro, rad/s. With the rival the quiet one's
-        is white noise in both, and the rest is rounding.
-    slow : float
-        Deviation of the slow part beside the white noise, rad/s.
-    moving_average, rival_window : int
-        Windows that are marked, samples.
-    latitude : float
-        rad.
-    runs : int
-        Alignments of each kind.
-    seed : int
-        Of the noise; the rival's is the next.
+    With the rival the white noise is that of the quiet gyro, and the rest is rounding.
     """
     quiet, noisy = (float(value) for value in finite_array(white, "white", 2) / DEGREE_PER_HOUR)
     if not 0 < quiet <= noisy:

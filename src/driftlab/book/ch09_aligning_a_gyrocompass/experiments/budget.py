@@ -32,33 +32,19 @@ TERMS = (
 
 
 class AlignmentBudget(NamedTuple):
-    """Errors of one aligned compass, and its heading error when it is turned to other headings.
+    """Errors of one aligned compass, and its heading error when it is turned to other headings."""
 
-    Attributes
-    ----------
-    bars : ndarray, shape (6,)
-        Heading error, rad: the four terms of first order, their sum, and the exact error.
-    pitch, roll, latitude : tuple of float
-        Errors of these angles, rad: to first order, and exact.
-    attitude : tuple of float
-        Angle of the rotation from true to computed attitude, rad: to first order, and exact.
-    heading : float
-        rad.
-    headings : ndarray, shape (n,)
-        rad.
-    exact, first_order : ndarray, shape (n,)
-        Heading errors at these headings, rad.
-    """
-
+    # (6,), heading error, rad: the four terms of first order, their sum, and the exact error
     bars: FloatArray
-    pitch: tuple[float, float]
-    roll: tuple[float, float]
-    latitude: tuple[float, float]
+    pitch: tuple[float, float]  # its error to first order, and exact, rad
+    roll: tuple[float, float]  # likewise
+    latitude: tuple[float, float]  # likewise
+    # angle of the rotation from true to computed attitude, rad: to first order, and exact
     attitude: tuple[float, float]
-    heading: float
-    headings: FloatArray
-    exact: FloatArray
-    first_order: FloatArray
+    heading: float  # rad
+    headings: FloatArray  # (n,), rad
+    exact: FloatArray  # (n,), heading errors at these headings, rad
+    first_order: FloatArray  # (n,), likewise
 
 
 def alignment_budget(
@@ -71,16 +57,8 @@ def alignment_budget(
 ) -> AlignmentBudget:
     """Align a compass that has sensor errors; exact, and by (alignment heading), pitch and roll.
 
-    In a vertical body heading and roll have no errors of their own; theirs are then NaN.
-
-    Parameters
-    ----------
-    latitude, heading, pitch, roll : float
-        rad.
-    gyro_bias : array_like, shape (3,)
-        Of the gyros forward, up, right, rad/s.
-    accelerometer_bias : array_like, shape (3,)
-        Of the accelerometers forward, up, right, m/s^2.
+    Biases are given forward, up, right. In a vertical body heading and roll have no errors of their
+    own; theirs are then NaN.
     """
     gyro_biases, accelerometer_biases = (
         finite_array(gyro_bias, "gyro_bias", 3),

@@ -19,41 +19,20 @@ MAGNIFIED = 200
 
 
 class LevelBox(NamedTuple):
-    """A level box at n latitudes.
+    """A level box at n latitudes."""
 
-    Attributes
-    ----------
-    latitude : ndarray, shape (n,)
-        rad.
-    attitude : ndarray, shape (4,)
-        Body to North, Up, East, everywhere.
-    earth_rate : ndarray, shape (n, 3)
-        In North, Up, East, rad/s.
-    gyro_bias : ndarray, shape (3,)
-        In North, Up, East, rad/s.
-    heading_error : ndarray, shape (n,)
-        Of the alignment, computed minus true, rad.
-    magnified_error : ndarray, shape (n,)
-        The same with the gyros' error `MAGNIFIED` times as large.
-    """
-
-    latitude: FloatArray
-    attitude: FloatArray
-    earth_rate: FloatArray
-    gyro_bias: FloatArray
-    heading_error: FloatArray
-    magnified_error: FloatArray
+    latitude: FloatArray  # (n,), rad
+    attitude: FloatArray  # (4,), body to North, Up, East, everywhere
+    earth_rate: FloatArray  # (n, 3), in North, Up, East, rad/s
+    gyro_bias: FloatArray  # (3,), in North, Up, East, rad/s
+    heading_error: FloatArray  # (n,), of the alignment, computed minus true, rad
+    magnified_error: FloatArray  # (n,), the same with the gyros' error `MAGNIFIED` times as large
 
 
 def level_box(heading: float, gyro_bias: ArrayLike) -> LevelBox:
     """Align a level box at each quarter of a degree from the equator to `FARTHEST`.
 
-    Parameters
-    ----------
-    heading : float
-        rad.
-    gyro_bias : array_like, shape (3,)
-        Of the gyros forward, up, right, rad/s.
+    The gyro bias is given forward, up, right.
     """
     true = finite_number(heading, "heading")
     bias = finite_array(gyro_bias, "gyro_bias", 3)

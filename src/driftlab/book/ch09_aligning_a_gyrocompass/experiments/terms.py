@@ -30,23 +30,12 @@ GRIDS: dict[str, FloatArray] = {
 
 
 class AlignmentTerms(NamedTuple):
-    """Heading errors over each of `GRIDS`, degrees.
+    """Heading errors over each of `GRIDS`, degrees."""
 
-    Attributes
-    ----------
-    terms : dict of ndarray, shape (n, 4)
-        The four terms of first order.
-    exact : dict of ndarray, shape (n,)
-    in_copy : dict of ndarray, shape (n,)
-        First order, with the stray factor of the copy.
-    fixed : dict of float
-        Heading, pitch and latitude where they do not vary, rad.
-    """
-
-    terms: dict[str, FloatArray]
-    exact: dict[str, FloatArray]
-    in_copy: dict[str, FloatArray]
-    fixed: dict[str, float]
+    terms: dict[str, FloatArray]  # (n, 4) each, the four terms of first order
+    exact: dict[str, FloatArray]  # (n,) each
+    in_copy: dict[str, FloatArray]  # (n,) each, first order, with the stray factor of the copy
+    fixed: dict[str, float]  # heading, pitch and latitude where they do not vary, rad
 
 
 def alignment_terms(
@@ -60,15 +49,6 @@ def alignment_terms(
 
     Heading, pitch and latitude vary one at a time, over `GRIDS`. The sensor errors are given in
     North, Up, East, so that the terms do not mix.
-
-    Parameters
-    ----------
-    heading, pitch, latitude : float
-        Where they do not vary, rad.
-    gyro_bias_nue : array_like, shape (3,)
-        rad/s.
-    accelerometer_bias_nue : array_like, shape (3,)
-        m/s^2.
     """
     fixed = {
         name: finite_number(value, name)

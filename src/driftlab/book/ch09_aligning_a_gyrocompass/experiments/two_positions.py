@@ -27,40 +27,20 @@ TURN_ERROR = float(np.radians(0.1))
 
 
 class TwoPositions(NamedTuple):
-    """Standard deviations of the heading, rad: simulated, and as the closed forms have them.
+    """Standard deviations of the heading, rad: simulated, and as the closed forms have them."""
 
-    Attributes
-    ----------
-    turns : ndarray, shape (m,)
-        Turn between the two positions, rad.
-    by_turn, by_turn_formula : ndarray, shape (2, m)
-        With a turn that is known exactly, and with `turn_error`.
-    times : ndarray, shape (n,)
-        Of the whole alignment, s.
-    by_time : ndarray, shape (3, n)
-        Simulated: one position, two positions half a turn apart, gravity in inertial space.
-    by_time_formula : ndarray, shape (3, n)
-        The same in closed form.
-    bound : ndarray, shape (n,)
-        Of one position without a slow part: N / (U cos(latitude) sqrt(T)).
-    duration : float
-        Of both positions together where the turn varies, s.
-    turn_error : float
-        Deviation of what is known of the turn, rad.
-    units : int
-        Simulated at each place.
-    """
-
-    turns: FloatArray
+    turns: FloatArray  # (m,), turn between the two positions, rad
+    # (2, m), simulated: with a turn that is known exactly, and with `turn_error`
     by_turn: FloatArray
-    by_turn_formula: FloatArray
-    times: FloatArray
+    by_turn_formula: FloatArray  # (2, m), the same in closed form
+    times: FloatArray  # (n,), of the whole alignment, s
+    # (3, n), simulated: one position, two positions half a turn apart, gravity in inertial space
     by_time: FloatArray
-    by_time_formula: FloatArray
-    bound: FloatArray
-    duration: float
-    turn_error: float
-    units: int
+    by_time_formula: FloatArray  # (3, n), the same in closed form
+    bound: FloatArray  # (n,), of one position without a slow part: N / (U cos(latitude) sqrt(T))
+    duration: float  # of both positions together where the turn varies, s
+    turn_error: float  # deviation of what is known of the turn, rad
+    units: int  # simulated at each place
 
 
 def two_positions(
@@ -72,25 +52,7 @@ def two_positions(
     units: int = UNITS,
     seed: int = 97,
 ) -> TwoPositions:
-    """Headings of many units whose gyros have the quiet noise of the chapter, in three ways.
-
-    Parameters
-    ----------
-    white : float
-        White noise of a sample, ten a second, rad/s.
-    slow : float
-        Deviation of the slow part of the noise, rad/s.
-    duration : float
-        Of both positions together where the turn varies, s.
-    turn_error : float
-        Standard deviation of what is known of the turn, rad.
-    latitude : float
-        rad.
-    units : int
-        Simulated at each place.
-    seed : int
-        Of the noise.
-    """
+    """Headings of many units whose gyros have the quiet noise of the chapter, in three ways."""
     many, place = whole_number(units, "units", least=2), finite_number(latitude, "latitude")
     wrong_turn = positive_number(turn_error, "turn_error")
     half = whole_number(round(positive_number(duration, "duration") / 2), "duration")

@@ -28,65 +28,35 @@ ERRORS_SHOWN = 20
 
 
 class OverTheVertical(NamedTuple):
-    """True angles, and root mean square errors of many alignments, over the angle of a turn.
+    """True angles, and root mean square errors of many alignments, over the angle of a turn."""
 
-    Attributes
-    ----------
-    angles : ndarray, shape (n,)
-        Of the turn about the right axis, rad; the vertical is between two of them.
-    attitude : ndarray, shape (n, 4)
-        Body to North, Up, East.
-    heading, pitch, roll : ndarray, shape (n,)
-        Of the true attitude, rad.
-    heading_error, roll_error, attitude_error : ndarray, shape (n,)
-        rad.
-    together_error : ndarray, shape (n,)
-        Of heading + roll, rad; it is well defined while the bow is nearer to Up.
-    runs : int
-        Number of alignments at each angle.
-    """
-
+    # (n,), of the turn about the right axis, rad; the vertical is between two of them
     angles: FloatArray
-    attitude: FloatArray
-    heading: FloatArray
-    pitch: FloatArray
-    roll: FloatArray
-    heading_error: FloatArray
-    roll_error: FloatArray
-    attitude_error: FloatArray
+    attitude: FloatArray  # (n, 4), body to North, Up, East
+    heading: FloatArray  # (n,), true, rad
+    pitch: FloatArray  # (n,), true, rad
+    roll: FloatArray  # (n,), true, rad
+    heading_error: FloatArray  # (n,), rad
+    roll_error: FloatArray  # (n,), rad
+    attitude_error: FloatArray  # (n,), rad
+    # (n,), of heading + roll, rad; it is well defined while the bow is nearer to Up
     together_error: FloatArray
-    runs: int
+    runs: int  # number of alignments at each angle
 
 
 class OverTheTop(NamedTuple):
-    """A half turn of the bow as many boxes find it, and as one finds it whose errors are large.
+    """A half turn of the bow as many boxes find it, and as one finds it whose errors are large."""
 
-    Attributes
-    ----------
-    true : OverTheVertical
-        The motion, and the errors of `BOXES` boxes.
-    found : ndarray, shape (n, 4)
-        Attitude that one box finds with sensor errors `ERRORS_SHOWN` times the typical ones.
-    found_heading : ndarray, shape (n,)
-        rad.
-    """
-
-    true: OverTheVertical
+    true: OverTheVertical  # the motion, and the errors of `BOXES` boxes
+    # (n, 4), attitude that one box finds with sensor errors `ERRORS_SHOWN` times the typical ones
     found: FloatArray
-    found_heading: FloatArray
+    found_heading: FloatArray  # (n,), rad
 
 
 def turn_over(angles: ArrayLike, heading: float = HEADING, aside: float = 0.0) -> FloatArray:
     """Attitudes (n, 4) of a body that turns about its right axis until the bow is over the top.
 
-    Parameters
-    ----------
-    angles : array_like, shape (n,)
-        Of the turn, rad.
-    heading : float
-        Before the turn, rad.
-    aside : float
-        By how much the bow misses the zenith, rad: the roll before the turn.
+    The bow misses the zenith by `aside`, the roll before the turn.
     """
     over = finite_array(angles, "angles")[:, np.newaxis] * np.array([0.0, 0.0, 1.0])
     start = from_euler_angles(finite_number(heading, "heading"), 0.0, finite_number(aside, "aside"))
@@ -103,23 +73,7 @@ def errors_over_the_vertical(
     accelerometer_bias: float = float(np.abs(ACCELEROMETER_BIAS).max()),
     seed: int = 9,
 ) -> OverTheVertical:
-    """Align bodies with random sensor errors in all attitudes of a half turn of the bow.
-
-    Parameters
-    ----------
-    heading, aside : float
-        See `turn_over`, rad.
-    step : float
-        Between two attitudes, rad.
-    runs : int
-        Bodies, each with errors of its own.
-    latitude : float
-        rad.
-    gyro_bias, accelerometer_bias : float
-        Standard deviations of the errors of each sensor, rad/s and m/s^2.
-    seed : int
-        Of the errors.
-    """
+    """Align bodies with random sensor errors in all attitudes of a half turn of the bow."""
     rng = np.random.default_rng(seed)
     size = (whole_number(runs, "runs"), 1, 3)
     gyro = positive_number(gyro_bias, "gyro_bias") * rng.standard_normal(size)
@@ -153,13 +107,7 @@ def errors_over_the_vertical(
 
 
 def over_the_top(heading: float = HEADING, aside: float = 0.0) -> OverTheTop:
-    """Turn a box over, each half degree, and align it on the way.
-
-    Parameters
-    ----------
-    heading, aside : float
-        See `turn_over`, rad.
-    """
+    """Turn a box over, each half degree, and align it on the way."""
     true = errors_over_the_vertical(heading, aside, np.radians(0.5), BOXES)
     rate, force = static_imu(true.attitude, SARATOV_LATITUDE)
     found = align(
