@@ -51,43 +51,22 @@ SEED = 11
 
 
 class Capstone(NamedTuple):
-    """What is left of one triad at three stages of its calibration, and what it does.
+    """What is left of one triad at three stages of its calibration, and what it does."""
 
-    Attributes
-    ----------
-    known : ndarray, shape (3, 6)
-        Pairs and turn of the triad, rad: true, found by turns, and found by the filter. Turns say
-        nothing of the misalignment, which is NaN.
-    per_turn : ndarray, shape (3, 6)
-        Drift in one turn about each of `AXES`, by stage, rad.
-    headings : ndarray, shape (n,)
-        rad.
-    aligned : ndarray, shape (3, n)
-        Heading error after alignment at these headings, by stage, rad.
-    under_way : HeadingErrors
-        Of three runs, one a stage.
-    turn : float
-        Of the ship, rad.
-    """
-
+    # (3, 6), pairs and turn of the triad, rad: true, found by turns, and found by the filter. Turns
+    # say nothing of the misalignment, which is NaN
     known: FloatArray
-    per_turn: FloatArray
-    headings: FloatArray
-    aligned: FloatArray
-    under_way: HeadingErrors
-    turn: float
+    per_turn: FloatArray  # (3, 6), drift in one turn about each of `AXES`, by stage, rad
+    headings: FloatArray  # (n,), rad
+    aligned: FloatArray  # (3, n), heading error after alignment at these headings, by stage, rad
+    under_way: HeadingErrors  # of three runs, one a stage
+    turn: float  # of the ship, rad
 
 
 def bent_triad(non_orthogonality: ArrayLike, misalignment: ArrayLike) -> FloatArray:
-    """Return the error matrix (3, 3) of gyros from its symmetric pairs and its turn.
+    """Return the error matrix (3, 3) of gyros from its symmetric pairs and its turn, rad.
 
-    Parameters
-    ----------
-    non_orthogonality : array_like, shape (3,)
-        Pairs xy, xz, yz: entries of the symmetric part, half of what the two axes miss of a right
-        angle, rad.
-    misalignment : array_like, shape (3,)
-        About x, y, z, rad.
+    The pairs xy, xz, yz are half of what the two axes miss of a right angle.
     """
     xy, xz, yz = finite_array(non_orthogonality, "non_orthogonality", 3)
     symmetric = np.array([[0.0, xy, xz], [xy, 0.0, yz], [xz, yz, 0.0]])
@@ -119,15 +98,7 @@ def _true_turns() -> Increments:
 
 
 def turn_estimates(bent: FloatArray, *, noise: ImuNoise | None = None) -> FloatArray:
-    """Return what the unit shows after a turn about each of `AXES`, in both senses: (2, 6).
-
-    Parameters
-    ----------
-    bent : ndarray, shape (3, 3)
-        Error matrix of the gyros.
-    noise : ImuNoise, optional
-        None for a unit without noise.
-    """
+    """Return what the unit shows after a turn about each of `AXES`, in both senses: (2, 6)."""
     rng = np.random.default_rng(SEED)
     record = measure(_true_turns(), bent_unit(bent), noise, rng)
     return recorded_turn_estimate(record.angle, AXES)
@@ -163,15 +134,7 @@ def filter_leftover() -> FloatArray:
 
 
 def left_over(bent: FloatArray, stage: str) -> FloatArray:
-    """Return the error matrix (3, 3) that the computer does not know of.
-
-    Parameters
-    ----------
-    bent : ndarray, shape (3, 3)
-        Error matrix of the gyros.
-    stage : str
-        One of `STAGES`.
-    """
+    """Return the error matrix (3, 3) that the computer does not know of."""
     if stage == STAGES[0]:
         return bent
     if stage == STAGES[1]:
@@ -200,16 +163,7 @@ def aligned_heading_error(
 ) -> FloatArray:
     """Return heading errors (..., n) of an aligned level compass, rad; (alignment heading).
 
-    Parameters
-    ----------
-    gyro_error : ndarray, shape (..., 3, 3)
-        Error matrices of the gyros.
-    headings : ndarray, shape (n,)
-        rad.
-    latitude : float
-        rad.
-    drift : ndarray, shape (3,), or float
-        Of the gyros in body axes, rad/s, besides what their errors make of the Earth's rate.
+    `drift` (rad/s) comes on top of what the gyro errors make of the Earth's rate.
     """
     attitude = from_euler_angles(headings, 0.0, 0.0)
     rate, _ = static_imu(attitude, latitude)
@@ -228,20 +182,8 @@ def calibration_stages(
 ) -> Capstone:
     """Follow a triad from its bend to the heading, uncalibrated and after two calibrations.
 
-    Parameters
-    ----------
-    non_orthogonality, misalignment : array_like, shape (3,)
-        As for `bent_triad`, rad.
-    latitude : float
-        rad.
-    turn : float
-        Of the ship, rad, positive to the West.
-    half_angle : float
-        Of a coning of the mount about the right axis, rad.
-    algorithm : str or Algorithm or FunctionalIteration or callable
-        Attitude algorithm that makes a drift of the coning, as for `driftlab.attitude.integrate`.
-    interval : float
-        Step of the voyage, s.
+    `half_angle` is that of a coning of the mount about the right axis; a turn is positive to the
+    West.
     """
     bent = bent_triad(non_orthogonality, misalignment)
     left = np.stack([left_over(bent, stage) for stage in STAGES])

@@ -17,14 +17,9 @@ def turning_ship(
     turn: float = QUARTER_TURN,
     latitude: float = SARATOV_LATITUDE,
 ) -> ShipWithCompass:
-    """Turn a ship whose compass has a log, and gyros with an error matrix that nobody told it.
+    """Turn a ship whose compass has a log and does not know the error matrix of its gyros.
 
-    Parameters
-    ----------
-    gyro_error : ndarray, shape (3, 3)
-        In body axes forward, up, right.
-    speed, turn, latitude : float
-        As for `ship_manoeuvre`.
+    The matrix is in body axes forward, up, right.
     """
     way = ship_manoeuvre(latitude, speed, turn=turn)
     gyro_bias = way.increments.mean_rate @ gyro_error.T
@@ -35,13 +30,6 @@ def swing_factor(latitude: float = SARATOV_LATITUDE, east_speed: float = 0.0) ->
     """Return how many times larger the heading swings than the horizon about East.
 
     Schuler's frequency over the level rate from which North is read.
-
-    Parameters
-    ----------
-    latitude : float
-        rad.
-    east_speed : float
-        Velocity to the East, m/s.
     """
     level = EARTH_RATE * np.cos(latitude) + east_speed / EARTH_RADIUS
     return float(np.sqrt(gravity(latitude) / EARTH_RADIUS) / level)

@@ -24,13 +24,7 @@ _KEPT = tomllib.loads(files(__package__).joinpath("kept_words.toml").read_text("
 
 
 def at_hand(name: str) -> Recording | None:
-    """Return a published recording if it is on this computer; else say that it is not.
-
-    Parameters
-    ----------
-    name : str
-        One of `driftlab.recordings.publishers.PUBLISHED`.
-    """
+    """Return a published recording if it is on this computer; else say that it is not."""
     try:
         return published(name, download=False)
     except RecordingUnavailable:
@@ -64,24 +58,13 @@ def fetch_recordings() -> Table:
 def kept_words(cell: str) -> str:
     """Return what a cell shows of `mpu9150-1`, kept for a reader without the recording.
 
-    Parameters
-    ----------
-    cell : {"lines", "doubts", "rests"}
-        Which.
+    The cells are "lines", "doubts" and "rests".
     """
     return f"With the recording this cell says:\n\n{_KEPT[cell].strip()}"
 
 
 def first_lines(file: str, count: int = 3) -> str | None:
-    """Return the first lines of a published file, or None if it is not here.
-
-    Parameters
-    ----------
-    file : str
-        Its own name.
-    count : int
-        How many lines.
-    """
+    """Return the first lines of a published file, or None if it is not here."""
     try:
         with published_file(file, download=False).open(encoding="utf-8") as text:
             return "".join(line for line, _ in zip(text, range(count), strict=False)).rstrip()

@@ -26,23 +26,11 @@ _MOST_POINTS = 3000
 
 
 class Log(NamedTuple):
-    """A log as it is drawn.
+    """A log as it is drawn."""
 
-    Attributes
-    ----------
-    seconds : ndarray, shape (n,)
-        s.
-    rates : ndarray, shape (n, 3)
-        rad/s.
-    rests : ndarray, shape (m, 2)
-        Begin and end of each rest, s.
-    turns : sequence of HandTurn
-    near : sequence of NearTurn
-    """
-
-    seconds: FloatArray
-    rates: FloatArray
-    rests: FloatArray
+    seconds: FloatArray  # (n,), s
+    rates: FloatArray  # (n, 3), rad/s
+    rests: FloatArray  # (m, 2), begin and end of each rest, s
     turns: Sequence[HandTurn]
     near: Sequence[NearTurn]
 
@@ -63,19 +51,6 @@ def turns_picture(
 
     Moves that nearly were turns have a question mark. The picture's ``save("log.pdf", width=3.5)``
     puts it into a report.
-
-    Parameters
-    ----------
-    increments : ndarray, shape (n, 3)
-        rad.
-    interval : float
-        s.
-    rests : array_like of int, shape (m, 2)
-        Rows.
-    turns : sequence of HandTurn
-        As `driftlab.drift.turns_by_hand.hand_turns` found them.
-    near : sequence of NearTurn
-        As `driftlab.drift.missed_stops.near_turns` found them.
     """
     step = max(1, len(increments) // _MOST_POINTS)
     seconds = interval * np.arange(len(increments), dtype=np.float64)[::step]

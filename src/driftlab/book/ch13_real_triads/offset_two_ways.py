@@ -25,24 +25,14 @@ DOUBT_RESTS = 0.01
 
 
 class RestRates(NamedTuple):
-    """What the gyros say in the rests between whole turns.
+    """What the gyros say in the rests between whole turns."""
 
-    Attributes
-    ----------
-    axes : tuple of int
-        Which were turned about.
-    rates : tuple of ndarray, shape (m, 3)
-        For each of these axes, of each rest before, between and after its turns, rad/s.
-    deviation : float
-        Standard deviation of one of these numbers, from the two halves of each rest, rad/s.
-    degrees_of_freedom : int
-        Of `deviation`.
-    """
-
-    axes: tuple[int, ...]
+    axes: tuple[int, ...]  # which were turned about
+    # (m, 3) each, for each of these axes, of each rest before, between and after its turns, rad/s
     rates: tuple[FloatArray, ...]
+    # standard deviation of one of these numbers, from the two halves of each rest, rad/s
     deviation: float
-    degrees_of_freedom: int
+    degrees_of_freedom: int  # of `deviation`
 
     @property
     def offset(self) -> FloatArray:
@@ -64,19 +54,7 @@ class RestRates(NamedTuple):
 def rest_rates(
     increments: FloatArray, interval: float, rests: FloatArray, turns: Sequence[HandTurn]
 ) -> RestRates:
-    """Take from a log what its gyros say in the rests that turns begin and end in.
-
-    Parameters
-    ----------
-    increments : ndarray, shape (n, 3)
-        rad.
-    interval : float
-        s.
-    rests : array_like of int, shape (m, 2)
-        Rows; those that `turns` were found with.
-    turns : sequence of HandTurn
-        About axes of the sensor.
-    """
+    """Take from a log what its gyros say in the rests that turns begin and end in."""
     begin, end = np.asarray(rests).T
     axes = tuple(sorted({turn.axis for turn in turns}))
     of_axis = []

@@ -42,52 +42,31 @@ PAPER_LARGEST = 0.34
 
 
 class StaticCharacteristic(NamedTuple):
-    """Heading errors of one unit on the table, and the largest errors of many.
+    """Heading errors of one unit on the table, and the largest errors of many."""
 
-    Attributes
-    ----------
-    runs : dict of ndarray, shape (3, n)
-        Heading errors of the shown unit by the angle that turns, rad.
-    formula : dict of ndarray, shape (n,)
-        What its lasting errors make of the heading to first order, and the table's own, rad.
-    lasting, offsets : ndarray, shape (m,)
-        Deviations of the drift, deg/h, and of the offset, mg, that last.
-    shown : int
-        Index of the drift in `lasting` from which the unit is.
-    by_drift, by_offset : ndarray, shape (2, m, units)
-        Largest errors of the averaged characteristic, rad: in the turns in heading alone, and in
-        all three.
-    """
-
+    # (3, n) each, heading errors of the shown unit by the angle that turns, rad
     runs: dict[str, FloatArray]
+    # (n,) each, what its lasting errors make of the heading to first order, and the table's own,
+    # rad
     formula: dict[str, FloatArray]
-    lasting: FloatArray
-    offsets: FloatArray
-    shown: int
+    lasting: FloatArray  # (m,), deviations of the drift that lasts, deg/h
+    offsets: FloatArray  # (m,), deviations of the offset that lasts, mg
+    shown: int  # index of the drift in `lasting` from which the unit is
+    # (2, m, units), largest errors of the averaged characteristic, rad: in the turns in heading
+    # alone, and in all three
     by_drift: FloatArray
-    by_offset: FloatArray
+    by_offset: FloatArray  # (2, m, units), likewise
 
 
 class DialTrial(NamedTuple):
-    """Many units, each on a table of its own.
+    """Many units, each on a table of its own."""
 
-    Attributes
-    ----------
-    errors : dict of ndarray, shape (units, 3, n)
-        Of the heading, by the angle that turns, rad.
-    drift, offset : ndarray, shape (units, 1, 1, 3)
-        Those that last, rad/s and m/s^2.
-    north_error : ndarray, shape (units, 1, 1)
-        Of the table's zero, rad.
-    tilt : ndarray, shape (units, 1, 1, 2)
-        Of the table about North and East, rad.
-    """
-
+    # (units, 3, n) each, of the heading, by the angle that turns, rad
     errors: dict[str, FloatArray]
-    drift: FloatArray
-    offset: FloatArray
-    north_error: FloatArray
-    tilt: FloatArray
+    drift: FloatArray  # (units, 1, 1, 3), that lasts, rad/s
+    offset: FloatArray  # (units, 1, 1, 3), that lasts, m/s^2
+    north_error: FloatArray  # (units, 1, 1), of the table's zero, rad
+    tilt: FloatArray  # (units, 1, 1, 2), of the table about North and East, rad
 
     def largest(self) -> FloatArray:
         """Return largest errors (2, units) of the mean of the runs: in heading, in all turns."""
@@ -105,18 +84,8 @@ def dial_trial(
 ) -> DialTrial:
     """Turn units in heading, pitch and roll on tables with errors within the paper's limits.
 
-    The errors of a table are the same at all stops of one unit.
-
-    Parameters
-    ----------
-    lasting, random : float
-        Deviations of the drift that lasts and of the one that changes from stop to stop, rad/s.
-    offset : float
-        Deviation of the accelerometers' offset, which lasts, m/s^2.
-    units : int
-    rng : numpy.random.Generator
-    latitude : float
-        rad.
+    The drift has a lasting part and one that changes from stop to stop, rad/s; the offset lasts,
+    m/s^2. The errors of a table are the same at all stops of one unit.
     """
     drift = lasting * rng.standard_normal((units, 1, 1, 3))
     bias = offset * rng.standard_normal((units, 1, 1, 3))
@@ -162,20 +131,6 @@ def static_characteristic(
 
     The shown unit is of the drift of which the median is nearest to the paper's largest error, and
     the one of these whose largest error in the turns in heading is nearest to it.
-
-    Parameters
-    ----------
-    units : int
-        For each drift and each offset.
-    lasting_drift : sequence of float
-        Deviations of the drift that each gyro keeps through all runs, rad/s, ascending.
-    lasting_offset : sequence of float
-        Deviations of the offset that each accelerometer keeps, m/s^2, ascending.
-    random_drift : float
-        Deviation of an averaged gyro from stop to stop, rad/s.
-    latitude : float
-        rad.
-    seed : int
     """
     units, rng = whole_number(units, "units"), np.random.default_rng(seed)
     drifts = finite_array(lasting_drift, "lasting_drift")

@@ -27,47 +27,24 @@ DRIVEN = (SWELL, 10 * minute, SCHULER_PERIOD, 6 * hour)
 
 
 class FrequencyResponse(NamedTuple):
-    """Gains and phases of the loops, and of a simulated compass with damping.
+    """Gains and phases of the loops, and of a simulated compass with damping."""
 
-    Attributes
-    ----------
-    latitude, damping : float
-        rad, and the damping ratio.
-    loops : dict of LevelLoop
-        Undamped, damped, damped with a log, and that of accelerated alignment.
-    periods : ndarray, shape (n,)
-        s.
-    curves : dict of dict of LoopResponse
-        By disturbance and loop, each (n,); without those that are zero.
-    driven_periods : ndarray, shape (m,)
-        s.
-    driven : dict of ndarray, shape (2, m)
-        Tilt and rate for a unit of each disturbance, complex, from `simulate_compass`.
-    """
-
-    latitude: float
-    damping: float
+    latitude: float  # rad
+    damping: float  # damping ratio
+    # undamped, damped, damped with a log, and that of accelerated alignment
     loops: dict[str, LevelLoop]
-    periods: FloatArray
+    periods: FloatArray  # (n,), s
+    # by disturbance and loop, each (n,); without those that are zero
     curves: dict[str, dict[str, LoopResponse]]
-    driven_periods: FloatArray
+    driven_periods: FloatArray  # (m,), s
+    # (2, m) each, tilt and rate for a unit of each disturbance, complex, from `simulate_compass`
     driven: dict[str, NDArray[np.complex128]]
 
 
 def four_loops(
     latitude: float = SARATOV_LATITUDE, damping: float = DAMPING, frequency: float = FREQUENCY
 ) -> dict[str, LevelLoop]:
-    """Return the loops of the figure; the last is that of accelerated alignment.
-
-    Parameters
-    ----------
-    latitude : float
-        rad.
-    damping : float
-        Damping ratio at work.
-    frequency : float
-        Natural frequency of accelerated alignment, rad/s.
-    """
+    """Return the loops of the figure; the last is that of accelerated alignment."""
     pull = float(gravity(latitude))
     damped = damped_gains(float(np.sqrt(pull / EARTH_RADIUS)), pull, damping)
     return {
@@ -90,15 +67,7 @@ def frequency_response(
     frequency: float = FREQUENCY,
     driven_periods: Sequence[float] = DRIVEN,
 ) -> FrequencyResponse:
-    """Return the responses of four loops, and those of the compass at a few periods.
-
-    Parameters
-    ----------
-    latitude, damping, frequency : float
-        As for `four_loops`.
-    driven_periods : sequence of float
-        At which the compass itself is driven, s.
-    """
+    """Return the responses of four loops, and those of the compass at a few periods."""
     damping = positive_number(damping, "damping")
     driven_at = finite_array(driven_periods, "driven_periods")
     loops = four_loops(latitude, damping, frequency)
@@ -131,17 +100,6 @@ def driven_compass(
     """Tilt and rate (2,) of a simulated compass for a unit of a disturbance that swings.
 
     A ship heads North. What a wave leaves of the loop's own swing is fitted away.
-
-    Parameters
-    ----------
-    disturbance : str
-        One of `DISTURBANCES`.
-    period : float
-        s.
-    loops : dict of LevelLoop
-        As `four_loops` returns them.
-    latitude, damping : float
-        rad, and the damping ratio of the compass.
     """
     loop, swing = damped_loop(disturbance, loops), 2 * np.pi / period
     interval = min(period / 40, 60.0)
@@ -184,15 +142,7 @@ def _wave_in(
 def gain_and_lead(data: FrequencyResponse) -> dict[str, FloatArray]:
     """Simulated over derived response, by disturbance: (2, 2, m) gains less 1 and leads.
 
-    Parameters
-    ----------
-    data : FrequencyResponse
-        As `frequency_response` returns it.
-
-    Returns
-    -------
-    dict of ndarray, shape (2, 2, m)
-        For tilt and rate; leads in rad. NaN where the derived response is zero.
+    For tilt and rate, leads in rad; NaN where the derived response is zero.
     """
     compared = {}
     for disturbance, driven in data.driven.items():

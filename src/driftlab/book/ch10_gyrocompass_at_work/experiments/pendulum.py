@@ -14,34 +14,17 @@ EVERY = 6
 
 
 class Pendulum(NamedTuple):
-    """A platform in the plane of the meridian, at n times.
+    """A platform in the plane of the meridian, at n times."""
 
-    Attributes
-    ----------
-    times : ndarray, shape (n,)
-        s.
-    length : float
-        Of the pendulum that swings as the platform does, m.
-    start : float
-        Tilt with which it was left alone, rad.
-    tilt : ndarray, shape (n, 2)
-        About North and about East, rad.
-    way : ndarray, shape (n,)
-        True way to the North, m.
-    velocity_error, place_error : ndarray, shape (n,)
-        Velocity and way to the North that the platform's own turn tells, m/s and m, less the true.
-    heading_error : ndarray, shape (n,)
-        Of a compass that finds North by the platform's turn, rad.
-    """
-
-    times: FloatArray
-    length: float
-    start: float
-    tilt: FloatArray
-    way: FloatArray
+    times: FloatArray  # (n,), s
+    length: float  # of the pendulum that swings as the platform does, m
+    start: float  # tilt with which it was left alone, rad
+    tilt: FloatArray  # (n, 2), about North and about East, rad
+    way: FloatArray  # (n,), true way to the North, m
+    # (n,), of the velocity to the North that the platform's own turn tells, m/s
     velocity_error: FloatArray
-    place_error: FloatArray
-    heading_error: FloatArray
+    place_error: FloatArray  # (n,), of the way to the North, likewise, m
+    heading_error: FloatArray  # (n,), of a compass that finds North by the platform's turn, rad
 
 
 def schuler_pendulum(
@@ -50,17 +33,8 @@ def schuler_pendulum(
     """Tilt a platform about East, and let it swing while its ship lies still or goes to the North.
 
     A platform that stays level turns about East by the velocity over R. So its turn tells a
-    velocity, wrong by R times what its tilt changes; and what it has tilted, a way.
-
-    Parameters
-    ----------
-    tilt : float
-        At the start, rad.
-    speed : float
-        Of the ship, m/s.
-    tuning_factor, damping : float
-        As for `simulate_compass`. A log tells the velocity if there is a damping, so that it does
-        not disturb the horizon.
+    velocity, wrong by R times what its tilt changes; and what it has tilted, a way. With damping a
+    log tells the velocity, so that it does not disturb the horizon.
     """
     way = ship_manoeuvre(SARATOV_LATITUDE, speed, turn=0.0)
     run = simulate_compass(

@@ -24,35 +24,18 @@ SHOWN_EVERY = 2.0
 
 
 class CountedPulses(NamedTuple):
-    """Headings of a car at rest, from one damped horizon and two readings of its rate.
+    """Headings of a car at rest, from one damped horizon and two readings of its rate."""
 
-    Attributes
-    ----------
-    times : ndarray, shape (n,)
-        s since the beginning of the quiet stretch.
-    by_whole, by_integrals : ndarray, shape (n,)
-        Headings from the whole level rates and from their integral parts, rad.
-    pulse : ndarray, shape ()
-        Velocity of one pulse of the accelerometers, m/s.
-    pulse_rate : ndarray, shape ()
-        What one pulse in one interval is worth in the proportional part, over the Earth's rate.
-    """
-
-    times: FloatArray
-    by_whole: FloatArray
-    by_integrals: FloatArray
-    pulse: FloatArray
+    times: FloatArray  # (n,), s since the beginning of the quiet stretch
+    by_whole: FloatArray  # (n,), headings from the whole level rates, rad
+    by_integrals: FloatArray  # (n,), headings from their integral parts, rad
+    pulse: FloatArray  # (), velocity of one pulse of the accelerometers, m/s
+    # (), what one pulse in one interval is worth in the proportional part, over the Earth's rate
     pulse_rate: FloatArray
 
 
 def counted_pulses() -> CountedPulses:
-    """Level a horizon by the accelerometers of a laser gyro unit and read North from it.
-
-    Raises
-    ------
-    RecordingUnavailable
-        If the recording is not at hand.
-    """
+    """Level a horizon by the accelerometers of a laser gyro unit and read North from it."""
     recording = published("laser-gyro", download=False).in_axes("FUR")
     if recording.latitude is None:
         raise ValueError("recording: expected one that knows its latitude.")

@@ -28,32 +28,15 @@ SEED = 26
 
 
 class Restarts(NamedTuple):
-    """A series of restarts, the noise of one of them, and ranges of normal samples.
+    """A series of restarts, the noise of one of them, and ranges of normal samples."""
 
-    Attributes
-    ----------
-    noises : tuple of GyroNoise
-        Of a gyro, the quieter one first.
-    window : int
-        Samples that are averaged.
-    heading : ndarray, shape (restarts,)
-        rad, with the weaker noise, averaged.
-    raw : ndarray, shape (n,)
-        Noise of one gyro with the stronger noise, rad/s.
-    averaged : ndarray, shape (m,)
-        The same after the moving average, rad/s.
-    deviations : ndarray, shape (2, 2)
-        A row for each noise: before and after averaging, rad/s.
-    ranges : ndarray, shape (trials,)
-        Range over standard deviation of as many normal values as restarts.
-    """
-
-    noises: tuple[GyroNoise, GyroNoise]
-    window: int
-    heading: FloatArray
-    raw: FloatArray
-    averaged: FloatArray
-    deviations: FloatArray
+    noises: tuple[GyroNoise, GyroNoise]  # of a gyro, the quieter one first
+    window: int  # samples that are averaged
+    heading: FloatArray  # (restarts,), rad, with the weaker noise, averaged
+    raw: FloatArray  # (n,), noise of one gyro with the stronger noise, rad/s
+    averaged: FloatArray  # (m,), the same after the moving average, rad/s
+    deviations: FloatArray  # (2, 2), a row for each noise: before and after averaging, rad/s
+    # (trials,), range over standard deviation of as many normal values as restarts
     ranges: FloatArray
 
 
@@ -65,22 +48,7 @@ def restart_series(
     latitude: float = SARATOV_LATITUDE,
     seed: int = SEED,
 ) -> Restarts:
-    """Switch a compass on again and again, and let it average before it aligns.
-
-    Parameters
-    ----------
-    restarts : int
-        At least two.
-    noises : tuple of GyroNoise
-        Two noises of a gyro: that of the series, and a stronger one.
-    window : int
-        Samples that are averaged.
-    trials : int
-        Samples of as many normal values as restarts.
-    latitude : float
-        rad.
-    seed : int
-    """
+    """Switch a compass on again and again, and let it average before it aligns."""
     restarts = whole_number(restarts, "restarts", least=2)
     rng = np.random.default_rng(whole_number(seed, "seed", least=0))
     rate, force = static_imu([0.0, 0.0, 0.0, 1.0], latitude)
@@ -115,11 +83,6 @@ def spread_readings(ranges: FloatArray) -> dict[str, tuple[float, float]]:
 
     Probable is how often normal values have at least that ratio of range to deviation. Six
     deviations are not a range: any values have them.
-
-    Parameters
-    ----------
-    ranges : ndarray, shape (n,)
-        Range over standard deviation of normal samples.
     """
     least, _ = rounded_ratio_range()
     taken = PAPER_SPREAD / PAPER_DEVIATION

@@ -32,28 +32,14 @@ SEED = 10
 
 
 class Settling(NamedTuple):
-    """Many runs with one start and noise of their own, and one run without noise.
+    """Many runs with one start and noise of their own, and one run without noise."""
 
-    Attributes
-    ----------
-    settling_times : ndarray, shape (m,)
-        s.
-    tilt, settling_heading : ndarray, shape (m,)
-        Tilt and heading error while the horizon settles without noise, rad.
-    times : ndarray, shape (n,)
-        s since the horizon was left to itself.
-    heading : ndarray, shape (runs, n)
-        Heading errors with noise, rad.
-    deviation : ndarray, shape (n,)
-        Of the heading by the closed formulas, rad.
-    """
-
-    settling_times: FloatArray
-    tilt: FloatArray
-    settling_heading: FloatArray
-    times: FloatArray
-    heading: FloatArray
-    deviation: FloatArray
+    settling_times: FloatArray  # (m,), s
+    tilt: FloatArray  # (m,), while the horizon settles without noise, rad
+    settling_heading: FloatArray  # (m,), heading error meanwhile, rad
+    times: FloatArray  # (n,), s since the horizon was left to itself
+    heading: FloatArray  # (runs, n), heading errors with noise, rad
+    deviation: FloatArray  # (n,), of the heading by the closed formulas, rad
 
 
 def settling_and_swing(
@@ -66,19 +52,7 @@ def settling_and_swing(
 ) -> Settling:
     """Let the horizon settle for twenty minutes and work for two hours.
 
-    Parameters
-    ----------
-    runs : int
-        Number of runs with noise.
-    tilt : array_like, shape (3,)
-        Rotation vector (North, Up, East) of the horizon at the start, rad.
-    frequency : float
-        Natural frequency of the damped horizon, rad/s.
-    angle_random_walk : float
-        Of each gyro, rad/sqrt(s).
-    latitude : float
-        rad.
-    seed : int
+    Its tilt at the start is a rotation vector (North, Up, East), rad.
     """
     runs = whole_number(runs, "runs", least=2)
     random_walk = positive_number(angle_random_walk, "angle_random_walk")

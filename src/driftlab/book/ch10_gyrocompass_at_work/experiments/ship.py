@@ -18,34 +18,20 @@ WAKE_POINTS = 16
 
 
 class ShipWithCompass(NamedTuple):
-    """A ship and its compass at n times.
+    """A ship and its compass at n times."""
 
-    Attributes
-    ----------
-    times : ndarray, shape (n,)
-        s.
-    heading : ndarray, shape (n,)
-        True, rad, positive from North to West.
-    wake : ndarray, shape (n, 16, 2)
-        Where the ship was in the last five minutes, to the North and East of where it is, m.
-    lean : ndarray, shape (n, 2)
-        Level part of the specific force over its part upwards, North and East: by how much the
-        plumb line's Up leans.
-    tilt : ndarray, shape (n, 2)
-        Of the compass's horizon about North and about East, rad.
-    speed_error : ndarray, shape (n,)
-        What the ship's own way makes of North, rad.
-    shown_error : ndarray, shape (n,)
-        Error of the heading that the compass shows, rad: with the speed error, unless a log lets
-        the compass subtract it.
-    """
-
-    times: FloatArray
-    heading: FloatArray
+    times: FloatArray  # (n,), s
+    heading: FloatArray  # (n,), true, rad, positive from North to West
+    # (n, 16, 2), where the ship was in the last five minutes, to the North and East of where it is,
+    # m
     wake: FloatArray
+    # (n, 2), level part of the specific force over its part upwards, North and East: by how much
+    # the plumb line's Up leans
     lean: FloatArray
-    tilt: FloatArray
-    speed_error: FloatArray
+    tilt: FloatArray  # (n, 2), of the compass's horizon about North and about East, rad
+    speed_error: FloatArray  # (n,), what the ship's own way makes of North, rad
+    # (n,), error of the heading that the compass shows, rad: with the speed error, unless a log
+    # lets the compass subtract it
     shown_error: FloatArray
 
     def at(self, moments: slice) -> "ShipWithCompass":
@@ -62,17 +48,7 @@ def ship_with_compass(
     log: bool = False,
     latitude: float = SARATOV_LATITUDE,
 ) -> ShipWithCompass:
-    """Sail the voyage of `ship_manoeuvre` with a compass on board.
-
-    Parameters
-    ----------
-    speed, course, turn, latitude : float
-        As for `ship_manoeuvre`.
-    gyro_bias : ndarray, shape (..., 3)
-        As for `simulate_compass`, without leading axes of runs.
-    log : bool
-        Whether a log tells the velocity.
-    """
+    """Sail the voyage of `ship_manoeuvre` with a compass on board."""
     way = ship_manoeuvre(latitude, speed, course, turn)
     run = simulate_compass(way, gyro_bias, log=log)
     return ShipWithCompass(

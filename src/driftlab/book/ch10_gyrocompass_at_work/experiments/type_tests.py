@@ -62,20 +62,12 @@ CHEAP_COMPASS = COMPASSES[f"gyros {WORSE:g} times worse"]
 
 
 class TypeTests(NamedTuple):
-    """Shares of the limits that compasses use up.
+    """Shares of the limits that compasses use up."""
 
-    Attributes
-    ----------
-    latitudes : ndarray, shape (n,)
-        degrees.
-    worse : float
-        How many times worse the gyros of the last compass are.
-    shares : dict of dict of ndarray, shape (n,)
-        By compass and by test, without unit: more than 1 fails; infinite if it never settles.
-    """
-
-    latitudes: FloatArray
-    worse: float
+    latitudes: FloatArray  # (n,), degrees
+    worse: float  # how many times worse the gyros of the last compass are
+    # (n,) each, by compass and by test, without unit: more than 1 fails; infinite if it never
+    # settles
     shares: dict[str, dict[str, FloatArray]]
 
 
@@ -86,21 +78,7 @@ def type_tests(
     worse: float = WORSE,
     seed: int = 0,
 ) -> TypeTests:
-    """Put a compass and three others to the tests at several latitudes.
-
-    Parameters
-    ----------
-    compass : Gyrocompass
-        Undamped.
-    latitudes : sequence of float
-        rad, at most 85 degrees from the equator.
-    damping : float
-        Damping ratio of those that are damped.
-    worse : float
-        How many times worse the gyros of the last one are.
-    seed : int
-        Of the gyros' noise.
-    """
+    """Put a compass without damping and three others to the tests at several latitudes."""
     checked_instance(compass, Gyrocompass, "compass")
     places = finite_array(latitudes, "latitudes")
     shares = {}

@@ -37,34 +37,18 @@ LOG_SCALE, CURRENT = 0.01, (0.5, 0.0)
 
 
 class Horizons(NamedTuple):
-    """Errors of several horizons on one voyage.
+    """Errors of several horizons on one voyage."""
 
-    Attributes
-    ----------
-    runs : dict of HeadingErrors
-        By tuning and damping.
-    log_scale : float
-        What a log tells too much, over the velocity.
-    current : tuple of float
-        To North and East, m/s, which no log sees.
-    """
-
-    runs: dict[str, HeadingErrors]
-    log_scale: float = 0.0
-    current: tuple[float, float] = (0.0, 0.0)
+    runs: dict[str, HeadingErrors]  # by tuning and damping
+    log_scale: float = 0.0  # what a log tells too much, over the velocity
+    current: tuple[float, float] = (0.0, 0.0)  # to North and East, m/s, which no log sees
 
 
 class OperatingFormula(NamedTuple):
-    """One voyage, and how far (operating heading) is off with all of its terms and without each.
-
-    Attributes
-    ----------
-    run : HeadingErrors
-    gaps : ndarray, shape (5, n)
-        Simulated minus formula, rad: with all terms, then with each left out.
-    """
+    """One voyage, and how far (operating heading) is off with all of its terms and without each."""
 
     run: HeadingErrors
+    # (5, n), simulated minus formula, rad: with all terms, then with each left out
     gaps: FloatArray
 
 
@@ -78,17 +62,7 @@ def errors_under_way(
     damping: float = 0.0,
     log: bool = False,
 ) -> HeadingErrors:
-    """Return the errors of a compass on the ship's voyage.
-
-    Parameters
-    ----------
-    gyro_bias_body : array_like, shape (3,)
-        rad/s.
-    latitude, speed, course, turn : float
-        As for `driftlab.book.scenarios.ship_manoeuvre`, rad and m/s.
-    tuning_factor, damping, log : float, float, bool
-        As for `driftlab.gyrocompass.simulate_compass`.
-    """
+    """Return the errors of a compass on the ship's voyage."""
     way = ship_manoeuvre(latitude, speed, course, turn)
     return simulate_compass(
         way, gyro_bias_body, tuning_factor=tuning_factor, damping=damping, log=log
@@ -106,14 +80,7 @@ def ballistic_errors(
 ) -> Horizons:
     """Return the errors of five tunings with perfect sensors on the ship's voyage.
 
-    Parameters
-    ----------
-    latitude, speed, course, turn : float
-        As for `driftlab.book.scenarios.ship_manoeuvre`, rad and m/s.
-    stiff, soft : float
-        Values of k2 R; 1 is Schuler's tuning.
-    damping : float
-        Damping ratio.
+    `stiff` and `soft` are values of k2 R; 1 is Schuler's tuning.
     """
     tunings: dict[str, dict[str, Any]] = {
         "Schuler: k2 = 1/R": {},
@@ -141,19 +108,6 @@ def damping_at_sea(
     """Return the errors of four horizons: undamped, and damped with a log or not.
 
     The log measures the velocity through the water, so that a current is missing in what it tells.
-
-    Parameters
-    ----------
-    gyro_bias_body : array_like, shape (3,)
-        rad/s.
-    latitude, speed, course, turn : float
-        As for `driftlab.book.scenarios.ship_manoeuvre`, rad and m/s.
-    damping : float
-        Damping ratio.
-    log_scale : float
-        What the log with errors tells too much, over the velocity.
-    current : tuple of float
-        To North and East, m/s.
     """
     way = ship_manoeuvre(latitude, speed, course, turn)
     log_error = log_scale * way.velocity - np.asarray(current)
@@ -178,17 +132,7 @@ def operating_formula(
     turn: float = CRAFT["turn"],
     pitch: float = CRAFT["pitch"],
 ) -> OperatingFormula:
-    """Compare the compass of a fast craft with (operating heading), term by term.
-
-    Parameters
-    ----------
-    gyro_bias_body, accelerometer_bias_body : array_like, shape (3,)
-        rad/s and m/s^2.
-    tilt, tuning_factor : float
-        As for `driftlab.gyrocompass.simulate_compass`.
-    latitude, speed, course, turn, pitch : float
-        As for `driftlab.book.scenarios.ship_manoeuvre`, rad and m/s.
-    """
+    """Compare the compass of a fast craft with (operating heading), term by term."""
     way = ship_manoeuvre(latitude, speed, course, turn, CRAFT["interval"], pitch)
     run = simulate_compass(
         way, gyro_bias_body, accelerometer_bias_body, tuning_factor=tuning_factor, tilt=tilt

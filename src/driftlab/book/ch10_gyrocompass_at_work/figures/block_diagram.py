@@ -29,20 +29,11 @@ _LEAST_TYPE = 5.7
 
 
 class _Board(NamedTuple):
-    """Axes with what is drawn on them, smaller on paper.
-
-    Attributes
-    ----------
-    axes : Axes
-    scale : float
-        Of type and lines, to those of a screen.
-    narrow : bool
-        Whether words must be broken.
-    """
+    """Axes with what is drawn on them, smaller on paper."""
 
     axes: Axes
-    scale: float
-    narrow: bool
+    scale: float  # of type and lines, to those of a screen
+    narrow: bool  # whether words must be broken
 
     def wire(self, colour: str, *corners: tuple[float, float]) -> None:
         """A line along its corners, with an arrow's head at the end."""

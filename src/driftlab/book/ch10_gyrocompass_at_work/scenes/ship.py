@@ -196,25 +196,7 @@ def ship_under_way(
 ) -> tuple[ShipWithCompass, float, float, bool]:
     """Sail a voyage and look at a part of it: what the ship does, and what its compass shows.
 
-    Parameters
-    ----------
-    speed : float
-        m/s.
-    course, turn : float
-        Heading before the turn, and by how much it turns, rad, positive from North to West.
-    gyro_bias : array_like, shape (3,)
-        As for `driftlab.gyrocompass.simulate_compass`, rad/s.
-    log : bool
-        Whether a log tells the compass the velocity.
-    window : {"gathering way", "the turn", "two hours"}
-        Which part is shown.
-    latitude : float
-        Of the start, rad.
-
-    Returns
-    -------
-    tuple
-        The ship and its compass, the course, the turn, and whether the whole voyage is shown.
+    Return the ship with its compass, the course, the turn, and whether the whole voyage is shown.
     """
     if window not in WINDOWS:
         raise ValueError(f"window: expected one of {', '.join(WINDOWS)}, got {window!r}.")

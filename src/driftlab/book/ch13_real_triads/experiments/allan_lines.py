@@ -37,60 +37,33 @@ ROCKING = (0.5, 5.0)
 
 
 class Lines(NamedTuple):
-    """The Allan deviation of one gyro, and the terms that fit it.
+    """The Allan deviation of one gyro, and the terms that fit it."""
 
-    Attributes
-    ----------
-    times, deviation, lower, upper : ndarray, shape (k,)
-        s and rad/s.
-    terms : ndarray, shape (5,)
-        Coefficients in the order of `TERMS`, SI units; zero if not seen.
-    uncertainty : ndarray, shape (5,)
-        Their standard deviations; NaN if not seen.
-    bounds : ndarray, shape (5,)
-        95 % upper bounds of those that are not seen; NaN for the others.
-    begin : float
-        Shortest averaging time of the fit, s.
-    length : float
-        Of the record at rest, s.
-    """
-
-    times: FloatArray
-    deviation: FloatArray
-    lower: FloatArray
-    upper: FloatArray
-    terms: FloatArray
-    uncertainty: FloatArray
-    bounds: FloatArray
-    begin: float
-    length: float
+    times: FloatArray  # (k,), s
+    deviation: FloatArray  # (k,), rad/s
+    lower: FloatArray  # (k,), rad/s
+    upper: FloatArray  # (k,), rad/s
+    terms: FloatArray  # (5,), coefficients in the order of `TERMS`, SI units; zero if not seen
+    uncertainty: FloatArray  # (5,), their standard deviations; NaN if not seen
+    bounds: FloatArray  # (5,), 95 % upper bounds of those that are not seen; NaN for the others
+    begin: float  # shortest averaging time of the fit, s
+    length: float  # of the record at rest, s
 
 
 class AllanLines(NamedTuple):
-    """Two gyros at rest.
+    """Two gyros at rest."""
 
-    Attributes
-    ----------
-    cheap, dear : Lines
-        The z gyro of an MPU-9150, and a laser gyro about Up.
-    missed : ndarray, shape (2,)
-        Largest ratio of the laser gyro's points in the fit to the best `GyroNoise`
-        without and with a rounded angle, or the other way round.
-    rocking : float
-        Standard deviation of its angle in the frequencies in which a car rocks, rad.
-    shared : float
-        Largest coherence (squared) of it, in these frequencies, with the forward gyro beside it:
-        what two sensors see at once is not the noise of one.
-    forward : ndarray, shape (2,)
-        Angle random walk of the forward gyro of the same unit, rad/√s: as the same fit to the same
-        stretch has it, and the largest that its headings allow.
-    """
-
-    cheap: Lines
-    dear: Lines
+    cheap: Lines  # the z gyro of an MPU-9150
+    dear: Lines  # a laser gyro about Up
+    # (2,), largest ratio of the laser gyro's points in the fit to the best `GyroNoise` without and
+    # with a rounded angle, or the other way round
     missed: FloatArray
-    rocking: float
+    rocking: float  # standard deviation of its angle in the frequencies in which a car rocks, rad
+    # largest coherence (squared) of it, in these frequencies, with the forward gyro beside it: what
+    # two sensors see at once is not the noise of one
     shared: float
+    # (2,), angle random walk of the forward gyro of the same unit, rad/√s: as the same fit to the
+    # same stretch has it, and the largest that its headings allow
     forward: FloatArray
 
 
@@ -100,26 +73,7 @@ def allan_lines(
     cheap_from: float = CHEAP_FROM,
     dear_from: float = DEAR_FROM,
 ) -> AllanLines:
-    """Fit the noise terms of both gyros.
-
-    Parameters
-    ----------
-    cheap_rest, dear_rest : (float, float)
-        Begin and end of the rest of each recording, s.
-    cheap_from, dear_from : float
-        Shortest averaging times in the fits, s.
-
-    Returns
-    -------
-    AllanLines
-
-    Raises
-    ------
-    ValueError
-        If a recording has no such time, or it is too short for such averaging times.
-    RecordingUnavailable
-        If a recording is not at hand.
-    """
+    """Fit the noise terms of both gyros, from the shortest averaging times that are given, s."""
     from scipy.signal import coherence, welch  # take a third of a second to be loaded
 
     still = _rest(CHEAP, cheap_rest, "cheap_rest")

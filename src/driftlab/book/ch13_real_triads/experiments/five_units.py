@@ -26,29 +26,15 @@ _WIDENED = 5
 
 
 class Way(NamedTuple):
-    """One way to cut and fit a record.
-
-    Attributes
-    ----------
-    name : str
-    quiet : float
-        rad/s.
-    settled : int
-        Samples.
-    shortest : int
-        Least number of samples in a rest; a shorter one belongs to the move about it.
-    spline : bool
-        Whether angles are integrals of a spline, or the interval times a sample.
-    bias_sought : bool
-        Whether the gyro bias is fitted, or the mean of the rests.
-    """
+    """One way to cut and fit a record."""
 
     name: str
-    quiet: float = QUIET
-    settled: int = SETTLED
+    quiet: float = QUIET  # rad/s
+    settled: int = SETTLED  # samples
+    # least number of samples in a rest; a shorter one belongs to the move about it
     shortest: int = 0
-    spline: bool = True
-    bias_sought: bool = True
+    spline: bool = True  # whether angles are integrals of a spline, or the interval times a sample
+    bias_sought: bool = True  # whether the gyro bias is fitted, or the mean of the rests
 
 
 WAYS = (
@@ -78,51 +64,30 @@ class UnitFit(NamedTuple):
 
 
 class FiveUnits(NamedTuple):
-    """First index the way, if there is one; then the unit.
+    """First index the way, if there is one; then the unit."""
 
-    Attributes
-    ----------
-    published_gyro, published_accelerometer : ndarray, shape (5, 3, 3)
-        K and L of measured = (I + K) true + bias, from the authors' table.
-    gyro, deviation : ndarray, shape (way, 5, 3, 3)
-        K in the same axes, and standard deviations by the scatter of the residuals.
-    accelerometer : ndarray, shape (way, 5, 3, 3)
-        L, by all three components of what a sample at rest has too much.
-    before_the_fix : ndarray, shape (5, 3, 3)
-        L in the authors' way with the code of the year of the table, which lost the third.
-    residual : ndarray, shape (way, 5)
-        Root mean square of the angles left, rad.
-    moves : ndarray, shape (way, 5)
-        How many moves were found.
-    published_residual, with_own_bias : ndarray, shape (5,)
-        The same with the published matrices, in the authors' way: with the published gyro bias,
-        and with the bias that suits the matrices best, because theirs is rounded.
-    shortest : ndarray, shape (5,)
-        Samples in the shortest rest that the authors' way finds.
-    angles : ndarray, shape (m,)
-        Of the odd unit: the angle left after each move in the authors' way, rad.
-    pause : ndarray, shape (2,)
-        Rows of its shortest rest.
-    rate : ndarray, shape (n,)
-        Size of its rate about that rest, rad/s, from the row `rate_begin` on.
-    rate_begin : ndarray, shape ()
-    """
-
+    # (5, 3, 3), K of measured = (I + K) true + bias, from the authors' table
     published_gyro: FloatArray
-    published_accelerometer: FloatArray
-    gyro: FloatArray
+    published_accelerometer: FloatArray  # (5, 3, 3), L, likewise
+    gyro: FloatArray  # (way, 5, 3, 3), K in the same axes
+    # (way, 5, 3, 3), its standard deviations, by the scatter of the residuals
     deviation: FloatArray
+    # (way, 5, 3, 3), L, by all three components of what a sample at rest has too much
     accelerometer: FloatArray
+    # (5, 3, 3), L in the authors' way with the code of the year of the table, which lost the third
     before_the_fix: FloatArray
-    residual: FloatArray
-    moves: FloatArray
+    residual: FloatArray  # (way, 5), root mean square of the angles left, rad
+    moves: FloatArray  # (way, 5), how many moves were found
+    # (5,), with the published matrices and gyro bias, in the authors' way
     published_residual: FloatArray
+    # (5,), with the bias that suits these matrices best, because theirs is rounded
     with_own_bias: FloatArray
-    shortest: FloatArray
+    shortest: FloatArray  # (5,), samples in the shortest rest that the authors' way finds
+    # (m,), of the odd unit: the angle left after each move in the authors' way, rad
     angles: FloatArray
-    pause: FloatArray
-    rate: FloatArray
-    rate_begin: FloatArray
+    pause: FloatArray  # (2,), rows of its shortest rest
+    rate: FloatArray  # (n,), size of its rate about that rest, rad/s, from the row `rate_begin` on
+    rate_begin: FloatArray  # ()
 
     @property
     def difference(self) -> FloatArray:
@@ -147,13 +112,7 @@ class FiveUnits(NamedTuple):
 
 
 def five_units() -> FiveUnits:
-    """Fit all five units in all ways.
-
-    Raises
-    ------
-    RecordingUnavailable
-        If one of the records is not at hand.
-    """
+    """Fit all five units in all ways."""
     logs = [published(name, download=False) for name in UNITS]
     tables = [imu_calib_triads(unit) for unit in range(len(UNITS))]
     fits = [[fit_unit(log, way) for log in logs] for way in WAYS]

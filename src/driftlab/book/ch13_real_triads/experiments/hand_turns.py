@@ -29,25 +29,13 @@ _BESIDE = 0.5
 
 
 class Rests(NamedTuple):
-    """What the six rests of the session say of the sensors.
+    """What the six rests of the session say of the sensors."""
 
-    Attributes
-    ----------
-    gyro_bias, bias_scatter : ndarray, shape (3,)
-        Mean over all rests, and standard deviation of the means of the six, rad/s.
-    gyro_noise : ndarray, shape (3,)
-        Standard deviation of a sample, rad/s.
-    force : ndarray, shape (6, 3)
-        Mean of the accelerometers in each rest, m/s^2.
-    gyro : ndarray, shape (6, 3)
-        Mean of the gyros, rad/s.
-    """
-
-    gyro_bias: FloatArray
-    bias_scatter: FloatArray
-    gyro_noise: FloatArray
-    force: FloatArray
-    gyro: FloatArray
+    gyro_bias: FloatArray  # (3,), mean over all rests, rad/s
+    bias_scatter: FloatArray  # (3,), standard deviation of the means of the six, rad/s
+    gyro_noise: FloatArray  # (3,), standard deviation of a sample, rad/s
+    force: FloatArray  # (6, 3), mean of the accelerometers in each rest, m/s^2
+    gyro: FloatArray  # (6, 3), mean of the gyros, rad/s
 
     @property
     def force_bias(self) -> FloatArray:
@@ -60,41 +48,23 @@ class HandTurns(NamedTuple):
 
     All of it is of turns from rest to rest, but for what says of the publishers' sections. These
     end sooner, in one turn while the hand is still at work.
-
-    Attributes
-    ----------
-    estimate, deviation : ndarray, shape (3,)
-        n^T Sigma n by Larin's (3.3), gyro bias taken off, and its standard deviation.
-    by_sections : ndarray, shape (3,)
-        The same estimate from the publishers' sections.
-    with_bias : ndarray, shape (3,)
-        As `estimate`, with the bias left in.
-    sources : ndarray, shape (3, 5)
-        Deviations by source, in the order of `SOURCES`; of the Earth the most that it can do.
-    ferraris : ndarray, shape (3,)
-        Ferraris's diagonal minus one, from the publishers' sections.
-    integral : ndarray, shape (3, 3)
-        Sums of the gyros' angles, rad.
-    error : ndarray, shape (3, 3)
-        Rotation vector of the attitude that is integrated from the gyros after the turn, rad.
-    duration : ndarray, shape (3,)
-        From rest to rest, s.
-    path, added : ndarray, shape (3, 81, 2)
-        Tilt of the axis during the turn about the two other axes, in cyclic order, rad: of the
-        integrated attitude, and if the gyros' angles are only added up.
     """
 
-    estimate: FloatArray
-    deviation: FloatArray
-    by_sections: FloatArray
-    with_bias: FloatArray
+    estimate: FloatArray  # (3,), n^T Sigma n by Larin's (3.3), gyro bias taken off
+    deviation: FloatArray  # (3,), its standard deviation
+    by_sections: FloatArray  # (3,), the same estimate from the publishers' sections
+    with_bias: FloatArray  # (3,), as `estimate`, with the bias left in
+    # (3, 5), deviations by source, in the order of `SOURCES`; of the Earth the most that it can do
     sources: FloatArray
-    ferraris: FloatArray
-    integral: FloatArray
+    ferraris: FloatArray  # (3,), Ferraris's diagonal minus one, from the publishers' sections
+    integral: FloatArray  # (3, 3), sums of the gyros' angles, rad
+    # (3, 3), rotation vector of the attitude that is integrated from the gyros after the turn, rad
     error: FloatArray
-    duration: FloatArray
+    duration: FloatArray  # (3,), from rest to rest, s
+    # (3, 81, 2), tilt of the axis during the turn about the two other axes, in cyclic order, by the
+    # integrated attitude, rad
     path: FloatArray
-    added: FloatArray
+    added: FloatArray  # (3, 81, 2), the same if the gyros' angles are only added up
 
     @property
     def stop_deviation(self) -> float:
@@ -105,22 +75,8 @@ class HandTurns(NamedTuple):
 def hand_turns(stop_deviation: float = STOP) -> HandTurns:
     """Turn estimates of the Ferraris session.
 
-    Parameters
-    ----------
-    stop_deviation : float
-        Standard deviation of the heading to which the hand comes back, rad: assumed, no sensor
-        sees it.
-
-    Returns
-    -------
-    HandTurns
-
-    Raises
-    ------
-    ValueError
-        If the deviation is not a positive number.
-    RecordingUnavailable
-        If the recording is not at hand.
+    `stop_deviation` is that of the heading to which the hand comes back: assumed, no sensor sees
+    it.
     """
     stop_deviation = positive_number(stop_deviation, "stop_deviation")
     log, rows = published("ferraris-session", download=False), ferraris_sections(download=False)

@@ -42,76 +42,39 @@ UNREST = 10.0
 
 
 class ParkedCar(NamedTuple):
-    """Headings from stretches of one record, by the three methods in the order of `METHODS`.
+    """Headings from stretches of one record, by the three methods in the order of `METHODS`."""
 
-    Attributes
-    ----------
-    lengths : ndarray, shape (3,)
-        Of the stretches, s: of the restarts, longer and longest. Published for 70, 180 and 300 s,
-        of which the record has 26, 10 and 6.
-    restarts, longer, stretches : ndarray, shape (3, 26), (3, 10), (3, 6)
-        Headings, rad.
-    restart_deviations, longer_deviations, stretch_deviations : ndarray, shape (26,), (10,), (6,)
-        Standard deviations as all velocities state them, rad.
-    found_latitude : ndarray, shape (26,)
-        From the means of each restart, rad: the alarm that `align` has in its hand.
-    level_rate : ndarray, shape (26,)
-        At which gravity is seen to move in each restart, rad/s.
-    latitude : ndarray, shape ()
-        Of the place, rad.
-    unrest : ndarray, shape (184,)
-        Standard deviation of the level rates' means over a second, in each ten seconds, rad/s.
-    """
-
+    # (3,), of the stretches, s: of the restarts, longer and longest. Published for 70, 180 and 300
+    # s, of which the record has 26, 10 and 6
     lengths: FloatArray
-    restarts: FloatArray
-    longer: FloatArray
-    stretches: FloatArray
-    restart_deviations: FloatArray
-    longer_deviations: FloatArray
-    stretch_deviations: FloatArray
+    restarts: FloatArray  # (3, 26), headings, rad
+    longer: FloatArray  # (3, 10), headings, rad
+    stretches: FloatArray  # (3, 6), headings, rad
+    restart_deviations: FloatArray  # (26,), standard deviations as all velocities state them, rad
+    longer_deviations: FloatArray  # (10,), likewise
+    stretch_deviations: FloatArray  # (6,), likewise
+    # (26,), from the means of each restart, rad: the alarm that `align` has in its hand
     found_latitude: FloatArray
-    level_rate: FloatArray
-    latitude: FloatArray
+    level_rate: FloatArray  # (26,), at which gravity is seen to move in each restart, rad/s
+    latitude: FloatArray  # (), of the place, rad
+    # (184,), standard deviation of the level rates' means over a second, in each ten seconds, rad/s
     unrest: FloatArray
 
 
 class Spread(NamedTuple):
-    """How far a few headings spread, all in rad.
-
-    Attributes
-    ----------
-    mean, deviation, reach : float
-        Mean, standard deviation, and largest minus least.
-    low, high : float
-        Interval of 95 per cent for the deviation, if the headings are normal and independent.
-    """
+    """How far a few headings spread, all in rad."""
 
     mean: float
     deviation: float
-    reach: float
-    low: float
+    reach: float  # largest minus least
+    low: float  # 95 % interval of the deviation, if the headings are normal and independent
     high: float
 
 
 def parked_car(lengths: ArrayLike = (RESTART, LONGER, STRETCH)) -> ParkedCar:
     """Cut the record into stretches and find the heading in each, by three methods.
 
-    Parameters
-    ----------
-    lengths : array_like, shape (3,)
-        Of a restart, of longer stretches and of the longest, s.
-
-    Returns
-    -------
-    ParkedCar
-
-    Raises
-    ------
-    ValueError
-        If the lengths do not grow, or the record has not three stretches of each.
-    RecordingUnavailable
-        If the recording is not at hand.
+    The lengths (s) are those of a restart, of longer stretches and of the longest.
     """
     lengths = finite_array(lengths, "lengths", 3)
     recording = published("laser-gyro", download=False).in_axes("FUR")
@@ -205,13 +168,6 @@ def chance_of_ratio(first: float, second: float, freedom: int) -> float:
 
     For samples that have nothing to do with each other; for two methods on the same stretches there
     is `chance_of_paired_ratio`.
-
-    Parameters
-    ----------
-    first, second : float
-        Deviations of two samples of normal values, in one unit.
-    freedom : int
-        Values of each sample, less one.
     """
     from scipy.stats import f  # takes a third of a second to be loaded
 

@@ -80,13 +80,7 @@ BIAS_STEP = 1e-3
 
 
 def imu_tk_triads(triangle: int) -> tuple[Triad, Triad]:
-    """Accelerometers and gyros of the Xsens as published, in the units of the record.
-
-    Parameters
-    ----------
-    triangle : int
-        Index in `TRIANGLES`.
-    """
+    """Accelerometers and gyros of the Xsens as published, in the units of the record."""
     errors = IMU_TK[triangle].imu_errors
     return (
         Triad(errors.accelerometer_error, errors.accelerometer_bias),
@@ -97,13 +91,6 @@ def imu_tk_triads(triangle: int) -> tuple[Triad, Triad]:
 def imu_calib_triads(unit: int) -> tuple[Triad, Triad]:
     """Accelerometers and gyros of one of five units, as the authors' table has them.
 
-    Parameters
-    ----------
-    unit : int
-        Index in `UNITS`.
-
-    Notes
-    -----
     Their gyros measure (I + [epsilon x]) (M true + b), their accelerometers M true + b, with M
     triangular. Which m is which entry their code tells, and with it the fit gives the table back.
     """

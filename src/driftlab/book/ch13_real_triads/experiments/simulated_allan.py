@@ -21,22 +21,7 @@ class SimulatedAllan(NamedTuple):
 
 
 def simulated_allan(noise: NoiseTerms, length: float, seed: int = 13) -> SimulatedAllan:
-    """Simulate a gyro at rest.
-
-    Parameters
-    ----------
-    noise : NoiseTerms
-        SI units.
-    length : float
-        Of the record, s; it has `SAMPLES` samples.
-    seed : int
-        Of the noise.
-
-    Returns
-    -------
-    SimulatedAllan
-        With averaging times up to a quarter of the length.
-    """
+    """Simulate a gyro at rest for `length` seconds; averaging times go up to a quarter of it."""
     interval = length / SAMPLES
     rates = noise.samples(SAMPLES, interval, np.random.default_rng(seed))
     return SimulatedAllan(noise, allan_deviation(rates, interval))

@@ -31,44 +31,24 @@ _MOST_STEPS = 20
 
 
 class Triad(NamedTuple):
-    """Sensors that measure (I + error) true + bias.
+    """Sensors that measure (I + error) true + bias."""
 
-    Attributes
-    ----------
-    error : ndarray, shape (3, 3)
-    bias : ndarray, shape (3,)
-    """
-
-    error: FloatArray
-    bias: FloatArray
+    error: FloatArray  # (3, 3)
+    bias: FloatArray  # (3,)
 
 
 class TiltFit(NamedTuple):
-    """Gyros as the moves show them.
-
-    Attributes
-    ----------
-    gyros : Triad
-    deviation : ndarray, shape (3, 3)
-        Of the entries of the matrix, by the scatter of the residuals.
-    residuals : ndarray, shape (m,)
-        Angle left after each move, rad.
-    """
+    """Gyros as the moves show them."""
 
     gyros: Triad
-    deviation: FloatArray
-    residuals: FloatArray
+    deviation: FloatArray  # (3, 3), of the entries of the matrix, by the scatter of the residuals
+    residuals: FloatArray  # (m,), angle left after each move, rad
 
 
 def fit_accelerometers(force: FloatArray, gravity: float) -> Triad:
-    """Accelerometers that measure gravity at rest: of axes so that nothing is below the diagonal.
+    """Fit accelerometers to gravity at rest, in axes that leave nothing below the diagonal.
 
-    Parameters
-    ----------
-    force : ndarray, shape (n, 3)
-        Samples or means at rest, m/s^2.
-    gravity : float
-        m/s^2.
+    `force` (n, 3) has samples or means.
     """
 
     # The unknowns are C = (I + L)^-1, upper triangular as well, and the bias.
@@ -105,21 +85,9 @@ def fit_gyros(
 ) -> TiltFit:
     """Gyros that carry gravity from rest to rest, by least squares of the angles left.
 
-    Parameters
-    ----------
-    log : Recording
-        Rates.
-    rests : sequence of (int, int)
-        Rows of each rest; a move is what lies between two.
-    accelerometers : Triad
-        With which the axes of the body are chosen.
-    fixed_bias, fixed_error : ndarray, optional
-        Gyro bias in rad/s, or matrix, that is known instead of being sought.
-    leading : int, optional
-        How many rows at the begin of a rest tell gravity there; all if not given.
-    spline : bool
-        Whether the angle between two samples is the integral of a spline, or the interval times
-        the first of them.
+    Rests are rows of the log. A bias or a matrix that is given is not sought. The first `leading`
+    rows of a rest, or all, tell gravity there; the angle between two samples is the integral of a
+    spline, or the interval times the first of them.
     """
     force = calibrated(force_and_gravity(log)[0], accelerometers)
     down = np.array([force[begin:end][:leading].mean(axis=0) for begin, end in rests])

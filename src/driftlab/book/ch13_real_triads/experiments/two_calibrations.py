@@ -28,53 +28,33 @@ _LEADING = 100
 
 
 class TwoCalibrations(NamedTuple):
-    """First index 0: upper triangle, 1: lower triangle, where there is one.
+    """First index 0: upper triangle, 1: lower triangle, where there is one."""
 
-    Attributes
-    ----------
-    published_gyro, published_accelerometer : ndarray, shape (2, 3, 3)
-        K and L of measured = (I + K) true + bias, from the published numbers.
-    gyro, accelerometer : ndarray, shape (2, 3, 3)
-        The same by IMU-TK's method, written anew, from the record.
-    deviation : ndarray, shape (3, 3)
-        Of the gyro matrix, by the scatter of its residuals.
-    by_poses, by_poses_deviation : ndarray, shape (3, 3)
-        The gyro matrix in the first axes by rests and weights of this book, and its deviations.
-    rotation : ndarray, shape (3,)
-        Rotation vector of the body axes from the first choice to the second, rad.
-    carried : ndarray, shape (2, 3, 3)
-        The first published matrices in the axes of the second: gyros, accelerometers.
-    relative : ndarray, shape (2, 3, 3)
-        (I + K) (I + L)^-1 - I: the gyros against the accelerometers, whatever the axes.
-    costs : ndarray, shape (2,)
-        Half the sums of squares of forces, (m/s^2)^2, and of tilts, rad^2; compare `IMU_TK_COSTS`.
-    before, after : ndarray, shape (37,)
-        Angle of gravity left after each move, rad: scale of the first gyro for all, and calibrated.
-    """
-
+    # (2, 3, 3), K of measured = (I + K) true + bias, from the published numbers
     published_gyro: FloatArray
-    published_accelerometer: FloatArray
-    gyro: FloatArray
-    accelerometer: FloatArray
-    deviation: FloatArray
+    published_accelerometer: FloatArray  # (2, 3, 3), L, likewise
+    gyro: FloatArray  # (2, 3, 3), K by IMU-TK's method, from the record
+    accelerometer: FloatArray  # (2, 3, 3), L, likewise
+    deviation: FloatArray  # (3, 3), of the gyro matrix, by the scatter of its residuals
+    # (3, 3), the gyro matrix in the first axes by rests and weights of this book
     by_poses: FloatArray
-    by_poses_deviation: FloatArray
+    by_poses_deviation: FloatArray  # (3, 3), its standard deviations
+    # (3,), rotation vector of the body axes from the first choice to the second, rad
     rotation: FloatArray
+    # (2, 3, 3), the first published matrices in the axes of the second: gyros, accelerometers
     carried: FloatArray
+    # (2, 3, 3), (I + K) (I + L)^-1 - I: the gyros against the accelerometers, whatever the axes
     relative: FloatArray
+    # (2,), half the sums of squares of forces, (m/s^2)^2, and of tilts, rad^2; compare
+    # `IMU_TK_COSTS`
     costs: FloatArray
+    # (37,), angle of gravity left after each move with the scale of the first gyro for all, rad
     before: FloatArray
-    after: FloatArray
+    after: FloatArray  # (37,), the same, calibrated
 
 
 def two_calibrations() -> TwoCalibrations:
-    """Calibrate the Xsens record as IMU-TK does, and compare with what was published of it twice.
-
-    Raises
-    ------
-    RecordingUnavailable
-        If the record is not at hand.
-    """
+    """Calibrate the Xsens record as IMU-TK does; compare with what was published of it twice."""
     log = published("xsens-mti", download=False)
     triads = [imu_tk_triads(triangle) for triangle in range(len(TRIANGLES))]
     accelerometers = np.array([triad[0].error for triad in triads])
@@ -118,15 +98,7 @@ def _to_lower_triangle(gyro: FloatArray, accelerometer: FloatArray) -> FloatArra
 def imu_tk_rests(log: Recording) -> list[tuple[int, int]]:
     """Rests as IMU-TK finds them: where the accelerometers vary no more than a few times.
 
-    Parameters
-    ----------
-    log : Recording
-        That begins with 50 s at rest.
-
-    Returns
-    -------
-    list of (int, int)
-        Rows.
+    The log begins with 50 s at rest.
     """
     force = force_and_gravity(log)[0]
     force = force - force[:_STILL].mean(axis=0)
