@@ -92,4 +92,6 @@ def test_an_edition_is_a_text(wrong):
 
 
 def test_three_digits_are_shown():
-    assert [shown(x) for x in (0.0123456, -1.23456, 123456.0)] == ["0.0123", "−1.23", "123456"]
+    numbers = (0.0123456, -0.00123456, -1.23456, 86.397, 12345.6, 123456.0, 0.0)
+    words = ["0.0123", "−0.00123", "−1.23", "86.4", "12346", "123456", "0"]
+    assert [shown(x) for x in numbers] == words

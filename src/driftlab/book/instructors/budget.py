@@ -20,24 +20,14 @@ MOST_LISTED_INSIDE = 2**20
 
 @dataclass
 class Budget:
-    """How much may still be read; what is inside of another archive counts there as well.
+    """How much may still be read; what is inside of another archive counts there as well."""
 
-    Attributes
-    ----------
-    files, size : int
-        Of notebooks, and their bytes.
-    listed : int
-        Bytes of the lists with which archives end, where each entry takes 46 or more, whether it
-        is wanted or not.
-    what : str
-        Ends the sentence on what was not read.
-    outer : Budget, optional
-    """
-
-    files: int
-    size: int
+    files: int  # notebooks
+    size: int  # their bytes
+    # bytes of the lists with which archives end, where each entry takes 46 or more, whether it is
+    # wanted or not
     listed: int
-    what: str
+    what: str  # ends the sentence on what was not read
     outer: Budget | None = None
 
     def __post_init__(self) -> None:

@@ -25,22 +25,7 @@ MOST_EXERCISES = 200
 
 
 class ClassReport(ClassResults):
-    """What a class handed in; the last line of a notebook cell shows it, `print` as text.
-
-    Attributes
-    ----------
-    folder : str
-        What was read.
-    students : list of Student
-        In the order of the roster, or of their names.
-    exercises : list of str
-        All of the chapters that somebody has touched, in the book's order; then those of a
-        teacher's own.
-    slips : list of Slip
-        The most frequent first.
-    notes : list of str
-        What concerns nobody alone.
-    """
+    """What a class handed in; the last line of a notebook cell shows it, `print` as text."""
 
     def __str__(self) -> str:
         return text_of(self)
@@ -51,22 +36,10 @@ class ClassReport(ClassResults):
         return fragment(self)
 
     def write(self, folder: str | Path) -> Path:
-        """Write the report's files into a folder of their own, in place of an earlier report.
+        """Write the report's files into a folder of their own, instead of an earlier report.
 
-        Parameters
-        ----------
-        folder : path
-            It must not exist, or hold a report and nothing else.
-
-        Returns
-        -------
-        Path
-            The folder with gradebook.csv, statuses.csv, slips.csv, words.csv and report.html.
-
-        Raises
-        ------
-        ValueError
-            If the folder holds anything else, or cannot be written.
+        They are gradebook.csv, statuses.csv, slips.csv, words.csv and report.html. A folder that
+        holds anything else raises ValueError.
         """
         return write_report(self, Path(folder))
 

@@ -9,20 +9,11 @@ from .students import Student
 
 
 class Slip(NamedTuple):
-    """What several students were told of the same wrong answer.
-
-    Attributes
-    ----------
-    exercise : str
-    says : str
-        As `check` said it; empty if it did not know the slip.
-    students : tuple of str
-        Their names.
-    """
+    """What several students were told of the same wrong answer."""
 
     exercise: str
-    says: str
-    students: tuple[str, ...]
+    says: str  # as `check` said it; empty if it did not know the slip
+    students: tuple[str, ...]  # their names
 
 
 @dataclass(frozen=True, repr=False)
@@ -30,7 +21,8 @@ class ClassResults:
     """The fields of `ClassReport`."""
 
     folder: str
-    students: list[Student]
+    students: list[Student]  # in the order of the roster, or of their names
+    # all of the chapters that somebody has touched, in the book's order; then a teacher's own
     exercises: list[str]
-    slips: list[Slip]
-    notes: list[str]
+    slips: list[Slip]  # the most frequent first
+    notes: list[str]  # what concerns nobody alone

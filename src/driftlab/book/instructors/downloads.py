@@ -18,18 +18,10 @@ COURSE = ("source", "release", "autograded", "feedback", "gradebook.db", "nbgrad
 
 
 class Top(NamedTuple):
-    """What the top of a folder holds.
-
-    Attributes
-    ----------
-    found : list of Found
-    downloads : set of str
-        Folders and archives in which a platform has put several students.
-    notes : list of str
-    """
+    """What the top of a folder holds."""
 
     found: list[Found]
-    downloads: set[str]
+    downloads: set[str]  # folders and archives in which a platform has put several students
     notes: list[str]
 
 

@@ -35,20 +35,13 @@ class Page(NamedTuple):
 
 
 class Examination(NamedTuple):
-    """A sheet with its numbers.
+    """A sheet with its numbers."""
 
-    Attributes
-    ----------
-    mark : str
-        What stands on sheet and scheme, so that they are not mixed up. It does not give the
-        name of the edition away.
-    compulsory, by_choice : tuple of Question
-        Of the latter `CHOSEN` are to be answered.
-    """
-
+    # what stands on sheet and scheme, so that they are not mixed up. It does not give the name of
+    # the edition away
     mark: str
     compulsory: tuple[Question, ...]
-    by_choice: tuple[Question, ...]
+    by_choice: tuple[Question, ...]  # of these `CHOSEN` are to be answered
 
     @property
     def marks(self) -> int:
@@ -114,18 +107,10 @@ class Examination(NamedTuple):
 
 
 def exam_paper(edition: str) -> Examination:
-    """Return the examination of an edition.
+    """Return the examination of an edition; the same text always gives the same numbers.
 
-    Parameters
-    ----------
-    edition : str
-        Any text; the same one always gives the same numbers. Let it say the term, and a word that
-        nobody guesses: who knows it can compute sheet and answers.
-
-    Raises
-    ------
-    ValueError
-        If there is nothing in it.
+    Let the text say the term, and a word that nobody guesses: who knows it can compute sheet and
+    answers.
     """
     if not isinstance(edition, str) or not edition.strip():
         raise ValueError(f"edition: expected a text such as 'autumn, rowan', got {edition!r}.")

@@ -16,17 +16,7 @@ from driftlab.book.machinery.table import Table
 def expected_answers(kind: str, *, student: str = "") -> Table:
     """Return a table of all exercises of one kind with what is right.
 
-    Parameters
-    ----------
-    kind : str
-        "predict", "slide", "explain" or "compute".
-    student : str
-        Where students have numbers of their own, whose answer to compute; the book's if empty.
-
-    Raises
-    ------
-    ValueError
-        If there is no such kind.
+    The numbers are those of a student, or the book's if no name is given.
     """
     rows = [
         (number, expected(exercise, student), "<br>".join(told(exercise)))

@@ -21,13 +21,7 @@ MOST_OTHERS = 8
 
 
 def files_in(place: Path) -> Iterator[Found]:
-    """Give all that is in a folder, or in an archive, in the order of the names.
-
-    Raises
-    ------
-    ValueError
-        If there is neither.
-    """
+    """Give all that is in a folder, or in an archive, in the order of the names."""
     try:
         is_folder, is_file = place.is_dir(), place.is_file()
         starts = place.open("rb") if is_file else None

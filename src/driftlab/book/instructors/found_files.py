@@ -22,27 +22,14 @@ REPORT = ("gradebook.csv", "statuses.csv", "slips.csv", "words.csv", "report.htm
 
 
 class Found(NamedTuple):
-    """A file, or an empty folder.
+    """A file, or an empty folder."""
 
-    Attributes
-    ----------
-    parts : tuple of str
-        Folders, archives among them, and the name; "" as the name of an empty folder.
-    time : float
-        When it was written, in seconds since 1970.
-    saved : SavedNotebook or None
-        What a notebook says.
-    moment : bytes
-        How `timestamp.txt` begins; other files are not read.
-    trouble : str
-        Why it could not be read, in one sentence.
-    """
-
+    # folders, archives among them, and the name; "" as the name of an empty folder
     parts: tuple[str, ...]
-    time: float = 0.0
-    saved: SavedNotebook | None = None
-    moment: bytes = b""
-    trouble: str = ""
+    time: float = 0.0  # when it was written, in seconds since 1970
+    saved: SavedNotebook | None = None  # what a notebook says
+    moment: bytes = b""  # how `timestamp.txt` begins; other files are not read
+    trouble: str = ""  # why it could not be read, in one sentence
 
 
 def is_notebook(name: str) -> bool:

@@ -35,46 +35,24 @@ ANONYMOUS = (*(name[2:] for name in CHAPTERS.values()), "drift-lab-answers", "an
 
 
 class Person(NamedTuple):
-    """A student as a platform, a folder or a file names one.
+    """A student as a platform, a folder or a file names one."""
 
-    Attributes
-    ----------
-    name : str
-        As it shows.
-    id : str
-        The platform's number, if it gives one.
-    key : str
-        The same for the same student, as far as the names of folders and files say it.
-    """
-
-    name: str
-    id: str = ""
-    key: str = ""
+    name: str  # as it shows
+    id: str = ""  # the platform's number, if it gives one
+    key: str = ""  # the same for the same student, as far as the names of folders and files say it
 
 
 class HandedIn(NamedTuple):
-    """A file with its student.
-
-    Attributes
-    ----------
-    person : Person
-    file : str
-        Its name, without what the platform has put in front.
-    newness : tuple
-        Of two files with the same exercises the one with the larger counts.
-    found : Found
-    is_claimed : bool
-        Whether only a name in the file, or in its own, says whose it is: anybody can write it.
-    trouble : str
-        What is odd about the name, in one sentence.
-    """
+    """A file with its student."""
 
     person: Person
-    file: str
+    file: str  # its name, without what the platform has put in front
+    # of two files with the same exercises the one with the larger counts
     newness: tuple[float, float]
     found: Found
+    # whether only a name in the file, or in its own, says whose it is: anybody can write it
     is_claimed: bool = False
-    trouble: str = ""
+    trouble: str = ""  # what is odd about the name, in one sentence
 
 
 def handed_in(

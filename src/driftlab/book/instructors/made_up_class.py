@@ -68,17 +68,7 @@ PLAIN = (
 def write_made_up_class(folder: str | Path, *, seed: int = 30) -> Path:
     """Write what thirty students handed in, and the list of their names beside it.
 
-    Parameters
-    ----------
-    folder : path
-        It gets ``class``, a folder with a folder a student, and ``roster.csv``.
-    seed : int
-        Of what they know.
-
-    Returns
-    -------
-    Path
-        The folder ``class``.
+    The folder gets ``class``, which is returned, and ``roster.csv``.
     """
     place = Path(folder) / "class"
     place.mkdir(parents=True)

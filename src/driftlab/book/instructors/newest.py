@@ -14,21 +14,11 @@ FEWEST_IN_A_SPAN = 3
 
 
 class Read(NamedTuple):
-    """A notebook that was read.
-
-    Attributes
-    ----------
-    file : str
-    newness : tuple of float
-        The larger is the newer.
-    is_claimed : bool
-        Whether only a name in it says whose it is.
-    saved : SavedNotebook
-    """
+    """A notebook that was read."""
 
     file: str
-    newness: tuple[float, float]
-    is_claimed: bool
+    newness: tuple[float, float]  # the larger is the newer
+    is_claimed: bool  # whether only a name in it says whose it is
     saved: SavedNotebook
 
     @property

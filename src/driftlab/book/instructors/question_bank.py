@@ -19,22 +19,8 @@ NO_TEXT2QTI = (
 def write_question_bank(folder: Path, *, students: int = 20, notebooks: Path = NOTEBOOKS) -> None:
     """Write the exercises with numbers and with statements for Moodle and for Canvas.
 
-    The folder gets ``drift-lab-moodle.xml``, ``drift-lab.txt`` in the language of text2qti and,
-    if this is installed, ``drift-lab-qti.zip``. What is left out is printed.
-
-    Parameters
-    ----------
-    folder : Path
-        It is made if it is not there.
-    students : int
-        How many variants are made where students can have numbers of their own.
-    notebooks : Path
-        The folder of the chapters.
-
-    Raises
-    ------
-    ValueError
-        If there are no chapters in the folder of notebooks, or no students.
+    The folder gets ``drift-lab-moodle.xml``, ``drift-lab.txt`` in the language of text2qti and, if
+    this is installed, ``drift-lab-qti.zip``. What is left out is printed.
     """
     if students < 1:
         raise ValueError(f"students: expected 1 or more, got {students}.")

@@ -38,19 +38,11 @@ class Slip(NamedTuple):
 
 @dataclass(frozen=True)
 class Number:
-    """A number that is asked.
+    """A number that is asked."""
 
-    Attributes
-    ----------
-    right, tolerance : float
-        In the unit that the question asks for.
-    slips : tuple of Slip
-        Likely wrong ones; the first that is met counts, and none is right.
-    """
-
-    right: float
-    tolerance: float
-    slips: tuple[Slip, ...]
+    right: float  # in the unit that the question asks for
+    tolerance: float  # in the same unit
+    slips: tuple[Slip, ...]  # likely wrong ones; the first that is met counts, and none is right
 
 
 class Statement(NamedTuple):
@@ -66,29 +58,14 @@ class Statement(NamedTuple):
 
 @dataclass(frozen=True)
 class Question:
-    """An exercise as a question, with the numbers of the book or of one variant.
+    """An exercise as a question, with the numbers of the book or of one variant."""
 
-    Attributes
-    ----------
-    exercise : str
-        Its number.
-    variant : int
-        0 if all students have the same numbers.
-    text : str
-        Markdown, with formulas in LaTeX between dollar signs.
-    numbers : tuple of Number
-    statements : tuple of Statement
-        One of these two is empty.
-    remark : str
-        What is told to who has found it.
-    """
-
-    exercise: str
-    variant: int
-    text: str
+    exercise: str  # its number
+    variant: int  # 0 if all students have the same numbers
+    text: str  # Markdown, with formulas in LaTeX between dollar signs
     numbers: tuple[Number, ...]
-    statements: tuple[Statement, ...]
-    remark: str
+    statements: tuple[Statement, ...]  # one of these two is empty
+    remark: str  # what is told to who has found it
 
     @property
     def title(self) -> str:
@@ -99,13 +76,7 @@ class Question:
 def questions(notebooks: Path, students: int) -> tuple[list[Question], dict[str, str]]:
     """Return the exercises that a learning platform can ask, and why each other one is left out.
 
-    Parameters
-    ----------
-    notebooks : Path
-        The folder of the chapters, whose text is taken.
-    students : int
-        How many variants are drawn where students can have numbers of their own; of two that are
-        the same one is kept.
+    Of two variants that are the same one is kept.
     """
     texts = exercise_texts(notebooks)
     asked: list[Question] = []

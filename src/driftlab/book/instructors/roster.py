@@ -19,17 +19,10 @@ EXCEL = re.compile(r'\s*"?sep=([,;\t])"?[,; \t]*(?:\r?\n|$)', re.I)
 
 
 class Listed(NamedTuple):
-    """A student on the list.
-
-    Attributes
-    ----------
-    name : str
-    ids : tuple of str
-        Whatever else tells who it is, in the order of the columns.
-    """
+    """A student on the list."""
 
     name: str
-    ids: tuple[str, ...] = ()
+    ids: tuple[str, ...] = ()  # whatever else tells who it is, in the order of the columns
 
     def is_named(self, name: str) -> bool:
         """Whether this is the student's name, whichever of its words comes first."""
@@ -47,20 +40,11 @@ class Listed(NamedTuple):
 
 
 def read_roster(path: str | Path) -> list[Listed]:
-    """Return the students on a list.
+    """Return the students on a list; ValueError if nobody is on it.
 
-    Parameters
-    ----------
-    path : path
-        A CSV file: commas, semicolons or tabs; UTF-8, UTF-16 or Latin-1. The first line may name
-        the columns, as "name", "student", "first name" and "last name", "id", "email" and so on,
-        or in German, French or Russian; else the first column has the names, and a second one
-        numbers.
-
-    Raises
-    ------
-    ValueError
-        If it cannot be read, or nobody is on it.
+    It is a CSV file: commas, semicolons or tabs; UTF-8, UTF-16 or Latin-1. The first line may name
+    the columns, as "name", "student", "first name" and "last name", "id", "email" and so on, or in
+    German, French or Russian; else the first column has the names, and a second one numbers.
     """
     try:
         if Path(path).exists() and not Path(path).is_file():

@@ -60,33 +60,16 @@ _STATUS = {
 
 @dataclass
 class SavedAnswer:
-    """What a notebook says of one exercise.
+    """What a notebook says of one exercise."""
 
-    Attributes
-    ----------
-    status : str
-        One of `STATUSES`.
-    slips : list of str
-        What wrong answers were told, each once, the latest last.
-    attempts : int
-        How many different answers were judged, as far as the notebook shows it.
-    because : str
-        The student's own words.
-    student : str
-        The name that the exercise's numbers were asked with; empty for the book's.
-    is_recorded : bool
-        Whether a record was there; words alone say nothing of the numbers.
-    error : str
-        The name of the error that kept the answer from being judged.
-    """
-
-    status: str = "absent"
+    status: str = "absent"  # one of `STATUSES`
+    # what wrong answers were told, each once, the latest last
     slips: list[str] = field(default_factory=list)
-    attempts: int = 0
-    because: str = ""
-    student: str = ""
-    is_recorded: bool = False
-    error: str = ""
+    attempts: int = 0  # how many different answers were judged, as far as the notebook shows it
+    because: str = ""  # the student's own words
+    student: str = ""  # the name that the exercise's numbers were asked with; empty for the book's
+    is_recorded: bool = False  # whether a record was there; words alone say nothing of the numbers
+    error: str = ""  # the name of the error that kept the answer from being judged
 
     def become(self, status: str) -> None:
         """Take a status, unless one that counts more is there."""
@@ -95,35 +78,18 @@ class SavedAnswer:
 
 @dataclass
 class SavedNotebook:
-    """What a saved notebook says.
+    """What a saved notebook says."""
 
-    Attributes
-    ----------
-    answers : dict of str to SavedAnswer
-        By the exercise's number.
-    whose : str
-        The name in the title of an export from the web pages.
-    digest : bytes
-        The same for the same file.
-    """
-
-    answers: dict[str, SavedAnswer]
-    whose: str = ""
-    digest: bytes = b""
+    answers: dict[str, SavedAnswer]  # by the exercise's number
+    whose: str = ""  # the name in the title of an export from the web pages
+    digest: bytes = b""  # the same for the same file
 
 
 def saved_answers(content: bytes) -> SavedNotebook:
     """Return what `check` had said, exercise by exercise, when a notebook was saved.
 
-    Parameters
-    ----------
-    content : bytes
-        Of the file, as Jupyter's formats 3 and 4 have it.
-
-    Raises
-    ------
-    ValueError
-        If this is not a notebook. The message is one sentence, without the name of the file.
+    If this is not a notebook in Jupyter's format 3 or 4, a ValueError says so in one sentence,
+    without the name of the file.
     """
     notebook: dict[str, list[_Told]] = {}
     whose, replies, code = "", 0, 0

@@ -18,32 +18,16 @@ MOST_NOTES = 8
 
 @dataclass
 class Student:
-    """A row of the report.
-
-    Attributes
-    ----------
-    name : str
-    id : str
-        The number on the list, or else the platform's.
-    answers : dict of str to SavedAnswer
-        By the exercise's number; where several notebooks have it, as the newest says.
-    files : list of str
-        The notebooks that were read, the oldest first.
-    notes : list of str
-        What else there is to know, in sentences.
-    is_listed : bool
-        Whether the student is on the roster; True if there is none.
-    read : list of Read
-        The same notebooks with what they say.
-    """
+    """A row of the report."""
 
     name: str
-    id: str = ""
+    id: str = ""  # the number on the list, or else the platform's
+    # by the exercise's number; where several notebooks have it, as the newest says
     answers: dict[str, SavedAnswer] = field(default_factory=dict)
-    files: list[str] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
-    is_listed: bool = True
-    read: list[Read] = field(default_factory=list)
+    files: list[str] = field(default_factory=list)  # the notebooks that were read, the oldest first
+    notes: list[str] = field(default_factory=list)  # what else there is to know, in sentences
+    is_listed: bool = True  # whether the student is on the roster; True if there is none
+    read: list[Read] = field(default_factory=list)  # the same notebooks with what they say
 
     def status(self, exercise: str) -> str:
         """One of `saved_answers.STATUSES`."""

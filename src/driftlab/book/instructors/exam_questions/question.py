@@ -10,24 +10,12 @@ import numpy as np
 
 
 class Answer(NamedTuple):
-    """A number that is asked for.
+    """A number that is asked for."""
 
-    Attributes
-    ----------
-    name : str
-        In Markdown.
-    value : float
-        In its unit.
-    unit : str
-        Empty for a plain number.
-    digits : int
-        How many count.
-    """
-
-    name: str
-    value: float
-    unit: str = ""
-    digits: int = 3
+    name: str  # in Markdown
+    value: float  # in its unit
+    unit: str = ""  # empty for a plain number
+    digits: int = 3  # how many count
 
     def __str__(self) -> str:
         """As the marking scheme has it: "the drift = 86.4 arc seconds"."""
@@ -35,27 +23,13 @@ class Answer(NamedTuple):
 
 
 class Part(NamedTuple):
-    """A part of a question.
+    """A part of a question."""
 
-    Attributes
-    ----------
-    asks : str
-        What stands on the sheet.
-    works : str
-        The model answer, in words and formulas; empty if the numbers are enough.
-    answers : tuple of Answer
-        The numbers asked for, in their order; empty if words are.
-    earns : tuple of (int, str)
-        The marks, and what each of them is for.
-    slips : tuple of str
-        Typical errors, and what they still earn.
-    """
-
-    asks: str
-    works: str
-    answers: tuple[Answer, ...]
-    earns: tuple[tuple[int, str], ...]
-    slips: tuple[str, ...] = ()
+    asks: str  # what stands on the sheet
+    works: str  # the model answer, in words and formulas; empty if the numbers are enough
+    answers: tuple[Answer, ...]  # the numbers asked for, in their order; empty if words are
+    earns: tuple[tuple[int, str], ...]  # the marks, and what each of them is for
+    slips: tuple[str, ...] = ()  # typical errors, and what they still earn
 
     @property
     def marks(self) -> int:
@@ -64,28 +38,14 @@ class Part(NamedTuple):
 
 
 class Question(NamedTuple):
-    """A question with its numbers.
-
-    Attributes
-    ----------
-    title, chapter : str
-        The chapter by its number, "03".
-    outcome : str
-        How the outcome of that chapter begins which it examines, letter for letter.
-    minutes : int
-        For a student who can do it.
-    given : str
-        What stands before the parts.
-    parts : tuple of Part
-        In the order of their letters.
-    """
+    """A question with its numbers."""
 
     title: str
-    chapter: str
-    outcome: str
-    minutes: int
-    given: str
-    parts: tuple[Part, ...]
+    chapter: str  # its number, "03"
+    outcome: str  # how the outcome of that chapter begins which it examines, letter for letter
+    minutes: int  # for a student who can do it
+    given: str  # what stands before the parts
+    parts: tuple[Part, ...]  # in the order of their letters
 
     @property
     def marks(self) -> int:
@@ -100,13 +60,7 @@ def drawn_from(edition: str, title: str) -> np.random.Generator:
 
 
 def shown(value: float, digits: int = 3) -> str:
-    """Return a number with so many digits that count, and without a power of ten if it can be.
-
-    Examples
-    --------
-    >>> [shown(number) for number in (86.397, -0.00123456, 12345.6, 0.0)]
-    ['86.4', '−0.00123', '12346', '0']
-    """
+    """Return a number with so many digits that count, and without a power of ten if it can be."""
     if value == 0:
         return "0"
     after = max(digits - 1 - int(np.floor(np.log10(abs(value)))), 0)
