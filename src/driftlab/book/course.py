@@ -43,36 +43,15 @@ class Outcome(NamedTuple):
 
 
 class Chapter(NamedTuple):
-    """What a chapter promises.
+    """What a chapter promises."""
 
-    Attributes
-    ----------
-    outcomes : tuple of Outcome
-        In the chapter's order.
-    needs : str
-        What a student should bring.
-    minutes : int
-        For a student alone, with the exercises.
-    """
-
-    outcomes: tuple[Outcome, ...]
-    needs: str
-    minutes: int
+    outcomes: tuple[Outcome, ...]  # in the chapter's order
+    needs: str  # what a student should bring
+    minutes: int  # for a student alone, with the exercises
 
 
 def promises(folder: str | Path = ".") -> dict[str, Chapter]:
-    """Return what the chapters promise, by number.
-
-    Parameters
-    ----------
-    folder : path
-        Of the book's notebooks.
-
-    Raises
-    ------
-    ValueError
-        If no chapter is there.
-    """
+    """Return what the chapters promise, by number."""
     found = {}
     for number, name in CHAPTERS.items():
         path = Path(folder) / f"{name.removeprefix('ch')}.ipynb"
@@ -88,15 +67,7 @@ def promises(folder: str | Path = ".") -> dict[str, Chapter]:
 
 
 def outcomes_table(chapters: Mapping[str, Chapter], most: int = 4) -> Table:
-    """Return each chapter's first outcome, and those of the others that stand highest.
-
-    Parameters
-    ----------
-    chapters : mapping of str to Chapter
-        As `promises` returns them.
-    most : int
-        For one chapter.
-    """
+    """Return each chapter's first outcome, and those of the others that stand highest."""
     rows = [("chapter", "after it a student can", "on Bloom's ladder")]
     for number, chapter in chapters.items():
         first, *others = chapter.outcomes
@@ -111,14 +82,7 @@ def hours_table(
 ) -> Table:
     """Return the hours of some choices of chapters, and the credit points (ECTS) they make.
 
-    Parameters
-    ----------
-    routes : mapping of str to iterable of str
-        Numbers of chapters, by the name of the choice.
-    more : float
-        Hours for revision and the examination, for each choice.
-    folder : path
-        Of the book's notebooks.
+    `more` are hours for revision and the examination, for each choice.
     """
     header = ("course", "chapters", "alone", "slides", "lab", "hours in all", "credit points")
     rows: list[tuple[str, ...]] = [header]
@@ -135,10 +99,7 @@ def hours_table(
 def times(folder: str | Path = ".") -> dict[str, tuple[int, int, int]]:
     """Return the minutes of each chapter: alone, of its slides, of its lab.
 
-    Parameters
-    ----------
-    folder : path
-        Of the book's notebooks; the table is in ``for_instructors.ipynb``.
+    They are taken from the table in ``for_instructors.ipynb``.
     """
     cells = json.loads((Path(folder) / "for_instructors.ipynb").read_text("utf-8"))["cells"]
     (table,) = (text for cell in cells if "| alone |" in (text := "".join(cell["source"])))
@@ -161,13 +122,7 @@ def _outcomes(lines: Iterable[str]) -> Iterable[Outcome]:
 
 
 def rung_of(verb: str) -> str:
-    """Return the rung on which a verb stands.
-
-    Raises
-    ------
-    ValueError
-        If it is not yet on the ladder.
-    """
+    """Return the rung on which a verb stands."""
     for rung, verbs in VERBS.items():
         if verb in verbs.split():
             return rung

@@ -18,19 +18,11 @@ from .machinery.table import Table
 
 
 class Paper(NamedTuple):
-    """One of the four papers, or a work with a recording, and what of it lay before this book.
+    """One of the four papers, or a work with a recording, and what of it lay before this book."""
 
-    Attributes
-    ----------
-    authors, work : str
-        Of Markdown; the work with its year.
-    copy : str
-        What was read, and in which state it was.
-    """
-
-    authors: str
-    work: str
-    copy: str
+    authors: str  # Markdown
+    work: str  # Markdown, with its year
+    copy: str  # what was read, and in which state it was
 
     def __str__(self) -> str:
         return f"{self.authors}, {self.work}"
@@ -124,54 +116,24 @@ KINDS = ("equation", "number", "table", "figure", "claim")
 
 @dataclass(frozen=True, kw_only=True)
 class LedgerEntry:
-    """What became of one equation, table, figure or claim.
+    """What became of one equation, table, figure or claim."""
 
-    Attributes
-    ----------
-    paper : str
-        One of `WORKS`.
-    label : str
-        The number in the paper, or a short name of a claim.
-    kind : str
-        One of `KINDS`.
-    says : str
-        What it states.
-    status : str
-        One of `STATUSES`.
-    remark : str
-        What there is to know of it, if anything.
-    severity : str
-        Of a corrected one: one of `SEVERITIES`.
-    line : str
-        Of a corrected one: the line as the copy has it, letter for letter.
-    copy, right, proof : str
-        Of a corrected one: what the copy has in the letters of this book, what is right, and how
-        that is proved.
-    in_favour : str
-        Of a corrected one: what speaks for the authors, if anything does.
-    chapter, section : str
-        Where the book treats it: number of the chapter, heading in it.
-    functions : tuple of str
-        What computes it, dotted.
-    tests : tuple of str
-        What would fail if it were wrong: a test, or a cell of a notebook that asserts it.
-    """
-
-    paper: str
-    label: str
-    kind: str
-    says: str
-    status: str
-    chapter: str
-    section: str
-    remark: str = ""
-    severity: str = ""
-    line: str = ""
-    copy: str = ""
-    right: str = ""
-    proof: str = ""
-    in_favour: str = ""
-    functions: tuple[str, ...] = ()
+    paper: str  # one of `WORKS`
+    label: str  # the number in the paper, or a short name of a claim
+    kind: str  # one of `KINDS`
+    says: str  # what it states
+    status: str  # one of `STATUSES`
+    chapter: str  # number of the chapter that treats it
+    section: str  # heading in it
+    remark: str = ""  # what there is to know of it, if anything
+    severity: str = ""  # of a corrected one: one of `SEVERITIES`
+    line: str = ""  # of a corrected one: the line as the copy has it, letter for letter
+    copy: str = ""  # of a corrected one: what the copy has, in the letters of this book
+    right: str = ""  # of a corrected one: what is right
+    proof: str = ""  # of a corrected one: how that is proved
+    in_favour: str = ""  # of a corrected one: what speaks for the authors, if anything does
+    functions: tuple[str, ...] = ()  # what computes it, dotted
+    # what would fail if it were wrong: a test, or a cell of a notebook that asserts it
     tests: tuple[str, ...] = ()
 
 

@@ -21,18 +21,7 @@ REACH = 3
 
 
 def puzzle_of(chapter: str) -> Puzzle:
-    """Return the puzzle of a chapter.
-
-    Parameters
-    ----------
-    chapter : str
-        Its number, "00" to "13".
-
-    Raises
-    ------
-    ValueError
-        If no chapter of that number opens with a puzzle.
-    """
+    """Return the puzzle of a chapter."""
     known = chapters_with("puzzle")
     if chapter not in known:
         raise ValueError(f'chapter: expected "{known[0]}" to "{known[-1]}", got {chapter!r}.')
@@ -86,13 +75,7 @@ class Guessed(NamedTuple):
 
 
 class Guesses:
-    """All guesses that were kept, each beside its truth; the last line of a cell shows them.
-
-    Attributes
-    ----------
-    rows : list of Guessed
-        In the order of the chapters.
-    """
+    """All guesses that were kept, each beside its truth; the last line of a cell shows them."""
 
     def __init__(self, rows: list[Guessed]) -> None:
         self.rows = rows

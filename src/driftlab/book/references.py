@@ -16,36 +16,16 @@ from .machinery.table import Table
 
 @dataclass(frozen=True, kw_only=True)
 class Reference:
-    """A book, a paper or a standard.
+    """A book, a paper or a standard."""
 
-    Attributes
-    ----------
-    key : str
-        Name of the entry.
-    authors : str
-        Initials and surnames, as far as they could be checked.
-    title : str
-        Empty if it could not be checked.
-    about : str
-        Of what it treats, where the title is missing.
-    where : str
-        Journal with its volume, or edition and publisher.
-    year : int
-        0 if it could not be checked.
-    doi : str
-        Empty if none was seen.
-    chapters : tuple of str
-        Numbers of the chapters that name it in full.
-    """
-
-    key: str
-    authors: str
-    title: str = ""
-    about: str = ""
-    where: str = ""
-    year: int = 0
-    doi: str = ""
-    chapters: tuple[str, ...]
+    key: str  # name of the entry
+    authors: str  # initials and surnames, as far as they could be checked
+    title: str = ""  # empty if it could not be checked
+    about: str = ""  # of what it treats, where the title is missing
+    where: str = ""  # journal with its volume, or edition and publisher
+    year: int = 0  # 0 if it could not be checked
+    doi: str = ""  # empty if none was seen
+    chapters: tuple[str, ...]  # numbers of the chapters that name it in full
 
     def __str__(self) -> str:
         """As it stands in the notebooks, in Markdown."""

@@ -29,41 +29,25 @@ SAY_WHY = "Say why you judge so, in your own words, and the reply goes into it."
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Value(Exercise):
-    """A number or an array of numbers.
+    """A number or an array of numbers."""
 
-    Attributes
-    ----------
-    unit : str
-        The unit that the exercise asks for, one of `slips.UNITS`; "1" for pure numbers.
-    accuracy : float
-        Largest allowed deviation of any entry, as a part of the largest entry; 1e-3 if neither
-        this nor `absolute` is given.
-    absolute : float or sequence of float
-        The same in the unit, for all entries or one by one. If both are given, the larger one
-        counts.
-    quaternion : bool
-        The value is a unit quaternion, scalar last; the opposite sign is as right.
-    any_order : bool
-        The entries may come in any order; `absolute` is then one number.
-    from_panel : callable, optional
-        Reads the answer from the values of a slider panel that stand for it; it raises
-        `UnreadableError` if they cannot.
-    given : GivenNumbers, optional
-        The numbers that the exercise gives, if a student can have others.
-    right : callable
-        Gives the value; its arguments are the names of `given`.
-    mistakes : mapping
-        What to say of a likely mistake, and a callable, like `right`, of the value it leads to.
-    """
-
-    right: InitVar[Callable[..., Any]]
+    right: InitVar[Callable[..., Any]]  # gives the value; its arguments are the names of `given`
+    # what to say of a likely mistake, and a callable, like `right`, of the value it leads to
     mistakes: InitVar[Mapping[str, Callable[..., Any]]] = MappingProxyType({})
+    # the unit that the exercise asks for, one of `slips.UNITS`; "1" for pure numbers
     unit: str = "1"
+    # largest allowed deviation of any entry, as a part of the largest entry; 1e-3 if neither this
+    # nor `absolute` is given
     accuracy: float | None = None
+    # the same in the unit, for all entries or one by one. If both are given, the larger one counts
     absolute: float | Sequence[float] = 0.0
+    # the value is a unit quaternion, scalar last; the opposite sign is as right
     quaternion: bool = False
-    any_order: bool = False
+    any_order: bool = False  # the entries may come in any order; `absolute` is then one number
+    # reads the answer from the values of a slider panel that stand for it; it raises
+    # `UnreadableError` if they cannot
     from_panel: Callable[[Mapping[str, Any]], Any] | None = None
+    # the numbers that the exercise gives, if a student can have others
     given: GivenNumbers | None = None
 
     def __post_init__(
@@ -124,20 +108,11 @@ class Choice(Exercise):
 
     Which letter is wrong is said only to who says why, and only if it is the only one: without
     that, trying finds the true ones sooner than thinking.
-
-    Attributes
-    ----------
-    letters : str
-        Those of all statements.
-    right : str
-        The letters of all true statements.
-    wrong : mapping
-        The other letters, and what is wrong with each.
     """
 
-    right: InitVar[str]
-    wrong: InitVar[Mapping[str, str]]
-    letters: str = field(init=False)
+    right: InitVar[str]  # the letters of all true statements
+    wrong: InitVar[Mapping[str, str]]  # the other letters, and what is wrong with each
+    letters: str = field(init=False)  # those of all statements
 
     def __post_init__(self, right: str, wrong: Mapping[str, str]) -> None:
         self._seal(frozenset(right), wrong)

@@ -33,32 +33,16 @@ TICKS = {True: "✓", False: "✗"}
 
 @dataclass(frozen=True)
 class Card:
-    """What is said of an answer.
+    """What is said of an answer."""
 
-    Attributes
-    ----------
-    number : str
-        The exercise's number.
-    verdict : Verdict
-        What is thought of the answer.
-    help : Help
-        What helps with the exercise.
-    notes : tuple of str
-        Sentences that follow: a first guess against the truth, how to write the number.
-    progress : str
-        How the chapter stands.
-    because : str
-        The student's own words.
-    record : mapping
-        The same for programs, which keep it in a saved notebook; see `records`.
-    """
-
-    number: str
-    verdict: Verdict
-    help: Help
+    number: str  # the exercise's number
+    verdict: Verdict  # what is thought of the answer
+    help: Help  # what helps with the exercise
+    # sentences that follow: a first guess against the truth, how to write the number
     notes: tuple[str, ...] = ()
-    progress: str = ""
-    because: str = ""
+    progress: str = ""  # how the chapter stands
+    because: str = ""  # the student's own words
+    # the same for programs, which keep it in a saved notebook; see `records`
     record: Mapping[str, Any] = field(default_factory=dict)
 
     def __repr__(self) -> str:

@@ -16,38 +16,19 @@ TOOLTIP = "tooltip" if hasattr(widgets.DOMWidget, "tooltip") else "description_t
 
 @dataclass(frozen=True)
 class Control:
-    """One quantity the reader can change.
+    """One quantity the reader can change."""
 
-    Attributes
-    ----------
-    name : str
-        Key in the values handed to `Explorer.compute`.
-    label : str
-        What stands before the slider, with the unit.
-    start : float, int, bool or str
-        Value wherever a preset does not say another one. A bool makes a box to tick.
-    low, high, step : float
-        Range of a slider.
-    stops : sequence of float
-        For a slider that stops at these values only.
-    choices : sequence of str
-        For a menu in place of a slider.
-    examples : sequence of str
-        For a line of text in place of a slider; any text goes, these are good ones.
-    group : str
-        Heading of the column in which the control stands.
-    """
-
-    name: str
-    label: str
-    start: Any
-    low: float = 0.0
-    high: float = 1.0
-    step: float = 0.1
-    stops: Sequence[float] = ()
-    choices: Sequence[str] = ()
+    name: str  # key in the values handed to `Explorer.compute`
+    label: str  # what stands before the slider, with the unit
+    start: Any  # value wherever a preset does not say another one. A bool makes a box to tick
+    low: float = 0.0  # of a slider
+    high: float = 1.0  # of a slider
+    step: float = 0.1  # of a slider
+    stops: Sequence[float] = ()  # for a slider that stops at these values only
+    choices: Sequence[str] = ()  # for a menu in place of a slider
+    # for a line of text in place of a slider; any text goes, these are good ones
     examples: Sequence[str] = ()
-    group: str = ""
+    group: str = ""  # heading of the column in which the control stands
 
     @property
     def options(self) -> Sequence[Any]:

@@ -31,24 +31,15 @@ RANK = "rank / number"
 
 
 class Rows(NamedTuple):
-    """Which part of a table is a curve.
+    """Which part of a table is a curve."""
 
-    Attributes
-    ----------
-    x, y : str
-        Names of columns, with a minus sign before them if the curve is their mirror image; empty
-        along an axis that counts words, and of a line through a whole panel.
-    where : dict
-        Words or whole numbers of other columns that the rows must have.
-    every, first : int
-        Only each so many rows, from which on.
-    """
-
+    # x and y are names of columns, with a minus sign before them if the curve is their mirror
+    # image; empty along an axis that counts words, and of a line through a whole panel
     x: str
     y: str
-    where: dict[str, str]
-    every: int = 1
-    first: int = 0
+    where: dict[str, str]  # words or whole numbers of other columns that the rows must have
+    every: int = 1  # only each so many rows
+    first: int = 0  # from this one on
 
     def __str__(self) -> str:
         parts = [f"{axis} = {name}" for axis, name in (("x", self.x), ("y", self.y)) if name]

@@ -33,22 +33,13 @@ from .picture import GUIDE
 
 
 class Curve(NamedTuple):
-    """One curve, row of points or row of bars; or one value, a line through a whole panel.
+    """One curve, row of points or row of bars; or one value, a line through a whole panel."""
 
-    Attributes
-    ----------
-    panel : int
-        Counted from 1, in the order of `panels`.
-    name : str
-        Its label; empty if it has none.
-    x, y : ndarray, shape (n,)
-        In the units of the axes; empty along an axis that counts words, or that it runs along.
-    """
-
-    panel: int
-    name: str
+    panel: int  # counted from 1, in the order of `panels`
+    name: str  # its label; empty if it has none
+    # (n,), in the units of the axes; empty along an axis that counts words, or that it runs along
     x: FloatArray
-    y: FloatArray
+    y: FloatArray  # (n,), likewise
 
 
 class Field(NamedTuple):

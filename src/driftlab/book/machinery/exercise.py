@@ -37,22 +37,14 @@ Parts = tuple[tuple[bool, ...], ...]
 
 
 class Verdict(NamedTuple):
-    """What `check` thinks of an answer.
+    """What `check` thinks of an answer."""
 
-    Attributes
-    ----------
-    right : bool or None
-        None if there is no answer yet.
-    says : str
-        One or two sentences for the reader. They begin with "right", "not yet", "not readable" or
-        "not answered yet", for programs, and a full stop.
-    parts : tuple of tuple of bool
-        Which parts of a list or an array are right, row by row; empty if there is nothing to say
-        of parts.
-    """
-
-    right: bool | None
+    right: bool | None  # None if there is no answer yet
+    # one or two sentences for the reader. They begin with "right", "not yet", "not readable" or
+    # "not answered yet", for programs, and a full stop
     says: str
+    # which parts of a list or an array are right, row by row; empty if there is nothing to say of
+    # parts
     parts: Parts = ()
 
     @property
@@ -71,17 +63,10 @@ class NotRightError(AssertionError):
 
 
 class Said(NamedTuple):
-    """What a student says beside the answer.
+    """What a student says beside the answer."""
 
-    Attributes
-    ----------
-    because : str
-        Why, in the student's own words.
-    student : str
-        The name that numbers of one's own were asked with; empty for the book's numbers.
-    """
-
-    because: str = ""
+    because: str = ""  # why, in the student's own words
+    # the name that numbers of one's own were asked with; empty for the book's numbers
     student: str = ""
 
 
@@ -89,15 +74,7 @@ NOTHING_SAID = Said()
 
 
 class Key:
-    """What is right, and what likely mistakes lead to: for judging, and for teachers' lists.
-
-    Parameters
-    ----------
-    right
-        The right answer, or what computes it.
-    mistakes : mapping
-        What is said of each likely mistake, or the letter of a statement, and what it is about.
-    """
+    """What is right, and what likely mistakes lead to: for judging, and for teachers' lists."""
 
     def __init__(self, right: Any, mistakes: Mapping[str, Any]) -> None:
         self.right, self.mistakes = right, mistakes
@@ -117,17 +94,10 @@ class Objection(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Exercise(ABC):
-    """An exercise that answers back.
+    """An exercise that answers back."""
 
-    Attributes
-    ----------
-    kind : str
-        One of `KINDS`.
-    remark : str
-        What is worth seeing in the answer, told to who has found it.
-    """
-
-    kind: str
+    kind: str  # one of `KINDS`
+    # what is worth seeing in the answer, told to who has found it
     remark: str = field(default="", repr=False)
     _key: Key = field(init=False, repr=False, compare=False)
 

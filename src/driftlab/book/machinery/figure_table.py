@@ -56,12 +56,8 @@ def _word(value: Any) -> str:
 def header(figure: Figure, table: Words) -> list[str]:
     """Return lines that say which columns make which curve of which panel.
 
-    Raises
-    ------
-    MissingCurves
-        If something is drawn that is not in the table, or that cannot be compared with it.
-    ValueError
-        If the name of a column cannot stand in such a line.
+    MissingCurves is raised if something is drawn that is not in the table, or that cannot be
+    compared with it.
     """
     for name in table:
         _check_word(name)
@@ -98,13 +94,7 @@ def header(figure: Figure, table: Words) -> list[str]:
 
 
 def curve_line(name: str, rows: Rows) -> str:
-    """Return the line of a header that says where a curve is, as `read_curves` reads it.
-
-    Raises
-    ------
-    ValueError
-        If a word in it cannot stand there.
-    """
+    """Return the line of a header that says where a curve is, as `read_curves` reads it."""
     line = f'  "{_one_line(name)}": {rows}'
     for word in (rows.x, rows.y, *rows.where, *rows.where.values()):
         _check_word(word)

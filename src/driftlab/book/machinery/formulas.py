@@ -38,28 +38,17 @@ class Formula(Exercise):
     """A formula: a SymPy expression, a matrix of them, or a Python function.
 
     It is right if it gives the right values at `COUNT` random places, whatever its form.
-
-    Attributes
-    ----------
-    arguments : tuple of str
-        The arguments of a function, in this order, or the symbols of an expression.
-    draw : callable
-        Gives values of the arguments, from a generator of random numbers.
-    right : callable
-        The formula, as a function of the arguments.
-    accuracy : float
-        Largest allowed deviation, as a part of the largest value.
-    mistakes : mapping
-        What to say of a likely mistake, and the formula that it leads to.
-    aliases : mapping
-        Other names of symbols that are taken for one of the arguments.
     """
 
+    # the arguments of a function, in this order, or the symbols of an expression
     arguments: tuple[str, ...]
+    # gives values of the arguments, from a generator of random numbers
     draw: Callable[[np.random.Generator], tuple[Any, ...]]
-    right: InitVar[Callable[..., Any]]
-    accuracy: float = 1e-6
+    right: InitVar[Callable[..., Any]]  # the formula, as a function of the arguments
+    accuracy: float = 1e-6  # largest allowed deviation, as a part of the largest value
+    # what to say of a likely mistake, and the formula that it leads to
     mistakes: InitVar[Mapping[str, Callable[..., Any]]] = MappingProxyType({})
+    # other names of symbols that are taken for one of the arguments
     aliases: Mapping[str, str] = field(default_factory=dict)
 
     COUNT: ClassVar[int] = 7

@@ -20,21 +20,12 @@ ALIKE = str.maketrans(dict.fromkeys("’‘ʼ`´", "'") | dict.fromkeys("‐‑�
 
 @dataclass(frozen=True)
 class GivenNumbers:
-    """What an exercise gives, and how a student's own numbers are drawn.
+    """What an exercise gives, and how a student's own numbers are drawn."""
 
-    Attributes
-    ----------
-    book : mapping
-        The numbers of the book's text by name, in the units of the text.
-    draw : callable
-        Gives other numbers by the same names, from a generator of random numbers.
-    units : mapping
-        The unit of each number that has one.
-    """
-
-    book: Mapping[str, Any]
+    book: Mapping[str, Any]  # the numbers of the book's text by name, in the units of the text
+    # gives other numbers by the same names, from a generator of random numbers
     draw: Callable[[np.random.Generator], Mapping[str, Any]]
-    units: Mapping[str, str]
+    units: Mapping[str, str]  # the unit of each number that has one
 
     def numbers(self, student: str = "") -> dict[str, Any]:
         """Return the numbers of a student, or the book's if there is no name."""
@@ -42,16 +33,7 @@ class GivenNumbers:
 
 
 class Given(Mapping[str, Any]):
-    """Numbers of an exercise by name; shown as the lines of code that make them.
-
-    Parameters
-    ----------
-    head : str
-        Whose numbers they are, and of which exercise.
-    numbers : mapping
-    units : mapping
-        The unit of each number that has one.
-    """
+    """Numbers of an exercise by name; shown as the lines of code that make them."""
 
     def __init__(self, head: str, numbers: Mapping[str, Any], units: Mapping[str, str]) -> None:
         self._head, self._numbers, self._units = head, numbers, units

@@ -115,13 +115,7 @@ class ChoiceInput:
 
 
 class GuessControl:
-    """What stands under a puzzle: its questions in short, a guess for each, then the answers.
-
-    Parameters
-    ----------
-    puzzle : Puzzle
-        What is asked.
-    """
+    """What stands under a puzzle: its questions in short, a guess for each, then the answers."""
 
     def __init__(self, puzzle: Puzzle) -> None:
         self.puzzle = puzzle

@@ -9,23 +9,12 @@ from typing import NamedTuple
 
 
 class Help(NamedTuple):
-    """What helps with one exercise.
+    """What helps with one exercise."""
 
-    Attributes
-    ----------
-    section : str
-        Heading of the section of the chapter in which the matter is treated.
-    nudge : str
-        Where to look, or what to try first.
-    idea : str
-        The idea that leads to the answer, not the answer.
-    model : str
-        How one may answer the part that only words can answer; shown after a right answer.
-    """
-
-    section: str
-    nudge: str
-    idea: str
+    section: str  # heading of the section of the chapter in which the matter is treated
+    nudge: str  # where to look, or what to try first
+    idea: str  # the idea that leads to the answer, not the answer
+    # how one may answer the part that only words can answer; shown after a right answer
     model: str = ""
 
     @property

@@ -27,20 +27,7 @@ KEPT = 8
 
 
 class MatplotlibView:
-    """What draws a `Picture` for an explorer.
-
-    Parameters
-    ----------
-    picture : Picture
-    page : Page
-        Says how many pixels the screen has for one of the page.
-
-    Attributes
-    ----------
-    picture : Picture
-    widget : Image
-        To be placed in the panel.
-    """
+    """What draws a `Picture` for an explorer."""
 
     def __init__(self, picture: Picture[Any], page: Page) -> None:
         self.picture = picture

@@ -56,18 +56,8 @@ class Explorer(widgets.VBox):
     ``explorer.values`` and ``explorer.set(size=0.1)``. What it shows goes into a paper by
     ``explorer.save("picture.pdf", width=3.5)``.
 
-    Parameters
-    ----------
-    preset : str, optional
-        Name of the preset to open with, and to go back to on Reset; the first if not given.
-    presets : mapping, optional
-        Presets of your own by name, each the values that differ from the controls' own. They stand
-        before the book's: ``DriftExplorer(presets={"My triad": {"m12": 1.0}})`` opens with yours.
-
-    Raises
-    ------
-    ValueError
-        If there is no such preset, or a control or a value of yours is none of the panel's.
+    It opens with the preset that is named, or the first one. Presets of your own stand before the
+    book's: ``DriftExplorer(presets={"My triad": {"m12": 1.0}})`` opens with yours.
     """
 
     title: ClassVar[str]
@@ -161,13 +151,7 @@ class Explorer(widgets.VBox):
 
     @one_at_a_time
     def set(self, **values: Any) -> None:
-        """Set some controls and redraw once.
-
-        Raises
-        ------
-        ValueError
-            If there is no such control, or its value is out of range.
-        """
+        """Set some controls and redraw once."""
         check_values(self.controls, values)
         self._setting = True
         try:
@@ -178,26 +162,9 @@ class Explorer(widgets.VBox):
         self._moved()
 
     def save(self, path: str | Path, width: float | None = None) -> Path:
-        """Save the picture of what the panel shows now, as a file for a paper or a page.
+        """Save the picture of what the panel shows now as .pdf, .svg or .png, a scene as .svg only.
 
-        Parameters
-        ----------
-        path : str or Path
-            Its ending says the format: .pdf with embedded fonts, .svg, .png with 600 dots an inch
-            for a paper. A scene can be saved as .svg alone.
-        width : float, optional
-            Inches: 3.5 for a column, 7.2 for a page. As on a screen if not given; a scene has that
-            size only.
-
-        Returns
-        -------
-        Path
-            Where it was written.
-
-        Raises
-        ------
-        ValueError
-            If the ending or the width is none of these.
+        The width is in inches, 3.5 for a column, 7.2 for a page; as on a screen if not given.
         """
         path, sheet = Path(path), Sheet(width)
         if issubclass(self.picture_class, Picture):

@@ -51,25 +51,15 @@ Seen = TypeVar("Seen", contravariant=True)
 
 
 class Picture(Generic[Data]):
-    """A figure with artists made once; subclasses build axes in `build` and move them in `update`.
-
-    Attributes
-    ----------
-    figure : matplotlib.figure.Figure
-        An empty one of `size`, which `build` may replace by one of ``self.sheet.mosaic``.
-    sheet : Sheet
-        What it is drawn on.
-    moving : list of Artist
-        The artists that `update` changes. Everything else is drawn once and kept.
-    rescaled : bool
-        Whether `update` has changed the axes as well, so that everything must be drawn anew.
-    """
+    """A figure with artists made once; subclasses make axes in `build`, move them in `update`."""
 
     size: ClassVar[tuple[float, float]] = (9.0, 3.8)
+    # an empty one of `size`, which `build` may replace by one of ``self.sheet.mosaic``
     figure: Figure
 
     def __init__(self, sheet: Sheet = SCREEN) -> None:
-        self.moving: list[Artist] = []
+        self.moving: list[Artist] = []  # what `update` changes; all else is drawn once and kept
+        # whether `update` has changed the axes as well, so that everything must be drawn again
         self.rescaled = False
         self.sheet = sheet
         with drawn_in(sheet.style):

@@ -22,13 +22,7 @@ def check_values(controls: Sequence[Control], values: Values, argument: str = "v
 def offered_presets(
     controls: Sequence[Control], book: Mapping[str, Values], own: Mapping[str, Values]
 ) -> dict[str, Values]:
-    """Return the presets of a panel, those of one's own first; one of the book's name is one's own.
-
-    Raises
-    ------
-    ValueError
-        If one of one's own has a control that the panel has not, or a value out of range.
-    """
+    """Return the presets of a panel, your own first; one with a name of the book's replaces it."""
     if not isinstance(own, Mapping) or not all(isinstance(v, Mapping) for v in own.values()):
         raise ValueError(f"presets: expected values by control for each name, got {own!r}.")
     for values in own.values():

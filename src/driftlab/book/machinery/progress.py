@@ -16,26 +16,14 @@ from .reading import of_sympy, panel_values
 
 @dataclass
 class Progress:
-    """How far a reader has come, by the exercise's number.
+    """How far a reader has come, by the exercise's number."""
 
-    Attributes
-    ----------
-    right : dict of str to bool
-        The last verdict.
-    guesses : dict of str to str
-        The first answer that could be read.
-    rungs : dict of str to int
-        How many hints were asked for.
-    tried : dict of str to list of str
-        Digests of the different answers that could be read.
-    reasons : dict of str to dict of str to str
-        What was said of an answer in words, and the digest of the answer.
-    """
-
-    right: dict[str, bool] = field(default_factory=dict)
-    guesses: dict[str, str] = field(default_factory=dict)
-    rungs: dict[str, int] = field(default_factory=dict)
+    right: dict[str, bool] = field(default_factory=dict)  # the last verdict
+    guesses: dict[str, str] = field(default_factory=dict)  # the first answer that could be read
+    rungs: dict[str, int] = field(default_factory=dict)  # how many hints were asked for
+    # digests of the different answers that could be read
     tried: dict[str, list[str]] = field(default_factory=dict)
+    # what was said of an answer in words, and the digest of the answer
     reasons: dict[str, dict[str, str]] = field(default_factory=dict)
 
     def note(self, number: str, answer: Any, verdict: Verdict) -> None:

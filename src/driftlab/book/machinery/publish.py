@@ -32,36 +32,24 @@ GALLERY_NOTE = (
 
 @dataclass(frozen=True)
 class FigureDefinition:
-    """What a published figure is made of.
+    """What a published figure is made of."""
 
-    Attributes
-    ----------
-    name : str
-        File name without ending; begins with the chapter's number.
-    compute : callable
-        Takes the figure's parameters, all by name and with their published values as defaults, in
-        SI units and radians; returns the picture's data.
-    draw : callable
-        Data and the sheet to draw them on, to a Matplotlib figure; what plays by itself, as a
-        scene does, returns the text of an SVG for a screen.
-    columns : callable or None
-        Data to CSV columns by name, every curve that is drawn in the units of its axes; they may
-        be of different lengths. None for a drawing that shows no numbers.
-    caption : callable
-        Data to the sentence under the figure, true for any parameters, its numbers computed.
-    restore : callable, optional
-        Columns of the published CSV to the data, for what takes minutes to compute or needs a
-        recording that may not be at hand.
-    recordings : tuple of str, optional
-        Names in `driftlab.recordings.publishers.PUBLISHED` that it is computed from.
-    """
-
-    name: str
+    name: str  # file name without ending; begins with the chapter's number
+    # takes the figure's parameters, all by name and with their published values as defaults, in SI
+    # units and radians; returns the picture's data
     compute: Callable[..., Any]
+    # data and the sheet to draw them on, to a Matplotlib figure; what plays by itself, as a scene
+    # does, returns the text of an SVG for a screen
     draw: Callable[..., Figure | str]
+    # data to CSV columns by name, every curve that is drawn in the units of its axes; they may be
+    # of different lengths. None for a drawing that shows no numbers
     columns: Callable[[Any], dict[str, Any]] | None
+    # data to the sentence under the figure, true for any parameters, its numbers computed
     caption: Callable[[Any], str]
+    # columns of the published CSV to the data, for what takes minutes to compute or needs a
+    # recording that may not be at hand
     restore: Callable[[Mapping[str, list[str]]], Any] | None = None
+    # names in `driftlab.recordings.publishers.PUBLISHED` that it is computed from
     recordings: tuple[str, ...] = ()
 
     @property
@@ -73,15 +61,8 @@ class FigureDefinition:
 class PublishedFigure:
     """A figure on a page: the picture, and its caption below it and as its alt text.
 
-    Attributes
-    ----------
-    definition : FigureDefinition
-    data : object
-        What ``definition.compute`` returned.
-    parameters : dict or None
-        What it was computed with, by name; None if the data were handed in.
-    caption : str
-        What ``definition.caption`` says of the data, and the note if there is one.
+    Its `data` are what `compute` of its definition returned, its `parameters` are None if the data
+    were handed in.
     """
 
     def __init__(
@@ -114,13 +95,7 @@ class PublishedFigure:
         return imports(_own(self.definition, self.parameters or {}))
 
     def table(self) -> dict[str, Any]:
-        """Return the numbers behind the picture: the columns of its CSV, by name.
-
-        Raises
-        ------
-        ValueError
-            If it is a drawing that shows no numbers.
-        """
+        """Return the numbers behind the picture: the columns of its CSV, by name."""
         if self.definition.columns is None:
             raise ValueError(f"{self.definition.name} is a drawing: it shows no numbers.")
         return self.definition.columns(self.data)
@@ -132,32 +107,9 @@ class PublishedFigure:
         return picture_file(self.on_screen, "svg", SCREEN)
 
     def save(self, path: str | Path, width: float | None = None) -> Path:
-        """Save the figure for a paper, or its numbers.
+        """Save the figure for a paper as .pdf, .svg or .png, or its numbers as .csv.
 
-        Parameters
-        ----------
-        path : str or Path
-            Its ending says the format: .pdf with embedded fonts, .svg, .png with 600 dots an inch,
-            or .csv for the numbers.
-        width : float, optional
-            Inches: 3.5 for a column, 7.2 for a page. As on a screen if not given.
-
-        Returns
-        -------
-        Path
-            Where it was written.
-
-        Raises
-        ------
-        ValueError
-            If the ending or the width is none of these, or a drawing is to become a CSV.
-
-        Examples
-        --------
-        >>> import driftlab, tempfile
-        >>> column = driftlab.figure("03-drift-map")  # triad_error=M draws yours
-        >>> column.save(tempfile.mkdtemp() + "/map.pdf", width=3.5).name
-        'map.pdf'
+        The width is in inches, 3.5 for a column, 7.2 for a page; as on a screen if not given.
         """
         path = Path(path)
         ending = ending_of(path, (*PICTURES, "csv"))
@@ -180,13 +132,7 @@ class PublishedFigure:
             self._write_table(folder / f"{self.definition.name}.csv")
 
     def comments(self, table: Words) -> list[str]:
-        """Return the lines above the numbers: what they are, of what parameters, and what is drawn.
-
-        Raises
-        ------
-        MissingCurves
-            If a curve of the picture is not in the table.
-        """
+        """Return the lines above the numbers: what they are, of what parameters, what is drawn."""
         lines = [
             f"{self.definition.name}: {self.caption}",
             *self.imports,

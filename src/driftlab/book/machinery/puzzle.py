@@ -34,27 +34,14 @@ PARTS = {
 
 @dataclass(frozen=True, kw_only=True)
 class Number:
-    """A question for a number, which is guessed on a slider.
+    """A question for a number, which is guessed on a slider."""
 
-    Attributes
-    ----------
-    asks : str
-        The question in short.
-    unit : str
-        As it stands behind the number; a sign such as ° follows it without a space.
-    low, high : float
-        Ends of the scale, in the unit; decades count on it, so that both are positive.
-    truth : callable
-        Computes the answer, in the unit.
-    whole : bool
-        Whether whole things are counted; then the scale has equal steps and may begin at zero.
-    """
-
-    asks: str
-    unit: str
-    low: float
-    high: float
-    truth: Callable[[], float]
+    asks: str  # the question in short
+    unit: str  # as it stands behind the number; a sign such as ° follows it without a space
+    low: float  # end of the scale, in the unit; above zero where decades count on it
+    high: float  # the other end
+    truth: Callable[[], float]  # computes the answer, in the unit
+    # whether whole things are counted; then the scale has equal steps and may begin at zero
     whole: bool = False
 
     @property
@@ -112,21 +99,11 @@ class Number:
 
 @dataclass(frozen=True, kw_only=True)
 class Choice:
-    """A question with a few answers to choose from.
+    """A question with a few answers to choose from."""
 
-    Attributes
-    ----------
-    asks : str
-        The question in short.
-    options : tuple of str
-        The answers.
-    truth : callable
-        Computes which of them is right.
-    """
-
-    asks: str
-    options: tuple[str, ...]
-    truth: Callable[[], str]
+    asks: str  # the question in short
+    options: tuple[str, ...]  # the answers
+    truth: Callable[[], str]  # computes which of them is right
 
     def written(self, value: Answer) -> str:
         """Return the words."""
@@ -148,23 +125,12 @@ Question: TypeAlias = Number | Choice
 
 @dataclass(frozen=True, kw_only=True)
 class Puzzle:
-    """The puzzle that opens a chapter.
+    """The puzzle that opens a chapter."""
 
-    Attributes
-    ----------
-    chapter : str
-        Its number, "00" to "13".
-    edition : int
-        Counts up when the puzzle asks something else: an older guess is no guess at it.
-    questions : tuple of Number or Choice
-        What it asks.
-    says : str
-        A sentence or two that stand under the answer. ``{0}`` is the first answer with its unit.
-    """
-
-    chapter: str
-    edition: int
-    questions: tuple[Question, ...]
+    chapter: str  # its number, "00" to "13"
+    edition: int  # counts up when the puzzle asks something else: an older guess is no guess at it
+    questions: tuple[Question, ...]  # what it asks
+    # a sentence or two that stand under the answer. ``{0}`` is the first answer with its unit
     says: str
 
     @property

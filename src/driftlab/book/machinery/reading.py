@@ -26,12 +26,9 @@ class SettingError(UnreadableError):
 
 
 def numbers(value: Any) -> Numbers:
-    """Return `value`, of any form that stands for numbers, as an array.
+    """Return `value`, of any form that stands for finite numbers, as an array.
 
-    Raises
-    ------
-    UnreadableError
-        If it is something else, has symbols, or is not finite.
+    UnreadableError is raised for anything else.
     """
     if of_sympy(value, "MatrixBase"):
         value = value.tolist()

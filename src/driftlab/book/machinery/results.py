@@ -12,24 +12,13 @@ ABSENT = "–"
 
 
 class Results(NamedTuple):
-    """Results of a panel, as words with units.
+    """Results of a panel, as words with units."""
 
-    Attributes
-    ----------
-    headline : tuple of str
-        Name and value of the number that matters most.
-    rows : sequence of tuple of str
-        Name of a row, then its value in each column. There are as many rows, whatever the values.
-    columns : sequence of str
-        Heads of the columns of values; none for a single column.
-    note : str
-        A sentence below the table: how its numbers are to be read.
-    """
-
-    headline: tuple[str, str]
+    headline: tuple[str, str]  # name and value of the number that matters most
+    # name of a row, then its value in each column. There are as many rows, whatever the values
     rows: Sequence[tuple[str, ...]]
-    columns: Sequence[str] = ()
-    note: str = ""
+    columns: Sequence[str] = ()  # heads of the columns of values; none for a single column
+    note: str = ""  # a sentence below the table: how its numbers are to be read
 
     def headline_html(self) -> str:
         """The number that matters, large, with its name."""

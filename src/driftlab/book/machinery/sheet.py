@@ -61,15 +61,9 @@ def drawn_in(style: matplotlib.RcParams) -> Iterator[None]:
 
 @dataclass(frozen=True)
 class Sheet:
-    """What a figure is drawn on.
+    """What a figure is drawn on."""
 
-    Attributes
-    ----------
-    width : float or None
-        Inches; None for a screen, where each figure has a size of its own.
-    """
-
-    width: float | None = None
+    width: float | None = None  # inches; None for a screen, where each figure has a size of its own
 
     def __post_init__(self) -> None:
         if self.width is not None:
@@ -113,27 +107,13 @@ class Sheet:
     ) -> tuple[Figure, dict[str, Axes]]:
         """Return a figure and its panels, by the letters that place them.
 
-        Parameters
-        ----------
-        wide : str
-            Panels as `Figure.subplot_mosaic` reads them, rows between semicolons: ``"ab;ac"``.
-        size : (float, float)
-            Width and height on a screen, inches.
-        margins : (float, float, float, float)
-            Left, bottom, right and top of the panels on a screen, parts of the figure.
-        column : str, optional
-            Panels in a narrow column; one above the other, in the order of `wide`, if not given.
-        column_height, page_height : float, optional
-            Heights on paper, inches; of a column two for each row and a little, of a page as on
-            the screen, a tenth taller, if not given.
-        spaces : (float, float)
-            Between panels on a screen, parts of a panel: ``wspace`` and ``hspace``.
-        width_ratios, height_ratios : sequence of float, optional
-            Of the panels of `wide`.
-        column_heights : sequence of float, optional
-            Ratios of the rows of `column`.
-        **settings
-            Further ones of `Figure.subplot_mosaic`, such as ``sharey=True``.
+        Panels are placed as `Figure.subplot_mosaic` reads them, rows between semicolons
+        (``"ab;ac"``): `wide` on a screen or a page, `column` in a narrow column, where they stand
+        one above the other if it is not given. Sizes and heights are in inches; on paper a column
+        has two for each row and a little, a page a tenth more than the screen. Margins (left,
+        bottom, right, top) are parts of the figure on a screen, `spaces` (``wspace``, ``hspace``)
+        parts of a panel. `column_heights` are ratios of the rows of `column`; further settings are
+        those of `Figure.subplot_mosaic`.
         """
         if self.width is None:
             figure = Figure(figsize=size)

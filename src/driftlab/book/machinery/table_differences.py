@@ -28,26 +28,15 @@ On a logarithmic scale zero has no place, so there a gap stands for it.
 
 
 class Difference(NamedTuple):
-    """How a column differs from the same column elsewhere.
+    """How a column differs from the same column elsewhere."""
 
-    Attributes
-    ----------
-    column : str
-        Its name.
-    written_otherwise, entries : int
-        How many of its entries are written otherwise, of how many.
-    largest : float
-        Largest difference, in units of the largest number of the same curve; infinite if words
-        differ, or a number stands where the other has none.
-    only_rounding : bool
-        Whether all of it may come from another processor.
-    """
-
-    column: str
-    written_otherwise: int
-    entries: int
+    column: str  # its name
+    written_otherwise: int  # how many of its entries are written otherwise
+    entries: int  # of how many
+    # largest difference, in units of the largest number of the same curve; infinite if words
+    # differ, or a number stands where the other has none
     largest: float
-    only_rounding: bool
+    only_rounding: bool  # whether all of it may come from another processor
 
     def __str__(self) -> str:
         if np.isinf(self.largest):
@@ -57,13 +46,7 @@ class Difference(NamedTuple):
 
 
 def table_differences(first: Words, second: Words) -> list[Difference]:
-    """Return what differs between two tables as a CSV holds them, column by column.
-
-    Raises
-    ------
-    ValueError
-        If they have other columns, or of other lengths.
-    """
+    """Return what differs between two tables as a CSV holds them, column by column."""
     sizes = [{name: len(column) for name, column in table.items()} for table in (first, second)]
     if sizes[0] != sizes[1]:
         raise ValueError(f"Tables: expected the same columns and rows, got {sizes[0]}, {sizes[1]}.")
@@ -119,13 +102,7 @@ def _size(
 def folder_differences(
     first: Path, second: Path, chosen: Collection[str] | None = None
 ) -> dict[str, list[Difference]]:
-    """Return the tables of two folders that differ, by name, and how; all, or those chosen.
-
-    Raises
-    ------
-    ValueError
-        If they do not hold the same tables, or one has other columns or rows.
-    """
+    """Return the tables of two folders that differ, by name, and how; all, or those chosen."""
     names = [{path.name for path in folder.glob("*.csv")} for folder in (first, second)]
     if chosen is not None:
         names = [found & {*chosen} for found in names]

@@ -24,41 +24,22 @@ KINDS = ("line", "arrow", "face", "dot", "label", "trace")
 
 @dataclass(frozen=True)
 class Part:
-    """One thing in space.
+    """One thing in space."""
 
-    Attributes
-    ----------
-    kind : str
-        One of `KINDS`.
-    points : ndarray, shape (p, 3) or (n, p, 3)
-        Its corners, counter-clockwise from outside for a face; with a leading axis, at each of the
-        n moments. A trace has (n, 3): where its point is at each moment.
-    style : str
-        A class of ``scene.css``: what it is, and so how it looks.
-    track : str
-        Name of the attitude with which it turns; "" if it stands still.
-    text : str
-        What a label says.
-    fill : str
-        A colour of its own, for a face whose colour is a number.
-    handle : str
-        Name under which a dot can be dragged, over a sphere about the origin; "" if it cannot.
-    lift : float
-        By how much it is drawn as if it were nearer to the reader, so that a line on a surface is
-        not covered by the faces beside it.
-    since : int
-        The moment from which on it is there.
-    """
-
-    kind: str
+    kind: str  # one of `KINDS`
+    # (p, 3) or (n, p, 3), its corners, counter-clockwise from outside for a face; with a leading
+    # axis, at each of the n moments. A trace has (n, 3): where its point is at each moment
     points: FloatArray
-    style: str
-    track: str = ""
-    text: str = ""
-    fill: str = ""
+    style: str  # a class of ``scene.css``: what it is, and so how it looks
+    track: str = ""  # name of the attitude with which it turns; "" if it stands still
+    text: str = ""  # what a label says
+    fill: str = ""  # a colour of its own, for a face whose colour is a number
+    # name under which a dot can be dragged, over a sphere about the origin; "" if it cannot
     handle: str = ""
+    # by how much it is drawn as if it were nearer to the reader, so that a line on a surface is not
+    # covered by the faces beside it
     lift: float = 0.0
-    since: int = 0
+    since: int = 0  # the moment from which on it is there
 
     @property
     def nearness(self) -> float:
@@ -68,67 +49,34 @@ class Part:
 
 @dataclass(frozen=True)
 class View:
-    """A window into space.
+    """A window into space."""
 
-    Attributes
-    ----------
-    title : str
-        Says what is seen, and how much it is magnified.
-    parts : tuple of Part
-    azimuth, elevation : float
-        From where the reader looks at first, degrees.
-    reach : float
-        What lies so far from the origin is at the window's edge.
-    """
-
-    title: str
+    title: str  # says what is seen, and how much it is magnified
     parts: tuple[Part, ...]
-    azimuth: float = -60.0
-    elevation: float = 24.0
-    reach: float = 1.6
+    azimuth: float = -60.0  # from where the reader looks at first, degrees
+    elevation: float = 24.0  # likewise
+    reach: float = 1.6  # what lies so far from the origin is at the window's edge
 
 
 @dataclass(frozen=True)
 class Curve:
-    """A curve over the scene's time.
+    """A curve over the scene's time."""
 
-    Attributes
-    ----------
-    name : str
-        Stands at its end, in place of a legend.
-    values : ndarray, shape (n,)
-        In the unit of the plot's axis; NaN leaves a gap.
-    style : str
-        A class of ``scene.css``.
-    moments : ndarray of int, optional
-        Only these moments, as dots.
-    """
-
-    name: str
-    values: FloatArray
-    style: str
-    moments: NDArray[np.integer] | None = None
+    name: str  # stands at its end, in place of a legend
+    values: FloatArray  # (n,), in the unit of the plot's axis; NaN leaves a gap
+    style: str  # a class of ``scene.css``
+    moments: NDArray[np.integer] | None = None  # only these moments, as dots
 
 
 @dataclass(frozen=True)
 class Plot:
-    """Curves over the scene's time.
+    """Curves over the scene's time."""
 
-    Attributes
-    ----------
-    title : str
-        With the unit.
-    curves : tuple of Curve
-    low, high : float
-        What the ordinate spans.
-    decades : bool
-        Whether curves and span are given as decimal logarithms; the ticks show the numbers.
-    """
-
-    title: str
+    title: str  # with the unit
     curves: tuple[Curve, ...]
-    low: float
+    low: float  # what the ordinate spans
     high: float
+    # whether curves and span are given as decimal logarithms; the ticks show the numbers
     decades: bool = False
 
     @property
@@ -142,22 +90,13 @@ class Plot:
 
 @dataclass(frozen=True)
 class Readout:
-    """A number that follows the time.
-
-    Attributes
-    ----------
-    name : str
-    values : ndarray, shape (n,)
-    decimals : int
-    unit : str
-    words : tuple of str
-        What is said in place of the numbers 0, 1, 2, ...; then `values` are such numbers.
-    """
+    """A number that follows the time."""
 
     name: str
-    values: FloatArray
+    values: FloatArray  # (n,)
     decimals: int = 0
     unit: str = ""
+    # what is said in place of the numbers 0, 1, 2, ...; then `values` are such numbers
     words: tuple[str, ...] = ()
 
     def said(self, moment: int) -> str:
@@ -174,31 +113,16 @@ class Readout:
 
 @dataclass(frozen=True)
 class Stage:
-    """A scene at all its moments.
+    """A scene at all its moments."""
 
-    Attributes
-    ----------
-    times : ndarray, shape (n,)
-        Evenly spaced, two at least, in `time_unit`.
-    time_unit : str
-        "turns", "s", "min".
-    seconds : float
-        How long it plays.
-    tracks : dict of str to ndarray, shape (n, 4)
-        Attitudes by name, quaternions from the body to space, scalar last.
-    views : tuple of View
-    plots : tuple of Plot
-    readouts : tuple of Readout
-        The first one is the number that matters.
-    """
-
-    times: FloatArray
-    time_unit: str
-    seconds: float
+    times: FloatArray  # (n,), evenly spaced, two at least, in `time_unit`
+    time_unit: str  # "turns", "s", "min"
+    seconds: float  # how long it plays
+    # (n, 4) each, attitudes by name, quaternions from the body to space, scalar last
     tracks: dict[str, FloatArray]
     views: tuple[View, ...]
     plots: tuple[Plot, ...] = ()
-    readouts: tuple[Readout, ...] = ()
+    readouts: tuple[Readout, ...] = ()  # the first one is the number that matters
 
     def __post_init__(self) -> None:
         n = len(self.times)

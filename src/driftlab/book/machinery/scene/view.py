@@ -24,36 +24,20 @@ SCRIPTS = ("arrays.js", "space.js", "curves.js", "scene.js")
 
 
 class SceneWidget(anywidget.AnyWidget):
-    """Plays a stage in the page.
-
-    Attributes
-    ----------
-    stage : dict
-        What `Stage.message` returns.
-    moment : int
-        The moment that is shown, as soon as it stands still.
-    autoplay : bool
-        Whether it plays by itself when the reader first sees it.
-    busy : bool
-        Whether the kernel computes; what takes long is shown pale.
-    """
+    """Plays a stage in the page."""
 
     _esm = "\n".join((files(__package__) / name).read_text("utf-8") for name in SCRIPTS)
     _css = STYLE
-    stage = traitlets.Dict().tag(sync=True)
-    moment = traitlets.Int(0).tag(sync=True)
+    stage = traitlets.Dict().tag(sync=True)  # what `Stage.message` returns
+    moment = traitlets.Int(0).tag(sync=True)  # the moment that is shown, as soon as it stands still
+    # whether it plays by itself when the reader first sees it
     autoplay = traitlets.Bool(False).tag(sync=True)
+    # whether the kernel computes; what takes long is shown pale
     busy = traitlets.Bool(False).tag(sync=True)
 
 
 class SceneView:
-    """What draws a scene for an explorer; subclasses say which `stage` shows the data.
-
-    Attributes
-    ----------
-    widget : SceneWidget
-        To be placed in the panel.
-    """
+    """What draws a scene for an explorer; subclasses say which `stage` shows the data."""
 
     autoplay: ClassVar[bool] = False
 
