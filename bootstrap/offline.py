@@ -42,13 +42,7 @@ SYSTEMS = {
 
 
 def fetch(folder: Path, system: str, python: str) -> None:
-    """Bring the wheels of one system and one Python; an empty `system` is this computer's.
-
-    Raises
-    ------
-    Trouble
-        If a package has no wheel there, or the index does not answer; pip says which.
-    """
+    """Bring the wheels of one system and one Python; an empty `system` is this computer's."""
     markers: dict[str, str] = {}
     options = ["--no-deps", "--only-binary=:all:", "--require-hashes", "--dest", str(folder)]
     if system:

@@ -43,17 +43,7 @@ except OSError as error:
 
 
 def serve(notebook: str, port: int, browser: bool) -> None:
-    """Start JupyterLab on a notebook and wait until it ends.
-
-    Parameters
-    ----------
-    notebook : str
-        Its path in the project folder.
-    port : int
-        0 is any, chosen by the system.
-    browser : bool
-        Whether it is to open a browser.
-    """
+    """Start JupyterLab on a notebook and wait until it ends; for port 0 the system chooses one."""
     command = [
         *[str(PYTHON), "-c", SERVER],
         f"--ServerApp.root_dir={HOME}",

@@ -36,13 +36,7 @@ LINK = re.compile(r"\[([^\]]*)\]\(([^)\s#]+)(#[^)\s]*)?\)")
 
 
 def write_student_copy(target: Path) -> None:
-    """Write the copy as a zip file.
-
-    Raises
-    ------
-    Trouble
-        If the file is there already, or cannot be written.
-    """
+    """Write the copy as a zip file."""
     try:
         with zipfile.ZipFile(target, "x", zipfile.ZIP_DEFLATED) as copy:
             for name, content in student_files():

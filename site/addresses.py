@@ -30,12 +30,7 @@ def colab_address(notebook: str) -> str:
 def file_of(path: str, notebook: str) -> str:
     """Return the file of the project that a link means, seen from the project's folder.
 
-    Parameters
-    ----------
-    path : str
-        As the link has it, without what follows a "#"; "" is the notebook itself.
-    notebook : str
-        The notebook with the link, seen from the book's folder: "../docs/using.md" for a page.
+    The path is that of the link without what follows a "#"; an empty one is the notebook itself.
     """
     own = posixpath.normpath(posixpath.join("notebooks", notebook))
     return posixpath.normpath(posixpath.join(posixpath.dirname(own), path)) if path else own

@@ -50,17 +50,9 @@ def main(arguments: list[str]) -> int:
 def make_site(made: Path, distribution: Path | None) -> None:
     """Make the whole site in a folder, which is not there yet.
 
-    Parameters
-    ----------
-    made : Path
-    distribution : Path, optional
-        Folder with Pyodide's distribution, for a site that needs no network.
-
-    Raises
-    ------
-    Unfinished
-        If something cannot be made. Without Node.js, or without a network at the first build, the
-        pages are made all the same; they do not move then, and a sentence is printed.
+    Without Node.js, or without a network at the first build, the pages are made all the same; they
+    do not move then, and a sentence is printed. With Pyodide's `distribution` the site needs no
+    network.
     """
     if distribution and not distribution.is_dir():
         raise Unfinished(f"--self-contained: expected a folder, got {distribution}.")

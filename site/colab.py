@@ -31,15 +31,7 @@ if "google.colab" in sys.modules:  # which shows scenes and panels only when it 
 
 
 def make_colab(book: Path, target: Path) -> None:
-    """Write a copy of every notebook that Colab can run.
-
-    Parameters
-    ----------
-    book : Path
-        The book's folder, or one like it; its pictures are beside it in ``figures``.
-    target : Path
-        Folder for the copies, each under its notebook's name.
-    """
+    """Write a copy of every notebook that Colab can run."""
     release = tomllib.loads((ROOT / "release/release.toml").read_text("utf-8"))
     address = release["urls"]["Documentation"].rstrip("/")
     for name in published(book):

@@ -24,24 +24,7 @@ PART = re.compile(r"^\*\*\([a-z]\)\*\* .*?(?=\n\n(?:\*\*\(|### )|\Z)", re.M | re
 
 
 def print_examination(edition: str, build: Path, folder: Path, paper: str) -> list[Path]:
-    """Print both of an edition; the files, which bear the mark of the sheet.
-
-    Parameters
-    ----------
-    edition : str
-        The text from which the numbers are drawn.
-    build, folder : Path
-        Where to work, and where to put them.
-    paper : str
-        As in `Look`.
-
-    Raises
-    ------
-    ValueError
-        If the edition is empty.
-    Unfinished
-        As in `make_handout`.
-    """
+    """Print sheet and scheme of an edition; return the files, which bear the mark of the sheet."""
     exam = exam_paper(edition)
     targets = []
     for kind, name, text in (

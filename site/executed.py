@@ -49,18 +49,7 @@ def published(folder: Path = FOLDER) -> list[str]:
 
 
 def executed(wanted: Iterable[str] | None = None) -> dict[str, NotebookNode]:
-    """Return notebooks with the outputs of all their cells, by name.
-
-    Parameters
-    ----------
-    wanted : iterable of str, optional
-        Their names, as `notebooks` gives them; all if not given.
-
-    Raises
-    ------
-    nbclient.exceptions.CellExecutionError
-        If a cell fails.
-    """
+    """Return notebooks with the outputs of all their cells, by name."""
     below = _digest(_what_notebooks_stand_on())
     shutil.rmtree(COPY, ignore_errors=True)
     shutil.copytree(FOLDER, COPY, ignore=shutil.ignore_patterns(".ipynb_checkpoints", "*.json"))

@@ -32,12 +32,9 @@ def write_forms(target: Path) -> None:
 def exercise_forms() -> dict[str, dict[str, Any]]:
     """Return how each exercise is answered, by its number.
 
-    Returns
-    -------
-    dict
-        "way" is "letters", "line" or "code", "letters" are those of the statements, "panel" tells
-        whether a panel's state is an answer, and "lines" are what a Python answer begins with,
-        where one makes sense.
+    "way" is "letters", "line" or "code", "letters" are those of the statements, "panel" tells
+    whether a panel's state is an answer, and "lines" are what a Python answer begins with, where
+    one makes sense.
     """
     found = {}
     for chapter in chapters_with("exercises"):

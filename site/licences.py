@@ -54,13 +54,7 @@ pre {{ white-space: pre-wrap; font-size: 0.85rem; }}
 
 
 def write_licences(made: Path) -> None:
-    """Write the page, and the licences in full, into the folder of the site, which is whole else.
-
-    Raises
-    ------
-    Unfinished
-        If the live book has a package whose licence is not known.
-    """
+    """Write the page, and the licences in full, into the folder of the otherwise complete site."""
     shutil.copytree(ROOT / "LICENSES", made / TEXTS)
     parts = [*_own(), *_pages(made), "<h2>Fonts in the PDF</h2>"]
     parts += [_table(("Font", "Licence"), KNOWN["fonts"].items())]

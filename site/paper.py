@@ -53,13 +53,7 @@ def main(arguments: list[str]) -> int:
 
 
 def found(asked: str, names: list[str]) -> str:
-    """Return the one name of a notebook that is meant.
-
-    Raises
-    ------
-    Unfinished
-        If there is none, or more than one.
-    """
+    """Return the one name of a notebook that is meant."""
     asked = asked.removeprefix("notebooks/")
     meant = [name for name in names if name.removesuffix(".ipynb") == asked.removesuffix(".ipynb")]
     meant = meant or [name for name in names if asked and name.startswith(asked)]
@@ -73,13 +67,7 @@ def found(asked: str, names: list[str]) -> str:
 
 
 def printed(names: list[str], look: Look) -> list[Path]:
-    """Print notebooks, one file each, or the whole book if none is named; the files.
-
-    Raises
-    ------
-    Unfinished
-        If something cannot be printed.
-    """
+    """Print notebooks, one file each, or the whole book if none is named; return the files."""
     how = "-exercises" if look.kind == "exercises" else "" if look.with_code else "-without-code"
     if not names:
         if look.kind == "exercises":
@@ -100,13 +88,7 @@ def printed(names: list[str], look: Look) -> list[Path]:
 
 
 def sheets(names: list[str]) -> dict[str, NotebookNode]:
-    """Return the exercises of chapters, which need not be run.
-
-    Raises
-    ------
-    Unfinished
-        If one has none.
-    """
+    """Return the exercises of chapters, which need not be run."""
     made = {}
     for name in names:
         notebook = nbformat.read(FOLDER / name, as_version=4)  # type: ignore[no-untyped-call]

@@ -26,13 +26,7 @@ class _Page(HTMLParser):
 
 
 def requests_of(folder: Path) -> list[str]:
-    """Return a line for each thing that a page or a style sheet asks of another place.
-
-    Parameters
-    ----------
-    folder : Path
-        Where the pages stand, in it or below.
-    """
+    """Return a line for each thing that a page or style sheet in a folder asks of another place."""
     found = []
     for path in sorted(folder.rglob("*.html")):
         page = _Page()

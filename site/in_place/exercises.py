@@ -54,31 +54,12 @@ def check(
     panel: str = "",
     because: str = "",
 ) -> dict[str, Any]:
-    """Judge an answer.
+    """Judge an answer, given in one of `WAYS`: what was typed or chosen, or the values of a panel.
 
-    Parameters
-    ----------
-    number : str
-        The exercise's number.
-    way : str
-        How the answer was given, one of `WAYS`.
-    given : str or dict
-        What was typed or chosen; the values of a panel by name.
-    progress : dict
-        "right", "guesses" and "tried" of a `Progress`: what the page has kept.
-    panel : str
-        Name of the panel's class, where the answer is a panel.
-    because : str
-        Why, in the reader's own words.
-
-    Returns
-    -------
-    dict
-        The card in HTML, what it says as text, the verdict (true, false or null), what the lines
-        of the answer printed, the cell of a notebook that gives the same answer (None if there is
-        none that could be judged), the record that such a cell leaves, and the progress from now
-        on. Or "needs": a package without
-        which the answer cannot be judged.
+    Return the card in HTML, what it says as text, the verdict (true, false or null), what the lines
+    of the answer printed, the cell of a notebook that gives the same answer (None if there is none
+    that could be judged), the record that such a cell leaves, and the progress from now on. Or
+    "needs": a package without which the answer cannot be judged.
     """
     kept = Progress(**{name: deepcopy(progress[name]) for name in KEPT})
     printed = io.StringIO()

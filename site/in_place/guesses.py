@@ -8,17 +8,7 @@ from driftlab.book.puzzles import looked_back, puzzle_of
 
 
 def reveal(chapter: str, guess: list[Answer] | None, note: str) -> str:
-    """Return the answers of a chapter's puzzle in HTML, beside a guess.
-
-    Parameters
-    ----------
-    chapter : str
-        Its number, "03".
-    guess : list of float or str, or None
-        An answer for each question; None if there was no guess.
-    note : str
-        What is to be said of its keeping.
-    """
+    """Return the answers of a chapter's puzzle in HTML, beside a guess."""
     return revealed(puzzle_of(chapter), guess, note)
 
 

@@ -29,24 +29,9 @@ OPEN: list[Explorer] = []
 def open(
     name: str, values: Mapping[str, Any], link: Mapping[str, str] | None = None, ratio: float = 1.0
 ) -> dict[str, Any]:
-    """Open a panel as it stands in the chapter.
+    """Open a panel as it stands in the chapter, then move it to the values of a link, all as text.
 
-    Parameters
-    ----------
-    name : str
-        Its class.
-    values : mapping
-        The values of its controls in the chapter; Reset goes back to the preset that they are.
-    link : mapping, optional
-        Values as a link has them, all as text, to which the panel is moved.
-    ratio : float
-        Pixels of the screen for one of the page.
-
-    Returns
-    -------
-    dict
-        Its number, title, widgets and values;
-        what is wrong with the link, or "".
+    Return its number, title, widgets and values, and what is wrong with the link.
     """
     panel_class = getattr(driftlab.book, name)  # of its chapter alone, which takes less time
     panel = panel_class(_preset(panel_class, values))
@@ -76,14 +61,8 @@ def move(
 ) -> dict[str, Any]:
     """Take what the reader did.
 
-    Parameters
-    ----------
-    panel : int
-        Its number.
-    changes : sequence of (str, str, object)
-        Widget, name in its state, new value.
-    messages : sequence of (str, object)
-        Widget, and what was said to it: a button that it was pressed, a scene what was dragged.
+    A change has the widget, the name in its state and the new value; a message has the widget and
+    what was said to it: a button that it was pressed, a scene what was dragged.
     """
     explorer = OPEN[panel]
     for identifier, name, value in changes:
@@ -96,13 +75,7 @@ def move(
 
 
 def set(panel: int, link: Mapping[str, str]) -> dict[str, Any]:
-    """Move a panel to the values of a link.
-
-    Raises
-    ------
-    ValueError
-        If they do not fit the panel.
-    """
+    """Move a panel to the values of a link; ValueError if they do not fit it."""
     explorer = OPEN[panel]
     with _shown_in(explorer):
         explorer.set(**_read(type(explorer), link))
@@ -155,13 +128,7 @@ def _like(control: Control, value: Any) -> Any:
 
 
 def _read(panel_class: type[Explorer], link: Mapping[str, str]) -> dict[str, Any]:
-    """Values from the text of a link.
-
-    Raises
-    ------
-    ValueError
-        If the panel has no control of a name, or what should be a number is none.
-    """
+    """Values from the text of a link; ValueError if they do not fit the panel."""
     controls = {control.name: control for control in panel_class.controls}
     # Here, since `set(**values)` takes some names, like self, for something else.
     for name in link:

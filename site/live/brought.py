@@ -30,31 +30,15 @@ TARGET = ("--platform=any", "--implementation=py", "--abi=none", "--python-versi
 
 
 class Brought(NamedTuple):
-    """What others made.
+    """What others made."""
 
-    Attributes
-    ----------
-    runtime : Path
-        Folder of Pyodide's runtime, with its official lock.
-    wheels : dict of str to Path
-        Wheels by the name of their package.
-    older : Path
-        The wheel that holds an older package.
-    """
-
-    runtime: Path
-    wheels: dict[str, Path]
-    older: Path
+    runtime: Path  # folder of Pyodide's runtime, with its official lock
+    wheels: dict[str, Path]  # wheels by the name of their package
+    older: Path  # the wheel that holds an older package
 
 
 def bring(folder: Path) -> Brought:
-    """Bring all that the live book needs, but for what is in the folder already.
-
-    Raises
-    ------
-    Unfinished
-        If something does not come.
-    """
+    """Bring all that the live book needs, but for what is in the folder already."""
     runtime = folder / "runtime"
     bring_runtime(runtime)
     pins = wheel_pins()
@@ -64,13 +48,7 @@ def bring(folder: Path) -> Brought:
 
 
 def bring_runtime(folder: Path) -> None:
-    """Put the runtime into a folder, unless it is there as it was published.
-
-    Raises
-    ------
-    Unfinished
-        If npm does not bring it, or brings something else.
-    """
+    """Put the runtime into a folder, unless it is there as it was published."""
     if _is_runtime(folder):
         return
     name = f"pyodide@{VERSIONS['pyodide']['version']}"
@@ -99,13 +77,7 @@ def bring_runtime(folder: Path) -> None:
 
 
 def bring_wheels(pins: Sequence[Pin], folder: Path) -> list[Path]:
-    """Return the wheels of some packages, in their order; those missing in the folder are brought.
-
-    Raises
-    ------
-    Unfinished
-        If pip does not bring one.
-    """
+    """Return the wheels of some packages, in their order; fetch those missing in the folder."""
     folder.mkdir(parents=True, exist_ok=True)
     missing = [pin for pin in pins if _kept(pin, folder) is None]
     if missing:

@@ -40,21 +40,7 @@ MARK = "driftlab-text"
 def make_lite(build: Path, made: Path, extensions: Iterable[Path], about: dict[str, str]) -> None:
     """Write JupyterLite with every notebook of the book.
 
-    Parameters
-    ----------
-    build : Path
-        Folder for what is needed on the way.
-    made : Path
-        Folder for the live book, which is not there yet.
-    extensions : iterable of Path
-        Wheels with extensions of JupyterLab.
-    about : dict of str to str
-        What the strip above the notebook must know, by name: "version", "storage", ...
-
-    Raises
-    ------
-    Unfinished
-        If JupyterLite is not built.
+    The strip above the notebook knows what is in `about`: "version", "storage", ...
     """
     source = build / "lite"
     shutil.rmtree(source, ignore_errors=True)
@@ -113,10 +99,7 @@ OVERRIDES = {
 def write_contents(folder: Path) -> dict[str, str]:
     """Write the notebooks, their links led to what a reader of the live book has.
 
-    Returns
-    -------
-    dict of str to str
-        The mark of each notebook's text, by its path; the notebook has it in its metadata, too.
+    Return the mark of each notebook's text, by its path; the notebook has it in its metadata, too.
     """
     texts = {}
     for name in published():

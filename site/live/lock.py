@@ -49,12 +49,7 @@ def needed(official: Lock, wanted: Iterable[str]) -> dict[str, Any]:
 def entry_of(wheel: Path, depends: Sequence[str] | None = None) -> dict[str, Any]:
     """Return the entry of one of the site's own wheels.
 
-    Parameters
-    ----------
-    wheel : Path
-        The wheel as it is served.
-    depends : sequence of str, optional
-        What is loaded before it; if not given, what the wheel's metadata say.
+    `depends` is loaded before it; if not given, what the wheel's metadata say.
     """
     name, version = wheel.name.split("-")[:2]
     if depends is None:
@@ -83,13 +78,7 @@ def requirements(wheel: Path, python: str = "3.12.7") -> list[Requirement]:
 
 
 def check(packages: Mapping[str, Any], wheels: Iterable[Path]) -> None:
-    """See that all that packages ask for is in the lock, in a version that will do.
-
-    Raises
-    ------
-    Unfinished
-        If something is missing, or is of another version.
-    """
+    """See that all that packages ask for is in the lock, in a version that will do."""
     troubles = [
         f"{name} needs {need}, which is not there"
         for name, entry in packages.items()

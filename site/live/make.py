@@ -42,20 +42,8 @@ def reason_not(build: Path = BUILD) -> str:
 def make_live(build: Path, made: Path, distribution: Path | None) -> None:
     """Write ``live`` into the folder of the site.
 
-    Parameters
-    ----------
-    build : Path
-        Folder for what is kept for the next time.
-    made : Path
-        Folder of the site.
-    distribution : Path, optional
-        Folder with the files of Pyodide's distribution, for a site that needs no network; without
-        it readers fetch them from where Pyodide publishes them.
-
-    Raises
-    ------
-    Unfinished
-        If something cannot be brought or made.
+    With the files of Pyodide's `distribution` the site needs no network; without them readers fetch
+    them from where Pyodide publishes them.
     """
     kept, live = build / "live", made / "live"
     brought = bring(kept)

@@ -94,13 +94,7 @@ def from_within(outer: Path, name: str, folder: Path) -> Path:
 
 
 def compiled(wheels: Sequence[Path], runtime: Path, build: Path) -> list[Path]:
-    """Return the compiled twins of wheels; those of an earlier build are taken again.
-
-    Raises
-    ------
-    Unfinished
-        If Node does not compile them.
-    """
+    """Return the compiled twins of wheels; those of an earlier build are taken again."""
     script = HERE / "compile.mjs"
     below = sha256(script.read_bytes() + (runtime / "package.json").read_bytes())
     twins = {}

@@ -18,22 +18,8 @@ from .versions import VERSIONS
 def make_packages(brought: Brought, build: Path, made: Path, distribution: Path | None) -> None:
     """Write the runtime, the lock and the wheels.
 
-    Parameters
-    ----------
-    brought : Brought
-        What others made.
-    build : Path
-        Folder for what is kept for the next time.
-    made : Path
-        Folder for what a browser loads.
-    distribution : Path, optional
-        Folder with the files of Pyodide's distribution. With it the site holds them all; without
-        it a browser fetches them from where Pyodide publishes them.
-
-    Raises
-    ------
-    Unfinished
-        If something cannot be made, or a file is not what it should be.
+    With Pyodide's `distribution` the site holds all files; without it a browser fetches them from
+    where Pyodide publishes them.
     """
     runtime = brought.runtime
     official = json.loads((runtime / OFFICIAL).read_text("utf-8"))

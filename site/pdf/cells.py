@@ -70,16 +70,7 @@ def typst(text: str) -> str:
 def markdown_of(notebook: NotebookNode, name: str, folder: Path, *, with_code: bool = True) -> str:
     """Return a notebook as Markdown.
 
-    Parameters
-    ----------
-    notebook : NotebookNode
-        With its outputs.
-    name : str
-        What its pictures are called, with a number behind it.
-    folder : Path
-        Where they are written.
-    with_code : bool
-        Whether what the cells gave has their code above it.
+    `name` and a number name each picture, which is written into the folder.
     """
     blocks: list[str] = []
     for number, cell in enumerate(notebook.cells):

@@ -20,19 +20,11 @@ OF_EVERY_CHAPTER = (
 
 
 class Part(NamedTuple):
-    """Some chapters under one heading.
+    """Some chapters under one heading."""
 
-    Attributes
-    ----------
-    title, source : str
-        The heading, and the paper that the chapters follow.
-    beginnings : tuple of str
-        How the names of its documents begin, in their order.
-    """
-
-    title: str
-    source: str
-    beginnings: tuple[str, ...]
+    title: str  # the heading
+    source: str  # the paper that the chapters follow
+    beginnings: tuple[str, ...]  # how the names of its documents begin, in their order
 
 
 PARTS = (

@@ -28,18 +28,10 @@ CHAPTER_AND_SECTION = re.compile(r"^(\d\d),$")
 
 
 class Document:
-    """A document of the book, as pandoc's tree.
-
-    Parameters
-    ----------
-    name : str
-        As the notebooks' folder has it, "solutions/03_systematic_drift.ipynb".
-    text : str
-        Markdown.
-    """
+    """A document of the book, as pandoc's tree."""
 
     def __init__(self, name: str, text: str) -> None:
-        self.name = name
+        self.name = name  # "solutions/03_systematic_drift.ipynb"
         self.label = label(name)
         self.tree = json.loads(pandoc(text, READER, "json"))
         self.anchors: dict[str, str] = {}
@@ -69,13 +61,7 @@ class Document:
 
 
 class Book:
-    """All documents, which know each other.
-
-    Parameters
-    ----------
-    documents : list of Document
-        In the order of the book.
-    """
+    """All documents, which know each other."""
 
     def __init__(self, documents: list[Document]) -> None:
         self.documents = {document.name: document for document in documents}
@@ -153,10 +139,7 @@ class Book:
 def pandoc(text: str, source: str, target: str) -> str:
     """Return a text in another form.
 
-    Raises
-    ------
-    Unfinished
-        If pandoc warns: then a formula would be printed raw.
+    Unfinished is raised if pandoc warns: then a formula would be printed raw.
     """
     command = [pypandoc.get_pandoc_path(), "-f", source, "-t", target, "--wrap=none"]
     run = subprocess.run(command, input=text, capture_output=True, text=True, encoding="utf-8")

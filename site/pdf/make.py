@@ -34,21 +34,12 @@ FIRST = "00 Start here"
 
 
 class Look(NamedTuple):
-    """How a document is to be printed.
+    """How a document is to be printed."""
 
-    Attributes
-    ----------
-    paper : str
-        Its name in Typst, "a4" or "us-letter".
-    with_code : bool
-        Whether what the cells gave has their code above it.
-    kind : str
-        A "notebook"; a sheet of "exercises", to be written on; the sheet of an "examination", or
-        the "scheme" for who marks it.
-    """
-
-    paper: str = "a4"
-    with_code: bool = True
+    paper: str = "a4"  # its name in Typst, "a4" or "us-letter"
+    with_code: bool = True  # whether what the cells gave has their code above it
+    # a "notebook"; a sheet of "exercises", to be written on; the sheet of an "examination", or the
+    # "scheme" for who marks it
     kind: str = "notebook"
 
 
@@ -62,22 +53,8 @@ def make_pdf(
 ) -> None:
     """Make the PDF of the whole book.
 
-    Parameters
-    ----------
-    notebooks : dict of str to NotebookNode
-        The book with its outputs, as `executed.executed` returns it.
-    build : Path
-        Folder for what is needed on the way.
-    target : Path
-        The file.
-    look : Look
-        How it is to be printed.
-
-    Raises
-    ------
-    Unfinished
-        If a formula cannot be read, a link leads nowhere, a sign is in no font, or Typst refuses
-        or warns.
+    Unfinished is raised if a formula cannot be read, a link leads nowhere, a sign is in no font, or
+    Typst refuses or warns.
     """
     folder = _emptied(build / "pdf")
     cover = plain_svg((ROOT / COVER).read_text("utf-8"))
@@ -88,22 +65,7 @@ def make_pdf(
 def make_handout(
     name: str, notebook: NotebookNode, build: Path, target: Path, look: Look = AS_A_BOOK
 ) -> None:
-    """Make the PDF of one document; its links to others are words.
-
-    Parameters
-    ----------
-    name : str
-        As `executed.executed` has it.
-    notebook : NotebookNode
-        With its outputs.
-    build, target, look
-        As in `make_pdf`.
-
-    Raises
-    ------
-    Unfinished
-        As in `make_pdf`.
-    """
+    """Make the PDF of one document; its links to others are words."""
     folder = _emptied(build / "print" / label(name))
     part = part_of(name)
     title = WITHOUT_PART.get(look.kind, part.title)

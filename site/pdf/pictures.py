@@ -31,24 +31,12 @@ DARK = re.compile(r"\.driftlab-dark [^{}]*\{[^{}]*\}")
 
 
 class Picture(NamedTuple):
-    """A picture in a file.
+    """A picture in a file."""
 
-    Attributes
-    ----------
-    file : str
-        Its name in the folder.
-    width : float
-        On paper, in points.
-    caption : str
-        What stands below it, plain.
-    is_still : bool
-        Whether it is a panel or a scene that moves elsewhere.
-    """
-
-    file: str
-    width: float
-    caption: str
-    is_still: bool
+    file: str  # its name in the folder
+    width: float  # on paper, in points
+    caption: str  # what stands below it, plain
+    is_still: bool  # whether it is a panel or a scene that moves elsewhere
 
 
 def picture(markup: str, folder: Path, name: str) -> Picture | None:

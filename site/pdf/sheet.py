@@ -25,11 +25,6 @@ def sheet(notebook: NotebookNode) -> NotebookNode | None:
 
     What introduces them speaks of a screen and is left out, and so are panels, which need one;
     hints stand in no cell. Of the cells for answers there is what they give to begin with.
-
-    Parameters
-    ----------
-    notebook : NotebookNode
-        Without outputs: what a check says is no part of a sheet.
     """
     title, *cells = notebook.cells
     found: list[NotebookNode] = []

@@ -23,37 +23,19 @@ BOOK = "driftlab.book"
 
 
 class Name(NamedTuple):
-    """A public thing.
+    """A public thing."""
 
-    Attributes
-    ----------
-    documented, home : str
-        The dotted name to import it by, and the one that says where its code stands.
-    kind : str
-        "function", "class" or "data", as Sphinx has them.
-    """
-
-    documented: str
-    home: str
-    kind: str
+    documented: str  # the dotted name to import it by
+    home: str  # the one that says where its code stands
+    kind: str  # "function", "class" or "data", as Sphinx has them
 
 
 class Module(NamedTuple):
-    """A module with a page of its own.
+    """A module with a page of its own."""
 
-    Attributes
-    ----------
-    name : str
-        Dotted.
-    summary : str
-        First line of its docstring.
-    names : tuple of Name
-        What it offers, in its own order.
-    """
-
-    name: str
-    summary: str
-    names: tuple[Name, ...]
+    name: str  # dotted
+    summary: str  # first line of its docstring
+    names: tuple[Name, ...]  # what it offers, in its own order
 
 
 def thing(name: str) -> Any:

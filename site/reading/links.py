@@ -13,13 +13,8 @@ from reading.doors import aliases, documented
 def with_links(text: str, notebook: str) -> str:
     """Return Markdown of a notebook, its links and names led to where things stand on the site.
 
-    Notebooks are pages under their own names, so links between them hold as they are.
-
-    Parameters
-    ----------
-    text : str
-    notebook : str
-        The notebook's name, seen from the book's folder: "../docs/using.md" for a page.
+    Notebooks are pages under their own names, so links between them hold as they are. The
+    notebook's name is seen from the book's folder: "../docs/using.md" for a page.
     """
 
     def led(match: re.Match[str]) -> str:

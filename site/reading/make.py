@@ -50,24 +50,8 @@ def make_reading(
 ) -> None:
     """Make the pages.
 
-    Parameters
-    ----------
-    notebooks : dict of str to NotebookNode
-        The book with its outputs, as `executed.executed` returns it.
-    build : Path
-        Folder for what is needed on the way.
-    made : Path
-        Folder for the pages, which is not there yet.
-    beside : collection of str
-        What else the site will have, so that the pages lead to it: of "live", "colab", "pdf" and
-        "in_place".
-    pdf_size : int, optional
-        Of the PDF, in bytes, for the first page to say.
-
-    Raises
-    ------
-    Unfinished
-        If Sphinx warns, or a page would fetch something from elsewhere.
+    They lead to what else the site will have `beside` them ("live", "colab", "pdf", "in_place"),
+    and the first page says the size of the PDF, in bytes.
     """
     source = build / "source"
     trees = build / "doctrees"  # made anew: kept ones would still know where labels were

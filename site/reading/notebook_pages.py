@@ -37,20 +37,11 @@ WAYS: dict[str, tuple[Callable[[str], str], str]] = {
 
 
 class NotebookPages(NamedTuple):
-    """The pages of all notebooks.
+    """The pages of all notebooks."""
 
-    Attributes
-    ----------
-    texts : dict of str to str
-        What MyST-NB reads, by the name of the file.
-    pictures : Pictures
-    figures : frozenset of str
-        Names of the book's figures that have a place on one of the pages.
-    """
-
-    texts: dict[str, str]
+    texts: dict[str, str]  # what MyST-NB reads, by the name of the file
     pictures: Pictures
-    figures: frozenset[str]
+    figures: frozenset[str]  # names of the book's figures that have a place on one of the pages
 
 
 def notebook_pages(
@@ -60,14 +51,7 @@ def notebook_pages(
 ) -> NotebookPages:
     """Return the pages of all notebooks.
 
-    Parameters
-    ----------
-    notebooks : mapping of str to NotebookNode
-        The book with its outputs, by name: "solutions/03_systematic_drift.ipynb".
-    chapters : sequence of Chapter
-        The chapters among them.
-    beside : collection of str
-        The parts of the site that are built beside the pages: of "live", "colab" and "pdf".
+    The parts of the site that are built `beside` the pages are of "live", "colab" and "pdf".
     """
     pictures, texts, figures = Pictures(), {}, set()
     known = {f"{chapter.page}.ipynb": chapter for chapter in chapters}

@@ -41,29 +41,14 @@ ROOM = re.compile(r'<div class="(exercise|guess)" data-')
 
 
 class Outputs:
-    """The outputs of the cells of one page.
-
-    Parameters
-    ----------
-    pictures : Pictures
-        Takes the pictures.
-    page : str
-        The page's name, as "solutions/03_systematic_drift".
-    chapter : str
-        The number of the chapter that the page is, or has solutions of; "" for other pages.
-
-    Attributes
-    ----------
-    figures : set of str
-        Names of the book's figures that have their place on the page.
-    """
+    """The outputs of the cells of one page."""
 
     def __init__(self, pictures: Pictures, page: str, chapter: str) -> None:
         self.pictures = pictures
-        self.page = page
+        self.page = page  # its name, as "solutions/03_systematic_drift"
         self.up = "../" * page.count("/")  # the way to the begin of the site
-        self.chapter = chapter
-        self.figures: set[str] = set()
+        self.chapter = chapter  # whose the page or its solutions are; "" if neither
+        self.figures: set[str] = set()  # names of figures that have their place on the page
 
     def shown(self, cell: NotebookNode) -> list[NotebookNode]:
         """Return what the page shows of a cell's outputs."""

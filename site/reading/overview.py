@@ -53,17 +53,7 @@ def words_of(notebook: Path) -> list[str]:
 
 
 def text_of(root: Path, notebook: str, begin: str, end: str) -> str:
-    """Return a part of the words of a notebook, without its code.
-
-    Parameters
-    ----------
-    root : Path
-        The project's folder.
-    notebook : str
-        Its name.
-    begin, end : str
-        Headings to begin with, and to stop before.
-    """
+    """Return the words of a notebook from one heading up to another, without its code."""
     text = "\n\n".join(words_of(root / "notebooks" / notebook))
     text = text[text.index(f"{begin}\n") :]
     return f"{with_links(text[: text.index(end)], notebook)}\n"

@@ -46,13 +46,7 @@ def entries_by_home() -> dict[str, list[LedgerEntry]]:
 
 
 def in_the_papers(place: str) -> list[str]:
-    """Return lines on what a function computes of the papers; none if the ledger has nothing.
-
-    Parameters
-    ----------
-    place : str
-        Its dotted name, in the module that defines it.
-    """
+    """Return lines on what a function computes of the papers; none if the ledger has nothing."""
     entries = entries_by_home().get(place, [])
     lines = [
         f"- :ref:`{short(entry.paper)}, {entry.label} <{entry_label(entry)}>`, *{entry.status}*: "

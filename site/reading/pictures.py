@@ -19,26 +19,15 @@ POINT = 96 / 72
 
 
 class Pictures:
-    """The pictures of all pages: each is one file, however often it is shown.
-
-    Attributes
-    ----------
-    files : dict of str to bytes
-        By the name of the file, which is a digest of what is in it.
-    """
+    """The pictures of all pages: each is one file, however often it is shown."""
 
     def __init__(self) -> None:
-        self.files: dict[str, bytes] = {}
+        self.files: dict[str, bytes] = {}  # by name, a digest of what is in the file
 
     def as_files(self, output: str, up: str) -> str:
         """Return HTML of an output with its pictures in files, so that the page is light.
 
-        Parameters
-        ----------
-        output : str
-            HTML that holds its pictures itself.
-        up : str
-            The way from the page to the begin of the site, "../" for a page in a folder.
+        `up` is the way from the page to the begin of the site, "../" for a page in a folder.
         """
         return INLINED.sub(lambda found: self._filed(found, up), output)
 

@@ -19,15 +19,7 @@ def solution_label(number: str) -> str:
 
 
 def fold_of(number: str, page: str) -> str:
-    """Return what stands below an exercise; ``solutions.js`` fills it when a reader unfolds it.
-
-    Parameters
-    ----------
-    number : str
-        The exercise, as "3.2".
-    page : str
-        The address of the page of solutions.
-    """
+    """Return what stands below an exercise; ``solutions.js`` fills it when a reader unfolds it."""
     return (
         '<details class="solution"><summary>Worked solution</summary>'
         f'<p><a class="reference internal" href="{page}#{solution_label(number)}">'

@@ -39,13 +39,7 @@ STILL = re.compile(r'<style>.*?</style><figure class="driftlab-still".*?(<img.*?
 
 
 def on_slides(notebook: NotebookNode) -> NotebookNode:
-    """Return a chapter, with its outputs, as its slides have it; the notebook stays as it is.
-
-    Parameters
-    ----------
-    notebook : NotebookNode
-        As `executed.executed` returns it.
-    """
+    """Return a chapter, with its outputs, as its slides have it; the notebook stays as it is."""
     shown: list[NotebookNode] = []
     folded = 0  # the level of the heading that is folded
     for cell in notebook.cells:

@@ -53,17 +53,7 @@ def chapters() -> dict[str, str]:
 
 
 def slides(notebook: NotebookNode, name: str, code: bool = False) -> str:
-    """Return the slides of a chapter as HTML that asks for nothing else.
-
-    Parameters
-    ----------
-    notebook : NotebookNode
-        The chapter with its outputs.
-    name : str
-        For the title.
-    code : bool, optional
-        Whether the code is shown.
-    """
+    """Return the slides of a chapter as HTML that asks for nothing else."""
     exporter = SlidesExporter(  # type: ignore[no-untyped-call]
         template_name="lecture", extra_template_basedirs=[str(HERE)], exclude_anchor_links=True
     )
