@@ -78,7 +78,7 @@ def integration_error(motion: ErrorMotion, rate: ArrayLike, measured_rate: Array
 
 
 class ErrorInSpace(NamedTuple):
-    """A body, where its computer believes it to be, and the rotation between them, over time."""
+    """True and computed attitude of a body, and the rotation between them, over time."""
 
     time: FloatArray  # (m,), s
     attitude: FloatArray  # (m, 4), true, body to reference

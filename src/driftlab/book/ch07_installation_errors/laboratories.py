@@ -29,7 +29,7 @@ class TwoLaboratories(NamedTuple):
 def two_laboratories(
     gyro_error: ArrayLike, bracket: ArrayLike, moments: int = 181
 ) -> TwoLaboratories:
-    """Turn a unit in its mounting by and by, and let it be measured all along; Wu (37)-(42)."""
+    """Turn a unit in its mounting, and measure it all along; Wu (37)-(42)."""
     in_a = finite_array(gyro_error, "gyro_error", 3, 3)
     turned = finite_array(bracket, "bracket", 3)
     share = np.linspace(0.0, 1.0, moments)

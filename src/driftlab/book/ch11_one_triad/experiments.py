@@ -98,7 +98,7 @@ def _true_turns() -> Increments:
 
 
 def turn_estimates(bent: FloatArray, *, noise: ImuNoise | None = None) -> FloatArray:
-    """Return what the unit shows after a turn about each of `AXES`, in both senses: (2, 6)."""
+    """Return what the unit shows after a turn about each of `AXES`, in both directions: (2, 6)."""
     rng = np.random.default_rng(SEED)
     record = measure(_true_turns(), bent_unit(bent), noise, rng)
     return recorded_turn_estimate(record.angle, AXES)

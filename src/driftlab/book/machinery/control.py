@@ -25,8 +25,8 @@ class Control:
     high: float = 1.0  # of a slider
     step: float = 0.1  # of a slider
     stops: Sequence[float] = ()  # for a slider that stops at these values only
-    choices: Sequence[str] = ()  # for a menu in place of a slider
-    # for a line of text in place of a slider; any text goes, these are good ones
+    choices: Sequence[str] = ()  # for a menu instead of a slider
+    # for a line of text instead of a slider; any text goes, these are good ones
     examples: Sequence[str] = ()
     group: str = ""  # heading of the column in which the control stands
 

@@ -94,7 +94,7 @@ class Objection(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Exercise(ABC):
-    """An exercise that answers back."""
+    """An exercise that checks an answer."""
 
     kind: str  # one of `KINDS`
     # what is worth seeing in the answer, told to who has found it

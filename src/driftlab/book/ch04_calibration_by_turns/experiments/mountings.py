@@ -35,8 +35,8 @@ class Mountings(NamedTuple):
 
     time: FloatArray  # (m,), s; the body turns at an even rate
     attitude: FloatArray  # (m, 4), body to laboratory, whose third axis is that of the table
-    # (m, 3), rotation vector from the body to where its computer believes it to be, in body axes,
-    # rad. The computer starts anew with each mounting; in between the error is zero
+    # (m, 3), rotation vector from the true to the computed attitude, in body axes, rad. The
+    # computer starts again with each mounting; in between the error is zero
     error: FloatArray
     # (4, m, 3), the same of each mounting by itself in laboratory axes, rad: zero before it, and
     # after it what its turn has left

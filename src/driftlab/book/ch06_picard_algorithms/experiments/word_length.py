@@ -69,8 +69,8 @@ class ShortWord(NamedTuple):
     # (arithmetic, motion, update, m), error of the attitude after all steps, its length divided
     # out, rms over the starts, rad; in the orders of `ARITHMETICS`, `motions` and `UPDATES`
     errors: FloatArray
-    # (motion, update, m), relative error of the quaternion's length, rms over the starts, without
-    # mending
+    # (motion, update, m), relative error of the quaternion's length if it is not normalised, rms
+    # over the starts
     stretched: FloatArray
     steps: int = WORD_STEPS  # of a run
     starts: int = WORD_STARTS  # attitudes at the start

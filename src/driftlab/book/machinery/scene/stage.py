@@ -62,7 +62,7 @@ class View:
 class Curve:
     """A curve over the scene's time."""
 
-    name: str  # stands at its end, in place of a legend
+    name: str  # stands at its end, instead of a legend
     values: FloatArray  # (n,), in the unit of the plot's axis; NaN leaves a gap
     style: str  # a class of ``scene.css``
     moments: NDArray[np.integer] | None = None  # only these moments, as dots
@@ -96,7 +96,7 @@ class Readout:
     values: FloatArray  # (n,)
     decimals: int = 0
     unit: str = ""
-    # what is said in place of the numbers 0, 1, 2, ...; then `values` are such numbers
+    # what is said instead of the numbers 0, 1, 2, ...; then `values` are such numbers
     words: tuple[str, ...] = ()
 
     def said(self, moment: int) -> str:
