@@ -26,6 +26,7 @@ ROWS = (
     "one kernel, started",
     "one kernel, chapter run",
     "all kernels, chapter run",
+    "all kernels, each at its own peak, shared pages counted in each",
     "processor seconds of one kernel for the chapter",
     "seconds until the last kernel was done",
     "**thirty students, a server each: GiB**",
@@ -36,6 +37,12 @@ ROWS = (
 def memory(processes: list[psutil.Process]) -> float:
     """Sum in MiB; pages that n processes share count 1/n in each."""
     return sum(process.memory_full_info().pss for process in processes) / 2**20
+
+
+def peak(processes: list[psutil.Process]) -> float:
+    """Sum in MiB of the most that each process ever had."""
+    status = [Path(f"/proc/{process.pid}/status").read_text() for process in processes]
+    return sum(float(text.partition("VmHWM:")[2].split()[0]) for text in status) / 2**10
 
 
 def processor_seconds(processes: list[psutil.Process]) -> float:
@@ -65,12 +72,13 @@ def take_class(chapter: str, count: int, served: float) -> tuple[str, list[float
                 wait_for(client, requests[-1])
             wall = perf_counter() - begin
             each, after = (processor_seconds(processes) - before) / count, memory(processes)
+            most = peak(processes)
         finally:
             for client, manager in zip(clients, managers, strict=False):
                 client.stop_channels()
                 manager.shutdown_kernel(now=True)
     thirty = 30 * (after / count + served) / 1024
-    rows = [idle / count, after / count, after, each, wall, thirty, 30 * each / 60]
+    rows = [idle / count, after / count, after, most, each, wall, thirty, 30 * each / 60]
     return f"{count} × {path.stem}", rows
 
 
@@ -87,7 +95,8 @@ def wait_for(client: BlockingKernelClient, last: str) -> None:
 def server() -> float:
     """Memory of a JupyterLab server that has answered and has nothing open, in MiB."""
     with TemporaryDirectory() as folder:
-        asked = ["--no-browser", "--allow-root", "--port=0", f"--ServerApp.root_dir={folder}"]
+        asked = ["--no-browser", "--allow-root", "--ip=127.0.0.1", "--port=0"]
+        asked.append(f"--ServerApp.root_dir={folder}")
         command = [sys.executable, "-m", "jupyterlab", *asked]
         with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
             if not any("is running at" in line for line in process.stderr or ()):
