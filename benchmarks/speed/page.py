@@ -162,7 +162,7 @@ def write_picture(found: Found, path: Path) -> None:
                     (line.ratio.median, height),
                     xytext=(0, -4 if turn % 2 else 4),
                     textcoords="offset points",
-                    ha="center",
+                    ha=("left", "center", "right", "center")[turn % 4],
                     va="top" if turn % 2 else "bottom",
                     fontsize=5.5,
                     color=colour,
@@ -170,5 +170,7 @@ def write_picture(found: Found, path: Path) -> None:
         axes.set_yticks(range(len(rows)), [fill(title, 58) for title, _ in rows])
         axes.set_ylim(len(rows) - 0.4, -0.8)
         axes.set_xscale("log")
-        axes.set_xlabel("time as a multiple of ours; blue: a peer behind us, red square: ahead")
+        axes.set_xlabel(
+            "time as a multiple of ours; blue: a peer behind us, red square: ahead, or more exact"
+        )
         figure.savefig(path, metadata={"Date": None})
