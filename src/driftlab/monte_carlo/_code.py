@@ -12,6 +12,7 @@ from importlib.machinery import PathFinder
 from importlib.util import resolve_name
 from pathlib import Path
 from sysconfig import get_paths
+from threading import Lock
 from types import CodeType, FunctionType, MethodType, ModuleType
 from typing import Any
 
@@ -26,6 +27,8 @@ PACKAGE = Path(driftlab.__file__).parent
 STANDARD_LIBRARY = Path(get_paths()["stdlib"])
 INSTALLED = {"site-packages", "dist-packages"}
 """Names of the folders of what is installed."""
+_PARSING = Lock()
+"""CPython 3.11 may raise a SystemError on its recursion depth when two threads parse at once."""
 
 
 def code_of(task: Any) -> str:
@@ -190,7 +193,9 @@ def _unloaded(name: str) -> str | None:
 
 def _imported_in(text: bytes, package: str) -> Iterator[str]:
     """Names of all that a text imports; of `from a import b` both a and a.b, which may be one."""
-    for node in ast.walk(ast.parse(text)):
+    with _PARSING:
+        tree = ast.parse(text)
+    for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from (each.name for each in node.names)
         elif isinstance(node, ast.ImportFrom):
