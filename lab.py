@@ -73,7 +73,7 @@ FIRST_STEPS = """\
               --no-browser   only print the address
               --port N       use this port
               --original     open the book itself, for authors
-  fresh     make clean copies of all notebooks, keep yours ("fresh 03": of one)
+  fresh     make clean notebooks and keep yours ("fresh 03": of a chapter)
   test      check that everything works on your computer
               --quick        leave out browsers, chapters, set-ups, long studies
               --site         only the site that "site" built, in _site or in
