@@ -134,8 +134,9 @@ def test_a_figure_is_drawn_with_other_parameters(name: str, tmp_path: Path) -> N
     assert figure.call == call
     assert all(f"{parameter}=" in call for parameter in VARIATIONS[name])
     for drawn in (figure.on_screen, figure.definition.draw(figure.data, Sheet(COLUMN))):
-        if isinstance(drawn, Figure):
-            drawn.draw_without_rendering()
+        figure_drawn = getattr(drawn, "figure", drawn)
+        if isinstance(figure_drawn, Figure):
+            figure_drawn.draw_without_rendering()
     if figure.definition.columns:
         path = figure.save(tmp_path / "numbers.csv")
         assert read_table(path)[1] != read_table(PUBLISHED / f"{name}.csv")[1]

@@ -52,7 +52,7 @@ def test_reset_and_presets(panel_class: type[Explorer]) -> None:
 def test_picture_is_the_static_figure(panel_class: type[Explorer]) -> None:
     """Drawn move by move or all at once: the same pixels, and the same size."""
     panel = opened(panel_class)
-    figure = panel.picture_class.draw(panel.compute(panel.values))
+    figure = panel.picture_class.draw(panel.compute(panel.values)).figure
     figure.dpi = panel.view.picture.figure.dpi
     figure.canvas.draw()
     static = np.asarray(figure.canvas.buffer_rgba())[..., :3].astype(int)

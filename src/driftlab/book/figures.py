@@ -15,8 +15,9 @@ from typing import Any
 from driftlab.recordings.publishers import PUBLISHED, RecordingUnavailable, published_file
 
 from .chapters import chapters_with, part_of
+from .machinery.data_table import DataTable
 from .machinery.figure_table import read_table
-from .machinery.publish import FigureDefinition, PublishedFigure
+from .machinery.publish import KEPT, FigureDefinition, PublishedFigure
 
 _FOLDER = Path(__file__).parents[3] / "figures"
 
@@ -127,7 +128,11 @@ def measured(name: str) -> Any:
     needed = not definition.recordings or bool(not_at_hand(definition))
     if definition.restore is not None and needed:
         if table.exists():
-            return definition.restore(read_table(table)[1])
+            comments, columns = read_table(table)
+            kept = [line for line in comments if line.startswith(KEPT)]
+            if kept:
+                return DataTable.read(kept[0].removeprefix(KEPT), columns)
+            return definition.restore(columns)
         if not definition.recordings:
             warnings.warn(
                 f"{name} is computed anew, which takes minutes: its published numbers are in the "

@@ -11,7 +11,6 @@ from driftlab.book.ch03_systematic_drift.experiments import (
     drift_history,
     drift_map,
 )
-from driftlab.book.ch03_systematic_drift.figures import drift_history as drift_history_figure
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.closed_motion import exact_drift_per_motion
@@ -25,12 +24,12 @@ def test_drift_history_stays_within_the_fixed_axes(
     triad_error: np.ndarray, direction: np.ndarray
 ) -> None:
     data = drift_history(triad_error, direction)
-    table = drift_history_figure.columns(data)
+    table = data.columns()
     assert np.abs(table["along_deg"]).max() < 12
     assert table["across_arcmin"].max() < 45
     np.testing.assert_allclose(data.turns[::60], data.whole_turns, rtol=0, atol=1e-12)
     # (2.3), made exact: once a turn the error is so many times the drift of one turn.
-    seen = np.linalg.norm(data.snapshots, axis=-1)
+    seen = np.linalg.norm(data.error[::60], axis=-1)
     expected = np.abs(data.whole_turns * data.exact_per_turn)
     np.testing.assert_allclose(seen, expected, rtol=1e-6, atol=1e-14)
 

@@ -171,22 +171,22 @@ def test_the_horizon_settles_as_an_oscillator_with_its_damping(figure: Published
     period = round(2 * np.pi / ringing / at_work.SETTLING_INTERVAL)
     expected = np.exp(-decay * period * at_work.SETTLING_INTERVAL)
     early = slice(10, 60)
-    ratio = data.tilt[10 + period : 60 + period] / data.tilt[early]
+    ratio = data.settling_tilt[10 + period : 60 + period] / data.settling_tilt[early]
     # While the tilt is not near one of its zeros; half a degree is a small angle within 1e-2.
-    whole = data.tilt[early] > 0.3 * data.tilt[0]
+    whole = data.settling_tilt[early] > 0.3 * data.settling_tilt[0]
     assert whole.sum() > 10
     np.testing.assert_allclose(ratio[whole], expected, rtol=0.05)
-    assert data.tilt[0] == pytest.approx(np.linalg.norm(at_work.TILT), rel=0.05)
-    assert data.settling_heading[0] > np.radians(10)
-    assert data.settling_heading[-1] < np.radians(2e-5)
-    assert data.tilt[-1] < 1e-6 * data.tilt[0]
+    assert data.settling_tilt[0] == pytest.approx(np.linalg.norm(at_work.TILT), rel=0.05)
+    assert data.settling_heading_error[0] > np.radians(10)
+    assert data.settling_heading_error[-1] < np.radians(2e-5)
+    assert data.settling_tilt[-1] < 1e-6 * data.settling_tilt[0]
 
 
 def test_the_swing_of_many_runs_is_as_large_as_the_formulas_say() -> None:
     data = at_work.settling_and_swing(runs=200)
-    assert data.heading.shape == (200, 120)
+    assert data.heading_error.shape == (200, 120)
     low, high = chi_bounds(200)
-    ratio = np.mean(data.heading**2, axis=0) / data.deviation**2
+    ratio = np.mean(data.heading_error**2, axis=0) / data.formula**2
     # The tilt at the start of the swing, which the formula leaves out, is (ws/wn)^2/2 of it, and
     # counts most where the cosine is zero; there the noise since then is in the formula alone.
     assert (low < ratio).all()
@@ -196,6 +196,6 @@ def test_the_swing_of_many_runs_is_as_large_as_the_formulas_say() -> None:
     assert low < ratio.mean() < high
     # A whole swing later only what new noise has fed is different.
     period = 2 * np.pi / SCHULER
-    begun, later = np.interp([60.0, 60.0 + period], data.times, data.deviation * LEVEL_RATE)
+    begun, later = np.interp([60.0, 60.0 + period], data.time, data.formula * LEVEL_RATE)
     fed = at_work.RANDOM_WALK * SCHULER * np.sqrt(period / 2)
     assert np.sqrt(later**2 - begun**2) == pytest.approx(fed, rel=0.01)

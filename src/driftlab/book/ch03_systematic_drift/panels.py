@@ -2,14 +2,13 @@
 
 from typing import ClassVar
 
-from scipy.constants import arcminute
-
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values, matrix_code
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import Results
 
 from .controls import TRIAD_ERROR_CONTROLS, TRIADS, triad_error_of
-from .experiments import DriftHistory, drift_history
+from .experiments import drift_history
 from .figures.drift_history import DriftHistoryPicture
 
 
@@ -28,16 +27,16 @@ class DriftExplorer(Explorer):
         "Scale factor": "Nothing leans here. About which axis is the drift largest?",
     }
 
-    def compute(self, values: Values) -> DriftHistory:
+    def compute(self, values: Values) -> DataTable:
         return drift_history(triad_error_of(values), axis_of(values))
 
-    def numbers(self, data: DriftHistory) -> Results:
-        worst = axis_values(data.worst_axis)
+    def numbers(self, table: DataTable) -> Results:
+        worst = axis_values(table.worst_axis)
         return Results(
-            ("drift in one turn", _arcmin(data.exact_per_turn)),
+            table.row("exact_per_turn", ".3f"),
             [
-                ("to first order", _arcmin(data.first_order_per_turn)),
-                ("about the worst axis", _arcmin(data.worst_per_turn)),
+                table.row("first_order_per_turn", ".3f"),
+                table.row("worst_per_turn", ".3f"),
                 ("worst axis, azimuth", f"{worst['azimuth']:.1f}°"),
                 ("worst axis, elevation", f"{worst['elevation']:.1f}°"),
             ],
@@ -52,10 +51,6 @@ class DriftExplorer(Explorer):
             f"drift_per_turn({axis_code(values)}, triad_error)\n"
             "principal_drifts(triad_error, exact=True)"
         )
-
-
-def _arcmin(angle: float) -> str:
-    return f"{angle / arcminute:.3f}′"
 
 
 PANELS = (DriftExplorer,)

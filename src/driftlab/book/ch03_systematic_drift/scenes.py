@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from driftlab.book.ch00_start_here.puzzle import LEANING
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values, matrix_code
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.spans import reach, span
@@ -27,7 +28,7 @@ from .block import (
     magnification,
 )
 from .controls import TRIAD_ERROR_CONTROLS, TRIADS, triad_error_of, triad_error_values
-from .experiments import EXAGGERATION, TURNS, DriftHistory, drift_history
+from .experiments import EXAGGERATION, TURNS, drift_history
 from .globe import GlobeOfAxes
 
 SAMPLES = 96
@@ -39,12 +40,12 @@ class TurningBlockView(SceneView):
 
     autoplay = True
 
-    def stage(self, data: DriftHistory) -> Stage:
+    def stage(self, data: DataTable) -> Stage:
         attitude = from_rotation_vector(2 * np.pi * data.turns[:, np.newaxis] * data.direction)
         angle = np.linalg.norm(data.error, axis=-1)
         factor = magnification(angle.max())
         ghost = multiply(attitude, from_rotation_vector(factor * data.error))
-        along, across = np.degrees(parts_of_error(data)) * 60
+        along, across = (60 * np.degrees(each) for each in (data.along, data.across))
         whole = SAMPLES * np.arange(len(data.whole_turns))
         straight = np.degrees(data.first_order_per_turn * data.turns) * 60
         return Stage(
@@ -90,18 +91,11 @@ class TurningBlockView(SceneView):
         )
 
 
-def parts_of_error(data: DriftHistory) -> tuple[FloatArray, FloatArray]:
-    """Error (m,) about the axis of the turns, and the size of the rest, rad."""
-    along = data.error @ data.direction
-    rest = data.error - along[:, np.newaxis] * data.direction
-    return along, np.linalg.norm(rest, axis=-1)
-
-
 def turning_block(
     triad_error: ArrayLike = LEANING,
     direction: ArrayLike = (1.0, 1.0, 0.0),
     exaggeration: float = EXAGGERATION,
-) -> DriftHistory:
+) -> DataTable:
     """Error of a bent triad in as many moments as the block is shown in; see `drift_history`."""
     return drift_history(triad_error, direction, SAMPLES, exaggeration=exaggeration)
 
@@ -133,7 +127,7 @@ class TurningBlock(SceneExplorer):
         "Skew triad": "Each gyro leans as much as in the symmetric one. What stays after a turn?",
     }
 
-    def compute(self, values: Values) -> DriftHistory:
+    def compute(self, values: Values) -> DataTable:
         return turning_block(triad_error_of(values), axis_of(values))
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
@@ -141,7 +135,7 @@ class TurningBlock(SceneExplorer):
             return gyro_dragged(handle, direction, self.values)
         return axis_values(direction)
 
-    def numbers(self, data: DriftHistory) -> Results:
+    def numbers(self, data: DataTable) -> Results:
         return Results(
             ("left after one turn", angle_text(data.exact_per_turn)),
             [

@@ -169,7 +169,7 @@ class Explorer(widgets.VBox):
         path, sheet = Path(path), Sheet(width)
         if issubclass(self.picture_class, Picture):
             ending = ending_of(path, PICTURES)
-            figure = self.picture_class.draw(self._shown, sheet)
+            figure = self.picture_class.draw(self._shown, sheet).figure
             if sheet.on_paper and figure.get_figwidth() != sheet.width:
                 only = "this picture, which is laid out for a screen"
                 raise ValueError(f"width: expected None for {only}, got {width!r}.")

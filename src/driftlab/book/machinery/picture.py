@@ -8,7 +8,7 @@ that they are drawn on, a screen if nothing else is said; see `sheet`.
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
-from typing import Any, ClassVar, Generic, Protocol, TypeVar
+from typing import Any, ClassVar, Generic, Protocol, Self, TypeVar
 
 import numpy as np
 from matplotlib.artist import Artist
@@ -23,6 +23,8 @@ from numpy.typing import ArrayLike
 
 from driftlab.checks import FloatArray
 
+from .data_table import DataTable
+from .drawing import GUIDE as GUIDE, Drawing, Place
 from .sheet import SCREEN, Sheet, drawn_in
 
 # Okabe and Ito's colours, orange and sky darkened until their contrast to white is above 3 to 1;
@@ -43,25 +45,20 @@ SERIES: tuple[dict[str, Any], ...] = (
 REACHES = tuple(k * 10.0**power for power in range(-6, 4) for k in (1, 2, 5))
 """How far axes may reach, if nothing else is said."""
 
-GUIDE = "_guide"
-"""Label of what is drawn to guide the eye: it is not in the legend, and not in the CSV."""
-
 Data = TypeVar("Data")
 Seen = TypeVar("Seen", contravariant=True)
 
 
-class Picture(Generic[Data]):
-    """A figure with artists made once; subclasses make axes in `build`, move them in `update`."""
+class Picture(Drawing, Generic[Data]):
+    """A drawing with artists made once; subclasses make axes in `build`, move them in `update`."""
 
     size: ClassVar[tuple[float, float]] = (9.0, 3.8)
-    # an empty one of `size`, which `build` may replace by one of ``self.sheet.mosaic``
-    figure: Figure
 
     def __init__(self, sheet: Sheet = SCREEN) -> None:
+        super().__init__(None, sheet)
         self.moving: list[Artist] = []  # what `update` changes; all else is drawn once and kept
         # whether `update` has changed the axes as well, so that everything must be drawn again
         self.rescaled = False
-        self.sheet = sheet
         with drawn_in(sheet.style):
             self.figure = Figure(figsize=self.size)
             self.build()
@@ -72,15 +69,22 @@ class Picture(Generic[Data]):
         raise NotImplementedError
 
     def update(self, data: Data) -> None:
-        """Move the artists to `data`."""
-        raise NotImplementedError
+        """Move the artists to `data`; the curves of a table need no more than `show`."""
+        assert isinstance(data, DataTable)
+        self.show(data)
 
     @classmethod
-    def draw(cls, data: Data, sheet: Sheet = SCREEN) -> Figure:
-        """Return a figure of `data`, for a page or a file."""
+    def draw(cls, data: Data, sheet: Sheet = SCREEN) -> Self:
+        """Return a picture of `data`, for a page or a file."""
         picture = cls(sheet)
         picture.update(data)
-        return picture.figure
+        return picture
+
+    def curve(self, axes: Axes, x: Place, y: Place, **settings: Any) -> Any:
+        """Draw a column over another, as `Drawing.curve`; each update moves the line."""
+        line = super().curve(axes, x, y, **settings)
+        self.moving.append(line)
+        return line
 
     def set_reach(
         self, axes: Axes, direction: str, values: ArrayLike, steps: Sequence[float] = REACHES

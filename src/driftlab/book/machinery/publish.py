@@ -16,6 +16,8 @@ from matplotlib.figure import Figure
 import driftlab
 
 from .curve_rows import Words
+from .data_table import DataTable
+from .drawing import Drawing
 from .figure_table import as_words, header, write_table
 from .picture_file import PICTURES, ending_of, picture_file
 from .sheet import SCREEN, Sheet
@@ -28,6 +30,8 @@ GALLERY_NOTE = (
     "makes it anew, with your parameters if you hand some in, and its `save` puts it on the column "
     "or the page of a paper."
 )
+KEPT = "read again from: "
+"""How the line of a CSV begins from which, with its columns, a table is read again."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +44,7 @@ class FigureDefinition:
     compute: Callable[..., Any]
     # data and the sheet to draw them on, to a Matplotlib figure; what plays by itself, as a scene
     # does, returns the text of an SVG for a screen
-    draw: Callable[..., Figure | str]
+    draw: Callable[..., Drawing | Figure | str]
     # data to CSV columns by name, every curve that is drawn in the units of its axes; they may be
     # of different lengths. None for a drawing that shows no numbers
     columns: Callable[[Any], dict[str, Any]] | None
@@ -51,11 +55,37 @@ class FigureDefinition:
     restore: Callable[[Mapping[str, list[str]]], Any] | None = None
     # names in `driftlab.recordings.publishers.PUBLISHED` that it is computed from
     recordings: tuple[str, ...] = ()
+    # whether a table is read from its published CSV, because it takes minutes to compute
+    kept: bool = False
+
+    @property
+    def is_kept(self) -> bool:
+        """Whether its table can be read from its published CSV."""
+        return self.kept or bool(self.recordings)
 
     @property
     def parameters(self) -> dict[str, Any]:
         """Its parameters with their published values, by name."""
         return {name: each.default for name, each in signature(self.compute).parameters.items()}
+
+
+def table_figure(
+    name: str,
+    compute: Callable[..., DataTable],
+    draw: Callable[..., Drawing],
+    caption: Callable[[DataTable], str],
+    *,
+    kept: bool = False,
+    recordings: tuple[str, ...] = (),
+) -> FigureDefinition:
+    """Return the definition of a figure that is drawn from a table."""
+    restore = _unused if kept or recordings else None
+    return FigureDefinition(
+        name, compute, draw, DataTable.columns, caption, restore, recordings, kept
+    )
+
+
+def _unused(_: object) -> None: ...
 
 
 class PublishedFigure:
@@ -78,9 +108,13 @@ class PublishedFigure:
         self.caption = " ".join(filter(None, [definition.caption(data), note]))
 
     @cached_property
+    def _drawn(self) -> Drawing | Figure | str:
+        return self.definition.draw(self.data)
+
+    @property
     def on_screen(self) -> Figure | str:
         """The picture as pages show it: a Matplotlib figure, or an SVG that plays by itself."""
-        return self.definition.draw(self.data)
+        return self._drawn.figure if isinstance(self._drawn, Drawing) else self._drawn
 
     @property
     def call(self) -> str:
@@ -119,7 +153,8 @@ class PublishedFigure:
         elif ending == "svg" and not sheet.on_paper:
             path.write_bytes(self.svg())
         else:
-            figure = self.definition.draw(self.data, sheet)
+            drawn = self.definition.draw(self.data, sheet)
+            figure = drawn.figure if isinstance(drawn, Drawing) else drawn
             assert isinstance(figure, Figure)
             name = self.definition.name
             path.write_bytes(picture_file(figure, ending, sheet, name, self.caption))
@@ -142,7 +177,13 @@ class PublishedFigure:
             lines.append("parameters, in SI units and radians:")
             lines += [f"  {line}" for line in imports(self.parameters)]
             lines += [f"  {name} = {written(value)}" for name, value in self.parameters.items()]
-        if isinstance(self.on_screen, Figure):
+        if isinstance(self.data, DataTable):
+            lines += self.data.notes()
+        if isinstance(self.data, DataTable) and isinstance(self._drawn, Drawing):
+            lines += self._drawn.header()
+            if self.definition.is_kept:
+                lines.append(KEPT + self.data.as_json())
+        elif isinstance(self.on_screen, Figure):
             lines += header(self.on_screen, table)
         return lines
 

@@ -14,7 +14,6 @@ from .turns import (
     LARGEST_ENTRY as LARGEST_ENTRY,
     TURNS as TURNS,
     DriftBySymmetry as DriftBySymmetry,
-    DriftHistory as DriftHistory,
     DriftMap as DriftMap,
     drift_by_symmetry as drift_by_symmetry,
     drift_history as drift_history,

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD, OBLIQUE_AXIS, SKEW, SYMMETRIC
 from driftlab.checks import FloatArray, finite_array, nonzero_vectors, positive_number, whole_number
 from driftlab.drift.error_kinematics import error_quaternion
@@ -29,29 +30,13 @@ DIAGONAL: FloatArray = np.ones(3) / np.sqrt(3)
 ACROSS: FloatArray = np.array([1.0, -1, 0]) / np.sqrt(2)
 
 
-class DriftHistory(NamedTuple):
-    """Error over the turns, as the rotation vector from R to B."""
-
-    turns: FloatArray  # (m,), how far the body has turned, in turns
-    error: FloatArray  # (m, 3), rotation vector, rad
-    whole_turns: FloatArray  # (n,), counted from 0
-    snapshots: FloatArray  # (n, 3), `error` once a turn, rad
-    direction: FloatArray  # (3,), unit axis of the turns
-    triad: FloatArray  # (3, 3), sensitive axes as rows, bent `exaggeration` times too much
-    exaggeration: float
-    worst_axis: FloatArray  # (3,), unit axis with the largest drift in size
-    first_order_per_turn: float  # drift angle in one turn about `direction`, rad
-    exact_per_turn: float  # the same, exact
-    worst_per_turn: float  # drift angle in one turn about `worst_axis`, rad
-
-
 def drift_history(
     triad_error: ArrayLike = LARGEST_ENTRY * SYMMETRIC,
     direction: ArrayLike = OBLIQUE_AXIS,
     samples_per_turn: int = 60,
     turns: int = TURNS,
     exaggeration: float = EXAGGERATION,
-) -> DriftHistory:
+) -> DataTable:
     """Error of a bent triad over some turns at a constant rate, exact; Larin (2.3)."""
     samples = whole_number(samples_per_turn, "samples_per_turn")
     count = whole_number(turns, "turns")
@@ -64,19 +49,34 @@ def drift_history(
     error = to_rotation_vector(error_quaternion(n, measured, time))
     coefficients, axes = principal_drifts(triad_error, exact=True)
     worst = np.abs(coefficients).argmax()
-    return DriftHistory(
-        time / (2 * np.pi),
-        error,
-        np.arange(count + 1.0),
-        error[::samples],
-        n,
-        np.eye(3) + factor * triad_error,
-        factor,
-        axes[worst],
-        float(2 * np.pi * drift_coefficient(n, triad_error)),
-        float(drift_per_turn(n, triad_error)),
-        float(2 * np.pi * coefficients[worst]),
-    )
+    along = error @ n
+    across = np.linalg.norm(error - along[:, np.newaxis] * n, axis=-1)
+    whole_turns = np.arange(count + 1.0)
+    per_turn = float(2 * np.pi * drift_coefficient(n, triad_error))
+    return DataTable(
+        {
+            "turns": (time / (2 * np.pi), "", "how far the body has turned"),
+            "along": (along, "deg", "error along the axis of the turns"),
+            "across": (across, "arcmin", "size of the error across it"),
+            "whole_turns": (whole_turns, "", "counted from 0"),
+            "first_order": (per_turn * whole_turns, "deg", "error along the axis, to first order"),
+        },
+        {
+            "error": (error, "rad", "rotation vector from R to B"),
+            "direction": (n, "", "unit axis of the turns"),
+            "samples_per_turn": (samples, "", "rows in one turn"),
+            "triad": (np.eye(3) + factor * triad_error, "", "sensitive axes as rows, exaggerated"),
+            "exaggeration": (factor, "", "exaggeration of the triad"),
+            "exact_per_turn": (
+                float(drift_per_turn(n, triad_error)), "arcmin", "drift in one turn"
+            ),
+            "first_order_per_turn": (per_turn, "arcmin", "to first order"),
+            "worst_per_turn": (
+                float(2 * np.pi * coefficients[worst]), "arcmin", "about the worst axis"
+            ),
+            "worst_axis": (axes[worst], "", "unit axis with the largest drift in size"),
+        },
+    )  # fmt: skip
 
 
 class DriftBySymmetry(NamedTuple):

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.publish import FigureDefinition, table_figure
 from driftlab.book.machinery.scene.published import scene_figure
 
 from .. import experiments
@@ -13,7 +14,7 @@ from ..scenes import turning_block as turned_block
 from . import closed_motions, drift_by_symmetry, drift_history, drift_map, turning_block
 
 
-def _history_caption(data: experiments.DriftHistory) -> str:
+def _history_caption(data: DataTable) -> str:
     drift = 60 * np.degrees(data.exact_per_turn)
     return (
         f"A bent triad, turned {data.whole_turns[-1]:g} times; published for a symmetric one, each "
@@ -38,7 +39,7 @@ def _motions_caption(data: dict[str, experiments.MotionHistory]) -> str:
     )
 
 
-def _block_caption(data: experiments.DriftHistory) -> str:
+def _block_caption(data: DataTable) -> str:
     factor = magnification(np.linalg.norm(data.error, axis=-1).max())
     return (
         "A block with three gyros on a turntable, and in dashes the block as its computer believes "
@@ -65,11 +66,10 @@ FIGURES = (
         turning_block.columns,
         _block_caption,
     ),
-    FigureDefinition(
+    table_figure(
         "03-drift-history",
         experiments.drift_history,
         drift_history.DriftHistoryPicture.draw,
-        drift_history.columns,
         _history_caption,
     ),
     FigureDefinition(

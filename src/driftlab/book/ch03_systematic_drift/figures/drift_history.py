@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from scipy.spatial.transform import Rotation
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.picture import (
     BLACK,
     BLUE,
@@ -19,27 +20,11 @@ from driftlab.book.machinery.picture import (
     plain_axes,
     project,
 )
-from driftlab.checks import FloatArray
-
-from ..experiments import DriftHistory
 
 AXES = ("axis of the turns", "worst axis")
 REACHES_ALONG = (0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 12.0, 20.0, 50.0, 100.0, 180.0)
 REACHES_ACROSS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0, 100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 1.1e4)
 """How far the axes may reach, degrees and minutes of arc."""
-
-
-def columns(data: DriftHistory) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV: the rotation vector along the axis and across it."""
-    along = data.error @ data.direction
-    across = np.linalg.norm(data.error - along[:, np.newaxis] * data.direction, axis=-1)
-    return {
-        "turns": data.turns,
-        "along_deg": np.degrees(along),
-        "across_arcmin": 60 * np.degrees(across),
-        "whole_turns": data.whole_turns,
-        "first_order_deg": np.degrees(data.first_order_per_turn * data.whole_turns),
-    }
 
 
 MOST_TURNED = np.radians(40.0)
@@ -48,7 +33,7 @@ FACTORS = (200, 100, 50, 20, 10, 5, 2, 1)
 """How many times larger than it is the error of B may be drawn."""
 
 
-class DriftHistoryPicture(Picture[DriftHistory]):
+class DriftHistoryPicture(Picture[DataTable]):
     """Exaggerated triad, frames R and B at the end, and the error over the turns."""
 
     size = (10.5, 4.0)
@@ -83,16 +68,18 @@ class DriftHistoryPicture(Picture[DriftHistory]):
         self.worst = self.line(triad, color=GREEN, linestyle=":", linewidth=1.8)
         self.factor = self.words(frames, color=BLACK, fontsize="small")
         self.factor.set_position((-0.9, -1.02))  # below every line
-        self.along = self.line(history, **SERIES[0], label="full motion")
-        self.first = self.line(history, color=GREY, linestyle="--", label="first order")
-        self.snapshots = self.line(
-            history, color=BLACK, linestyle="none", marker="o", clip_on=False, label="once a turn"
-        )
-        self.across = self.line(across, **SERIES[0])
-        self.across_snapshots = self.line(
-            across, color=BLACK, linestyle="none", marker="o", clip_on=False
-        )
-        over_turns = [self.along, self.first, self.snapshots]
+        dots = {"color": BLACK, "linestyle": "none", "marker": "o", "clip_on": False}
+        once: dict[str, Any] = {"every": "samples_per_turn", **dots}
+        over_turns = [
+            self.curve(history, "turns", "along", **SERIES[0], label="full motion"),
+            self.curve(
+                history, "whole_turns", "first_order", color=GREY, linestyle="--",
+                label="first order",
+            ),
+            self.curve(history, "turns", "along", **once, label="once a turn"),
+        ]  # fmt: skip
+        self.curve(across, "turns", "across", **SERIES[0])
+        self.curve(across, "turns", "across", **once)
         in_space = [self.axis[0], self.worst]
         if self.sheet.on_paper:
             words = [*(line.get_label() for line in over_turns), *AXES]
@@ -110,9 +97,10 @@ class DriftHistoryPicture(Picture[DriftHistory]):
     def _three(self, panel: Axes, style: dict[str, object]) -> list[Line2D]:
         return [self.line(panel, **style) for _ in range(3)]
 
-    def update(self, data: DriftHistory) -> None:
-        last = data.whole_turns[-1]
-        lean, turns = f"lean ×{data.exaggeration:g}", f"after {last:g} turns"
+    def update(self, table: DataTable) -> None:
+        self.show(table)
+        last = table.whole_turns[-1]
+        lean, turns = f"lean ×{table.exaggeration:g}", f"after {last:g} turns"
         between = "\n" if self.sheet.on_paper else " "
         words = (f"the gyros' axes,{between}{lean}", f"R, and B as computed,{between}{turns}")
         for title, said in zip(self.titles, words, strict=True):
@@ -120,25 +108,16 @@ class DriftHistoryPicture(Picture[DriftHistory]):
                 title.set_text(said)
                 self.rescaled = True
         self.set_limits(self.history, "x", 0.0, last)
-        angle = np.linalg.norm(data.snapshots[-1])
+        self.set_reach(self.history, "y", table.shown("along"), REACHES_ALONG)
+        self.set_reach(self.across_axes, "y", table.shown("across"), REACHES_ACROSS)
+        angle = np.linalg.norm(table.error[-1])
         factor = next((factor for factor in FACTORS if factor * angle <= MOST_TURNED), 1)
         self.factor.set_text(f"error of B drawn ×{factor}")
-        apparent = Rotation.from_rotvec(factor * data.snapshots[-1]).apply(np.eye(3))
-        for lines, axes in ((self.triad, data.triad), (self.frame_b, apparent)):
+        apparent = Rotation.from_rotvec(factor * table.error[-1]).apply(np.eye(3))
+        for lines, axes in ((self.triad, table.triad), (self.frame_b, apparent)):
             for line, tip in zip(lines, project(axes), strict=True):
                 line.set_data([0, tip[0]], [0, tip[1]])
-        spin = project(np.stack([-data.direction, data.direction]))
+        spin = project(np.stack([-table.direction, table.direction]))
         for line in self.axis:
             line.set_data(*spin.T)
-        worst = project(np.stack([-data.worst_axis, data.worst_axis]))
-        self.worst.set_data(*worst.T)
-        table = columns(data)
-        along, across = table["along_deg"], table["across_arcmin"]
-        self.set_reach(self.history, "y", along, REACHES_ALONG)
-        self.set_reach(self.across_axes, "y", across, REACHES_ACROSS)
-        self.along.set_data(data.turns, along)
-        self.across.set_data(data.turns, across)
-        once = (len(across) - 1) // (len(data.whole_turns) - 1)
-        self.across_snapshots.set_data(data.whole_turns, across[::once])
-        self.snapshots.set_data(data.whole_turns, np.degrees(data.snapshots @ data.direction))
-        self.first.set_data(data.whole_turns, table["first_order_deg"])
+        self.worst.set_data(*project(np.stack([-table.worst_axis, table.worst_axis])).T)

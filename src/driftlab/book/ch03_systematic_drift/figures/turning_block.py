@@ -2,17 +2,16 @@
 
 from dataclasses import replace
 
-import numpy as np
 from matplotlib.figure import Figure
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.scene.stage import Stage
 from driftlab.book.machinery.scene.still_figure import still_figure
 from driftlab.book.machinery.scene.svg import animation
 from driftlab.book.machinery.sheet import SCREEN, Sheet
 from driftlab.checks import FloatArray
 
-from ..experiments import DriftHistory
-from ..scenes import SAMPLES, TurningBlockView, parts_of_error
+from ..scenes import SAMPLES, TurningBlockView
 
 SHOWN = 2
 """Turns that are played."""
@@ -22,7 +21,7 @@ ON_PAPER = (0, SAMPLES // 2, SAMPLES, SHOWN * SAMPLES)
 """Moments that stand beside each other on paper."""
 
 
-def stage(data: DriftHistory) -> Stage:
+def stage(data: DataTable) -> Stage:
     """The first turns of the block, without curves and numbers: they would answer the puzzle."""
     whole = TurningBlockView().stage(data)
     moments = slice(SHOWN * SAMPLES + 1)
@@ -38,19 +37,18 @@ def stage(data: DriftHistory) -> Stage:
     )
 
 
-def draw(data: DriftHistory, sheet: Sheet = SCREEN) -> str | Figure:
+def draw(data: DataTable, sheet: Sheet = SCREEN) -> str | Figure:
     """Animated SVG of the block and its ghost; on paper, four moments."""
     if sheet.on_paper:
         return still_figure(stage(data), sheet, ON_PAPER)
     return animation(stage(data), FRAMES)
 
 
-def columns(data: DriftHistory) -> dict[str, FloatArray]:
+def columns(data: DataTable) -> dict[str, FloatArray]:
     """Columns of the figure's CSV: the error about the axis and perpendicular to it."""
     moments = slice(0, SHOWN * SAMPLES + 1, SAMPLES // 24)
-    along, rest = parts_of_error(data)
     return {
         "turns": data.turns[moments],
-        "along_rad": np.asarray(along[moments]),
-        "perpendicular_rad": rest[moments],
+        "along_rad": data.along[moments],
+        "perpendicular_rad": data.across[moments],
     }

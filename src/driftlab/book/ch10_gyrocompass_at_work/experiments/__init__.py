@@ -45,7 +45,6 @@ from .settling import (
     SETTLING_INTERVAL,
     TILT,
     WORKING,
-    Settling,
     settling_and_swing,
 )
 from .ship import WAKE, WAKE_POINTS, ShipWithCompass, ship_with_compass
@@ -121,7 +120,6 @@ __all__ = [
     "OperatingFormula",
     "Pendulum",
     "Restarts",
-    "Settling",
     "ShipWithCompass",
     "StaticCharacteristic",
     "TypeTests",

@@ -1,11 +1,10 @@
 """Accelerated alignment, then Schuler's tuning: how noise becomes a swing that nothing damps."""
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import degree, hour, minute
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SARATOV_LATITUDE
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.earth import EARTH_RADIUS, EARTH_RATE, gravity
@@ -31,17 +30,6 @@ TILT: FloatArray = np.radians([0.5, 0.0, 0.4])
 SEED = 10
 
 
-class Settling(NamedTuple):
-    """Many runs with one start and noise of their own, and one run without noise."""
-
-    settling_times: FloatArray  # (m,), s
-    tilt: FloatArray  # (m,), while the horizon settles without noise, rad
-    settling_heading: FloatArray  # (m,), heading error meanwhile, rad
-    times: FloatArray  # (n,), s since the horizon was left to itself
-    heading: FloatArray  # (runs, n), heading errors with noise, rad
-    deviation: FloatArray  # (n,), of the heading by the closed formulas, rad
-
-
 def settling_and_swing(
     runs: int = 40,
     tilt: ArrayLike = TILT,
@@ -49,7 +37,7 @@ def settling_and_swing(
     angle_random_walk: float = RANDOM_WALK,
     latitude: float = SARATOV_LATITUDE,
     seed: int = SEED,
-) -> Settling:
+) -> DataTable:
     """Let the horizon settle for twenty minutes and work for two hours.
 
     Its tilt at the start is a rotation vector (North, Up, East), rad.
@@ -79,11 +67,25 @@ def settling_and_swing(
     begun = settled_deviation(random_walk, frequency) * np.cos(phase)
     grown = swing_deviation(random_walk, working.times, pull)
     level = EARTH_RATE * np.cos(latitude)
-    return Settling(
-        quiet.times,
-        np.linalg.norm(to_rotation_vector(quiet.attitude)[:, [0, 2]], axis=-1),
-        np.abs(quiet.heading),
-        working.times,
-        working.heading,
-        np.hypot(begun, grown) / level,
-    )
+    heading = working.heading
+    return DataTable(
+        {
+            "settling_time": (quiet.times, "min", "since the start"),
+            "settling_heading_error": (
+                np.abs(quiet.heading), "deg", "while the horizon settles without noise"
+            ),
+            "settling_tilt": (
+                np.linalg.norm(to_rotation_vector(quiet.attitude)[:, [0, 2]], axis=-1), "deg",
+                "of the horizon meanwhile",
+            ),
+            "time": (working.times, "min", "since the horizon was left to itself"),
+            "formula": (
+                np.hypot(begun, grown) / level, "deg", "standard deviation of the heading"
+            ),
+            "simulated": (heading.std(axis=0), "deg", "standard deviation over the runs"),
+            "heading_error": (
+                heading, "deg", "of each run with noise",
+                [f"run {i}" for i in range(1, len(heading) + 1)],
+            ),
+        }
+    )  # fmt: skip

@@ -3,7 +3,8 @@
 import numpy as np
 from scipy.constants import arcminute, degree, hour
 
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.publish import FigureDefinition, table_figure
 from driftlab.book.machinery.scene.published import scene_figure
 from driftlab.book.scenarios import SCHULER_PERIOD, TURN
 from driftlab.checks import FloatArray
@@ -31,14 +32,14 @@ def _largest(values: FloatArray) -> float:
     return float(np.degrees(np.abs(values).max()))
 
 
-def _settling_caption(data: experiments.Settling) -> str:
+def _settling_caption(data: DataTable) -> str:
+    tilt, heading_error = (data.shown(f"settling_{name}") for name in ("tilt", "heading_error"))
     return (
-        f"Left: a horizon that is {np.degrees(data.tilt[0]):.1f} degrees out of level and does not "
-        "know where North is settles; the heading error ends at "
-        f"{np.degrees(data.settling_heading[-1]):.1g} degrees. "
-        f"Right: {len(data.heading)} such runs with gyro noise, left to Schuler's tuning. The "
-        "noise of the last moment becomes a swing, and new noise feeds it; the formula says one "
-        "deviation."
+        f"Left: a horizon that is {tilt[0]:.1f} degrees out of level and does not know where North "
+        f"is settles; the heading error ends at {heading_error[-1]:.1g} degrees. "
+        f"Right: {len(data.heading_error)} such runs with gyro noise, left to Schuler's tuning. "
+        "The noise of the last moment becomes a swing, and new noise feeds it; the formula says "
+        "one deviation."
     )
 
 
@@ -209,13 +210,7 @@ FIGURES = (
         "with it, in dashes, as far as they are wrong.",
         most_off,
     ),
-    FigureDefinition(
-        "10-settling",
-        experiments.settling_and_swing,
-        settling.draw,
-        settling.columns,
-        _settling_caption,
-    ),
+    table_figure("10-settling", experiments.settling_and_swing, settling.draw, _settling_caption),
     FigureDefinition(
         "10-pulses",
         experiments.counted_pulses,

@@ -1,0 +1,255 @@
+"""What an experiment returns: numbers with their names, units and meanings, each given once.
+
+Everything else reads them from here: the picture, the CSV below it and its header, the rows beside
+a panel. Inside, values are in SI units and radians; a table shows them in the unit that each
+column names.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import product
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.constants import arcminute, arcsecond, degree, g, hour, micro, milli, minute
+
+UNITS: dict[str, tuple[float, str]] = {
+    "": (1.0, ""),
+    "1e-3": (milli, "e-3"),
+    "ppm": (micro, " ppm"),
+    "percent": (0.01, " %"),
+    "rad": (1.0, " rad"),
+    "mrad": (milli, " mrad"),
+    "urad": (micro, " µrad"),
+    "nrad": (1e-9, " nrad"),
+    "deg": (degree, "°"),
+    "arcmin": (arcminute, "′"),
+    "arcsec": (arcsecond, "″"),
+    "s": (1.0, " s"),
+    "min": (minute, " min"),
+    "h": (hour, " h"),
+    "Hz": (1.0, " Hz"),
+    "rad_per_s": (1.0, " rad/s"),
+    "deg_per_s": (degree, "°/s"),
+    "deg_per_h": (degree / hour, "°/h"),
+    "cm": (0.01, " cm"),
+    "m": (1.0, " m"),
+    "km": (1e3, " km"),
+    "m_per_s": (1.0, " m/s"),
+    "mm_per_s": (milli, " mm/s"),
+    "m_per_s2": (1.0, " m/s²"),
+    "mg": (milli * g, " mg"),
+    "ug": (micro * g, " µg"),
+}
+"""Units in which numbers are shown: their size in SI units and radians, and how a page writes them.
+"""
+
+
+class Entry(NamedTuple):
+    """One column or fact of a table."""
+
+    # numbers in SI units and radians, or words. Several columns in one: a mapping from their names,
+    # or an array whose first axes have `names`
+    values: Any
+    unit: str = ""  # in which it is shown, one of UNITS
+    meaning: str = ""  # a phrase: what the numbers are
+    names: Sequence[Any] = ()  # of the rows of `values`; for two axes, the names along each
+    decimals: int | None = None  # to which a CSV rounds the numbers shown; twelve digits if not
+
+
+def shown_in(values: Any, unit: str) -> Any:
+    """Return values in SI units and radians as numbers of a unit; words stay what they are."""
+    if unit == "deg":
+        return np.degrees(values)
+    size, _ = UNITS[unit]
+    return values if size == 1.0 else values / size
+
+
+class DataTable:
+    """Columns, which a CSV holds and pictures draw, and facts, which stand beside them.
+
+    Values are attributes, in SI units and radians: ``table.heading_error``. Columns may be of
+    different lengths. Several in one, a mapping or an array with names, are the columns
+    ``"drift, picard-3"``, ``"drift, steady turn, picard-3"``.
+    """
+
+    def __init__(
+        self,
+        columns: Mapping[str, tuple[Any, ...]],
+        facts: Mapping[str, tuple[Any, ...]] | None = None,
+    ) -> None:
+        """Take entries by name, each the arguments of an `Entry`: ``(values, unit, meaning)``."""
+        facts = facts or {}
+        if both := {*columns} & {*facts}:
+            raise ValueError(f"columns: expected other names than the facts', got {min(both)!r}.")
+        self._entries = {name: Entry(*each) for name, each in {**columns, **facts}.items()}
+        for name, entry in self._entries.items():
+            if entry.unit not in UNITS:
+                raise ValueError(f"{name}: expected a unit of {[*UNITS]}, got {entry.unit!r}.")
+        self._facts = tuple(facts)
+        self._columns: dict[str, tuple[str, Any]] = {
+            title: (name, values)
+            for name in columns
+            for title, values in _single(name, self._entries[name])
+        }
+
+    def __getattr__(self, name: str) -> Any:
+        entries = self.__dict__.get("_entries", {})
+        if name not in entries:
+            raise AttributeError(f"This table has {', '.join(entries)}, and no {name}.")
+        return entries[name].values
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._entries]
+
+    def __repr__(self) -> str:
+        return "\n".join(self._meanings(self._entries))
+
+    def entry(self, name: str) -> Entry:
+        """Return a column or a fact with its unit and meaning."""
+        if name not in self._entries:
+            raise KeyError(f"This table has {', '.join(self._entries)}, and no {name}.")
+        return self._entries[name]
+
+    def heading(self, title: str) -> str:
+        """Return what stands above a column in a CSV: ``drift_deg_per_h, picard-3``."""
+        if title not in self._columns:
+            raise KeyError(f"This table has {'; '.join(self._columns)}, and no column {title}.")
+        name = self._columns[title][0]
+        unit = self._entries[name].unit
+        return f"{name}_{unit}{title.removeprefix(name)}" if unit else title
+
+    def shown(self, title: str) -> Any:
+        """Return a single column or a fact in the unit in which it is shown."""
+        name, values = self._columns.get(title) or (title, self.entry(title).values)
+        return shown_in(values, self._entries[name].unit)
+
+    def columns(self) -> dict[str, Any]:
+        """Return all columns in their units by their headings, as a CSV holds them."""
+        found = {}
+        for title, (name, _) in self._columns.items():
+            decimals, values = self._entries[name].decimals, self.shown(title)
+            # Rounding leaves no negative zero.
+            rounded = values if decimals is None else np.round(values, decimals) + 0.0
+            found[self.heading(title)] = rounded
+        return found
+
+    def words(self, name: str, form: str = ".3g") -> str:
+        """Return a fact as words with its unit: ``"3.142′"``."""
+        return f"{float(self.shown(name)):{form}}{UNITS[self.entry(name).unit][1]}"
+
+    def row(self, name: str, form: str = ".3g") -> tuple[str, str]:
+        """Return a fact's meaning and the fact in words: a row of the table beside a panel."""
+        return self.entry(name).meaning, self.words(name, form)
+
+    def notes(self) -> list[str]:
+        """Return lines for the head of a CSV: what the columns mean, and the facts."""
+        columns = [name for name in self._entries if name not in self._facts]
+        lines = [f"  {line}" for line in self._meanings(columns)]
+        lines = ["columns:", *lines] if lines else []
+        for name in self._facts:
+            values, unit, meaning, *_ = self._entries[name]
+            if isinstance(values, str | int | float | np.number):
+                value = values if isinstance(values, str) else f"{self.shown(name):.12g}"
+                lines.append(f"{meaning or name}: {value}{UNITS[unit][1]}")
+        return lines
+
+    def _meanings(self, names: Iterable[str]) -> list[str]:
+        entries = ((name, self._entries[name]) for name in names)
+        return [
+            f"{name}, {each.unit}: {each.meaning}" if each.unit else f"{name}: {each.meaning}"
+            for name, each in entries
+            if each.meaning
+        ]
+
+    def as_json(self) -> str:
+        """Return on one line what `read` needs besides the columns of a CSV."""
+        kept: dict[str, Any] = {"columns": {}, "facts": {}}
+        for name, entry in self._entries.items():
+            about = {"unit": entry.unit, "meaning": entry.meaning}
+            if name in self._facts:
+                kept["facts"][name] = {"values": _plain(entry.values), **about}
+                continue
+            headings = {t: self.heading(t) for t, (of, _) in self._columns.items() if of == name}
+            shape = None if isinstance(entry.values, Mapping) else _names_shape(entry.names)
+            kept["columns"][name] = {"headings": headings, "shape": shape, **about}
+        return json.dumps(kept, ensure_ascii=False)
+
+    @classmethod
+    def read(cls, line: str, words: Mapping[str, Sequence[str]]) -> DataTable:
+        """Return the table of a CSV from the line that `as_json` wrote and the columns' words."""
+        kept = json.loads(line)
+        columns = {}
+        for name, (headings, shape, unit, meaning) in _values(kept["columns"]):
+            single = {
+                title.removeprefix(f"{name}, "): _from_words(words[heading], unit)
+                for title, heading in headings.items()
+            }
+            values: Any = single
+            if shape is not None:
+                values = [*single.values()] if shape else single[name]
+                values = np.reshape(values, (*shape, -1)) if shape else values
+            columns[name] = (values, unit, meaning, [*single] if shape else ())
+        facts = {
+            name: (_arrays(values), unit, meaning)
+            for name, (values, unit, meaning) in _values(kept["facts"])
+        }
+        return cls(columns, facts)
+
+
+def _values(entries: Mapping[str, Mapping[str, Any]]) -> Iterator[tuple[str, tuple[Any, ...]]]:
+    for name, entry in entries.items():
+        yield name, tuple(entry.values())
+
+
+def _single(name: str, entry: Entry) -> Iterator[tuple[str, Any]]:
+    """Columns one by one, with their titles."""
+    if isinstance(entry.values, Mapping):
+        for word, values in entry.values.items():
+            yield f"{name}, {word}", values
+    elif entry.names:
+        several = [entry.names] if isinstance(entry.names[0], str) else entry.names
+        words = [", ".join(each) for each in product(*several)]
+        rows = np.reshape(entry.values, (len(words), -1))
+        for word, values in zip(words, rows, strict=True):
+            yield f"{name}, {word}", values
+    else:
+        yield name, entry.values
+
+
+def _names_shape(names: Sequence[Any]) -> list[int]:
+    if not names:
+        return []
+    return [len(names)] if isinstance(names[0], str) else [len(each) for each in names]
+
+
+def _from_words(words: Sequence[str], unit: str) -> Any:
+    """A column from a CSV, in SI units and radians; what is empty below its last value is cut."""
+    count = max((i + 1 for i, word in enumerate(words) if word), default=0)
+    try:
+        numbers = np.array([float(word or "nan") for word in words[:count]])
+    except ValueError:
+        return list(words[:count])
+    return np.radians(numbers) if unit == "deg" else UNITS[unit][0] * numbers
+
+
+def _plain(values: Any) -> Any:
+    """Values as JSON has them, numbers to the digits of a CSV."""
+    if isinstance(values, Mapping):
+        return {name: _plain(each) for name, each in values.items()}
+    if isinstance(values, np.ndarray | list | tuple):
+        return [_plain(each) for each in values]
+    if values is None or isinstance(values, str | bool | int | np.bool_ | np.integer):
+        return values.item() if isinstance(values, np.generic) else values
+    return float(f"{values:.12g}")
+
+
+def _arrays(values: Any) -> Any:
+    """Lists of numbers as arrays again."""
+    if isinstance(values, dict):
+        return {name: _arrays(each) for name, each in values.items()}
+    if isinstance(values, list) and not any(isinstance(each, str) for each in values):
+        return np.array(values)
+    return values
