@@ -27,7 +27,7 @@ from driftlab.book.machinery.figure_table import (
     write_table,
 )
 from driftlab.book.machinery.picture import GUIDE, filled_contours
-from driftlab.book.machinery.publish import PublishedFigure, call_of
+from driftlab.book.machinery.publish import KEPT, PublishedFigure, call_of
 from driftlab.book.machinery.sheet import COLUMN, Sheet
 from driftlab.book.machinery.written import imports, written
 from figure_variations import SHORT, VARIATIONS, plain
@@ -106,11 +106,16 @@ def test_the_csv_names_its_parameters_its_call_and_the_version(figure: Published
     made = next(line for line in comments if line.startswith("made by: "))
     assert re.search(version, made)
     assert f"driftlab.figure('{figure.definition.name}')" in made
-    plain = [
-        [re.sub(version, "driftlab", line).rstrip() for line in each]
-        for each in (comments, computed)
-    ]
-    assert plain[0] == plain[1]
+    assert [*map(without_numbers, comments)] == [*map(without_numbers, computed)]
+
+
+def without_numbers(line: str) -> str:
+    """A line without the version, and without the digits of facts, which processors round."""
+    line = re.sub(r"driftlab \d+\.\d+\.\d+", "driftlab", line).rstrip()
+    if line.startswith(KEPT):
+        return KEPT
+    is_fact = re.search(r"^[^\s,=\"]+.*: -?[\d.]+(e[-+]\d+)?\S*( \S+)?$", line)
+    return line.rpartition(": ")[0] if is_fact else line
 
 
 def test_every_figure_takes_parameters_or_is_a_drawing() -> None:

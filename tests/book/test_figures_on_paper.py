@@ -88,6 +88,7 @@ def test_no_words_collide(
     figure: PublishedFigure, width: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     drawn = figure.definition.draw(figure.data, Sheet(width))
+    drawn = getattr(drawn, "figure", drawn)
     assert isinstance(drawn, Figure)
     found = flaws(drawn, width, monkeypatch)
     assert not found, "; ".join(found)

@@ -152,7 +152,7 @@ class DataTable:
         for name in self._facts:
             values, unit, meaning, *_ = self._entries[name]
             if isinstance(values, str | int | float | np.number):
-                value = values if isinstance(values, str) else f"{self.shown(name):.12g}"
+                value = values if isinstance(values, str) else f"{self.shown(name):.6g}"
                 lines.append(f"{meaning or name}: {value}{UNITS[unit][1]}")
         return lines
 

@@ -111,7 +111,7 @@ class Drawing:
         points = ([], []) if self._table is None else self._values(rows)
         artist = getattr(axes, method)(*points, **style)
         (artist,) = artist if isinstance(artist, list) else (artist,)
-        return self.note(axes, artist, [rows], artist if isinstance(artist, Line2D) else None)
+        return self.record(axes, artist, [rows], artist if isinstance(artist, Line2D) else None)
 
     def error_bars(
         self,
@@ -136,7 +136,7 @@ class Drawing:
             if across
             else axes.errorbar(at, to, yerr=sides, **style)
         )
-        return self.note(axes, drawn, rows)
+        return self.record(axes, drawn, rows)
 
     def band(
         self, axes: Axes, x: Place, low: str, high: str, *, where: Where | None = None, **style: Any
@@ -144,7 +144,7 @@ class Drawing:
         """Fill between two columns over a third; ``step`` is Matplotlib's."""
         rows = [Rows(x, each, where) for each in (low, high)]
         (across, below), (_, above) = map(self._values, rows)
-        return self.note(axes, axes.fill_between(across, below, above, **style), rows)
+        return self.record(axes, axes.fill_between(across, below, above, **style), rows)
 
     def bar_chart(
         self,
@@ -168,13 +168,13 @@ class Drawing:
         start = (ends[0][0] if across else ends[0][1]) if begin else np.zeros(len(tops))
         style["left" if across else "bottom"] = start if begin else None
         draw = axes.barh if across else axes.bar
-        return self.note(axes, draw(places, tops - start, **style), rows)
+        return self.record(axes, draw(places, tops - start, **style), rows)
 
     def level(self, axes: Axes, *, x: str = "", y: str = "", **style: Any) -> Line2D:
         """Draw a line through the whole panel at the only value of a column."""
         (value,) = self._values(Rows(x, y))[0 if x else 1]
         line = axes.axvline(value, **style) if x else axes.axhline(value, **style)
-        return self.note(axes, line, [Rows(x, y)])
+        return self.record(axes, line, [Rows(x, y)])
 
     def spans(self, axes: Axes, begin: str, end: str, *, along: str = "x", **style: Any) -> None:
         """Shade the panel from each value of a column to that of another."""
@@ -188,7 +188,7 @@ class Drawing:
         """Draw the part of a column's values that are at most as large, as steps."""
         x = np.sort(np.asarray(self.table.shown(values))[np.isfinite(self.table.shown(values))])
         line, *_ = axes.step(x, np.arange(1, len(x) + 1) / len(x), where="post", **style)
-        return self.note(axes, line, [Rows(values, "rank / number")])
+        return self.record(axes, line, [Rows(values, "rank / number")])
 
     def contours(self, axes: Axes, x: str, y: str, z: str, **style: Any) -> QuadContourSet:
         """Fill the plane by a column over two others, which hold the nodes of a grid row by row."""
@@ -226,7 +226,7 @@ class Drawing:
     def _every(self, rows: Rows) -> int:
         return int(self.table.shown(rows.every)) if isinstance(rows.every, str) else rows.every
 
-    def note(self, axes: Axes, artist: Any, rows: Sequence[Rows], line: Any = None) -> Any:
+    def record(self, axes: Axes, artist: Any, rows: Sequence[Rows], line: Any = None) -> Any:
         """Keep what an artist shows that was drawn from the table; for what has no method here."""
         parts = artist.get_children() if isinstance(artist, Container) else [artist]
         self._known |= {id(each) for each in (artist, *parts)}
@@ -290,7 +290,7 @@ class Drawing:
             where = rows.where or {}
             parts += [f"where {self._heading(name)} = {word}" for name, word in where.items()]
             every = self._every(rows)
-            parts += [f"every {every} rows"] if every > 1 else []
+            parts += [f"every {every} rows from row 0"] if every > 1 else []
             yield ", ".join(parts)
 
     def _heading(self, place: str) -> str:

@@ -177,10 +177,8 @@ class PublishedFigure:
             lines.append("parameters, in SI units and radians:")
             lines += [f"  {line}" for line in imports(self.parameters)]
             lines += [f"  {name} = {written(value)}" for name, value in self.parameters.items()]
-        if isinstance(self.data, DataTable):
-            lines += self.data.notes()
         if isinstance(self.data, DataTable) and isinstance(self._drawn, Drawing):
-            lines += self._drawn.header()
+            lines += [*self.data.notes(), *self._drawn.header()]
             if self.definition.is_kept:
                 lines.append(KEPT + self.data.as_json())
         elif isinstance(self.on_screen, Figure):
