@@ -21,7 +21,7 @@ from driftlab.monte_carlo import cluster, processes, running_on
 from .ch04_calibration_by_turns.experiment_numbers import IN_THE_COPY, NAMES, experiment_numbers
 from .errata import errata
 from .figures import figure_definitions, measured, not_at_hand, published_paths
-from .machinery.figure_table import as_words, write_table
+from .machinery.csv_table import as_words, write_table
 from .machinery.publish import FigureDefinition, PublishedFigure, gallery
 from .machinery.table_differences import Difference, folder_differences
 

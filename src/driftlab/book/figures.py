@@ -15,8 +15,8 @@ from typing import Any
 from driftlab.recordings.publishers import PUBLISHED, RecordingUnavailable, published_file
 
 from .chapters import chapters_with, part_of
+from .machinery.csv_table import read_table
 from .machinery.data_table import DataTable
-from .machinery.figure_table import read_table
 from .machinery.publish import KEPT, FigureDefinition, PublishedFigure
 
 _FOLDER = Path(__file__).parents[3] / "figures"

@@ -14,10 +14,9 @@ from numpy.typing import NDArray
 
 from driftlab.checks import FloatArray
 
+from .csv_table import Words, numbers as numbers
 from .drawn import Curve, Field
 
-Words = Mapping[str, list[str]]
-"""Columns of a table by name, as a CSV holds them."""
 _Group = tuple[dict[str, str], NDArray[np.intp]]
 
 _MOST_KEYS = 400
@@ -84,14 +83,6 @@ def _column(table: Words, name: str) -> FloatArray:
     values = numbers(table[name[1:] if mirrored else name])
     assert values is not None
     return -values if mirrored else values
-
-
-def numbers(words: list[str]) -> FloatArray | None:
-    """Return a column as numbers, NaN where it has none; None if there are words in it."""
-    try:
-        return np.array([float(word or "nan") for word in words])
-    except ValueError:
-        return None
 
 
 class _Column(NamedTuple):

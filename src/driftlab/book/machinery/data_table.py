@@ -8,6 +8,7 @@ column names.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import product
 from typing import Any, NamedTuple
@@ -94,6 +95,12 @@ class DataTable:
             for name in columns
             for title, values in _single(name, self._entries[name])
         }
+        for title in self._columns:
+            if re.search(r'[#"\r\n]', title):
+                raise ValueError(
+                    f"{title}: expected a name without number sign, quotation mark or line break, "
+                    "which the head of a CSV cannot hold."
+                )
 
     def __getattr__(self, name: str) -> Any:
         entries = self.__dict__.get("_entries", {})

@@ -18,39 +18,19 @@ a figure's own tests say that its marks are those of the table.
 
 from __future__ import annotations
 
-import csv
 import re
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from .curve_rows import RANK, Finder, Rows, Words, taken
+from .csv_table import Words, as_words as as_words, read_table, write_table as write_table
+from .curve_rows import RANK, Finder, Rows, taken
 from .drawn import Curve, Field, Unread, nature, panels, shown
 
 
 class MissingCurves(ValueError):
     """Something is drawn that is not in the figure's table."""
-
-
-def as_words(columns: Mapping[str, Any]) -> dict[str, list[str]]:
-    """Return columns as a CSV holds them: numbers to twelve digits, nothing for NaN.
-
-    Columns may be of different lengths; the shorter have nothing below their values.
-    """
-    rows = max(len(column) for column in columns.values())
-    return {
-        name: [*map(_word, column), *[""] * (rows - len(column))]
-        for name, column in columns.items()
-    }
-
-
-def _word(value: Any) -> str:
-    if isinstance(value, str):
-        return value
-    return "" if value != value else f"{value:.12g}"
 
 
 def header(figure: Figure, table: Words) -> list[str]:
@@ -115,26 +95,6 @@ def _check_word(word: str) -> None:
 def _read_line(line: str) -> tuple[str, Rows] | None:
     curve = re.fullmatch(r'  "(.*)": ([^"]*)', line)
     return (curve[1], Rows.read(curve[2])) if curve else None
-
-
-def write_table(path: Path, table: Words, comments: list[str]) -> None:
-    """Write comments, each after a #, and the columns below them."""
-    with path.open("w", encoding="utf-8", newline="") as file:
-        file.writelines(f"# {line}".rstrip() + "\n" for line in comments)
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(table)
-        writer.writerows(zip(*table.values(), strict=True))
-
-
-def read_table(path: Path) -> tuple[list[str], dict[str, list[str]]]:
-    """Return the comments and the columns, as words, of a file that `write_table` wrote."""
-    lines = path.read_text(encoding="utf-8").splitlines(keepends=True)
-    count = next(i for i, line in enumerate(lines) if not line.startswith("#"))
-    titles, *rows = csv.reader(lines[count:])
-    columns = {
-        title: list(column) for title, column in zip(titles, zip(*rows, strict=True), strict=True)
-    }
-    return [line[2:].rstrip("\n") for line in lines[:count]], columns
 
 
 def read_curves(path: Path) -> list[Curve]:

@@ -15,10 +15,10 @@ from matplotlib.figure import Figure
 
 import driftlab
 
-from .curve_rows import Words
+from .csv_table import Words, as_words, write_table
 from .data_table import DataTable
 from .drawing import Drawing
-from .figure_table import as_words, header, write_table
+from .figure_table import header
 from .picture_file import PICTURES, ending_of, picture_file
 from .sheet import SCREEN, Sheet
 from .written import imports, written

@@ -15,8 +15,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .curve_rows import Words, numbers, rounding
-from .figure_table import read_table
+from .csv_table import Words, numbers, read_table
+from .curve_rows import rounding
 
 ROUNDING = 1e-7
 """Numbers are the same, but for rounding, to this of themselves or of their curve's largest."""
