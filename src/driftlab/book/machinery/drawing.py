@@ -24,13 +24,13 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import Collection
 from matplotlib.container import BarContainer, Container, ErrorbarContainer
 from matplotlib.contour import QuadContourSet
 from matplotlib.figure import Figure
+from matplotlib.legend import Legend
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 from matplotlib.spines import Spine
+from matplotlib.text import Text
 from matplotlib.ticker import FixedLocator
 
 from driftlab.checks import FloatArray
@@ -259,13 +259,11 @@ class Drawing:
     def _strange(self, axes: Axes) -> Artist | None:
         """Return what is drawn past the table, if anything is."""
         for artist in axes.get_children() if axes.axison else []:
-            furniture = artist is axes.patch or isinstance(artist, Spine)
-            if isinstance(artist, Line2D):
-                empty = not len(np.atleast_1d(artist.get_xdata()))  # a legend's sample
-            else:
-                empty = not isinstance(artist, Collection | Patch)
-            shown = artist.get_visible() and not furniture and not empty
-            if shown and id(artist) not in self._known and artist.get_label() != GUIDE:
+            furniture = isinstance(artist, Text | Axis | Spine | Legend | Axes)
+            # A sample for the legend has no points.
+            sample = isinstance(artist, Line2D) and not len(np.atleast_1d(artist.get_xdata()))
+            left_out = furniture or sample or artist is axes.patch or not artist.get_visible()
+            if not left_out and id(artist) not in self._known and artist.get_label() != GUIDE:
                 return artist
         return None
 
