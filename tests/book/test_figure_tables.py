@@ -17,6 +17,7 @@ from matplotlib.transforms import Affine2D
 import driftlab
 from driftlab.book import figures
 from driftlab.book.machinery.curve_rows import Rows, numbers
+from driftlab.book.machinery.data_table import KEPT
 from driftlab.book.machinery.drawn import Curve, curves, fields
 from driftlab.book.machinery.figure_table import (
     MissingCurves,
@@ -27,7 +28,7 @@ from driftlab.book.machinery.figure_table import (
     write_table,
 )
 from driftlab.book.machinery.picture import GUIDE, filled_contours
-from driftlab.book.machinery.publish import KEPT, PublishedFigure, call_of
+from driftlab.book.machinery.publish import PublishedFigure, call_of
 from driftlab.book.machinery.sheet import COLUMN, Sheet
 from driftlab.book.machinery.written import imports, written
 from figure_variations import SHORT, VARIATIONS, plain

@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 from driftlab.book.__main__ import told
-from driftlab.book.machinery.figure_table import write_table
+from driftlab.book.machinery.csv_table import write_table
+from driftlab.book.machinery.data_table import KEPT, DataTable
 from driftlab.book.machinery.table_differences import folder_differences, table_differences
 
 TABLE = {"curve": ["a", "a", "b"], "x": ["1", "2", "1.00000000001e-6"], "y": ["3", "", "inf"]}
@@ -106,3 +107,15 @@ def test_of_two_folders_some_tables_may_be_compared_alone(tmp_path: Path) -> Non
     assert folder_differences(here, there, {"some.csv"}) == {}
     with pytest.raises(ValueError, match="got no table at all in one only"):
         folder_differences(here, there, set())
+
+
+def test_facts_of_a_table_that_is_read_again_are_compared(tmp_path: Path) -> None:
+    for folder, left in (("here", 1e-17), ("there", 2e-17), ("other", 1e-3)):
+        (tmp_path / folder).mkdir()
+        facts = {"gains": ([2.0, left], "", ""), "motion": ("turn", "", "")}
+        table = DataTable({"time": ([0.0, 1.0, 2.0], "s")}, facts)
+        columns = {"time_s": ["0", "1", "2"]}
+        write_table(tmp_path / folder / "some.csv", columns, [KEPT + table.as_json()])
+    for other, only_rounding in (("there", True), ("other", False)):
+        ((found,),) = folder_differences(tmp_path / "here", tmp_path / other).values()
+        assert (found.column, found.only_rounding) == ("fact gains", only_rounding)

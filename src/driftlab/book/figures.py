@@ -16,8 +16,8 @@ from driftlab.recordings.publishers import PUBLISHED, RecordingUnavailable, publ
 
 from .chapters import chapters_with, part_of
 from .machinery.csv_table import read_table
-from .machinery.data_table import DataTable
-from .machinery.publish import KEPT, FigureDefinition, PublishedFigure
+from .machinery.data_table import KEPT, DataTable
+from .machinery.publish import FigureDefinition, PublishedFigure
 
 _FOLDER = Path(__file__).parents[3] / "figures"
 

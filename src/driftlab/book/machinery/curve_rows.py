@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from decimal import Decimal
 from itertools import combinations, islice
 from typing import NamedTuple
 
@@ -16,6 +15,7 @@ from driftlab.checks import FloatArray
 
 from .csv_table import Words, numbers as numbers
 from .drawn import Curve, Field
+from .table_differences import rounding
 
 _Group = tuple[dict[str, str], NDArray[np.intp]]
 
@@ -228,13 +228,6 @@ class _Levels:
         for code, chosen in sorted(zip(found.T, rows, strict=True), key=lambda each: each[1][0]):
             words = (str(self._keys[n][0][c]) for n, c in zip(names, code, strict=True))
             yield dict(zip(names, words, strict=True)), chosen
-
-
-def rounding(words: list[str]) -> float:
-    """Half the last digit of a column that is rounded to some decimals; 0 for whole numbers."""
-    exponents = [Decimal(word).as_tuple().exponent for word in words if word]
-    last = min((each for each in exponents if isinstance(each, int)), default=0)
-    return 0.5001 * 10.0**last if last < 0 else 0.0
 
 
 def _same(one: Curve, other: Curve) -> bool:

@@ -47,6 +47,9 @@ UNITS: dict[str, tuple[float, str]] = {
 """Units in which numbers are shown: their size in SI units and radians, and how a page writes them.
 """
 
+KEPT = "read again from: "
+"""How the line of a CSV begins from which, with its columns, a table is read again."""
+
 
 class Entry(NamedTuple):
     """One column or fact of a table."""
@@ -204,6 +207,20 @@ class DataTable:
             for name, (values, unit, meaning) in _values(kept["facts"])
         }
         return cls(columns, facts)
+
+
+def facts_in(comments: Iterable[str]) -> dict[str, list[str]]:
+    """Return the facts in the head of a CSV by name, each as the words of its numbers."""
+    lines = [line.removeprefix(KEPT) for line in comments if line.startswith(KEPT)]
+    kept = json.loads(lines[0])["facts"] if lines else {}
+    return {f"fact {name}": _words(fact["values"]) for name, fact in kept.items()}
+
+
+def _words(values: Any) -> list[str]:
+    if isinstance(values, dict | list):
+        inner = values.values() if isinstance(values, dict) else values
+        return [word for each in inner for word in _words(each)]
+    return ["" if values is None else str(values)]
 
 
 def _values(entries: Mapping[str, Mapping[str, Any]]) -> Iterator[tuple[str, tuple[Any, ...]]]:

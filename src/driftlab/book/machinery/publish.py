@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 import driftlab
 
 from .csv_table import Words, as_words, write_table
-from .data_table import DataTable
+from .data_table import KEPT, DataTable
 from .drawing import Drawing
 from .figure_table import header
 from .picture_file import PICTURES, ending_of, picture_file
@@ -30,8 +30,6 @@ GALLERY_NOTE = (
     "makes it anew, with your parameters if you hand some in, and its `save` puts it on the column "
     "or the page of a paper."
 )
-KEPT = "read again from: "
-"""How the line of a CSV begins from which, with its columns, a table is read again."""
 
 
 @dataclass(frozen=True)

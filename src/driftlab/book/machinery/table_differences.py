@@ -10,13 +10,14 @@ one in the last of them where a number lies between two.
 from __future__ import annotations
 
 from collections.abc import Collection
+from decimal import Decimal
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from .csv_table import Words, numbers, read_table
-from .curve_rows import rounding
+from .data_table import facts_in
 
 ROUNDING = 1e-7
 """Numbers are the same, but for rounding, to this of themselves or of their curve's largest."""
@@ -50,7 +51,7 @@ def table_differences(first: Words, second: Words) -> list[Difference]:
     sizes = [{name: len(column) for name, column in table.items()} for table in (first, second)]
     if sizes[0] != sizes[1]:
         raise ValueError(f"Tables: expected the same columns and rows, got {sizes[0]}, {sizes[1]}.")
-    curves = np.asarray(first.get("curve", [""] * max(sizes[0].values())))
+    curves = np.asarray(first.get("curve", []))
     found = []
     for name, column in first.items():
         other = second[name]
@@ -58,7 +59,8 @@ def table_differences(first: Words, second: Words) -> list[Difference]:
         if count:
             same_unit = [first[each] for each in first if _unit(each) == _unit(name)]
             residue = RESIDUE * max(1.0, *map(_largest, same_unit))
-            largest, allowed = _size(column, other, curves, residue)
+            own = curves if len(curves) == len(column) else np.full(len(column), "")
+            largest, allowed = _size(column, other, own, residue)
             found.append(Difference(name, count, len(column), largest, allowed))
     return found
 
@@ -99,6 +101,13 @@ def _size(
     return largest, allowed
 
 
+def rounding(words: list[str]) -> float:
+    """Half the last digit of a column that is rounded to some decimals; 0 for whole numbers."""
+    exponents = [Decimal(word).as_tuple().exponent for word in words if word]
+    last = min((each for each in exponents if isinstance(each, int)), default=0)
+    return 0.5001 * 10.0**last if last < 0 else 0.0
+
+
 def folder_differences(
     first: Path, second: Path, chosen: Collection[str] | None = None
 ) -> dict[str, list[Difference]]:
@@ -112,9 +121,15 @@ def folder_differences(
     found = {}
     for name in sorted(names[0]):
         try:
-            differences = table_differences(*(read_table(f / name)[1] for f in (first, second)))
+            differences = table_differences(*(_with_facts(f / name) for f in (first, second)))
         except ValueError as error:
             raise ValueError(f"{name}: {error}") from None
         if differences:
             found[name] = differences
     return found
+
+
+def _with_facts(path: Path) -> dict[str, list[str]]:
+    """Columns of a CSV, and as further ones the facts of a table that is read again from it."""
+    comments, columns = read_table(path)
+    return columns | facts_in(comments)
