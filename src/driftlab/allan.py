@@ -185,7 +185,15 @@ def allan_deviation(
         [[(1 + confidence) / 2], [(1 - confidence) / 2]], freedom.reshape(1, -1)
     )
     low, high = np.sqrt(variances * freedom / tails.reshape(2, *freedom.shape))
-    return AllanDeviation(step * counts, np.sqrt(variances), low, high, freedom, step, length)
+    return AllanDeviation(
+        averaging_times=step * counts,
+        deviation=np.sqrt(variances),
+        lower=low,
+        upper=high,
+        degrees_of_freedom=freedom,
+        interval=step,
+        count=length,
+    )
 
 
 def _whole_counts(averaging_times: ArrayLike, interval: float, length: int) -> core.Counts:

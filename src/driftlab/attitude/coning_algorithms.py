@@ -170,7 +170,9 @@ CONING_ALGORITHMS: Mapping[str, Algorithm] = MappingProxyType(
         algorithm.name: algorithm
         for algorithm in (
             Algorithm("picard-1", 1, 0, {}, "first iterate", 2),
-            Algorithm("one-step-3", 1, 1, {(0, 1): 1 / 12}, "tangent", 3, ({(0, 1): 1 / 12},)),
+            Algorithm(
+                "one-step-3", 1, 1, {(0, 1): 1 / 12}, "tangent", 3, starts=({(0, 1): 1 / 12},)
+            ),
             Algorithm("two-step-3", 2, 0, {(0, 1): 2 / 3}, "second iterate", 3),
             Algorithm("two-step-4", 2, 0, {(0, 1): 2 / 3}, "tangent", 4),
             Algorithm(
@@ -181,7 +183,7 @@ CONING_ALGORITHMS: Mapping[str, Algorithm] = MappingProxyType(
                 "tangent",
                 4,
                 # The mirror image of the formula, then the one with a neighbour on either side.
-                ({(0, 1): 1 / 6, (0, 2): -1 / 24}, {(0, 1): 1 / 24, (1, 2): 1 / 24}),
+                starts=({(0, 1): 1 / 6, (0, 2): -1 / 24}, {(0, 1): 1 / 24, (1, 2): 1 / 24}),
             ),
             Algorithm("rotation-vector-2", 2, 0, {(0, 1): 2 / 3}, "rotation vector", 4),
             Algorithm(

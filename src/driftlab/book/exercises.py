@@ -171,7 +171,7 @@ def judged(number: str | float, answer: Any, progress: Progress, said: Said = NO
     if attempts > 1:
         done = f"attempt {attempts}; {done}"
     record = record_of(name, answer, found, attempts, said)
-    return Card(name, found, _help(name), tuple(notes), done, said.because, record)
+    return Card(name, found, _help(name), tuple(notes), done, because=said.because, record=record)
 
 
 def given(number: str | float, *, student: str = "") -> Given:

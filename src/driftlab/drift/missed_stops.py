@@ -101,5 +101,7 @@ def near_turns(
             along = float(angle @ n)
             across = float(np.linalg.norm(angle - along * n))
             time = (end - begin) * seconds
-            found.append(NearTurn(axis, along, float(reach[axis]), across, begin, end, time))
+            found.append(
+                NearTurn(axis, along, float(reach[axis]), across, begin, end, seconds=time)
+            )
     return found
