@@ -11,13 +11,11 @@ from scipy.spatial.transform import Rotation
 
 from driftlab.attitude import CONING_ALGORITHMS, integrate
 from driftlab.body_frames import body_frame_rotation, change_body_frame
-from driftlab.calibration import FULL, InconsistentWarning, _pose_fit
-from driftlab.calibration._pose_fit import KINDS, fit_poses
-from driftlab.calibration._rest_noise import _row_variance, noise_of_rests
+from driftlab.calibration import FULL, InconsistentWarning
 from driftlab.calibration.body_axes import imu_errors_in_frame
-from driftlab.calibration.pose_results import Consistency
-from driftlab.calibration.poses import POSE_AXES, calibrate_by_poses
-from driftlab.core.poses import UNKNOWNS, PoseModel, Poses, Variances
+from driftlab.calibration.poses import POSE_AXES, Consistency, _variances, calibrate_by_poses
+from driftlab.core import poses as core
+from driftlab.core.poses import UNKNOWNS, PoseModel, Poses, Variances, fit_poses, row_variance
 from driftlab.core.quaternion import conjugate
 from driftlab.drift import turn_estimate
 from driftlab.earth import EARTH_RATE
@@ -243,7 +241,7 @@ def test_residuals_are_as_large_as_noise_makes_them(noise):
 def test_variance_of_rows_is_that_of_their_means():
     samples = np.random.default_rng(3).standard_normal((100, 3)) * [1.0, 2.0, 3.0]
     rows, width = [(0, 42), (50, 90), (92, 97)], 4
-    found, colour = _row_variance(samples, rows, width)
+    found, colour = row_variance(samples, rows, width)
     squares = [samples[b:e].var(axis=0) * (e - b) for b, e in rows]
     white = np.sum(squares, axis=0) / (41 + 39 + 4)
     # Ten means in each of the first two rests; of the last there is one only.
@@ -251,7 +249,7 @@ def test_variance_of_rows_is_that_of_their_means():
     slow = 4 * sum(each.var(axis=0, ddof=1) for each in means) / 2
     np.testing.assert_allclose(found, slow, rtol=1e-12)
     assert colour == pytest.approx(slow.sum() / white.sum())
-    found, colour = _row_variance(samples, rows, 50)
+    found, colour = row_variance(samples, rows, 50)
     np.testing.assert_allclose(found, white, rtol=1e-12)
     assert np.isnan(colour)
 
@@ -259,22 +257,19 @@ def test_variance_of_rows_is_that_of_their_means():
 def test_variances_are_those_of_means_and_of_turns():
     true, rows = by_hand(moves=3)
     noisy = measure(true, NO_ERRORS, NOISE, np.random.default_rng(4))
-    poses, found = poses_of(log(true), rows), []
+    poses = poses_of(log(true), rows)
     lengths = np.array([[e - b] for b, e in rows])
-    for kind, share in (("increments", 1.0), ("rates", RATE)):
-        record = Recording(share * noisy.angle, share * noisy.velocity, 1 / RATE, kind)
-        told, colour = noise_of_rests(record, rows, poses, NOISE)
-        np.testing.assert_allclose(told.force, 1e-3**2 * RATE / lengths * np.ones(3))
-        np.testing.assert_allclose(told.rate, 1e-4**2 * RATE / lengths * np.ones(3))
-        np.testing.assert_allclose(told.move, 1e-4**2 / RATE * np.diff(poses.edges))
-        assert told.earth == pytest.approx(EARTH_RATE**2 / 3)
-        assert np.isnan(colour).all()
-        found.append(noise_of_rests(record, rows, poses)[0])
-        # Two means in each of four rests, of three axes: a chi-square with 12 degrees or more.
-        assert 0.3 < np.mean(found[-1].force / told.force) < 2.5
-        assert 0.3 < np.mean(found[-1].rate / told.rate) < 2.5
-    for one, other in zip(*found, strict=True):
-        np.testing.assert_allclose(one, other, rtol=1e-10)
+    samples = RATE * noisy.angle, RATE * noisy.velocity
+    told, colour = _variances(*samples, rows, poses, NOISE)
+    np.testing.assert_allclose(told.force, 1e-3**2 * RATE / lengths * np.ones(3))
+    np.testing.assert_allclose(told.rate, 1e-4**2 * RATE / lengths * np.ones(3))
+    np.testing.assert_allclose(told.move, 1e-4**2 / RATE * np.diff(poses.edges))
+    assert told.earth == pytest.approx(EARTH_RATE**2 / 3)
+    assert np.isnan(colour).all()
+    found, _ = _variances(*samples, rows, poses, None)
+    # Two means in each of four rests, of three axes: a chi-square with 12 degrees or more.
+    assert 0.3 < np.mean(found.force / told.force) < 2.5
+    assert 0.3 < np.mean(found.rate / told.rate) < 2.5
 
 
 def test_noise_of_the_rests_is_noise_enough():
@@ -322,19 +317,18 @@ def test_with_what_is_missing_the_noise_explains_the_residuals():
         angle[end + 2 : begin - 2] += 0.02 / MOVE * rng.standard_normal(3)
     record = log(measured._replace(angle=angle, velocity=velocity))
     poses = poses_of(record, rows)._replace(velocity=None)
-    told, _ = noise_of_rests(record, rows, poses, NOISE)
-    found = fit_poses(poses, told)
-    excess = [found.consistency[kind].excess for kind in KINDS]
-    assert min(excess) > 0
+    told, _ = _variances(RATE * angle, RATE * velocity, rows, poses, NOISE)
+    found = fit_poses(poses, told, None, None)
+    excess = found.tests[:, 4]
+    assert excess.min() > 0
     more = told._replace(
         force=told.force + excess[0] ** 2,
         move=told.move + excess[1] ** 2,
         rate=told.rate + excess[2] ** 2,
     )
-    again = fit_poses(poses, more)
-    for test in again.consistency.values():
-        assert test.chi_square == pytest.approx(test.freedom, rel=3e-3)
-        assert test.excess == 0
+    again = fit_poses(poses, more, None, None)
+    np.testing.assert_allclose(again.tests[:, 0], again.tests[:, 1], rtol=3e-3)
+    assert not again.tests[:, 4].any()
     free = found.covariance.diagonal() > 0
     sizes = np.sqrt(found.covariance.diagonal()[free])
     np.testing.assert_allclose(
@@ -365,7 +359,7 @@ def test_what_is_left_is_told_in_sentences(monkeypatch):
         tried.append(optimize.least_squares(*given, **options))
         return tried[-1]
 
-    monkeypatch.setattr(_pose_fit, "least_squares", least_squares)
+    monkeypatch.setattr(core, "least_squares", least_squares)
     found = calibrate_by_poses(record, rows, gravity=GRAVITY, noise=NOISE)
     assert found.iterations == sum(each.nfev for each in tried)
     assert found.longest_move == pytest.approx((MOVE + 4) / RATE)

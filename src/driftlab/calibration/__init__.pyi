@@ -16,7 +16,6 @@ from . import (
     nominal_readings as nominal_readings,
     observability as observability,
     piecewise_observability as piecewise_observability,
-    pose_results as pose_results,
     poses as poses,
     scheme_design as scheme_design,
     schuler_pair as schuler_pair,
@@ -117,12 +116,10 @@ from .piecewise_observability import (
     error_rates as error_rates,
     stripped_observability as stripped_observability,
 )
-from .pose_results import (
-    Consistency as Consistency,
-    PoseCalibration as PoseCalibration,
-)
 from .poses import (
     POSE_AXES as POSE_AXES,
+    Consistency as Consistency,
+    PoseCalibration as PoseCalibration,
     calibrate_by_poses as calibrate_by_poses,
 )
 from .scheme_design import (

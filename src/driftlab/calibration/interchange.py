@@ -32,7 +32,7 @@ from ._quantities_as_json import (
     written,
 )
 from .calibration_history import Calibration
-from .pose_results import PoseCalibration
+from .poses import PoseCalibration
 
 SCHEMA = "driftlab calibration 1"
 """Form of the text; the number counts up when an older program would misread it."""

@@ -8,10 +8,14 @@ the gyros alone must find no turn: this is Larin's test, and three components co
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.constants import g
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
 from driftlab.body_frames import BODY_FRAMES, body_frame_rotation, change_body_frame
@@ -25,16 +29,16 @@ from driftlab.checks import (
     whole_pairs,
 )
 from driftlab.core import poses as core
-from driftlab.earth import gravity as normal_gravity
+from driftlab.earth import EARTH_RATE, gravity as normal_gravity
 from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
 from driftlab.recordings.recording import Recording
 from driftlab.recordings.rest_detection import Rests
 
-from ._pose_fit import fit_poses
-from ._rest_noise import noise_of_rests, warn_of_gravity
+from .consistency import InconsistentWarning
 from .error_model import FULL
-from .pose_results import PoseCalibration
 
+KINDS = ("rests", "moves", "rates")
+"""Kinds of residuals: |force| at rest, tilt or turn after a move, gyros at rest."""
 POSE_AXES = (*BODY_FRAMES, "lower triangle accelerometers")
 """Choices of body axes: those of `driftlab.body_frames`, and one more.
 
@@ -42,6 +46,172 @@ POSE_AXES = (*BODY_FRAMES, "lower triangle accelerometers")
 the two triangles in which IMU-TK's matrices are in circulation. ``lower triangle accelerometers``
 has axis z along the z accelerometer, and L is zero below: the other, IMU-TK's own.
 """
+
+
+_BLOCK = 0.5
+"""Means over so many seconds show the slow part of the noise."""
+_LEAST = 1e-9
+"""Least deviation of a mean, relative to gravity, or in rad and rad/s: records without noise."""
+_GRAVITY_FACTOR = 1.25
+"""More than the errors of scale and bias of any accelerometer make together."""
+
+
+class Consistency(NamedTuple):
+    """Do the residuals of one kind agree with the noise that the rests show?
+
+    Attributes
+    ----------
+    chi_square : float
+        Sum of the squared residuals, each weighted by the noise, and by the excess of the other
+        kinds.
+    freedom : float
+        Number of residuals, less the share of the unknowns that they determine.
+    lower, upper : float
+        Bounds that `chi_square` keeps in 95 of 100 cases if noise is all there is; NaN where fewer
+        than half a degree of freedom is left and nothing can be tested.
+    excess : float
+        Deviation that was added to that of the noise: of each component of a mean force (m/s^2), of
+        the turn over a move (rad), of a mean rate (rad/s). Zero if none is missing.
+
+    Examples
+    --------
+    >>> Consistency(120.0, 30.0, 16.8, 47.0, 0.004).holds
+    False
+    """
+
+    chi_square: float
+    freedom: float
+    lower: float
+    upper: float
+    excess: float
+
+    @property
+    def holds(self) -> bool:
+        """Whether noise alone explains the residuals.
+
+        Returns
+        -------
+        bool
+            True also where nothing can be tested.
+        """
+        return not (self.chi_square < self.lower or self.chi_square > self.upper)
+
+    @property
+    def why(self) -> str:
+        """The test in a sentence.
+
+        Returns
+        -------
+        str
+        """
+        if np.isnan(self.upper):
+            return "No freedom is left to test them."
+        text = (
+            f"Chi-square {self.chi_square:.4g}, {self.lower:.4g} to {self.upper:.4g} expected of "
+            f"noise with {self.freedom:.0f} degrees of freedom"
+        )
+        if self.excess:
+            return f"{text}: not noise alone, {self.excess:.3g} were added to its deviation."
+        if self.holds:
+            return f"{text}: noise."
+        return f"{text}: {'more' if self.chi_square > self.upper else 'less'} than noise."
+
+
+@dataclass(frozen=True, eq=False)
+class PoseCalibration:
+    """Errors of a unit as its poses show them.
+
+    Attributes
+    ----------
+    imu_errors : ImuErrors
+        Estimates in the chosen body axes: measured = (I + K) true + bias.
+    body_axes : str
+        The choice, one of `POSE_AXES`.
+    names : tuple of str
+        Names of the 24 numbers, those of `driftlab.calibration.FULL`.
+    covariance : ndarray, shape (24, 24)
+        Of the numbers in that order. Those that the choice of axes sets to zero have none.
+    deviations : ImuErrors
+        Standard deviations of `imu_errors`.
+    sensitivity, sensitivity_deviations : ndarray, shape (3, 3)
+        What specific force adds to the gyros' bias, matrix G, rad/s for 1 m/s^2 in the same axes,
+        and its deviations (those of the axes of the fit, which turn by less than a triad is bent);
+        zero if it was not asked for.
+    gravity : float
+        That was assumed, m/s^2.
+    force_residuals : ndarray, shape (n,)
+        |force| - gravity at each rest, m/s^2.
+    turn_residuals : ndarray, shape (m,)
+        Angle between gravity as carried to the next rest and as found there, for each move but the
+        closed ones; then the turns left over the closed paths; rad.
+    rate_residuals : ndarray, shape (n, 3)
+        Mean of the gyros at each rest less their bias, rad/s.
+    consistency : dict of str to Consistency
+        Do "rests", "moves" and "rates" agree with the noise of the rests?
+    colour : tuple of float
+        Variance of means over half a second as a multiple of what white noise would have: gyros,
+        accelerometers; NaN if the noise was given.
+    longest_move : float
+        s.
+    iterations : int
+        How often the record was integrated.
+
+    Examples
+    --------
+    See `calibrate_by_poses`.
+    """
+
+    imu_errors: ImuErrors
+    body_axes: str
+    names: tuple[str, ...]
+    covariance: FloatArray
+    deviations: ImuErrors
+    sensitivity: FloatArray
+    sensitivity_deviations: FloatArray
+    gravity: float
+    force_residuals: FloatArray
+    turn_residuals: FloatArray
+    rate_residuals: FloatArray
+    consistency: dict[str, Consistency]
+    colour: tuple[float, float]
+    longest_move: float
+    iterations: int
+
+    @property
+    def earth_turn(self) -> float:
+        """The most that the Earth turned over a move, which is in `turn_residuals`.
+
+        Returns
+        -------
+        float
+            rad. The weights of the fit count it, as one rate of unknown direction.
+        """
+        return EARTH_RATE * self.longest_move
+
+    @property
+    def why(self) -> str:
+        """What the residuals are, and whether the noise of the rests explains them.
+
+        Returns
+        -------
+        str
+        """
+        sizes = [self.force_residuals, np.degrees(self.turn_residuals), self.rate_residuals]
+        units = ("m/s^2", "degrees", "rad/s")
+        words = ("Gravity at rest", "Gravity or attitude after a move", "Gyros at rest")
+        sentences = []
+        for word, unit, size, test in zip(
+            words, units, sizes, self.consistency.values(), strict=True
+        ):
+            rms = np.sqrt(np.mean(size**2))
+            sentences.append(f"{word}: residuals {rms:.3g} {unit} (rms). {test.why}")
+        return "\n".join(
+            [
+                *sentences,
+                f"The Earth turns by at most {np.degrees(self.earth_turn):.2g} degrees over a "
+                "move; it is in the residuals, and noise as counted here has it in it.",
+            ]
+        )
 
 
 def calibrate_by_poses(
@@ -174,82 +344,97 @@ def calibrate_by_poses(
     checked_instance(recording, Recording, "recording")
     one_of(body_axes, POSE_AXES, "body_axes")
     truth_value(sensitivity, "sensitivity")
-    rows = _checked_rows(recording, rests)
+    if recording.accelerometer is None:
+        raise ValueError("recording: expected one with accelerometers, got one without.")
+    rows = _checked_rows(rests, len(recording))
     pairs = _checked_pairs(closed, len(rows))
-    assumed = _gravity(recording, gravity)
-    poses = _poses(recording, rows, assumed, pairs, sensitivity)
-    warn_of_gravity(poses)
-    variances, colour = noise_of_rests(recording, rows, poses, noise)
+    assumed = _gravity(gravity, recording.gravity, recording.latitude)
+    interval = recording.interval
+    moves = _moves(rows, recording.kind, interval, recording.times)
+    _, angle, velocity = recording.increments()
+    way, algorithm = np.concatenate([angle[move] for move in moves]), CONING_ALGORITHMS["memory-4"]
+    if len(way) < algorithm.window:
+        raise ValueError(f"rests: expected moves between them, got {len(way)} rows of moves.")
+    share = 1.0 if recording.kind == "rates" else 1 / interval
+    rate, force = recording.gyro, recording.accelerometer
+    poses = core.Poses(
+        force=np.array([share * force[b:e].mean(axis=0) for b, e in rows]),
+        rate=np.array([share * rate[b:e].mean(axis=0) for b, e in rows]),
+        angle=way,
+        velocity=np.concatenate([velocity[move] for move in moves]) if sensitivity else None,
+        interval=interval,
+        edges=np.cumsum([0, *(len(angle[move]) for move in moves)]),
+        gravity=assumed,
+        closed=np.array(pairs, int).reshape(-1, 2),
+        open=np.setdiff1d(np.arange(len(rows) - 1), [i for i, j in pairs if j == i + 1]),
+        algorithm=algorithm.steps,
+    )
+    _warn_of_gravity(poses.force, assumed)
+    variances, colour = _variances(share * rate, share * force, rows, poses, noise)
     known = None if gyro_bias is None else finite_arrays(gyro_bias=(gyro_bias, 3))[0]
     if known is not None and known.ndim != 1:
         raise ValueError(f"gyro_bias: expected shape (3,), got shape {known.shape}.")
-    fit = fit_poses(poses, variances, prior, known)
-    state = _state(fit.unknowns, body_axes)
+    fit = core.fit_poses(poses, variances, None if prior is None else _sizes(prior), known)
+    state, felt = _in_axes(fit.unknowns, body_axes)
     step = 1e-6
     moved = fit.unknowns + step * np.concatenate([np.eye(core.UNKNOWNS), -np.eye(core.UNKNOWNS)])
-    ahead, back = np.split(_state(moved, body_axes), 2)
+    ahead, back = np.split(_in_axes(moved, body_axes)[0], 2)
     change = (ahead - back).T / (2 * step)
     covariance = change @ fit.covariance @ change.T
-    force_error, _, gyro_error, _, felt = core.matrices(fit.unknowns)
     return PoseCalibration(
-        _imu_errors(state),
-        body_axes,
-        FULL.names[6:],
-        covariance,
-        _imu_errors(np.sqrt(np.maximum(covariance.diagonal(), 0.0))),
-        felt @ _turn(force_error, gyro_error, body_axes).T,
-        np.sqrt(fit.covariance.diagonal()[core.SENSITIVITY]).reshape(3, 3),
-        assumed,
-        fit.force,
-        fit.turn,
-        fit.rate,
-        fit.consistency,
-        colour,
-        float(np.diff(poses.edges).max() * poses.interval),
-        fit.iterations,
+        imu_errors=_imu_errors(state),
+        body_axes=body_axes,
+        names=FULL.names[6:],
+        covariance=covariance,
+        deviations=_imu_errors(np.sqrt(np.maximum(covariance.diagonal(), 0.0))),
+        sensitivity=felt,
+        sensitivity_deviations=np.sqrt(fit.covariance.diagonal()[core.SENSITIVITY]).reshape(3, 3),
+        gravity=assumed,
+        force_residuals=fit.force,
+        turn_residuals=fit.turn,
+        rate_residuals=fit.rate,
+        consistency={
+            kind: Consistency(*test) for kind, test in zip(KINDS, fit.tests.tolist(), strict=True)
+        },
+        colour=colour,
+        longest_move=float(np.diff(poses.edges).max() * interval),
+        iterations=fit.iterations,
     )
 
 
-def _state(unknowns: FloatArray, body_axes: str) -> FloatArray:
-    """The 24 numbers in the chosen axes, of unknowns (..., 21)."""
-    force_error, force_bias, gyro_error, gyro_bias, _ = core.matrices(unknowns)
-    turn = _turn(force_error, gyro_error, body_axes)
+def _in_axes(unknowns: FloatArray, body_axes: str) -> tuple[FloatArray, FloatArray]:
+    """The 24 numbers (..., 24) of unknowns (..., 30), and G (..., 3, 3), in the chosen axes."""
+    force_error, force_bias, gyro_error, gyro_bias, felt = core.matrices(unknowns)
+    if body_axes == "lower triangle accelerometers":
+        turn = body_frame_rotation(force_error, frame="lower triangle")
+    else:
+        turn = body_frame_rotation(gyro_error, force_error, body_axes)
     errors = ImuErrors(
         gyro_bias,
         change_body_frame(gyro_error, turn),
         force_bias,
         change_body_frame(force_error, turn),
     )
-    return FULL.state(errors)[..., 6:]
-
-
-def _turn(force_error: FloatArray, gyro_error: FloatArray, body_axes: str) -> FloatArray:
-    if body_axes == "lower triangle accelerometers":
-        return body_frame_rotation(force_error, frame="lower triangle")
-    return body_frame_rotation(gyro_error, force_error, body_axes)
+    return FULL.state(errors)[..., 6:], felt @ np.swapaxes(turn, -1, -2)
 
 
 def _imu_errors(numbers: FloatArray) -> ImuErrors:
     return FULL.imu_errors(np.concatenate([np.zeros(6), numbers]))
 
 
-def _gravity(recording: Recording, given: float | None) -> float:
+def _gravity(given: float | None, own: float | None, latitude: float | None) -> float:
     if given is not None:
         return one_pull(given)
-    if recording.gravity is not None:
-        return recording.gravity
-    if recording.latitude is not None:
-        return float(normal_gravity(recording.latitude))
+    if own is not None:
+        return own
+    if latitude is not None:
+        return float(normal_gravity(latitude))
     raise ValueError(
         "gravity: expected m/s^2, because the record knows neither gravity nor latitude, got none."
     )
 
 
-def _checked_rows(
-    recording: Recording, rests: Rests | Sequence[tuple[int, int]]
-) -> list[tuple[int, int]]:
-    if recording.accelerometer is None:
-        raise ValueError("recording: expected one with accelerometers, got one without.")
+def _checked_rows(rests: Rests | Sequence[tuple[int, int]], count: int) -> list[tuple[int, int]]:
     given = rests.rows if isinstance(rests, Rests) else rests
     rows = [(int(begin), int(end)) for begin, end in whole_pairs(given, "rests")]
     if len(rows) < 2:
@@ -258,9 +443,9 @@ def _checked_rows(
         )
     after = 0
     for begin, end in rows:
-        if not after <= begin < end - 1 < len(recording):
+        if not after <= begin < end - 1 < count:
             raise ValueError(
-                f"rests: expected rows in order, two at least each, of the {len(recording)} of the "
+                f"rests: expected rows in order, two at least each, of the {count} of the "
                 f"record, got {begin} to {end} after {after}."
             )
         after = end
@@ -279,38 +464,91 @@ def _checked_pairs(closed: Sequence[tuple[int, int]], count: int) -> list[tuple[
     return pairs
 
 
-def _poses(
-    recording: Recording,
-    rows: list[tuple[int, int]],
-    gravity: float,
-    closed: list[tuple[int, int]],
-    sensitivity: bool,
-) -> core.Poses:
-    assert recording.accelerometer is not None
-    share = 1.0 if recording.kind == "rates" else 1 / recording.interval
+def _moves(
+    rows: list[tuple[int, int]], kind: str, interval: float, times: FloatArray | None
+) -> list[slice]:
+    """Increments between the rests.
+
+    Those of rates lie between samples, equally spaced even where the stamps are not.
+    """
     begin, end = np.array(rows).T
-    if recording.kind == "rates":
-        # Increments of rates lie between samples, equally spaced even where the stamps are not.
+    if kind == "rates":
         end = end - 1
-        if recording.times is not None:
-            since = (recording.times - recording.times[0]) / recording.interval
+        if times is not None:
+            since = (times - times[0]) / interval
             begin, end = np.rint(since[begin]).astype(int), np.rint(since[end]).astype(int)
-    moves = [slice(first, last) for first, last in zip(end[:-1], begin[1:], strict=True)]
-    angle = recording.angles()
-    velocity = recording.increments().velocity if sensitivity else None
-    way, algorithm = np.concatenate([angle[move] for move in moves]), CONING_ALGORITHMS["memory-4"]
-    if len(way) < algorithm.window:
-        raise ValueError(f"rests: expected moves between them, got {len(way)} rows of moves.")
-    at_once = [i for i, j in closed if j == i + 1]
-    return core.Poses(
-        np.array([share * recording.accelerometer[b:e].mean(axis=0) for b, e in rows]),
-        np.array([share * recording.gyro[b:e].mean(axis=0) for b, e in rows]),
-        way,
-        None if velocity is None else np.concatenate([velocity[move] for move in moves]),
-        recording.interval,
-        np.cumsum([0, *(len(angle[move]) for move in moves)]),
-        gravity,
-        np.array(closed, int).reshape(-1, 2),
-        np.setdiff1d(np.arange(len(rows) - 1), at_once),
-        algorithm.steps,
+    return [slice(first, last) for first, last in zip(end[:-1], begin[1:], strict=True)]
+
+
+def _sizes(prior: PriorDeviations) -> FloatArray:
+    """Deviations (30,) of the unknowns; one g may change a bias by its own size."""
+    checked_instance(prior, PriorDeviations, "prior")
+    triad = np.where(np.eye(3, dtype=bool), prior.scale, prior.installation)
+    sizes = np.concatenate(
+        [
+            triad[core.LOWER],
+            np.full(3, prior.accelerometer_bias),
+            triad.ravel(),
+            np.full(3, prior.gyro_bias),
+            np.full(9, prior.gyro_bias / g),
+        ]
     )
+    if not sizes.all():
+        raise ValueError("prior: expected deviations above zero, got 0.")
+    return sizes
+
+
+def _variances(
+    rate: FloatArray,
+    force: FloatArray,
+    rows: list[tuple[int, int]],
+    poses: core.Poses,
+    noise: ImuNoise | None,
+) -> tuple[core.Variances, tuple[float, float]]:
+    """Return variances of the rests' means and of the turns between them, and their colour.
+
+    `rate` and `force` (n, 3) are the samples. `noise` is used instead of the rests' own white
+    noise. The colour, of gyros and accelerometers, is the variance of means over half a second as
+    a multiple of white noise. The direction of the Earth's rate is taken as unknown.
+    """
+    interval = poses.interval
+    if noise is None:
+        width = max(1, round(_BLOCK / interval))
+        rate, rate_colour = core.row_variance(rate, rows, width)
+        force, force_colour = core.row_variance(force, rows, width)
+    else:
+        checked_instance(noise, ImuNoise, "noise")
+        rate = np.full(3, noise.angle_random_walk**2 / interval)
+        force = np.full(3, noise.velocity_random_walk**2 / interval)
+        rate_colour = force_colour = np.nan
+    per_increment = float(rate.mean()) * interval**2
+    lengths = np.array([e - b for b, e in rows])[:, np.newaxis]
+    variances = core.Variances(
+        np.maximum(force / lengths, (_LEAST * poses.gravity) ** 2),
+        np.maximum(rate / lengths, _LEAST**2),
+        np.maximum(per_increment * np.diff(poses.edges), _LEAST**2),
+        EARTH_RATE**2 / 3,  # of known size, in any direction
+    )
+    return variances, (rate_colour, force_colour)
+
+
+def _warn_of_gravity(force: FloatArray, gravity: float) -> None:
+    """Warn if the accelerometers at rest show another gravity, and refuse such as show none.
+
+    The median counts, for biases push up in one rest and down in another.
+    """
+    sizes = np.linalg.norm(force, axis=-1)
+    if not sizes.all():
+        raise ValueError(
+            "rests: expected accelerometers that feel gravity at each rest, got zeros in rest "
+            f"{int(np.argmin(sizes))}."
+        )
+    found = float(np.median(sizes))
+    if not 1 / _GRAVITY_FACTOR < found / gravity < _GRAVITY_FACTOR:
+        warnings.warn(
+            f"gravity: expected what the accelerometers show at rest within a factor of "
+            f"{_GRAVITY_FACTOR:g}, got {gravity:g} m/s^2, and they show {found:.4g}: the "
+            "scale of all three would be wrong by that. Is it another planet's, or their unit?",
+            InconsistentWarning,
+            stacklevel=3,
+        )

@@ -1,4 +1,4 @@
-"""Gravity from rest to rest: the residuals of a unit's poses, and what they depend on.
+"""Gravity from rest to rest: the residuals of a unit's poses, and the least squares of them.
 
 The arithmetic behind `driftlab.calibration.poses`. The unknowns are 30: the error matrix L of the
 accelerometers, nothing above its diagonal, row by row; their bias; the matrix K of the gyros, row
@@ -11,12 +11,15 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+from scipy.linalg import solve_triangular
+from scipy.optimize import brentq, least_squares
 
 from driftlab.checks import FloatArray
 
 from .attitude import step_quaternions
 from .coning import ConingSteps
 from .loops import cumulative_product
+from .quantiles import chi_squared_quantile
 from .quaternion import conjugate, multiply, to_matrix, to_rotation_vector
 from .vectors import cross_matrix, left_jacobian, norms
 
@@ -25,6 +28,10 @@ FORCE, FORCE_BIAS = np.s_[0:6], np.s_[6:9]
 GYRO, GYRO_BIAS = np.s_[9:18], np.s_[18:21]
 SENSITIVITY = np.s_[21:30]
 UNKNOWNS = 30
+_PASSES = 12
+_MOST = 100  # steps in one of them; five are usual
+_IN_THE_DARK = np.array([0.1] * 6 + [1.0] * 3 + [0.1] * 9 + [0.1] * 3 + [0.01] * 9)
+"""An unknown that poses do not show better than so is in the dark: parts, rad, m/s^2, rad/s."""
 
 
 class Poses(NamedTuple):
@@ -260,3 +267,214 @@ def _planes(unit: FloatArray) -> FloatArray:
     first = np.cross(unit, np.eye(3)[least])
     first /= norms(first)[..., np.newaxis]
     return np.stack([first, np.cross(unit, first)], axis=-2)
+
+
+def row_variance(
+    samples: FloatArray, rows: list[tuple[int, int]], width: int
+) -> tuple[FloatArray, float]:
+    """Variance (3,) of one sample that explains the means over `width`, and its share of colour."""
+    white = sum(((samples[b:e] - samples[b:e].mean(axis=0)) ** 2).sum(axis=0) for b, e in rows)
+    white = np.asarray(white / sum(e - b - 1 for b, e in rows))
+    total, freedom = np.zeros(3), 0
+    for b, e in rows:
+        count = (e - b) // width
+        if count > 1:
+            means = samples[b : b + count * width].reshape(count, width, 3).mean(axis=1)
+            total += ((means - means.mean(axis=0)) ** 2).sum(axis=0)
+            freedom += count - 1
+    if not freedom or not white.any():
+        return white, np.nan
+    slow = width * total / freedom
+    return slow, float(slow.sum() / white.sum())
+
+
+class PoseFit(NamedTuple):
+    """Estimates (30,) with their covariance, residuals, tests, and how often these were evaluated.
+
+    `turn` are the angles of all moves, the open ones first. Each kind of residuals has a row of
+    `tests` (3, 5): chi-square, its freedom, bounds of 95 %, and the excess of its deviation.
+    """
+
+    unknowns: FloatArray
+    covariance: FloatArray
+    force: FloatArray
+    turn: FloatArray
+    rate: FloatArray
+    tests: FloatArray
+    iterations: int
+
+
+def fit_poses(
+    poses: Poses, variances: Variances, sizes: FloatArray | None, gyro_bias: FloatArray | None
+) -> PoseFit:
+    """Fit the unknowns of the poses by least squares, with deviations scaled to the residuals.
+
+    `sizes` (30,) are those of the unknowns and `gyro_bias`, rad/s, the gyro biases, where
+    known. Poses that leave unknowns undetermined without sizes, and a fit that does not
+    settle, are refused.
+    """
+    model = PoseModel(poses)
+    unknowns = np.zeros(UNKNOWNS)
+    unknowns[GYRO_BIAS] = poses.rate.mean(axis=0) if gyro_bias is None else gyro_bias
+    free = np.ones(UNKNOWNS, bool)
+    free[GYRO_BIAS] = gyro_bias is None
+    free[SENSITIVITY] = poses.velocity is not None
+    excess, iterations = np.zeros(3), 0
+    tests = np.zeros((3, 4))
+    for turn in range(_PASSES):
+        weights = _Weights(model, unknowns, free, variances, excess, sizes)
+        if turn == 0 and sizes is None:
+            _refuse_dark(weights.jacobian(unknowns[free]), free)
+        found = least_squares(
+            weights.residuals, unknowns[free], weights.jacobian, method="lm", max_nfev=_MOST
+        )
+        if not found.success:
+            raise ValueError(
+                f"rests: expected residuals that a fit can settle on, got none in {_MOST} steps: "
+                "a move that is cut, another unit, or noise stated much too small?"
+            )
+        unknowns[free], iterations = found.x, iterations + found.nfev
+        if turn:  # the first one is weighted for errors that were not known yet
+            tests = weights.tests(found.x)
+            before = excess
+            excess = weights.missing(found.x, tests[:, 0] > tests[:, 3])
+            if np.allclose(excess, before, rtol=1e-3, atol=0):
+                break
+    # Of the triangle of a QR decomposition, because squares would lose half the digits.
+    inverse = np.linalg.inv(np.linalg.qr(weights.jacobian(found.x), mode="r"))
+    covariance = np.zeros((UNKNOWNS, UNKNOWNS))
+    covariance[np.ix_(free, free)] = inverse @ inverse.T
+    residuals = model.residuals(unknowns)
+    tilts, turns = np.split(residuals[model.moves], [2 * len(poses.open)])
+    return PoseFit(
+        unknowns=unknowns,
+        covariance=covariance,
+        force=residuals[model.rests],
+        turn=np.concatenate([norms(tilts.reshape(-1, 2)), norms(turns.reshape(-1, 3))]),
+        rate=residuals[model.rates].reshape(-1, 3),
+        tests=np.column_stack([tests, excess]),
+        iterations=iterations,
+    )
+
+
+class _Weights:
+    """Residuals divided by their deviations: those of the noise, and an excess for each kind.
+
+    The Cholesky factor takes the kinds in order, so each kind's sum of squares is that of what the
+    kinds before it did not say already, and the sums add up to the whole.
+    """
+
+    def __init__(
+        self,
+        model: PoseModel,
+        unknowns: FloatArray,
+        free: np.ndarray,
+        variances: Variances,
+        excess: FloatArray,
+        sizes: FloatArray | None,
+    ):
+        self.model, self.excess, self.free, self._at = model, excess, free, unknowns.copy()
+        self.sizes = None if sizes is None else sizes[free]
+        self.kinds = (model.rests, model.moves, model.rates)
+        model.face(unknowns)
+        none = Variances._make(map(np.zeros_like, variances))
+        self._noise = model.covariance(unknowns, variances)
+        self._units = [
+            model.covariance(unknowns, none._replace(force=none.force + 1)),
+            model.covariance(unknowns, none._replace(move=none.move + 1)),
+            model.covariance(unknowns, none._replace(rate=none.rate + 1)),
+        ]
+        self._factor = self._root(excess)
+
+    def _root(self, excess: FloatArray) -> FloatArray:
+        total = self._noise + sum(e**2 * unit for e, unit in zip(excess, self._units, strict=True))
+        return np.linalg.cholesky(total)
+
+    def _whole(self, free: FloatArray) -> FloatArray:
+        self._at[self.free] = free
+        return self._at
+
+    def residuals(self, free: FloatArray) -> FloatArray:
+        rows = _divided(self._factor, self.model.residuals(self._whole(free)))
+        return rows if self.sizes is None else np.concatenate([rows, free / self.sizes])
+
+    def jacobian(self, free: FloatArray) -> FloatArray:
+        rows = _divided(self._factor, self.model.jacobian(self._whole(free))[:, self.free])
+        return rows if self.sizes is None else np.concatenate([rows, np.diag(1 / self.sizes)])
+
+    def freedoms(self, free: FloatArray) -> list[float]:
+        """Of each kind: residuals less leverage."""
+        columns, _ = np.linalg.qr(self.jacobian(free))
+        leverage = (columns**2).sum(axis=1)
+        return [float((1 - leverage[kind]).sum()) for kind in self.kinds]
+
+    def tests(self, free: FloatArray) -> FloatArray:
+        """Chi-square of each kind (3, 4), its freedom and bounds, by the noise alone.
+
+        The other kinds keep their excess. Otherwise what one kind lacks would be asked of the
+        others, which see the same unknowns.
+        """
+        residuals = self.model.residuals(self._whole(free))
+        tests = np.full((3, 4), np.nan)
+        for index, freedom in enumerate(self.freedoms(free)):
+            excess = self.excess.copy()
+            excess[index] = 0.0
+            rows = _divided(self._root(excess), residuals)[self.kinds[index]]
+            tests[index, :2] = (rows**2).sum(), freedom
+            if freedom > 0.5:
+                tests[index, 2:] = chi_squared_quantile([0.025, 0.975], freedom)
+        return tests
+
+    def missing(self, free: FloatArray, wanted: np.ndarray) -> FloatArray:
+        """Excess (3,) with which the squares of each kind add up to their freedom."""
+        found, freedoms = self.excess.copy(), self.freedoms(free)
+        residuals = self.model.residuals(self._whole(free))
+        for index, kind in enumerate(self.kinds):
+            if not wanted[index]:
+                found[index] = 0.0
+                continue
+
+            def surplus(size: float, index: int = index, kind: slice = kind) -> float:
+                found[index] = size
+                rows = _divided(self._root(found), residuals)[kind]
+                return float((rows**2).sum()) - freedoms[index]
+
+            most = 10 * float(np.abs(residuals[kind]).max())
+            found[index] = brentq(surplus, 0.0, most, rtol=1e-4) if surplus(0.0) > 0 else 0.0
+        return found
+
+
+def _divided(factor: FloatArray, rows: FloatArray) -> FloatArray:
+    return solve_triangular(factor, rows, lower=True)
+
+
+def _refuse_dark(jacobian: FloatArray, free: np.ndarray) -> None:
+    """Refuse poses that do not show some unknowns at all."""
+    _, sizes, directions = np.linalg.svd(jacobian * _IN_THE_DARK[free])
+    hidden = directions[np.count_nonzero(sizes >= 1) :]
+    if len(hidden):
+        count = len(directions)
+        share = np.sqrt((hidden**2).sum(axis=0))
+        names = np.array(_names())[free]
+        dark = [name for name, part in zip(names, share, strict=True) if part > 0.3]
+        raise ValueError(
+            f"rests: expected poses that show all {count} numbers, got such that show "
+            f"{count - len(hidden)}; in the dark, alone or together: {', '.join(dark)}. "
+            "More poses help, tilted ones too, with moves about all three axes; or a prior."
+        )
+
+
+def _names() -> list[str]:
+    """Names of the unknowns."""
+
+    def entry(triad: str, i: int, j: int) -> str:
+        kind = "scale " if i == j else "installation "
+        return f"{triad} {kind}{'xyz'[i]}{'' if i == j else 'xyz'[j]}"
+
+    return [
+        *(entry("accelerometer", i, j) for i in range(3) for j in range(i + 1)),
+        *(f"accelerometer bias {axis}" for axis in "xyz"),
+        *(entry("gyro", i, j) for i in range(3) for j in range(3)),
+        *(f"gyro bias {axis}" for axis in "xyz"),
+        *(f"gyro sensitivity {'xyz'[i]}{'xyz'[j]}" for i in range(3) for j in range(3)),
+    ]
