@@ -8,11 +8,10 @@ import pytest
 
 from driftlab.axes import convert_vectors
 from driftlab.commands import example
-from driftlab.commands.align import find
+from driftlab.commands.align import WITHIN, find
+from driftlab.commands.at_rest import FOUND
 from driftlab.commands.example import OPTIONS
-from driftlab.commands.stillness import moved_at
-from driftlab.commands.stretches import FOUND, aligned
-from driftlab.commands.trust import WITHIN, trust
+from driftlab.commands.record import moved_at
 from driftlab.earth import EARTH_RATE, gravity
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass import align
@@ -62,9 +61,9 @@ def test_deviations_are_those_of_many_records():
     headings, stated = [], []
     for _ in range(60):
         noisy = true.gyro + 5 * HOUR * rng.standard_normal(true.gyro.shape)
-        spread = aligned(Recording(noisy, true.accelerometer, 1.0, "rates", axes="FRD"))
-        headings.append(spread.whole.heading)
-        stated.append(spread.deviation.heading)
+        values = found(replace(true, gyro=noisy, latitude=None)).values
+        headings.append(values["heading"]["value"])
+        stated.append(values["heading_noise_deviation"])
     # Of 60 records the deviation is known to 1 in sqrt(118), the mean of the stated ones better.
     assert np.std(headings, ddof=1) / np.mean(stated) == pytest.approx(1.0, abs=4 / np.sqrt(118))
 
@@ -99,12 +98,11 @@ def test_errors_of_the_heading_are_as_large_as_the_earth_s_rate_shows_them():
     """Biases in all directions: of Student's t with two degrees of freedom 0.577, 0.816, 0.950."""
     rng = np.random.default_rng(11)
     true, errors = still(noise=0.0, seconds=20), []
-    heading = aligned(true).whole.heading
+    heading = found(true).values["heading"]["value"]
     for _ in range(200):
         record = replace(true, gyro=true.gyro + 0.5 * HOUR * rng.standard_normal(3))
-        spread = aligned(record)
-        error = abs(float(spread.whole.heading - heading))
-        errors.append(error / trust(record, spread, None).of_means)
+        one = found(record).values["heading"]
+        errors.append(abs(one["value"] - heading) / one["deviation"])
     for deviations, share in ((1.0, 0.577), (2.0, 0.816), (WITHIN, 0.95)):
         spread = np.sqrt(share * (1 - share) / 200)
         assert np.mean(np.array(errors) < deviations) == pytest.approx(share, abs=3.5 * spread)
@@ -151,8 +149,7 @@ def test_axes_and_signs_that_can_hardly_be_are_warned_of(change, words):
 )
 def test_a_rate_of_another_size_has_its_reason(factor, words):
     record = still(noise=0.01 * HOUR)
-    blind = aligned(replace(record, gyro=record.gyro * factor)).blind
-    assert words in blind
+    assert words in found(replace(record, gyro=record.gyro * factor)).sentences[0]
 
 
 def test_a_unit_that_cannot_see_the_earth_gets_no_heading():
@@ -163,9 +160,9 @@ def test_a_unit_that_cannot_see_the_earth_gets_no_heading():
     assert blind.sentences[0].startswith("No heading: ")
     assert f"{EARTH_RATE / HOUR:.2f}" in blind.sentences[0]
     assert blind.values["pitch"]["value"] == pytest.approx(0.02, abs=1e-4)
-    noisy = aligned(still(noise=200 * HOUR))
-    assert "known to" in noisy.blind
-    assert not noisy.biased
+    noisy = found(still(noise=200 * HOUR))
+    assert "known to" in noisy.sentences[0]
+    assert noisy.values["earth_seen"]
 
 
 def test_force_of_another_size_is_warned_of():

@@ -19,8 +19,7 @@ from .example import OPTIONS
 from .findings import Curve, Findings, Plot, Table
 from .numbers import Unit, with_deviation, written
 from .progress import Steps
-from .record import AXES, forces, rates, record_plots
-from .stillness import moved_at
+from .record import AXES, forces, moved_at, rates, record_plots
 
 STEPS = 7
 EXAMPLE = (

@@ -23,8 +23,7 @@ from .findings import Findings, Plot, Table, lines
 from .numbers import DEGREES, RATES, with_deviation, written
 from .options import number
 from .progress import Steps
-from .record import AXES, rates, record_plots
-from .stillness import moved_at
+from .record import AXES, moved_at, rates, record_plots
 
 STEPS = 2
 EXAMPLE = (
