@@ -26,6 +26,15 @@ END = (
     f"tasks with their code, ten lines each at most, are in {RECIPES} of the book.",
 )
 """What stays on the screen when the list has run past."""
+FIND_HELP = """usage: python -m driftlab find [-h] [WORD ...]
+
+Lists the tasks and the modules that speak of a word: tasks first, then modules
+with the names that they offer. Several words may stand in any order in a task,
+and stand in theirs in a module. Without a word it lists everything.
+
+example:
+
+python -m driftlab find covariance"""
 GROUND_FLOOR = (
     *("checks", "vectors", "quaternion", "earth", "axes", "conventions", "frames"),
     *(
@@ -163,6 +172,9 @@ def main(arguments: Sequence[str]) -> int:
 
         return start(arguments)
     sought = arguments[1:] if arguments[:1] == ["find"] else arguments
+    if sought != arguments and sought[:1] in (["-h"], ["--help"]):
+        print(FIND_HELP)
+        return 0
     words = " ".join(sought)
     wanted, (title, *modules) = list(tasks(words)), overview(words)
     unknown = not wanted and not modules

@@ -56,6 +56,16 @@ def test_the_name_of_a_command_starts_it_and_other_words_are_looked_for(words, c
     assert ("Nothing here" in out) == (words[0] == "FIND")
 
 
+@pytest.mark.parametrize("option", ["-h", "--help"])
+def test_help_of_find_shows_an_example_that_finds_something(option, capsys):
+    assert door(["find", option]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("usage: python -m driftlab find ")
+    example = out.splitlines()[-1].removeprefix("python -m driftlab ").split()
+    assert door(example) == 0
+    assert example[1] in capsys.readouterr().out
+
+
 @pytest.mark.parametrize("name", COMMANDS)
 def test_the_example_of_each_help_runs_as_it_is_written(name, run):
     code, out, _ = run(f"{name} --help")
