@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from scipy.constants import g
 
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS
-from driftlab.body_frames import BODY_FRAMES, body_frame_rotation, change_body_frame
+from driftlab.body_frames import BODY_FRAMES
 from driftlab.checks import (
     FloatArray,
     checked_instance,
@@ -34,6 +34,7 @@ from driftlab.imu import ImuErrors, ImuNoise, PriorDeviations
 from driftlab.recordings.recording import Recording
 from driftlab.recordings.rest_detection import Rests
 
+from .body_axes import imu_errors_in_accelerometer_axes, imu_errors_in_frame
 from .consistency import InconsistentWarning
 from .error_model import FULL
 
@@ -405,16 +406,11 @@ def calibrate_by_poses(
 def _in_axes(unknowns: FloatArray, body_axes: str) -> tuple[FloatArray, FloatArray]:
     """The 24 numbers (..., 24) of unknowns (..., 30), and G (..., 3, 3), in the chosen axes."""
     force_error, force_bias, gyro_error, gyro_bias, felt = core.matrices(unknowns)
+    errors = ImuErrors(gyro_bias, gyro_error, force_bias, force_error)
     if body_axes == "lower triangle accelerometers":
-        turn = body_frame_rotation(force_error, frame="lower triangle")
+        errors, turn = imu_errors_in_accelerometer_axes(errors, "below")
     else:
-        turn = body_frame_rotation(gyro_error, force_error, body_axes)
-    errors = ImuErrors(
-        gyro_bias,
-        change_body_frame(gyro_error, turn),
-        force_bias,
-        change_body_frame(force_error, turn),
-    )
+        errors, turn = imu_errors_in_frame(errors, body_axes)
     return FULL.state(errors)[..., 6:], felt @ np.swapaxes(turn, -1, -2)
 
 
