@@ -48,10 +48,6 @@ WITHIN = 4.3
 """Of a deviation that stands on two numbers, for 95 errors in 100: Student's distribution."""
 
 
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """It has only the options that all commands have."""
-
-
 def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Findings:
     """Align a record, and say how far it can be believed."""
     if not recording.axes:

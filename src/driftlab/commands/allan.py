@@ -27,21 +27,16 @@ EXAMPLE = (
     f"python -m driftlab allan log.csv {OPTIONS}"
     " --end 60 --csv deviation.csv"
 )
-NAMES = dict(
-    zip(
-        TERMS,
-        (
-            "quantisation Q",
-            "random walk N",
-            "bias instability B",
-            "rate random walk K",
-            "rate ramp R",
-        ),
-        strict=True,
-    )
-)
 _ROOT = hour**0.5
 _WEIGHT = milli * g
+NAMES = (
+    "quantisation Q",
+    "random walk N",
+    "bias instability B",
+    "rate random walk K",
+    "rate ramp R",
+)
+"""Of the terms, in their order, as of the units."""
 GYRO_UNITS = (
     Unit("arcsec", arcsecond),
     Unit("deg/√h", degree / _ROOT),
@@ -72,10 +67,6 @@ class Triad:
     units: tuple[Unit, ...]
     allan: tuple[AllanDeviation, ...]
     fits: tuple[NoiseFit, ...]
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """It has only the options that all commands have."""
 
 
 def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Findings:
@@ -113,8 +104,8 @@ def triad(
 
 def _terms_table(one: Triad) -> Table:
     rows = []
-    for place, term in enumerate(TERMS):
-        unit, cells = one.units[place], []
+    for term, name, unit in zip(TERMS, NAMES, one.units, strict=True):
+        cells = []
         for fit in one.fits:
             value, deviation = getattr(fit.terms, term), fit.deviations.get(term)
             if deviation is not None:
@@ -123,7 +114,7 @@ def _terms_table(one: Triad) -> Table:
             else:
                 bound = fit.upper_bounds.get(term, np.inf) / unit.size
                 cells.append(f"< {written(bound, digits=2)}" if np.isfinite(bound) else "-")
-        rows.append((NAMES[term], *cells, unit.name))
+        rows.append((name, *cells, unit.name))
     note = "A term that the record does not show has the bound that it is below with 95 %."
     return Table(f"Noise of the {one.name}s", ("", *AXES, "unit"), tuple(rows), note)
 

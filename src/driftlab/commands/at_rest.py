@@ -44,79 +44,45 @@ NO_INERTIAL = "Gravity in inertial space gives no heading: "
 
 
 class Samples(NamedTuple):
-    """A record at rest in body axes forward, up, right, and what was told of it; SI and radians.
+    """A record in body axes forward, up, right, and what was told of it; SI and radians."""
 
-    Attributes
-    ----------
-    times : ndarray, shape (n,)
-        Since the first sample.
-    rate, force : ndarray, shape (n, 3)
-    increments : Increments or None
-        For gravity in inertial space; `why_not` says in a sentence why there are none.
-    moved : float or None
-        When the unit did not stay where it was.
-    duration : float
-    latitude, gravity : float or None
-    axes : str
-        Those of the log.
-    """
-
-    times: FloatArray
-    rate: FloatArray
-    force: FloatArray
-    increments: Increments | None
-    why_not: str
-    moved: float | None
+    times: FloatArray  # (n,), since the first sample
+    rate: FloatArray  # (n, 3)
+    force: FloatArray  # (n, 3)
+    increments: Increments | None  # for gravity in inertial space
+    why_not: str  # in a sentence, why there are no increments
+    moved: float | None  # when the unit did not stay where it was
     duration: float
     latitude: float | None
     gravity: float | None
-    axes: str
+    axes: str  # those of the log
 
 
 class AtRest(NamedTuple):
-    """What a record at rest says of its attitude, and how far that is known; angles in rad.
-
-    Attributes
-    ----------
-    samples : Samples
-    times : ndarray, shape (10,)
-        Middles of the stretches.
-    rate, force : ndarray, shape (3,)
-        Means; rad/s and m/s^2.
-    whole, parts, deviation : Alignment
-        Of the record, of the stretches (10,), and standard deviations of that of the record.
-        Where the gyros do not see the Earth all but pitch and roll is NaN.
-    blind : str
-        Why the means give no heading, in a sentence; empty if they do.
-    biased : bool
-        Whether no other method mends that: it is the gyros' own fault, or the unit was moved.
-    swaying : InertialAlignment or None
-        By gravity in inertial space; `why_not` says in a sentence why there is none.
-    drift : float or None
-        Deviation of the gyros' drift, rad/s, as the `rates` of the Earth show it that are known;
-        None if there is no heading to spoil.
-    turn, tilt : float
-        What such a drift across the meridian makes of the heading, at most that of no knowledge;
-        and of pitch and roll at the end, summed up from the middle of the record.
-    of_means, in_inertial_space : float
-        Deviations of the headings: the larger of noise and drift.
-    """
+    """What a record at rest says of its attitude, and how far that is known; SI and radians."""
 
     samples: Samples
-    times: FloatArray
-    rate: FloatArray
-    force: FloatArray
+    times: FloatArray  # (10,), middles of the stretches
+    rate: FloatArray  # (3,), mean
+    force: FloatArray  # (3,), mean
+    # Of the record, of the stretches (10,), and standard deviations of that of the record. Where
+    # the gyros do not see the Earth all but pitch and roll is NaN.
     whole: Alignment
     parts: Alignment
     deviation: Alignment
-    blind: str
-    biased: bool
-    swaying: InertialAlignment | None
-    why_not: str
+    blind: str  # why the means give no heading, in a sentence; empty if they do
+    biased: bool  # no other method mends that: it is the gyros' own fault, or the unit was moved
+    swaying: InertialAlignment | None  # by gravity in inertial space
+    why_not: str  # in a sentence, why there is none
+    # Deviation of the gyros' drift, as the rates of the Earth show it that are known, so many;
+    # None if there is no heading to spoil.
     drift: float | None = None
     rates: int = 0
+    # What such a drift across the meridian makes of the heading, at most that of no knowledge; and
+    # of pitch and roll at the end, summed up from the middle of the record.
     turn: float = 0.0
     tilt: float = 0.0
+    # Deviations of the headings: the larger of noise and drift.
     of_means: float = np.nan
     in_inertial_space: float = np.nan
 

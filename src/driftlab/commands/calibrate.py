@@ -15,7 +15,6 @@ from driftlab.calibration import (
     calibration_document,
 )
 from driftlab.checks import FloatArray
-from driftlab.earth import gravity as normal_gravity
 from driftlab.recordings.recording import Recording
 from driftlab.recordings.rest_detection import Rests, rests
 
@@ -100,27 +99,27 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
         recording, window=options.window, multiple=options.multiple, shortest=options.shortest
     )
     step("fit")
-    pull = gravity_of(recording)
+    if recording.gravity is None and recording.latitude is None:
+        raise ValueError(
+            "--latitude: expected the latitude of the place, degrees, or --gravity, m/s^2, because "
+            "gravity is what the accelerometers are held against; got neither."
+        )
     fit = calibrate_by_poses(
         recording,
         found,
-        gravity=pull,
         body_axes=options.body_axes.replace("-", " "),
         closed=options.closed,
         sensitivity=options.sensitivity,
     )
     step("plots")
-    errors, spread = fit.imu_errors, fit.deviations
     turns = _turns(found, fit, options.closed)
     tables = [
-        triad_table("gyro", errors.gyro_bias, errors.gyro_error, spread.gyro_bias,
-                     spread.gyro_error, RATES),
-        triad_table("accelerometer", errors.accelerometer_bias, errors.accelerometer_error,
-                     spread.accelerometer_bias, spread.accelerometer_error, FORCES),
+        triad_table(fit, "gyro", RATES),
+        triad_table(fit, "accelerometer", FORCES),
         consistency_table(fit),
         *([sensitivity_table(fit)] if options.sensitivity else []),
-    ]  # fmt: skip
-    details = [rests_table(found, fit, turns), *form_tables(errors, options.form)]
+    ]
+    details = [rests_table(found, fit, turns), *form_tables(fit.imu_errors, options.form)]
     shaded = tuple((b * found.interval, e * found.interval) for b, e in found.rows)
     return Findings(
         "Calibration by poses",
@@ -132,18 +131,6 @@ def find(recording: Recording, options: argparse.Namespace, step: Steps) -> Find
         values=_values(fit, found, recording.axes),
         columns=_columns(found, fit, turns),
     )
-
-
-def gravity_of(recording: Recording) -> float:
-    """Gravity of the place, m/s^2: what was told, or normal gravity of the latitude."""
-    if recording.gravity is not None:
-        return recording.gravity
-    if recording.latitude is None:
-        raise ValueError(
-            "--latitude: expected the latitude of the place, degrees, or --gravity, m/s^2, because "
-            "gravity is what the accelerometers are held against; got neither."
-        )
-    return float(normal_gravity(recording.latitude))
 
 
 def _turns(found: Rests, fit: PoseCalibration, closed: list[tuple[int, int]]) -> FloatArray:
@@ -190,21 +177,16 @@ def _doubts(fit: PoseCalibration) -> list[str]:
 
 
 def _residual_plots(fit: PoseCalibration) -> tuple[Plot, ...]:
-    force, turn = fit.force_residuals / (milli * g), fit.turn_residuals / arcminute
+    force = _points("force less gravity", fit.force_residuals / (milli * g), "o")
+    turn = _points("angle of gravity", fit.turn_residuals / arcminute, "s")
     return (
-        Plot(
-            "What is left of the force at each rest",
-            "rest",
-            "mg",
-            (Curve("force less gravity", np.arange(1.0, len(force) + 1), force, marker="o"),),
-        ),
-        Plot(
-            "What is left of the turn over each move",
-            "move",
-            "arcmin",
-            (Curve("angle of gravity", np.arange(1.0, len(turn) + 1), turn, marker="s"),),
-        ),
+        Plot("What is left of the force at each rest", "rest", "mg", force),
+        Plot("What is left of the turn over each move", "move", "arcmin", turn),
     )
+
+
+def _points(name: str, rows: FloatArray, marker: str) -> tuple[Curve, ...]:
+    return (Curve(name, np.arange(1.0, len(rows) + 1), rows, marker=marker),)
 
 
 def _values(fit: PoseCalibration, found: Rests, axes: str) -> dict[str, Any]:

@@ -25,15 +25,12 @@ NOTE = (
 )
 
 
-def triad_table(
-    name: str,
-    bias: FloatArray,
-    error: FloatArray,
-    bias_spread: FloatArray,
-    error_spread: FloatArray,
-    units: tuple[Unit, ...],
-) -> Table:
+def triad_table(fit: PoseCalibration, name: str, units: tuple[Unit, ...]) -> Table:
     """Bias, scale, and what each sensor feels of the other axes; columns are sensors."""
+    (bias, error), (bias_spread, error_spread) = (
+        (getattr(each, f"{name}_bias"), getattr(each, f"{name}_error"))
+        for each in (fit.imu_errors, fit.deviations)
+    )
     across = error - np.diag(np.diag(error))
     unit, scale = fitting(bias, units), fitting(np.diag(error), SCALES)
     angle = fitting(across, SMALL_ANGLES)

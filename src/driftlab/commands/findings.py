@@ -55,33 +55,17 @@ class Plot:
 
 @dataclass(frozen=True)
 class Findings:
-    """What a command has found.
-
-    Attributes
-    ----------
-    title : str
-    tables : tuple of Table
-    sentences : tuple of str
-        What the numbers say, in words.
-    warnings : tuple of str
-        What speaks against them.
-    plots : tuple of Plot
-        For the report.
-    details : tuple of Table
-        Longer ones, which on a page come after the plots.
-    values : Mapping
-        The numbers for other programs, SI units and radians; arrays and numbers, in Mappings.
-    columns : Mapping
-        Columns of equal length for a CSV, by their headings, which name the units.
-    """
+    """What a command has found; `details` are tables which on a page come after the plots."""
 
     title: str
     tables: tuple[Table, ...]
-    sentences: tuple[str, ...] = ()
-    warnings: tuple[str, ...] = ()
-    plots: tuple[Plot, ...] = ()
+    sentences: tuple[str, ...] = ()  # what the numbers say, in words
+    warnings: tuple[str, ...] = ()  # what speaks against them
+    plots: tuple[Plot, ...] = ()  # for the report
     details: tuple[Table, ...] = ()
+    # The numbers for other programs, SI units and radians; arrays and numbers, in Mappings.
     values: Mapping[str, Any] = field(default_factory=dict)
+    # Columns of equal length for a CSV, by their headings, which name the units.
     columns: Mapping[str, Any] = field(default_factory=dict)
 
 

@@ -99,7 +99,8 @@ def _complete(one: argparse.ArgumentParser, name: str) -> None:
         one.add_argument("--force", action="store_true", help="overwrite a file that is there")
         return
     add_log_options(one)
-    module.add_options(one)
+    if hasattr(module, "add_options"):
+        module.add_options(one)
     add_output_options(one)
 
 

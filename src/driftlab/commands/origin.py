@@ -18,26 +18,13 @@ from driftlab.recordings.recording import Recording
 
 @dataclass(frozen=True)
 class Origin:
-    """What a reader needs to have the same numbers again.
+    """What a reader needs to have the same numbers again."""
 
-    Attributes
-    ----------
-    files : tuple of (str, str)
-        Name and SHA-256 of each file of the log.
-    call : str
-        The command line.
-    log : str
-        What the log was taken for, in words.
-    versions : str
-    date : str
-        If one was told; a clock would make each report another.
-    """
-
-    files: tuple[tuple[str, str], ...]
-    call: str
-    log: str
+    files: tuple[tuple[str, str], ...]  # name and SHA-256 of each file of the log
+    call: str  # the command line
+    log: str  # what the log was taken for, in words
     versions: str
-    date: str = ""
+    date: str = ""  # if one was told; a clock would make each report another
 
 
 def origin(

@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Protocol
 
-
-class Steps(Protocol):
-    """What tells that a step begins."""
-
-    def __call__(self, name: str) -> None:
-        """Begin the step `name`; the one before is done."""
+Steps = Callable[[str], None]
+"""Tells that a step of this name begins, and the one before is done."""
 
 
 @contextmanager

@@ -57,16 +57,10 @@ def record_plots(recording: Recording, shaded: tuple[Shading, ...] = ()) -> tupl
     """The record over time, some stretches of it shaded."""
     x = moments(recording)
     note = ", shaded where at rest" if shaded else ""
-    turn = lines(x, np.degrees(rates(recording)), AXES)
-    plots = [Plot(f"Gyros{note}", "time, s", "deg/s", turn, shaded)]
+    triads = [("Gyros", "deg/s", np.degrees(rates(recording)))]
     if recording.accelerometer is not None:
-        plots.append(
-            Plot(
-                f"Accelerometers{note}",
-                "time, s",
-                "m/s²",
-                lines(x, forces(recording), AXES),
-                shaded,
-            )
-        )
-    return tuple(plots)
+        triads.append(("Accelerometers", "m/s²", forces(recording)))
+    return tuple(
+        Plot(f"{name}{note}", "time, s", unit, lines(x, rows, AXES), shaded)
+        for name, unit, rows in triads
+    )
