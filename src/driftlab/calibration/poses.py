@@ -38,7 +38,7 @@ from .body_axes import imu_errors_in_accelerometer_axes, imu_errors_in_frame
 from .consistency import InconsistentWarning
 from .error_model import FULL
 
-KINDS = ("rests", "moves", "rates")
+_KINDS = ("rests", "moves", "rates")
 """Kinds of residuals: |force| at rest, tilt or turn after a move, gyros at rest."""
 POSE_AXES = (*BODY_FRAMES, "lower triangle accelerometers")
 """Choices of body axes: those of `driftlab.body_frames`, and one more.
@@ -47,8 +47,6 @@ POSE_AXES = (*BODY_FRAMES, "lower triangle accelerometers")
 the two triangles in which IMU-TK's matrices are in circulation. ``lower triangle accelerometers``
 has axis z along the z accelerometer, and L is zero below: the other, IMU-TK's own.
 """
-
-
 _BLOCK = 0.5
 """Means over so many seconds show the slow part of the noise."""
 _LEAST = 1e-9
@@ -395,7 +393,7 @@ def calibrate_by_poses(
         turn_residuals=fit.turn,
         rate_residuals=fit.rate,
         consistency={
-            kind: Consistency(*test) for kind, test in zip(KINDS, fit.tests.tolist(), strict=True)
+            kind: Consistency(*test) for kind, test in zip(_KINDS, fit.tests.tolist(), strict=True)
         },
         colour=colour,
         longest_move=float(np.diff(poses.edges).max() * interval),

@@ -40,6 +40,10 @@ SLIPS = {
 CLOSE = 1.1
 """A factor so near to that of a slip may be it."""
 LEVELS = "Pitch and roll come from the accelerometers."
+MOVED = (
+    "No heading: the unit was moved at {:.6g} s. Choose a stretch at rest by --begin and --end; "
+    "pitch and roll, too, are means over all that it did."
+)
 NO_INERTIAL = "Gravity in inertial space gives no heading: "
 
 
@@ -93,8 +97,11 @@ def at_rest(samples: Samples) -> AtRest:
         np.stack([part.mean(axis=0) for part in np.array_split(rows, STRETCHES)])
         for rows in (samples.times, samples.rate, samples.force)
     )
-    blind, biased = _moved(samples.moved) if samples.moved is not None else blindness(rate)
-    # `AtRest` says in its own words how far the rates are to be believed.
+    if samples.moved is None:
+        blind, biased = blindness(rate)
+    else:  # a reason that goes before all others
+        blind, biased = MOVED.format(samples.moved), True
+    # The command says in its own words how far the rates can be trusted.
     method = _levelled if blind else partial(align, heading_tolerance=np.inf)
     whole = method(samples.rate.mean(axis=0), samples.force.mean(axis=0))
     parts = method(rate, force)
@@ -132,14 +139,6 @@ def at_rest(samples: Samples) -> AtRest:
         of_means=max(turn, float(found.deviation.heading)),
         in_inertial_space=max(turn, np.nan if swaying is None else float(swaying.deviation)),
     )
-
-
-def _moved(moment: float) -> tuple[str, bool]:
-    """A reason that goes before all others: the unit did not stay where it was."""
-    return (
-        f"No heading: the unit was moved at {moment:.6g} s. Choose a stretch at rest by --begin "
-        "and --end; pitch and roll, too, are means over all that it did."
-    ), True
 
 
 def _levelled(rate: FloatArray, force: FloatArray) -> Alignment:
