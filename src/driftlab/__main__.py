@@ -28,9 +28,9 @@ END = (
 """What stays on the screen when the list has run past."""
 FIND_HELP = """usage: python -m driftlab find [-h] [WORD ...]
 
-Lists the tasks and the modules that speak of a word: tasks first, then modules
-with the names that they offer. Several words may stand in any order in a task,
-and stand in theirs in a module. Without a word it lists everything.
+Lists the tasks that mention all the words, in any order, and the modules that
+mention them in the order given, with the names that these offer. Without a word
+it lists everything.
 
 example:
 

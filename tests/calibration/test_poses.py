@@ -118,16 +118,16 @@ def poses_of(record, rows, closed=()):
     share, feels = 1 / record.interval, record.accelerometer
     moves = np.concatenate([np.r_[a[1] : b[0]] for a, b in pairwise(rows)])
     return Poses(
-        np.array([share * record.accelerometer[b:e].mean(axis=0) for b, e in rows]),
-        np.array([share * record.gyro[b:e].mean(axis=0) for b, e in rows]),
-        record.gyro[moves],
-        feels[moves],
-        record.interval,
-        np.cumsum([0, *(b[0] - a[1] for a, b in pairwise(rows))]),
-        GRAVITY,
-        np.array(closed, int).reshape(-1, 2),
-        np.setdiff1d(np.arange(len(rows) - 1), [i for i, j in closed if j == i + 1]),
-        CONING_ALGORITHMS["memory-4"].steps,
+        force=np.array([share * record.accelerometer[b:e].mean(axis=0) for b, e in rows]),
+        rate=np.array([share * record.gyro[b:e].mean(axis=0) for b, e in rows]),
+        angle=record.gyro[moves],
+        velocity=feels[moves],
+        interval=record.interval,
+        edges=np.cumsum([0, *(b[0] - a[1] for a, b in pairwise(rows))]),
+        gravity=GRAVITY,
+        closed=np.array(closed, int).reshape(-1, 2),
+        open=np.setdiff1d(np.arange(len(rows) - 1), [i for i, j in closed if j == i + 1]),
+        algorithm=CONING_ALGORITHMS["memory-4"].steps,
     )
 
 
