@@ -169,8 +169,7 @@ def _missed(one: Triad) -> str:
 
 def moved(recording: Recording) -> list[str]:
     """A warning if the unit was moved."""
-    moment = moved_at(recording)
-    if moment is None:
+    if (moment := moved_at(recording)) is None:
         return []
     return [
         f"the unit seems to have been moved at {moment:.6g} s: choose a stretch at rest by --begin "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -141,39 +142,30 @@ def _turns(found: Rests, fit: PoseCalibration, closed: list[tuple[int, int]]) ->
     return turns
 
 
-def _in_words(fit: PoseCalibration) -> list[str]:
-    more = {kind: test for kind, test in fit.consistency.items() if test.excess}
-    words = []
-    if more:
-        shown = ", ".join(
-            f"{KINDS[kind]} ({excess_text(kind, more[kind].excess)})" for kind in more
-        )
-        words.append(
-            f"There is more than noise in: {shown}. The deviations have it in them, as if it "
-            "were noise."
-        )
-    else:
-        words.append("Noise explains what is left.")
-    words.append(
+def _in_words(fit: PoseCalibration) -> Iterator[str]:
+    excess = {kind: test.excess for kind, test in fit.consistency.items() if test.excess}
+    more = [f"{KINDS[kind]} ({excess_text(kind, size)})" for kind, size in excess.items()]
+    yield (
+        f"There is more than noise in: {', '.join(more)}. The deviations have it in them, as if it "
+        "were noise."
+        if more
+        else "Noise explains what is left."
+    )
+    yield (
         f"Gravity was taken for {fit.gravity:.6g} m/s^2. In the longest move the Earth turned by "
         f"{written(fit.earth_turn / arcminute, digits=2)} arcmin: the weights count its rate as "
         "one of unknown direction."
     )
-    return words
 
 
-def _doubts(fit: PoseCalibration) -> list[str]:
-    doubts = []
-    largest = max(
-        float(np.abs(matrix).max())
-        for matrix in (fit.imu_errors.gyro_error, fit.imu_errors.accelerometer_error)
-    )
+def _doubts(fit: PoseCalibration) -> Iterator[str]:
+    errors = fit.imu_errors
+    largest = float(np.abs([errors.gyro_error, errors.accelerometer_error]).max())
     if largest > 0.2:
-        doubts.append(
+        yield (
             f"an entry of the matrices is {largest:.2g}. Triads are seldom so bent: look at the "
             "units, at the order of the columns and at their signs."
         )
-    return doubts
 
 
 def _residual_plots(fit: PoseCalibration) -> tuple[Plot, ...]:

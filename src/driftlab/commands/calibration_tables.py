@@ -57,15 +57,8 @@ def _row(name: str, values: FloatArray, spreads: FloatArray, unit: Unit) -> tupl
 def sensitivity_table(fit: PoseCalibration) -> Table:
     """What the gyros feel of force, for one g."""
     unit = Unit("deg/s for 1 g", degree / g)
-    rows = [
-        _row(
-            f"feels of {axis}",
-            fit.sensitivity[:, place],
-            fit.sensitivity_deviations[:, place],
-            unit,
-        )
-        for place, axis in enumerate(AXES)
-    ]
+    columns = zip(AXES, fit.sensitivity.T, fit.sensitivity_deviations.T, strict=True)
+    rows = [_row(f"feels of {axis}", felt, spread, unit) for axis, felt, spread in columns]
     return Table("Gyros, of force", ("", *AXES, "unit"), tuple(rows))
 
 
@@ -74,14 +67,9 @@ def consistency_table(fit: PoseCalibration) -> Table:
     earth = {"moves": fit.earth_turn, "rates": EARTH_RATE}
     for kind, name in KINDS.items():
         test = fit.consistency[kind]
-        rows.append(
-            (
-                name,
-                *(written(x, digits=3) for x in (test.chi_square, test.freedom)),
-                f"{written(test.lower, digits=3)} to {written(test.upper, digits=3)}",
-                _verdict(test, earth.get(kind, 0.0)),
-            )
-        )
+        square, freedom, low, high = (written(x, digits=3) for x in test[:4])
+        verdict = _verdict(test, earth.get(kind, 0.0))
+        rows.append((name, square, freedom, f"{low} to {high}", verdict))
     note = "The sum of the squared residuals over those of the noise, and where 95 of 100 lie."
     head = ("", "chi-square", "freedom", "expected", "")
     return Table("Does noise explain what is left?", head, tuple(rows), note)
