@@ -33,7 +33,7 @@ UNITS: dict[str, tuple[float, str]] = {
     "h": (hour, " h"),
     "Hz": (1.0, " Hz"),
     "rad_per_s": (1.0, " rad/s"),
-    "deg_per_s": (degree, "°/s"),
+    "deg_per_s": (degree, " °/s"),
     "deg_per_h": (degree / hour, "°/h"),
     "cm": (0.01, " cm"),
     "m": (1.0, " m"),
