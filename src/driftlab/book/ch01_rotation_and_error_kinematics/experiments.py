@@ -1,12 +1,11 @@
 """The error quaternion in time, by closed form and by a numerical integrator; Larin (1.4)."""
 
-from typing import NamedTuple
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
-from driftlab.checks import FloatArray, finite_array
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.checks import finite_array
 from driftlab.drift.error_kinematics import (
     attitude_quaternion,
     error_quaternion,
@@ -20,30 +19,10 @@ SAMPLES = 601
 """Times in a history."""
 SPIN = 12.0
 """Rate about the third axis, degrees a second, of the presets whose true rate has one axis."""
+COMPONENTS = tuple("1230")
+"""Of an error quaternion, as Larin numbers them, the scalar last."""
 MOMENTS = 301
 """Times of an error in space; a turn of 12 degrees a second ends at one of them."""
-
-
-class ErrorMotion(NamedTuple):
-    """Error quaternion over time."""
-
-    time: FloatArray  # (m,), s
-    exact: FloatArray  # (m, 4), error quaternion in closed form
-    integrated_time: FloatArray  # (n,), the integrator's own steps, s
-    integrated: FloatArray  # (n, 4), error quaternion as integrated
-    tolerance: float  # of the integrator
-    turn: float  # how long a whole turn of the body takes, s; infinity if it stands still
-
-    @property
-    def angle(self) -> FloatArray:
-        """Angle (m,) of the error, rad."""
-        return rotation_angle(self.exact)
-
-    @property
-    def whole_turns(self) -> FloatArray:
-        """When the body has made whole turns, before the end, s."""
-        last = self.time[-1]
-        return np.arange(self.turn, last, self.turn) if self.turn < last else np.zeros(0)
 
 
 def error_motion(
@@ -51,7 +30,7 @@ def error_motion(
     measured_rate: ArrayLike = (0.12, 0.15, 0.1),
     duration: float = DURATION,
     tolerance: float = 1e-2,
-) -> ErrorMotion:
+) -> DataTable:
     """Solve (1.4) from [0, 0, 0, 1], in closed form and with a Runge-Kutta integrator."""
     for name, value in (("duration", duration), ("tolerance", tolerance)):
         if not finite_array(value, name) > 0:
@@ -65,55 +44,64 @@ def error_motion(
         rtol=tolerance,
         atol=tolerance,
     )
-    exact = error_quaternion(rate, measured_rate, time)
-    speed = float(np.linalg.norm(rate))
-    turn = 2 * np.pi / speed if speed else np.inf
-    return ErrorMotion(time, exact, solution.t, solution.y.T, tolerance, turn)
+    exact, at_steps = (error_quaternion(rate, measured_rate, t) for t in (time, solution.t))
+    angle, turn = rotation_angle(exact), _turn(rate)
+    whole_turns = np.arange(turn, duration, turn) if turn < duration else np.zeros(0)
+    after = np.nan
+    if np.isfinite(turn):
+        after = float(rotation_angle(error_quaternion(rate, measured_rate, turn)))
+    speed, measured = (float(np.linalg.norm(each)) for each in (rate, measured_rate))
+    worst = float(np.linalg.norm(solution.y.T - at_steps, axis=-1).max())
+    return DataTable(
+        {
+            "time": (time, "s", "from the start"),
+            "error": (exact.T, "", "components of the error quaternion, closed form", COMPONENTS),
+            "integrated_time": (solution.t, "s", "at the steps of the integrator"),
+            "integrated": (solution.y, "", "components as integrated", COMPONENTS),
+            "angle": (angle, "deg", "of the error"),
+            "whole_turns": (whole_turns, "s", "when the body has made whole turns, before the end"),
+            "angle_after_turns": (np.interp(whole_turns, time, angle), "deg", "of the error then"),
+        },
+        {
+            "tolerance": (tolerance, "", "tolerance of the integrator"),
+            "after_one_turn": (after, "deg", "error after one whole turn"),
+            "true_rate": (speed, "deg_per_s", "true rate"),
+            "measured_rate": (measured, "deg_per_s", "measured rate"),
+            "sum": (measured + speed, "deg_per_s", "sum: the fast root"),
+            "difference": (measured - speed, "deg_per_s", "difference: the slow one"),
+            "steps": (len(solution.t) - 1, "", "steps of the integrator"),
+            "largest_error": (worst, "", "its largest error"),
+        },
+    )
 
 
-def integration_error(motion: ErrorMotion, rate: ArrayLike, measured_rate: ArrayLike) -> FloatArray:
-    """Distance (n,) of the integrated quaternion from the exact one at the integrator's steps."""
-    exact = error_quaternion(rate, measured_rate, motion.integrated_time)
-    return np.linalg.norm(motion.integrated - exact, axis=-1)
-
-
-class ErrorInSpace(NamedTuple):
-    """True and computed attitude of a body, and the rotation between them, over time."""
-
-    time: FloatArray  # (m,), s
-    attitude: FloatArray  # (m, 4), true, body to reference
-    apparent: FloatArray  # (m, 4), computed, body to reference
-    vector: FloatArray  # (m, 3), rotation vector from the one to the other, in reference axes, rad
-    # (m, 3), false rate in reference axes, rad/s: what, to first order, changes the vector
-    added: FloatArray
-    angle: FloatArray  # (m,), of the error, rad
-    turn: float  # time of a whole turn, s; infinite without a rate
-
-    @property
-    def whole_turns(self) -> NDArray[np.intp]:
-        """The moments (t,) that are nearest to whole turns, from the start on."""
-        count = int(self.time[-1] / self.turn + 1e-9)
-        step = self.time[1] - self.time[0]
-        return np.rint(np.arange(count + 1) * (self.turn if count else 0.0) / step).astype(int)
-
-
-def error_in_space(
-    rate: ArrayLike, false_rate: ArrayLike, duration: float = DURATION
-) -> ErrorInSpace:
+def error_in_space(rate: ArrayLike, false_rate: ArrayLike, duration: float = DURATION) -> DataTable:
     """Follow a body at a constant rate, and a computer that adds a false one, from [0, 0, 0, 1]."""
     if not finite_array(duration, "duration") > 0:
         raise ValueError(f"duration: expected a number above 0, got {duration!r}.")
     omega, false = finite_array(rate, "rate", 3), finite_array(false_rate, "false_rate", 3)
     time = np.linspace(0.0, duration, MOMENTS)
-    attitude = attitude_quaternion(omega, time)
+    attitude, apparent = (attitude_quaternion(each, time) for each in (omega, omega + false))
     error = error_quaternion(omega, omega + false, time)
-    speed = float(np.linalg.norm(omega))
-    return ErrorInSpace(
-        time,
-        attitude,
-        attitude_quaternion(omega + false, time),
-        rotate(attitude, to_rotation_vector(error)),
-        rotate(attitude, false),
-        rotation_angle(error),
-        2 * np.pi / speed if speed else np.inf,
+    vector, added = (rotate(attitude, each) for each in (to_rotation_vector(error), false))
+    turn = _turn(omega)
+    count = int(duration / turn + 1e-9)
+    whole_turns = np.rint(np.arange(count + 1) * (turn if count else 0.0) / time[1]).astype(int)
+    return DataTable(
+        {"time": (time, "s", "from the start"), "angle": (rotation_angle(error), "deg", "error")},
+        {
+            "attitude": (attitude, "", "true, body to reference"),
+            "apparent": (apparent, "", "computed, body to reference"),
+            "vector": (vector, "deg", "rotation vector from one to the other, in reference axes"),
+            # to first order, what changes the vector
+            "added": (added, "rad_per_s", "false rate in reference axes"),
+            "turn": (turn, "s", "time of a whole turn"),
+            "whole_turns": (whole_turns, "", "moments nearest to whole turns, from the start on"),
+        },
     )
+
+
+def _turn(rate: ArrayLike) -> float:
+    """Return the time of a whole turn, s; infinity if the body stands still."""
+    speed = float(np.linalg.norm(rate))
+    return 2 * np.pi / speed if speed else np.inf

@@ -7,21 +7,12 @@ from typing import ClassVar
 import numpy as np
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Explorer, Values
-from driftlab.book.machinery.results import ABSENT, Results
+from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.units import angle_text, number_text
-from driftlab.checks import FloatArray
-from driftlab.drift.error_kinematics import error_quaternion
-from driftlab.quaternion import rotation_angle
 
-from .experiments import (
-    DURATION,
-    SAMPLES,
-    SPIN,
-    ErrorMotion,
-    error_motion,
-    integration_error,
-)
+from .experiments import DURATION, SAMPLES, SPIN, error_motion
 from .figures.error_motion import ErrorMotionPicture
 
 TOLERANCES = (1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1)
@@ -60,33 +51,22 @@ class ErrorMotionExplorer(Explorer):
         "A true zero": "The body stands still. What is left for the error to do?",
     }
 
-    @staticmethod
-    def _rates(values: Values) -> tuple[FloatArray, FloatArray]:
-        rate = np.radians([values[f"rate{i}"] for i in (1, 2, 3)])
-        return rate, rate + np.radians([values[f"error{i}"] for i in (1, 2, 3)])
+    def compute(self, values: Values) -> DataTable:
+        rate, error = (
+            np.radians([values[f"{name}{i}"] for i in (1, 2, 3)]) for name in ("rate", "error")
+        )
+        return error_motion(rate, rate + error, tolerance=values["tolerance"])
 
-    def compute(self, values: Values) -> ErrorMotion:
-        return error_motion(*self._rates(values), tolerance=values["tolerance"])
-
-    def numbers(self, data: ErrorMotion) -> Results:
-        rate, measured = self._rates(self.values)
-        worst = integration_error(data, rate, measured).max()
-        true_size, size = np.linalg.norm([rate, measured], axis=-1)
-        after = ABSENT
-        if true_size:
-            turned = error_quaternion(rate, measured, 2 * np.pi / true_size)
-            after = angle_text(float(rotation_angle(turned)))
-        sizes = (true_size, size, size + true_size, size - true_size)
-        names = ("true rate", "measured rate", "sum: the fast root", "difference: the slow one")
+    def numbers(self, table: DataTable) -> Results:
         return Results(
-            ("error after one whole turn", after),
+            ("error after one whole turn", angle_text(table.after_one_turn)),
             [
                 *(
-                    (name, f"{np.degrees(value):.3f} °/s")
-                    for name, value in zip(names, sizes, strict=True)
+                    table.row(name, ".3f")
+                    for name in ("true_rate", "measured_rate", "sum", "difference")
                 ),
-                ("steps of the integrator", f"{len(data.integrated_time) - 1}"),
-                ("its largest error", number_text(float(worst))),
+                table.row("steps", ".0f"),
+                ("its largest error", number_text(table.largest_error)),
             ],
         )
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from driftlab.book.machinery.axis import axis_code, axis_of, axis_values
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import ABSENT, Results
 from driftlab.book.machinery.scene.solids import box, circle, frame_of_box, pin
@@ -17,7 +18,7 @@ from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.book.machinery.units import angle_text
 from driftlab.checks import FloatArray
 
-from .experiments import DURATION, MOMENTS, SPIN, ErrorInSpace, error_in_space
+from .experiments import DURATION, MOMENTS, SPIN, error_in_space
 
 HALF_SIZES = (0.75, 0.6, 0.36)
 """Of the block."""
@@ -38,8 +39,8 @@ EDGES: FloatArray = np.diag(np.array(HALF_SIZES) + 0.3)
 class FalseRateView(SceneView):
     """The body and the computer's ghost; beside them the error as a vector that is added up."""
 
-    def stage(self, data: ErrorInSpace) -> Stage:
-        angle, turns = np.degrees(data.angle), data.whole_turns
+    def stage(self, data: DataTable) -> Stage:
+        angle, turns = data.shown("angle"), data.whole_turns
         largest = reach(angle)[1]
         naive = np.degrees(np.linalg.norm(data.added, axis=-1) * data.time)
         curves = [
@@ -65,7 +66,7 @@ class FalseRateView(SceneView):
         )
 
 
-def bodies(data: ErrorInSpace) -> tuple[Part, ...]:
+def bodies(data: DataTable) -> tuple[Part, ...]:
     """The block with its two rates, and where the computer believes the block to be."""
     false = MAGNIFIED * RATE_LENGTH * data.added[0]  # the first moment: body axes
     rate = 2 * np.pi / data.turn * RATE_LENGTH
@@ -87,9 +88,9 @@ def bodies(data: ErrorInSpace) -> tuple[Part, ...]:
     )
 
 
-def error_view(data: ErrorInSpace) -> View:
+def error_view(data: DataTable) -> View:
     """The error as a vector in space, the way of its tip, and what is being added there."""
-    degrees = np.degrees(data.vector)
+    degrees = data.shown("vector")
     largest = float(np.linalg.norm(degrees, axis=-1).max())
     ring = next((size for size in RINGS if size >= largest), RINGS[-1])
     tip = RING / ring * degrees
@@ -136,18 +137,14 @@ class FalseRate(SceneExplorer):
         "A true zero": "Nothing turns, so nothing takes the false rate round. What comes of it?",
     }
 
-    @staticmethod
-    def _rates(values: Values) -> tuple[FloatArray, FloatArray]:
-        false = np.radians(values["size"]) * axis_of(values)
-        return np.radians([0.0, 0.0, values["rate"]]), false
-
-    def compute(self, values: Values) -> ErrorInSpace:
-        return error_in_space(*self._rates(values))
+    def compute(self, values: Values) -> DataTable:
+        false_rate = np.radians(values["size"]) * axis_of(values)
+        return error_in_space(np.radians([0.0, 0.0, values["rate"]]), false_rate)
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         return axis_values(direction)
 
-    def numbers(self, data: ErrorInSpace) -> Results:
+    def numbers(self, data: DataTable) -> Results:
         one = data.whole_turns[1:2]
         first = data.angle[: one[0] + 1] if len(one) else data.angle
         naive = float(np.linalg.norm(data.added[0])) * data.turn
@@ -156,10 +153,7 @@ class FalseRate(SceneExplorer):
             [
                 ("largest on the way", angle_text(first.max())),
                 ("false rate × time of the turn", angle_text(naive) if len(one) else ABSENT),
-                (
-                    f"error after {data.time[-1]:.0f} s",
-                    angle_text(data.angle[-1]),
-                ),
+                (f"error after {data.time[-1]:.0f} s", angle_text(data.angle[-1])),
             ],
         )
 

@@ -1,16 +1,15 @@
 """The published figures of chapter 01, with their captions."""
 
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.publish import table_figure
 
 from .. import experiments
 from . import error_motion
 
 FIGURES = (
-    FigureDefinition(
+    table_figure(
         "01-error-motion",
         experiments.error_motion,
         error_motion.ErrorMotionPicture.draw,
-        error_motion.columns,
         lambda data: (
             "The four components of the error quaternion, published for a grossly wrong triad: the "
             "lines are the product of two exponentials, the dots are the steps of a Runge-Kutta "
