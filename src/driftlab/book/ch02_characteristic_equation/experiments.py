@@ -1,11 +1,11 @@
 """Roots of the characteristic equation against the size of the deformation; Larin (2.1), (2.2)."""
 
 import warnings
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import OBLIQUE_AXIS, SYMMETRIC
 from driftlab.checks import (
     ComplexArray,
@@ -22,31 +22,45 @@ from driftlab.drift.characteristic_equation import (
 from driftlab.triad import measured_rate
 
 SIZES: FloatArray = np.concatenate([np.geomspace(1e-5, 1e-2, 25), np.linspace(0.0125, 0.5, 40)])
-FORMULAS = ("exact", "first order, (2.2)", "with the next term", "(2.1) as the copy has it")
-
-
-class Roots(NamedTuple):
-    """Roots by every formula of `FORMULAS`, in units of the rate."""
-
-    size: float  # mu
-    # (formula, 4), at `size`, in the order of `driftlab.drift.characteristic_equation.exact_roots`
-    roots: ComplexArray
-    sizes: FloatArray  # (m,), sizes mu of the branches
-    # (formula, m, 2), imaginary part of the fast and of the slow root at `sizes`
-    branches: FloatArray
+FORMULAS = {
+    "exact": "exact",
+    "first order": "first order, (2.2)",
+    "second order": "with the next term",
+    "in the copy": "(2.1) as the copy has it",
+}
+"""What the formulas are called in a table, and where a reader sees them."""
+LEAST = 1e-15
+"""An error below is rounding, which has no place on a logarithmic scale."""
 
 
 def characteristic_roots(
     size: float = 0.1, shape: ArrayLike = SYMMETRIC, direction: ArrayLike = OBLIQUE_AXIS
-) -> Roots:
+) -> DataTable:
     """Roots by every formula for M = size * shape, and their course over `SIZES`."""
     direction, _ = nonzero_vectors(direction, "direction")
     shape = finite_array(shape, "shape", 3, 3)
     size = float(finite_array(size, "size"))
     if size < 0:
         raise ValueError(f"size: expected a number of at least 0, got {size!r}.")
-    branches = _by_formula(SIZES, shape, direction)[..., [0, 2]].imag.astype(np.float64)
-    return Roots(size, _by_formula(np.array(size), shape, direction), SIZES, branches)
+    roots = _by_formula(np.array(size), shape, direction)
+    parts = np.stack([roots.real, roots.imag], axis=1)
+    branches = np.moveaxis(_by_formula(SIZES, shape, direction)[..., [0, 2]].imag, -1, 1)
+    errors = np.abs(branches[1:] - branches[0])
+    errors = np.where(errors > LEAST, errors, np.nan)
+    names, pair = (*FORMULAS,), ("fast", "slow")
+    return DataTable(
+        {
+            "sizes": (SIZES, "", "of the deformation, mu"),
+            "root": (branches, "", "imaginary part, in units of the rate", [names, pair]),
+            "error": (errors, "", "distance from the exact root", [names[1:], pair]),
+            "plane": (parts, "", "all roots at one size", [names, ("real", "imaginary")]),
+        },
+        {
+            "size": (size, "", "size in the complex plane"),
+            # (formula, 4), in the order of `exact_roots`
+            "roots": (roots, "", "all roots at this size, in units of the rate"),
+        },
+    )
 
 
 def _by_formula(sizes: FloatArray, shape: FloatArray, direction: FloatArray) -> ComplexArray:
@@ -75,8 +89,3 @@ def _copied_roots(direction: FloatArray, measured: FloatArray) -> ComplexArray:
     fast = np.sqrt(0.5 * (b + np.sqrt(b**2 - 4 * c + 0j)))
     slow = np.sqrt(c) / fast * np.sign(exact_roots(direction, measured)[..., 2].imag)
     return 1j * np.stack([fast, -fast, slow, -slow], axis=-1)
-
-
-def root_errors(roots: Roots) -> FloatArray:
-    """Distance (3, m, 2) of the approximate roots from the exact ones, in units of the rate."""
-    return np.abs(roots.branches[1:] - roots.branches[0])

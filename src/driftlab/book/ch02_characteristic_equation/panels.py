@@ -6,11 +6,12 @@ from typing import ClassVar
 
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.scenarios import SHAPES
 
-from .experiments import FORMULAS, Roots, characteristic_roots
+from .experiments import FORMULAS, characteristic_roots
 from .figures.roots import RootsPicture
 
 SIZES = (1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5)
@@ -44,16 +45,16 @@ class RootsExplorer(Explorer):
         "Across the error": "To first order the slow root is zero. Is it?",
     }
 
-    def compute(self, values: Values) -> Roots:
+    def compute(self, values: Values) -> DataTable:
         return characteristic_roots(values["size"], SHAPES[values["shape"]], axis_of(values))
 
-    def numbers(self, data: Roots) -> Results:
-        fast, slow = data.roots[:, 0].imag, data.roots[:, 2].imag
+    def numbers(self, table: DataTable) -> Results:
+        fast, slow = table.roots[:, 0].imag, table.roots[:, 2].imag
         return Results(
             ("slow root, exact", f"{slow[0]:.6f} i"),
             [
                 (name, f"{a:.9f} i", f"{b:.9f} i")
-                for name, a, b in zip(FORMULAS, fast, slow, strict=True)
+                for name, a, b in zip(FORMULAS.values(), fast, slow, strict=True)
             ],
             ("fast root", "slow root"),
         )

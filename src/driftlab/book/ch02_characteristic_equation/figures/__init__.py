@@ -1,16 +1,15 @@
 """The published figures of chapter 02, with their captions."""
 
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.publish import table_figure
 
 from ..experiments import characteristic_roots
 from . import roots
 
 FIGURES = (
-    FigureDefinition(
+    table_figure(
         "02-roots",
         characteristic_roots,
         roots.RootsPicture.draw,
-        roots.columns,
         lambda data: (
             "Roots of the characteristic equation for a bent triad, published for a symmetric one. "
             f"The vertical line marks the size {data.size:g} of the complex plane. Larin's "
