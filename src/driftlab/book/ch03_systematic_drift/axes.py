@@ -1,18 +1,11 @@
 """All axes of rotation as a globe: the drift about each, those without, and a way over it."""
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import SYMMETRIC
-from driftlab.checks import (
-    FloatArray,
-    finite_array,
-    nonzero_vectors,
-    positive_number,
-    whole_number,
-)
+from driftlab.checks import FloatArray, finite_array, nonzero_vectors, positive_number, whole_number
 from driftlab.drift.error_kinematics import error_quaternion
 from driftlab.drift.systematic_drift import drift_coefficient, drift_per_turn, principal_drifts
 from driftlab.quaternion import to_rotation_vector
@@ -25,36 +18,13 @@ FULL_COLOUR = 2e-3
 """Drift coefficient that has the full colour on the globe, if nothing else is said."""
 
 
-class AxisTour(NamedTuple):
-    """An axis that goes round a great circle, and what turns about it leave."""
-
-    way: FloatArray  # (m,), how far it has gone, 0 to 2 pi
-    axes: FloatArray  # (m, 3), unit axis of the turns; the first is the chosen one
-    first_order: FloatArray  # (m,), drift angle in one turn about it, rad
-    exact: FloatArray  # (m,), the same, exact
-    # (m, 3), rotation vector from R to B after `turns` turns about it, rad, exact
-    error: FloatArray
-    # (12, 24), drift coefficient in the middle of each face of a globe of axes, from the South pole
-    # and from -180 degrees on
-    coefficient: FloatArray
-    # (2, p, 3) or (0, p, 3), both halves of the cone of axes with no drift to first order, closed;
-    # none if there is none
-    no_drift: FloatArray
-    principal: FloatArray  # (3,), principal coefficients, rising
-    principal_axes: FloatArray  # (3, 3), their unit axes as rows
-    triad: FloatArray  # (3, 3), sensitive axes as rows, bent `exaggeration` times too much
-    exaggeration: float
-    turns: int
-    full_colour: float  # drift coefficient that has the full colour on the globe
-
-
 def axis_tour(
     triad_error: ArrayLike = 1e-3 * SYMMETRIC,
     direction: ArrayLike = (1.0, 0.0, 0.0),
     turns: int = TURNS,
     exaggeration: float = EXAGGERATION,
     full_colour: float = FULL_COLOUR,
-) -> AxisTour:
+) -> DataTable:
     """Take the axis of the turns from where it is through the worst axis, and once round."""
     count = whole_number(turns, "turns")
     factor = positive_number(exaggeration, "exaggeration")
@@ -71,22 +41,28 @@ def axis_tour(
     axes = np.cos(way)[:, np.newaxis] * n + np.sin(way)[:, np.newaxis] * ahead
     elevation = np.radians(np.arange(-82.5, 90, 15))[:, np.newaxis]
     azimuth = np.radians(np.arange(-172.5, 180, 15))
-    return AxisTour(
-        way,
-        axes,
-        2 * np.pi * drift_coefficient(axes, triad_error),
-        drift_per_turn(axes, triad_error),
-        to_rotation_vector(
-            error_quaternion(axes, measured_rate(axes, triad_error), 2 * np.pi * count)
-        ),
-        drift_coefficient(direction_from_angles(azimuth, elevation), triad_error),
-        axes_without_drift(triad_error),
-        principal,
-        principal_axes,
-        np.eye(3) + factor * triad_error,
-        factor,
-        count,
-        full,
+    faces = drift_coefficient(direction_from_angles(azimuth, elevation), triad_error)
+    error = error_quaternion(axes, measured_rate(axes, triad_error), 2 * np.pi * count)
+    first_order = 2 * np.pi * drift_coefficient(axes, triad_error)
+    return DataTable(
+        {
+            "way": (way, "deg", "how far the axis has gone round"),
+            "first_order": (first_order, "arcmin", "drift in one turn about it, to first order"),
+            "exact": (drift_per_turn(axes, triad_error), "arcmin", "drift in one turn about it"),
+        },
+        {
+            "axes": (axes, "", "unit axis of the turns; the first is the chosen one"),
+            "error": (to_rotation_vector(error), "rad", "rotation vector from R to B at the end"),
+            # (12, 24), from the South pole and from -180 degrees on
+            "coefficient": (faces, "", "drift coefficient amid each face of a globe of axes"),
+            "no_drift": (axes_without_drift(triad_error), "", "axes without drift"),
+            "principal": (principal, "", "principal drift coefficients, rising"),
+            "principal_axes": (principal_axes, "", "their unit axes as rows"),
+            "triad": (np.eye(3) + factor * triad_error, "", "sensitive axes as rows, exaggerated"),
+            "exaggeration": (factor, "", "exaggeration of the triad"),
+            "turns": (count, "", "turns about each axis"),
+            "full_colour": (full, "", "drift coefficient with the full colour on the globe"),
+        },
     )
 
 

@@ -7,6 +7,7 @@ from typing import ClassVar
 import numpy as np
 
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values, matrix_code
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import globe
@@ -18,7 +19,7 @@ from driftlab.book.scenarios import SKEW
 from driftlab.checks import FloatArray
 from driftlab.quaternion import from_rotation_vector
 
-from .axes import AxisTour, axis_tour
+from .axes import axis_tour
 from .block import (
     AXIS_LENGTH,
     block_parts,
@@ -39,16 +40,16 @@ ROUNDING = 1e-6
 class GlobeOfAxesView(SceneView):
     """A globe that has, at each axis, the colour of the drift about it; and the block."""
 
-    def stage(self, data: AxisTour) -> Stage:
+    def stage(self, data: DataTable) -> Stage:
         factor = magnification(np.linalg.norm(data.error, axis=-1).max())
         attitude = np.tile([0.0, 0.0, 0.0, 1.0], (len(data.way), 1))
-        first_order, exact = (60 * np.degrees(x) for x in (data.first_order, data.exact))
+        first_order, exact = data.shown("first_order"), data.shown("exact")
         ends = np.stack([-data.axes, data.axes], axis=1)
         crossings = np.flatnonzero(first_order[:-1] * first_order[1:] < 0)
         if np.abs(first_order).max() < ROUNDING:
             crossings = crossings[:0]  # a drift that is zero everywhere changes its sign nowhere
         return Stage(
-            times=np.degrees(data.way),
+            times=data.shown("way"),
             time_unit="°",
             seconds=12.0,
             tracks={"block": attitude, "ghost": from_rotation_vector(factor * data.error)},
@@ -104,7 +105,7 @@ def colour(coefficient: float, full: float) -> str:
     return f"color-mix(in srgb, var(--dl-{name}) {100 * share:.0f}%, var(--dl-rule))"
 
 
-def globe_parts(data: AxisTour) -> tuple[Part, ...]:
+def globe_parts(data: DataTable) -> tuple[Part, ...]:
     """The painted globe, the axes without drift on it, and the principal axes with their drift."""
     cone = [part for half in data.no_drift for part in on_globe(half, "zero")]
     named = np.abs(data.principal).max() > 1e-9
@@ -143,7 +144,7 @@ def way_parts(axes: FloatArray) -> tuple[Part, ...]:
     )
 
 
-def tells_most(data: AxisTour) -> int:
+def tells_most(data: DataTable) -> int:
     """The moment at which the axis drifts most."""
     return int(np.abs(data.exact).argmax())
 
@@ -177,7 +178,7 @@ class GlobeOfAxes(SceneExplorer):
         "Scale factor": "No cone anywhere. Lean gyros 1 and 2 to each other until one opens.",
     }
 
-    def compute(self, values: Values) -> AxisTour:
+    def compute(self, values: Values) -> DataTable:
         return axis_tour(triad_error_of(values), axis_of(values))
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
@@ -185,7 +186,7 @@ class GlobeOfAxes(SceneExplorer):
             return gyro_dragged(handle, direction, self.values)
         return axis_values(direction)
 
-    def numbers(self, data: AxisTour) -> Results:
+    def numbers(self, data: DataTable) -> Results:
         return Results(
             ("left after one turn about the starting axis", angle_text(data.exact[0])),
             [

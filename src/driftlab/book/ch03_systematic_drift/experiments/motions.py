@@ -1,16 +1,13 @@
 """Motions that bring a body back, and the error that they leave."""
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.drift.closed_motion import drift_per_motion
-from driftlab.drift.systematic_drift import (
-    principal_drifts,
-)
+from driftlab.drift.systematic_drift import principal_drifts
 from driftlab.motion import Coning
 from driftlab.quaternion import (
     conjugate,
@@ -26,6 +23,10 @@ SWING = float(np.radians(30))
 """Half angle of the cone and of the swing among the closed motions, rad."""
 REPEATS = 5
 """How often each closed motion is made."""
+PLACES = 360
+"""Of a body in one motion."""
+THIN = 3
+"""Of these, so many are one row of the table."""
 
 
 def closed_motions(
@@ -52,31 +53,34 @@ def closed_motions(
     }
 
 
-class MotionHistory(NamedTuple):
-    """Error of a triad over one closed motion, made several times."""
-
-    motions: FloatArray  # (m,), how far the body has come, in motions
-    angle: FloatArray  # (m,), of the rotation from R to B, rad
-    track: FloatArray  # (m, 3), third body axis, in the body axes at the start
-    first_order: float  # drift angle in one motion, rad
-
-
 def motion_histories(
     triad_error: ArrayLike = LARIN_TRIAD, half_angle: float = SWING, repeats: int = REPEATS
-) -> dict[str, MotionHistory]:
+) -> DataTable:
     """Exact error of a triad over each of the `closed_motions`, with the drift of first order."""
     count = whole_number(repeats, "repeats")
-    histories = {}
-    for name, once in closed_motions(360, triad_error, half_angle).items():
+    angle, track, drift = {}, {}, {}
+    for name, once in closed_motions(PLACES, triad_error, half_angle).items():
         true = np.vstack([np.zeros(3), np.tile(once, (count, 1))])
         attitude, apparent = (
-            cumulative_product(from_rotation_vector(turns))
+            cumulative_product(from_rotation_vector(turns))[::THIN]
             for turns in (true, measured_rate(true, triad_error))
         )
-        histories[name] = MotionHistory(
-            np.arange(len(true)) / len(once),
-            rotation_angle(multiply(conjugate(attitude), apparent)),
-            rotate(attitude, np.array([0.0, 0, 1])),
-            float(np.linalg.norm(drift_per_motion(once, triad_error))),
-        )
-    return histories
+        angle[name] = rotation_angle(multiply(conjugate(attitude), apparent))
+        track[name] = rotate(attitude[: PLACES // THIN + 1], np.array([0.0, 0, 1]))
+        drift[name] = float(np.linalg.norm(drift_per_motion(once, triad_error)))
+    motions = np.arange(0, count * PLACES + 1, THIN) / PLACES
+    ends = np.array([0.0, count])
+    first_order = {name: each * ends for name, each in drift.items()}
+    return DataTable(
+        {
+            "motions": (motions, "", "how far the body has come"),
+            "angle": (angle, "arcmin", "of the rotation from R to B"),
+            "ends": (ends, "", "motions at the start and at the end"),
+            "first_order": (first_order, "arcmin", "the angle there, to first order"),
+        },
+        {
+            "places": (PLACES // THIN, "", "rows in one motion"),
+            "track": (track, "", "third axis in one motion, in the body axes at the start"),
+            "drift": (drift, "arcmin", "in one motion, to first order"),
+        },
+    )

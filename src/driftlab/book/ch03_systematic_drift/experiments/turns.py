@@ -1,7 +1,5 @@
 """The error over turns, what part of M drifts, and about which axis."""
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -9,14 +7,8 @@ from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD, OBLIQUE_AXIS, SKEW, SYMMETRIC
 from driftlab.checks import FloatArray, finite_array, nonzero_vectors, positive_number, whole_number
 from driftlab.drift.error_kinematics import error_quaternion
-from driftlab.drift.systematic_drift import (
-    drift_coefficient,
-    drift_per_turn,
-    principal_drifts,
-)
-from driftlab.quaternion import (
-    to_rotation_vector,
-)
+from driftlab.drift.systematic_drift import drift_coefficient, drift_per_turn, principal_drifts
+from driftlab.quaternion import to_rotation_vector
 from driftlab.triad import measured_rate
 from driftlab.vectors import direction_from_angles
 
@@ -79,28 +71,13 @@ def drift_history(
     )  # fmt: skip
 
 
-class DriftBySymmetry(NamedTuple):
-    """Drift angle in one turn of a symmetric, a skew and a mixed deformation."""
-
-    sizes: FloatArray  # (m,), size of the deformation, dimensionless
-    # (m,), of the size times the symmetric matrix, about its axis, without sign, rad
-    symmetric: FloatArray
-    skew: FloatArray  # (m,), the same of the skew matrix
-    mixing: FloatArray  # (p,), mixing angle, rad
-    # (p,), of ``mixed_size * (cos(mixing) * symmetric + sin(mixing) * skew)`` about the axis of the
-    # symmetric one, rad
-    mixed: FloatArray
-    first_order: FloatArray  # (p,), the same to first order, rad
-    mixed_size: float
-
-
 def drift_by_symmetry(
     mixed_size: float = 1e-3,
     symmetric: ArrayLike = SYMMETRIC,
     skew: ArrayLike = SKEW,
     symmetric_axis: ArrayLike = DIAGONAL,
     skew_axis: ArrayLike = ACROSS,
-) -> DriftBySymmetry:
+) -> DataTable:
     """Exact drift a turn against the size of either part, and of mixtures of one size.
 
     Only the symmetric part drifts to first order; Larin, remark after (2.4).
@@ -117,32 +94,46 @@ def drift_by_symmetry(
     mixing = np.linspace(0, np.pi, 73)
     cosine, sine = np.cos(mixing)[:, None, None], np.sin(mixing)[:, None, None]
     mixture = size * (cosine * even + sine * odd)
-    return DriftBySymmetry(
-        sizes,
-        np.abs(drift_per_turn(along, sizes[:, None, None] * even)),
-        np.abs(drift_per_turn(across, sizes[:, None, None] * odd)),
-        mixing,
-        drift_per_turn(along, mixture),
-        2 * np.pi * drift_coefficient(along, mixture),
-        size,
-    )
+    return DataTable(
+        {
+            "sizes": (sizes, "", "size of the deformation"),
+            "symmetric": (
+                np.abs(drift_per_turn(along, sizes[:, None, None] * even)), "rad",
+                "drift per turn of the symmetric one about its axis, without sign",
+            ),
+            "skew": (
+                np.abs(drift_per_turn(across, sizes[:, None, None] * odd)), "rad",
+                "drift per turn of the skew one",
+            ),
+            "mixing": (mixing, "deg", "angle, from the symmetric one to the skew one and on"),
+            "mixed_per_size": (
+                drift_per_turn(along, mixture) / size, "",
+                "drift per turn, rad, about the axis of the symmetric one, divided by the size",
+            ),
+            "first_order_per_size": (
+                2 * np.pi * drift_coefficient(along, mixture) / size, "", "the same to first order"
+            ),
+        },
+        {"mixed_size": (size, "", "size of the mixture")},
+    )  # fmt: skip
 
 
-class DriftMap(NamedTuple):
-    """First-order drift coefficient on a grid of directions."""
-
-    azimuth: FloatArray  # (m,), of the axis of rotation, rad
-    elevation: FloatArray  # (n,), likewise, rad
-    coefficient: FloatArray  # (n, m), drift rate in units of the turn rate
-    principal: FloatArray  # (3,), principal coefficients, rising
-    axes: FloatArray  # (3, 3), their unit axes as rows
-
-
-def drift_map(triad_error: ArrayLike = LARIN_TRIAD) -> DriftMap:
+def drift_map(triad_error: ArrayLike = LARIN_TRIAD) -> DataTable:
     """Drift coefficient for every axis of rotation, and its extremes; Larin (2.2), before (2.6)."""
-    azimuth = np.radians(np.linspace(-180, 180, 121))
-    elevation = np.radians(np.linspace(-90, 90, 61))
-    axes = direction_from_angles(azimuth, elevation[:, np.newaxis])
-    return DriftMap(
-        azimuth, elevation, drift_coefficient(axes, triad_error), *principal_drifts(triad_error)
+    azimuth, elevation = np.meshgrid(
+        np.radians(np.linspace(-180, 180, 121)), np.radians(np.linspace(-90, 90, 61))
+    )
+    coefficient = drift_coefficient(direction_from_angles(azimuth, elevation), triad_error)
+    principal, axes = principal_drifts(triad_error)
+    x, y, z = np.stack([axes, -axes], axis=1).reshape(-1, 3).T
+    return DataTable(
+        {
+            "azimuth": (azimuth.ravel(), "deg", "of the axis of rotation"),
+            "elevation": (elevation.ravel(), "deg", "of the axis of rotation"),
+            "drift_coefficient": (coefficient.ravel(), "1e-3", "drift rate divided by turn rate"),
+            "principal_azimuth": (np.arctan2(y, x), "deg", "of both ends of each principal axis"),
+            "principal_elevation": (np.arcsin(z), "deg", "of the same"),
+            "principal_coefficient": (np.repeat(principal, 2), "1e-3", "of the same, rising"),
+        },
+        {"axes": (axes, "", "unit principal axes as rows")},
     )

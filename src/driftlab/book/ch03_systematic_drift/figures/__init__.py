@@ -23,19 +23,19 @@ def _history_caption(data: DataTable) -> str:
     )
 
 
-def _motions_caption(data: dict[str, experiments.MotionHistory]) -> str:
-    repeats = next(iter(data.values())).motions[-1]
+def _motions_caption(data: DataTable) -> str:
     drifts = [
-        f"{60 * np.degrees(history.first_order):.1f} ({name})"
-        for name, history in data.items()
-        if history.first_order > 1e-9
+        f"{60 * np.degrees(drift):.1f} ({name})"
+        for name, drift in data.drift.items()
+        if drift > 1e-9
     ]
     return (
-        f"A bent triad, published for that of Larin's experiment, in {len(data)} motions, each "
-        f"made {repeats:g} times. In the circles: the path of the third body axis, from the start "
-        "and back; the sticks are the three body axes at the start. The curves: the exact error, "
-        "with dots where the body is back; the straight lines are first order. A motion "
-        f"leaves, in arc minutes: {', '.join(drifts)}. The swing about one axis leaves nothing."
+        f"A bent triad, published for that of Larin's experiment, in {len(data.drift)} motions, "
+        f"each made {data.ends[-1]:g} times. In the circles: the path of the third body axis, from "
+        "the start and back; the sticks are the three body axes at the start. The curves: the "
+        "exact error, with dots where the body is back; the straight lines are first order. A "
+        f"motion leaves, in arc minutes: {', '.join(drifts)}. The swing about one axis leaves "
+        "nothing."
     )
 
 
@@ -72,34 +72,31 @@ FIGURES = (
         drift_history.DriftHistoryPicture.draw,
         _history_caption,
     ),
-    FigureDefinition(
+    table_figure(
         "03-drift-by-symmetry",
         experiments.drift_by_symmetry,
         drift_by_symmetry.draw,
-        drift_by_symmetry.columns,
         lambda _: (
             "Drift per turn of a symmetric and of a skew deformation, published for the axis that "
             "is worst for each, and the passage from one to the other about that of the symmetric "
             "one."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "03-drift-map",
         experiments.drift_map,
         drift_map.draw,
-        drift_map.columns,
         lambda data: (
             "Drift coefficient of a bent triad for every axis of rotation; published for that of "
-            f"Larin's experiment. The extremes {1e3 * data.principal[0]:.3f} and "
-            f"{1e3 * data.principal[2]:.3f} (times 1e-3) lie, to first order, on the eigenvectors "
-            "of the symmetric part (stars)."
+            f"Larin's experiment. The extremes {1e3 * data.principal_coefficient[0]:.3f} and "
+            f"{1e3 * data.principal_coefficient[-1]:.3f} (times 1e-3) lie, to first order, "
+            "on the eigenvectors of the symmetric part (stars)."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "03-closed-motions",
         experiments.motion_histories,
         closed_motions.draw,
-        closed_motions.columns,
         _motions_caption,
     ),
 )
