@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from driftlab.book.ch05_cayley_and_riccati.experiments import cayley_map, riccati_turns
+from driftlab.book.ch05_cayley_and_riccati.experiments import WAYS, cayley_map, riccati_turns
 from driftlab.book.machinery.publish import PublishedFigure
 from published import published
 
@@ -12,14 +12,12 @@ def test_cayley_map_shows_the_tangents_and_says_what_is_infinite() -> None:
     degrees = np.array([-270.0, -90.0, 10.0, 130.0, 300.0])
     for phi in np.radians(degrees):
         data = cayley_map(phi, [0.3, -2, 1])
-        found = [data.along_3, data.along_4, data.shadow]
         np.testing.assert_allclose(
-            found, [-np.tan(phi / 2), -np.tan(phi / 4), 1 / np.tan(phi / 4)], rtol=1e-13
+            data.mark[:, 0], [-np.tan(phi / 2), -np.tan(phi / 4), 1 / np.tan(phi / 4)], rtol=1e-13
         )
-    for angle, infinite in ((np.pi, "along_3"), (-2 * np.pi, "along_4"), (0.0, "shadow")):
+    for angle, infinite in ((np.pi, 0), (-2 * np.pi, 1), (0.0, 2)):
         data = cayley_map(angle, [1, 0, 0])
-        names = [name for name in ("along_3", "along_4", "shadow") if getattr(data, name) is None]
-        assert names == [infinite]
+        assert np.flatnonzero(np.isnan(data.mark)).tolist() == [infinite]
     with pytest.raises(ValueError, match=r"^angle: expected at most a whole turn either way"):
         cayley_map(7.0, [1, 0, 0])
 
@@ -29,12 +27,17 @@ def test_riccati_equation_with_a_switch_stays_bounded_and_costs_less(
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
-    assert 0.99999 < data.ended.time[-1] < 1 < data.plain.time[-1] == data.switched.time[-1]
-    assert np.linalg.norm(data.ended.vector[-1]) == pytest.approx(1e6, rel=1e-3)
-    assert np.linalg.norm(data.switched.vector, axis=-1).max() < 1.2 + 1e-6
+
+    def length(way: str) -> tuple[np.ndarray, np.ndarray]:
+        rows = np.array(data.curve) == f"|k| {way}, over turns"
+        return data.x[rows], data.y[rows]
+
+    (ended, last), (time, plain), (whole, switched) = map(length, WAYS)
+    assert 0.99999 < data.given_up == ended[-1] < 1 < time[-1] == whole[-1]
+    assert data.longest == last[-1] == pytest.approx(1e6, rel=1e-3)
+    assert switched.max() < 1.2 + 1e-6
     # Nearest to the singularity, after a turn: the vector of an angle of 2 pi less the miss.
-    longest = np.linalg.norm(data.plain.vector[data.plain.time < 1.5], axis=-1).max()
-    assert longest == pytest.approx(1 / np.tan(data.miss / 4), rel=1e-2)
+    assert plain[time < 1.5].max() == pytest.approx(1 / np.tan(data.miss / 4), rel=1e-2)
     plain, switched = data.fixed_errors[:, -1]
     assert plain > 1000 * switched
     # At each tolerance: errors alike, more work without the switch, and more for a closer pass.

@@ -6,10 +6,11 @@ import numpy as np
 
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import Results
 
-from .experiments import EXAMPLE, CayleyMap, cayley_map
+from .experiments import EXAMPLE, VECTORS, cayley_map
 from .figures.cayley_map import CayleyMapPicture
 
 
@@ -39,27 +40,26 @@ class CayleyMapExplorer(Explorer):
         "No rotation": "Nothing has turned. Which vector makes trouble nevertheless?",
     }
 
-    def compute(self, values: Values) -> CayleyMap:
+    def compute(self, values: Values) -> DataTable:
         return cayley_map(np.radians(values["angle"]), axis_of(values))
 
-    def numbers(self, data: CayleyMap) -> Results:
-        def along(size: float | None, factor: float) -> str:
-            return "∞" if size is None else f"{size * factor:.3f}"
+    def numbers(self, table: DataTable) -> Results:
+        def text(size: float, form: str) -> str:
+            return "∞" if np.isnan(size) else f"{size:{form}}"
 
-        sizes = (data.along_3, data.along_4, data.shadow)
-        lengths = [np.inf if size is None else abs(size) for size in sizes]
-        away = (data.distance_3, data.distance_4, abs(data.angle))
+        sizes = table.mark[:, 0]
+        shorter = np.nanmin(np.abs(sizes[1:]))
         return Results(
-            ("the shorter of dimension 4 and its shadow", f"{min(lengths[1:]):.4f}"),
+            ("the shorter of dimension 4 and its shadow", f"{shorter:.4f}"),
             [
                 *(
-                    (f"component {i}", *(along(size, float(factor)) for size in sizes))
-                    for i, factor in enumerate(data.axis, 1)
+                    (f"component {i}", *(text(size * factor, ".3f") for size in sizes))
+                    for i, factor in enumerate(table.axis, 1)
                 ),
-                ("length", *("∞" if np.isinf(size) else f"{size:.4f}" for size in lengths)),
-                ("to its singularity", *(f"{np.degrees(angle):.0f}°" for angle in away)),
+                ("length", *(text(abs(size), ".4f") for size in sizes)),
+                ("to its singularity", *(f"{angle:.0f}°" for angle in table.shown("away"))),
             ],
-            ("dimension 3", "dimension 4", "shadow"),
+            tuple(VECTORS),
         )
 
     def call(self, values: Values) -> str:

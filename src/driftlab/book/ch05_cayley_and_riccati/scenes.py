@@ -9,6 +9,7 @@ import numpy as np
 from driftlab.attitude.riccati import SWITCH
 from driftlab.book.machinery.axis import AXIS_CONTROLS, axis_code, axis_of, axis_values
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import box, circle, pin
@@ -16,7 +17,7 @@ from driftlab.book.machinery.scene.stage import Curve, Part, Plot, Readout, Stag
 from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.checks import FloatArray
 
-from .experiments import ShadowSteps, shadow_steps
+from .experiments import shadow_steps
 
 HALF_SIZES = (0.42, 0.34, 0.2)
 """Of the body."""
@@ -34,13 +35,13 @@ FAR = 6.0
 class LampView(SceneView):
     """The circle of quaternions with its lamp; beside it the body with its vector."""
 
-    def stage(self, data: ShadowSteps) -> Stage:
+    def stage(self, data: DataTable) -> Stage:
         lengths = np.abs(data.heights)
         near = np.where(lengths <= SHOWN, lengths, np.nan)
         curves = [Curve("its vector", near[0], "gyro")]
         readouts = [
             Readout("length of the vector", lengths[0], 3, ""),
-            Readout("angle φ", np.degrees(data.angle), 0, "°"),
+            Readout("angle φ", data.shown("angle"), 0, "°"),
         ]
         if has_shadow(data):
             used = np.where(data.in_use <= SHOWN, data.in_use, np.nan)
@@ -63,17 +64,17 @@ class LampView(SceneView):
         )
 
 
-def has_shadow(data: ShadowSteps) -> bool:
+def has_shadow(data: DataTable) -> bool:
     """Whether the computer knows of the shadow; else nothing of it is drawn."""
     return bool(np.isfinite(data.switch))
 
 
-def drawn_heights(data: ShadowSteps) -> FloatArray:
+def drawn_heights(data: DataTable) -> FloatArray:
     """Heights (2, m), with `FAR` for what is farther away."""
     return np.clip(np.nan_to_num(data.heights, nan=FAR), -FAR, FAR)
 
 
-def lamp_view(data: ShadowSteps) -> View:
+def lamp_view(data: DataTable) -> View:
     """The plane of scalar part (to the right) and length of the vector part (upwards)."""
     quaternion_angle = data.angle / 2
     zero = np.zeros_like(quaternion_angle)
@@ -116,7 +117,7 @@ def ray(height: FloatArray) -> FloatArray:
     return np.stack([np.broadcast_to(LAMP, end.shape), end], axis=1)
 
 
-def body_view(data: ShadowSteps) -> View:
+def body_view(data: DataTable) -> View:
     """The turning body, and its vectors, which lie along the axis of the rotation."""
     tips = -drawn_heights(data)[..., np.newaxis] * data.axis
     arrows = [("gyro", tips[0])]
@@ -166,16 +167,16 @@ class LampAndShadow(SceneExplorer):
         "About the third edge": "Another axis. Has anything changed in the plane of the lamp?",
     }
 
-    def compute(self, values: Values) -> ShadowSteps:
+    def compute(self, values: Values) -> DataTable:
         return shadow_steps(axis_of(values), values["switch"])
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         return axis_values(direction)
 
-    def numbers(self, data: ShadowSteps) -> Results:
+    def numbers(self, data: DataTable) -> Results:
         longest = data.in_use.max()
         product = np.nanmean(np.prod(np.abs(data.heights), axis=0))
-        steps = " and ".join(f"{np.degrees(at):.1f}°" for at in data.steps)
+        steps = " and ".join(f"{at:.1f}°" for at in data.shown("steps"))
         return Results(
             ("longest vector in use", "∞" if np.isnan(longest) else f"{longest:.3f}"),
             [

@@ -6,11 +6,8 @@ import numpy as np
 
 from driftlab.attitude.cayley import rotation_quaternion, shadow
 from driftlab.attitude.riccati import SWITCH, RiccatiSolution, integrate_riccati, riccati_rate
-from driftlab.checks import (
-    FloatArray,
-    positive_number,
-    whole_number,
-)
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotation_angle
 
 TURNS = 3
@@ -20,24 +17,8 @@ MISSES = (float(np.radians(3.0)), float(np.radians(0.1)))
 """How far from a whole turn the attitude passes at the end of the first turn, rad."""
 TOLERANCES = (1e-5, 1e-7, 1e-9, 1e-11)
 """Of the integrator with a variable step."""
-
-
-class RiccatiTurns(NamedTuple):
-    """The Riccati equation over some turns; times in s, the body turns once a second."""
-
-    miss: float  # how far the attitude passes from a whole turn, rad; the first of `misses`
-    ended: RiccatiSolution  # about a fixed axis, without the shadow switch
-    plain: RiccatiSolution  # past the singularity by `miss`, without the switch
-    switched: RiccatiSolution  # the same with the switch
-    fixed_times: FloatArray  # (f,), of the integrator with a fixed step, s
-    fixed_errors: FloatArray  # (2, f), its error of attitude, without the switch and with it, rad
-    misses: FloatArray  # (n,), rad
-    # (2, n, tolerance), of the rate, by an integrator with a variable step, without the switch and
-    # with it
-    evaluations: FloatArray
-    worst: FloatArray  # (2, n, tolerance), its largest error of attitude, rad
-    turns: int
-    steps: int  # a turn, of the integrator with a fixed step
+WAYS = ("fixed axis, no switch", "near miss, no switch", "near miss, with switch")
+"""Of integrating."""
 
 
 class _TwoSpins(NamedTuple):
@@ -65,7 +46,7 @@ def riccati_turns(
     turns: int = TURNS,
     steps: int = STEPS,
     tolerances: tuple[float, ...] = TOLERANCES,
-) -> RiccatiTurns:
+) -> DataTable:
     """Integrate (1.10) through some turns that pass the singular attitude at some distances.
 
     With and without the shadow switch; with a fixed step, and with a variable one. There are one or
@@ -97,28 +78,49 @@ def riccati_turns(
         [[(m, solve(m, switch, tolerance, few)) for tolerance in limits] for m in distances]
         for switch in (False, True)
     ]
+    work = np.array([[[float(a.evaluations) for _, a in row] for row in each] for each in trials])
+    worst = np.array([
+        [[_error(motion(m), a.time, a.attitude).max() for m, a in row] for row in each]
+        for each in trials
+    ])  # fmt: skip
     miss = distances[0]
     moments = np.linspace(0.0, count, fixed_steps * count + 1)
-    fixed = [
+    fixed = np.array([
         _error(motion(miss), moments, _fixed_step(motion(miss), moments, switch))
         for switch in (False, True)
-    ]
-    return RiccatiTurns(
-        miss,
-        solve(0.0, False),
-        solve(miss, False),
-        solve(miss, True),
-        moments,
-        np.array(fixed),
-        np.array(distances),
-        np.array([[[float(a.evaluations) for _, a in row] for row in rows] for rows in trials]),
-        np.array([
-            [[_error(motion(m), a.time, a.attitude).max() for m, a in row] for row in rows]
-            for rows in trials
-        ]),
-        count,
-        fixed_steps,
-    )  # fmt: skip
+    ])  # fmt: skip
+    answers = (solve(0.0, False), solve(miss, False), solve(miss, True))
+    lengths = [(each.time, np.linalg.norm(each.vector, axis=-1)) for each in answers]
+    given_up, longest = (each[-1] for each in lengths[0])
+    curves = {f"|k| {way}, over turns": each for way, each in zip(WAYS, lengths, strict=True)}
+    curves["|k| given up, over turns"] = np.array([given_up]), np.array([longest])
+    for way, error in zip(WAYS[1:], fixed, strict=True):
+        curves[f"fixed step, {way}, rad over turns"] = moments[1:], error[1:]
+    for i, name in enumerate(("no switch", "with switch")):
+        for j, m in enumerate(distances):
+            title = f"variable step, {np.degrees(m):.3g}°, {name}, rad over evaluations"
+            curves[title] = work[i, j], worst[i, j]
+    x, y = (np.concatenate(each) for each in zip(*curves.values(), strict=True))
+    return DataTable(
+        {
+            "curve": ([name for name, (each, _) in curves.items() for _ in each], "", "what y is"),
+            "x": (x, "", "turns, or evaluations of the rate"),
+            "y": (y, "", "length of the vector k, or error of the attitude in rad"),
+        },
+        {
+            "miss": (miss, "deg", "passes the singular attitude at"),
+            "given_up": (given_up, "", "turns about a fixed axis, without the switch"),
+            "longest": (longest, "", "length of k then"),
+            # (2, f), without the switch and with it
+            "fixed_errors": (fixed, "rad", "errors of attitude with a fixed step"),
+            "misses": (np.array(distances), "deg", "all distances"),
+            # (2, distance, tolerance), likewise
+            "evaluations": (work, "", "of the rate, with a variable step"),
+            "worst": (worst, "rad", "largest errors of attitude with a variable step"),
+            "turns": (count, "", "turns"),
+            "steps": (fixed_steps, "", "fixed steps per turn"),
+        },
+    )
 
 
 def _fixed_step(motion: _TwoSpins, times: FloatArray, switch: bool) -> FloatArray:

@@ -4,6 +4,8 @@ from typing import Any
 
 import numpy as np
 
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.drawing import Drawing
 from driftlab.book.machinery.picture import (
     BLACK,
     BLUE,
@@ -17,35 +19,11 @@ from driftlab.book.machinery.picture import (
     plain_axes,
     project,
 )
-from driftlab.checks import FloatArray
 
-from ..experiments import ANGLES, CayleyMap, cayley_curves
-
-REACH = 4.0
-"""Longest vector that the picture shows."""
+from ..experiments import REACH, VECTORS
 
 
-def columns(data: CayleyMap) -> dict[str, Any]:
-    """Columns of the figure's CSV: the curves as far as they are drawn, and the marks."""
-    names = ("dimension_3", "dimension_4", "shadow")
-    marks = (data.along_3, data.along_4, data.shadow)
-    return {
-        "angle_deg": np.degrees(data.angles),
-        **dict(zip(names, shown(data.curves), strict=True)),
-        "mark_angle_deg": [np.degrees(data.angle)],
-        **{
-            f"mark_{name}": [np.nan if mark is None else mark]
-            for name, mark in zip(names, marks, strict=True)
-        },
-    }
-
-
-def shown(curves: FloatArray) -> FloatArray:
-    """Curves with gaps where they are far outside the picture, on their way through infinity."""
-    return np.where(np.abs(curves) < 2 * REACH, curves, np.nan)
-
-
-class CayleyMapPicture(Picture[CayleyMap]):
+class CayleyMapPicture(Picture[DataTable]):
     """The turned frame, and both vectors against the angle."""
 
     size = (10.5, 4.4)
@@ -70,14 +48,14 @@ class CayleyMapPicture(Picture[CayleyMap]):
         curves.set(title="the vector's component along the axis", xlim=(-360, 360))
         curves.set(xlabel=r"angle $\varphi$, °", ylim=(-REACH, REACH))
         curves.set_xticks(range(-360, 361, 90))
-        labels = (
+        formulas = (
             r"dimension 3: $-\tan(\varphi/2)$",
             r"dimension 4: $-\tan(\varphi/4)$",
             r"shadow of dimension 4: $\cot(\varphi/4)$",
         )
-        # The curves never move, so they are drawn here once.
-        for label, values, style in zip(labels, shown(cayley_curves()), SERIES, strict=False):
-            curves.plot(np.degrees(ANGLES), values, **style, label=label)
+        for name, label, style in zip(VECTORS, formulas, SERIES, strict=False):
+            # Drawn once: these curves never move.
+            Drawing.curve(self, curves, "angles", f"component, {name}", **style, label=label)
         for angle in (-180, 180):
             curves.axvline(angle, color=BLUE, linewidth=0.8, label=GUIDE)
         for angle in (-360, 360):
@@ -90,26 +68,18 @@ class CayleyMapPicture(Picture[CayleyMap]):
         self.here = self.line(
             curves, color=BLACK, linewidth=0.8, linestyle=(0, (2, 2)), label=GUIDE
         )
-        self.dots = [
-            self.line(
-                curves,
-                marker=marker,
-                markersize=5 if on_paper else 8,
-                linestyle="none",
-                color=style["color"],
-            )
-            for marker, style in zip("os^", SERIES, strict=False)
-        ]
+        for name, marker, style in zip(VECTORS, "os^", SERIES, strict=False):
+            dot: dict[str, Any] = {"marker": marker, "color": style["color"], "linestyle": "none"}
+            dot["markersize"] = 5 if on_paper else 8
+            self.curve(curves, "mark_angle", f"mark, {name}", **dot)
         if on_paper:
             legend_below(curves, 1 if narrow else 2)
         else:
             curves.legend(loc="upper center", ncols=3, bbox_to_anchor=(0.5, -0.14))
 
-    def update(self, data: CayleyMap) -> None:
-        self.axis.set_data(*project(np.stack([-1.1 * data.axis, 1.1 * data.axis])).T)
-        for line, tip in zip(self.frame, project(data.turned), strict=True):
+    def update(self, table: DataTable) -> None:
+        self.show(table)
+        self.axis.set_data(*project(np.stack([-1.1 * table.axis, 1.1 * table.axis])).T)
+        for line, tip in zip(self.frame, project(table.turned), strict=True):
             line.set_data([0, tip[0]], [0, tip[1]])
-        angle = np.degrees(data.angle)
-        self.here.set_data([angle, angle], [-REACH, REACH])
-        for line, value in zip(self.dots, (data.along_3, data.along_4, data.shadow), strict=True):
-            line.set_data([], []) if value is None else line.set_data([angle], [value])
+        self.here.set_data([table.shown("angle")] * 2, [-REACH, REACH])
