@@ -2,7 +2,6 @@
 
 from driftlab.book.machinery.publish import FigureDefinition
 
-from ..experiments import paper_frames
 from . import frames, map_of_ideas
 
 FIGURES = (
@@ -19,7 +18,7 @@ FIGURES = (
     ),
     FigureDefinition(
         "00-frames",
-        paper_frames,
+        lambda: None,
         frames.draw,
         None,
         lambda _: (
