@@ -21,24 +21,27 @@ WAYS = ("fixed axis, no switch", "near miss, no switch", "near miss, with switch
 """Of integrating."""
 
 
+SPIN: FloatArray = np.array([0.0, 0.0, 2 * np.pi])
+"""Of the body, in its own axes, rad/s."""
+
+
 class _TwoSpins(NamedTuple):
     """Steady rotation about axis 3 of a body that is mounted on a slowly tumbling table.
 
-    `spin` (3,) is in body axes, `tumble` (3,) in the reference frame, both in rad/s.
+    After one turn the table has tumbled by `miss`, and the attitude is that far from the turn.
     """
 
-    spin: FloatArray
-    tumble: FloatArray
+    miss: float  # rate of the table about axis 1 of the reference frame, rad/s
 
     def attitude(self, time: FloatArray) -> FloatArray:
-        about = [from_rotation_vector(time[..., np.newaxis] * w) for w in (self.tumble, self.spin)]
+        tumble = np.array([self.miss, 0.0, 0.0])
+        about = [from_rotation_vector(time[..., np.newaxis] * w) for w in (tumble, SPIN)]
         return multiply(*about)
 
     def rate(self, time: float) -> FloatArray:
-        """spin + tumble in body axes; both are normal to each other."""
-        angle = time * self.spin[2]
-        cosine, sine = np.cos(angle), np.sin(angle)
-        return self.spin + self.tumble[0] * np.array([cosine, -sine, 0.0])
+        """Spin and tumble in body axes; both are normal to each other."""
+        angle = time * SPIN[2]
+        return SPIN + self.miss * np.array([np.cos(angle), -np.sin(angle), 0.0])
 
 
 def riccati_turns(
@@ -59,36 +62,25 @@ def riccati_turns(
     if not limits:
         raise ValueError("tolerances: expected one at least, got none.")
     count, fixed_steps = whole_number(turns, "turns"), whole_number(steps, "steps")
-    spin = np.array([0.0, 0.0, 2 * np.pi])
     times = np.linspace(0.0, count, 40 * count + 1)
-
-    def motion(miss: float) -> _TwoSpins:
-        # After one turn the table has tumbled by miss, and the attitude is that far from the turn.
-        return _TwoSpins(spin, np.array([miss, 0.0, 0.0]))
 
     def solve(
         miss: float, switch: bool, tolerance: float = 1e-9, times: FloatArray = times
     ) -> RiccatiSolution:
-        rate = motion(miss).rate
+        rate = _TwoSpins(miss).rate
         return integrate_riccati(rate, times, shadow_switch=switch, tolerance=tolerance)
 
     # Few times, as they limit the step.
     few = times[::10]
-    trials = [
-        [[(m, solve(m, switch, tolerance, few)) for tolerance in limits] for m in distances]
-        for switch in (False, True)
-    ]
-    work = np.array([[[float(a.evaluations) for _, a in row] for row in each] for each in trials])
-    worst = np.array([
-        [[_error(motion(m), a.time, a.attitude).max() for m, a in row] for row in each]
-        for each in trials
-    ])  # fmt: skip
-    miss = distances[0]
+    work, worst = np.empty((2, 2, len(distances), len(limits)))
+    for i, j, k in np.ndindex(work.shape):
+        found = solve(distances[j], bool(i), limits[k], few)
+        work[i, j, k] = found.evaluations
+        worst[i, j, k] = _error(_TwoSpins(distances[j]), found.time, found.attitude).max()
+    miss, motion = distances[0], _TwoSpins(distances[0])
     moments = np.linspace(0.0, count, fixed_steps * count + 1)
-    fixed = np.array([
-        _error(motion(miss), moments, _fixed_step(motion(miss), moments, switch))
-        for switch in (False, True)
-    ])  # fmt: skip
+    by_steps = [_fixed_step(motion, moments, switch) for switch in (False, True)]
+    fixed = np.array([_error(motion, moments, attitude) for attitude in by_steps])
     answers = (solve(0.0, False), solve(miss, False), solve(miss, True))
     lengths = [(each.time, np.linalg.norm(each.vector, axis=-1)) for each in answers]
     given_up, longest = (each[-1] for each in lengths[0])
