@@ -6,11 +6,7 @@ from scipy.integrate import solve_ivp
 
 from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import finite_array
-from driftlab.drift.error_kinematics import (
-    attitude_quaternion,
-    error_quaternion,
-    error_rate_matrix,
-)
+from driftlab.drift.error_kinematics import attitude_quaternion, error_quaternion, error_rate_matrix
 from driftlab.quaternion import rotate, rotation_angle, to_rotation_vector
 
 DURATION = 60.0

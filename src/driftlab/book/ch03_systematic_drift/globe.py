@@ -20,13 +20,7 @@ from driftlab.checks import FloatArray
 from driftlab.quaternion import from_rotation_vector
 
 from .axes import axis_tour
-from .block import (
-    AXIS_LENGTH,
-    block_parts,
-    ghost_parts,
-    gyro_dragged,
-    magnification,
-)
+from .block import AXIS_LENGTH, block_parts, ghost_parts, gyro_dragged, magnification
 from .controls import TRIAD_ERROR_CONTROLS, TRIADS, triad_error_of, triad_error_values
 
 AZIMUTH = 15.0

@@ -20,13 +20,7 @@ from driftlab.book.scenarios import SKEW, SYMMETRIC
 from driftlab.checks import FloatArray
 from driftlab.quaternion import from_rotation_vector, multiply
 
-from .block import (
-    axis_parts,
-    block_parts,
-    ghost_parts,
-    gyro_dragged,
-    magnification,
-)
+from .block import axis_parts, block_parts, ghost_parts, gyro_dragged, magnification
 from .controls import TRIAD_ERROR_CONTROLS, TRIADS, triad_error_of, triad_error_values
 from .experiments import EXAGGERATION, TURNS, drift_history
 from .globe import GlobeOfAxes

@@ -5,14 +5,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.spatial.transform import Rotation
 
-from driftlab.book.machinery.picture import (
-    BLACK,
-    BLUE,
-    VERMILION,
-    in_style,
-    plain_axes,
-    project,
-)
+from driftlab.book.machinery.picture import BLACK, BLUE, VERMILION, in_style, plain_axes, project
 from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
