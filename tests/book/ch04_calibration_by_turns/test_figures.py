@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from driftlab.book.ch04_calibration_by_turns.experiment_numbers import NAMES
 from driftlab.book.ch04_calibration_by_turns.experiments import (
     FORMULAS as FORMULAS_04,
     PLANS,
@@ -15,8 +14,7 @@ from driftlab.book.ch04_calibration_by_turns.experiments import (
     turn_estimates,
     weighing_designs,
 )
-from driftlab.book.machinery.drawn import nature, panels
-from driftlab.book.machinery.figure_table import as_words
+from driftlab.book.machinery.drawing import nature, panels
 from driftlab.book.machinery.publish import PublishedFigure
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.drift.turn_calibration import TurnExperiment
@@ -52,7 +50,7 @@ def test_noise_of_turn_estimates_repeats_with_its_seed() -> None:
 
 def test_turn_bias_floor_is_the_method_and_noise_falls_with_turns() -> None:
     data = turn_bias(LARIN_TRIAD)
-    exact = data.by_formula[FORMULAS_04.index("exact")]
+    exact = data.error[FORMULAS_04.index("exact")]
     np.testing.assert_allclose(exact, data.bias, rtol=1e-6)
     # A standard deviation from n runs has the relative deviation 1/sqrt(2n); allow four of them.
     ratio = data.noise / expected_noise(data.turns)
@@ -63,7 +61,7 @@ def test_turn_bias_floor_is_the_method_and_noise_falls_with_turns() -> None:
 def test_three_candidates_give_all_seven_numbers(figure: PublishedFigure) -> None:
     data = figure.data
     assert data.winners == 3
-    assert [data.labels[i] for i in np.flatnonzero(data.agrees[0].all(axis=-1))] == [
+    assert [data.candidate[i] for i in np.flatnonzero(data.agrees[0].all(axis=0))] == [
         "unit third axis, pade"
     ]
 
@@ -71,29 +69,32 @@ def test_three_candidates_give_all_seven_numbers(figure: PublishedFigure) -> Non
 @published("04-larin-digits")
 def test_marks_of_digits_are_those_of_the_table(figure: PublishedFigure) -> None:
     """Both axes are words, so that the header leaves it to this test."""
-    table = as_words(figure.table())
-    for steps, panel in zip(figure.data.steps, panels(figure.on_screen), strict=True):
+    table = figure.data
+    for agrees, panel in zip(table.agrees, panels(figure.on_screen), strict=True):
         assert nature(panel) == "words both ways"
-        columns = np.array([table[f"{name} in {steps}"] for name in NAMES])
         rows = [word.get_text() for word in panels(figure.on_screen)[0].get_yticklabels()]
-        assert rows == table["candidate"]
-        drawn = np.full(columns.T.shape, "?")
+        assert rows == table.candidate
+        drawn = np.full(agrees.T.shape, -1)
         for line in panel.lines:
             number, candidate = np.asarray(line.get_xydata(), int).T
-            assert np.all(drawn[candidate, number] == "?")
-            drawn[candidate, number] = "0" if line.get_label() == "does not agree" else "1"
-        np.testing.assert_array_equal(drawn, columns.T)
+            assert np.all(drawn[candidate, number] == -1)
+            drawn[candidate, number] = line.get_label() != "does not agree"
+        np.testing.assert_array_equal(drawn, agrees.T)
 
 
 @published("04-weighing-designs")
 def test_weighing_monte_carlo_agrees_with_the_closed_forms(figure: PublishedFigure) -> None:
     data = figure.data
-    # half_width is 1.96 standard deviations; ten comparisons, so allow four.
-    deviations = np.abs(data.measured - data.expected) / (data.half_width / 1.96)
-    assert deviations.max() < 4
+    # From its middle an interval reaches 1.96 standard deviations; ten comparisons: allow four.
+    for name in ("without_offset", "with_offset"):
+        rms, low, expected = (
+            getattr(data, title)
+            for title in (f"rms_{name}", f"rms_{name}_from", f"expected_{name}")
+        )
+        assert (np.abs(rms - expected) / ((rms - low) / 1.96)).max() < 4
     # Variances by hand: 1; (1 + 1 + 1 + 9/4)/4; ...; 17/21; 2.
     by_hand = np.sqrt([1, 21 / 16, 17 / 21, 2])
-    np.testing.assert_allclose(data.expected[0, [0, 1, 3, 4]], by_hand, rtol=1e-12)
+    np.testing.assert_allclose(data.expected_without_offset[[0, 1, 3, 4]], by_hand, rtol=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -71,7 +71,7 @@ def test_two_numbers_tell_the_factor_and_agree():
 def test_the_reading_of_the_triad_is_one_question():
     """Four numbers come out everywhere with the unit axis, two of them nowhere without it."""
     data = free_numbers()
-    extents = [dict(zip(NAMES, data.extent(i), strict=True)) for i in range(len(TRIADS))]
+    extents = [dict(zip(NAMES, data.extent[i], strict=True)) for i in range(len(TRIADS))]
     unit = extents[TRIADS.index("unit third axis")]
     assert [name for name, where in unit.items() if where == "in part"] == [
         "sigma1*",

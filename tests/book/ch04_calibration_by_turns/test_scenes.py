@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from scipy.constants import arcsecond, degree
 
-from driftlab.book.ch04_calibration_by_turns.experiments import Mountings, mountings
+from driftlab.book.ch04_calibration_by_turns.experiments import mountings
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD, SKEW
 from driftlab.drift import earth_offset, error_quaternion, exact_turn_estimate
 from driftlab.drift.weighing_designs import YATES_AXES
@@ -17,16 +18,16 @@ BENT = 1e-3 * np.array([[0.2, 1.5, 0], [0, 0, -1], [1, 0.3, -0.1]])
 
 
 @pytest.fixture(scope="module")
-def bent() -> Mountings:
+def bent() -> DataTable:
     return mountings(BENT, TABLE)
 
 
-def test_the_axis_of_each_mounting_stands_upright_while_it_turns(bent: Mountings) -> None:
+def test_the_axis_of_each_mounting_stands_upright_while_it_turns(bent: DataTable) -> None:
     axes = rotate(bent.attitude, YATES_AXES[bent.mounting])[bent.turning]
     np.testing.assert_allclose(axes, np.tile([0, 0, 1], (len(axes), 1)), atol=1e-12)
 
 
-def test_the_error_is_the_closed_form_and_the_estimates_are_exact(bent: Mountings) -> None:
+def test_the_error_is_the_closed_form_and_the_estimates_are_exact(bent: DataTable) -> None:
     exact = exact_turn_estimate(YATES_AXES, BENT)
     np.testing.assert_allclose(bent.estimates, exact, rtol=1e-9)
     start = bent.ends[1] - 90
@@ -36,7 +37,7 @@ def test_the_error_is_the_closed_form_and_the_estimates_are_exact(bent: Mounting
     np.testing.assert_allclose(bent.error[start : start + 91], right, atol=1e-12)
 
 
-def test_after_a_turn_only_the_part_along_the_axis_is_left(bent: Mountings) -> None:
+def test_after_a_turn_only_the_part_along_the_axis_is_left(bent: DataTable) -> None:
     left = bent.vectors[np.arange(4), bent.ends]
     # Across it, second order: the error is one about the measured direction.
     assert np.abs(left[:, :2]).max() < 2 * np.pi * np.abs(BENT).max() ** 2 * 6
@@ -45,19 +46,19 @@ def test_after_a_turn_only_the_part_along_the_axis_is_left(bent: Mountings) -> N
     assert np.linalg.norm(half_way[:, :2], axis=-1).min() > 1e-3
 
 
-def test_each_vector_waits_for_its_mounting_and_stays_after_it(bent: Mountings) -> None:
+def test_each_vector_waits_for_its_mounting_and_stays_after_it(bent: DataTable) -> None:
     for i, vector in enumerate(bent.vectors):
         assert not vector[bent.mounting < i].any()
         after = vector[bent.ends[i] :]
         np.testing.assert_array_equal(after, np.tile(after[0], (len(after), 1)))
 
 
-def test_the_body_never_jumps(bent: Mountings) -> None:
+def test_the_body_never_jumps(bent: DataTable) -> None:
     dots = np.abs(np.sum(bent.attitude[1:] * bent.attitude[:-1], axis=-1))
     assert 2 * np.arccos(np.minimum(dots, 1)).max() < np.radians(16)
 
 
-def test_the_false_rate_drives_the_error(bent: Mountings) -> None:
+def test_the_false_rate_drives_the_error(bent: DataTable) -> None:
     moments = slice(0, 90)
     slope = np.diff(bent.vectors[0, :91], axis=0) / np.radians(4)
     middle = (bent.added[moments] + np.roll(bent.added[moments], -1, axis=0))[:-1] / 2

@@ -8,6 +8,7 @@ import numpy as np
 
 from driftlab.book.machinery.axis import matrix_code
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import Results
 from driftlab.checks import FloatArray
@@ -15,7 +16,7 @@ from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment
 from driftlab.motion.table_turn import TableTurn
 
-from .experiments import PLANS, SENSES, TurnEstimates, triad_error, turn_estimates
+from .experiments import PLANS, SENSES, triad_error, turn_estimates
 from .figures.turn_estimates import TurnEstimatesPicture
 
 ARC_SECOND = float(np.radians(1 / 3600))
@@ -98,7 +99,7 @@ class TurnCalibrationExplorer(Explorer):
         latitude = float(np.radians(values["latitude"])) if earth else None
         return TableTurn(float(np.radians(values["rate"])), values["turns"], latitude)
 
-    def compute(self, values: Values) -> TurnEstimates:
+    def compute(self, values: Values) -> DataTable:
         return turn_estimates(
             self._triad_error(values),
             values["plan"],
@@ -108,24 +109,19 @@ class TurnCalibrationExplorer(Explorer):
             gyro_bias=values["bias"] * DEGREE_PER_HOUR,
         )
 
-    def numbers(self, data: TurnEstimates) -> Results:
-        found, count = data.runs.mean(axis=0), len(data.runs)
-        differ = np.ptp(data.runs, axis=0).any()  # without noise they are one and the same
-        errors = (found - data.true) / ARC_SECOND
-        largest = errors[np.abs(errors).argmax()]
+    def numbers(self, table: DataTable) -> Results:
+        found, count = table.runs.mean(axis=0), len(table.runs)
+        differ = len(table.found) > 3  # without noise they are one and the same
+        errors = (found - table.true) / ARC_SECOND
         return Results(
-            ("largest error", f"{largest:.2f}″"),
+            ("largest error", f"{errors[np.abs(errors).argmax()]:.2f}″"),
             [
                 (name, f"{1e3 * true:.3f}", f"{1e3 * mean:.4f}", f"{error:.2f}")
                 for name, true, mean, error in zip(
-                    ("σ₁", "σ₂", "σ₃"), data.true, found, errors, strict=True
+                    ("σ₁", "σ₂", "σ₃"), table.true, found, errors, strict=True
                 )
             ],
-            (
-                "true, mrad",
-                f"mean of {count}, mrad" if differ else "found, mrad",
-                "error, ″",
-            ),
+            ("true, mrad", f"mean of {count}, mrad" if differ else "found, mrad", "error, ″"),
         )
 
     def call(self, values: Values) -> str:

@@ -22,6 +22,7 @@ from driftlab.book.ch03_systematic_drift.controls import (
 from driftlab.book.ch03_systematic_drift.experiments import EXAGGERATION
 from driftlab.book.machinery.axis import matrix_code
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import circle
@@ -33,7 +34,7 @@ from driftlab.checks import FloatArray
 from driftlab.motion.table_turn import TableTurn
 from driftlab.quaternion import from_rotation_vector, multiply
 
-from .experiments import AS_DERIVED, Mountings, mountings
+from .experiments import AS_DERIVED, mountings
 from .puzzle import LATITUDE, RATE
 
 FEET: FloatArray = np.array([[x, 0.0, 0.0] for x in (-0.9, -0.3, 0.3, 0.9)])
@@ -61,7 +62,7 @@ TABLE_RADIUS = 1.2
 class MountingsView(SceneView):
     """The block on its table, mounted four times; beside it the errors of the four turns."""
 
-    def stage(self, data: Mountings) -> Stage:
+    def stage(self, data: DataTable) -> Stage:
         factor = magnification(np.linalg.norm(data.error, axis=-1).max())
         ghost = multiply(data.attitude, from_rotation_vector(factor * data.error))
         along = sum_over(data)[:, 2]
@@ -115,12 +116,12 @@ class MountingsView(SceneView):
         )
 
 
-def gyros(data: Mountings) -> FloatArray:
+def gyros(data: DataTable) -> FloatArray:
     """Sensitive axes (3, 3) as rows, bent `EXAGGERATION` times too much."""
     return np.eye(3) + EXAGGERATION * data.triad_error
 
 
-def sum_over(data: Mountings) -> FloatArray:
+def sum_over(data: DataTable) -> FloatArray:
     """Error vector (m, 3) of the present mounting in laboratory axes, rad."""
     present = data.vectors[data.mounting, np.arange(len(data.time))]
     return np.where(data.turning[:, np.newaxis], present, 0.0)
@@ -151,7 +152,7 @@ def angle_parts(triad: FloatArray) -> tuple[Part, ...]:
     return tuple(parts)
 
 
-def errors_view(data: Mountings) -> View:
+def errors_view(data: DataTable) -> View:
     """The error vectors of the four turns, side by side, as they grow."""
     high, wide = np.abs(data.vectors[..., 2]).max(), np.abs(data.vectors[..., :2]).max()
     scale = 1 / max(high / TALL, wide / WIDE, SMALLEST)
@@ -211,13 +212,13 @@ class FourMountings(SceneExplorer):
     def _table(values: Values) -> TableTurn:
         return TableTurn(RATE, latitude=LATITUDE if values["earth"] == "turning" else None)
 
-    def compute(self, values: Values) -> Mountings:
+    def compute(self, values: Values) -> DataTable:
         return mountings(triad_error_of(values), self._table(values))
 
     def dragged(self, handle: str, direction: FloatArray) -> Values:
         return gyro_dragged(handle, direction, self.values)
 
-    def numbers(self, data: Mountings) -> Results:
+    def numbers(self, data: DataTable) -> Results:
         errors = (data.estimates[:3] - data.sigma) / arcsecond
         return Results(
             ("largest error of a σ", f"{errors[np.abs(errors).argmax()]:.2f}″"),

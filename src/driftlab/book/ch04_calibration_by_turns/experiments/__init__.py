@@ -5,56 +5,33 @@ from .calibrations import (
     AS_DERIVED as AS_DERIVED,
     PLANS as PLANS,
     SENSES as SENSES,
-    Plan as Plan,
-    TurnEstimates as TurnEstimates,
     triad_error as triad_error,
     turn_estimates as turn_estimates,
     yates_sigma as yates_sigma,
 )
-from .digits import (
-    CHOSEN_BY as CHOSEN_BY,
-    LarinDigits as LarinDigits,
-    larin_digits as larin_digits,
-)
+from .digits import CHOSEN_BY as CHOSEN_BY, larin_digits as larin_digits
 from .free_numbers import (
     FACTORS as FACTORS,
     OF_SIGMA1 as OF_SIGMA1,
-    FreeNumbers as FreeNumbers,
     factor_bounds as factor_bounds,
     free_numbers as free_numbers,
     step_error as step_error,
 )
-from .mountings import (
-    PERIOD as PERIOD,
-    SAMPLES as SAMPLES,
-    Mountings as Mountings,
-    mountings as mountings,
-)
+from .mountings import mountings as mountings
 from .real_table import (
     SIGMA_ON_TABLE as SIGMA_ON_TABLE,
     WAYS as WAYS,
-    Budget as Budget,
     RealTable as RealTable,
-    RealTableErrors as RealTableErrors,
     budget as budget,
     real_table as real_table,
     sigmas_by_way as sigmas_by_way,
     simulated_turns as simulated_turns,
 )
 from .turns import (
-    ANGLE_NOISE as ANGLE_NOISE,
     FORMULAS as FORMULAS,
-    TurnBias as TurnBias,
     estimate_errors as estimate_errors,
     expected_noise as expected_noise,
     method_bias as method_bias,
     turn_bias as turn_bias,
 )
-from .weighings import (
-    METHODS as METHODS,
-    NOISE as NOISE,
-    OFFSET as OFFSET,
-    SIGMA as SIGMA,
-    WeighingDesigns as WeighingDesigns,
-    weighing_designs as weighing_designs,
-)
+from .weighings import METHODS as METHODS, weighing_designs as weighing_designs

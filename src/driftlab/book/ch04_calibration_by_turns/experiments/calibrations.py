@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray, finite_array, whole_number
 from driftlab.drift.step_formulas import integrate_steps
@@ -45,15 +46,6 @@ PLANS = {
 }
 
 
-class TurnEstimates(NamedTuple):
-    """True and estimated [sigma1, sigma2, sigma3]."""
-
-    true: FloatArray  # (3,)
-    runs: FloatArray  # (repeats, 3), estimates; all the same if there is no noise
-    axes: FloatArray  # (m, 3), axes of the turns
-    angle_noise: float  # rad a turn and gyro
-
-
 def turn_estimates(
     triad_error: ArrayLike = LARIN_TRIAD,
     plan: str = "three pair axes, (3.4)",
@@ -64,7 +56,7 @@ def turn_estimates(
     senses: str = "one",
     gyro_bias: float = 0.0,
     repeats: int = REPEATS,
-) -> TurnEstimates:
+) -> DataTable:
     """Calibrate one triad several times (once, if there is no noise).
 
     Without a table the turns are Larin's, in inertial space, and there is no gyro bias. With
@@ -94,7 +86,22 @@ def turn_estimates(
     runs = yates_sigma(estimates) if method == "yates" else fit_turns(estimates, axes, method).sigma
     sigma = non_orthogonality(triad_error)[..., [0, 0, 1], [1, 2, 2]]
     every = np.broadcast_to(runs, (count, 3))
-    return TurnEstimates(sigma, every, axes, experiment.angle_noise)
+    shown = every if np.ptp(every, axis=0).any() else every[:1]  # without noise all runs are one
+    names = [f"sigma{i}" for _ in shown for i in (1, 2, 3)]
+    return DataTable(
+        {
+            "sigma": (names, "", "which one, run after run"),
+            "found": (shown.ravel(), "mrad", "estimate of each run"),
+            "error": ((shown - sigma).ravel(), "arcsec", "estimate minus true value"),
+            "true": (sigma, "mrad", "true sigma1, sigma2, sigma3"),
+            "mean_error": ((shown - sigma).mean(axis=0), "arcsec", "mean of all runs"),
+        },
+        {
+            "runs": (every, "mrad", "estimates by run and sigma"),
+            "axes": (axes, "", "axes of the turns"),
+            "angle_noise": (experiment.angle_noise, "arcsec", "noise of a turn and gyro"),
+        },
+    )
 
 
 def _on_table(

@@ -1,11 +1,9 @@
 """Which assumptions give which digits of Larin's seven numbers."""
 
-from typing import NamedTuple
-
 import numpy as np
-from numpy.typing import NDArray
 
-from driftlab.checks import FloatArray, whole_number
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.checks import whole_number
 
 from ..copied_digits import NUMBER
 from ..experiment_numbers import NAMES, SIGN_RESTORED, STEPS, TRIADS, agreement, candidates
@@ -14,32 +12,9 @@ CHOSEN_BY = {"sigma1*": "step formula", "sigma4*": "factor of sigma4*"}
 """The numbers that served to choose an assumption, and support nothing."""
 
 
-class LarinDigits(NamedTuple):
-    """For each triad, step formula and number of steps, the best forming of sigma4*."""
-
-    labels: list[str]  # triad and step formula of each row
-    # (steps, row, 7), 1 where all digits of a number agree with the copy, 0 where they do not
-    agrees: FloatArray
-    # (7,), how many of all candidates give each number, whichever way they form sigma4*
-    counts: NDArray[np.int64]
-    candidates: int  # how many there are
-    steps: tuple[int, ...]  # numbers of steps in the turn
-    texts: tuple[str, ...]  # the seven numbers, digit for digit
-
-    @property
-    def winners(self) -> int:
-        """How many candidates give all seven numbers."""
-        return int(self.agrees.all(axis=-1).sum())
-
-    @property
-    def chosen_by(self) -> list[bool]:
-        """Which of the seven served to choose an assumption."""
-        return [name in CHOSEN_BY for name in NAMES]
-
-
 def larin_digits(
     texts: tuple[str, ...] = SIGN_RESTORED, steps: tuple[int, ...] = STEPS
-) -> LarinDigits:
+) -> DataTable:
     """Run all candidates; of those that differ in the forming of sigma4* alone, keep the best."""
     if len(texts) != len(NAMES) or not all(NUMBER.fullmatch(str(text)) for text in texts):
         raise ValueError(
@@ -59,7 +34,22 @@ def larin_digits(
 
     rows = {(triad, formula) for triad, formula, _ in best}
     ordered = sorted(rows, key=lambda row: (TRIADS.index(row[0]), -total(row), row[1]))
-    shown = [[best[*row, count] for row in ordered] for count in counts]
-    labels = [f"{triad}, {formula}" for triad, formula in ordered]
+    shown = np.array([[best[*row, count] for row in ordered] for count in counts], dtype=float)
     give = np.sum([agrees for _, agrees in every], axis=0)
-    return LarinDigits(labels, np.array(shown, dtype=float), give, len(every), counts, tuple(texts))
+    return DataTable(
+        {
+            "candidate": ([f"{triad}, {formula}" for triad, formula in ordered], "",
+                          "reading of the triad and step formula, with the best factor of sigma4*"),
+            "agrees": (np.swapaxes(shown, 1, 2), "",
+                       "1 where all digits agree with the copy, for so many steps in the turn",
+                       ([f"{count} steps" for count in counts], NAMES)),
+            "number": (NAMES, "", "name of each of the seven numbers"),
+            "digits": (tuple(texts), "", "its digits"),
+            "of_all_candidates": (give, "", "how many of all candidates give it"),
+        },
+        {
+            "steps": (counts, "", "numbers of steps in the turn"),
+            "candidates": (len(every), "", "candidates"),
+            "winners": (int(shown.all(axis=-1).sum()), "", "marks in all seven columns"),
+        },
+    )  # fmt: skip

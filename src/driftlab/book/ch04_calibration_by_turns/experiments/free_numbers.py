@@ -5,18 +5,17 @@ which adds one and the same amount to all four estimates, and the factor before 
 sigma4*.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray, finite_array, positive_number
 from driftlab.drift.step_formulas import STEP_FORMULAS
 from driftlab.drift.turn_calibration import TurnExperiment, exact_turn_estimate
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, weighing
 
 from ..copied_digits import digit_interval
-from ..experiment_numbers import SIGN_RESTORED, TRIADS, triad_reading
+from ..experiment_numbers import NAMES, SIGN_RESTORED, SUM_FACTORS, TRIADS, triad_reading
 
 STEPS_IN_TURN = 100
 OF_SIGMA1 = np.array(digit_interval(SIGN_RESTORED[0])) * 2 * np.pi / STEPS_IN_TURN
@@ -27,30 +26,9 @@ FACTORS = (0.8, 1.7)
 """Lowest and highest factor that is looked at."""
 
 
-class FreeNumbers(NamedTuple):
-    """Where each of the seven numbers comes out, for each reading of the triad."""
-
-    step_error: FloatArray  # (m,), angle error of the integrator in a hundredth of a turn, rad
-    # (triad, 2, 7, m), lowest and highest factor between the two of `factors` with which a number
-    # comes out, rounded or cut off; NaN where none does
-    bounds: FloatArray
-    # angle error of the step formulas that lie in the range of `step_error`, rad
-    formulas: dict[str, float]
-    factors: tuple[float, float]  # lowest and highest factor that is looked at
-
-    def extent(self, triad: int) -> list[str]:
-        """Where each number comes out for one reading: "everywhere", "nowhere" or "in part"."""
-        low, high = self.bounds[triad]
-        whole = (low == self.factors[0]) & (high == self.factors[1])
-        return [
-            "everywhere" if all_of else "nowhere" if none_of else "in part"
-            for all_of, none_of in zip(whole.all(axis=-1), np.isnan(low).all(axis=-1), strict=True)
-        ]
-
-
 def free_numbers(
     largest_step_error: float = LARGEST_STEP_ERROR, factors: tuple[float, float] = FACTORS
-) -> FreeNumbers:
+) -> DataTable:
     """Bounds of the factor over the error of a step, for each reading of the triad."""
     largest = positive_number(largest_step_error, "largest_step_error")
     low, high = (positive_number(factor, "factors") for factor in factors)
@@ -59,10 +37,40 @@ def free_numbers(
     # Some of them give sigma1*.
     giving = np.linspace(OF_SIGMA1[0], OF_SIGMA1[1], 5)[1:-1]
     errors = np.union1d(np.linspace(-largest, largest, 60), giving[np.abs(giving) <= largest])
-    bounds = [factor_bounds(triad, errors, (low, high)) for triad in TRIADS]
-    formulas = {formula: step_error(formula) for formula in STEP_FORMULAS}
-    within = {name: error for name, error in formulas.items() if abs(error) <= largest}
-    return FreeNumbers(errors, np.array(bounds), within, (low, high))
+    bounds = np.array([factor_bounds(triad, errors, (low, high)) for triad in TRIADS])
+    formulas = np.array([step_error(formula) for formula in STEP_FORMULAS])
+    formulas = formulas[np.abs(formulas) <= largest]
+    reading, number, place = np.nonzero(~np.isnan(bounds[:, 0]))
+    least, most = bounds[:, :, number, place][reading, :, np.arange(len(reading))].T
+    return DataTable(
+        {
+            "reading": ([TRIADS[i] for i in reading], "", "reading of the triad"),
+            "number": ([NAMES[i] for i in number], "", "number that comes out"),
+            "step_error": (errors[place], "nrad", "error of the integrator in 1/100 of a turn"),
+            "factor_from": (least, "", "lowest factor with which it comes out"),
+            "factor_to": (most, "", "highest factor"),
+            "formula_error": (np.tile(formulas, len(SUM_FACTORS)), "nrad", "of a step formula"),
+            "formula_factor": (np.repeat([*SUM_FACTORS.values()], len(formulas)), "",
+                               "with each way to form sigma4*"),
+        },
+        {
+            "formulas": (len(formulas), "", "step formulas with an error in this range"),
+            "factors": ((low, high), "", "lowest and highest factor that is tried"),
+            "largest_step_error": (largest, "nrad", "largest error that is tried"),
+            "extent": ([extent(each, (low, high)) for each in bounds], "",
+                       "where each number comes out, by reading"),
+        },
+    )  # fmt: skip
+
+
+def extent(bounds: FloatArray, within: tuple[float, float]) -> list[str]:
+    """Where each number comes out, by its `factor_bounds`: everywhere, nowhere or in part."""
+    low, high = bounds
+    whole = (low == within[0]) & (high == within[1])
+    return [
+        "everywhere" if all_of else "nowhere" if none_of else "in part"
+        for all_of, none_of in zip(whole.all(axis=-1), np.isnan(low).all(axis=-1), strict=True)
+    ]
 
 
 def step_error(formula: str) -> float:

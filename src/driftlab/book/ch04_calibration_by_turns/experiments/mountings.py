@@ -1,10 +1,9 @@
 """A calibration as it is made: four mountings on a table, one turn in each, and the error."""
 
-from typing import NamedTuple
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray, finite_array
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.turn_calibration import turn_estimate
@@ -30,33 +29,12 @@ PERIOD = SAMPLES + RESTS + MOVES
 """Moments of a mounting."""
 
 
-class Mountings(NamedTuple):
-    """Four turns, each followed by a rest in which the body is mounted for the next one, if any."""
-
-    time: FloatArray  # (m,), s; the body turns at an even rate
-    attitude: FloatArray  # (m, 4), body to laboratory, whose third axis is that of the table
-    # (m, 3), rotation vector from the true to the computed attitude, in body axes, rad. The
-    # computer starts again with each mounting; in between the error is zero
-    error: FloatArray
-    # (4, m, 3), the same of each mounting by itself in laboratory axes, rad: zero before it, and
-    # after it what its turn has left
-    vectors: FloatArray
-    # (m, 3), false rate in laboratory axes as a fraction of the table's rate; zero while it rests
-    added: FloatArray
-    mounting: NDArray[np.integer]  # (m,), 0 to 3
-    # (m,), whether there is a turn, or the rest after it: the error is one of a turn
-    turning: NDArray[np.bool_]
-    ends: NDArray[np.integer]  # (4,), moments at which the turns end
-    estimates: FloatArray  # (4,), turn estimates about `driftlab.drift.weighing_designs.YATES_AXES`
-    expected: FloatArray  # (4,), what they are to first order in inertial space, n^T M n
-    sigma: FloatArray  # (3,), true [sigma1, sigma2, sigma3]
-    triad_error: FloatArray  # (3, 3)
-
-
-def mountings(triad_error: ArrayLike, table: TableTurn) -> Mountings:
+def mountings(triad_error: ArrayLike, table: TableTurn) -> DataTable:
     """Turn a triad about Larin's four axes, and follow its computer; Larin (3.3).
 
-    The table makes one even turn, counter-clockwise, about an upright axis.
+    The table makes one even turn, counter-clockwise, about an upright axis. After each turn there
+    is a rest, in which the body is mounted for the next one, if any; then the computer starts
+    again.
     """
     bent = finite_array(triad_error, "triad_error", 3, 3)
     if table != TableTurn(abs(table.rate), latitude=table.latitude):
@@ -92,20 +70,31 @@ def mountings(triad_error: ArrayLike, table: TableTurn) -> Mountings:
     for i, vector in enumerate(vectors):
         vector[i * PERIOD : i * PERIOD + SAMPLES] = in_laboratory[i, :SAMPLES]
         vector[i * PERIOD + SAMPLES :] = in_laboratory[i, SAMPLES]
-    return Mountings(
-        np.asarray(table.duration / SAMPLES * moments, float),
-        attitude.reshape(-1, 4)[moments],
-        error.reshape(-1, 3)[moments],
-        vectors,
-        rotate(attitude, added).reshape(-1, 3)[moments],
-        moments // PERIOD,
-        moments % PERIOD < SAMPLES + RESTS,
-        PERIOD * np.arange(4) + SAMPLES,
-        turn_estimate(quaternion[:, -1], YATES_AXES),
-        drift_coefficient(YATES_AXES, bent),
-        non_orthogonality(bent)[[0, 0, 1], [1, 2, 2]],
-        bent,
-    )
+    return DataTable(
+        {
+            "time": (table.duration / SAMPLES * moments, "s", "at an even rate"),
+            "attitude": (attitude.reshape(-1, 4)[moments], "",
+                         "body to laboratory, whose third axis is that of the table"),
+            "error": (error.reshape(-1, 3)[moments], "rad",
+                      "rotation vector from true to computed attitude, in body axes"),
+            "vectors": (vectors, "rad", "errors of the four mountings in laboratory axes; after "
+                        "its turn each keeps what is left"),
+            "added": (rotate(attitude, added).reshape(-1, 3)[moments], "",
+                      "false rate in laboratory axes, divided by the rate of the table"),
+            "mounting": (moments // PERIOD, "", "0 to 3"),
+            "turning": (moments % PERIOD < SAMPLES + RESTS, "",
+                        "whether there is a turn, or the rest after it"),
+        },
+        {
+            "ends": (PERIOD * np.arange(4) + SAMPLES, "", "moments at which the turns end"),
+            "estimates": (turn_estimate(quaternion[:, -1], YATES_AXES), "mrad",
+                          "turn estimates about Yates's axes"),
+            "expected": (drift_coefficient(YATES_AXES, bent), "mrad",
+                         "the same to first order in inertial space"),
+            "sigma": (non_orthogonality(bent)[[0, 0, 1], [1, 2, 2]], "mrad", "true sigmas"),
+            "triad_error": (bent, "", "of the gyros"),
+        },
+    )  # fmt: skip
 
 
 def upright(axes: ArrayLike) -> FloatArray:

@@ -1,11 +1,11 @@
 """Turns of a real table on the Earth: what each error of theirs does to the sigmas."""
 
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
 from scipy.constants import arcminute, arcsecond, degree, hour, micro
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray, whole_number
 from driftlab.drift.recorded_turns import recorded_turn_estimate
 from driftlab.drift.systematic_drift import drift_coefficient
@@ -55,27 +55,6 @@ class RealTable:
         return triad_error(SIGMA_ON_TABLE)
 
 
-class Budget(NamedTuple):
-    """Root mean square error of the three sigmas to first order, by source and way."""
-
-    sizes: dict[str, str]  # the sources, and how large each is assumed to be
-    effects: FloatArray  # (source, way), rad
-    total: FloatArray  # (way,), in quadrature, rad
-
-
-class RealTableErrors(NamedTuple):
-    """Budget against simulation."""
-
-    rates: FloatArray  # (m,), table rates, rad/s
-    expected: FloatArray  # (m, way), total of the budget, rad
-    simulated_rates: FloatArray  # (r,), rad/s
-    simulated: FloatArray  # (r, way), root mean square error over the runs, rad
-    half_width: FloatArray  # (r, way), half of its 95 % interval, rad
-    budget: Budget  # at the rate of the table
-    runs: int
-    rate: float  # of the table, rad/s
-
-
 def sigmas_by_way(estimates: FloatArray) -> FloatArray:
     """Sigmas (way, ..., 3) from estimates (..., 2, 4): both senses, Yates's four axes."""
     ways = (estimates[..., 0, :], estimates.mean(axis=-2))
@@ -84,9 +63,11 @@ def sigmas_by_way(estimates: FloatArray) -> FloatArray:
     return np.stack([*plain, *with_offset])
 
 
-def budget(table: RealTable | None = None) -> Budget:
-    """Budget of the errors, each source by its first order, which for two is that of a product."""
-    table = table or RealTable()
+def budget(table: RealTable) -> tuple[dict[str, str], FloatArray]:
+    """Sources with their assumed sizes, and rms errors (source, way) of the sigmas by each, rad.
+
+    Each source by its first order, which for two is that of a product.
+    """
     rates = np.broadcast_to((table.rate * np.array(BOTH))[:, np.newaxis], (2, 4))
     one, none = np.ones((2, 4)), np.zeros((2, 4))
     each_turn = np.eye(8).reshape(8, 2, 4)
@@ -135,12 +116,12 @@ def budget(table: RealTable | None = None) -> Budget:
     for pattern, _ in patterns.values():
         responses = sigmas_by_way(np.asarray(pattern))
         effects.append(np.sqrt((responses**2).sum(axis=(1, 2)) / 3))
-    table_of_effects = np.array(effects)
-    return Budget(
-        {name: size for name, (_, size) in patterns.items()},
-        table_of_effects,
-        np.sqrt((table_of_effects**2).sum(axis=0)),
-    )
+    return {name: size for name, (_, size) in patterns.items()}, np.array(effects)
+
+
+def in_quadrature(effects: FloatArray) -> FloatArray:
+    """Root mean square error (way,) of all sources (source, way) together."""
+    return np.sqrt((effects**2).sum(axis=0))
 
 
 def simulated_turns(table: RealTable, runs: int, rng: np.random.Generator) -> FloatArray:
@@ -179,23 +160,40 @@ def real_table(
     runs: int = 200,
     seed: int = SEED,
     table: RealTable = RealTable(),
-) -> RealTableErrors:
+) -> DataTable:
     """Budget over the table's rate, and simulations of the whole at three rates."""
     count = whole_number(runs, "runs", least=2)
     rng = np.random.default_rng(seed)
     rates = np.array([1, 1.5, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100]) * degree
     simulated_rates = rates[[2, 6, 10]]
-    simulated, half_width = np.empty((2, len(simulated_rates), len(WAYS)))
-    for row, rate in enumerate(simulated_rates):
+    simulated = np.empty((len(simulated_rates), 3, len(WAYS)))
+    for row, rate in zip(simulated, simulated_rates, strict=True):
         estimates = simulated_turns(replace(table, rate=rate), count, rng)
         squares = ((sigmas_by_way(estimates) - SIGMA_ON_TABLE) ** 2).mean(axis=-1)
-        simulated[row] = np.sqrt(squares.mean(axis=-1))
+        rms = np.sqrt(squares.mean(axis=-1))
         # The mean of the squares is near normal; its root divides by twice the root.
-        half_width[row] = 1.96 * squares.std(axis=-1) / np.sqrt(count) / (2 * simulated[row])
-    expected = np.array([budget(replace(table, rate=rate)).total for rate in rates])
-    return RealTableErrors(
-        rates, expected, simulated_rates, simulated, half_width, budget(table), count, table.rate
-    )
+        half_width = 1.96 * squares.std(axis=-1) / np.sqrt(count) / (2 * rms)
+        row[:] = rms, rms - half_width, rms + half_width
+    expected = [in_quadrature(budget(replace(table, rate=rate))[1]) for rate in rates]
+    sizes, effects = budget(table)
+    with_total = np.vstack([effects, in_quadrature(effects)])
+    return DataTable(
+        {
+            "rate": (rates, "deg_per_s", "of the table"),
+            "expected": (np.transpose(expected), "arcsec", "rms error of a sigma, budget", WAYS),
+            "simulated_rate": (simulated_rates, "deg_per_s", "of the table in the simulations"),
+            "simulated": (np.transpose(simulated), "arcsec",
+                          "rms error of a sigma over the runs, and its 95 % interval",
+                          (WAYS, ("rms", "from", "to"))),
+            "source": ([*sizes, "in quadrature"], "", "source of an error"),
+            "effect": (with_total.T, "arcsec", "rms error of a sigma by this source", WAYS),
+        },
+        {
+            "sizes": ([*sizes.values()], "", "assumed size of each source"),
+            "runs": (count, "", "simulated calibrations at each rate"),
+            "table_rate": (table.rate, "deg_per_s", "rate for which the sources are listed"),
+        },
+    )  # fmt: skip
 
 
 def _across(n: FloatArray) -> FloatArray:

@@ -1,10 +1,9 @@
 """What limits the estimate from one turn: the method's bias, the integrator, and the noise."""
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import LARIN_TRIAD
 from driftlab.checks import FloatArray, positive_number, whole_number
 from driftlab.drift.systematic_drift import drift_coefficient
@@ -18,26 +17,12 @@ SEED = 1987
 """Of all noise of the chapter."""
 
 
-class TurnBias(NamedTuple):
-    """Errors of the estimate of sigma2, dimensionless."""
-
-    steps: FloatArray  # (m,), integration steps in the turn
-    # (formula, m), size of the error with each step formula of `FORMULAS`, no noise
-    by_formula: FloatArray
-    bias: float  # size of the bias of the method itself, one turn
-    turns: FloatArray  # (n,), whole turns k
-    noise: FloatArray  # (n,), standard deviation over the runs, with exact steps
-    expected_noise: FloatArray  # (n,), the same in closed form
-    runs: int
-    bias_by_turns: FloatArray  # (n,), size of the bias of the method for k turns
-
-
 def turn_bias(
     triad_error: ArrayLike = LARIN_TRIAD,
     runs: int = 400,
     seed: int = SEED,
     angle_noise: float = ANGLE_NOISE,
-) -> TurnBias:
+) -> DataTable:
     """Error of the turn estimate about (1, 0, 1) against the steps a turn and the turns k."""
     count = whole_number(runs, "runs", least=2)
     size = positive_number(angle_noise, "angle_noise")
@@ -51,16 +36,22 @@ def turn_bias(
         for k in turns
     ]
     bias_by_turns = np.abs([method_bias(triad_error, int(k)) for k in turns])
-    return TurnBias(
-        steps,
-        by_formula,
-        float(bias_by_turns[0]),
-        turns,
-        np.array(noise),
-        expected_noise(turns, size),
-        count,
-        bias_by_turns,
-    )
+    bias = float(bias_by_turns[0])
+    return DataTable(
+        {
+            "steps_per_turn": (steps, "", "integration steps"),
+            "error": (
+                by_formula, "", "size of the error of sigma2 by step formula, without noise",
+                FORMULAS,
+            ),
+            "bias_of_the_method": (np.full(len(steps), bias), "", "the error with exact steps"),
+            "turns": (turns, "", "whole turns"),
+            "noise": (np.array(noise), "", "standard deviation of the error over the runs"),
+            "noise_expected": (expected_noise(turns, size), "", "the same in closed form"),
+            "bias_by_turns": (bias_by_turns, "", "bias of the method for so many turns"),
+        },
+        {"runs": (count, "", "runs"), "bias": (bias, "", "bias of the method in one turn")},
+    )  # fmt: skip
 
 
 def estimate_errors(triad_error: ArrayLike, step_formula: str, steps: ArrayLike) -> FloatArray:

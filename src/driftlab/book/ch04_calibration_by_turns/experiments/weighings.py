@@ -1,10 +1,11 @@
 """Yates's weighing against its rivals, with and without an offset common to all turns."""
 
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import (
     FloatArray,
     finite_array,
@@ -33,23 +34,13 @@ OFFSET = 10e-6
 """Offset common to all turn estimates."""
 
 
-class WeighingDesigns(NamedTuple):
-    """Root mean square error of sigma1, sigma2, sigma3 together, in units of the noise."""
-
-    measured: FloatArray  # (2, method), without and with the offset, by the methods of `METHODS`
-    half_width: FloatArray  # (2, method), of a 95 % interval of `measured`
-    expected: FloatArray  # (2, method), closed form of the same
-    runs: int
-    offset: float  # in units of the noise
-
-
 def weighing_designs(
     runs: int = 20_000,
     seed: int = SEED,
     sigma: ArrayLike = SIGMA,
     noise: float = NOISE,
     offset: float = OFFSET,
-) -> WeighingDesigns:
+) -> DataTable:
     """Monte Carlo over white noise on each turn estimate, equal for all axes."""
     count = whole_number(runs, "runs", least=2)
     sigmas, size = finite_array(sigma, "sigma", 3), positive_number(noise, "noise")
@@ -57,18 +48,27 @@ def weighing_designs(
     rng = np.random.default_rng(seed)
     true = drift_coefficient(YATES_AXES, triad_error(sigmas))
     noises = rng.normal(0.0, size, (count, 4))
-    measured, half_width, expected = np.empty((3, 2, len(METHODS)))
-    for row, added in enumerate((0.0, common)):
+    columns: dict[str, tuple[Any, ...]] = {"method": (METHODS, "", "how the turns are combined")}
+    for name, added in (("without_offset", 0.0), ("with_offset", common)):
         errors = _estimates(true + added + noises) - sigmas
         squares = (errors**2).mean(axis=-1) / size**2
         rms = np.sqrt(squares.mean(axis=-1))
-        measured[row] = rms
         # The mean of squares is near normal over this many runs; its root divides by 2 rms.
-        half_width[row] = 1.96 * squares.std(axis=-1) / np.sqrt(count) / (2 * rms)
+        half_width = 1.96 * squares.std(axis=-1) / np.sqrt(count) / (2 * rms)
         bias = _estimates((true + added)[np.newaxis])[:, 0] - sigmas
         variance = (_responses() ** 2).sum(axis=-1).mean(axis=-1)
-        expected[row] = np.sqrt(variance + (bias**2).mean(axis=-1) / size**2)
-    return WeighingDesigns(measured, half_width, expected, count, common / size)
+        closed = np.sqrt(variance + (bias**2).mean(axis=-1) / size**2)
+        columns |= {
+            f"rms_{name}": (rms, "", "rms error of the three sigmas, divided by the noise"),
+            f"rms_{name}_from": (rms - half_width, "", "begin of its 95 % interval"),
+            f"rms_{name}_to": (rms + half_width, "", "end of its 95 % interval"),
+            f"expected_{name}": (closed, "", "the same in closed form"),
+        }
+    facts = {
+        "runs": (count, "", "runs"),
+        "offset": (common / size, "", "offset, divided by the noise"),
+    }
+    return DataTable(columns, facts)
 
 
 def _estimates(turn_estimates: FloatArray) -> FloatArray:

@@ -2,16 +2,17 @@
 
 import numpy as np
 
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.publish import table_figure
 
 from .. import experiments
 from ..experiment_numbers import NAMES, TRIADS
 from . import free_numbers, larin_digits, real_table, turn_bias, turn_estimates, weighing_designs
 
 
-def _free_caption(data: experiments.FreeNumbers) -> str:
-    extent = dict(zip(NAMES, data.extent(TRIADS.index("unit third axis")), strict=True))
-    others = [data.extent(i) for i, triad in enumerate(TRIADS) if triad != "unit third axis"]
+def _free_caption(data: DataTable) -> str:
+    extent = dict(zip(NAMES, data.extent[TRIADS.index("unit third axis")], strict=True))
+    others = [data.extent[i] for i, triad in enumerate(TRIADS) if triad != "unit third axis"]
     nowhere = [name for i, name in enumerate(NAMES) if all(each[i] == "nowhere" for each in others)]
     pinned, everywhere = (
         listed([name for name, where in extent.items() if where == kind])
@@ -20,7 +21,7 @@ def _free_caption(data: experiments.FreeNumbers) -> str:
     return (
         "Two numbers left free: the angle error of the integrator in a hundredth of a turn and "
         "the factor in sigma4*. Filled is where a number comes out, rounded or cut off; dots "
-        f"are {len(data.formulas)} step formulas with three factors each. With an axis of unit "
+        f"are {data.formulas} step formulas with three factors each. With an axis of unit "
         f"length the digits of {pinned} pin the error or the factor; {everywhere} come out "
         "everywhere here and say nothing about either. With both other readings of the triad "
         f"{listed(nowhere)} come out nowhere."
@@ -33,11 +34,10 @@ def listed(names: list[str]) -> str:
 
 
 FIGURES = (
-    FigureDefinition(
+    table_figure(
         "04-turn-bias",
         experiments.turn_bias,
         turn_bias.draw,
-        turn_bias.columns,
         lambda data: (
             "Size of the error of sigma2 of a bent triad, published for Larin's. With many steps "
             f"what remains is the bias of the method itself, {data.bias:.1e}; a dip on the way is "
@@ -45,11 +45,10 @@ FIGURES = (
             f"lower the noise only ({data.runs} runs for each dot)."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "04-turn-estimates",
         experiments.turn_estimates,
         turn_estimates.TurnEstimatesPicture.draw,
-        turn_estimates.columns,
         lambda data: (
             f"A bent triad, published for Larin's, calibrated {len(data.runs)} times by turns "
             f"about each of {len(data.axes)} axes, with gyro noise of "
@@ -57,50 +56,46 @@ FIGURES = (
             "the runs can hardly be told apart; their errors can."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "04-larin-digits",
         experiments.larin_digits,
         larin_digits.draw,
-        larin_digits.columns,
         lambda data: (
             f"A row is a reading of the triad and a step formula; {data.winners} of "
-            f"{data.agrees[..., 0].size} marks in all seven columns. This is less than seven "
+            f"{data.agrees[:, 0].size} marks in all seven columns. This is less than seven "
             "confirmations: sigma1* chose the step formula and sigma4* the factor (open circles), "
             "and the last three numbers are sums of the first four. Below each column stands how "
             f"many of all {data.candidates} candidates give the number. Shown is the most "
             "favourable factor, and the more favourable of rounding and cutting off."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "04-larin-free-numbers",
         experiments.free_numbers,
         free_numbers.draw,
-        free_numbers.columns,
         _free_caption,
     ),
-    FigureDefinition(
+    table_figure(
         "04-weighing-designs",
         experiments.weighing_designs,
         weighing_designs.draw,
-        weighing_designs.columns,
         lambda data: (
             f"Monte Carlo of {data.runs} runs; the bars are 95 % intervals, the strokes "
             "closed forms. Without an offset least squares is best; with one, only the estimate "
             "that solves for the offset is unharmed."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "04-real-table",
         experiments.real_table,
         real_table.draw,
-        real_table.columns,
         lambda data: (
             "Turns on the Earth, with all errors of a real table. Lines: the budget to first "
             f"order; marks: simulations of {data.runs} calibrations with 95 % intervals. As "
             "published, in one sense the Earth covers everything else; both senses leave the scale "
             "factor, and a common offset solved for leaves the gyro bias. Both together leave "
-            f"{3600 * np.degrees(data.budget.total[-1]):.1f} arc seconds at "
-            f"{np.degrees(data.rate):.3g} deg/s. Source by source, a row is a source; "
+            f"{data.shown('effect')[-1, -1]:.1f} arc seconds at "
+            f"{data.shown('table_rate'):.3g} deg/s. Source by source, a row is a source; "
             f"a mark that is not there is below {real_table.LOWEST:g} arc seconds."
         ),
     ),

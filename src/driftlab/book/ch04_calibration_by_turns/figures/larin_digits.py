@@ -3,56 +3,41 @@
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import BLUE, GREY, in_style, legend_below_all
-from driftlab.book.machinery.sheet import Sheet
+from driftlab.book.machinery.drawing import Drawing, from_table
+from driftlab.book.machinery.picture import BLUE, GREY, legend_below_all
 
 from ..experiment_numbers import NAMES
-from ..experiments import LarinDigits
+from ..experiments import CHOSEN_BY
 
 
-def columns(data: LarinDigits) -> dict[str, Any]:
-    """Columns of the figure's CSV: one a number and number of steps, one row a candidate."""
-    table: dict[str, Any] = {"candidate": data.labels}
-    for steps, agrees in zip(data.steps, data.agrees, strict=True):
-        table |= {
-            f"{name} in {steps}": column for name, column in zip(NAMES, agrees.T, strict=True)
-        }
-    return {**table, "number": NAMES, "digits": data.texts, "of_all_candidates": data.counts}
-
-
-@in_style
-def draw(data: LarinDigits, sheet: Sheet) -> Figure:
+@from_table
+def draw(drawing: Drawing) -> None:
     """A row a candidate, a column a number, a panel a number of steps."""
-    letters = "abcdefgh"[: len(data.steps)]
-    height = 0.42 + 0.115 * len(data.labels)
-    figure, by_letter = sheet.mosaic(
+    table, sheet = drawing.table, drawing.sheet
+    letters, count = "abcdefgh"[: len(table.steps)], len(table.candidate)
+    height = 0.42 + 0.115 * count
+    panels = list(drawing.mosaic(
         letters, (10.0, 7.4), (0.25, 0.12, 0.98, 0.89), spaces=(0.06, 0.2), sharey=True,
         column_height=0.6 + height * len(letters), page_height=0.6 + height,
-    )  # fmt: skip
-    panels = list(by_letter.values())
-    panels[0].set_yticks(range(len(data.labels)), data.labels)
-    panels[0].set_ylim(len(data.labels) - 0.5, -0.5)
+    ).values())  # fmt: skip
+    panels[0].set_yticks(range(count), table.candidate)
+    panels[0].set_ylim(count - 0.5, -0.5)
     small = sheet.on_paper
     for panel in panels if small else ():
         panel.tick_params(axis="y", labelsize="small")
     size = "small" if small else 10
-    below = 0.5 if small else 0.1
+    below = count + (0.5 if small else 0.1)
     filled, cross = (4.5, 2.5) if small else (8, 4)
-    chosen_by = np.array(data.chosen_by)
+    chosen_by = np.array([name in CHOSEN_BY for name in NAMES])
+    dot = {"color": BLUE, "markersize": filled}
     marks: tuple[tuple[Any, int, str, dict[str, Any], str], ...] = (
-        (~chosen_by, 1, "o", {"color": BLUE, "markersize": filled}, "every digit agrees"),
-        (
-            chosen_by,
-            1,
-            "o",
-            {"color": BLUE, "markersize": filled, "fillstyle": "none"},
-            "agrees, but an assumption was chosen by it",
-        ),
+        (~chosen_by, 1, "o", dot, "every digit agrees"),
+        (chosen_by, 1, "o", {**dot, "fillstyle": "none"},
+         "agrees, but an assumption was chosen by it"),
         (chosen_by | ~chosen_by, 0, "x", {"color": GREY, "markersize": cross}, "does not agree"),
-    )
-    for panel, steps, agrees in zip(panels, data.steps, data.agrees, strict=True):
+    )  # fmt: skip
+    for panel, steps, agrees in zip(panels, table.steps, table.agrees, strict=True):
         panel.set_title(f"{steps} steps in the turn", pad=18 if small else 26)
         panel.xaxis.tick_top()
         panel.set_xticks(range(len(NAMES)), [pretty(name) for name in NAMES])
@@ -61,18 +46,17 @@ def draw(data: LarinDigits, sheet: Sheet) -> Figure:
         for side in ("left", "bottom"):
             panel.spines[side].set_visible(False)
         for numbers, value, marker, style, label in marks:
-            row, column = np.nonzero((agrees == value) & numbers)
-            panel.plot(column, row, marker, linestyle="none", **style, label=label)
-        for place, count in enumerate(data.counts):
-            panel.text(place, len(data.labels) + below, str(count), ha="center", fontsize=size)
+            row, column = np.nonzero((value == agrees.T) & numbers)
+            (line,) = panel.plot(column, row, marker, linestyle="none", **style, label=label)
+            drawing.record(panel, line, [])
+        for place, gives in enumerate(table.of_all_candidates):
+            panel.text(place, below, str(gives), ha="center", fontsize=size)
         if panel is panels[0] or sheet.narrow:
-            words = f"of all {data.candidates}"
-            panel.text(-0.7, len(data.labels) + below, words, ha="right", fontsize=size)
+            panel.text(-0.7, below, f"of all {table.candidates}", ha="right", fontsize=size)
     if small:
-        legend_below_all(figure, sheet, panels[0], ncols=3, column=1)
+        legend_below_all(drawing.figure, sheet, panels[0], ncols=3, column=1)
     else:
         panels[0].legend(loc="upper left", bbox_to_anchor=(-0.45, -0.05), ncols=3, fontsize=size)
-    return figure
 
 
 def pretty(name: str) -> str:
