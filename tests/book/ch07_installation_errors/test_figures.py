@@ -51,10 +51,12 @@ def test_what_the_figures_are_given_is_checked_at_the_door() -> None:
 @given(st.floats(-0.7, 0.7), st.floats(-0.7, 0.7))
 def test_plane_split_is_a_common_turn_and_an_opposite_one(x: float, y: float) -> None:
     """Wu (43): theta_x = eta + mu, theta_y = eta - mu."""
-    whole, turned, closed = plane_split((x, y))
-    np.testing.assert_array_equal(whole, [x, y])
-    np.testing.assert_allclose(turned, (x + y) / 2, rtol=0, atol=1e-15)
-    np.testing.assert_allclose(closed, [(x - y) / 2, (y - x) / 2], rtol=0, atol=1e-15)
+    split = plane_split((x, y))
+    np.testing.assert_array_equal(split.whole, [x, y])
+    np.testing.assert_allclose(split.misalignment, (x + y) / 2, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(
+        split.non_orthogonality, [(x - y) / 2, (y - x) / 2], rtol=0, atol=1e-15
+    )
 
 
 # Farther apart than a right angle the two are left-handed.
@@ -71,20 +73,19 @@ def test_equivalent_start_is_of_second_order_and_exact_for_a_rotation(
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
-    _, symmetric, skew, derivative = data.tilts
+    _, symmetric, skew, derivative = data.attitude_error.values()
     assert symmetric[-1] > 10 * skew.max()
     # The total derivative, to first order: the square of some 40 arc seconds, times the turns.
     np.testing.assert_allclose(skew, derivative, rtol=0, atol=2e-7)
-    attitude, turned, velocity = data.left
-    large = data.sizes > 1e-4
-    for left in (attitude[large], velocity[large]):
-        slope = np.polyfit(np.log(data.sizes[large]), np.log(left), 1)[0]
+    large = data.size > 1e-4
+    for left in (data.skew_triad[large], data.two_skew_triads[large]):
+        slope = np.polyfit(np.log(data.size[large]), np.log(left), 1)[0]
         assert slope == pytest.approx(2, abs=0.05)
-    assert turned.max() < 1e-12
-    gyros, accelerometers, both, both_and_start = data.speeds
+    assert data.turned_triad.max() < 1e-12
+    gyros, accelerometers, both, both_and_start = data.velocity_error.values()
     # What the first order leaves over is a tilt of the size squared, and as much times pi/4 again
     # for each quarter turn; gravity makes a velocity of it.
     square = np.sum(misalignment_vector(TYPICAL_ERRORS.gyro_error) ** 2)
     tilt = square * (1 + np.pi / 4 * len(SCHEME.turns))
-    assert both_and_start.max() < 9.81 * tilt * data.times[-1]
+    assert both_and_start.max() < 9.81 * tilt * data.time[-1]
     assert min(gyros.max(), accelerometers.max(), both.max()) > 100 * both_and_start.max()

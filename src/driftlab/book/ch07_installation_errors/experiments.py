@@ -1,12 +1,11 @@
 """Experiments of chapter 07: an error matrix, the choice of body axes, an equivalent start."""
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.attitude.integration import integrate
 from driftlab.body_frames import body_frame_rotation, misalignment_vector
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import TABLE_LATITUDE
 from driftlab.calibration.body_axes import attitude_error
 from driftlab.checks import (
@@ -34,6 +33,9 @@ from driftlab.vectors import cross_matrix
 
 INTERVAL = 0.05
 """Between two increments on the turntable, s."""
+TILTS = ("scale", "non-orthogonality", "misalignment", "misalignment by its derivative")
+"""Parts of the gyros' errors, and the last one by the total derivative."""
+SPEEDS = ("gyros turned", "accelerometers", "both", "both and the start")
 SCHEME = Scheme("+90X +90Y +90Z " * 8, dwell=5.0)
 """Quarter turns that add up to whole turns about a diagonal, again and again."""
 MISALIGNMENT_DIRECTION: FloatArray = np.array([2.0, -1.0, 2.0]) / 3
@@ -42,53 +44,24 @@ MISALIGNMENT_SIZES: FloatArray = np.logspace(-5, -1, 17)
 """Their sizes, rad."""
 
 
-class SplitTriad(NamedTuple):
-    """An error matrix and its parts."""
-
-    parts: FloatArray  # (4, 3, 3), the whole, scale, non-orthogonality, misalignment
-    vector: FloatArray  # (3,), the misalignment as a small rotation, rad
-
-
-class PlaneSplit(NamedTuple):
-    """Angles by which an x and a y gyro lean in a plane, positive from x to y, rad."""
-
-    whole: FloatArray  # (2,)
-    misalignment: FloatArray  # (2,), its part that is the same for both gyros
-    non_orthogonality: FloatArray  # (2,), its part that is opposite
+POINTS = 700
+"""Of a curve over time that are kept, about: the moments lie close together."""
+LEAST = 1e-17
+"""What stands where nothing is left, for a logarithmic axis."""
 
 
-class PlaneAxes(NamedTuple):
-    """Angles in a plane, counted from the given axes x and y, positive from x to y, rad."""
-
-    gyros: FloatArray  # (2,), of the x and of the y gyro
-    accelerometers: FloatArray  # (2,), of the x and of the y accelerometer
-    usual: float  # of the usual body axes, x along the x gyro
-    averaged: float  # of the averaged body axes
-
-
-class EquivalentStart(NamedTuple):
-    """A misaligned unit against an ideal one that starts wrong."""
-
-    times: FloatArray  # (n,), s
-    # (4, n), attitude error of scale, of non-orthogonality, of misalignment, and what the total
-    # derivative says of the last, rad
-    tilts: FloatArray
-    # (4, n), velocity error if the gyros are turned, the accelerometers, both, both with the start,
-    # m/s
-    speeds: FloatArray
-    sizes: FloatArray  # (m,), misalignments, rad
-    # (3, m), what the first order leaves over at the end: attitude of a skew triad and of a turned
-    # one, rad; velocity of two skew ones, m/s
-    left: FloatArray
-
-
-def error_matrix_parts(gyro_error: ArrayLike = TYPICAL_ERRORS.gyro_error) -> SplitTriad:
+def error_matrix_parts(gyro_error: ArrayLike = TYPICAL_ERRORS.gyro_error) -> DataTable:
     """Take an error matrix apart; Wu (7)-(15)."""
     whole = finite_array(gyro_error, "gyro_error", 3, 3)
-    return SplitTriad(np.stack([whole, *decompose(whole)]), misalignment_vector(whole))
+    parts = np.stack([whole, *decompose(whole)])
+    names = ("whole", "scale", "non_orthogonality", "misalignment")
+    return DataTable(
+        {"parts": (parts, "", "the error matrix and its parts, row by row", names)},
+        {"vector": (misalignment_vector(whole), "arcsec", "misalignment about x, y, z")},
+    )
 
 
-def plane_split(gyros: ArrayLike = (0.30, 0.10)) -> PlaneSplit:
+def plane_split(gyros: ArrayLike = (0.30, 0.10)) -> DataTable:
     """Take the installation errors of two gyros in a plane apart; Wu Fig. 1, (43), (44)."""
     x, y = whole = finite_array(gyros, "gyros", 2)
     parts = decompose(np.array([[0, x, 0], [-y, 0, 0], [0, 0, 0]]))
@@ -97,22 +70,42 @@ def plane_split(gyros: ArrayLike = (0.30, 0.10)) -> PlaneSplit:
         np.array([matrix[0, 1], -matrix[1, 0]])
         for matrix in (parts.misalignment, parts.non_orthogonality)
     )
-    return PlaneSplit(whole, turned, closed)
+    return DataTable(
+        {
+            "gyro": (("x", "y"), "", "axis of the gyro"),
+            "whole": (whole, "rad", "angle by which it leans, positive from x to y"),
+            "misalignment": (turned, "rad", "the part that is the same for both"),
+            "non_orthogonality": (closed, "rad", "the part that is opposite"),
+        }
+    )
 
 
 def plane_body_axes(
     gyros: ArrayLike = (0.30, 0.10), accelerometers: ArrayLike = (0.20, -0.12)
-) -> PlaneAxes:
+) -> DataTable:
     """Compute both choices of body axes in a plane; Wu Fig. 2, (43), (44)."""
     x, y = leaning = finite_array(gyros, "gyros", 2)
     triad = np.array([[np.cos(x), np.sin(x), 0], [-np.sin(y), np.cos(y), 0], [0, 0, 1]])
     usual, averaged = (
-        np.arctan2(turn[0, 1], turn[0, 0])
+        float(np.arctan2(turn[0, 1], turn[0, 0]))
         for frame in ("upper triangle", "averaged")
         for turn in [body_frame_rotation(triad - np.eye(3), None, frame)]
     )
     others = finite_array(accelerometers, "accelerometers", 2)
-    return PlaneAxes(leaning, others, float(usual), float(averaged))
+    names = [f"{axis} {kind}" for kind in ("gyro", "accelerometer") for axis in "xy"]
+    return DataTable(
+        {
+            "direction": ([*names, "usual axes", "averaged axes"], "", "what is turned"),
+            "angle": (np.array([*leaning, *others, usual, averaged]), "rad",
+                      "from the given axes, positive from x to y"),
+        },
+        {
+            "gyros": (leaning, "rad", "angles of the gyros"),
+            "accelerometers": (others, "rad", "angles of the accelerometers"),
+            "usual": (usual, "rad", "usual body axes, x along the x gyro"),
+            "averaged": (averaged, "rad", "averaged body axes"),
+        },
+    )  # fmt: skip
 
 
 def equivalent_start(
@@ -120,7 +113,7 @@ def equivalent_start(
     scheme: Scheme = SCHEME,
     latitude: float = TABLE_LATITUDE,
     direction: ArrayLike = MISALIGNMENT_DIRECTION,
-) -> EquivalentStart:
+) -> DataTable:
     """Run units with installation errors through a scheme; Wu (16)-(36), not linearised."""
     whole = finite_array(gyro_error, "gyro_error", 3, 3)
     about, _ = nonzero_vectors(direction, "direction")
@@ -151,7 +144,27 @@ def equivalent_start(
         )
     ]
     left = np.array([_left(motion, place, size * about) for size in MISALIGNMENT_SIZES]).T
-    return EquivalentStart(times, np.array(tilts), np.array(speeds), MISALIGNMENT_SIZES, left)
+    rows = slice(None, None, max(len(times) // POINTS, 1))
+    return DataTable(
+        {
+            "time": (times[rows], "min", "since the start"),
+            "attitude_error": (dict(zip(TILTS, np.array(tilts)[:, rows], strict=True)), "arcsec",
+                               "of a part of the gyros' errors"),
+            "velocity_error": (dict(zip(SPEEDS, np.array(speeds)[:, rows], strict=True)),
+                               "m_per_s", "if these are turned"),
+            "size": (MISALIGNMENT_SIZES, "rad", "of a misalignment"),
+            "skew_triad": (np.maximum(left[0], LEAST), "rad",
+                           "attitude left by the first order, skew matrix"),
+            "turned_triad": (np.maximum(left[1], LEAST), "rad", "the same, true rotation"),
+            "two_skew_triads": (np.maximum(left[2], LEAST), "m_per_s",
+                                "velocity left, skew matrices of gyros and accelerometers"),
+        },
+        {
+            "largest": (np.max(tilts, axis=1), "arcsec", "largest attitude error of each part"),
+            "derivative_gap": (np.abs(tilts[2] - tilts[3]).max(), "arcsec",
+                               "misalignment and its total derivative differ by at most"),
+        },
+    )  # fmt: skip
 
 
 def inertial_attitude(motion: Trajectory, start: FloatArray) -> FloatArray:

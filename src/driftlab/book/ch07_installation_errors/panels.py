@@ -8,12 +8,13 @@ import numpy as np
 from scipy.constants import arcsecond, micro
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import Results
 from driftlab.checks import FloatArray
 from driftlab.imu import TYPICAL_ERRORS
 
-from .experiments import SplitTriad, error_matrix_parts
+from .experiments import error_matrix_parts
 from .figures.split_triad import SplitTriadPicture
 
 PLACES = [(row, column) for row in range(3) for column in range(3)]
@@ -75,19 +76,18 @@ class SplitExplorer(Explorer):
         entries = [values[_entry(*place)] * _entry_unit(*place) for place in PLACES]
         return np.array(entries).reshape(3, 3)
 
-    def compute(self, values: Values) -> SplitTriad:
+    def compute(self, values: Values) -> DataTable:
         return error_matrix_parts(self._matrix(values))
 
-    def numbers(self, data: SplitTriad) -> Results:
-        _, scale, symmetric, _ = data.parts
+    def numbers(self, table: DataTable) -> Results:
+        _, scale, symmetric, _ = table.parts
         pairs = symmetric[[0, 0, 1], [1, 2, 2]] / arcsecond
-        turned = data.vector / arcsecond
         return Results(
             ("the most that two axes lack of square", f"{np.abs(2 * pairs).max():.1f}″"),
             [
                 ("scale of x, y, z, ppm", *(f"{x:.1f}" for x in np.diag(scale) / micro)),
                 ("non-orthogonality xy, xz, yz, ″", *(f"{x:.1f}" for x in pairs)),
-                ("misalignment about x, y, z, ″", *(f"{x:.1f}" for x in turned)),
+                ("misalignment about x, y, z, ″", *(f"{x:.1f}" for x in table.shown("vector"))),
             ],
         )
 

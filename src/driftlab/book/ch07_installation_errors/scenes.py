@@ -8,6 +8,7 @@ import numpy as np
 from scipy.constants import arcsecond
 
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.scene.solids import box, circle, pin
@@ -16,7 +17,7 @@ from driftlab.book.machinery.scene.view import SceneExplorer, SceneView
 from driftlab.checks import FloatArray
 from driftlab.quaternion import from_rotation_vector, multiply, rotate, to_rotation_vector
 
-from .laboratories import TwoLaboratories, two_laboratories
+from .laboratories import two_laboratories
 from .panels import SplitExplorer
 
 MAGNIFICATION = 1200
@@ -28,7 +29,7 @@ HALF_SIZES = (0.5, 0.42, 0.3)
 LENGTH = 1.15
 """Of an arrow that shows a gyro's sensitive axis."""
 EDGE = 1.35
-"""Of an axis of the table."""
+"""Of an axis of the data."""
 ENTRIES = tuple(c for c in SplitExplorer.controls if c.name[1] != c.name[2])
 """Sliders of the six leans."""
 BRACKET = tuple(
@@ -41,12 +42,11 @@ BRACKET = tuple(
 class LaboratoriesView(SceneView):
     """The unit on both tables, and what the second one reports."""
 
-    def stage(self, data: TwoLaboratories) -> Stage:
+    def stage(self, data: DataTable) -> Stage:
         turns = -MAGNIFICATION * data.share[:, np.newaxis] * data.bracket
         attitude = from_rotation_vector(turns)
         misalignment, pairs, lack = (
-            (values / arcsecond).T
-            for values in (data.misalignment, data.non_orthogonality, data.lack_of_square)
+            data.shown(name).T for name in ("misalignment", "non_orthogonality", "lack_of_square")
         )
         curves = [
             *(
@@ -159,7 +159,7 @@ class TwoTables(SceneExplorer):
         "Two gyros close up": "Drag the edges of the unit in B. Can any mounting make it square?",
     }
 
-    def compute(self, values: Values) -> TwoLaboratories:
+    def compute(self, values: Values) -> DataTable:
         matrix = np.zeros((3, 3))
         for c in ENTRIES:
             matrix["xyz".index(c.name[1]), "xyz".index(c.name[2])] = values[c.name]
@@ -180,7 +180,7 @@ class TwoTables(SceneExplorer):
         turn = -turned / MAGNIFICATION / arcsecond
         return {c.name: value for c, value in zip(BRACKET, turn, strict=True)}
 
-    def numbers(self, data: TwoLaboratories) -> Results:
+    def numbers(self, data: DataTable) -> Results:
         changed = np.abs(data.reported[-1] - data.reported[0]) / arcsecond
         bent = np.abs(data.lack_of_square[-1] - data.lack_of_square[0]).max() / arcsecond
         rows = [
@@ -195,8 +195,7 @@ class TwoTables(SceneExplorer):
         )
 
     def call(self, values: Values) -> str:
-        data = self.compute(values)
-        rows = np.round(data.gyro_error / arcsecond, 6).tolist()
+        rows = np.round(self.compute(values).gyro_error / arcsecond, 6).tolist()
         turn = [values[c.name] for c in BRACKET]
         return (
             "import numpy as np\n"

@@ -1,21 +1,19 @@
 """The published figures of chapter 07, with their captions."""
 
-import numpy as np
-from scipy.constants import arcsecond
-
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.data_table import DataTable
+from driftlab.book.machinery.publish import table_figure
 
 from .. import experiments
 from . import equivalent_start, plane_axes, plane_split, split_triad
 
 
-def _equivalent_start_caption(data: experiments.EquivalentStart) -> str:
-    largest = data.tilts.max(axis=1) / arcsecond
+def _equivalent_start_caption(data: DataTable) -> str:
+    largest = data.shown("largest")
     return (
         "A unit on a turntable. First its attitude error: that of scale and of non-orthogonality "
         f"reaches {largest[0]:.0f} and {largest[1]:.0f} arc seconds; misalignment comes back with "
         "the unit, as the total derivative says, within "
-        f"{np.abs(data.tilts[2] - data.tilts[3]).max() / arcsecond:.1g} arc seconds. Then "
+        f"{data.shown('derivative_gap'):.1g} arc seconds. Then "
         "the velocity: two triads turned together have no effect only if the start is turned as "
         "well. Last what remains for misalignments of all sizes: of second order for a skew "
         "matrix, and only rounding for a true rotation."
@@ -23,11 +21,10 @@ def _equivalent_start_caption(data: experiments.EquivalentStart) -> str:
 
 
 FIGURES = (
-    FigureDefinition(
+    table_figure(
         "07-plane-split",
         experiments.plane_split,
         plane_split.draw,
-        plane_split.columns,
         lambda data: (
             "Two gyros in a plane, and the two parts of their installation errors. Misalignment "
             f"turns both by the mean of their angles, {data.misalignment[0]:.2f} rad. "
@@ -35,11 +32,10 @@ FIGURES = (
             f"{abs(data.non_orthogonality[0]):.2f} rad each."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "07-split-triad",
         experiments.error_matrix_parts,
         split_triad.SplitTriadPicture.draw,
-        split_triad.columns,
         lambda data: (
             "The gyro triad of a unit, published for a typical one, and what each part of its "
             "error matrix alone would do: change the lengths (too little there to be seen), close "
@@ -47,22 +43,20 @@ FIGURES = (
             f"Errors are drawn {split_triad.exaggeration(data):g} times too large."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "07-plane-axes",
         experiments.plane_body_axes,
         plane_axes.draw,
-        plane_axes.columns,
         lambda data: (
             "Two gyros and two accelerometers in a plane. The usual body axes go with the x gyro "
             f"and turn by {data.usual:.2f} rad; the averaged ones turn by {data.averaged:.2f} rad, "
             f"the mean of the angles {data.gyros[0]:.2f} and {data.gyros[1]:.2f} of the two gyros."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "07-equivalent-start",
         experiments.equivalent_start,
         equivalent_start.draw,
-        equivalent_start.columns,
         _equivalent_start_caption,
     ),
 )

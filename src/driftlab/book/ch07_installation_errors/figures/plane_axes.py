@@ -4,79 +4,60 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
+from driftlab.book.machinery.drawing import Drawing, from_table
 from driftlab.book.machinery.picture import (
     BLACK,
     BLUE,
     GREEN,
     GREY,
     VERMILION,
-    in_style,
     plain_axes,
 )
-from driftlab.book.machinery.sheet import Sheet
 from driftlab.checks import FloatArray
 
-from ..experiments import PlaneAxes
 
-
-def columns(data: PlaneAxes) -> dict[str, list[float] | list[str]]:
-    """Columns of the figure's CSV."""
-    return {
-        "direction": [
-            "x gyro", "y gyro", "x accelerometer", "y accelerometer", "usual axes", "averaged axes"
-        ],
-        "angle_rad": [*data.gyros, *data.accelerometers, data.usual, data.averaged],
-    }  # fmt: skip
-
-
-@in_style
-def draw(data: PlaneAxes, sheet: Sheet) -> Figure:
+@from_table
+def draw(drawing: Drawing) -> None:
     """Draw instruments and given axes; then the same gyros with both choices of body axes."""
-    figure, panels = three_planes(sheet)
+    table, panels = drawing.table, three_planes(drawing)
     titles = ("four instruments, given axes", "usual: x along the x gyro", "averaged")
     for panel, title in zip(panels, titles, strict=True):
         plain_axes(panel, reach=1.3)
         most, least = (
-            max(data.gyros[1], data.accelerometers[1]),
-            min(data.gyros[0], data.accelerometers[0], data.usual),
+            max(table.gyros[1], table.accelerometers[1]),
+            min(table.gyros[0], table.accelerometers[0], table.usual),
         )
         bottom = min(-0.35, lowest(least))
         panel.set(xlim=(-0.62 - beside(most), 1.98), ylim=(bottom, 1.45), title=title)
     given, usual, averaged = panels
-    for panel, angle in ((given, 0.0), (usual, data.usual), (averaged, data.averaged)):
+    for panel, angle in ((given, 0.0), (usual, table.usual), (averaged, table.averaged)):
         asides = (0.09, 0.09 if panel is given else -0.09)
         pair(panel, np.full(2, angle), ("$x$", "$y$"), 1.3, color=BLACK)
-        pair(panel, data.gyros, ("x gyro", "y gyro"), 1.0, asides, color=BLUE, linestyle="--")
+        pair(panel, table.gyros, ("x gyro", "y gyro"), 1.0, asides, color=BLUE, linestyle="--")
     pair(
         given,
-        data.accelerometers,
+        table.accelerometers,
         ("x acc.", "y acc."),
         0.8,
         (-0.02, -0.02),
         color=VERMILION,
         linestyle=":",
     )
-    for panel, angle in ((usual, data.usual), (averaged, data.averaged)):
+    for panel, angle in ((usual, table.usual), (averaged, table.averaged)):
         pair(panel, np.zeros(2), ("", ""), 0.75, color=GREY)
         arc = np.linspace(0, angle, 30)
         panel.plot(0.62 * np.cos(arc), 0.62 * np.sin(arc), color=GREEN)
         panel.text(0.68, 0.04, f"{angle:.2f} rad")
-    return figure
 
 
-def three_planes(sheet: Sheet) -> tuple[Figure, list[Axes]]:
+def three_planes(drawing: Drawing) -> list[Axes]:
     """Room for three drawings in a plane, beside each other or in a column."""
-    figure, mosaic = sheet.mosaic(
-        "abc",
-        (10.5, 2.9),
-        (0.01, 0.02, 1.0, 0.9),
-        spaces=(0.02, 0.2),
-        column_height=5.6,
+    panels = drawing.mosaic(
+        "abc", (10.5, 2.9), (0.01, 0.02, 1.0, 0.9), spaces=(0.02, 0.2), column_height=5.6,
         page_height=1.9,
-    )
-    return figure, list(mosaic.values())
+    )  # fmt: skip
+    return list(panels.values())
 
 
 def beside(angle: float) -> float:

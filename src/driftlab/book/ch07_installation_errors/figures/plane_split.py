@@ -1,39 +1,26 @@
 """The installation errors of two gyros in a plane, taken apart; Wu Fig. 1."""
 
 import numpy as np
-from matplotlib.figure import Figure
 
-from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, GREY, in_style, plain_axes
-from driftlab.book.machinery.sheet import Sheet
-from driftlab.checks import FloatArray
+from driftlab.book.machinery.drawing import Drawing, from_table
+from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, GREY, plain_axes
 
-from ..experiments import PlaneSplit
 from .plane_axes import beside, lowest, pair, three_planes
 
 
-def columns(data: PlaneSplit) -> dict[str, FloatArray | list[str]]:
-    """Columns of the figure's CSV."""
-    whole, turned, closed = data
-    return {
-        "gyro": ["x", "y"],
-        "whole_rad": whole,
-        "misalignment_rad": turned,
-        "non_orthogonality_rad": closed,
-    }
-
-
-@in_style
-def draw(data: PlaneSplit, sheet: Sheet) -> Figure:
+@from_table
+def draw(drawing: Drawing) -> None:
     """Draw the two gyros with both errors, with the one and with the other."""
-    figure, panels = three_planes(sheet)
-    closing = "close up" if data.non_orthogonality[0] >= 0 else "open"
+    table, panels, narrow = drawing.table, three_planes(drawing), drawing.sheet.narrow
+    closing = "close up" if table.non_orthogonality[0] >= 0 else "open"
     titles = (
         "two gyros", "misalignment: both turn alike", f"non-orthogonality: they {closing}"
     )  # fmt: skip
-    for panel, title, sign, angles in zip(panels, titles, ("", "= ", "+ "), data, strict=True):
+    parts = table.whole, table.misalignment, table.non_orthogonality
+    for panel, title, sign, angles in zip(panels, titles, ("", "= ", "+ "), parts, strict=True):
         plain_axes(panel, reach=1.3)
-        panel.set_title(sign + title if sheet.narrow else title)
-        panel.set(xlim=(-0.62 - beside(data.whole[1]), 1.98), ylim=(lowest(data.whole[0]), 1.5))
+        panel.set_title(sign + title if narrow else title)
+        panel.set(xlim=(-0.62 - beside(table.whole[1]), 1.98), ylim=(lowest(table.whole[0]), 1.5))
         pair(panel, np.zeros(2), ("$x$", "$y$"), 1.3, color=GREY)
         pair(panel, angles, ("", ""), 1.1, color=BLUE, linestyle="--")
         for right, angle in zip((0.0, np.pi / 2), angles, strict=True):
@@ -44,7 +31,6 @@ def draw(data: PlaneSplit, sheet: Sheet) -> Figure:
             outside = "right" if right and angle > 0 else "left"
             words = f"{angle:+.2f} rad".replace("-", "−")
             panel.text(x, y, words, color=BLACK, ha=outside, va="center")
-    if not sheet.narrow:
+    if not narrow:
         for panel, sign in zip(panels, ("=", "+"), strict=False):
             panel.text(1.93, 0.6, sign, fontsize="xx-large", ha="center")
-    return figure

@@ -3,6 +3,7 @@
 import numpy as np
 from scipy.constants import arcsecond, micro
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.picture import (
     BLUE,
     GREEN,
@@ -12,9 +13,6 @@ from driftlab.book.machinery.picture import (
     plain_axes,
     project,
 )
-from driftlab.checks import FloatArray
-
-from ..experiments import SplitTriad
 
 EXAGGERATION = 600.0
 """How many times larger than it is an error is drawn, if it is not too large for that."""
@@ -27,22 +25,16 @@ DARK_GREY = "#5c5c5c"
 TITLES = ("the whole triad", "scale", "non-orthogonality", "misalignment")
 
 
-def columns(data: SplitTriad) -> dict[str, FloatArray]:
-    """Columns of the figure's CSV: the entries row by row."""
-    names = ("whole", "scale", "non_orthogonality", "misalignment")
-    return {name: part.ravel() for name, part in zip(names, data.parts, strict=True)}
-
-
-def exaggeration(data: SplitTriad) -> float:
+def exaggeration(table: DataTable) -> float:
     """How many times larger than they are the errors are drawn."""
-    largest = float(np.abs(data.parts).max())
+    largest = float(np.abs(table.parts).max())
     if EXAGGERATION * largest <= FARTHEST:
         return EXAGGERATION
     power = 10.0 ** np.floor(np.log10(FARTHEST / largest))
     return max(step * power for step in (1.0, 2.0, 5.0) if step * power * largest <= FARTHEST)
 
 
-class SplitTriadPicture(Picture[SplitTriad]):
+class SplitTriadPicture(Picture[DataTable]):
     """Four triads with their matrices: the bent one, and what each part alone would do."""
 
     size = (10.5, 3.9)
@@ -80,14 +72,14 @@ class SplitTriadPicture(Picture[SplitTriad]):
         else:
             self.note = self.figure.text(0.005, 0.02, "", color=DARK_GREY, fontsize=8.5)
 
-    def update(self, data: SplitTriad) -> None:
-        factor = exaggeration(data)
+    def update(self, table: DataTable) -> None:
+        factor = exaggeration(table)
         note = f"leans drawn ×{factor:g}; matrices: ″, and ppm on the diagonal"
         if note != self.note.get_text():
             self.note.set_text(note)
             self.rescaled = True
         units = np.where(np.eye(3, dtype=bool), micro, arcsecond)
-        for lines, words, part in zip(self.axes_lines, self.matrices, data.parts, strict=True):
+        for lines, words, part in zip(self.axes_lines, self.matrices, table.parts, strict=True):
             # The rows of I + K are the sensitive axes.
             for line, tip in zip(lines, project(np.eye(3) + factor * part), strict=True):
                 line.set_data([0, tip[0]], [0, tip[1]])
