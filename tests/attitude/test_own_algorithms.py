@@ -80,7 +80,9 @@ WAYS = {
     "algorithm_orders": lambda one: algorithm_orders({"one": one}).worst,
     "drift_by_frequency_and_rate": lambda one: drift_by_frequency_and_rate({"one": one}).by_rate,
     "rounding_error": lambda one: rounding_error(one, 20.0, carry=True, seconds=6.0, runs=2),
-    "calibration_stages": lambda one: calibration_stages(half_angle=0.01, algorithm=one).aligned,
+    "calibration_stages": lambda one: (
+        calibration_stages(half_angle=0.01, algorithm=one).aligned_error
+    ),
 }  # fmt: skip
 
 

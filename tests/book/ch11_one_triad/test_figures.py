@@ -42,7 +42,7 @@ def test_turns_find_the_bend_within_their_noise_and_the_filter_both(
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
-    true, turns, filtered = data.known
+    true, turns, filtered = data.bend
     # 0.005 degrees a root hour in 36 s; half of the angle, over pi, is the estimate. A pair is one
     # about the axis between two less half of those about the two, each from both senses.
     noise = 0.005 * np.pi / 180 * np.sqrt(36 / 3600) / (2 * np.pi) * np.sqrt((1 + 2 / 4) / 2)
@@ -90,17 +90,15 @@ def test_one_sense_shows_the_earth_and_both_do_not() -> None:
 def test_drift_per_turn_is_that_of_what_is_left(figure: PublishedFigure) -> None:
     """2 pi n^T M n; a pure turn of the triad shows in it only in second order."""
     data = figure.data
-    found, left = capstone.bent_triad(*np.split(data.known[0], 2)), capstone.filter_leftover()
-    by_turns = capstone.bent_triad(data.known[1, :3], np.zeros(3))
-    for row, matrix in zip(data.per_turn, (found, found - by_turns, -left), strict=True):
+    found, left = capstone.bent_triad(*np.split(data.bend[0], 2)), capstone.filter_leftover()
+    by_turns = capstone.bent_triad(data.bend[1, :3], np.zeros(3))
+    for row, matrix in zip(data.drift, (found, found - by_turns, -left), strict=True):
         expected = 2 * np.pi * np.einsum("ni,ij,nj->n", capstone.AXES, matrix, capstone.AXES)
         # The exact drift has half of the square of what is across as well.
         second = np.pi * np.linalg.norm(matrix, 2) ** 2
         np.testing.assert_allclose(row, expected, rtol=0, atol=1.01 * second)
         assert largest(row) > 10 * second
-    np.testing.assert_allclose(
-        data.per_turn[0, 3:], 2 * np.pi * capstone.NON_ORTHOGONALITY, rtol=0.01
-    )
+    np.testing.assert_allclose(data.drift[0, 3:], 2 * np.pi * capstone.NON_ORTHOGONALITY, rtol=0.01)
 
 
 @published("11-capstone")
@@ -110,16 +108,16 @@ def test_alignment_errors_of_the_triad_are_the_exact_ones_in_first_order(
     data = figure.data
     attitude = from_euler_angles(data.headings, 0.0, 0.0)
     rate, force = static_imu(attitude, LATITUDE)
-    bent = capstone.bent_triad(*np.split(data.known[0], 2))
-    by_turns = capstone.bent_triad(data.known[1, :3], np.zeros(3))
+    bent = capstone.bent_triad(*np.split(data.bend[0], 2))
+    by_turns = capstone.bent_triad(data.bend[1, :3], np.zeros(3))
     matrices = (bent, bent - by_turns, -capstone.filter_leftover())
-    for aligned, matrix in zip(data.aligned, matrices, strict=True):
+    for aligned, matrix in zip(data.aligned_error, matrices, strict=True):
         gap = align(rate + rate @ matrix.T, force).heading - data.headings
         gap = np.angle(np.exp(1j * gap))
         second = (np.linalg.norm(matrix, 2) / np.cos(LATITUDE)) ** 2
         np.testing.assert_allclose(aligned, gap, rtol=0, atol=second)
         assert largest(aligned) > 30 * second
-    assert largest(data.aligned[2]) < 0.1 * largest(data.aligned[0])
+    assert largest(data.aligned_error[2]) < 0.1 * largest(data.aligned_error[0])
 
 
 def test_a_coning_mount_adds_one_drift_at_all_stages() -> None:
@@ -127,17 +125,17 @@ def test_a_coning_mount_adds_one_drift_at_all_stages() -> None:
     cone = coning_drift("two-step-4", 0.02, capstone.CONING_FREQUENCY, capstone.SAMPLE_INTERVAL)
     # About the right axis, of which East gets the cosine of the heading.
     expected = float(cone) * np.cos(still.headings) / LEVEL_RATE
-    for before, after in zip(still.aligned, shaken.aligned, strict=True):
+    for before, after in zip(still.aligned_error, shaken.aligned_error, strict=True):
         np.testing.assert_allclose(after - before, expected, rtol=0, atol=1e-15)
     assert largest(expected) > 1e-8
     worse = capstone.calibration_stages(half_angle=0.02, algorithm="picard-1")
-    assert largest(worse.aligned[2] - still.aligned[2]) > 10 * largest(expected)
+    assert largest(worse.aligned_error[2] - still.aligned_error[2]) > 10 * largest(expected)
 
 
 def test_errors_under_way_of_bend_and_turn_add_up() -> None:
     nothing = np.zeros(3)
     whole, bend, turn, none = (
-        capstone.calibration_stages(*parts).under_way.heading_error[0]
+        capstone.calibration_stages(*parts).heading_error[0]
         for parts in (
             (capstone.NON_ORTHOGONALITY, capstone.MISALIGNMENT),
             (capstone.NON_ORTHOGONALITY, nothing),
@@ -153,22 +151,22 @@ def test_errors_under_way_of_bend_and_turn_add_up() -> None:
 @published("11-capstone")
 def test_each_calibration_makes_the_heading_under_way_better(figure: PublishedFigure) -> None:
     data = figure.data
-    errors = np.degrees([largest(error) for error in data.under_way.heading_error])
+    errors = np.degrees([largest(error) for error in data.heading_error])
     assert errors[1] < 0.5 * errors[0]
     assert errors[2] < 0.02 * errors[1]
     # After the turns the turn of the triad is left, and nothing else to speak of.
-    turned = capstone.calibration_stages(np.zeros(3)).under_way.heading_error[0]
-    assert largest(data.under_way.heading_error[1] - turned) < 0.02 * largest(turned)
+    turned = capstone.calibration_stages(np.zeros(3)).heading_error[0]
+    assert largest(data.heading_error[1] - turned) < 0.02 * largest(turned)
 
 
 @published("11-capstone")
 def test_the_step_is_short_enough_for_the_bent_triad(figure: PublishedFigure) -> None:
     coarse = figure.data
-    step = int(coarse.under_way.times[0])
+    step = int(coarse.time[0])
     assert step > 1
-    fine = capstone.calibration_stages(interval=1.0).under_way
-    np.testing.assert_allclose(coarse.under_way.times, fine.times[step - 1 :: step])
-    gap = coarse.under_way.heading_error - fine.heading_error[:, step - 1 :: step]
+    fine = capstone.calibration_stages(interval=1.0)
+    np.testing.assert_allclose(coarse.time, fine.time[step - 1 :: step])
+    gap = coarse.heading_error - fine.heading_error[:, step - 1 :: step]
     # A thousandth of what the bent triad has, in each of the stages.
     assert np.degrees(largest(gap)) < 0.0005
     assert np.degrees(largest(fine.heading_error[0])) == pytest.approx(0.797, abs=0.001)

@@ -61,7 +61,7 @@ def test_whole_turns_leave_half_of_the_bend_and_the_filter_next_to_nothing() -> 
     )
     assert built > 2 * turned > 20 * filtered
     panel = opened(CapstoneExplorer)
-    stages = panel.compute(panel.values).under_way.heading_error
+    stages = panel.compute(panel.values).heading_error
     # The panel sails in steps of 16 s.
     found = [largest(errors) for errors in stages]
     assert np.allclose(found, [built, turned, filtered], rtol=0.03)

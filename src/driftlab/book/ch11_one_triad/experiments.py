@@ -1,7 +1,6 @@
 """One bent triad all the way: what calibrations leave of it, and what that does to a heading."""
 
 from functools import cache
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,6 +9,7 @@ from scipy.constants import arcsecond
 from driftlab.attitude.coning_algorithms import AnyAlgorithm
 from driftlab.attitude.drift_on_cones import coning_drift
 from driftlab.body_frames import misalignment_vector
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.scenarios import (
     QUARTER_TURN,
     SARATOV_LATITUDE,
@@ -24,7 +24,7 @@ from driftlab.drift.systematic_drift import drift_per_turn
 from driftlab.drift.weighing_designs import PAIR_AXES, TurnFit, fit_turns
 from driftlab.frames import from_euler_angles
 from driftlab.gyrocompass.alignment import alignment_errors
-from driftlab.gyrocompass.simulation import HeadingErrors, simulate_compass
+from driftlab.gyrocompass.simulation import simulate_compass
 from driftlab.imu import TYPICAL_ERRORS, ImuErrors, ImuNoise
 from driftlab.increments import Increments, measure
 from driftlab.motion.table_turn import TableTurn
@@ -34,6 +34,10 @@ from driftlab.triad import decompose
 from driftlab.vectors import cross_matrix
 
 STAGES = ("as built", "after turns", "after the filter")
+FOUND = ("true", "by turns", "by the filter")
+"""How the bend is known at each of them."""
+PARTS = ("forward- up", "forward- right", "up- right", "about forward", "about up", "about right")
+"""Pairs of axes, and axes that the whole triad is turned about."""
 NON_ORTHOGONALITY: FloatArray = np.array([-30.0, 20.0, 30.0]) * arcsecond
 """Symmetric pairs xy, xz, yz, rad."""
 MISALIGNMENT: FloatArray = np.array([20.0, 25.0, 20.0]) * arcsecond
@@ -48,19 +52,6 @@ TURN_SAMPLES = 180
 CONING_FREQUENCY, SAMPLE_INTERVAL = 5.0, 0.01
 """Of the shaking mount, Hz, and of the increments, s."""
 SEED = 11
-
-
-class Capstone(NamedTuple):
-    """What is left of one triad at three stages of its calibration, and what it does."""
-
-    # (3, 6), pairs and turn of the triad, rad: true, found by turns, and found by the filter. Turns
-    # say nothing of the misalignment, which is NaN
-    known: FloatArray
-    per_turn: FloatArray  # (3, 6), drift in one turn about each of `AXES`, by stage, rad
-    headings: FloatArray  # (n,), rad
-    aligned: FloatArray  # (3, n), heading error after alignment at these headings, by stage, rad
-    under_way: HeadingErrors  # of three runs, one a stage
-    turn: float  # of the ship, rad
 
 
 def bent_triad(non_orthogonality: ArrayLike, misalignment: ArrayLike) -> FloatArray:
@@ -179,7 +170,7 @@ def calibration_stages(
     half_angle: float = 0.0,
     algorithm: AnyAlgorithm = "two-step-4",
     interval: float = 16.0,
-) -> Capstone:
+) -> DataTable:
     """Follow a triad from its bend to the heading, uncalibrated and after two calibrations.
 
     `half_angle` is that of a coning of the mount about the right axis; a turn is positive to the
@@ -193,17 +184,21 @@ def calibration_stages(
     headings = np.radians(np.arange(-180.0, 180.1, 10.0))
     way = ship_manoeuvre(latitude, turn=turn, interval=interval)
     rates = way.increments.mean_rate
-    return Capstone(
-        np.stack(
-            [
-                pairs_and_turn(bent),
-                np.append(pairs_and_turn(bent - left[1])[:3], [np.nan] * 3),
-                pairs_and_turn(bent - left[2]),
-            ]
-        ),
-        drift_per_turn(AXES, left[:, np.newaxis]),
-        headings,
-        aligned_heading_error(left, headings, latitude, shaken),
-        simulate_compass(way, rates @ np.swapaxes(left, -1, -2) + shaken, log=True),
-        turn,
-    )
+    run = simulate_compass(way, rates @ np.swapaxes(left, -1, -2) + shaken, log=True)
+    # Turns say nothing of the misalignment.
+    by_turns = np.append(pairs_and_turn(bent - left[1])[:3], [np.nan] * 3)
+    known = np.stack([pairs_and_turn(bent), by_turns, pairs_and_turn(bent - left[2])])
+    return DataTable(
+        {
+            "part": (PARTS, "", "pair of axes, or axis of a turn of the triad"),
+            "bend": (known, "arcsec", "of the triad", FOUND),
+            "axis": (AXIS_NAMES, "", "of a turn"),
+            "drift": (drift_per_turn(AXES, left[:, np.newaxis]), "arcsec", "in one turn", STAGES),
+            "headings": (headings, "deg", "of the ship during alignment"),
+            "aligned_error": (aligned_heading_error(left, headings, latitude, shaken), "arcmin",
+                              "heading error after it", STAGES),
+            "time": (run.times, "min", "under way"),
+            "heading_error": (run.heading_error, "deg", "of the ship under way", STAGES),
+        },
+        {"turn": (turn, "deg", "turn of the ship")},
+    )  # fmt: skip

@@ -9,6 +9,7 @@ from scipy.constants import arcminute, arcsecond, degree
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import Results
 from driftlab.book.machinery.sensor_controls import BODY_AXES, slider_value
@@ -19,7 +20,6 @@ from .experiments import (
     MISALIGNMENT,
     NON_ORTHOGONALITY,
     STAGES,
-    Capstone,
     calibration_stages,
 )
 from .figures.capstone import CapstonePicture
@@ -77,7 +77,7 @@ class CapstoneExplorer(Explorer):
         "A shaking mount, corrected": "The same shaking. What does the correction leave?",
     }
 
-    def compute(self, values: Values) -> Capstone:
+    def compute(self, values: Values) -> DataTable:
         return calibration_stages(
             np.array([values[f"pair_{i}"] for i in range(3)]) * arcsecond,
             np.array([values[f"turn_{axis}"] for axis in BODY_AXES]) * arcsecond,
@@ -87,18 +87,18 @@ class CapstoneExplorer(Explorer):
             algorithm=values["algorithm"],
         )
 
-    def numbers(self, data: Capstone) -> Results:
-        per_turn, aligned, under_way = (
+    def numbers(self, table: DataTable) -> Results:
+        drift, aligned, under_way = (
             np.abs(errors).max(axis=-1)
-            for errors in (data.per_turn, data.aligned, data.under_way.heading_error)
+            for errors in (table.shown("drift"), table.shown("aligned_error"), table.heading_error)
         )
         return Results(
             ("heading error under way, as built", degrees_text(under_way[0])),
             [
                 (
                     stage,
-                    f"{per_turn[i] / arcsecond:.1f}″",
-                    f"{aligned[i] / arcminute:.3f}′",
+                    f"{drift[i]:.1f}″",
+                    f"{aligned[i]:.3f}′",
                     degrees_text(under_way[i]),
                 )
                 for i, stage in enumerate(STAGES)
@@ -117,7 +117,7 @@ class CapstoneExplorer(Explorer):
             f"    np.array({turns}) * arcsecond,\n"
             f"    *np.radians([{values['latitude']}, {values['turn']}]),\n"
             f"    half_angle={values['cone']} * arcminute, algorithm={values['algorithm']!r})\n"
-            "print(*np.degrees(abs(stages.under_way.heading_error).max(axis=-1)))"
+            "print(*np.degrees(abs(stages.heading_error).max(axis=-1)))"
         )
 
 

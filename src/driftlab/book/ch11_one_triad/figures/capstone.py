@@ -5,8 +5,9 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
-from scipy.constants import arcsecond, minute
+from scipy.constants import minute
 
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.picture import (
     BLACK,
     GUIDE,
@@ -16,13 +17,9 @@ from driftlab.book.machinery.picture import (
     legend_below_all,
 )
 from driftlab.book.scenarios import DURATION
-from driftlab.checks import FloatArray
 
-from ..experiments import AXIS_NAMES, STAGES, Capstone
+from ..experiments import AXIS_NAMES, FOUND, PARTS, STAGES
 
-PARTS = ("forward-\nup", "forward-\nright", "up-\nright", "about\nforward", "about\nup",
-         "about\nright")  # fmt: skip
-"""Names of the pairs of axes, and of the axes that the whole triad is turned about."""
 STEM: dict[str, Any] = {"linewidth": 2.0}
 MARKS: tuple[dict[str, Any], ...] = tuple({"marker": marker, "markersize": 5.5} for marker in "os^")
 SECONDS = (20.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
@@ -31,32 +28,7 @@ DEGREES = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 25.0, 200.0)
 """How far the axes may reach."""
 
 
-FOUND = ("true", "by turns", "by the filter")
-"""How the bend is known at each of `STAGES`."""
-
-
-def columns(data: Capstone) -> dict[str, FloatArray | list[str]]:
-    """Columns of the figure's CSV, panel after panel; turns say nothing of the misalignment."""
-    table: dict[str, FloatArray | list[str]] = {"part": [" ".join(p.split()) for p in PARTS]}
-    table |= {
-        f"bend_arcsec, {name}": row / arcsecond for name, row in zip(FOUND, data.known, strict=True)
-    }
-    table["axis"] = list(AXIS_NAMES)
-    for name, values in (
-        ("drift_arcsec", data.per_turn / arcsecond),
-        ("heading_deg", np.degrees(data.headings)),
-        ("aligned_error_arcmin", 60 * np.degrees(data.aligned)),
-        ("time_min", data.under_way.times / minute),
-        ("heading_error_deg", np.degrees(data.under_way.heading_error)),
-    ):
-        if values.ndim == 1:
-            table[name] = values
-        else:
-            table |= {f"{name}, {s}": row for s, row in zip(STAGES, values, strict=True)}
-    return table
-
-
-class CapstonePicture(Picture[Capstone]):
+class CapstonePicture(Picture[DataTable]):
     """What is known, what drifts, and what the heading has of it."""
 
     size = (9.8, 4.9)
@@ -67,12 +39,14 @@ class CapstonePicture(Picture[Capstone]):
             column_height=7.4, page_height=4.4,
         )  # fmt: skip
         known, turns, aligned, under_way = panels.values()
-        self.stem_panels = known, turns
-        self.heading_panels = aligned, under_way
+        self.limits = (
+            (known, "bend", 1.1, SECONDS), (turns, "drift", 1.1, SECONDS),
+            (aligned, "aligned_error", 1.0, MINUTES), (under_way, "heading_error", 1.0, DEGREES),
+        )  # fmt: skip
         known.set(title="1 the bend, ″")
         known.set_xlim(-0.6, 5.6)
         known.axhline(0, color=BLACK, linewidth=0.8, label=GUIDE)
-        known.set_xticks(range(6), PARTS)
+        known.set_xticks(range(6), [part.replace(" ", "\n") for part in PARTS])
         turns.set(title="2 drift in one turn, by axis, ″")
         turns.set_xlim(-0.6, 5.6)
         turns.axhline(0, color=BLACK, linewidth=0.8, label=GUIDE)
@@ -82,12 +56,15 @@ class CapstonePicture(Picture[Capstone]):
         aligned.set_xticks(range(-180, 181, 60))
         under_way.set(title="4 heading error under way, °")
         under_way.set(xlabel="time, min", xlim=(0, DURATION / minute))
-        self.known = [self._stems(known, i, label) for i, label in enumerate(FOUND)]
-        self.turns = [self._stems(turns, i, stage) for i, stage in enumerate(STAGES)]
-        self.aligned, self.under_way = (
-            [self.line(panel, **SERIES[i], label=stage) for i, stage in enumerate(STAGES)]
-            for panel in (aligned, under_way)
-        )
+        self.stems: dict[str, tuple[Line2D, list[float]]] = {}
+        self.under_way = []
+        for i, (found, stage, style) in enumerate(zip(FOUND, STAGES, SERIES, strict=False)):
+            self._stems(known, i, f"bend, {found}", found)
+            self._stems(turns, i, f"drift, {stage}", stage)
+            self.curve(aligned, "headings", f"aligned_error, {stage}", **style, label=stage)
+            self.under_way.append(
+                self.curve(under_way, "time", f"heading_error, {stage}", **style, label=stage)
+            )
         self._legends(known)
 
     def _legends(self, known: Axes) -> None:
@@ -105,28 +82,19 @@ class CapstonePicture(Picture[Capstone]):
             legend_above(known, 3, handles=stems)
             self.figure.legend(handles=self.under_way, loc="lower center", ncols=3, frameon=False)
 
-    def _stems(self, panel: Axes, number: int, label: str) -> tuple[Line2D, Line2D]:
+    def _stems(self, panel: Axes, number: int, column: str, label: str) -> None:
         """Six markers, and stems that lead to them, as one line that is broken between them."""
-        color = SERIES[number]["color"]
-        stems = self.line(panel, color=color, **STEM, label=GUIDE)
-        markers = self.line(panel, color=color, linestyle="none", **MARKS[number], label=label)
-        return stems, markers
+        color, places = SERIES[number]["color"], [i + 0.22 * (number - 1) for i in range(6)]
+        self.stems[column] = self.line(panel, color=color, **STEM, label=GUIDE), places
+        marks = {"color": color, "linestyle": "none", **MARKS[number]}
+        self.curve(panel, places, column, **marks, label=label)
 
-    def update(self, data: Capstone) -> None:
-        for artists, rows in ((self.known, data.known), (self.turns, data.per_turn)):
-            for number, ((stems, markers), row) in enumerate(zip(artists, rows, strict=True)):
-                there = np.flatnonzero(np.isfinite(row))
-                place, tip = there + 0.22 * (number - 1), row[there] / arcsecond
-                markers.set_data(place, tip)
-                foot, gap = np.zeros(len(tip)), np.full(len(tip), np.nan)
-                stems.set_data(np.repeat(place, 3), np.stack([foot, tip, gap], axis=-1).ravel())
-        for panel, rows in zip(self.stem_panels, (data.known, data.per_turn), strict=True):
-            self.set_reach(panel, "y", 1.1 * rows / arcsecond, SECONDS)
-        aligned, under_way = self.heading_panels
-        self.set_reach(aligned, "y", 60 * np.degrees(data.aligned), MINUTES)
-        errors = np.degrees(data.under_way.heading_error)
-        self.set_reach(under_way, "y", errors, DEGREES)
-        for line, row in zip(self.aligned, data.aligned, strict=True):
-            line.set_data(np.degrees(data.headings), 60 * np.degrees(row))
-        for line, error in zip(self.under_way, errors, strict=True):
-            line.set_data(data.under_way.times / minute, error)
+    def update(self, table: DataTable) -> None:
+        self.show(table)
+        for column, (line, places) in self.stems.items():
+            tip = table.shown(column)
+            foot, gap, there = np.zeros(6), np.full(6, np.nan), np.isfinite(tip)
+            stems = np.stack([foot, tip, gap], axis=-1)[there]
+            line.set_data(np.repeat(np.array(places)[there], 3), stems.ravel())
+        for panel, name, room, reaches in self.limits:
+            self.set_reach(panel, "y", room * table.shown(name), reaches)
