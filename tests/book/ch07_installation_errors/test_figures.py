@@ -73,7 +73,7 @@ def test_equivalent_start_is_of_second_order_and_exact_for_a_rotation(
     figure: PublishedFigure,
 ) -> None:
     data = figure.data
-    _, symmetric, skew, derivative = data.attitude_error.values()
+    _, symmetric, skew, derivative = data.attitude_error
     assert symmetric[-1] > 10 * skew.max()
     # The total derivative, to first order: the square of some 40 arc seconds, times the turns.
     np.testing.assert_allclose(skew, derivative, rtol=0, atol=2e-7)
@@ -82,7 +82,7 @@ def test_equivalent_start_is_of_second_order_and_exact_for_a_rotation(
         slope = np.polyfit(np.log(data.size[large]), np.log(left), 1)[0]
         assert slope == pytest.approx(2, abs=0.05)
     assert data.turned_triad.max() < 1e-12
-    gyros, accelerometers, both, both_and_start = data.velocity_error.values()
+    gyros, accelerometers, both, both_and_start = data.velocity_error
     # What the first order leaves over is a tilt of the size squared, and as much times pi/4 again
     # for each quarter turn; gravity makes a velocity of it.
     square = np.sum(misalignment_vector(TYPICAL_ERRORS.gyro_error) ** 2)

@@ -101,13 +101,10 @@ class TurnCalibrationExplorer(Explorer):
 
     def compute(self, values: Values) -> DataTable:
         return turn_estimates(
-            self._triad_error(values),
-            values["plan"],
-            self._experiment(values),
-            table=self._table(values),
-            senses=values["senses"],
+            self._triad_error(values), values["plan"], self._experiment(values),
+            table=self._table(values), senses=values["senses"],
             gyro_bias=values["bias"] * DEGREE_PER_HOUR,
-        )
+        )  # fmt: skip
 
     def numbers(self, table: DataTable) -> Results:
         found, count = table.runs.mean(axis=0), len(table.runs)

@@ -20,13 +20,7 @@ from driftlab.increments import measure
 from driftlab.motion.scheme import Scheme
 from driftlab.motion.trajectory import Trajectory
 from driftlab.motion.turntable import table_trajectory
-from driftlab.quaternion import (
-    conjugate,
-    from_rotation_vector,
-    multiply,
-    rotate,
-    rotation_angle,
-)
+from driftlab.quaternion import conjugate, from_rotation_vector, multiply, rotate, rotation_angle
 from driftlab.strapdown import Navigation, at_rest, navigate
 from driftlab.triad import decompose
 from driftlab.vectors import cross_matrix
@@ -42,8 +36,6 @@ MISALIGNMENT_DIRECTION: FloatArray = np.array([2.0, -1.0, 2.0]) / 3
 """Axis of the misalignments whose second order is measured."""
 MISALIGNMENT_SIZES: FloatArray = np.logspace(-5, -1, 17)
 """Their sizes, rad."""
-
-
 POINTS = 700
 """Of a curve over time that are kept, about: the moments lie close together."""
 LEAST = 1e-17
@@ -137,26 +129,23 @@ def equivalent_start(
     speeds = [
         np.linalg.norm(_navigated(motion, place, gyro, accelerometer, start).velocity, axis=-1)
         for gyro, accelerometer, start in (
-            (turned, none, right),
-            (none, turned, right),
-            (turned, turned, right),
+            (turned, none, right), (none, turned, right), (turned, turned, right),
             (turned, turned, with_axes),
         )
-    ]
-    left = np.array([_left(motion, place, size * about) for size in MISALIGNMENT_SIZES]).T
+    ]  # fmt: skip
+    left = np.array([_left(motion, place, size * about) for size in MISALIGNMENT_SIZES])
+    skew_triad, turned_triad, two_skew_triads = np.maximum(left, LEAST).T
     rows = slice(None, None, max(len(times) // POINTS, 1))
     return DataTable(
         {
             "time": (times[rows], "min", "since the start"),
-            "attitude_error": (dict(zip(TILTS, np.array(tilts)[:, rows], strict=True)), "arcsec",
-                               "of a part of the gyros' errors"),
-            "velocity_error": (dict(zip(SPEEDS, np.array(speeds)[:, rows], strict=True)),
-                               "m_per_s", "if these are turned"),
+            "attitude_error": (np.array(tilts)[:, rows], "arcsec",
+                               "of a part of the gyros' errors", TILTS),
+            "velocity_error": (np.array(speeds)[:, rows], "m_per_s", "if these are turned", SPEEDS),
             "size": (MISALIGNMENT_SIZES, "rad", "of a misalignment"),
-            "skew_triad": (np.maximum(left[0], LEAST), "rad",
-                           "attitude left by the first order, skew matrix"),
-            "turned_triad": (np.maximum(left[1], LEAST), "rad", "the same, true rotation"),
-            "two_skew_triads": (np.maximum(left[2], LEAST), "m_per_s",
+            "skew_triad": (skew_triad, "rad", "attitude left by the first order, skew matrix"),
+            "turned_triad": (turned_triad, "rad", "the same, true rotation"),
+            "two_skew_triads": (two_skew_triads, "m_per_s",
                                 "velocity left, skew matrices of gyros and accelerometers"),
         },
         {

@@ -16,12 +16,7 @@ from driftlab.book.machinery.sensor_controls import BODY_AXES, slider_value
 from driftlab.book.machinery.units import degrees_text
 from driftlab.book.scenarios import QUARTER_TURN, SARATOV_LATITUDE
 
-from .experiments import (
-    MISALIGNMENT,
-    NON_ORTHOGONALITY,
-    STAGES,
-    calibration_stages,
-)
+from .experiments import MISALIGNMENT, NON_ORTHOGONALITY, STAGES, calibration_stages
 from .figures.capstone import CapstonePicture
 
 PAIRS = ("forward-up", "forward-right", "up-right")
@@ -95,12 +90,7 @@ class CapstoneExplorer(Explorer):
         return Results(
             ("heading error under way, as built", degrees_text(under_way[0])),
             [
-                (
-                    stage,
-                    f"{drift[i]:.1f}″",
-                    f"{aligned[i]:.3f}′",
-                    degrees_text(under_way[i]),
-                )
+                (stage, f"{drift[i]:.1f}″", f"{aligned[i]:.3f}′", degrees_text(under_way[i]))
                 for i, stage in enumerate(STAGES)
             ],
             ("drift in a turn", "aligned heading", "under way"),

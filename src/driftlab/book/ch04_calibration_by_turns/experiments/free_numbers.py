@@ -66,11 +66,10 @@ def free_numbers(
 def extent(bounds: FloatArray, within: tuple[float, float]) -> list[str]:
     """Where each number comes out, by its `factor_bounds`: everywhere, nowhere or in part."""
     low, high = bounds
-    whole = (low == within[0]) & (high == within[1])
-    return [
-        "everywhere" if all_of else "nowhere" if none_of else "in part"
-        for all_of, none_of in zip(whole.all(axis=-1), np.isnan(low).all(axis=-1), strict=True)
-    ]
+    everywhere = ((low == within[0]) & (high == within[1])).all(axis=-1)
+    nowhere = np.isnan(low).all(axis=-1)
+    found = np.select([everywhere, nowhere], ["everywhere", "nowhere"], "in part")
+    return [str(word) for word in found]
 
 
 def step_error(formula: str) -> float:

@@ -23,12 +23,7 @@ SIGMA_ON_TABLE: FloatArray = np.array([-30.0, 20.0, 30.0]) * arcsecond
 """True sigmas, rad; chapter 11 has the same triad."""
 BOTH = SENSES["both"]
 """Counter-clockwise, then clockwise, about each of Yates's four axes."""
-WAYS = (
-    "one sense",
-    "both senses",
-    "one sense, common offset",
-    "both senses, common offset",
-)
+WAYS = ("one sense", "both senses", "one sense, common offset", "both senses, common offset")
 """Three axes, or four if an offset is solved for."""
 SAMPLES = 72
 """Increments of a turn; `rotation-vector-2` needs no more."""
@@ -82,34 +77,25 @@ def budget(table: RealTable) -> tuple[dict[str, str], FloatArray]:
     walk = table.angle_random_walk * np.sqrt(2 * np.pi / table.rate) / (2 * np.pi)
     of_the_method = exact_turn_estimate(YATES_AXES, table.triad)
     of_the_method = of_the_method - drift_coefficient(YATES_AXES, table.triad)
+    along = YATES_AXES.T[:, np.newaxis]
     patterns = {
         "Earth's rate": ([earth_offset(table.latitude, rates)], f"{table.latitude / degree:.3g}°"),
         "scale factor, all gyros": (
             [table.common_scale * one], f"{table.common_scale / micro:.3g} ppm"
         ),
         "scale factor, each gyro": (
-            table.gyro_scale * YATES_AXES.T[:, np.newaxis] ** 2 * one,
-            f"{table.gyro_scale / micro:.3g} ppm",
+            table.gyro_scale * along**2 * one, f"{table.gyro_scale / micro:.3g} ppm"
         ),
-        "gyro bias": (
-            table.gyro_bias * YATES_AXES.T[:, np.newaxis] / rates,
-            f"{table.gyro_bias / degree * hour:.3g} °/h",
-        ),
-        "table overshoots": (
-            [table.overshoot / (2 * np.pi) * one], f"{table.overshoot / arcsecond:.3g}″"
-        ),
-        "table stops at random": (
-            table.stopping / (2 * np.pi) * each_turn, f"{table.stopping / arcsecond:.3g}″"
-        ),
-        "gyro noise": (
-            walk * each_turn, f"{60 * np.degrees(table.angle_random_walk):.3g} °/√h"
-        ),
-        "axis of the body": (
-            table.mounting * np.array(mounted), f"{table.mounting / arcminute:.3g}′"
-        ),
-        "axis of the table": (
-            [table.tilt * level[1] / rates], f"{table.tilt / arcminute:.3g}′"
-        ),
+        "gyro bias": (table.gyro_bias * along / rates,
+                      f"{table.gyro_bias / degree * hour:.3g} °/h"),
+        "table overshoots": ([table.overshoot / (2 * np.pi) * one],
+                             f"{table.overshoot / arcsecond:.3g}″"),
+        "table stops at random": (table.stopping / (2 * np.pi) * each_turn,
+                                  f"{table.stopping / arcsecond:.3g}″"),
+        "gyro noise": (walk * each_turn, f"{60 * np.degrees(table.angle_random_walk):.3g} °/√h"),
+        "axis of the body": (table.mounting * np.array(mounted),
+                             f"{table.mounting / arcminute:.3g}′"),
+        "axis of the table": ([table.tilt * level[1] / rates], f"{table.tilt / arcminute:.3g}′"),
         "bias of the method": ([of_the_method * one], "second order"),
     }  # fmt: skip
     effects = []
@@ -156,11 +142,7 @@ def simulated_turns(table: RealTable, runs: int, rng: np.random.Generator) -> Fl
     return found
 
 
-def real_table(
-    runs: int = 200,
-    seed: int = SEED,
-    table: RealTable = RealTable(),
-) -> DataTable:
+def real_table(runs: int = 200, seed: int = SEED, table: RealTable = RealTable()) -> DataTable:
     """Budget over the table's rate, and simulations of the whole at three rates."""
     count = whole_number(runs, "runs", least=2)
     rng = np.random.default_rng(seed)

@@ -6,13 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from driftlab.book.machinery.data_table import DataTable
-from driftlab.checks import (
-    FloatArray,
-    finite_array,
-    finite_number,
-    positive_number,
-    whole_number,
-)
+from driftlab.checks import FloatArray, finite_array, finite_number, positive_number, whole_number
 from driftlab.drift.systematic_drift import drift_coefficient
 from driftlab.drift.weighing_designs import PAIR_AXES, YATES_AXES, fit_turns
 
@@ -48,6 +42,8 @@ def weighing_designs(
     rng = np.random.default_rng(seed)
     true = drift_coefficient(YATES_AXES, triad_error(sigmas))
     noises = rng.normal(0.0, size, (count, 4))
+    # Each sigma is linear in the four turn estimates.
+    variance = (_estimates(np.eye(4)) ** 2).sum(axis=1).mean(axis=-1)
     columns: dict[str, tuple[Any, ...]] = {"method": (METHODS, "", "how the turns are combined")}
     for name, added in (("without_offset", 0.0), ("with_offset", common)):
         errors = _estimates(true + added + noises) - sigmas
@@ -56,12 +52,11 @@ def weighing_designs(
         # The mean of squares is near normal over this many runs; its root divides by 2 rms.
         half_width = 1.96 * squares.std(axis=-1) / np.sqrt(count) / (2 * rms)
         bias = _estimates((true + added)[np.newaxis])[:, 0] - sigmas
-        variance = (_responses() ** 2).sum(axis=-1).mean(axis=-1)
         closed = np.sqrt(variance + (bias**2).mean(axis=-1) / size**2)
         columns |= {
             f"rms_{name}": (rms, "", "rms error of the three sigmas, divided by the noise"),
-            f"rms_{name}_from": (rms - half_width, "", "begin of its 95 % interval"),
-            f"rms_{name}_to": (rms + half_width, "", "end of its 95 % interval"),
+            f"rms_{name}_from": (rms - half_width, "", "its 95 % interval begins"),
+            f"rms_{name}_to": (rms + half_width, "", "and ends"),
             f"expected_{name}": (closed, "", "the same in closed form"),
         }
     facts = {
@@ -73,17 +68,10 @@ def weighing_designs(
 
 def _estimates(turn_estimates: FloatArray) -> FloatArray:
     """Sigmas (method, runs, 3) by every method from four turn estimates (runs, 4)."""
-    return np.stack(
-        [
-            fit_turns(turn_estimates[:, :3], PAIR_AXES).sigma,
-            yates_sigma(turn_estimates),
-            yates_sigma(turn_estimates, AS_COPIED),
-            fit_turns(turn_estimates, YATES_AXES).sigma,
-            fit_turns(turn_estimates, YATES_AXES, "common").sigma,
-        ]
-    )
-
-
-def _responses() -> FloatArray:
-    """Linear response (method, 3, 4) of each sigma to each turn estimate."""
-    return np.swapaxes(_estimates(np.eye(4)), -1, -2)
+    return np.stack([
+        fit_turns(turn_estimates[:, :3], PAIR_AXES).sigma,
+        yates_sigma(turn_estimates),
+        yates_sigma(turn_estimates, AS_COPIED),
+        fit_turns(turn_estimates, YATES_AXES).sigma,
+        fit_turns(turn_estimates, YATES_AXES, "common").sigma,
+    ])  # fmt: skip

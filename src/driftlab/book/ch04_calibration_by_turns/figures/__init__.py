@@ -70,10 +70,7 @@ FIGURES = (
         ),
     ),
     table_figure(
-        "04-larin-free-numbers",
-        experiments.free_numbers,
-        free_numbers.draw,
-        _free_caption,
+        "04-larin-free-numbers", experiments.free_numbers, free_numbers.draw, _free_caption
     ),
     table_figure(
         "04-weighing-designs",

@@ -38,18 +38,13 @@ def draw(drawing: Drawing) -> None:
         for line, word in enumerate(("everywhere", "nowhere")):
             names = [pretty(name) for name, at in zip(NAMES, extent, strict=True) if at == word]
             text = f"{word}: {', '.join(names) or 'none'}"
-            below: dict[str, Any] = {
-                "xycoords": "axes fraction",
-                "textcoords": "offset points",
-                "va": "top",
-            }
-            panel.annotate(text, (0, 0), (0, first - apart * line), fontsize=size, **below)
-        if panel is panels[0] or sheet.narrow:
-            panel.set_ylabel(
-                r"factor in $\sigma_4^\ast$"
-                if sheet.on_paper
-                else r"factor before the arc tangent in $\sigma_4^\ast$"
+            below: dict[str, Any] = {"xycoords": "axes fraction", "textcoords": "offset points"}
+            panel.annotate(
+                text, (0, 0), (0, first - apart * line), fontsize=size, va="top", **below
             )
+        if panel is panels[0] or sheet.narrow:
+            factor = "factor" if sheet.on_paper else "factor before the arc tangent"
+            panel.set_ylabel(rf"{factor} in $\sigma_4^\ast$")
     for factor, name in zip(SUM_FACTORS.values(), ("1", r"$\sqrt{3/2}$", "3/2"), strict=True):
         if table.factors[0] <= factor <= table.factors[1]:
             at: dict[str, Any] = {"xycoords": ("axes fraction", "data"), "va": "center"}

@@ -43,8 +43,7 @@ def draw(drawing: Drawing) -> None:
         panel.set_xticks(range(len(NAMES)), [pretty(name) for name in NAMES])
         panel.set_xlim(-0.5, len(NAMES) - 0.5)
         panel.tick_params(length=0)
-        for side in ("left", "bottom"):
-            panel.spines[side].set_visible(False)
+        panel.spines[["left", "bottom"]].set_visible(False)
         for numbers, value, marker, style, label in marks:
             row, column = np.nonzero((value == agrees.T) & numbers)
             (line,) = panel.plot(column, row, marker, linestyle="none", **style, label=label)

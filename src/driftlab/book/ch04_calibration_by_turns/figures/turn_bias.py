@@ -38,12 +38,13 @@ def draw(drawing: Drawing) -> None:
     turns.set_ylim(*decades([table.noise, table.noise_expected, table.bias_by_turns], 1e-7, 1e-4))
     turns.set_xticks([1, 2, 5, 10, 20, 40], ["1", "2", "5", "10", "20", "40"])
     turns.minorticks_off()
-    for name, label, style in (
-        ("noise", "noise, standard deviation of the runs",
-         {"color": SERIES[0]["color"], "linestyle": "none", "marker": "o"}),
-        ("noise_expected", r"noise expected, falls as $1/\sqrt{k}$",
-         {"color": GREY, "linestyle": "--"}),
-    ):  # fmt: skip
-        drawing.curve(turns, "turns", name, **style, label=label)
+    drawing.curve(
+        turns, "turns", "noise", color=SERIES[0]["color"], linestyle="none", marker="o",
+        label="noise, standard deviation of the runs",
+    )  # fmt: skip
+    drawing.curve(
+        turns, "turns", "noise_expected", color=GREY, linestyle="--",
+        label=r"noise expected, falls as $1/\sqrt{k}$",
+    )  # fmt: skip
     drawing.curve(turns, "turns", "bias_by_turns", **_BIAS)
     turns.legend(loc="upper right")

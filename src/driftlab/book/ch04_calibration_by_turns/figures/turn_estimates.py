@@ -40,10 +40,9 @@ class TurnEstimatesPicture(Picture[DataTable]):
         self.curve(
             errors, range(3), "mean_error", **mean, markersize=size, label="mean of all runs"
         )
+        room = {"below": 17.0, "handlelength": 2.8} if self.sheet.on_paper else {}
         for axes in (values, errors):
-            legend_above(
-                axes, 2, **({"below": 17.0, "handlelength": 2.8} if self.sheet.on_paper else {})
-            )
+            legend_above(axes, 2, **room)
 
     def update(self, table: DataTable) -> None:
         self.show(table)

@@ -7,7 +7,7 @@ from .. import experiments
 from . import equivalent_start, plane_axes, plane_split, split_triad
 
 
-def _equivalent_start_caption(data: DataTable) -> str:
+def _start_caption(data: DataTable) -> str:
     largest = data.shown("largest")
     return (
         "A unit on a turntable. First its attitude error: that of scale and of non-orthogonality "
@@ -54,9 +54,6 @@ FIGURES = (
         ),
     ),
     table_figure(
-        "07-equivalent-start",
-        experiments.equivalent_start,
-        equivalent_start.draw,
-        _equivalent_start_caption,
+        "07-equivalent-start", experiments.equivalent_start, equivalent_start.draw, _start_caption
     ),
 )

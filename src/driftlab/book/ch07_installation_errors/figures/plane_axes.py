@@ -6,14 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from driftlab.book.machinery.drawing import Drawing, from_table
-from driftlab.book.machinery.picture import (
-    BLACK,
-    BLUE,
-    GREEN,
-    GREY,
-    VERMILION,
-    plain_axes,
-)
+from driftlab.book.machinery.picture import BLACK, BLUE, GREEN, GREY, VERMILION, plain_axes
 from driftlab.checks import FloatArray
 
 
@@ -22,28 +15,20 @@ def draw(drawing: Drawing) -> None:
     """Draw instruments and given axes; then the same gyros with both choices of body axes."""
     table, panels = drawing.table, three_planes(drawing)
     titles = ("four instruments, given axes", "usual: x along the x gyro", "averaged")
+    most = max(table.gyros[1], table.accelerometers[1])
+    least = min(table.gyros[0], table.accelerometers[0], table.usual)
+    limits = {"xlim": (-0.62 - beside(most), 1.98), "ylim": (min(-0.35, lowest(least)), 1.45)}
     for panel, title in zip(panels, titles, strict=True):
         plain_axes(panel, reach=1.3)
-        most, least = (
-            max(table.gyros[1], table.accelerometers[1]),
-            min(table.gyros[0], table.accelerometers[0], table.usual),
-        )
-        bottom = min(-0.35, lowest(least))
-        panel.set(xlim=(-0.62 - beside(most), 1.98), ylim=(bottom, 1.45), title=title)
+        panel.set(title=title, **limits)
     given, usual, averaged = panels
     for panel, angle in ((given, 0.0), (usual, table.usual), (averaged, table.averaged)):
         asides = (0.09, 0.09 if panel is given else -0.09)
         pair(panel, np.full(2, angle), ("$x$", "$y$"), 1.3, color=BLACK)
         pair(panel, table.gyros, ("x gyro", "y gyro"), 1.0, asides, color=BLUE, linestyle="--")
-    pair(
-        given,
-        table.accelerometers,
-        ("x acc.", "y acc."),
-        0.8,
-        (-0.02, -0.02),
-        color=VERMILION,
-        linestyle=":",
-    )
+    labels = ("x acc.", "y acc.")
+    accelerometers = {"color": VERMILION, "linestyle": ":"}
+    pair(given, table.accelerometers, labels, 0.8, (-0.02, -0.02), **accelerometers)
     for panel, angle in ((usual, table.usual), (averaged, table.averaged)):
         pair(panel, np.zeros(2), ("", ""), 0.75, color=GREY)
         arc = np.linspace(0, angle, 30)

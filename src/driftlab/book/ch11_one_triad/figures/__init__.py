@@ -6,10 +6,10 @@ from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.publish import table_figure
 
 from .. import experiments
-from . import capstone
+from .capstone import CapstonePicture
 
 
-def _capstone_caption(data: DataTable) -> str:
+def _caption(data: DataTable) -> str:
     turns = np.abs(data.shown("drift")).max(axis=1)
     headings = np.abs(data.shown("heading_error")).max(axis=1)
     return (
@@ -24,10 +24,5 @@ def _capstone_caption(data: DataTable) -> str:
 
 
 FIGURES = (
-    table_figure(
-        "11-capstone",
-        experiments.calibration_stages,
-        capstone.CapstonePicture.draw,
-        _capstone_caption,
-    ),
+    table_figure("11-capstone", experiments.calibration_stages, CapstonePicture.draw, _caption),
 )

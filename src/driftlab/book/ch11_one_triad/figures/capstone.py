@@ -43,19 +43,18 @@ class CapstonePicture(Picture[DataTable]):
             (known, "bend", 1.1, SECONDS), (turns, "drift", 1.1, SECONDS),
             (aligned, "aligned_error", 1.0, MINUTES), (under_way, "heading_error", 1.0, DEGREES),
         )  # fmt: skip
-        known.set(title="1 the bend, ″")
-        known.set_xlim(-0.6, 5.6)
-        known.axhline(0, color=BLACK, linewidth=0.8, label=GUIDE)
-        known.set_xticks(range(6), [part.replace(" ", "\n") for part in PARTS])
-        turns.set(title="2 drift in one turn, by axis, ″")
-        turns.set_xlim(-0.6, 5.6)
-        turns.axhline(0, color=BLACK, linewidth=0.8, label=GUIDE)
-        turns.set_xticks(range(6), AXIS_NAMES)
-        aligned.set(title="3 heading error after alignment, ′")
-        aligned.set(xlabel="heading, °", xlim=(-180, 180))
+        for panel, title, names in (
+            (known, "1 the bend, ″", [part.replace(" ", "\n") for part in PARTS]),
+            (turns, "2 drift in one turn, by axis, ″", AXIS_NAMES),
+        ):
+            panel.set(title=title, xlim=(-0.6, 5.6))
+            panel.axhline(0, color=BLACK, linewidth=0.8, label=GUIDE)
+            panel.set_xticks(range(6), names)
+        aligned.set(title="3 heading error after alignment, ′", xlabel="heading, °")
+        aligned.set(xlim=(-180, 180))
         aligned.set_xticks(range(-180, 181, 60))
-        under_way.set(title="4 heading error under way, °")
-        under_way.set(xlabel="time, min", xlim=(0, DURATION / minute))
+        under_way.set(title="4 heading error under way, °", xlabel="time, min")
+        under_way.set_xlim(0, DURATION / minute)
         self.stems: dict[str, tuple[Line2D, list[float]]] = {}
         self.under_way = []
         for i, (found, stage, style) in enumerate(zip(FOUND, STAGES, SERIES, strict=False)):
