@@ -69,11 +69,10 @@ def test_three_candidates_give_all_seven_numbers(figure: PublishedFigure) -> Non
 @published("04-larin-digits")
 def test_marks_of_digits_are_those_of_the_table(figure: PublishedFigure) -> None:
     """Both axes are words, so that the header leaves it to this test."""
-    table = figure.data
-    for agrees, panel in zip(table.agrees, panels(figure.on_screen), strict=True):
+    for agrees, panel in zip(figure.data.agrees, panels(figure.on_screen), strict=True):
         assert nature(panel) == "words both ways"
         rows = [word.get_text() for word in panels(figure.on_screen)[0].get_yticklabels()]
-        assert rows == table.candidate
+        assert rows == figure.data.candidate
         drawn = np.full(agrees.T.shape, -1)
         for line in panel.lines:
             number, candidate = np.asarray(line.get_xydata(), int).T
@@ -87,10 +86,8 @@ def test_weighing_monte_carlo_agrees_with_the_closed_forms(figure: PublishedFigu
     data = figure.data
     # From its middle an interval reaches 1.96 standard deviations; ten comparisons: allow four.
     for name in ("without_offset", "with_offset"):
-        rms, low, expected = (
-            getattr(data, title)
-            for title in (f"rms_{name}", f"rms_{name}_from", f"expected_{name}")
-        )
+        titles = f"rms_{name}", f"rms_{name}_from", f"expected_{name}"
+        rms, low, expected = map(data.shown, titles)
         assert (np.abs(rms - expected) / ((rms - low) / 1.96)).max() < 4
     # Variances by hand: 1; (1 + 1 + 1 + 9/4)/4; ...; 17/21; 2.
     by_hand = np.sqrt([1, 21 / 16, 17 / 21, 2])

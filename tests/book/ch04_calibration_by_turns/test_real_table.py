@@ -144,8 +144,7 @@ def test_simulation_agrees_with_the_budget(figure: PublishedFigure) -> None:
     data = figure.data
     expected = data.expected[:, np.searchsorted(data.rate, data.simulated_rate)]
     rms, low, _ = np.moveaxis(data.simulated, 1, 0)
-    # From its middle an interval reaches 1.96 deviations, estimated from the runs; twelve
-    # comparisons, so allow four.
+    # Half an interval is 1.96 deviations, estimated from the runs; twelve of them, so allow four.
     assert (np.abs(rms - expected) < 4 / 1.96 * (rms - low)).all()
     at_ten = data.expected[:, data.rate.tolist().index(10 * degree)]
     np.testing.assert_allclose(at_ten, data.effect[:, -1], rtol=1e-12)
