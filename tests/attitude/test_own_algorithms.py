@@ -76,8 +76,8 @@ WAYS = {
     "recorded_turn_estimate": lambda one: recorded_turn_estimate(TURN, [1, 1, 0], algorithm=one),
     "algorithm_errors": lambda one: algorithm_errors(
         Coning(0.3, 1.0), 24, {"one": one}, rates=(12, 24)
-    ).worst,
-    "algorithm_orders": lambda one: algorithm_orders({"one": one}).worst,
+    ).largest_error,
+    "algorithm_orders": lambda one: algorithm_orders({"one": one}).largest_error,
     "drift_by_frequency_and_rate": lambda one: drift_by_frequency_and_rate({"one": one}).by_rate,
     "rounding_error": lambda one: rounding_error(one, 20.0, carry=True, seconds=6.0, runs=2),
     "calibration_stages": lambda one: (

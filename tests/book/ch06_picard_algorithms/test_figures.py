@@ -84,11 +84,7 @@ def test_third_order_error_is_no_drift_even_on_a_wide_cone(name: str) -> None:
 def test_algorithm_orders_are_those_of_the_derivation_except_where_symmetry_hides_them(
     figure: PublishedFigure,
 ) -> None:
-    data = figure.data
-    orders = {
-        name: dict(zip(CONING_ALGORITHMS, row, strict=True))
-        for name, row in zip(("narrow", "wide", "ship", "axis"), data.orders, strict=True)
-    }
+    orders = dict(zip(("narrow", "wide", "ship", "axis"), figure.data.orders.values(), strict=True))
     for name, algorithm in CONING_ALGORITHMS.items():
         assert orders["ship"][name] == pytest.approx(algorithm.order, abs=0.1)
         assert orders["wide"][name] == pytest.approx(algorithm.order, abs=0.15)
@@ -105,8 +101,8 @@ def test_a_curve_of_ones_own_stands_beside_those_of_the_book() -> None:
     def mine(g: np.ndarray) -> np.ndarray:
         return g[0::2] + g[1::2] + 0.6 * np.cross(g[0::2], g[1::2])
 
-    weights = Algorithm("weights", 2, 0, {(0, 1): 0.6}, "rotation vector", 3)
-    chosen = {"mine": mine, "weights": weights, "another name": "memory-4"}
+    weighted = Algorithm("weights", 2, 0, {(0, 1): 0.6}, "rotation vector", 3)
+    chosen = {"mine": mine, "weights": weighted, "another name": "memory-4"}
     drifts = figures.figure("06-coning-drift", algorithms=chosen)
     assert alike(drifts.data) == [["mine", "weights"], ["another name"]]
     legend = drifts.on_screen.legends[0].get_texts()
@@ -122,8 +118,9 @@ def test_a_curve_of_ones_own_stands_beside_those_of_the_book() -> None:
         np.testing.assert_allclose(found, between, rtol=0.02)
     assert "algorithms={'mine': mine, 'weights': Algorithm(" in drifts.call
     orders = figures.figure("06-algorithm-orders", algorithms=chosen).data
-    assert orders.names == tuple(chosen)
-    np.testing.assert_allclose(orders.worst[:, 0], orders.worst[:, 1], rtol=1e-6, atol=1e-13)
+    assert all(list(of_motion) == list(chosen) for of_motion in orders.orders.values())
+    mine, weights = orders.largest_error[:, 0], orders.largest_error[:, 1]
+    np.testing.assert_allclose(mine, weights, rtol=1e-6, atol=1e-13)
 
 
 def test_what_an_algorithm_refuses_is_not_drawn_and_what_is_wrong_is_said() -> None:
@@ -263,10 +260,10 @@ def test_scalar_part_is_stored_as_one_below_the_line_and_not_above() -> None:
 
 def test_laboratory_refuses_another_rate_and_shows_what_is_ticked() -> None:
     motion = Coning(0.02, 1.0)
-    data = algorithm_errors(motion, 48, ["two-step-4", "rotation-vector-3"])
-    assert [len(times) for times in data.times] == [48, 32]
-    assert data.worst.shape == (2, len(SAMPLE_RATES))
-    assert data.histories[0].max() == data.worst[0, SAMPLE_RATES.index(48)]
+    table = algorithm_errors(motion, 48, ["two-step-4", "rotation-vector-3"])
+    assert [len(times) for times in table.time.values()] == [48, 32]
+    assert table.largest_error.shape == (2, len(SAMPLE_RATES))
+    assert table.error["two-step-4"].max() == table.largest_error[0, SAMPLE_RATES.index(48)]
     with pytest.raises(ValueError, match=r"^rate: expected one of 12, 24, .* Hz, got 50"):
         algorithm_errors(motion, 50, ["two-step-4"])
     with pytest.raises(ValueError, match=r"^algorithms: expected one of picard-1, .* got 'euler'"):
@@ -277,12 +274,13 @@ def test_laboratory_gives_each_algorithm_its_own_error_in_any_order() -> None:
     motion = Sway(0.1, 0.5)
     for short, method in ((False, integrate), (True, integrate_in_word)):
         for names in (list(ALGORITHMS), list(ALGORITHMS)[::-1], ["rotation-vector-3", "picard-1"]):
-            data = algorithm_errors(motion, 24, names, short_word=short)
+            table = algorithm_errors(motion, 24, names, short_word=short)
             increments = motion.increments(1 / 24, 48)
-            for i, name in enumerate(names):
+            for name, time in table.time.items():
                 found = method(increments, name, start=motion.attitude(0.0))
-                error = rotation_angle(multiply(conjugate(motion.attitude(data.times[i])), found))
-                np.testing.assert_allclose(data.histories[i], error, rtol=0, atol=1e-14)
+                error = rotation_angle(multiply(conjugate(motion.attitude(time)), found))
+                np.testing.assert_allclose(table.error[name], error, rtol=0, atol=1e-14)
+            assert list(table.time) == names
 
 
 @published("06-noise-and-band")
@@ -440,7 +438,7 @@ def test_same_rates_make_the_error_of_the_peer_and_a_better_spline_makes_less() 
 
 def test_laboratory_shows_where_functional_iteration_refuses() -> None:
     motion = Coning(np.radians(60), 3.0)
-    data = algorithm_errors(motion, 12, ["two-step-4", "functional-iteration"])
-    assert np.isfinite(data.worst[0]).all()
-    assert np.isnan(data.worst[1]).tolist() == [True, *[False] * 4]
-    assert np.isnan(data.histories[1]).all()
+    table = algorithm_errors(motion, 12, ["two-step-4", "functional-iteration"])
+    assert np.isfinite(table.largest_error[0]).all()
+    assert np.isnan(table.largest_error[1]).tolist() == [True, *[False] * 4]
+    assert np.isnan(table.error["functional-iteration"]).all()

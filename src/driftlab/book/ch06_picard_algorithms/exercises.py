@@ -3,7 +3,7 @@
 from functools import cache
 
 import numpy as np
-from scipy.constants import arcsecond, degree
+from scipy.constants import degree
 
 from driftlab.attitude.cayley import rotation_quaternion
 from driftlab.attitude.coning_algorithms import CONING_ALGORITHMS, Algorithm, LastStage
@@ -40,7 +40,8 @@ def _growth(name: str) -> float:
 @cache
 def _on_the_ship() -> FloatArray:
     """The panel's errors (algorithm, rate) on the ship in arc seconds."""
-    return algorithm_errors(SHIP, SAMPLE_RATES[0], tuple(CONING_ALGORITHMS)).worst / arcsecond
+    table = algorithm_errors(SHIP, SAMPLE_RATES[0], tuple(CONING_ALGORITHMS))
+    return table.shown("largest_error")
 
 
 def _lowest_rate(needed: int) -> int:

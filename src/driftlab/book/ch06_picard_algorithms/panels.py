@@ -8,6 +8,7 @@ import numpy as np
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS, CONING_ALGORITHMS
 from driftlab.book.machinery.control import Control
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.panel import Explorer, Values
 from driftlab.book.machinery.results import ABSENT, Results
 from driftlab.book.machinery.units import angle_text
@@ -18,9 +19,7 @@ from .experiments import (
     MOTIONS,
     SAMPLE_RATES,
     SHIP,
-    AlgorithmLaboratory,
     algorithm_errors,
-    fitted_orders,
 )
 from .figures.algorithm_laboratory import AlgorithmLaboratoryPicture
 
@@ -74,7 +73,7 @@ class AlgorithmLaboratoryExplorer(Explorer):
         kind = MOTIONS[values["motion"]]
         return kind(float(np.radians(values["amplitude"])), values["frequency"])
 
-    def compute(self, values: Values) -> AlgorithmLaboratory:
+    def compute(self, values: Values) -> DataTable:
         ticked = tuple(name for name in ALGORITHMS if values[name])
         if not ticked:
             raise ValueError("algorithms: expected at least one ticked, got none.")
@@ -82,17 +81,16 @@ class AlgorithmLaboratoryExplorer(Explorer):
             self._motion(values), values["rate"], ticked, short_word=WORDS[values["word"]]
         )
 
-    def numbers(self, data: AlgorithmLaboratory) -> Results:
-        worst = dict(zip(data.names, (history.max() for history in data.histories), strict=True))
-        orders = dict(zip(data.names, fitted_orders(data), strict=True))
-        best = min(data.names, key=lambda name: np.nan_to_num(worst[name], nan=np.inf))
+    def numbers(self, table: DataTable) -> Results:
+        worst = {name: error.max() for name, error in table.error.items()}
+        best = min(worst, key=lambda name: np.nan_to_num(worst[name], nan=np.inf))
         return Results(
             (f"least error, by {best}", angle_text(worst[best])),
             [
                 (
                     name,
                     angle_text(worst.get(name, np.nan)),
-                    ABSENT if orders.get(name) is None else f"{orders[name]:.2f}",
+                    ABSENT if table.orders.get(name) is None else f"{table.orders[name]:.2f}",
                 )
                 for name in ALGORITHMS
             ],

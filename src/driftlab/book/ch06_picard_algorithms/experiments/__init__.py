@@ -7,11 +7,8 @@ from .algorithms import (
     ORDER_SAMPLE_RATES,
     SAMPLE_RATES,
     SHIP,
-    AlgorithmLaboratory,
-    AlgorithmOrders,
     algorithm_errors,
     algorithm_orders,
-    fitted_orders,
 )
 from .bracket import BracketRun, SquareOfTurns, bracket_run, square_of_turns
 from .closed_cones import ClosedCone, closed_cone, swept_in_a_sample
@@ -116,8 +113,6 @@ __all__ = [
     "WORD_MOTIONS",
     "WORD_STARTS",
     "WORD_STEPS",
-    "AlgorithmLaboratory",
-    "AlgorithmOrders",
     "BracketRun",
     "ClosedCone",
     "ConingArea",
@@ -137,7 +132,6 @@ __all__ = [
     "coning_area",
     "drift_by_frequency_and_rate",
     "drift_orders",
-    "fitted_orders",
     "last_stage_errors",
     "missed_part",
     "noise_and_band",

@@ -1,7 +1,6 @@
 """Errors of the attitude algorithms on motions whose attitude is known, and their orders."""
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from driftlab.attitude.coning_algorithms import (
 from driftlab.attitude.finite_precision import integrate_in_word
 from driftlab.attitude.functional_iteration import FunctionalIteration
 from driftlab.attitude.integration import step_quaternions
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.checks import FloatArray
 from driftlab.motion.profiles import Coning, FixedAxis, Motion, Sway
 from driftlab.quaternion import conjugate, cumulative_product, multiply, rotation_angle
@@ -42,32 +42,6 @@ ORDER_MOTIONS: dict[str, Motion] = {
 """Motions that show the orders, and motions that hide them."""
 
 
-class AlgorithmLaboratory(NamedTuple):
-    """Errors of attitude algorithms on one motion."""
-
-    names: tuple[str, ...]  # the algorithms
-    rate: int  # sample rate of the histories, Hz
-    times: list[FloatArray]  # (n,) each, for each algorithm, the ends of its steps, s
-    # (n,) each, for each algorithm, the angle of its error at these times, rad; NaN where
-    # functional iteration refuses increments that no polynomial fits
-    histories: list[FloatArray]
-    rates: FloatArray  # (m,), sample rates, Hz
-    # (algorithm, m), largest error during the motion at each sample rate, rad; NaN as above
-    worst: FloatArray
-    rounding: float  # an error below it is not told from rounding, rad
-
-
-class AlgorithmOrders(NamedTuple):
-    """Largest errors and orders of algorithms on several motions."""
-
-    rates: FloatArray  # (m,), sample rates, Hz
-    worst: FloatArray  # (motion, algorithm, m), largest error during the motion, rad
-    # fitted order by motion and algorithm; None where rounding hides it
-    orders: list[list[float | None]]
-    names: tuple[str, ...]  # the algorithms
-    motions: tuple[str, ...]
-
-
 def algorithm_errors(
     motion: Motion,
     rate: int,
@@ -75,10 +49,11 @@ def algorithm_errors(
     *,
     rates: Sequence[int] = SAMPLE_RATES,
     short_word: bool = False,
-) -> AlgorithmLaboratory:
+) -> DataTable:
     """Compute the errors of attitude algorithms on a motion of `DURATION` seconds.
 
-    `rate` (Hz) is one of `rates`; with `short_word` the arithmetic has words of 32 bits.
+    `rate` (Hz) is one of `rates`; with `short_word` the arithmetic has words of 32 bits. Errors are
+    NaN where functional iteration refuses increments that no polynomial fits.
     """
     if rate not in rates:
         raise ValueError(f"rate: expected one of {', '.join(map(str, rates))} Hz, got {rate!r}.")
@@ -105,16 +80,26 @@ def algorithm_errors(
             worst[group, j] = errors.max(axis=-1)
             if sample_rate == rate:
                 histories |= dict(zip(group, errors, strict=True))
-    ordered = [histories[i] for i in range(len(chosen))]
-    rounding = 1e-5 if short_word else 1e-12
-    return AlgorithmLaboratory(
-        tuple(chosen),
-        rate,
-        [DURATION / len(history) * np.arange(1.0, len(history) + 1) for history in ordered],
-        ordered,
-        np.array(rates, dtype=np.float64),
-        worst,
-        rounding,
+    error = {name: histories[i] for i, name in enumerate(chosen)}
+    steps = {name: len(each) for name, each in error.items()}
+    time = {name: DURATION / count * np.arange(1.0, count + 1) for name, count in steps.items()}
+    sampled, rounding = np.array(rates, float), 1e-5 if short_word else 1e-12
+    orders = {
+        name: _fitted_order(sampled, each, rounding)
+        for name, each in zip(chosen, worst, strict=True)
+    }
+    return DataTable(
+        {
+            "time": (time, "s", "at which a step ends"),
+            "error": (error, "arcsec", "angle of the attitude error at these times"),
+            "rate": (sampled, "Hz", "sample rate"),
+            "largest_error": (worst, "arcsec", "during the motion, at each rate", [*chosen]),
+        },
+        {
+            "at_rate": (rate, "Hz", "sample rate of the errors over time"),
+            "rounding": (rounding, "arcsec", "what is smaller may be rounding"),
+            "orders": (orders, "", "by algorithm; None where rounding hides it"),
+        },
     )
 
 
@@ -141,28 +126,23 @@ def _attitudes(
     return multiply(start, cumulative_product(np.stack(steps)))
 
 
-def fitted_orders(data: AlgorithmLaboratory) -> list[float | None]:
-    """Return the slope of each algorithm's error over the sample interval.
+def _fitted_order(rates: FloatArray, errors: FloatArray, rounding: float) -> float | None:
+    """Return the slope of an algorithm's error over the sample interval.
 
     Fitted to the errors below 1e-2 rad, where they are small, and above the level of rounding;
     None where fewer than three are left.
     """
-    orders: list[float | None] = []
-    for errors in data.worst:
-        used = (errors < 1e-2) & (errors > data.rounding)
-        if used.sum() < 3:
-            orders.append(None)
-        else:
-            slope = np.polyfit(np.log(data.rates[used]), np.log(errors[used]), 1)[0]
-            orders.append(float(-slope))
-    return orders
+    used = (errors < 1e-2) & (errors > rounding)
+    if used.sum() < 3:
+        return None
+    return float(-np.polyfit(np.log(rates[used]), np.log(errors[used]), 1)[0])
 
 
 def algorithm_orders(
     algorithms: Algorithms = tuple(CONING_ALGORITHMS),
     motions: Mapping[str, Motion] = ORDER_MOTIONS,
     sample_rates: Sequence[int] = ORDER_SAMPLE_RATES,
-) -> AlgorithmOrders:
+) -> DataTable:
     """Measure the orders of algorithms on several motions of `DURATION` seconds.
 
     The sample rates (Hz) rise, and their increments must make whole steps.
@@ -177,10 +157,13 @@ def algorithm_orders(
         algorithm_errors(motion, sample_rates[0], chosen, rates=sample_rates)
         for motion in motions.values()
     ]
-    return AlgorithmOrders(
-        trials[0].rates,
-        np.array([trial.worst for trial in trials]),
-        [fitted_orders(trial) for trial in trials],
-        tuple(chosen),
-        tuple(motions),
+    errors = np.array([trial.largest_error for trial in trials])
+    shown = np.where(errors > 0, errors, np.nan)  # zero has no place on a logarithmic axis
+    orders = {name: trial.orders for name, trial in zip(motions, trials, strict=True)}
+    return DataTable(
+        {
+            "rate": (trials[0].rate, "Hz", "sample rate"),
+            "largest_error": (shown, "rad", "during the motion", [[*motions], [*chosen]]),
+        },
+        {"orders": (orders, "", "by motion and algorithm; None where rounding hides it")},
     )

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.constants import arcsecond, degree, hour
 
 from driftlab.attitude.measured_drift import MEASURED_STEPS
-from driftlab.book.machinery.publish import FigureDefinition
+from driftlab.book.machinery.publish import FigureDefinition, table_figure
 
 from .. import experiments
 from . import (
@@ -30,11 +30,10 @@ FIGURES = (
             "On the right, a pair of samples with their triangle."
         ),
     ),
-    FigureDefinition(
+    table_figure(
         "06-algorithm-orders",
         experiments.algorithm_orders,
         algorithm_orders.draw,
-        algorithm_orders.columns,
         lambda _: (
             "Largest error of each algorithm in "
             f"{experiments.DURATION:g} s against the rate at which the gyros are read; published "

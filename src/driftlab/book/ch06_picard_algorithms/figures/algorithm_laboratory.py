@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from scipy.constants import arcsecond
 
 from driftlab.attitude.coning_algorithms import ALGORITHMS
+from driftlab.book.machinery.data_table import DataTable
 from driftlab.book.machinery.picture import (
     BLACK,
     BLUE,
@@ -23,7 +23,7 @@ from driftlab.book.machinery.picture import (
 )
 from driftlab.book.machinery.sheet import SCREEN, Sheet
 
-from ..experiments import DURATION, SAMPLE_RATES, AlgorithmLaboratory
+from ..experiments import DURATION, SAMPLE_RATES
 
 MARKERS = "osD^vPX*"
 STYLES = {
@@ -78,7 +78,7 @@ def draw_slopes(
             panel.text(1.05 * rates[1], errors[1], name, color=GREY, va="center", **words)
 
 
-class AlgorithmLaboratoryPicture(Picture[AlgorithmLaboratory]):
+class AlgorithmLaboratoryPicture(Picture[DataTable]):
     """Error over time at one rate, and the largest error at all rates."""
 
     size = (10.5, 4.4)
@@ -91,7 +91,9 @@ class AlgorithmLaboratoryPicture(Picture[AlgorithmLaboratory]):
         history, order = panels["a"], panels["b"]
         self.order_axes = order
         history.set(title="error of attitude after each step", xlabel="time, s")
-        history.set(xlim=(0, DURATION), yscale="log")
+        history.set(xlim=(0, DURATION))
+        # No error at all has no place on a logarithmic axis.
+        history.set_yscale("log", nonpositive="mask")
         order.set(title=f"largest error in {DURATION:g} s: steeper is better", xscale="log")
         order.set(xlabel="sample rate, Hz", xlim=(10.5, 220))
         order.set_xticks(SAMPLE_RATES, [str(rate) for rate in SAMPLE_RATES])
@@ -112,28 +114,22 @@ class AlgorithmLaboratoryPicture(Picture[AlgorithmLaboratory]):
         most = 4 if self.sheet.on_paper else len(STYLES)
         legend_below_all(self.figure, self.sheet, order, most, points=8, frameon=False)
 
-    def update(self, data: AlgorithmLaboratory) -> None:
+    def update(self, table: DataTable) -> None:
         for name in STYLES:
-            shown = data.names.index(name) if name in data.names else None
-            if shown is None:
-                self.histories[name].set_data([], [])
-                self.orders[name].set_data([], [])
-                continue
-            # No error at all has no place on a logarithmic axis.
-            history, worst = (
-                np.where(error > 0, error / arcsecond, np.nan)
-                for error in (data.histories[shown], data.worst[shown])
-            )
-            self.histories[name].set_data(data.times[shown], history)
-            self.orders[name].set_data(data.rates, worst)
-        self._scale(data)
-        self.here.set_data([data.rate, data.rate], self.order_axes.get_ylim())
+            ticked = name in table.orders
+            for lines, x, y in (
+                (self.histories, f"time, {name}", f"error, {name}"),
+                (self.orders, "rate", f"largest_error, {name}"),
+            ):
+                lines[name].set_data(*(table.shown(each) if ticked else [] for each in (x, y)))
+        self._scale(table)
+        self.here.set_data([table.at_rate, table.at_rate], self.order_axes.get_ylim())
 
-    def _scale(self, data: AlgorithmLaboratory) -> None:
+    def _scale(self, table: DataTable) -> None:
         """Fit the axes, and let the lines of known order begin below the middle of them."""
         # What is far below rounding says nothing; the first steps of a history may be exact.
-        told = data.worst[np.isfinite(data.worst)] / arcsecond
-        least = told.min(initial=TOPS[-1], where=told > 0.02 * data.rounding / arcsecond)
+        told = table.shown("largest_error")[np.isfinite(table.largest_error)]
+        least = told.min(initial=TOPS[-1], where=told > 0.02 * table.shown("rounding"))
         low = next(step for step in BOTTOMS if step <= 0.3 * least or step == BOTTOMS[-1])
         high = next(step for step in TOPS if told.max() <= step or step == TOPS[-1])
         self.set_limits(self.order_axes, "y", low, high)
